@@ -1,0 +1,30 @@
+# Two commands: `make demo` ends with a picture, `make test` runs every check. Both set up all they need.
+PYTHON ?= python3
+VENV := .venv
+RUN := $(VENV)/bin
+
+.PHONY: demo test setup lint benchmark clean
+
+demo: setup
+	$(RUN)/loomlight demo -o demo.png
+
+test: lint
+	$(RUN)/python -m pytest -n 2
+
+lint: setup
+	$(RUN)/ruff check src tests scripts benchmarks
+	$(RUN)/ruff format --check src tests scripts benchmarks
+	$(RUN)/mypy
+	$(RUN)/lint-imports
+
+setup: $(VENV)/.installed
+
+$(VENV)/.installed: pyproject.toml constraints.txt scripts/setup.sh
+	bash scripts/setup.sh "$(PYTHON)" "$(VENV)"
+	touch $@
+
+benchmark: setup
+	$(RUN)/python benchmarks/point.py
+
+clean:
+	rm -rf $(VENV) .pytest_cache .mypy_cache .ruff_cache demo.png

@@ -1,0 +1,1 @@
+"""loomlight: from a weave draft to a picture you would believe."""

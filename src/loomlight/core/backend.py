@@ -1,0 +1,50 @@
+"""Dr.Jit array types that belong together, derived from the arrays a caller passes in.
+
+The physics is written once: it never names a backend, it asks for the types that go with its arguments.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+import drjit as dr
+
+
+@dataclass(frozen=True)
+class ArrayTypes:
+    """The array types of one backend: `Float` is float32, `Color3` and `Vector3` hold three of them."""
+
+    Float: Any
+    UInt32: Any
+    Int32: Any
+    Bool: Any
+    Vector2: Any
+    Vector3: Any
+    Color3: Any
+    PCG32: Any
+
+
+@cache
+def _types_of(float_type: type) -> ArrayTypes:
+    module = import_module(float_type.__module__)
+    return ArrayTypes(
+        Float=float_type,
+        UInt32=dr.uint32_array_t(float_type),
+        Int32=dr.int32_array_t(float_type),
+        Bool=dr.mask_t(float_type),
+        Vector2=module.Array2f,
+        Vector3=module.Array3f,
+        Color3=module.Array3f,
+        PCG32=module.PCG32,
+    )
+
+
+def array_types(example: Any) -> ArrayTypes:
+    """The types that go with `example`, a float array or a vector of floats of any Dr.Jit backend."""
+    kind = example if isinstance(example, type) else type(example)
+    while dr.depth_v(kind) > 1:
+        kind = dr.value_t(kind)
+    return _types_of(kind)

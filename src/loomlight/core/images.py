@@ -1,0 +1,71 @@
+"""Images: PNG through Pillow, EXR through OpenEXR; neither a renderer nor LLVM is needed."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+from numpy.typing import ArrayLike, NDArray
+from PIL import Image, UnidentifiedImageError
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
+
+_EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
+
+
+def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
+    """Writes linear values [height, width, 1 | 3 | 4] as .exr (float32, as they are) or .png (sRGB, 8 bits).
+
+    Raises:
+        InputError: another suffix, or a path that cannot be written.
+    """
+    pixels = np.asarray(linear, dtype=np.float32)
+    suffix = Path(path).suffix.lower()
+    if suffix == ".exr":
+        _write_exr(path, {_EXR_CHANNELS[pixels.shape[2]]: pixels})
+    elif suffix == ".png":
+        encoded = linear_to_srgb(np.nan_to_num(pixels[..., :3]))
+        write_png(path, np.rint(encoded * 255).astype(np.uint8).squeeze())
+    else:
+        raise InputError(f"{path}: images are written as .png or .exr, not {suffix or 'without a suffix'}.")
+
+
+def write_channels(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
+    """Writes named float32 planes [height, width] as one EXR file."""
+    _write_exr(path, channels)
+
+
+def _write_exr(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
+    planes = {name: np.ascontiguousarray(value).squeeze() for name, value in channels.items()}
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    with replacing(path) as temporary:
+        OpenEXR.File(header, planes).write(str(temporary))
+
+
+def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
+    """Writes 8-bit pixels [height, width] or [height, width, 3] as they are."""
+    with replacing(path) as temporary:
+        Image.fromarray(pixels).save(temporary, format="PNG")
+
+
+def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF; transparent is white.
+
+    Raises:
+        InputError: no such file, or no picture.
+    """
+    try:
+        with Image.open(path) as picture:
+            rgba = picture.convert("RGBA")
+    except FileNotFoundError as error:
+        raise InputError(f"{path} does not exist.") from error
+    except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        raise InputError(
+            f"{path} is no picture that can be read (PNG, JPEG, TIFF, BMP and GIF can)."
+        ) from error
+    pixels = np.asarray(rgba, dtype=np.float64) / 255
+    return pixels[..., :3] * pixels[..., 3:] + (1 - pixels[..., 3:])

@@ -1,0 +1,49 @@
+"""The LLVM library that Dr.Jit compiles with: found and judged before the first kernel.
+
+Dr.Jit accepts LLVM 14 to 16 and then aborts the process on ordinary kernels, so its version is asked
+for first; asking is safe. Run as a module it prints what it found, and exits with 1 if that will not do.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from loomlight.core.errors import LoomlightError, MissingDependencyError
+
+MINIMUM_LLVM = 17
+ADVICE = "install it with `apt-get install libllvm19`, or name one in the variable DRJIT_LIBLLVM_PATH"
+
+
+def llvm_version() -> tuple[int, int, int] | None:
+    """Version of the LLVM library that Dr.Jit found; None without one."""
+    import drjit
+
+    if not drjit.has_backend(drjit.JitBackend.LLVM):
+        return None
+    parts = str(drjit.detail.llvm_version()).split(".")
+    major, minor, patch = (int(part) for part in parts[:3])
+    return (major, minor, patch) if major > 0 else None
+
+
+def require_llvm() -> None:
+    """Returns if kernels can be compiled.
+
+    Raises:
+        MissingDependencyError: no LLVM library, or one older than 17.
+    """
+    version = llvm_version()
+    if version is None:
+        raise MissingDependencyError(f"LLVM {MINIMUM_LLVM} or newer is needed and none was found: {ADVICE}.")
+    if version[0] < MINIMUM_LLVM:
+        found = ".".join(map(str, version))
+        raise MissingDependencyError(
+            f"LLVM {found} was found, but {MINIMUM_LLVM} or newer is needed: {ADVICE}."
+        )
+
+
+if __name__ == "__main__":
+    try:
+        require_llvm()
+    except LoomlightError as error:
+        sys.exit(f"loomlight: {error}")
+    print("LLVM", ".".join(map(str, llvm_version() or ())))

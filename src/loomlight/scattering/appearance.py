@@ -1,0 +1,70 @@
+"""What scatters: albedos a thread, roughness a family, sheen. The numbers the point model computes with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class FamilyAppearance:
+    """One family of threads.
+
+    Attributes:
+        diffuse_reflect: albedo [n, 3] of the blended diffuse reflection, a row a thread, linear RGB.
+        diffuse_transmit: the same for the far side [n, 3].
+        specular_reflect: single-scattering albedo k_s of the fibre layer in reflection [n, 3].
+        specular_transmit: the same in transmission [n, 3].
+        roughness: α of the fibre SGGX distribution, 0.01 to 1.
+
+    Per channel diffuse_reflect + diffuse_transmit + max(specular_reflect, specular_transmit) ≤ 1, checked
+    where the values are made (`scattering/albedo.py`).
+    """
+
+    diffuse_reflect: NDArray[np.float64]
+    diffuse_transmit: NDArray[np.float64]
+    specular_reflect: NDArray[np.float64]
+    specular_transmit: NDArray[np.float64]
+    roughness: float
+
+
+@dataclass(frozen=True)
+class Sheen:
+    """Fly-away fibres on top (zhu2024 3.3): strength 0 to 1 scales the lobe, roughness 0 to 1."""
+
+    strength: float = 0.0
+    roughness: float = 0.4
+
+
+@dataclass(frozen=True)
+class Variation:
+    """Procedural variation (Jin et al. 2022), seeded; all off by default.
+
+    Attributes:
+        fibre_noise: 0 to 1, how much the specular strength varies from fibre to fibre.
+        colour_noise: 0 to 1, relative spread of the albedo from thread to thread.
+        seed: any 32-bit number.
+    """
+
+    fibre_noise: float = 0.0
+    colour_noise: float = 0.0
+    seed: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Appearance:
+    """Everything that scatters in one fabric.
+
+    Attributes:
+        diffuse_blend: w, the share of the yarn normal in the blended diffuse term (chen2024 eq. 1).
+        optical_depth: Tρ of the fibre layer, > 0.
+    """
+
+    warp: FamilyAppearance
+    weft: FamilyAppearance
+    sheen: Sheen = field(default_factory=Sheen)
+    variation: Variation = field(default_factory=Variation)
+    diffuse_blend: float = 0.5
+    optical_depth: float = 2.0

@@ -1,0 +1,87 @@
+"""A draft: which thread is on top at every crossing, and what the threads are.
+
+The periodic binary matrix W[pick, end] is 1 (True) where the warp is on top; end 1 and pick 1 are index 0.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+
+MAXIMUM_THREADS = 4096
+
+
+@dataclass(frozen=True, eq=False)
+class Threads:
+    """One family of threads of a draft, in thread order; what a draft does not say is None.
+
+    Attributes:
+        colors: linear RGB [n, 3] in [0, 1].
+        spacing_mm: distance that each thread takes up [n], millimetres, > 0.
+        thickness_mm: diameter [n], millimetres, > 0; may exceed the spacing (dense cloth).
+    """
+
+    colors: NDArray[np.float64] | None = None
+    spacing_mm: NDArray[np.float64] | None = None
+    thickness_mm: NDArray[np.float64] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class LoomPlan:
+    """How a loom weaves the drawdown: what a draft drawing shows around it.
+
+    Attributes:
+        threading: shafts that carry each end, as sets of 1-based numbers (an empty set: on no shaft).
+        shafts: how many shafts.
+        treadles: how many treadles; 0 for a liftplan.
+        tieup: shafts tied to each treadle, index 0 is treadle 1; None for a liftplan.
+        treadling: treadles pressed for each pick; None for a liftplan.
+        liftplan: shafts lifted for each pick; None for tie-up and treadling.
+        rising_shed: whether a lifted shaft raises its ends (True) or lowers them.
+    """
+
+    threading: tuple[frozenset[int], ...]
+    shafts: int
+    treadles: int = 0
+    tieup: tuple[frozenset[int], ...] | None = None
+    treadling: tuple[frozenset[int], ...] | None = None
+    liftplan: tuple[frozenset[int], ...] | None = None
+    rising_shed: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Draft:
+    """A weave draft. `drawdown` is bool [picks, ends], True where the warp is on top.
+
+    Raises:
+        InputError: an empty drawdown, or more than 4096 ends or picks.
+    """
+
+    drawdown: NDArray[np.bool_]
+    warp: Threads = field(default_factory=Threads)
+    weft: Threads = field(default_factory=Threads)
+    title: str = ""
+    loom: LoomPlan | None = None
+
+    def __post_init__(self) -> None:
+        picks, ends = self.drawdown.shape
+        if picks == 0 or ends == 0:
+            raise InputError(f"The draft has {ends} ends and {picks} picks; it needs at least one of each.")
+        if max(picks, ends) > MAXIMUM_THREADS:
+            raise InputError(
+                f"The draft has {ends} ends and {picks} picks; at most {MAXIMUM_THREADS} of each can be used."
+            )
+
+    @property
+    def ends(self) -> int:
+        """How many warp threads one repeat has."""
+        return int(self.drawdown.shape[1])
+
+    @property
+    def picks(self) -> int:
+        """How many weft threads one repeat has."""
+        return int(self.drawdown.shape[0])

@@ -1,0 +1,70 @@
+"""Where the threads of one repeat lie, how wide they are and how they bend: what geometry is computed from."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+
+# Dense drafts give a thickness at or above the spacing; threads never touch closer than this share of it.
+SMALLEST_GAP = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class FamilyLayout:
+    """The threads of one family, in thread order.
+
+    Attributes:
+        spacing: distance that each thread takes up [n], millimetres, > 0.
+        width: visible width of each thread [n], millimetres; at most 0.98 of its spacing is used.
+        inclination: U, the angle of a float's ends to the cloth, radians, 0 to 80°.
+        twist: ψ, the angle of the fibres to the yarn, radians, −89° to 89°.
+        height_scale: β, 0.01 to 2.
+    """
+
+    spacing: NDArray[np.float64]
+    width: NDArray[np.float64]
+    inclination: float
+    twist: float
+    height_scale: float
+
+    def __post_init__(self) -> None:
+        if self.spacing.shape != self.width.shape or self.spacing.ndim != 1 or self.spacing.size == 0:
+            raise InputError("Each thread needs one spacing and one width.")
+        _require_within("spacing (mm)", self.spacing, 1e-4, 1e4)
+        _require_within("width (mm)", self.width, 1e-5, 1e5)
+        _require_within("inclination (degrees)", math.degrees(self.inclination), 0, 80)
+        _require_within("twist (degrees)", math.degrees(self.twist), -89, 89)
+        _require_within("height_scale", self.height_scale, 0.01, 2)
+
+
+@dataclass(frozen=True, eq=False)
+class ClothLayout:
+    """One repeat of cloth: `warp_on_top` is bool [picks, ends]."""
+
+    warp_on_top: NDArray[np.bool_]
+    warp: FamilyLayout
+    weft: FamilyLayout
+
+    def __post_init__(self) -> None:
+        expected = (self.weft.spacing.size, self.warp.spacing.size)
+        if self.warp_on_top.shape != expected:
+            raise InputError(f"The drawdown is {self.warp_on_top.shape}, but the threads make it {expected}.")
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the repeat, millimetres."""
+        return float(self.warp.spacing.sum()), float(self.weft.spacing.sum())
+
+
+def _require_within(name: str, value: NDArray[np.float64] | float, low: float, high: float) -> None:
+    values = np.atleast_1d(np.asarray(value, dtype=np.float64))
+    bad = ~(
+        (values >= low * (1 - 1e-9)) & (values <= high * (1 + 1e-9)) | ((values >= low) & (values <= high))
+    )
+    if bad.any():
+        raise InputError(f"{name} = {values[bad][0]:g} is outside {low:g} to {high:g}.")
