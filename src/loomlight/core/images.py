@@ -53,7 +53,7 @@ def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
 
 
 def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF; transparent is white.
+    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, on white.
 
     Raises:
         InputError: no such file, or no picture.

@@ -20,8 +20,7 @@ def llvm_version() -> tuple[int, int, int] | None:
 
     if not drjit.has_backend(drjit.JitBackend.LLVM):
         return None
-    parts = str(drjit.detail.llvm_version()).split(".")
-    major, minor, patch = (int(part) for part in parts[:3])
+    major, minor, patch = drjit.detail.llvm_version()
     return (major, minor, patch) if major > 0 else None
 
 

@@ -1,4 +1,4 @@
-"""Where the threads of one repeat lie, how wide they are and how they bend: what geometry is computed from."""
+"""Where the threads of one repeat lie, how wide they are and how they bend."""
 
 from __future__ import annotations
 
