@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.weave.wif_source import WifSource
 
 MAXIMUM_THREADS = 4096
 
@@ -23,11 +24,14 @@ class Threads:
         colors: linear RGB [n, 3] in [0, 1].
         spacing_mm: distance that each thread takes up [n], millimetres, > 0.
         thickness_mm: diameter [n], millimetres, > 0; may exceed the spacing (dense cloth).
+        color_index: 0-based row of the draft's palette that each thread has [n]; colours that are
+            swapped by role (dark and light, say) are swapped by it, see `palette.with_palette`.
     """
 
     colors: NDArray[np.float64] | None = None
     spacing_mm: NDArray[np.float64] | None = None
     thickness_mm: NDArray[np.float64] | None = None
+    color_index: NDArray[np.intp] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +46,8 @@ class LoomPlan:
         treadling: treadles pressed for each pick; None for a liftplan.
         liftplan: shafts lifted for each pick; None for tie-up and treadling.
         rising_shed: whether a lifted shaft raises its ends (True) or lowers them.
+
+    A file may hold a liftplan beside tie-up and treadling; the latter then say what is woven.
     """
 
     threading: tuple[frozenset[int], ...]
@@ -57,6 +63,16 @@ class LoomPlan:
 class Draft:
     """A weave draft. `drawdown` is bool [picks, ends], True where the warp is on top.
 
+    Attributes:
+        drawdown: bool [picks, ends], True where the warp is on top.
+        warp: the ends, from left to right.
+        weft: the picks, from the bottom upwards.
+        title: what the draft is called, one line.
+        loom: how a loom weaves it, where that is known.
+        palette: linear RGB [k, 3] in [0, 1] that the threads' `color_index` points into.
+        notes: lines of text that came with the draft.
+        source: what else a file said, so that writing it again loses nothing.
+
     Raises:
         InputError: an empty drawdown, or more than 4096 ends or picks.
     """
@@ -66,6 +82,9 @@ class Draft:
     weft: Threads = field(default_factory=Threads)
     title: str = ""
     loom: LoomPlan | None = None
+    palette: NDArray[np.float64] | None = None
+    notes: tuple[str, ...] = ()
+    source: WifSource | None = None
 
     def __post_init__(self) -> None:
         picks, ends = self.drawdown.shape
