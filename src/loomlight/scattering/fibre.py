@@ -1,0 +1,153 @@
+"""One layer of fibres: microflakes with the fibre-like SGGX distribution, scattering once.
+
+Fibres run along the unit vector `tangent` t and have roughness α: S = I − (1 − α²) t tᵀ (chen2024 eq. 2,
+with the axes of its S turned to t). `normal` is the yarn's, and all cosines here are with it. Values are
+free of the albedo and hold the light's cosine. Directions and `normal` are Vector3 of unit length,
+`roughness` is 0.01 to 1, `optical_depth` is Tρ > 0; each may belong to any Dr.Jit backend.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+
+from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_sphere
+
+# Cosines are kept above this before something is divided by them. Optical depths then reach 1e6 and their
+# exponentials vanish, while every product stays far from the limits of float32.
+_SMALLEST_COSINE = 1e-6
+# Shorter sums light + view are rounding (each component carries 6e-8), not a half vector.
+_SMALLEST_SQUARED_SUM = 1e-12
+# Of what a fibre scatters, the share that turns back, cos(φ/2)/4 integrated over |φ| < π/2.
+_SHARE_TURNED_BACK = 0.7071
+# Optical depth per Tρ of a light direction that stands for all of them: 1/cos 45°.
+_TYPICAL_DEPTH = 1.4
+
+
+def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
+    """σ(ω): area of the fibres seen from `direction`, per volume and density; α to 1 (chen2024 eq. 2)."""
+    along = dr.dot(direction, tangent)
+    # Not below α² but for rounding, so the root and its derivative stay finite.
+    squared = dr.fma((roughness + 1) * (roughness - 1), along * along, 1)
+    return dr.sqrt(dr.maximum(squared, roughness * roughness))
+
+
+def density(half: Any, tangent: Any, roughness: Any) -> Any:
+    """D(h): density of fibre normals in direction `half`, 1/sr, both signs of h alike (chen2024 eq. 2)."""
+    along = dr.dot(half, tangent)
+    return _density(along * along, roughness)
+
+
+def _density(squared_along: Any, roughness: Any) -> Any:
+    """D of the squared cosine between half vector and tangent.
+
+    With q = p/α², p = α² + (h·t)²(1 − α²): α³/(π p²) never forms the large 1/α² of q.
+    """
+    squared_roughness = roughness * roughness
+    p = dr.fma(squared_along, 1 - squared_roughness, squared_roughness)
+    return dr.inv_pi * squared_roughness * roughness * dr.rcp(p * p)
+
+
+def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
+    """D at the half vector of two directions, from light + view without normalising it.
+
+    Where light = −view the half vector is 0/0 and its limit depends on the approach; there it is taken to
+    be perpendicular to the fibre, which gives the largest of the limits, 1/(πα), and a zero derivative.
+    """
+    total = light + view
+    along = dr.dot(total, tangent)
+    squared_along = along * along * dr.rcp(dr.maximum(dr.squared_norm(total), _SMALLEST_SQUARED_SUM))
+    # (h·t)² ≤ 1 but for rounding.
+    return _density(dr.minimum(squared_along, 1), roughness)
+
+
+def _mean_attenuation(depth: Any) -> Any:
+    """(1 − e^{−x})/x, the mean of e^{−s} over 0 < s < x, for x ≥ 0.
+
+    The series takes over below 0.1, where the difference would lose digits; there it is off by 1e-8.
+    """
+    series = dr.fma(depth, dr.fma(depth, dr.fma(depth, dr.fma(depth, 1 / 120, -1 / 24), 1 / 6), -0.5), 1)
+    large = dr.maximum(depth, 0.1)
+    return dr.select(depth < 0.1, series, (1 - dr.exp(-large)) * dr.rcp(large))
+
+
+def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
+    """Light scattered once and back out of the layer: f·cos_light at albedo 1, 1/sr (chen2024 eq. 1–2).
+
+    D G_r/(4 cos_view), in the form −expm1(−Tρ(Λ_i + Λ_o))/(σ_i cos_o + σ_o cos_i) that has no pole at
+    grazing angles. Zero unless light and view are both on the side of `normal`.
+    """
+    cos_light, cos_view = dr.dot(light, normal), dr.dot(view, normal)
+    visible = (cos_light > 0) & (cos_view > 0)
+    cos_light = dr.maximum(cos_light, _SMALLEST_COSINE)
+    cos_view = dr.maximum(cos_view, _SMALLEST_COSINE)
+    area_light = projected_area(light, tangent, roughness)
+    area_view = projected_area(view, tangent, roughness)
+    crossed = dr.fma(area_light, cos_view, area_view * cos_light)
+    depth = optical_depth * crossed * dr.rcp(cos_light * cos_view)
+    scattered = depth * _mean_attenuation(depth)
+    value = 0.25 * _density_between(light, view, tangent, roughness) * scattered * cos_light * dr.rcp(crossed)
+    return dr.select(visible, value, 0)
+
+
+def transmission(
+    light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any
+) -> Any:
+    """Light scattered once and out on the other side: f·cos_light at albedo 1, 1/sr (Wang et al. 2022).
+
+    D G_t/(4 cos_view) with G_t = e^{−Tρ min(Λ_i, Λ_o)} (1 − e^{−Tρ|Δ|})/|Δ|, Δ = Λ_i − Λ_o. Zero unless
+    view is on the side of `normal` and light on the other; cos_light = −light·normal.
+    """
+    cos_light, cos_view = -dr.dot(light, normal), dr.dot(view, normal)
+    visible = (cos_light > 0) & (cos_view > 0)
+    per_cos_view = dr.rcp(dr.maximum(cos_view, _SMALLEST_COSINE))
+    slope_light = projected_area(light, tangent, roughness) * dr.rcp(dr.maximum(cos_light, _SMALLEST_COSINE))
+    slope_view = projected_area(view, tangent, roughness) * per_cos_view
+    passed = dr.exp(-optical_depth * dr.minimum(slope_light, slope_view))
+    mean = _mean_attenuation(optical_depth * dr.abs(slope_light - slope_view))
+    lengths = 0.25 * optical_depth * passed * mean * per_cos_view
+    return dr.select(visible, _density_between(light, view, tangent, roughness) * lengths, 0)
+
+
+def layer_albedo_estimate(
+    view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any
+) -> tuple[Any, Any]:
+    """Rough directional albedos of the layer in reflection and in transmission, for choosing a lobe.
+
+    Every light direction is given the depth of one at 45° and the split between the sides that a fibre
+    seen straight from above makes. Both are positive wherever their lobe is.
+    """
+    cos_view = dr.maximum(dr.abs(dr.dot(view, normal)), _SMALLEST_COSINE)
+    slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
+    turned = slope * dr.rcp(slope + _TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
+    passed = dr.exp(-optical_depth * dr.minimum(slope, _TYPICAL_DEPTH))
+    through = optical_depth * slope * passed * _mean_attenuation(optical_depth * dr.abs(slope - _TYPICAL_DEPTH))
+    return _SHARE_TURNED_BACK * turned, (1 - _SHARE_TURNED_BACK) * through
+
+
+def sample_specular(view: Any, tangent: Any, roughness: Any, u: Any) -> Any:
+    """A light direction by reflection off a fibre normal visible from `view`: the whole sphere, both lobes.
+
+    Visible normals of an ellipsoid (Heitz et al. 2015): with M = I − (1 − α) t tᵀ, so M M = S, the sphere
+    that M stretches is seen along M view, its visible points p have a cosine density, and h ∝ M p. No frame
+    is built: M only scales along t.
+
+    Args:
+        u: Vector2 of uniform numbers in [0, 1).
+    """
+    squeeze = 1 - roughness
+    seen = dr.fma(-squeeze * dr.dot(view, tangent), tangent, view)
+    axis = seen * dr.rsqrt(dr.maximum(dr.squared_norm(seen), SMALLEST_SQUARED_LENGTH))
+    point = axis + uniform_on_sphere(u)
+    half = dr.fma(-squeeze * dr.dot(point, tangent), tangent, point)
+    # h is normalised within the reflection: light = 2 (view·h) h/|h|² − view.
+    scale = 2 * dr.dot(view, half) * dr.rcp(dr.maximum(dr.squared_norm(half), SMALLEST_SQUARED_LENGTH))
+    light = dr.fma(scale, half, -view)
+    return light * dr.rsqrt(dr.maximum(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
+
+
+def pdf_specular(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
+    """Density of `sample_specular` over the whole sphere, 1/sr: D(h)/(4 σ(view)) (Heitz et al. 2015)."""
+    area = projected_area(view, tangent, roughness)
+    return 0.25 * _density_between(light, view, tangent, roughness) * dr.rcp(area)
