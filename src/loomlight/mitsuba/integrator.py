@@ -1,0 +1,250 @@
+"""`footprint_path`: a path tracer that tells every BSDF how much of the cloth the pixel sees.
+
+It estimates what Mitsuba's `path` estimates: next-event estimation and BSDF sampling, combined by the power
+heuristic, Russian roulette. It adds two things:
+
+- ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials (shrunk by
+  1/sqrt(samples)) on the first surface, from a ray cone beyond.
+- Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``, and
+  a path that passes through one keeps the MIS weight of the vertex before it. Passing through costs no depth.
+
+Derivatives of BSDF and emitter parameters come from path replay (Vicini et al. 2021); the shadows of holes
+and the positions of surfaces are held fixed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
+
+# A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
+MOST_PASSES = 64
+# Light that comes straight from an emitter behind less transmittance than this is dropped.
+_NO_LIGHT = 1e-6
+
+
+def footprint_path_class() -> type:
+    """The integrator's class in the current variant, for `mi.register_integrator`."""
+    base: Any = mi.ad.integrators.common.RBIntegrator
+
+    class FootprintPath(base):  # type: ignore[misc]
+        """Path tracer with pixel footprints and holes.
+
+        Parameters:
+            max_depth: longest path in segments, -1 (default) without a bound.
+            rr_depth: depth at which Russian roulette begins, 5.
+            hide_emitters: directly visible emitters do not show, false.
+            footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
+                A picture that is averaged from several renders names their sum here.
+        """
+
+        def __init__(self, props: Any) -> None:
+            if not props.has_property("max_depth"):
+                props["max_depth"] = -1
+            super().__init__(props)
+            self.footprint_samples: int = props.get("footprint_samples", 0)
+
+        def to_string(self) -> str:
+            depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
+            return (
+                f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
+                f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}]"
+            )
+
+        def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
+            ray, weight, position = super().sample_rays(scene, sensor, sampler)
+            ray.scale_differential(self._samples(sampler) ** -0.5)
+            return ray, weight, position
+
+        def _samples(self, sampler: Any) -> int:
+            return self.footprint_samples or sampler.sample_count()
+
+        @dr.syntax
+        def sample(
+            self,
+            mode: Any,
+            scene: Any,
+            sampler: Any,
+            ray: Any,
+            δL: Any,
+            state_in: Any,
+            active: Any,
+            **_unused: Any,
+        ) -> tuple[Any, Any, list[Any], Any]:
+            primal = mode == dr.ADMode.Primal
+            context = mi.BSDFContext()
+            samples = self._samples(sampler)
+            holes = has_holes(scene)
+
+            camera = ray
+            width, spread = pixel_cone(ray)
+            ray = mi.Ray3f(dr.detach(ray))
+            active = mi.Bool(active)
+            L = mi.Spectrum(0 if primal else state_in)
+            δL = mi.Spectrum(δL if δL is not None else 0)
+            β = mi.Spectrum(1)
+            η = mi.Float(1)
+            depth = mi.UInt32(0)
+            passes = mi.UInt32(0)
+            scattered = mi.Bool(False)
+            visible = mi.Bool(scene.environment() is not None and not self.hide_emitters)
+
+            # The last vertex that scattered: both strategies that reach an emitter start there.
+            vertex = mi.Point3f(ray.o)
+            vertex_pdf = mi.Float(1)
+            vertex_delta = mi.Bool(True)
+
+            pi = scene.ray_intersect_preliminary(ray, coherent=True, reorder=False, active=active)
+            if dr.hint(self.hide_emitters, mode="scalar"):
+                pi = self._beyond_emitters(scene, ray, pi, active)
+
+            while dr.hint(active, label=f"footprint_path ({mode.name})"):
+                si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
+                valid = active & si.is_valid()
+                bsdf = si.bsdf()
+
+                # ---- Footprint
+                width = dr.fma(spread, dr.select(valid, si.t, 0), width)
+                duv_dx, duv_dy = cone_partials(si, ray.d, width)
+                si.compute_uv_partials(camera)
+                si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
+                si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
+
+                # ---- Emission
+                origin = dr.zeros(mi.Interaction3f)
+                origin.p = vertex
+                ds = mi.DirectionSample3f(scene, si, origin)
+                emitter_pdf = scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
+                shown = active & (scattered | (not self.hide_emitters))
+                with dr.resume_grad(when=not primal):
+                    emitted = ds.emitter.eval(si, shown)
+                    Le = β * power_heuristic(vertex_pdf, emitter_pdf) * emitted
+
+                # ---- A light
+                bounces = valid & (depth + 1 < self.max_depth)
+                lit = bounces & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Smooth)
+                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), not holes, lit)
+                lit &= ds.pdf != 0
+                to_light = si.to_local(ds.d)
+
+                # ---- The next direction. Past the last bounce a path still passes through holes, because
+                # the previous vertex's light samples did.
+                enters = mi.Bool(bounces)
+                if dr.hint(holes, mode="scalar"):
+                    enters |= valid & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null)
+                lobe, square = sampler.next_1d(), sampler.next_2d()
+                if dr.hint(primal, mode="scalar"):
+                    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, to_light, lobe, square, enters)
+                    value = dr.select(lit, value, 0)
+                else:
+                    bs, weight = bsdf.sample(context, si, lobe, square, enters)
+                    with dr.resume_grad():
+                        value, pdf = bsdf.eval_pdf(context, si, to_light, lit)
+                        attached = scene.eval_emitter_direction(si, ds, lit) / ds.pdf
+                        arriving = dr.replace_grad(arriving, dr.select(lit, attached, 0))
+
+                if dr.hint(holes, mode="scalar"):
+                    lit &= dr.max(dr.detach(value * arriving)) > 0
+                    arriving *= self._transmittance(scene, si, ds.p, width, spread, lit)
+
+                with dr.resume_grad(when=not primal):
+                    heuristic = dr.select(ds.delta, 1, power_heuristic(ds.pdf, dr.detach(pdf)))
+                    Lr = dr.select(lit, β * heuristic * value * arriving, 0)
+
+                # ---- Onwards
+                passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
+                delta = mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
+                bounced = bounces & ~passed
+                visible |= valid & ~passed
+                L = (L + Le + Lr) if primal else (L - Le - Lr)
+
+                ray_next = si.spawn_ray(si.to_world(bs.wo))
+                active_next = bounced | (passed & (passes < MOST_PASSES))
+                β *= weight
+                η *= bs.eta
+                β_max = dr.max(β)
+                active_next &= β_max != 0
+                survival = dr.minimum(β_max * dr.square(η), 0.95)
+                roulette = bounced & (depth >= self.rr_depth)
+                β[roulette] *= dr.rcp(survival)
+                active_next &= ~roulette | (sampler.next_1d() < survival)
+
+                vertex = dr.select(bounced, si.p, vertex)
+                vertex_pdf = dr.select(bounced, bs.pdf, vertex_pdf)
+                vertex_delta = dr.select(bounced, delta, vertex_delta)
+                spread += dr.select(bounced & ~delta, opening(bs.pdf, samples), 0)
+                scattered |= bounced
+                depth[bounced] += 1
+                passes[passed] += 1
+
+                if dr.hint(not primal, mode="scalar"):
+                    with dr.resume_grad():
+                        again = bsdf.eval(context, si, bs.wo, active_next & ~delta)
+                        Lo = Le + Lr + dr.detach(L) * dr.relative_grad(again)
+                        if dr.hint(mode == dr.ADMode.Backward, mode="scalar"):
+                            dr.backward_from(δL * Lo)
+                        else:
+                            δL += dr.forward_to(Lo)
+
+                pi = scene.ray_intersect_preliminary(
+                    ray_next, coherent=False, reorder=False, active=active_next
+                )
+                ray = ray_next
+                active = active_next
+
+            return (L if primal else δL), visible, [], L
+
+        @dr.syntax
+        def _transmittance(
+            self, scene: Any, si: Any, target: Any, width: Any, spread: Any, active: Any
+        ) -> Any:
+            """Share of the light [3] that gets from `target` to `si` through the holes between them."""
+            ray = si.spawn_ray_to(target)
+            active = mi.Bool(active)
+            width = mi.Float(width)
+            passes = mi.UInt32(0)
+            through = mi.Spectrum(1)
+            while dr.hint(active, label="footprint_path (shadow)"):
+                pi = scene.ray_intersect_preliminary(ray, coherent=False, reorder=False, active=active)
+                blocked = active & pi.is_valid()
+                other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
+                bsdf = other.bsdf()
+                porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MOST_PASSES)
+                width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
+                other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
+                through[blocked] = through * bsdf.eval_null_transmission(other, porous)
+                ray = other.spawn_ray_to(target)
+                passes += 1
+                active = porous & (dr.max(through) > _NO_LIGHT)
+            return through
+
+        def _beyond_emitters(self, scene: Any, ray: Any, pi: Any, active: Any) -> Any:
+            """The first intersection that is no area emitter."""
+            emitter = active & pi.is_valid() & (pi.shape.emitter() != None)  # noqa: E711 (Dr.Jit pointer)
+            si = pi.compute_surface_interaction(ray, mi.RayFlags.Minimal, emitter)
+            return dr.select(emitter, self.skip_area_emitters(scene, si.spawn_ray(ray.d), True, emitter), pi)
+
+    return FootprintPath
+
+
+def has_holes(scene: Any) -> bool:
+    """Whether any surface of the scene lets light pass straight through."""
+    return any(
+        shape.class_name() == "Instance" or (shape.bsdf() is not None and _lets_through(shape.bsdf()))
+        for shape in scene.shapes()
+    )
+
+
+def _lets_through(bsdf: Any) -> bool:
+    return bool(mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null))
+
+
+def power_heuristic(pdf: Any, other: Any) -> Any:
+    """MIS weight of a sample drawn with density `pdf` that `other` could have drawn too; 0 where both are 0."""
+    squared, other_squared = dr.square(pdf), dr.square(other)
+    weight = squared / (squared + other_squared)
+    return dr.detach(dr.select(dr.isfinite(weight), weight, 0))

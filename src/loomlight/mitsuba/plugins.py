@@ -1,0 +1,36 @@
+"""Plugins exist in whichever supported variant is set, without choosing one for the user."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mitsuba as mi
+
+from loomlight.mitsuba.integrator import footprint_path_class
+from loomlight.mitsuba.variants import is_supported, require_backend
+
+# Mitsuba's base classes differ from variant to variant, so a plugin is a function that makes its class.
+_INTEGRATORS: dict[str, Callable[[], type]] = {"footprint_path": footprint_path_class}
+_BSDFS: dict[str, Callable[[], type]] = {}
+
+
+def follow_variants() -> None:
+    """Registers the plugins now if a supported variant is set, and again whenever the variant changes."""
+    mi.detail.add_variant_callback(_on_variant)
+    if mi.variant() is not None:
+        _on_variant(None, mi.variant())
+
+
+def _on_variant(_previous: str | None, variant: str) -> None:
+    if not is_supported(variant):
+        return
+    require_backend(variant)
+    for name, make_class in _INTEGRATORS.items():
+        mi.register_integrator(name, _constructor(make_class()))
+    for name, make_class in _BSDFS.items():
+        mi.register_bsdf(name, _constructor(make_class()))
+
+
+def _constructor(plugin: type) -> Callable[[Any], Any]:
+    return lambda props: plugin(props)
