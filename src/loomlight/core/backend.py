@@ -15,7 +15,7 @@ import drjit as dr
 
 @dataclass(frozen=True)
 class ArrayTypes:
-    """The array types of one backend: `Float` is float32, `Color3` and `Vector3` hold three of them."""
+    """The array types of one backend and precision; `Color3` and `Vector3` hold three `Float`."""
 
     Float: Any
     UInt32: Any
@@ -23,21 +23,26 @@ class ArrayTypes:
     Bool: Any
     Vector2: Any
     Vector3: Any
+    Vector4: Any
     Color3: Any
+    Index2: Any
     PCG32: Any
 
 
 @cache
 def _types_of(float_type: type) -> ArrayTypes:
     module = import_module(float_type.__module__)
+    precision = "f64" if dr.type_v(float_type) == dr.VarType.Float64 else "f"
     return ArrayTypes(
         Float=float_type,
         UInt32=dr.uint32_array_t(float_type),
         Int32=dr.int32_array_t(float_type),
         Bool=dr.mask_t(float_type),
-        Vector2=module.Array2f,
-        Vector3=module.Array3f,
-        Color3=module.Array3f,
+        Vector2=getattr(module, f"Array2{precision}"),
+        Vector3=getattr(module, f"Array3{precision}"),
+        Vector4=getattr(module, f"Array4{precision}"),
+        Color3=getattr(module, f"Array3{precision}"),
+        Index2=module.Array2u,
         PCG32=module.PCG32,
     )
 

@@ -1,0 +1,439 @@
+"""The surface of woven cloth at any point: which thread shows, how high it is and how its fibres run.
+
+Each thread is a tube whose centre line is made of torus arcs and straight pieces. Across it a circular
+arc of ±80°, along it an arc upwards on top and downwards underneath, so that height and slope are
+continuous through every interlacing: unlike the published segment (Irawan and Marschner 2012) its
+normals belong to its heights, so shadows and parallax agree with shading.
+
+With x across and s the distance from the nearest end of the run, m = a − sqrt(a² − x²) the drop of the
+cross-section (a = w/(2 sin v_max)), h the half-length of the bent end and U the inclination:
+
+    on top       ρ = h/sin U − m,  z = +(h·tan(U/2) − y²/(ρ + sqrt(ρ² − y²))) − m,   y = max(h − s, 0)
+    underneath   ρ = h/sin U + m,  z = −(h·tan(U/2) − y²/(ρ + sqrt(ρ² − y²))) − m
+
+Within s < m·sin U of its end a float's flank already belongs to the arc of the run beneath. Heights are
+scaled by β. Below a thread on top the other one *dives* by that thread's lowest edge, smoothly across the
+gap, so it never stands above it. From below everything is mirrored; see `core/frame.py`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.runs import pack_runs
+from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
+
+# Index bins per smallest cell in the table that finds a thread by position.
+_BINS_PER_CELL = 1.0
+
+
+@dataclass
+class SurfacePoint:
+    """What a point of the cloth is. Seen from behind, in the mirrored frame of the back face.
+
+    Attributes:
+        hole: neither family is here; nothing below then means anything.
+        is_warp: the family that shows.
+        warp_thread, weft_thread: index of the end and the pick whose cells meet here.
+        height: above the plane of the crown lines, millimetres.
+        normal: unit normal n_p of the yarn [3].
+        tangent: unit fibre direction t [3], in the tangent plane.
+        across, along: position on the yarn, millimetres from its middle and along the thread.
+    """
+
+    hole: Any
+    is_warp: Any
+    warp_thread: Any
+    weft_thread: Any
+    height: Any
+    normal: Any
+    tangent: Any
+    across: Any
+    along: Any
+
+
+@dataclass
+class _Cell:
+    """Where a coordinate falls among the threads of one family."""
+
+    thread: Any
+    across: Any
+    half_width: Any
+    below: Any  # distance to the lower boundary of the cell
+    above: Any  # distance to the upper one
+
+
+class _UniformFamily:
+    """Threads that are all alike: arithmetic instead of tables."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = tables.lower.size
+        size = float(tables.upper[0] - tables.lower[0])
+        self.size = dr.opaque(types.Float, size)
+        self.inverse_size = dr.opaque(types.Float, 1 / size)
+        self.half_width = dr.opaque(types.Float, float(tables.half_width[0]))
+        self.arc = dr.opaque(types.Float, float(tables.arc[0]))
+        self.drop = dr.opaque(types.Float, float(tables.edge_drop[0]))
+        inclination = float(tables.inclination[0])
+        self.sine = dr.opaque(types.Float, math.sin(inclination))
+        self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
+        self._types = types
+
+    def locate(self, position: Any) -> _Cell:
+        cells = position * self.inverse_size
+        whole = dr.floor(cells)
+        below = dr.fma(-whole, self.size, position)
+        thread = _wrap(self._types.Int32(whole), self.count, self._types)
+        return _Cell(thread, below - 0.5 * self.size, self.half_width, below, self.size - below)
+
+    def span(self, thread: Any, first: Any, last: Any) -> Any:
+        """Length from the lower boundary of cell thread + first to that of thread + last."""
+        del thread
+        return self._types.Float(last - first) * self.size
+
+    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+        """Sine of the inclination, tangent of half of it, and the arc's half-length."""
+        del thread
+        return self.sine, self.half_tangent, self.arc
+
+    def edge_drop(self, thread: Any, step: Any) -> Any:
+        """Edge drop of thread + step, step in −1..1."""
+        del thread, step
+        return self.drop
+
+
+class _VariedFamily:
+    """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = tables.lower.size
+        self._types = types
+        self.start = dr.opaque(types.Float, float(tables.lower[0]))
+        self.period = dr.opaque(types.Float, tables.period)
+        self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
+        lower = tables.lower - tables.lower[0]
+        upper = tables.upper - tables.lower[0]
+        bins = math.ceil(_BINS_PER_CELL * tables.period / tables.finest) + 1
+        edges = np.arange(bins) * (tables.period / bins)
+        first = np.searchsorted(lower, edges, side="right") - 1
+        self.bins = bins
+        self._first = types.UInt32(first.astype(np.uint32))
+        centre = tables.centre - tables.lower[0]
+        place = np.stack([lower, upper, centre, tables.half_width], axis=1)
+        self._place = types.Float(place.ravel())
+        bend = [
+            np.sin(tables.inclination),
+            np.tan(tables.inclination / 2),
+            tables.arc,
+            tables.edge_drop,
+        ]
+        self._bend = types.Float(np.stack(bend, axis=1).ravel())
+
+    def _row(self, table: Any, thread: Any) -> Any:
+        return dr.gather(self._types.Vector4, table, thread)
+
+    def locate(self, position: Any) -> _Cell:
+        UInt32 = self._types.UInt32
+        turns = (position - self.start) * self.inverse_period
+        turns -= dr.floor(turns)
+        local = turns * self.period
+        slot = dr.minimum(UInt32(turns * self.bins), self.bins - 1)
+        thread = dr.gather(UInt32, self._first, slot)
+        upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
+        # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
+        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self.count - 1)
+        lower, upper, centre, half_width = self._row(self._place, thread)
+        return _Cell(thread, local - centre, half_width, local - lower, upper - local)
+
+    def span(self, thread: Any, first: Any, last: Any) -> Any:
+        return self._boundary(thread, last) - self._boundary(thread, first)
+
+    def _boundary(self, thread: Any, step: Any) -> Any:
+        Int32 = self._types.Int32
+        index = Int32(thread) + step
+        wrapped = _wrap(index, self.count, self._types)
+        turns = (index - Int32(wrapped)) // self.count
+        return dr.gather(self._types.Float, self._place, wrapped * 4) + self._types.Float(turns) * self.period
+
+    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+        row = self._row(self._bend, thread)
+        return row.x, row.y, row.z
+
+    def edge_drop(self, thread: Any, step: Any) -> Any:
+        wrapped = _wrap(self._types.Int32(thread) + step, self.count, self._types)
+        return dr.gather(self._types.Float, self._bend, wrapped * 4 + 3)
+
+
+def _wrap(index: Any, count: int, types: ArrayTypes) -> Any:
+    """Index modulo the number of threads, for any sign (Dr.Jit's own remainder takes the index's)."""
+    remainder = index % count
+    return types.UInt32(dr.select(remainder < 0, remainder + count, remainder))
+
+
+@dataclass
+class _Shown:
+    """The thread that shows at a point, and the facts of its run that shape it there."""
+
+    is_warp: Any
+    hole: Any
+    on_top: Any
+    word: Any
+    warp: _Cell
+    weft: _Cell
+
+
+class YarnGeometry:
+    """Analytic geometry of one layout of cloth, for any Dr.Jit backend.
+
+    Attributes:
+        layout: what it was made from.
+        size: width and height of the repeat, millimetres.
+        height_scale: β of (warp, weft); numbers, or Dr.Jit scalars when gradients are wanted.
+        twist: ψ of (warp, weft), radians; likewise.
+    """
+
+    def __init__(self, layout: ClothLayout) -> None:
+        self.layout = layout
+        self.size = layout.size
+        self.height_scale: tuple[Any, Any] = (layout.warp.height_scale, layout.weft.height_scale)
+        self.twist: tuple[Any, Any] = (layout.warp.twist, layout.weft.twist)
+        warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
+        weft_words = pack_runs(~layout.warp_on_top)
+        self._warp = prepare_family(layout.warp, layout.weft, warp_words)
+        self._weft = prepare_family(layout.weft, layout.warp, weft_words)
+        # [picks, ends, 2]: the words of both families at one crossing lie side by side.
+        self._words: NDArray[np.uint32] = np.stack([warp_words.T, weft_words], axis=2)
+        self._uploaded: dict[type, _Uploaded] = {}
+
+    @property
+    def finest(self) -> tuple[float, float]:
+        """Smallest cell of warp and weft threads, millimetres."""
+        return self._warp.finest, self._weft.finest
+
+    @property
+    def height_bounds(self) -> tuple[float, float]:
+        """No thread is ever lower or higher than this, millimetres, on either face."""
+        scales = [float(np.max(np.asarray(scale))) for scale in self.height_scale]
+        families = (self._warp, self._weft)
+        highest = max(f.highest * s for f, s in zip(families, scales, strict=True))
+        dive = max(float(f.edge_drop.max()) * s for f, s in zip(families, scales, strict=True))
+        lowest = min(f.lowest * s for f, s in zip(families, scales, strict=True))
+        return lowest - dive, highest
+
+    def _tables(self, types: ArrayTypes) -> _Uploaded:
+        if types.Float not in self._uploaded:
+            self._uploaded[types.Float] = _Uploaded(self._warp, self._weft, self._words, types)
+        return self._uploaded[types.Float]
+
+    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+        """Height of the cloth and whether there is a hole, at draft coordinates x, y in millimetres.
+
+        Args:
+            back: Bool, seen from behind; heights then count away from the cloth on that side.
+        """
+        point = self.surface(x, y, back)
+        return point.height, point.hole
+
+    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
+        """The point of the cloth above draft coordinates x, y (millimetres, any number of repeats).
+
+        Args:
+            x, y: Float arrays, along the weft and along the warp.
+            back: Bool, seen from behind.
+        """
+        types = array_types(x)
+        tables = self._tables(types)
+        shown = _show(tables, types, x, y, back)
+        is_warp = shown.is_warp
+        beta = dr.select(is_warp, types.Float(self.height_scale[0]), types.Float(self.height_scale[1]))
+        other_beta = dr.select(is_warp, types.Float(self.height_scale[1]), types.Float(self.height_scale[0]))
+        twist = dr.select(is_warp, types.Float(self.twist[0]), types.Float(self.twist[1]))
+        twist = dr.select(back, -twist, twist)
+
+        # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
+        own = _select_cell(is_warp, shown.warp, shown.weft)
+        crossed = _select_cell(is_warp, shown.weft, shown.warp)
+        run = _unpack(types, tables, shown, own, crossed)
+
+        radius = own.half_width / math.sin(SECTION_ANGLE)
+        across = dr.clip(own.across, -own.half_width, own.half_width)
+        lateral = dr.sqrt(dr.fma(radius, radius, -dr.square(across)))
+        section = dr.square(across) / (radius + lateral)
+
+        # A float's flank close to its end lies on the arc of the run that follows underneath.
+        flank = shown.on_top & (run.distance < section * run.sine)
+        over = shown.on_top & ~flank
+        arc = dr.select(flank, run.other_reach, run.reach)
+        along = dr.select(flank, arc + run.distance, dr.maximum(arc - run.distance, 0))
+        sign = dr.select(over, types.Float(1), types.Float(-1))
+        tube = arc * dr.rcp(run.sine) - sign * section
+        inverse_root = dr.rsqrt(dr.maximum(dr.fma(tube, tube, -dr.square(along)), 1e-20))
+        root = dr.rcp(inverse_root)
+        bent = along > 0
+        rise = dr.select(run.straight, 0, arc * run.half_tangent - dr.square(along) / (tube + root))
+        flat_height = dr.fma(sign, rise, -section)
+        slope_across = -across / lateral * dr.select(bent, tube * inverse_root, 1)
+        outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
+        slope_along = dr.select(bent, outwards, 0) * dr.select(run.near_start, types.Float(1), types.Float(-1))
+
+        dive, dive_slope = _dive(types, tables, shown, run, crossed, other_beta)
+        height = dr.fma(beta, flat_height, -dive)
+        p = beta * slope_across
+        q = dr.fma(beta, slope_along, -dive_slope)
+
+        # Weft local frame: its y runs along −x, a proper rotation, so the twist keeps its sign.
+        turn = dr.select(is_warp, types.Float(1), types.Float(-1))
+        horizontal_across, horizontal_along = _fibre_direction(slope_across, turn * slope_along, twist)
+        lifted = dr.fma(p, horizontal_across, turn * q * horizontal_along)
+        tangent = types.Vector3(
+            dr.select(is_warp, horizontal_across, -horizontal_along),
+            dr.select(is_warp, horizontal_along, horizontal_across),
+            lifted,
+        )
+        normal = types.Vector3(
+            -dr.select(is_warp, p, q),
+            -dr.select(is_warp, q, p),
+            1,
+        )
+        return SurfacePoint(
+            hole=shown.hole,
+            is_warp=is_warp,
+            warp_thread=shown.warp.thread,
+            weft_thread=shown.weft.thread,
+            height=height,
+            normal=dr.normalize(normal),
+            tangent=dr.normalize(tangent),
+            across=across,
+            along=dr.select(is_warp, y, x),
+        )
+
+
+class _Uploaded:
+    """The tables on one backend."""
+
+    def __init__(
+        self, warp: FamilyTables, weft: FamilyTables, words: NDArray[np.uint32], types: ArrayTypes
+    ) -> None:
+        self.warp: Any = (_UniformFamily if warp.uniform else _VariedFamily)(warp, types)
+        self.weft: Any = (_UniformFamily if weft.uniform else _VariedFamily)(weft, types)
+        self.words = types.UInt32(words.ravel())
+        self.ends = words.shape[1]
+
+
+@dataclass
+class _Run:
+    """The run of the shown thread, unpacked."""
+
+    distance: Any  # from the nearer end of the run
+    near_start: Any
+    reach: Any  # half-length of this run's bent ends
+    other_reach: Any  # the same of the run beyond the nearer end
+    sine: Any
+    half_tangent: Any
+    straight: Any
+    first_crossing: Any
+    last_crossing: Any
+
+
+def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _Shown:
+    warp, weft = tables.warp.locate(x), tables.weft.locate(y)
+    words = dr.gather(types.Index2, tables.words, weft.thread * tables.ends + warp.thread)
+    in_warp = dr.abs(warp.across) < warp.half_width
+    in_weft = dr.abs(weft.across) < weft.half_width
+    warp_above = ((words.x & 1) == 1) ^ back
+    is_warp = in_warp & (~in_weft | warp_above)
+    word = dr.select(is_warp, words.x, words.y)
+    on_top = ((word & 1) == 1) ^ back
+    return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, warp, weft)
+
+
+def _select_cell(is_warp: Any, first: _Cell, second: _Cell) -> _Cell:
+    return _Cell(
+        dr.select(is_warp, first.thread, second.thread),
+        dr.select(is_warp, first.across, second.across),
+        dr.select(is_warp, first.half_width, second.half_width),
+        dr.select(is_warp, first.below, second.below),
+        dr.select(is_warp, first.above, second.above),
+    )
+
+
+def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: _Cell, crossed: _Cell) -> _Run:
+    word = shown.word
+    behind = types.Int32((word >> 1) & 255)
+    ahead = types.Int32((word >> 9) & 255)
+    before = types.Int32((word >> 17) & 127)
+    after = types.Int32((word >> 24) & 127)
+    straight = (word >> 31) == 1
+
+    def span(first: Any, last: Any) -> Any:
+        thread = crossed.thread
+        return dr.select(
+            shown.is_warp, tables.weft.span(thread, first, last), tables.warp.span(thread, first, last)
+        )
+
+    from_start = crossed.below + span(-behind, types.Int32(0))
+    to_end = crossed.above + span(types.Int32(1), ahead + 1)
+    near_start = from_start < to_end
+    other = dr.select(near_start, span(-behind - before, -behind), span(ahead + 1, ahead + 1 + after))
+    bends = [tables.warp.bend(shown.warp.thread), tables.weft.bend(shown.weft.thread)]
+    sine, half_tangent, arc = (dr.select(shown.is_warp, a, b) for a, b in zip(*bends, strict=True))
+    far = types.Float(1e6)
+    return _Run(
+        distance=dr.select(straight, far, dr.minimum(from_start, to_end)),
+        near_start=near_start,
+        reach=dr.minimum(0.5 * (from_start + to_end), arc),
+        other_reach=dr.minimum(0.5 * other, arc),
+        sine=sine,
+        half_tangent=half_tangent,
+        straight=straight,
+        first_crossing=behind == 0,
+        last_crossing=ahead == 0,
+    )
+
+
+def _dive(
+    types: ArrayTypes, tables: _Uploaded, shown: _Shown, run: _Run, crossed: _Cell, other_beta: Any
+) -> tuple[Any, Any]:
+    """How far the thread is pushed down here, and the slope of that along the thread's axis."""
+    low_side = crossed.below < crossed.above
+    distance = dr.minimum(crossed.below, crossed.above)
+    # A gap reaches equally far into both cells that share it.
+    half_gap = (
+        dr.select(low_side, crossed.below - crossed.across, crossed.above + crossed.across)
+        - crossed.half_width
+    )
+    step = dr.select(low_side, types.Int32(-1), types.Int32(1))
+    turns_over = dr.select(low_side, run.first_crossing, run.last_crossing)
+
+    def drop(offset: Any) -> Any:
+        thread = crossed.thread
+        return other_beta * dr.select(
+            shown.is_warp, tables.weft.edge_drop(thread, offset), tables.warp.edge_drop(thread, offset)
+        )
+
+    here = dr.select(shown.on_top, 0, drop(types.Int32(0)))
+    beyond = dr.select(shown.on_top ^ turns_over, 0, drop(step))
+    share = dr.clip((half_gap - distance) / dr.maximum(2 * half_gap, 1e-12), 0, 1)
+    blend = dr.square(share) * (3 - 2 * share)
+    rate = 6 * share * (1 - share) / dr.maximum(2 * half_gap, 1e-12)
+    depth = dr.fma(beyond - here, blend, here)
+    slope = (here - beyond) * rate * dr.select(low_side, types.Float(1), types.Float(-1))
+    return depth, slope
+
+
+def _fibre_direction(across_slope: Any, along_slope: Any, twist: Any) -> tuple[Any, Any]:
+    """Horizontal part, across and along, of the fibre direction t = cos ψ e_u − sin ψ e_v."""
+    sine, cosine = dr.sincos(twist)
+    lengthwise = dr.square(along_slope) + 1
+    inverse_normal = dr.rsqrt(lengthwise + dr.square(across_slope))
+    inverse_along = dr.rsqrt(lengthwise)
+    crosswise = sine * inverse_along * inverse_normal
+    return -crosswise * lengthwise, dr.fma(crosswise, across_slope * along_slope, cosine * inverse_along)

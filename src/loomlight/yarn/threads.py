@@ -1,0 +1,207 @@
+"""What the geometry needs to know of each thread beyond its runs, worked out once in numpy.
+
+A thread's *cell* reaches from the middle of the gap before it to the middle of the gap after it; a run
+begins and ends in the middle of a gap. Positions are millimetres from the start of the repeat.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
+from loomlight.yarn.runs import LONGEST_ARC
+
+# The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
+SECTION_ANGLE = math.radians(80.0)
+# Below this inclination (0.06°) an arc's radius outgrows float32; the thread is as good as straight.
+_SMALLEST_INCLINATION = 1e-3
+# Share of the largest inclination a run can take that is used: its arc keeps a positive length.
+_STEEPEST_SHARE = 0.95
+# Threads finer than this share of the mean would need a finer index than is worth its memory.
+_FINEST_CELL = 1 / 64
+_BLOCK = 256
+
+
+@dataclass(frozen=True, eq=False)
+class FamilyTables:
+    """Arrays [n] over the threads of one family, millimetres and radians; heights before the scale β.
+
+    Attributes:
+        lower, upper: where a thread's cell begins and ends.
+        centre, half_width: of the thread.
+        inclination: U after clamping for the thread's shortest run.
+        arc: longest half-length of a bent end.
+        edge_drop: how far below the crown line at a float's boundary its lowest visible edge lies, ≥ 0.
+        period: size of the repeat across this family.
+        highest, lowest: bounds of the height of any thread, before β and without dives.
+    """
+
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    centre: NDArray[np.float64]
+    half_width: NDArray[np.float64]
+    inclination: NDArray[np.float64]
+    arc: NDArray[np.float64]
+    edge_drop: NDArray[np.float64]
+    period: float
+    highest: float
+    lowest: float
+
+    @property
+    def uniform(self) -> bool:
+        """Whether all threads are alike, so that no table is needed."""
+        size = self.upper - self.lower
+        arrays = (size, self.half_width, self.inclination, self.arc, self.edge_drop)
+        return all(np.allclose(array, array[0], rtol=1e-9, atol=0) for array in arrays)
+
+    @property
+    def finest(self) -> float:
+        """Size of the smallest cell, millimetres."""
+        return float((self.upper - self.lower).min())
+
+
+def section_drop(across: NDArray[np.float64], half_width: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How far the circular cross-section lies below its crown, `across` from the middle (all mm)."""
+    radius = half_width / math.sin(SECTION_ANGLE)
+    return across**2 / (radius + np.sqrt(np.maximum(radius**2 - across**2, 0)))
+
+
+def _cells(family: FamilyLayout) -> tuple[NDArray[np.float64], ...]:
+    centre = np.cumsum(family.spacing) - family.spacing / 2
+    half_width = np.minimum(family.width, (1 - SMALLEST_GAP) * family.spacing) / 2
+    period = family.spacing.sum()
+    previous_edge = np.roll(centre + half_width, 1)
+    previous_edge[0] -= period
+    lower = (previous_edge + centre - half_width) / 2
+    upper = np.append(lower[1:], lower[0] + period)
+    if (upper - lower).min() < _FINEST_CELL * period / lower.size:
+        raise InputError(
+            f"The finest thread takes up {1e3 * (upper - lower).min():.3g} µm, less than 1/64 of the mean of "
+            f"{1e3 * period / lower.size:.3g} µm; give threads more even spacings."
+        )
+    return lower, upper, centre, half_width
+
+
+def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[np.uint32]) -> FamilyTables:
+    """Tables of `family`, whose threads cross those of `crossing`; `words` [n, crossings] are its runs.
+
+    Raises:
+        InputError: spacings too uneven (a cell under 1/64 of the mean).
+    """
+    lower, upper, centre, half_width = _cells(family)
+    cross_lower, cross_upper, cross_centre, cross_half = _cells(crossing)
+    cross_period = float(crossing.spacing.sum())
+    section = section_drop(half_width, half_width)
+
+    shortest = np.full(lower.size, np.inf)
+    for rows in _blocks(lower.size):
+        length = _run_ends(words[rows], cross_lower, cross_upper, cross_period).length
+        shortest[rows] = length.min(axis=1)
+    # A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
+    steepest = np.arcsin(np.minimum(_STEEPEST_SHARE * shortest / (2 * section), 1.0))
+    inclination = np.clip(np.minimum(family.inclination, steepest), _SMALLEST_INCLINATION, None)
+
+    finest_crossing = float((cross_upper - cross_lower).min())
+    # A float rises by one width at most, and its ends stay within what the run words can tell.
+    arc = np.minimum(2 * half_width / np.tan(inclination / 2), LONGEST_ARC * finest_crossing)
+
+    edge_drop = section.copy()
+    highest = 0.0
+    gap_below = cross_centre - cross_half - cross_lower
+    gap_above = cross_upper - cross_centre - cross_half
+    for rows in _blocks(lower.size):
+        ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
+        reach = np.minimum(ends.length / 2, arc[rows, None])
+        rise = np.where(np.isfinite(reach), reach * np.tan(inclination[rows, None] / 2), 0.0)
+        highest = max(highest, float(rise.max()))
+        for is_end, neighbour, distance in (
+            (ends.starts, ends.before, gap_below),
+            (ends.finishes, ends.after, gap_above),
+        ):
+            other = np.minimum(neighbour / 2, arc[rows, None])
+            depth = -_edge_height(
+                np.broadcast_to(distance, reach.shape),
+                reach,
+                other,
+                section[rows, None],
+                inclination[rows, None],
+            )
+            depth = np.where(is_end, depth, 0.0)
+            edge_drop[rows] = np.maximum(edge_drop[rows], depth.max(axis=1))
+    # Only a thread that interlaces ends low; the drop at the middle of a run is less than at its ends.
+    lowest = -(highest + float(2 * section.max()))
+    return FamilyTables(
+        lower,
+        upper,
+        centre,
+        half_width,
+        inclination,
+        arc,
+        edge_drop,
+        float(family.spacing.sum()),
+        highest,
+        lowest,
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _RunEnds:
+    """Arrays [threads, crossings]: lengths in mm of the run at a crossing and of its neighbours."""
+
+    length: NDArray[np.float64]
+    before: NDArray[np.float64]
+    after: NDArray[np.float64]
+    starts: NDArray[np.bool_]
+    finishes: NDArray[np.bool_]
+
+
+def _run_ends(
+    words: NDArray[np.uint32], lower: NDArray[np.float64], upper: NDArray[np.float64], period: float
+) -> _RunEnds:
+    count = lower.size
+
+    def position(index: NDArray[np.int64]) -> NDArray[np.float64]:
+        return lower[index % count] + period * (index // count)
+
+    here = np.arange(count)
+    signed = words.astype(np.int64)
+    behind, ahead = (signed >> 1) & 255, (signed >> 9) & 255
+    before, after = (signed >> 17) & 127, (signed >> 24) & 127
+    straight = (signed >> 31) == 1
+    start, finish = position(here - behind), position(here + ahead + 1)
+    length = np.where(straight, np.inf, finish - start)
+    return _RunEnds(
+        length,
+        start - position(here - behind - before),
+        position(here + ahead + 1 + after) - finish,
+        (behind == 0) & ~straight,
+        (ahead == 0) & ~straight,
+    )
+
+
+def _edge_height(
+    distance: NDArray[np.float64],
+    reach: NDArray[np.float64],
+    other_reach: NDArray[np.float64],
+    section: NDArray[np.float64],
+    inclination: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Height of a float's edge `distance` from its boundary: the tube of `geometry.py`, at x = w/2."""
+    finite = np.where(np.isfinite(reach), reach, 1.0)
+    sine, half_tangent = np.sin(inclination), np.tan(inclination / 2)
+    own = distance >= section * sine
+    along = np.where(own, np.maximum(finite - distance, 0), other_reach + distance)
+    sign = np.where(own, 1.0, -1.0)
+    arc = np.where(own, finite, other_reach)
+    radius = arc / sine - sign * section
+    root = np.sqrt(np.maximum(radius**2 - along**2, 0))
+    return sign * (arc * half_tangent - along**2 / (radius + root)) - section
+
+
+def _blocks(count: int) -> list[slice]:
+    return [slice(first, first + _BLOCK) for first in range(0, count, _BLOCK)]
