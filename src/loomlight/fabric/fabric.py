@@ -1,0 +1,106 @@
+"""A fabric: a draft, where its threads lie and how they scatter, made from the fields of a fabric file."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from math import radians
+
+from loomlight.fabric.albedos import family_appearance
+from loomlight.fabric.colours import coloured_draft
+from loomlight.fabric.defaults import DIFFUSE_BLEND, HEIGHT_SCALE, OPTICAL_DEPTH, Bend, bends_of
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.fabric.spacing import family_spacing, family_width
+from loomlight.fabric.writing import fabric_toml
+from loomlight.scattering.appearance import Appearance, Sheen, Variation
+from loomlight.weave.draft import Draft
+from loomlight.yarn.layout import ClothLayout, FamilyLayout
+
+
+@dataclass(frozen=True, eq=False)
+class Fabric:
+    """One fabric, valid as a whole; `load_fabric` and `fabric_from_text` make it.
+
+    Attributes:
+        name: what to call it.
+        draft: one repeat, thread colours included. It is longer than the draft in the file where a list of
+            colours repeats later than the weave does.
+        fields: what the fabric file says, and no more.
+        folder: the folder that paths in `fields` are relative to.
+    """
+
+    name: str
+    draft: Draft
+    fields: FabricFile
+    folder: str
+    _layout: ClothLayout
+    _appearance: Appearance
+
+    def layout(self) -> ClothLayout:
+        """Where the threads of one repeat lie, millimetres and radians."""
+        return self._layout
+
+    def appearance(self) -> Appearance:
+        """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation."""
+        return self._appearance
+
+    @property
+    def repeat_mm(self) -> tuple[float, float]:
+        """Width and height of one repeat, millimetres."""
+        return self._layout.size
+
+    def to_toml(self, folder: str | os.PathLike[str] | None = None) -> str:
+        """The fabric as the text of a fabric file that lies in `folder` (None: the one it was read from)."""
+        return fabric_toml(self.fields, self.folder, self.folder if folder is None else folder)
+
+
+def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fabric:
+    """The fabric of a file's fields and of the draft that they name.
+
+    Raises:
+        InputError: fields that contradict the draft, albedos that exceed the light, an unreadable yarn count.
+    """
+    coloured = coloured_draft(draft, fields)
+    appearance = Appearance(
+        warp=family_appearance(fields.warp, "warp", coloured.warp),
+        weft=family_appearance(fields.weft, "weft", coloured.weft),
+        sheen=_sheen(fields),
+        variation=_variation(fields),
+        diffuse_blend=DIFFUSE_BLEND if fields.diffuse_blend is None else fields.diffuse_blend,
+        optical_depth=OPTICAL_DEPTH if fields.optical_depth is None else fields.optical_depth,
+    )
+    return Fabric(name, coloured, fields, folder, _layout(fields, coloured), appearance)
+
+
+def _layout(fields: FabricFile, draft: Draft) -> ClothLayout:
+    warp_bend, weft_bend = bends_of(draft.drawdown)
+    warp_spacing = family_spacing(fields, "warp", draft.warp, draft.weft, draft.ends)
+    weft_spacing = family_spacing(fields, "weft", draft.weft, draft.warp, draft.picks)
+    return ClothLayout(
+        warp_on_top=draft.drawdown,
+        warp=FamilyLayout(
+            spacing=warp_spacing,
+            width=family_width(fields, "warp", draft.warp, warp_spacing),
+            **_bend(fields.warp, warp_bend),
+        ),
+        weft=FamilyLayout(
+            spacing=weft_spacing,
+            width=family_width(fields, "weft", draft.weft, weft_spacing),
+            **_bend(fields.weft, weft_bend),
+        ),
+    )
+
+
+def _bend(table: YarnTable, default: Bend) -> dict[str, float]:
+    inclination = default.inclination_deg if table.inclination_deg is None else table.inclination_deg
+    twist = default.twist_deg if table.twist_deg is None else table.twist_deg
+    height_scale = HEIGHT_SCALE if table.height_scale is None else table.height_scale
+    return {"inclination": radians(inclination), "twist": radians(twist), "height_scale": height_scale}
+
+
+def _sheen(fields: FabricFile) -> Sheen:
+    return Sheen(**fields.sheen.model_dump(exclude_none=True))
+
+
+def _variation(fields: FabricFile) -> Variation:
+    return Variation(**fields.variation.model_dump(exclude_none=True))

@@ -1,0 +1,114 @@
+"""What a fabric file holds: every field, its type and its range. What a file leaves out is None here.
+
+Defaults that depend on the weave or on the draft are chosen later (`defaults.py`, `spacing.py`), so that
+a file that is read and written again says no more than it did.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+from loomlight.core.colour import parse_colour
+from loomlight.core.errors import InputError
+
+# Stands in a message for the field's name, which only the translation into a sentence knows.
+FIELD = "\0"
+
+
+def _colour(value: Any) -> Any:
+    try:
+        parse_colour(value, FIELD)
+    except InputError as error:
+        raise PydanticCustomError("sentence", "{text}", {"text": str(error)}) from error
+    return value
+
+
+def is_one_colour(value: Any) -> bool:
+    """Whether `value` is written as one colour ("#rrggbb" or three numbers), not as a list of colours."""
+    if not isinstance(value, list):
+        return True
+    return len(value) > 0 and all(isinstance(part, int | float) for part in value)
+
+
+def _colours(value: Any) -> Any:
+    if is_one_colour(value):
+        return _colour(value)
+    if not value:
+        text = f'{FIELD} = [] holds no colour: write "#rrggbb", a linear RGB triple, or a list of these.'
+        raise PydanticCustomError("sentence", "{text}", {"text": text})
+    return [_colour(part) for part in value]
+
+
+Colour = Annotated[Any, AfterValidator(_colour)]
+Colours = Annotated[Any, AfterValidator(_colours)]
+Fraction = Annotated[float, Field(ge=0, le=1)]
+Gap = Annotated[float, Field(ge=0, le=0.95)]
+
+
+class Table(BaseModel):
+    """A table of the file: unknown keys, NaN and values of another type are errors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+class YarnTable(Table):
+    """[warp] or [weft]."""
+
+    color: Colours | None = None
+    specular: Fraction | None = None
+    specular_tint: Colour | None = None
+    translucency: Fraction | None = None
+    roughness: Annotated[float, Field(ge=0.01, le=1)] | None = None
+    height_scale: Annotated[float, Field(ge=0.01, le=2)] | None = None
+    inclination_deg: Annotated[float, Field(ge=0, le=80)] | None = None
+    twist_deg: Annotated[float, Field(ge=-89, le=89)] | None = None
+    gap: Gap | None = None
+    count: Annotated[str, Field(min_length=1)] | None = None
+    width_mm: Annotated[float, Field(ge=0.001, le=1000)] | None = None
+    diffuse_reflect: Colour | None = None
+    diffuse_transmit: Colour | None = None
+    specular_reflect: Colour | None = None
+    specular_transmit: Colour | None = None
+
+
+class SheenTable(Table):
+    """[sheen]."""
+
+    strength: Fraction | None = None
+    roughness: Fraction | None = None
+
+
+class VariationTable(Table):
+    """[variation]."""
+
+    fibre_noise: Fraction | None = None
+    colour_noise: Fraction | None = None
+    seed: Annotated[int, Field(ge=0, le=2**32 - 1)] | None = None
+
+
+Density = Annotated[float, Field(ge=0.1, le=1000)]
+DensityPerInch = Annotated[float, Field(ge=0.254, le=2540)]
+
+
+class FabricFile(Table):
+    """A whole fabric file."""
+
+    name: str | None = None
+    description: str | None = None
+    weave: Annotated[str, Field(min_length=1)] | None = None
+    draft: Annotated[str, Field(min_length=1)] | None = None
+    image: Annotated[str, Field(min_length=1)] | None = None
+    ends_per_cm: Density | None = None
+    picks_per_cm: Density | None = None
+    epi: DensityPerInch | None = None
+    ppi: DensityPerInch | None = None
+    gap: Gap | None = None
+    diffuse_blend: Fraction | None = None
+    optical_depth: Annotated[float, Field(ge=0.01, le=100)] | None = None
+    warp: YarnTable = YarnTable()
+    weft: YarnTable = YarnTable()
+    sheen: SheenTable = SheenTable()
+    variation: VariationTable = VariationTable()

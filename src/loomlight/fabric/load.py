@@ -1,0 +1,66 @@
+"""Fabrics from files and from text: the two ways in."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from loomlight.core.errors import InputError
+from loomlight.fabric.drafts import PICTURE_SUFFIXES, WIF_SUFFIX, draft_of
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.fabric.reading import parse_fabric_file, read_text, speaking_of
+
+FABRIC_SUFFIX = ".toml"
+
+
+def load_fabric(path: str | os.PathLike[str]) -> Fabric:
+    """The fabric of a fabric file (.toml), of a draft (.wif, a picture of a drawdown), or of a weave's name.
+
+    A draft alone is a fabric in its own colours and spacing. What has no suffix and is no file is read as
+    the name of a weave, such as "twill 3/1".
+
+    Raises:
+        InputError: no such file, no fabric, or values that cannot be; the message names file and field.
+    """
+    file = Path(path)
+    suffix = file.suffix.lower()
+    folder = str(file.parent)
+    if suffix == WIF_SUFFIX:
+        return _made(FabricFile(draft=file.name), folder, file.stem, str(file))
+    if suffix in PICTURE_SUFFIXES:
+        return _made(FabricFile(image=file.name), folder, file.stem, str(file))
+    if suffix == FABRIC_SUFFIX:
+        text = read_text(file)
+        with speaking_of(str(file)):
+            fields = parse_fabric_file(text)
+        return _made(fields, folder, file.stem, str(file))
+    if suffix == "" or "/" in suffix:
+        return fabric_from_text(str(path))
+    raise InputError(
+        f"{file} is no fabric: give a fabric file (.toml), a draft (.wif, .png) or a weave's name."
+    )
+
+
+def fabric_from_text(text: str, folder: str | os.PathLike[str] = ".") -> Fabric:
+    """The fabric of a weave's name ("twill 3/1") or of the text of a fabric file.
+
+    Args:
+        text: a name, or TOML; what holds an equals sign is TOML.
+        folder: the folder that paths in the TOML are relative to.
+
+    Raises:
+        InputError: an unknown weave, or a text that is no fabric file.
+    """
+    if "=" not in text and text.strip():
+        return _made(FabricFile(weave=text.strip()), os.fspath(folder), text.strip(), "")
+    with speaking_of("the fabric"):
+        fields = parse_fabric_file(text)
+    return _made(fields, os.fspath(folder), "fabric", "the fabric")
+
+
+def _made(fields: FabricFile, folder: str, fallback_name: str, source: str) -> Fabric:
+    with speaking_of(source):
+        draft = draft_of(fields, folder)
+        name = fields.name or draft.title or fields.weave or fallback_name
+        return make_fabric(fields, draft, name, folder)

@@ -1,0 +1,131 @@
+"""What is wrong with a fabric file, in one sentence: field, value, and what would be right."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping
+from typing import Any, get_args
+
+from annotated_types import Ge, Le
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
+
+from loomlight.fabric.file import FIELD, FabricFile
+
+
+def sentence_of(error: ValidationError) -> str:
+    """The first fault that pydantic found, as one sentence without the file's name."""
+    fault = error.errors(include_url=False)[0]
+    path = [str(part) for part in fault["loc"]]
+    name = ".".join(path)
+    if fault["type"] == "extra_forbidden":
+        return _unknown(path)
+    if fault["type"] == "sentence":
+        return str(fault["ctx"]["text"]).replace(FIELD, name)
+    field = _field_at(path)
+    if field is None:
+        return f"{name} = {shown(fault['input'])} cannot be used: {fault['msg']}."
+    return f"{name} = {shown(fault['input'])} cannot be used: {_expected(field)}."
+
+
+def closest(word: str, known: Iterable[str]) -> str:
+    """Advice about an unknown `word`: the closest of the `known` ones, or all of them."""
+    choices = list(known)
+    matches = difflib.get_close_matches(word.lower(), choices, n=1, cutoff=0.6)
+    if matches:
+        return f"did you mean {matches[0]}?"
+    return "known are " + ", ".join(choices) + "."
+
+
+def shown(value: Any, most: int = 60) -> str:
+    """`value` as a file writes it, shortened to at most `most` characters."""
+    try:
+        text = f'"{value}"' if isinstance(value, str) else _plain(value)
+    except ValueError:  # an integer with more digits than Python is willing to print
+        text = "a number of thousands of digits"
+    text = " ".join(text.split())
+    return text if len(text) <= most else text[: most - 1] + "…"
+
+
+def _plain(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, Mapping):
+        return "a table" if value else "an empty table"
+    return str(value)
+
+
+def _tables(model: type[BaseModel]) -> dict[str, type[BaseModel]]:
+    return {
+        name: field.annotation
+        for name, field in model.model_fields.items()
+        if isinstance(field.annotation, type) and issubclass(field.annotation, BaseModel)
+    }
+
+
+def _unknown(path: list[str]) -> str:
+    *parents, key = path
+    model: type[BaseModel] = FabricFile
+    for parent in parents:
+        model = _tables(model)[parent]
+    place = f"[{'.'.join(parents)}] has" if parents else "a fabric file has"
+    return f"{shown(key)} is no field that {place}: {_place_of(key, model)}"
+
+
+def _place_of(key: str, model: type[BaseModel]) -> str:
+    tables = _tables(FabricFile)
+    homes = [f"[{name}]" for name, table in tables.items() if key in table.model_fields]
+    if homes:
+        return f"it belongs under {' or '.join(homes)}."
+    if key in FabricFile.model_fields and model is not FabricFile:
+        return "it belongs at the top of the file, above the first table."
+    return closest(key, model.model_fields)
+
+
+def _field_at(path: list[str]) -> FieldInfo | None:
+    model: type[BaseModel] = FabricFile
+    for position, part in enumerate(path):
+        field = model.model_fields.get(part)
+        if field is None or position == len(path) - 1:
+            return field
+        table = _tables(model).get(part)
+        if table is None:
+            return field
+        model = table
+    return None
+
+
+def _expected(field: FieldInfo) -> str:
+    annotation = field.annotation
+    if isinstance(annotation, type) and issubclass(annotation, BaseModel):
+        return "it is a table of fields"
+    kinds, bounds = _kinds_and_bounds(annotation)
+    low = next((bound.ge for bound in bounds if isinstance(bound, Ge)), None)
+    high = next((bound.le for bound in bounds if isinstance(bound, Le)), None)
+    if float in kinds:
+        return f"write a number from {_number(low)} to {_number(high)}"
+    if int in kinds:
+        return f"write a whole number from {_number(low)} to {_number(high)}"
+    return "write text in quotes" if str in kinds else "write a value of another kind"
+
+
+def _number(bound: Any) -> str:
+    return str(bound) if isinstance(bound, int) else f"{bound:g}"
+
+
+def _kinds_and_bounds(annotation: Any) -> tuple[set[Any], list[Any]]:
+    """The plain types and the bounds anywhere inside an annotation such as Annotated[float, …] | None."""
+    if isinstance(annotation, type):
+        return {annotation}, []
+    kinds: set[Any] = set()
+    bounds: list[Any] = []
+    for part in get_args(annotation):
+        if isinstance(part, FieldInfo):
+            bounds += part.metadata
+        elif isinstance(part, type):
+            kinds.add(part)
+        else:
+            inner_kinds, inner_bounds = _kinds_and_bounds(part)
+            kinds |= inner_kinds
+            bounds += inner_bounds
+    return kinds, bounds

@@ -1,0 +1,68 @@
+"""How far apart the threads of a fabric lie and how wide they are, from the file or from the draft."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.fabric.defaults import GAP, THREADS_PER_CM
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.weave.draft import Threads
+
+_MM_PER_CM = 10.0
+_CM_PER_INCH = 2.54
+
+
+def family_spacing(
+    fields: FabricFile, name: str, threads: Threads, other: Threads, count: int
+) -> NDArray[np.float64]:
+    """Distance that each thread of family `name` ("warp" or "weft") takes up [count], millimetres.
+
+    The file's threads/cm come first; the draft's spacing, where there is one, keeps its proportions
+    and is scaled to them. Without either, the other family's density is used, so that the cloth is square.
+    """
+    density = threads_per_cm(fields, name)
+    if threads.spacing_mm is not None:
+        scale = 1.0 if density is None else _MM_PER_CM / density / float(threads.spacing_mm.mean())
+        return threads.spacing_mm * scale
+    if density is None:
+        density = threads_per_cm(fields, "weft" if name == "warp" else "warp")
+    if density is not None:
+        return np.full(count, _MM_PER_CM / density)
+    if other.spacing_mm is not None:
+        return np.full(count, float(other.spacing_mm.mean()))
+    return np.full(count, _MM_PER_CM / THREADS_PER_CM)
+
+
+def threads_per_cm(fields: FabricFile, name: str) -> float | None:
+    """Threads/cm that the file gives for a family, in centimetres or in inches; None without."""
+    per_cm, per_inch = (
+        (fields.ends_per_cm, fields.epi) if name == "warp" else (fields.picks_per_cm, fields.ppi)
+    )
+    return per_inch / _CM_PER_INCH if per_inch is not None else per_cm
+
+
+def family_width(
+    fields: FabricFile, name: str, threads: Threads, spacing: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Width of each thread of family `name`, millimetres, as many as `spacing`.
+
+    The family's own width, count or gap come first, then the draft's thickness, then the file's gap.
+
+    Raises:
+        InputError: a yarn count that cannot be read.
+    """
+    table: YarnTable = getattr(fields, name)
+    if table.width_mm is not None:
+        return np.full_like(spacing, table.width_mm)
+    if table.count is not None:
+        return np.full_like(spacing, _width_of_count(table.count, f"{name}.count"))
+    if table.gap is None and threads.thickness_mm is not None:
+        return threads.thickness_mm
+    gap = next(value for value in (table.gap, fields.gap, GAP) if value is not None)
+    return spacing * (1 - gap)
+
+
+def _width_of_count(count: str, field: str) -> float:
+    raise InputError(f'{field} = "{count}" cannot be used yet.')

@@ -1,0 +1,53 @@
+"""The fields of a fabric file as its text; only what was given is written."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from loomlight.fabric.file import FabricFile
+
+_PATHS = ("draft", "image")
+
+
+def fabric_toml(fields: FabricFile, read_from: str, written_to: str | os.PathLike[str]) -> str:
+    """TOML of `fields`, whose paths are relative to the folder `read_from`, for the folder `written_to`."""
+    values = fields.model_dump(exclude_none=True)
+    for key in _PATHS:
+        if key in values:
+            values[key] = _moved(values[key], read_from, written_to)
+    tables = {key: value for key, value in values.items() if isinstance(value, dict)}
+    lines = [f"{key} = {_literal(value)}" for key, value in values.items() if key not in tables]
+    for name, table in tables.items():
+        if table:
+            lines += ["", f"[{name}]", *(f"{key} = {_literal(value)}" for key, value in table.items())]
+    return "\n".join(lines) + "\n"
+
+
+def _moved(path: str, read_from: str, written_to: str | os.PathLike[str]) -> str:
+    if os.path.isabs(path) or os.path.abspath(read_from) == os.path.abspath(written_to):
+        return path
+    try:
+        relative = os.path.relpath(os.path.join(read_from, path), written_to)
+    except ValueError:  # another drive
+        relative = os.path.abspath(os.path.join(read_from, path))
+    return relative.replace(os.sep, "/")
+
+
+def _literal(value: Any) -> str:
+    if isinstance(value, str):
+        return _quoted(value)
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(_literal(part) for part in value) + "]"
+    return repr(value)
+
+
+def _quoted(text: str) -> str:
+    named = {'"': '\\"', "\\": "\\\\", "\n": "\\n", "\t": "\\t", "\r": "\\r"}
+    return (
+        '"' + "".join(named.get(char, char if char.isprintable() else _escape(char)) for char in text) + '"'
+    )
+
+
+def _escape(char: str) -> str:
+    return f"\\U{ord(char):08X}"
