@@ -111,7 +111,8 @@ def unoccluded(
     lift = _LIFT * min(surface.finest)
     step = dr.rcp(dr.maximum(_steps_per_length(surface, quality, direction), 1e-9))
     start = types.Vector3(x, y, height + lift)
-    distance = types.Float(0.5 * step)
+    # The first step is short: what hides a point is most often the yarn right beside it.
+    distance = types.Float(0.25 * step)
     free = types.Bool(active) & (direction.z > 0)
     searching = types.Bool(free)
     back = types.Bool(back)
