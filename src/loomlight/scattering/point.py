@@ -1,0 +1,284 @@
+"""The point model: what one yarn point, found along the exact view ray, does to light (zhu2024 eq. 3–4).
+
+It composes the geometry (which yarn point a ray meets, what hides the light from it) with the lobes:
+fibre-SGGX reflection and transmission, blended diffuse reflection and transmission, sheen on top, and delta
+transmission through holes. It is the reference that every multi-scale model is judged by.
+
+Everything is computed in the frame of the face that is seen: from behind, z of both directions is
+negated and the geometry mirrored (`core/frame.py`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.diffuse import (
+    diffuse_pdf,
+    diffuse_reflection,
+    diffuse_transmission,
+    sample_diffuse,
+)
+from loomlight.scattering.fibre import (
+    layer_albedo_estimate,
+    pdf_specular,
+    reflection,
+    sample_specular,
+    transmission,
+)
+from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, Surface, first_hit, unoccluded
+
+_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+
+
+@dataclass
+class Albedos:
+    """The four albedos of a point, Color3 each."""
+
+    diffuse_reflect: Any
+    diffuse_transmit: Any
+    specular_reflect: Any
+    specular_transmit: Any
+
+
+@dataclass
+class YarnPoint:
+    """A yarn point as a view ray meets it, in the frame of the face that is seen.
+
+    Attributes:
+        back: the face behind is seen.
+        hole: the ray passes through; only sheen and delta transmission are left.
+        x, y, height: where, millimetres.
+        normal, tangent: of the yarn and its fibres [3].
+        is_warp: the family.
+        roughness: α.
+        albedos: of its thread.
+    """
+
+    back: Any
+    hole: Any
+    x: Any
+    y: Any
+    height: Any
+    normal: Any
+    tangent: Any
+    is_warp: Any
+    roughness: Any
+    albedos: Albedos
+
+
+@dataclass
+class DirectionSample:
+    """A sampled light direction.
+
+    Attributes:
+        light: unit direction [3].
+        pdf: density per solid angle, or the probability of passing straight through.
+        weight: evaluate / pdf, Color3.
+        passes: the direction goes straight through a hole (delta).
+    """
+
+    light: Any
+    pdf: Any
+    weight: Any
+    passes: Any
+
+
+class _FamilyParameters:
+    """One family's scattering parameters on one backend: scalars where threads are alike, else a table."""
+
+    def __init__(self, family: FamilyAppearance, types: ArrayTypes) -> None:
+        rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in _ALBEDOS], axis=1)
+        self.roughness = dr.opaque(types.Float, float(family.roughness))
+        self.threads = rows.shape[0]
+        self.alike = bool(np.allclose(rows, rows[:1], rtol=0, atol=1e-12))
+        self.shared = [
+            types.Color3(*(dr.opaque(types.Float, float(value)) for value in row)) for row in rows[0]
+        ]
+        padded = np.zeros((self.threads, 4, 4))
+        padded[:, :, :3] = rows
+        self.table = None if self.alike else types.Float(padded.ravel())
+        self._types = types
+
+    def albedo(self, number: int, thread: Any) -> Any:
+        """Albedo `number` (in the order of `_ALBEDOS`) of a thread, Color3."""
+        if self.table is None:
+            return self.shared[number]
+        row = dr.gather(self._types.Vector4, self.table, thread * 4 + number)
+        return self._types.Color3(row.x, row.y, row.z)
+
+
+class PointModel:
+    """The point model of one fabric.
+
+    Attributes:
+        surface: the geometry, analytic or textures.
+        appearance: what scatters.
+        quality: how finely rays are searched.
+    """
+
+    def __init__(
+        self, surface: Surface, appearance: Appearance, quality: SearchQuality = DEFAULT_QUALITY
+    ) -> None:
+        self.surface = surface
+        self.appearance = appearance
+        self.quality = quality
+        self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
+
+    def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
+        """Parameters of (warp, weft) on one backend."""
+        if types.Float not in self._uploaded:
+            self._uploaded[types.Float] = (
+                _FamilyParameters(self.appearance.warp, types),
+                _FamilyParameters(self.appearance.weft, types),
+            )
+        return self._uploaded[types.Float]
+
+    def locate(self, x: Any, y: Any, view: Any, active: Any = True) -> YarnPoint:
+        """The yarn point that the view ray through x, y on the plane z = 0 meets.
+
+        Args:
+            x, y: draft coordinates, millimetres.
+            view: unit vector [3] towards the eye; z < 0 sees the back.
+        """
+        types = array_types(x)
+        back = types.Bool(view.z < 0)
+        seen = _on_face(view, back)
+        hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
+        return self.at(hit.x, hit.y, back, hit.hole)
+
+    def at(self, x: Any, y: Any, back: Any, hole: Any) -> YarnPoint:
+        """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax."""
+        types = array_types(x)
+        point = self.surface.surface(x, y, back)
+        warp, weft = self.parameters(types)
+        albedos = Albedos(
+            *(
+                dr.select(
+                    point.is_warp,
+                    warp.albedo(number, point.warp_thread),
+                    weft.albedo(number, point.weft_thread),
+                )
+                for number in range(len(_ALBEDOS))
+            )
+        )
+        return YarnPoint(
+            back=back,
+            hole=hole,
+            x=x,
+            y=y,
+            height=point.height,
+            normal=point.normal,
+            tangent=point.tangent,
+            is_warp=point.is_warp,
+            roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
+            albedos=albedos,
+        )
+
+    def visibility(self, point: YarnPoint, light: Any, active: Any = True) -> Any:
+        """Whether nothing of the cloth hides the light from the point: Bool.
+
+        Light from the other side reaches the yarn's other surface, so that face's horizon counts.
+        """
+        types = array_types(point.x)
+        facing = _on_face(light, point.back)
+        beyond = facing.z < 0
+        side = point.back ^ beyond
+        far_height, _ = self.surface.height(point.x, point.y, ~point.back)
+        height = dr.select(beyond, far_height, point.height)
+        direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
+        searched = types.Bool(active) & ~point.hole
+        free = unoccluded(
+            self.surface, point.x, point.y, height, direction, side, searched, self.quality
+        )
+        return free | point.hole
+
+    def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
+        """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
+        value = self._scattered(point, _on_face(light, point.back), _on_face(view, point.back))
+        worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
+        return dr.select(self.visibility(point, light, worth) & worth, value, 0)
+
+    def pdf(self, point: YarnPoint, light: Any, view: Any) -> Any:
+        """Density of `sample` per solid angle, without delta: Float, 1/sr."""
+        seen, facing = _on_face(view, point.back), _on_face(light, point.back)
+        lobes = self._lobe_shares(point, seen)
+        return self._pdf(point, facing, seen, lobes)
+
+    def sample(self, point: YarnPoint, view: Any, choice: Any, u: Any, active: Any = True) -> DirectionSample:
+        """A light direction, by lobe in proportion to the lobes' attenuated energy (zhu2024 5.1).
+
+        Args:
+            choice: uniform number in [0, 1) that chooses the lobe.
+            u: Vector2 of uniform numbers in [0, 1).
+        """
+        types = array_types(point.x)
+        seen = _on_face(view, point.back)
+        lobes = self._lobe_shares(point, seen)
+        specular, reflect, transmit, passing = lobes
+        facing = sample_specular(seen, point.tangent, point.roughness, u)
+        blend = types.Float(self.appearance.diffuse_blend)
+        diffuse = sample_diffuse(point.normal, blend, u)
+        facing = dr.select(choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse))
+        passes = choice >= 1 - passing
+        facing = dr.select(passes, -seen, facing)
+        pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
+        value = dr.select(passes, types.Color3(1), self._scattered(point, facing, seen))
+        light = _on_face(facing, point.back)
+        worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
+        worth &= self.visibility(point, light, worth & ~passes) | passes
+        weight = dr.select(worth, value / dr.maximum(pdf, 1e-30), 0)
+        return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
+
+    def straight_through(self, point: YarnPoint) -> Any:
+        """Share of light that passes straight through at the point: 1 in a hole, less under sheen. Float."""
+        return dr.select(point.hole, array_types(point.x).Float(1), 0)
+
+    def _scattered(self, point: YarnPoint, light: Any, view: Any) -> Any:
+        types = array_types(point.x)
+        blend = types.Float(self.appearance.diffuse_blend)
+        depth = types.Float(self.appearance.optical_depth)
+        frame = (point.normal, point.tangent, point.roughness, depth)
+        above, below = light.z > 0, light.z < 0
+        albedos = point.albedos
+        near = albedos.diffuse_reflect * diffuse_reflection(light, point.normal, blend)
+        near += albedos.specular_reflect * reflection(light, view, *frame)
+        far = albedos.diffuse_transmit * diffuse_transmission(light, point.normal, blend)
+        far += albedos.specular_transmit * transmission(light, view, *frame)
+        value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
+        return dr.select(point.hole, 0, value)
+
+    def _lobe_shares(self, point: YarnPoint, view: Any) -> tuple[Any, Any, Any, Any]:
+        """Probabilities of specular, diffuse reflection, diffuse transmission and passing; they add to 1."""
+        types = array_types(point.x)
+        depth = types.Float(self.appearance.optical_depth)
+        turned, through = layer_albedo_estimate(view, point.normal, point.tangent, point.roughness, depth)
+        albedos = point.albedos
+        specular = dr.mean(albedos.specular_reflect) * turned + dr.mean(albedos.specular_transmit) * through
+        reflect = dr.mean(albedos.diffuse_reflect)
+        transmit = dr.mean(albedos.diffuse_transmit)
+        total = dr.maximum(specular + reflect + transmit, 1e-20)
+        scale = dr.select(point.hole, 0, dr.rcp(total))
+        passing = dr.select(point.hole, types.Float(1), 0)
+        return specular * scale, reflect * scale, transmit * scale, passing
+
+    def _pdf(self, point: YarnPoint, light: Any, view: Any, lobes: tuple[Any, Any, Any, Any]) -> Any:
+        types = array_types(point.x)
+        specular, reflect, transmit, _ = lobes
+        blend = types.Float(self.appearance.diffuse_blend)
+        return (
+            specular * pdf_specular(light, view, point.tangent, point.roughness)
+            + reflect * diffuse_pdf(light, point.normal, blend)
+            + transmit * diffuse_pdf(-light, point.normal, blend)
+        )
+
+
+def _on_face(direction: Any, back: Any) -> Any:
+    """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
+    z = dr.select(back, -direction.z, direction.z)
+    return type(direction)(direction.x, direction.y, z)
