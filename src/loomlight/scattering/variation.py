@@ -1,0 +1,69 @@
+"""Procedural variation from fibre to fibre and from thread to thread (Jin et al. 2022).
+
+Every number comes from an integer hash of (seed, thread, cell), so the pattern repeats nowhere that a 32-bit
+index does not, needs no table and is the same on every device. A gain multiplies albedos and is bounded by
+the room that the energy bound leaves.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+
+from loomlight.core.backend import array_types
+
+# Jin et al. clamp the exponential noise here; one fibre in 22 000 is brighter.
+_LARGEST_FIBRE_GAIN = 10.0
+# Two streams that share a seed and a thread must not share numbers.
+_FIBRE_STREAM = 0x9E3779B9
+_THREAD_STREAM = 0x7F4A7C15
+
+
+def _scramble(value: Any) -> Any:
+    """PCG output permutation of one congruential step (Jarzynski and Olano 2020), UInt32 to UInt32."""
+    state = value * 747796405 + 2891336453
+    word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737
+    return (word >> 22) ^ word
+
+
+def uniform_hash(thread: Any, cell: Any, stream: Any) -> Any:
+    """A number in (0, 1) that depends on three integers (UInt32) and on nothing else; Float."""
+    types = array_types(dr.float32_array_t(type(thread)))
+    # Nested, not added: sums of multiples would make (thread, cell) pairs collide along lines.
+    bits = _scramble(cell + _scramble(thread + _scramble(types.UInt32(stream))))
+    # 24 bits are all that float32 holds; the half keeps 0 and 1 out.
+    return (types.Float(bits >> 8) + 0.5) * 2**-24
+
+
+def fibre_gain(thread: Any, cell: Any, amount: Any, seed: Any) -> Any:
+    """Gain of the specular albedo of one fibre: 1 blended with min(−ln ξ, 10) by `amount` (mean 1).
+
+    Args:
+        thread: UInt32, number of the thread over the whole cloth, not within the repeat.
+        cell: UInt32, number of the fibre's cell on it.
+        amount: 0 to 1 (`Variation.fibre_noise`).
+        seed: any 32-bit number.
+    """
+    types = array_types(dr.float32_array_t(type(thread)))
+    number = uniform_hash(thread, cell, types.UInt32(seed) ^ _FIBRE_STREAM)
+    return dr.fma(amount, dr.minimum(-dr.log(number), _LARGEST_FIBRE_GAIN) - 1, 1)
+
+
+def thread_gain(thread: Any, amount: Any, seed: Any) -> Any:
+    """Gain of one thread's albedo: uniform in 1 ± `amount` (`Variation.colour_noise`), mean 1; Float."""
+    types = array_types(dr.float32_array_t(type(thread)))
+    number = uniform_hash(thread, types.UInt32(0), types.UInt32(seed) ^ _THREAD_STREAM)
+    return dr.fma(amount, dr.fma(2, number, -1), 1)
+
+
+def bounded_gain(gain: Any, albedo: Any, room: Any) -> Any:
+    """`gain`, lowered to where gain·albedo ≤ room in every channel; one number, so the hue stays.
+
+    Args:
+        gain: Float ≥ 0.
+        albedo: Color3, what it is going to multiply.
+        room: Color3 ≥ 0, the largest allowed product. Where it is below the albedo, the gain falls below 1.
+    """
+    ratio = room * dr.rcp(dr.maximum(albedo, 1e-6))
+    return dr.minimum(gain, dr.maximum(dr.minimum(dr.minimum(ratio.x, ratio.y), ratio.z), 0))
