@@ -149,9 +149,10 @@ def report(coefficients: dict[str, Array], table: Array) -> str:
     known = table[..., 0] > 0
     strong = known & (table[..., 2] > 0.05)
     lobes = lobe_errors(coefficients, table)
+    relative = np.abs(a / np.where(known, table[..., 0], 1) - 1)
     lines = [
         f"R: largest error {error.max():.4f}, mean {error.mean():.4f}, over all 1024 entries",
-        f"a where R > 0.05: largest relative error {(np.abs(a / np.where(known, table[..., 0], 1) - 1))[strong].max():.3f}",
+        f"a where R > 0.05: largest relative error {relative[strong].max():.3f}",
         f"b where R > 0.05: largest error {np.abs(b - table[..., 1])[strong].max():.3f}",
         f"lobe, integral of |difference|: mean {lobes.mean():.4f}, 99 % {np.quantile(lobes, 0.99):.4f}, "
         f"largest {lobes.max():.4f}",

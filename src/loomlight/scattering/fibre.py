@@ -25,6 +25,17 @@ _SHARE_TURNED_BACK = 0.7071
 _TYPICAL_DEPTH = 1.4
 
 
+def perpendicular_tangent(tangent: Any, normal: Any) -> Any:
+    """`tangent` without its part along `normal`, unit again.
+
+    For geometry whose two vectors were interpolated or stored with few bits. A layer whose fibres stand
+    5 % out of its plane returns up to 0.95 of grazing light at α = 0.01, not 0.5. Where the two are parallel
+    the result is the zero vector, in which every function here stays finite.
+    """
+    flat = dr.fma(-dr.dot(tangent, normal), normal, tangent)
+    return flat * dr.rsqrt(dr.maximum(dr.squared_norm(flat), SMALLEST_SQUARED_LENGTH))
+
+
 def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
     """σ(ω): area of the fibres seen from `direction`, per volume and density; α to 1 (chen2024 eq. 2)."""
     along = dr.dot(direction, tangent)
@@ -91,9 +102,7 @@ def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any,
     return dr.select(visible, value, 0)
 
 
-def transmission(
-    light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any
-) -> Any:
+def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
     """Light scattered once and out on the other side: f·cos_light at albedo 1, 1/sr (Wang et al. 2022).
 
     D G_t/(4 cos_view) with G_t = e^{−Tρ min(Λ_i, Λ_o)} (1 − e^{−Tρ|Δ|})/|Δ|, Δ = Λ_i − Λ_o. Zero unless
@@ -122,7 +131,9 @@ def layer_albedo_estimate(
     slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
     turned = slope * dr.rcp(slope + _TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
     passed = dr.exp(-optical_depth * dr.minimum(slope, _TYPICAL_DEPTH))
-    through = optical_depth * slope * passed * _mean_attenuation(optical_depth * dr.abs(slope - _TYPICAL_DEPTH))
+    through = (
+        optical_depth * slope * passed * _mean_attenuation(optical_depth * dr.abs(slope - _TYPICAL_DEPTH))
+    )
     return _SHARE_TURNED_BACK * turned, (1 - _SHARE_TURNED_BACK) * through
 
 

@@ -57,6 +57,39 @@ def thread_gain(thread: Any, amount: Any, seed: Any) -> Any:
     return dr.fma(amount, dr.fma(2, number, -1), 1)
 
 
+def vary_albedos(
+    albedos: tuple[Any, Any, Any, Any],
+    thread: Any,
+    cell: Any,
+    fibre_noise: Any,
+    colour_noise: Any,
+    seed: Any,
+    layer_bound: float,
+) -> tuple[Any, Any, Any, Any]:
+    """The four albedos of one point varied by fibre and thread, still inside the energy bound.
+
+    The thread's gain applies to the diffuse terms first; the fibre's gain then has the room they leave.
+
+    Args:
+        albedos: diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit; Color3 each.
+        thread, cell, seed: see `fibre_gain`; noises 0 to 1.
+        layer_bound: κ of `albedo.layer_albedo_bound`.
+    """
+    diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit = albedos
+    highlight = dr.maximum(specular_reflect, specular_transmit)
+    diffuse = diffuse_reflect + diffuse_transmit
+    colour = bounded_gain(thread_gain(thread, colour_noise, seed), diffuse, 1 - layer_bound * highlight)
+    # A single-scattering albedo is at most 1, whatever the room.
+    room = dr.minimum((1 - colour * diffuse) * (1 / layer_bound), 1)
+    fibre = bounded_gain(fibre_gain(thread, cell, fibre_noise, seed), highlight, room)
+    return (
+        colour * diffuse_reflect,
+        colour * diffuse_transmit,
+        fibre * specular_reflect,
+        fibre * specular_transmit,
+    )
+
+
 def bounded_gain(gain: Any, albedo: Any, room: Any) -> Any:
     """`gain`, lowered to where gain·albedo ≤ room in every channel; one number, so the hue stays.
 

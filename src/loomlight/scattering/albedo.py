@@ -1,0 +1,94 @@
+"""Albedos that create no energy: the map from what a person gives, and the check of what was given directly.
+
+The fibre layer returns at most a share κ of the light when its albedo is 1, so that
+
+    k_d_reflect + k_d_transmit + κ(Tρ)·max(k_s_reflect, k_s_transmit) ≤ 1    per channel
+
+keeps every direction below 1 (docs/scattering.md has the reasoning and the scan). κ holds for tangents
+perpendicular to the yarn's normal, as yarn geometry makes them; see `fibre.perpendicular_tangent`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from loomlight.core.errors import InputError
+
+# Light that a fibre reflects at its surface keeps its colour, light that crosses it takes the dye's. This
+# share of the highlight is white.
+WHITE_SHARE = 0.3
+# What rounding of linear RGB triples written with six digits may add up to.
+_TOLERANCE = 1e-5
+
+
+class Albedos(NamedTuple):
+    """Four albedos [n, 3], a row a thread, linear RGB, 0 to 1: the fields of `FamilyAppearance`."""
+
+    diffuse_reflect: NDArray[np.float64]
+    diffuse_transmit: NDArray[np.float64]
+    specular_reflect: NDArray[np.float64]
+    specular_transmit: NDArray[np.float64]
+
+
+def layer_albedo_bound(optical_depth: float) -> float:
+    """κ = (1 + e^{−Tρ})/2: no direction gets more than this share back from a layer of albedo 1, both sides.
+
+    Tangent and normal are perpendicular. Half of what scatters at once leaves upwards; the other half
+    crosses a depth of at least Tρ, since σ(ω) ≥ |ω·n_p| there.
+    """
+    return 0.5 * (1 + math.exp(-optical_depth))
+
+
+def albedos_from_colour(
+    colour: ArrayLike, specular: ArrayLike, translucency: ArrayLike, optical_depth: float = 2.0
+) -> Albedos:
+    """Albedos of threads from a colour, how strongly their fibres shine and how much light they let through.
+
+    The highlight takes `WHITE_SHARE` white and the rest the colour, scaled by `specular`; the diffuse terms
+    get the colour times the room that it leaves, split by `translucency`, which scales the highlight's
+    transmission too. White threads use the bound up; dark ones stay far below it.
+
+    Args:
+        colour: [n, 3] or [3], linear RGB, 0 to 1.
+        specular: [n] or a number, 0 to 1.
+        translucency: [n] or a number, 0 to 1: share of the diffuse light that leaves on the far side.
+        optical_depth: Tρ > 0.
+    """
+    colour = np.atleast_2d(np.asarray(colour, dtype=np.float64))
+    strength = np.asarray(specular, dtype=np.float64).reshape(-1, 1)
+    share = np.asarray(translucency, dtype=np.float64).reshape(-1, 1)
+    highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour)
+    diffuse = colour * (1 - layer_albedo_bound(optical_depth) * highlight)
+    return Albedos((1 - share) * diffuse, share * diffuse, highlight, share * highlight)
+
+
+def check_albedos(albedos: Albedos, family: str, optical_depth: float = 2.0) -> None:
+    """Returns if the albedos are numbers from 0 to 1 that keep the energy bound.
+
+    Raises:
+        InputError: one is not; the message names `family`, the field, its thread and value, and the bound.
+    """
+    for name, values in albedos._asdict().items():
+        good = (values >= 0) & (values <= 1)
+        if not np.all(good):
+            thread, channel = np.argwhere(~good)[0]
+            raise InputError(
+                f"{family}.{name} of thread {thread + 1} is {values[thread, channel]:.6g} in "
+                f"{'RGB'[channel]}: an albedo lies between 0 and 1."
+            )
+    bound = layer_albedo_bound(optical_depth)
+    highlight = np.maximum(albedos.specular_reflect, albedos.specular_transmit)
+    diffuse = albedos.diffuse_reflect + albedos.diffuse_transmit
+    total = diffuse + bound * highlight
+    thread, channel = np.unravel_index(np.argmax(total), total.shape)
+    if total[thread, channel] > 1 + _TOLERANCE:
+        raise InputError(
+            f"{family}: diffuse_reflect + diffuse_transmit + {bound:.3f} × the larger of specular_reflect "
+            f"and specular_transmit of thread {thread + 1} is {diffuse[thread, channel]:.6g} + {bound:.3f} × "
+            f"{highlight[thread, channel]:.6g} = {total[thread, channel]:.6g} in {'RGB'[channel]}, and more "
+            "than 1 would create light."
+        )
