@@ -73,7 +73,8 @@ class _Request:
         """Refuses a repeat that is too large, before it is built."""
         if max(ends, picks) > MAXIMUM_THREADS:
             raise self.fail(
-                f"one repeat has {ends} ends and {picks} picks, and at most {MAXIMUM_THREADS} of each can be used"
+                f"one repeat has {ends} ends and {picks} picks, "
+                f"and at most {MAXIMUM_THREADS} of each can be used"
             )
 
     def end(self) -> None:

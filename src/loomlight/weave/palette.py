@@ -87,7 +87,7 @@ def _repeated_for(
         if whole > MAXIMUM_THREADS:
             raise InputError(
                 f"{name} has {len(colors)} colours for {count} threads: together they repeat only after "
-                f"{whole} threads, and at most {MAXIMUM_THREADS} can be used; give a list that divides {count}."
+                f"{whole} threads, and at most {MAXIMUM_THREADS} can be used; give as many as divide {count}."
             )
         return whole // count
 
@@ -119,7 +119,8 @@ def _coloured(name: str, threads: Threads, colors: NDArray[np.float64], count: i
     roles = int(threads.color_index.max()) + 1
     if len(colors) < roles:
         raise InputError(
-            f"{name} has {len(colors)} colours, but the weave's colour order uses {roles}; give {roles}, or one."
+            f"{name} has {len(colors)} colours, but the colour order of this weave uses {roles}; "
+            f"give {roles}, or one."
         )
     return replace(threads, colors=colors[threads.color_index])
 

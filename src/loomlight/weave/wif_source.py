@@ -13,12 +13,14 @@ class FamilyDefaults:
     """What [WARP] or [WEFT] says for all of its threads.
 
     Attributes:
+        threads: the number of threads that is declared; None if none is.
         unit: name of the unit of lengths as the file spells it; "" if the file does not say.
         color_index: 0-based row of the palette; None without a default colour.
         spacing_mm: default spacing, millimetres.
         thickness_mm: default thickness, millimetres.
     """
 
+    threads: int | None = None
     unit: str = ""
     color_index: int | None = None
     spacing_mm: float | None = None

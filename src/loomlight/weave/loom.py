@@ -1,0 +1,114 @@
+"""Looms: what a threading, a tie-up and a treadling weave, and a plan that weaves a given drawdown."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.weave.draft import Draft, LoomPlan
+
+
+def membership(sets: Sequence[frozenset[int]], count: int) -> NDArray[np.bool_]:
+    """Sets of 1-based numbers as bool [len(sets), count]; numbers above `count` are left out."""
+    table = np.zeros((len(sets), count), dtype=bool)
+    rows = [row for row, members in enumerate(sets) for number in members if number <= count]
+    columns = [number - 1 for members in sets for number in members if number <= count]
+    table[rows, columns] = True
+    return table
+
+
+def moved_shafts(plan: LoomPlan) -> NDArray[np.bool_]:
+    """Which shafts each pick moves, bool [picks, shafts]; by the treadles if there are any.
+
+    Raises:
+        InputError: a plan with neither a liftplan nor tie-up and treadling.
+    """
+    if plan.tieup is not None and plan.treadling is not None:
+        pressed = membership(plan.treadling, len(plan.tieup))
+        return _any_product(pressed, membership(plan.tieup, plan.shafts))
+    if plan.liftplan is None:
+        raise InputError("The loom plan has neither a liftplan nor a tie-up with a treadling.")
+    return membership(plan.liftplan, plan.shafts)
+
+
+def plan_drawdown(plan: LoomPlan) -> NDArray[np.bool_]:
+    """What the plan weaves, bool [picks, ends], True where the warp is on top.
+
+    An end is up on a rising shed if any of its shafts is lifted, and on a sinking shed unless any of its
+    shafts is lowered; an end on no shaft stays down on the former and up on the latter.
+    """
+    moved = moved_shafts(plan)
+    if all(len(shafts) <= 1 for shafts in plan.threading):
+        # One shaft an end, as nearly every draft has it: copying columns spares a large product.
+        padded = np.pad(moved, ((0, 0), (1, 0)))
+        on_shaft = padded[:, [max(shafts, default=0) for shafts in plan.threading]]
+    else:
+        on_shaft = _any_product(moved, membership(plan.threading, plan.shafts).T)
+    return on_shaft if plan.rising_shed else ~on_shaft
+
+
+def _any_product(left: NDArray[np.bool_], right: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    return np.asarray(left.astype(np.float32) @ right.astype(np.float32) > 0)
+
+
+def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
+    """A plan for a rising shed that weaves the draft: equal ends share a shaft, equal picks a treadle.
+
+    Shafts and treadles are numbered as they first occur. Where far more kinds of picks than shafts are
+    needed the plan is a liftplan.
+
+    Args:
+        draft: any draft; its own plan, if there is one, is not looked at.
+        shaft_limit: the most shafts there are; None for as many as are needed.
+
+    Raises:
+        InputError: more shafts are needed than there are.
+    """
+    shaft_of_end, shed_ends = _in_order_of_occurrence(draft.drawdown.T)
+    treadle_of_pick, shed_picks = _in_order_of_occurrence(draft.drawdown)
+    shafts = len(shed_ends)
+    if shaft_limit is not None and shafts > shaft_limit:
+        raise InputError(
+            f"The draft needs {shafts} shafts, since so many of its ends differ; "
+            f"at most {shaft_limit} are allowed."
+        )
+    threading = tuple(frozenset({int(shaft) + 1}) for shaft in shaft_of_end)
+    # sheds[treadle, shaft]: what each kind of pick does to the first end of each kind.
+    sheds = draft.drawdown[np.ix_(shed_picks, shed_ends)]
+    lifts = tuple(frozenset((np.flatnonzero(row) + 1).tolist()) for row in sheds)
+    if len(lifts) > max(shafts, _TREADLES_AT_HAND):
+        liftplan = tuple(lifts[treadle] for treadle in treadle_of_pick)
+        return LoomPlan(threading=threading, shafts=shafts, liftplan=liftplan)
+    return LoomPlan(
+        threading=threading,
+        shafts=shafts,
+        treadles=len(lifts),
+        tieup=lifts,
+        treadling=tuple(frozenset({int(treadle) + 1}) for treadle in treadle_of_pick),
+    )
+
+
+# With more kinds of picks than both shafts and this, a treadling only repeats the liftplan at length.
+_TREADLES_AT_HAND = 16
+
+
+def _in_order_of_occurrence(rows: NDArray[np.bool_]) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """For each row, the number of its kind; for each kind, its first row."""
+    packed = np.packbits(rows, axis=1)
+    kinds: dict[bytes, int] = {}
+    number = np.array([kinds.setdefault(row.tobytes(), len(kinds)) for row in packed], dtype=np.intp)
+    _, first = np.unique(number, return_index=True)
+    return number, first
+
+
+def with_loom_plan(draft: Draft, shaft_limit: int | None = None) -> Draft:
+    """The draft with a loom plan: its own, or a derived one.
+
+    Raises:
+        InputError: more shafts are needed than `shaft_limit`.
+    """
+    return draft if draft.loom is not None else replace(draft, loom=derive_loom_plan(draft, shaft_limit))

@@ -1,0 +1,185 @@
+"""The text of a weaving information file: decoded, split into sections, and complained about.
+
+The format is that of Windows .ini files. Programs write it with any line ends and encodings, with words
+before the first section, with values that are empty or lack their "=": all of that is read.
+"""
+
+from __future__ import annotations
+
+import codecs
+import re
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.weave.wif_source import Entries
+
+MAXIMUM_BYTES = 64 << 20
+_LINE_END = re.compile(r"\r\n|\r|\n")
+_HEADER = re.compile(r"\[([^\]]*)\]")
+_SHOWN = 60
+
+
+@dataclass
+class Section:
+    """One section: its name as the file spells it, and its lines (key, and value or None) in order."""
+
+    spelled: str
+    lines: list[tuple[str, str | None]] = field(default_factory=list)
+
+    @property
+    def entries(self) -> Entries:
+        """The lines, unchangeable."""
+        return tuple(self.lines)
+
+
+@dataclass
+class WifText:
+    """The sections of a file by name: capitals, single spaces.
+
+    Attributes:
+        file: what messages call the file.
+        sections: by name; sections of one name are joined.
+        values: by section, then by key in capitals: the key as spelled and the value, which is "" if it
+            is empty or absent.
+    """
+
+    file: str
+    sections: dict[str, Section]
+    values: dict[str, dict[str, tuple[str, str]]]
+
+    def value(self, section: str, key: str) -> str:
+        """The value, or "" if the file does not say."""
+        return self.values.get(section, {}).get(key.upper(), ("", ""))[1]
+
+    def items(self, section: str) -> Iterator[tuple[str, str]]:
+        """Keys and values of a section, empty values included."""
+        yield from self.values.get(section, {}).values()
+
+    def fault(self, section: str, key: str, value: str, what: str) -> InputError:
+        """The error for a value: file, section, key, value, and `what` is wrong and would be right."""
+        return InputError(f"{self.file}: {_place(section, key, value)} {what}.")
+
+    def warn(self, section: str, key: str, value: str, what: str) -> None:
+        """The same as a warning, for what can be used all the same."""
+        warnings.warn(f"{self.file}: {_place(section, key, value)} {what}.", LoomlightWarning, stacklevel=2)
+
+
+def _place(section: str, key: str, value: str) -> str:
+    return f"[{section}] {_shortened(key)}={_shortened(value)}" if key else f"[{section}]"
+
+
+def _shortened(text: str) -> str:
+    printable = "".join(character if character.isprintable() else "?" for character in text[: _SHOWN + 1])
+    return printable if len(printable) <= _SHOWN else printable[:_SHOWN] + "…"
+
+
+def read_wif_text(path: Path) -> WifText:
+    """The sections of the file at `path`.
+
+    Raises:
+        InputError: no such file, one that is too large, or one without a section [WIF].
+    """
+    return parse_wif_text(_decoded(_read_bytes(path)), str(path))
+
+
+def _read_bytes(path: Path) -> bytes:
+    try:
+        with path.open("rb") as file:
+            content = file.read(MAXIMUM_BYTES + 1)
+    except FileNotFoundError as error:
+        raise InputError(f"{path} does not exist.") from error
+    except IsADirectoryError as error:
+        raise InputError(f"{path} is a folder; give the name of a draft file.") from error
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.") from error
+    except ValueError as error:
+        raise InputError(f"{str(path)!r} is no file name.") from error
+    if len(content) > MAXIMUM_BYTES:
+        raise InputError(f"{path} is larger than {MAXIMUM_BYTES >> 20} MiB; no draft that can be used is.")
+    return content
+
+
+def _decoded(content: bytes) -> str:
+    """Text in UTF-16 or UTF-8 if marked or valid, otherwise in Latin-1, which older programs write."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return content.decode("utf-16", errors="replace")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.removeprefix(codecs.BOM_UTF8).decode("latin-1")
+
+
+def parse_wif_text(text: str, file: str) -> WifText:
+    """The sections of `text`; `file` is what messages call it.
+
+    Raises:
+        InputError: no section [WIF].
+    """
+    sections: dict[str, Section] = {}
+    current: Section | None = None
+    for line in map(str.strip, _LINE_END.split(text)):
+        header = _HEADER.match(line)
+        if header and (current is not None or section_name(header.group(1)) == "WIF"):
+            name = section_name(header.group(1))
+            current = sections.setdefault(name, Section(header.group(1).strip()))
+        elif current is not None and line and not _is_comment(line, current):
+            key, equals, value = line.partition("=")
+            current.lines.append((key.strip(), value.strip() if equals else None))
+    if not sections:
+        raise InputError(f"{file} is no weaving information file: it has no section [WIF].")
+    return WifText(file, sections, _by_key(file, sections))
+
+
+def section_name(spelled: str) -> str:
+    """A section's name in capitals with single spaces."""
+    return " ".join(spelled.replace("_", " ").upper().split())
+
+
+def is_private(name: str) -> bool:
+    """Whether a section belongs to one program."""
+    return name.startswith("PRIVATE")
+
+
+def _is_comment(line: str, section: Section) -> bool:
+    return line.startswith(";") or (line.startswith("#") and not is_private(section_name(section.spelled)))
+
+
+def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tuple[str, str]]]:
+    values: dict[str, dict[str, tuple[str, str]]] = {}
+    for name, section in sections.items():
+        table = values.setdefault(name, {})
+        for key, value in section.lines:
+            folded = _folded_key(key)
+            if folded in table and table[folded][1] != (value or "") and name in _KEYS_MEAN_ONE_THING:
+                earlier, later = _shortened(table[folded][1]), _shortened(value or "")
+                warnings.warn(
+                    f"{file}: [{name}] {_shortened(key)} stands there twice, as {earlier!r} and as {later!r}; "
+                    "the latter is used.",
+                    LoomlightWarning,
+                    stacklevel=2,
+                )
+            table[folded] = (key, value or "")
+    return values
+
+
+def _folded_key(key: str) -> str:
+    """Capitals; numbers without leading zeros, so that "07" and "7" are one thread."""
+    folded = key.upper()
+    return folded.lstrip("0") or "0" if folded.isdigit() and folded.isascii() else folded
+
+
+_KEYS_MEAN_ONE_THING = {
+    "WEAVING",
+    "WARP",
+    "WEFT",
+    "THREADING",
+    "TIEUP",
+    "TREADLING",
+    "LIFTPLAN",
+    "COLOR PALETTE",
+    "COLOR TABLE",
+    *(f"{family} {what}" for family in ("WARP", "WEFT") for what in ("COLORS", "SPACING", "THICKNESS")),
+}

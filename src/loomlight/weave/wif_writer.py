@@ -1,0 +1,231 @@
+"""Writes drafts as weaving information files (WIF 1.1), without losing what a file said before."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterable
+from importlib.metadata import PackageNotFoundError, version
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import linear_to_srgb, srgb_to_linear
+from loomlight.core.files import replacing
+from loomlight.weave.draft import Draft, LoomPlan, Threads
+from loomlight.weave.loom import derive_loom_plan, plan_drawdown
+from loomlight.weave.wif_source import FamilyDefaults, WifSource
+from loomlight.weave.wif_values import UNIT_MM, unit_name
+
+Sections = dict[str, list[tuple[str, str | None]]]
+
+
+def write_wif(draft: Draft, path: str | os.PathLike[str]) -> None:
+    """Writes a draft with its colours, spacings, notes and private sections.
+
+    A draft that has no loom plan, or one that no longer weaves its drawdown, gets a derived one, with as
+    many shafts as it needs. Colours are written in the range of the file they came from, otherwise in 0 to
+    255 or, where that would round them, 0 to 65535. Reading the file gives the same draft.
+
+    Raises:
+        InputError: the file cannot be written.
+
+    Source: Weaving Information File specification 1.1, 20 April 1997.
+    """
+    with replacing(path) as temporary:
+        temporary.write_text(wif_text_of(draft), encoding="utf-8", errors="replace", newline="")
+
+
+def wif_text_of(draft: Draft) -> str:
+    """The text that `write_wif` writes."""
+    source = draft.source or WifSource()
+    loom = _plan_of(draft)
+    palette = _palette_of(draft)
+    sections: Sections = {
+        "WEAVING": [
+            ("Shafts", str(loom.shafts)),
+            ("Treadles", str(loom.treadles)),
+            ("Rising Shed", "true" if loom.rising_shed else "false"),
+        ],
+        "WARP": [("Threads", str(max(draft.ends, source.warp.threads or 0)))],
+        "WEFT": [("Threads", str(max(draft.picks, source.weft.threads or 0)))],
+        "TEXT": [("Title", _one_line(draft.title))] if draft.title.strip() else [],
+        "NOTES": [(str(number), _one_line(note)) for number, note in enumerate(draft.notes, start=1)],
+        **_color_sections(palette, source),
+        "THREADING": _sets(loom.threading),
+        "TIEUP": _sets(loom.tieup or ()),
+        "TREADLING": _sets(loom.treadling or ()),
+        "LIFTPLAN": _sets(loom.liftplan or ()),
+    }
+    for family, threads, index, defaults in (
+        ("WARP", draft.warp, palette.warp, source.warp),
+        ("WEFT", draft.weft, palette.weft, source.weft),
+    ):
+        known = defaults if draft.source is not None else None
+        _add_colors(sections, family, index, known if palette.original else None)
+        _add_lengths(sections, family, threads, known)
+    for name, entries in source.entries:
+        sections.setdefault(name, []).extend(entries)
+    return _joined(sections, source)
+
+
+def _joined(sections: Sections, source: WifSource) -> str:
+    head: Sections = {"WIF": sections.pop("WIF", []) or _own_header(), "CONTENTS": []}
+    written = {name: lines for name, lines in sections.items() if lines}
+    others = [(name, list(entries)) for name, entries in source.sections]
+    head["CONTENTS"] = [(name, "true") for name in (*written, *(name for name, _ in others))]
+    blocks = [_block(name, lines) for name, lines in (*head.items(), *written.items(), *others)]
+    return "\r\n".join(blocks)
+
+
+def _block(name: str, lines: Iterable[tuple[str, str | None]]) -> str:
+    shown = [key if value is None else f"{key}={value}" for key, value in lines]
+    return "\r\n".join([f"[{name}]", *shown, ""])
+
+
+def _own_header() -> list[tuple[str, str | None]]:
+    try:
+        ours = version("loomlight")
+    except PackageNotFoundError:
+        ours = "unknown"
+    # The specification asks for this date and this address, those of its own version.
+    return [
+        ("Version", "1.1"),
+        ("Date", "April 20, 1997"),
+        ("Developers", "wif@mhsoft.com"),
+        ("Source Program", "loomlight"),
+        ("Source Version", ours),
+    ]
+
+
+def _one_line(text: str) -> str:
+    return " ".join(text.replace("\r", "\n").split("\n")).strip()
+
+
+def _plan_of(draft: Draft) -> LoomPlan:
+    if draft.loom is not None:
+        woven = plan_drawdown(draft.loom)
+        if woven.shape == draft.drawdown.shape and np.array_equal(woven, draft.drawdown):
+            return draft.loom
+    return derive_loom_plan(draft)
+
+
+def _sets(members: Iterable[frozenset[int]]) -> list[tuple[str, str | None]]:
+    return [
+        (str(number), ",".join(map(str, sorted(chosen))) or "0")
+        for number, chosen in enumerate(members, start=1)
+    ]
+
+
+class _Palette:
+    """Colours of a draft as a table and an index per thread.
+
+    Attributes:
+        colors: linear RGB [k, 3]; k may be 0.
+        warp: row per end, None if the warp has no colours.
+        weft: row per pick.
+        original: whether it is the table that the draft came with.
+    """
+
+    def __init__(
+        self,
+        colors: NDArray[np.float64],
+        warp: NDArray[np.intp] | None,
+        weft: NDArray[np.intp] | None,
+        original: bool,
+    ) -> None:
+        self.colors, self.warp, self.weft, self.original = colors, warp, weft, original
+
+
+def _palette_of(draft: Draft) -> _Palette:
+    if draft.palette is not None and all(
+        _follows(threads, draft.palette) for threads in (draft.warp, draft.weft)
+    ):
+        return _Palette(draft.palette, draft.warp.color_index, draft.weft.color_index, original=True)
+    rows: dict[tuple[float, ...], int] = {}
+
+    def index_of(threads: Threads) -> NDArray[np.intp] | None:
+        if threads.colors is None:
+            return None
+        return np.array([rows.setdefault(tuple(color), len(rows)) for color in threads.colors.tolist()])
+
+    warp, weft = index_of(draft.warp), index_of(draft.weft)
+    return _Palette(np.array(list(rows), dtype=np.float64).reshape(-1, 3), warp, weft, original=False)
+
+
+def _follows(threads: Threads, palette: NDArray[np.float64]) -> bool:
+    if threads.color_index is None:
+        return threads.colors is None
+    return threads.colors is None or np.array_equal(threads.colors, palette[threads.color_index])
+
+
+def _color_sections(palette: _Palette, source: WifSource) -> Sections:
+    if not len(palette.colors):
+        return {}
+    low, high = _exact_range(palette.colors, source.color_range)
+    table = _components(palette.colors, low, high)
+    return {
+        "COLOR PALETTE": [("Entries", str(len(table))), ("Range", f"{low},{high}")],
+        "COLOR TABLE": [(str(row), ",".join(map(str, color))) for row, color in enumerate(table.tolist(), 1)],
+    }
+
+
+def _components(colors: NDArray[np.float64], low: int, high: int) -> NDArray[np.int64]:
+    return np.rint(linear_to_srgb(colors) * (high - low) + low).astype(np.int64)
+
+
+def _exact_range(colors: NDArray[np.float64], first: tuple[int, int]) -> tuple[int, int]:
+    """The first range whose integers reproduce the colours; the finest one if none does."""
+    finest = (0, 65535)
+    for low, high in (first, (0, 255)):
+        decoded = srgb_to_linear((_components(colors, low, high) - low) / (high - low))
+        if np.allclose(decoded, colors, rtol=0, atol=1e-9):
+            return low, high
+    return finest
+
+
+def _add_colors(
+    sections: Sections, family: str, index: NDArray[np.intp] | None, known: FamilyDefaults | None
+) -> None:
+    if index is None:
+        return
+    default = Counter(index.tolist()).most_common(1)[0][0] if known is None else known.color_index
+    if default is not None:
+        sections[family].append(("Color", str(default + 1)))
+    sections[f"{family} COLORS"] = [
+        (str(thread), str(row + 1)) for thread, row in enumerate(index.tolist(), 1) if row != default
+    ]
+
+
+def _add_lengths(sections: Sections, family: str, threads: Threads, known: FamilyDefaults | None) -> None:
+    spelled = known.unit if known is not None and known.unit else "Centimeters"
+    unit = UNIT_MM[unit_name(spelled)]
+    measured = threads.spacing_mm is not None or threads.thickness_mm is not None
+    if measured or (known is not None and known.unit):
+        sections[family].append(("Units", spelled))
+    for what, lengths, stated in (
+        ("Spacing", threads.spacing_mm, known.spacing_mm if known else None),
+        ("Thickness", threads.thickness_mm, known.thickness_mm if known else None),
+    ):
+        if lengths is None:
+            continue
+        default = Counter(lengths.tolist()).most_common(1)[0][0] if known is None else stated
+        if default is not None:
+            sections[family].append((what, decimal_text(default, unit)))
+        sections[f"{family} {what.upper()}"] = [
+            (str(thread), decimal_text(length, unit))
+            for thread, length in enumerate(lengths.tolist(), 1)
+            if length != default
+        ]
+
+
+def decimal_text(length_mm: float, unit: float) -> str:
+    """The shortest decimal that is `length_mm` again when multiplied by `unit`."""
+    quotient = length_mm / unit
+    for digits in range(1, 18):
+        text = f"{quotient:.{digits}g}"
+        if float(text) * unit == length_mm:
+            return text
+    neighbours = (np.nextafter(quotient, -np.inf), np.nextafter(quotient, np.inf))
+    exact = (float(value) for value in neighbours if float(value) * unit == length_mm)
+    return repr(next(exact, quotient))
