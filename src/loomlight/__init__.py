@@ -1,1 +1,69 @@
-"""loomlight: from a weave draft to a picture you would believe."""
+"""loomlight: from a weave draft to a picture you would believe.
+
+The public names are loaded when they are first used: importing the package needs neither Dr.Jit nor a
+renderer. `import loomlight.mitsuba` registers the Mitsuba plugins.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from loomlight.core.errors import (
+        InputError,
+        LoomlightError,
+        LoomlightWarning,
+        MissingDependencyError,
+    )
+    from loomlight.fabric.fabric import Fabric
+    from loomlight.fabric.load import fabric_from_text, load_fabric
+    from loomlight.scattering.appearance import Appearance
+    from loomlight.weave.draft import Draft
+    from loomlight.weave.named import named_weave, weave_names
+    from loomlight.yarn.layout import ClothLayout
+
+__version__ = "0.1.0"
+
+_HOMES = {
+    "Appearance": "loomlight.scattering.appearance",
+    "ClothLayout": "loomlight.yarn.layout",
+    "Draft": "loomlight.weave.draft",
+    "Fabric": "loomlight.fabric.fabric",
+    "InputError": "loomlight.core.errors",
+    "LoomlightError": "loomlight.core.errors",
+    "LoomlightWarning": "loomlight.core.errors",
+    "MissingDependencyError": "loomlight.core.errors",
+    "fabric_from_text": "loomlight.fabric.load",
+    "load_fabric": "loomlight.fabric.load",
+    "named_weave": "loomlight.weave.named",
+    "weave_names": "loomlight.weave.named",
+}
+
+__all__ = [
+    "Appearance",
+    "ClothLayout",
+    "Draft",
+    "Fabric",
+    "InputError",
+    "LoomlightError",
+    "LoomlightWarning",
+    "MissingDependencyError",
+    "fabric_from_text",
+    "load_fabric",
+    "named_weave",
+    "weave_names",
+]
+
+
+def __getattr__(name: str) -> Any:
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module 'loomlight' has no attribute '{name}'")
+    value = getattr(import_module(home), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

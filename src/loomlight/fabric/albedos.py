@@ -6,54 +6,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
-from loomlight.core.errors import InputError
 from loomlight.fabric.defaults import ROUGHNESS, SPECULAR, TRANSLUCENCY
 from loomlight.fabric.file import YarnTable
+from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos
 from loomlight.scattering.appearance import FamilyAppearance
-from loomlight.weave.draft import Threads
-
-_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
 
-def family_appearance(table: YarnTable, name: str, threads: Threads) -> FamilyAppearance:
-    """Appearance of the coloured `threads` of family `name` ("warp" or "weft").
+def family_appearance(
+    table: YarnTable, name: str, colours: NDArray[np.float64], optical_depth: float
+) -> FamilyAppearance:
+    """Appearance of threads of linear RGB `colours` [n, 3] in family `name` ("warp" or "weft").
+
+    A tint only takes from the highlight, so it keeps the energy bound.
 
     Raises:
         InputError: explicit albedos that together send back more light than arrives.
     """
-    if threads.colors is None:
-        raise ValueError("the threads have no colours")
-    albedos = _derived(
-        threads.colors,
+    albedos = albedos_from_colour(
+        colours,
         SPECULAR if table.specular is None else table.specular,
         TRANSLUCENCY if table.translucency is None else table.translucency,
+        optical_depth,
     )
-    for key in _ALBEDOS:
-        value = getattr(table, key)
-        if value is not None:
-            albedos[key] = np.tile(parse_colour(value, f"{name}.{key}"), (len(threads.colors), 1))
-    _require_bounded(albedos, name)
-    return FamilyAppearance(**albedos, roughness=ROUGHNESS if table.roughness is None else table.roughness)
+    if table.specular_tint is not None:
+        tint = parse_colour(table.specular_tint, f"{name}.specular_tint")
+        albedos = albedos._replace(
+            specular_reflect=albedos.specular_reflect * tint,
+            specular_transmit=albedos.specular_transmit * tint,
+        )
+    albedos = _with_explicit(albedos, table, name)
+    check_albedos(albedos, name, optical_depth)
+    roughness = ROUGHNESS if table.roughness is None else table.roughness
+    return FamilyAppearance(**albedos._asdict(), roughness=roughness)
 
 
-def _derived(
-    colours: NDArray[np.float64], specular: float, translucency: float
-) -> dict[str, NDArray[np.float64]]:
-    left = colours * (1 - specular)
-    shine = np.full_like(colours, specular)
-    return {
-        "diffuse_reflect": left * (1 - translucency),
-        "diffuse_transmit": left * translucency,
-        "specular_reflect": shine * (1 - translucency),
-        "specular_transmit": shine * translucency,
-    }
-
-
-def _require_bounded(rows: dict[str, NDArray[np.float64]], name: str) -> None:
-    total = (
-        rows["diffuse_reflect"]
-        + rows["diffuse_transmit"]
-        + np.maximum(rows["specular_reflect"], rows["specular_transmit"])
-    )
-    if total.max() > 1 + 1e-9:
-        raise InputError(f"the albedos of [{name}] send back {total.max():.3g} of the light.")
+def _with_explicit(albedos: Albedos, table: YarnTable, name: str) -> Albedos:
+    given = {key: getattr(table, key) for key in Albedos._fields if getattr(table, key) is not None}
+    threads = len(albedos.diffuse_reflect)
+    rows = {key: np.tile(parse_colour(value, f"{name}.{key}"), (threads, 1)) for key, value in given.items()}
+    return albedos._replace(**rows)

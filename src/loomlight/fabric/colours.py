@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,22 +18,19 @@ def coloured_draft(draft: Draft, fields: FabricFile) -> Draft:
     Raises:
         InputError: a list of colours that does not fit the draft.
     """
-    coloured = with_palette(draft, _colours(fields.warp, "warp"), _colours(fields.weft, "weft"))
-    return replace(
-        coloured,
-        warp=_with_default(coloured.warp, coloured.ends),
-        weft=_with_default(coloured.weft, coloured.picks),
+    return with_palette(
+        draft,
+        _colours(fields.warp, "warp", draft.warp),
+        _colours(fields.weft, "weft", draft.weft),
     )
 
 
-def _colours(table: YarnTable, name: str) -> NDArray[np.float64] | None:
-    if table.color is None:
-        return None
-    listed = [table.color] if is_one_colour(table.color) else table.color
+def _colours(table: YarnTable, name: str, threads: Threads) -> NDArray[np.float64] | None:
+    """The list of colours [k, 3] to apply; None leaves the draft's own."""
+    given = table.color
+    if given is None:
+        if threads.colors is not None:
+            return None
+        given = COLOUR
+    listed = [given] if is_one_colour(given) else given
     return np.array([parse_colour(colour, f"{name}.color") for colour in listed])
-
-
-def _with_default(threads: Threads, count: int) -> Threads:
-    if threads.colors is not None:
-        return threads
-    return replace(threads, colors=np.tile(parse_colour(COLOUR, "color"), (count, 1)))

@@ -12,7 +12,6 @@ from enum import Enum
 import numpy as np
 from numpy.typing import NDArray
 
-THREADS_PER_CM = 20.0
 GAP = 0.2
 SPECULAR = 0.4
 TRANSLUCENCY = 0.1

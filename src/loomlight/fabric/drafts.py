@@ -1,4 +1,4 @@
-"""The draft that a fabric file, a path or a name stands for."""
+"""The draft that a fabric file names."""
 
 from __future__ import annotations
 
@@ -7,10 +7,8 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 from loomlight.fabric.file import FabricFile
 from loomlight.weave.draft import Draft
+from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave
-
-WIF_SUFFIX = ".wif"
-PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 
 
 def draft_of(fields: FabricFile, folder: str) -> Draft:
@@ -21,4 +19,12 @@ def draft_of(fields: FabricFile, folder: str) -> Draft:
     """
     if fields.weave is not None:
         return named_weave(fields.weave)
-    raise InputError(f"{Path(folder) / str(fields.draft or fields.image)} cannot be read yet.")
+    name = "draft" if fields.draft is not None else "image"
+    given = str(getattr(fields, name))
+    path = Path(folder) / given
+    try:
+        if not path.is_file():
+            raise InputError(f'{name} = "{given}" names no file: {path} does not exist.')
+        return load_draft(path)
+    except (OSError, ValueError) as error:
+        raise InputError(f"{name} = {given[:80]!r} is no path of a file that can be read.") from error

@@ -6,6 +6,9 @@ import os
 from dataclasses import dataclass
 from math import radians
 
+import numpy as np
+from numpy.typing import NDArray
+
 from loomlight.fabric.albedos import family_appearance
 from loomlight.fabric.colours import coloured_draft
 from loomlight.fabric.defaults import DIFFUSE_BLEND, HEIGHT_SCALE, OPTICAL_DEPTH, Bend, bends_of
@@ -13,7 +16,7 @@ from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.fabric.spacing import family_spacing, family_width
 from loomlight.fabric.writing import fabric_toml
 from loomlight.scattering.appearance import Appearance, Sheen, Variation
-from loomlight.weave.draft import Draft
+from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 
@@ -61,15 +64,22 @@ def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fab
         InputError: fields that contradict the draft, albedos that exceed the light, an unreadable yarn count.
     """
     coloured = coloured_draft(draft, fields)
+    optical_depth = OPTICAL_DEPTH if fields.optical_depth is None else fields.optical_depth
     appearance = Appearance(
-        warp=family_appearance(fields.warp, "warp", coloured.warp),
-        weft=family_appearance(fields.weft, "weft", coloured.weft),
+        warp=family_appearance(fields.warp, "warp", _colours(coloured.warp), optical_depth),
+        weft=family_appearance(fields.weft, "weft", _colours(coloured.weft), optical_depth),
         sheen=_sheen(fields),
         variation=_variation(fields),
         diffuse_blend=DIFFUSE_BLEND if fields.diffuse_blend is None else fields.diffuse_blend,
-        optical_depth=OPTICAL_DEPTH if fields.optical_depth is None else fields.optical_depth,
+        optical_depth=optical_depth,
     )
     return Fabric(name, coloured, fields, folder, _layout(fields, coloured), appearance)
+
+
+def _colours(threads: Threads) -> NDArray[np.float64]:
+    if threads.colors is None:
+        raise ValueError("threads without colours reached the appearance")
+    return threads.colors
 
 
 def _layout(fields: FabricFile, draft: Draft) -> ClothLayout:

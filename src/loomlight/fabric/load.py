@@ -6,10 +6,11 @@ import os
 from pathlib import Path
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.drafts import PICTURE_SUFFIXES, WIF_SUFFIX, draft_of
+from loomlight.fabric.drafts import draft_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
-from loomlight.fabric.reading import parse_fabric_file, read_text, speaking_of
+from loomlight.fabric.reading import one_line, parse_fabric_file, read_text, speaking_of
+from loomlight.weave.load import DRAFT_SUFFIXES
 
 FABRIC_SUFFIX = ".toml"
 
@@ -26,20 +27,26 @@ def load_fabric(path: str | os.PathLike[str]) -> Fabric:
     file = Path(path)
     suffix = file.suffix.lower()
     folder = str(file.parent)
-    if suffix == WIF_SUFFIX:
+    if suffix in DRAFT_SUFFIXES:
         return _made(FabricFile(draft=file.name), folder, file.stem, str(file))
-    if suffix in PICTURE_SUFFIXES:
-        return _made(FabricFile(image=file.name), folder, file.stem, str(file))
     if suffix == FABRIC_SUFFIX:
         text = read_text(file)
         with speaking_of(str(file)):
             fields = parse_fabric_file(text)
         return _made(fields, folder, file.stem, str(file))
-    if suffix == "" or "/" in suffix:
-        return fabric_from_text(str(path))
-    raise InputError(
-        f"{file} is no fabric: give a fabric file (.toml), a draft (.wif, .png) or a weave's name."
-    )
+    if suffix or _exists(file) or file.is_absolute():
+        raise InputError(
+            f"{one_line(str(file))} is no fabric: give a fabric file (.toml), a draft (.wif, .png) or a weave's "
+            "name."
+        )
+    return fabric_from_text(str(path))
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):
+        return False
 
 
 def fabric_from_text(text: str, folder: str | os.PathLike[str] = ".") -> Fabric:

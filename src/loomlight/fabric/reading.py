@@ -20,12 +20,18 @@ LARGEST_FILE = 4 * 2**20
 
 @contextmanager
 def speaking_of(source: str) -> Iterator[None]:
-    """Names `source` (a file) at the start of every InputError raised inside that does not name one."""
+    """Names `source` (a file) at the start of every InputError raised inside that does not name it."""
     try:
         yield
     except InputError as error:
-        text = str(error)
-        raise InputError(text if text.startswith(source) else f"{source}: {text}") from error
+        text = one_line(str(error))
+        raise InputError(text if not source or source in text else f"{source}: {text}") from error
+
+
+def one_line(text: str) -> str:
+    """`text` as one printable line: what a user's file holds must not steer a terminal."""
+    spaced = " ".join(text.split())
+    return "".join(char if char.isprintable() else "\N{REPLACEMENT CHARACTER}" for char in spaced)
 
 
 def read_text(path: str | os.PathLike[str]) -> str:

@@ -6,12 +6,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.fabric.defaults import GAP, THREADS_PER_CM
+from loomlight.fabric.defaults import GAP
 from loomlight.fabric.file import FabricFile, YarnTable
 from loomlight.weave.draft import Threads
+from loomlight.weave.textile import CM_PER_INCH, DEFAULT_SETT_PER_CM, yarn_diameter_mm
 
 _MM_PER_CM = 10.0
-_CM_PER_INCH = 2.54
 
 
 def family_spacing(
@@ -32,7 +32,7 @@ def family_spacing(
         return np.full(count, _MM_PER_CM / density)
     if other.spacing_mm is not None:
         return np.full(count, float(other.spacing_mm.mean()))
-    return np.full(count, _MM_PER_CM / THREADS_PER_CM)
+    return np.full(count, _MM_PER_CM / DEFAULT_SETT_PER_CM)
 
 
 def threads_per_cm(fields: FabricFile, name: str) -> float | None:
@@ -40,7 +40,7 @@ def threads_per_cm(fields: FabricFile, name: str) -> float | None:
     per_cm, per_inch = (
         (fields.ends_per_cm, fields.epi) if name == "warp" else (fields.picks_per_cm, fields.ppi)
     )
-    return per_inch / _CM_PER_INCH if per_inch is not None else per_cm
+    return per_inch / CM_PER_INCH if per_inch is not None else per_cm
 
 
 def family_width(
@@ -65,4 +65,7 @@ def family_width(
 
 
 def _width_of_count(count: str, field: str) -> float:
-    raise InputError(f'{field} = "{count}" cannot be used yet.')
+    try:
+        return yarn_diameter_mm(count)
+    except InputError as error:
+        raise InputError(f"{field}: {error}") from error

@@ -1,0 +1,86 @@
+"""Images survive being written and read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+import pytest
+from PIL import Image
+
+from loomlight.core.colour import srgb_to_linear
+from loomlight.core.errors import InputError
+from loomlight.core.images import read_picture, write_channels, write_image, write_png
+
+
+def random_pixels(channels: int) -> np.ndarray:
+    return np.random.default_rng(7).random((5, 9, channels)).astype(np.float32)
+
+
+@pytest.mark.parametrize(("channels", "name"), [(1, "Y"), (3, "RGB"), (4, "RGBA")])
+def test_exr_keeps_every_bit(tmp_path: Path, channels: int, name: str) -> None:
+    pixels = random_pixels(channels) * 1e4
+    write_image(tmp_path / "a.exr", pixels)
+    read = OpenEXR.File(str(tmp_path / "a.exr")).channels()[name].pixels
+    np.testing.assert_array_equal(read, pixels.squeeze())
+
+
+def test_exr_keeps_infinity_and_nan(tmp_path: Path) -> None:
+    pixels = np.tile(np.array([np.inf, np.nan, -1.0], dtype=np.float32), (2, 2, 1))
+    write_image(tmp_path / "a.exr", pixels)
+    np.testing.assert_array_equal(OpenEXR.File(str(tmp_path / "a.exr")).channels()["RGB"].pixels, pixels)
+
+
+def test_channels_keep_their_names(tmp_path: Path) -> None:
+    planes = {"height": random_pixels(1)[..., 0], "hole": random_pixels(1)[..., 0] * 2}
+    write_channels(tmp_path / "a.exr", planes)
+    read = OpenEXR.File(str(tmp_path / "a.exr"), separate_channels=True).channels()
+    assert set(read) == {"height", "hole"}
+    for name, plane in planes.items():
+        np.testing.assert_array_equal(read[name].pixels, plane)
+
+
+def test_png_is_srgb(tmp_path: Path) -> None:
+    levels = np.arange(256)
+    linear = srgb_to_linear(np.tile(levels[None, :, None], (2, 1, 3)) / 255)
+    write_image(tmp_path / "a.png", linear)
+    assert np.array_equal(np.asarray(Image.open(tmp_path / "a.png"))[0, :, 0], levels)
+    np.testing.assert_allclose(read_picture(tmp_path / "a.png")[0, :, 1], levels / 255)
+
+
+def test_png_clips_and_takes_nan_for_black(tmp_path: Path) -> None:
+    write_image(tmp_path / "a.png", np.tile([7.0, -2.0, np.nan], (2, 2, 1)))
+    assert np.asarray(Image.open(tmp_path / "a.png"))[1, 1].tolist() == [255, 0, 0]
+
+
+@pytest.mark.xfail(strict=True, reason="a side of one pixel is squeezed away before writing")
+def test_a_single_row_is_an_image(tmp_path: Path) -> None:
+    write_image(tmp_path / "a.png", np.zeros((1, 9, 3)))
+    assert Image.open(tmp_path / "a.png").size == (9, 1)
+
+
+def test_transparency_is_seen_on_white(tmp_path: Path) -> None:
+    Image.new("RGBA", (2, 2), (0, 0, 0, 0)).save(tmp_path / "a.png")
+    assert read_picture(tmp_path / "a.png").min() == 1.0
+
+
+@pytest.mark.parametrize("name", ["a.jpg", "a", "a.exr.txt"])
+def test_other_suffixes_are_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError, match=r"png or \.exr"):
+        write_image(tmp_path / name, np.zeros((2, 2, 3)))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
+    write_png(tmp_path / "whole.png", np.zeros((30, 30, 3), dtype=np.uint8))
+    whole = (tmp_path / "whole.png").read_bytes()
+    for number, content in enumerate([b"", b"no picture", whole[:40], whole[:20] + b"\xff" * 30]):
+        path = tmp_path / f"{number}.png"
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=f"{number}.png is no picture"):
+            read_picture(path)
+    with pytest.raises(InputError, match="does not exist"):
+        read_picture(tmp_path / "none.png")
+    with pytest.raises(InputError, match="is no picture"):
+        read_picture(tmp_path)
