@@ -193,9 +193,7 @@ class PointModel:
         height = dr.select(beyond, far_height, point.height)
         direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
         searched = types.Bool(active) & ~point.hole
-        free = unoccluded(
-            self.surface, point.x, point.y, height, direction, side, searched, self.quality
-        )
+        free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
         return free | point.hole
 
     def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
@@ -220,11 +218,13 @@ class PointModel:
         types = array_types(point.x)
         seen = _on_face(view, point.back)
         lobes = self._lobe_shares(point, seen)
-        specular, reflect, transmit, passing = lobes
+        specular, reflect, _, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
         blend = types.Float(self.appearance.diffuse_blend)
         diffuse = sample_diffuse(point.normal, blend, u)
-        facing = dr.select(choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse))
+        facing = dr.select(
+            choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse)
+        )
         passes = choice >= 1 - passing
         facing = dr.select(passes, -seen, facing)
         pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))

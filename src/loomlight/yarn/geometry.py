@@ -282,7 +282,9 @@ class YarnGeometry:
         flat_height = dr.fma(sign, rise, -section)
         slope_across = -across / lateral * dr.select(bent, tube * inverse_root, 1)
         outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
-        slope_along = dr.select(bent, outwards, 0) * dr.select(run.near_start, types.Float(1), types.Float(-1))
+        slope_along = dr.select(bent, outwards, 0) * dr.select(
+            run.near_start, types.Float(1), types.Float(-1)
+        )
 
         dive, dive_slope = _dive(types, tables, shown, run, crossed, other_beta)
         height = dr.fma(beta, flat_height, -dive)

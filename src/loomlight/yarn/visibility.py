@@ -270,7 +270,8 @@ def horizon(
     sine, cosine = dr.sincos(azimuth)
     fine_x, fine_y = surface.finest
     _, high = surface.height_bounds
-    step = dr.rcp(dr.maximum(dr.abs(cosine) / fine_x, dr.abs(sine) / fine_y) * quality.steps_per_thread)
+    rate: Any = dr.maximum(dr.abs(cosine) / fine_x, dr.abs(sine) / fine_y) * quality.steps_per_thread
+    step = dr.rcp(rate)
     start = height + _LIFT * min(surface.finest)
     back = types.Bool(back)
 
@@ -285,4 +286,3 @@ def horizon(
     # Without any rise the search would only end with the budget; 1e-3 is a horizon of 0.06°.
     state = (types.Float(0.5 * step), types.Float(1e-3 + 0 * x), types.UInt32(0))
     return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]
-

@@ -1,0 +1,202 @@
+"""Baked maps: the geometry of one repeat, or of any window of the draft, sampled on a grid.
+
+For other tools and for the models that learn from textures. The renderer does not need them.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import numpy as np
+import OpenEXR
+from numpy.typing import NDArray
+
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
+from loomlight.core.images import write_channels, write_png
+from loomlight.yarn.visibility import Surface
+
+MAXIMUM_MAP_SIZE = 16384
+_CHANNELS = {
+    "height": ("height",),
+    "normal": ("normal.X", "normal.Y", "normal.Z"),
+    "tangent": ("tangent.X", "tangent.Y", "tangent.Z"),
+    "warp": ("warp",),
+    "hole": ("hole",),
+}
+# One batch of texels: bounds the memory of a large map.
+_BATCH = 1 << 22
+
+
+@dataclass(frozen=True, eq=False)
+class SurfaceMaps:
+    """Maps [rows, columns, ...]; row 0 is at the lower edge of the window, column 0 at its left.
+
+    Attributes:
+        height: millimetres; 0 in holes.
+        normal, tangent: unit vectors [..., 3]; x along the weft, y along the warp, z towards the eye.
+        warp: whether the warp shows, bool.
+        hole: whether neither family is there, bool.
+        size: width and height of the window, millimetres.
+    """
+
+    height: NDArray[np.float32]
+    normal: NDArray[np.float32]
+    tangent: NDArray[np.float32]
+    warp: NDArray[np.bool_]
+    hole: NDArray[np.bool_]
+    size: tuple[float, float]
+
+
+def bake_maps(
+    surface: Surface,
+    resolution: tuple[int, int],
+    float_type: type,
+    window: tuple[float, float, float, float] | None = None,
+    back: bool = False,
+) -> SurfaceMaps:
+    """Samples the surface at the middles of a grid of texels.
+
+    Args:
+        resolution: columns and rows, 1 to 16384.
+        float_type: the Dr.Jit Float type to compute with.
+        window: left, bottom, width, height in millimetres; None is one repeat.
+        back: sample the back face, in its mirrored frame.
+
+    Raises:
+        InputError: a resolution out of range, or a window without extent.
+    """
+    columns, rows = resolution
+    if not (1 <= columns <= MAXIMUM_MAP_SIZE and 1 <= rows <= MAXIMUM_MAP_SIZE):
+        raise InputError(f"resolution = {columns}x{rows} is outside 1 to {MAXIMUM_MAP_SIZE} texels a side.")
+    left, bottom, width, height = window or (0.0, 0.0, *surface.size)
+    if not (0 < width < np.inf and 0 < height < np.inf and np.isfinite([left, bottom]).all()):
+        raise InputError(f"window = {window} needs a finite corner and a width and height above 0 mm.")
+    batches = [
+        _sample(surface, float_type, columns, rows, first, (left, bottom, width, height), back)
+        for first in range(0, columns * rows, _BATCH)
+    ]
+    joined = [np.concatenate(parts, axis=-1) for parts in zip(*batches, strict=True)]
+    level, normal, tangent, warp, hole = joined
+
+    def grid(values: NDArray[Any]) -> NDArray[Any]:
+        return np.moveaxis(values.reshape(*values.shape[:-1], rows, columns), 0, -1)
+
+    return SurfaceMaps(
+        height=level.reshape(rows, columns).astype(np.float32),
+        normal=np.ascontiguousarray(grid(normal), dtype=np.float32),
+        tangent=np.ascontiguousarray(grid(tangent), dtype=np.float32),
+        warp=warp.reshape(rows, columns).astype(bool),
+        hole=hole.reshape(rows, columns).astype(bool),
+        size=(width, height),
+    )
+
+
+def _sample(
+    surface: Surface,
+    float_type: type,
+    columns: int,
+    rows: int,
+    first: int,
+    window: tuple[float, float, float, float],
+    back: bool,
+) -> tuple[NDArray[Any], ...]:
+    types = array_types(float_type)
+    count = min(_BATCH, columns * rows - first)
+    texel = dr.arange(types.UInt32, first, first + count)
+    row = texel // columns
+    column = texel - row * columns
+    left, bottom, width, height = window
+    x = left + (types.Float(column) + 0.5) * (width / columns)
+    y = bottom + (types.Float(row) + 0.5) * (height / rows)
+    point = surface.surface(x, y, dr.full(types.Bool, back, count))
+    level = dr.select(point.hole, 0, point.height)
+    dr.eval(level, point.normal, point.tangent, point.is_warp, point.hole)
+    return tuple(
+        np.asarray(value.numpy()) for value in (level, point.normal, point.tangent, point.is_warp, point.hole)
+    )
+
+
+def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
+    """Writes the maps and returns the files: one EXR with named channels, or five PNGs beside `path`.
+
+    Pictures have row 0 at the top, so the window's upper edge comes first. In PNGs vectors are (v + 1)/2
+    and the height spans 0 to 1 from its lowest to its highest, 8 bits; EXR holds the values themselves.
+
+    Raises:
+        InputError: another suffix, or a path that cannot be written.
+    """
+    target = Path(path)
+    planes: dict[str, NDArray[np.float32]] = {
+        name: np.flipud(np.asarray(getattr(maps, name), np.float32)) for name in _CHANNELS
+    }
+    if target.suffix.lower() == ".exr":
+        channels = {
+            channel: plane if len(names) == 1 else plane[..., index]
+            for name, names in _CHANNELS.items()
+            for index, channel in enumerate(names)
+            for plane in (planes[name],)
+        }
+        channels["size.X"] = np.full_like(planes["height"], maps.size[0])
+        channels["size.Y"] = np.full_like(planes["height"], maps.size[1])
+        write_channels(target, channels)
+        return [target]
+    if target.suffix.lower() != ".png":
+        raise InputError(f"{target}: maps are written as .exr or .png.")
+    low, high = float(maps.height.min()), float(maps.height.max())
+    planes["height"] = ((planes["height"] - low) / max(high - low, 1e-12)).astype(np.float32)
+    for name in ("normal", "tangent"):
+        planes[name] = (planes[name] + 1) / 2
+    written = []
+    for name, plane in planes.items():
+        file = target.with_name(f"{target.stem}_{name}.png")
+        write_png(file, np.rint(np.clip(plane, 0, 1) * 255).astype(np.uint8))
+        written.append(file)
+    return written
+
+
+def read_maps(path: str | os.PathLike[str]) -> SurfaceMaps:
+    """Reads maps from an EXR with the channels that `write_maps` writes (tangent, warp and hole may lack).
+
+    Raises:
+        InputError: no such file, no EXR, or a channel that is missing, infinite or of no length.
+    """
+    if not Path(path).is_file():
+        raise InputError(f"{path} does not exist.")
+    try:
+        channels = {
+            name: np.flipud(np.asarray(channel.pixels, np.float32))
+            for name, channel in OpenEXR.File(str(path), separate_channels=True).channels().items()
+        }
+    except (RuntimeError, ValueError, TypeError) as error:
+        raise InputError(f"{path} is no EXR file that can be read.") from error
+    for name in ("height", *_CHANNELS["normal"], "size.X", "size.Y"):
+        if name not in channels:
+            raise InputError(f'{path} has no channel "{name}"; it has {", ".join(sorted(channels))}.')
+    for name, plane in channels.items():
+        if not np.isfinite(plane).all():
+            raise InputError(f'{path}: the channel "{name}" holds values that are not finite.')
+    shape = channels["height"].shape
+    normal = np.stack([channels[name] for name in _CHANNELS["normal"]], axis=-1)
+    if (normal[..., 2] <= 0).any():
+        raise InputError(f'{path}: the channel "normal.Z" must be above 0: normals face the eye.')
+    if all(name in channels for name in _CHANNELS["tangent"]):
+        tangent = np.stack([channels[name] for name in _CHANNELS["tangent"]], axis=-1)
+    else:
+        # Without fibre directions they are taken to run along the warp.
+        tangent = np.broadcast_to(np.asarray([0, 1, 0], np.float32), normal.shape)
+    width, height = float(channels["size.X"].flat[0]), float(channels["size.Y"].flat[0])
+    if width <= 0 or height <= 0:
+        raise InputError(f"{path}: size = {width:g} x {height:g} mm must be above 0.")
+    return SurfaceMaps(
+        height=channels["height"],
+        normal=normal,
+        tangent=tangent,
+        warp=channels.get("warp", np.ones(shape, np.float32)) > 0.5,
+        hole=channels.get("hole", np.zeros(shape, np.float32)) > 0.5,
+        size=(width, height),
+    )

@@ -1,0 +1,232 @@
+"""Shadows, parallax, holes and horizons against Mitsuba's ray casts on a finely tessellated piece of cloth."""
+
+from __future__ import annotations
+
+import math
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.core.llvm import require_llvm
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.horizon import HorizonMap
+from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.visibility import (
+    DEFAULT_QUALITY,
+    REFERENCE_QUALITY,
+    SearchQuality,
+    first_hit,
+    horizon,
+    passes_through,
+    unoccluded,
+)
+
+from .layouts import PLAIN, SATIN, TWILL, even_layout
+
+require_llvm()
+mi.set_variant("llvm_ad_rgb")
+
+SPACING, GAP = 0.4, 0.2
+QUADS = 40  # a thread; its edges at 0.1 and 0.9 of a cell fall between quads
+FLOOR = -1.2  # mm, far below the cloth: walls reach down to here
+COUNT = 60_000
+REACH = 2  # repeats of cloth around the one that is asked about
+
+
+class TessellatedCloth:
+    """The height field as a triangle mesh: one flat-topped quad a grid cell, and walls between quads.
+
+    Corners take the height just inside their own quad, so the sides of yarns are vertical; where there is a
+    hole there is no quad, and the walls around it reach down to `FLOOR`.
+    """
+
+    def __init__(self, layout: ClothLayout, back: bool) -> None:
+        geometry = YarnGeometry(layout)
+        side = QUADS * layout.warp_on_top.shape[0]
+        step = SPACING / QUADS
+        index = np.arange(side)
+        inset = 1e-4 * step
+        low, high = index * step + inset, (index + 1) * step - inset
+        corners = np.empty((side, side, 2, 2))
+        holes = np.zeros((side, side), bool)
+        for a, ys in enumerate((low, high)):
+            for b, xs in enumerate((low, high)):
+                x, y = np.meshgrid(xs, ys)
+                point = geometry.surface(
+                    mi.Float64(x.ravel()), mi.Float64(y.ravel()), dr.full(mi.Bool, back, x.size)
+                )
+                corners[:, :, a, b] = point.height.numpy().reshape(side, side)
+                holes |= point.hole.numpy().reshape(side, side)
+        corners[holes] = FLOOR
+        repeats = 2 * REACH + 1
+        corners = np.tile(corners, (repeats, repeats, 1, 1))
+        holes = np.tile(holes, (repeats, repeats))
+        origin = -REACH * side * step
+        self.scene = mi.load_dict({"type": "scene", "cloth": _mesh(corners, holes, origin, step)})
+
+
+def _mesh(corners: np.ndarray, holes: np.ndarray, origin: float, step: float) -> mi.Mesh:
+    rows, columns = holes.shape
+    y, x = np.meshgrid(np.arange(rows), np.arange(columns), indexing="ij")
+    vertices = np.empty((rows, columns, 2, 2, 3))
+    for a in (0, 1):
+        for b in (0, 1):
+            vertices[:, :, a, b, 0] = origin + (x + b) * step
+            vertices[:, :, a, b, 1] = origin + (y + a) * step
+    vertices[..., 2] = corners
+    number = np.arange(rows * columns * 4).reshape(rows, columns, 2, 2)
+
+    def quads(a: np.ndarray, b: np.ndarray, c: np.ndarray, d: np.ndarray) -> np.ndarray:
+        a, b, c, d = (part.ravel() for part in (a, b, c, d))
+        return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+    solid = number[~holes]
+    faces = [
+        quads(solid[:, 0, 0], solid[:, 0, 1], solid[:, 1, 1], solid[:, 1, 0]),
+        quads(number[:, :-1, 0, 1], number[:, :-1, 1, 1], number[:, 1:, 1, 0], number[:, 1:, 0, 0]),
+        quads(number[:-1, :, 1, 0], number[:-1, :, 1, 1], number[1:, :, 0, 1], number[1:, :, 0, 0]),
+    ]
+    triangles = np.concatenate(faces)
+    mesh = mi.Mesh("cloth", rows * columns * 4, len(triangles))
+    parameters = mi.traverse(mesh)
+    parameters["vertex_positions"] = mi.Float(vertices.ravel())
+    parameters["faces"] = mi.UInt32(triangles.ravel().astype(np.uint32))
+    parameters.update()
+    return mesh
+
+
+def _directions(rng: np.random.Generator, lowest: float, count: int) -> mi.Vector3f:
+    """Uniform over the hemisphere above an elevation, degrees."""
+    z = rng.uniform(math.sin(math.radians(lowest)), 1, count)
+    azimuth = rng.uniform(0, 2 * math.pi, count)
+    radius = np.sqrt(1 - z**2)
+    return mi.Vector3f(mi.Float(radius * np.cos(azimuth)), mi.Float(radius * np.sin(azimuth)), mi.Float(z))
+
+
+CASES = [
+    pytest.param(PLAIN, 24.0, False, id="plain"),
+    pytest.param(TWILL, 24.0, False, id="twill"),
+    pytest.param(TWILL, 24.0, True, id="twill-back"),
+    pytest.param(SATIN, 45.0, False, id="satin-steep"),
+]
+
+
+@pytest.mark.parametrize(("draft", "inclination", "back"), CASES)
+def test_shadows_are_those_of_ray_casts(draft: np.ndarray, inclination: float, back: bool) -> None:
+    layout = even_layout(draft, SPACING, GAP, inclination)
+    geometry, cloth = YarnGeometry(layout), TessellatedCloth(layout, back)
+    rng = np.random.default_rng(0)
+    x = mi.Float(rng.uniform(0, geometry.size[0], COUNT))
+    y = mi.Float(rng.uniform(0, geometry.size[1], COUNT))
+    face = dr.full(mi.Bool, back, COUNT)
+    height, hole = geometry.height(x, y, face)
+    light = _directions(rng, 12, COUNT)
+    free = unoccluded(geometry, x, y, height, light, face).numpy()
+    # Origins clear the flat quads, which stand up to step²/(8 a) = 1e-4 mm above or below the arc.
+    origin = mi.Point3f(x, y, height + 1e-3)
+    cast = ~cloth.scene.ray_test(mi.Ray3f(origin, light)).numpy()
+    near_silhouette = cloth.scene.ray_test(mi.Ray3f(origin, _raised(light, -0.02))).numpy() != (
+        cloth.scene.ray_test(mi.Ray3f(origin, _raised(light, 0.02))).numpy()
+    )
+    clear = ~hole.numpy() & ~near_silhouette
+    assert 0.1 < 1 - cast[clear].mean() < 0.6
+    assert (free == cast)[clear].mean() > 0.995
+    assert (free == cast)[~hole.numpy()].mean() > 0.985
+
+
+def _raised(direction: mi.Vector3f, angle: float) -> mi.Vector3f:
+    """Direction turned upwards by an angle in radians."""
+    flat = dr.sqrt(dr.maximum(1 - direction.z**2, 1e-12))
+    elevation = dr.asin(direction.z) + angle
+    scale = dr.cos(elevation) / flat
+    return mi.Vector3f(direction.x * scale, direction.y * scale, dr.sin(elevation))
+
+
+@pytest.mark.parametrize(("draft", "inclination", "back"), CASES)
+def test_parallax_is_that_of_ray_casts(draft: np.ndarray, inclination: float, back: bool) -> None:
+    layout = even_layout(draft, SPACING, GAP, inclination)
+    geometry, cloth = YarnGeometry(layout), TessellatedCloth(layout, back)
+    rng = np.random.default_rng(1)
+    x = mi.Float(rng.uniform(0, geometry.size[0], COUNT))
+    y = mi.Float(rng.uniform(0, geometry.size[1], COUNT))
+    view = _directions(rng, 12, COUNT)
+    hit = first_hit(geometry, x, y, view, dr.full(mi.Bool, back, COUNT))
+    ray = mi.Ray3f(mi.Point3f(x, y, 0) + view * (1.0 / view.z), -view)
+    si = cloth.scene.ray_intersect(ray)
+    valid = si.is_valid().numpy() & ~hit.hole.numpy()
+    distance = np.hypot((hit.x - si.p.x).numpy(), (hit.y - si.p.y).numpy())
+    # Rays that just graze a yarn in one geometry and pass it in the other land on different yarns: 2 quads.
+    agree = (distance < 2 * SPACING / QUADS)[valid]
+    assert valid.mean() > 0.8
+    assert agree.mean() > 0.99
+    assert np.median(distance[valid]) < 2e-4
+
+
+def test_finer_searches_change_next_to_nothing() -> None:
+    geometry = YarnGeometry(even_layout(TWILL))
+    rng = np.random.default_rng(2)
+    x, y = (mi.Float(rng.uniform(0, 1.6, COUNT)) for _ in range(2))
+    front = dr.full(mi.Bool, False, COUNT)
+    height, hole = geometry.height(x, y, front)
+    light = _directions(rng, 0, COUNT)
+    results = [
+        unoccluded(geometry, x, y, height, light, front, quality=quality).numpy()[~hole.numpy()]
+        for quality in (SearchQuality(5, 5), DEFAULT_QUALITY, REFERENCE_QUALITY)
+    ]
+    coarse, default, reference = results
+    assert (default != reference).mean() < 0.006
+    assert (default != reference).mean() < (coarse != reference).mean()
+
+
+@pytest.mark.parametrize("gap", [0.2, 0.5])
+def test_holes_from_straight_above_are_the_gaps(gap: float) -> None:
+    geometry = YarnGeometry(even_layout(PLAIN, gap=gap))
+    rng = np.random.default_rng(3)
+    x, y = (mi.Float(rng.uniform(0, 0.8, COUNT)) for _ in range(2))
+    passing = passes_through(geometry, x, y, mi.Vector3f(0, 0, 1), dr.full(mi.Bool, False, COUNT))
+    deviation = math.sqrt(gap**2 * (1 - gap**2) / COUNT)
+    assert abs(passing.numpy().mean() - gap**2) < 4 * deviation
+
+
+def test_rays_pass_in_both_directions_or_in_none() -> None:
+    geometry = YarnGeometry(even_layout(TWILL, gap=0.5))
+    rng = np.random.default_rng(4)
+    x, y = (mi.Float(rng.uniform(0, 1.6, COUNT)) for _ in range(2))
+    view = _directions(rng, 5, COUNT)
+    front = passes_through(geometry, x, y, view, dr.full(mi.Bool, False, COUNT)).numpy()
+    onwards = mi.Vector3f(-view.x, -view.y, view.z)
+    behind = passes_through(geometry, x, y, onwards, dr.full(mi.Bool, True, COUNT)).numpy()
+    assert 0.02 < front.mean() < 0.25
+    assert (front == behind).all()
+
+
+def test_horizon_parts_hidden_from_free_directions() -> None:
+    geometry = YarnGeometry(even_layout(SATIN, inclination=40))
+    rng = np.random.default_rng(5)
+    x, y = (mi.Float(rng.uniform(0, 2, COUNT)) for _ in range(2))
+    front = dr.full(mi.Bool, False, COUNT)
+    height, hole = geometry.height(x, y, front)
+    light = _directions(rng, 3, COUNT)
+    azimuth = dr.atan2(light.y, light.x)
+    tangent = horizon(geometry, x, y, height, azimuth, front, REFERENCE_QUALITY)
+    above = (light.z >= tangent * dr.sqrt(1 - light.z**2)).numpy()
+    free = unoccluded(geometry, x, y, height, light, front, quality=REFERENCE_QUALITY).numpy()
+    assert (above == free)[~hole.numpy()].mean() > 0.995
+
+
+def test_horizon_map_agrees_with_the_search() -> None:
+    geometry = YarnGeometry(even_layout(TWILL))
+    table = HorizonMap(geometry, (256, 256), mi.Float)
+    rng = np.random.default_rng(6)
+    for back in (False, True):
+        x, y = (mi.Float(rng.uniform(-1.6, 3.2, COUNT)) for _ in range(2))
+        face = dr.full(mi.Bool, back, COUNT)
+        height, hole = geometry.height(x, y, face)
+        light = _directions(rng, 0, COUNT)
+        tabulated = table.unoccluded(x, y, light, face).numpy()[~hole.numpy()]
+        searched = unoccluded(geometry, x, y, height, light, face).numpy()[~hole.numpy()]
+        # 16 azimuths and 64 texels a thread: what disagrees lies at shadow edges, and cancels on average.
+        assert (tabulated == searched).mean() > 0.965
+        assert abs(tabulated.mean() - searched.mean()) < 0.02
