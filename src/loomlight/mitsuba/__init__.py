@@ -6,9 +6,25 @@ as soon as one is set; it never sets one.
 
 from __future__ import annotations
 
+from loomlight.mitsuba.lights import LIGHTS
+from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
 from loomlight.mitsuba.plugins import follow_variants
-from loomlight.mitsuba.variants import choose_variant
+from loomlight.mitsuba.rendering import render
+from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
+from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
 
-__all__ = ["choose_variant"]
+__all__ = [
+    "LIGHTS",
+    "SCENES",
+    "SUPPORTED_VARIANTS",
+    "ClothMesh",
+    "ClothScene",
+    "build_scene",
+    "choose_variant",
+    "read_mesh",
+    "render",
+    "to_shape",
+    "uv_size",
+]
 
 follow_variants()

@@ -5,8 +5,8 @@ heuristic, Russian roulette. It adds two things:
 
 - ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials (shrunk by
   1/sqrt(samples)) on the first surface, from a ray cone beyond.
-- Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``, and
-  a path that passes through one keeps the MIS weight of the vertex before it. Passing through costs no depth.
+- Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
+  and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
 
 Derivatives of BSDF and emitter parameters come from path replay (Vicini et al. 2021); the shadows of holes
 and the positions of surfaces are held fixed.
@@ -31,7 +31,7 @@ def footprint_path_class() -> type:
     """The integrator's class in the current variant, for `mi.register_integrator`."""
     base: Any = mi.ad.integrators.common.RBIntegrator
 
-    class FootprintPath(base):  # type: ignore[misc]
+    class FootprintPath(base):
         """Path tracer with pixel footprints and holes.
 
         Parameters:
@@ -86,7 +86,7 @@ def footprint_path_class() -> type:
             active = mi.Bool(active)
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
-            β = mi.Spectrum(1)
+            β: Any = mi.Spectrum(1)
             η = mi.Float(1)
             depth = mi.UInt32(0)
             passes = mi.UInt32(0)
@@ -145,7 +145,7 @@ def footprint_path_class() -> type:
                     with dr.resume_grad():
                         value, pdf = bsdf.eval_pdf(context, si, to_light, lit)
                         attached = scene.eval_emitter_direction(si, ds, lit) / ds.pdf
-                        arriving = dr.replace_grad(arriving, dr.select(lit, attached, 0))
+                        arriving *= dr.relative_grad(dr.select(lit, attached, 0))
 
                 if dr.hint(holes, mode="scalar"):
                     lit &= dr.max(dr.detach(value * arriving)) > 0
@@ -244,7 +244,7 @@ def _lets_through(bsdf: Any) -> bool:
 
 
 def power_heuristic(pdf: Any, other: Any) -> Any:
-    """MIS weight of a sample drawn with density `pdf` that `other` could have drawn too; 0 where both are 0."""
+    """MIS weight of a sample drawn with density `pdf` that `other` could have drawn; 0 where both are 0."""
     squared, other_squared = dr.square(pdf), dr.square(other)
     weight = squared / (squared + other_squared)
     return dr.detach(dr.select(dr.isfinite(weight), weight, 0))

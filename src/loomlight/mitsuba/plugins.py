@@ -22,8 +22,8 @@ def follow_variants() -> None:
         _on_variant(None, mi.variant())
 
 
-def _on_variant(_previous: str | None, variant: str) -> None:
-    if not is_supported(variant):
+def _on_variant(_previous: str | None, variant: str | None) -> None:
+    if variant is None or not is_supported(variant):
         return
     require_backend(variant)
     for name, make_class in _INTEGRATORS.items():

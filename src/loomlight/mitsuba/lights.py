@@ -1,0 +1,91 @@
+"""Lights of the built-in scenes. Units are chosen so that sunlit white cloth has a radiance just below 1."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Literal
+
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+
+Light = Literal["sunsky", "point", "directional"]
+LIGHTS: tuple[Light, ...] = ("sunsky", "point", "directional")
+
+# Mitsuba's own daylight shows white cloth at about 0.4.
+_DAYLIGHT = 2.0
+_ENVIRONMENT_SUFFIXES = (".exr", ".hdr", ".pfm", ".png", ".jpg", ".jpeg")
+
+
+def light_dicts(
+    light: str, centre: NDArray[np.float64], radius: float, towards: NDArray[np.float64]
+) -> dict[str, dict[str, Any]]:
+    """Mitsuba's dictionaries, by name, of the emitters that make a light on an object of `radius` around `centre`.
+
+    `towards` points from the object to the light. A point light stands three radii away.
+
+    Raises:
+        InputError: no such light.
+    """
+    direction = towards / np.linalg.norm(towards)
+    if light == "sunsky":
+        # Two emitters, because one with a wider sun than the real one samples the sun far too seldom.
+        return {"sun": _sunsky(direction, sun=True), "sky": _sunsky(direction, sun=False)}
+    if light == "point":
+        distance = 3 * radius
+        point = {
+            "type": "point",
+            "position": (centre + distance * direction).tolist(),
+            "intensity": {"type": "rgb", "value": float(np.pi * (distance - radius) ** 2)},
+        }
+        return {"point": point}
+    if light == "directional":
+        directional = {
+            "type": "directional",
+            "direction": (-direction).tolist(),
+            "irradiance": {"type": "rgb", "value": float(np.pi)},
+        }
+        return {"directional": directional}
+    raise InputError(f'light = "{light}" is unknown: use {", ".join(LIGHTS)}, or an environment picture.')
+
+
+def environment_dict(
+    path: str | os.PathLike[str], turn_degrees: float = 0.0, scale: float = 1.0
+) -> dict[str, Any]:
+    """Mitsuba's dictionary of an environment picture (latitude-longitude), turned about the vertical.
+
+    Raises:
+        InputError: no such file, another suffix, or a damaged picture.
+    """
+    file = Path(path)
+    if file.suffix.lower() not in _ENVIRONMENT_SUFFIXES:
+        raise InputError(f"{file}: environments are read from {', '.join(_ENVIRONMENT_SUFFIXES)} files.")
+    if not file.is_file():
+        raise InputError(f"{file} does not exist.")
+    try:
+        bitmap = mi.Bitmap(str(file))
+    except Exception as error:  # Mitsuba raises bare RuntimeErrors
+        raise InputError(f"{file} is damaged or no picture.") from error
+    return {
+        "type": "envmap",
+        "bitmap": bitmap,
+        "scale": scale,
+        "to_world": mi.ScalarTransform4f().rotate([0, 1, 0], turn_degrees),
+    }
+
+
+def _sunsky(direction: NDArray[np.float64], sun: bool) -> dict[str, Any]:
+    return {
+        "type": "sunsky",
+        "sun_direction": direction.tolist(),
+        "turbidity": 4.0,
+        "sun_scale": _DAYLIGHT if sun else 0.0,
+        "sky_scale": 0.0 if sun else _DAYLIGHT,
+        "sun_aperture": 2.0,
+        # About their shares of the light on cloth that faces up.
+        "sampling_weight": 0.75 if sun else 0.25,
+        "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], -90),  # its own up is z
+    }

@@ -1,0 +1,85 @@
+"""Rendering in passes: memory is bounded however many samples a pixel gets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+
+# Samples in flight at once. On two CPU cores larger wavefronts are no faster.
+WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
+
+Progress = Callable[[int, int], None]
+
+
+def render(
+    scene: Any,
+    *,
+    spp: int = 64,
+    seed: int = 0,
+    sensor: Any = 0,
+    integrator: Any = None,
+    exposure: float = 0.0,
+    progress: Progress | None = None,
+) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] or RGBA [height, width, 4] of what `sensor` sees, by the film's channels.
+
+    Args:
+        scene: a Mitsuba scene.
+        spp: samples a pixel, ≥ 1; rendered in passes of equal size and different seeds.
+        seed: any 32-bit number; the same seed gives the same picture.
+        sensor: a sensor or its index.
+        integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
+        exposure: stops; colours are multiplied by 2**exposure.
+        progress: called with (samples done, samples in all) after every pass.
+
+    Raises:
+        InputError: spp < 1.
+    """
+    if spp < 1:
+        raise InputError(f"spp = {spp} is too small: a pixel needs at least 1 sample.")
+    sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+    width, height = (int(value) for value in sensor.film().crop_size())
+    integrator = integrator or _footprint_integrator(scene)
+    previous = getattr(integrator, "footprint_samples", None)
+    if previous is not None:
+        integrator.footprint_samples = spp
+    total: NDArray[np.float64] | float = 0.0
+    try:
+        for number, samples in enumerate(_passes(spp, width * height)):
+            # 2**16 passes keep their seeds apart from those of a picture with the next seed.
+            picture = mi.render(
+                scene, sensor=sensor, integrator=integrator, spp=samples, seed=_pass_seed(seed, number)
+            )
+            total = total + samples * np.array(picture, dtype=np.float64)
+            if progress is not None:
+                progress(min(spp, round((number + 1) * spp / len(_passes(spp, width * height)))), spp)
+    finally:
+        if previous is not None:
+            integrator.footprint_samples = previous
+    linear = np.asarray(total, dtype=np.float64) / spp
+    linear[..., :3] *= 2.0**exposure
+    return linear.astype(np.float32)
+
+
+def _passes(spp: int, pixels: int) -> list[int]:
+    """Samples of each pass: as few passes as fit, as equal as they can be."""
+    largest = max(1, WAVEFRONT.get(mi.variant(), 2**22) // pixels)
+    count = -(-spp // largest)
+    return [spp // count + (index < spp % count) for index in range(count)]
+
+
+def _pass_seed(seed: int, number: int) -> int:
+    return (seed * 0x9E3779B1 + number) % 2**32
+
+
+def _footprint_integrator(scene: Any) -> Any:
+    own = scene.integrator()
+    if type(own).__name__ == "FootprintPath":
+        return own
+    return mi.load_dict({"type": "footprint_path"})

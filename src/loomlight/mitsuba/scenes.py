@@ -1,0 +1,261 @@
+"""Scenes that show a piece of cloth: built in, around a user's mesh, or a user's own scene file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba.camera import View, framing, perspective, require_size, require_zoom
+from loomlight.mitsuba.lights import environment_dict, light_dictss
+from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
+
+# The BSDF of a user's scene file that is replaced by the fabric.
+FABRIC_ID = "fabric"
+
+BsdfFactory = Callable[[tuple[float, float]], dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class ClothScene:
+    """A scene that is ready to render.
+
+    Attributes:
+        scene: the Mitsuba scene; its first sensor frames the cloth, its integrator is `footprint_path`.
+        uv_size_mm: millimetres of cloth per unit of u and of v, of the first piece of cloth.
+        point: where the camera comes closer to, world coordinates.
+        description: name, size, zoom and light, for captions and files.
+    """
+
+    scene: Any
+    uv_size_mm: tuple[float, float]
+    point: tuple[float, float, float]
+    description: str
+
+
+@dataclass(frozen=True)
+class _Setup:
+    """What a built-in scene is made of."""
+
+    cloth: Callable[[], ClothMesh]
+    towards_camera: tuple[float, float, float]
+    light: str
+    towards_light: tuple[float, float, float]
+    ground: bool = False
+
+
+# After the controlled set-ups of zhu2024, section 6: cloth over a sphere under a point light, cloth around a
+# cylinder lit from near the camera; and a flat piece and a draped one by day.
+_SETUPS = {
+    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "directional", (-0.5, 0.6, 0.8)),
+    "sphere": _Setup(cloth_shapes.sphere, (0, 0, 1), "point", (-0.45, 0.6, 0.75)),
+    "cylinder": _Setup(cloth_shapes.cylinder, (0, 0, 1), "point", (-0.1, 0.45, 1)),
+    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "sunsky", (-0.75, 0.75, 0.35), ground=True),
+}
+_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "sunsky", (-0.75, 0.75, 0.35), ground=True)
+
+SCENES = tuple(_SETUPS)
+
+
+def build_scene(
+    name: str | os.PathLike[str],
+    bsdf: BsdfFactory | dict[str, Any],
+    *,
+    mesh: str | os.PathLike[str] | None = None,
+    metres_per_unit: float = 1.0,
+    environment: str | os.PathLike[str] | None = None,
+    environment_turn: float = 0.0,
+    light: str | None = None,
+    zoom: float = 1.0,
+    size: tuple[int, int] | None = None,
+    max_depth: int = 8,
+) -> ClothScene:
+    """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
+
+    Args:
+        name: flat (0.1 m), sphere (radius 0.1 m), cylinder (radius 0.04 m), drape (0.6 m), or the path of a
+            Mitsuba scene, FILE.xml, in which every mesh whose BSDF has the id "fabric" is given the cloth.
+        bsdf: a function from (mm per unit of u, mm per unit of v) of a piece of cloth to the dictionary of
+            its BSDF; or the dictionary itself.
+        mesh: an OBJ, PLY, glTF or GLB file to show in place of the named scene's cloth, on the ground.
+        metres_per_unit: the length of one unit of the mesh, or of the scene file.
+        environment: a latitude-longitude picture that lights a built-in scene in place of its light.
+        environment_turn: degrees about the vertical.
+        light: sunsky, point or directional; by default what the scene was designed with.
+        zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.
+        size: width and height in pixels; 512 × 512 by default, a scene file's own otherwise.
+        max_depth: longest path, in segments.
+
+    Raises:
+        InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
+    """
+    require_zoom(zoom)
+    if size is not None:
+        require_size(size)
+    if not metres_per_unit > 0:
+        raise InputError(f"metres_per_unit = {metres_per_unit:g} is out of range: it is a length above 0.")
+    factory = bsdf if callable(bsdf) else _always(bsdf)
+    if Path(name).suffix.lower() == ".xml":
+        given = {"mesh": mesh, "environment": environment, "light": light}
+        for field, value in given.items():
+            if value is not None:
+                raise InputError(
+                    f"{field} = {value} does not go with the scene file {name}, which has its own."
+                )
+        return _from_file(Path(name), factory, metres_per_unit, zoom, size)
+    if str(name) not in _SETUPS:
+        raise InputError(
+            f'scene = "{name}" is unknown: use {", ".join(SCENES)}, or the path of an .xml file.'
+        )
+    setup = _SETUPS[str(name)]
+    if mesh is None:
+        cloth = setup.cloth()
+    else:
+        setup, cloth = _MESH, read_mesh(mesh).scaled(metres_per_unit)
+    size = size or (512, 512)
+    centre, radius = _bounds(cloth)
+    view = framing(cloth.positions, np.array(setup.towards_camera), size)
+    millimetres = uv_size(cloth)
+    parts: dict[str, Any] = {
+        "type": "scene",
+        "integrator": {"type": "footprint_path", "max_depth": max_depth},
+        "cloth": to_shape(cloth, factory(millimetres)),
+    }
+    if environment is not None:
+        parts["environment"] = environment_dict(environment, environment_turn)
+    else:
+        parts |= light_dicts(light or setup.light, centre, radius, np.array(setup.towards_light))
+    if setup.ground:
+        parts["ground"] = _ground(centre, radius, float(cloth.positions[:, 1].min()))
+    if mesh is None and name == "drape":
+        parts["ball"] = _ball()
+    point = _facing_point(cloth, view)
+    parts["sensor"] = perspective(view.closer(zoom, point), size)
+    lit = Path(environment).name if environment is not None else (light or setup.light)
+    shown = name if mesh is None else Path(mesh).name
+    return ClothScene(
+        scene=_loaded(parts),
+        uv_size_mm=millimetres,
+        point=(float(point[0]), float(point[1]), float(point[2])),
+        description=f"{shown}, {size[0]} × {size[1]}, zoom {zoom:g}, {lit}",
+    )
+
+
+def _always(bsdf: dict[str, Any]) -> BsdfFactory:
+    return lambda _millimetres: bsdf
+
+
+def _loaded(parts: dict[str, Any]) -> Any:
+    try:
+        return mi.load_dict(parts)
+    except RuntimeError as error:
+        raise InputError(f"The scene cannot be built: {_last_line(error)}") from error
+
+
+def _last_line(error: Exception) -> str:
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return lines[-1] if lines else type(error).__name__
+
+
+def _bounds(cloth: ClothMesh) -> tuple[NDArray[np.float64], float]:
+    low, high = cloth.positions.min(axis=0), cloth.positions.max(axis=0)
+    return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
+
+
+def _ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[str, Any]:
+    transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
+    return {
+        "type": "disk",
+        "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+    }
+
+
+def _ball() -> dict[str, Any]:
+    radius = cloth_shapes.DRAPE_BALL_RADIUS
+    return {
+        "type": "sphere",
+        "center": [0, radius, 0],
+        "radius": radius,
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+    }
+
+
+def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:
+    """Where the camera's axis meets the cloth first, or the vertex nearest to the axis."""
+    axis = view.target - view.origin
+    axis /= np.linalg.norm(axis)
+    a, b, c = (cloth.positions[cloth.triangles[:, corner]] for corner in range(3))
+    normal = np.cross(b - a, c - a)
+    slope = normal @ axis
+    with np.errstate(divide="ignore", invalid="ignore"):
+        along = np.sum(normal * (a - view.origin), axis=1) / slope
+        hits = view.origin + along[:, None] * axis
+        inside = along > 0
+        for start, end in ((a, b), (b, c), (c, a)):
+            inside &= np.sum(np.cross(end - start, hits - start) * normal, axis=1) >= 0
+    if inside.any():
+        return hits[np.argmin(np.where(inside, along, np.inf))]
+    offset = cloth.positions - view.origin
+    away = np.linalg.norm(offset - (offset @ axis)[:, None] * axis, axis=1)
+    return cloth.positions[np.argmin(away)]
+
+
+def _from_file(
+    file: Path, factory: BsdfFactory, metres_per_unit: float, zoom: float, size: tuple[int, int] | None
+) -> ClothScene:
+    if not file.is_file():
+        raise InputError(f"{file} does not exist.")
+    try:
+        scene = mi.load_file(str(file))
+    except Exception as error:  # parsers and plugins raise what they do
+        raise InputError(f"{file} cannot be loaded: {_last_line(error)}") from error
+    cloths = [
+        shape for shape in scene.shapes() if shape.bsdf() is not None and shape.bsdf().id() == FABRIC_ID
+    ]
+    if not cloths:
+        raise InputError(f'{file} has no shape whose BSDF has the id "{FABRIC_ID}"; give one that id.')
+    if not scene.sensors():
+        raise InputError(f"{file} has no sensor.")
+    meshes = []
+    for shape in cloths:
+        if not shape.is_mesh():
+            raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
+        mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
+        shape.set_bsdf(mi.load_dict(factory(uv_size(mesh))))
+        meshes.append(mesh)
+    point = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
+    return ClothScene(
+        scene=scene,
+        uv_size_mm=uv_size(meshes[0]),
+        point=(float(point[0]), float(point[1]), float(point[2])),
+        description=f"{file.name}, zoom {zoom:g}",
+    )
+
+
+def _move_camera(
+    scene: Any, cloth: ClothMesh, zoom: float, size: tuple[int, int] | None
+) -> NDArray[np.float64]:
+    """Brings the first sensor closer along its own axis and gives its film another size."""
+    params = mi.traverse(scene.sensors()[0])
+    matrix = np.array(params["to_world"].matrix, dtype=np.float64).reshape(4, 4)
+    origin = matrix[:3, 3]
+    view = View(origin, origin + matrix[:3, 2])
+    point = _facing_point(cloth, view)
+    if zoom != 1:
+        moved = matrix.copy()
+        moved[:3, 3] = view.closer(zoom, point).origin
+        params["to_world"] = mi.Transform4f(moved)
+    if size is not None:
+        params["film.size"] = list(size)
+        params["film.crop_size"] = list(size)
+    params.update()
+    return point
