@@ -23,7 +23,7 @@ _ENVIRONMENT_SUFFIXES = (".exr", ".hdr", ".pfm", ".png", ".jpg", ".jpeg")
 def light_dicts(
     light: str, centre: NDArray[np.float64], radius: float, towards: NDArray[np.float64]
 ) -> dict[str, dict[str, Any]]:
-    """Mitsuba's dictionaries, by name, of the emitters that make a light on an object of `radius` around `centre`.
+    """Mitsuba's dictionaries, by name, of the emitters that light an object of `radius` at `centre`.
 
     `towards` points from the object to the light. A point light stands three radii away.
 

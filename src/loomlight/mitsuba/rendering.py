@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
@@ -69,7 +70,7 @@ def render(
 
 def _passes(spp: int, pixels: int) -> list[int]:
     """Samples of each pass: as few passes as fit, as equal as they can be."""
-    largest = max(1, WAVEFRONT.get(mi.variant(), 2**22) // pixels)
+    largest = max(1, WAVEFRONT[choose_variant()] // pixels)
     count = -(-spp // largest)
     return [spp // count + (index < spp % count) for index in range(count)]
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, perspective, require_size, require_zoom
-from loomlight.mitsuba.lights import environment_dict, light_dictss
+from loomlight.mitsuba.lights import environment_dict, light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
 
 # The BSDF of a user's scene file that is replaced by the fabric.
@@ -253,7 +253,7 @@ def _move_camera(
     if zoom != 1:
         moved = matrix.copy()
         moved[:3, 3] = view.closer(zoom, point).origin
-        params["to_world"] = mi.Transform4f(moved)
+        params["to_world"] = mi.Transform4f(moved.tolist())
     if size is not None:
         params["film.size"] = list(size)
         params["film.crop_size"] = list(size)
