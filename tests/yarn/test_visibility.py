@@ -1,4 +1,4 @@
-"""Shadows, parallax, holes and horizons against Mitsuba's ray casts on a finely tessellated piece of cloth."""
+"""Shadows, parallax, holes and horizons against Mitsuba's ray casts on tessellated cloth."""
 
 from __future__ import annotations
 

@@ -150,7 +150,7 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
     low, high = float(maps.height.min()), float(maps.height.max())
     planes["height"] = ((planes["height"] - low) / max(high - low, 1e-12)).astype(np.float32)
     for name in ("normal", "tangent"):
-        planes[name] = (planes[name] + 1) / 2
+        planes[name] = (0.5 * planes[name] + 0.5).astype(np.float32)
     written = []
     for name, plane in planes.items():
         file = target.with_name(f"{target.stem}_{name}.png")

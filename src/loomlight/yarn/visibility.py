@@ -267,11 +267,11 @@ def horizon(
     Searched outwards until even the highest yarn could no longer raise it.
     """
     types = array_types(x)
-    sine, cosine = dr.sincos(azimuth)
+    outwards: tuple[Any, Any] = dr.sincos(azimuth)
+    sine, cosine = outwards
     fine_x, fine_y = surface.finest
     _, high = surface.height_bounds
-    rate: Any = dr.maximum(dr.abs(cosine) / fine_x, dr.abs(sine) / fine_y) * quality.steps_per_thread
-    step = dr.rcp(rate)
+    step = dr.rcp(dr.maximum(dr.abs(cosine) / fine_x, dr.abs(sine) / fine_y) * quality.steps_per_thread)
     start = height + _LIFT * min(surface.finest)
     back = types.Bool(back)
 
