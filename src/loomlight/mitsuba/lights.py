@@ -32,8 +32,7 @@ def light_dicts(
     """
     direction = towards / np.linalg.norm(towards)
     if light == "sunsky":
-        # Two emitters, because one with a wider sun than the real one samples the sun far too seldom.
-        return {"sun": _sunsky(direction, sun=True), "sky": _sunsky(direction, sun=False)}
+        return {"sunsky": _sunsky(direction)}
     if light == "point":
         distance = 3 * radius
         point = {
@@ -77,15 +76,13 @@ def environment_dict(
     }
 
 
-def _sunsky(direction: NDArray[np.float64], sun: bool) -> dict[str, Any]:
+def _sunsky(direction: NDArray[np.float64]) -> dict[str, Any]:
+    # The sun keeps its true width: Mitsuba samples a wider one far too seldom, and one sky is all it allows.
     return {
         "type": "sunsky",
         "sun_direction": direction.tolist(),
         "turbidity": 4.0,
-        "sun_scale": _DAYLIGHT if sun else 0.0,
-        "sky_scale": 0.0 if sun else _DAYLIGHT,
-        "sun_aperture": 2.0,
-        # About their shares of the light on cloth that faces up.
-        "sampling_weight": 0.75 if sun else 0.25,
+        "sun_scale": _DAYLIGHT,
+        "sky_scale": _DAYLIGHT,
         "to_world": mi.ScalarTransform4f().rotate([1, 0, 0], -90),  # its own up is z
     }
