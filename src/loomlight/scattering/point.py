@@ -17,6 +17,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.diffuse import (
     diffuse_pdf,
@@ -31,7 +32,20 @@ from loomlight.scattering.fibre import (
     sample_specular,
     transmission,
 )
+from loomlight.scattering.sheen import (
+    sample_sheen,
+    sheen_pdf,
+    sheen_transmittance,
+    sheen_with_transmittance,
+)
+from loomlight.scattering.variation import vary_albedos
+from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, Surface, first_hit, unoccluded
+
+# Size of the cells of fibre noise: this many fibres side by side in a yarn, each cell so many times as long.
+_FIBRES_ACROSS = 14
+_FIBRE_CELL_LENGTH = 24
 
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
@@ -120,14 +134,20 @@ class PointModel:
         surface: the geometry, analytic or textures.
         appearance: what scatters.
         quality: how finely rays are searched.
+        horizon: tabulated visibility instead of the search towards the light; None is exact.
     """
 
     def __init__(
-        self, surface: Surface, appearance: Appearance, quality: SearchQuality = DEFAULT_QUALITY
+        self,
+        surface: Surface,
+        appearance: Appearance,
+        quality: SearchQuality = DEFAULT_QUALITY,
+        horizon: HorizonMap | None = None,
     ) -> None:
         self.surface = surface
         self.appearance = appearance
         self.quality = quality
+        self.horizon = horizon
         self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
 
     def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
@@ -167,6 +187,8 @@ class PointModel:
                 for number in range(len(_ALBEDOS))
             )
         )
+        if self._varies:
+            albedos = self._varied(point, albedos, x, y)
         return YarnPoint(
             back=back,
             hole=hole,
@@ -179,6 +201,58 @@ class PointModel:
             roughness=dr.select(point.is_warp, warp.roughness, weft.roughness),
             albedos=albedos,
         )
+
+    @property
+    def _varies(self) -> bool:
+        return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
+
+    @property
+    def _sheen(self) -> tuple[float, float] | None:
+        """Strength and roughness; None without sheen, so that it costs nothing then."""
+        sheen = self.appearance.sheen
+        return (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
+
+    def _varied(self, point: SurfacePoint, albedos: Albedos, x: Any, y: Any) -> Albedos:
+        types = array_types(x)
+        variation = self.appearance.variation
+        # Threads are counted over the whole cloth, or the noise would repeat with the draft.
+        position = dr.select(point.is_warp, x, y) - point.across
+        period = dr.select(point.is_warp, types.Float(self.surface.size[0]), self.surface.size[1])
+        threads = dr.select(
+            point.is_warp,
+            types.Int32(len(self.appearance.warp.diffuse_reflect)),
+            types.Int32(len(self.appearance.weft.diffuse_reflect)),
+        )
+        index = dr.select(point.is_warp, types.Int32(point.warp_thread), types.Int32(point.weft_thread))
+        number = types.Int32(dr.floor(position / period)) * threads + index
+        # Two families must not share numbers.
+        thread = types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+        # Across the fibres, which lie at the twist angle to the yarn.
+        horizontal = dr.select(
+            point.is_warp,
+            types.Vector2(point.tangent.y, -point.tangent.x),
+            types.Vector2(-point.tangent.x, -point.tangent.y),
+        )
+        horizontal *= dr.rsqrt(dr.maximum(dr.squared_norm(horizontal), 1e-12))
+        fibre = min(self.surface.finest) / _FIBRES_ACROSS
+        column = dr.floor((point.across * horizontal.x + point.along * horizontal.y) / fibre)
+        row = dr.floor(point.along / (fibre * _FIBRE_CELL_LENGTH) + 0.618 * column)
+        cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(row))
+        varied = vary_albedos(
+            (
+                albedos.diffuse_reflect,
+                albedos.diffuse_transmit,
+                albedos.specular_reflect,
+                albedos.specular_transmit,
+            ),
+            thread,
+            cell,
+            types.Float(variation.fibre_noise),
+            types.Float(variation.colour_noise),
+            variation.seed,
+            layer_albedo_bound(self.appearance.optical_depth),
+        )
+        return Albedos(*varied)
 
     def visibility(self, point: YarnPoint, light: Any, active: Any = True) -> Any:
         """Whether nothing of the cloth hides the light from the point: Bool.
@@ -218,26 +292,38 @@ class PointModel:
         types = array_types(point.x)
         seen = _on_face(view, point.back)
         lobes = self._lobe_shares(point, seen)
-        specular, reflect, _, passing = lobes
+        specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
         blend = types.Float(self.appearance.diffuse_blend)
         diffuse = sample_diffuse(point.normal, blend, u)
         facing = dr.select(
             choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse)
         )
-        passes = choice >= 1 - passing
+        if self._sheen is not None:
+            from_sheen = choice >= specular + reflect + transmit
+            facing = dr.select(from_sheen, sample_sheen(seen, self._sheen[1], u), facing)
+        # Compared from the end: a choice of almost 1 must not fall past lobes that add up to less.
+        passes = point.hole & (choice >= sheen)
         facing = dr.select(passes, -seen, facing)
         pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
-        value = dr.select(passes, types.Color3(1), self._scattered(point, facing, seen))
+        through = types.Color3(self._straight_through(point, seen))
+        value = dr.select(passes, through, self._scattered(point, facing, seen))
         light = _on_face(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
         worth &= self.visibility(point, light, worth & ~passes) | passes
         weight = dr.select(worth, value / dr.maximum(pdf, 1e-30), 0)
         return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
 
-    def straight_through(self, point: YarnPoint) -> Any:
-        """Share of light that passes straight through at the point: 1 in a hole, less under sheen. Float."""
-        return dr.select(point.hole, array_types(point.x).Float(1), 0)
+    def straight_through(self, point: YarnPoint, view: Any) -> Any:
+        """Share of light that passes straight through: 1 in a hole, less under sheen, else 0. Float."""
+        return self._straight_through(point, _on_face(view, point.back))
+
+    def _straight_through(self, point: YarnPoint, view: Any) -> Any:
+        types = array_types(point.x)
+        through = types.Float(1)
+        if self._sheen is not None:
+            through = sheen_transmittance(view, *self._sheen)
+        return dr.select(point.hole, through, 0)
 
     def _scattered(self, point: YarnPoint, light: Any, view: Any) -> Any:
         types = array_types(point.x)
@@ -251,10 +337,15 @@ class PointModel:
         far = albedos.diffuse_transmit * diffuse_transmission(light, point.normal, blend)
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
-        return dr.select(point.hole, 0, value)
+        value = dr.select(point.hole, 0, value)
+        if self._sheen is not None:
+            # Fly-away fibres stand over holes too (zhu2024 eq. 4).
+            sheen, transmittance = sheen_with_transmittance(light, view, *self._sheen)
+            value = transmittance * value + sheen
+        return value
 
-    def _lobe_shares(self, point: YarnPoint, view: Any) -> tuple[Any, Any, Any, Any]:
-        """Probabilities of specular, diffuse reflection, diffuse transmission and passing; they add to 1."""
+    def _lobe_shares(self, point: YarnPoint, view: Any) -> tuple[Any, Any, Any, Any, Any]:
+        """Probabilities of specular, diffuse reflection, diffuse transmission, sheen and passing; sum 1."""
         types = array_types(point.x)
         depth = types.Float(self.appearance.optical_depth)
         turned, through = layer_albedo_estimate(view, point.normal, point.tangent, point.roughness, depth)
@@ -262,20 +353,31 @@ class PointModel:
         specular = dr.mean(albedos.specular_reflect) * turned + dr.mean(albedos.specular_transmit) * through
         reflect = dr.mean(albedos.diffuse_reflect)
         transmit = dr.mean(albedos.diffuse_transmit)
-        total = dr.maximum(specular + reflect + transmit, 1e-20)
+        if self._sheen is None:
+            sheen = types.Float(0)
+        else:
+            transmittance = sheen_transmittance(view, *self._sheen)
+            sheen = dr.select(
+                point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(dr.maximum(transmittance, 1e-3))
+            )
+        total = dr.maximum(specular + reflect + transmit + sheen, 1e-20)
         scale = dr.select(point.hole, 0, dr.rcp(total))
-        passing = dr.select(point.hole, types.Float(1), 0)
-        return specular * scale, reflect * scale, transmit * scale, passing
+        passing = dr.select(point.hole, 1 - sheen, 0)
+        sheen = dr.select(point.hole, sheen, sheen * scale)
+        return specular * scale, reflect * scale, transmit * scale, sheen, passing
 
-    def _pdf(self, point: YarnPoint, light: Any, view: Any, lobes: tuple[Any, Any, Any, Any]) -> Any:
+    def _pdf(self, point: YarnPoint, light: Any, view: Any, lobes: tuple[Any, Any, Any, Any, Any]) -> Any:
         types = array_types(point.x)
-        specular, reflect, transmit, _ = lobes
+        specular, reflect, transmit, sheen, _ = lobes
         blend = types.Float(self.appearance.diffuse_blend)
-        return (
+        density = (
             specular * pdf_specular(light, view, point.tangent, point.roughness)
             + reflect * diffuse_pdf(light, point.normal, blend)
             + transmit * diffuse_pdf(-light, point.normal, blend)
         )
+        if self._sheen is not None:
+            density += sheen * sheen_pdf(light, view, self._sheen[1])
+        return density
 
 
 def _on_face(direction: Any, back: Any) -> Any:
