@@ -22,8 +22,8 @@ Grid = NDArray[np.float64]
 
 OUTPUT = Path(__file__).resolve().parents[1] / "src/loomlight/mitsuba/data/drape.ply"
 SIDE = 0.6  # metres
-BALL_RADIUS = 0.10
-BALL_HEIGHT = 0.10  # it lies on the ground
+BALL_RADIUS = 0.115
+BALL_HEIGHT = 0.115  # it lies on the ground
 THICKNESS = 0.006  # of the cloth, for contact with itself
 CLEARANCE = 0.002  # between the cloth and what it lies on
 SEED = 4

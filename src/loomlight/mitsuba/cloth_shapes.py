@@ -19,7 +19,7 @@ SPHERE_CAP = np.radians(115.0)
 CYLINDER_RADIUS = 0.04
 CYLINDER_LENGTH = 0.12
 # The ball under the draped cloth; scripts/make_drape.py drapes over the same one.
-DRAPE_BALL_RADIUS = 0.10
+DRAPE_BALL_RADIUS = 0.115
 
 
 def flat() -> ClothMesh:
