@@ -20,7 +20,10 @@ if TYPE_CHECKING:
     from loomlight.fabric.load import fabric_from_text, load_fabric
     from loomlight.scattering.appearance import Appearance
     from loomlight.weave.draft import Draft
+    from loomlight.weave.load import load_draft
     from loomlight.weave.named import named_weave, weave_names
+    from loomlight.weave.wif_reader import read_wif
+    from loomlight.weave.wif_writer import write_wif
     from loomlight.yarn.layout import ClothLayout
 
 __version__ = "0.1.0"
@@ -35,9 +38,12 @@ _HOMES = {
     "LoomlightWarning": "loomlight.core.errors",
     "MissingDependencyError": "loomlight.core.errors",
     "fabric_from_text": "loomlight.fabric.load",
+    "load_draft": "loomlight.weave.load",
     "load_fabric": "loomlight.fabric.load",
     "named_weave": "loomlight.weave.named",
+    "read_wif": "loomlight.weave.wif_reader",
     "weave_names": "loomlight.weave.named",
+    "write_wif": "loomlight.weave.wif_writer",
 }
 
 __all__ = [
@@ -50,9 +56,12 @@ __all__ = [
     "LoomlightWarning",
     "MissingDependencyError",
     "fabric_from_text",
+    "load_draft",
     "load_fabric",
     "named_weave",
+    "read_wif",
     "weave_names",
+    "write_wif",
 ]
 
 

@@ -35,10 +35,8 @@ def load_fabric(path: str | os.PathLike[str]) -> Fabric:
             fields = parse_fabric_file(text)
         return _made(fields, folder, file.stem, str(file))
     if suffix or _exists(file) or file.is_absolute():
-        raise InputError(
-            f"{one_line(str(file))} is no fabric: give a fabric file (.toml), a draft (.wif, .png) or a weave's "
-            "name."
-        )
+        shown = one_line(str(file))
+        raise InputError(f"{shown} is no fabric: give a fabric file (.toml), a draft (.wif, .png) or a weave.")
     return fabric_from_text(str(path))
 
 

@@ -1,0 +1,55 @@
+"""`loomlight bake-maps`: the yarns of one repeat as textures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import check_output, done
+from loomlight.cli.values import parse_numbers, parse_size
+
+EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
+
+
+def bake_maps(
+    fabric: Annotated[
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, or a weave's name.")
+    ],
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="An .exr file with all maps, or .png for one picture a map."),
+    ],
+    resolution: Annotated[
+        str, typer.Option(metavar="WxH", help="Columns and rows of texels; one number for both.")
+    ] = "1024",
+    window: Annotated[
+        str | None,
+        typer.Option(
+            metavar="X,Y,W,H", help="Left, bottom, width, height in millimetres; one repeat if left out."
+        ),
+    ] = None,
+    back: Annotated[bool, typer.Option("--back", help="The back face, as seen from behind.")] = False,
+) -> None:
+    """Writes height, normal, tangent, family and holes of a fabric's yarns as textures of one repeat."""
+    check_output(output, (".exr", ".png"))
+    columns_and_rows = parse_size(resolution, "--resolution")
+    corner = None
+    if window is not None:
+        left, bottom, width, height = parse_numbers("--window", window, 4, "0,0,5,5")
+        corner = (left, bottom, width, height)
+
+    from loomlight.core.llvm import require_llvm
+    from loomlight.fabric.load import load_fabric
+
+    cloth = load_fabric(fabric)
+    require_llvm()
+    from drjit.llvm import Float
+
+    from loomlight.yarn.geometry import YarnGeometry
+    from loomlight.yarn.maps import bake_maps, write_maps
+
+    maps = bake_maps(YarnGeometry(cloth.layout()), columns_and_rows, Float, corner, back)
+    for path in write_maps(maps, output):
+        done(path)

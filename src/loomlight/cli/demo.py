@@ -1,0 +1,87 @@
+"""`loomlight demo`: one picture of what loomlight does, cloth across the room and under the lens."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+from numpy.typing import NDArray
+
+from loomlight.cli.outputs import check_output, done
+from loomlight.cli.progress import progress
+
+EXAMPLE = "Example: loomlight demo -o demo.png"
+
+FABRIC = """
+name = "Houndstooth"
+weave = "houndstooth"
+ends_per_cm = 14
+picks_per_cm = 14
+gap = 0.06
+[warp]
+color = ["#23262e", "#ece4d3"]
+specular = 0.2
+roughness = 0.5
+[weft]
+color = ["#23262e", "#ece4d3"]
+specular = 0.2
+roughness = 0.5
+[sheen]
+strength = 0.2
+[variation]
+colour_noise = 0.1
+"""
+SIZE = (1080, 810)
+INSET = 330
+ZOOM = 30.0
+# Widths in pixels.
+MARGIN = 26
+FRAME = 3
+_PAPER = 1.0
+
+
+def demo(
+    output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")] = Path(
+        "demo.png"
+    ),
+    samples: Annotated[int, typer.Option("--spp", min=1, max=4096, help="Samples a pixel.")] = 24,
+) -> None:
+    """Renders draped cloth in daylight, with a close-up in which its yarns can be counted."""
+    check_output(output, (".png",))
+
+    from loomlight.core.images import write_image
+    from loomlight.fabric.load import fabric_from_text
+    from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+
+    choose_variant()
+    cloth = fabric_from_text(FABRIC)
+    near = 2 * samples
+    shares = [samples * SIZE[0] * SIZE[1], near * INSET * INSET]
+    with progress(f"{cloth.name}, draped") as report:
+        far = build_scene("drape", fabric_bsdf(cloth), size=SIZE)
+        whole = render(
+            far.scene, spp=samples, progress=lambda spp, _: report(shares[0] * spp // samples, sum(shares))
+        )
+        close = build_scene("drape", fabric_bsdf(cloth), size=(INSET, INSET), zoom=ZOOM)
+        inset = render(
+            close.scene,
+            spp=near,
+            progress=lambda spp, _: report(shares[0] + shares[1] * spp // near, sum(shares)),
+        )
+    write_image(output, compose(whole, inset))
+    done(output)
+
+
+def compose(whole: NDArray[np.float32], inset: NDArray[np.float32]) -> NDArray[np.float32]:
+    """`whole` in a thin frame, `inset` in its lower right corner in another; linear RGB [h, w, 3]."""
+    picture = whole[..., :3].copy()
+    framed = _framed(inset[..., :3])
+    bottom, right = picture.shape[0] - MARGIN, picture.shape[1] - MARGIN
+    picture[bottom - framed.shape[0] : bottom, right - framed.shape[1] : right] = framed
+    return _framed(picture)
+
+
+def _framed(picture: NDArray[np.float32]) -> NDArray[np.float32]:
+    return np.pad(picture, ((FRAME, FRAME), (FRAME, FRAME), (0, 0)), constant_values=_PAPER)

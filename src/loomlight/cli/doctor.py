@@ -1,0 +1,147 @@
+"""`loomlight doctor`: what is installed, what is missing, how to mend it."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+
+import typer
+
+from loomlight.core.errors import LoomlightError
+from loomlight.core.llvm import ADVICE, MINIMUM_LLVM
+
+EXAMPLE = "Example: loomlight doctor"
+
+PACKAGES = (
+    "drjit",
+    "mitsuba",
+    "numpy",
+    "scipy",
+    "pillow",
+    "OpenEXR",
+    "dtx_to_wif",
+    "pydantic",
+    "typer",
+    "rich",
+    "trimesh",
+)
+
+# In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
+_TRY_KERNEL = """
+import sys
+import drjit as dr
+kind = getattr(dr, sys.argv[1]).Float
+values = dr.fma(dr.minimum(kind([1, 2, 3]), 2), 2, dr.sqrt(kind([4, 4, 4])))
+sys.exit(0 if list(values) == [4, 6, 6] else 1)
+"""
+_KERNEL_SECONDS = 120
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line of the report.
+
+    Attributes:
+        subject: what was looked at.
+        found: what was found there.
+        remedy: how to mend it; None if nothing is wrong.
+        needed: whether loomlight cannot render without it.
+    """
+
+    subject: str
+    found: str
+    remedy: str | None = None
+    needed: bool = True
+
+
+def doctor() -> None:
+    """Reports what loomlight needs: what is installed, what is missing, and how to mend it.
+
+    Exits with 0 if cloth can be rendered on this machine, with 1 if not.
+    """
+    usable = True
+    for finding in findings():
+        fatal = finding.remedy is not None and finding.needed
+        mark = "missing" if fatal else "ok" if finding.remedy is None else "none"
+        print(f"{mark:8}{finding.subject:14}{finding.found}")
+        if finding.remedy is not None:
+            print(f"{'':22}{finding.remedy}")
+        usable = usable and not fatal
+    print("loomlight is ready." if usable else "loomlight cannot render yet: mend what is missing above.")
+    raise typer.Exit(0 if usable else 1)
+
+
+def findings() -> Iterator[Finding]:
+    """Everything that was looked at, in the order in which to mend it."""
+    yield _python()
+    missing = False
+    for name in PACKAGES:
+        finding = _package(name)
+        missing = missing or finding.remedy is not None
+        yield finding
+    if missing:
+        return
+    llvm = _llvm()
+    yield llvm
+    yield _cuda()
+    if llvm.remedy is None:
+        yield _variant()
+
+
+def _python() -> Finding:
+    found = ".".join(map(str, sys.version_info[:3]))
+    remedy = None if sys.version_info >= (3, 11) else "install Python 3.11 or newer."
+    return Finding("Python", found, remedy)
+
+
+def _package(name: str) -> Finding:
+    try:
+        return Finding(name, version(name))
+    except PackageNotFoundError:
+        return Finding(name, "not installed", f"python -m pip install {name}")
+
+
+def _llvm() -> Finding:
+    from loomlight.core.llvm import llvm_version
+
+    found = llvm_version()
+    if found is None:
+        return Finding("LLVM", "no library found", f"{ADVICE}.")
+    shown = ".".join(map(str, found))
+    if found[0] < MINIMUM_LLVM:
+        return Finding("LLVM", f"{shown}, older than {MINIMUM_LLVM}", f"{ADVICE}.")
+    if not _kernel_runs("llvm"):
+        return Finding("LLVM", f"{shown}, but a first kernel does not compile", f"{ADVICE}.")
+    return Finding("LLVM", shown)
+
+
+def _cuda() -> Finding:
+    import drjit
+
+    if not drjit.has_backend(drjit.JitBackend.CUDA):
+        remedy = "not needed; with an NVIDIA driver, --variant cuda_ad_rgb renders on its device."
+        return Finding("CUDA", "no device found", remedy, needed=False)
+    if not _kernel_runs("cuda"):
+        found = "a device, but a first kernel does not run"
+        return Finding("CUDA", found, "update its driver.", needed=False)
+    return Finding("CUDA", "a device that runs kernels")
+
+
+def _variant() -> Finding:
+    from loomlight.mitsuba.variants import DEFAULT_VARIANT, choose_variant
+
+    try:
+        return Finding("variant", choose_variant(DEFAULT_VARIANT))
+    except LoomlightError as error:
+        return Finding("variant", str(error), "python -m pip install --force-reinstall mitsuba")
+
+
+def _kernel_runs(backend: str) -> bool:
+    command = [sys.executable, "-c", _TRY_KERNEL, backend]
+    try:
+        return subprocess.run(command, capture_output=True, timeout=_KERNEL_SECONDS).returncode == 0
+    except (OSError, subprocess.TimeoutExpired):
+        return False

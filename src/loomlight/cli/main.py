@@ -1,0 +1,100 @@
+"""The command `loomlight`: parse, call one function, print; what goes wrong is one sentence, exit code 2."""
+
+from __future__ import annotations
+
+import os
+import sys
+import warnings
+from typing import Any, TextIO
+
+import typer
+
+from loomlight.cli import bake_maps, demo, doctor, render, weave
+from loomlight.core.errors import LoomlightError, LoomlightWarning
+
+app = typer.Typer(
+    name="loomlight",
+    help="From a weave draft to a picture you would believe.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.add_typer(weave.app, name="weave")
+app.command("render", epilog=render.EXAMPLE)(render.render)
+app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
+app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
+app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)
+
+# Typer brings its own copy of Click or uses an installed one, by version; this is the base of both.
+_UsageError: type[Exception] = typer.BadParameter.__mro__[1]
+
+BAD_INPUT = 2
+INTERRUPTED = 130
+
+
+def main(arguments: list[str] | None = None) -> None:
+    """Runs the command line and exits: 0 when done, 2 for bad input, 130 when interrupted."""
+    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
+
+
+def run(arguments: list[str]) -> int:
+    """Runs the command line `arguments` and returns its exit code; prints what is wrong to stderr."""
+    warnings.simplefilter("always", LoomlightWarning)
+    warnings.showwarning = _show_warning
+    try:
+        code = app(arguments, prog_name="loomlight", standalone_mode=False)
+        sys.stdout.flush()
+        return code if isinstance(code, int) else 0
+    except LoomlightError as error:
+        return _refuse(str(error))
+    except _UsageError as error:
+        return _refuse(_sentence(error))
+    except (KeyboardInterrupt, typer.Abort):
+        return INTERRUPTED
+    except BrokenPipeError:
+        return _reader_has_enough()
+    except SystemExit:  # what Typer does when the pipe breaks while it prints
+        return _reader_has_enough()
+
+
+def _reader_has_enough() -> int:
+    """The reader of stdout (such as `head`) is gone; what Python flushes at exit must not complain either."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno() if sys.__stdout__ else 1)
+    return 0
+
+
+def _refuse(sentence: str) -> int:
+    from loomlight.fabric.reading import one_line
+
+    print(f"loomlight: {one_line(sentence)}", file=sys.stderr)
+    return BAD_INPUT
+
+
+def _sentence(error: Any) -> str:
+    message = error.format_message()
+    faults = getattr(error.__cause__, "errors", None)
+    if callable(faults):
+        # The option's type refused a value that the message does not repeat.
+        message = f"{message} (given was {faults()[0]['input']!r})"
+    path = error.ctx.command_path if error.ctx is not None else "loomlight"
+    return f"{' '.join(message.split()).rstrip('.')}; `{path} --help` shows how it is used."
+
+
+def _show_warning(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    if issubclass(category, LoomlightWarning):
+        print(f"loomlight: warning: {message}", file=sys.stderr)
+    else:
+        sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
+
+
+if __name__ == "__main__":
+    main()

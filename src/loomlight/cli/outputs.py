@@ -1,0 +1,34 @@
+"""Where results go: checked before the work begins, not after it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
+from loomlight.core.errors import InputError
+
+
+def check_output(path: Path, suffixes: Sequence[str]) -> None:
+    """Returns if a file of one of the `suffixes` can be written at `path`.
+
+    Raises:
+        InputError: another suffix, no such folder, a folder that cannot be written to, or `path` is a folder.
+    """
+    allowed = " or ".join(suffixes)
+    if path.suffix.lower() not in suffixes:
+        raise InputError(f"{path} has no suffix that says what to write: it must end in {allowed}.")
+    try:
+        if path.is_dir():
+            raise InputError(f"{path} is a folder; give the name of a file that ends in {allowed}.")
+        if not path.parent.is_dir():
+            raise InputError(f"{path}: the folder {path.parent} does not exist; make it first.")
+    except (OSError, ValueError) as error:
+        raise InputError(f"{str(path)[:80]!r} is no path of a file that can be written: {error}.") from error
+    if not os.access(path.parent, os.W_OK):
+        raise InputError(f"{path}: the folder {path.parent} cannot be written to.")
+
+
+def done(path: Path) -> None:
+    """Says on stdout what was written."""
+    print(path)

@@ -1,0 +1,53 @@
+"""Values of options that are more than one number: sizes and directions."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from loomlight.core.errors import InputError
+
+LARGEST_SIDE = 16384
+
+
+def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
+    """Width and height in pixels that `option` gives, of "960x540", or of "512" for a square.
+
+    Raises:
+        InputError: anything else, or a side outside 1 to 16384.
+    """
+    match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX×]\s*(\d{1,9}))?\s*", text)
+    width, height = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
+    if not (1 <= width <= LARGEST_SIDE and 1 <= height <= LARGEST_SIDE):
+        raise InputError(
+            f'{option} "{text}" is no size: write WIDTHxHEIGHT in pixels from 1 to {LARGEST_SIDE}, '
+            "such as 960x540."
+        )
+    return width, height
+
+
+def parse_numbers(option: str, text: str, count: int, example: str) -> tuple[float, ...]:
+    """`count` finite numbers separated by commas.
+
+    Raises:
+        InputError: anything else; the message names `option` and gives `example`.
+    """
+    try:
+        numbers = tuple(float(part) for part in text.split(","))
+    except ValueError:
+        numbers = ()
+    if len(numbers) != count or not all(map(math.isfinite, numbers)):
+        raise InputError(
+            f'{option} "{text}" is not understood: write {count} numbers with commas, such as {example}.'
+        )
+    return numbers
+
+
+def require_within(option: str, value: float, low: float, high: float) -> None:
+    """Returns if low ≤ value ≤ high.
+
+    Raises:
+        InputError: otherwise, NaN included.
+    """
+    if not low <= value <= high:
+        raise InputError(f"{option} {value:g} is out of range: write a number from {low:g} to {high:g}.")

@@ -1,0 +1,79 @@
+"""`loomlight weave`: drafts shown, converted and measured, without a renderer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+import typer
+
+from loomlight.cli.drafts import draft_from
+from loomlight.cli.outputs import check_output, done
+
+app = typer.Typer(
+    help="Drafts: show, convert and measure them.",
+    no_args_is_help=True,
+    rich_markup_mode=None,
+)
+
+DraftArgument = Annotated[
+    str, typer.Argument(metavar="DRAFT", help="A .wif file, a picture of a drawdown, or a weave's name.")
+]
+
+
+@app.command(epilog='Example: loomlight weave show "twill 3/1" -o draft.png')
+def show(
+    draft: DraftArgument,
+    output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")],
+    face: Annotated[Literal["front", "back"], typer.Option(help="Which side is seen.")] = "front",
+    cell: Annotated[
+        int | None, typer.Option(metavar="PIXELS", help="Pixels a crossing; by default what suits the draft.")
+    ] = None,
+    repeats: Annotated[
+        int | None, typer.Option(help="How often the repeat is drawn each way; by default until it shows.")
+    ] = None,
+    drawdown: Annotated[
+        bool, typer.Option("--drawdown", help="The interlacement alone, without threading and tie-up.")
+    ] = False,
+) -> None:
+    """Draws a draft as weaving software does: drawdown, threading, tie-up, treadling, colours."""
+    from loomlight.core.images import write_png
+    from loomlight.weave.drawing import draw_draft, draw_drawdown
+
+    check_output(output, (".png",))
+    shown = draft_from(draft)
+    if drawdown:
+        pixels = draw_drawdown(shown, face=face, cell_px=cell, repeats=1 if repeats is None else repeats)
+    else:
+        pixels = draw_draft(shown, face=face, cell_px=cell, repeats=repeats)
+    write_png(output, pixels)
+    done(output)
+
+
+@app.command(epilog='Example: loomlight weave convert "herringbone 2/2 8" herringbone.wif')
+def convert(
+    draft: DraftArgument,
+    output: Annotated[Path, typer.Argument(metavar="OUT.wif", help="The .wif file to write.")],
+) -> None:
+    """Writes a draft as a weaving information file (WIF 1.1)."""
+    from loomlight.weave.wif_writer import write_wif
+
+    check_output(output, (".wif",))
+    write_wif(draft_from(draft), output)
+    done(output)
+
+
+@app.command(epilog="Example: loomlight weave info draft.wif")
+def info(draft: DraftArgument) -> None:
+    """Says what a draft is: its size, setts, floats, shafts and colours."""
+    from loomlight.weave.textile import summary
+
+    print(summary(draft_from(draft)))
+
+
+@app.command("names", epilog="Example: loomlight weave names")
+def names() -> None:
+    """Lists the weaves that have a name, each in the form in which to write it."""
+    from loomlight.weave.named import weave_names
+
+    print("\n".join(weave_names()))

@@ -1,0 +1,115 @@
+"""Bad input ends in one sentence on stderr and exit code 2; nothing is written."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from loomlight.cli.main import run
+from loomlight.core.images import write_png
+from loomlight.weave.drawing import draw_drawdown
+from loomlight.weave.named import named_weave
+
+FAULTS: dict[str, tuple[list[str], str]] = {
+    "no such command": (["rendr"], "render"),
+    "no such subcommand": (["weave", "shw", "plain"], "show"),
+    "no such option": (["render", "plain", "-o", "a.png", "--sp", "3"], "--spp"),
+    "no argument": (["render", "-o", "a.png"], "FABRIC"),
+    "no output": (["render", "plain"], "--output"),
+    "no number": (["render", "plain", "-o", "a.png", "--spp", "many"], "many"),
+    "no samples": (["render", "plain", "-o", "a.png", "--spp", "0"], "--spp 0 is out of range"),
+    "no picture": (["render", "plain", "-o", "a.tga"], "a.tga"),
+    "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .exr"),
+    "no folder": (["render", "plain", "-o", "none/a.png"], "folder none does not exist"),
+    "a folder": (["render", "plain", "-o", "folder.png"], "is a folder"),
+    "no name": (["render", "plain", "-o", "a\0b/c.png"], "--output"),
+    "too long a name": (["render", "plain", "-o", "a" * 5000 + "/c.png"], "no path"),
+    "no model": (["render", "plain", "-o", "a.png", "--model", "woven"], "use point"),
+    "no size": (["render", "plain", "-o", "a.png", "--size", "big"], "960x540"),
+    "no pixels": (["render", "plain", "-o", "a.png", "--size", "0x9"], "960x540"),
+    "too many pixels": (["render", "plain", "-o", "a.png", "--size", "99999x9"], "16384"),
+    "no exposure": (["render", "plain", "-o", "a.png", "--exposure", "nan"], "--exposure nan"),
+    "no seed": (["render", "plain", "-o", "a.png", "--seed", "-1"], "--seed -1"),
+    "no weave": (["render", "plian", "-o", "a.png"], 'did you mean "plain"'),
+    "no fabric": (["render", "none.toml", "-o", "a.png"], "none.toml does not exist"),
+    "no such fabric": (["render", "cloth.obj", "-o", "a.png"], "cloth.obj is no fabric"),
+    "bad fabric": (["render", "bad.toml", "-o", "a.png"], "bad.toml: gap = 2"),
+    "bad wif": (["weave", "info", "bad.wif"], "bad.wif"),
+    "no wif": (["weave", "info", "none.wif"], "none.wif does not exist"),
+    "no draft": (["weave", "info", "cloth.obj"], "cloth.obj is no draft"),
+    "bad picture": (["weave", "show", "bad.png", "-o", "a.png"], "bad.png is no picture"),
+    "no face": (["weave", "show", "plain", "-o", "a.png", "--face", "left"], "left"),
+    "no cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "0"], "0"),
+    "a huge cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "99999999"], "99999999"),
+    "no repeats": (["weave", "show", "plain", "-o", "a.png", "--repeats", "-2"], "-2"),
+    "show to wif": (["weave", "show", "plain", "-o", "a.wif"], "must end in .png"),
+    "convert to png": (["weave", "convert", "plain", "a.png"], "must end in .wif"),
+    "no maps": (["bake-maps", "plain", "-o", "a.txt"], ".exr or .png"),
+    "no window": (["bake-maps", "plain", "-o", "a.exr", "--window", "1,2,3"], "4 numbers"),
+    "no resolution": (["bake-maps", "plain", "-o", "a.exr", "--resolution", "-4"], "--resolution"),
+    "a jpeg demo": (["demo", "-o", "demo.jpg"], "must end in .png"),
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "folder.png").mkdir()
+    (tmp_path / "bad.toml").write_text('weave = "plain"\ngap = 2')
+    (tmp_path / "bad.wif").write_text("no draft")
+    (tmp_path / "bad.png").write_bytes(b"no picture")
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", FAULTS)
+def test_a_fault_is_one_sentence(name: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    before = sorted(folder.iterdir())
+    arguments, expected = FAULTS[name]
+    assert run(arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    lines = captured.err.splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith("loomlight: ")
+    assert expected in lines[0]
+    assert lines[0].isprintable()
+    assert sorted(folder.iterdir()) == before
+
+
+def test_a_warning_is_one_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["weave", "convert", "twill 2/2", "twill.wif"]) == 0
+    text = (folder / "twill.wif").read_text()
+    assert "Threads=4" in text
+    (folder / "twill.wif").write_text(text.replace("Threads=4", "Threads=2"))
+    capsys.readouterr()
+    assert run(["weave", "info", "twill.wif"]) == 0
+    warnings = capsys.readouterr().err.splitlines()
+    assert warnings
+    assert all(line.startswith("loomlight: warning: ") for line in warnings)
+
+
+def test_an_interruption_is_quiet(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(_text: str) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("loomlight.weave.named.named_weave", interrupted)
+    assert run(["weave", "info", "plain"]) == 130
+    assert capsys.readouterr().err == ""
+
+
+def test_a_folder_that_cannot_be_written_to(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "closed").mkdir(mode=0o500)
+    if os.access(folder / "closed", os.W_OK):
+        pytest.skip("this user may write everywhere")
+    assert run(["weave", "show", "plain", "-o", "closed/a.png"]) == 2
+    assert "cannot be written to" in capsys.readouterr().err
+
+
+def test_pictures_are_drafts(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_png(folder / "satin.png", draw_drawdown(named_weave("satin 5/2"), cell_px=1))
+    assert run(["weave", "info", "satin.png"]) == 0
+    assert "5 ends, 5 picks" in capsys.readouterr().out

@@ -1,0 +1,56 @@
+"""The names that users may rely on, and that asking for them loads no renderer."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+import loomlight
+
+PUBLIC = {
+    "Appearance",
+    "ClothLayout",
+    "Draft",
+    "Fabric",
+    "InputError",
+    "LoomlightError",
+    "LoomlightWarning",
+    "MissingDependencyError",
+    "fabric_from_text",
+    "load_draft",
+    "load_fabric",
+    "named_weave",
+    "read_wif",
+    "weave_names",
+    "write_wif",
+}
+
+
+def test_the_public_names_are_these() -> None:
+    assert set(loomlight.__all__) == PUBLIC
+    assert set(dir(loomlight)) >= PUBLIC
+
+
+@pytest.mark.parametrize("name", sorted(PUBLIC))
+def test_every_public_name_is_there_and_documented(name: str) -> None:
+    value = getattr(loomlight, name)
+    assert value.__doc__
+    assert value.__name__ == name
+
+
+def test_other_names_are_not() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'render_everything'"):
+        loomlight.render_everything  # noqa: B018
+
+
+def test_fabrics_load_neither_dr_jit_nor_mitsuba() -> None:
+    program = (
+        "import sys, loomlight\n"
+        "assert not {'numpy', 'pydantic'} & set(sys.modules)\n"
+        "loomlight.fabric_from_text('twill 3/1').layout()\n"
+        "assert not {'drjit', 'mitsuba'} & set(sys.modules)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
