@@ -6,6 +6,7 @@ as soon as one is set; it never sets one.
 
 from __future__ import annotations
 
+from loomlight.mitsuba.fabric_bsdf import MODELS, fabric_bsdf
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
 from loomlight.mitsuba.plugins import follow_variants
@@ -15,12 +16,14 @@ from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
 
 __all__ = [
     "LIGHTS",
+    "MODELS",
     "SCENES",
     "SUPPORTED_VARIANTS",
     "ClothMesh",
     "ClothScene",
     "build_scene",
     "choose_variant",
+    "fabric_bsdf",
     "read_mesh",
     "render",
     "to_shape",

@@ -1,0 +1,40 @@
+"""A fabric as a BSDF for `build_scene`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from typing import Any
+
+from loomlight.core.errors import InputError
+from loomlight.fabric import Fabric, load_fabric
+
+MODELS = {"point": "woven_point"}
+
+
+def fabric_bsdf(
+    fabric: Fabric | str | os.PathLike[str], model: str = "point"
+) -> Callable[[tuple[float, float]], dict[str, Any]]:
+    """A function from (mm per unit of u, mm per unit of v) to the dictionary of the fabric's BSDF.
+
+    Args:
+        fabric: a fabric, or what `load_fabric` takes: a fabric file, a draft, a weave's name.
+        model: "point".
+
+    Raises:
+        InputError: an unknown model, or a fabric that cannot be read.
+    """
+    if model not in MODELS:
+        raise InputError(f'model = "{model}" is unknown: use {", ".join(MODELS)}.')
+    cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
+    text = cloth.to_toml()
+
+    def to_scale(uv_size_mm: tuple[float, float]) -> dict[str, Any]:
+        return {
+            "type": MODELS[model],
+            "toml": text,
+            "folder": os.path.abspath(cloth.folder),
+            "uv_size": f"{uv_size_mm[0]!r},{uv_size_mm[1]!r}",
+        }
+
+    return to_scale
