@@ -1,0 +1,6 @@
+"""Makes the readable twins beside these tests importable; the import mode leaves their folder out."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
