@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import lcm
 
 from loomlight.core.errors import InputError
-from loomlight.weave import effects, structures
+from loomlight.weave import effects, figured, structures
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft
 
 _NUMBERS = re.compile(r"\d+(?:/\d+)*")
@@ -204,6 +204,18 @@ def _chambray(request: _Request) -> effects.Effect:
     return effects.chambray()
 
 
+def _damask(request: _Request) -> Draft:
+    return figured.damask(request.count(default=480, lowest=1))
+
+
+def _argyle(request: _Request) -> Draft:
+    return figured.argyle_cloth(request.count(default=64, lowest=1))
+
+
+def _diamond_figure(request: _Request) -> Draft:
+    return figured.diamond_figure(request.count(default=96, lowest=1))
+
+
 _WEAVES = {
     "plain": _Weave(_plain, "plain"),
     "twill": _Weave(_twill, "twill 2/1 z"),
@@ -225,6 +237,9 @@ _WEAVES = {
     "pinstripe": _Weave(_pinstripe, "pinstripe 24"),
     "denim": _Weave(_denim, "denim"),
     "chambray": _Weave(_chambray, "chambray"),
+    "damask": _Weave(_damask, "damask 480"),
+    "argyle": _Weave(_argyle, "argyle 64"),
+    "diamond figure": _Weave(_diamond_figure, "diamond figure 96"),
 }
 
 _OTHER_NAMES = {
@@ -238,6 +253,7 @@ _OTHER_NAMES = {
     "prince of wales": "glen check",
     "shepherd check": "shepherds check",
     "hopsack": "basket",
+    "ogee": "damask",
 }
 
 

@@ -156,7 +156,7 @@ def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tupl
             if folded in table and table[folded][1] != (value or "") and name in _KEYS_MEAN_ONE_THING:
                 earlier, later = _shortened(table[folded][1]), _shortened(value or "")
                 warnings.warn(
-                    f"{file}: [{name}] {_shortened(key)} stands there twice, as {earlier!r} and as {later!r}; "
+                    f"{file}: [{name}] {_shortened(key)} is there twice, as {earlier!r} and as {later!r}; "
                     "the latter is used.",
                     LoomlightWarning,
                     stacklevel=2,

@@ -1,0 +1,31 @@
+"""Drafts from files: which reader a file is for."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from loomlight.core.errors import InputError
+from loomlight.weave.draft import Draft
+from loomlight.weave.picture import drawdown_from_picture
+from loomlight.weave.wif_reader import read_wif
+
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
+DRAFT_SUFFIXES = (".wif", *PICTURE_SUFFIXES)
+
+
+def load_draft(path: str | os.PathLike[str]) -> Draft:
+    """The draft in a file: a weaving information file (.wif) or a picture of a drawdown.
+
+    Raises:
+        InputError: another kind of file, or one that cannot be read or used.
+    """
+    suffix = Path(path).suffix.lower()
+    if suffix == ".wif":
+        return read_wif(path)
+    if suffix in PICTURE_SUFFIXES:
+        return drawdown_from_picture(path)
+    given = f'"{suffix}"' if suffix else "no suffix"
+    raise InputError(
+        f"{path}: a draft is a .wif file or a picture ({', '.join(PICTURE_SUFFIXES)}), not {given}."
+    )

@@ -1,0 +1,217 @@
+"""Textile quantities: sett, yarn count and width, floats, and what a draft measures."""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import to_hex
+from loomlight.core.errors import InputError
+from loomlight.weave.draft import Draft, Threads
+
+CM_PER_INCH = 2.54
+DEFAULT_SETT_PER_CM = 20.0
+# Cotton; g/cm³. Wool 1.31, polyester 1.38, silk 1.34, linen 1.50, nylon 1.14.
+COTTON_DENSITY = 1.52
+# The share of a ring-spun yarn's cross-section that is fibre (Morton and Hearle 2008 give 0.5 to 0.65).
+DEFAULT_PACKING = 0.6
+
+_NUMBER = r"(\d+(?:\.\d+)?)"
+_DIRECT = re.compile(_NUMBER + r"\s*(?:x\s*(\d+)\s*)?(dtex|tex|denier|den|ktex)")
+_INDIRECT = re.compile(r"(ne|nec|nm)\s*" + _NUMBER + r"(?:\s*/\s*(\d+))?")
+_TEX_PER = {"tex": 1.0, "dtex": 0.1, "ktex": 1000.0, "denier": 1 / 9, "den": 1 / 9}
+# Ne counts hanks of 840 yd a pound, Nm kilometres a kilogram.
+_TEX_OF_COUNT = {
+    "ne": 1000 * 453.59237 / (840 * 0.9144),
+    "nec": 1000 * 453.59237 / (840 * 0.9144),
+    "nm": 1000.0,
+}
+
+
+def per_cm(per_inch: float) -> float:
+    """Threads per centimetre of threads per inch (epi, ppi)."""
+    return per_inch / CM_PER_INCH
+
+
+def per_inch(per_cm: float) -> float:
+    """Threads per inch of threads per centimetre."""
+    return per_cm * CM_PER_INCH
+
+
+def yarn_tex(count: str) -> float:
+    """Linear density in tex (g/km) of a yarn count.
+
+    Direct systems: "30 tex", "2x20 tex" (two plies), "300 dtex", "150 denier". Indirect ones: "Ne 40" (cotton
+    count), "Ne 40/2" (two plies of Ne 40), "Nm 28/2".
+
+    Raises:
+        InputError: none of these, or a count outside 0.1 to 100 000 tex.
+
+    Source: ISO 1144 (tex system); ISO 2947 (conversion between systems).
+    """
+    text = " ".join(count.lower().split())
+    direct, indirect = _DIRECT.fullmatch(text), _INDIRECT.fullmatch(text)
+    if direct:
+        tex = float(direct.group(1)) * int(direct.group(2) or 1) * _TEX_PER[direct.group(3)]
+    elif indirect and float(indirect.group(2)) > 0:
+        tex = _TEX_OF_COUNT[indirect.group(1)] / float(indirect.group(2)) * int(indirect.group(3) or 1)
+    else:
+        raise InputError(
+            f'The yarn count "{count.strip()[:40]}" is not known; write it like "30 tex", '
+            '"150 denier", "Ne 40/2" or "Nm 28".'
+        )
+    if not 0.1 <= tex <= 100_000:
+        raise InputError(
+            f'The yarn count "{count.strip()[:40]}" is {tex:.3g} tex; yarns have 0.1 to 100000 tex.'
+        )
+    return tex
+
+
+def yarn_diameter_mm(
+    count: str, *, density: float = COTTON_DENSITY, packing: float = DEFAULT_PACKING
+) -> float:
+    """Diameter in millimetres of a round yarn of that count.
+
+    d = sqrt(4 tex / (π · 1000 · ρ · φ)): a millimetre of yarn weighs tex µg and fills π d²/4 mm³, of
+    which the share φ is fibre.
+
+    Args:
+        count: see `yarn_tex`.
+        density: of the fibre ρ, g/cm³, in (0, 25].
+        packing: share of the cross-section that is fibre φ, in (0, 1].
+
+    Raises:
+        InputError: a count that is not known, or a density or packing out of range.
+
+    Source: Peirce, "The geometry of cloth structure", Journal of the Textile Institute 28 (1937), T45;
+    its d = 1/(28·sqrt(Ne)) inches is the case ρ·φ = 0.91 g/cm³.
+    """
+    if not 0 < density <= 25:
+        raise InputError(f"The fibre density {density} g/cm³ is out of range; cotton has {COTTON_DENSITY}.")
+    if not 0 < packing <= 1:
+        raise InputError(f"The packing {packing} is out of range; it is a share above 0 and at most 1.")
+    return math.sqrt(4 * yarn_tex(count) / (math.pi * 1000 * density * packing))
+
+
+def longest_runs(on_top: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """The longest run of True in each row of bool [n, m], where rows repeat; m if all of it is True."""
+    length = on_top.shape[1]
+    twice = np.concatenate([on_top, on_top], axis=1)
+    position = np.arange(1, 2 * length + 1)
+    last_off = np.maximum.accumulate(np.where(twice, 0, position), axis=1)
+    return np.minimum(np.max(position - last_off, axis=1), length)
+
+
+@dataclass(frozen=True)
+class FloatLengths:
+    """Longest floats in threads crossed, in a cloth that repeats; one that never binds counts one repeat.
+
+    Attributes:
+        warp_face: warp over weft.
+        warp_back: warp under weft.
+        weft_face: weft over warp.
+        weft_back: weft under warp.
+    """
+
+    warp_face: int
+    warp_back: int
+    weft_face: int
+    weft_back: int
+
+    @property
+    def longest(self) -> int:
+        """The longest of all, on either face."""
+        return max(self.warp_face, self.warp_back, self.weft_face, self.weft_back)
+
+
+def longest_floats(draft: Draft) -> FloatLengths:
+    """The longest float of each family on each face."""
+    warp_up = draft.drawdown
+    return FloatLengths(
+        warp_face=int(longest_runs(warp_up.T).max()),
+        warp_back=int(longest_runs(~warp_up.T).max()),
+        weft_face=int(longest_runs(~warp_up).max()),
+        weft_back=int(longest_runs(warp_up).max()),
+    )
+
+
+def warp_cover(draft: Draft) -> float:
+    """The share of crossings with the warp on top: 0.5 for a balanced structure, 0.875 for satin 8."""
+    return float(draft.drawdown.mean())
+
+
+def unbound_threads(draft: Draft) -> tuple[list[int], list[int]]:
+    """Ends and picks, 1-based, that never interlace: such cloth would fall apart there."""
+    warp_up = draft.drawdown
+    loose_ends = np.flatnonzero(warp_up.all(axis=0) | ~warp_up.any(axis=0)) + 1
+    loose_picks = np.flatnonzero(warp_up.all(axis=1) | ~warp_up.any(axis=1)) + 1
+    return loose_ends.tolist(), loose_picks.tolist()
+
+
+def sett_per_cm(threads: Threads) -> float | None:
+    """Mean threads per centimetre; None if the draft does not say."""
+    return None if threads.spacing_mm is None else 10.0 / float(np.mean(threads.spacing_mm))
+
+
+def repeat_size_cm(
+    draft: Draft, ends_per_cm: float | None = None, picks_per_cm: float | None = None
+) -> tuple[float, float]:
+    """Width and height of one repeat in centimetres.
+
+    Args:
+        draft: any draft.
+        ends_per_cm: sett that overrides the draft's; 20 if neither says.
+        picks_per_cm: likewise for the picks.
+
+    Raises:
+        InputError: a sett that is not above 0.
+    """
+
+    def size(count: int, threads: Threads, name: str, given: float | None) -> float:
+        if given is not None and not given > 0:
+            raise InputError(f"{name} = {given} is no sett: it must be above 0.")
+        return count / (given or sett_per_cm(threads) or DEFAULT_SETT_PER_CM)
+
+    return (
+        size(draft.ends, draft.warp, "ends_per_cm", ends_per_cm),
+        size(draft.picks, draft.weft, "picks_per_cm", picks_per_cm),
+    )
+
+
+def summary(draft: Draft) -> str:
+    """What a draft is, in a few lines for a person: size, setts, floats, loom, colours."""
+    floats = longest_floats(draft)
+    lines = [f"{draft.title or 'untitled'}: {draft.ends} ends, {draft.picks} picks"]
+    ends_per_cm, picks_per_cm = sett_per_cm(draft.warp), sett_per_cm(draft.weft)
+    if ends_per_cm is not None and picks_per_cm is not None:
+        width, height = repeat_size_cm(draft)
+        lines.append(f"sett: {ends_per_cm:.3g} ends/cm ({per_inch(ends_per_cm):.3g} epi), ")
+        lines[-1] += f"{picks_per_cm:.3g} picks/cm ({per_inch(picks_per_cm):.3g} ppi)"
+        lines.append(f"repeat: {width:.3g} x {height:.3g} cm")
+    lines.append(
+        f"longest floats: warp {floats.warp_face} on the face and {floats.warp_back} on the back, "
+        f"weft {floats.weft_face} and {floats.weft_back}"
+    )
+    lines.append(f"warp on top at {100 * warp_cover(draft):.3g} % of the crossings")
+    loose_ends, loose_picks = unbound_threads(draft)
+    if loose_ends or loose_picks:
+        lines.append(f"never bound: {len(loose_ends)} ends, {len(loose_picks)} picks")
+    if draft.loom is not None:
+        treadles = f", {draft.loom.treadles} treadles" if draft.loom.treadling is not None else ", liftplan"
+        lines.append(f"loom: {draft.loom.shafts} shafts{treadles}")
+    for name, threads in (("warp", draft.warp), ("weft", draft.weft)):
+        if threads.colors is not None:
+            lines.append(f"{name} colours: {_colours(threads.colors)}")
+    return "\n".join(lines)
+
+
+def _colours(colors: NDArray[np.float64]) -> str:
+    """The most frequent colours, by number of threads."""
+    kinds, counts = np.unique(colors, axis=0, return_counts=True)
+    order = np.argsort(-counts, kind="stable")
+    shown = [f"{counts[kind]} x {to_hex(kinds[kind])}" for kind in order[:6]]
+    return ", ".join(shown) + (f" and {len(order) - 6} more" if len(order) > 6 else "")
