@@ -1,0 +1,167 @@
+"""Full evaluations of the point model a second (geometry, visibility, all lobes), against the machine.
+
+    python benchmarks/point.py [--output benchmarks/results/point.json]
+
+The floating-point operations of an evaluation are counted in the kernel that Dr.Jit emits (a fused
+multiply-add is two, a root or a division one); the FMA peak is measured in the same run with independent
+chains of multiply-adds. Every figure is the median of several timings, so ratios hold on noisy machines.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import math
+import platform
+import re
+import statistics
+import subprocess
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Array3f, Bool, Float
+
+from loomlight.core.files import replacing
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.horizon import HorizonMap
+
+COUNT = 1 << 22
+REPEATS = 9
+_OPERATIONS = re.compile(r"= (?:fast )?(fadd|fsub|fmul|fdiv|fneg|call [^@]*@llvm\.(\w+))")
+_TWO = {"fma", "fmuladd"}
+_ONE = {"sqrt", "minnum", "maxnum", "floor", "fabs", "minimum", "maximum", "ceil", "round", "rint"}
+
+
+def operations_of(kernel: str) -> int:
+    """Floating-point operations a lane in the text of one LLVM kernel without loops."""
+    total = 0
+    for line in kernel.splitlines():
+        match = _OPERATIONS.search(line.strip())
+        if match is None:
+            continue
+        name = match.group(2)
+        if name is None:
+            total += match.group(1) != "fneg"
+        elif name in _TWO:
+            total += 2
+        elif name in _ONE:
+            total += 1
+    return total
+
+
+def timed(run: Callable[[], None]) -> float:
+    """Median seconds of a run, after two that do not count."""
+    seconds = []
+    for index in range(REPEATS + 2):
+        start = time.perf_counter()
+        run()
+        dr.sync_thread()
+        if index >= 2:
+            seconds.append(time.perf_counter() - start)
+    return statistics.median(seconds)
+
+
+def fma_peak() -> float:
+    """Floating-point operations a second of independent multiply-add chains on all cores."""
+    chains, length, lanes = 12, 256, 1 << 18
+
+    def run() -> None:
+        seed = dr.linspace(Float, 0, 1, lanes)
+        values = [seed + k for k in range(chains)]
+        factor, summand = dr.opaque(Float, 0.999), dr.opaque(Float, 0.001)
+        for _ in range(length):
+            values = [dr.fma(value, factor, summand) for value in values]
+        total = values[0]
+        for value in values[1:]:
+            total += value
+        dr.eval(total)
+
+    return 2 * chains * length * lanes / timed(run)
+
+
+def evaluations(model: PointModel, searched: bool) -> tuple[float, int | None]:
+    """Evaluations a second, and operations in one (None where the kernel has loops)."""
+    rng = np.random.default_rng(0)
+    width, height = model.surface.size
+
+    def directions() -> Any:
+        z = rng.uniform(0.05, 1, COUNT)
+        azimuth = rng.uniform(0, 2 * math.pi, COUNT)
+        radius = np.sqrt(1 - z**2)
+        return Array3f(Float(radius * np.cos(azimuth)), Float(radius * np.sin(azimuth)), Float(z))
+
+    x, y = Float(rng.uniform(0, width, COUNT)), Float(rng.uniform(0, height, COUNT))
+    light, view = directions(), directions()
+    front, hole = dr.opaque(Bool, False, COUNT), dr.opaque(Bool, False, COUNT)
+    dr.eval(x, y, light, view)
+
+    def run() -> None:
+        point = model.locate(x, y, view) if searched else model.at(x, y, front, hole)
+        dr.eval(model.evaluate(point, light, view))
+
+    seconds = timed(run)
+    if searched:
+        return COUNT / seconds, None
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        run()
+        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+    return COUNT / seconds, sum(operations_of(kernel["ir"].read()) for kernel in kernels)
+
+
+def main() -> None:
+    """Runs the benchmark and prints it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, default=None)
+    arguments = parser.parse_args()
+    require_llvm()
+    peak = fma_peak()
+    result: dict[str, Any] = {
+        "command": "python benchmarks/point.py",
+        "commit": subprocess.run(
+            ["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False
+        ).stdout.strip(),
+        "machine": f"{platform.machine()}, {dr.thread_count()} threads, {_processor()}",
+        "fma_peak_gflops": round(peak / 1e9, 1),
+        "fabrics": {},
+    }
+    for text in ("plain", "twill 3/1", "satin 8/3"):
+        fabric = fabric_from_text(text)
+        layout, appearance = fabric.layout(), fabric.appearance()
+        appearance = type(appearance)(appearance.warp, appearance.weft, sheen=Sheen(0.3, 0.4))
+        geometry = YarnGeometry(layout)
+        table = HorizonMap(geometry, (256, 256), Float)
+        rate, operations = evaluations(PointModel(geometry, appearance, horizon=table), searched=False)
+        exact, _ = evaluations(PointModel(geometry, appearance), searched=True)
+        assert operations is not None
+        result["fabrics"][text] = {
+            "tabulated_millions_per_second": round(rate / 1e6, 2),
+            "operations": operations,
+            "share_of_fma_peak": round(rate * operations / peak, 3),
+            "exact_search_millions_per_second": round(exact / 1e6, 2),
+        }
+    text = json.dumps(result, indent=2)
+    print(text)
+    if arguments.output is not None:
+        with replacing(arguments.output) as temporary:
+            temporary.write_text(text + "\n")
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor()
+    return next((line.split(": ", 1)[1] for line in lines if line.startswith("model name")), "unknown")
+
+
+if __name__ == "__main__":
+    main()
