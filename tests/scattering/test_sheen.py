@@ -1,0 +1,218 @@
+"""The sheen: its lobe against the published tables, its energy, its sampler."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import drjit as dr
+import drjit.llvm.ad as jit
+import microflakes as flakes
+import numpy as np
+import pytest
+
+from loomlight.scattering import sheen as module
+from loomlight.scattering.sheen import (
+    sample_sheen,
+    sheen,
+    sheen_lobe,
+    sheen_pdf,
+    sheen_transmittance,
+    sheen_with_transmittance,
+)
+
+LOBES = [(0.02, 0.3), (0.3, 0.05), (0.3, 0.4), (0.7, 0.4), (0.999, 1.0), (0.1, 1.0)]
+
+
+def published() -> np.ndarray:
+    """(a, b, R) by [cos θ_view, roughness]."""
+    folder = os.environ.get("LOOMLIGHT_DATA")
+    if folder is None:
+        pytest.skip("LOOMLIGHT_DATA does not name the folder with the published sheen tables")
+    table = np.load(Path(folder) / "validation/ltc_table_sheen_volume.npy")
+    reflectance = np.load(Path(folder) / "validation/reflectance_sheen_volume.npy")
+    np.testing.assert_array_equal(table[..., 2], reflectance)
+    return table
+
+
+def at_nodes() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    axis = np.linspace(0, 1, 32)
+    cos_view, roughness = (grid.ravel().astype(np.float32) for grid in np.meshgrid(axis, axis, indexing="ij"))
+    return tuple(v.numpy().reshape(32, 32) for v in sheen_lobe(jit.Float(cos_view), jit.Float(roughness)))
+
+
+def test_table_rows_are_cosines() -> None:
+    """A lobe seen from straight above has no azimuth, so b must vanish in the row of cos θ = 1."""
+    table = published()
+    assert np.abs(table[31, :, 1]).max() < 0.005
+    # So does it for isotropic flakes, in the last column; but those return most at grazing angles.
+    assert np.all(np.diff(table[1:, 31, 2]) < 0)
+
+
+def test_reflectance_is_the_published_one() -> None:
+    error = np.abs(at_nodes()[2] - published()[..., 2])
+    # The bar is 0.01, at every entry; the fit says 0.005.
+    assert error.max() < 0.006
+    assert error.mean() < 0.002
+
+
+def test_reflectance_between_entries_is_the_published_one() -> None:
+    """Bilinear reading, as published, at the centres of the cells in which it describes a smooth function.
+
+    It does not in the first row of cells, whose lower entries were computed at cos θ = 0.01 and are read at
+    0, nor where cosine and roughness are both below 4/31 and R rises by up to 0.3 within a cell.
+    """
+    reflectance = published()[..., 2]
+    corners = np.stack([reflectance[i : i + 31, j : j + 31] for i in (0, 1) for j in (0, 1)])
+    centre = ((np.arange(31) + 0.5) / 31).astype(np.float32)
+    cos_view, roughness = (grid.ravel() for grid in np.meshgrid(centre, centre, indexing="ij"))
+    mine = sheen_lobe(jit.Float(cos_view), jit.Float(roughness))[2].numpy().reshape(31, 31)
+    regular = np.ones((31, 31), dtype=bool)
+    regular[0] = regular[:4, :4] = False
+    assert np.abs(mine - corners.mean(0))[regular].max() < 0.01
+
+
+def test_lobe_is_close_to_the_published_one() -> None:
+    table = published()
+    a, b, reflectance = at_nodes()
+    # Squeezed towards the horizon, where lobes of small a have their peak.
+    z, azimuth = np.meshgrid(
+        ((np.arange(96) + 0.5) / 96) ** 2, (np.arange(64) + 0.5) * np.pi / 64, indexing="ij"
+    )
+    solid_angle = 2 * np.sqrt(z) / 96 * 2 * np.pi / 64
+    x, y = np.sqrt(1 - z**2) * np.cos(azimuth), np.sqrt(1 - z**2) * np.sin(azimuth)
+
+    def lobe(scale: float, shear: float) -> np.ndarray:
+        return scale**2 * z / np.pi / ((scale * x + shear * z) ** 2 + (scale * y) ** 2 + z**2) ** 2
+
+    errors = []
+    for i, j in np.argwhere(table[..., 0] > 0):
+        theirs = table[i, j, 2] * lobe(*table[i, j, :2])
+        errors.append(np.sum(np.abs(reflectance[i, j] * lobe(a[i, j], b[i, j]) - theirs) * solid_angle))
+    # Of all incident light; what scripts/fit_sheen.py reports, a little rounded up.
+    assert np.mean(errors) < 0.003
+    assert np.max(errors) < 0.03
+
+
+def view_at(cos_view: float, azimuth: float = 2.1) -> jit.Array3f:
+    sin = np.sqrt(1 - cos_view**2)
+    return jit.Array3f(float(sin * np.cos(azimuth)), float(sin * np.sin(azimuth)), cos_view)
+
+
+def upper_grid(size: tuple[int, int] = (2000, 600)) -> tuple[np.ndarray, np.ndarray]:
+    """Jittered directions above the cloth, denser towards the horizon, and their solid angles."""
+    row, column = (np.indices(size) + np.random.default_rng(0).random((2, *size))).reshape(2, -1)
+    z, azimuth = (row / size[0]) ** 2, 2 * np.pi * column / size[1]
+    radius = np.sqrt(1 - z**2)
+    directions = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], -1)
+    return directions, 2 * row / size[0] / size[0] * 2 * np.pi / size[1]
+
+
+@pytest.mark.parametrize(("cos_view", "roughness"), LOBES)
+def test_samples_follow_their_density(cos_view: float, roughness: float) -> None:
+    count, bins = 1 << 18, (32, 24)
+    u = jit.Array2f(np.random.default_rng(5).random((2, count)).astype(np.float32))
+    view = view_at(cos_view)
+    light = sample_sheen(view, roughness, u)
+    grid, solid_angle = upper_grid()
+    pdf = sheen_pdf(jit.Array3f(grid.T.astype(np.float32)), view, roughness).numpy()
+    observed = np.bincount(flakes.bins_of(light.numpy().T.astype(float), np.eye(3), bins), minlength=768)
+    expected = np.bincount(flakes.bins_of(grid, np.eye(3), bins), pdf * solid_angle, 768)
+    # The jittered grid's own error.
+    assert expected.sum() == pytest.approx(1, abs=1e-3)
+    assert flakes.chi_square_p(observed, expected / expected.sum() * count) > 1e-3 / len(LOBES)
+    # The weight is the reflectance, for every sample.
+    weight = (sheen(light, view, 0.8, roughness) / sheen_pdf(light, view, roughness)).numpy()
+    np.testing.assert_allclose(weight, 0.8 * sheen_lobe(view.z, roughness)[2].numpy()[0], rtol=1e-5)
+
+
+@pytest.mark.parametrize(("cos_view", "roughness"), LOBES)
+def test_what_the_sheen_takes_it_returns(cos_view: float, roughness: float) -> None:
+    view = view_at(cos_view)
+    grid, solid_angle = upper_grid()
+    value = sheen(jit.Array3f(grid.T.astype(np.float32)), view, 0.8, roughness).numpy()
+    returned = np.sum(value * solid_angle)
+    assert returned + sheen_transmittance(view, 0.8, roughness).numpy()[0] == pytest.approx(1, abs=1e-3)
+
+
+def test_combined_evaluation_is_the_same() -> None:
+    light, view = view_at(0.3, 0.2), view_at(0.6)
+    both = sheen_with_transmittance(light, view, 0.5, 0.3)
+    assert dr.all(both[0] == sheen(light, view, 0.5, 0.3))
+    assert dr.all(both[1] == sheen_transmittance(view, 0.5, 0.3))
+
+
+def test_lobe_stays_in_its_range() -> None:
+    axis = np.linspace(0, 1, 301).astype(np.float32)
+    cos_view, roughness = (jit.Float(grid.ravel()) for grid in np.meshgrid(axis, axis, indexing="ij"))
+    a, b, reflectance = (value.numpy() for value in sheen_lobe(cos_view, roughness))
+    assert a.min() >= 0.01
+    assert a.max() <= 1
+    assert b.max() <= 0
+    assert b.min() >= -0.25
+    assert np.all(b[cos_view.numpy() == 1] == 0)
+    assert reflectance.min() >= 0
+    assert reflectance.max() < 0.76
+
+
+@pytest.mark.parametrize("azimuth", np.linspace(0, 6, 5))
+def test_turning_the_frame_changes_nothing(azimuth: float) -> None:
+    value = [
+        sheen(view_at(0.4, 1.0 + turn), view_at(0.2, turn), 1.0, 0.5).numpy()[0] for turn in (0, azimuth)
+    ]
+    assert value[0] == pytest.approx(value[1], rel=1e-5)
+
+
+def test_nothing_below_the_cloth() -> None:
+    below = jit.Array3f(0.6, 0, -0.8)
+    assert sheen(below, view_at(0.5), 1.0, 0.5).numpy()[0] == 0
+    assert sheen(view_at(0.5), below, 1.0, 0.5).numpy()[0] == 0
+
+
+def test_values_and_gradients_are_finite_for_every_input() -> None:
+    directions = flakes.unit(
+        [[0, 0, 1], [1, 0, 0], [1, 0, 1e-7], [1e-11, 0, 1], [1e-9, 1e-9, 1], [0, 1, -1e-7], [0, 0, -1]]
+    )
+    roughnesses = np.array([0.0, 0.01, 0.5, 1.0], dtype=np.float32)
+    index = np.indices((len(directions), len(directions), len(roughnesses))).reshape(3, -1)
+    light, view = (jit.Array3f(directions[k].T.astype(np.float32)) for k in index[:2])
+    roughness, strength = jit.Float(roughnesses[index[2]]), jit.Float(1)
+    functions = {
+        "value": lambda: sum(sheen_with_transmittance(light, view, strength, roughness)),
+        "pdf": lambda: sheen_pdf(light, view, roughness),
+        "sample": lambda: dr.sum(sample_sheen(view, roughness, jit.Array2f(0.0, 0.3))),
+    }
+    for name, function in functions.items():
+        variables = (light, view, roughness, strength)
+        for variable in variables:
+            dr.clear_grad(variable)
+            dr.enable_grad(variable)
+        value = function()
+        assert np.isfinite(value.numpy()).all(), name
+        dr.backward(dr.sum(value))
+        for variable in variables:
+            assert np.isfinite(dr.grad(variable).numpy()).all(), name
+        dr.disable_grad(*variables)
+
+
+def test_gradients_agree_with_finite_differences() -> None:
+    light, view = flakes.unit([0.3, -0.5, 0.4]), flakes.unit([-0.2, 0.7, 0.5])
+
+    def value(light: np.ndarray, view: np.ndarray, roughness: float) -> jit.Float64:
+        return module.sheen(jit.Array3f64(light), jit.Array3f64(view), 0.7, jit.Float64(roughness))
+
+    inputs = jit.Array3f64(light), jit.Array3f64(view), jit.Float64(0.3)
+    dr.enable_grad(inputs)
+    dr.backward(module.sheen(*inputs[:2], 0.7, inputs[2]))
+    step, move = 1e-6, np.array([0.3, 0.5, -0.8])
+    for number, (ahead, behind) in enumerate(
+        (
+            (value(light + step * move, view, 0.3), value(light - step * move, view, 0.3)),
+            (value(light, view + step * move, 0.3), value(light, view - step * move, 0.3)),
+            (value(light, view, 0.3 + step), value(light, view, 0.3 - step)),
+        )
+    ):
+        derivative = dr.grad(inputs[number]).numpy()
+        expected = derivative[0] if number == 2 else np.sum(derivative.ravel() * move)
+        # Constants of the closed form have seven digits either way; the rest is rounding over the step.
+        assert (ahead - behind).numpy()[0] / (2 * step) == pytest.approx(expected, rel=1e-6)
