@@ -1,26 +1,65 @@
 """Drafts: named weaves, weaving information files, pictures of drawdowns; drawing and textile units."""
 
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
+from loomlight.weave.drawing import MAXIMUM_PICTURE_PX, draw_draft, draw_drawdown
+from loomlight.weave.figured import bind_floats, figured
+from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names
-from loomlight.weave.palette import with_palette
+from loomlight.weave.palette import repeat_draft, with_palette
+from loomlight.weave.picture import drawdown_from_picture
+from loomlight.weave.textile import (
+    DEFAULT_SETT_PER_CM,
+    FloatLengths,
+    longest_floats,
+    per_cm,
+    per_inch,
+    repeat_size_cm,
+    sett_per_cm,
+    summary,
+    unbound_threads,
+    warp_cover,
+    yarn_diameter_mm,
+    yarn_tex,
+)
 from loomlight.weave.wif_reader import read_wif
 from loomlight.weave.wif_source import FamilyDefaults, WifSource
 from loomlight.weave.wif_writer import write_wif
 
 __all__ = [
+    "DEFAULT_SETT_PER_CM",
+    "DRAFT_SUFFIXES",
+    "MAXIMUM_PICTURE_PX",
     "MAXIMUM_THREADS",
     "Draft",
     "FamilyDefaults",
+    "FloatLengths",
     "LoomPlan",
     "Threads",
     "WifSource",
+    "bind_floats",
     "derive_loom_plan",
+    "draw_draft",
+    "draw_drawdown",
+    "drawdown_from_picture",
+    "figured",
+    "load_draft",
+    "longest_floats",
     "named_weave",
+    "per_cm",
+    "per_inch",
     "plan_drawdown",
     "read_wif",
+    "repeat_draft",
+    "repeat_size_cm",
+    "sett_per_cm",
+    "summary",
+    "unbound_threads",
+    "warp_cover",
     "weave_names",
     "with_loom_plan",
     "with_palette",
     "write_wif",
+    "yarn_diameter_mm",
+    "yarn_tex",
 ]

@@ -22,7 +22,9 @@ Pixels = NDArray[np.uint8]
 Face = Literal["front", "back"]
 
 MAXIMUM_PICTURE_PX = 4096
+# A plan that came with the draft is drawn up to a large dobby loom's; a derived one only while it explains.
 MAXIMUM_DRAWN_SHAFTS = 64
+MAXIMUM_DERIVED_SHAFTS = 32
 _LARGEST_CELL_PX = 24
 _COMFORTABLE_PX = 1100
 # Large drafts get a larger picture, as long as that keeps their threads apart.
@@ -69,8 +71,8 @@ def draw_draft(
 ) -> Pixels:
     """The whole draft: drawdown, threading, tie-up, treadling or liftplan, and thread colours.
 
-    A draft without a loom plan gets a derived one. Where that needs more than 64 shafts, or the frame has
-    no room in 4096 pixels, the drawdown and the colours are drawn alone.
+    A draft without a loom plan gets a derived one. Where that needs more than 32 shafts (64 if the draft
+    brought it), or has no room in 4096 pixels, the drawdown and the colours are drawn alone.
 
     Args:
         draft: any draft; without colours a dark warp crosses a light weft.
@@ -158,7 +160,7 @@ def _plan(draft: Draft) -> LoomPlan | None:
     plan = draft.loom
     if plan is None:
         try:
-            plan = derive_loom_plan(draft, shaft_limit=MAXIMUM_DRAWN_SHAFTS)
+            plan = derive_loom_plan(draft, shaft_limit=MAXIMUM_DERIVED_SHAFTS)
         except InputError:
             return None
     return plan if max(plan.shafts, plan.treadles) <= MAXIMUM_DRAWN_SHAFTS else None

@@ -82,7 +82,7 @@ def read_wif_text(path: Path) -> WifText:
     Raises:
         InputError: no such file, one that is too large, or one without a section [WIF].
     """
-    return parse_wif_text(_decoded(_read_bytes(path)), str(path))
+    return parse_wif_text(decode_wif(_read_bytes(path)), str(path))
 
 
 def _read_bytes(path: Path) -> bytes:
@@ -102,7 +102,7 @@ def _read_bytes(path: Path) -> bytes:
     return content
 
 
-def _decoded(content: bytes) -> str:
+def decode_wif(content: bytes) -> str:
     """Text in UTF-16 or UTF-8 if marked or valid, otherwise in Latin-1, which older programs write."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         return content.decode("utf-16", errors="replace")

@@ -1,0 +1,207 @@
+"""Feeds mutilated weaving information files to the reader: each must be read, or refused in a sentence.
+
+    python scripts/fuzz_wif.py [--count 10000] [--seed 0] [--folder FOLDER]
+
+A run fails on an error other than InputError, on a message of more than one line, on a draft that does not
+survive being written and read again, and on more than two seconds. What failed is printed with its seed
+and text; `--seed N --count 1` repeats it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import sys
+import time
+import traceback
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from loomlight.core.errors import InputError
+from loomlight.weave import Draft
+from loomlight.weave.wif_reader import draft_of
+from loomlight.weave.wif_text import decode_wif, parse_wif_text
+from loomlight.weave.wif_writer import wif_text_of
+
+FIXTURES = Path(__file__).resolve().parent.parent / "tests" / "weave" / "fixtures"
+SLOWEST_S = 2.0
+# Larger files would only repeat in more time what smaller ones show.
+LARGEST_BYTES = 30_000
+
+_NASTY = (
+    "", "0", "-1", "1", "4096", "4097", "99999999999999999999", "1e999", "-1e999", "nan", "inf", "1e-300",
+    "0x10", "1.5", ",", ",,,", "1,", "1,2,3,4,5", "0,0", "255,0", "true", "maybe", "=", "[", "]", "[WIF]",
+    "[THREADING]", ";", "#", "\x00", "\ufeff", "٣", "１", "²", "Ⅷ", "%(x)s", "${HOME}", "1" * 5000, " ", "\t",
+)  # fmt: skip
+_SECTIONS = (
+    "WIF", "CONTENTS", "TEXT", "NOTES", "WEAVING", "WARP", "WEFT", "THREADING", "TIEUP", "TREADLING",
+    "LIFTPLAN", "COLOR TABLE", "COLOR PALETTE", "WARP COLORS", "WEFT SPACING", "PRIVATE X", "", "NO SUCH",
+)  # fmt: skip
+
+Mutation = Callable[[random.Random, bytes], bytes]
+
+
+def _flip_bytes(chance: random.Random, content: bytes) -> bytes:
+    mutable = bytearray(content)
+    for _ in range(chance.randint(1, 8)):
+        if mutable:
+            mutable[chance.randrange(len(mutable))] = chance.randrange(256)
+    return bytes(mutable)
+
+
+def _cut(chance: random.Random, content: bytes) -> bytes:
+    start, end = sorted(chance.randrange(len(content) + 1) for _ in range(2))
+    return content[:start] + content[end:] if chance.random() < 0.5 else content[:end]
+
+
+def _insert(chance: random.Random, content: bytes) -> bytes:
+    at = chance.randrange(len(content) + 1)
+    return content[:at] + chance.choice(_NASTY).encode() + content[at:]
+
+
+def _lines(change: Callable[[random.Random, list[bytes]], None]) -> Mutation:
+    def mutate(chance: random.Random, content: bytes) -> bytes:
+        lines = content.split(b"\n")
+        change(chance, lines)
+        return b"\n".join(lines)
+
+    return mutate
+
+
+def _drop_line(chance: random.Random, lines: list[bytes]) -> None:
+    del lines[chance.randrange(len(lines))]
+
+
+def _repeat_line(chance: random.Random, lines: list[bytes]) -> None:
+    lines.insert(chance.randrange(len(lines) + 1), chance.choice(lines))
+
+
+def _swap_lines(chance: random.Random, lines: list[bytes]) -> None:
+    first, second = chance.randrange(len(lines)), chance.randrange(len(lines))
+    lines[first], lines[second] = lines[second], lines[first]
+
+
+def _change_value(chance: random.Random, lines: list[bytes]) -> None:
+    at = chance.randrange(len(lines))
+    key, equals, _ = lines[at].partition(b"=")
+    if equals:
+        lines[at] = key + b"=" + chance.choice(_NASTY).encode()
+
+
+def _change_key(chance: random.Random, lines: list[bytes]) -> None:
+    at = chance.randrange(len(lines))
+    _, equals, value = lines[at].partition(b"=")
+    if equals:
+        lines[at] = chance.choice(_NASTY).encode() + b"=" + value
+
+
+def _change_number(chance: random.Random, lines: list[bytes]) -> None:
+    at = chance.randrange(len(lines))
+    key, equals, value = lines[at].partition(b"=")
+    if equals and value.strip().isdigit():
+        lines[at] = key + b"=" + str(int(value) + chance.choice((-1, 1, 100, -100, 10**6))).encode()
+
+
+def _rename_section(chance: random.Random, lines: list[bytes]) -> None:
+    headers = [at for at, line in enumerate(lines) if line.startswith(b"[")]
+    if headers:
+        lines[chance.choice(headers)] = b"[" + chance.choice(_SECTIONS).encode() + b"]"
+
+
+def _sections(change: Callable[[random.Random, list[bytes]], None]) -> Mutation:
+    def mutate(chance: random.Random, content: bytes) -> bytes:
+        parts = content.split(b"\n[")
+        change(chance, parts)
+        return b"\n[".join(parts)
+
+    return mutate
+
+
+MUTATIONS: tuple[Mutation, ...] = (
+    _flip_bytes,
+    _cut,
+    _insert,
+    *map(_lines, (_drop_line, _repeat_line, _swap_lines, _change_value, _change_key, _change_number)),
+    *map(_lines, (_change_value, _change_number, _rename_section)),
+    *map(_sections, (_drop_line, _repeat_line, _swap_lines)),
+)
+
+
+def mutated(seed: int, originals: list[bytes]) -> bytes:
+    """The file of a seed: one of `originals` after one to six mutations."""
+    chance = random.Random(seed)
+    content = chance.choice(originals)
+    for _ in range(chance.choice((1, 1, 1, 2, 3, 6))):
+        content = chance.choice(MUTATIONS)(chance, content)
+    return content
+
+
+def _read(content: bytes) -> Draft:
+    return draft_of(parse_wif_text(decode_wif(content), "file.wif"))
+
+
+def _same(first: Draft, second: Draft) -> bool:
+    if not np.array_equal(first.drawdown, second.drawdown) or first.notes != second.notes:
+        return False
+    if first.title != second.title:
+        return False
+    for one, other in ((first.warp, second.warp), (first.weft, second.weft)):
+        for name in ("colors", "spacing_mm", "thickness_mm"):
+            a, b = getattr(one, name), getattr(other, name)
+            if (a is None) != (b is None) or (a is not None and not np.allclose(a, b, rtol=1e-12, atol=1e-9)):
+                return False
+    return True
+
+
+def fault_of(content: bytes) -> str | None:
+    """What is wrong with how the reader takes `content`; None if nothing is."""
+    start = time.perf_counter()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            draft = _read(content)
+            again = _read(wif_text_of(draft).encode("utf-8", errors="replace"))
+        fault = None if _same(draft, again) else "the draft changed when it was written and read again"
+    except InputError as error:
+        fault = f"a message of several lines: {error}" if "\n" in str(error) else None
+    except Exception:
+        fault = traceback.format_exc()
+    seconds = time.perf_counter() - start
+    if fault is None and seconds > SLOWEST_S:
+        return f"took {seconds:.1f} s"
+    return fault
+
+
+def originals_in(folder: Path) -> list[bytes]:
+    """The contents of all weaving information files below `folder` that are small enough."""
+    files = sorted(folder.rglob("*.wif"))
+    return [content for content in (file.read_bytes() for file in files) if len(content) <= LARGEST_BYTES]
+
+
+def main() -> int:
+    """Runs the fuzzer; returns the exit status."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--count", type=int, default=10_000, help="how many files (default: 10000)")
+    parser.add_argument("--seed", type=int, default=0, help="seed of the first (default: 0)")
+    parser.add_argument("--folder", type=Path, default=FIXTURES, help="where the files to mutilate lie")
+    options = parser.parse_args()
+    originals = originals_in(options.folder)
+    if not originals:
+        print(f"{options.folder} holds no .wif file", file=sys.stderr)
+        return 2
+    faults = 0
+    for seed in range(options.seed, options.seed + options.count):
+        content = mutated(seed, originals)
+        fault = fault_of(content)
+        if fault is not None:
+            faults += 1
+            print(f"--- seed {seed}: {fault}\n{content[:4000]!r}\n", flush=True)
+    print(f"{options.count} files from {len(originals)} originals, {faults} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
