@@ -32,8 +32,8 @@ def uniform_hash(thread: Any, cell: Any, stream: Any) -> Any:
     types = array_types(dr.float32_array_t(type(thread)))
     # Nested, not added: sums of multiples would make (thread, cell) pairs collide along lines.
     bits = _scramble(cell + _scramble(thread + _scramble(types.UInt32(stream))))
-    # 24 bits are all that float32 holds; the half keeps 0 and 1 out.
-    return (types.Float(bits >> 8) + 0.5) * 2**-24
+    # 23 bits and a half are exact in float32; with 24, the largest would round to 1.
+    return (types.Float(bits >> 9) + 0.5) * 2**-23
 
 
 def fibre_gain(thread: Any, cell: Any, amount: Any, seed: Any) -> Any:
