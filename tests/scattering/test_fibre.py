@@ -46,9 +46,10 @@ WALKS = [
 ]
 
 
-def test_layer_agrees_with_random_walks() -> None:
+def deviations_from_walks(count: int) -> np.ndarray:
+    """z-scores of all bins of all configurations, with `count` walks each."""
     rng = np.random.default_rng(20)
-    bins, count = (8, 12), 100_000
+    bins = (8, 12)
     z = []
     for roughness, depth, tilt in WALKS:
         view, normal, tangent = (row[0] for row in flakes.random_frames(rng, 1, tilt))
@@ -65,7 +66,11 @@ def test_layer_agrees_with_random_walks() -> None:
         filled = count * mean**2 > 200 * square
         error = np.sqrt((square - mean**2)[filled] / count)
         z.append((mean - expected)[filled] / error)
-    z = np.concatenate(z)
+    return np.concatenate(z)
+
+
+def test_layer_agrees_with_random_walks() -> None:
+    z = deviations_from_walks(100_000)
     assert len(WALKS) >= 20
     assert len(z) > 600
     # χ²/dof of n normal variables has the deviation sqrt(2/n); 4 of them. One |z| in 2e6 exceeds 5.
