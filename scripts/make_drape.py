@@ -203,7 +203,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("-o", "--output", type=Path, default=OUTPUT)
     parser.add_argument("--grid", type=int, default=110, help="vertices a side in the simulation")
-    parser.add_argument("--seconds", type=float, default=3.0, help="simulated time")
+    parser.add_argument("--seconds", type=float, default=4.0, help="simulated time")
     parser.add_argument("--substeps", type=int, default=16, help="steps a sixtieth of a second")
     options = parser.parse_args()
     settled = settle(options.grid, options.seconds, options.substeps, Cloth())

@@ -50,7 +50,7 @@ def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
     Raises:
         InputError: both are given, or one is no pair of positive numbers.
     """
-    given = [name for name in ("uv_size", "uv_scale") if props.has_property(name)]
+    given = [name for name in ("uv_size", "uv_scale") if name in props]
     if len(given) == 2:
         raise InputError("uv_size and uv_scale are both given: use one of them.")
     if not given:
@@ -61,9 +61,9 @@ def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
 
 
 def _base(props: Any) -> Fabric | None:
-    if props.has_property("toml"):
+    if "toml" in props:
         return fabric_from_text(str(props["toml"]), _folder(props))
-    if not props.has_property("fabric"):
+    if "fabric" not in props:
         return None
     name = str(props["fabric"])
     resolved = Path(_resolved(name))
@@ -72,12 +72,13 @@ def _base(props: Any) -> Fabric | None:
 
 
 def _resolved(name: str) -> str:
-    resolver: Any = mi.file_resolver()
+    find: Any = mi.file_resolver
+    resolver = find()
     return str(resolver.resolve(name))
 
 
 def _folder(props: Any) -> str:
-    if props.has_property("folder"):
+    if "folder" in props:
         return str(props["folder"])
     return _resolved(".")
 

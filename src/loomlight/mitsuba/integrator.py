@@ -43,7 +43,7 @@ def footprint_path_class() -> type:
         """
 
         def __init__(self, props: Any) -> None:
-            if not props.has_property("max_depth"):
+            if "max_depth" not in props:
                 props["max_depth"] = -1
             super().__init__(props)
             self.footprint_samples: int = props.get("footprint_samples", 0)
@@ -102,7 +102,8 @@ def footprint_path_class() -> type:
             if dr.hint(self.hide_emitters, mode="scalar"):
                 pi = self._beyond_emitters(scene, ray, pi, active)
 
-            while dr.hint(active, label=f"footprint_path ({mode.name})"):
+            # As a loop variable the camera's ray would be copied, and copies lose the differentials.
+            while dr.hint(active, exclude=[camera], label=f"footprint_path ({mode.name})"):
                 si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
                 valid = active & si.is_valid()
                 bsdf = si.bsdf()

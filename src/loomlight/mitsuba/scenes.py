@@ -58,9 +58,9 @@ _SETUPS = {
     "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "directional", (-0.5, 0.6, 0.8)),
     "sphere": _Setup(cloth_shapes.sphere, (0, 0, 1), "point", (-0.45, 0.6, 0.75)),
     "cylinder": _Setup(cloth_shapes.cylinder, (0, 0, 1), "point", (-0.1, 0.45, 1)),
-    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "sunsky", (-0.75, 0.75, 0.35), ground=True),
+    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "sunsky", (-0.6, 0.75, 0.6), ground=True),
 }
-_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "sunsky", (-0.75, 0.75, 0.35), ground=True)
+_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "sunsky", (-0.6, 0.75, 0.6), ground=True)
 
 SCENES = tuple(_SETUPS)
 

@@ -10,6 +10,7 @@ import mitsuba as mi
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.mitsuba.cloth_uv import draft_position
 from loomlight.mitsuba.fabric_props import fabric_of, uv_size_of
+from loomlight.mitsuba.held_surface import HeldSurface
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -39,11 +40,11 @@ def woven_point_class() -> type:
             super().__init__(props)
             self.fabric = fabric_of(props)
             self.uv_size = mi.Vector2f(uv_size_of(props, self.fabric))
-            self.albedo = props.get_texture("albedo", 1.0) if props.has_property("albedo") else None
+            self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
             for name in ("toml", "folder"):
                 props.mark_queried(name)
             self.geometry = YarnGeometry(self.fabric.layout())
-            self.model = PointModel(self.geometry, self.fabric.appearance())
+            self.model = PointModel(HeldSurface(self.geometry), self.fabric.appearance())
             dr.make_opaque(self.uv_size)
             self._bends = {
                 name: [dr.opaque(mi.Float, float(getattr(self.geometry, name)[family])) for family in (0, 1)]
@@ -89,7 +90,9 @@ def woven_point_class() -> type:
 
         def _point(self, si: Any, active: Any) -> Any:
             x, y = draft_position(si, self.uv_size)
-            point = self.model.locate(x, y, _array(si.wi), active)
+            with dr.suspend_grad():
+                hit = self.model.locate(x, y, _array(si.wi), active)
+            point = self.model.at(hit.x, hit.y, hit.back, hit.hole)
             if self.albedo is not None:
                 tint = _array(dr.clip(self.albedo.eval(si, active), 0, 1))
                 point.albedos.diffuse_reflect = point.albedos.diffuse_reflect * tint

@@ -1,0 +1,38 @@
+"""Cloth geometry whose shadows and outlines are held fixed when derivatives are taken.
+
+Searches along rays are loops with discontinuous results: their derivatives would be wrong as well as dear.
+Normals and tangents keep theirs.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+
+from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
+
+
+class HeldSurface:
+    """A `loomlight.yarn.visibility.Surface` around analytic geometry; `height` carries no derivatives."""
+
+    def __init__(self, geometry: YarnGeometry) -> None:
+        self.geometry = geometry
+        self.size = geometry.size
+
+    @property
+    def finest(self) -> tuple[float, float]:
+        return self.geometry.finest
+
+    @property
+    def height_bounds(self) -> tuple[float, float]:
+        return self.geometry.height_bounds
+
+    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+        with dr.suspend_grad():
+            return self.geometry.height(x, y, back)
+
+    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
+        point = self.geometry.surface(x, y, back)
+        point.height = dr.detach(point.height)
+        return point
