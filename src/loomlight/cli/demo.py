@@ -34,12 +34,14 @@ strength = 0.2
 colour_noise = 0.1
 """
 SIZE = (1080, 810)
-INSET = 330
+INSET = 310
 ZOOM = 30.0
 # Widths in pixels.
-MARGIN = 26
-FRAME = 3
+MARGIN = 22
+FRAME = 2
+MARK = 1
 _PAPER = 1.0
+EXPOSURE = 0.4  # stops
 
 
 def demo(
@@ -58,30 +60,42 @@ def demo(
     choose_variant()
     cloth = fabric_from_text(FABRIC)
     near = 2 * samples
-    shares = [samples * SIZE[0] * SIZE[1], near * INSET * INSET]
+    work = samples * SIZE[0] * SIZE[1], near * INSET * INSET
     with progress(f"{cloth.name}, draped") as report:
         far = build_scene("drape", fabric_bsdf(cloth), size=SIZE)
         whole = render(
-            far.scene, spp=samples, progress=lambda spp, _: report(shares[0] * spp // samples, sum(shares))
+            far.scene,
+            spp=samples,
+            exposure=EXPOSURE,
+            progress=lambda done, total: report(work[0] * done // total, sum(work)),
         )
         close = build_scene("drape", fabric_bsdf(cloth), size=(INSET, INSET), zoom=ZOOM)
         inset = render(
             close.scene,
             spp=near,
-            progress=lambda spp, _: report(shares[0] + shares[1] * spp // near, sum(shares)),
+            exposure=EXPOSURE,
+            progress=lambda done, total: report(work[0] + work[1] * done // total, sum(work)),
         )
     write_image(output, compose(whole, inset))
     done(output)
 
 
 def compose(whole: NDArray[np.float32], inset: NDArray[np.float32]) -> NDArray[np.float32]:
-    """`whole` in a thin frame, `inset` in its lower right corner in another; linear RGB [h, w, 3]."""
+    """`whole` in a thin frame, `inset` in another in its upper left corner; linear RGB [h, w, 3].
+
+    A small square in the middle of `whole` marks what the inset shows.
+    """
     picture = whole[..., :3].copy()
-    framed = _framed(inset[..., :3])
-    bottom, right = picture.shape[0] - MARGIN, picture.shape[1] - MARGIN
-    picture[bottom - framed.shape[0] : bottom, right - framed.shape[1] : right] = framed
-    return _framed(picture)
+    height, width = picture.shape[:2]
+    side = round(min(height, width) / ZOOM)
+    top, left = (height - side) // 2, (width - side) // 2
+    middle = picture[top : top + side, left : left + side]
+    marked = _framed(middle, MARK)
+    picture[top - MARK : top + side + MARK, left - MARK : left + side + MARK] = marked
+    framed = _framed(inset[..., :3], FRAME)
+    picture[MARGIN : MARGIN + framed.shape[0], MARGIN : MARGIN + framed.shape[1]] = framed
+    return _framed(picture, FRAME)
 
 
-def _framed(picture: NDArray[np.float32]) -> NDArray[np.float32]:
-    return np.pad(picture, ((FRAME, FRAME), (FRAME, FRAME), (0, 0)), constant_values=_PAPER)
+def _framed(picture: NDArray[np.float32], line: int) -> NDArray[np.float32]:
+    return np.pad(picture, ((line, line), (line, line), (0, 0)), constant_values=_PAPER)

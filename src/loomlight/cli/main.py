@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import warnings
+from collections.abc import Callable
 from typing import Any, TextIO
 
 import typer
@@ -42,7 +43,7 @@ def main(arguments: list[str] | None = None) -> None:
 def run(arguments: list[str]) -> int:
     """Runs the command line `arguments` and returns its exit code; prints what is wrong to stderr."""
     warnings.simplefilter("always", LoomlightWarning)
-    warnings.showwarning = _show_warning
+    warnings.showwarning = _show_each_once()
     try:
         code = app(arguments, prog_name="loomlight", standalone_mode=False)
         sys.stdout.flush()
@@ -82,18 +83,25 @@ def _sentence(error: Any) -> str:
     return f"{' '.join(message.split()).rstrip('.')}; `{path} --help` shows how it is used."
 
 
-def _show_warning(
-    message: Warning | str,
-    category: type[Warning],
-    filename: str,
-    lineno: int,
-    file: TextIO | None = None,
-    line: str | None = None,
-) -> None:
-    if issubclass(category, LoomlightWarning):
-        print(f"loomlight: warning: {message}", file=sys.stderr)
-    else:
-        sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
+def _show_each_once() -> Callable[..., None]:
+    """What replaces `warnings.showwarning`: a file that is read twice is complained about once."""
+    shown: set[str] = set()
+
+    def show(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        if not issubclass(category, LoomlightWarning):
+            sys.stderr.write(warnings.formatwarning(message, category, filename, lineno, line))
+        elif str(message) not in shown:
+            shown.add(str(message))
+            print(f"loomlight: warning: {message}", file=sys.stderr)
+
+    return show
 
 
 if __name__ == "__main__":

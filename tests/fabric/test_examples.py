@@ -1,0 +1,51 @@
+"""The example fabrics are fabrics, and the reference of the fabric file names every field."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from pydantic import BaseModel
+
+from loomlight.fabric import fabric_from_text, load_fabric
+from loomlight.fabric.file import FabricFile
+
+ROOT = Path(__file__).parents[2]
+EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
+
+
+def test_there_are_examples() -> None:
+    assert len(EXAMPLES) >= 6
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_is_a_fabric(path: Path) -> None:
+    fabric = load_fabric(path)
+    assert fabric.fields.name
+    assert fabric.fields.description
+    assert fabric_from_text(fabric.to_toml()).repeat_mm == fabric.repeat_mm
+
+
+def test_one_example_is_large() -> None:
+    assert max(load_fabric(path).draft.ends for path in EXAMPLES) >= 300
+
+
+def field_names(model: type[BaseModel]) -> set[str]:
+    names = set()
+    for name, field in model.model_fields.items():
+        table = field.annotation
+        names |= field_names(table) if isinstance(table, type) and issubclass(table, BaseModel) else {name}
+    return names
+
+
+def test_the_reference_names_every_field() -> None:
+    text = (ROOT / "docs" / "fabric-files.md").read_text()
+    missing = {name for name in field_names(FabricFile) if f"`{name}`" not in text}
+    assert missing == set()
+
+
+def test_the_whole_file_of_the_reference_is_a_fabric() -> None:
+    text = (ROOT / "docs" / "fabric-files.md").read_text()
+    block = text.split("## A whole one")[1]
+    lines = [line.removeprefix("    ") for line in block.splitlines() if line.startswith("    ") or not line]
+    assert fabric_from_text("\n".join(lines)).name == "Selvedge denim"
