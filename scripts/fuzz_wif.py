@@ -101,7 +101,7 @@ def _change_key(chance: random.Random, lines: list[bytes]) -> None:
 def _change_number(chance: random.Random, lines: list[bytes]) -> None:
     at = chance.randrange(len(lines))
     key, equals, value = lines[at].partition(b"=")
-    if equals and value.strip().isdigit():
+    if equals and value.strip().isdigit() and len(value) < 20:
         lines[at] = key + b"=" + str(int(value) + chance.choice((-1, 1, 100, -100, 10**6))).encode()
 
 

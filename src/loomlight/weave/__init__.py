@@ -2,7 +2,7 @@
 
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
 from loomlight.weave.drawing import MAXIMUM_PICTURE_PX, draw_draft, draw_drawdown
-from loomlight.weave.figured import bind_floats, figured
+from loomlight.weave.figured import bind_floats, figured_structure
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
 from loomlight.weave.named import named_weave, weave_names
@@ -42,7 +42,7 @@ __all__ = [
     "draw_draft",
     "draw_drawdown",
     "drawdown_from_picture",
-    "figured",
+    "figured_structure",
     "load_draft",
     "longest_floats",
     "named_weave",

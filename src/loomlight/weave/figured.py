@@ -18,7 +18,7 @@ _SLATE_AND_CREAM = ("#39465c", "#e8e0cf")
 _WINE_AND_ROSE = ("#5d1f2e", "#d9a9a0")
 
 
-def figured(mask: Mask, figure: Structure, ground: Structure, *, float_limit: int) -> Structure:
+def figured_structure(mask: Mask, figure: Structure, ground: Structure, *, float_limit: int) -> Structure:
     """`figure` where `mask` is True and `ground` elsewhere, with floats bound where the two meet.
 
     Args:
@@ -118,7 +118,7 @@ def damask(ends: int) -> Draft:
     """
     picks = round(ends * OGEE_ASPECT)
     _check("damask", ends, picks, multiple=16, lowest=160)
-    structure = figured(ogee_damask(ends, picks), satin(8, 3), sateen(8, 3), float_limit=10)
+    structure = figured_structure(ogee_damask(ends, picks), satin(8, 3), sateen(8, 3), float_limit=10)
     return _two_coloured(structure, f"damask {ends}", _IVORY_AND_GOLD)
 
 
@@ -130,7 +130,7 @@ def argyle_cloth(ends: int) -> Draft:
     """
     picks = ends * 3 // 2
     _check("argyle", ends, picks, multiple=8, lowest=32)
-    structure = figured(argyle(ends, picks), twill((3, 1)), twill((1, 3)), float_limit=5)
+    structure = figured_structure(argyle(ends, picks), twill((3, 1)), twill((1, 3)), float_limit=5)
     return _two_coloured(structure, f"argyle {ends}", _SLATE_AND_CREAM)
 
 
@@ -141,7 +141,7 @@ def diamond_figure(ends: int) -> Draft:
         InputError: another number of ends.
     """
     _check("diamond figure", ends, ends, multiple=16, lowest=48)
-    structure = figured(lozenges(ends, ends), satin(8, 3), sateen(8, 3), float_limit=10)
+    structure = figured_structure(lozenges(ends, ends), satin(8, 3), sateen(8, 3), float_limit=10)
     return _two_coloured(structure, f"diamond figure {ends}", _WINE_AND_ROSE)
 
 

@@ -55,6 +55,10 @@ _INTERPRETED: dict[str, set[str] | None] = {
     },
 }
 
+_A_TRIPLE = "a colour: write three whole numbers, as in 255,128,0"
+_A_RANGE = "a range of colour components: write two whole numbers, as in 0,255"
+_A_COLOR = "a colour: write its number in [COLOR TABLE]"
+
 
 def read_wif(path: str | os.PathLike[str]) -> Draft:
     """The draft in a weaving information file.
@@ -261,7 +265,7 @@ def _read_palette(text: WifText) -> tuple[NDArray[np.float64] | None, tuple[int,
         thread_number(text, "COLOR TABLE", key, value, "the number of a colour"): (
             key,
             value,
-            integers(text, "COLOR TABLE", key, value, (3,), "a colour"),
+            integers(text, "COLOR TABLE", key, value, (3,), _A_TRIPLE),
         )
         for key, value in text.items("COLOR TABLE")
     }
@@ -292,7 +296,7 @@ def _color_range(text: WifText, highest: int) -> tuple[int, int]:
     if form and without_comment(form).upper() != "RGB":
         text.warn("COLOR PALETTE", "Form", form, "is not known; the colours are read as RGB")
     if without_comment(value):
-        low, high = integers(text, "COLOR PALETTE", "Range", value, (2,), "a range of colour components")
+        low, high = integers(text, "COLOR PALETTE", "Range", value, (2,), _A_RANGE)
         if low >= high:
             raise text.fault(
                 "COLOR PALETTE", "Range", value, "is no range: the first number must be the lower"
@@ -337,7 +341,7 @@ def _read_colors(
     section = f"{family} COLORS"
     own = [(key, value) for key, value in text.items(section) if without_comment(value)]
     default = text.value(family, "Color")
-    stated = integers(text, family, "Color", default, (1, 4), "a colour") if without_comment(default) else []
+    stated = integers(text, family, "Color", default, (1, 4), _A_COLOR) if without_comment(default) else []
     if palette is None:
         if own:
             raise text.fault(

@@ -68,7 +68,7 @@ class WifText:
 
 
 def _place(section: str, key: str, value: str) -> str:
-    return f"[{section}] {_shortened(key)}={_shortened(value)}" if key else f"[{section}]"
+    return f"[{section}] {_shortened(key)}={_shortened(value)}"
 
 
 def _shortened(text: str) -> str:

@@ -90,17 +90,14 @@ def number_set(text: WifText, section: str, key: str, value: str, what: str) -> 
 def integers(
     text: WifText, section: str, key: str, value: str, counts: tuple[int, ...], what: str
 ) -> list[int]:
-    """A list of as many whole numbers as one of `counts`.
+    """A list of as many whole numbers as one of `counts`; `what` says what it is and how it is written.
 
     Raises:
         InputError: another number of them, or no numbers.
     """
     parts = [part.strip() for part in without_comment(value).split(",")]
     if len(parts) not in counts or not all(_INTEGER.fullmatch(part) for part in parts):
-        wanted = " or ".join(map(str, counts))
-        raise text.fault(
-            section, key, value, f"is not {what}: {wanted} whole numbers with commas between them"
-        )
+        raise text.fault(section, key, value, f"is not {what}")
     return [int(part) for part in parts]
 
 

@@ -1,0 +1,68 @@
+"""Drawdowns from pictures, and drafts from files."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as numpy_strategies
+from PIL import Image
+
+from loomlight.core.errors import InputError
+from loomlight.weave import drawdown_from_picture, load_draft, named_weave, write_wif
+
+
+def save(path: Path, pixels: np.ndarray) -> Path:
+    Image.fromarray(pixels).save(path)
+    return path
+
+
+@given(numpy_strategies.arrays(bool, st.tuples(st.integers(1, 20), st.integers(1, 20))))
+@settings(max_examples=30, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+def test_pictures_are_read_from_the_bottom_left(tmp_path: Path, drawdown: np.ndarray) -> None:
+    path = save(tmp_path / "drawdown.png", np.where(drawdown[::-1], 0, 255).astype(np.uint8))
+    if drawdown.all() or not drawdown.any():
+        with pytest.raises(InputError, match="holds only"):
+            drawdown_from_picture(path)
+        return
+    assert np.array_equal(drawdown_from_picture(path).drawdown, drawdown)
+
+
+def test_grey_colour_and_transparency_are_split_at_half(tmp_path: Path) -> None:
+    grey = save(tmp_path / "grey.png", np.array([[120, 135], [0, 255]], dtype=np.uint8))
+    assert drawdown_from_picture(grey).drawdown.tolist() == [[True, False], [True, False]]
+    rgba = np.array([[[0, 0, 0, 255], [0, 0, 0, 0], [255, 255, 0, 255], [0, 0, 255, 255]]], dtype=np.uint8)
+    assert drawdown_from_picture(save(tmp_path / "rgba.png", rgba)).drawdown.tolist() == [
+        [True, False, False, True]
+    ]
+
+
+def test_refusals(tmp_path: Path) -> None:
+    white = save(tmp_path / "white.png", np.full((4, 4), 255, dtype=np.uint8))
+    with pytest.raises(InputError, match=r"white\.png holds only white pixels and no black ones"):
+        drawdown_from_picture(white)
+    wide = save(tmp_path / "wide.png", np.zeros((1, 4097), dtype=np.uint8))
+    with pytest.raises(InputError, match=r"4097 x 1 pixels"):
+        drawdown_from_picture(wide)
+    (tmp_path / "text.png").write_text("no picture")
+    with pytest.raises(InputError, match="is no picture"):
+        drawdown_from_picture(tmp_path / "text.png")
+    with pytest.raises(InputError, match="does not exist"):
+        drawdown_from_picture(tmp_path / "none.png")
+    cut = save(tmp_path / "cut.png", np.random.default_rng(0).integers(0, 255, (64, 64)).astype(np.uint8))
+    cut.write_bytes(cut.read_bytes()[:200])
+    with pytest.raises(InputError, match="is no picture"):
+        drawdown_from_picture(cut)
+
+
+def test_load_draft_goes_by_the_suffix(tmp_path: Path) -> None:
+    twill = named_weave("twill 3/1 s")
+    write_wif(twill, tmp_path / "twill.WIF")
+    save(tmp_path / "twill.PNG", np.where(twill.drawdown[::-1], 0, 255).astype(np.uint8))
+    for name in ("twill.WIF", "twill.PNG"):
+        assert np.array_equal(load_draft(tmp_path / name).drawdown, twill.drawdown)
+    assert load_draft(tmp_path / "twill.PNG").title == "twill"
+    for name in ("twill.dtx", "twill"):
+        with pytest.raises(InputError, match=r"a draft is a \.wif file or a picture"):
+            load_draft(tmp_path / name)
