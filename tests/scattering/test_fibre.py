@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import drjit as dr
 import drjit.llvm.ad as jit
 import microflakes as flakes
@@ -277,13 +279,13 @@ def test_estimates_are_positive_and_near_the_albedos() -> None:
     count = 1 << 18
     view, normal, tangent = (vector(rows) for rows in flakes.random_frames(rng, count))
     u = jit.Array2f(rng.random((2, count)).astype(np.float32))
-    for roughness in ROUGHNESSES:
-        alpha, depth = jit.Float(roughness), 2.0
+    for roughness, depth in itertools.product(ROUGHNESSES, (0.3, 2.0, 6.0)):
+        alpha = jit.Float(roughness)
         light = fibre.sample_specular(view, tangent, alpha, u)
         pdf = fibre.pdf_specular(light, view, tangent, alpha)
         estimates = fibre.layer_albedo_estimate(view, normal, tangent, alpha, depth)
         for lobe, estimate in zip((fibre.reflection, fibre.transmission), estimates, strict=True):
             albedo = dr.mean(lobe(light, view, normal, tangent, alpha, depth) / pdf)[0]
             assert dr.min(estimate)[0] > 0
-            # A factor of two costs a sampler little; these are for choosing a lobe only.
-            assert 0.5 < dr.mean(estimate)[0] / albedo < 2
+            # These only choose a lobe; what the docstring promises.
+            assert 0.75 < dr.mean(estimate)[0] / albedo < 1.25
