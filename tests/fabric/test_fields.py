@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,8 +12,9 @@ from hypothesis import strategies as st
 
 from loomlight.core.colour import srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.fabric import fabric_from_text
+from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.scattering.albedo import layer_albedo_bound
+from loomlight.weave.wif_writer import write_wif
 
 
 def test_a_name_alone_is_a_fabric() -> None:
@@ -85,6 +87,26 @@ def test_a_list_of_colours_follows_the_order_of_a_colour_effect() -> None:
     fabric = fabric_from_text('weave = "houndstooth 4"\n[warp]\ncolor = ["#f00", "#00f"]')
     assert fabric.draft.ends == 8
     np.testing.assert_array_equal(fabric.draft.warp.colors, np.repeat(np.eye(3)[[0, 2]], 4, axis=0))
+
+
+def test_a_longer_list_is_in_thread_order() -> None:
+    fabric = fabric_from_text('weave = "houndstooth 4"\n[weft]\ncolor = ["#f00", "#00f", "#0f0", "#fff"]')
+    assert fabric.draft.picks == 8
+    assert fabric.draft.weft.colors is not None
+    np.testing.assert_array_equal(fabric.draft.weft.colors[1:3], np.eye(3)[[2, 1]])
+
+
+def test_a_family_of_one_colour_has_no_order() -> None:
+    fabric = fabric_from_text('weave = "denim"\n[weft]\ncolor = ["#f00", "#00f"]')
+    np.testing.assert_array_equal(fabric.draft.weft.colors, np.tile(np.eye(3)[[0, 2]], (2, 1)))
+
+
+def test_a_list_shorter_than_the_order_is_refused(tmp_path: Path) -> None:
+    draft = fabric_from_text('weave = "plain"\n[warp]\ncolor = ["#f00", "#0f0", "#00f"]').draft
+    write_wif(draft, tmp_path / "three.wif")
+    (tmp_path / "two.toml").write_text('draft = "three.wif"\n[warp]\ncolor = ["#111", "#eee"]')
+    with pytest.raises(InputError, match=r"warp.color has 2 colours.*uses 3"):
+        load_fabric(tmp_path / "two.toml")
 
 
 @pytest.mark.parametrize(

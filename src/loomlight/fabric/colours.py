@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,14 +17,26 @@ from loomlight.weave.palette import with_palette
 def coloured_draft(draft: Draft, fields: FabricFile) -> Draft:
     """`draft` with a colour for every thread: the file's, else its own, else undyed cotton.
 
+    Where a family of the draft has two or more colours in an order of its own, a list of as many replaces
+    them, in the order of the draft's palette. A longer list, and any list where there is no such order, is in
+    thread order and repeats.
+
     Raises:
-        InputError: a list of colours that does not fit the draft.
+        InputError: a list that is shorter than the draft's order, or that makes too long a repeat.
     """
-    return with_palette(
-        draft,
-        _colours(fields.warp, "warp", draft.warp),
-        _colours(fields.weft, "weft", draft.weft),
-    )
+    warp = _colours(fields.warp, "warp", draft.warp)
+    weft = _colours(fields.weft, "weft", draft.weft)
+    by_role = replace(draft, warp=_with_roles(draft.warp, warp), weft=_with_roles(draft.weft, weft))
+    return with_palette(by_role, warp, weft)
+
+
+def _with_roles(threads: Threads, listed: NDArray[np.float64] | None) -> Threads:
+    """`threads` whose `color_index` counts the colours that this family uses; None for thread order."""
+    if threads.color_index is None or listed is None:
+        return threads
+    used, role = np.unique(threads.color_index, return_inverse=True)
+    in_thread_order = len(used) == 1 or len(listed) > len(used)
+    return replace(threads, color_index=None if in_thread_order else role.reshape(-1))
 
 
 def _colours(table: YarnTable, name: str, threads: Threads) -> NDArray[np.float64] | None:
