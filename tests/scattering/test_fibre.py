@@ -230,7 +230,6 @@ def test_values_and_gradients_are_finite_for_every_input(depth: float) -> None:
         "pdf": lambda: fibre.pdf_specular(light, view, tangent, roughness),
         "albedos": lambda: sum(fibre.layer_albedo_estimate(*variables[1:])),
         "sample": lambda: dr.dot(fibre.sample_specular(view, tangent, roughness, u), mix),
-        "flat": lambda: dr.dot(fibre.perpendicular_tangent(tangent, normal), mix),
     }
     for name, function in functions.items():
         for variable in variables:

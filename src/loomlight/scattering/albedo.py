@@ -5,7 +5,7 @@ The fibre layer returns at most a share κ of the light when its albedo is 1, so
     k_d_reflect + k_d_transmit + κ(Tρ)·max(k_s_reflect, k_s_transmit) ≤ 1    per channel
 
 keeps every direction below 1 (docs/scattering.md has the reasoning and the scan). κ holds for tangents
-perpendicular to the yarn's normal, as yarn geometry makes them; see `fibre.perpendicular_tangent`.
+perpendicular to the yarn's normal, which every source of geometry provides.
 """
 
 from __future__ import annotations
