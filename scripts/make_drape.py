@@ -34,7 +34,7 @@ class Cloth:
     """Compliances in metres per newton for unit vertex masses; 0 is rigid."""
 
     shear: float = 3e-5
-    bend: float = 2e-4
+    bend: float = 4e-5
     friction: float = 0.35
     drag: float = 1.2  # 1/s
 
@@ -204,7 +204,7 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=OUTPUT)
     parser.add_argument("--grid", type=int, default=110, help="vertices a side in the simulation")
     parser.add_argument("--seconds", type=float, default=4.0, help="simulated time")
-    parser.add_argument("--substeps", type=int, default=16, help="steps a sixtieth of a second")
+    parser.add_argument("--substeps", type=int, default=24, help="steps a sixtieth of a second")
     options = parser.parse_args()
     settled = settle(options.grid, options.seconds, options.substeps, Cloth())
     write_ply(options.output, *resample(settled, 200), grid=200)

@@ -127,7 +127,7 @@ def build_scene(
     parts: dict[str, Any] = {
         "type": "scene",
         "integrator": {"type": "footprint_path", "max_depth": max_depth},
-        "cloth": to_shape(cloth, factory(millimetres)),
+        "cloth": to_shape(cloth, _loaded(factory(millimetres))),
     }
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
@@ -230,7 +230,7 @@ def _from_file(
         if not shape.is_mesh():
             raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
-        shape.set_bsdf(mi.load_dict(factory(uv_size(mesh))))
+        shape.set_bsdf(_loaded(factory(uv_size(mesh))))
         meshes.append(mesh)
     point = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     return ClothScene(

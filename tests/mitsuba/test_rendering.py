@@ -1,0 +1,86 @@
+"""Rendering in passes, and plugins that follow the variant."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError, LoomlightError
+from loomlight.mitsuba import build_scene, choose_variant, render, rendering, variants
+
+WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
+
+
+def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = build_scene("drape", WHITE, size=(16, 16)).scene
+    whole = render(scene, spp=64, seed=1)
+    monkeypatch.setitem(rendering.WAVEFRONT, "llvm_ad_rgb", 16 * 16 * 10)
+    reports: list[tuple[int, int]] = []
+    parts = render(scene, spp=64, seed=2, progress=lambda done, total: reports.append((done, total)))
+    assert len(reports) == 7
+    assert reports[-1] == (64, 64)
+    assert [done for done, _ in reports] == sorted(done for done, _ in reports)
+    # Two pictures of 64 samples: 16² pixels, noise of a few percent each.
+    np.testing.assert_allclose(parts.mean(), whole.mean(), rtol=0.02)
+    # Passes that shared a seed would be as noisy as one of them.
+    reference = render(scene, spp=1024, seed=3)
+    errors = [np.square(picture - reference).mean() for picture in (parts, whole)]
+    assert errors[0] < 2 * errors[1]
+
+
+def test_same_seed_same_picture_and_exposure_scales() -> None:
+    scene = build_scene("flat", WHITE, size=(8, 8)).scene
+    first, again = (render(scene, spp=2, seed=5) for _ in range(2))
+    np.testing.assert_array_equal(first, again)
+    np.testing.assert_allclose(render(scene, spp=2, seed=5, exposure=1), 2 * first, rtol=1e-6)
+    assert first.dtype == np.float32
+
+
+def test_no_samples_is_a_fault() -> None:
+    with pytest.raises(InputError, match="spp = 0"):
+        render(build_scene("flat", WHITE, size=(4, 4)).scene, spp=0)
+
+
+def test_variants_are_checked(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert choose_variant() == "llvm_ad_rgb"
+    with pytest.raises(InputError, match="scalar_rgb"):
+        choose_variant("scalar_rgb")
+    monkeypatch.setattr(variants.dr, "has_backend", lambda _backend: False)
+    with pytest.raises(LoomlightError, match="GPU"):
+        choose_variant("cuda_ad_rgb")
+
+
+FOLLOWS = """
+import mitsuba as mi
+import loomlight.mitsuba
+assert mi.variant() is None
+for variant in ("llvm_ad_rgb", "scalar_rgb", "llvm_ad_rgb"):
+    mi.set_variant(variant)
+    if variant != "scalar_rgb":
+        assert "FootprintPath" in str(mi.load_dict({"type": "footprint_path"}))
+        assert "WovenPoint" in str(mi.load_dict({"type": "woven_point"}))
+"""
+
+
+def test_importing_sets_no_variant_and_plugins_follow_it() -> None:
+    result = subprocess.run([sys.executable, "-c", FOLLOWS], capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stderr
+
+
+OLD_LLVM = """
+import drjit, mitsuba as mi
+import loomlight.mitsuba
+drjit.detail.llvm_version = lambda: (15, 0, 7)
+try:
+    mi.set_variant("llvm_ad_rgb")
+except Exception as error:
+    print(type(error).__name__, error)
+"""
+
+
+def test_old_llvm_is_refused_before_it_compiles() -> None:
+    result = subprocess.run([sys.executable, "-c", OLD_LLVM], capture_output=True, text=True, check=False)
+    assert "MissingDependencyError LLVM 15.0.7" in result.stdout, result.stderr

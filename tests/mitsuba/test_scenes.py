@@ -1,0 +1,181 @@
+"""Scenes: framing, zoom, scale, replacement in scene files, and faults."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError
+from loomlight.mitsuba import SCENES, build_scene, render
+from loomlight.mitsuba.camera import framing
+
+DATA = os.environ.get("LOOMLIGHT_DATA")
+WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_scenes_show_cloth_without_blown_highlights(name: str) -> None:
+    shown = build_scene(name, WHITE, size=(32, 24))
+    picture = render(shown.scene, spp=16)
+    assert picture.shape == (24, 32, 3)
+    assert np.isfinite(picture).all()
+    assert np.quantile(picture, 0.95) > 0.25
+    assert np.quantile(picture.mean(axis=2), 0.99) < 1.0
+
+
+def test_the_fabric_is_told_its_scale() -> None:
+    told: list[tuple[float, float]] = []
+
+    def factory(uv_size_mm: tuple[float, float]) -> dict[str, Any]:
+        told.append(uv_size_mm)
+        return WHITE
+
+    shown = build_scene("flat", factory, size=(8, 8))
+    assert told == [shown.uv_size_mm]
+    np.testing.assert_allclose(told[0], (100, 100), rtol=1e-6)
+
+
+@pytest.mark.parametrize("size", [(30, 30), (60, 20), (20, 60)])
+def test_framing_is_tight_and_whole(size: tuple[int, int]) -> None:
+    points = np.random.default_rng(1).uniform(-1, 1, (500, 3)) * [2, 1, 0.5] + [3, 4, 5]
+    view = framing(points, np.array([0.3, 0.5, 1.0]), size)
+    forward = view.target - view.origin
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, [0, 1, 0])
+    right /= np.linalg.norm(right)
+    offset = points - view.origin
+    depth = offset @ forward
+    half = np.tan(np.radians(13)) / min(size)
+    x = offset @ right / depth / (half * size[0])
+    y = offset @ np.cross(right, forward) / depth / (half * size[1])
+    reach = max(np.abs(x).max(), np.abs(y).max())
+    assert 0.9 < reach < 1
+
+
+def test_zoom_comes_so_many_times_closer() -> None:
+    def origin(zoom: float) -> np.ndarray:
+        shown = build_scene("drape", WHITE, zoom=zoom, size=(8, 8))
+        matrix = np.array(mi.traverse(shown.scene.sensors()[0])["to_world"].matrix).reshape(4, 4)
+        return matrix[:3, 3] - np.array(shown.point)
+
+    np.testing.assert_allclose(origin(1.0), origin(10.0) * 10, rtol=1e-3, atol=1e-4)
+
+
+def test_zoom_point_lies_on_the_cloth() -> None:
+    shown = build_scene("drape", WHITE, zoom=200, size=(4, 4))
+    ray, _ = shown.scene.sensors()[0].sample_ray(0, 0, mi.Point2f(0.5, 0.5), 0)
+    hit = shown.scene.ray_intersect(ray)
+    np.testing.assert_allclose(np.array(hit.p).ravel(), shown.point, atol=1e-4)
+
+
+XML = """<scene version="3.0.0">
+  <sensor type="perspective"><float name="fov" value="20"/>
+    <transform name="to_world"><lookat origin="0,0,10" target="0,0,0" up="0,1,0"/></transform>
+    <film type="hdrfilm"><integer name="width" value="8"/><integer name="height" value="8"/></film></sensor>
+  <emitter type="constant"/>
+  <shape type="obj"><string name="filename" value="quad.obj"/>
+    <bsdf type="diffuse" id="{identifier}"><rgb name="reflectance" value="0"/></bsdf></shape>
+</scene>"""
+QUAD = (
+    "v -5 -5 0\nv 5 -5 0\nv 5 5 0\nv -5 5 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"
+)
+
+
+def write_scene(folder: Path, identifier: str = "fabric") -> Path:
+    (folder / "quad.obj").write_text(QUAD)
+    file = folder / "scene.xml"
+    file.write_text(XML.format(identifier=identifier))
+    return file
+
+
+def test_scene_files_are_given_the_fabric(tmp_path: Path) -> None:
+    shown = build_scene(write_scene(tmp_path), WHITE, metres_per_unit=0.01)
+    np.testing.assert_allclose(shown.uv_size_mm, (100, 100), rtol=1e-5)
+    picture = render(shown.scene, spp=64)
+    assert picture.shape[:2] == (8, 8)
+    # A white sky; the file's own black would give 0. 4096 samples of relative spread below 1.
+    np.testing.assert_allclose(picture[..., :3].mean(), 0.8, rtol=0.06)
+
+
+def test_scene_files_take_size_and_zoom(tmp_path: Path) -> None:
+    shown = build_scene(write_scene(tmp_path), WHITE, size=(6, 4), zoom=5)
+    assert render(shown.scene, spp=1).shape[:2] == (4, 6)
+    matrix = np.array(mi.traverse(shown.scene.sensors()[0])["to_world"].matrix).reshape(4, 4)
+    np.testing.assert_allclose(matrix[:3, 3], [0, 0, 2], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"name": "floor"}, 'scene = "floor"'),
+        ({"zoom": 0}, "zoom = 0"),
+        ({"zoom": float("nan")}, "zoom = nan"),
+        ({"size": (0, 8)}, "size = (0, 8)"),
+        ({"light": "moon"}, 'light = "moon"'),
+        ({"mesh": "none.obj"}, "none.obj does not exist"),
+        ({"environment": "none.exr"}, "none.exr does not exist"),
+        ({"environment": "sky.docx"}, "sky.docx"),
+        ({"metres_per_unit": -1}, "metres_per_unit = -1"),
+        ({"name": "none.xml"}, "none.xml does not exist"),
+        ({"bsdf": {"type": "no_such_bsdf"}}, "no_such_bsdf"),
+    ],
+)
+def test_bad_arguments_end_in_a_sentence(arguments: dict[str, Any], says: str) -> None:
+    given = {"name": "flat", "bsdf": WHITE, "size": (8, 8)} | arguments
+    with pytest.raises(InputError) as caught:
+        build_scene(given.pop("name"), given.pop("bsdf"), **given)
+    assert says in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_scene_file_faults(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match='id "fabric"'):
+        build_scene(write_scene(tmp_path, "other"), WHITE)
+    with pytest.raises(InputError, match="light = point"):
+        build_scene(write_scene(tmp_path), WHITE, light="point")
+    broken = tmp_path / "broken.xml"
+    broken.write_text("<scene")
+    with pytest.raises(InputError, match=r"broken\.xml"):
+        build_scene(broken, WHITE)
+
+
+def test_damaged_environment_is_refused(tmp_path: Path) -> None:
+    file = tmp_path / "sky.exr"
+    file.write_bytes(b"no picture")
+    with pytest.raises(InputError, match=r"sky\.exr"):
+        build_scene("flat", WHITE, environment=file, size=(8, 8))
+
+
+def test_a_bright_environment_lights_from_where_it_is(tmp_path: Path) -> None:
+    # A lamp on one side of the sphere; turned by half a turn it lights the other.
+    picture = np.zeros((16, 32, 3), dtype=np.float32)
+    picture[6:10, :] = 0.01
+    picture[6:10, 20:24] = 20
+    file = tmp_path / "sky.exr"
+    mi.Bitmap(picture).write(str(file))
+    sides = []
+    for turn in (0.0, 180.0):
+        shown = build_scene("sphere", WHITE, environment=file, environment_turn=turn, size=(16, 16))
+        image = render(shown.scene, spp=16).mean(axis=2)
+        inside = image[4:12, 4:12]
+        sides.append(inside[:, :4].mean() - inside[:, 4:].mean())
+    assert sides[0] * sides[1] < 0
+
+
+@pytest.mark.skipif(DATA is None, reason="LOOMLIGHT_DATA does not name the folder of outside pictures")
+def test_outside_mesh_under_outside_sky() -> None:
+    folder = Path(DATA or "")
+    shown = build_scene(
+        "drape",
+        WHITE,
+        mesh=folder / "meshes" / "towel.obj",
+        metres_per_unit=0.1,
+        environment=folder / "env" / "museumplein_1k.exr",
+        size=(16, 16),
+    )
+    assert render(shown.scene, spp=4).mean() > 0.05
