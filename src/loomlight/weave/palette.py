@@ -16,8 +16,8 @@ from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
 def with_palette(draft: Draft, warp_colors: ArrayLike | None, weft_colors: ArrayLike | None) -> Draft:
     """The draft in other colours.
 
-    Where the draft orders its colours by role (houndstooth: dark, light), a list is that palette and is
-    put in the effect's order. Otherwise a list is in thread order and repeats; the repeat of the draft
+    Where the draft orders its colours by a `color_index` (houndstooth: dark, light), a list is that palette
+    and is put in that order. Otherwise a list is in thread order and repeats; the repeat of the draft
     grows until it holds whole lists. One colour colours a whole family.
 
     Args:
