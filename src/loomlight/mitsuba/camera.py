@@ -65,7 +65,8 @@ def perspective(view: View, size: tuple[int, int]) -> dict[str, Any]:
             "pixel_format": "rgb",
             "rfilter": {"type": "gaussian"},
         },
-        "sampler": {"type": "independent"},
+        # Stratified in all dimensions: on cloth two to three times fewer samples for the same noise.
+        "sampler": {"type": "multijitter"},
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import Any
 
@@ -32,7 +33,8 @@ def render(
 
     Args:
         scene: a Mitsuba scene.
-        spp: samples a pixel, ≥ 1; rendered in passes of equal size and different seeds.
+        spp: samples a pixel, ≥ 1; rendered in passes of different seeds. Each pass takes as many as fill a
+            grid (see `_filling_grid`), so a few more may be taken.
         seed: any 32-bit number; the same seed gives the same picture.
         sensor: a sensor or its index.
         integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
@@ -51,28 +53,35 @@ def render(
     if previous is not None:
         integrator.footprint_samples = spp
     total: NDArray[np.float64] | float = 0.0
+    done = 0
     try:
         for number, samples in enumerate(_passes(spp, width * height)):
-            # 2**16 passes keep their seeds apart from those of a picture with the next seed.
             picture = mi.render(
                 scene, sensor=sensor, integrator=integrator, spp=samples, seed=_pass_seed(seed, number)
             )
             total = total + samples * np.array(picture, dtype=np.float64)
+            done += samples
             if progress is not None:
-                progress(min(spp, round((number + 1) * spp / len(_passes(spp, width * height)))), spp)
+                progress(min(spp, done), spp)
     finally:
         if previous is not None:
             integrator.footprint_samples = previous
-    linear = np.asarray(total, dtype=np.float64) / spp
+    linear = np.asarray(total, dtype=np.float64) / done
     linear[..., :3] *= 2.0**exposure
     return linear.astype(np.float32)
 
 
 def _passes(spp: int, pixels: int) -> list[int]:
-    """Samples of each pass: as few passes as fit, as equal as they can be."""
+    """Samples of each pass: as few passes as fit, as equal as they can be, at least `spp` in all."""
     largest = max(1, WAVEFRONT[choose_variant()] // pixels)
     count = -(-spp // largest)
-    return [spp // count + (index < spp % count) for index in range(count)]
+    return [_filling_grid(spp // count + (index < spp % count)) for index in range(count)]
+
+
+def _filling_grid(samples: int) -> int:
+    """The smallest count ≥ `samples` that Mitsuba's multijitter sampler can lay out as a grid."""
+    rows = math.isqrt(samples)
+    return rows * -(-samples // rows)
 
 
 def _pass_seed(seed: int, number: int) -> int:

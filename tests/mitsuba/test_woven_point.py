@@ -1,0 +1,322 @@
+"""The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError
+from loomlight.fabric import load_fabric
+from loomlight.mitsuba import build_scene, fabric_bsdf, render, to_shape
+from loomlight.mitsuba.meshes import ClothMesh
+
+GREY = {"type": "woven_point", "weave": "twill 3/1", "warp_color": "#888888", "weft_color": "#888888"}
+
+
+def woven(**parameters: Any) -> Any:
+    return mi.load_dict(GREY | parameters)
+
+
+def interactions(count: int, view: tuple[float, float, float], seed: int = 0) -> Any:
+    """Points spread over the cloth, seen from `view`, with the identity frame."""
+    random = np.random.default_rng(seed)
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    si.uv = mi.Point2f(random.random((2, count)))
+    si.n = mi.Normal3f(0, 0, 1)
+    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
+    si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
+    si.wi = dr.normalize(mi.Vector3f(*view))
+    si.t = mi.Float(1)
+    return si
+
+
+def uniform(count: int, seed: int) -> np.ndarray:
+    return np.random.default_rng(seed).random((3, count)).astype(np.float32)
+
+
+def drawn(bsdf: Any, si: Any, seed: int = 1) -> tuple[Any, Any]:
+    u = uniform(dr.width(si.uv), seed)
+    return bsdf.sample(mi.BSDFContext(), si, mi.Float(u[0]), mi.Point2f(u[1:]))
+
+
+@pytest.mark.parametrize("view", [(0, 0, 1), (0.5, -0.3, 0.4), (0.2, 0.5, -0.8)])
+def test_weight_is_value_over_density(view: tuple[float, float, float]) -> None:
+    bsdf, si = woven(warp_translucency=0.3), interactions(4000, view)
+    bs, weight = drawn(bsdf, si)
+    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
+    smooth = np.array(~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null) & (bs.pdf > 0))
+    np.testing.assert_allclose(np.array(pdf)[smooth], np.array(bs.pdf)[smooth], rtol=2e-3)
+    product = np.array(weight * bs.pdf)[:, smooth]
+    np.testing.assert_allclose(product, np.array(value)[:, smooth], rtol=5e-3, atol=1e-5)
+
+
+def test_all_at_once_is_each_alone() -> None:
+    bsdf, si = woven(), interactions(2000, (0.3, 0.2, 0.8))
+    u = uniform(2000, 3)
+    wo = mi.warp.square_to_uniform_sphere(mi.Point2f(u[1:]))
+    context = mi.BSDFContext()
+    arguments = (mi.Float(u[0]), mi.Point2f(u[1:]))
+    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, *arguments)
+    alone_bs, alone_weight = bsdf.sample(context, si, *arguments)
+    np.testing.assert_allclose(value, bsdf.eval(context, si, wo), rtol=1e-5)
+    np.testing.assert_allclose(pdf, bsdf.pdf(context, si, wo), rtol=1e-5)
+    np.testing.assert_allclose(bs.wo, alone_bs.wo, rtol=1e-5)
+    np.testing.assert_allclose(weight, alone_weight, rtol=1e-5)
+
+
+@pytest.mark.parametrize("view", [(0.1, 0.2, 1), (0.9, 0.2, 0.4), (-0.4, 0.1, -0.9)])
+def test_sampling_follows_its_density(view: tuple[float, float, float]) -> None:
+    bsdf = woven(weft_roughness=0.5)
+    start = interactions(64, view)
+    solid = np.flatnonzero(np.array(bsdf.eval_null_transmission(start)).sum(axis=0) == 0)[0]
+    uv = np.array(start.uv)[:, solid]
+
+    def prepared(count: int) -> Any:
+        si = interactions(count, view)
+        si.uv = mi.Point2f(*(float(part) for part in uv))
+        return si
+
+    def sample(u: Any) -> Any:
+        si = prepared(dr.width(u))
+        bs, _ = bsdf.sample(mi.BSDFContext(), si, u.x, mi.Point2f(u.y, u.z))
+        return bs.wo, dr.select(bs.pdf > 0, mi.Float(1), 0)
+
+    test = mi.chi2.ChiSquareTest(
+        domain=mi.chi2.SphericalDomain(),
+        sample_func=sample,
+        pdf_func=lambda wo: bsdf.pdf(mi.BSDFContext(), prepared(dr.width(wo)), wo),
+        sample_dim=3,
+        sample_count=100_000,
+        res=51,
+        ires=8,
+    )
+    assert test.run(significance_level=0.001), getattr(test, "messages", "")
+
+
+def test_holes_let_light_pass_and_nothing_else() -> None:
+    bsdf = woven(gap=0.5)
+    si = interactions(20000, (0, 0, 1))
+    through = np.array(bsdf.eval_null_transmission(si))[0]
+    assert set(np.unique(through)) == {0.0, 1.0}
+    # From straight above, what neither family covers: gap², n = 20000.
+    np.testing.assert_allclose(through.mean(), 0.25, atol=4 * np.sqrt(0.25 * 0.75 / 20000))
+    value = np.array(bsdf.eval(mi.BSDFContext(), si, dr.normalize(mi.Vector3f(0.2, 0.1, 1))))
+    assert value[:, through == 1].max() == 0
+    bs, weight = drawn(bsdf, si)
+    passes = np.array(mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null))
+    np.testing.assert_array_equal(passes, through == 1)
+    np.testing.assert_allclose(np.array(weight)[:, passes], 1, rtol=1e-5)
+    np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
+
+
+def test_white_cloth_gives_back_no_more_than_it_gets() -> None:
+    bsdf = woven(warp_color="#ffffff", weft_color="#ffffff", warp_specular=1.0, warp_translucency=0.5)
+    for view in ((0, 0, 1), (0.8, 0, 0.2)):
+        _, weight = drawn(bsdf, interactions(20000, view))
+        mean, spread = np.array(weight)[0].mean(), np.array(weight)[0].std() / np.sqrt(20000)
+        assert mean < 1 + 4 * spread
+        assert mean > 0.3
+
+
+def quad(uv: list[list[float]], flip_winding: bool = False) -> ClothMesh:
+    """A square of 8 mm with the given uv at (0,0), (1,0), (1,1), (0,1)."""
+    corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]) * 8e-3
+    triangles = np.array([[0, 1, 2], [0, 2, 3]])
+    return ClothMesh(corners, np.array([[0, 0, 1.0]] * 4), np.array(uv, dtype=float), triangles, "quad")
+
+
+def picture_of(mesh: ClothMesh, spp: int = 8) -> np.ndarray:
+    scene = mi.load_dict(
+        {
+            "type": "scene",
+            "cloth": to_shape(mesh, GREY | {"uv_size": "8,8", "warp_twist_deg": 40.0, "warp_specular": 1.0}),
+            "light": {"type": "directional", "direction": [0.5, -0.3, -1], "irradiance": 1.0},
+            "sensor": {
+                "type": "perspective",
+                "fov": 6,
+                "near_clip": 1e-3,
+                "to_world": mi.ScalarTransform4f().look_at(
+                    [0.004, 0.004, 0.07], [0.004, 0.004, 0], [0, 1, 0]
+                ),
+                "film": {"type": "hdrfilm", "width": 48, "height": 48, "rfilter": {"type": "box"}},
+            },
+        }
+    )
+    return render(scene, spp=spp).mean(axis=2)
+
+
+def slant(picture: np.ndarray) -> float:
+    """Correlation with itself moved along the rising diagonal, less that along the falling one."""
+    centred = picture - picture.mean()
+    shift = 3  # pixels: about a thread
+    rising = np.mean(centred * np.roll(centred, (-shift, shift), axis=(0, 1)))
+    falling = np.mean(centred * np.roll(centred, (shift, shift), axis=(0, 1)))
+    return float((rising - falling) / centred.var())
+
+
+def test_v_running_down_shows_the_same_cloth() -> None:
+    up = picture_of(quad([[0, 0], [1, 0], [1, 1], [0, 1]]))
+    down = picture_of(quad([[0, 1], [1, 1], [1, 0], [0, 0]]))
+    np.testing.assert_allclose(up, down, rtol=1e-2, atol=2e-3)
+
+
+def test_twill_keeps_its_hand_on_mirrored_islands() -> None:
+    upright = slant(picture_of(quad([[0, 0], [1, 0], [1, 1], [0, 1]])))
+    mirrored = slant(picture_of(quad([[1, 0], [0, 0], [0, 1], [1, 1]])))
+    turned = slant(picture_of(quad([[0, 1], [0, 0], [1, 0], [1, 1]])))  # a quarter turn
+    assert abs(upright) > 0.05
+    assert np.sign(mirrored) == np.sign(upright)
+    np.testing.assert_allclose(mirrored, upright, rtol=0.5)
+    # Turned by 90° a diagonal that rises falls: the measure does see hands.
+    assert np.sign(turned) == -np.sign(upright)
+
+
+def test_inline_parameters_are_those_of_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "denim.toml"
+    file.write_text('weave = "twill 3/1"\nends_per_cm = 28\n[warp]\ncolor = "#20305c"\nroughness = 0.3\n')
+    inline = mi.load_dict(
+        {
+            "type": "woven_point",
+            "weave": "twill 3/1",
+            "ends_per_cm": 28.0,
+            "warp_color": "#20305c",
+            "warp_roughness": 0.3,
+        }
+    )
+    xml = mi.load_string(
+        f"""<bsdf version="3.0.0" type="woven_point"><string name="fabric" value="{file}"/></bsdf>"""
+    )
+    factory = mi.load_dict(fabric_bsdf(load_fabric(file))((100.0, 100.0)))
+    si, wo = interactions(500, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
+    expected = np.array(inline.eval(mi.BSDFContext(), si, wo))
+    assert expected.max() > 0
+    for other in (xml, factory):
+        np.testing.assert_allclose(other.eval(mi.BSDFContext(), si, wo), expected, rtol=1e-4)
+
+
+def test_inline_parameters_replace_those_of_a_file(tmp_path: Path) -> None:
+    file = tmp_path / "cloth.toml"
+    file.write_text('weave = "satin 5"\nepi = 70\n[warp]\ncolor = "#ff0000"\n')
+    bsdf = mi.load_dict(
+        {"type": "woven_point", "fabric": str(file), "weave": "plain", "ends_per_cm": 10.0, "weft_gap": 0.4}
+    )
+    assert bsdf.fabric.layout().warp_on_top.shape == (2, 2)
+    np.testing.assert_allclose(bsdf.fabric.layout().warp.spacing, 1.0)
+    np.testing.assert_allclose(bsdf.fabric.appearance().warp.diffuse_reflect[0][1:], 0, atol=1e-6)
+
+
+def test_files_are_found_by_the_file_resolver(tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text('weave = "satin 5"\n')
+    (tmp_path / "scene.xml").write_text(
+        """<scene version="3.0.0"><shape type="rectangle">
+             <bsdf type="woven_point"><string name="fabric" value="mine.toml"/></bsdf></shape></scene>"""
+    )
+    scene = mi.load_file(str(tmp_path / "scene.xml"))
+    assert scene.shapes()[0].bsdf().fabric.layout().warp_on_top.shape == (5, 5)
+
+
+def test_colours_as_rgb_values_in_xml() -> None:
+    bsdf = mi.load_string(
+        """<bsdf version="3.0.0" type="woven_point"><string name="weave" value="plain"/>
+             <rgb name="warp_color" value="0.5,0.2,0.1"/>
+             <rgb name="warp_specular_tint" value="1,0,0"/></bsdf>"""
+    )
+    albedo = bsdf.fabric.appearance().warp
+    assert albedo.diffuse_reflect[0][0] > albedo.diffuse_reflect[0][1] > albedo.diffuse_reflect[0][2] > 0
+    np.testing.assert_allclose(albedo.specular_reflect[0][1:], 0, atol=1e-9)
+
+
+def test_uv_size_and_uv_scale_agree() -> None:
+    width, height = woven().fabric.repeat_mm
+    sized = woven(uv_size=f"{3 * width},{5 * height}")
+    scaled = woven(uv_scale=mi.ScalarPoint2f(3, 5))
+    np.testing.assert_allclose(sized.uv_size, scaled.uv_size, rtol=1e-6)
+    np.testing.assert_allclose(np.array(woven().uv_size).ravel(), 100)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "says"),
+    [
+        ({"fabric": "nowhere.toml"}, "nowhere.toml"),
+        ({"weave": "no such weave"}, "no such weave"),
+        ({"warp_roughness": 7.0}, "roughness"),
+        ({"uv_size": "1,2,3"}, "uv_size"),
+        ({"uv_size": "0"}, "uv_size"),
+        ({"uv_size": "1", "uv_scale": "1"}, "uv_scale"),
+        ({"wrap_color": "#fff"}, "wrap_color"),
+    ],
+)
+def test_wrong_parameters_are_named(parameters: dict[str, Any], says: str) -> None:
+    with pytest.raises((RuntimeError, InputError), match=says):
+        mi.load_dict({"type": "woven_point"} | parameters)
+
+
+def test_albedo_texture_multiplies_the_dye() -> None:
+    si, wo = interactions(500, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
+    matt = {"warp_specular": 0.0, "weft_specular": 0.0}
+    plain = np.array(woven(**matt).eval(mi.BSDFContext(), si, wo))
+    tinted = woven(**matt, albedo={"type": "rgb", "value": [0.5, 1.0, 0.25]})
+    value = np.array(tinted.eval(mi.BSDFContext(), si, wo))
+    np.testing.assert_allclose(value, plain * np.array([[0.5], [1.0], [0.25]]), rtol=1e-5)
+
+
+def test_parameters_are_shown_set_and_differentiable() -> None:
+    bsdf = woven()
+    params = mi.traverse(bsdf)
+    text = str(bsdf)
+    assert "twill 3/1" in text
+    assert "4 ends × 4 picks" in text
+    si, wo = interactions(2000, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
+
+    def mean(key: str, value: float) -> float:
+        before = type(params[key])(params[key])
+        params[key] = before * 0 + value
+        params.update()
+        result = float(np.array(bsdf.eval(mi.BSDFContext(), si, wo)).mean())
+        params[key] = before
+        params.update()
+        return result
+
+    for key in ("warp.roughness", "warp.twist", "weft.specular_reflect", "warp.diffuse_reflect"):
+        start, step = 0.4, 2e-3
+        difference = (mean(key, start + step) - mean(key, start - step)) / (2 * step)
+        before = type(params[key])(params[key])
+        value = before * 0 + start
+        dr.enable_grad(value)
+        params[key] = value
+        params.update()
+        dr.backward(dr.mean(bsdf.eval(mi.BSDFContext(), si, wo), axis=None))
+        gradient = float(np.array(dr.grad(params[key])).sum())
+        params[key] = before
+        params.update()
+        # float32 differences of means over 2000 points.
+        np.testing.assert_allclose(gradient, difference, rtol=0.02, atol=2e-4, err_msg=key)
+
+
+def test_threads_of_their_own_colours_are_one_array() -> None:
+    bsdf = woven(warp_color="#ff0000,#00ff00")
+    params = mi.traverse(bsdf)
+    assert dr.width(params["warp.albedos"]) == bsdf.fabric.layout().warp.spacing.size * 16
+
+
+def test_cloth_renders_with_stock_integrators_too() -> None:
+    scene = build_scene("flat", fabric_bsdf("plain"), size=(16, 16), light="directional").scene
+    ours = render(scene, spp=64)
+    theirs = render(scene, spp=64, integrator=mi.load_dict({"type": "path", "max_depth": 8}), seed=1)
+    # One directional light and nothing behind the cloth: holes show black either way.
+    np.testing.assert_allclose(ours.mean(), theirs.mean(), rtol=0.05)
+
+
+def test_diffuse_reflectance_is_the_dye() -> None:
+    bsdf = woven(warp_specular=0.0, weft_specular=0.0, gap=0.0)
+    albedo = np.array(bsdf.eval_diffuse_reflectance(interactions(200, (0, 0, 1))))
+    families = bsdf.fabric.appearance()
+    dyes = np.array([family.diffuse_reflect[0][0] for family in (families.warp, families.weft)])
+    away = np.abs(albedo[0][:, None] - dyes).min(axis=1)
+    assert (np.minimum(away, albedo[0]) < 1e-5).all()
+    assert albedo.max() > 0
