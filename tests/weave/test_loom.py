@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
 
@@ -15,6 +15,7 @@ drawdowns = numpy_strategies.arrays(bool, st.tuples(st.integers(1, 24), st.integ
 
 
 @given(drawdowns)
+@settings(deadline=None)
 def test_derived_plans_weave_the_drawdown(drawdown: np.ndarray) -> None:
     plan = derive_loom_plan(Draft(drawdown))
     assert np.array_equal(plan_drawdown(plan), drawdown)

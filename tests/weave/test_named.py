@@ -4,7 +4,7 @@ from math import gcd
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from loomlight.core.errors import InputError
@@ -49,6 +49,7 @@ def test_spellings(text: str, same: str) -> None:
 
 
 @given(parts=st.lists(counts, min_size=2, max_size=6).filter(lambda parts: len(parts) % 2 == 0))
+@settings(deadline=None)
 def test_twill_diagonals_and_counts(parts: list[int]) -> None:
     name = "twill " + "/".join(map(str, parts))
     z, s = named_weave(name).drawdown, named_weave(name + " s").drawdown
@@ -60,6 +61,7 @@ def test_twill_diagonals_and_counts(parts: list[int]) -> None:
 
 
 @given(ends=st.integers(5, 40), step=st.integers(0, 45))
+@settings(deadline=None)
 def test_satins_bind_once_or_are_refused(ends: int, step: int) -> None:
     valid = gcd(step, ends) == 1 and 1 < step < ends - 1
     if not valid:
@@ -156,6 +158,7 @@ def test_bad_names_get_one_clear_sentence(text: str, fault: str) -> None:
 
 
 @given(st.text(max_size=40))
+@settings(deadline=None)
 def test_any_text_is_a_weave_or_an_input_error(text: str) -> None:
     try:
         draft = named_weave(text)

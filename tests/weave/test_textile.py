@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
 
@@ -50,10 +50,17 @@ def test_bad_yarn_counts(count: str) -> None:
 
 
 @given(st.floats(1, 120))
+@settings(deadline=None)
 def test_diameter_is_peirces_for_his_density(count: float) -> None:
     # Peirce 1937: d = 1/(28 sqrt(Ne)) inch, for yarn of 1.1 cm³/g.
     diameter = yarn_diameter_mm(f"Ne {count:.4f}", density=1 / 1.1, packing=1)
     assert diameter == pytest.approx(25.4 / (28 * math.sqrt(count)), rel=5e-3)
+
+
+def test_looser_and_lighter_yarn_is_thicker() -> None:
+    reference = yarn_diameter_mm("30 tex", density=1.5, packing=0.8)
+    assert yarn_diameter_mm("30 tex", density=1.5, packing=0.2) == pytest.approx(2 * reference)
+    assert yarn_diameter_mm("30 tex", density=6.0, packing=0.8) == pytest.approx(reference / 2)
 
 
 def test_diameter_refuses_impossible_fibres() -> None:

@@ -352,6 +352,7 @@ def test_any_draft_survives_writing(
 
 
 @given(hundredths=st.integers(1, 10**6), unit=st.sampled_from(sorted(UNIT_MM)))
+@settings(deadline=None)
 def test_decimals_stay_as_they_were_written(hundredths: int, unit: str) -> None:
     written = f"{hundredths / 10**5:.5f}".rstrip("0").rstrip(".")
     length = float(written) * UNIT_MM[unit]
