@@ -30,6 +30,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no size": (["render", "plain", "-o", "a.png", "--size", "big"], "960x540"),
     "no pixels": (["render", "plain", "-o", "a.png", "--size", "0x9"], "960x540"),
     "too many pixels": (["render", "plain", "-o", "a.png", "--size", "99999x9"], "16384"),
+    "too many pixels in all": (["render", "plain", "-o", "a.png", "--size", "16000x16000"], "8192x8192"),
     "no exposure": (["render", "plain", "-o", "a.png", "--exposure", "nan"], "--exposure nan"),
     "no seed": (["render", "plain", "-o", "a.png", "--seed", "-1"], "--seed -1"),
     "no weave": (["render", "plian", "-o", "a.png"], 'did you mean "plain"'),

@@ -8,13 +8,15 @@ import re
 from loomlight.core.errors import InputError
 
 LARGEST_SIDE = 16384
+# A sample takes 170 bytes while it is computed, and a pass has at least one a pixel: 11 GB.
+LARGEST_AREA = 2**26
 
 
 def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
     """Width and height in pixels that `option` gives, of "960x540", or of "512" for a square.
 
     Raises:
-        InputError: anything else, or a side outside 1 to 16384.
+        InputError: anything else, a side outside 1 to 16384, or more than 2²⁶ pixels in all.
     """
     match = re.fullmatch(r"\s*(\d{1,9})(?:\s*[xX×]\s*(\d{1,9}))?\s*", text)
     width, height = (int(match[1]), int(match[2] or match[1])) if match else (0, 0)
@@ -22,6 +24,11 @@ def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
         raise InputError(
             f'{option} "{text}" is no size: write WIDTHxHEIGHT in pixels from 1 to {LARGEST_SIDE}, '
             "such as 960x540."
+        )
+    if width * height > LARGEST_AREA:
+        millions = LARGEST_AREA // 10**6
+        raise InputError(
+            f'{option} "{text}" is too large: at most {millions} million pixels in all, such as 8192x8192.'
         )
     return width, height
 
