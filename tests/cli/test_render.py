@@ -9,6 +9,8 @@ import OpenEXR
 import pytest
 from PIL import Image
 
+from loomlight import mitsuba
+from loomlight.cli import render
 from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 
@@ -104,3 +106,8 @@ def test_the_demo_is_composed_of_a_frame_an_inset_and_a_mark() -> None:
     middle = picture[picture.shape[0] // 2]
     assert (middle == 1).all(axis=1).sum() >= 4  # frame and mark, left and right
     assert (whole == 0.25).all()
+
+
+def test_the_models_of_the_help_are_those_that_exist() -> None:
+    # The command line lists them without importing a renderer.
+    assert tuple(render.MODELS) == tuple(mitsuba.MODELS)

@@ -34,7 +34,7 @@ strength = 0.2
 colour_noise = 0.1
 """
 SIZE = (1080, 810)
-INSET = 310
+INSET = 290
 ZOOM = 30.0
 # Widths in pixels.
 MARGIN = 22
@@ -48,7 +48,7 @@ def demo(
     output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")] = Path(
         "demo.png"
     ),
-    samples: Annotated[int, typer.Option("--spp", min=1, max=4096, help="Samples a pixel.")] = 24,
+    samples: Annotated[int, typer.Option("--spp", min=1, max=4096, help="Samples a pixel.")] = 20,
 ) -> None:
     """Renders draped cloth in daylight, with a close-up in which its yarns can be counted."""
     check_output(output, (".png",))
