@@ -108,7 +108,7 @@ def _value(name: str, value: Any) -> Any:
     if isinstance(value, bool | int | float):
         return value
     if isinstance(value, str):
-        # A tuple of one colour means every thread has it; hex needs no further parsing here.
+        # One colour is for every thread; commas make a list in thread order.
         parts = [part.strip() for part in value.split(",")]
         return parts if len(parts) > 1 and name.endswith(".color") else value
     try:
@@ -131,11 +131,16 @@ def _merged(fields: dict[str, Any], inline: dict[str, Any]) -> dict[str, Any]:
 
 
 def _toml(fields: dict[str, Any]) -> str:
-    lines = [f"{key} = {json.dumps(value)}" for key, value in fields.items() if not isinstance(value, dict)]
+    lines = [f"{key} = {_written(value)}" for key, value in fields.items() if not isinstance(value, dict)]
     for name, table in fields.items():
         if isinstance(table, dict):
-            lines += [f"[{name}]", *(f"{key} = {json.dumps(value)}" for key, value in table.items())]
+            lines += [f"[{name}]", *(f"{key} = {_written(value)}" for key, value in table.items())]
     return "\n".join(lines) + "\n"
+
+
+def _written(value: Any) -> str:
+    # TOML's strings, numbers, booleans and lists are JSON's, but for escaped surrogates.
+    return json.dumps(value, ensure_ascii=False)
 
 
 def _pair(name: str, value: Any) -> tuple[float, float]:

@@ -148,7 +148,8 @@ def woven_point_class() -> type:
                 same_side, mi.UInt32(+flags.DiffuseReflection), mi.UInt32(+flags.DiffuseTransmission)
             )
             bs.sampled_type = dr.select(drawn.passes, mi.UInt32(+flags.Null), scattered)
-            bs.sampled_component = dr.select(drawn.passes, mi.UInt32(4), mi.UInt32(0))
+            lobe = dr.select(same_side, mi.UInt32(0), mi.UInt32(2))
+            bs.sampled_component = dr.select(drawn.passes, mi.UInt32(4), lobe)
             return bs, mi.Spectrum(dr.select(active, drawn.weight, 0))
 
         def to_string(self) -> str:
