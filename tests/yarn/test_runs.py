@@ -27,13 +27,13 @@ def test_words_say_what_a_walk_along_the_thread_finds(shape: tuple[int, int]) ->
         sides, word = on_top[thread], int(words[thread, crossing])
         assert (word & 1) == sides[crossing]
         if (sides == sides[0]).all():
-            assert word >> 31 == 1
+            assert word >> 27 == 1
             continue
         behind, ahead = _walk(sides, crossing, -1), _walk(sides, crossing, 1)
         previous = (crossing - behind - 1) % sides.size
         following = (crossing + ahead + 1) % sides.size
-        assert word >> 31 == 0
-        assert (word >> 1) & 255 == min(behind, LONGEST_OFFSET)
-        assert (word >> 9) & 255 == min(ahead, LONGEST_OFFSET)
-        assert (word >> 17) & 127 == min(_walk(sides, previous, -1) + 1, LONGEST_NEIGHBOUR)
-        assert (word >> 24) & 127 == min(_walk(sides, following, 1) + 1, LONGEST_NEIGHBOUR)
+        assert word >> 27 == 0
+        assert (word >> 1) & 127 == min(behind, LONGEST_OFFSET)
+        assert (word >> 8) & 127 == min(ahead, LONGEST_OFFSET)
+        assert (word >> 15) & 63 == min(_walk(sides, previous, -1) + 1, LONGEST_NEIGHBOUR)
+        assert (word >> 21) & 63 == min(_walk(sides, following, 1) + 1, LONGEST_NEIGHBOUR)

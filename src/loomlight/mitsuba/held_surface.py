@@ -10,11 +10,11 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
+from loomlight.yarn.geometry import Probe, SurfacePoint, YarnGeometry
 
 
 class HeldSurface:
-    """A `loomlight.yarn.visibility.Surface` around analytic geometry; `height` carries no derivatives."""
+    """A `loomlight.yarn.visibility.Surface` around analytic geometry; heights carry no derivatives."""
 
     def __init__(self, geometry: YarnGeometry) -> None:
         self.geometry = geometry
@@ -31,6 +31,10 @@ class HeldSurface:
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         with dr.suspend_grad():
             return self.geometry.height(x, y, back)
+
+    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+        with dr.suspend_grad():
+            return self.geometry.probe(x, y, back)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         point = self.geometry.surface(x, y, back)

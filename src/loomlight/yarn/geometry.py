@@ -28,7 +28,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.runs import pack_runs
+from loomlight.yarn.runs import CREST_LEVELS, pack_runs, with_crests
 from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
 
 # Index bins per smallest cell in the table that finds a thread by position.
@@ -58,6 +58,25 @@ class SurfacePoint:
     tangent: Any
     across: Any
     along: Any
+
+
+@dataclass
+class Probe:
+    """What a search along a ray asks of the cloth at one place.
+
+    Attributes:
+        height, hole: see `SurfacePoint`.
+        crest: nothing in the cell around this place is higher, millimetres.
+        to_left, to_right, to_lower, to_upper: distances to the sides of that cell along x and y, ≥ 0.
+    """
+
+    height: Any
+    hole: Any
+    crest: Any
+    to_left: Any
+    to_right: Any
+    to_lower: Any
+    to_upper: Any
 
 
 @dataclass
@@ -186,6 +205,8 @@ class _Shown:
     hole: Any
     on_top: Any
     word: Any
+    warp_above: Any  # the warp is on top here, whether or not its yarn covers the point
+    top_word: Any
     warp: _Cell
     weft: _Cell
 
@@ -210,7 +231,10 @@ class YarnGeometry:
         self._warp = prepare_family(layout.warp, layout.weft, warp_words)
         self._weft = prepare_family(layout.weft, layout.warp, weft_words)
         # [picks, ends, 2]: the words of both families at one crossing lie side by side.
-        self._words: NDArray[np.uint32] = np.stack([warp_words.T, weft_words], axis=2)
+        self._words: NDArray[np.uint32] = np.stack(
+            [with_crests(warp_words, self._warp.crests).T, with_crests(weft_words, self._weft.crests)],
+            axis=2,
+        )
         self._uploaded: dict[type, _Uploaded] = {}
 
     @property
@@ -242,6 +266,25 @@ class YarnGeometry:
         point = self.surface(x, y, back)
         return point.height, point.hole
 
+    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+        """What searches along rays need at draft coordinates x, y (millimetres) of one face."""
+        types = array_types(x)
+        point, shown = self._surface(x, y, back)
+        levels = dr.select(
+            shown.warp_above,
+            types.Float(self.height_scale[0]) * (self._warp.highest / CREST_LEVELS),
+            types.Float(self.height_scale[1]) * (self._weft.highest / CREST_LEVELS),
+        )
+        return Probe(
+            height=point.height,
+            hole=point.hole,
+            crest=types.Float(shown.top_word >> 28) * levels,
+            to_left=shown.warp.below,
+            to_right=shown.warp.above,
+            to_lower=shown.weft.below,
+            to_upper=shown.weft.above,
+        )
+
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """The point of the cloth above draft coordinates x, y (millimetres, any number of repeats).
 
@@ -249,6 +292,9 @@ class YarnGeometry:
             x, y: Float arrays, along the weft and along the warp.
             back: Bool, seen from behind.
         """
+        return self._surface(x, y, back)[0]
+
+    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown]:
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
@@ -305,7 +351,7 @@ class YarnGeometry:
             -dr.select(is_warp, q, p),
             1,
         )
-        return SurfacePoint(
+        point = SurfacePoint(
             hole=shown.hole,
             is_warp=is_warp,
             warp_thread=shown.warp.thread,
@@ -316,6 +362,7 @@ class YarnGeometry:
             across=across,
             along=dr.select(is_warp, y, x),
         )
+        return point, shown
 
 
 class _Uploaded:
@@ -354,7 +401,8 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _S
     is_warp = in_warp & (~in_weft | warp_above)
     word = dr.select(is_warp, words.x, words.y)
     on_top = ((word & 1) == 1) ^ back
-    return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, warp, weft)
+    top_word = dr.select(warp_above, words.x, words.y)
+    return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, warp_above, top_word, warp, weft)
 
 
 def _select_cell(is_warp: Any, first: _Cell, second: _Cell) -> _Cell:
@@ -369,11 +417,11 @@ def _select_cell(is_warp: Any, first: _Cell, second: _Cell) -> _Cell:
 
 def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: _Cell, crossed: _Cell) -> _Run:
     word = shown.word
-    behind = types.Int32((word >> 1) & 255)
-    ahead = types.Int32((word >> 9) & 255)
-    before = types.Int32((word >> 17) & 127)
-    after = types.Int32((word >> 24) & 127)
-    straight = (word >> 31) == 1
+    behind = types.Int32((word >> 1) & 127)
+    ahead = types.Int32((word >> 8) & 127)
+    before = types.Int32((word >> 15) & 63)
+    after = types.Int32((word >> 21) & 63)
+    straight = ((word >> 27) & 1) == 1
 
     def span(first: Any, last: Any) -> Any:
         thread = crossed.thread

@@ -5,11 +5,12 @@ The word at a crossing says all that the shape of the thread there depends on, s
 draft of thousands of threads costs what a plain weave costs:
 
     bit  0       the thread is on top here
-    bits 1–8     crossings between the start of its run and this one   (255: that many or more)
-    bits 9–16    crossings between this one and the end of its run     (255: that many or more)
-    bits 17–23   length of the run before, in crossings                (127: that many or more)
-    bits 24–30   length of the run after                               (127: that many or more)
-    bit  31      the thread never interlaces
+    bits 1–7     crossings between the start of its run and this one   (127: that many or more)
+    bits 8–14    crossings between this one and the end of its run     (127: that many or more)
+    bits 15–20   length of the run before, in crossings                (63: that many or more)
+    bits 21–26   length of the run after                               (63: that many or more)
+    bit  27      the thread never interlaces
+    bits 28–31   how high the thread rises in this cell, in 15ths of its family's highest (see `with_crests`)
 
 Counts saturate far beyond `LONGEST_ARC`, behind which a float is straight, so nothing is lost.
 """
@@ -19,10 +20,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-LONGEST_OFFSET = 255
-LONGEST_NEIGHBOUR = 127
+LONGEST_OFFSET = 127
+LONGEST_NEIGHBOUR = 63
 # Crossings that one bent end of a float may take up at most; see the saturation above.
-LONGEST_ARC = 60
+LONGEST_ARC = 28
+CREST_LEVELS = 15
 
 
 # Threads packed at once: keeps the temporary arrays of a 4096 by 4096 draft below 50 MB.
@@ -64,15 +66,20 @@ def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
 
     word = on_top.astype(np.uint32)
     word |= np.minimum(behind, LONGEST_OFFSET).astype(np.uint32) << np.uint32(1)
-    word |= np.minimum(ahead, LONGEST_OFFSET).astype(np.uint32) << np.uint32(9)
-    word |= np.minimum(before, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(17)
-    word |= np.minimum(after, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(24)
+    word |= np.minimum(ahead, LONGEST_OFFSET).astype(np.uint32) << np.uint32(8)
+    word |= np.minimum(before, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(15)
+    word |= np.minimum(after, LONGEST_NEIGHBOUR).astype(np.uint32) << np.uint32(21)
     straight = (
         on_top.astype(np.uint32)
         | np.uint32(LONGEST_OFFSET << 1)
-        | np.uint32(LONGEST_OFFSET << 9)
-        | np.uint32(LONGEST_NEIGHBOUR << 17)
-        | np.uint32(LONGEST_NEIGHBOUR << 24)
-        | np.uint32(1 << 31)
+        | np.uint32(LONGEST_OFFSET << 8)
+        | np.uint32(LONGEST_NEIGHBOUR << 15)
+        | np.uint32(LONGEST_NEIGHBOUR << 21)
+        | np.uint32(1 << 27)
     )
     return np.where(interlaces[:, None], word, straight)
+
+
+def with_crests(words: NDArray[np.uint32], crests: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """The words with the crest levels [threads, crossings], 0 to 15, in their last four bits."""
+    return words | crests.astype(np.uint32) << np.uint32(28)

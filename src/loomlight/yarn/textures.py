@@ -8,7 +8,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.geometry import Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
 
 _ROW = 8  # floats a texel: normal and height, then tangent and a code for warp and hole
@@ -47,6 +47,13 @@ class TextureSurface:
         """Height and hole at draft coordinates, millimetres."""
         point = self.surface(x, y, back)
         return point.height, point.hole
+
+    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+        """What searches along rays need; one cell of unbounded size, so no part is passed by."""
+        point = self.surface(x, y, back)
+        types = array_types(x)
+        far = types.Float(1e9)
+        return Probe(point.height, point.hole, types.Float(self._bounds[1]), far, far, far, far)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """The point at draft coordinates x, y (millimetres, any number of repeats) of one face."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
-from loomlight.yarn.runs import LONGEST_ARC
+from loomlight.yarn.runs import CREST_LEVELS, LONGEST_ARC
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -37,6 +37,8 @@ class FamilyTables:
         inclination: U after clamping for the thread's shortest run.
         arc: longest half-length of a bent end.
         edge_drop: how far below the crown line at a float's boundary its lowest visible edge lies, ≥ 0.
+        crests: how high each thread rises in the cell of each crossing [n, crossings], rounded up to
+            15ths of `highest`: rays above pass the cell by.
         period: size of the repeat across this family.
         highest, lowest: bounds of the height of any thread, before β and without dives.
     """
@@ -48,6 +50,7 @@ class FamilyTables:
     inclination: NDArray[np.float64]
     arc: NDArray[np.float64]
     edge_drop: NDArray[np.float64]
+    crests: NDArray[np.uint8]
     period: float
     highest: float
     lowest: float
@@ -110,7 +113,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     # A float rises by one width at most, and its ends stay within what the run words can tell.
     arc = np.minimum(2 * half_width / np.tan(inclination / 2), LONGEST_ARC * finest_crossing)
 
-    edge_drop = section.copy()
+    lowest_edge = 1.0  # in units of the section's drop
     highest = 0.0
     gap_below = cross_centre - cross_half - cross_lower
     gap_above = cross_upper - cross_centre - cross_half
@@ -131,8 +134,13 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
                 section[rows, None],
                 inclination[rows, None],
             )
-            depth = np.where(is_end, depth, 0.0)
-            edge_drop[rows] = np.maximum(edge_drop[rows], depth.max(axis=1))
+            depth = np.where(is_end, depth / section[rows, None], 0.0)
+            lowest_edge = max(lowest_edge, float(depth.max()))
+    crests = np.empty(words.shape, dtype=np.uint8)
+    for rows in _blocks(lower.size):
+        ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
+        crest = _crest(ends, arc[rows, None], inclination[rows, None])
+        crests[rows] = np.ceil(np.minimum(crest / max(highest, 1e-30) + 1e-6, 1) * CREST_LEVELS)
     # Only a thread that interlaces ends low; the drop at the middle of a run is less than at its ends.
     lowest = -(highest + float(2 * section.max()))
     return FamilyTables(
@@ -142,7 +150,9 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
         half_width,
         inclination,
         arc,
-        edge_drop,
+        # One share for the family, so that threads alike in all else stay alike.
+        lowest_edge * section,
+        crests,
         float(family.spacing.sum()),
         highest,
         lowest,
@@ -158,6 +168,8 @@ class _RunEnds:
     after: NDArray[np.float64]
     starts: NDArray[np.bool_]
     finishes: NDArray[np.bool_]
+    from_start: NDArray[np.float64]  # to the upper end of the crossing's cell
+    to_end: NDArray[np.float64]  # from its lower end
 
 
 def _run_ends(
@@ -170,9 +182,9 @@ def _run_ends(
 
     here = np.arange(count)
     signed = words.astype(np.int64)
-    behind, ahead = (signed >> 1) & 255, (signed >> 9) & 255
-    before, after = (signed >> 17) & 127, (signed >> 24) & 127
-    straight = (signed >> 31) == 1
+    behind, ahead = (signed >> 1) & 127, (signed >> 8) & 127
+    before, after = (signed >> 15) & 63, (signed >> 21) & 63
+    straight = (signed >> 27 & 1) == 1
     start, finish = position(here - behind), position(here + ahead + 1)
     length = np.where(straight, np.inf, finish - start)
     return _RunEnds(
@@ -181,7 +193,20 @@ def _run_ends(
         position(here + ahead + 1 + after) - finish,
         (behind == 0) & ~straight,
         (ahead == 0) & ~straight,
+        position(here + 1) - start,
+        finish - position(here),
     )
+
+
+def _crest(ends: _RunEnds, arc: NDArray[np.float64], inclination: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Highest point of each thread's crown in each cell; 0 for threads that never interlace."""
+    finite = np.where(np.isfinite(ends.length), ends.length, 0.0)
+    reach = np.minimum(finite / 2, arc)
+    farthest = np.minimum(np.minimum(ends.from_start, ends.to_end), finite / 2)
+    along = np.maximum(reach - farthest, 0)
+    radius = reach / np.sin(inclination)
+    root = np.sqrt(np.maximum(radius**2 - along**2, 0))
+    return reach * np.tan(inclination / 2) - along**2 / np.maximum(radius + root, 1e-30)
 
 
 def _edge_height(

@@ -1,10 +1,11 @@
 """What light and eye can reach: exact searches along rays over the analytic height field.
 
-Rays advance in steps that neither cross more than a fraction of a thread nor fall by more than a fraction
-of the cloth's relief, and a hit is bracketed and refined, so results hold at any zoom and the cost does not
-grow with the draft. The sides of the yarns are walls: a ray that enters a thread's outline below its
-surface has hit it. A ray passes through a *hole* when it meets nothing above the plane z = 0 from the
-front and nothing below it from the back, so both faces agree about which rays pass.
+Rays pass by cells that they stay above, and elsewhere advance in steps that neither cross more than a
+fraction of a thread nor fall by more than a fraction of the cloth's relief. A hit is bracketed and refined,
+so results hold at any zoom and the cost does not grow with the draft. The sides of the yarns are walls: a
+ray that enters a thread's outline below its surface has hit it. A ray passes through a *hole* when it meets
+nothing above the plane z = 0 from the front and nothing below it from the back, so both faces agree about
+which rays pass.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from typing import Any, Protocol
 import drjit as dr
 
 from loomlight.core.backend import array_types
-from loomlight.yarn.geometry import SurfacePoint
+from loomlight.yarn.geometry import Probe, SurfacePoint
 
 
 class Surface(Protocol):
@@ -33,6 +34,9 @@ class Surface(Protocol):
 
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         """Height and hole at draft coordinates, millimetres."""
+
+    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+        """What searches along rays need at draft coordinates, millimetres."""
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """Everything known of the point at draft coordinates, millimetres."""
@@ -87,6 +91,13 @@ def _steps_per_length(surface: Surface, quality: SearchQuality, direction: Any) 
     )
 
 
+def _way_out(probe: Probe, direction: Any) -> Any:
+    """Length of ray that leads just out of the probed cell along a direction [3] of any length."""
+    across = dr.select(direction.x > 0, probe.to_right, probe.to_left) / dr.maximum(dr.abs(direction.x), 1e-9)
+    along = dr.select(direction.y > 0, probe.to_upper, probe.to_lower) / dr.maximum(dr.abs(direction.y), 1e-9)
+    return dr.maximum(dr.minimum(across, along), 0)
+
+
 def unoccluded(
     surface: Surface,
     x: Any,
@@ -110,6 +121,7 @@ def unoccluded(
     _, high = surface.height_bounds
     lift = _LIFT * min(surface.finest)
     step = dr.rcp(dr.maximum(_steps_per_length(surface, quality, direction), 1e-9))
+    hop = 0.01 * step  # lands on the far side of a cell's border despite rounding
     start = types.Vector3(x, y, height + lift)
     # The first step is short: what hides a point is most often the yarn right beside it.
     distance = types.Float(0.25 * step)
@@ -124,11 +136,13 @@ def unoccluded(
 
     def advance(distance: Any, free: Any, searching: Any, count: Any) -> tuple[Any, ...]:
         point = start + direction * distance
-        ground, hole = surface.height(point.x, point.y, back)
-        met = searching & ~hole & (ground > point.z)
+        here = surface.probe(point.x, point.y, back)
+        met = searching & ~here.hole & (here.height > point.z)
         free = free & ~met
         count = count + 1
-        distance = distance + step
+        # The ray rises, so above the crest it stays above until it leaves the cell.
+        ahead = dr.select(point.z > here.crest, _way_out(here, direction) + hop, 0)
+        distance = distance + dr.maximum(ahead, step)
         searching = (
             searching & ~met & (dr.fma(direction.z, distance, start.z) < high) & (count < quality.steps)
         )
@@ -174,25 +188,36 @@ def first_hit(
 
     floor = low - (high - low)
 
-    def is_searching(height: Any, searching: Any, count: Any) -> Any:
-        del height, count
+    def is_searching(height: Any, previous: Any, searching: Any, count: Any) -> Any:
+        del height, previous, count
         return searching
 
-    def advance(height: Any, searching: Any, count: Any) -> tuple[Any, ...]:
-        level, _ = ground(height)
-        met = level >= height
+    def advance(height: Any, previous: Any, searching: Any, count: Any) -> tuple[Any, ...]:
+        here = surface.probe(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
+        met = ~here.hole & (here.height >= height)
         count = count + 1
         searching = searching & ~met & (height > floor) & (count < quality.steps)
-        return dr.select(searching, height - step, height), searching, count
+        # Above the crest the ray falls freely to it, or until it leaves the cell.
+        fall = dr.minimum(height - here.crest, _way_out(here, towards) + 0.01 * step)
+        following = height - dr.maximum(fall, step)
+        return (
+            dr.select(searching, following, height),
+            dr.select(searching, height, previous),
+            searching,
+            count,
+        )
 
-    height, _, _ = dr.while_loop(
-        (types.Float(high + 0 * x), types.Bool(active), types.UInt32(0)),
+    # Moving down, the ray runs against the view's slope.
+    towards = types.Vector3(-slope.x, -slope.y, 0)
+    top = types.Float(high + 0 * x)
+    height, above, _, _ = dr.while_loop(
+        (top, types.Float(top), types.Bool(active), types.UInt32(0)),
         is_searching,
         advance,
         label="cloth: first hit",
     )
 
-    above, under = dr.minimum(height + step, types.Float(high)), types.Float(height)
+    under = types.Float(height)
     above_gap, _ = ground(above)
     above_gap = dr.maximum(above - above_gap, 0)
     under_gap, _ = ground(under)
