@@ -19,8 +19,8 @@ class FamilyAppearance:
         specular_transmit: the same in transmission [n, 3].
         roughness: α of the fibre SGGX distribution, 0.01 to 1.
 
-    Per channel diffuse_reflect + diffuse_transmit + max(specular_reflect, specular_transmit) ≤ 1, checked
-    where the values are made (`scattering/albedo.py`).
+    Per channel diffuse_reflect + diffuse_transmit + κ·max(specular_reflect, specular_transmit) ≤ 1, checked
+    where the values are made (`scattering/albedo.py`, which has κ).
     """
 
     diffuse_reflect: NDArray[np.float64]
