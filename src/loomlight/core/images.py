@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import OpenEXR
@@ -29,21 +30,33 @@ def write_image(path: str | os.PathLike[str], linear: ArrayLike) -> None:
         _write_exr(path, {_EXR_CHANNELS[pixels.shape[2]]: pixels})
     elif suffix == ".png":
         encoded = linear_to_srgb(np.nan_to_num(pixels[..., :3]))
-        write_png(path, np.rint(encoded * 255).astype(np.uint8).squeeze())
+        write_png(path, _without_single_channel(np.rint(encoded * 255).astype(np.uint8)))
     else:
         raise InputError(f"{path}: images are written as .png or .exr, not {suffix or 'without a suffix'}.")
 
 
 def write_channels(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
-    """Writes named float32 planes [height, width] as one EXR file."""
+    """Writes named float32 planes [height, width] as one EXR file.
+
+    Raises:
+        InputError: a path that cannot be written.
+    """
     _write_exr(path, channels)
 
 
 def _write_exr(path: str | os.PathLike[str], channels: dict[str, NDArray[np.float32]]) -> None:
-    planes = {name: np.ascontiguousarray(value).squeeze() for name, value in channels.items()}
+    planes = {name: np.ascontiguousarray(_without_single_channel(value)) for name, value in channels.items()}
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     with replacing(path) as temporary:
-        OpenEXR.File(header, planes).write(str(temporary))
+        try:
+            OpenEXR.File(header, planes).write(str(temporary))
+        except RuntimeError as error:  # a full disk is no OSError to OpenEXR
+            raise InputError(f"{path} cannot be written: is the disk full?") from error
+
+
+def _without_single_channel(pixels: NDArray[Any]) -> NDArray[Any]:
+    """[height, width] of [height, width, 1]; a side of one pixel stays a side."""
+    return pixels[..., 0] if pixels.ndim == 3 and pixels.shape[2] == 1 else pixels
 
 
 def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
