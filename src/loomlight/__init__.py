@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     )
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.load import fabric_from_text, load_fabric
+    from loomlight.mitsuba.fabric_picture import render_fabric
     from loomlight.scattering.appearance import Appearance
     from loomlight.weave.draft import Draft
     from loomlight.weave.load import load_draft
@@ -42,6 +43,7 @@ _HOMES = {
     "load_fabric": "loomlight.fabric.load",
     "named_weave": "loomlight.weave.named",
     "read_wif": "loomlight.weave.wif_reader",
+    "render_fabric": "loomlight.mitsuba.fabric_picture",
     "weave_names": "loomlight.weave.named",
     "write_wif": "loomlight.weave.wif_writer",
 }
@@ -60,6 +62,7 @@ __all__ = [
     "load_fabric",
     "named_weave",
     "read_wif",
+    "render_fabric",
     "weave_names",
     "write_wif",
 ]

@@ -39,9 +39,10 @@ def test_the_seed_and_the_exposure(tmp_path: Path) -> None:
         return pixels(path)
 
     first = rendered("first")
-    np.testing.assert_array_equal(rendered("again"), first)
-    assert not np.array_equal(rendered("other", "--seed", "1"), first)
-    np.testing.assert_allclose(rendered("brighter", "--exposure", "1"), 2 * first, rtol=1e-5)
+    # Threads add samples up in an order of their own, which shows in the last bits.
+    np.testing.assert_allclose(rendered("again"), first, rtol=1e-5, atol=1e-7)
+    assert not np.allclose(rendered("other", "--seed", "1"), first, rtol=1e-2)
+    np.testing.assert_allclose(rendered("brighter", "--exposure", "1"), 2 * first, rtol=1e-5, atol=1e-7)
 
 
 @pytest.mark.parametrize(
@@ -53,6 +54,10 @@ def test_the_seed_and_the_exposure(tmp_path: Path) -> None:
         (["--mesh", "none.stl"], "none.stl"),
         (["--env", "none.exr"], "none.exr does not exist"),
         (["--light", "candle"], "candle"),
+        (["--light-from", "west"], "2 numbers"),
+        (["--light-from", "0,91"], "elevation from -90 to 90"),
+        (["--light-from", "0,-5"], "below the horizon"),
+        (["--light-from", "0,5", "--env", "none.exr"], "light_from"),
         (["--zoom", "0"], "zoom = 0"),
         (["--zoom", "nan"], "zoom = nan"),
         (["--variant", "scalar_rgb"], "scalar_rgb"),
@@ -80,7 +85,7 @@ def test_an_interrupted_render_leaves_nothing(
     def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("loomlight.mitsuba.render", interrupted)
+    monkeypatch.setattr("loomlight.mitsuba.render_fabric", interrupted)
     assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *SMALL]) == 130
     assert capsys.readouterr() == ("", "")
     assert list(tmp_path.iterdir()) == []

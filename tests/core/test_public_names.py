@@ -23,6 +23,7 @@ PUBLIC = {
     "load_fabric",
     "named_weave",
     "read_wif",
+    "render_fabric",
     "weave_names",
     "write_wif",
 }

@@ -179,3 +179,25 @@ def test_outside_mesh_under_outside_sky() -> None:
         size=(16, 16),
     )
     assert render(shown.scene, spp=4).mean() > 0.05
+
+
+@pytest.mark.parametrize("light", ["sunsky", "point", "directional"])
+def test_lights_come_from_where_they_are_told(light: str) -> None:
+    def halves(azimuth: float, elevation: float) -> tuple[float, float]:
+        shown = build_scene("sphere", WHITE, light=light, light_from=(azimuth, elevation), size=(16, 16))
+        inside = render(shown.scene, spp=16).mean(axis=2)[4:12, 4:12]
+        return inside[:, 4:].mean() / inside[:, :4].mean(), inside[:4].mean() / inside[4:].mean()
+
+    assert halves(60, 10)[0] > 1.2
+    assert halves(-60, 10)[0] < 1 / 1.2
+    assert halves(0, 60)[1] > 1.2
+
+
+def test_paths_of_a_scene_file_are_as_long_as_asked_for(tmp_path: Path) -> None:
+    file = write_scene(tmp_path)
+    assert build_scene(file, WHITE).integrator.max_depth == 2**32 - 1
+    assert build_scene(file, WHITE, max_depth=3).integrator.max_depth == 3
+    own = '<integrator type="footprint_path"><integer name="max_depth" value="5"/></integrator></scene>'
+    file.write_text(file.read_text().replace("</scene>", own))
+    assert build_scene(file, WHITE).integrator.max_depth == 5
+    assert build_scene(file, WHITE, max_depth=3).integrator.max_depth == 3

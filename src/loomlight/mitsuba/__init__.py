@@ -7,6 +7,7 @@ as soon as one is set; it never sets one.
 from __future__ import annotations
 
 from loomlight.mitsuba.fabric_bsdf import MODELS, fabric_bsdf
+from loomlight.mitsuba.fabric_picture import render_fabric
 from loomlight.mitsuba.lights import LIGHTS
 from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
 from loomlight.mitsuba.plugins import follow_variants
@@ -26,6 +27,7 @@ __all__ = [
     "fabric_bsdf",
     "read_mesh",
     "render",
+    "render_fabric",
     "to_shape",
     "uv_size",
 ]

@@ -232,6 +232,12 @@ def footprint_path_class() -> type:
     return FootprintPath
 
 
+def footprint_integrator(scene: Any) -> Any:
+    """The scene's own integrator if it is a `footprint_path`, otherwise a new one."""
+    own = scene.integrator()
+    return own if type(own).__name__ == "FootprintPath" else mi.load_dict({"type": "footprint_path"})
+
+
 def has_holes(scene: Any) -> bool:
     """Whether any surface of the scene lets light pass straight through."""
     return any(

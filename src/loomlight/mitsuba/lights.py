@@ -20,6 +20,21 @@ _DAYLIGHT = 2.0
 _ENVIRONMENT_SUFFIXES = (".exr", ".hdr", ".pfm", ".png", ".jpg", ".jpeg")
 
 
+def direction_of(azimuth: float, elevation: float) -> NDArray[np.float64]:
+    """The unit vector towards a light at `azimuth` (0 at +z, 90 at +x) and `elevation` above it, degrees.
+
+    Raises:
+        InputError: an azimuth outside −360 to 360, or an elevation outside −90 to 90.
+    """
+    if not (-360 <= azimuth <= 360 and -90 <= elevation <= 90):
+        raise InputError(
+            f"light_from = {azimuth:g},{elevation:g} is out of range: write an azimuth from -360 to 360 and "
+            "an elevation from -90 to 90 degrees."
+        )
+    around, above = np.radians([azimuth, elevation])
+    return np.array([np.sin(around) * np.cos(above), np.sin(above), np.cos(around) * np.cos(above)])
+
+
 def light_dicts(
     light: str, centre: NDArray[np.float64], radius: float, towards: NDArray[np.float64]
 ) -> dict[str, dict[str, Any]]:
@@ -28,10 +43,15 @@ def light_dicts(
     `towards` points from the object to the light. A point light stands three radii away.
 
     Raises:
-        InputError: no such light.
+        InputError: no such light, or a sun below the horizon.
     """
     direction = towards / np.linalg.norm(towards)
     if light == "sunsky":
+        if direction[1] < 0:
+            raise InputError(
+                f"light_from: the sun stands {np.degrees(np.arcsin(-direction[1])):.3g} degrees below the "
+                "horizon, where there is no day; write an elevation from 0 to 90."
+            )
         return {"sunsky": _sunsky(direction)}
     if light == "point":
         distance = 3 * radius

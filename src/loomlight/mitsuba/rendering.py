@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
@@ -35,7 +36,8 @@ def render(
         scene: a Mitsuba scene.
         spp: samples a pixel, ≥ 1; rendered in passes of different seeds. Each pass takes as many as fill a
             grid (see `_filling_grid`), so a few more may be taken.
-        seed: any 32-bit number; the same seed gives the same picture.
+        seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
+            samples up.
         sensor: a sensor or its index.
         integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
         exposure: stops; colours are multiplied by 2**exposure.
@@ -48,7 +50,7 @@ def render(
         raise InputError(f"spp = {spp} is too small: a pixel needs at least 1 sample.")
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     width, height = (int(value) for value in sensor.film().crop_size())
-    integrator = integrator or _footprint_integrator(scene)
+    integrator = integrator or footprint_integrator(scene)
     previous = getattr(integrator, "footprint_samples", None)
     if previous is not None:
         integrator.footprint_samples = spp
@@ -86,10 +88,3 @@ def _filling_grid(samples: int) -> int:
 
 def _pass_seed(seed: int, number: int) -> int:
     return (seed * 0x9E3779B1 + number) % 2**32
-
-
-def _footprint_integrator(scene: Any) -> Any:
-    own = scene.integrator()
-    if type(own).__name__ == "FootprintPath":
-        return own
-    return mi.load_dict({"type": "footprint_path"})

@@ -6,7 +6,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypedDict
 
 import mitsuba as mi
 import numpy as np
@@ -15,13 +15,29 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, perspective, require_size, require_zoom
-from loomlight.mitsuba.lights import environment_dict, light_dicts
+from loomlight.mitsuba.integrator import footprint_integrator
+from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
+DEFAULT_DEPTH = 8
 
 BsdfFactory = Callable[[tuple[float, float]], dict[str, Any]]
+
+
+class SceneOptions(TypedDict, total=False):
+    """The keyword arguments of `build_scene`."""
+
+    mesh: str | os.PathLike[str] | None
+    metres_per_unit: float
+    environment: str | os.PathLike[str] | None
+    environment_turn: float
+    light: str | None
+    light_from: tuple[float, float] | None
+    zoom: float
+    size: tuple[int, int] | None
+    max_depth: int | None
 
 
 @dataclass(frozen=True)
@@ -29,16 +45,16 @@ class ClothScene:
     """A scene that is ready to render.
 
     Attributes:
-        scene: the Mitsuba scene; its first sensor frames the cloth, its integrator is `footprint_path`.
+        scene: the Mitsuba scene; its first sensor frames the cloth.
+        integrator: the `footprint_path` to render it with.
         uv_size_mm: millimetres of cloth per unit of u and of v, of the first piece of cloth.
         point: where the camera comes closer to, world coordinates.
-        description: name, size, zoom and light, for captions and files.
     """
 
     scene: Any
+    integrator: Any
     uv_size_mm: tuple[float, float]
     point: tuple[float, float, float]
-    description: str
 
 
 @dataclass(frozen=True)
@@ -74,9 +90,10 @@ def build_scene(
     environment: str | os.PathLike[str] | None = None,
     environment_turn: float = 0.0,
     light: str | None = None,
+    light_from: tuple[float, float] | None = None,
     zoom: float = 1.0,
     size: tuple[int, int] | None = None,
-    max_depth: int = 8,
+    max_depth: int | None = None,
 ) -> ClothScene:
     """A scene that shows the cloth `bsdf`; a Mitsuba variant must be set.
 
@@ -90,9 +107,11 @@ def build_scene(
         environment: a latitude-longitude picture that lights a built-in scene in place of its light.
         environment_turn: degrees about the vertical.
         light: sunsky, point or directional; by default what the scene was designed with.
+        light_from: where that light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
+            stands, 90 from +x, its right) and elevation (90 from +y); by default as designed.
         zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.
         size: width and height in pixels; 512 × 512 by default, a scene file's own otherwise.
-        max_depth: longest path, in segments.
+        max_depth: longest path, in segments; 8 by default, a scene file's own otherwise.
 
     Raises:
         InputError: an unknown scene or light, a value out of range, or a file that cannot be used.
@@ -102,19 +121,24 @@ def build_scene(
         require_size(size)
     if not metres_per_unit > 0:
         raise InputError(f"metres_per_unit = {metres_per_unit:g} is out of range: it is a length above 0.")
+    if max_depth is not None and max_depth < 1:
+        raise InputError(f"max_depth = {max_depth} is out of range: a path has at least 1 segment.")
     factory = bsdf if callable(bsdf) else _always(bsdf)
     if Path(name).suffix.lower() == ".xml":
-        given = {"mesh": mesh, "environment": environment, "light": light}
+        given = {"mesh": mesh, "environment": environment, "light": light, "light_from": light_from}
         for field, value in given.items():
             if value is not None:
                 raise InputError(
                     f"{field} = {value} does not go with the scene file {name}, which has its own."
                 )
-        return _from_file(Path(name), factory, metres_per_unit, zoom, size)
+        return _from_file(Path(name), factory, metres_per_unit, zoom, size, max_depth)
     if str(name) not in _SETUPS:
         raise InputError(
             f'scene = "{name}" is unknown: use {", ".join(SCENES)}, or the path of an .xml file.'
         )
+    for field, value in {"light": light, "light_from": light_from}.items():
+        if environment is not None and value is not None:
+            raise InputError(f"{field} = {value} does not go with an environment, which is all the light.")
     setup = _SETUPS[str(name)]
     if mesh is None:
         cloth = setup.cloth()
@@ -124,28 +148,28 @@ def build_scene(
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
     millimetres = uv_size(cloth)
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
     parts: dict[str, Any] = {
         "type": "scene",
-        "integrator": {"type": "footprint_path", "max_depth": max_depth},
+        "integrator": integrator,
         "cloth": to_shape(cloth, _loaded(factory(millimetres))),
     }
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
-        parts |= light_dicts(light or setup.light, centre, radius, np.array(setup.towards_light))
+        towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
+        parts |= light_dicts(light or setup.light, centre, radius, towards)
     if setup.ground:
         parts["ground"] = _ground(centre, radius, float(cloth.positions[:, 1].min()))
     if mesh is None and name == "drape":
         parts["ball"] = _ball()
     point = _facing_point(cloth, view)
     parts["sensor"] = perspective(view.closer(zoom, point), size)
-    lit = Path(environment).name if environment is not None else (light or setup.light)
-    shown = name if mesh is None else Path(mesh).name
     return ClothScene(
         scene=_loaded(parts),
+        integrator=integrator,
         uv_size_mm=millimetres,
         point=(float(point[0]), float(point[1]), float(point[2])),
-        description=f"{shown}, {size[0]} × {size[1]}, zoom {zoom:g}, {lit}",
     )
 
 
@@ -210,7 +234,12 @@ def _facing_point(cloth: ClothMesh, view: View) -> NDArray[np.float64]:
 
 
 def _from_file(
-    file: Path, factory: BsdfFactory, metres_per_unit: float, zoom: float, size: tuple[int, int] | None
+    file: Path,
+    factory: BsdfFactory,
+    metres_per_unit: float,
+    zoom: float,
+    size: tuple[int, int] | None,
+    max_depth: int | None,
 ) -> ClothScene:
     if not file.is_file():
         raise InputError(f"{file} does not exist.")
@@ -233,11 +262,14 @@ def _from_file(
         shape.set_bsdf(_loaded(factory(uv_size(mesh))))
         meshes.append(mesh)
     point = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
+    integrator = footprint_integrator(scene)
+    if max_depth is not None:
+        integrator.max_depth = max_depth
     return ClothScene(
         scene=scene,
+        integrator=integrator,
         uv_size_mm=uv_size(meshes[0]),
         point=(float(point[0]), float(point[1]), float(point[2])),
-        description=f"{file.name}, zoom {zoom:g}",
     )
 
 

@@ -1,0 +1,66 @@
+"""A picture of a fabric in one call: what `loomlight render` does, without writing a file."""
+
+from __future__ import annotations
+
+import os
+from typing import Unpack
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.fabric import Fabric, load_fabric
+from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
+from loomlight.mitsuba.rendering import Progress, render
+from loomlight.mitsuba.scenes import SceneOptions, build_scene
+from loomlight.mitsuba.variants import choose_variant
+
+_LARGEST_EXPOSURE = 30
+
+
+def render_fabric(
+    fabric: Fabric | str | os.PathLike[str],
+    scene: str | os.PathLike[str] = "drape",
+    *,
+    model: str = "point",
+    spp: int = 64,
+    seed: int = 0,
+    exposure: float = 0.0,
+    variant: str | None = None,
+    progress: Progress | None = None,
+    **setting: Unpack[SceneOptions],
+) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] of a fabric on a piece of cloth, a mesh, or the marked shapes of a scene.
+
+    Args:
+        fabric: a fabric; or the path of a fabric file or a draft; or a weave's name, such as "twill 3/1".
+        scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
+        model: "point".
+        spp: samples a pixel, ≥ 1.
+        seed: any 32-bit number; the same seed gives the same picture, but for rounding.
+        exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
+        variant: llvm_ad_rgb or cuda_ad_rgb; by default the one that is set, else llvm_ad_rgb.
+        progress: called with (samples done, samples in all) after every pass.
+        setting: mesh, metres_per_unit, environment, environment_turn, light, light_from, zoom, size,
+            max_depth: see `loomlight.mitsuba.build_scene`.
+
+    Raises:
+        InputError: a fabric, file or value that cannot be used.
+        MissingDependencyError: no usable LLVM library, or no usable CUDA device.
+    """
+    if not -_LARGEST_EXPOSURE <= exposure <= _LARGEST_EXPOSURE:
+        raise InputError(
+            f"exposure = {exposure:g} is out of range: it lies between -{_LARGEST_EXPOSURE} and "
+            f"{_LARGEST_EXPOSURE} stops."
+        )
+    cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
+    choose_variant(variant)
+    shown = build_scene(scene, fabric_bsdf(cloth, model), **setting)
+    return render(
+        shown.scene,
+        spp=spp,
+        seed=seed,
+        exposure=exposure,
+        integrator=shown.integrator,
+        progress=progress,
+    )

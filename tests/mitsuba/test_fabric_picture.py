@@ -1,0 +1,37 @@
+"""`render_fabric`: the same picture from a name, a file and a fabric, and from the command line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import OpenEXR
+import pytest
+
+import loomlight
+from loomlight.cli.main import run
+from loomlight.core.errors import InputError
+
+SMALL = {"size": (12, 8), "spp": 2, "seed": 3}
+
+
+def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_path: Path) -> None:
+    file = tmp_path / "cloth.toml"
+    file.write_text('weave = "twill 3/1"')
+    picture = loomlight.render_fabric("twill 3/1", "sphere", light_from=(20, 30), **SMALL)
+    assert picture.shape == (8, 12, 3)
+    assert picture.std() > 0
+    for fabric in (file, loomlight.load_fabric(file)):
+        again = loomlight.render_fabric(fabric, "sphere", light_from=(20, 30), **SMALL)
+        np.testing.assert_allclose(again, picture, rtol=1e-5, atol=1e-7)
+    options = ["--size", "12x8", "--spp", "2", "--seed", "3", "--light-from", "20,30"]
+    written = tmp_path / "a.exr"
+    assert run(["render", str(file), "-o", str(written), "--scene", "sphere", *options]) == 0
+    pixels = OpenEXR.File(str(written)).channels()["RGB"].pixels
+    np.testing.assert_allclose(pixels, picture, rtol=1e-5, atol=1e-7)
+
+
+@pytest.mark.parametrize("exposure", [float("nan"), 31, -1e9])
+def test_exposures_are_checked(exposure: float) -> None:
+    with pytest.raises(InputError, match="exposure"):
+        loomlight.render_fabric("plain", exposure=exposure, **SMALL)
