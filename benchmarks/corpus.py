@@ -1,4 +1,4 @@
-"""Every draft of the outside corpus through `loomlight render`: seconds a picture, and faults in one sentence.
+"""Every draft of the outside corpus through `loomlight render`: seconds a picture, faults in one sentence.
 
     LOOMLIGHT_DATA=folder python benchmarks/corpus.py [--output benchmarks/results/corpus.json]
 
@@ -74,7 +74,9 @@ def main() -> None:
         for draft in sorted(Path(data, "wif", kind).glob("*.wif")):
             run = rendered(draft)
             runs[kind][draft.name] = {**run, "passes": passes(kind, run)}
-            print(f"{kind:5}{draft.name:52}{run['seconds']:7.2f} s  {' '.join(run['says'])[:120]}", flush=True)
+            print(
+                f"{kind:5}{draft.name:52}{run['seconds']:7.2f} s  {' '.join(run['says'])[:120]}", flush=True
+            )
     every = [run for kind in runs.values() for run in kind.values()]
     result = {
         **provenance("python benchmarks/corpus.py", Path(__file__).parent),

@@ -1,0 +1,155 @@
+"""What the size of a draft costs: large ones against a plain weave of the same sett, and one of 4096 × 4096.
+
+    LOOMLIGHT_DATA=folder python benchmarks/draft_size.py [--output benchmarks/results/draft_size.json]
+
+Seconds are those of rendering alone, after a first picture that compiles; the two fabrics take turns
+(A B A B …) in one process, so that both see the same machine, and the figure is the median of the ratios of
+neighbours. Memory is the peak of a whole process that renders one picture. Bars: 1.3 times and 2 GB.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from loomlight.core.files import replacing
+from loomlight.core.images import write_png
+from loomlight.core.provenance import provenance
+from loomlight.fabric import Fabric, fabric_from_text, load_fabric
+from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+
+SIDE, SAMPLES, TURNS = 256, 64, 5
+LARGE = ("multi-byte-liftplan.wif", "multi-byte-multi-treadled.wif", "multi-byte-single-treadled.wif")
+MOST_TIMES, MOST_BYTES = 1.3, 2e9
+HUGE = 4096
+
+
+def plain_like(fabric: Fabric) -> Fabric:
+    """A plain weave of 2 ends and 2 picks with the mean sett and mean gap of `fabric`."""
+    layout = fabric.layout()
+    warp, weft = layout.warp, layout.weft
+    gaps = [
+        float(np.clip(1 - family.width.mean() / family.spacing.mean(), 0, 0.95)) for family in (warp, weft)
+    ]
+    return fabric_from_text(
+        f'weave = "plain"\nends_per_cm = {10 / float(warp.spacing.mean())!r}\n'
+        f"picks_per_cm = {10 / float(weft.spacing.mean())!r}\n"
+        f"[warp]\ngap = {gaps[0]!r}\n[weft]\ngap = {gaps[1]!r}\n"
+    )
+
+
+def picture_of(fabric: Fabric, scene: str) -> Callable[[], float]:
+    """A function that renders `fabric` once and returns the seconds that this took."""
+    shown = build_scene(scene, fabric_bsdf(fabric), size=(SIDE, SIDE))
+
+    def run() -> float:
+        start = time.perf_counter()
+        render(shown.scene, integrator=shown.integrator, spp=SAMPLES)
+        return time.perf_counter() - start
+
+    return run
+
+
+def ratio(large: Fabric, small: Fabric, scene: str) -> dict[str, Any]:
+    """Median seconds of both fabrics, and the median of the ratios of neighbouring turns."""
+    first, second = picture_of(large, scene), picture_of(small, scene)
+    first(), second()
+    pairs = [(first(), second()) for _ in range(TURNS)]
+    return {
+        "scene": scene,
+        "seconds": round(statistics.median(pair[0] for pair in pairs), 3),
+        "plain_seconds": round(statistics.median(pair[1] for pair in pairs), 3),
+        "ratio": round(statistics.median(a / b for a, b in pairs), 3),
+    }
+
+
+def whole_process(fabric: str) -> dict[str, float]:
+    """Seconds and peak memory, megabytes, of a process that renders `fabric` once."""
+    command = [sys.executable, __file__, "--once", fabric]
+    start = time.perf_counter()
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    seconds = time.perf_counter() - start
+    return {"process_seconds": round(seconds, 2), "peak_megabytes": round(int(done.stdout) / 1e6, 1)}
+
+
+def render_once(fabric: str) -> None:
+    """Renders `fabric` and prints the peak memory of this process, bytes."""
+    picture_of(load_fabric(fabric), "drape")()
+    kilobytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    print(kilobytes * 1024)
+
+
+def huge_draft(path: Path) -> None:
+    """Writes a figured draft of 4096 × 4096 as a picture: rings of twill and satin, no two alike."""
+    line = np.arange(HUGE)
+    end, pick = np.meshgrid(line, line)
+    ring = np.hypot(end - 1900, pick - 2200) / 37 + 3 * np.sin(end / 311) * np.cos(pick / 173)
+    grounds = np.stack([(3 * end - pick) % 8 == 0, (end + pick) % 4 < 2, (3 * end + pick) % 8 != 0])
+    warp_up = np.take_along_axis(grounds, (ring.astype(int) % 3)[None], axis=0)[0]
+    write_png(path, np.where(warp_up, 0, 255).astype(np.uint8))
+
+
+def main() -> None:
+    """Runs the benchmark, prints it, and exits with 1 if a bar is missed."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, default=None)
+    parser.add_argument("--once", default=None, help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    choose_variant()
+    if arguments.once is not None:
+        render_once(arguments.once)
+        return
+    data = os.environ.get("LOOMLIGHT_DATA")
+    if data is None:
+        sys.exit("LOOMLIGHT_DATA does not name the folder of outside drafts.")
+    runs: dict[str, dict[str, Any]] = {}
+    for name in LARGE:
+        draft = Path(data, "wif", "good", name)
+        fabric = load_fabric(draft)
+        plain = plain_like(fabric)
+        scenes = [ratio(fabric, plain, scene) for scene in ("drape", "flat")]
+        runs[name] = {"threads": f"{fabric.draft.ends} × {fabric.draft.picks}", "scenes": scenes}
+        runs[name] |= whole_process(str(draft))
+        print(name, runs[name], flush=True)
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder, "huge.png")
+        huge_draft(picture)
+        huge = load_fabric(picture)
+        scenes = [ratio(huge, plain_like(huge), "drape")]
+        runs["figured"] = {"threads": f"{HUGE} × {HUGE}", "scenes": scenes, **whole_process(str(picture))}
+        print("figured", runs["figured"], flush=True)
+    runs["plain"] = {"threads": "2 × 2", **whole_process("plain")}
+    measured = [run for name, run in runs.items() if name in LARGE]
+    largest = max(scene["ratio"] for run in measured for scene in run["scenes"])
+    peak = max(run["peak_megabytes"] for run in measured)
+    result = {
+        **provenance("python benchmarks/draft_size.py", Path(__file__).parent),
+        "picture": f"{SIDE} × {SIDE}, {SAMPLES} samples a pixel, {TURNS} turns",
+        "largest_ratio": largest,
+        "bar_ratio": MOST_TIMES,
+        "peak_megabytes": peak,
+        "bar_megabytes": MOST_BYTES / 1e6,
+        "runs": runs,
+    }
+    if arguments.output is not None:
+        arguments.output.parent.mkdir(exist_ok=True)
+        with replacing(arguments.output) as temporary:
+            temporary.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n")
+    print(f"ratio {largest}, peak {peak} MB")
+    sys.exit(0 if largest <= MOST_TIMES and peak * 1e6 < MOST_BYTES else 1)
+
+
+if __name__ == "__main__":
+    main()
