@@ -136,7 +136,7 @@ def directions(rng: Generator, count: int) -> NDArray[np.float32]:
 def albedos(
     model: Unshadowed, places: NDArray[np.float64], views: NDArray[np.float32], each: int, rng: Generator
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Mean weight and its standard error [3, n] at `places` [2, n] (mm) seen from `views` [3, n]; holes [n]."""
+    """Mean weight and standard error [3, n] at `places` [2, n] (mm) seen from `views` [3, n]; holes [n]."""
     count = places.shape[1]
     index = dr.repeat(dr.arange(UInt32, count), each)
     x, y = (dr.gather(Float, Float(row.astype(np.float32)), index) for row in places)
