@@ -227,16 +227,10 @@ class PointModel:
         number = types.Int32(dr.floor(position / period)) * threads + index
         # Two families must not share numbers.
         thread = types.UInt32(number) * 2 + dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
-        # Across the fibres, which lie at the twist angle to the yarn.
-        horizontal = dr.select(
-            point.is_warp,
-            types.Vector2(point.tangent.y, -point.tangent.x),
-            types.Vector2(-point.tangent.x, -point.tangent.y),
-        )
-        horizontal *= dr.rsqrt(dr.maximum(dr.squared_norm(horizontal), 1e-12))
         fibre = min(self.surface.finest) / _FIBRES_ACROSS
-        column = dr.floor((point.across * horizontal.x + point.along * horizontal.y) / fibre)
-        row = dr.floor(point.along / (fibre * _FIBRE_CELL_LENGTH) + 0.618 * column)
+        column = dr.floor(point.fibre_across / fibre)
+        # Cells side by side are staggered, or their ends would line up.
+        row = dr.floor(point.fibre_along / (fibre * _FIBRE_CELL_LENGTH) + 0.618 * column)
         cell = types.UInt32(types.Int32(column)) * 65536 + types.UInt32(types.Int32(row))
         varied = vary_albedos(
             (
@@ -263,11 +257,16 @@ class PointModel:
         facing = _on_face(light, point.back)
         beyond = facing.z < 0
         side = point.back ^ beyond
-        far_height, _ = self.surface.height(point.x, point.y, ~point.back)
-        height = dr.select(beyond, far_height, point.height)
+        far = self.surface.surface(point.x, point.y, ~point.back)
+        normal = dr.select(beyond, far.normal, point.normal)
         direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
-        searched = types.Bool(active) & ~point.hole
-        free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
+        # The yarn hides from itself what lies below its tangent plane.
+        searched = types.Bool(active) & ~point.hole & (dr.dot(normal, direction) > 0)
+        if self.horizon is not None:
+            free = self.horizon.unoccluded(point.x, point.y, direction, side) & searched
+        else:
+            height = dr.select(beyond, far.height, point.height)
+            free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
         return free | point.hole
 
     def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:

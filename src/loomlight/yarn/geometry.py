@@ -46,7 +46,9 @@ class SurfacePoint:
         height: above the plane of the crown lines, millimetres.
         normal: unit normal n_p of the yarn [3].
         tangent: unit fibre direction t [3], in the tangent plane.
-        across, along: position on the yarn, millimetres from its middle and along the thread.
+        across: distance from the middle of the thread, millimetres, signed.
+        fibre_across, fibre_along: position on the yarn's unrolled section across and along its fibres, which
+            are straight there, millimetres.
     """
 
     hole: Any
@@ -57,7 +59,8 @@ class SurfacePoint:
     normal: Any
     tangent: Any
     across: Any
-    along: Any
+    fibre_across: Any
+    fibre_along: Any
 
 
 @dataclass
@@ -66,17 +69,28 @@ class Probe:
 
     Attributes:
         height, hole: see `SurfacePoint`.
+        slope_x, slope_y: of the height along x and y.
         crest: nothing in the cell around this place is higher, millimetres.
         to_left, to_right, to_lower, to_upper: distances to the sides of that cell along x and y, ≥ 0.
+        edge_left, edge_right, edge_lower, edge_upper: the same to the next outline of a thread that belongs
+            to the cell, or to its side.
+        yarn: a number that differs between neighbouring yarns: within one, heights are smooth.
     """
 
     height: Any
     hole: Any
+    slope_x: Any
+    slope_y: Any
+    yarn: Any
     crest: Any
     to_left: Any
     to_right: Any
     to_lower: Any
     to_upper: Any
+    edge_left: Any
+    edge_right: Any
+    edge_lower: Any
+    edge_upper: Any
 
 
 @dataclass
@@ -269,7 +283,7 @@ class YarnGeometry:
     def probe(self, x: Any, y: Any, back: Any) -> Probe:
         """What searches along rays need at draft coordinates x, y (millimetres) of one face."""
         types = array_types(x)
-        point, shown = self._surface(x, y, back)
+        point, shown, (slope_x, slope_y) = self._surface(x, y, back)
         levels = dr.select(
             shown.warp_above,
             types.Float(self.height_scale[0]) * (self._warp.highest / CREST_LEVELS),
@@ -278,11 +292,20 @@ class YarnGeometry:
         return Probe(
             height=point.height,
             hole=point.hole,
+            slope_x=slope_x,
+            slope_y=slope_y,
+            yarn=dr.select(
+                point.is_warp, types.UInt32(point.warp_thread) * 2 + 1, types.UInt32(point.weft_thread) * 2
+            ),
             crest=types.Float(shown.top_word >> 28) * levels,
             to_left=shown.warp.below,
             to_right=shown.warp.above,
             to_lower=shown.weft.below,
             to_upper=shown.weft.above,
+            edge_left=_edge_below(shown.warp),
+            edge_right=_edge_above(shown.warp),
+            edge_lower=_edge_below(shown.weft),
+            edge_upper=_edge_above(shown.weft),
         )
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
@@ -294,7 +317,7 @@ class YarnGeometry:
         """
         return self._surface(x, y, back)[0]
 
-    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown]:
+    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown, tuple[Any, Any]]:
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
@@ -346,23 +369,23 @@ class YarnGeometry:
             dr.select(is_warp, horizontal_along, horizontal_across),
             lifted,
         )
-        normal = types.Vector3(
-            -dr.select(is_warp, p, q),
-            -dr.select(is_warp, q, p),
-            1,
-        )
+        slope_x, slope_y = dr.select(is_warp, p, q), dr.select(is_warp, q, p)
+        unrolled = radius * dr.asin(dr.clip(across / radius, -1, 1))
+        lengthwise = dr.select(is_warp, y, -x)
+        sine, cosine = dr.sincos(twist)
         point = SurfacePoint(
             hole=shown.hole,
             is_warp=is_warp,
             warp_thread=shown.warp.thread,
             weft_thread=shown.weft.thread,
             height=height,
-            normal=dr.normalize(normal),
+            normal=dr.normalize(types.Vector3(-slope_x, -slope_y, 1)),
             tangent=dr.normalize(tangent),
             across=across,
-            along=dr.select(is_warp, y, x),
+            fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
+            fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
         )
-        return point, shown
+        return point, shown, (slope_x, slope_y)
 
 
 class _Uploaded:
@@ -403,6 +426,17 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _S
     on_top = ((word & 1) == 1) ^ back
     top_word = dr.select(warp_above, words.x, words.y)
     return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, warp_above, top_word, warp, weft)
+
+
+def _edge_above(cell: _Cell) -> Any:
+    """Distance upwards to the thread's outline, or past it to the upper end of its cell."""
+    beyond = dr.select(cell.across < cell.half_width, cell.half_width - cell.across, cell.above)
+    return dr.select(cell.across < -cell.half_width, -cell.half_width - cell.across, beyond)
+
+
+def _edge_below(cell: _Cell) -> Any:
+    beyond = dr.select(cell.across > -cell.half_width, cell.across + cell.half_width, cell.below)
+    return dr.select(cell.across > cell.half_width, cell.across - cell.half_width, beyond)
 
 
 def _select_cell(is_warp: Any, first: _Cell, second: _Cell) -> _Cell:

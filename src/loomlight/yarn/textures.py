@@ -53,7 +53,11 @@ class TextureSurface:
         point = self.surface(x, y, back)
         types = array_types(x)
         far = types.Float(1e9)
-        return Probe(point.height, point.hole, types.Float(self._bounds[1]), far, far, far, far)
+        slope_x, slope_y = -point.normal.x / point.normal.z, -point.normal.y / point.normal.z
+        yarn = dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
+        return Probe(
+            point.height, point.hole, slope_x, slope_y, yarn, types.Float(self._bounds[1]), *[far] * 8
+        )
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """The point at draft coordinates x, y (millimetres, any number of repeats) of one face."""
@@ -108,7 +112,8 @@ class TextureSurface:
             normal=normal,
             tangent=tangent,
             across=dr.select(is_warp, x, y),
-            along=dr.select(is_warp, y, x),
+            fibre_across=dr.select(is_warp, x, y),
+            fibre_along=dr.select(is_warp, y, -x),
         )
 
     def _table(self, types: ArrayTypes) -> Any:

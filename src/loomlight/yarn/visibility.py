@@ -15,7 +15,7 @@ from typing import Any, Protocol
 
 import drjit as dr
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.yarn.geometry import Probe, SurfacePoint
 
 
@@ -53,8 +53,8 @@ class SearchQuality:
         steps: at most so many; a ray still undecided then counts as free.
     """
 
-    steps_per_thread: float = 10.0
-    steps_per_relief: float = 10.0
+    steps_per_thread: float = 8.0
+    steps_per_relief: float = 8.0
     refinements: int = 8
     steps: int = 1024
 
@@ -64,6 +64,8 @@ REFERENCE_QUALITY = SearchQuality(steps_per_thread=48, steps_per_relief=48, refi
 
 # A ray starts this share of the finest thread above its surface, or rounding would shadow it.
 _LIFT = 2e-3
+# How far past an outline the next sample lies, in steps.
+_HOP = 5e-3
 
 
 @dataclass
@@ -91,11 +93,62 @@ def _steps_per_length(surface: Surface, quality: SearchQuality, direction: Any) 
     )
 
 
-def _way_out(probe: Probe, direction: Any) -> Any:
-    """Length of ray that leads just out of the probed cell along a direction [3] of any length."""
-    across = dr.select(direction.x > 0, probe.to_right, probe.to_left) / dr.maximum(dr.abs(direction.x), 1e-9)
-    along = dr.select(direction.y > 0, probe.to_upper, probe.to_lower) / dr.maximum(dr.abs(direction.y), 1e-9)
-    return dr.maximum(dr.minimum(across, along), 0)
+@dataclass
+class _Trail:
+    """The last clearance of a ray above a yarn and its rate: with the next they tell how low it came between.
+
+    A cubic through both finds rays that dip into a yarn's back between two samples; without it the shadows
+    and outlines of smooth yarns would be scalloped.
+    """
+
+    clearance: Any
+    rate: Any
+    yarn: Any
+    known: Any
+
+    def lowest_before(self, clearance: Any, rate: Any, step: Any, here: Probe) -> tuple[Any, Any]:
+        """Lowest clearance since the last sample, `step` ago, and how far back it is; 1e9 if at the ends."""
+        known = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
+        share = self.rate / dr.minimum(self.rate - rate, -1e-20)
+        rest = 1 - share
+        start = (self.clearance * dr.fma(2, share, 1) + step * self.rate * share) * dr.square(rest)
+        end = (clearance * dr.fma(2, rest, 1) - step * rate * rest) * dr.square(share)
+        return dr.select(known, start + end, 1e9), rest * step
+
+
+def _trail(clearance: Any, rate: Any, here: Probe) -> _Trail:
+    types = array_types(clearance)
+    return _Trail(types.Float(clearance), types.Float(rate), types.UInt32(here.yarn), ~here.hole)
+
+
+def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
+    zero = types.Float(0 * like)
+    return _Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
+
+
+def _advance(probe: Probe, direction: Any, clears: Any, step: Any) -> Any:
+    """Length of ray to the next sample along a direction [3], whose length need not be 1.
+
+    One step, or less where it would pass an outline: what stands behind it may be a wall. A ray that
+    `clears` the cell's crest leaves the cell at once.
+    """
+    per_x, per_y = (
+        dr.rcp(dr.maximum(dr.abs(direction.x), 1e-9)),
+        dr.rcp(dr.maximum(dr.abs(direction.y), 1e-9)),
+    )
+    right, up = direction.x > 0, direction.y > 0
+    out = dr.minimum(
+        dr.select(right, probe.to_right, probe.to_left) * per_x,
+        dr.select(up, probe.to_upper, probe.to_lower) * per_y,
+    )
+    edge = dr.minimum(
+        dr.select(right, probe.edge_right, probe.edge_left) * per_x,
+        dr.select(up, probe.edge_upper, probe.edge_lower) * per_y,
+    )
+    # The hop lands on the far side despite rounding.
+    hop = _HOP * step
+    near = dr.minimum(step, dr.maximum(edge, 0) + hop)
+    return dr.select(clears, dr.maximum(dr.maximum(out, 0) + hop, step), near)
 
 
 def unoccluded(
@@ -110,6 +163,8 @@ def unoccluded(
 ) -> Any:
     """Whether nothing stands between a point of the cloth and a direction: Bool.
 
+    What lies below the tangent plane of the point is for the caller to leave out.
+
     Args:
         x, y: draft coordinates, millimetres.
         height: of the point, millimetres, on the face given by `back`.
@@ -121,36 +176,39 @@ def unoccluded(
     _, high = surface.height_bounds
     lift = _LIFT * min(surface.finest)
     step = dr.rcp(dr.maximum(_steps_per_length(surface, quality, direction), 1e-9))
-    hop = 0.01 * step  # lands on the far side of a cell's border despite rounding
     start = types.Vector3(x, y, height + lift)
-    # The first step is short: what hides a point is most often the yarn right beside it.
-    distance = types.Float(0.25 * step)
+    distance = types.Float(0 * x)
     free = types.Bool(active) & (direction.z > 0)
     searching = types.Bool(free)
     back = types.Bool(back)
     count = types.UInt32(0)
 
-    def below_top(distance: Any, free: Any, searching: Any, count: Any) -> Any:
-        del distance, free, count
+    def is_searching(distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any) -> Any:
+        del distance, leap, free, count, trail
         return searching
 
-    def advance(distance: Any, free: Any, searching: Any, count: Any) -> tuple[Any, ...]:
+    def advance(
+        distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any
+    ) -> tuple[Any, ...]:
         point = start + direction * distance
         here = surface.probe(point.x, point.y, back)
-        met = searching & ~here.hole & (here.height > point.z)
-        free = free & ~met
-        count = count + 1
+        clearance = point.z - here.height
+        rate = direction.z - here.slope_x * direction.x - here.slope_y * direction.y
+        dips = trail.lowest_before(clearance, rate, leap, here)[0] < 0
+        met = searching & ~here.hole & ((clearance < 0) | dips)
+        trail = _trail(clearance, rate, here)
         # The ray rises, so above the crest it stays above until it leaves the cell.
-        ahead = dr.select(point.z > here.crest, _way_out(here, direction) + hop, 0)
-        distance = distance + dr.maximum(ahead, step)
+        leap = _advance(here, direction, point.z > here.crest, step)
+        distance = distance + leap
+        count = count + 1
         searching = (
             searching & ~met & (dr.fma(direction.z, distance, start.z) < high) & (count < quality.steps)
         )
-        return distance, free, searching, count
+        return distance, leap, free & ~met, searching, count, trail
 
-    state = (distance, free, searching & (start.z < high), count)
-    state = dr.while_loop(state, below_top, advance, label="cloth: unoccluded")
-    return state[1]
+    state = (distance, types.Float(distance), free, searching & (start.z < high), count, _no_trail(types, x))
+    state = dr.while_loop(state, is_searching, advance, label="cloth: unoccluded")
+    return state[2]
 
 
 def first_hit(
@@ -188,30 +246,39 @@ def first_hit(
 
     floor = low - (high - low)
 
-    def is_searching(height: Any, previous: Any, searching: Any, count: Any) -> Any:
-        del height, previous, count
+    def is_searching(height: Any, previous: Any, leap: Any, searching: Any, count: Any, trail: Any) -> Any:
+        del height, previous, leap, count, trail
         return searching
 
-    def advance(height: Any, previous: Any, searching: Any, count: Any) -> tuple[Any, ...]:
+    def advance(
+        height: Any, previous: Any, leap: Any, searching: Any, count: Any, trail: Any
+    ) -> tuple[Any, ...]:
         here = surface.probe(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
-        met = ~here.hole & (here.height >= height)
+        clearance = height - here.height
+        met = ~here.hole & (clearance <= 0)
+        rate = -1 - here.slope_x * towards.x - here.slope_y * towards.y
+        lowest, to_lowest = trail.lowest_before(clearance, rate, leap, here)
+        dipped = searching & ~met & (lowest < 0)
         count = count + 1
-        searching = searching & ~met & (height > floor) & (count < quality.steps)
-        # Above the crest the ray falls freely to it, or until it leaves the cell.
-        fall = dr.minimum(height - here.crest, _way_out(here, towards) + 0.01 * step)
-        following = height - dr.maximum(fall, step)
+        onwards = searching & ~met & ~dipped & (height > floor) & (count < quality.steps)
+        trail = _trail(clearance, rate, here)
+        fall = _advance(here, towards, height > here.crest, step)
+        # Above the crest the ray falls freely, but not below it.
+        fall = dr.select(height > here.crest, dr.maximum(dr.minimum(fall, height - here.crest), step), fall)
         return (
-            dr.select(searching, following, height),
-            dr.select(searching, height, previous),
-            searching,
+            dr.select(onwards, height - fall, dr.select(dipped, height + to_lowest, height)),
+            dr.select(onwards, height, previous),
+            dr.select(onwards, fall, leap),
+            onwards,
             count,
+            trail,
         )
 
     # Moving down, the ray runs against the view's slope.
     towards = types.Vector3(-slope.x, -slope.y, 0)
     top = types.Float(high + 0 * x)
-    height, above, _, _ = dr.while_loop(
-        (top, types.Float(top), types.Bool(active), types.UInt32(0)),
+    height, above, _, _, _, _ = dr.while_loop(
+        (top, types.Float(top), types.Float(step), types.Bool(active), types.UInt32(0), _no_trail(types, x)),
         is_searching,
         advance,
         label="cloth: first hit",
@@ -308,6 +375,9 @@ def horizon(
         rise = dr.select(hole, types.Float(0), (level - start) / distance)
         return distance + step, dr.maximum(steepest, rise), count + 1
 
-    # Without any rise the search would only end with the budget; 1e-3 is a horizon of 0.06°.
-    state = (types.Float(0.5 * step), types.Float(1e-3 + 0 * x), types.UInt32(0))
+    # The yarn itself hides what lies below its tangent plane. Without any rise the search would only end
+    # with the budget; 1e-3 is a horizon of 0.06°.
+    here = surface.probe(x, y, back)
+    own = dr.fma(here.slope_x, cosine, here.slope_y * sine)
+    state = (types.Float(0.25 * step), dr.maximum(own, 1e-3), types.UInt32(0))
     return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]
