@@ -44,8 +44,8 @@ from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, Surface, first_hit, unoccluded
 
 # Size of the cells of fibre noise: this many fibres side by side in a yarn, each cell so many times as long.
-_FIBRES_ACROSS = 14
-_FIBRE_CELL_LENGTH = 24
+_FIBRES_ACROSS = 30
+_FIBRE_CELL_LENGTH = 40
 
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 
