@@ -71,7 +71,7 @@ class _Setup:
 # After the controlled set-ups of zhu2024, section 6: cloth over a sphere under a point light, cloth around a
 # cylinder lit from near the camera; and a flat piece and a draped one by day.
 _SETUPS = {
-    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "directional", (-0.5, 0.6, 0.8)),
+    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "sunsky", (-0.5, 0.6, 0.8)),
     "sphere": _Setup(cloth_shapes.sphere, (0, 0, 1), "point", (-0.45, 0.6, 0.75)),
     "cylinder": _Setup(cloth_shapes.cylinder, (0, 0, 1), "point", (-0.1, 0.45, 1)),
     "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "sunsky", (-0.6, 0.75, 0.6), ground=True),
