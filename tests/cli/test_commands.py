@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import loomlight
 from loomlight.cli.main import run
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
@@ -66,6 +67,19 @@ def test_a_fabric_file_is_a_draft_too(tmp_path: Path, capsys: pytest.CaptureFixt
     assert "12 ends, 4 picks" in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("arguments", [[], ["weave"]])
+def test_no_arguments_show_the_help(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(arguments) == 0
+    captured = capsys.readouterr()
+    assert "Commands:" in captured.out
+    assert captured.err == ""
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["--version"]) == 0
+    assert capsys.readouterr().out == f"loomlight {loomlight.__version__}\n"
+
+
 def in_a_process(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([sys.executable, *arguments], capture_output=True, text=True, timeout=300)
 
@@ -99,6 +113,7 @@ def test_exit_codes_of_the_process(tmp_path: Path) -> None:
 
 def test_a_reader_that_has_enough_is_no_fault() -> None:
     program = f"{sys.executable} -m loomlight.cli.main weave names | true"
+    program += f"; {sys.executable} -m loomlight.cli.main weave | true"
     done = subprocess.run(
         ["bash", "-o", "pipefail", "-c", program], capture_output=True, text=True, timeout=300
     )

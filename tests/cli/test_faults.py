@@ -50,6 +50,13 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no maps": (["bake-maps", "plain", "-o", "a.txt"], ".exr or .png"),
     "no window": (["bake-maps", "plain", "-o", "a.exr", "--window", "1,2,3"], "4 numbers"),
     "no resolution": (["bake-maps", "plain", "-o", "a.exr", "--resolution", "-4"], "--resolution"),
+    "a window far away": (["bake-maps", "plain", "-o", "a.exr", "--window", "1e30,0,1,1"], "100000"),
+    "a pipe": (["weave", "info", "pipe.wif"], "pipe.wif is no ordinary file"),
+    "a pipe of pixels": (["render", "pipe.png", "-o", "a.png"], "pipe.png is no ordinary file"),
+    "a folder of that name": (["render", "folder.png", "-o", "a.png"], "folder.png is a folder"),
+    "no text": (["render", "\udcff", "-o", "a.png"], "no text in UTF-8"),
+    "no text for a draft": (["render", "a\udcff.wif", "-o", "a.png"], "no text in UTF-8"),
+    "an empty field": (["render", "empty.toml", "-o", "a.png"], 'warp.count = "" is empty'),
     "a jpeg demo": (["demo", "-o", "demo.jpg"], "must end in .png"),
 }
 
@@ -61,6 +68,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "bad.toml").write_text('weave = "plain"\ngap = 2')
     (tmp_path / "bad.wif").write_text("no draft")
     (tmp_path / "bad.png").write_bytes(b"no picture")
+    (tmp_path / "empty.toml").write_text('weave = "plain"\n[warp]\ncount = ""')
+    os.mkfifo(tmp_path / "pipe.wif")
+    os.mkfifo(tmp_path / "pipe.png")
     return tmp_path
 
 

@@ -126,6 +126,7 @@ def test_goes_through_mitsuba_and_back(tmp_path: Path) -> None:
             "collapse",
         ),
         ("empty.obj", b"", "empty.obj"),
+        ("points.obj", b"v 0 0 0\nvt 0 0\n", "holds no triangles"),
         ("index.obj", obj_text(extra="f 1/1 2/2 99/1\n").encode(), "index.obj"),
         ("nan.obj", obj_text().replace("v 2.0 3.0", "v nan 3.0").encode(), "nan.obj"),
         ("noise.ply", b"ply\nformat ascii 1.0\nnothing", "noise.ply"),

@@ -151,6 +151,22 @@ def test_damaged_environment_is_refused(tmp_path: Path) -> None:
         build_scene("flat", WHITE, environment=file, size=(8, 8))
 
 
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_environments_hold_finite_numbers(tmp_path: Path, value: float) -> None:
+    picture = np.full((4, 8, 3), 0.5, dtype=np.float32)
+    picture[1, 2, 1] = value
+    mi.Bitmap(picture).write(str(tmp_path / "sky.exr"))
+    with pytest.raises(InputError, match="no finite numbers"):
+        build_scene("flat", WHITE, environment=tmp_path / "sky.exr", size=(8, 8))
+
+
+@pytest.mark.parametrize("scale", [1e30, 1e-30])
+def test_cloth_is_of_a_size_that_cloth_has(tmp_path: Path, scale: float) -> None:
+    write_scene(tmp_path)
+    with pytest.raises(InputError, match="metres_per_unit"):
+        build_scene("flat", WHITE, mesh=tmp_path / "quad.obj", metres_per_unit=scale, size=(8, 8))
+
+
 def test_a_bright_environment_lights_from_where_it_is(tmp_path: Path) -> None:
     # A lamp on one side of the sphere; turned by half a turn it lights the other.
     picture = np.zeros((16, 32, 3), dtype=np.float32)

@@ -51,5 +51,5 @@ def test_missing_files(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="does not exist"):
         load_draft(tmp_path / "none.dtx")
     (tmp_path / "folder.wpo").mkdir()
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match="is a folder"):
         load_draft(tmp_path / "folder.wpo")

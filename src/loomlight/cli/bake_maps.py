@@ -8,9 +8,12 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.outputs import check_output, done
-from loomlight.cli.values import parse_numbers, parse_size
+from loomlight.cli.values import parse_numbers, parse_size, require_within
 
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
+
+# Millimetres; farther away single precision cannot tell neighbouring fibres apart.
+LARGEST_WINDOW = 1e5
 
 
 def bake_maps(
@@ -38,6 +41,8 @@ def bake_maps(
     corner = None
     if window is not None:
         left, bottom, width, height = parse_numbers("--window", window, 4, "0,0,5,5")
+        for number in (left, bottom, width, height):
+            require_within("--window", number, -LARGEST_WINDOW, LARGEST_WINDOW)
         corner = (left, bottom, width, height)
 
     from loomlight.core.llvm import require_llvm

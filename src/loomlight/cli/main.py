@@ -6,10 +6,11 @@ import os
 import sys
 import warnings
 from collections.abc import Callable
-from typing import Any, TextIO
+from typing import Annotated, Any, TextIO
 
 import typer
 
+from loomlight import __version__
 from loomlight.cli import bake_maps, demo, doctor, render, weave
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
@@ -22,6 +23,23 @@ app = typer.Typer(
     rich_markup_mode=None,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+
+
+def _show_version(asked: bool) -> None:
+    if asked:
+        print(f"loomlight {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    pass
+
+
 app.add_typer(weave.app, name="weave")
 app.command("render", epilog=render.EXAMPLE)(render.render)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
@@ -45,7 +63,7 @@ def run(arguments: list[str]) -> int:
     warnings.simplefilter("always", LoomlightWarning)
     warnings.showwarning = _show_each_once()
     try:
-        code = app(arguments, prog_name="loomlight", standalone_mode=False)
+        code = _invoke(arguments)
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except LoomlightError as error:
@@ -58,6 +76,16 @@ def run(arguments: list[str]) -> int:
         return _reader_has_enough()
     except SystemExit:  # what Typer does when the pipe breaks while it prints
         return _reader_has_enough()
+
+
+def _invoke(arguments: list[str]) -> Any:
+    try:
+        return app(arguments, prog_name="loomlight", standalone_mode=False)
+    except _UsageError as error:
+        if type(error).__name__ != "NoArgsIsHelpError":
+            raise
+        print(error)  # no arguments: Typer raises the help, which is no fault
+        return 0
 
 
 def _reader_has_enough() -> int:

@@ -57,4 +57,10 @@ def require_within(option: str, value: float, low: float, high: float) -> None:
         InputError: otherwise, NaN included.
     """
     if not low <= value <= high:
-        raise InputError(f"{option} {value:g} is out of range: write a number from {low:g} to {high:g}.")
+        raise InputError(
+            f"{option} {_shown(value)} is out of range: write a number from {_shown(low)} to {_shown(high)}."
+        )
+
+
+def _shown(value: float) -> str:
+    return f"{value}" if isinstance(value, int) and abs(value) < 10**12 else f"{value:g}"

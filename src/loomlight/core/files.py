@@ -11,6 +11,25 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 
 
+def require_file(path: str | os.PathLike[str]) -> None:
+    """Returns if `path` is an ordinary file, or a link to one.
+
+    Raises:
+        InputError: it does not exist, is a folder, or is a pipe or device, which might never end.
+    """
+    file = Path(path)
+    try:
+        if file.is_file():
+            return
+        if file.is_dir():
+            raise InputError(f"{file} is a folder; give the name of a file.")
+        if file.exists():
+            raise InputError(f"{file} is no ordinary file; give the name of one.")
+    except (OSError, ValueError) as error:  # too long a name, a NUL, no permission
+        raise InputError(f"{str(file)[:80]!r} is no path of a file that can be read.") from error
+    raise InputError(f"{file} does not exist.")
+
+
 @contextmanager
 def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A temporary path beside `path` that becomes `path` when the block ends without an error.

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
 from loomlight.fabric.file import FabricFile
 from loomlight.weave.draft import Draft
 from loomlight.weave.load import load_draft
@@ -23,8 +24,7 @@ def draft_of(fields: FabricFile, folder: str) -> Draft:
     given = str(getattr(fields, name))
     path = Path(folder) / given
     try:
-        if not path.is_file():
-            raise InputError(f'{name} = "{given}" names no file: {path} does not exist.')
-        return load_draft(path)
-    except (OSError, ValueError) as error:
-        raise InputError(f"{name} = {given[:80]!r} is no path of a file that can be read.") from error
+        require_file(path)
+    except InputError as error:
+        raise InputError(f'{name} = "{given[:80]}" names no draft: {error}') from error
+    return load_draft(path)

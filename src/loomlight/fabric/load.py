@@ -5,11 +5,14 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from pydantic import ValidationError
+
 from loomlight.core.errors import InputError
 from loomlight.fabric.drafts import draft_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.reading import one_line, parse_fabric_file, read_text, speaking_of
+from loomlight.fabric.sentences import sentence_of
 from loomlight.weave.load import DRAFT_SUFFIXES
 
 FABRIC_SUFFIX = ".toml"
@@ -28,7 +31,7 @@ def load_fabric(path: str | os.PathLike[str]) -> Fabric:
     suffix = file.suffix.lower()
     folder = str(file.parent)
     if suffix in DRAFT_SUFFIXES:
-        return _made(FabricFile(draft=file.name), folder, file.stem, str(file))
+        return _made(_only(draft=file.name), folder, file.stem, str(file))
     if suffix == FABRIC_SUFFIX:
         text = read_text(file)
         with speaking_of(str(file)):
@@ -58,10 +61,18 @@ def fabric_from_text(text: str, folder: str | os.PathLike[str] = ".") -> Fabric:
         InputError: an unknown weave, or a text that is no fabric file.
     """
     if "=" not in text and text.strip():
-        return _made(FabricFile(weave=text.strip()), os.fspath(folder), text.strip(), "")
+        return _made(_only(weave=text.strip()), os.fspath(folder), text.strip(), "")
     with speaking_of("the fabric"):
         fields = parse_fabric_file(text)
     return _made(fields, os.fspath(folder), "fabric", "the fabric")
+
+
+def _only(**field: str) -> FabricFile:
+    """A fabric file of one field, which a user gave without writing one."""
+    try:
+        return FabricFile.model_validate(field)
+    except ValidationError as error:  # a name from the system that is no UTF-8
+        raise InputError(f"{one_line(next(iter(field.values())))}: {sentence_of(error)}") from error
 
 
 def _made(fields: FabricFile, folder: str, fallback_name: str, source: str) -> Fabric:

@@ -22,6 +22,10 @@ def sentence_of(error: ValidationError) -> str:
         return _unknown(path)
     if fault["type"] == "sentence":
         return str(fault["ctx"]["text"]).replace(FIELD, name)
+    if fault["type"] == "string_too_short":
+        return f'{name} = "" is empty: write a value, or leave the field out.'
+    if fault["type"] == "string_unicode":
+        return f"{name} holds bytes that are no text in UTF-8: rename the file, or write the value anew."
     field = _field_at(path)
     if field is None:
         return f"{name} = {shown(fault['input'])} cannot be used: {fault['msg']}."

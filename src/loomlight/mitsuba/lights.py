@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
 
 Light = Literal["sunsky", "point", "directional"]
 LIGHTS: tuple[Light, ...] = ("sunsky", "point", "directional")
@@ -77,17 +78,18 @@ def environment_dict(
     """Mitsuba's dictionary of an environment picture (latitude-longitude), turned about the vertical.
 
     Raises:
-        InputError: no such file, another suffix, or a damaged picture.
+        InputError: no such file, another suffix, a damaged picture, or pixels that are not finite.
     """
     file = Path(path)
     if file.suffix.lower() not in _ENVIRONMENT_SUFFIXES:
         raise InputError(f"{file}: environments are read from {', '.join(_ENVIRONMENT_SUFFIXES)} files.")
-    if not file.is_file():
-        raise InputError(f"{file} does not exist.")
+    require_file(file)
     try:
         bitmap = mi.Bitmap(str(file))
     except Exception as error:  # Mitsuba raises bare RuntimeErrors
         raise InputError(f"{file} is damaged or no picture.") from error
+    if not np.isfinite(np.array(bitmap, dtype=np.float64)).all():
+        raise InputError(f"{file} holds pixels that are no finite numbers; replace them in a picture editor.")
     return {
         "type": "envmap",
         "bitmap": bitmap,

@@ -17,6 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
+from loomlight.mitsuba.faults import reason_of
 
 SUFFIXES = (".obj", ".ply", ".gltf", ".glb")
 
@@ -56,15 +58,13 @@ def read_mesh(path: str | os.PathLike[str]) -> ClothMesh:
     suffix = file.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(f"{file}: meshes are read from {', '.join(SUFFIXES)} files.")
-    if not file.is_file():
-        raise InputError(f"{file} does not exist.")
+    require_file(file)
     try:
         mesh = _read_gltf(file) if suffix in (".gltf", ".glb") else _read_with_mitsuba(file, suffix[1:])
     except InputError:
         raise
     except Exception as error:  # the readers raise whatever their parsers do
-        reason = str(error).strip().splitlines()[-1:] or [type(error).__name__]
-        raise InputError(f"{file} is damaged or no {suffix[1:]} mesh: {reason[0]}") from error
+        raise InputError(f"{file} is damaged or no {suffix[1:]} mesh: {reason_of(error)}") from error
     return _checked(mesh)
 
 

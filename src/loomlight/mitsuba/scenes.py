@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, perspective, require_size, require_zoom
+from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
@@ -22,6 +24,8 @@ from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, t
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
 DEFAULT_DEPTH = 8
+# Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
+SMALLEST_RADIUS, LARGEST_RADIUS = 1e-5, 1e4
 
 BsdfFactory = Callable[[tuple[float, float]], dict[str, Any]]
 
@@ -147,6 +151,11 @@ def build_scene(
     size = size or (512, 512)
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
+    if not SMALLEST_RADIUS <= radius <= LARGEST_RADIUS:
+        raise InputError(
+            f"{cloth.name} is {2 * radius:.3g} m across, and no cloth is: give the length of one of its "
+            "units as metres_per_unit."
+        )
     millimetres = uv_size(cloth)
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": max_depth or DEFAULT_DEPTH})
     parts: dict[str, Any] = {
@@ -158,11 +167,13 @@ def build_scene(
         parts["environment"] = environment_dict(environment, environment_turn)
     else:
         towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
-        parts |= light_dicts(light or setup.light, centre, radius, towards)
+        parts |= light_dicts(setup.light if light is None else light, centre, radius, towards)
     if setup.ground:
         parts["ground"] = _ground(centre, radius, float(cloth.positions[:, 1].min()))
     if mesh is None and name == "drape":
         parts["ball"] = _ball()
+    if mesh is None and name == "flat":
+        parts["wall"] = _wall(centre, radius)
     point = _facing_point(cloth, view)
     parts["sensor"] = perspective(view.closer(zoom, point), size)
     return ClothScene(
@@ -181,12 +192,7 @@ def _loaded(parts: dict[str, Any]) -> Any:
     try:
         return mi.load_dict(parts)
     except RuntimeError as error:
-        raise InputError(f"The scene cannot be built: {_last_line(error)}") from error
-
-
-def _last_line(error: Exception) -> str:
-    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
-    return lines[-1] if lines else type(error).__name__
+        raise InputError(f"The scene cannot be built: {reason_of(error)}") from error
 
 
 def _bounds(cloth: ClothMesh) -> tuple[NDArray[np.float64], float]:
@@ -210,6 +216,16 @@ def _ball() -> dict[str, Any]:
         "center": [0, radius, 0],
         "radius": radius,
         "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+    }
+
+
+def _wall(centre: NDArray[np.float64], radius: float) -> dict[str, Any]:
+    """A matte wall half a radius behind a piece that faces +z: what shows through its holes."""
+    transform = mi.ScalarTransform4f().translate([centre[0], centre[1], centre[2] - 0.5 * radius])
+    return {
+        "type": "disk",
+        "to_world": transform.scale(60 * radius),
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.5}},
     }
 
 
@@ -241,12 +257,11 @@ def _from_file(
     size: tuple[int, int] | None,
     max_depth: int | None,
 ) -> ClothScene:
-    if not file.is_file():
-        raise InputError(f"{file} does not exist.")
+    require_file(file)
     try:
         scene = mi.load_file(str(file))
     except Exception as error:  # parsers and plugins raise what they do
-        raise InputError(f"{file} cannot be loaded: {_last_line(error)}") from error
+        raise InputError(f"{file} cannot be loaded: {reason_of(error)}") from error
     cloths = [
         shape for shape in scene.shapes() if shape.bsdf() is not None and shape.bsdf().id() == FABRIC_ID
     ]

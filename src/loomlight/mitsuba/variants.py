@@ -22,7 +22,7 @@ def choose_variant(name: str | None = None) -> str:
         MissingDependencyError: no usable LLVM library, or no usable CUDA device.
     """
     current = mi.variant()
-    chosen = name or (current if current in SUPPORTED_VARIANTS else DEFAULT_VARIANT)
+    chosen = (current if current in SUPPORTED_VARIANTS else DEFAULT_VARIANT) if name is None else name
     if chosen not in SUPPORTED_VARIANTS:
         raise InputError(f'variant = "{chosen}" is not supported: use {" or ".join(SUPPORTED_VARIANTS)}.')
     if chosen not in mi.variants():

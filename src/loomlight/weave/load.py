@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
 from loomlight.weave.draft import Draft
 from loomlight.weave.other_programs import OTHER_SUFFIXES, read_other_program
 from loomlight.weave.picture import drawdown_from_picture
@@ -22,6 +23,8 @@ def load_draft(path: str | os.PathLike[str]) -> Draft:
         InputError: another kind of file, or one that cannot be read or used.
     """
     suffix = Path(path).suffix.lower()
+    if suffix in DRAFT_SUFFIXES:
+        require_file(path)
     if suffix == ".wif":
         return read_wif(path)
     if suffix in PICTURE_SUFFIXES:
