@@ -1,0 +1,93 @@
+"""A Z twill is a Z twill in the picture, whatever file the cloth comes from and whichever way its uv runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import trimesh
+
+from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba import build_scene, fabric_bsdf, render
+
+# A square of 8 mm that faces +z, x to the right and y up.
+CORNERS = np.array([[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]]) * 1e-3
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
+UPRIGHT = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
+ISLANDS = {
+    "upright": UPRIGHT,
+    "u mirrored": UPRIGHT * [-1, 1] + [1, 0],
+    "v mirrored": UPRIGHT * [1, -1] + [0, 1],
+    "half a turn": 1 - UPRIGHT,
+}
+SIZE = 64
+
+
+def write_obj(folder: Path, uv: np.ndarray) -> Path:
+    lines = [f"v {x} {y} {z}" for x, y, z in CORNERS] + [f"vt {u} {v}" for u, v in uv]
+    lines += ["f " + " ".join(f"{corner + 1}/{corner + 1}" for corner in face) for face in TRIANGLES]
+    file = folder / "quad.obj"
+    file.write_text("\n".join(lines))
+    return file
+
+
+def write_with_trimesh(suffix: str) -> Callable[[Path, np.ndarray], Path]:
+    def write(folder: Path, uv: np.ndarray) -> Path:
+        visual = trimesh.visual.TextureVisuals(uv=uv)
+        mesh = trimesh.Trimesh(CORNERS, TRIANGLES, visual=visual, process=False)
+        file = folder / f"quad{suffix}"
+        trimesh.Scene(mesh).export(file)
+        return file
+
+    return write
+
+
+def write_ply(folder: Path, uv: np.ndarray) -> Path:
+    lines = ["ply", "format ascii 1.0", "element vertex 4"]
+    lines += [f"property float {name}" for name in ("x", "y", "z", "u", "v")]
+    lines += ["element face 2", "property list uchar int vertex_indices", "end_header"]
+    lines += [" ".join(map(str, row)) for row in np.concatenate([CORNERS, uv], axis=1)]
+    lines += [f"3 {a} {b} {c}" for a, b, c in TRIANGLES]
+    file = folder / "quad.ply"
+    file.write_text("\n".join(lines) + "\n")
+    return file
+
+
+FORMATS = {
+    "obj": write_obj,
+    "ply": write_ply,
+    "gltf": write_with_trimesh(".gltf"),
+    "glb": write_with_trimesh(".glb"),
+}
+
+
+def rising(mesh: Path | None, hand: str) -> float:
+    """How much more the picture resembles itself along rising diagonals than along falling ones."""
+    fabric = f'weave = "twill 3/1 {hand}"\n[warp]\ncolor = "#101010"\ntwist_deg = 0\n'
+    fabric += '[weft]\ncolor = "#f0f0f0"\ntwist_deg = 0\n'
+    zoom = 1.0 if mesh is not None else 12.0
+    path = {"light": "directional", "light_from": (0.0, 45.0), "size": (SIZE, SIZE), "max_depth": 2}
+    scene = build_scene("flat", fabric_bsdf(fabric_from_text(fabric)), mesh=mesh, zoom=zoom, **path)
+    picture = render(scene.scene, spp=8).mean(axis=2)[12:-12, 12:-12]
+    centred = picture - picture.mean()
+    shift = 3  # pixels: about a thread
+    inner = centred[shift:-shift, shift:-shift]
+    up = centred[: -2 * shift, 2 * shift :]
+    down = centred[2 * shift :, 2 * shift :]
+    return float(np.mean(inner * up) - np.mean(inner * down)) / float(inner.var())
+
+
+def test_the_measure_tells_z_from_s() -> None:
+    # The flat piece is made here, with u to the right and v up: what the letters mean.
+    assert rising(None, "z") > 0.3
+    assert rising(None, "s") < -0.3
+
+
+@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("island", ISLANDS)
+def test_a_twill_keeps_its_hand(name: str, island: str, tmp_path: Path) -> None:
+    mesh = FORMATS[name](tmp_path, ISLANDS[island])
+    assert rising(mesh, "z") > 0.3
+    assert rising(mesh, "s") < -0.3
