@@ -12,10 +12,8 @@ from __future__ import annotations
 import argparse
 import json
 import math
-import platform
 import re
 import statistics
-import subprocess
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -27,6 +25,7 @@ from drjit.llvm.ad import Array3f, Bool, Float
 
 from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
+from loomlight.core.provenance import provenance
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.point import PointModel
@@ -125,11 +124,7 @@ def main() -> None:
     require_llvm()
     peak = fma_peak()
     result: dict[str, Any] = {
-        "command": "python benchmarks/point.py",
-        "commit": subprocess.run(
-            ["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False
-        ).stdout.strip(),
-        "machine": f"{platform.machine()}, {dr.thread_count()} threads, {_processor()}",
+        **provenance("python benchmarks/point.py", Path(__file__).parent),
         "fma_peak_gflops": round(peak / 1e9, 1),
         "fabrics": {},
     }
@@ -153,14 +148,6 @@ def main() -> None:
     if arguments.output is not None:
         with replacing(arguments.output) as temporary:
             temporary.write_text(text + "\n")
-
-
-def _processor() -> str:
-    try:
-        lines = Path("/proc/cpuinfo").read_text().splitlines()
-    except OSError:
-        return platform.processor()
-    return next((line.split(": ", 1)[1] for line in lines if line.startswith("model name")), "unknown")
 
 
 if __name__ == "__main__":
