@@ -96,7 +96,7 @@ def main() -> None:
         **provenance("python experiments/far_view.py", Path(__file__).parent),
         "threads_per_pixel": THREADS_PER_PIXEL,
         "samples_per_pixel": SAMPLES,
-        "even_tone": {name: evenness(f"{name}.toml") for name in ("silk-satin", "denim", "linen", "damask")},
+        "even_tone": {name: evenness(f"{name}.toml") for name in ("silk-satin", "denim")},
         "highlight_on_satin": highlight(),
     }
     text = json.dumps(result, indent=2)
