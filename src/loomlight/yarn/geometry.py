@@ -27,12 +27,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.yarn.families import Cell, select_cell, upload_family
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.runs import CREST_LEVELS, pack_runs, with_crests
 from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
-
-# Index bins per smallest cell in the table that finds a thread by position.
-_BINS_PER_CELL = 1.0
 
 
 @dataclass
@@ -94,124 +92,6 @@ class Probe:
 
 
 @dataclass
-class _Cell:
-    """Where a coordinate falls among the threads of one family."""
-
-    thread: Any
-    across: Any
-    half_width: Any
-    below: Any  # distance to the lower boundary of the cell
-    above: Any  # distance to the upper one
-
-
-class _UniformFamily:
-    """Threads that are all alike: arithmetic instead of tables."""
-
-    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = tables.lower.size
-        size = float(tables.upper[0] - tables.lower[0])
-        self.size = dr.opaque(types.Float, size)
-        self.inverse_size = dr.opaque(types.Float, 1 / size)
-        self.half_width = dr.opaque(types.Float, float(tables.half_width[0]))
-        self.arc = dr.opaque(types.Float, float(tables.arc[0]))
-        self.drop = dr.opaque(types.Float, float(tables.edge_drop[0]))
-        inclination = float(tables.inclination[0])
-        self.sine = dr.opaque(types.Float, math.sin(inclination))
-        self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
-        self._types = types
-
-    def locate(self, position: Any) -> _Cell:
-        cells = position * self.inverse_size
-        whole = dr.floor(cells)
-        below = dr.fma(-whole, self.size, position)
-        thread = _wrap(self._types.Int32(whole), self.count, self._types)
-        return _Cell(thread, below - 0.5 * self.size, self.half_width, below, self.size - below)
-
-    def span(self, thread: Any, first: Any, last: Any) -> Any:
-        """Length from the lower boundary of cell thread + first to that of thread + last."""
-        del thread
-        return self._types.Float(last - first) * self.size
-
-    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
-        """Sine of the inclination, tangent of half of it, and the arc's half-length."""
-        del thread
-        return self.sine, self.half_tangent, self.arc
-
-    def edge_drop(self, thread: Any, step: Any) -> Any:
-        """Edge drop of thread + step, step in −1..1."""
-        del thread, step
-        return self.drop
-
-
-class _VariedFamily:
-    """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
-
-    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = tables.lower.size
-        self._types = types
-        self.start = dr.opaque(types.Float, float(tables.lower[0]))
-        self.period = dr.opaque(types.Float, tables.period)
-        self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
-        lower = tables.lower - tables.lower[0]
-        upper = tables.upper - tables.lower[0]
-        bins = math.ceil(_BINS_PER_CELL * tables.period / tables.finest) + 1
-        edges = np.arange(bins) * (tables.period / bins)
-        first = np.searchsorted(lower, edges, side="right") - 1
-        self.bins = bins
-        self._first = types.UInt32(first.astype(np.uint32))
-        centre = tables.centre - tables.lower[0]
-        place = np.stack([lower, upper, centre, tables.half_width], axis=1)
-        self._place = types.Float(place.ravel())
-        bend = [
-            np.sin(tables.inclination),
-            np.tan(tables.inclination / 2),
-            tables.arc,
-            tables.edge_drop,
-        ]
-        self._bend = types.Float(np.stack(bend, axis=1).ravel())
-
-    def _row(self, table: Any, thread: Any) -> Any:
-        return dr.gather(self._types.Vector4, table, thread)
-
-    def locate(self, position: Any) -> _Cell:
-        UInt32 = self._types.UInt32
-        turns = (position - self.start) * self.inverse_period
-        turns -= dr.floor(turns)
-        local = turns * self.period
-        slot = dr.minimum(UInt32(turns * self.bins), self.bins - 1)
-        thread = dr.gather(UInt32, self._first, slot)
-        upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
-        # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
-        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self.count - 1)
-        lower, upper, centre, half_width = self._row(self._place, thread)
-        return _Cell(thread, local - centre, half_width, local - lower, upper - local)
-
-    def span(self, thread: Any, first: Any, last: Any) -> Any:
-        return self._boundary(thread, last) - self._boundary(thread, first)
-
-    def _boundary(self, thread: Any, step: Any) -> Any:
-        Int32 = self._types.Int32
-        index = Int32(thread) + step
-        wrapped = _wrap(index, self.count, self._types)
-        turns = (index - Int32(wrapped)) // self.count
-        return dr.gather(self._types.Float, self._place, wrapped * 4) + self._types.Float(turns) * self.period
-
-    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
-        row = self._row(self._bend, thread)
-        return row.x, row.y, row.z
-
-    def edge_drop(self, thread: Any, step: Any) -> Any:
-        wrapped = _wrap(self._types.Int32(thread) + step, self.count, self._types)
-        return dr.gather(self._types.Float, self._bend, wrapped * 4 + 3)
-
-
-def _wrap(index: Any, count: int, types: ArrayTypes) -> Any:
-    """Index modulo the number of threads, for any sign (Dr.Jit's own remainder takes the index's)."""
-    remainder = index % count
-    return types.UInt32(dr.select(remainder < 0, remainder + count, remainder))
-
-
-@dataclass
 class _Shown:
     """The thread that shows at a point, and the facts of its run that shape it there."""
 
@@ -221,8 +101,8 @@ class _Shown:
     word: Any
     warp_above: Any  # the warp is on top here, whether or not its yarn covers the point
     top_word: Any
-    warp: _Cell
-    weft: _Cell
+    warp: Cell
+    weft: Cell
 
 
 class YarnGeometry:
@@ -302,10 +182,10 @@ class YarnGeometry:
             to_right=shown.warp.above,
             to_lower=shown.weft.below,
             to_upper=shown.weft.above,
-            edge_left=_edge_below(shown.warp),
-            edge_right=_edge_above(shown.warp),
-            edge_lower=_edge_below(shown.weft),
-            edge_upper=_edge_above(shown.weft),
+            edge_left=shown.warp.edge_below,
+            edge_right=shown.warp.edge_above,
+            edge_lower=shown.weft.edge_below,
+            edge_upper=shown.weft.edge_above,
         )
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
@@ -328,8 +208,8 @@ class YarnGeometry:
         twist = dr.select(back, -twist, twist)
 
         # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
-        own = _select_cell(is_warp, shown.warp, shown.weft)
-        crossed = _select_cell(is_warp, shown.weft, shown.warp)
+        own = select_cell(is_warp, shown.warp, shown.weft)
+        crossed = select_cell(is_warp, shown.weft, shown.warp)
         run = _unpack(types, tables, shown, own, crossed)
 
         radius = own.half_width / math.sin(SECTION_ANGLE)
@@ -394,8 +274,8 @@ class _Uploaded:
     def __init__(
         self, warp: FamilyTables, weft: FamilyTables, words: NDArray[np.uint32], types: ArrayTypes
     ) -> None:
-        self.warp: Any = (_UniformFamily if warp.uniform else _VariedFamily)(warp, types)
-        self.weft: Any = (_UniformFamily if weft.uniform else _VariedFamily)(weft, types)
+        self.warp: Any = upload_family(warp, types)
+        self.weft: Any = upload_family(weft, types)
         self.words = types.UInt32(words.ravel())
         self.ends = words.shape[1]
 
@@ -428,28 +308,7 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _S
     return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, warp_above, top_word, warp, weft)
 
 
-def _edge_above(cell: _Cell) -> Any:
-    """Distance upwards to the thread's outline, or past it to the upper end of its cell."""
-    beyond = dr.select(cell.across < cell.half_width, cell.half_width - cell.across, cell.above)
-    return dr.select(cell.across < -cell.half_width, -cell.half_width - cell.across, beyond)
-
-
-def _edge_below(cell: _Cell) -> Any:
-    beyond = dr.select(cell.across > -cell.half_width, cell.across + cell.half_width, cell.below)
-    return dr.select(cell.across > cell.half_width, cell.across - cell.half_width, beyond)
-
-
-def _select_cell(is_warp: Any, first: _Cell, second: _Cell) -> _Cell:
-    return _Cell(
-        dr.select(is_warp, first.thread, second.thread),
-        dr.select(is_warp, first.across, second.across),
-        dr.select(is_warp, first.half_width, second.half_width),
-        dr.select(is_warp, first.below, second.below),
-        dr.select(is_warp, first.above, second.above),
-    )
-
-
-def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: _Cell, crossed: _Cell) -> _Run:
+def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
     word = shown.word
     behind = types.Int32((word >> 1) & 127)
     ahead = types.Int32((word >> 8) & 127)
@@ -484,7 +343,7 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: _Cell, cro
 
 
 def _dive(
-    types: ArrayTypes, tables: _Uploaded, shown: _Shown, run: _Run, crossed: _Cell, other_beta: Any
+    types: ArrayTypes, tables: _Uploaded, shown: _Shown, run: _Run, crossed: Cell, other_beta: Any
 ) -> tuple[Any, Any]:
     """How far the thread is pushed down here, and the slope of that along the thread's axis."""
     low_side = crossed.below < crossed.above

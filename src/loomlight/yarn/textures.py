@@ -8,6 +8,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.yarn.families import wrapped
 from loomlight.yarn.geometry import Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
 
@@ -68,8 +69,8 @@ class TextureSurface:
         along = y * (rows / self.size[1]) - 0.5
         column, row = dr.floor(across), dr.floor(along)
         share_x, share_y = across - column, along - row
-        left, right = (_wrap(types.Int32(column) + k, columns, types) for k in (0, 1))
-        lower, upper = (_wrap(types.Int32(row) + k, rows, types) for k in (0, 1))
+        left, right = (wrapped(types.Int32(column) + k, columns, types) for k in (0, 1))
+        lower, upper = (wrapped(types.Int32(row) + k, rows, types) for k in (0, 1))
         face = dr.select(types.Bool(back), types.UInt32(rows * columns), types.UInt32(0))
 
         def texel(column: Any, row: Any) -> tuple[Any, Any]:
@@ -120,11 +121,6 @@ class TextureSurface:
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = types.Float(self._texels.ravel())
         return self._uploaded[types.Float]
-
-
-def _wrap(index: Any, count: int, types: ArrayTypes) -> Any:
-    remainder = index % count
-    return types.UInt32(dr.select(remainder < 0, remainder + count, remainder))
 
 
 def _pack(maps: SurfaceMaps) -> Any:

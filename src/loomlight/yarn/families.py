@@ -1,0 +1,167 @@
+"""Finding the thread at a position, and what the geometry asks about it, on one Dr.Jit backend."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+
+from loomlight.core.backend import ArrayTypes
+from loomlight.yarn.threads import FamilyTables
+
+
+@dataclass
+class Cell:
+    """Where a coordinate falls among the threads of one family.
+
+    Attributes:
+        thread: index of the thread whose cell it is.
+        across: distance from the middle of that thread, signed, millimetres.
+        half_width: of that thread.
+        below, above: distances to the ends of the cell.
+    """
+
+    thread: Any
+    across: Any
+    half_width: Any
+    below: Any
+    above: Any
+
+    @property
+    def edge_above(self) -> Any:
+        """Distance upwards to the thread's outline, or past it to the upper end of the cell."""
+        beyond = dr.select(self.across < self.half_width, self.half_width - self.across, self.above)
+        return dr.select(self.across < -self.half_width, -self.half_width - self.across, beyond)
+
+    @property
+    def edge_below(self) -> Any:
+        """Distance downwards to the thread's outline, or past it to the lower end of the cell."""
+        beyond = dr.select(self.across > -self.half_width, self.across + self.half_width, self.below)
+        return dr.select(self.across > self.half_width, self.across - self.half_width, beyond)
+
+
+def select_cell(first_one: Any, first: Cell, second: Cell) -> Cell:
+    """`first` where `first_one`, else `second`."""
+    return Cell(
+        dr.select(first_one, first.thread, second.thread),
+        dr.select(first_one, first.across, second.across),
+        dr.select(first_one, first.half_width, second.half_width),
+        dr.select(first_one, first.below, second.below),
+        dr.select(first_one, first.above, second.above),
+    )
+
+
+class UniformFamily:
+    """Threads that are all alike: arithmetic instead of tables."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = tables.lower.size
+        size = float(tables.upper[0] - tables.lower[0])
+        self.size = dr.opaque(types.Float, size)
+        self.inverse_size = dr.opaque(types.Float, 1 / size)
+        self.half_width = dr.opaque(types.Float, float(tables.half_width[0]))
+        self.arc = dr.opaque(types.Float, float(tables.arc[0]))
+        self.drop = dr.opaque(types.Float, float(tables.edge_drop[0]))
+        inclination = float(tables.inclination[0])
+        self.sine = dr.opaque(types.Float, math.sin(inclination))
+        self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
+        self._types = types
+
+    def locate(self, position: Any) -> Cell:
+        """The cell of a position in millimetres, any number of repeats away."""
+        cells = position * self.inverse_size
+        whole = dr.floor(cells)
+        below = dr.fma(-whole, self.size, position)
+        thread = wrapped(self._types.Int32(whole), self.count, self._types)
+        return Cell(thread, below - 0.5 * self.size, self.half_width, below, self.size - below)
+
+    def span(self, thread: Any, first: Any, last: Any) -> Any:
+        """Length from the lower boundary of cell thread + first to that of thread + last."""
+        del thread
+        return self._types.Float(last - first) * self.size
+
+    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+        """Sine of the inclination, tangent of half of it, and the arc's half-length."""
+        del thread
+        return self.sine, self.half_tangent, self.arc
+
+    def edge_drop(self, thread: Any, step: Any) -> Any:
+        """Edge drop of thread + step, step in −1..1."""
+        del thread, step
+        return self.drop
+
+
+class VariedFamily:
+    """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self.count = tables.lower.size
+        self._types = types
+        self.start = dr.opaque(types.Float, float(tables.lower[0]))
+        self.period = dr.opaque(types.Float, tables.period)
+        self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
+        lower = tables.lower - tables.lower[0]
+        upper = tables.upper - tables.lower[0]
+        bins = math.ceil(tables.period / tables.finest) + 1
+        edges = np.arange(bins) * (tables.period / bins)
+        first = np.searchsorted(lower, edges, side="right") - 1
+        self.bins = bins
+        self._first = types.UInt32(first.astype(np.uint32))
+        centre = tables.centre - tables.lower[0]
+        place = np.stack([lower, upper, centre, tables.half_width], axis=1)
+        self._place = types.Float(place.ravel())
+        bend = [
+            np.sin(tables.inclination),
+            np.tan(tables.inclination / 2),
+            tables.arc,
+            tables.edge_drop,
+        ]
+        self._bend = types.Float(np.stack(bend, axis=1).ravel())
+
+    def _row(self, table: Any, thread: Any) -> Any:
+        return dr.gather(self._types.Vector4, table, thread)
+
+    def locate(self, position: Any) -> Cell:
+        UInt32 = self._types.UInt32
+        turns = (position - self.start) * self.inverse_period
+        turns -= dr.floor(turns)
+        local = turns * self.period
+        slot = dr.minimum(UInt32(turns * self.bins), self.bins - 1)
+        thread = dr.gather(UInt32, self._first, slot)
+        upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
+        # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
+        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self.count - 1)
+        lower, upper, centre, half_width = self._row(self._place, thread)
+        return Cell(thread, local - centre, half_width, local - lower, upper - local)
+
+    def span(self, thread: Any, first: Any, last: Any) -> Any:
+        return self._boundary(thread, last) - self._boundary(thread, first)
+
+    def _boundary(self, thread: Any, step: Any) -> Any:
+        Int32 = self._types.Int32
+        index = Int32(thread) + step
+        inside = wrapped(index, self.count, self._types)
+        turns = (index - Int32(inside)) // self.count
+        return dr.gather(self._types.Float, self._place, inside * 4) + self._types.Float(turns) * self.period
+
+    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+        row = self._row(self._bend, thread)
+        return row.x, row.y, row.z
+
+    def edge_drop(self, thread: Any, step: Any) -> Any:
+        inside = wrapped(self._types.Int32(thread) + step, self.count, self._types)
+        return dr.gather(self._types.Float, self._bend, inside * 4 + 3)
+
+
+def wrapped(index: Any, count: int, types: ArrayTypes) -> Any:
+    """Index modulo the number of threads, for any sign (Dr.Jit's own remainder takes the index's)."""
+    remainder = index % count
+    return types.UInt32(dr.select(remainder < 0, remainder + count, remainder))
+
+
+def upload_family(tables: FamilyTables, types: ArrayTypes) -> UniformFamily | VariedFamily:
+    """The family on one backend: without tables where its threads are alike."""
+    return UniformFamily(tables, types) if tables.uniform else VariedFamily(tables, types)
