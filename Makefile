@@ -12,8 +12,8 @@ test: lint
 	$(RUN)/python -m pytest -n 2
 
 lint: setup
-	$(RUN)/ruff check src tests scripts benchmarks
-	$(RUN)/ruff format --check src tests scripts benchmarks
+	$(RUN)/ruff check src tests scripts benchmarks experiments
+	$(RUN)/ruff format --check src tests scripts benchmarks experiments
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 

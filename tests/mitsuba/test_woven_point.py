@@ -266,7 +266,7 @@ def test_albedo_texture_multiplies_the_dye() -> None:
 
 
 def test_parameters_are_shown_set_and_differentiable() -> None:
-    bsdf = woven()
+    bsdf = woven(sheen_strength=0.5, sheen_roughness=0.3)
     params = mi.traverse(bsdf)
     text = str(bsdf)
     assert "twill 3/1" in text
@@ -282,7 +282,14 @@ def test_parameters_are_shown_set_and_differentiable() -> None:
         params.update()
         return result
 
-    for key in ("warp.roughness", "warp.twist", "weft.specular_reflect", "warp.diffuse_reflect"):
+    for key in (
+        "warp.roughness",
+        "warp.twist",
+        "weft.specular_reflect",
+        "warp.diffuse_reflect",
+        "sheen.strength",
+        "sheen.roughness",
+    ):
         start, step = 0.4, 2e-3
         difference = (mean(key, start + step) - mean(key, start - step)) / (2 * step)
         before = type(params[key])(params[key])

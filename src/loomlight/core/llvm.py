@@ -6,6 +6,7 @@ for first; asking is safe. Run as a module it prints what it found, and exits wi
 
 from __future__ import annotations
 
+import os
 import sys
 
 from loomlight.core.errors import LoomlightError, MissingDependencyError
@@ -32,7 +33,9 @@ def require_llvm() -> None:
     """
     version = llvm_version()
     if version is None:
-        raise MissingDependencyError(f"LLVM {MINIMUM_LLVM} or newer is needed and none was found: {ADVICE}.")
+        named = os.environ.get("DRJIT_LIBLLVM_PATH")
+        found = f"DRJIT_LIBLLVM_PATH names {named}, which cannot be used" if named else "none was found"
+        raise MissingDependencyError(f"LLVM {MINIMUM_LLVM} or newer is needed and {found}: {ADVICE}.")
     if version[0] < MINIMUM_LLVM:
         found = ".".join(map(str, version))
         raise MissingDependencyError(

@@ -31,9 +31,10 @@ def woven_point_class() -> type:
             albedo: a texture over the mesh's uv; the diffuse albedos are multiplied by it, clipped to [0, 1].
 
         Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians) and the albedos
-        ``warp.diffuse_reflect`` …, the same of ``weft``, and ``uv_size``. Albedos of families whose threads
-        differ are one array ``warp.albedos``: a row a thread, four albedos a row, four numbers an albedo of
-        which the last is unused. All but ``uv_size`` are differentiable; shadows and holes are held fixed.
+        ``warp.diffuse_reflect`` …, the same of ``weft``, ``sheen.strength`` and ``sheen.roughness`` where
+        there is sheen, and ``uv_size``. Albedos of families whose threads differ are one array
+        ``warp.albedos``: a row a thread, four albedos a row, four numbers an albedo of which the last is
+        unused. All but ``uv_size`` are differentiable; shadows and holes are held fixed.
         """
 
         def __init__(self, props: Any) -> None:
@@ -50,6 +51,9 @@ def woven_point_class() -> type:
                 name: [dr.opaque(mi.Float, float(getattr(self.geometry, name)[family])) for family in (0, 1)]
                 for name in ("height_scale", "twist")
             }
+            # Literals until they are edited: the sheen's closed form is cheaper with a literal roughness.
+            sheen = self.model.sheen
+            self._sheen = None if sheen is None else [mi.Float(float(value)) for value in sheen]
             self.parameters_changed([])
             flags: Any = mi.BSDFFlags
             both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
@@ -76,6 +80,9 @@ def woven_point_class() -> type:
                     continue
                 for albedo, value in zip(_ALBEDOS, family.shared, strict=True):
                     callback.put(f"{name}.{albedo}", value, free)
+            if self._sheen is not None:
+                callback.put("sheen.strength", self._sheen[0], free)
+                callback.put("sheen.roughness", self._sheen[1], free)
             if self.albedo is not None:
                 callback.put("albedo", self.albedo, free)
 
@@ -84,6 +91,9 @@ def woven_point_class() -> type:
             self.geometry.height_scale = (warp, weft)
             warp, weft = self._bends["twist"]
             self.geometry.twist = (warp, weft)
+            if self._sheen is not None:
+                strength, roughness = self._sheen
+                self.model.sheen = (strength, roughness)
 
         def _families(self) -> Any:
             return self.model.parameters(_types())

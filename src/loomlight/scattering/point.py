@@ -135,6 +135,7 @@ class PointModel:
         appearance: what scatters.
         quality: how finely rays are searched.
         horizon: tabulated visibility instead of the search towards the light; None is exact.
+        sheen: strength and roughness, numbers or Dr.Jit scalars; None without sheen.
     """
 
     def __init__(
@@ -148,6 +149,9 @@ class PointModel:
         self.appearance = appearance
         self.quality = quality
         self.horizon = horizon
+        sheen = appearance.sheen
+        # None without sheen, so that it costs nothing then.
+        self.sheen: tuple[Any, Any] | None = (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
         self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
 
     def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
@@ -205,12 +209,6 @@ class PointModel:
     @property
     def _varies(self) -> bool:
         return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
-
-    @property
-    def _sheen(self) -> tuple[float, float] | None:
-        """Strength and roughness; None without sheen, so that it costs nothing then."""
-        sheen = self.appearance.sheen
-        return (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
 
     def _varied(self, point: SurfacePoint, albedos: Albedos, x: Any, y: Any) -> Albedos:
         types = array_types(x)
@@ -298,9 +296,9 @@ class PointModel:
         facing = dr.select(
             choice < specular, facing, dr.select(choice < specular + reflect, diffuse, -diffuse)
         )
-        if self._sheen is not None:
+        if self.sheen is not None:
             from_sheen = choice >= specular + reflect + transmit
-            facing = dr.select(from_sheen, sample_sheen(seen, self._sheen[1], u), facing)
+            facing = dr.select(from_sheen, sample_sheen(seen, self.sheen[1], u), facing)
         # Compared from the end: a choice of almost 1 must not fall past lobes that add up to less.
         passes = point.hole & (choice >= sheen)
         facing = dr.select(passes, -seen, facing)
@@ -320,8 +318,8 @@ class PointModel:
     def _straight_through(self, point: YarnPoint, view: Any) -> Any:
         types = array_types(point.x)
         through = types.Float(1)
-        if self._sheen is not None:
-            through = sheen_transmittance(view, *self._sheen)
+        if self.sheen is not None:
+            through = sheen_transmittance(view, *self.sheen)
         return dr.select(point.hole, through, 0)
 
     def _scattered(self, point: YarnPoint, light: Any, view: Any) -> Any:
@@ -337,9 +335,9 @@ class PointModel:
         far += albedos.specular_transmit * transmission(light, view, *frame)
         value = dr.select(above, near, dr.select(below, far, types.Color3(0)))
         value = dr.select(point.hole, 0, value)
-        if self._sheen is not None:
+        if self.sheen is not None:
             # Fly-away fibres stand over holes too (zhu2024 eq. 4).
-            sheen, transmittance = sheen_with_transmittance(light, view, *self._sheen)
+            sheen, transmittance = sheen_with_transmittance(light, view, *self.sheen)
             value = transmittance * value + sheen
         return value
 
@@ -352,10 +350,10 @@ class PointModel:
         specular = dr.mean(albedos.specular_reflect) * turned + dr.mean(albedos.specular_transmit) * through
         reflect = dr.mean(albedos.diffuse_reflect)
         transmit = dr.mean(albedos.diffuse_transmit)
-        if self._sheen is None:
+        if self.sheen is None:
             sheen = types.Float(0)
         else:
-            transmittance = sheen_transmittance(view, *self._sheen)
+            transmittance = sheen_transmittance(view, *self.sheen)
             sheen = dr.select(
                 point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(dr.maximum(transmittance, 1e-3))
             )
@@ -374,8 +372,8 @@ class PointModel:
             + reflect * diffuse_pdf(light, point.normal, blend)
             + transmit * diffuse_pdf(-light, point.normal, blend)
         )
-        if self._sheen is not None:
-            density += sheen * sheen_pdf(light, view, self._sheen[1])
+        if self.sheen is not None:
+            density += sheen * sheen_pdf(light, view, self.sheen[1])
         return density
 
 
