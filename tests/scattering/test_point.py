@@ -160,9 +160,9 @@ def test_weight_is_value_over_density(seed: int) -> None:
         assert np.isfinite(weight).all()
 
 
-@pytest.mark.parametrize("batch", range(6))
+@pytest.mark.parametrize("batch", range(3))
 def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
-    """White furnace over the parameter box: 10 random fabrics a batch, three views each, point by point."""
+    """White furnace over the parameter box, point by point; `experiments/white_furnace.py` goes further."""
     for seed in range(10 * batch, 10 * batch + 10):
         model = random_model(seed, white=True)
         rng = np.random.default_rng(seed)
@@ -185,7 +185,7 @@ def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
         assert np.isfinite(weight).all()
         mean = weight.mean(axis=2)
         error = weight.std(axis=2) / math.sqrt(each)
-        # 60 fabrics, 64 places, 3 channels: 11 520 comparisons, of which none may pass 5 deviations.
+        # 30 fabrics, 64 places, 3 channels: 5760 comparisons, of which none may pass 5 deviations.
         assert (mean <= 1 + 5 * error + 1e-4).all(), (seed, mean.max())
 
 

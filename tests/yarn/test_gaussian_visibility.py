@@ -17,7 +17,7 @@ from .layouts import TWILL, even_layout
 
 def test_lobes_follow_the_horizons() -> None:
     geometry = YarnGeometry(even_layout(TWILL))
-    table = HorizonMap(geometry, (48, 48), Float)
+    table = HorizonMap(geometry, (32, 32), Float)
     saturating, unbounded = (GaussianVisibility(table, Float, saturates) for saturates in (True, False))
     # A step that a smooth lobe stands for: a prototype found 0.06 with the cut and 0.25 without.
     assert max(saturating.error) < 0.09
