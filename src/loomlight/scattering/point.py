@@ -263,9 +263,11 @@ class PointModel:
         facing = _on_face(light, point.back)
         beyond = facing.z < 0
         side = point.back ^ beyond
+        direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
+        if self.horizon is not None:
+            return self.horizon.unoccluded(point.x, point.y, direction, side) | point.hole
         far_height, _ = self.surface.height(point.x, point.y, ~point.back)
         height = dr.select(beyond, far_height, point.height)
-        direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
         searched = types.Bool(active) & ~point.hole
         free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
         return free | point.hole

@@ -73,11 +73,13 @@ class Hit:
     Attributes:
         x, y: draft coordinates of the yarn point, millimetres.
         hole: the ray passes through the cloth.
+        height: where the ray ends. On continuous yarn that is the surface; on a wall, below its upper edge.
     """
 
     x: Any
     y: Any
     hole: Any
+    height: Any
 
 
 def _steps_per_length(surface: Surface, quality: SearchQuality, direction: Any) -> Any:
@@ -249,7 +251,7 @@ def first_hit(
     )
     under = state[2]
     hole = active & passes_through(surface, x, y, view, back, active, quality)
-    return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole)
+    return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
 
 
 def passes_through(
