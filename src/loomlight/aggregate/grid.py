@@ -15,15 +15,22 @@ from loomlight.yarn.visibility import Surface
 TEXELS_PER_THREAD = 32
 # Five float64 tables of so many texels take 640 MB.
 MAXIMUM_TEXELS = 1 << 24
+# The golden ratio's fraction, and one half, in units of 2⁻³²: products wrap around as fractions do.
+_TURN = 0x9E3779B9
+_START = 0x80000000
 
 
 @dataclass(frozen=True)
 class Grid:
     """Texels over a rectangle of the plane z = 0; row 0 lies at its lower edge, column 0 at its left.
 
+    One ray goes through each texel: across it at a share that advances by the golden ratio from row to row,
+    up it at a share that advances so from column to column. Rays through the middles would all fall on one
+    side of an edge along the threads, and yarns 25.6 texels wide be 26 everywhere.
+
     Attributes:
         left, bottom, width, height: the rectangle in draft coordinates, millimetres.
-        columns, rows: texels; rays go through their middles.
+        columns, rows: texels.
         periodic: the rectangle is one repeat, so the grid covers the plane.
     """
 
@@ -45,13 +52,16 @@ class Grid:
         """Size of a texel, millimetres."""
         return self.width / self.columns, self.height / self.rows
 
-    def middles(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
-        """Draft coordinates of the middles of texels (UInt32, row by row), millimetres."""
+    def points(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
+        """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
         row = texel // self.columns
         column = texel - row * self.columns
+        # 24 bits of the product are what float32 holds.
+        share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
+        share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
         step_x, step_y = self.step
-        x = (types.Float(column) + 0.5) * step_x + self.left
-        return x, (types.Float(row) + 0.5) * step_y + self.bottom
+        x = (types.Float(column) + share_x) * step_x + self.left
+        return x, (types.Float(row) + share_y) * step_y + self.bottom
 
     def nearest(self, types: ArrayTypes, x: Any, y: Any) -> Any:
         """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""

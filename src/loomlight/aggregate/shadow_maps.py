@@ -40,7 +40,7 @@ class ShadowMaps:
             lane = dr.arange(types.UInt32, first, min(first + _BATCH, total))
             index = lane // grid.texels
             light = dr.gather(types.Vector3, directions, index)
-            x, y = grid.middles(types, lane - index * grid.texels)
+            x, y = grid.points(types, lane - index * grid.texels)
             back = light.z < 0
             height, _ = model.surface.height(x, y, back)
             free = unoccluded(model.surface, x, y, height, on_face(light, back), back, quality=model.quality)

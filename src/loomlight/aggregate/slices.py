@@ -260,7 +260,7 @@ class FabricSlices:
         types, grid = self._types, self.grid
         lane = dr.arange(types.UInt32, count * grid.texels)
         number = lane // grid.texels
-        x, y = grid.middles(types, lane - number * grid.texels)
+        x, y = grid.points(types, lane - number * grid.texels)
         point = meet(self.model, x, y, dr.gather(types.Vector3, views, number)).point
         shadow_texel = None if maps is None else maps.texel(point.x, point.y)
         dr.eval(point, shadow_texel)
