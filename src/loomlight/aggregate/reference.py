@@ -73,6 +73,7 @@ def reference(
     """
     plain = without_extras(model)
     types = array_types(footprint.area)
+    rng = np.random.default_rng(seed)
     count = max(dr.width(footprint.centre), dr.width(footprint.duv_dx), dr.width(footprint.duv_dy))
     light, view = (_directions(types, directions, count) for directions in (lights, views))
     whole = Footprint(
@@ -84,14 +85,12 @@ def reference(
         number = min(at_once, count - first)
         lane = dr.arange(types.UInt32, number * samples)
         index = lane // samples + first
-        generator = types.PCG32(
-            size=number * samples, initstate=seed, initseq=index * samples + lane % samples
-        )
-        s, t = generator.next_float32(), generator.next_float32()
+        # Drawn one after another, so batches do not matter.
+        s, t = rng.random((number * samples, 2), np.float32).T
         chosen = Footprint(
             *(dr.gather(types.Vector2, part, index) for part in (whole.centre, whole.duv_dx, whole.duv_dy))
         )
-        place = chosen.at(types.Float(s) - 0.5, types.Float(t) - 0.5)
+        place = chosen.at(_uniform(types, s), _uniform(types, t))
         towards, eye = dr.gather(types.Vector3, light, index), dr.gather(types.Vector3, view, index)
         point = meet(plain, place.x, place.y, eye).point
         visible = plain.visibility(point, towards)
@@ -207,6 +206,11 @@ class _Sums:
 def _directions(types: ArrayTypes, directions: ArrayLike, count: int) -> Any:
     vectors = np.broadcast_to(np.asarray(directions, np.float64), (count, 3))
     return types.Vector3(np.ascontiguousarray(vectors.T, dtype=np.float32))
+
+
+def _uniform(types: ArrayTypes, numbers: NDArray[np.float32]) -> Any:
+    """Numbers of [0, 1) moved to [−1/2, 1/2)."""
+    return types.Float(np.ascontiguousarray(numbers)) - 0.5
 
 
 def _spread(types: ArrayTypes, vector: Any, count: int) -> Any:
