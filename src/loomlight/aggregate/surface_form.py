@@ -11,8 +11,10 @@ average times the share of rays that meet continuous yarn:
 
     truth = surface form × (1 − hole − wall),    1 − hole − wall = mean of A / ⟨view·n_s⟩
 
-Walls have no extent on the plane, so no surface point stands for them. Over less than a repeat the two see
-different points, since a ray that crosses the plane in a footprint meets yarn beside it.
+Walls have no extent on the plane, so no surface point stands for them. V(view) is 0 as well where the view
+ray through a point is one that passes through the cloth: that ray's light is the hole's, and counted with
+the point too it would be counted twice (A would sum to 4 % too much on plain weave). Over less than a repeat
+the two see different points, since a ray that crosses the plane in a footprint meets yarn beside it.
 """
 
 from __future__ import annotations
@@ -26,9 +28,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
 from loomlight.aggregate.grid import Grid
-from loomlight.core.backend import array_types
-from loomlight.scattering.point import PointModel, on_face
-from loomlight.yarn.visibility import unoccluded
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.yarn.visibility import passes_through, unoccluded
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +56,26 @@ class SurfaceForm:
     projected: float
 
 
-def projected_area(model: PointModel, point: Any, view: Any) -> Any:
+@dataclass(frozen=True, eq=False)
+class SurfaceSamples:
+    """What `surface_form` averages, a column a place on the plane z = 0.
+
+    Attributes:
+        by_rays: components at the point that the view ray through each place meets [4, n], 1/sr.
+        continuous, wall, hole: what that ray meets [n], bool, exactly one of them true.
+        by_points: components at the surface point below each place [4, n], 1/sr.
+        area: its visible projected area A [n].
+    """
+
+    by_rays: NDArray[np.float64]
+    continuous: NDArray[np.bool_]
+    wall: NDArray[np.bool_]
+    hole: NDArray[np.bool_]
+    by_points: NDArray[np.float64]
+    area: NDArray[np.float64]
+
+
+def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
     """A(p, view) of points of the surface (chen2024 eq. 4): Float, ≥ 0; zero in holes.
 
     Args:
@@ -64,8 +85,37 @@ def projected_area(model: PointModel, point: Any, view: Any) -> Any:
     seen = on_face(view, point.back)
     facing = dr.maximum(dr.dot(seen, point.normal), 0) / dr.maximum(point.normal.z, 1e-6)
     worth = (facing > 0) & ~point.hole
-    free = unoccluded(model.surface, point.x, point.y, point.height, seen, point.back, worth, model.quality)
-    return dr.select(free & worth, facing, 0)
+    surface, quality = model.surface, model.quality
+    free = unoccluded(surface, point.x, point.y, point.height, seen, point.back, worth, quality)
+    rise = point.height / dr.maximum(seen.z, 1e-4)
+    through = passes_through(
+        surface, point.x - seen.x * rise, point.y - seen.y * rise, seen, point.back, free & worth, quality
+    )
+    return dr.select(free & worth & ~through, facing, 0)
+
+
+def surface_samples(model: PointModel, x: Any, y: Any, light: ArrayLike, view: ArrayLike) -> SurfaceSamples:
+    """Both kinds of samples at places x, y (draft millimetres) of the plane z = 0.
+
+    Args:
+        light, view: unit vectors [3]; z < 0 is the back.
+    """
+    types = array_types(x)
+    plain = without_extras(model)
+    towards, eye = (_everywhere(types, direction, dr.width(x)) for direction in (light, view))
+    met = meet(plain, x, y, eye)
+    back = types.Bool(eye.z < 0)
+    _, hole = plain.surface.height(x, y, back)
+    below = plain.at(x, y, back, hole)
+    passes, wall = np.asarray(met.point.hole.numpy(), bool), np.asarray(met.wall.numpy(), bool)
+    return SurfaceSamples(
+        by_rays=_shaded(plain, met.point, towards, eye),
+        continuous=~wall & ~passes,
+        wall=wall,
+        hole=passes,
+        by_points=_shaded(plain, below, towards, eye),
+        area=np.asarray(projected_area(plain, below, eye).numpy(), np.float64),
+    )
 
 
 def surface_form(
@@ -79,46 +129,28 @@ def surface_form(
         float_type: the Dr.Jit Float type to compute with.
     """
     types = array_types(float_type)
-    plain = without_extras(model)
-    texel = dr.arange(types.UInt32, grid.texels)
-    x, y = grid.points(types, texel)
-    towards, eye = (_everywhere(types, direction, grid.texels) for direction in (light, view))
-
-    met = meet(plain, x, y, eye)
-    by_rays = _shaded(plain, met.point, towards, eye)
-    continuous = ~met.wall & ~met.point.hole
-
-    back = types.Bool(eye.z < 0)
-    _, hole = plain.surface.height(x, y, back)
-    below = plain.at(x, y, back, hole)
-    by_points = _shaded(plain, below, towards, eye)
-    area = _numbers(projected_area(plain, below, eye))
-
-    total = area.sum()
-    shown = _numbers(dr.select(continuous, types.Float(1), 0))
+    x, y = grid.points(types, dr.arange(types.UInt32, grid.texels))
+    samples = surface_samples(model, x, y, light, view)
+    total = samples.area.sum()
+    nothing = np.full(len(COMPONENTS), np.nan)
     return SurfaceForm(
-        surface_form=(by_points * area).sum(axis=1) / total
-        if total > 0
-        else np.full(len(COMPONENTS), np.nan),
-        truth=(by_rays * shown).mean(axis=1),
-        truth_with_walls=by_rays.mean(axis=1),
-        continuous=float(shown.mean()),
-        wall=float(np.mean(met.wall.numpy())),
-        hole=float(np.mean(met.point.hole.numpy())),
-        projected=float(area.mean()) / abs(float(np.asarray(view)[2])),
+        surface_form=(samples.by_points * samples.area).sum(axis=1) / total if total > 0 else nothing,
+        truth=(samples.by_rays * samples.continuous).mean(axis=1),
+        truth_with_walls=samples.by_rays.mean(axis=1),
+        continuous=float(samples.continuous.mean()),
+        wall=float(samples.wall.mean()),
+        hole=float(samples.hole.mean()),
+        projected=float(samples.area.mean()) / abs(float(np.asarray(view, np.float64)[2])),
     )
 
 
-def _shaded(model: PointModel, point: Any, light: Any, view: Any) -> NDArray[np.float64]:
+def _shaded(model: PointModel, point: YarnPoint, light: Any, view: Any) -> NDArray[np.float64]:
     visible = model.visibility(point, light)
-    return np.stack([_numbers(part) for part in components(model.appearance, point, light, view, visible)])
+    parts = components(model.appearance, point, light, view, visible)
+    return np.stack([np.asarray(part.numpy(), np.float64) for part in parts])
 
 
-def _numbers(value: Any) -> NDArray[np.float64]:
-    return np.asarray(value.numpy(), np.float64)
-
-
-def _everywhere(types: Any, direction: ArrayLike, count: int) -> Any:
+def _everywhere(types: ArrayTypes, direction: ArrayLike, count: int) -> Any:
     # Opaque, so that one kernel serves every direction.
     parts = (dr.opaque(types.Float, float(part)) for part in np.asarray(direction, np.float64))
     return types.Vector3(*parts) + dr.zeros(types.Vector3, count)
