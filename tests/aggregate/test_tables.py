@@ -18,7 +18,7 @@ require_llvm()
 COLUMNS, ROWS = 7, 5
 GRID = Grid(-0.3, 0.2, 1.4, 0.5, COLUMNS, ROWS, periodic=True)
 VALUES = np.random.default_rng(0).random((ROWS, COLUMNS))
-TABLE = Float64(summed_areas(VALUES).ravel())
+TABLE = summed_areas(Float64(VALUES.ravel()), COLUMNS, ROWS)
 
 
 def _means(centres: np.ndarray, sizes: np.ndarray, grid: Grid = GRID) -> np.ndarray:
@@ -33,6 +33,14 @@ def _overlaps(low: float, high: float, count: int) -> np.ndarray:
     total = np.zeros(count)
     np.add.at(total, cells.astype(int) % count, lengths)
     return total
+
+
+def test_tables_are_sums_from_the_corner() -> None:
+    values = np.random.default_rng(1).random((3, ROWS, COLUMNS))
+    tables = summed_areas(Float64(values.ravel()), COLUMNS, ROWS).numpy().reshape(3, ROWS + 1, COLUMNS + 1)
+    np.testing.assert_allclose(tables[:, 1:, 1:], values.cumsum(axis=1).cumsum(axis=2), rtol=1e-14)
+    assert not tables[:, 0].any()
+    assert not tables[:, :, 0].any()
 
 
 coordinates = st.floats(-40, 40, allow_nan=False)

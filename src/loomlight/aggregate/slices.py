@@ -36,13 +36,12 @@ class Slice:
         grid: where its rays cross the plane z = 0.
         channels: names, the five of `CHANNELS` and then red, green and blue if asked for.
         values: [channels, rows, columns]; components and colours in 1/sr, the hole as 0 or 1.
-        tables: their summed areas [channels, rows + 1, columns + 1].
     """
 
     grid: Grid
     channels: tuple[str, ...]
     values: NDArray[np.float32]
-    tables: NDArray[np.float64]
+    _table: Any
     _float_type: type
 
     def box_means(self, centres: ArrayLike, sizes: ArrayLike) -> NDArray[np.float64]:
@@ -56,11 +55,9 @@ class Slice:
         """
         types = array_types(self._float_type)
         boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
-        double: Any = dr.float64_array_t(self._float_type)
-        table = double(self.tables.ravel())
-        entries = self.tables[0].size
+        entries = (self.grid.columns + 1) * (self.grid.rows + 1)
         means = [
-            box_means(table, types.UInt32(channel * entries), self.grid, boxes).numpy()
+            box_means(self._table, types.UInt32(channel * entries), self.grid, boxes).numpy()
             for channel in range(len(self.channels))
         ]
         return np.stack(means, axis=1)
@@ -98,14 +95,14 @@ class SliceBatch:
 
     Attributes:
         pairs: which of the pairs that were asked for [n].
-        values: [n, channels, rows, columns] without the hole.
-        holes: [views, rows, columns], 0 or 1.
-        hole_of: row of `holes` that belongs to each pair [n].
+        channels: an array a channel but the hole, n slices one after another, texels row by row: Float.
+        holes: 0 or 1 for each view of the batch, likewise: Float.
+        hole_of: number of the view that each pair has in the batch [n].
     """
 
     pairs: NDArray[np.intp]
-    values: NDArray[np.float32]
-    holes: NDArray[np.float32]
+    channels: list[Any]
+    holes: Any
     hole_of: NDArray[np.intp]
 
 
@@ -153,9 +150,11 @@ class FabricSlices:
     def slice(self, light: ArrayLike, view: ArrayLike) -> Slice:
         """The slice of unit vectors `light` and `view` [3], z < 0 on the back."""
         batch = next(self.batches(np.asarray(light), np.asarray(view), [[0, 0]]))
-        components, extra = batch.values[0, :4], batch.values[0, 4:]
-        values = np.concatenate([components, batch.holes, extra])
-        return Slice(self.grid, self.channels, values, summed_areas(values), self._float_type)
+        ordered = [*batch.channels[:4], batch.holes, *batch.channels[4:]]
+        joined = dr.concat(ordered)
+        values = joined.numpy().reshape(len(ordered), self.grid.rows, self.grid.columns)
+        table = summed_areas(joined, self.grid.columns, self.grid.rows)
+        return Slice(self.grid, self.channels, values, table, self._float_type)
 
     def box_means(
         self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike, centres: ArrayLike, sizes: ArrayLike
@@ -184,21 +183,14 @@ class FabricSlices:
         count, boxes_each, _ = centres.shape
         boxes = texel_boxes(self.grid, centres.reshape(-1, 2), sizes.reshape(-1, 2), self._float_type)
         slot = dr.arange(types.UInt32, count * boxes_each) // boxes_each
-        entries = (self.grid.rows + 1) * (self.grid.columns + 1)
-        double: Any = dr.float64_array_t(self._float_type)
-        channels = batch.values.shape[1]
-        table = double(summed_areas(batch.values).ravel())
-        means = [
-            box_means(table, (slot * channels + channel) * entries, self.grid, boxes)
-            for channel in range(channels)
-        ]
-        holes = double(summed_areas(batch.holes).ravel())
         view = dr.gather(types.UInt32, types.UInt32(batch.hole_of.astype(np.uint32)), slot)
-        means.insert(4, box_means(holes, view * entries, self.grid, boxes))
-        means = [types.Float(mean) for mean in means]
-        dr.eval(means)
-        for channel, mean in enumerate(means):
-            result[batch.pairs, :, channel] = mean.numpy().reshape(count, boxes_each)
+        channels = [(channel, slot) for channel in batch.channels]
+        channels.insert(4, (batch.holes, view))
+        entries = (self.grid.rows + 1) * (self.grid.columns + 1)
+        for index, (values, number) in enumerate(channels):
+            table = summed_areas(values, self.grid.columns, self.grid.rows)
+            means = types.Float(box_means(table, number * entries, self.grid, boxes))
+            result[batch.pairs, :, index] = means.numpy().reshape(count, boxes_each)
 
     def batches(self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike) -> Iterator[SliceBatch]:
         """Evaluates slices, several at once as memory admits; the order is not that of the pairs.
@@ -250,11 +242,9 @@ class FabricSlices:
         channels = list(components(appearance, point, light, view, visible, transmits))
         if self._with_colours:
             channels += list(colours(appearance, point, light, view, visible, transmits))
-        dr.eval(channels)
-        shape = (len(part), grid.rows, grid.columns)
-        values = np.stack([channel.numpy().reshape(shape) for channel in channels], axis=1)
-        holes = types.Float(dr.select(met.point.hole, types.Float(1), 0)).numpy()
-        return SliceBatch(part, values, holes.reshape(len(used), grid.rows, grid.columns), hole_of)
+        holes = dr.select(met.point.hole, types.Float(1), 0)
+        dr.eval(channels, holes)
+        return SliceBatch(part, channels, holes, hole_of)
 
     def _met(self, views: Any, count: int, maps: ShadowMaps | None) -> _MetField:
         types, grid = self._types, self.grid

@@ -28,14 +28,49 @@ from loomlight.core.errors import InputError
 _SMALLEST_BOX = 1e-2
 
 
-def summed_areas(values: NDArray[np.floating[Any]]) -> NDArray[np.float64]:
-    """Tables [..., rows + 1, columns + 1] of values [..., rows, columns], float64."""
-    tables = np.zeros((*values.shape[:-2], values.shape[-2] + 1, values.shape[-1] + 1))
-    sums = tables[..., 1:, 1:]
-    # First up the columns, where whole rows are added at once.
-    np.cumsum(values, axis=-2, dtype=np.float64, out=sums)
-    np.cumsum(sums, axis=-1, out=sums)
-    return tables
+def summed_areas(values: Any, columns: int, rows: int) -> Any:
+    """Tables of slices, one after another, (rows + 1)·(columns + 1) entries each: Float64.
+
+    Args:
+        values: of whole slices, one after another, texels row by row: Float.
+    """
+    types = array_types(dr.float64_array_t(type(values)))
+    pitch = columns + 1
+    entries = pitch * (rows + 1)
+    slices = dr.width(values) // (columns * rows)
+    table = dr.empty(types.Float, slices * entries)
+
+    # Up the columns: a lane a column, so that lanes side by side read side by side.
+    lane = dr.arange(types.UInt32, slices * columns)
+    number = lane // columns
+    column = lane - number * columns
+    texel = number * (columns * rows) + column
+    entry = number * entries + column + 1
+    dr.scatter(table, types.Float(0), entry)
+
+    def add_row(row: Any, total: Any) -> tuple[Any, Any]:
+        total = total + types.Float(dr.gather(type(values), values, texel + row * columns))
+        dr.scatter(table, total, entry + (row + 1) * pitch)
+        return row + 1, total
+
+    start = types.UInt32(0), dr.zeros(types.Float, slices * columns)
+    dr.while_loop(start, lambda row, total: row < rows, add_row, label="summed areas: columns")
+    dr.eval(table)
+
+    # Then along the rows.
+    first = dr.arange(types.UInt32, slices * (rows + 1)) * pitch
+    dr.scatter(table, types.Float(0), first)
+
+    def add_column(column: Any, total: Any) -> tuple[Any, Any]:
+        column = column + 1
+        total = total + dr.gather(types.Float, table, first + column)
+        dr.scatter(table, total, first + column)
+        return column, total
+
+    start = types.UInt32(0), dr.zeros(types.Float, slices * (rows + 1))
+    dr.while_loop(start, lambda column, total: column < columns, add_column, label="summed areas: rows")
+    dr.eval(table)
+    return table
 
 
 @dataclass
