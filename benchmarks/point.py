@@ -129,7 +129,7 @@ def main() -> None:
         "commit": subprocess.run(
             ["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, check=False
         ).stdout.strip(),
-        "machine": f"{platform.machine()}, {dr.thread_count()} threads, {_processor()}",
+        "machine": f"{platform.machine()}, {dr.thread_count()} threads, {processor()}",
         "fma_peak_gflops": round(peak / 1e9, 1),
         "fabrics": {},
     }
@@ -155,7 +155,8 @@ def main() -> None:
             temporary.write_text(text + "\n")
 
 
-def _processor() -> str:
+def processor() -> str:
+    """Name of the processor."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
     except OSError:
