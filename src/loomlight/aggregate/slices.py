@@ -15,7 +15,15 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    MetPoints,
+    colours,
+    components,
+    meet,
+    without_extras,
+)
 from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps
@@ -251,10 +259,11 @@ class FabricSlices:
         lane = dr.arange(types.UInt32, count * grid.texels)
         number = lane // grid.texels
         x, y = grid.points(types, lane - number * grid.texels)
-        point = meet(self.model, x, y, dr.gather(types.Vector3, views, number)).point
-        shadow_texel = None if maps is None else maps.texel(point.x, point.y)
-        dr.eval(point, shadow_texel)
-        return _MetField(point, shadow_texel)
+        view = dr.gather(types.Vector3, views, number)
+        met = meet(self.model, x, y, view)
+        shadow_texel = None if maps is None else _shadow_texel(maps, met, view)
+        dr.eval(met.point, shadow_texel)
+        return _MetField(met.point, shadow_texel)
 
     def _vectors(self, directions: NDArray[np.float64]) -> Any:
         return self._types.Vector3(np.ascontiguousarray(directions.T, dtype=np.float32))
@@ -266,6 +275,19 @@ class _MetField:
 
     point: YarnPoint
     shadow_texel: Any
+
+
+def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
+    """Texels of the shadow maps for yarn points.
+
+    A ray that met a wall ends on the very edge of a yarn, and half of the texels around it lie on the yarn
+    below, in its shade. One texel further the way the ray goes is on the yarn for certain.
+    """
+    types = array_types(met.point.x)
+    length = dr.rsqrt(dr.maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
+    step_x, step_y = maps.grid.step
+    further = dr.select(met.wall, types.Float(1), 0) * length
+    return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)
 
 
 def _unit_vectors(directions: ArrayLike) -> NDArray[np.float64]:
