@@ -111,13 +111,15 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--output", type=Path, default=None)
     parser.add_argument("--materials", type=int, default=6)
+    # Dr.Jit keeps compiled kernels on disk: the same materials again would compile nothing.
+    parser.add_argument("--seed", type=int, default=int(time.time()))
     arguments = parser.parse_args()
     require_llvm()
     peak = fma_peak()
-    first, _ = run(1000)
+    first, _ = run(arguments.seed)
     seconds, slices = [], None
     for number in range(arguments.materials):
-        elapsed, slices = run(number)
+        elapsed, slices = run(arguments.seed + 1 + number)
         seconds.append(elapsed)
     assert slices is not None
     counted = operations(slices)
@@ -128,12 +130,13 @@ def main() -> None:
         ).stdout.strip(),
         "machine": f"{platform.machine()}, {dr.thread_count()} threads, {processor()}",
         "fma_peak_gflops": round(peak / 1e9, 1),
+        "seed": arguments.seed,
         "queries": PAIRS * FOOTPRINTS,
         "texels_a_slice": slices.grid.texels,
         "seconds_first_material": round(first, 2),
         "seconds_a_material": round(statistics.median(seconds), 2),
         "seconds_slowest": round(max(seconds), 2),
-        "stages": stages(2000),
+        "stages": stages(arguments.seed + arguments.materials + 1),
         "operations_a_texel": counted,
         "share_of_fma_peak": round(
             counted * slices.grid.texels * PAIRS / statistics.median(seconds) / peak, 4
