@@ -172,7 +172,7 @@ class PointModel:
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
-        seen = _on_face(view, back)
+        seen = on_face(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
         return self.at(hit.x, hit.y, back, hit.hole)
 
@@ -252,7 +252,7 @@ class PointModel:
         Light from the other side reaches the yarn's other surface, so that face's horizon counts.
         """
         types = array_types(point.x)
-        facing = _on_face(light, point.back)
+        facing = on_face(light, point.back)
         beyond = facing.z < 0
         side = point.back ^ beyond
         far = self.surface.surface(point.x, point.y, ~point.back)
@@ -269,13 +269,13 @@ class PointModel:
 
     def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
         """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
-        value = self._scattered(point, _on_face(light, point.back), _on_face(view, point.back))
+        value = self._scattered(point, on_face(light, point.back), on_face(view, point.back))
         worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
         return dr.select(self.visibility(point, light, worth) & worth, value, 0)
 
     def pdf(self, point: YarnPoint, light: Any, view: Any) -> Any:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
-        seen, facing = _on_face(view, point.back), _on_face(light, point.back)
+        seen, facing = on_face(view, point.back), on_face(light, point.back)
         lobes = self._lobe_shares(point, seen)
         return self._pdf(point, facing, seen, lobes)
 
@@ -287,7 +287,7 @@ class PointModel:
             u: Vector2 of uniform numbers in [0, 1).
         """
         types = array_types(point.x)
-        seen = _on_face(view, point.back)
+        seen = on_face(view, point.back)
         lobes = self._lobe_shares(point, seen)
         specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
@@ -305,7 +305,7 @@ class PointModel:
         pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
         through = types.Color3(self._straight_through(point, seen))
         value = dr.select(passes, through, self._scattered(point, facing, seen))
-        light = _on_face(facing, point.back)
+        light = on_face(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
         worth &= self.visibility(point, light, worth & ~passes) | passes
         weight = dr.select(worth, value / dr.maximum(pdf, 1e-30), 0)
@@ -313,7 +313,7 @@ class PointModel:
 
     def straight_through(self, point: YarnPoint, view: Any) -> Any:
         """Share of light that passes straight through: 1 in a hole, less under sheen, else 0. Float."""
-        return self._straight_through(point, _on_face(view, point.back))
+        return self._straight_through(point, on_face(view, point.back))
 
     def _straight_through(self, point: YarnPoint, view: Any) -> Any:
         types = array_types(point.x)
@@ -377,7 +377,7 @@ class PointModel:
         return density
 
 
-def _on_face(direction: Any, back: Any) -> Any:
+def on_face(direction: Any, back: Any) -> Any:
     """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
     z = dr.select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)

@@ -75,11 +75,13 @@ class Hit:
     Attributes:
         x, y: draft coordinates of the yarn point, millimetres.
         hole: the ray passes through the cloth.
+        height: where the ray ends. On continuous yarn that is the surface; on a wall, below its upper edge.
     """
 
     x: Any
     y: Any
     hole: Any
+    height: Any
 
 
 def _steps_per_length(surface: Surface, quality: SearchQuality, direction: Any) -> Any:
@@ -116,9 +118,11 @@ class _Trail:
         return dr.select(known, start + end, 1e9), rest * step
 
 
-def _trail(clearance: Any, rate: Any, here: Probe) -> _Trail:
+def _trail(clearance: Any, rate: Any, here: Probe, clears: Any) -> _Trail:
+    """The trail after a sample. Above the crest nothing can come between, and leaps are too long to tell."""
     types = array_types(clearance)
-    return _Trail(types.Float(clearance), types.Float(rate), types.UInt32(here.yarn), ~here.hole)
+    known = ~here.hole & ~clears
+    return _Trail(types.Float(clearance), types.Float(rate), types.UInt32(here.yarn), known)
 
 
 def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
@@ -196,9 +200,10 @@ def unoccluded(
         rate = direction.z - here.slope_x * direction.x - here.slope_y * direction.y
         dips = trail.lowest_before(clearance, rate, leap, here)[0] < 0
         met = searching & ~here.hole & ((clearance < 0) | dips)
-        trail = _trail(clearance, rate, here)
         # The ray rises, so above the crest it stays above until it leaves the cell.
-        leap = _advance(here, direction, point.z > here.crest, step)
+        clears = point.z > here.crest
+        trail = _trail(clearance, rate, here, clears)
+        leap = _advance(here, direction, clears, step)
         distance = distance + leap
         count = count + 1
         searching = (
@@ -261,10 +266,11 @@ def first_hit(
         dipped = searching & ~met & (lowest < 0)
         count = count + 1
         onwards = searching & ~met & ~dipped & (height > floor) & (count < quality.steps)
-        trail = _trail(clearance, rate, here)
-        fall = _advance(here, towards, height > here.crest, step)
         # Above the crest the ray falls freely, but not below it.
-        fall = dr.select(height > here.crest, dr.maximum(dr.minimum(fall, height - here.crest), step), fall)
+        clears = height > here.crest
+        trail = _trail(clearance, rate, here, clears)
+        fall = _advance(here, towards, clears, step)
+        fall = dr.select(clears, dr.maximum(dr.minimum(fall, height - here.crest), step), fall)
         return (
             dr.select(onwards, height - fall, dr.select(dipped, height + to_lowest, height)),
             dr.select(onwards, height, previous),
@@ -316,7 +322,7 @@ def first_hit(
     )
     under = state[2]
     hole = active & passes_through(surface, x, y, view, back, active, quality)
-    return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole)
+    return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
 
 
 def passes_through(

@@ -1,0 +1,86 @@
+"""Colours over a footprint: how much of it each family covers, and the mean albedos of its threads there.
+
+Models give components a family; thread colours correlate with the weave (stripes, houndstooth), so a
+component is multiplied by the mean of its family's albedos over the footprint, weighted by where the family
+shows, not by one mean colour. What a view shows of stripes shifts with parallax, so the sums belong to a
+view. Exact colours of coloured fabrics come from `FabricSlices(with_colours=True)`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from loomlight.aggregate.components import meet, without_extras
+from loomlight.aggregate.grid import TEXELS_PER_THREAD, fabric_grid
+from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.core.backend import array_types
+from loomlight.scattering.point import PointModel
+
+ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+
+
+@dataclass(frozen=True, eq=False)
+class FootprintColours:
+    """Means over n footprints.
+
+    Attributes:
+        coverage: share of rays that meet warp and weft [n, 2]; what is left are holes.
+        albedos: mean over those rays [n, 2, 4, 3], in the order of `ALBEDOS`, linear RGB; 0 without rays.
+    """
+
+    coverage: NDArray[np.float64]
+    albedos: NDArray[np.float64]
+
+
+class ColourSums:
+    """Summed areas of coverage and of albedos as one view shows them."""
+
+    def __init__(
+        self,
+        model: PointModel,
+        view: ArrayLike,
+        float_type: type,
+        texels_per_thread: float = TEXELS_PER_THREAD,
+        window: tuple[float, float, float, float] | None = None,
+    ) -> None:
+        """Follows the rays of unit vector `view` [3], z < 0 from behind; see `FabricSlices` for the rest.
+
+        Raises:
+            InputError: a window without extent, or more than 16 million texels.
+        """
+        types = array_types(float_type)
+        self.grid = fabric_grid(model.surface, texels_per_thread, window)
+        self._float_type = float_type
+        x, y = self.grid.points(types, dr.arange(types.UInt32, self.grid.texels))
+        eye = types.Vector3(*(dr.opaque(types.Float, float(part)) for part in np.asarray(view, np.float64)))
+        point = meet(without_extras(model), x, y, eye + dr.zeros(types.Vector3, self.grid.texels)).point
+        self._tables: list[list[Any]] = []
+        for shows in (point.is_warp & ~point.hole, ~point.is_warp & ~point.hole):
+            planes = [types.Float(1)]
+            planes += [part for name in ALBEDOS for part in getattr(point.albedos, name)]
+            masked = [dr.select(shows, plane, 0) for plane in planes]
+            dr.eval(masked)
+            self._tables.append([summed_areas(plane, self.grid.columns, self.grid.rows) for plane in masked])
+
+    def over(self, centres: ArrayLike, sizes: ArrayLike) -> FootprintColours:
+        """Means over axis-aligned boxes; centres and sizes [n, 2] in millimetres.
+
+        Raises:
+            InputError: a box that reaches beyond the window, where the grid is no whole repeat.
+        """
+        types = array_types(self._float_type)
+        boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
+        means = np.array(
+            [
+                [box_means(table, types.UInt32(0), self.grid, boxes).numpy() for table in family]
+                for family in self._tables
+            ]
+        ).transpose(2, 0, 1)
+        coverage = means[..., 0]
+        albedos = means[..., 1:] / np.maximum(coverage, 1e-9)[..., None]
+        return FootprintColours(coverage, albedos.reshape(*coverage.shape, len(ALBEDOS), 3))

@@ -1,0 +1,141 @@
+"""The integrand at yarn points, free of albedos: what light does at the points that parallel view rays meet.
+
+Per point and pair of directions there are five channels (chen2024 eq. 7 and the hole of its 6.5):
+
+    C_warp, C_weft   blended diffuse term of the family that shows, cosine included, 1/sr
+    S_warp, S_weft   fibre layer of the family that shows, cosine included, 1/sr
+    hole             the ray passes through the cloth
+
+The first four hold the visibility of the light. They are reflection where the light is on the side that is
+seen, transmission where it is on the other. With one albedo a family, f·cos = k_d^warp C_warp + k_d^weft
+C_weft + k_s^warp S_warp + k_s^weft S_weft is the point model's value (eq. 8), without its sheen, which the
+macro normal alone decides and which goes on top afterwards, and without its procedural variation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+
+from loomlight.core.backend import array_types
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.diffuse import diffuse_reflection
+from loomlight.scattering.fibre import reflection, transmission
+from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.yarn.visibility import first_hit
+
+CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
+COMPONENTS = CHANNELS[:4]
+COLOURS = ("red", "green", "blue")
+# A ray that ends this share of the finest thread below the surface has met a wall. On continuous yarn the
+# search leaves less than that, and of the rays that meet walls 1 in 100 ends so close to the upper edge.
+_WALL = 1e-3
+
+
+@dataclass
+class MetPoints:
+    """What parallel view rays meet.
+
+    Attributes:
+        point: the yarn points, shaded on walls with the frame of the nearest edge.
+        wall: the ray ended at the vertical side of a yarn.
+    """
+
+    point: YarnPoint
+    wall: Any
+
+
+def without_extras(model: PointModel) -> PointModel:
+    """The model without sheen and without procedural variation: what components and colours describe."""
+    old = model.appearance
+    appearance = Appearance(
+        old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
+    )
+    return PointModel(model.surface, appearance, model.quality, model.horizon)
+
+
+def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> MetPoints:
+    """The points that the view rays through x, y on the plane z = 0 meet, with exact parallax.
+
+    Args:
+        x, y: draft coordinates, millimetres.
+        view: unit vector [3] towards the eye; z < 0 sees the back.
+    """
+    types = array_types(x)
+    back = types.Bool(view.z < 0)
+    hit = first_hit(model.surface, x, y, on_face(view, back), back, active, model.quality)
+    point = model.at(hit.x, hit.y, back, hit.hole)
+    depth = point.height - hit.height
+    wall = ~hit.hole & (depth > _WALL * min(model.surface.finest))
+    return MetPoints(point, wall)
+
+
+def lobes(
+    appearance: Appearance, point: YarnPoint, light: Any, view: Any, transmits: bool | None = None
+) -> tuple[Any, Any]:
+    """Diffuse and specular term of yarn points at albedo 1, cosine included, without shadows: Float, 1/sr.
+
+    Args:
+        light, view: unit vectors [3].
+        transmits: whether light and view lie on different sides in all lanes; None decides lane by lane.
+    """
+    types = array_types(point.x)
+    seen, facing = on_face(view, point.back), on_face(light, point.back)
+    frame = (point.normal, point.tangent, point.roughness, types.Float(appearance.optical_depth))
+    blend = types.Float(appearance.diffuse_blend)
+    beyond = types.Bool(facing.z < 0)
+    # Diffuse transmission is diffuse reflection of the opposite direction.
+    diffuse = diffuse_reflection(dr.select(beyond, -facing, facing), point.normal, blend)
+    if transmits is None:
+        specular = dr.select(beyond, transmission(facing, seen, *frame), reflection(facing, seen, *frame))
+    else:
+        specular = (transmission if transmits else reflection)(facing, seen, *frame)
+    return diffuse, specular
+
+
+def components(
+    appearance: Appearance,
+    point: YarnPoint,
+    light: Any,
+    view: Any,
+    visible: Any,
+    transmits: bool | None = None,
+) -> tuple[Any, ...]:
+    """The channels C_warp, C_weft, S_warp, S_weft of yarn points: four Float, 1/sr; zero in holes.
+
+    Args:
+        visible: whether the cloth leaves the light free at each point, `PointModel.visibility`.
+        transmits: see `lobes`.
+    """
+    diffuse, specular = lobes(appearance, point, light, view, transmits)
+    lit = visible & ~point.hole
+    warp, weft = lit & point.is_warp, lit & ~point.is_warp
+    return (
+        dr.select(warp, diffuse, 0),
+        dr.select(weft, diffuse, 0),
+        dr.select(warp, specular, 0),
+        dr.select(weft, specular, 0),
+    )
+
+
+def colours(
+    appearance: Appearance,
+    point: YarnPoint,
+    light: Any,
+    view: Any,
+    visible: Any,
+    transmits: bool | None = None,
+) -> Any:
+    """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes and shadow.
+
+    Exact where threads of one family differ in colour, which no mean albedo is.
+    """
+    diffuse, specular = lobes(appearance, point, light, view, transmits)
+    albedos = point.albedos
+    near = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
+    far = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
+    beyond = on_face(light, point.back).z < 0
+    value = dr.select(beyond, far, near) if transmits is None else far if transmits else near
+    return dr.select(visible & ~point.hole, value, 0)

@@ -1,0 +1,84 @@
+"""Gaussian footprints on a periodic grid, exact for values that are constant on each texel.
+
+The weight of a texel is the integral of the Gaussian over it, summed over all repeats: a product of two
+differences of error functions, one a direction. About the middles of all texels that is a circular
+convolution, done by Fourier transform; about any other centre the weights are applied as they are.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+from scipy.special import erf
+
+from loomlight.aggregate.grid import Grid
+
+# Beyond so many standard deviations a Gaussian holds 1e-12 of its weight.
+_REACH = 7.2
+# Beyond so many repeats of standard deviation the weights are even to 1e-17: exp(−2π²·1.5²).
+_EVEN = 1.5
+_SMALLEST_SIGMA = 1e-6
+_BATCH = 1 << 24
+
+
+def texel_weights(
+    centres: NDArray[np.float64], sigmas: NDArray[np.float64], texels: int
+) -> NDArray[np.float64]:
+    """Share [n, texels] of periodic Gaussians in each texel of a row of `texels`.
+
+    Args:
+        centres, sigmas: [n], in texels; the first texel reaches from 0 to 1.
+    """
+    centres = centres % texels
+    widths = np.clip(sigmas, _SMALLEST_SIGMA, _EVEN * texels)
+    repeats = max(1, math.ceil(_REACH * float(widths.max(initial=0)) / texels))
+    weights = np.zeros((len(centres), texels))
+    bounds = np.arange(texels + 1)
+    for turn in range(-repeats, repeats + 1):
+        reached = (bounds + turn * texels - centres[:, None]) / (math.sqrt(2) * widths[:, None])
+        weights += np.diff(erf(reached), axis=1) / 2
+    return weights / weights.sum(axis=1, keepdims=True)
+
+
+def gaussian_means(
+    grid: Grid, values: NDArray[np.floating[Any]], centres: NDArray[Any], sigmas: NDArray[Any]
+) -> NDArray[np.float64]:
+    """Means [n, channels] of values [channels, rows, columns] weighted by Gaussians.
+
+    Args:
+        centres: [n, 2] millimetres.
+        sigmas: standard deviations [n] or a number, millimetres.
+    """
+    centres = np.asarray(centres, np.float64)
+    sigmas = np.broadcast_to(np.asarray(sigmas, np.float64), (len(centres),))
+    step_x, step_y = grid.step
+    flat = np.asarray(values, np.float64).transpose(2, 1, 0).reshape(grid.columns, -1)
+    means = np.empty((len(centres), len(values)))
+    at_once = max(1, _BATCH // flat.shape[1])
+    for first in range(0, len(centres), at_once):
+        part = slice(first, first + at_once)
+        across = texel_weights((centres[part, 0] - grid.left) / step_x, sigmas[part] / step_x, grid.columns)
+        along = texel_weights((centres[part, 1] - grid.bottom) / step_y, sigmas[part] / step_y, grid.rows)
+        rows = (across @ flat).reshape(-1, grid.rows, len(values))
+        means[part] = np.einsum("nr,nrc->nc", along, rows)
+    return means
+
+
+def gaussian_field(grid: Grid, values: NDArray[np.floating[Any]], sigma: float) -> NDArray[np.float64]:
+    """Means about the middle of every texel [channels, rows, columns] of values of that shape.
+
+    Args:
+        sigma: standard deviation, millimetres.
+    """
+    step_x, step_y = grid.step
+    middle = np.array([0.5])
+    across = texel_weights(middle, np.array([sigma / step_x]), grid.columns)[0]
+    along = texel_weights(middle, np.array([sigma / step_y]), grid.rows)[0]
+    # The weights are even about the first texel, so the transforms are real.
+    response = np.outer(fft.fft(along).real, fft.rfft(across).real)
+    spectrum = fft.rfft2(np.asarray(values, np.float64), axes=(-2, -1))
+    return np.asarray(fft.irfft2(spectrum * response, s=(grid.rows, grid.columns), axes=(-2, -1)))

@@ -1,0 +1,102 @@
+"""Grids of parallel view rays through the plane z = 0: a whole repeat, or a window of a large draft."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+
+from loomlight.core.backend import ArrayTypes
+from loomlight.core.errors import InputError
+from loomlight.yarn.visibility import Surface
+
+TEXELS_PER_THREAD = 32
+# Five float64 tables of so many texels take 640 MB.
+MAXIMUM_TEXELS = 1 << 24
+# The golden ratio's fraction, and one half, in units of 2⁻³²: products wrap around as fractions do.
+_TURN = 0x9E3779B9
+_START = 0x80000000
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Texels over a rectangle of the plane z = 0; row 0 lies at its lower edge, column 0 at its left.
+
+    One ray goes through each texel: across it at a share that advances by the golden ratio from row to row,
+    up it at a share that advances so from column to column. Rays through the middles would all fall on one
+    side of an edge along the threads, and yarns 25.6 texels wide be 26 everywhere.
+
+    Attributes:
+        left, bottom, width, height: the rectangle in draft coordinates, millimetres.
+        columns, rows: texels.
+        periodic: the rectangle is one repeat, so the grid covers the plane.
+    """
+
+    left: float
+    bottom: float
+    width: float
+    height: float
+    columns: int
+    rows: int
+    periodic: bool
+
+    @property
+    def texels(self) -> int:
+        """How many there are."""
+        return self.columns * self.rows
+
+    @property
+    def step(self) -> tuple[float, float]:
+        """Size of a texel, millimetres."""
+        return self.width / self.columns, self.height / self.rows
+
+    def points(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
+        """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
+        row = texel // self.columns
+        column = texel - row * self.columns
+        # 24 bits of the product are what float32 holds.
+        share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
+        share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
+        step_x, step_y = self.step
+        x = (types.Float(column) + share_x) * step_x + self.left
+        return x, (types.Float(row) + share_y) * step_y + self.bottom
+
+    def nearest(self, types: ArrayTypes, x: Any, y: Any) -> Any:
+        """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""
+        column = _wrapped(types, (x - self.left) * (1 / self.width), self.columns)
+        row = _wrapped(types, (y - self.bottom) * (1 / self.height), self.rows)
+        return row * self.columns + column
+
+
+def _wrapped(types: ArrayTypes, turns: Any, count: int) -> Any:
+    share = turns - dr.floor(turns)
+    return types.UInt32(share * count) % count
+
+
+def fabric_grid(
+    surface: Surface,
+    texels_per_thread: float = TEXELS_PER_THREAD,
+    window: tuple[float, float, float, float] | None = None,
+) -> Grid:
+    """A grid with at least so many texels across the finest thread of each family.
+
+    Args:
+        window: left, bottom, width, height in millimetres; None is one repeat.
+
+    Raises:
+        InputError: a window without extent, or more than 16 million texels.
+    """
+    left, bottom, width, height = window or (0.0, 0.0, *surface.size)
+    if not (0 < width < math.inf and 0 < height < math.inf and texels_per_thread > 0):
+        raise InputError(f"window = {window} needs a width and a height above 0 mm, and texels to fill it.")
+    fine_x, fine_y = surface.finest
+    # A repeat divided by its threads may come out a rounding error above a whole number.
+    columns = math.ceil(width / fine_x * texels_per_thread - 1e-6)
+    rows = math.ceil(height / fine_y * texels_per_thread - 1e-6)
+    if columns * rows > MAXIMUM_TEXELS:
+        raise InputError(
+            f"{columns}x{rows} texels are too many for one slice (16 million fit); give a window of it."
+        )
+    return Grid(left, bottom, width, height, columns, rows, window is None)

@@ -1,0 +1,59 @@
+"""Which points of the cloth each light reaches, tabulated once a light and shared by all views.
+
+The search towards the light is what a slice costs most. With directions drawn in shared strata it is done
+once for every light on a grid of points of the face that the light falls on; yarn points then take the value
+of their nearest texel. Shadow edges move by up to half a texel, to either side.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.grid import Grid
+from loomlight.core.backend import array_types
+from loomlight.scattering.point import PointModel, on_face
+from loomlight.yarn.visibility import unoccluded
+
+_BATCH = 1 << 22
+
+
+class ShadowMaps:
+    """Visibility of several lights over one repeat of cloth.
+
+    Attributes:
+        grid: of the points, periodic.
+        visible: Bool, one map a light after another, texels row by row.
+    """
+
+    def __init__(self, model: PointModel, grid: Grid, lights: NDArray[np.float64], float_type: type) -> None:
+        """Searches the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
+        types = array_types(float_type)
+        self.grid = grid
+        directions = types.Vector3(np.ascontiguousarray(lights.T, dtype=np.float32))
+        total = len(lights) * grid.texels
+        self.visible = dr.empty(types.Bool, total)
+        for first in range(0, total, _BATCH):
+            lane = dr.arange(types.UInt32, first, min(first + _BATCH, total))
+            index = lane // grid.texels
+            light = dr.gather(types.Vector3, directions, index)
+            x, y = grid.points(types, lane - index * grid.texels)
+            back = light.z < 0
+            point = model.surface.surface(x, y, back)
+            facing = on_face(light, back)
+            # The yarn hides from itself what lies below its tangent plane.
+            rises = dr.dot(point.normal, facing) > 0
+            free = unoccluded(model.surface, x, y, point.height, facing, back, rises, model.quality)
+            dr.scatter(self.visible, free, lane)
+        dr.eval(self.visible)
+
+    def texel(self, x: Any, y: Any) -> Any:
+        """The texel of draft coordinates, millimetres: UInt32."""
+        return self.grid.nearest(array_types(x), x, y)
+
+    def at(self, light: Any, texel: Any) -> Any:
+        """Whether light number `light` (UInt32) reaches a texel: Bool."""
+        return dr.gather(type(self.visible), self.visible, light * self.grid.texels + texel)

@@ -1,0 +1,339 @@
+"""Slices: the integrand of one pair of light and view over a whole repeat, evaluated once.
+
+Its summed-area tables then give the exact mean over any box, and its Fourier transform over any Gaussian, so
+one slice serves thousands of queries without noise. What views share (which point each ray meets, its frame)
+is computed once a view; what lights share (shadows) once a light, where shadows are mapped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import drjit as dr
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    MetPoints,
+    colours,
+    components,
+    meet,
+    without_extras,
+)
+from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
+from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, fabric_grid
+from loomlight.aggregate.shadow_maps import ShadowMaps
+from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
+from loomlight.scattering.point import Albedos, PointModel, YarnPoint
+
+# Texels evaluated in one launch: bounds the memory to some 300 MB, or to that of a single slice.
+_BATCH = 1 << 21
+
+
+@dataclass(frozen=True, eq=False)
+class Slice:
+    """The integrand of one pair of light and view.
+
+    Attributes:
+        grid: where its rays cross the plane z = 0.
+        channels: names, the five of `CHANNELS` and then red, green and blue if asked for.
+        values: [channels, rows, columns]; components and colours in 1/sr, the hole as 0 or 1.
+    """
+
+    grid: Grid
+    channels: tuple[str, ...]
+    values: NDArray[np.float32]
+    _table: Any
+    _float_type: type
+
+    def box_means(self, centres: ArrayLike, sizes: ArrayLike) -> NDArray[np.float64]:
+        """Means over axis-aligned boxes [n, channels], exact for the slice's texels.
+
+        Args:
+            centres, sizes: [n, 2] millimetres; boxes are at least 1/100 of a texel wide and high.
+
+        Raises:
+            InputError: a box that reaches beyond the window, where the slice is no whole repeat.
+        """
+        types = array_types(self._float_type)
+        boxes = texel_boxes(self.grid, np.asarray(centres), np.asarray(sizes), self._float_type)
+        entries = (self.grid.columns + 1) * (self.grid.rows + 1)
+        means = [
+            box_means(self._table, types.UInt32(channel * entries), self.grid, boxes).numpy()
+            for channel in range(len(self.channels))
+        ]
+        return np.stack(means, axis=1)
+
+    def gaussian_means(self, centres: ArrayLike, sigmas: ArrayLike) -> NDArray[np.float64]:
+        """Means weighted by periodic Gaussians [n, channels], exact for the slice's texels.
+
+        Args:
+            centres: [n, 2] millimetres.
+            sigmas: standard deviations [n] or a number, millimetres.
+
+        Raises:
+            InputError: the slice is no whole repeat.
+        """
+        self._require_periodic()
+        return gaussian_means(self.grid, self.values, np.asarray(centres), np.asarray(sigmas))
+
+    def gaussian_field(self, sigma: float) -> NDArray[np.float64]:
+        """The same about the middle of every texel [channels, rows, columns], by Fourier transform.
+
+        Raises:
+            InputError: the slice is no whole repeat.
+        """
+        self._require_periodic()
+        return gaussian_field(self.grid, self.values, sigma)
+
+    def _require_periodic(self) -> None:
+        if not self.grid.periodic:
+            raise InputError("Gaussian footprints have no end: they need the slice of a whole repeat.")
+
+
+@dataclass(frozen=True, eq=False)
+class SliceBatch:
+    """Slices evaluated together.
+
+    Attributes:
+        pairs: which of the pairs that were asked for [n].
+        channels: an array a channel but the hole, n slices one after another, texels row by row: Float.
+        holes: 0 or 1 for each view of the batch, likewise: Float.
+        hole_of: number of the view that each pair has in the batch [n].
+    """
+
+    pairs: NDArray[np.intp]
+    channels: list[Any]
+    holes: Any
+    hole_of: NDArray[np.intp]
+
+
+class FabricSlices:
+    """Makes slices of one fabric.
+
+    Attributes:
+        model: the point model, without sheen and procedural variation.
+        grid: of every slice.
+        channels: names of the channels.
+    """
+
+    def __init__(
+        self,
+        model: PointModel,
+        float_type: type,
+        texels_per_thread: float = TEXELS_PER_THREAD,
+        window: tuple[float, float, float, float] | None = None,
+        shadows: Literal["searched", "mapped"] = "searched",
+        with_colours: bool = False,
+    ) -> None:
+        """Prepares a grid; nothing is evaluated yet.
+
+        Args:
+            float_type: the Dr.Jit Float type to compute with.
+            texels_per_thread: at least so many across the finest thread of each family.
+            window: left, bottom, width, height in millimetres; None is one repeat.
+            shadows: "searched" asks the model for every point and light (exact, or by the model's horizon
+                map); "mapped" searches each light once on the grid and takes the nearest texel.
+            with_colours: adds red, green and blue with the albedos of the threads.
+
+        Raises:
+            InputError: a window without extent, more than 16 million texels, or mapped shadows of a window.
+        """
+        self.model = without_extras(model)
+        self.grid = fabric_grid(model.surface, texels_per_thread, window)
+        if shadows == "mapped" and not self.grid.periodic:
+            raise InputError("Shadows are mapped over whole repeats only; search those of a window.")
+        self.channels = CHANNELS + (COLOURS if with_colours else ())
+        self._with_colours = with_colours
+        self._mapped = shadows == "mapped"
+        self._float_type = float_type
+        self._types = array_types(float_type)
+
+    def slice(self, light: ArrayLike, view: ArrayLike) -> Slice:
+        """The slice of unit vectors `light` and `view` [3], z < 0 on the back."""
+        batch = next(self.batches(np.asarray(light), np.asarray(view), [[0, 0]]))
+        ordered = [*batch.channels[:4], batch.holes, *batch.channels[4:]]
+        joined = dr.concat(ordered)
+        values = joined.numpy().reshape(len(ordered), self.grid.rows, self.grid.columns)
+        table = summed_areas(joined, self.grid.columns, self.grid.rows)
+        return Slice(self.grid, self.channels, values, table, self._float_type)
+
+    def box_means(
+        self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike, centres: ArrayLike, sizes: ArrayLike
+    ) -> NDArray[np.float32]:
+        """Means over many boxes of many slices [n, m, channels], each slice dropped after use.
+
+        Args:
+            lights, views: unit vectors [l, 3] and [v, 3]; what they share is computed once.
+            pairs: index of the light and of the view of each slice [n, 2].
+            centres, sizes: boxes of each slice [n, m, 2], millimetres.
+
+        Raises:
+            InputError: a box that reaches beyond the window, where the grid is no whole repeat.
+        """
+        centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
+        count, boxes_each, _ = centres.shape
+        result = np.empty((count, boxes_each, len(self.channels)), np.float32)
+        for batch in self.batches(lights, views, pairs):
+            self._read(batch, centres[batch.pairs], sizes[batch.pairs], result)
+        return result
+
+    def _read(
+        self, batch: SliceBatch, centres: NDArray[Any], sizes: NDArray[Any], result: NDArray[np.float32]
+    ) -> None:
+        types = self._types
+        count, boxes_each, _ = centres.shape
+        boxes = texel_boxes(self.grid, centres.reshape(-1, 2), sizes.reshape(-1, 2), self._float_type)
+        slot = dr.arange(types.UInt32, count * boxes_each) // boxes_each
+        view = dr.gather(types.UInt32, types.UInt32(batch.hole_of.astype(np.uint32)), slot)
+        channels = [(channel, slot) for channel in batch.channels]
+        channels.insert(4, (batch.holes, view))
+        entries = (self.grid.rows + 1) * (self.grid.columns + 1)
+        for index, (values, number) in enumerate(channels):
+            table = summed_areas(values, self.grid.columns, self.grid.rows)
+            means = types.Float(box_means(table, number * entries, self.grid, boxes))
+            result[batch.pairs, :, index] = means.numpy().reshape(count, boxes_each)
+
+    def batches(self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike) -> Iterator[SliceBatch]:
+        """Evaluates slices, several at once as memory admits; the order is not that of the pairs.
+
+        Args:
+            lights, views: unit vectors [l, 3] and [v, 3].
+            pairs: index of the light and of the view of each slice [n, 2].
+        """
+        light_vectors = _unit_vectors(lights)
+        view_vectors = _unit_vectors(views)
+        index = np.asarray(pairs, np.intp).reshape(-1, 2)
+        maps = None
+        if self._mapped:
+            maps = ShadowMaps(self.model, self.grid, light_vectors, self._float_type)
+        at_once = max(1, _BATCH // self.grid.texels)
+        for chosen, transmits in _alike(light_vectors, view_vectors, index):
+            for first in range(0, len(chosen), at_once):
+                part = chosen[first : first + at_once]
+                yield self._evaluate(light_vectors, view_vectors, index, part, transmits, maps)
+
+    def _evaluate(
+        self,
+        lights: NDArray[np.float64],
+        views: NDArray[np.float64],
+        pairs: NDArray[np.intp],
+        part: NDArray[np.intp],
+        transmits: bool,
+        maps: ShadowMaps | None,
+    ) -> SliceBatch:
+        types, grid = self._types, self.grid
+        used, hole_of = np.unique(pairs[part, 1], return_inverse=True)
+        seen = self._vectors(views[used])
+        met = self._met(seen, len(used), maps)
+
+        lane = dr.arange(types.UInt32, len(part) * grid.texels)
+        pair = lane // grid.texels
+        texel = lane - pair * grid.texels
+        of_view = dr.gather(types.UInt32, types.UInt32(hole_of.astype(np.uint32)), pair)
+        of_light = dr.gather(types.UInt32, types.UInt32(pairs[part, 0].astype(np.uint32)), pair)
+        point = _taken(met.point, of_view * grid.texels + texel)
+        light = dr.gather(types.Vector3, self._vectors(lights), of_light)
+        view = dr.gather(types.Vector3, seen, of_view)
+        if maps is None:
+            visible = self.model.visibility(point, light)
+        else:
+            nearest = dr.gather(types.UInt32, met.shadow_texel, of_view * grid.texels + texel)
+            visible = maps.at(of_light, nearest)
+        appearance = self.model.appearance
+        channels = list(components(appearance, point, light, view, visible, transmits))
+        if self._with_colours:
+            channels += list(colours(appearance, point, light, view, visible, transmits))
+        holes = dr.select(met.point.hole, types.Float(1), 0)
+        dr.eval(channels, holes)
+        return SliceBatch(part, channels, holes, hole_of)
+
+    def _met(self, views: Any, count: int, maps: ShadowMaps | None) -> _MetField:
+        types, grid = self._types, self.grid
+        lane = dr.arange(types.UInt32, count * grid.texels)
+        number = lane // grid.texels
+        x, y = grid.points(types, lane - number * grid.texels)
+        view = dr.gather(types.Vector3, views, number)
+        met = meet(self.model, x, y, view)
+        shadow_texel = None if maps is None else _shadow_texel(maps, met, view)
+        dr.eval(met.point, shadow_texel)
+        return _MetField(met.point, shadow_texel)
+
+    def _vectors(self, directions: NDArray[np.float64]) -> Any:
+        return self._types.Vector3(np.ascontiguousarray(directions.T, dtype=np.float32))
+
+
+@dataclass
+class _MetField:
+    """What the rays of some views meet, one view after another."""
+
+    point: YarnPoint
+    shadow_texel: Any
+
+
+def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
+    """Texels of the shadow maps for yarn points.
+
+    A ray that met a wall ends on the very edge of a yarn, and half of the texels around it lie on the yarn
+    below, in its shade. One texel further the way the ray goes is on the yarn for certain.
+    """
+    types = array_types(met.point.x)
+    length = dr.rsqrt(dr.maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
+    step_x, step_y = maps.grid.step
+    further = dr.select(met.wall, types.Float(1), 0) * length
+    return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)
+
+
+def _unit_vectors(directions: ArrayLike) -> NDArray[np.float64]:
+    vectors = np.asarray(directions, np.float64).reshape(-1, 3)
+    lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
+    if not (np.isfinite(lengths).all() and (lengths > 0).all() and (vectors[:, 2] != 0).all()):
+        raise InputError("Directions of light and view are finite vectors that do not lie in the cloth.")
+    return vectors / lengths
+
+
+def _alike(
+    lights: NDArray[np.float64], views: NDArray[np.float64], pairs: NDArray[np.intp]
+) -> Iterator[tuple[NDArray[np.intp], bool]]:
+    """Pairs that one kernel evaluates, ordered by view: those that reflect, and those that transmit."""
+    transmits = lights[pairs[:, 0], 2] * views[pairs[:, 1], 2] < 0
+    order = np.argsort(pairs[:, 1], kind="stable")
+    for side in (False, True):
+        chosen = order[transmits[order] == side]
+        if len(chosen):
+            yield chosen, side
+
+
+def _taken(point: YarnPoint, index: Any) -> YarnPoint:
+    """The yarn points at `index`; what is not used later is never read."""
+
+    def take(value: Any) -> Any:
+        if dr.depth_v(value) > 1:
+            return type(value)(*(take(part) for part in value))
+        # What all points share is held once.
+        return value if dr.width(value) == 1 else dr.gather(type(value), value, index)
+
+    albedos = point.albedos
+    return YarnPoint(
+        back=take(point.back),
+        hole=take(point.hole),
+        x=take(point.x),
+        y=take(point.y),
+        height=take(point.height),
+        normal=take(point.normal),
+        tangent=take(point.tangent),
+        is_warp=take(point.is_warp),
+        roughness=take(point.roughness),
+        albedos=Albedos(
+            take(albedos.diffuse_reflect),
+            take(albedos.diffuse_transmit),
+            take(albedos.specular_reflect),
+            take(albedos.specular_transmit),
+        ),
+    )

@@ -1,0 +1,158 @@
+"""Summed-area tables: the mean over any axis-aligned box from a few reads, exact and without noise.
+
+A slice holds one value a texel. Its table T[r, c] is the sum of the texels below row r and left of column c,
+in float64, so T has one row and column more than the slice; between its entries it is interpolated, which
+is exact for values constant on each texel. On a periodic grid of C columns and R rows the integral from the
+origin to (c + a·C, r + b·R) is
+
+    G = T[r, c] + a·T[r, C] + b·T[R, c] + a·b·T[R, C]
+
+with whole a and b, so boxes of many repeats cost what small ones do: the mean of a box is four reads of G.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.grid import Grid
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
+
+# Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
+# float64 sums of 10⁷ texels stays below 1e-4 of the slice's mean.
+_SMALLEST_BOX = 1e-2
+
+
+def summed_areas(values: Any, columns: int, rows: int) -> Any:
+    """Tables of slices, one after another, (rows + 1)·(columns + 1) entries each: Float64.
+
+    Args:
+        values: of whole slices, one after another, texels row by row: Float.
+    """
+    types = array_types(dr.float64_array_t(type(values)))
+    pitch = columns + 1
+    entries = pitch * (rows + 1)
+    slices = dr.width(values) // (columns * rows)
+    table = dr.empty(types.Float, slices * entries)
+
+    # Up the columns: a lane a column, so that lanes side by side read side by side.
+    lane = dr.arange(types.UInt32, slices * columns)
+    number = lane // columns
+    column = lane - number * columns
+    texel = number * (columns * rows) + column
+    entry = number * entries + column + 1
+    dr.scatter(table, types.Float(0), entry)
+
+    def add_row(row: Any, total: Any) -> tuple[Any, Any]:
+        total = total + types.Float(dr.gather(type(values), values, texel + row * columns))
+        dr.scatter(table, total, entry + (row + 1) * pitch)
+        return row + 1, total
+
+    start = types.UInt32(0), dr.zeros(types.Float, slices * columns)
+    dr.while_loop(start, lambda row, total: row < rows, add_row, label="summed areas: columns")
+    dr.eval(table)
+
+    # Then along the rows.
+    first = dr.arange(types.UInt32, slices * (rows + 1)) * pitch
+    dr.scatter(table, types.Float(0), first)
+
+    def add_column(column: Any, total: Any) -> tuple[Any, Any]:
+        column = column + 1
+        total = total + dr.gather(types.Float, table, first + column)
+        dr.scatter(table, total, first + column)
+        return column, total
+
+    start = types.UInt32(0), dr.zeros(types.Float, slices * (rows + 1))
+    dr.while_loop(start, lambda column, total: column < columns, add_column, label="summed areas: rows")
+    dr.eval(table)
+    return table
+
+
+@dataclass
+class TexelBoxes:
+    """Boxes in texels from the corner of the grid: lower and upper bounds, Float64 each."""
+
+    left: Any
+    right: Any
+    bottom: Any
+    top: Any
+
+
+def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: type) -> TexelBoxes:
+    """Boxes on the grid from centres and sizes [n, 2] in millimetres.
+
+    Args:
+        float_type: the Dr.Jit Float type of a backend; bounds are its Float64.
+
+    Raises:
+        InputError: a box reaches beyond the window of a grid that is not periodic.
+    """
+    centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
+    half = np.maximum(sizes / np.asarray(grid.step), _SMALLEST_BOX) / 2
+    middle = (centres - np.asarray([grid.left, grid.bottom])) / np.asarray(grid.step)
+    low, high = middle - half, middle + half
+    if not grid.periodic and len(low):
+        edge = 1e-9 * max(grid.columns, grid.rows)
+        if (low < -edge).any() or (high > np.asarray([grid.columns, grid.rows]) + edge).any():
+            raise InputError(
+                f"A footprint reaches beyond the window of {grid.width:g} x {grid.height:g} mm of its slice."
+            )
+        low = np.clip(low, 0, [grid.columns, grid.rows])
+        high = np.clip(high, 0, [grid.columns, grid.rows])
+    double: Any = dr.float64_array_t(float_type)
+    return TexelBoxes(
+        *(double(np.ascontiguousarray(bound)) for bound in (low[:, 0], high[:, 0], low[:, 1], high[:, 1]))
+    )
+
+
+@dataclass
+class _Bound:
+    """One side of a box: the entries of the table around it, and how many repeats it lies away."""
+
+    entry: Any
+    share: Any
+    turns: Any
+
+
+def _bound(position: Any, count: int) -> _Bound:
+    types = array_types(position)
+    turns = dr.floor(position * (1 / count))
+    local = dr.clip(position - turns * count, 0, count)
+    entry = dr.minimum(types.UInt32(local), count - 1)
+    return _Bound(entry, local - types.Float(entry), turns)
+
+
+def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
+    """Mean of a slice over boxes: Float64 [n].
+
+    Args:
+        table: tables one after another, Float64.
+        first: index of the first entry of each box's table, UInt32 [n] or [1].
+    """
+    types = array_types(table)
+    across = [_bound(position, grid.columns) for position in (boxes.left, boxes.right)]
+    along = [_bound(position, grid.rows) for position in (boxes.bottom, boxes.top)]
+    pitch = grid.columns + 1
+
+    def read(row: Any, column: Any) -> Any:
+        return dr.gather(types.Float, table, first + row * pitch + column)
+
+    def in_row(row: Any, bound: _Bound) -> Any:
+        return dr.lerp(read(row, bound.entry), read(row, bound.entry + 1), bound.share)
+
+    def strip(row: Any) -> Any:
+        """Sum of a row of the table between the left and right bounds."""
+        whole = (across[1].turns - across[0].turns) * read(row, types.UInt32(grid.columns))
+        return in_row(row, across[1]) - in_row(row, across[0]) + whole
+
+    def below(bound: _Bound) -> Any:
+        return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.share)
+
+    total = below(along[1]) - below(along[0])
+    total += (along[1].turns - along[0].turns) * strip(types.UInt32(grid.rows))
+    return total / ((boxes.right - boxes.left) * (boxes.top - boxes.bottom))

@@ -1,0 +1,100 @@
+"""Footprints: how much of the cloth a pixel sees, and the forms that models take it in.
+
+One place for the conversions. A footprint is the parallelogram that a pixel covers on the plane of the
+cloth. Its points are centre + s·duv_dx + t·duv_dy with s and t uniform in [−1/2, 1/2], so their covariance
+is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. What stands for it elsewhere:
+
+- a square of the same area, for models that take one size;
+- a Gaussian of σ = sqrt(area/12), the deviation of that square along each axis (kuznetsov2021);
+- an axis-aligned box of the variances of Σ, width² = 12 Σ_xx and height² = 12 Σ_yy, for summed-area tables.
+  What the box leaves out is the correlation r of x and y: area / (width·height) = sqrt(1 − r²).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+
+from loomlight.core.backend import array_types
+
+
+@dataclass
+class Box:
+    """An axis-aligned box, millimetres of draft: Vector2 each.
+
+    Attributes:
+        centre: its middle [2].
+        size: width and height [2].
+    """
+
+    centre: Any
+    size: Any
+
+
+@dataclass
+class Footprint:
+    """What a pixel sees of the cloth, in draft coordinates, millimetres: Vector2 of any backend.
+
+    Attributes:
+        centre: middle of the parallelogram [2].
+        duv_dx, duv_dy: its edges [2], the steps on the cloth to the next pixel along x and along y.
+    """
+
+    centre: Any
+    duv_dx: Any
+    duv_dy: Any
+
+    @property
+    def area(self) -> Any:
+        """Square millimetres, ≥ 0."""
+        return dr.abs(self.duv_dx.x * self.duv_dy.y - self.duv_dx.y * self.duv_dy.x)
+
+    @property
+    def square_side(self) -> Any:
+        """Side of the square of the same area, millimetres."""
+        return dr.sqrt(self.area)
+
+    @property
+    def gaussian_sigma(self) -> Any:
+        """Standard deviation of the Gaussian that stands for it, sqrt(area/12), millimetres."""
+        return dr.sqrt(self.area * (1 / 12))
+
+    def square(self) -> Box:
+        """The square of the same area about the same centre."""
+        side = self.square_side
+        return Box(self.centre, array_types(side).Vector2(side, side))
+
+    def box(self) -> Box:
+        """The axis-aligned box of the same variances along x and y; see `box_correlation`."""
+        types = array_types(self.area)
+        width = dr.sqrt(dr.square(self.duv_dx.x) + dr.square(self.duv_dy.x))
+        height = dr.sqrt(dr.square(self.duv_dx.y) + dr.square(self.duv_dy.y))
+        return Box(self.centre, types.Vector2(width, height))
+
+    def box_correlation(self) -> Any:
+        """Correlation r of x and y over the footprint, −1 to 1, which `box` sets to 0.
+
+        The box is larger than the footprint by 1/sqrt(1 − r²). At r = 0 the box has the footprint's area and
+        second moments, and its shape only for edges along the axes: of a square turned by 45° it covers 83 %.
+        """
+        box = self.box().size
+        covariance = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
+        return covariance / dr.maximum(box.x * box.y, 1e-30)
+
+    def shrunk(self, samples: int) -> Footprint:
+        """The footprint of each of `samples` samples of a pixel: both edges times 1/sqrt(samples)."""
+        scale = samples**-0.5
+        return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale)
+
+    def at(self, s: Any, t: Any) -> Any:
+        """The point centre + s·duv_dx + t·duv_dy [2]; s and t from −1/2 to 1/2 reach all of it."""
+        return self.centre + s * self.duv_dx + t * self.duv_dy
+
+
+def box_footprint(box: Box) -> Footprint:
+    """The footprint whose edges are those of an axis-aligned box."""
+    types = array_types(box.size)
+    nothing = dr.zeros(types.Float)
+    return Footprint(box.centre, types.Vector2(box.size.x, nothing), types.Vector2(nothing, box.size.y))

@@ -1,0 +1,50 @@
+"""Fabrics and directions that the tests of this folder share."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.fabric import fabric_from_text
+from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout, FamilyLayout
+
+NAMES = ("plain", "twill 3/1", "satin 5/2", "basket 2/2", "uneven")
+
+
+def woven(name: str, roughness: tuple[float, float] = (0.3, 0.3), sheen: float = 0.0) -> PointModel:
+    """A fabric whose threads all differ in colour, translucent: a weave by name, or an uneven draft."""
+    rng = np.random.default_rng(len(name))
+    layout = _uneven(rng) if name == "uneven" else fabric_from_text(name).layout()
+    picks, ends = layout.warp_on_top.shape
+
+    def family(count: int, alpha: float) -> FamilyAppearance:
+        colour = rng.random((count, 3))
+        return FamilyAppearance(0.3 * colour, 0.2 * colour, 0.4 * colour, 0.3 * colour, alpha)
+
+    appearance = Appearance(family(ends, roughness[0]), family(picks, roughness[1]), sheen=Sheen(sheen, 0.4))
+    return PointModel(YarnGeometry(layout), appearance)
+
+
+def _uneven(rng: np.random.Generator) -> ClothLayout:
+    warp_on_top = np.array([[1, 0, 0], [1, 1, 0], [0, 1, 1], [0, 0, 1]], bool)
+
+    def family(count: int, spacing: float, inclination: float, twist: float, scale: float) -> FamilyLayout:
+        spacings = spacing * rng.uniform(0.7, 1, count)
+        widths = spacings * rng.uniform(0.6, 0.9, count)
+        return FamilyLayout(spacings, widths, math.radians(inclination), math.radians(twist), scale)
+
+    return ClothLayout(warp_on_top, family(3, 0.4, 30, -30, 0.7), family(4, 0.55, 20, 15, 1.2))
+
+
+def directions(rng: np.random.Generator, count: int, back: bool | None = None) -> NDArray[np.float64]:
+    """Unit vectors [count, 3], uniform above 6° of elevation; `back` None takes either side."""
+    z = rng.uniform(0.1, 1, count)
+    azimuth = rng.uniform(0, 2 * math.pi, count)
+    radius = np.sqrt(1 - z**2)
+    sign = rng.choice([-1.0, 1.0], count) if back is None else np.full(count, -1.0 if back else 1.0)
+    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), sign * z], axis=1)
