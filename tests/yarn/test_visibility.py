@@ -188,7 +188,7 @@ def test_parallax_is_that_of_ray_casts(draft: np.ndarray, inclination: float, ba
     # Rays that just graze a yarn in one geometry and pass it in the other land on different yarns.
     agree = (distance < SPACING / 20)[valid]
     assert valid.mean() > 0.8
-    assert agree.mean() > 0.99
+    assert agree.mean() > 0.995
     assert np.median(distance[valid]) < 2e-4
 
 
