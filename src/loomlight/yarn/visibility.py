@@ -49,18 +49,21 @@ class SearchQuality:
     Attributes:
         steps_per_thread: steps while crossing the finest thread.
         steps_per_relief: steps while falling through the whole relief of the cloth.
+        shadow_share: shadow rays take this share of the steps. They need no position, and outlines and the
+            cubic between samples find what steps alone miss: 5 a thread judge 0.1 % of lights wrongly.
         refinements: halvings of the bracket around a hit, alternating with secant steps.
         steps: at most so many; a ray still undecided then counts as free.
     """
 
     steps_per_thread: float = 8.0
     steps_per_relief: float = 8.0
+    shadow_share: float = 0.6
     refinements: int = 8
     steps: int = 1024
 
 
 DEFAULT_QUALITY = SearchQuality()
-REFERENCE_QUALITY = SearchQuality(steps_per_thread=48, steps_per_relief=48, refinements=20, steps=16384)
+REFERENCE_QUALITY = SearchQuality(48, 48, shadow_share=1, refinements=20, steps=16384)
 
 # A ray starts this share of the finest thread above its surface, or rounding would shadow it.
 _LIFT = 2e-3
@@ -179,7 +182,8 @@ def unoccluded(
     types = array_types(x)
     _, high = surface.height_bounds
     lift = _LIFT * min(surface.finest)
-    step = dr.rcp(dr.maximum(_steps_per_length(surface, quality, direction), 1e-9))
+    rate = quality.shadow_share * _steps_per_length(surface, quality, direction)
+    step = dr.rcp(dr.maximum(rate, 1e-9))
     start = types.Vector3(x, y, height + lift)
     distance = types.Float(0 * x)
     free = types.Bool(active) & (direction.z > 0)
