@@ -57,7 +57,7 @@ def run(number: int) -> tuple[float, FabricSlices]:
     """Seconds for all queries of one material, from its parameters to the means."""
     start = time.perf_counter()
     model = material(number)
-    layout = model.surface.layout  # type: ignore[attr-defined]
+    layout = model.surface.layout  # type: ignore[attr-defined]  # these models stand on YarnGeometry
     queries = query_set(
         fabric_scale(layout), PAIRS, FOOTPRINTS, number, transmits=True, lights=LIGHTS, views=VIEWS
     )

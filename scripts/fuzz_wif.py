@@ -167,7 +167,7 @@ def fault_of(content: bytes) -> str | None:
         fault = None if _same(draft, again) else "the draft changed when it was written and read again"
     except InputError as error:
         fault = f"a message of several lines: {error}" if "\n" in str(error) else None
-    except Exception:
+    except Exception:  # whatever it is, a traceback is what the fuzzer looks for
         fault = traceback.format_exc()
     seconds = time.perf_counter() - start
     if fault is None and seconds > SLOWEST_S:
