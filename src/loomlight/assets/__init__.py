@@ -1,0 +1,1 @@
+"""The material file (`.loom`): read, write, version."""
