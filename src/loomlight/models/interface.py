@@ -1,7 +1,7 @@
 """The one interface of all models: what a footprint of cloth does to light.
 
-Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (Vector3, z < 0 on the back), and a
-`Footprint` in draft millimetres. A light on the other side than the view asks for transmission. Values are
+Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (Vector3, z < 0 on the back), and
+a `Footprint` in draft millimetres. A light on the other side than the view asks for transmission. Values are
 f(light, view)·|cos θ_light|, linear RGB, 1/sr, without delta transmission, which `hole` describes.
 """
 
