@@ -1,1 +1,1 @@
-"""How faithful and how fast models are: metrics, side-by-side comparisons, the papers' evidence."""
+"""How right models are: held-out fabrics, the query test, the image test, and the tables they fill."""

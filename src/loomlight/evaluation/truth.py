@@ -1,0 +1,142 @@
+"""The truth of the query test: slices on the reference plane, searched finely, kept on disk once computed.
+
+The grid has 64 rays a thread (32 for repeats beyond 16 threads), so that its own error is 1 % of the mean
+below a quarter yarn and 0.15 % above (docs/aggregation.md).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load_file, save_file
+
+from loomlight.aggregate.components import CHANNELS, COLOURS
+from loomlight.aggregate.queries import QuerySet, admits_transmission, fabric_scale, query_set
+from loomlight.aggregate.slices import FabricSlices
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
+from loomlight.evaluation.backend import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import REFERENCE_QUALITY
+
+PAIRS, FOOTPRINTS = 160, 160
+# Part of every key: to be raised when geometry, scattering, slices or query sets change their values.
+_VERSION = 1
+_FINE, _COARSE = 64, 32
+_LARGEST_FINE_REPEAT = 16 * 16
+_QUERIES = ("lights", "views", "pairs", "centres", "sizes")
+
+
+def query_truth(
+    fabric: Fabric,
+    seed: int,
+    pairs: int = PAIRS,
+    footprints: int = FOOTPRINTS,
+    with_colours: bool = False,
+    folder: str | os.PathLike[str] | None = None,
+    float_type: type | None = None,
+) -> tuple[QuerySet, NDArray[np.float32]]:
+    """Queries of a fabric and the exact means of its channels over them [pairs, footprints, 5].
+
+    Lights and views lie on both sides; pairs of different sides (transmission) are half of them where the
+    fabric's threads let light through, and there are none otherwise.
+
+    Args:
+        seed: of the queries.
+        with_colours: adds red, green and blue with the threads' own albedos, [pairs, footprints, 8].
+        folder: where results are kept; None is `cache_folder()`.
+        float_type: the Dr.Jit Float type to compute with; None is LLVM's.
+
+    Returns:
+        the queries, and means in the order of `CHANNELS`: components in 1/sr, `hole` as a share.
+
+    Raises:
+        InputError: no pairs or footprints, or a repeat too large for one slice (128 by 128 threads).
+    """
+    kept = Path(cache_folder() if folder is None else folder)
+    file = kept / f"{_key(fabric, seed, pairs, footprints, with_colours)}.safetensors"
+    channels = len(CHANNELS) + (len(COLOURS) if with_colours else 0)
+    found = _read(file, (pairs, footprints, channels))
+    if found is None:
+        found = _computed(fabric, seed, pairs, footprints, with_colours, float_type or llvm_float())
+        _keep(file, *found)
+    return found
+
+
+def cache_folder() -> Path:
+    """Where truths are kept: loomlight/truth in $XDG_CACHE_HOME, or in ~/.cache."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / "truth"
+
+
+def reference_model(fabric: Fabric) -> PointModel:
+    """The point model of a fabric, searched as finely as the truth is."""
+    return PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), REFERENCE_QUALITY)
+
+
+def texels_per_thread(fabric: Fabric) -> int:
+    """How many rays of the truth's grid fall on a thread."""
+    return _FINE if fabric.draft.drawdown.size <= _LARGEST_FINE_REPEAT else _COARSE
+
+
+def _computed(
+    fabric: Fabric, seed: int, pairs: int, footprints: int, with_colours: bool, float_type: type
+) -> tuple[QuerySet, NDArray[np.float32]]:
+    transmits = admits_transmission(fabric.appearance())
+    queries = query_set(fabric_scale(fabric.layout()), pairs, footprints, seed, transmits=transmits)
+    slices = FabricSlices(
+        reference_model(fabric), float_type, texels_per_thread(fabric), with_colours=with_colours
+    )
+    means = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
+    return queries, means
+
+
+def _key(fabric: Fabric, seed: int, pairs: int, footprints: int, with_colours: bool) -> str:
+    """A hash of everything that the truth depends on: numbers, not names."""
+    digest = hashlib.sha256(repr((_VERSION, seed, pairs, footprints, with_colours)).encode())
+    digest.update(repr(texels_per_thread(fabric)).encode())
+    for part in _numbers(fabric):
+        digest.update(repr(part.shape).encode() + part.tobytes())
+    return digest.hexdigest()[:32]
+
+
+def _numbers(fabric: Fabric) -> Iterator[NDArray[np.float64]]:
+    layout, appearance = fabric.layout(), fabric.appearance()
+    yield np.asarray(layout.warp_on_top, np.float64)
+    yield np.array([appearance.diffuse_blend, appearance.optical_depth])
+    for family in (layout.warp, layout.weft):
+        for name in ("spacing", "width", "inclination", "twist", "height_scale"):
+            yield np.asarray(getattr(family, name), np.float64)
+    for scattering in (appearance.warp, appearance.weft):
+        for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit"):
+            yield np.asarray(getattr(scattering, name), np.float64)
+        yield np.array([scattering.roughness])
+
+
+def _read(file: Path, shape: tuple[int, int, int]) -> tuple[QuerySet, NDArray[np.float32]] | None:
+    """What the file holds; None if it does not exist or is damaged, and has to be computed again."""
+    try:
+        tensors = load_file(file)
+        queries = QuerySet(*(tensors[name] for name in _QUERIES))
+        means = tensors["means"]
+    except (OSError, SafetensorError, KeyError):
+        return None
+    return (queries, means) if means.shape == shape else None
+
+
+def _keep(file: Path, queries: QuerySet, means: NDArray[np.float32]) -> None:
+    """Writes the file; a folder that cannot be written to costs time, not the result."""
+    tensors = {name: np.ascontiguousarray(getattr(queries, name)) for name in _QUERIES}
+    try:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        with replacing(file) as temporary:
+            save_file({**tensors, "means": means}, temporary)
+    except (OSError, InputError, SafetensorError):
+        return
