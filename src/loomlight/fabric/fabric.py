@@ -28,12 +28,14 @@ class Fabric:
         name: what to call it.
         draft: one repeat, thread colours included. It is longer than the draft in the file where a list of
             colours repeats later than the weave does.
+        named_draft: the draft as `fields` name it, before they colour and repeat it.
         fields: what the fabric file says, and no more.
         folder: the folder that paths in `fields` are relative to.
     """
 
     name: str
     draft: Draft
+    named_draft: Draft
     fields: FabricFile
     folder: str
     _layout: ClothLayout
@@ -73,7 +75,7 @@ def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fab
         diffuse_blend=DIFFUSE_BLEND if fields.diffuse_blend is None else fields.diffuse_blend,
         optical_depth=optical_depth,
     )
-    return Fabric(name, coloured, fields, folder, _layout(fields, coloured), appearance)
+    return Fabric(name, coloured, draft, fields, folder, _layout(fields, coloured), appearance)
 
 
 def _colours(threads: Threads) -> NDArray[np.float64]:

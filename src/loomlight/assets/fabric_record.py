@@ -1,0 +1,114 @@
+"""A fabric as a record that needs no other file: its fields as text, its draft as tensors.
+
+A fabric file names a draft, and the draft may be a file of its own. The record holds what that draft says
+about cloth: the drawdown, and colours, spacing and thickness of every thread, in float64, so that the fabric
+comes back exactly. How a loom weaves it (threading, tie-up, notes) is left to the draft's own file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import PurePath
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict
+
+from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.fabric.reading import parse_fabric_file
+from loomlight.fabric.writing import fabric_toml
+from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
+
+_FAMILIES = ("warp", "weft")
+_LENGTHS_MM = (1e-6, 1e6)
+_RANGES = {"colors": (0.0, 1.0), "spacing_mm": _LENGTHS_MM, "thickness_mm": _LENGTHS_MM}
+
+
+class FabricRecord(BaseModel):
+    """What a `.loom` file's header says of its fabric; the draft is in the tensors.
+
+    Attributes:
+        name: of the fabric.
+        title: of its draft.
+        toml: the text of the fabric file. A path in it tells where the draft came from; it is not read.
+    """
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    name: str
+    title: str
+    toml: str
+
+
+def fabric_record(fabric: Fabric) -> tuple[FabricRecord, dict[str, NDArray[Any]]]:
+    """The record of a fabric and the tensors beside it."""
+    draft = fabric.named_draft
+    tensors: dict[str, NDArray[Any]] = {"drawdown": np.asarray(draft.drawdown, np.bool_)}
+    for family in _FAMILIES:
+        threads: Threads = getattr(draft, family)
+        for field in _RANGES:
+            values = getattr(threads, field)
+            if values is not None:
+                tensors[f"{family}.{field}"] = np.asarray(values, np.float64)
+        if threads.color_index is not None:
+            tensors[f"{family}.color_index"] = np.asarray(threads.color_index, np.int64)
+    toml = fabric_toml(_without_folders(fabric.fields), fabric.folder, fabric.folder)
+    return FabricRecord(name=fabric.name, title=draft.title, toml=toml), tensors
+
+
+def _without_folders(fields: FabricFile) -> FabricFile:
+    """The fields with the bare names of the draft's files: where they lay is nobody else's business."""
+    paths = {name: getattr(fields, name) for name in ("draft", "image") if getattr(fields, name)}
+    return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
+
+
+def fabric_from_record(record: FabricRecord, tensors: Mapping[str, NDArray[Any]], folder: str) -> Fabric:
+    """The fabric of a record and its tensors; nothing else is read.
+
+    Raises:
+        InputError: fields or tensors that make no fabric; the message names the one at fault.
+    """
+    if "drawdown" not in tensors:
+        raise InputError("the tensor fabric.drawdown is missing: without it there is no fabric.")
+    drawdown = tensors["drawdown"]
+    if drawdown.dtype != np.bool_ or drawdown.ndim != 2 or (drawdown.view(np.uint8) > 1).any():
+        raise InputError("the tensor fabric.drawdown must hold true and false [picks, ends].")
+    picks, ends = drawdown.shape
+    threads = {
+        family: _threads(family, tensors, count)
+        for family, count in zip(_FAMILIES, (ends, picks), strict=True)
+    }
+    fields = parse_fabric_file(record.toml)
+    draft = Draft(drawdown, threads["warp"], threads["weft"], title=record.title)
+    return make_fabric(fields, draft, record.name, folder)
+
+
+def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Threads:
+    values: dict[str, Any] = {
+        field: _checked(f"{family}.{field}", tensors[f"{family}.{field}"], count, bounds)
+        for field, bounds in _RANGES.items()
+        if f"{family}.{field}" in tensors
+    }
+    index = tensors.get(f"{family}.color_index")
+    if index is not None:
+        fits = index.dtype == np.int64 and index.shape == (count,)
+        if not fits or not ((index >= 0) & (index < 2 * MAXIMUM_THREADS)).all():
+            raise InputError(
+                f"the tensor fabric.{family}.color_index must hold {count} rows of a palette, int64."
+            )
+        values["color_index"] = index.astype(np.intp)
+    return Threads(**values)
+
+
+def _checked(name: str, values: NDArray[Any], count: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
+    shape = (count, 3) if name.endswith("colors") else (count,)
+    low, high = bounds
+    good = values.dtype == np.float64 and values.shape == shape
+    if not good or not ((values >= low) & (values <= high)).all():
+        raise InputError(
+            f"the tensor fabric.{name} must hold {list(shape)} float64 numbers from {low:g} to {high:g}."
+        )
+    return values
