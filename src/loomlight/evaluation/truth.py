@@ -62,13 +62,13 @@ def query_truth(
         InputError: no pairs or footprints, or a repeat too large for one slice (128 by 128 threads).
     """
     kept = Path(cache_folder() if folder is None else folder)
-    file = kept / f"{_key(fabric, seed, pairs, footprints, with_colours)}.safetensors"
-    channels = len(CHANNELS) + (len(COLOURS) if with_colours else 0)
-    found = _read(file, (pairs, footprints, channels))
+    file = kept / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
+    found = _read(file, (pairs, footprints, len(CHANNELS) + len(COLOURS)))
     if found is None:
-        found = _computed(fabric, seed, pairs, footprints, with_colours, float_type or llvm_float())
+        found = _computed(fabric, seed, pairs, footprints, float_type or llvm_float())
         _keep(file, *found)
-    return found
+    queries, means = found
+    return queries, means if with_colours else means[..., : len(CHANNELS)]
 
 
 def cache_folder() -> Path:
@@ -87,20 +87,18 @@ def texels_per_thread(fabric: Fabric) -> int:
 
 
 def _computed(
-    fabric: Fabric, seed: int, pairs: int, footprints: int, with_colours: bool, float_type: type
+    fabric: Fabric, seed: int, pairs: int, footprints: int, float_type: type
 ) -> tuple[QuerySet, NDArray[np.float32]]:
     transmits = admits_transmission(fabric.appearance())
     queries = query_set(fabric_scale(fabric.layout()), pairs, footprints, seed, transmits=transmits)
-    slices = FabricSlices(
-        reference_model(fabric), float_type, texels_per_thread(fabric), with_colours=with_colours
-    )
+    slices = FabricSlices(reference_model(fabric), float_type, texels_per_thread(fabric), with_colours=True)
     means = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     return queries, means
 
 
-def _key(fabric: Fabric, seed: int, pairs: int, footprints: int, with_colours: bool) -> str:
+def _key(fabric: Fabric, seed: int, pairs: int, footprints: int) -> str:
     """A hash of everything that the truth depends on: numbers, not names."""
-    digest = hashlib.sha256(repr((_VERSION, seed, pairs, footprints, with_colours)).encode())
+    digest = hashlib.sha256(repr((_VERSION, seed, pairs, footprints)).encode())
     digest.update(repr(texels_per_thread(fabric)).encode())
     for part in _numbers(fabric):
         digest.update(repr(part.shape).encode() + part.tobytes())

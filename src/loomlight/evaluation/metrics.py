@@ -1,0 +1,117 @@
+"""Errors of predictions against the truth, as sums that can be added up over any classes of queries."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+# What keeps SMAPE finite, and from where on a value counts as bright, 1/sr.
+_SMAPE_FLOOR = 0.002
+BRIGHT = 0.01
+
+
+@dataclass(frozen=True)
+class ErrorSums:
+    """Sums over values p predicted for t; adding two is the sums over both.
+
+    Attributes:
+        count: how many values.
+        truth: Σ t.
+        absolute: Σ |p − t|.
+        squared: Σ (p − t)².
+        signed: Σ (p − t).
+        symmetric: Σ 2|p − t| / (p + t + 0.002).
+        bright_count, bright_symmetric: the same over t > 0.01 alone.
+    """
+
+    count: float = 0.0
+    truth: float = 0.0
+    absolute: float = 0.0
+    squared: float = 0.0
+    signed: float = 0.0
+    symmetric: float = 0.0
+    bright_count: float = 0.0
+    bright_symmetric: float = 0.0
+
+    def __add__(self, other: ErrorSums) -> ErrorSums:
+        return ErrorSums(*(getattr(self, f.name) + getattr(other, f.name) for f in fields(self)))
+
+    @property
+    def nmae(self) -> float:
+        """Mean absolute error over the mean of the truth; NaN without light."""
+        return self.absolute / self.truth if self.truth > 0 else float("nan")
+
+    @property
+    def mse(self) -> float:
+        """Mean squared error, 1/sr²."""
+        return self.squared / self.count if self.count else float("nan")
+
+    @property
+    def smape(self) -> float:
+        """Mean of 2|p − t| / (p + t + 0.002)."""
+        return self.symmetric / self.count if self.count else float("nan")
+
+    @property
+    def bright_smape(self) -> float:
+        """SMAPE over t > 0.01 alone: the darkest queries carry a third of it and little error."""
+        return self.bright_symmetric / self.bright_count if self.bright_count else float("nan")
+
+    @property
+    def bias(self) -> float:
+        """Mean signed error over the mean of the truth; NaN without light."""
+        return self.signed / self.truth if self.truth > 0 else float("nan")
+
+    def values(self) -> dict[str, float]:
+        """Every metric by name, and how many values it is of."""
+        names = ("nmae", "mse", "smape", "bright_smape", "bias")
+        return {**{name: float(getattr(self, name)) for name in names}, "count": float(self.count)}
+
+
+def error_sums(predicted: ArrayLike, truth: ArrayLike) -> ErrorSums:
+    """The sums over arrays of the same shape; what is not finite in `predicted` makes every metric NaN."""
+    p, t = (np.asarray(values, np.float64).ravel() for values in (predicted, truth))
+    if p.shape != t.shape:
+        raise ValueError(f"{p.size} predictions of {t.size} values")
+    difference = p - t
+    size = np.abs(difference)
+    symmetric = 2 * size / (np.maximum(p, 0) + t + _SMAPE_FLOOR)
+    bright = t > BRIGHT
+    return ErrorSums(
+        count=float(t.size),
+        truth=float(t.sum()),
+        absolute=float(size.sum()),
+        squared=float((difference**2).sum()),
+        signed=float(difference.sum()),
+        symmetric=float(symmetric.sum()),
+        bright_count=float(bright.sum()),
+        bright_symmetric=float(symmetric[bright].sum()),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Classes:
+    """One way to part queries.
+
+    Attributes:
+        names: of the classes.
+        codes: index into `names` for every query, any shape.
+    """
+
+    names: tuple[str, ...]
+    codes: NDArray[np.intp]
+
+
+OVERALL = "overall"
+
+
+def sums_by_class(predicted: ArrayLike, truth: ArrayLike, parts: list[Classes]) -> dict[str, ErrorSums]:
+    """Sums overall and for every class of every part; the values' first axes are those of the codes."""
+    p, t = np.asarray(predicted), np.asarray(truth)
+    sums = {OVERALL: error_sums(p, t)}
+    for part in parts:
+        for code, name in enumerate(part.names):
+            chosen = part.codes == code
+            sums[name] = error_sums(p[chosen], t[chosen])
+    return sums

@@ -1,0 +1,189 @@
+"""What models, and a few Monte Carlo samples, predict for a query set."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.queries import QuerySet
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.footprint import Footprint
+from loomlight.evaluation.backend import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import Model, Response, shade
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+
+# Queries of one launch when speed is measured: enough to keep every core busy for a while.
+_TIMED = 1 << 18
+# Samples of one launch.
+_BATCH = 1 << 20
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """What is predicted for n pairs of directions and m footprints.
+
+    Attributes:
+        means: in the order of `CHANNELS` [n, m, 5], 1/sr and a share.
+        colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
+        rate: queries a second on this machine, whatever the model fetches included; None if not measured.
+    """
+
+    means: NDArray[np.float64]
+    colours: NDArray[np.float64]
+    rate: float | None = None
+
+
+Predictor = Callable[[Fabric, QuerySet], Prediction]
+
+
+def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = None) -> Predictor:
+    """Predicts with the model that `make` returns for each fabric, in batches of Dr.Jit arrays.
+
+    What `make` raises passes through; an InputError says that the model does not take the fabric.
+    """
+
+    def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
+        types = array_types(float_type or llvm_float())
+        model = make(fabric)
+        light, view, footprint = query_arrays(types, queries)
+        response = model.evaluate(light, view, footprint)
+        colour = shade(response, model.albedos(view, footprint), light.z * view.z < 0)
+        count = dr.width(light)
+        shape = queries.sizes.shape
+        means = np.stack([_numbers(part, count) for part in _parts(response)], axis=-1)
+        shown = np.stack([_numbers(part, count) for part in colour], axis=-1)
+        return Prediction(means.reshape(*shape, -1), shown.reshape(*shape, -1), _rate(types, model, queries))
+
+    return predict
+
+
+def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None = None) -> Predictor:
+    """Predicts with `samples` rays a footprint through the point model, as a renderer does.
+
+    Their places in the footprint are correlated multi-jittered, the pattern of Mitsuba's `multijitter`; the
+    yarns are searched at the renderer's quality.
+    """
+
+    def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
+        types = array_types(float_type or llvm_float())
+        model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
+        rng = np.random.default_rng([seed, samples])
+        count = queries.sizes.size
+        at_once = min(count, max(1, _BATCH // samples))
+        values = np.empty((count, len(CHANNELS) + len(COLOURS)))
+        for first in range(0, count, at_once):
+            chosen = np.arange(first, min(first + at_once, count))
+            places = multi_jittered(rng, len(chosen), samples)
+            values[chosen] = _sampled(types, model, queries, chosen, places)
+        start = time.perf_counter()
+        _sampled(types, model, queries, chosen, places)  # once more, now that it is compiled
+        rate = len(chosen) / (time.perf_counter() - start)
+        values = values.reshape(*queries.sizes.shape, -1)
+        return Prediction(values[..., : len(CHANNELS)], values[..., len(CHANNELS) :], rate)
+
+    return predict
+
+
+def query_arrays(types: ArrayTypes, queries: QuerySet) -> tuple[Any, Any, Footprint]:
+    """Lights, views [3] and footprints of a query set, footprints of one pair beside each other."""
+    return _arrays(types, queries, np.arange(queries.sizes.size))
+
+
+def multi_jittered(rng: np.random.Generator, sets: int, samples: int) -> NDArray[np.float64]:
+    """Correlated multi-jittered points [sets, samples, 2] in the unit square (Kensler 2013).
+
+    One point a cell of a grid, and one a row and a column of the grid of samples × samples cells. A count
+    that fills no grid gives a row of cells.
+    """
+    rows = math.isqrt(samples)
+    while samples % rows:
+        rows -= 1
+    columns = samples // rows
+    column, row = np.divmod(np.arange(samples), rows)
+    fine_x = rng.permuted(np.tile(np.arange(rows), (sets, columns, 1)), axis=2).reshape(sets, samples)
+    ordered = np.tile(np.arange(columns), (sets, rows, 1))
+    fine_y = rng.permuted(ordered, axis=2).transpose(0, 2, 1).reshape(sets, samples)
+    u, v = rng.random((2, sets, samples))
+    x = (column + (fine_x + u) / rows) / columns
+    y = (row + (fine_y + v) / columns) / rows
+    return np.stack([x, y], axis=-1)
+
+
+def _sampled(
+    types: ArrayTypes,
+    model: PointModel,
+    queries: QuerySet,
+    chosen: NDArray[np.intp],
+    places: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Means of channels and colours over the samples of each chosen query."""
+    count, samples, _ = places.shape
+    light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
+    s, t = (types.Float(part.astype(np.float32)) for part in (places - 0.5).reshape(-1, 2).T.copy())
+    place = footprint.at(s, t)
+    plain = without_extras(model)
+    point = meet(plain, place.x, place.y, view).point
+    visible = plain.visibility(point, light)
+    channels = [
+        *components(plain.appearance, point, light, view, visible),
+        dr.select(point.hole, types.Float(1), 0),
+        *colours(plain.appearance, point, light, view, visible),
+    ]
+    dr.eval(channels)
+    return np.stack([part.numpy().reshape(count, samples).mean(axis=1) for part in channels], axis=-1)
+
+
+def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tuple[Any, Any, Footprint]:
+    pair = index // queries.sizes.shape[1]
+    light, view = (
+        types.Vector3(np.ascontiguousarray(vectors[number].T, dtype=np.float32))
+        for vectors, number in (
+            (queries.lights, queries.pairs[pair, 0]),
+            (queries.views, queries.pairs[pair, 1]),
+        )
+    )
+    centre = queries.centres.reshape(-1, 2)[index].T
+    side = types.Float(queries.sizes.ravel()[index].astype(np.float32))
+    nothing = dr.zeros(types.Float)
+    return (
+        light,
+        view,
+        Footprint(
+            types.Vector2(np.ascontiguousarray(centre, dtype=np.float32)),
+            types.Vector2(side, nothing),
+            types.Vector2(nothing, side),
+        ),
+    )
+
+
+def _parts(response: Response) -> list[Any]:
+    return [getattr(response, name) for name in CHANNELS]
+
+
+def _numbers(value: Any, count: int) -> NDArray[np.float64]:
+    """A Dr.Jit Float as numpy; what all lanes share may be held once."""
+    return np.broadcast_to(np.asarray(value.numpy(), np.float64), (count,))
+
+
+def _rate(types: ArrayTypes, model: Model, queries: QuerySet) -> float:
+    """Queries a second of `evaluate`, compiled beforehand."""
+    repeats = -(-_TIMED // queries.sizes.size)
+    arrays = _arrays(types, queries, np.tile(np.arange(queries.sizes.size), repeats)[:_TIMED])
+    dr.eval(arrays)
+    seconds = []
+    for _ in range(3):
+        start = time.perf_counter()
+        dr.eval(_parts(model.evaluate(*arrays)))
+        dr.sync_thread()
+        seconds.append(time.perf_counter() - start)
+    return _TIMED / min(seconds)

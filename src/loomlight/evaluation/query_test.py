@@ -1,0 +1,216 @@
+"""The query test: predictions for the footprints of held-out fabrics against the truth, by class.
+
+What is judged (`QUANTITIES`), each overall and by band of footprint size, roughness and elevation:
+
+- reflection: f·cos at grey albedos k_d = 0.4 and k_s = 0.6, light and view on one side: the headline;
+- transmission: the same where they lie on different sides;
+- colour: f·cos in RGB with the albedos of the threads, both sides, fabrics of several colours only;
+- each of the four components, and the hole's share, of all queries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.components import CHANNELS
+from loomlight.aggregate.queries import BANDS, QuerySet, fabric_scale
+from loomlight.core.errors import InputError
+from loomlight.evaluation.held_out import HeldOut
+from loomlight.evaluation.metrics import OVERALL, Classes, ErrorSums, sums_by_class
+from loomlight.evaluation.predictions import Prediction, Predictor, monte_carlo_predictor
+from loomlight.evaluation.table import Cell, Table
+from loomlight.evaluation.truth import FOOTPRINTS, PAIRS, query_truth
+from loomlight.fabric.fabric import Fabric
+
+DIFFUSE_ALBEDO, SPECULAR_ALBEDO = 0.4, 0.6
+QUANTITIES = ("reflection", "transmission", "colour", *CHANNELS)
+ROUGHNESS_BOUNDS = (0.15, 0.4)
+ROUGHNESS = ("α < 0.15", "α 0.15–0.4", "α > 0.4")
+GRAZING_DEGREES = 60.0
+ELEVATION = ("within 60°", "beyond 60°")
+WEAVES = ("paper's weaves", "unseen weaves")
+MONTE_CARLO = (1, 3, 16)
+SEED = 2024
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass
+class RowResult:
+    """One row: error sums by quantity and class, and by fabric.
+
+    Attributes:
+        sums: by quantity, then by class ("overall", a band, …).
+        fabrics: nMAE of grey f·cos, both sides, by the fabric's name.
+        rates: queries a second, one a fabric.
+        refused: why, by the name of each fabric that the model does not take.
+    """
+
+    sums: dict[str, dict[str, ErrorSums]] = field(default_factory=dict)
+    fabrics: dict[str, float] = field(default_factory=dict)
+    rates: list[float] = field(default_factory=list)
+    refused: dict[str, str] = field(default_factory=dict)
+
+    def metric(self, quantity: str, name: str = OVERALL, metric: str = "nmae") -> float:
+        """One figure; NaN where there were no such queries."""
+        sums = self.sums.get(quantity, {}).get(name, ErrorSums())
+        return float(getattr(sums, metric))
+
+    def add(self, quantity: str, found: dict[str, ErrorSums]) -> None:
+        """Adds the sums of one fabric."""
+        old = self.sums.setdefault(quantity, {})
+        for name, sums in found.items():
+            old[name] = old.get(name, ErrorSums()) + sums
+
+
+@dataclass
+class QueryTest:
+    """Results of the query test.
+
+    Attributes:
+        rows: by name.
+        fabrics: names of the fabrics that every row took; the sums are over these.
+        queries: of each fabric.
+    """
+
+    rows: dict[str, RowResult]
+    fabrics: list[str]
+    queries: int
+
+    def to_dict(self) -> dict[str, Any]:
+        """Every figure, for JSON."""
+        return {
+            "fabrics": self.fabrics,
+            "queries_per_fabric": self.queries,
+            "rows": {
+                name: {
+                    "metrics": {
+                        quantity: {part: sums.values() for part, sums in found.items() if sums.count}
+                        for quantity, found in row.sums.items()
+                    },
+                    "nmae_by_fabric": row.fabrics,
+                    "queries_per_second": float(np.median(row.rates)) if row.rates else None,
+                    "refused": row.refused,
+                }
+                for name, row in self.rows.items()
+            },
+        }
+
+    def tables(self) -> list[Table]:
+        """Four tables: nMAE by class, other metrics, nMAE by quantity, and by fabric."""
+        note = f"{len(self.fabrics)} fabrics, {self.queries} queries each."
+        classes = [OVERALL, *BANDS, *ROUGHNESS, *ELEVATION, *WEAVES]
+        by_class = Table("nMAE of grey reflection", classes, note=note)
+        metrics = ("mse", "smape", "bright_smape", "bias")
+        headings = ["nMAE", "MSE", "SMAPE", "SMAPE, t > 0.01", "bias", "queries/s", "refused"]
+        others = Table("All metrics of grey reflection", headings, note=note)
+        quantities = Table("nMAE by quantity", list(QUANTITIES), note=note)
+        fabrics = Table("nMAE of grey f·cos by fabric", self.fabrics)
+        for name, row in self.rows.items():
+            by_class.rows[name] = [row.metric("reflection", part) for part in classes]
+            rate = f"{np.median(row.rates):.2g}" if row.rates else None
+            cells: list[Cell] = [row.metric("reflection", metric=metric) for metric in ("nmae", *metrics)]
+            others.rows[name] = [*cells, rate, len(row.refused)]
+            quantities.rows[name] = [row.metric(quantity) for quantity in QUANTITIES]
+            fabrics.rows[name] = [row.fabrics.get(fabric) for fabric in self.fabrics]
+        return [by_class, others, quantities, fabrics]
+
+
+def run_query_test(
+    predictors: Mapping[str, Predictor],
+    fabrics: Iterable[HeldOut],
+    *,
+    pairs: int = PAIRS,
+    footprints: int = FOOTPRINTS,
+    seed: int = SEED,
+    monte_carlo: Iterable[int] = MONTE_CARLO,
+    progress: Progress | None = None,
+) -> QueryTest:
+    """Judges predictors by name, and Monte Carlo of a few samples beside them, on the same queries.
+
+    A fabric that a model refuses (InputError) is left out of every row's sums, so that all rows are of the
+    same queries; the row says which it refused and why.
+
+    Args:
+        pairs, footprints: queries of each fabric.
+        seed: of the queries; fabric number k has seed + k.
+        monte_carlo: sample counts of the rows added.
+        progress: called with (fabrics done, fabrics in all).
+    """
+    chosen = list(fabrics)
+    everyone = {
+        **{_samples_name(count): monte_carlo_predictor(count) for count in monte_carlo},
+        **predictors,
+    }
+    rows = {name: RowResult() for name in everyone}
+    used = []
+    for number, cloth in enumerate(chosen):
+        queries, truth = query_truth(cloth.fabric, seed + number, pairs, footprints, with_colours=True)
+        predicted = {}
+        for name, predict in everyone.items():
+            try:
+                predicted[name] = predict(cloth.fabric, queries)
+            except InputError as error:
+                rows[name].refused[cloth.name] = str(error)
+        if len(predicted) == len(everyone):
+            used.append(cloth.name)
+            for name, prediction in predicted.items():
+                _judge(rows[name], cloth, queries, prediction, truth.astype(np.float64))
+        if progress is not None:
+            progress(number + 1, len(chosen))
+    return QueryTest(rows, used, pairs * footprints)
+
+
+def grey_value(means: NDArray[Any]) -> NDArray[np.float64]:
+    """f·cos [...] at grey albedos of components [..., 5]: k_d = 0.4, k_s = 0.6."""
+    diffuse, specular = means[..., 0] + means[..., 1], means[..., 2] + means[..., 3]
+    return DIFFUSE_ALBEDO * diffuse + SPECULAR_ALBEDO * specular
+
+
+def query_classes(fabric: Fabric, queries: QuerySet, unseen_weave: bool) -> list[Classes]:
+    """The classes of queries [n, m]: band, roughness (of the smoother family), elevation, kind of weave.
+
+    "beyond 60°" is where light or view lies more than 60° from the normal.
+    """
+    shape = queries.sizes.shape
+    smoother = min(fabric.appearance().warp.roughness, fabric.appearance().weft.roughness)
+    rough = np.searchsorted(ROUGHNESS_BOUNDS, smoother, side="right")
+    cosines = np.abs(
+        np.stack([queries.lights[queries.pairs[:, 0], 2], queries.views[queries.pairs[:, 1], 2]])
+    )
+    grazing = cosines.min(axis=0) < np.cos(np.radians(GRAZING_DEGREES))
+    return [
+        Classes(BANDS, fabric_scale(fabric.layout()).bands(queries.sizes)),
+        Classes(ROUGHNESS, np.full(shape, rough)),
+        Classes(ELEVATION, np.broadcast_to(grazing.astype(np.intp)[:, None], shape)),
+        Classes(WEAVES, np.full(shape, int(unseen_weave))),
+    ]
+
+
+def _judge(
+    row: RowResult, cloth: HeldOut, queries: QuerySet, predicted: Prediction, truth: NDArray[np.float64]
+) -> None:
+    parts = query_classes(cloth.fabric, queries, cloth.unseen_weave)
+    light, view = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
+    crosses = light[:, 2] * view[:, 2] < 0
+    guess, right = grey_value(predicted.means), grey_value(truth)
+    for name, pairs in (("reflection", ~crosses), ("transmission", crosses)):
+        if pairs.any():
+            chosen = [Classes(part.names, part.codes[pairs]) for part in parts]
+            row.add(name, sums_by_class(guess[pairs], right[pairs], chosen))
+    if cloth.coloured:
+        row.add("colour", sums_by_class(predicted.colours, truth[..., len(CHANNELS) :], parts))
+    for index, name in enumerate(CHANNELS):
+        row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
+    row.fabrics[cloth.name] = sums_by_class(guess, right, [])[OVERALL].nmae
+    if predicted.rate is not None:
+        row.rates.append(predicted.rate)
+
+
+def _samples_name(count: int) -> str:
+    return f"{count} sample" + ("s" if count > 1 else "")
