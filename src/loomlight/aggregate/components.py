@@ -68,7 +68,7 @@ def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> Me
     hit = first_hit(model.surface, x, y, on_face(view, back), back, active, model.quality)
     point = model.at(hit.x, hit.y, back, hit.hole)
     depth = point.height - hit.height
-    wall = ~hit.hole & (depth > _WALL * min(model.surface.finest))
+    wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
     return MetPoints(point, wall)
 
 

@@ -54,25 +54,40 @@ class Grid:
 
     def points(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
         """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
-        row = texel // self.columns
-        column = texel - row * self.columns
+        row, column = divided(texel, self.columns)
         # 24 bits of the product are what float32 holds.
         share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
         share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
-        step_x, step_y = self.step
-        x = (types.Float(column) + share_x) * step_x + self.left
-        return x, (types.Float(row) + share_y) * step_y + self.bottom
+        step_x, step_y = (dr.opaque(types.Float, step) for step in self.step)
+        left, bottom = dr.opaque(types.Float, self.left), dr.opaque(types.Float, self.bottom)
+        return dr.fma(types.Float(column) + share_x, step_x, left), dr.fma(
+            types.Float(row) + share_y, step_y, bottom
+        )
 
     def nearest(self, types: ArrayTypes, x: Any, y: Any) -> Any:
         """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""
-        column = _wrapped(types, (x - self.left) * (1 / self.width), self.columns)
-        row = _wrapped(types, (y - self.bottom) * (1 / self.height), self.rows)
-        return row * self.columns + column
+        column = _around(types, x, self.left, self.width, self.columns)
+        row = _around(types, y, self.bottom, self.height, self.rows)
+        return row * dr.opaque(types.UInt32, self.columns) + column
 
 
-def _wrapped(types: ArrayTypes, turns: Any, count: int) -> Any:
+def divided(index: Any, count: int) -> tuple[Any, Any]:
+    """Quotient and remainder of UInt32 by a number that the kernel is not compiled for: UInt32 each.
+
+    Processors divide whole numbers slowly; in double precision it is one product, exact for all 32 bits.
+    """
+    UInt32 = type(index)
+    double: Any = dr.float64_array_t(UInt32)
+    quotient = UInt32((double(index) + 0.5) * dr.opaque(double, 1 / count))
+    return quotient, index - quotient * dr.opaque(UInt32, count)
+
+
+def _around(types: ArrayTypes, position: Any, start: float, period: float, count: int) -> Any:
+    """The texel of a coordinate among `count` that repeat with the period (millimetres): UInt32."""
+    turns = (position - dr.opaque(types.Float, start)) * dr.opaque(types.Float, 1 / period)
     share = turns - dr.floor(turns)
-    return types.UInt32(share * count) % count
+    # Rounding may make the share 1.
+    return dr.minimum(types.UInt32(share * dr.opaque(types.Float, count)), dr.opaque(types.UInt32, count - 1))
 
 
 def fabric_grid(

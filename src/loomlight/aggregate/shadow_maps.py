@@ -13,7 +13,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid
+from loomlight.aggregate.grid import Grid, divided
 from loomlight.core.backend import array_types
 from loomlight.scattering.point import PointModel, on_face
 from loomlight.yarn.visibility import unoccluded
@@ -38,9 +38,9 @@ class ShadowMaps:
         self.visible = dr.empty(types.Bool, total)
         for first in range(0, total, _BATCH):
             lane = dr.arange(types.UInt32, first, min(first + _BATCH, total))
-            index = lane // grid.texels
+            index, texel = divided(lane, grid.texels)
             light = dr.gather(types.Vector3, directions, index)
-            x, y = grid.points(types, lane - index * grid.texels)
+            x, y = grid.points(types, texel)
             back = light.z < 0
             point = model.surface.surface(x, y, back)
             facing = on_face(light, back)
@@ -56,4 +56,5 @@ class ShadowMaps:
 
     def at(self, light: Any, texel: Any) -> Any:
         """Whether light number `light` (UInt32) reaches a texel: Bool."""
-        return dr.gather(type(self.visible), self.visible, light * self.grid.texels + texel)
+        texels = dr.opaque(type(texel), self.grid.texels)
+        return dr.gather(type(self.visible), self.visible, light * texels + texel)

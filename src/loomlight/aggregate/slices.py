@@ -25,7 +25,7 @@ from loomlight.aggregate.components import (
     without_extras,
 )
 from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
-from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, fabric_grid
+from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
 from loomlight.core.backend import array_types
@@ -190,14 +190,14 @@ class FabricSlices:
         types = self._types
         count, boxes_each, _ = centres.shape
         boxes = texel_boxes(self.grid, centres.reshape(-1, 2), sizes.reshape(-1, 2), self._float_type)
-        slot = dr.arange(types.UInt32, count * boxes_each) // boxes_each
+        slot, _ = divided(dr.arange(types.UInt32, count * boxes_each), boxes_each)
         view = dr.gather(types.UInt32, types.UInt32(batch.hole_of.astype(np.uint32)), slot)
         channels = [(channel, slot) for channel in batch.channels]
         channels.insert(4, (batch.holes, view))
         entries = (self.grid.rows + 1) * (self.grid.columns + 1)
         for index, (values, number) in enumerate(channels):
             table = summed_areas(values, self.grid.columns, self.grid.rows)
-            means = types.Float(box_means(table, number * entries, self.grid, boxes))
+            means = types.Float(box_means(table, number * dr.opaque(types.UInt32, entries), self.grid, boxes))
             result[batch.pairs, :, index] = means.numpy().reshape(count, boxes_each)
 
     def batches(self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike) -> Iterator[SliceBatch]:
@@ -233,18 +233,17 @@ class FabricSlices:
         seen = self._vectors(views[used])
         met = self._met(seen, len(used), maps)
 
-        lane = dr.arange(types.UInt32, len(part) * grid.texels)
-        pair = lane // grid.texels
-        texel = lane - pair * grid.texels
+        pair, texel = divided(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
         of_view = dr.gather(types.UInt32, types.UInt32(hole_of.astype(np.uint32)), pair)
         of_light = dr.gather(types.UInt32, types.UInt32(pairs[part, 0].astype(np.uint32)), pair)
-        point = _taken(met.point, of_view * grid.texels + texel)
+        place = of_view * dr.opaque(types.UInt32, grid.texels) + texel
+        point = _taken(met.point, place)
         light = dr.gather(types.Vector3, self._vectors(lights), of_light)
         view = dr.gather(types.Vector3, seen, of_view)
         if maps is None:
             visible = self.model.visibility(point, light)
         else:
-            nearest = dr.gather(types.UInt32, met.shadow_texel, of_view * grid.texels + texel)
+            nearest = dr.gather(types.UInt32, met.shadow_texel, place)
             visible = maps.at(of_light, nearest)
         appearance = self.model.appearance
         channels = list(components(appearance, point, light, view, visible, transmits))
@@ -256,9 +255,8 @@ class FabricSlices:
 
     def _met(self, views: Any, count: int, maps: ShadowMaps | None) -> _MetField:
         types, grid = self._types, self.grid
-        lane = dr.arange(types.UInt32, count * grid.texels)
-        number = lane // grid.texels
-        x, y = grid.points(types, lane - number * grid.texels)
+        number, texel = divided(dr.arange(types.UInt32, count * grid.texels), grid.texels)
+        x, y = grid.points(types, texel)
         view = dr.gather(types.Vector3, views, number)
         met = meet(self.model, x, y, view)
         shadow_texel = None if maps is None else _shadow_texel(maps, met, view)
@@ -285,7 +283,7 @@ def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
     """
     types = array_types(met.point.x)
     length = dr.rsqrt(dr.maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
-    step_x, step_y = maps.grid.step
+    step_x, step_y = (dr.opaque(types.Float, step) for step in maps.grid.step)
     further = dr.select(met.wall, types.Float(1), 0) * length
     return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)
 

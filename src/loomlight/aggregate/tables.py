@@ -19,7 +19,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid
+from loomlight.aggregate.grid import Grid, divided
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
 
@@ -35,26 +35,26 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
         values: of whole slices, one after another, texels row by row: Float.
     """
     types = array_types(dr.float64_array_t(type(values)))
-    pitch = columns + 1
-    entries = pitch * (rows + 1)
     slices = dr.width(values) // (columns * rows)
-    table = dr.empty(types.Float, slices * entries)
+    table = dr.empty(types.Float, slices * (columns + 1) * (rows + 1))
+    # Opaque, so that grids of all sizes share the kernels.
+    width, height, pitch = (dr.opaque(types.UInt32, number) for number in (columns, rows, columns + 1))
+    texels = dr.opaque(types.UInt32, columns * rows)
+    entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
     # Up the columns: a lane a column, so that lanes side by side read side by side.
-    lane = dr.arange(types.UInt32, slices * columns)
-    number = lane // columns
-    column = lane - number * columns
-    texel = number * (columns * rows) + column
+    number, column = divided(dr.arange(types.UInt32, slices * columns), columns)
+    texel = number * texels + column
     entry = number * entries + column + 1
     dr.scatter(table, types.Float(0), entry)
 
     def add_row(row: Any, total: Any) -> tuple[Any, Any]:
-        total = total + types.Float(dr.gather(type(values), values, texel + row * columns))
+        total = total + types.Float(dr.gather(type(values), values, texel + row * width))
         dr.scatter(table, total, entry + (row + 1) * pitch)
         return row + 1, total
 
     start = types.UInt32(0), dr.zeros(types.Float, slices * columns)
-    dr.while_loop(start, lambda row, total: row < rows, add_row, label="summed areas: columns")
+    dr.while_loop(start, lambda row, total: row < height, add_row, label="summed areas: columns")
     dr.eval(table)
 
     # Then along the rows.
@@ -68,7 +68,7 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
         return column, total
 
     start = types.UInt32(0), dr.zeros(types.Float, slices * (rows + 1))
-    dr.while_loop(start, lambda column, total: column < columns, add_column, label="summed areas: rows")
+    dr.while_loop(start, lambda column, total: column < width, add_column, label="summed areas: rows")
     dr.eval(table)
     return table
 
@@ -121,9 +121,10 @@ class _Bound:
 
 def _bound(position: Any, count: int) -> _Bound:
     types = array_types(position)
-    turns = dr.floor(position * (1 / count))
-    local = dr.clip(position - turns * count, 0, count)
-    entry = dr.minimum(types.UInt32(local), count - 1)
+    whole = dr.opaque(types.Float, count)
+    turns = dr.floor(position * dr.opaque(types.Float, 1 / count))
+    local = dr.clip(position - turns * whole, 0, whole)
+    entry = dr.minimum(types.UInt32(local), dr.opaque(types.UInt32, count - 1))
     return _Bound(entry, local - types.Float(entry), turns)
 
 
@@ -137,7 +138,8 @@ def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
     types = array_types(table)
     across = [_bound(position, grid.columns) for position in (boxes.left, boxes.right)]
     along = [_bound(position, grid.rows) for position in (boxes.bottom, boxes.top)]
-    pitch = grid.columns + 1
+    pitch = dr.opaque(types.UInt32, grid.columns + 1)
+    columns, rows = dr.opaque(types.UInt32, grid.columns), dr.opaque(types.UInt32, grid.rows)
 
     def read(row: Any, column: Any) -> Any:
         return dr.gather(types.Float, table, first + row * pitch + column)
@@ -147,12 +149,12 @@ def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
 
     def strip(row: Any) -> Any:
         """Sum of a row of the table between the left and right bounds."""
-        whole = (across[1].turns - across[0].turns) * read(row, types.UInt32(grid.columns))
+        whole = (across[1].turns - across[0].turns) * read(row, columns)
         return in_row(row, across[1]) - in_row(row, across[0]) + whole
 
     def below(bound: _Bound) -> Any:
         return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.share)
 
     total = below(along[1]) - below(along[0])
-    total += (along[1].turns - along[0].turns) * strip(types.UInt32(grid.rows))
+    total += (along[1].turns - along[0].turns) * strip(rows)
     return total / ((boxes.right - boxes.left) * (boxes.top - boxes.bottom))

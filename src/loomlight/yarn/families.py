@@ -1,4 +1,7 @@
-"""Finding the thread at a position, and what the geometry asks about it, on one Dr.Jit backend."""
+"""Finding the thread at a position, and what the geometry asks about it, on one Dr.Jit backend.
+
+What differs between fabrics is opaque to the kernels, counts of threads included, so all fabrics share them.
+"""
 
 from __future__ import annotations
 
@@ -43,6 +46,22 @@ class Cell:
         return dr.select(self.across > self.half_width, self.across - self.half_width, beyond)
 
 
+class Count:
+    """A number of threads or texels to count around with: opaque, so that kernels do not depend on it."""
+
+    def __init__(self, number: int, types: ArrayTypes) -> None:
+        self._number = dr.opaque(types.Float, number)
+        self._inverse = dr.opaque(types.Float, 1 / number)
+
+    def divide(self, index: Any) -> tuple[Any, Any]:
+        """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
+
+        Exact up to 4 million, where coordinates in single precision tell threads apart no longer.
+        """
+        turns = dr.floor((index + 0.5) * self._inverse)
+        return turns, dr.fma(-turns, self._number, index)
+
+
 def select_cell(first_one: Any, first: Cell, second: Cell) -> Cell:
     """`first` where `first_one`, else `second`."""
     return Cell(
@@ -58,7 +77,7 @@ class UniformFamily:
     """Threads that are all alike: arithmetic instead of tables."""
 
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = tables.lower.size
+        self.count = Count(tables.lower.size, types)
         size = float(tables.upper[0] - tables.lower[0])
         self.size = dr.opaque(types.Float, size)
         self.inverse_size = dr.opaque(types.Float, 1 / size)
@@ -75,7 +94,7 @@ class UniformFamily:
         cells = position * self.inverse_size
         whole = dr.floor(cells)
         below = dr.fma(-whole, self.size, position)
-        thread = wrapped(self._types.Int32(whole), self.count, self._types)
+        thread = self._types.UInt32(self.count.divide(whole)[1])
         return Cell(thread, below - 0.5 * self.size, self.half_width, below, self.size - below)
 
     def span(self, thread: Any, first: Any, last: Any) -> Any:
@@ -98,7 +117,8 @@ class VariedFamily:
     """Threads that differ: a table by position finds the thread, tables by thread tell what it is."""
 
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
-        self.count = tables.lower.size
+        self.count = Count(tables.lower.size, types)
+        self._last = dr.opaque(types.UInt32, tables.lower.size - 1)
         self._types = types
         self.start = dr.opaque(types.Float, float(tables.lower[0]))
         self.period = dr.opaque(types.Float, tables.period)
@@ -108,7 +128,8 @@ class VariedFamily:
         bins = math.ceil(tables.period / tables.finest) + 1
         edges = np.arange(bins) * (tables.period / bins)
         first = np.searchsorted(lower, edges, side="right") - 1
-        self.bins = bins
+        self.bins = dr.opaque(types.Float, bins)
+        self._last_bin = dr.opaque(types.UInt32, bins - 1)
         self._first = types.UInt32(first.astype(np.uint32))
         centre = tables.centre - tables.lower[0]
         place = np.stack([lower, upper, centre, tables.half_width], axis=1)
@@ -129,11 +150,11 @@ class VariedFamily:
         turns = (position - self.start) * self.inverse_period
         turns -= dr.floor(turns)
         local = turns * self.period
-        slot = dr.minimum(UInt32(turns * self.bins), self.bins - 1)
+        slot = dr.minimum(UInt32(turns * self.bins), self._last_bin)
         thread = dr.gather(UInt32, self._first, slot)
         upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
         # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
-        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self.count - 1)
+        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
         lower, upper, centre, half_width = self._row(self._place, thread)
         return Cell(thread, local - centre, half_width, local - lower, upper - local)
 
@@ -141,25 +162,17 @@ class VariedFamily:
         return self._boundary(thread, last) - self._boundary(thread, first)
 
     def _boundary(self, thread: Any, step: Any) -> Any:
-        Int32 = self._types.Int32
-        index = Int32(thread) + step
-        inside = wrapped(index, self.count, self._types)
-        turns = (index - Int32(inside)) // self.count
-        return dr.gather(self._types.Float, self._place, inside * 4) + self._types.Float(turns) * self.period
+        turns, inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))
+        lower = dr.gather(self._types.Float, self._place, self._types.UInt32(inside) * 4)
+        return dr.fma(turns, self.period, lower)
 
     def bend(self, thread: Any) -> tuple[Any, Any, Any]:
         row = self._row(self._bend, thread)
         return row.x, row.y, row.z
 
     def edge_drop(self, thread: Any, step: Any) -> Any:
-        inside = wrapped(self._types.Int32(thread) + step, self.count, self._types)
-        return dr.gather(self._types.Float, self._bend, inside * 4 + 3)
-
-
-def wrapped(index: Any, count: int, types: ArrayTypes) -> Any:
-    """Index modulo the number of threads, for any sign (Dr.Jit's own remainder takes the index's)."""
-    remainder = index % count
-    return types.UInt32(dr.select(remainder < 0, remainder + count, remainder))
+        inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))[1]
+        return dr.gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
 
 
 def upload_family(tables: FamilyTables, types: ArrayTypes) -> UniformFamily | VariedFamily:

@@ -164,10 +164,11 @@ class YarnGeometry:
         """What searches along rays need at draft coordinates x, y (millimetres) of one face."""
         types = array_types(x)
         point, shown, (slope_x, slope_y) = self._surface(x, y, back)
+        tables = self._tables(types)
         levels = dr.select(
             shown.warp_above,
-            types.Float(self.height_scale[0]) * (self._warp.highest / CREST_LEVELS),
-            types.Float(self.height_scale[1]) * (self._weft.highest / CREST_LEVELS),
+            tables.scalar(self.height_scale[0]) * tables.scalar(self._warp.highest / CREST_LEVELS),
+            tables.scalar(self.height_scale[1]) * tables.scalar(self._weft.highest / CREST_LEVELS),
         )
         return Probe(
             height=point.height,
@@ -202,9 +203,11 @@ class YarnGeometry:
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
         is_warp = shown.is_warp
-        beta = dr.select(is_warp, types.Float(self.height_scale[0]), types.Float(self.height_scale[1]))
-        other_beta = dr.select(is_warp, types.Float(self.height_scale[1]), types.Float(self.height_scale[0]))
-        twist = dr.select(is_warp, types.Float(self.twist[0]), types.Float(self.twist[1]))
+        warp_beta, weft_beta = (tables.scalar(scale) for scale in self.height_scale)
+        warp_twist, weft_twist = (tables.scalar(twist) for twist in self.twist)
+        beta = dr.select(is_warp, warp_beta, weft_beta)
+        other_beta = dr.select(is_warp, weft_beta, warp_beta)
+        twist = dr.select(is_warp, warp_twist, weft_twist)
         twist = dr.select(back, -twist, twist)
 
         # The thread's own cell gives its cross-section, the cell of the thread it crosses the way along.
@@ -269,7 +272,7 @@ class YarnGeometry:
 
 
 class _Uploaded:
-    """The tables on one backend."""
+    """The tables on one backend. Numbers are opaque, so that all fabrics share their kernels."""
 
     def __init__(
         self, warp: FamilyTables, weft: FamilyTables, words: NDArray[np.uint32], types: ArrayTypes
@@ -277,7 +280,17 @@ class _Uploaded:
         self.warp: Any = upload_family(warp, types)
         self.weft: Any = upload_family(weft, types)
         self.words = types.UInt32(words.ravel())
-        self.ends = words.shape[1]
+        self.ends = dr.opaque(types.UInt32, words.shape[1])
+        self._float = types.Float
+        self._scalars: dict[float, Any] = {}
+
+    def scalar(self, value: Any) -> Any:
+        """A number of the fabric as an opaque Float; a Dr.Jit scalar as it is."""
+        if not isinstance(value, int | float):
+            return self._float(value)
+        if value not in self._scalars:
+            self._scalars[value] = dr.opaque(self._float, value)
+        return self._scalars[value]
 
 
 @dataclass

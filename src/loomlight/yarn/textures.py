@@ -8,7 +8,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.yarn.families import wrapped
+from loomlight.yarn.families import Count
 from loomlight.yarn.geometry import Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
 
@@ -69,8 +69,9 @@ class TextureSurface:
         along = y * (rows / self.size[1]) - 0.5
         column, row = dr.floor(across), dr.floor(along)
         share_x, share_y = across - column, along - row
-        left, right = (wrapped(types.Int32(column) + k, columns, types) for k in (0, 1))
-        lower, upper = (wrapped(types.Int32(row) + k, rows, types) for k in (0, 1))
+        around, upwards = Count(columns, types), Count(rows, types)
+        left, right = (types.UInt32(around.divide(column + k)[1]) for k in (0, 1))
+        lower, upper = (types.UInt32(upwards.divide(row + k)[1]) for k in (0, 1))
         face = dr.select(types.Bool(back), types.UInt32(rows * columns), types.UInt32(0))
 
         def texel(column: Any, row: Any) -> tuple[Any, Any]:

@@ -87,15 +87,32 @@ class Hit:
     height: Any
 
 
-def _steps_per_length(surface: Surface, quality: SearchQuality, direction: Any) -> Any:
-    """Steps per millimetre of ray that the search takes along a unit direction [3]."""
-    fine_x, fine_y = surface.finest
-    low, high = surface.height_bounds
-    across = dr.maximum(dr.abs(direction.x) / fine_x, dr.abs(direction.y) / fine_y)
-    relief = max(high - low, 1e-6)
-    return dr.maximum(
-        across * quality.steps_per_thread, dr.abs(direction.z) * (quality.steps_per_relief / relief)
-    )
+class _Extent:
+    """The lengths of a surface that searches are measured by, opaque: fabrics share the kernels.
+
+    Attributes:
+        low, high: bounds of all heights, millimetres.
+        lift: how far above its surface a ray starts.
+    """
+
+    def __init__(self, surface: Surface, types: ArrayTypes) -> None:
+        fine_x, fine_y = surface.finest
+        low, high = surface.height_bounds
+        self.low, self.high = dr.opaque(types.Float, low), dr.opaque(types.Float, high)
+        self.lift = dr.opaque(types.Float, _LIFT * min(fine_x, fine_y))
+        self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
+        self._per_relief = dr.opaque(types.Float, 1 / max(high - low, 1e-6))
+
+    def threads(self, x: Any, y: Any) -> Any:
+        """How many of the finest threads a length along x and y (millimetres, any sign) crosses at most."""
+        return dr.maximum(dr.abs(x) * self._per_x, dr.abs(y) * self._per_y)
+
+    def steps_per_length(self, quality: SearchQuality, direction: Any) -> Any:
+        """Steps per millimetre of ray that the search takes along a unit direction [3]."""
+        return dr.maximum(
+            self.threads(direction.x, direction.y) * quality.steps_per_thread,
+            dr.abs(direction.z) * self._per_relief * quality.steps_per_relief,
+        )
 
 
 @dataclass
@@ -180,11 +197,11 @@ def unoccluded(
         active: lanes to search; the others return False.
     """
     types = array_types(x)
-    _, high = surface.height_bounds
-    lift = _LIFT * min(surface.finest)
-    rate = quality.shadow_share * _steps_per_length(surface, quality, direction)
+    extent = _Extent(surface, types)
+    high = extent.high
+    rate = quality.shadow_share * extent.steps_per_length(quality, direction)
     step = dr.rcp(dr.maximum(rate, 1e-9))
-    start = types.Vector3(x, y, height + lift)
+    start = types.Vector3(x, y, height + extent.lift)
     distance = types.Float(0 * x)
     free = types.Bool(active) & (direction.z > 0)
     searching = types.Bool(free)
@@ -240,12 +257,13 @@ def first_hit(
         back: Bool, which face is seen.
     """
     types = array_types(x)
-    low, high = surface.height_bounds
+    extent = _Extent(surface, types)
+    low, high = extent.low, extent.high
     back = types.Bool(back)
     vertical = dr.maximum(view.z, 1e-4)
     slope = types.Vector2(view.x / vertical, view.y / vertical)
     # The ray is followed by its height, which falls by `step` each time.
-    rate = _steps_per_length(surface, quality, view) / vertical
+    rate = extent.steps_per_length(quality, view) / vertical
     step = dr.rcp(dr.maximum(rate, 1e-9))
     active = types.Bool(active)
 
@@ -346,8 +364,8 @@ def passes_through(
     back = types.Bool(back)
     _, hole = surface.height(x, y, back)
     candidate = types.Bool(active) & hole
-    lift = -_LIFT * min(surface.finest)
-    zero = types.Float(lift)
+    # Unlifted again: the ray starts on the plane.
+    zero = -_Extent(surface, types).lift
     in_front = unoccluded(surface, x, y, zero, view, back, candidate, quality)
     # Seen from the other face the line goes on along (−x, −y, +z) of its mirrored frame.
     onwards = types.Vector3(-view.x, -view.y, view.z)
@@ -371,10 +389,10 @@ def horizon(
     types = array_types(x)
     outwards: tuple[Any, Any] = dr.sincos(azimuth)
     sine, cosine = outwards
-    fine_x, fine_y = surface.finest
-    _, high = surface.height_bounds
-    step = dr.rcp(dr.maximum(dr.abs(cosine) / fine_x, dr.abs(sine) / fine_y) * quality.steps_per_thread)
-    start = height + _LIFT * min(surface.finest)
+    extent = _Extent(surface, types)
+    high = extent.high
+    step = dr.rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
+    start = height + extent.lift
     back = types.Bool(back)
 
     def could_rise(distance: Any, steepest: Any, count: Any) -> Any:
