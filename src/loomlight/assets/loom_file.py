@@ -3,7 +3,7 @@
 It is one safetensors file. The metadata has one entry, `loom`, whose JSON is
 
     {"checksum": SHA-256 of the rest, "material": {"schema", "model", "units", "settings", "networks",
-                                                   "fabric": {"name", "title", "toml"}, "written_by"}}
+                                                   "fabric": {"name", "title", "toml"}}}
 
 Tensors named `fabric.…` are the draft (`fabric_record.py`), those named `model.…` the model's own. Nothing
 else is needed to read the fabric; networks that many materials share are named by their SHA-256 instead.
@@ -149,7 +149,6 @@ class _Material(BaseModel):
     settings: dict[str, Setting]
     networks: dict[str, str]
     fabric: FabricRecord
-    written_by: str
 
 
 def is_loom(path: str | os.PathLike[str]) -> bool:
@@ -164,8 +163,6 @@ def write_loom(path: str | os.PathLike[str], loom: LoomFile) -> None:
         InputError: another suffix, or a place that cannot be written to.
         ValueError: a model's tensor of a type that safetensors and numpy do not share, or not finite.
     """
-    from loomlight import __version__
-
     if not is_loom(path):
         raise InputError(f"{path}: a material file ends in {LOOM_SUFFIX}.")
     record, fabric_tensors = fabric_record(loom.fabric)
@@ -178,7 +175,6 @@ def write_loom(path: str | os.PathLike[str], loom: LoomFile) -> None:
         settings=dict(loom.settings),
         networks=dict(loom.networks),
         fabric=record,
-        written_by=f"loomlight {__version__}",
     ).model_dump(by_alias=True)
     header = {"checksum": checksum(material, tensors), "material": material}
     data = save(tensors, {_ENTRY: json.dumps(header, sort_keys=True)})

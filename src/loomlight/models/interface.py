@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any, ClassVar, final
+from typing import Any, ClassVar, Self, final
 
 import drjit as dr
 
+from loomlight.assets.loom_file import LoomFile
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
@@ -76,13 +77,42 @@ def shade(response: Response, albedos: FamilyAlbedos, transmits: Any) -> Any:
 class Model(ABC):
     """A multi-scale model of one fabric.
 
+    Every model passes `tests/models/test_contract.py`, which holds it to what it claims here.
+
     Attributes:
         name: as the command line and assets call it.
+        filters: whether it averages over the footprint; otherwise it looks at one point of it.
+        conserves_energy: whether no footprint sends back more light than arrives, at any direction.
         fabric: what it is a model of.
     """
 
     name: ClassVar[str]
+    filters: ClassVar[bool]
+    conserves_energy: ClassVar[bool]
     fabric: Fabric
+
+    @classmethod
+    @abstractmethod
+    def for_fabric(cls, fabric: Fabric) -> Self:
+        """The model baked for a fabric, with its usual settings.
+
+        Raises:
+            InputError: a fabric that this model cannot handle; the message says why.
+        """
+
+    @abstractmethod
+    def to_loom(self) -> LoomFile:
+        """What a `.loom` file has to hold, so that `from_loom` gives the same numbers bit for bit."""
+
+    @classmethod
+    @abstractmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model that a `.loom` file holds, without baking.
+
+        Raises:
+            InputError: another model's file; tensors or settings that are missing or of another kind; made
+                with a shared network that is not the installed one.
+        """
 
     @abstractmethod
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
@@ -108,9 +138,14 @@ class Model(ABC):
     @final
     def value(self, light: Any, view: Any, footprint: Footprint) -> Any:
         """f·cos with the fabric's albedos and its sheen: Color3, 1/sr."""
-        transmits = light.z * view.z < 0
-        body = shade(self.evaluate(light, view, footprint), self.albedos(view, footprint), transmits)
-        return self._under_sheen(body, light, view)
+        return self.composed(
+            self.evaluate(light, view, footprint), self.albedos(view, footprint), light, view
+        )
+
+    @final
+    def composed(self, response: Response, albedos: FamilyAlbedos, light: Any, view: Any) -> Any:
+        """`value` of a response and albedos that are at hand already: Color3, 1/sr."""
+        return self._under_sheen(shade(response, albedos, light.z * view.z < 0), light, view)
 
     @final
     def straight_through(self, view: Any, hole: Any) -> Any:
