@@ -1,0 +1,88 @@
+"""The parameter box: which fabrics the universal network is trained for and judged on.
+
+chen2024's Table 2, which gives the distributions, is missing from its text. The ranges here cover the usual
+suggestions (plain 22°/16°, twill 24° with a twist of 30°, satin 60°/35°) and α and β of at least 0.2 to 0.8.
+Gap, blend of the diffuse term and optical depth are the paper's, one value each.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from loomlight.fabric.defaults import Structure, structure_of
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.file import FabricFile, YarnTable
+from loomlight.weave.draft import Draft
+from loomlight.weave.named import named_weave
+
+# The seven weaves of chen2024 5.1 as drafts: ends × picks of one repeat.
+PAPER_WEAVES = {
+    "plain": "plain",
+    "twill 3×3": "twill 2/1",
+    "twill 5×5": "twill 3/2",
+    "twill 8×8": "twill 5/3",
+    "satin 5×5": "satin 5/2",
+    "satin 8×8": "satin 8/3",
+    "satin 5×10": "satin 5×10",
+}
+
+
+@dataclass(frozen=True)
+class ParameterBox:
+    """Ranges of the parameters of each yarn family, drawn independently: uniformly, α in its logarithm.
+
+    Attributes:
+        inclination_deg: U of plain weaves and twills, degrees.
+        satin_inclination_deg: U of satins, degrees.
+        twist_deg: ψ, degrees.
+        roughness: α.
+        height_scale: β.
+        gap: share of the spacing that is left open.
+        diffuse_blend: w.
+        optical_depth: Tρ.
+    """
+
+    inclination_deg: tuple[float, float] = (10.0, 40.0)
+    satin_inclination_deg: tuple[float, float] = (10.0, 60.0)
+    twist_deg: tuple[float, float] = (-45.0, 45.0)
+    roughness: tuple[float, float] = (0.1, 1.0)
+    height_scale: tuple[float, float] = (0.2, 1.0)
+    gap: float = 0.2
+    diffuse_blend: float = 0.5
+    optical_depth: float = 2.0
+
+
+PARAMETER_BOX = ParameterBox()
+
+
+def paper_draft(name: str) -> Draft:
+    """One of `PAPER_WEAVES` as a draft."""
+    if name != "satin 5×10":
+        return named_weave(PAPER_WEAVES[name])
+    # Two picks a shed: the five-end satin on ten picks.
+    return Draft(np.repeat(named_weave("satin 5/2").drawdown, 2, axis=0))
+
+
+def random_fabric(rng: np.random.Generator, draft: Draft, translucency: float | None = None) -> Fabric:
+    """A fabric of a draft with parameters drawn from `PARAMETER_BOX`.
+
+    Args:
+        translucency: of both families, 0 to 1; None is the default of fabric files.
+    """
+    box = PARAMETER_BOX
+    satin = structure_of(draft.drawdown) is Structure.SATIN
+    low, high = box.satin_inclination_deg if satin else box.inclination_deg
+    tables = [
+        YarnTable(
+            inclination_deg=float(rng.uniform(low, high)),
+            twist_deg=float(rng.uniform(*box.twist_deg)),
+            roughness=float(np.exp(rng.uniform(*np.log(box.roughness)))),
+            height_scale=float(rng.uniform(*box.height_scale)),
+            translucency=translucency,
+        )
+        for _ in range(2)
+    ]
+    fields = FabricFile(gap=box.gap, warp=tables[0], weft=tables[1])
+    return make_fabric(fields, draft, draft.title or "random", ".")
