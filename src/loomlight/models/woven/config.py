@@ -1,0 +1,119 @@
+"""Everything that a training of the universal network depends on; read from a TOML file."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
+
+Count = Annotated[int, Field(ge=1)]
+Positive = Annotated[float, Field(gt=0)]
+Share = Annotated[float, Field(ge=0, le=1)]
+
+
+class _Table(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+
+class NetworkTable(_Table):
+    """[network]: its shape.
+
+    Attributes:
+        latent: "vector" is one vector a fabric, as published; "field" is one vector a place and a size.
+        width: channels of the encoder's first stage; ResNet-18 has 64.
+        latent_size: channels of the latent.
+        position: "one_blob", as published, or "plain" numbers (the ablation).
+        fusion: whether latent and footprint are fused before directions join, as published; without it the
+            directions join at once and the angular decoder has two layers more (the ablation).
+        hidden: width of the decoder's layers.
+    """
+
+    latent: Literal["vector", "field"] = "field"
+    width: Count = 32
+    latent_size: Count = 64
+    position: Literal["one_blob", "plain"] = "one_blob"
+    fusion: bool = True
+    hidden: Count = 64
+
+
+class DataTable(_Table):
+    """[data]: the pool of fabrics that queries are drawn from.
+
+    Attributes:
+        fabrics: how many; each face is a material of its own.
+        weaves: "paper" are the seven weaves of chen2024 alone; "all" adds other named and random weaves.
+        pairs, footprints: pairs of directions a fabric, and footprints a pair.
+        lights, views: distinct directions that the pairs share.
+        texels_per_thread: of the slices.
+        seed: of everything that is drawn.
+    """
+
+    fabrics: Count = 400
+    weaves: Literal["paper", "all"] = "all"
+    pairs: Count = 256
+    footprints: Count = 512
+    lights: Count = 64
+    views: Count = 64
+    texels_per_thread: Count = 32
+    seed: Annotated[int, Field(ge=0, le=2**31)] = 0
+
+
+class TrainingTable(_Table):
+    """[training]: the recipe.
+
+    Attributes:
+        steps: how many.
+        minutes: an end by the clock in place of `steps`, for comparisons at equal budget; 0 is none.
+        fabrics: faces of fabrics in one step.
+        queries: of each of them in one step.
+        optimiser: "sgd", as published, or "adam".
+        rate: largest learning rate.
+        schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
+            warms up over the first hundredth and falls to 0.
+        regularisation: weight of the sum of squares of all weights (decoupled with Adam).
+        loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.woven.losses`.
+        seed: of initial weights and batches.
+    """
+
+    steps: Count = 20000
+    minutes: Annotated[float, Field(ge=0)] = 0.0
+    fabrics: Count = 8
+    queries: Count = 4096
+    optimiser: Literal["sgd", "adam"] = "adam"
+    rate: Positive = 2e-3
+    schedule: Literal["steps", "cosine"] = "cosine"
+    regularisation: Annotated[float, Field(ge=0)] = 0.0
+    loss: Literal["published", "balanced"] = "balanced"
+    seed: Annotated[int, Field(ge=0, le=2**31)] = 0
+
+
+class TrainingConfig(_Table):
+    """A whole configuration."""
+
+    network: NetworkTable = NetworkTable()
+    data: DataTable = DataTable()
+    training: TrainingTable = TrainingTable()
+
+
+def read_config(path: str | os.PathLike[str]) -> TrainingConfig:
+    """The configuration in a TOML file.
+
+    Raises:
+        InputError: no such file, no TOML, an unknown field, or a value of another type or range.
+    """
+    file = Path(path)
+    require_file(file)
+    try:
+        return TrainingConfig.model_validate(tomllib.loads(file.read_text(encoding="utf-8")))
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{file} is no TOML: {error}.") from error
+    except ValidationError as error:
+        first = error.errors()[0]
+        field = ".".join(map(str, first["loc"]))
+        raise InputError(f"{file}: {field} = {first['input']!r}: {first['msg'].lower()}.") from error

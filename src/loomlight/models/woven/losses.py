@@ -1,0 +1,74 @@
+"""Losses of the universal network, and the map between what it puts out and components."""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor
+from torch.nn import functional
+
+from loomlight.models.woven.config import TrainingTable
+
+# ln(k x + 1) of the specular terms in reflection and in transmission (chen2024 eq. 9).
+REFLECTION_GAIN = 100.0
+TRANSMISSION_GAIN = 1000.0
+# λ of specular and diffuse terms (chen2024 eq. 11).
+_SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1
+# Weights of the two terms in a picture of cloth, as in the query test; and about their mean, 1/sr.
+_ALBEDOS = (0.4, 0.4, 0.6, 0.6)
+_MEAN_VALUE = 0.06
+_LOGARITHMIC_SHARE = 0.1
+_HOLE_WEIGHT = 0.5
+# e^8 / 100 is brighter than any component.
+_LARGEST = 8.0
+
+
+def gain(light: Tensor) -> Tensor:
+    """k of each query [n, 1] from lights [n, 3] in the frame of the face that is seen."""
+    return torch.where(light[:, 2:] > 0, REFLECTION_GAIN, TRANSMISSION_GAIN)
+
+
+def mapped(components: Tensor, light: Tensor, published: bool) -> Tensor:
+    """Components [n, 4] as the network puts them out: logarithmic, or (published) the diffuse ones linear."""
+    logarithmic = torch.log1p(gain(light) * components)
+    if published:
+        return torch.cat([components[:, :2], logarithmic[:, 2:]], 1)
+    return logarithmic
+
+
+def unmapped(output: Tensor, light: Tensor, published: bool) -> Tensor:
+    """Components [n, 4], 1/sr, of what the network puts out."""
+    linear = torch.expm1(torch.clamp(output, 0, _LARGEST)) / gain(light)
+    if published:
+        return torch.cat([torch.clamp(output[:, :2], min=0), linear[:, 2:]], 1)
+    return linear
+
+
+def published_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Tensor:
+    """chen2024 eq. 9–11, and the square error of the hole fraction with the diffuse weight."""
+    target = mapped(truth[:, :4], light, True)
+    square = (output - target).square().mean(0)
+    components = _DIFFUSE_WEIGHT * square[:2].sum() + _SPECULAR_WEIGHT * square[2:].sum()
+    return components + _DIFFUSE_WEIGHT * (hole - truth[:, 4]).square().mean()
+
+
+def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Tensor:
+    """Absolute error of a picture: of components weighted by albedos and of their sum, and a little log-error.
+
+    With the published weights the diffuse terms, three quarters of the light, are a hundredth of the loss.
+    """
+    albedos = torch.tensor(_ALBEDOS)
+    target = truth[:, :4]
+    bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=_LARGEST), 0.1)) / gain(light)
+    error = (bounded - target) * albedos
+    linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
+    logarithmic = (output - mapped(target, light, False)).square().sum(1).mean()
+    holes = (hole - truth[:, 4]).abs().mean()
+    return linear / _MEAN_VALUE + _LOGARITHMIC_SHARE * logarithmic + _HOLE_WEIGHT * holes
+
+
+LOSSES = {"published": published_loss, "balanced": balanced_loss}
+
+
+def is_published(training: TrainingTable) -> bool:
+    """Whether the diffuse outputs are linear."""
+    return training.loss == "published"

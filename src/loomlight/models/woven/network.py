@@ -1,0 +1,230 @@
+"""The network of chen2024: an encoder of fabrics, and a decoder of footprints and directions.
+
+Encoder: a ResNet-18 without its last stage over the maps of one face, and a residual block that joins α and β
+of both families (chen2024 4.2). Two departures from the paper, both measured (docs/models/woven.md):
+
+- Batch normalisation of a few fabrics a step is noise; residual branches start at a gain of zero instead.
+- Convolutions wrap around, so pooling everything would lose where the weave's repeat begins. The "vector"
+  latent reads the last map place by place; the "field" latent needs no such thing, as it is fetched where the
+  footprint lies.
+
+Decoder: one-blob coded footprint and latent fused by two layers, then five layers over directions with one
+skip connection. A head of its own gives the hole fraction, which no light changes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+from torch.nn import functional
+
+from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.maps import CHANNELS
+from loomlight.models.woven.pyramid import FINEST, Level, levels_of
+
+SLOPE = 0.01  # of leaky ReLU
+BINS = 8
+PARAMETERS = 4
+ANGLES = 5
+COMPONENTS = 4
+# Side of the maps of a repeat for "vector", and maps a thread for "field".
+VECTOR_MAP = 128
+FIELD_MAP = 16
+# The reach of a bin, in bins: neighbours overlap as Gaussians of one bin's deviation do.
+BLOB_REACH = 2.5
+
+
+class WovenNetwork(nn.Module):
+    """Encoder and decoder together."""
+
+    def __init__(self, table: NetworkTable) -> None:
+        super().__init__()
+        self.table = table
+        self.encoder: VectorEncoder | FieldEncoder
+        self.encoder = VectorEncoder(table) if table.latent == "vector" else FieldEncoder(table)
+        self.decoder = Decoder(table)
+
+
+class _Block(nn.Module):
+    """Two convolutions with a skip connection, as in ResNet-18 (He et al. 2016), gain 0 at first."""
+
+    def __init__(self, inputs: int, outputs: int, stride: int) -> None:
+        super().__init__()
+        self.first = _convolution(inputs, outputs, 3, stride)
+        self.second = _convolution(outputs, outputs, 3, 1)
+        self.gain = nn.Parameter(torch.zeros(()))
+        self.skip = None if inputs == outputs else _convolution(inputs, outputs, 1, stride)
+
+    def forward(self, maps: Tensor) -> Tensor:
+        short = maps if self.skip is None else self.skip(maps)
+        return functional.relu(short + self.gain * self.second(functional.relu(self.first(maps))))
+
+
+def _convolution(inputs: int, outputs: int, size: int, stride: int) -> nn.Conv2d:
+    layer = nn.Conv2d(inputs, outputs, size, stride, size // 2, padding_mode="circular")
+    nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
+    nn.init.zeros_(layer.bias)  # type: ignore[arg-type]  # there is one
+    return layer
+
+
+class _Trunk(nn.Module):
+    """ResNet-18 without its last stage: maps at 1/2, 1/4, 1/8 and 1/16 of the input's side."""
+
+    def __init__(self, width: int) -> None:
+        super().__init__()
+        self.stem = _convolution(CHANNELS, width, 7, 2)
+        self.stages = nn.ModuleList(
+            nn.Sequential(_Block(inputs, outputs, stride), _Block(outputs, outputs, 1))
+            for inputs, outputs, stride in (
+                (width, width, 1),
+                (width, 2 * width, 2),
+                (2 * width, 4 * width, 2),
+            )
+        )
+
+    def forward(self, maps: Tensor) -> list[Tensor]:
+        maps = functional.relu(self.stem(maps))
+        found = [maps]
+        # A periodic map's mean of 2×2 in place of the largest of 3×3, which needs padding.
+        maps = functional.avg_pool2d(maps, 2)
+        for stage in self.stages:
+            maps = stage(maps)
+            found.append(maps)
+        return found
+
+
+class _Join(nn.Module):
+    """The residual block that joins features and the parameters α and β into a latent."""
+
+    def __init__(self, features: int, hidden: int, latent: int) -> None:
+        super().__init__()
+        self.first = nn.Linear(features + PARAMETERS, hidden)
+        self.second = nn.Linear(hidden, hidden)
+        self.last = nn.Linear(hidden, latent)
+
+    def forward(self, features: Tensor, parameters: Tensor) -> Tensor:
+        joined = self.first(torch.cat([features, parameters], 1))
+        hidden = functional.leaky_relu(joined, SLOPE)
+        return self.last(functional.leaky_relu(joined + self.second(hidden), SLOPE))
+
+
+class VectorEncoder(nn.Module):
+    """One latent a face of a fabric, as published."""
+
+    def __init__(self, table: NetworkTable) -> None:
+        super().__init__()
+        self.trunk = _Trunk(table.width)
+        self.squeeze = _convolution(4 * table.width, 16, 1, 1)
+        self.join = _Join(16 * (VECTOR_MAP // 16) ** 2, 128, table.latent_size)
+
+    def forward(self, maps: Tensor, parameters: Tensor) -> Tensor:
+        """Latents [n, latent_size] of maps [n, 7, 128, 128] and parameters [n, 4]."""
+        last = functional.relu(self.squeeze(self.trunk(maps)[-1]))
+        return self.join(last.flatten(1), parameters)
+
+
+class FieldEncoder(nn.Module):
+    """A latent for every place and size: a pyramid of 8, 4, 2 and 1 texels a thread, then of running means."""
+
+    def __init__(self, table: NetworkTable) -> None:
+        super().__init__()
+        width, features = table.width, table.latent_size
+        self.trunk = _Trunk(width)
+        self.sideways = nn.ModuleList(
+            _convolution(channels, features, 1, 1) for channels in (width, width, 2 * width, 4 * width)
+        )
+        self.smooth = nn.ModuleList(_convolution(features, features, 3, 1) for _ in range(FINEST))
+        self.join = _Join(features + 1, 64, table.latent_size)
+
+    def forward(self, maps: Tensor, parameters: Tensor) -> tuple[Tensor, list[Level]]:
+        """Latents [texels, latent_size] of one face, level after level, and where each level's begin.
+
+        Args:
+            maps: [7, 16·picks, 16·ends].
+            parameters: [4].
+        """
+        stages = self.trunk(maps[None])
+        found = [self.sideways[-1](stages[-1])]
+        for stage, sideways, smooth in zip(
+            stages[-2::-1], list(self.sideways)[-2::-1], list(self.smooth)[::-1], strict=True
+        ):
+            coarser = functional.interpolate(found[0], scale_factor=2, mode="nearest")
+            found.insert(0, smooth(functional.relu(sideways(stage) + coarser)))
+        picks, ends = found[-1].shape[-2:]
+        levels = levels_of(picks, ends)
+        while len(found) < len(levels) - 1:
+            found.append(_wider(found[-1], levels[len(found)].window))
+        found.append(found[FINEST].mean((2, 3), keepdim=True))
+        rows = []
+        for number, features in enumerate(found):
+            flat = features[0].flatten(1).T
+            rows.append(functional.pad(flat, (0, 1), value=number / 8))
+        joined = torch.cat(rows)
+        return self.join(joined, parameters.expand(len(joined), -1)), levels
+
+
+def _wider(means: Tensor, window: int) -> Tensor:
+    """Running means over `window` threads of those over half as many, around the texel's upper corner."""
+    half = window // 2
+    before, after = (0, -1) if half == 1 else (half // 2, -(half // 2))
+    along = 0.5 * (torch.roll(means, before, 3) + torch.roll(means, after, 3))
+    return 0.5 * (torch.roll(along, before, 2) + torch.roll(along, after, 2))
+
+
+class Decoder(nn.Module):
+    """Latents, footprints and directions to components."""
+
+    def __init__(self, table: NetworkTable) -> None:
+        super().__init__()
+        hidden = table.hidden
+        self.table = table
+        spatial = table.latent_size + (3 * BINS if table.position == "one_blob" else 3)
+        self.fusion = nn.ModuleList(
+            [nn.Linear(spatial, hidden), nn.Linear(hidden, hidden)] if table.fusion else []
+        )
+        inputs = (hidden if table.fusion else spatial) + ANGLES
+        count = 5 if table.fusion else 7
+        widths = [inputs] + [hidden] * (count - 1) + [COMPONENTS]
+        self.angular = nn.ModuleList(nn.Linear(a, b) for a, b in zip(widths, widths[1:], strict=False))
+        self.hole = nn.ModuleList(
+            [nn.Linear((hidden if table.fusion else spatial) + 2, 16), nn.Linear(16, 1)]
+        )
+
+    def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
+        """Components [n, 4] as the loss maps them, and the hole fraction [n].
+
+        Args:
+            latent: [n, latent_size].
+            place: position x and y, and size of the footprint, each 0 to 1 [n, 3].
+            light, view: unit vectors in the frame of the face that is seen [n, 3].
+        """
+        coded = one_blob(place) if self.table.position == "one_blob" else place
+        spatial = torch.cat([latent, coded], 1)
+        for layer in self.fusion:
+            spatial = functional.leaky_relu(layer(spatial), SLOPE)
+        hidden: Any = torch.cat([spatial, light, view[:, :2]], 1)
+        skip = None
+        for number, layer in enumerate(self.angular):
+            hidden = layer(hidden)
+            if number == 0:
+                skip = hidden
+            elif number == 2:
+                hidden = hidden + skip
+            if number + 1 < len(self.angular):
+                hidden = functional.leaky_relu(hidden, SLOPE)
+        hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
+        return hidden, self.hole[1](hole)[:, 0]
+
+
+def one_blob(place: Tensor) -> Tensor:
+    """One-blob coding (Müller et al. 2021) of x, y and size [n, 3] by 8 bins each [n, 24].
+
+    Positions wrap around. The bump is quartic, which is near the Gaussian and needs no exponential.
+    """
+    centres = (torch.arange(BINS, dtype=place.dtype) + 0.5) / BINS
+    offset = place[:, :, None] - centres
+    around = offset[:, :2] - torch.round(offset[:, :2])
+    distance = torch.cat([around, offset[:, 2:]], 1) * (BINS / BLOB_REACH)
+    return torch.clamp(1 - distance * distance, min=0).square().flatten(1)
