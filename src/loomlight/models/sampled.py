@@ -108,7 +108,9 @@ class SampledModel(Model):
         types = array_types(view.x)
         visible = self.point_model.visibility(point, light)
         lobes = components(self.point_model.appearance, point, light, view, visible)
-        return Response(*lobes, dr.select(point.hole, types.Float(1), 0))
+        diffuse_warp, diffuse_weft, specular_warp, specular_weft = lobes
+        hole = dr.select(point.hole, types.Float(1), 0)
+        return Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole)
 
     def _everything(self, point: YarnPoint, light: Any, view: Any) -> _Sums:
         warp, weft = _shown(point)

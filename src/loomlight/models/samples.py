@@ -9,7 +9,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.sampled import SampledModel
 
-DEFAULT_POINTS = 64
+DEFAULT_POINTS = 32
 MAXIMUM_POINTS = 1 << 16
 
 
@@ -34,7 +34,7 @@ class FootprintSamples(SampledModel):
 
     @classmethod
     def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model of a fabric with 64 points; nothing is baked."""
+        """The model of a fabric with 32 points; nothing is baked."""
         return cls(fabric)
 
     @property

@@ -1,0 +1,57 @@
+"""A chi-square test of sampled directions on the sphere, for densities that a footprint has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import chi2
+
+ROWS, COLUMNS = 16, 24
+_POINTS = 8  # of the Gauss rule along each side of a cell
+_SMALLEST = 5.0  # cells that expect fewer directions are pooled, or the statistic is not chi-square's
+
+Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+
+
+def cell_shares(density: Density) -> NDArray[np.float64]:
+    """Integrals of a density over cells of equal solid angle [ROWS · COLUMNS].
+
+    Args:
+        density: from unit vectors [n, 3] to 1/sr [n].
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(_POINTS)
+    place, weight = (nodes + 1) / 2, weights / 2
+    z = -1 + 2 * (np.arange(ROWS)[:, None] + place).ravel() / ROWS
+    azimuth = 2 * math.pi * (np.arange(COLUMNS)[:, None] + place).ravel() / COLUMNS
+    z, azimuth = (grid.ravel() for grid in np.meshgrid(z, azimuth, indexing="ij"))
+    radius = np.sqrt(1 - z**2)
+    found = density(np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1))
+    cells = found.astype(np.float64).reshape(ROWS, _POINTS, COLUMNS, _POINTS)
+    area = 4 * math.pi / (ROWS * COLUMNS)
+    return np.einsum("rpcq,p,q->rc", cells, weight, weight).ravel() * area
+
+
+def cell_counts(directions: NDArray[np.float64]) -> NDArray[np.int64]:
+    """How many unit vectors [n, 3] fall into each cell [ROWS · COLUMNS]."""
+    row = np.clip(((directions[:, 2] + 1) / 2 * ROWS).astype(int), 0, ROWS - 1)
+    turn = np.arctan2(directions[:, 1], directions[:, 0]) / (2 * math.pi) % 1
+    column = np.clip((turn * COLUMNS).astype(int), 0, COLUMNS - 1)
+    return np.bincount(row * COLUMNS + column, minlength=ROWS * COLUMNS)
+
+
+def p_value(counts: NDArray[np.int64], expected: NDArray[np.float64]) -> float:
+    """Probability of counts so far from `expected`, or farther, were they drawn with it."""
+    order = np.argsort(expected)
+    counts, expected = counts[order], expected[order]
+    pooled = int(np.searchsorted(np.cumsum(expected), _SMALLEST * max(1.0, expected.sum() * 1e-4)))
+    pooled = max(pooled, int((expected < _SMALLEST).sum()))
+    counts = np.append(counts[pooled:], counts[:pooled].sum())
+    expected = np.append(expected[pooled:], expected[:pooled].sum())
+    used = expected > _SMALLEST
+    if counts[~used].sum() > 20 + 5 * expected[~used].sum():
+        return 0.0  # directions where there should be none
+    statistic = ((counts[used] - expected[used]) ** 2 / expected[used]).sum()
+    return float(chi2.sf(statistic, max(1, int(used.sum()) - 1)))
