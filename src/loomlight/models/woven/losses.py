@@ -52,7 +52,7 @@ def published_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -
 
 
 def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Tensor:
-    """Absolute error of a picture: of components weighted by albedos and of their sum, and a little log-error.
+    """Absolute error of a picture: of components weighted by albedos, of their sum, and of logarithms.
 
     With the published weights the diffuse terms, three quarters of the light, are a hundredth of the loss.
     """

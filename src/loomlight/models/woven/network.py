@@ -14,6 +14,7 @@ skip connection. A head of its own gives the hole fraction, which no light chang
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import torch
@@ -65,7 +66,7 @@ class _Block(nn.Module):
 def _convolution(inputs: int, outputs: int, size: int, stride: int) -> nn.Conv2d:
     layer = nn.Conv2d(inputs, outputs, size, stride, size // 2, padding_mode="circular")
     nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
-    nn.init.zeros_(layer.bias)  # type: ignore[arg-type]  # there is one
+    nn.init.zeros_(layer.bias)
     return layer
 
 
@@ -126,7 +127,7 @@ class VectorEncoder(nn.Module):
 
 
 class FieldEncoder(nn.Module):
-    """A latent for every place and size: a pyramid of 8, 4, 2 and 1 texels a thread, then of running means."""
+    """A latent for every place and size: a pyramid of 8 to 1 texels a thread, then of running means."""
 
     def __init__(self, table: NetworkTable) -> None:
         super().__init__()
@@ -155,7 +156,7 @@ class FieldEncoder(nn.Module):
         picks, ends = found[-1].shape[-2:]
         levels = levels_of(picks, ends)
         while len(found) < len(levels) - 1:
-            found.append(_wider(found[-1], levels[len(found)].window))
+            found.append(_wider(found[-1], int(levels[len(found)].window)))
         found.append(found[FINEST].mean((2, 3), keepdim=True))
         rows = []
         for number, features in enumerate(found):
@@ -181,16 +182,11 @@ class Decoder(nn.Module):
         hidden = table.hidden
         self.table = table
         spatial = table.latent_size + (3 * BINS if table.position == "one_blob" else 3)
-        self.fusion = nn.ModuleList(
-            [nn.Linear(spatial, hidden), nn.Linear(hidden, hidden)] if table.fusion else []
-        )
-        inputs = (hidden if table.fusion else spatial) + ANGLES
-        count = 5 if table.fusion else 7
-        widths = [inputs] + [hidden] * (count - 1) + [COMPONENTS]
-        self.angular = nn.ModuleList(nn.Linear(a, b) for a, b in zip(widths, widths[1:], strict=False))
-        self.hole = nn.ModuleList(
-            [nn.Linear((hidden if table.fusion else spatial) + 2, 16), nn.Linear(16, 1)]
-        )
+        fused = hidden if table.fusion else spatial
+        self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
+        inner = [hidden] * (4 if table.fusion else 6)
+        self.angular = _layers(fused + ANGLES, *inner, COMPONENTS)
+        self.hole = _layers(fused + 2, 16, 1)
 
     def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
         """Components [n, 4] as the loss maps them, and the hole fraction [n].
@@ -216,6 +212,10 @@ class Decoder(nn.Module):
                 hidden = functional.leaky_relu(hidden, SLOPE)
         hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
+
+
+def _layers(*widths: int) -> nn.ModuleList:
+    return nn.ModuleList(nn.Linear(before, after) for before, after in pairwise(widths))
 
 
 def one_blob(place: Tensor) -> Tensor:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -132,7 +133,7 @@ def pool_faces(
 
 def write_faces(path: Path, faces: list[Face]) -> None:
     """Keeps the queries of a fabric, both faces; maps are made again, which is quick."""
-    arrays = {}
+    arrays: dict[str, NDArray[Any]] = {}
     for side, face in zip(("front", "back"), faces, strict=True):
         arrays |= {
             f"{side}.{name}": np.ascontiguousarray(getattr(face, name))
@@ -147,10 +148,8 @@ def read_faces(path: Path) -> list[Face]:
     """What `write_faces` kept."""
     arrays = load_file(path)
     names = ("maps", "parameters", "lights", "views", "places", "truth")
-    return [
-        Face(
-            **{name: arrays[f"{side}.{name}"] for name in names},
-            threads=tuple(arrays[f"{side}.threads"].tolist()),
-        )
-        for side in ("front", "back")
-    ]
+    faces = []
+    for side in ("front", "back"):
+        picks, ends = arrays[f"{side}.threads"].tolist()
+        faces.append(Face(**{name: arrays[f"{side}.{name}"] for name in names}, threads=(picks, ends)))
+    return faces

@@ -1,7 +1,7 @@
 """Levels of the latent field, and which of its texels a footprint reads. Lengths are in threads.
 
-Levels 0 to 3 have 8, 4, 2 and 1 texels a thread; the next hold running means over 2, 4, 8 … threads, one texel a
-thread; the last is the mean of the repeat, one texel. A footprint reads two levels, bilinearly each.
+Levels 0 to 3 have 8, 4, 2 and 1 texels a thread; the next hold running means over 2, 4, 8 … threads, a texel
+a thread; the last is the mean of the repeat, one texel. A footprint reads two levels, bilinearly each.
 """
 
 from __future__ import annotations

@@ -34,7 +34,7 @@ _LARGEST_RANDOM = 12
 
 
 def training_draft(rng: np.random.Generator, weaves: str) -> Draft:
-    """A draft to train on: of the paper's seven ("paper"), or of them for half, of others for half ("all")."""
+    """A draft to train on: of the paper's seven ("paper"), or half of them, half of others ("all")."""
     names = list(PAPER_WEAVES)
     if weaves == "paper" or rng.random() < 0.5:
         return paper_draft(names[rng.integers(len(names))])
@@ -67,13 +67,8 @@ def _from_shafts(rng: np.random.Generator) -> NDArray[np.bool_]:
         lifts = rng.random((treadles, shafts)) < rng.uniform(0.35, 0.65)
         ends, picks = rng.integers(3, _LARGEST_RANDOM + 1, 2)
         drawdown = lifts[rng.integers(treadles, size=picks)][:, rng.integers(shafts, size=ends)]
-        interlaces = (
-            drawdown.any(0).all()
-            and drawdown.any(1).all()
-            and not drawdown.all(0).any()
-            and not drawdown.all(1).any()
-        )
-        if interlaces:
+        ups = [drawdown.mean(axis) for axis in (0, 1)]
+        if all(((up > 0) & (up < 1)).all() for up in ups):  # every thread interlaces
             return drawdown
 
 
@@ -85,7 +80,7 @@ def _held_out() -> frozenset[bytes]:
 
 def _class_of(drawdown: NDArray[np.bool_]) -> bytes:
     """The same bytes for all turned, mirrored, shifted and inverted copies of a drawdown."""
-    copies = []
+    copies: list[bytes] = []
     for pattern in (drawdown, ~drawdown):
         for turns in range(4):
             turned = np.rot90(pattern, turns)
