@@ -85,6 +85,10 @@ def taps(
     return index, weight
 
 
-def size_share(size: Any, smallest: float, largest: float) -> Any:
-    """Place of a size between two others by its logarithm, 0 to 1."""
-    return np.clip(np.log(size / smallest) / math.log(largest / smallest), 0, 1)
+def size_share(size: Any, smallest: float, largest: float, arrays: Any = np) -> Any:
+    """Place of a size between two others by its logarithm, 0 to 1.
+
+    Args:
+        arrays: the module of the array's functions, numpy or drjit.
+    """
+    return arrays.clip(arrays.log(size / smallest) / math.log(largest / smallest), 0, 1)
