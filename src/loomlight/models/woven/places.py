@@ -1,0 +1,39 @@
+"""Where a footprint lies in the repeat, as the decoder takes it; one function for numpy and for Dr.Jit."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.pyramid import size_share
+
+# Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
+# `_LONGEST` threads. They are those of the query test.
+_FIELD_SIZES = 1 / 64, 80.0
+_REPEATS = 1 / 128, 5.0
+_LONGEST = 8.0
+
+
+def place_of(
+    table: NetworkTable, threads: tuple[int, int], x: Any, y: Any, size: Any, arrays: Any = np
+) -> tuple[Any, Any, Any]:
+    """Position x, y and size of footprints for the decoder, each 0 to 1.
+
+    "field" counts positions within a thread, since the latent knows which one it is, "vector" within the repeat.
+
+    Args:
+        threads: picks and ends of the repeat.
+        x, y, size: centre and side of footprints, in threads.
+        arrays: the module of the arrays' functions, numpy or drjit.
+    """
+    picks, ends = threads
+    size = arrays.maximum(size, 1e-6)
+    if table.latent == "field":
+        return x - arrays.floor(x), y - arrays.floor(y), size_share(size, *_FIELD_SIZES, arrays)
+    repeat = math.sqrt(picks * ends)
+    smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
+    u, v = x / ends, y / picks
+    return u - arrays.floor(u), v - arrays.floor(v), size_share(size, smallest, largest, arrays)

@@ -1,0 +1,180 @@
+"""The weights file of the universal network: tensors, the network's shape, how it was trained, a checksum.
+
+It is one safetensors file. The metadata has one entry, `woven`, whose JSON is
+
+    {"checksum": SHA-256 of the rest, "network": {"schema", "shape", "linear_diffuse", "trained", "recipe",
+                                                  "provenance"}}
+
+Tensors have the names of the torch module's (`network.py`) and lie in half precision; reading needs no torch.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import as_file, files
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from safetensors import SafetensorError, safe_open
+from safetensors.numpy import save
+
+from loomlight.assets.loom_file import checksum
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing, require_file
+from loomlight.models.woven.config import NetworkTable
+
+SCHEMA = 1
+_ENTRY = "woven"
+
+
+class _Header(BaseModel):
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+
+    schema_version: int = Field(alias="schema")
+    shape: NetworkTable
+    linear_diffuse: bool
+    trained: bool
+    recipe: dict[str, Any]
+    provenance: dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """A network that can be run.
+
+    Attributes:
+        table: its shape.
+        tensors: weights by name, float32.
+        linear_diffuse: whether it puts out diffuse components as they are, as published, or logarithmically.
+        trained: whether it is more than random numbers.
+        recipe: the configuration that it was trained with.
+        provenance: when and on what it was trained.
+        sha256: of all that is stored, hexadecimal; what materials name the network by.
+        source: what messages call the file.
+    """
+
+    table: NetworkTable
+    tensors: Mapping[str, NDArray[np.float32]]
+    linear_diffuse: bool
+    trained: bool
+    recipe: Mapping[str, Any]
+    provenance: Mapping[str, Any]
+    sha256: str
+    source: str
+
+    def tensor(self, name: str) -> NDArray[np.float32]:
+        """The tensor `name`.
+
+        Raises:
+            InputError: there is none.
+        """
+        if name not in self.tensors:
+            raise InputError(f"{self.source}: the tensor {name} is missing: {_REMEDY}.")
+        return self.tensors[name]
+
+
+_REMEDY = "`loomlight train woven` writes a weights file"
+
+
+def write_weights(
+    path: str | os.PathLike[str],
+    table: NetworkTable,
+    tensors: Mapping[str, NDArray[Any]],
+    *,
+    linear_diffuse: bool,
+    recipe: Mapping[str, Any],
+    provenance: Mapping[str, Any],
+    trained: bool = True,
+    half: bool = True,
+) -> None:
+    """Writes a weights file, whole or not at all.
+
+    Args:
+        tensors: by the names of the torch module's state.
+        half: in half precision, otherwise in single precision.
+
+    Raises:
+        InputError: a place that cannot be written to.
+        ValueError: a weight that is not finite, or too large for half precision.
+    """
+    kept = {}
+    for name, values in tensors.items():
+        with np.errstate(over="ignore"):
+            kept[name] = np.ascontiguousarray(values, np.float16 if half else np.float32)
+        if not np.isfinite(kept[name]).all():
+            raise ValueError(f"the weights {name} hold numbers that {kept[name].dtype} cannot")
+    header = _Header(
+        schema=SCHEMA,
+        shape=table,
+        linear_diffuse=linear_diffuse,
+        trained=trained,
+        recipe=dict(recipe),
+        provenance=dict(provenance),
+    )
+    content = json.loads(header.model_dump_json(by_alias=True))
+    entry = json.dumps({"checksum": checksum(content, kept), "network": content}, sort_keys=True)
+    with replacing(path) as temporary:
+        temporary.write_bytes(save(kept, {_ENTRY: entry}))
+
+
+def read_weights(path: str | os.PathLike[str]) -> Weights:
+    """The network in a weights file.
+
+    Raises:
+        InputError: no such file, no weights file, one of another version, or one that is damaged.
+    """
+    require_file(path)
+    source = str(path)
+    try:
+        with safe_open(source, framework="numpy") as file:
+            entry = (file.metadata() or {}).get(_ENTRY)
+            kept = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (no mapping)
+    except (SafetensorError, OSError, ValueError, OverflowError, MemoryError, TypeError) as error:
+        raise InputError(f"{source}: it is no weights file, or damaged: {_REMEDY}.") from error
+    if entry is None:
+        raise InputError(f"{source}: it is a safetensors file without the entry {_ENTRY}: {_REMEDY}.")
+    content = _content(source, entry)
+    schema = content["network"].get("schema")
+    if schema != SCHEMA:
+        advice = "install a newer loomlight" if isinstance(schema, int) and schema > SCHEMA else "train again"
+        raise InputError(f"{source}: its schema is {schema!r}, and this loomlight reads {SCHEMA}: {advice}.")
+    found = checksum(content["network"], kept)
+    if content.get("checksum") != found:
+        raise InputError(f"{source}: its content does not fit its checksum, so it is damaged: {_REMEDY}.")
+    try:
+        header = _Header.model_validate(content["network"])
+    except (ValidationError, RecursionError) as error:
+        raise InputError(f"{source}: its header does not describe a network: {_REMEDY}.") from error
+    return Weights(
+        table=header.shape,
+        tensors={name: values.astype(np.float32) for name, values in kept.items()},
+        linear_diffuse=header.linear_diffuse,
+        trained=header.trained,
+        recipe=header.recipe,
+        provenance=header.provenance,
+        sha256=found,
+        source=source,
+    )
+
+
+@cache
+def shipped_weights() -> Weights:
+    """The network that comes with the package."""
+    with as_file(files("loomlight.models.woven") / "weights" / "woven.safetensors") as path:
+        return read_weights(path)
+
+
+def _content(source: str, entry: str) -> dict[str, Any]:
+    try:
+        content = json.loads(entry)
+    except (ValueError, RecursionError):
+        content = None
+    if not isinstance(content, dict) or not isinstance(content.get("network"), dict):
+        raise InputError(f"{source}: its header is damaged: {_REMEDY}.")
+    return content
