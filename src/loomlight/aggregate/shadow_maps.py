@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
-from loomlight.core.backend import array_types
+from loomlight.core.backend import ArrayTypes, array_types, uploaded
 from loomlight.scattering.point import PointModel, on_face
 from loomlight.yarn.visibility import unoccluded
 
@@ -33,7 +33,7 @@ class ShadowMaps:
         """Searches the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
         types = array_types(float_type)
         self.grid = grid
-        directions = types.Vector3(np.ascontiguousarray(lights.T, dtype=np.float32))
+        directions = uploaded_vectors(lights, types)
         total = len(lights) * grid.texels
         self.visible = dr.empty(types.Bool, total)
         for first in range(0, total, _BATCH):
@@ -58,3 +58,8 @@ class ShadowMaps:
         """Whether light number `light` (UInt32) reaches a texel: Bool."""
         texels = dr.opaque(type(texel), self.grid.texels)
         return dr.gather(type(self.visible), self.visible, light * texels + texel)
+
+
+def uploaded_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Any:
+    """Vectors [n, 3] as a Vector3 of n lanes, axis by axis: one array would compile n into the kernels."""
+    return types.Vector3(*(uploaded(types.Float, axis.astype(np.float32)) for axis in directions.T))

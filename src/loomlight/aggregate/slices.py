@@ -26,9 +26,9 @@ from loomlight.aggregate.components import (
 )
 from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
-from loomlight.aggregate.shadow_maps import ShadowMaps
-from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
-from loomlight.core.backend import array_types
+from loomlight.aggregate.shadow_maps import ShadowMaps, uploaded_vectors
+from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
+from loomlight.core.backend import array_types, uploaded
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
 
@@ -172,33 +172,44 @@ class FabricSlices:
         Args:
             lights, views: unit vectors [l, 3] and [v, 3]; what they share is computed once.
             pairs: index of the light and of the view of each slice [n, 2].
-            centres, sizes: boxes of each slice [n, m, 2], millimetres.
+            centres, sizes: boxes of each slice [n, m, 2], or those that all slices share [m, 2], millimetres.
 
         Raises:
             InputError: a box that reaches beyond the window, where the grid is no whole repeat.
         """
         centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
-        count, boxes_each, _ = centres.shape
+        shared = None
+        if centres.ndim == 2:
+            shared = texel_boxes(self.grid, centres, sizes, self._float_type)
+            dr.eval(shared)
+        count, boxes_each = len(np.asarray(pairs)), centres.shape[-2]
         result = np.empty((count, boxes_each, len(self.channels)), np.float32)
         for batch in self.batches(lights, views, pairs):
-            self._read(batch, centres[batch.pairs], sizes[batch.pairs], result)
+            lanes = len(batch.pairs) * boxes_each
+            slot, number = divided(dr.arange(self._types.UInt32, lanes), boxes_each)
+            if shared is not None:
+                boxes = shared.at(number)
+            else:
+                own = centres[batch.pairs].reshape(-1, 2), sizes[batch.pairs].reshape(-1, 2)
+                boxes = texel_boxes(self.grid, *own, self._float_type)
+            result[batch.pairs] = self._read(batch, slot, boxes).reshape(-1, *result.shape[1:])
         return result
 
-    def _read(
-        self, batch: SliceBatch, centres: NDArray[Any], sizes: NDArray[Any], result: NDArray[np.float32]
-    ) -> None:
+    def _read(self, batch: SliceBatch, slot: Any, boxes: TexelBoxes) -> NDArray[np.float32]:
+        """Means over boxes of the batch's slices number `slot`, channel by channel for each box."""
         types = self._types
-        count, boxes_each, _ = centres.shape
-        boxes = texel_boxes(self.grid, centres.reshape(-1, 2), sizes.reshape(-1, 2), self._float_type)
-        slot, _ = divided(dr.arange(types.UInt32, count * boxes_each), boxes_each)
-        view = dr.gather(types.UInt32, types.UInt32(batch.hole_of.astype(np.uint32)), slot)
+        view = dr.gather(types.UInt32, uploaded(types.UInt32, batch.hole_of.astype(np.uint32)), slot)
         channels = [(channel, slot) for channel in batch.channels]
         channels.insert(4, (batch.holes, view))
-        entries = (self.grid.rows + 1) * (self.grid.columns + 1)
+        entries = dr.opaque(types.UInt32, (self.grid.rows + 1) * (self.grid.columns + 1))
+        means = dr.empty(types.Float, dr.width(slot) * len(channels))
+        place = dr.arange(types.UInt32, dr.width(slot)) * len(channels)
         for index, (values, number) in enumerate(channels):
             table = summed_areas(values, self.grid.columns, self.grid.rows)
-            means = types.Float(box_means(table, number * dr.opaque(types.UInt32, entries), self.grid, boxes))
-            result[batch.pairs, :, index] = means.numpy().reshape(count, boxes_each)
+            mean = types.Float(box_means(table, number * entries, self.grid, boxes))
+            dr.scatter(means, mean, place + dr.opaque(types.UInt32, index))
+            dr.eval(means)
+        return means.numpy()
 
     def batches(self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike) -> Iterator[SliceBatch]:
         """Evaluates slices, several at once as memory admits; the order is not that of the pairs.
@@ -234,8 +245,8 @@ class FabricSlices:
         met = self._met(seen, len(used), maps)
 
         pair, texel = divided(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
-        of_view = dr.gather(types.UInt32, types.UInt32(hole_of.astype(np.uint32)), pair)
-        of_light = dr.gather(types.UInt32, types.UInt32(pairs[part, 0].astype(np.uint32)), pair)
+        of_view = dr.gather(types.UInt32, uploaded(types.UInt32, hole_of.astype(np.uint32)), pair)
+        of_light = dr.gather(types.UInt32, uploaded(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
         place = of_view * dr.opaque(types.UInt32, grid.texels) + texel
         point = _taken(met.point, place)
         light = dr.gather(types.Vector3, self._vectors(lights), of_light)
@@ -264,7 +275,7 @@ class FabricSlices:
         return _MetField(met.point, shadow_texel)
 
     def _vectors(self, directions: NDArray[np.float64]) -> Any:
-        return self._types.Vector3(np.ascontiguousarray(directions.T, dtype=np.float32))
+        return uploaded_vectors(directions, self._types)
 
 
 @dataclass

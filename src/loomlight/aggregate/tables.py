@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, uploaded
 from loomlight.core.errors import InputError
 
 # Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
@@ -82,9 +82,14 @@ class TexelBoxes:
     bottom: Any
     top: Any
 
+    def at(self, index: Any) -> TexelBoxes:
+        """The boxes of these numbers, UInt32."""
+        bounds = (self.left, self.right, self.bottom, self.top)
+        return TexelBoxes(*(dr.gather(type(bound), bound, index) for bound in bounds))
+
 
 def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: type) -> TexelBoxes:
-    """Boxes on the grid from centres and sizes [n, 2] in millimetres.
+    """Boxes on the grid from centres and sizes [n, 2] in millimetres, not evaluated yet.
 
     Args:
         float_type: the Dr.Jit Float type of a backend; bounds are its Float64.
@@ -93,21 +98,34 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
         InputError: a box reaches beyond the window of a grid that is not periodic.
     """
     centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
-    half = np.maximum(sizes / np.asarray(grid.step), _SMALLEST_BOX) / 2
-    middle = (centres - np.asarray([grid.left, grid.bottom])) / np.asarray(grid.step)
-    low, high = middle - half, middle + half
-    if not grid.periodic and len(low):
-        edge = 1e-9 * max(grid.columns, grid.rows)
-        if (low < -edge).any() or (high > np.asarray([grid.columns, grid.rows]) + edge).any():
-            raise InputError(
-                f"A footprint reaches beyond the window of {grid.width:g} x {grid.height:g} mm of its slice."
-            )
-        low = np.clip(low, 0, [grid.columns, grid.rows])
-        high = np.clip(high, 0, [grid.columns, grid.rows])
-    double: Any = dr.float64_array_t(float_type)
-    return TexelBoxes(
-        *(double(np.ascontiguousarray(bound)) for bound in (low[:, 0], high[:, 0], low[:, 1], high[:, 1]))
-    )
+    if not grid.periodic:
+        _require_inside(grid, centres, sizes)
+    types = array_types(dr.float64_array_t(float_type))
+    lane = dr.arange(types.UInt32, len(centres))
+    middle, whole = (dr.gather(types.Vector2, uploaded(types.Float, pair), lane) for pair in (centres, sizes))
+    bounds = []
+    for axis, (start, step, count) in enumerate(
+        zip((grid.left, grid.bottom), grid.step, (grid.columns, grid.rows), strict=True)
+    ):
+        per_texel = dr.opaque(types.Float, 1 / step)
+        half = 0.5 * dr.maximum(whole[axis] * per_texel, _SMALLEST_BOX)
+        place = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
+        low, high = place - half, place + half
+        if not grid.periodic:
+            low, high = dr.clip(low, 0, count), dr.clip(high, 0, count)
+        bounds += [low, high]
+    return TexelBoxes(*bounds)
+
+
+def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.float64]) -> None:
+    corner, extent = np.asarray([grid.left, grid.bottom]), np.asarray([grid.width, grid.height])
+    half = np.maximum(sizes, _SMALLEST_BOX * np.asarray(grid.step)) / 2
+    edge = 1e-9 * extent.max()
+    low, high = centres - half - corner, centres + half - corner
+    if (low < -edge).any() or (high > extent + edge).any():
+        raise InputError(
+            f"A footprint reaches beyond the window of {grid.width:g} x {grid.height:g} mm of its slice."
+        )
 
 
 @dataclass

@@ -11,6 +11,11 @@ from importlib import import_module
 from typing import Any
 
 import drjit as dr
+import numpy as np
+from numpy.typing import ArrayLike
+
+# Bytes of the widest vector that Dr.Jit loads at once: 16 numbers of double precision.
+_ALIGNMENT = 128
 
 
 @dataclass(frozen=True)
@@ -53,3 +58,17 @@ def array_types(example: Any) -> ArrayTypes:
     while dr.depth_v(kind) > 1:
         kind = dr.value_t(kind)
     return _types_of(kind)
+
+
+def uploaded(kind: Any, values: ArrayLike) -> Any:
+    """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
+
+    On the CPU Dr.Jit uses numpy's memory as it is, and compiles kernels anew when its alignment differs. Here
+    all arrays are aligned alike.
+    """
+    flat = np.ravel(np.asarray(values))
+    memory = np.empty(flat.nbytes + _ALIGNMENT, np.uint8)
+    start = -memory.ctypes.data % _ALIGNMENT
+    copy = memory[start : start + flat.nbytes].view(flat.dtype)
+    copy[:] = flat
+    return kind(copy)

@@ -12,7 +12,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, uploaded
 from loomlight.yarn.threads import FamilyTables
 
 
@@ -130,17 +130,17 @@ class VariedFamily:
         first = np.searchsorted(lower, edges, side="right") - 1
         self.bins = dr.opaque(types.Float, bins)
         self._last_bin = dr.opaque(types.UInt32, bins - 1)
-        self._first = types.UInt32(first.astype(np.uint32))
+        self._first = uploaded(types.UInt32, first.astype(np.uint32))
         centre = tables.centre - tables.lower[0]
         place = np.stack([lower, upper, centre, tables.half_width], axis=1)
-        self._place = types.Float(place.ravel())
+        self._place = uploaded(types.Float, place)
         bend = [
             np.sin(tables.inclination),
             np.tan(tables.inclination / 2),
             tables.arc,
             tables.edge_drop,
         ]
-        self._bend = types.Float(np.stack(bend, axis=1).ravel())
+        self._bend = uploaded(types.Float, np.stack(bend, axis=1))
 
     def _row(self, table: Any, thread: Any) -> Any:
         return dr.gather(self._types.Vector4, table, thread)

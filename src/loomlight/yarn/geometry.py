@@ -26,7 +26,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, uploaded
 from loomlight.yarn.families import Cell, select_cell, upload_family
 from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.runs import CREST_LEVELS, pack_runs, with_crests
@@ -279,7 +279,7 @@ class _Uploaded:
     ) -> None:
         self.warp: Any = upload_family(warp, types)
         self.weft: Any = upload_family(weft, types)
-        self.words = types.UInt32(words.ravel())
+        self.words = uploaded(types.UInt32, words)
         self.ends = dr.opaque(types.UInt32, words.shape[1])
         self._float = types.Float
         self._scalars: dict[float, Any] = {}
