@@ -40,6 +40,8 @@ def footprint_path_class() -> type:
             hide_emitters: directly visible emitters do not show, false.
             footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
                 A picture that is averaged from several renders names their sum here.
+            pixel_centres: every camera ray goes through the middle of its pixel, false. For one sample a
+                pixel of models that average over the footprint, which is the pixel itself then.
         """
 
         def __init__(self, props: Any) -> None:
@@ -47,16 +49,19 @@ def footprint_path_class() -> type:
                 props["max_depth"] = -1
             super().__init__(props)
             self.footprint_samples: int = props.get("footprint_samples", 0)
+            self.pixel_centres: bool = props.get("pixel_centres", False)
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
             return (
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
-                f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}]"
+                f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}, "
+                f"pixel_centres = {self.pixel_centres}]"
             )
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            ray, weight, position = super().sample_rays(scene, sensor, sampler)
+            places = _PixelCentres(sampler) if self.pixel_centres else sampler
+            ray, weight, position = super().sample_rays(scene, sensor, places)
             ray.scale_differential(self._samples(sampler) ** -0.5)
             return ray, weight, position
 
@@ -230,6 +235,28 @@ def footprint_path_class() -> type:
             return dr.select(emitter, self.skip_area_emitters(scene, si.spawn_ray(ray.d), True, emitter), pi)
 
     return FootprintPath
+
+
+class _PixelCentres:
+    """A sampler, as far as camera rays need one, whose first square sample, the place in the pixel, is its
+    middle."""
+
+    def __init__(self, sampler: Any) -> None:
+        self._sampler = sampler
+        self._placed = False
+
+    def sample_count(self) -> int:
+        return int(self._sampler.sample_count())
+
+    def next_1d(self) -> Any:
+        return self._sampler.next_1d()
+
+    def next_2d(self) -> Any:
+        drawn = self._sampler.next_2d()
+        if self._placed:
+            return drawn
+        self._placed = True
+        return mi.Point2f(0.5)
 
 
 def footprint_integrator(scene: Any) -> Any:

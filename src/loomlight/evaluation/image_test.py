@@ -1,0 +1,252 @@
+"""The image test: eight scenes rendered by models with one sample a pixel, against the point model with many.
+
+One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter get
+the pixel as their footprint, its middle as their place; models that look at a point are rendered with 1 and
+3 samples placed as Mitsuba's sampler places them.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.evaluation.pictures import PictureError, flip_mean, picture_error
+from loomlight.evaluation.table import Cell, Table
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba import choose_variant, render
+from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, Dolly, MeasuredScene, measured_scene
+from loomlight.models.registry import model_class, require_model_name
+
+SIZE, REFERENCE_SAMPLES = (960, 540), 1024
+POINT = "point"
+POINT_SAMPLES = (1, 3)
+# Below so many yarns a pixel, comparisons with a few Monte Carlo samples do not count.
+COUNTED_FROM_YARNS = 2.0
+DOLLY_SIDE, DOLLY_FRAMES, DOLLY_SAMPLES = 256, 60, 256
+
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One row of the table: a model with so many samples a pixel."""
+
+    model: str
+    samples: int
+
+    @property
+    def name(self) -> str:
+        """Such as "woven, 1 spp"."""
+        return f"{self.model}, {self.samples} spp"
+
+    @property
+    def pixel_centres(self) -> bool:
+        """Whether rays go through the middle of pixels."""
+        return self.samples == 1 and model_class(self.model).filters
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """One shot of one scene.
+
+    Attributes:
+        linear: the picture [height, width, 3].
+        seconds: of rendering, compiled beforehand.
+        error: against the reference.
+    """
+
+    linear: NDArray[np.float32]
+    seconds: float
+    error: PictureError
+
+
+@dataclass(frozen=True, eq=False)
+class SceneResult:
+    """One scene.
+
+    Attributes:
+        name, yarns_per_pixel: which scene.
+        reference: the picture [height, width, 3].
+        seconds: of rendering it.
+        pictures: by the shot's name.
+        refused: why, by the name of each model that does not take the fabric.
+    """
+
+    name: str
+    yarns_per_pixel: float
+    reference: NDArray[np.float32]
+    seconds: float
+    pictures: dict[str, Picture]
+    refused: dict[str, str] = field(default_factory=dict)
+
+
+def shots_of(models: Sequence[str]) -> list[Shot]:
+    """The rows of these models; the point model's, 1 and 3 samples, are always among them.
+
+    Raises:
+        InputError: an unknown model.
+    """
+    for name in models:
+        require_model_name(name)
+    others = [Shot(name, 1) for name in dict.fromkeys(models) if name != POINT]
+    return [*(Shot(POINT, samples) for samples in POINT_SAMPLES), *others]
+
+
+def image_test(
+    models: Sequence[str],
+    fabrics: Sequence[Fabric],
+    *,
+    scenes: Sequence[str] = MEASURED_SCENES,
+    size: tuple[int, int] = SIZE,
+    reference_samples: int = REFERENCE_SAMPLES,
+    seed: int = 0,
+    progress: Progress | None = None,
+) -> list[SceneResult]:
+    """Renders and judges.
+
+    Args:
+        models: names; see `shots_of`.
+        fabrics: two; the second is the background of "two fabrics".
+        size: width and height in pixels.
+        reference_samples: samples a pixel of the reference.
+        progress: called with (steps done, steps in all); a step is a picture or a pass of a reference.
+
+    Raises:
+        InputError: an unknown model or scene.
+    """
+    choose_variant()
+    shots = shots_of(models)
+    results = []
+    for number, name in enumerate(scenes):
+
+        def passed(done: int, total: int, number: int = number) -> None:
+            if progress is not None:
+                progress(number * 100 + round(100 * done / total), 100 * len(scenes))
+
+        results.append(_scene(name, shots, fabrics, size, reference_samples, seed, passed))
+    return results
+
+
+def _scene(
+    name: str,
+    shots: list[Shot],
+    fabrics: Sequence[Fabric],
+    size: tuple[int, int],
+    reference_samples: int,
+    seed: int,
+    progress: Progress,
+) -> SceneResult:
+    scene = measured_scene(name, fabrics, POINT, size)
+    start = time.perf_counter()
+    reference = _rendered(scene, reference_samples, seed, progress)
+    seconds = time.perf_counter() - start
+    pictures: dict[str, Picture] = {}
+    refused: dict[str, str] = {}
+    for shot in shots:
+        try:
+            seen = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
+            # The first picture compiles the kernels; it is of another seed, the next is the one judged.
+            _rendered(seen, shot.samples, seed + 2)
+        except InputError as error:
+            refused[shot.model] = str(error)
+            continue
+        start = time.perf_counter()
+        linear = _rendered(seen, shot.samples, seed + 1)
+        taken = time.perf_counter() - start
+        pictures[shot.name] = Picture(linear, taken, picture_error(linear, reference, seen.counted))
+    return SceneResult(name, scene.yarns_per_pixel, reference, seconds, pictures, refused)
+
+
+def _rendered(
+    scene: MeasuredScene | Dolly, samples: int, seed: int, progress: Progress | None = None
+) -> NDArray[np.float32]:
+    return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator, progress=progress)
+
+
+def image_tables(results: list[SceneResult]) -> list[Table]:
+    """Three tables: FLIP, MSE and seconds, a row a shot and a column a scene."""
+    names = list(dict.fromkeys(name for result in results for name in result.pictures))
+    columns = [f"{result.name} ({result.yarns_per_pixel:g})" for result in results]
+    note = (
+        "Scenes with the yarns that a pixel covers; the comparison with few samples counts from "
+        f"{COUNTED_FROM_YARNS:g} yarns on."
+    )
+    quantities: list[tuple[str, Callable[[Picture], Cell]]] = [
+        ("Mean FLIP", lambda picture: picture.error.flip),
+        ("MSE of linear RGB", lambda picture: picture.error.mse),
+        ("Seconds a picture", lambda picture: picture.seconds),
+    ]
+    tables = []
+    for title, value in quantities:
+        table = Table(title, columns, note=note)
+        for name in names:
+            table.rows[name] = [value(r.pictures[name]) if name in r.pictures else None for r in results]
+        tables.append(table)
+    tables[-1].rows["reference"] = [result.seconds for result in results]
+    return tables
+
+
+@dataclass(frozen=True)
+class DollyResult:
+    """How steady a model is while the camera comes closer.
+
+    Attributes:
+        steps: FLIP between each frame and the next, by the shot's name and "reference".
+    """
+
+    steps: dict[str, list[float]]
+
+    def table(self) -> Table:
+        """Mean FLIP from frame to frame, and what of it is not the reference's own."""
+        table = Table(
+            "Frame-to-frame FLIP of a dolly from 8 to 0.25 yarns a pixel",
+            ["mean", "largest", "mean excess over the reference"],
+        )
+        own = np.array(self.steps["reference"])
+        for name, steps in self.steps.items():
+            values = np.array(steps)
+            excess = None if name == "reference" else float((values - own).mean())
+            table.rows[name] = [float(values.mean()), float(values.max()), excess]
+        return table
+
+
+def dolly_test(
+    models: Sequence[str],
+    fabric: Fabric,
+    *,
+    side: int = DOLLY_SIDE,
+    frames: int = DOLLY_FRAMES,
+    reference_samples: int = DOLLY_SAMPLES,
+    progress: Progress | None = None,
+) -> DollyResult:
+    """Frame-to-frame FLIP of models and of the reference while the camera comes closer to flat cloth.
+
+    Raises:
+        InputError: an unknown model, or one that does not take the fabric.
+    """
+    choose_variant()
+    reference = Shot(POINT, reference_samples)
+    rows: list[tuple[str, Shot]] = [("reference", reference)]
+    rows += [(shot.name, shot) for shot in shots_of(models)]
+    everything = np.ones((side, side), bool)
+    steps: dict[str, list[float]] = {}
+    for number, (name, shot) in enumerate(rows):
+        dolly = Dolly(fabric, shot.model, side, frames, shot.pixel_centres)
+        previous: Any = None
+        found: list[float] = []
+        for frame in range(frames):
+            dolly.look(frame)
+            picture = _rendered(dolly, shot.samples, seed=frame)
+            if previous is not None:
+                found.append(flip_mean(previous, picture, everything))
+            previous = picture
+            if progress is not None:
+                progress(number * frames + frame + 1, len(rows) * frames)
+        steps[name] = found
+    return DollyResult(steps)

@@ -1,0 +1,235 @@
+"""The scenes of the image test: which pixels count, and how many yarns a pixel covers.
+
+One directional light, direct light only, box filter, no ground. Distances are given in yarns a pixel, not in
+metres: the weave is scaled on the piece of cloth until the median pixel covers so many, so that every fabric
+is seen at the same scales. A pixel counts if it lies wholly on one piece of cloth.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.queries import fabric_scale
+from loomlight.core.errors import InputError
+from loomlight.fabric import Fabric
+from loomlight.mitsuba import cloth_shapes
+from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size
+from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
+from loomlight.mitsuba.lights import light_dicts
+from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
+
+# Direct light alone: camera to cloth to light.
+_DEPTH = 2
+# Places in a pixel at which it must meet one piece: its corners, the middles of its sides and its own.
+_PLACES = (0.001, 0.5, 0.999)
+
+
+@dataclass(frozen=True)
+class _Shot:
+    """What a scene shows.
+
+    Attributes:
+        pieces: makes the pieces of cloth, in the order of the fabrics.
+        yarns: yarns that the median pixel covers, along one side.
+        zoom: 1 frames the first piece.
+    """
+
+    pieces: tuple[Callable[[], ClothMesh], ...]
+    towards_camera: tuple[float, float, float]
+    towards_light: tuple[float, float, float]
+    yarns: float
+    zoom: float = 1.0
+
+
+def _background() -> ClothMesh:
+    """A flat piece of 0.8 m just behind the sphere's middle."""
+    flat = cloth_shapes.flat().scaled(8.0)
+    return ClothMesh(
+        flat.positions + np.array([0.0, 0.0, -0.02]), flat.normals, flat.uv, flat.triangles, "background"
+    )
+
+
+_FRONT, _ABOVE = (0.0, 0.0, 1.0), (0.35, 0.55, 1.0)
+_FLAT, _DRAPE = (cloth_shapes.flat,), (cloth_shapes.drape,)
+_SHOTS = {
+    "flat near": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 0.25, zoom=2.4),
+    "flat middle": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 2.5, zoom=2.4),
+    "flat far": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 10.0, zoom=2.4),
+    "drape near": _Shot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 0.6, zoom=3.0),
+    "drape far": _Shot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 4.0),
+    "cylinder grazing": _Shot((cloth_shapes.cylinder,), _FRONT, (1.0, 0.35, 0.4), 3.0, zoom=1.2),
+    "sphere": _Shot((cloth_shapes.sphere,), _FRONT, (-0.45, 0.6, 0.75), 3.0),
+    "two fabrics": _Shot((cloth_shapes.sphere, _background), _FRONT, (-0.45, 0.6, 0.75), 3.0, zoom=0.8),
+}
+MEASURED_SCENES = tuple(_SHOTS)
+# The dolly begins far from a flat piece and ends near.
+_DOLLY = _SHOTS["flat far"]
+_DOLLY_YARNS = (8.0, 0.25)
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredScene:
+    """A scene that is ready to render.
+
+    Attributes:
+        scene: the Mitsuba scene.
+        integrator: the `footprint_path` to render it with.
+        counted: pixels that lie wholly on one piece of cloth [height, width].
+        yarns_per_pixel: median over these, the side of the footprint in yarns.
+    """
+
+    scene: Any
+    integrator: Any
+    counted: NDArray[np.bool_]
+    yarns_per_pixel: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Measure:
+    """What a scene's camera sees, whatever the fabric.
+
+    Attributes:
+        piece: number of the piece that each pixel lies wholly on, −1 for none [height, width].
+        side_mm: side of the median footprint on each piece, millimetres of the mesh's own scale.
+    """
+
+    piece: NDArray[np.intp]
+    side_mm: tuple[float, ...]
+
+
+def measured_scene(
+    name: str, fabrics: Sequence[Fabric], model: str, size: tuple[int, int], pixel_centres: bool = False
+) -> MeasuredScene:
+    """One of `MEASURED_SCENES`; a Mitsuba variant must be set.
+
+    Args:
+        fabrics: of its pieces; "two fabrics" takes two, the others the first.
+        model: as `fabric_bsdf` takes it.
+        size: width and height in pixels.
+        pixel_centres: rays go through the middle of pixels, for one sample of models that filter.
+
+    Raises:
+        InputError: an unknown scene, too few fabrics, a size out of range, or a fabric that is refused.
+    """
+    shot = _shot(name)
+    require_size(size)
+    if len(fabrics) < len(shot.pieces):
+        raise InputError(f'The scene "{name}" shows {len(shot.pieces)} fabrics, and {len(fabrics)} is given.')
+    measure = _measured(name, size)
+    scale = [
+        shot.yarns * fabric_scale(fabric.layout()).thread / side
+        for fabric, side in zip(fabrics, measure.side_mm, strict=False)
+    ]
+    scene = mi.load_dict(_parts(shot, size, [fabric_bsdf(f, model) for f in fabrics], scale))
+    return MeasuredScene(scene, _integrator(pixel_centres), measure.piece >= 0, shot.yarns)
+
+
+class Dolly:
+    """A camera that comes closer to a flat piece of cloth, from 8 yarns a pixel to a quarter.
+
+    Attributes:
+        scene, integrator: what to render at the frame looked at last.
+    """
+
+    def __init__(
+        self, fabric: Fabric, model: str, side: int, frames: int, pixel_centres: bool = False
+    ) -> None:
+        """Builds the scene for `frames` square pictures of `side` pixels; see `measured_scene`."""
+        size = (side, side)
+        first, last = _DOLLY_YARNS
+        thread = fabric_scale(fabric.layout()).thread
+        scale = first * thread / _measured("flat far", size).side_mm[0]
+        self.scene = mi.load_dict(_parts(_DOLLY, size, [fabric_bsdf(fabric, model)], [scale]))
+        self.integrator = _integrator(pixel_centres)
+        self._view = _view(_DOLLY, size)
+        self._zooms = np.geomspace(1.0, first / last, frames)
+
+    def look(self, frame: int) -> None:
+        """Moves the camera to a frame, from 0."""
+        parameters = mi.traverse(self.scene)
+        view = self._view.closer(float(self._zooms[frame]), self._view.target)
+        parameters["sensor.to_world"] = mi.Transform4f(look_at(view).matrix)
+        parameters.update()
+
+
+def _shot(name: str) -> _Shot:
+    if name not in _SHOTS:
+        raise InputError(f'scene = "{name}" is no scene of the image test: use {", ".join(_SHOTS)}.')
+    return _SHOTS[name]
+
+
+def _integrator(pixel_centres: bool) -> Any:
+    return mi.load_dict({"type": "footprint_path", "max_depth": _DEPTH, "pixel_centres": pixel_centres})
+
+
+def _view(shot: _Shot, size: tuple[int, int]) -> View:
+    view = framing(shot.pieces[0]().positions, np.array(shot.towards_camera), size)
+    return view.closer(shot.zoom, view.target)
+
+
+def _parts(
+    shot: _Shot,
+    size: tuple[int, int],
+    bsdfs: Sequence[Callable[[tuple[float, float]], dict[str, Any]]],
+    scale: Sequence[float],
+) -> dict[str, Any]:
+    """The scene's dictionary, with the weave of each piece drawn 1/`scale` times as large as it is."""
+    pieces = [piece() for piece in shot.pieces]
+    sensor = perspective(_view(shot, size), size)
+    sensor["film"]["rfilter"] = {"type": "box"}
+    parts: dict[str, Any] = {"type": "scene", "sensor": sensor}
+    for number, (piece, bsdf) in enumerate(zip(pieces, bsdfs, strict=False)):
+        across, along = uv_size(piece)
+        material = mi.load_dict(bsdf((across * scale[number], along * scale[number])))
+        parts[f"cloth{number}"] = to_shape(piece, material)
+    first = pieces[0].positions
+    centre = (first.min(axis=0) + first.max(axis=0)) / 2
+    return parts | light_dicts("directional", centre, 1.0, np.array(shot.towards_light))
+
+
+@lru_cache(maxsize=32)
+def _measured(name: str, size: tuple[int, int]) -> _Measure:
+    shot = _shot(name)
+
+    def grey(_uv_size: tuple[float, float]) -> dict[str, Any]:
+        return {"type": "twosided", "bsdf": {"type": "diffuse"}}
+
+    scene = mi.load_dict(_parts(shot, size, [grey] * len(shot.pieces), [1.0] * len(shot.pieces)))
+    found, shared = _seen(scene, size, 0.5, 0.5)
+    si, number = found
+    for x in _PLACES:
+        for y in _PLACES:
+            _, other = _seen(scene, size, x, y)[0]
+            shared &= other == number
+    area = dr.abs(si.duv_dx.x * si.duv_dy.y - si.duv_dx.y * si.duv_dy.x).numpy()
+    counted = shared.numpy()
+    width, height = size
+    pieces = np.where(counted, number.numpy().astype(np.intp), -1)
+    sides = []
+    for index, piece in enumerate(shot.pieces):
+        across, along = uv_size(piece())
+        sides.append(float(np.sqrt(np.median(area[pieces == index]) * across * along)))
+    return _Measure(pieces.reshape(height, width), tuple(sides))
+
+
+def _seen(scene: Any, size: tuple[int, int], x: float, y: float) -> Any:
+    """What rays through one place of every pixel meet: the interaction and the piece's number, and where."""
+    width, height = size
+    index = dr.arange(mi.UInt32, width * height)
+    row = index // width
+    place = mi.Point2f((mi.Float(index - row * width) + x) / width, (mi.Float(row) + y) / height)
+    ray, _ = scene.sensors()[0].sample_ray_differential(0.0, 0.5, place, mi.Point2f(0.5))
+    si = scene.ray_intersect(ray)
+    si.compute_uv_partials(ray)
+    number = mi.Int32(-1)
+    for index_of, shape in enumerate(scene.shapes()):
+        number = dr.select(si.shape == mi.ShapePtr(shape), mi.Int32(index_of), number)
+    return (si, number), si.is_valid()
