@@ -6,11 +6,9 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
+from loomlight.models.woven.architecture import LARGEST_OUTPUT, REFLECTION_GAIN, TRANSMISSION_GAIN
 from loomlight.models.woven.config import TrainingTable
 
-# ln(k x + 1) of the specular terms in reflection and in transmission (chen2024 eq. 9).
-REFLECTION_GAIN = 100.0
-TRANSMISSION_GAIN = 1000.0
 # λ of specular and diffuse terms (chen2024 eq. 11).
 _SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1
 # Weights of the two terms in a picture of cloth, as in the query test; and about their mean, 1/sr.
@@ -18,8 +16,6 @@ _ALBEDOS = (0.4, 0.4, 0.6, 0.6)
 _MEAN_VALUE = 0.06
 _LOGARITHMIC_SHARE = 0.1
 _HOLE_WEIGHT = 0.5
-# e^8 / 100 is brighter than any component.
-_LARGEST = 8.0
 
 
 def gain(light: Tensor) -> Tensor:
@@ -37,7 +33,7 @@ def mapped(components: Tensor, light: Tensor, published: bool) -> Tensor:
 
 def unmapped(output: Tensor, light: Tensor, published: bool) -> Tensor:
     """Components [n, 4], 1/sr, of what the network puts out."""
-    linear = torch.expm1(torch.clamp(output, 0, _LARGEST)) / gain(light)
+    linear = torch.expm1(torch.clamp(output, 0, LARGEST_OUTPUT)) / gain(light)
     if published:
         return torch.cat([torch.clamp(output[:, :2], min=0), linear[:, 2:]], 1)
     return linear
@@ -58,7 +54,7 @@ def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) ->
     """
     albedos = torch.tensor(_ALBEDOS)
     target = truth[:, :4]
-    bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=_LARGEST), 0.1)) / gain(light)
+    bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=LARGEST_OUTPUT), 0.1)) / gain(light)
     error = (bounded - target) * albedos
     linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
     logarithmic = (output - mapped(target, light, False)).square().sum(1).mean()

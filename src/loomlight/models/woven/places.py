@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.pyramid import size_share
@@ -18,18 +19,17 @@ _LONGEST = 8.0
 
 
 def place_of(
-    table: NetworkTable, threads: tuple[int, int], x: Any, y: Any, size: Any, arrays: Any = np
+    table: NetworkTable, picks: int, ends: int, x: Any, y: Any, size: Any, arrays: Any = np
 ) -> tuple[Any, Any, Any]:
     """Position x, y and size of footprints for the decoder, each 0 to 1.
 
     "field" counts positions within a thread, since the latent knows which one it is, "vector" within the repeat.
 
     Args:
-        threads: picks and ends of the repeat.
+        picks, ends: of the repeat.
         x, y, size: centre and side of footprints, in threads.
         arrays: the module of the arrays' functions, numpy or drjit.
     """
-    picks, ends = threads
     size = arrays.maximum(size, 1e-6)
     if table.latent == "field":
         return x - arrays.floor(x), y - arrays.floor(y), size_share(size, *_FIELD_SIZES, arrays)
@@ -37,3 +37,10 @@ def place_of(
     smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
     return u - arrays.floor(u), v - arrays.floor(v), size_share(size, smallest, largest, arrays)
+
+
+def network_places(
+    table: NetworkTable, picks: int, ends: int, footprints: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """`place_of` of footprints [n, 3], position x and y and side, in threads."""
+    return np.stack(place_of(table, picks, ends, *footprints.T), -1).astype(np.float32)

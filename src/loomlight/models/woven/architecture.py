@@ -1,0 +1,16 @@
+"""Numbers of the network's architecture that its weights do not show; torch and torch-free code share them."""
+
+from __future__ import annotations
+
+SLOPE = 0.01  # of leaky ReLU
+BINS = 8  # of one-blob coding
+# The reach of a bin, in bins: neighbours overlap as Gaussians of one bin's deviation do.
+BLOB_REACH = 2.5
+# Side of the maps of a repeat for "vector", and maps a thread for "field".
+VECTOR_MAP = 128
+FIELD_MAP = 16
+# ln(k x + 1) of the terms in reflection and in transmission (chen2024 eq. 9).
+REFLECTION_GAIN = 100.0
+TRANSMISSION_GAIN = 1000.0
+# e^8 / 100 is brighter than any component.
+LARGEST_OUTPUT = 8.0
