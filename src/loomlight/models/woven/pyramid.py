@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 FINEST = 3  # levels finer than one texel a thread
 # Footprints of so many repeats are means of the repeat to within what is left of a box's last repeat.
-_WHOLE = 4
+WHOLE_REPEATS = 4
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def levels_of(picks: int, ends: int) -> list[Level]:
         levels.append(Level(first, ends * per_thread, picks * per_thread, 1 / per_thread, per_thread))
         first += ends * picks * per_thread**2
     window = 2
-    while window <= _WHOLE * max(picks, ends):
+    while window <= WHOLE_REPEATS * max(picks, ends):
         levels.append(Level(first, ends, picks, window, 1))
         first += ends * picks
         window *= 2

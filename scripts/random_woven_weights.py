@@ -1,0 +1,41 @@
+"""A weights file of the universal network with random numbers in it, to try the machinery without training.
+
+    python scripts/random_woven_weights.py woven.safetensors [--latent field] [--width 32]
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import torch
+
+from loomlight.core.provenance import provenance
+from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.weights import write_weights
+
+
+def main() -> None:
+    """Writes the file."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("output", type=Path)
+    parser.add_argument("--latent", choices=("field", "vector"), default="field")
+    parser.add_argument("--width", type=int, default=NetworkTable().width)
+    arguments = parser.parse_args()
+    torch.manual_seed(0)
+    table = NetworkTable(latent=arguments.latent, width=arguments.width)
+    network = WovenNetwork(table)
+    write_weights(
+        arguments.output,
+        table,
+        {name: values.numpy() for name, values in network.state_dict().items()},
+        linear_diffuse=False,
+        recipe={},
+        provenance=provenance("python scripts/random_woven_weights.py", Path(__file__).parent),
+        trained=False,
+    )
+
+
+if __name__ == "__main__":
+    main()
