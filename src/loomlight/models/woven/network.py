@@ -21,20 +21,14 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
+from loomlight.models.woven.architecture import BINS, BLOB_REACH, OPPOSITE, SLOPE, VECTOR_MAP
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.maps import CHANNELS
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
 
-SLOPE = 0.01  # of leaky ReLU
-BINS = 8
 PARAMETERS = 4
 ANGLES = 5
 COMPONENTS = 4
-# Side of the maps of a repeat for "vector", and maps a thread for "field".
-VECTOR_MAP = 128
-FIELD_MAP = 16
-# The reach of a bin, in bins: neighbours overlap as Gaussians of one bin's deviation do.
-BLOB_REACH = 2.5
 
 
 class WovenNetwork(nn.Module):
@@ -136,7 +130,8 @@ class FieldEncoder(nn.Module):
         self.sideways = nn.ModuleList(
             _convolution(channels, features, 1, 1) for channels in (width, width, 2 * width, 4 * width)
         )
-        self.smooth = nn.ModuleList(_convolution(features, features, 3, 1) for _ in range(FINEST))
+        # None at the finest level, where it would cost as much as the trunk.
+        self.smooth = nn.ModuleList(_convolution(features, features, 3, 1) for _ in range(FINEST - 1))
         self.join = _Join(features + 1, 64, table.latent_size)
 
     def forward(self, maps: Tensor, parameters: Tensor) -> tuple[Tensor, list[Level]]:
@@ -148,11 +143,10 @@ class FieldEncoder(nn.Module):
         """
         stages = self.trunk(maps[None])
         found = [self.sideways[-1](stages[-1])]
-        for stage, sideways, smooth in zip(
-            stages[-2::-1], list(self.sideways)[-2::-1], list(self.smooth)[::-1], strict=True
-        ):
+        for number in range(FINEST - 1, -1, -1):
             coarser = functional.interpolate(found[0], scale_factor=2, mode="nearest")
-            found.insert(0, smooth(functional.relu(sideways(stage) + coarser)))
+            joined = functional.relu(self.sideways[number](stages[number]) + coarser)
+            found.insert(0, self.smooth[number - 1](joined) if number else joined)
         picks, ends = found[-1].shape[-2:]
         levels = levels_of(picks, ends)
         while len(found) < len(levels) - 1:
@@ -162,8 +156,8 @@ class FieldEncoder(nn.Module):
         for number, features in enumerate(found):
             flat = features[0].flatten(1).T
             rows.append(functional.pad(flat, (0, 1), value=number / 8))
-        joined = torch.cat(rows)
-        return self.join(joined, parameters.expand(len(joined), -1)), levels
+        texels = torch.cat(rows)
+        return self.join(texels, parameters.expand(len(texels), -1)), levels
 
 
 def _wider(means: Tensor, window: int) -> Tensor:
@@ -185,7 +179,7 @@ class Decoder(nn.Module):
         fused = hidden if table.fusion else spatial
         self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
         inner = [hidden] * (4 if table.fusion else 6)
-        self.angular = _layers(fused + ANGLES, *inner, COMPONENTS)
+        self.angular = _layers(fused + ANGLES + (3 if table.half_vector else 0), *inner, COMPONENTS)
         self.hole = _layers(fused + 2, 16, 1)
 
     def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
@@ -200,18 +194,30 @@ class Decoder(nn.Module):
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
             spatial = functional.leaky_relu(layer(spatial), SLOPE)
-        hidden: Any = torch.cat([spatial, light, view[:, :2]], 1)
+        directions = [light, view[:, :2]]
+        if self.table.half_vector:
+            directions.append(half_vector(light, view))
+        hidden: Any = torch.cat([spatial, *directions], 1)
         skip = None
         for number, layer in enumerate(self.angular):
-            hidden = layer(hidden)
+            last = number + 1 == len(self.angular)
+            # Where training computes in bfloat16, the output must not: it is a logarithm.
+            with torch.autocast("cpu", enabled=torch.is_autocast_enabled("cpu") and not last):
+                hidden = layer(hidden.to(layer.weight.dtype) if last else hidden)
             if number == 0:
                 skip = hidden
             elif number == 2:
                 hidden = hidden + skip
-            if number + 1 < len(self.angular):
+            if not last:
                 hidden = functional.leaky_relu(hidden, SLOPE)
         hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
+
+
+def half_vector(light: Tensor, view: Tensor) -> Tensor:
+    """Unit half vector of lights and views [n, 3]; short where they are opposite, instead of undefined."""
+    total = light + view
+    return total / torch.sqrt(total.square().sum(1, keepdim=True) + OPPOSITE)
 
 
 def _layers(*widths: int) -> nn.ModuleList:

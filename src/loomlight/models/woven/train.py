@@ -1,0 +1,188 @@
+"""Training of the universal network from a configuration, data included; it goes on where it was stopped."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+from torch.nn import functional
+
+from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
+from loomlight.models.woven.config import TrainingConfig, TrainingTable
+from loomlight.models.woven.losses import LOSSES
+from loomlight.models.woven.network import FieldEncoder, WovenNetwork
+from loomlight.models.woven.places import network_places
+from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
+from loomlight.models.woven.pyramid import taps
+from loomlight.training.loop import Report, Schedule, train
+
+# Called with (fabrics made, fabrics in all).
+PoolReport = Callable[[int, int], None]
+_WARM_UP = 0.01
+_STREAM = 7  # keeps the random numbers of batches apart from those of the pool
+
+
+def train_woven(
+    config: TrainingConfig,
+    folder: Path,
+    pool_report: PoolReport | None = None,
+    report: Report | None = None,
+    device: str = "cpu",
+) -> tuple[WovenNetwork, int]:
+    """The trained network, and how many steps were done.
+
+    Args:
+        folder: holds the pool (`pool/`) and the checkpoint; made if need be, and used again to go on.
+        device: of torch, "cpu" or "cuda".
+
+    Raises:
+        InputError: the folder belongs to another configuration, or a file in it is damaged.
+    """
+    faces = make_pool(
+        config, folder / f"pool-{_identity(config.data, config.network.latent)[:8]}", pool_report
+    )
+    torch.manual_seed(config.training.seed)
+    network = WovenNetwork(config.network).to(device)
+    training = config.training
+    schedule = Schedule(
+        steps=training.steps,
+        rate=lambda share: training.rate * rate_share(training, share),
+        seconds=60 * training.minutes,
+    )
+    batches = Batches(config, faces, network, torch.device(device))
+    steps = train(
+        network,
+        _optimiser(network, training),
+        batches.loss,
+        schedule,
+        folder / "checkpoint.safetensors",
+        _identity(config),
+        report,
+    )
+    return network, steps
+
+
+def make_pool(config: TrainingConfig, folder: Path, report: PoolReport | None = None) -> list[Face]:
+    """The faces of all fabrics of the pool; what the folder has is not made again."""
+    from drjit.llvm.ad import Float
+
+    from loomlight.core.llvm import require_llvm
+
+    require_llvm()
+    folder.mkdir(parents=True, exist_ok=True)
+    per_thread = config.network.latent == "field"
+    side = FIELD_MAP if per_thread else VECTOR_MAP
+    faces: list[Face] = []
+    for number in range(config.data.fabrics):
+        path = folder / f"{number:06d}.safetensors"
+        if not path.exists():
+            write_faces(path, pool_faces(config.data, number, side, per_thread, Float))
+        faces += read_faces(path)
+        if report is not None:
+            report(number + 1, config.data.fabrics)
+    return faces
+
+
+class Batches:
+    """Losses of steps: which faces and queries a step sees depends on the seed and its number alone."""
+
+    def __init__(
+        self, config: TrainingConfig, faces: list[Face], network: WovenNetwork, device: torch.device
+    ) -> None:
+        self._config = config
+        self._faces = faces
+        self._network = network
+        self._device = device
+        self._loss = LOSSES[config.training.loss]
+
+    def loss(self, step: int) -> Tensor:
+        """The loss of one step."""
+        training = self._config.training
+        rng = np.random.default_rng([training.seed, _STREAM, step])
+        count = min(training.fabrics, len(self._faces))
+        chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
+        drawn = [_draw(face, rng, training.queries) for face in chosen]
+        # The batch of directions and truths of all faces, one after another.
+        light, view, truth = (
+            self._tensor(np.concatenate(part)) for part in list(zip(*drawn, strict=True))[1:]
+        )
+        place = self._tensor(
+            np.concatenate(
+                [
+                    network_places(self._config.network, *face.threads, queries[0])
+                    for face, queries in zip(chosen, drawn, strict=True)
+                ]
+            )
+        )
+        with torch.autocast(self._device.type, torch.bfloat16):
+            latent = self._latents(chosen, [queries[0] for queries in drawn])
+            output, hole = self._network.decoder(latent, place, light, view)
+        return self._loss(output.float(), hole.float(), truth, light)
+
+    def _latents(self, faces: list[Face], places: list[np.ndarray]) -> Tensor:
+        """The latent of each query [n, latent_size]."""
+        encoder = self._network.encoder
+        parameters = [self._tensor(face.parameters) for face in faces]
+        if not isinstance(encoder, FieldEncoder):
+            maps = torch.stack([self._tensor(face.maps) for face in faces])
+            vectors = encoder(maps, torch.stack(parameters))
+            return vectors.repeat_interleave(len(places[0]), 0)
+        tables, texels, weights, first = [], [], [], 0
+        for face, values, place in zip(faces, parameters, places, strict=True):
+            table, levels = encoder(self._tensor(face.maps), values)
+            index, weight = taps(levels, place[:, 0], place[:, 1], place[:, 2])
+            tables.append(table.float())
+            texels.append(index + first)
+            weights.append(weight)
+            first += len(table)
+        return functional.embedding_bag(
+            self._tensor(np.concatenate(texels)),
+            torch.cat(tables),
+            per_sample_weights=self._tensor(np.concatenate(weights)),
+            mode="sum",
+        )
+
+    def _tensor(self, array: np.ndarray) -> Tensor:
+        return torch.from_numpy(np.ascontiguousarray(array)).to(self._device)
+
+
+def rate_share(training: TrainingTable, share: float) -> float:
+    """The learning rate as a share of the largest, after a share of the training."""
+    if training.schedule == "steps":
+        return 0.2 ** sum(share >= drop for drop in (0.6, 0.9))
+    return min(1.0, (share + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * share))
+
+
+def _optimiser(network: WovenNetwork, training: TrainingTable) -> torch.optim.Optimizer:
+    parameters = network.parameters()
+    if training.optimiser == "sgd":
+        return torch.optim.SGD(parameters, training.rate, weight_decay=training.regularisation)
+    return torch.optim.AdamW(
+        parameters, training.rate, betas=(0.9, 0.99), weight_decay=training.regularisation
+    )
+
+
+def _draw(face: Face, rng: np.random.Generator, count: int) -> tuple[np.ndarray, ...]:
+    """Places, lights, views and truths of random queries of a face."""
+    pairs, footprints, _ = face.places.shape
+    index = rng.integers(pairs * footprints, size=count)
+    pair = index // footprints
+    return (
+        face.places.reshape(-1, 3)[index],
+        face.lights[pair],
+        face.views[pair],
+        face.truth.reshape(-1, 5)[index].astype(np.float32),
+    )
+
+
+def _identity(*parts: Any) -> str:
+    """A hash of tables of a configuration."""
+    dumped = [part.model_dump() if hasattr(part, "model_dump") else part for part in parts]
+    return hashlib.sha256(json.dumps(dumped, sort_keys=True).encode()).hexdigest()

@@ -1,0 +1,132 @@
+"""One plain training loop: steps, checkpoints, resume."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import torch
+from torch import Tensor, nn
+
+from loomlight.core.errors import InputError, LoomlightError
+from loomlight.training.checkpoint import (
+    optimiser_tensors,
+    read_checkpoint,
+    restore_optimiser,
+    write_checkpoint,
+)
+
+# Called with (steps done, steps in all, mean loss of late).
+Report = Callable[[int, int, float], None]
+# A gradient ten times as long as usual is one bad batch, not a direction.
+_LONGEST_GRADIENT = 1.0
+_MEMORY = 0.98  # of the mean loss
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """How long, and how fast.
+
+    Attributes:
+        steps: how many; with `seconds`, at most so many.
+        rate: learning rate as a function of the share done, 0 to 1.
+        seconds: an end by the clock, 0 for none: for comparisons at equal budget, not reproducible.
+        keep_every: seconds between checkpoints.
+    """
+
+    steps: int
+    rate: Callable[[float], float]
+    seconds: float = 0.0
+    keep_every: float = 60.0
+
+
+def train(
+    network: nn.Module,
+    optimiser: torch.optim.Optimizer,
+    loss_of: Callable[[int], Tensor],
+    schedule: Schedule,
+    checkpoint: Path,
+    identity: str,
+    report: Report | None = None,
+) -> int:
+    """Trains until the schedule's end, going on from the checkpoint if there is one.
+
+    Random numbers belong to steps: `loss_of(step)` must depend on the step and the weights alone. Then a
+    training that was stopped at any moment ends with the weights of one that was not.
+
+    Args:
+        identity: of everything the weights depend on; a checkpoint of another one is refused.
+
+    Returns:
+        How many steps were done in all.
+
+    Raises:
+        InputError: the checkpoint is damaged or belongs to another configuration.
+        LoomlightError: the loss is no number any more.
+    """
+    step, spent, mean = _restored(network, optimiser, checkpoint, identity)
+    begun = kept = time.monotonic()
+    while step < schedule.steps:
+        elapsed = spent + time.monotonic() - begun
+        share = step / schedule.steps
+        if schedule.seconds:
+            share = max(share, elapsed / schedule.seconds)
+        if share >= 1:
+            break
+        for group in optimiser.param_groups:
+            group["lr"] = schedule.rate(share)
+        loss = loss_of(step)
+        value = float(loss.detach())
+        if value != value:
+            raise LoomlightError(f"The loss is no number at step {step}: lower [training] rate.")
+        optimiser.zero_grad(set_to_none=True)
+        loss.backward()
+        nn.utils.clip_grad_norm_(network.parameters(), _LONGEST_GRADIENT)
+        optimiser.step()
+        step += 1
+        mean = value if step == 1 else _MEMORY * mean + (1 - _MEMORY) * value
+        if report is not None:
+            done = min(schedule.steps, round(share * schedule.steps))
+            report(done if schedule.seconds else step, schedule.steps, mean)
+        if time.monotonic() - kept > schedule.keep_every:
+            _keep(network, optimiser, checkpoint, identity, step, spent + time.monotonic() - begun, mean)
+            kept = time.monotonic()
+    _keep(network, optimiser, checkpoint, identity, step, spent + time.monotonic() - begun, mean)
+    return step
+
+
+def _keep(
+    network: nn.Module,
+    optimiser: torch.optim.Optimizer,
+    checkpoint: Path,
+    identity: str,
+    step: int,
+    spent: float,
+    mean: float,
+) -> None:
+    tensors = {f"weights.{name}": tensor for name, tensor in network.state_dict().items()}
+    tensors |= {f"optimiser.{name}": tensor for name, tensor in optimiser_tensors(optimiser).items()}
+    facts = {"identity": identity, "step": step, "seconds": spent, "loss": mean}
+    write_checkpoint(checkpoint, tensors, facts)
+
+
+def _restored(
+    network: nn.Module, optimiser: torch.optim.Optimizer, checkpoint: Path, identity: str
+) -> tuple[int, float, float]:
+    """Steps done, seconds spent and mean loss; puts weights and optimiser back."""
+    if not checkpoint.exists():
+        return 0, 0.0, 0.0
+    tensors, facts = read_checkpoint(checkpoint)
+    if facts.get("identity") != identity:
+        raise InputError(
+            f"{checkpoint} belongs to another configuration: give another folder, or remove it to begin anew."
+        )
+    parts: dict[str, dict[str, Tensor]] = {"weights": {}, "optimiser": {}}
+    for key, tensor in tensors.items():
+        part, name = key.split(".", 1)
+        parts[part][name] = tensor
+    network.load_state_dict(parts["weights"])
+    restore_optimiser(optimiser, parts["optimiser"])
+    return int(facts["step"]), float(facts["seconds"]), float(facts["loss"])
