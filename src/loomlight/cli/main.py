@@ -11,7 +11,7 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake_maps, demo, doctor, render, weave
+from loomlight.cli import bake_maps, compare, demo, doctor, render, weave
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
@@ -42,6 +42,7 @@ def _options(
 
 app.add_typer(weave.app, name="weave")
 app.command("render", epilog=render.EXAMPLE)(render.render)
+app.command("compare", epilog=compare.EXAMPLE)(compare.compare)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)

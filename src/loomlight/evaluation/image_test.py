@@ -150,7 +150,9 @@ def _scene(
     refused: dict[str, str] = {}
     for shot in shots:
         try:
-            seen = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
+            seen = scene
+            if shot.model != POINT:
+                seen = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
             # The first picture compiles the kernels; it is of another seed, the next is the one judged.
             _rendered(seen, shot.samples, seed + 2)
         except InputError as error:

@@ -1,0 +1,60 @@
+"""`loomlight compare`: models against the reference, as pictures and as figures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import done
+from loomlight.cli.progress import progress
+from loomlight.cli.values import parse_size, require_within
+
+EXAMPLE = "Example: loomlight compare examples/denim.toml --models point,woven -o report"
+
+
+def compare(
+    fabric: Annotated[
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, or a weave's name.")
+    ],
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
+    ],
+    models: Annotated[str, typer.Option(help="Names with commas between them.")] = "point,woven",
+    full: Annotated[
+        bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
+    ] = False,
+    size: Annotated[
+        str | None, typer.Option(metavar="WxH", help="Pixels; 480x270, or 960x540 with --full.")
+    ] = None,
+    samples: Annotated[
+        int | None, typer.Option("--spp", help="Samples a pixel of the reference; 64, or 1024 with --full.")
+    ] = None,
+) -> None:
+    """Compares models with the reference: pictures, difference maps, FLIP, MSE and time."""
+    pixels = None if size is None else parse_size(size)
+    require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
+    names = [name.strip() for name in models.split(",") if name.strip()]
+
+    from loomlight.fabric.load import load_fabric
+
+    cloth = load_fabric(fabric)
+
+    from loomlight.evaluation.compare import compare as run
+
+    with progress(cloth.name) as report:
+        found = run(
+            cloth,
+            names,
+            output,
+            full=full,
+            size=pixels,
+            reference_samples=samples,
+            command=f"loomlight compare --models {','.join(names)}{' --full' if full else ''}",
+            progress=lambda _what, steps, total: report(steps, total),
+        )
+    print(found.tables[0].to_markdown())
+    for name, why in found.refused.items():
+        print(f"{name} does not take this fabric: {why}")
+    done(output / "index.html")

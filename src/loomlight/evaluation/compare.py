@@ -1,0 +1,255 @@
+"""`compare`: pictures, difference maps and tables of models against the reference, in a folder to look at."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
+from loomlight.core.images import write_image, write_png
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
+from loomlight.evaluation.image_test import (
+    DOLLY_FRAMES,
+    DOLLY_SIDE,
+    REFERENCE_SAMPLES,
+    SIZE,
+    SceneResult,
+    dolly_test,
+    image_tables,
+    image_test,
+    shots_of,
+)
+from loomlight.evaluation.predictions import model_predictor
+from loomlight.evaluation.query_test import run_query_test
+from loomlight.evaluation.report import Figure, Report, Section, report_html
+from loomlight.evaluation.table import Table, write_json
+from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.load import fabric_from_text, load_fabric
+from loomlight.mitsuba import MODELS
+from loomlight.models.registry import make_model
+
+QUICK_SIZE, QUICK_SAMPLES = (480, 270), 64
+_QUICK_PAIRS, _QUICK_FOOTPRINTS = 40, 40
+# The background of the scene with two fabrics.
+_PARTNER = 'weave = "plain"\n[warp]\ncolor = "#c9b58f"\n[weft]\ncolor = "#e6dcc4"\n'
+_SCHEMA = 1
+
+Progress = Callable[[str, int, int], None]
+
+
+@dataclass
+class Comparison:
+    """What `compare` found and wrote.
+
+    Attributes:
+        folder: where index.html, table.json and the pictures are.
+        tables: every table, as index.html shows them.
+        refused: why, by the name of each model that does not take the fabric.
+    """
+
+    folder: Path
+    tables: list[Table] = field(default_factory=list)
+    refused: dict[str, str] = field(default_factory=dict)
+
+
+def compare(
+    fabric: Fabric | str | os.PathLike[str],
+    models: Sequence[str],
+    folder: str | os.PathLike[str],
+    *,
+    full: bool = False,
+    size: tuple[int, int] | None = None,
+    reference_samples: int | None = None,
+    command: str = "loomlight.compare",
+    progress: Progress | None = None,
+) -> Comparison:
+    """Renders a fabric in the eight scenes of the image test with each model and judges what it sees.
+
+    Writes `folder`/index.html, table.json and pictures/*.png; the folder is made where there is none. The
+    point model with 1 and 3 samples a pixel is always among the rows.
+
+    Args:
+        fabric: a fabric, or what `load_fabric` takes.
+        models: names, such as "point" and "woven".
+        full: the whole protocol: 960×540 against 1 024 samples, the query test on the 24 held-out fabrics
+            besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
+        size, reference_samples: of the pictures; by default 480×270 against 64, or the protocol's.
+        command: what the record says that it was made by.
+        progress: called with (what is done, steps done, steps in all).
+
+    Raises:
+        InputError: an unknown model, a fabric that cannot be read, or a folder that cannot be written.
+    """
+    chosen = list(dict.fromkeys(models))
+    require_renderable(chosen)
+    shots_of(chosen)
+    cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
+    target = prepared_folder(folder)
+    pixels = size or (SIZE if full else QUICK_SIZE)
+    samples = reference_samples or (REFERENCE_SAMPLES if full else QUICK_SAMPLES)
+
+    def step(what: str) -> Callable[[int, int], None]:
+        return lambda done, total: progress(what, done, total) if progress is not None else None
+
+    scenes = image_test(
+        chosen,
+        [cloth, fabric_from_text(_PARTNER)],
+        size=pixels,
+        reference_samples=samples,
+        progress=step("pictures"),
+    )
+    found = Comparison(target, image_tables(scenes))
+    for scene in scenes:
+        found.refused.update(scene.refused)
+    able = [name for name in chosen if name not in found.refused]
+    found.tables += _query_tables(cloth, able, full, step("queries"))
+    if full:
+        dolly = dolly_test(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
+        found.tables.append(dolly.table())
+    _write(found, scenes, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
+    return found
+
+
+def require_renderable(models: Sequence[str]) -> None:
+    """Returns if pictures can be made with every model.
+
+    Raises:
+        InputError: none is given, or one is unknown.
+    """
+    if not models:
+        raise InputError(f"No model is given: name some of {', '.join(MODELS)}.")
+    for name in models:
+        if name not in MODELS:
+            raise InputError(f'model = "{name}" makes no pictures: use some of {", ".join(MODELS)}.')
+
+
+def prepared_folder(folder: str | os.PathLike[str]) -> Path:
+    """The folder, made where there is none.
+
+    Raises:
+        InputError: it is a file, or cannot be made or written.
+    """
+    target = Path(folder)
+    try:
+        target.mkdir(exist_ok=True)
+        (target / "pictures").mkdir(exist_ok=True)
+    except FileExistsError as error:
+        raise InputError(f"{target} holds a file where a folder is needed; give another folder.") from error
+    except FileNotFoundError as error:
+        raise InputError(f"{target}: the folder {target.parent} does not exist; make it first.") from error
+    except (OSError, ValueError) as error:
+        raise InputError(f"{str(target)[:80]!r} cannot be made a folder: {error}.") from error
+    if not os.access(target / "pictures", os.W_OK):
+        raise InputError(f"{target}: this folder cannot be written to.")
+    return target
+
+
+def _query_tables(
+    cloth: Fabric, models: Sequence[str], full: bool, progress: Callable[[int, int], None]
+) -> list[Table]:
+    """The query test of this fabric, and of the held-out ones with the full protocol."""
+    predictors = {name: model_predictor(partial(make_model, name)) for name in models}
+    appearance = cloth.appearance()
+    threads = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
+    own = HeldOut(cloth.name, cloth, unseen_weave=True, coloured=len({tuple(row) for row in threads}) > 2)
+    pairs, footprints = (PAIRS, FOOTPRINTS) if full else (_QUICK_PAIRS, _QUICK_FOOTPRINTS)
+    try:
+        mine = run_query_test(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
+    except InputError as error:
+        # Long repeats are too large for slices; their pictures still tell.
+        tables = [Table("Query test", [], note=f"There is none of this fabric. {error}")]
+    else:
+        tables = [_titled(table, f"{table.title}, {cloth.name}") for table in mine.tables()[:3]]
+    if full:
+        tables += run_query_test(predictors, held_out_fabrics(), progress=progress).tables()
+    return tables
+
+
+def _titled(table: Table, title: str) -> Table:
+    table.title = title
+    empty = [
+        index
+        for index in range(len(table.columns))
+        if all(_missing(row[index]) for row in table.rows.values())
+    ]
+    kept = [index for index in range(len(table.columns)) if index not in empty]
+    table.columns = [table.columns[index] for index in kept]
+    table.rows = {name: [row[index] for index in kept] for name, row in table.rows.items()}
+    return table
+
+
+def _missing(cell: Any) -> bool:
+    return cell is None or (isinstance(cell, float) and cell != cell)
+
+
+def _write(
+    found: Comparison,
+    scenes: list[SceneResult],
+    cloth: Fabric,
+    size: tuple[int, int],
+    samples: int,
+    record: dict[str, str],
+) -> None:
+    """Pictures first, then the table, the page last: a page never points at what is not there."""
+    protocol = {
+        "size": list(size),
+        "reference_samples": samples,
+        "light": "one directional light, direct light only",
+        "filter": "box",
+        "exposure": 0,
+        "flip": "LDR, 67 pixels a degree, pixels wholly on one piece of cloth",
+    }
+    sections = [_section(found.folder, scene, samples) for scene in scenes]
+    content = {
+        "schema": _SCHEMA,
+        "fabric": cloth.name,
+        "fabric_file": cloth.to_toml(),
+        **record,
+        "protocol": protocol,
+        "refused": found.refused,
+        "tables": [table.to_dict() for table in found.tables],
+    }
+    write_json(found.folder / "table.json", content)
+    picks, ends = cloth.draft.drawdown.shape
+    facts = {
+        "Draft": f"{ends} ends × {picks} picks",
+        "Repeat": "{:.3g} × {:.3g} mm".format(*cloth.repeat_mm),
+        "Pictures": f"{size[0]} × {size[1]} pixels, reference {samples} samples a pixel",
+        "Light": "one directional light, direct light only, box filter, exposure 0",
+        "Made with": f"{record['command']}, commit {record['commit']}, {record['machine']}",
+    }
+    report = Report(cloth.name, facts, found.refused, found.tables, sections)
+    with replacing(found.folder / "index.html") as temporary:
+        temporary.write_text(report_html(report), encoding="utf-8")
+
+
+def _section(folder: Path, scene: SceneResult, samples: int) -> Section:
+    stem = _file_name(scene.name)
+    write_image(folder / "pictures" / f"{stem}.png", scene.reference)
+    shown = Figure(f"reference, {samples} spp", f"pictures/{stem}.png", None, f"{scene.seconds:.3g} s")
+    figures = [shown]
+    for name, picture in scene.pictures.items():
+        file = f"{stem}-{_file_name(name)}"
+        write_image(folder / "pictures" / f"{file}.png", picture.linear)
+        write_png(folder / "pictures" / f"{file}-flip.png", picture.error.flip_picture)
+        figures.append(
+            Figure(
+                name,
+                f"pictures/{file}.png",
+                f"pictures/{file}-flip.png",
+                f"FLIP {picture.error.flip:.4f} · MSE {picture.error.mse:.2e} · {picture.seconds:.3g} s",
+            )
+        )
+    return Section(scene.name, f"{scene.yarns_per_pixel:g} yarns a pixel", figures)
+
+
+def _file_name(text: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
