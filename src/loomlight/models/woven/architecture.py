@@ -1,4 +1,4 @@
-"""Numbers of the network's architecture that its weights do not show; torch and torch-free code share them."""
+"""Numbers of the network's architecture that its weights do not show, shared with code without torch."""
 
 from __future__ import annotations
 

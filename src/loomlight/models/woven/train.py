@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import torch
+from numpy.typing import NDArray
 from torch import Tensor
 from torch.nn import functional
 
@@ -25,6 +26,7 @@ from loomlight.training.loop import Report, Schedule, train
 
 # Called with (fabrics made, fabrics in all).
 PoolReport = Callable[[int, int], None]
+_Floats = NDArray[np.float32]
 _WARM_UP = 0.01
 _STREAM = 7  # keeps the random numbers of batches apart from those of the pool
 
@@ -109,24 +111,21 @@ class Batches:
         count = min(training.fabrics, len(self._faces))
         chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
         drawn = [_draw(face, rng, training.queries) for face in chosen]
-        # The batch of directions and truths of all faces, one after another.
+        places = [
+            network_places(self._config.network, face.threads[0], face.threads[1], queries[0])
+            for face, queries in zip(chosen, drawn, strict=True)
+        ]
+        # The queries of all faces, one face after another.
         light, view, truth = (
-            self._tensor(np.concatenate(part)) for part in list(zip(*drawn, strict=True))[1:]
+            self._tensor(np.concatenate([queries[part] for queries in drawn])) for part in (1, 2, 3)
         )
-        place = self._tensor(
-            np.concatenate(
-                [
-                    network_places(self._config.network, *face.threads, queries[0])
-                    for face, queries in zip(chosen, drawn, strict=True)
-                ]
-            )
-        )
+        place = self._tensor(np.concatenate(places))
         with torch.autocast(self._device.type, torch.bfloat16):
             latent = self._latents(chosen, [queries[0] for queries in drawn])
             output, hole = self._network.decoder(latent, place, light, view)
         return self._loss(output.float(), hole.float(), truth, light)
 
-    def _latents(self, faces: list[Face], places: list[np.ndarray]) -> Tensor:
+    def _latents(self, faces: list[Face], places: list[_Floats]) -> Tensor:
         """The latent of each query [n, latent_size]."""
         encoder = self._network.encoder
         parameters = [self._tensor(face.parameters) for face in faces]
@@ -149,7 +148,7 @@ class Batches:
             mode="sum",
         )
 
-    def _tensor(self, array: np.ndarray) -> Tensor:
+    def _tensor(self, array: NDArray[Any]) -> Tensor:
         return torch.from_numpy(np.ascontiguousarray(array)).to(self._device)
 
 
@@ -169,7 +168,7 @@ def _optimiser(network: WovenNetwork, training: TrainingTable) -> torch.optim.Op
     )
 
 
-def _draw(face: Face, rng: np.random.Generator, count: int) -> tuple[np.ndarray, ...]:
+def _draw(face: Face, rng: np.random.Generator, count: int) -> tuple[_Floats, ...]:
     """Places, lights, views and truths of random queries of a face."""
     pairs, footprints, _ = face.places.shape
     index = rng.integers(pairs * footprints, size=count)
