@@ -31,6 +31,7 @@ class ArrayTypes:
     Vector4: Any
     Color3: Any
     Index2: Any
+    Index4: Any
     PCG32: Any
 
 
@@ -48,6 +49,7 @@ def _types_of(float_type: type) -> ArrayTypes:
         Vector4=getattr(module, f"Array4{precision}"),
         Color3=getattr(module, f"Array3{precision}"),
         Index2=module.Array2u,
+        Index4=module.Array4u,
         PCG32=module.PCG32,
     )
 

@@ -132,6 +132,11 @@ class YarnGeometry:
         self._uploaded: dict[type, _Uploaded] = {}
 
     @property
+    def families(self) -> tuple[FamilyTables, FamilyTables]:
+        """Where the threads of warp and weft lie."""
+        return self._warp, self._weft
+
+    @property
     def finest(self) -> tuple[float, float]:
         """Smallest cell of warp and weft threads, millimetres."""
         return self._warp.finest, self._weft.finest

@@ -1,0 +1,390 @@
+"""Mean albedos of both families over footprints, inside a kernel: a few table reads, whatever the size.
+
+Models give components a family; a component is multiplied by the mean of its family's albedos over the
+footprint, weighted by where the family shows. From straight above that is known crossing by crossing. With
+A_i(x) = 1 on the visible width of warp thread i, B_j(y) = 1 on that of weft thread j, and W_ji = 1 where the
+warp is on top, the warp shows where
+
+    A_i·((1 − B_j) + B_j·W_ji)        from the front, and from behind        A_i·((1 − B_j) + B_j·(1 − W_ji))
+
+so the integral of a quantity c_i of its threads over a box is one product of two sums along the axes, for the
+gaps, plus a box of the summed-area table of c_i·|A_i|·|B_j|·W_ji. The table has one entry a crossing: each
+crossing is a rectangle, so interpolation by the share of its width and height is exact. `ColourSums` follows
+the rays of oblique views instead, on a grid of texels, for one view at a time.
+
+The quantities are 1, whose integral is the weight, and the coordinates of the threads' twelve albedos in
+their own principal axes: k colours need k − 1, and albedos made from colours 6 at most. Entries are whole
+multiples of 2⁻³¹ of the repeat, so that differences between them are exact and no float64 is needed: a
+crossing has 5000 units in a draft of 641 by 641 threads, 128 in the largest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.core.footprint import Footprint
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.point import Albedos
+from loomlight.yarn.families import Cell, upload_family
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.threads import FamilyTables
+
+_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+_NUMBERS = 3 * len(_ALBEDOS)
+# Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
+_MOST_ENTRIES = 1 << 26
+# Principal axes that move no albedo by more than this are left out.
+_SMALLEST_AXIS = 1e-6
+# Boxes count as at least this share of a mean thread wide: below, float32 positions say nothing.
+_SMALLEST_BOX = 1 / 64
+# Where a family does not show at all, its threads beneath count with this weight: an oblique view may see
+# them. It moves no mean of threads that show by more than its share of what they cover.
+_HIDDEN = 2.0**-12
+# Units in which table entries are counted; differences must stay within a signed 32-bit number.
+_UNITS = 0.99 * 2**31
+# What shows is nothing but rounding below so many units, in proportion for boxes smaller than a crossing,
+# and below this share of what could show.
+_NOISE_UNITS = 16
+_NOISE_SHARE = 1e-5
+
+
+class FootprintAlbedos:
+    """Mean albedos of warp and weft over footprints of one fabric, for any backend."""
+
+    def __init__(self, geometry: YarnGeometry, appearance: Appearance) -> None:
+        """Works out the tables; families whose threads are all alike need none."""
+        warp, weft = geometry.families
+        on_top = geometry.layout.warp_on_top
+        self._tables = (
+            _family_tables(appearance.warp, warp, weft, on_top),
+            _family_tables(appearance.weft, weft, warp, ~on_top.T),
+        )
+        self._families = (warp, weft)
+        self._uploaded: dict[type, _Uploaded] = {}
+
+    @property
+    def bytes(self) -> int:
+        """What the tables take up on a device."""
+        return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self._tables)
+
+    @property
+    def truncation(self) -> float:
+        """Largest error of any thread's albedo from principal axes that were left out."""
+        return max(tables.truncation for tables in self._tables)
+
+    def over(self, footprint: Footprint, back: Any) -> tuple[Albedos, Albedos]:
+        """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
+
+        Args:
+            back: Bool, the footprint is seen from behind.
+        """
+        types = array_types(footprint.centre)
+        if types.Float not in self._uploaded:
+            self._uploaded[types.Float] = _Uploaded(self._families, self._tables, types)
+        return self._uploaded[types.Float].over(footprint, types.Bool(back))
+
+
+@dataclass(frozen=True, eq=False)
+class _FamilyTables:
+    """One family's colours. Its quantities are 1 and r principal coordinates, none where threads are alike.
+
+    Attributes:
+        mean: of the twelve albedos over the threads [12].
+        axes: albedos that a principal coordinate of 1 adds [r, 12].
+        threads: a row a thread: its quantities, then their integrals over the visible width, then over the
+            cells, of all threads before it; one row more for all of them [n + 1, 3, 1 + r].
+        areas: integrals over all crossings before, of threads on top; units [crossings + 1, n + 1, padded].
+        unit: square millimetres.
+        crossing: mean area of a crossing, square millimetres.
+        truncation: largest error of an albedo.
+    """
+
+    mean: NDArray[np.float64]
+    axes: NDArray[np.float64]
+    threads: NDArray[np.float64]
+    areas: NDArray[np.uint32]
+    unit: float
+    crossing: float
+    truncation: float
+
+
+def _family_tables(
+    appearance: FamilyAppearance, own: FamilyTables, other: FamilyTables, on_top: NDArray[np.bool_]
+) -> _FamilyTables:
+    rows = np.concatenate([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
+    entries = (own.lower.size + 1) * (other.lower.size + 1)
+    mean, coordinates, axes, truncation = _principal(rows, _MOST_ENTRIES // entries - 1)
+    if not len(axes):
+        nothing = np.zeros((0, 0, 0), np.uint32)
+        return _FamilyTables(mean, axes, np.zeros((0, 3, 1)), nothing, 1.0, 1.0, truncation)
+    quantities = np.concatenate([np.ones((len(rows), 1)), coordinates], axis=1)
+    visible, cells = 2 * own.half_width, own.upper - own.lower
+    crossing = 2 * other.half_width
+    threads = np.zeros((len(rows) + 1, 3, quantities.shape[1]))
+    threads[:-1, 0] = quantities
+    threads[1:, 1] = np.cumsum(quantities * visible[:, None], axis=0)
+    threads[1:, 2] = np.cumsum(quantities * cells[:, None], axis=0)
+    area = float(visible.sum() * crossing.sum())
+    unit = area / _UNITS
+    areas = np.zeros((other.lower.size + 1, own.lower.size + 1, _padded(quantities.shape[1])), np.uint32)
+    for number, quantity in enumerate(quantities.T):
+        sums = on_top * crossing[:, None] * (quantity * visible)
+        np.cumsum(sums, axis=0, out=sums)
+        np.cumsum(sums, axis=1, out=sums)
+        areas[1:, 1:, number] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
+    return _FamilyTables(mean, axes, threads, areas, unit, area / on_top.size, truncation)
+
+
+def _principal(
+    rows: NDArray[np.float64], most: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], float]:
+    """Mean, coordinates within −1 to 1 [n, r], axes [r, 12] and largest error of rows [n, 12]."""
+    mean = rows.mean(axis=0)
+    left, sizes, right = np.linalg.svd(rows - mean, full_matrices=False)
+    coordinates, axes = left * sizes, right
+    largest = np.abs(coordinates).max(axis=0)
+    # Sorted by the sum of squares; in doubt an axis is kept.
+    kept = min(int((largest > _SMALLEST_AXIS).sum()), max(most, 0))
+    coordinates = coordinates[:, :kept] / largest[:kept]
+    axes = axes[:kept] * largest[:kept, None]
+    error = np.abs(rows - mean - coordinates @ axes).max()
+    return mean, coordinates, axes, float(error)
+
+
+def _padded(quantities: int) -> int:
+    """Quantities a table entry holds: two, or whole reads of four."""
+    return 2 if quantities == 2 else -(-quantities // 4) * 4
+
+
+@dataclass
+class _Bound:
+    """One side of a box: the thread whose cell it falls in, and how far.
+
+    Attributes:
+        thread: its index.
+        turns: whole repeats away, Float.
+        cell: length of the thread's cell before the bound, millimetres.
+        visible: share of the thread's visible width before it, 0 to 1.
+        width: visible width of the thread, millimetres.
+        gap: length of the cell before the bound that the thread leaves open, millimetres.
+    """
+
+    thread: Any
+    turns: Any
+    cell: Any
+    visible: Any
+    width: Any
+    gap: Any
+
+
+class _Axis:
+    """The threads of one family on one backend, and their integrals of 1 between two bounds."""
+
+    def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
+        self._types = types
+        self._family = upload_family(tables, types)
+        self._start = dr.opaque(types.Float, float(tables.lower[0]))
+        self._period = dr.opaque(types.Float, tables.period)
+        self._smallest = dr.opaque(types.Float, _SMALLEST_BOX * tables.period / tables.lower.size)
+        self.count = dr.opaque(types.UInt32, tables.lower.size)
+        lengths = np.stack([2 * tables.half_width, tables.upper - tables.lower], axis=1)
+        before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
+        self._before = uploaded(types.Float, before.astype(np.float32))
+        self._visible, self._cells = (dr.opaque(types.Float, float(total)) for total in before[-1])
+
+    def bounds(self, centre: Any, size: Any) -> tuple[_Bound, _Bound]:
+        """Lower and upper bound of a stretch of the axis, the centre moved into the first repeat."""
+        local = centre - dr.floor((centre - self._start) / self._period) * self._period
+        half = dr.maximum(size, self._smallest) * 0.5
+        return self._bound(local - half), self._bound(local + half)
+
+    def _bound(self, position: Any) -> _Bound:
+        types = self._types
+        found: Cell = self._family.locate(position)
+        before = dr.gather(types.Vector2, self._before, found.thread)
+        # Rounding decides between neighbouring cells, so the repeat follows from the cell that was found.
+        turns = dr.round((position - self._start - before.y - found.below) / self._period)
+        width = 2 * found.half_width
+        visible = dr.clip((found.across + found.half_width) / width, 0, 1)
+        ahead = found.below - found.across - found.half_width
+        gap = dr.minimum(found.below, ahead) + dr.maximum(found.across - found.half_width, 0)
+        return _Bound(found.thread, turns, found.below, visible, width, gap)
+
+    def lengths(self, low: _Bound, high: _Bound) -> tuple[Any, Any, Any]:
+        """Millimetres between two bounds: of visible threads, of gaps, and in all."""
+        types = self._types
+        first, last = (dr.gather(types.Vector2, self._before, bound.thread) for bound in (low, high))
+        turns = high.turns - low.turns
+        between = last - first
+        visible = between.x + high.visible * high.width - low.visible * low.width + turns * self._visible
+        gaps = between.y - between.x + high.gap - low.gap + turns * (self._cells - self._visible)
+        return visible, gaps, between.y + high.cell - low.cell + turns * self._cells
+
+
+class _Uploaded:
+    """Both families on one backend."""
+
+    def __init__(
+        self,
+        families: tuple[FamilyTables, FamilyTables],
+        tables: tuple[_FamilyTables, _FamilyTables],
+        types: ArrayTypes,
+    ) -> None:
+        self._axes = tuple(_Axis(family, types) for family in families)
+        self._colours = tuple(_Colours(table, types) for table in tables)
+
+    def over(self, footprint: Footprint, back: Any) -> tuple[Albedos, Albedos]:
+        warp, weft = self._colours
+        if warp.alike and weft.alike:
+            return warp.shared, weft.shared
+        box = footprint.box()
+        across, along = self._axes
+        columns = across.bounds(box.centre.x, box.size.x)
+        rows = along.bounds(box.centre.y, box.size.y)
+        return (
+            warp.mean_over((across, *columns), (along, *rows), back),
+            weft.mean_over((along, *rows), (across, *columns), back),
+        )
+
+
+_Stretch = tuple[_Axis, _Bound, _Bound]
+
+
+class _Colours:
+    """One family's colours on one backend."""
+
+    def __init__(self, tables: _FamilyTables, types: ArrayTypes) -> None:
+        self._types = types
+        self.alike = len(tables.axes) == 0
+        self.shared = _albedos(types, _opaque(types, tables.mean))
+        if self.alike:
+            return
+        self._mean = _opaque(types, tables.mean)
+        self._axes = [_opaque(types, axis) for axis in tables.axes]
+        self._quantities = len(tables.axes) + 1
+        self._padded = tables.areas.shape[2]
+        self._pitch = dr.opaque(types.UInt32, tables.areas.shape[1])
+        self._unit = dr.opaque(types.Float, tables.unit)
+        self._crossing = dr.opaque(types.Float, tables.crossing)
+        self._threads = uploaded(types.Float, tables.threads.astype(np.float32))
+        self._areas = uploaded(types.UInt32, tables.areas)
+
+    def mean_over(self, own: _Stretch, other: _Stretch, back: Any) -> Albedos:
+        """Mean albedos over a box: `own` is its stretch across the family's threads."""
+        if self.alike:
+            return self.shared
+        visible, cells = self._along(own)
+        crossing, gaps, length = other[0].lengths(*other[1:])
+        above = [
+            dr.select(back, part * crossing - on_top, on_top)
+            for part, on_top in zip(visible, self._on_top(own, other), strict=True)
+        ]
+        area = visible[0] * crossing
+        noise = _NOISE_UNITS * self._unit * dr.minimum(area / self._crossing, 1) + _NOISE_SHARE * area
+        sums = [
+            part * gaps + dr.select(above[0] > noise, shown, 0) + _HIDDEN * length * cell
+            for part, shown, cell in zip(visible, above, cells, strict=True)
+        ]
+        weight = dr.rcp(dr.maximum(sums[0], 1e-20))
+        ratios = [total * weight for total in sums[1:]]
+        numbers = []
+        for index in range(_NUMBERS):
+            number = self._mean[index]
+            for ratio, axis in zip(ratios, self._axes, strict=True):
+                number = dr.fma(ratio, axis[index], number)
+            numbers.append(dr.clip(number, 0, 1))
+        return _albedos(self._types, numbers)
+
+    def _along(self, own: _Stretch) -> tuple[list[Any], list[Any]]:
+        """Integrals of each quantity over visible widths and over cells, millimetres."""
+        axis, low, high = own
+        turns = high.turns - low.turns
+        visible, cells = [], []
+        for number in range(self._quantities):
+
+            def read(kind: int, thread: Any, number: int = number) -> Any:
+                index = (thread * 3 + kind) * self._quantities + number
+                return dr.gather(self._types.Float, self._threads, index)
+
+            first, last = read(0, low.thread), read(0, high.thread)
+            between = [read(kind, high.thread) - read(kind, low.thread) for kind in (1, 2)]
+            whole = [turns * read(kind, axis.count) for kind in (1, 2)]
+            ends = last * high.visible * high.width - first * low.visible * low.width
+            visible.append(between[0] + ends + whole[0])
+            cells.append(between[1] + last * high.cell - first * low.cell + whole[1])
+        return visible, cells
+
+    def _on_top(self, own: _Stretch, other: _Stretch) -> list[Any]:
+        """Integrals of each quantity over crossings where the family is on top, square millimetres."""
+        types = self._types
+        columns, rows = _Steps.of(types, own), _Steps.of(types, other)
+        found = []
+        for first, size in self._reads():
+            by_column = [
+                rows.differences([self._read(row, column, first, size) for row in rows.entries])
+                for column in columns.entries
+            ]
+            grid = [columns.differences(line) for line in zip(*by_column, strict=True)]
+            for number in range(size):
+                total = types.Float(0)
+                for row_weight, line in zip(rows.weights, grid, strict=True):
+                    # Only what is left of the entries' exact differences becomes a float.
+                    parts = [types.Float(types.Int32(entry[number])) for entry in line]
+                    across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
+                    total = dr.fma(row_weight, across, total)
+                found.append(total * self._unit)
+        return found[: self._quantities]
+
+    def _reads(self) -> list[tuple[int, int]]:
+        size = min(self._padded, 4)
+        return [(first, size) for first in range(0, self._padded, size)]
+
+    def _read(self, row: Any, column: Any, first: int, size: int) -> Any:
+        kind = self._types.Index2 if size == 2 else self._types.Index4
+        index = (row * self._pitch + column) * (self._padded // size) + first // size
+        return dr.gather(kind, self._areas, index)
+
+
+@dataclass
+class _Steps:
+    """How the integral between two bounds of an axis is put together from entries of a summed-area table.
+
+    Attributes:
+        entries: the table's entries before and after the thread of either bound, and of the whole repeat.
+        weights: of what `differences` makes of them.
+        wraps: the upper bound lies in a thread before that of the lower one, so in a later repeat.
+    """
+
+    entries: list[Any]
+    weights: list[Any]
+    wraps: Any
+
+    @classmethod
+    def of(cls, types: ArrayTypes, stretch: _Stretch) -> _Steps:
+        axis, low, high = stretch
+        wraps = high.thread < low.thread
+        turns = high.turns - low.turns - dr.select(wraps, types.Float(1), 0)
+        entries = [low.thread, low.thread + 1, high.thread, high.thread + 1, axis.count]
+        return cls(entries, [1, high.visible, -low.visible, turns], wraps)
+
+    def differences(self, found: Sequence[Any]) -> list[Any]:
+        """Threads between the bounds, then those of the upper and the lower bound, then all of a repeat."""
+        low, after_low, high, after_high, whole = found
+        between = high - low + dr.select(self.wraps, whole, 0)
+        return [between, after_high - high, after_low - low, whole]
+
+
+def _opaque(types: ArrayTypes, numbers: NDArray[np.float64]) -> list[Any]:
+    return [dr.opaque(types.Float, float(number)) for number in numbers]
+
+
+def _albedos(types: ArrayTypes, numbers: list[Any]) -> Albedos:
+    """Twelve numbers in the order of `_ALBEDOS`."""
+    return Albedos(*(types.Color3(*numbers[first : first + 3]) for first in range(0, _NUMBERS, 3)))
