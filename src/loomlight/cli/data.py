@@ -1,0 +1,91 @@
+"""`loomlight data`: training data on disk, for those who want the data and not the network."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import done
+from loomlight.cli.progress import progress
+from loomlight.cli.values import require_within
+from loomlight.core.errors import InputError
+
+app = typer.Typer(help="Training data.", no_args_is_help=True)
+
+EXAMPLE = "Example: loomlight data woven -o queries.zarr --materials 0:100"
+
+MATERIALS = 465
+DEFAULT_QUERIES = 200_000
+
+
+@app.command("woven", epilog=EXAMPLE)
+def woven(
+    output: Annotated[
+        Path,
+        typer.Option("--output", "-o", help="The Zarr store to write, or to go on with: a folder .zarr."),
+    ],
+    materials: Annotated[
+        str, typer.Option(metavar="FIRST:END", help="Which of the 465 materials, END not included; or one.")
+    ] = f"0:{MATERIALS}",
+    queries: Annotated[
+        str,
+        typer.Option(
+            metavar="N",
+            help="Queries a material, about: 200000 makes 0.5 GB in all; full is 6.4 million, 16 GB.",
+        ),
+    ] = str(DEFAULT_QUERIES),
+    seed: Annotated[int, typer.Option(help="The same seed gives the same materials and queries.")] = 0,
+) -> None:
+    """Writes the materials and queries of chen2024 with their answers. Run again, it goes on where it ended.
+
+    Several runs with different materials may write into one store at the same time.
+    """
+    first, end = _range_of(materials)
+    require_within("--seed", seed, 0, 2**32 - 1)
+    wanted = _queries_of(queries)
+    if output.suffix != ".zarr":
+        raise InputError(f"{output} must end in .zarr: what is written is a Zarr store.")
+    if not output.parent.is_dir():
+        raise InputError(f"{output}: the folder {output.parent} does not exist; make it first.")
+
+    from loomlight.core.llvm import require_llvm
+
+    require_llvm()
+    from drjit.llvm.ad import Float
+
+    from loomlight.models.woven.store import StoreSettings, make_store
+
+    settings = StoreSettings(seed, wanted)
+    command = shlex.join(["loomlight", "data", "woven", "--queries", str(wanted), "--seed", str(seed)])
+    with progress(f"materials {materials}") as report:
+        make_store(output, range(first, end), settings, Float, command, report)
+    done(output)
+
+
+def _range_of(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"\s*(\d{1,4})(?:\s*:\s*(\d{1,4}))?\s*", text)
+    first = int(match[1]) if match else 0
+    end = (int(match[2]) if match[2] else first + 1) if match else 0
+    if not 0 <= first < end <= MATERIALS:
+        raise InputError(
+            f'--materials "{text}" is not understood: write FIRST:END with 0 to {MATERIALS}, such as 0:100, '
+            "or one number."
+        )
+    return first, end
+
+
+def _queries_of(text: str) -> int:
+    from loomlight.models.woven.queries import FEWEST_QUERIES, FULL_QUERIES
+
+    if text.strip() == "full":
+        return FULL_QUERIES
+    if not re.fullmatch(r"\s*\d{1,9}\s*", text):
+        raise InputError(
+            f'--queries "{text}" is no number: write {FEWEST_QUERIES} to {FULL_QUERIES}, or full.'
+        )
+    require_within("--queries", int(text), FEWEST_QUERIES, FULL_QUERIES)
+    return int(text)
