@@ -1,0 +1,53 @@
+"""`loomlight data woven`: what it writes, and what it refuses in one sentence."""
+
+import pytest
+
+from loomlight.cli.data import MATERIALS as OFFERED
+from loomlight.cli.main import run
+from loomlight.models.woven.materials import MATERIALS
+from loomlight.models.woven.store import QueryStore
+
+
+def test_writes_a_store_and_goes_on_with_it(tmp_path, capsys):
+    path = tmp_path / "queries.zarr"
+    common = ["data", "woven", "-o", str(path), "--queries", "2048", "--seed", "5"]
+    assert run([*common, "--materials", "7"]) == 0
+    assert run([*common, "--materials", "7:9"]) == 0
+    assert capsys.readouterr().out.split() == [str(path)] * 2
+    store = QueryStore(path)
+    assert store.numbers == (7, 8)
+    assert store.settings.seed == 5
+    assert store.attributes["made_with"]["command"] == "loomlight data woven --queries 2048 --seed 5"
+    assert store.material(8).queries.count == pytest.approx(2048, rel=0.1)
+
+
+FAULTS = {
+    "no suffix": (["-o", "queries"], "must end in .zarr"),
+    "no folder": (["-o", "none/queries.zarr"], "folder none does not exist"),
+    "no output": ([], "--output"),
+    "no range": (["-o", "q.zarr", "--materials", "a:b"], '--materials "a:b"'),
+    "an empty range": (["-o", "q.zarr", "--materials", "5:5"], '--materials "5:5"'),
+    "too many": (["-o", "q.zarr", "--materials", "0:466"], "0 to 465"),
+    "no number": (["-o", "q.zarr", "--queries", "many"], '--queries "many"'),
+    "too few queries": (["-o", "q.zarr", "--queries", "10"], "--queries 10 is out of range"),
+    "no seed": (["-o", "q.zarr", "--seed", "-1"], "--seed -1"),
+    "foreign": (["-o", "foreign.zarr"], "other files in it"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_faults_are_one_sentence(fault, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "foreign.zarr").mkdir()
+    (tmp_path / "foreign.zarr" / "a.txt").write_text("a")
+    arguments, sentence = FAULTS[fault]
+    assert run(["data", "woven", *arguments]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert sentence in captured.err
+    assert captured.err.count("\n") == 1
+    assert not (tmp_path / "q.zarr").exists()
+
+
+def test_the_command_offers_all_materials():
+    assert len(MATERIALS) == OFFERED
