@@ -11,7 +11,7 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake_maps, compare, data, demo, doctor, render, weave
+from loomlight.cli import bake_maps, compare, data, demo, doctor, render, train, weave
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
@@ -41,6 +41,7 @@ def _options(
 
 
 app.add_typer(weave.app, name="weave")
+app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
 app.command("render", epilog=render.EXAMPLE)(render.render)
 app.command("compare", epilog=compare.EXAMPLE)(compare.compare)

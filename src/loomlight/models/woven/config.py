@@ -40,7 +40,7 @@ class NetworkTable(_Table):
     latent_size: Count = 64
     position: Literal["one_blob", "plain"] = "one_blob"
     fusion: bool = True
-    half_vector: bool = True
+    half_vector: bool = False
     hidden: Count = 64
 
 

@@ -15,13 +15,15 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.nn import functional
 
+from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.config import TrainingConfig, TrainingTable
-from loomlight.models.woven.losses import LOSSES
+from loomlight.models.woven.losses import LOSSES, is_published
 from loomlight.models.woven.network import FieldEncoder, WovenNetwork
 from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
 from loomlight.models.woven.pyramid import taps
+from loomlight.models.woven.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
 
 # Called with (fabrics made, fabrics in all).
@@ -37,8 +39,8 @@ def train_woven(
     pool_report: PoolReport | None = None,
     report: Report | None = None,
     device: str = "cpu",
-) -> tuple[WovenNetwork, int]:
-    """The trained network, and how many steps were done.
+) -> Path:
+    """Trains a network and writes `woven.safetensors`, which it names.
 
     Args:
         folder: holds the pool (`pool/`) and the checkpoint; made if need be, and used again to go on.
@@ -68,7 +70,16 @@ def train_woven(
         _identity(config),
         report,
     )
-    return network, steps
+    weights = folder / "woven.safetensors"
+    write_weights(
+        weights,
+        config.network,
+        {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()},
+        linear_diffuse=is_published(training),
+        recipe=config.model_dump(),
+        provenance={**provenance("loomlight train woven", Path(__file__).parent), "steps": steps},
+    )
+    return weights
 
 
 def make_pool(config: TrainingConfig, folder: Path, report: PoolReport | None = None) -> list[Face]:

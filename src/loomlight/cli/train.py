@@ -1,0 +1,69 @@
+"""`loomlight train`: trains models from configurations."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import done
+from loomlight.core.errors import MissingDependencyError
+
+EXAMPLE = "Example: loomlight train woven experiments/chen2024.toml -o runs/chen2024"
+
+app = typer.Typer(help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
+
+# Seconds between lines.
+_LINE_EVERY = 30.0
+
+
+@app.command("woven", epilog=EXAMPLE)
+def woven(
+    config: Annotated[Path, typer.Argument(metavar="CONFIG", help="A TOML file; see experiments/.")],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", help="A folder for data, checkpoint and weights; runs/ and the config's name."
+        ),
+    ] = None,
+    device: Annotated[str, typer.Option(help="cpu or cuda.")] = "cpu",
+) -> None:
+    """Trains the universal network from nothing, data included; run again, it goes on from where it was."""
+    from loomlight.models.woven.config import read_config
+
+    recipe = read_config(config)
+    # On shared cores threads that spin while they wait make small batches many times slower.
+    os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+    try:
+        from loomlight.models.woven.train import train_woven
+    except ModuleNotFoundError as error:
+        raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
+    folder = Path("runs") / config.stem if output is None else output
+    weights = train_woven(recipe, folder, _Lines("data"), _Lines("training"), device)
+    done(weights)
+
+
+class _Lines:
+    """Progress with an estimate, a line now and then: a training's log is read more often than watched."""
+
+    def __init__(self, title: str) -> None:
+        self._title = title
+        self._begun: tuple[float, int] | None = None
+        self._said = 0.0
+
+    def __call__(self, done: int, total: int, loss: float | None = None) -> None:
+        now = time.monotonic()
+        if self._begun is None:
+            # What an earlier run did says nothing about the speed of this one.
+            self._begun = now, done
+        if done < total and now - self._said < _LINE_EVERY:
+            return
+        self._said = now
+        since, first = self._begun
+        left = (now - since) * (total - done) / max(done - first, 1) / 60
+        detail = "" if loss is None else f", loss {loss:.4f}"
+        print(f"{self._title}: {done} of {total}{detail}, {left:.0f} min left", file=sys.stderr, flush=True)
