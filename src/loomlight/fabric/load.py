@@ -67,6 +67,20 @@ def fabric_from_text(text: str, folder: str | os.PathLike[str] = ".") -> Fabric:
     return _made(fields, os.fspath(folder), "fabric", "the fabric")
 
 
+def edited_fabric(fabric: Fabric, text: str) -> Fabric:
+    """The fabric with other fields, on the draft that it has: no draft is read again.
+
+    Args:
+        text: of a fabric file; where the draft came from, if it says so, is taken as a remark.
+
+    Raises:
+        InputError: a text that is no fabric file, or fields that contradict the draft.
+    """
+    with speaking_of("the fabric"):
+        fields = parse_fabric_file(text)
+        return make_fabric(fields, fabric.named_draft, fields.name or fabric.name, fabric.folder)
+
+
 def _only(**field: str) -> FabricFile:
     """A fabric file of one field, which a user gave without writing one."""
     try:
