@@ -42,33 +42,24 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
     texels = dr.opaque(types.UInt32, columns * rows)
     entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
-    # Up the columns: a lane a column, so that lanes side by side read side by side.
-    number, column = divided(dr.arange(types.UInt32, slices * columns), columns)
-    texel = number * texels + column
-    entry = number * entries + column + 1
+    # Up the columns: a lane a column, so that lanes side by side read side by side. The first holds zeros.
+    number, column = divided(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
+    inside = column > 0
+    texel = number * texels + column - 1
+    entry = number * entries + column
     dr.scatter(table, types.Float(0), entry)
 
     def add_row(row: Any, total: Any) -> tuple[Any, Any]:
-        total = total + types.Float(dr.gather(type(values), values, texel + row * width))
+        total = total + types.Float(dr.gather(type(values), values, texel + row * width, inside))
         dr.scatter(table, total, entry + (row + 1) * pitch)
         return row + 1, total
 
-    start = types.UInt32(0), dr.zeros(types.Float, slices * columns)
+    start = types.UInt32(0), dr.zeros(types.Float, slices * (columns + 1))
     dr.while_loop(start, lambda row, total: row < height, add_row, label="summed areas: columns")
     dr.eval(table)
 
     # Then along the rows.
-    first = dr.arange(types.UInt32, slices * (rows + 1)) * pitch
-    dr.scatter(table, types.Float(0), first)
-
-    def add_column(column: Any, total: Any) -> tuple[Any, Any]:
-        column = column + 1
-        total = total + dr.gather(types.Float, table, first + column)
-        dr.scatter(table, total, first + column)
-        return column, total
-
-    start = types.UInt32(0), dr.zeros(types.Float, slices * (rows + 1))
-    dr.while_loop(start, lambda column, total: column < width, add_column, label="summed areas: rows")
+    table = dr.block_prefix_sum(table, columns + 1, exclusive=False)
     dr.eval(table)
     return table
 
