@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import sys
+from importlib import import_module
 
 from loomlight.core.errors import LoomlightError, MissingDependencyError
 
@@ -41,6 +42,17 @@ def require_llvm() -> None:
         raise MissingDependencyError(
             f"LLVM {found} was found, but {MINIMUM_LLVM} or newer is needed: {ADVICE}."
         )
+
+
+def llvm_float() -> type:
+    """The Float type of the LLVM backend.
+
+    Raises:
+        MissingDependencyError: no usable LLVM library.
+    """
+    require_llvm()
+    found: type = import_module("drjit.llvm.ad").Float
+    return found
 
 
 if __name__ == "__main__":

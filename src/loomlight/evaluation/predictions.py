@@ -16,7 +16,7 @@ from loomlight.aggregate.components import CHANNELS, COLOURS, colours, component
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
-from loomlight.evaluation.backend import llvm_float
+from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import Model, Response, shade
 from loomlight.scattering.point import PointModel

@@ -21,7 +21,7 @@ from loomlight.aggregate.queries import QuerySet, admits_transmission, fabric_sc
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
-from loomlight.evaluation.backend import llvm_float
+from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry

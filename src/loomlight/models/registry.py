@@ -15,6 +15,7 @@ from loomlight.models.interface import Model
 _HOMES = {
     "point": ("loomlight.models.point", "PointFootprint"),
     "samples": ("loomlight.models.samples", "FootprintSamples"),
+    "woven": ("loomlight.models.woven.model", "WovenModel"),
 }
 
 

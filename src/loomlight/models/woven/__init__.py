@@ -1,1 +1,16 @@
 """The universal network of chen2024: one small network for all woven fabrics at any footprint."""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__ = ["WovenModel"]
+
+
+def __getattr__(name: str) -> Any:
+    # Training imports this package too and needs no decoder.
+    if name == "WovenModel":
+        from loomlight.models.woven.model import WovenModel
+
+        return WovenModel
+    raise AttributeError(name)

@@ -1,7 +1,7 @@
 """Encoder and decoder as ONNX models, built from the weights without torch (ONNX opset 21).
 
-Encoder: `maps` [1, 7, rows, columns] of one face and `parameters` [4] to `latents` [texels, latent_size], in the
-order of `pyramid.levels_of` ("field"), or [1, latent_size] ("vector").
+Encoder: `maps` [1, 7, rows, columns] of one face and `parameters` [4] to `latents` [texels, latent_size], in
+the order of `pyramid.levels_of` ("field"), or [1, latent_size] ("vector").
 Decoder: `latent` [n, latent_size], `place` [n, 3], `light` and `view` [n, 3] in the frame of the face that is
 seen, to `components` [n, 4], 1/sr, and `hole` [n], 0 to 1.
 """
@@ -19,6 +19,7 @@ from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
     LARGEST_OUTPUT,
+    OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
@@ -57,7 +58,10 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         for number in range(2):
             spatial = graph.leaky(graph.linear(f"decoder.fusion.{number}", spatial))
     eye = graph.add("Slice", "view", graph.integers([0]), graph.integers([2]), graph.integers([1]))
-    hidden = graph.add("Concat", spatial, "light", eye, axis=1)
+    directions = ["light", eye]
+    if table.half_vector:
+        directions.append(_half_vector(graph))
+    hidden = graph.add("Concat", spatial, *directions, axis=1)
     skip = ""
     count = angular_layers(weights)
     for number in range(count):
@@ -165,7 +169,9 @@ def _trunk(graph: _Graph) -> list[str]:
     maps = graph.add("AveragePool", maps, kernel_shape=[2, 2], strides=[2, 2])
     for stage in range(3):
         for block in range(2):
-            maps = _block(graph, f"encoder.trunk.stages.{stage}.{block}", maps, 2 if stage and not block else 1)
+            maps = _block(
+                graph, f"encoder.trunk.stages.{stage}.{block}", maps, 2 if stage and not block else 1
+            )
         found.append(maps)
     return found
 
@@ -276,7 +282,9 @@ def _join(graph: _Graph, rows: str, output: str) -> None:
         graph.weight("encoder.join.first.bias"),
         transB=1,
     )
-    joined = graph.add("Gemm", rows, graph.constant(np.ascontiguousarray(weight[:, :features])), bias, transB=1)
+    joined = graph.add(
+        "Gemm", rows, graph.constant(np.ascontiguousarray(weight[:, :features])), bias, transB=1
+    )
     hidden = graph.linear("encoder.join.second", graph.leaky(joined))
     hidden = graph.leaky(graph.add("Add", joined, hidden))
     last = "encoder.join.last"
@@ -302,6 +310,12 @@ def _one_blob(graph: _Graph) -> str:
     bump = graph.add("Sub", graph.number(1), graph.add("Mul", distance, distance))
     bump = graph.add("Relu", bump)
     return graph.add("Reshape", graph.add("Mul", bump, bump), graph.integers([0, 3 * BINS]))
+
+
+def _half_vector(graph: _Graph) -> str:
+    total = graph.add("Add", "light", "view")
+    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
+    return graph.add("Div", total, graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE))))
 
 
 def _unmapped(graph: _Graph, output: str) -> None:

@@ -23,7 +23,7 @@ def place_of(
 ) -> tuple[Any, Any, Any]:
     """Position x, y and size of footprints for the decoder, each 0 to 1.
 
-    "field" counts positions within a thread, since the latent knows which one it is, "vector" within the repeat.
+    "field" counts positions within a thread, as the latent knows which one it is, "vector" within the repeat.
 
     Args:
         picks, ends: of the repeat.

@@ -1,0 +1,290 @@
+"""A fabric's latents: one run of the encoder a face, kept in memory and on disk."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+import os
+import warnings
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load_file, save_file
+
+from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
+from loomlight.core.files import replacing
+from loomlight.fabric.defaults import Structure, structure_of
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
+from loomlight.models.woven.box import PARAMETER_BOX
+from loomlight.models.woven.maps import face_maps
+from loomlight.models.woven.onnx_graphs import MOST_THREADS, encoder_graph
+from loomlight.models.woven.pool import fabric_parameters
+from loomlight.models.woven.pyramid import Level, levels_of
+from loomlight.models.woven.weights import Weights
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout, FamilyLayout
+
+# Part of every key: to be raised when maps of the same layout change.
+_VERSION = 1
+# Fabrics kept in memory, and texels above which a fabric is not kept on disk (8 MB of half precision).
+_KEPT = 64
+_LARGEST_KEPT = 1 << 16
+# Of values that a file gives in other units, or that are computed.
+_ROUNDING = 1e-3
+_kept: OrderedDict[str, EncodedFabric] = OrderedDict()
+
+
+@dataclass(frozen=True, eq=False)
+class EncodedFabric:
+    """What the decoder needs of a fabric.
+
+    Attributes:
+        picks, ends: of the shortest repeat, without its colours.
+        faces: latents of front and back [texels, latent_size], in half precision: what they are computed and
+            stored with are the same numbers.
+    """
+
+    picks: int
+    ends: int
+    faces: tuple[NDArray[np.float16], NDArray[np.float16]]
+
+    @property
+    def levels(self) -> list[Level]:
+        """Where each level of a field begins."""
+        return levels_of(self.picks, self.ends)
+
+    def mixed(self, other: EncodedFabric, share: float) -> EncodedFabric:
+        """Latents between this fabric (0) and another of the same repeat (1), or beyond them.
+
+        Raises:
+            InputError: repeats of different size.
+        """
+        if (self.picks, self.ends) != (other.picks, other.ends):
+            raise InputError(
+                f"fabrics of {self.ends} × {self.picks} and {other.ends} × {other.picks} threads cannot be "
+                "interpolated: encode both for a common repeat."
+            )
+        front, back = (
+            (mine + share * (yours.astype(np.float32) - mine)).astype(np.float16)
+            for mine, yours in zip(self.faces, other.faces, strict=True)
+        )
+        return EncodedFabric(self.picks, self.ends, (front, back))
+
+
+def encode(
+    fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int, int] = (1, 1)
+) -> EncodedFabric:
+    """The latents of both faces, from the cache where they are in it.
+
+    Args:
+        float_type: the Dr.Jit Float type that the encoder's maps are computed with.
+        repeats: how often the repeat is laid along picks and along ends, for a common repeat of two fabrics.
+
+    Raises:
+        InputError: a repeat of more than 64 threads a side.
+    """
+    picks, ends = (count * times for count, times in zip(repeat_threads(fabric), repeats, strict=True))
+    if max(picks, ends) > MOST_THREADS:
+        raise InputError(
+            f"{fabric.name}: its repeat of {ends} ends × {picks} picks is too large for the model woven, "
+            f'which takes up to {MOST_THREADS} a side: use the model "point".'
+        )
+    warn_outside_box(fabric)
+    key = _key(fabric, weights, repeats)
+    found = _kept.get(key) or _read(key, picks, ends, weights) or _run(fabric, weights, float_type, repeats)
+    if key not in _kept:
+        _write(key, found)
+    _kept[key] = found
+    _kept.move_to_end(key)
+    while len(_kept) > _KEPT:
+        _kept.popitem(last=False)
+    return found
+
+
+def encode_pair(
+    first: Fabric, second: Fabric, weights: Weights, float_type: type
+) -> tuple[EncodedFabric, EncodedFabric]:
+    """Two fabrics on their common repeat, to be interpolated.
+
+    Raises:
+        InputError: a common repeat of more than 64 threads a side.
+    """
+    mine, yours = repeat_threads(first), repeat_threads(second)
+    common = [math.lcm(a, b) for a, b in zip(mine, yours, strict=True)]
+    if max(common) > MOST_THREADS:
+        raise InputError(
+            f"{first.name} and {second.name} have a common repeat of {common[1]} ends × {common[0]} picks: "
+            f"latents are interpolated up to {MOST_THREADS} a side."
+        )
+    one, other = (
+        encode(fabric, weights, float_type, (common[0] // threads[0], common[1] // threads[1]))
+        for fabric, threads in ((first, mine), (second, yours))
+    )
+    return one, other
+
+
+def clear_encodings() -> None:
+    """Forgets what is kept in memory."""
+    _kept.clear()
+
+
+def cache_folder() -> Path:
+    """Where encodings are kept: loomlight/woven in $XDG_CACHE_HOME, or in ~/.cache."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / "woven"
+
+
+def warn_outside_box(fabric: Fabric) -> None:
+    """Warns, naming the fields, of a fabric that lies outside what the network was trained for."""
+    layout, appearance = fabric.layout(), fabric.appearance()
+    box = PARAMETER_BOX
+    satin = structure_of(fabric.draft.drawdown) is Structure.SATIN
+    fields: list[tuple[str, float, tuple[float, float]]] = [
+        ("diffuse_blend", appearance.diffuse_blend, (box.diffuse_blend,) * 2),
+        ("optical_depth", appearance.optical_depth, (box.optical_depth,) * 2),
+    ]
+    for family in ("warp", "weft"):
+        yarn, lobes = getattr(layout, family), getattr(appearance, family)
+        gaps = 1 - yarn.width / yarn.spacing
+        fields += [
+            (f"{family}.roughness", lobes.roughness, box.roughness),
+            (f"{family}.height_scale", yarn.height_scale, box.height_scale),
+            (
+                f"{family}.inclination_deg",
+                math.degrees(yarn.inclination),
+                box.satin_inclination_deg if satin else box.inclination_deg,
+            ),
+            (f"{family}.twist_deg", math.degrees(yarn.twist), box.twist_deg),
+            (f"{family}.gap", float(gaps[np.abs(gaps - box.gap).argmax()]), (box.gap,) * 2),
+        ]
+    outside = [
+        f"{name} = {value:.4g} ({low:g}{f' to {high:g}' if high > low else ''})"
+        for name, value, (low, high) in fields
+        if not low - _ROUNDING <= value <= high + _ROUNDING
+    ]
+    if outside:
+        warnings.warn(
+            f"{fabric.name}: {', '.join(outside)}: the model woven was trained on what stands in brackets, "
+            "so it may be off here.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+
+
+def shortest_repeat(layout: ClothLayout) -> ClothLayout:
+    """The layout of one repeat of the weave, which stripes of colours may have made longer."""
+    drawdown = layout.warp_on_top
+    picks = _period(layout.weft, lambda step: bool((np.roll(drawdown, step, 0) == drawdown).all()))
+    ends = _period(layout.warp, lambda step: bool((np.roll(drawdown, step, 1) == drawdown).all()))
+    return ClothLayout(drawdown[:picks, :ends], _first(layout.warp, ends), _first(layout.weft, picks))
+
+
+def _period(family: FamilyLayout, repeats: Callable[[int], bool]) -> int:
+    count = len(family.spacing)
+    for step in range(1, count):
+        if (
+            count % step == 0
+            and repeats(step)
+            and _alike(family.spacing, step)
+            and _alike(family.width, step)
+        ):
+            return step
+    return count
+
+
+def _alike(values: NDArray[np.float64], step: int) -> bool:
+    return bool(np.allclose(np.roll(values, step), values, rtol=1e-9, atol=0))
+
+
+def _first(family: FamilyLayout, count: int) -> FamilyLayout:
+    return replace(family, spacing=family.spacing[:count], width=family.width[:count])
+
+
+def repeat_threads(fabric: Fabric) -> tuple[int, int]:
+    """Picks and ends of a fabric's shortest repeat."""
+    picks, ends = shortest_repeat(fabric.layout()).warp_on_top.shape
+    return picks, ends
+
+
+def _run(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int, int]) -> EncodedFabric:
+    """Two runs of the encoder."""
+    layout = shortest_repeat(fabric.layout())
+    picks, ends = layout.warp_on_top.shape
+    geometry = YarnGeometry(layout)
+    field = weights.table.latent == "field"
+    rows, columns = (FIELD_MAP * picks, FIELD_MAP * ends) if field else (VECTOR_MAP, VECTOR_MAP)
+    parameters = fabric_parameters(fabric)
+    faces = []
+    for back in (False, True):
+        maps = face_maps(geometry, back, rows, columns, float_type)
+        if field:
+            maps = np.tile(maps, (1, *repeats))
+        (latents,) = encoder_session(weights).run(None, {"maps": maps[None], "parameters": parameters})
+        faces.append(latents.astype(np.float16))
+    return EncodedFabric(picks * repeats[0], ends * repeats[1], (faces[0], faces[1]))
+
+
+@cache
+def encoder_session(weights: Weights) -> Any:
+    """ONNX Runtime's session of the encoder."""
+    import onnxruntime
+
+    options = onnxruntime.SessionOptions()
+    options.log_severity_level = 3
+    return onnxruntime.InferenceSession(
+        encoder_graph(weights).SerializeToString(), options, providers=["CPUExecutionProvider"]
+    )
+
+
+def _key(fabric: Fabric, weights: Weights, repeats: tuple[int, int]) -> str:
+    """SHA-256 of everything that the latents depend on."""
+    layout = shortest_repeat(fabric.layout())
+    digest = hashlib.sha256(f"{_VERSION} {weights.sha256} {repeats}\n".encode())
+    digest.update(repr(layout.warp_on_top.shape).encode() + np.packbits(layout.warp_on_top).tobytes())
+    for family in (layout.warp, layout.weft):
+        digest.update(np.asarray(family.spacing, np.float64).tobytes())
+        digest.update(np.asarray(family.width, np.float64).tobytes())
+        digest.update(repr((float(family.inclination), float(family.twist))).encode())
+    digest.update(fabric_parameters(fabric).tobytes())
+    return digest.hexdigest()
+
+
+def _read(key: str, picks: int, ends: int, weights: Weights) -> EncodedFabric | None:
+    """What is kept on disk; None where nothing is, or nothing that can be used."""
+    try:
+        arrays = load_file(cache_folder() / f"{key}.safetensors")
+    except (SafetensorError, OSError, ValueError):
+        return None
+    faces = [arrays.get(side) for side in ("front", "back")]
+    last = levels_of(picks, ends)[-1]
+    texels = last.first + 1 if weights.table.latent == "field" else 1
+    front, back = faces
+    if front is None or back is None:
+        return None
+    for face in (front, back):
+        if face.dtype != np.float16 or face.shape != (texels, weights.table.latent_size):
+            return None
+    return EncodedFabric(picks, ends, (front, back))
+
+
+def _write(key: str, encoded: EncodedFabric) -> None:
+    """Keeps latents on disk where that is possible; a full disk costs a run of the encoder next time."""
+    if len(encoded.faces[0]) > _LARGEST_KEPT:
+        return
+    folder = cache_folder()
+    file = folder / f"{key}.safetensors"
+    if file.exists():
+        return
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with replacing(file) as temporary:
+            save_file({"front": encoded.faces[0], "back": encoded.faces[1]}, temporary)
+    except (OSError, LoomlightError, SafetensorError):
+        return

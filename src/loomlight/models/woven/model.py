@@ -1,0 +1,185 @@
+"""The universal network as a multi-scale model: latents of one fabric and a network that all share."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Self, final
+
+import drjit as dr
+import numpy as np
+
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.assets.loom_file import LoomFile
+from loomlight.core.backend import array_types
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import FamilyAlbedos, Model, Response
+from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_of
+from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
+from loomlight.models.woven.maps import mean_pitch
+from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.weights import Weights, shipped_weights
+from loomlight.scattering.albedo import layer_albedo_bound
+from loomlight.scattering.point import DirectionSample, on_face
+from loomlight.yarn.geometry import YarnGeometry
+
+_NETWORK = "woven"
+
+
+@final
+class WovenModel(Model):
+    """chen2024: an encoder once a fabric, a small decoder a query.
+
+    Attributes:
+        weights: the shared network.
+        encoded: latents of both faces.
+    """
+
+    name = "woven"
+    filters = True
+    conserves_energy = False
+
+    def __init__(self, fabric: Fabric, encoded: EncodedFabric, weights: Weights) -> None:
+        """A model of latents that are at hand; see `for_fabric`."""
+        self.fabric = fabric
+        self.encoded = encoded
+        self.weights = weights
+        layout = fabric.layout()
+        picks, ends = layout.warp_on_top.shape
+        width, height = layout.size
+        self._threads_per_mm = ends / width, picks / height
+        self._pitch = mean_pitch(layout)
+        self._albedos = FootprintAlbedos(YarnGeometry(layout), fabric.appearance())
+        self._tables: dict[type, LatentTable] = {}
+
+    @classmethod
+    def for_fabric(cls, fabric: Fabric) -> Self:
+        """The model of a fabric by the weights of the package: the encoder runs once, or its cache is read.
+
+        Raises:
+            InputError: a repeat of more than 64 threads a side.
+        """
+        weights = shipped_weights()
+        return cls(fabric, encode(fabric, weights, llvm_float()), weights)
+
+    def to_loom(self) -> LoomFile:
+        """The latents, and the checksum of the network that decodes them."""
+        front, back = self.encoded.faces
+        return LoomFile(
+            model=self.name,
+            fabric=self.fabric,
+            tensors={"front": front, "back": back},
+            networks={_NETWORK: self.weights.sha256},
+        )
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of latents in a file.
+
+        Raises:
+            InputError: another model's file, another network's latents, or latents of another fabric.
+        """
+        loom.require_model(cls.name)
+        weights = shipped_weights()
+        loom.require_network(_NETWORK, weights.sha256)
+        picks, ends = repeat_threads(loom.fabric)
+        texels = levels_of(picks, ends)[-1].first + 1 if weights.table.latent == "field" else 1
+        front, back = (
+            loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
+        )
+        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back)), weights)
+
+    def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
+        """Components and hole of footprints."""
+        return self.lit(self.seen(view, footprint), light, view)
+
+    def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
+        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
+        return FamilyAlbedos(*self._albedos.over(footprint, view.z < 0))
+
+    def seen(self, view: Any, footprint: Footprint) -> Seen:
+        """What no light changes, to be computed once for several lights."""
+        types = array_types(view.x)
+        back = types.Bool(view.z < 0)
+        across, along = self._threads_per_mm
+        x, y = footprint.centre.x * across, footprint.centre.y * along
+        size = footprint.square_side * (1 / self._pitch)
+        return self._decoder(types.Float).seen(
+            self._table(types.Float), x, y, size, on_face(view, back), back
+        )
+
+    def lit(self, seen: Seen, light: Any, view: Any) -> Response:
+        """The response to one light of what is seen."""
+        types = array_types(view.x)
+        facing = on_face(light, types.Bool(view.z < 0))
+        diffuse_warp, diffuse_weft, specular_warp, specular_weft = self._decoder(types.Float).components(
+            seen, facing
+        )
+        return Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, seen.hole)
+
+    def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
+        """Straight through the holes, else by the cosine to either side in proportion to albedos."""
+        return self.sample_seen(self.seen(view, footprint), self.albedos(view, footprint), view, choice, u)
+
+    def sample_seen(
+        self, seen: Seen, albedos: FamilyAlbedos, view: Any, choice: Any, u: Any
+    ) -> DirectionSample:
+        """`sample` of what is at hand already."""
+        types = array_types(view.x)
+        through, reflected = self._shares(seen.hole, albedos, view)
+        light = self._drawn(through, reflected, view, choice, u)
+        passes = types.Bool(choice < through)
+        light = dr.select(passes, -view, light)
+        pdf = dr.select(passes, through, _density(through, reflected, light, view))
+        value = self.composed(self.lit(seen, light, view), albedos, light, view)
+        # A ray goes straight through with the very share of light that does.
+        weight = dr.select(passes, 1, dr.select(pdf > 0, value / dr.maximum(pdf, 1e-30), 0))
+        return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
+
+    def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
+        """Density of `sample` per solid angle, without delta: Float, 1/sr."""
+        return self.pdf_seen(self.seen(view, footprint), self.albedos(view, footprint), light, view)
+
+    def pdf_seen(self, seen: Seen, albedos: FamilyAlbedos, light: Any, view: Any) -> Any:
+        """`pdf` of what is at hand already."""
+        return _density(*self._shares(seen.hole, albedos, view), light, view)
+
+    def _shares(self, hole: Any, albedos: FamilyAlbedos, view: Any) -> tuple[Any, Any]:
+        """Probability of passing straight through, and of reflection among all else."""
+        through = self.straight_through(view, hole)
+        highlight = layer_albedo_bound(self.fabric.appearance().optical_depth)
+
+        def energy(side: str) -> Any:
+            diffuse, specular = (
+                sum(dr.mean(getattr(family, f"{term}_{side}")) for family in (albedos.warp, albedos.weft))
+                for term in ("diffuse", "specular")
+            )
+            return diffuse + highlight * specular
+
+        sheen = self.fabric.appearance().sheen.strength
+        reflected, transmitted = energy("reflect") + sheen, energy("transmit")
+        # Black cloth reflects nothing, but some direction has to be drawn.
+        return through, (reflected + 1e-6) / (reflected + transmitted + 1e-6)
+
+    def _drawn(self, through: Any, reflected: Any, view: Any, choice: Any, u: Any) -> Any:
+        types = array_types(view.x)
+        radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
+        sine, cosine = dr.sincos(angle)
+        height = dr.sqrt(dr.maximum(1 - u.x, 1e-12))
+        near = choice < through + (1 - through) * reflected
+        up = dr.select(near ^ (view.z < 0), height, -height)
+        return types.Vector3(radius * cosine, radius * sine, up)
+
+    def _decoder(self, float_type: type) -> Decoder:
+        return decoder_of(self.weights, float_type)
+
+    def _table(self, float_type: type) -> LatentTable:
+        if float_type not in self._tables:
+            self._tables[float_type] = LatentTable(self.weights, self.encoded, float_type)
+        return self._tables[float_type]
+
+
+def _density(through: Any, reflected: Any, light: Any, view: Any) -> Any:
+    side = dr.select(light.z * view.z > 0, reflected, 1 - reflected)
+    return (1 - through) * side * dr.abs(light.z) * dr.inv_pi
