@@ -1,6 +1,6 @@
 """A weights file of the universal network with random numbers in it, to try the machinery without training.
 
-    python scripts/random_woven_weights.py woven.safetensors [--latent field] [--width 32]
+python scripts/random_woven_weights.py woven.safetensors [--latent field] [--width 32]
 """
 
 from __future__ import annotations
