@@ -65,8 +65,11 @@ def _without_folders(fields: FabricFile) -> FabricFile:
     return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
 
 
-def fabric_from_record(record: FabricRecord, tensors: Mapping[str, NDArray[Any]], folder: str) -> Fabric:
+def fabric_from_record(record: FabricRecord, tensors: Mapping[str, NDArray[Any]], file: str) -> Fabric:
     """The fabric of a record and its tensors; nothing else is read.
+
+    Args:
+        file: the `.loom`; it is the folder of the fabric, as its draft lies inside.
 
     Raises:
         InputError: fields or tensors that make no fabric; the message names the one at fault.
@@ -83,7 +86,7 @@ def fabric_from_record(record: FabricRecord, tensors: Mapping[str, NDArray[Any]]
     }
     fields = parse_fabric_file(record.toml)
     draft = Draft(drawdown, threads["warp"], threads["weft"], title=record.title)
-    return make_fabric(fields, draft, record.name, folder)
+    return make_fabric(fields, draft, record.name, file)
 
 
 def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Threads:

@@ -196,9 +196,7 @@ def read_loom(path: str | os.PathLike[str]) -> LoomFile:
         for name, values in tensors.items():
             if values.dtype.kind == "f" and not np.isfinite(values).all():
                 raise InputError(f"the tensor {name} holds NaN or infinity: bake the file again.")
-        fabric = fabric_from_record(
-            material.fabric, _those_named(tensors, _FABRIC), folder=str(Path(path).parent)
-        )
+        fabric = fabric_from_record(material.fabric, _those_named(tensors, _FABRIC), source)
     return LoomFile(
         model=material.model,
         fabric=fabric,

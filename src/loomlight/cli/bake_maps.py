@@ -18,7 +18,7 @@ LARGEST_WINDOW = 1e5
 
 def bake_maps(
     fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, or a weave's name.")
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
     ],
     output: Annotated[
         Path,
@@ -45,10 +45,10 @@ def bake_maps(
             require_within("--window", number, -LARGEST_WINDOW, LARGEST_WINDOW)
         corner = (left, bottom, width, height)
 
+    from loomlight.assets.fabrics import fabric_of_path
     from loomlight.core.llvm import require_llvm
-    from loomlight.fabric.load import load_fabric
 
-    cloth = load_fabric(fabric)
+    cloth = fabric_of_path(fabric)
     require_llvm()
     from drjit.llvm import Float
 

@@ -16,7 +16,7 @@ EXAMPLE = "Example: loomlight compare examples/denim.toml --models point,woven -
 
 def compare(
     fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, or a weave's name.")
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
@@ -37,9 +37,9 @@ def compare(
     require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
     names = [name.strip() for name in models.split(",") if name.strip()]
 
-    from loomlight.fabric.load import load_fabric
+    from loomlight.assets.fabrics import fabric_of_path
 
-    cloth = load_fabric(fabric)
+    cloth = fabric_of_path(fabric)
 
     from loomlight.evaluation.compare import compare as run
 

@@ -19,7 +19,7 @@ MODELS = ("point",)
 
 def render(
     fabric: Annotated[
-        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, or a weave's name.")
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
     ],
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The picture to write: .png (sRGB) or .exr (linear).")
@@ -79,9 +79,9 @@ def render(
         azimuth, elevation = parse_numbers("--light-from", light_from, 2, "-40,35")
         towards_light = (azimuth, elevation)
 
-    from loomlight.fabric.load import load_fabric
+    from loomlight.assets.fabrics import fabric_of_path
 
-    cloth = load_fabric(fabric)
+    cloth = fabric_of_path(fabric)
 
     from loomlight.core.images import write_image
     from loomlight.mitsuba import render_fabric

@@ -30,7 +30,7 @@ class Fabric:
             colours repeats later than the weave does.
         named_draft: the draft as `fields` name it, before they colour and repeat it.
         fields: what the fabric file says, and no more.
-        folder: the folder that paths in `fields` are relative to.
+        folder: the folder that paths in `fields` are relative to; or the `.loom` file that holds the draft.
     """
 
     name: str

@@ -6,8 +6,9 @@ import os
 from collections.abc import Callable
 from typing import Any
 
+from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.errors import InputError
-from loomlight.fabric import Fabric, load_fabric
+from loomlight.fabric import Fabric
 
 MODELS = {"point": "woven_point"}
 
@@ -18,7 +19,7 @@ def fabric_bsdf(
     """A function from (mm per unit of u, mm per unit of v) to the dictionary of the fabric's BSDF.
 
     Args:
-        fabric: a fabric, or what `load_fabric` takes: a fabric file, a draft, a weave's name.
+        fabric: a fabric, or the path of a fabric file, a draft or a `.loom`, or a weave's name.
         model: "point".
 
     Raises:
@@ -26,7 +27,7 @@ def fabric_bsdf(
     """
     if model not in MODELS:
         raise InputError(f'model = "{model}" is unknown: use {", ".join(MODELS)}.')
-    cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
+    cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
     text = cloth.to_toml()
 
     def to_scale(uv_size_mm: tuple[float, float]) -> dict[str, Any]:

@@ -8,8 +8,9 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.errors import InputError
-from loomlight.fabric import Fabric, load_fabric
+from loomlight.fabric import Fabric
 from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
 from loomlight.mitsuba.rendering import Progress, render
 from loomlight.mitsuba.scenes import SceneOptions, build_scene
@@ -33,7 +34,8 @@ def render_fabric(
     """Linear RGB [height, width, 3] of a fabric on a piece of cloth, a mesh, or the marked shapes of a scene.
 
     Args:
-        fabric: a fabric; or the path of a fabric file or a draft; or a weave's name, such as "twill 3/1".
+        fabric: a fabric; or the path of a fabric file, a draft or a `.loom`; or a weave's name, such as
+            "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
         model: "point".
         spp: samples a pixel, ≥ 1.
@@ -53,7 +55,7 @@ def render_fabric(
             f"exposure = {exposure:g} is out of range: it lies between -{_LARGEST_EXPOSURE} and "
             f"{_LARGEST_EXPOSURE} stops."
         )
-    cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
+    cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
     choose_variant(variant)
     shown = build_scene(scene, fabric_bsdf(cloth, model), **setting)
     return render(

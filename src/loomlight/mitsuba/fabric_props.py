@@ -1,7 +1,9 @@
 """The fabric of a BSDF plugin: a file, the text of one, or parameters inline, in load_dict and in XML alike.
 
-- ``fabric``: path of a fabric file or a draft, found through Mitsuba's file resolver; or a weave's name.
-- ``toml``: the text of a fabric file; ``folder`` is what its paths are relative to.
+- ``fabric``: path of a fabric file, a draft or a ``.loom``, found through Mitsuba's file resolver; or a
+  weave's name.
+- ``toml``: the text of a fabric file; ``folder`` is what its paths are relative to, or the ``.loom`` that
+  holds its draft.
 - inline: every field of the fabric file by its name, those of its tables with the table's name in front:
   ``weave``, ``ends_per_cm``, ``warp_color``, ``weft_roughness``, ``sheen_strength`` … Inline values replace
   those of the file. Colours are "#rrggbb", several with commas between them, or an rgb value.
@@ -17,8 +19,10 @@ from typing import Any
 import mitsuba as mi
 import numpy as np
 
+from loomlight.assets.fabrics import fabric_of_path, fabric_of_text
+from loomlight.assets.loom_file import is_loom
 from loomlight.core.errors import InputError
-from loomlight.fabric import Fabric, fabric_from_text, load_fabric
+from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.file import FabricFile
 
 _TABLES = ("warp", "weft", "sheen", "variation")
@@ -41,7 +45,11 @@ def fabric_of(props: Any) -> Fabric:
     fields: dict[str, Any] = tomllib.loads(base.to_toml()) if base else {}
     if not base and not any(source in inline for source in _SOURCES):
         fields["weave"] = "plain"
-    return fabric_from_text(_toml(_merged(fields, inline)), base.folder if base else _folder(props))
+    text = _toml(_merged(fields, inline))
+    folder = base.folder if base else _folder(props)
+    if is_loom(folder) and any(source in inline for source in _SOURCES):
+        return fabric_from_text(text, Path(folder).parent)
+    return fabric_of_text(text, folder)
 
 
 def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
@@ -62,13 +70,13 @@ def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
 
 def _base(props: Any) -> Fabric | None:
     if "toml" in props:
-        return fabric_from_text(str(props["toml"]), _folder(props))
+        return fabric_of_text(str(props["toml"]), _folder(props))
     if "fabric" not in props:
         return None
     name = str(props["fabric"])
     resolved = Path(_resolved(name))
     # What is no file is left as it was written: the name of a weave, or a message's subject.
-    return load_fabric(resolved if resolved.is_file() else name)
+    return fabric_of_path(resolved if resolved.is_file() else name)
 
 
 def _resolved(name: str) -> str:

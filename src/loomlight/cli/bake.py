@@ -1,0 +1,40 @@
+"""`loomlight bake`: a model of a fabric as one file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import check_output, done
+
+EXAMPLE = "Example: loomlight bake examples/denim.toml --model woven -o denim.loom"
+
+
+def bake(
+    fabric: Annotated[
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
+    ],
+    model: Annotated[
+        str, typer.Option(help="What to bake; a name that does not exist is answered by those that do.")
+    ],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The .loom file to write.")],
+) -> None:
+    """Writes a fabric and all that a model needs of it into one .loom file; see docs/materials.md."""
+    check_output(output, (".loom",))
+
+    from loomlight.models.registry import make_model, require_model_name
+
+    require_model_name(model)
+
+    from loomlight.assets.fabrics import fabric_of_path
+    from loomlight.assets.loom_file import write_loom
+
+    cloth = fabric_of_path(fabric)
+
+    from loomlight.core.llvm import require_llvm
+
+    require_llvm()
+    write_loom(output, make_model(model, cloth).to_loom())
+    done(output)

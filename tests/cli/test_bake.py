@@ -1,0 +1,91 @@
+"""`loomlight bake`, and pictures of what it writes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mitsuba as mi
+import numpy as np
+import pytest
+
+import loomlight.mitsuba  # noqa: F401
+from loomlight.assets.loom_file import read_loom
+from loomlight.cli.main import run
+from loomlight.core.errors import InputError
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import load_fabric
+from loomlight.models.registry import model_from_loom
+from loomlight.weave import named_weave, write_wif
+
+require_llvm()
+mi.set_variant("llvm_ad_rgb")
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A fabric file with a WIF file beside it, and the same baked for samples."""
+    monkeypatch.chdir(tmp_path)
+    write_wif(named_weave("houndstooth"), "hound.wif")
+    Path("cloth.toml").write_text('draft = "hound.wif"\nends_per_cm = 18\n[weft]\nroughness = 0.2')
+    assert run(["bake", "cloth.toml", "--model", "samples", "-o", "cloth.loom"]) == 0
+    return tmp_path
+
+
+def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert model_from_loom("cloth.loom").name == "samples"
+    picture = ["--scene", "flat", "--size", "24x16", "--spp", "4", "--zoom", "30"]
+    assert run(["render", "cloth.toml", "-o", "before.exr", *picture]) == 0
+    (folder / "hound.wif").unlink()
+    (folder / "cloth.toml").unlink()
+    assert run(["render", "cloth.loom", "-o", "after.exr", *picture]) == 0
+    before, after = (np.array(mi.Bitmap(name)) for name in ("before.exr", "after.exr"))
+    assert before.std() > 0.01
+    # The same samples, in whatever order threads add them up.
+    np.testing.assert_allclose(after, before, rtol=1e-4, atol=1e-6)
+    # A material can be baked for another model, too.
+    capsys.readouterr()
+    assert run(["bake", "cloth.loom", "--model", "point", "-o", "again.loom"]) == 0
+    assert capsys.readouterr().out == "again.loom\n"
+    assert read_loom("again.loom").model == "point"
+
+
+def test_scenes_take_materials_and_edit_them(folder: Path) -> None:
+    expected = load_fabric("cloth.toml")
+    (folder / "hound.wif").unlink()
+    plain = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom"})
+    assert np.array_equal(plain.fabric.draft.drawdown, expected.draft.drawdown)
+    edited = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "warp_roughness": 0.7})
+    assert edited.fabric.appearance().warp.roughness == 0.7
+    assert edited.fabric.appearance().weft.roughness == 0.2
+    assert np.array_equal(edited.fabric.layout().warp.spacing, expected.layout().warp.spacing)
+    other = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "weave": "plain"})
+    assert other.fabric.layout().warp_on_top.shape == (2, 2)
+    with pytest.raises((RuntimeError, InputError), match="roughness"):
+        mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "warp_roughness": 7.0})
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["plain", "-o", "a.loom"], "--model"),
+        (["plain", "--model", "pont", "-o", "a.loom"], 'model "pont" does not exist: did you mean point?'),
+        (["plain", "--model", "x", "-o", "a.loom"], "known are point, samples"),
+        (["plain", "--model", "point", "-o", "a.toml"], "must end in .loom"),
+        (["plain", "--model", "point", "-o", "none/a.loom"], "folder none does not exist"),
+        (["none.toml", "--model", "point", "-o", "a.loom"], "none.toml does not exist"),
+        (["broken.loom", "--model", "point", "-o", "a.loom"], "broken.loom: it is no .loom file, or damaged"),
+    ],
+)
+def test_a_fault_is_one_sentence(
+    arguments: list[str], says: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "broken.loom").write_bytes((folder / "cloth.loom").read_bytes()[:-5])
+    before = sorted(folder.iterdir())
+    capsys.readouterr()
+    assert run(["bake", *arguments]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("loomlight: ")
+    assert len(captured.err.splitlines()) == 1
+    assert says in captured.err
+    assert sorted(folder.iterdir()) == before
