@@ -8,6 +8,7 @@ from importlib import import_module
 from loomlight.assets.loom_file import LoomFile, read_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import closest, shown
 from loomlight.models.interface import Model
 
@@ -66,7 +67,8 @@ def model_of_loom(loom: LoomFile) -> Model:
             f"{loom.source}: its model {shown(loom.model)} does not exist here: install a newer loomlight, "
             f"or bake it again with one of {', '.join(_HOMES)}."
         )
-    return model_class(loom.model).from_loom(loom)
+    with speaking_of(loom.source):
+        return model_class(loom.model).from_loom(loom)
 
 
 def model_from_loom(path: str | os.PathLike[str]) -> Model:
