@@ -19,28 +19,31 @@ import sys
 from functools import partial
 from pathlib import Path
 
+from loomlight.core.llvm import llvm_float
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_test import SEED, run_query_test
 from loomlight.evaluation.table import write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.registry import make_model
+from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.weights import Weights, read_weights
 
 
-def predictors(names: list[str], weights: list[Path]) -> dict[str, Predictor]:
+def predictors(names: list[str], files: list[Path]) -> dict[str, Predictor]:
     """A predictor for each model by its name, and one for each file of weights of the woven network."""
-    found = {}
-    if names:
-        from loomlight.models.registry import make_model
-
-        found = {name: model_predictor(partial(make_model, name)) for name in names}
-    for file in weights:
-        from loomlight.models.woven import WovenModel
-
-        found[f"woven {file.stem}"] = model_predictor(
-            lambda fabric, file=file: WovenModel(fabric, weights=file)
-        )
+    found = {name: model_predictor(partial(make_model, name)) for name in names}
+    for file in files:
+        found[f"woven {file.stem}"] = model_predictor(partial(woven_of, read_weights(file)))
     return found
+
+
+def woven_of(weights: Weights, fabric: Fabric) -> WovenModel:
+    """The woven network of these weights for a fabric."""
+    return WovenModel(fabric, encode(fabric, weights, llvm_float()), weights)
 
 
 def main() -> None:

@@ -25,6 +25,9 @@ def compare(
     full: Annotated[
         bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
     ] = False,
+    scenes: Annotated[
+        str | None, typer.Option(help="Some of the eight scenes, with commas between them.")
+    ] = None,
     size: Annotated[
         str | None, typer.Option(metavar="WxH", help="Pixels; 480x270, or 960x540 with --full.")
     ] = None,
@@ -35,13 +38,14 @@ def compare(
     """Compares models with the reference: pictures, difference maps, FLIP, MSE and time."""
     pixels = None if size is None else parse_size(size)
     require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
-    names = [name.strip() for name in models.split(",") if name.strip()]
+    names = _listed(models)
 
     from loomlight.assets.fabrics import fabric_of_path
 
     cloth = fabric_of_path(fabric)
 
     from loomlight.evaluation.compare import compare as run
+    from loomlight.mitsuba.measured_scenes import MEASURED_SCENES
 
     with progress(cloth.name) as report:
         found = run(
@@ -49,6 +53,7 @@ def compare(
             names,
             output,
             full=full,
+            scenes=MEASURED_SCENES if scenes is None else _listed(scenes),
             size=pixels,
             reference_samples=samples,
             command=f"loomlight compare --models {','.join(names)}{' --full' if full else ''}",
@@ -58,3 +63,7 @@ def compare(
     for name, why in found.refused.items():
         print(f"{name} does not take this fabric: {why}")
     done(output / "index.html")
+
+
+def _listed(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]

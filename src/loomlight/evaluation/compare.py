@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
@@ -24,16 +24,16 @@ from loomlight.evaluation.image_test import (
     dolly_test,
     image_tables,
     image_test,
-    shots_of,
 )
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_test import run_query_test
 from loomlight.evaluation.report import Figure, Report, Section, report_html
-from loomlight.evaluation.table import Table, write_json
+from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import fabric_from_text, load_fabric
 from loomlight.mitsuba import MODELS
+from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import make_model
 
 QUICK_SIZE, QUICK_SAMPLES = (480, 270), 64
@@ -66,6 +66,7 @@ def compare(
     folder: str | os.PathLike[str],
     *,
     full: bool = False,
+    scenes: Sequence[str] = MEASURED_SCENES,
     size: tuple[int, int] | None = None,
     reference_samples: int | None = None,
     command: str = "loomlight.compare",
@@ -81,16 +82,17 @@ def compare(
         models: names, such as "point" and "woven".
         full: the whole protocol: 960×540 against 1 024 samples, the query test on the 24 held-out fabrics
             besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
+        scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.
         size, reference_samples: of the pictures; by default 480×270 against 64, or the protocol's.
         command: what the record says that it was made by.
         progress: called with (what is done, steps done, steps in all).
 
     Raises:
-        InputError: an unknown model, a fabric that cannot be read, or a folder that cannot be written.
+        InputError: an unknown model or scene, a fabric that cannot be read, a folder that cannot be written.
     """
     chosen = list(dict.fromkeys(models))
     require_renderable(chosen)
-    shots_of(chosen)
+    require_scenes(scenes)
     cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
     target = prepared_folder(folder)
     pixels = size or (SIZE if full else QUICK_SIZE)
@@ -99,22 +101,23 @@ def compare(
     def step(what: str) -> Callable[[int, int], None]:
         return lambda done, total: progress(what, done, total) if progress is not None else None
 
-    scenes = image_test(
+    shown = image_test(
         chosen,
         [cloth, fabric_from_text(_PARTNER)],
+        scenes=scenes,
         size=pixels,
         reference_samples=samples,
         progress=step("pictures"),
     )
-    found = Comparison(target, image_tables(scenes))
-    for scene in scenes:
+    found = Comparison(target, image_tables(shown))
+    for scene in shown:
         found.refused.update(scene.refused)
     able = [name for name in chosen if name not in found.refused]
     found.tables += _query_tables(cloth, able, full, step("queries"))
     if full:
         dolly = dolly_test(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
         found.tables.append(dolly.table())
-    _write(found, scenes, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
+    _write(found, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
     return found
 
 
@@ -174,20 +177,15 @@ def _query_tables(
 
 
 def _titled(table: Table, title: str) -> Table:
-    table.title = title
-    empty = [
-        index
-        for index in range(len(table.columns))
-        if all(_missing(row[index]) for row in table.rows.values())
-    ]
-    kept = [index for index in range(len(table.columns)) if index not in empty]
-    table.columns = [table.columns[index] for index in kept]
-    table.rows = {name: [row[index] for index in kept] for name, row in table.rows.items()}
-    return table
+    """The table under another title, without columns that are empty."""
+    cells = list(zip(*table.rows.values(), strict=True))
+    kept = [index for index, column in enumerate(cells) if not all(map(_missing, column))]
+    rows = {name: [row[index] for index in kept] for name, row in table.rows.items()}
+    return Table(title, [table.columns[index] for index in kept], rows, table.note, table.digits)
 
 
-def _missing(cell: Any) -> bool:
-    return cell is None or (isinstance(cell, float) and cell != cell)
+def _missing(cell: Cell) -> bool:
+    return cell is None or (isinstance(cell, float) and math.isnan(cell))
 
 
 def _write(

@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol, runtime_checkable
 
 import drjit as dr
 import numpy as np
@@ -28,6 +28,19 @@ _TIMED = 1 << 18
 _BATCH = 1 << 20
 
 
+@runtime_checkable
+class Cost(Protocol):
+    """What a query costs wherever it is run; a model says so by having these.
+
+    Attributes:
+        multiply_adds: of one query.
+        bytes_fetched: from tables, by one query.
+    """
+
+    multiply_adds: int
+    bytes_fetched: int
+
+
 @dataclass(frozen=True, eq=False)
 class Prediction:
     """What is predicted for n pairs of directions and m footprints.
@@ -36,11 +49,13 @@ class Prediction:
         means: in the order of `CHANNELS` [n, m, 5], 1/sr and a share.
         colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
         rate: queries a second on this machine, whatever the model fetches included; None if not measured.
+        cost: of one query; None where the model does not say.
     """
 
     means: NDArray[np.float64]
     colours: NDArray[np.float64]
     rate: float | None = None
+    cost: Cost | None = None
 
 
 Predictor = Callable[[Fabric, QuerySet], Prediction]
@@ -62,7 +77,12 @@ def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = N
         shape = queries.sizes.shape
         means = np.stack([_numbers(part, count) for part in _parts(response)], axis=-1)
         shown = np.stack([_numbers(part, count) for part in colour], axis=-1)
-        return Prediction(means.reshape(*shape, -1), shown.reshape(*shape, -1), _rate(types, model, queries))
+        return Prediction(
+            means.reshape(*shape, -1),
+            shown.reshape(*shape, -1),
+            _rate(types, model, queries),
+            model if isinstance(model, Cost) else None,
+        )
 
     return predict
 
@@ -85,11 +105,8 @@ def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None =
             chosen = np.arange(first, min(first + at_once, count))
             places = multi_jittered(rng, len(chosen), samples)
             values[chosen] = _sampled(types, model, queries, chosen, places)
-        start = time.perf_counter()
-        _sampled(types, model, queries, chosen, places)  # once more, now that it is compiled
-        rate = len(chosen) / (time.perf_counter() - start)
         values = values.reshape(*queries.sizes.shape, -1)
-        return Prediction(values[..., : len(CHANNELS)], values[..., len(CHANNELS) :], rate)
+        return Prediction(values[..., : len(CHANNELS)], values[..., len(CHANNELS) :])
 
     return predict
 

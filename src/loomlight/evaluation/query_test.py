@@ -48,12 +48,14 @@ class RowResult:
         sums: by quantity, then by class ("overall", a band, …).
         fabrics: nMAE of grey f·cos, both sides, by the fabric's name.
         rates: queries a second, one a fabric.
+        cost: multiply-adds and bytes fetched of one query; None where the model does not say.
         refused: why, by the name of each fabric that the model does not take.
     """
 
     sums: dict[str, dict[str, ErrorSums]] = field(default_factory=dict)
     fabrics: dict[str, float] = field(default_factory=dict)
     rates: list[float] = field(default_factory=list)
+    cost: tuple[int, int] | None = None
     refused: dict[str, str] = field(default_factory=dict)
 
     def metric(self, quantity: str, name: str = OVERALL, metric: str = "nmae") -> float:
@@ -95,6 +97,8 @@ class QueryTest:
                     },
                     "nmae_by_fabric": row.fabrics,
                     "queries_per_second": float(np.median(row.rates)) if row.rates else None,
+                    "multiply_adds": None if row.cost is None else row.cost[0],
+                    "bytes_fetched": None if row.cost is None else row.cost[1],
                     "refused": row.refused,
                 }
                 for name, row in self.rows.items()
@@ -107,7 +111,8 @@ class QueryTest:
         classes = [OVERALL, *BANDS, *ROUGHNESS, *ELEVATION, *WEAVES]
         by_class = Table("nMAE of grey reflection", classes, note=note)
         metrics = ("mse", "smape", "bright_smape", "bias")
-        headings = ["nMAE", "MSE", "SMAPE", "SMAPE, t > 0.01", "bias", "queries/s", "refused"]
+        headings = ["nMAE", "MSE", "SMAPE", "SMAPE, t > 0.01", "bias"]
+        headings += ["queries/s", "multiply-adds", "bytes fetched", "refused"]
         others = Table("All metrics of grey reflection", headings, note=note)
         quantities = Table("nMAE by quantity", list(QUANTITIES), note=note)
         fabrics = Table("nMAE of grey f·cos by fabric", self.fabrics)
@@ -115,7 +120,7 @@ class QueryTest:
             by_class.rows[name] = [row.metric("reflection", part) for part in classes]
             rate = f"{np.median(row.rates):.2g}" if row.rates else None
             cells: list[Cell] = [row.metric("reflection", metric=metric) for metric in ("nmae", *metrics)]
-            others.rows[name] = [*cells, rate, len(row.refused)]
+            others.rows[name] = [*cells, rate, *(row.cost or (None, None)), len(row.refused)]
             quantities.rows[name] = [row.metric(quantity) for quantity in QUANTITIES]
             fabrics.rows[name] = [row.fabrics.get(fabric) for fabric in self.fabrics]
         return [by_class, others, quantities, fabrics]
@@ -208,6 +213,8 @@ def _judge(
     for index, name in enumerate(CHANNELS):
         row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
     row.fabrics[cloth.name] = sums_by_class(guess, right, [])[OVERALL].nmae
+    if predicted.cost is not None:
+        row.cost = (predicted.cost.multiply_adds, predicted.cost.bytes_fetched)
     if predicted.rate is not None:
         row.rates.append(predicted.rate)
 

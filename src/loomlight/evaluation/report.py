@@ -13,8 +13,8 @@ from loomlight.evaluation.table import Cell, Table
 _LOWER_IS_BETTER = ("FLIP", "MSE", "nMAE")
 _INTRODUCTION = (
     "Each scene was rendered by the reference, the point model with many samples a pixel, and by every row "
-    "of the tables with the samples that its name says. Click a picture to zoom all pictures of that scene about "
-    "the same place, move to look around, turn the wheel to come closer, click again to step back."
+    "of the tables with the samples that its name says. Click a picture to zoom all pictures of that scene "
+    "about the same place, move to look around, turn the wheel to come closer, click again to step back."
 )
 
 
@@ -72,17 +72,19 @@ def report_html(report: Report) -> str:
         for name, why in report.refused.items()
     )
     first, *others = report.tables
+    title = escape(report.title)
     return "\n".join(
         [
             '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">',
             '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{escape(report.title)}: models compared</title>\n<style>\n{style}</style>\n</head>\n<body>",
-            f"<h1>{escape(report.title)}</h1>\n<dl>{facts}</dl>\n{refused}",
+            f"<title>{title}: models compared</title>\n<style>\n{style}</style>\n</head>\n<body>",
+            f"<h1>{title}</h1>\n<dl>{facts}</dl>\n{refused}",
             _table(first),
             f'<p class="note">{_INTRODUCTION}</p>',
             '<div class="bar"><b>Show</b>',
             '<label><input type="radio" name="shown" value="picture" checked> pictures</label>',
-            '<label><input type="radio" name="shown" value="flip"> differences (FLIP: dark is alike)</label></div>',
+            '<label><input type="radio" name="shown" value="flip"> differences (FLIP: dark is alike)</label>',
+            "</div>",
             *(_section(section) for section in report.sections),
             *(_table(table) for table in others),
             f"<script>\n{script}</script>\n</body>\n</html>\n",

@@ -160,6 +160,18 @@ class Dolly:
         parameters.update()
 
 
+def require_scenes(names: Sequence[str]) -> None:
+    """Returns if at least one scene is named and all are in `MEASURED_SCENES`.
+
+    Raises:
+        InputError: none is given, or one is unknown.
+    """
+    if not names:
+        raise InputError(f"No scene is given: name some of {', '.join(_SHOTS)}.")
+    for name in names:
+        _shot(name)
+
+
 def _shot(name: str) -> _Shot:
     if name not in _SHOTS:
         raise InputError(f'scene = "{name}" is no scene of the image test: use {", ".join(_SHOTS)}.')

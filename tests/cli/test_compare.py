@@ -1,0 +1,84 @@
+"""`loomlight compare`: a page, a table and pictures; bad input ends in one sentence."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from loomlight.cli.main import run
+
+
+@pytest.fixture(scope="module")
+def report(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("compare")
+    cloth = folder / "cloth.toml"
+    cloth.write_text('name = "Red & <white>"\nweave = "twill 2/1"\n[warp]\ncolor = "#b03030"\n')
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
+        arguments = ["compare", str(cloth), "--models", "point", "-o", str(folder / "report")]
+        assert run([*arguments, "--scenes", "flat near,sphere", "--size", "32x18", "--spp", "8"]) == 0
+    return folder / "report"
+
+
+def test_the_table(report: Path) -> None:
+    table = json.loads((report / "table.json").read_text())
+    assert table["fabric"] == "Red & <white>"
+    assert 'weave = "twill 2/1"' in table["fabric_file"]
+    assert table["protocol"]["size"] == [32, 18]
+    assert table["protocol"]["reference_samples"] == 8
+    assert set(table) >= {"commit", "machine", "command"}
+    by_title = {part["title"]: part["rows"] for part in table["tables"]}
+    flip = by_title["Mean FLIP"]["point, 1 spp"]
+    assert list(flip) == ["flat near (0.25)", "sphere (3)"]
+    assert all(0 < value < 1 for value in flip.values())
+    (queries,) = (rows for title, rows in by_title.items() if title.startswith("nMAE of grey reflection"))
+    assert 0 < queries["point"]["overall"] < 1
+
+
+def test_the_page_shows_every_picture(report: Path) -> None:
+    page = (report / "index.html").read_text()
+    assert "Red &amp; &lt;white&gt;" in page
+    assert "<white>" not in page
+    assert "http" not in page.replace("http-equiv", "")  # nothing is fetched from elsewhere
+    pictures = sorted((report / "pictures").iterdir())
+    assert len(pictures) == 2 * 5
+    for picture in pictures:
+        assert f"pictures/{picture.name}" in page
+        with Image.open(picture) as opened:
+            assert opened.size == (32, 18)
+    with Image.open(report / "pictures" / "flat-near.png") as reference:
+        assert np.asarray(reference).std() > 0
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (["plain", "--models", "wovne"], 'model = "wovne"'),
+        (["plain", "--models", ","], "No model is given"),
+        (["plain", "--models", "point", "--scenes", "moon"], 'scene = "moon"'),
+        (["plain", "--models", "point", "--size", "big"], "960x540"),
+        (["plain", "--models", "point", "--spp", "0"], "--spp 0"),
+        (["plian", "--models", "point"], 'did you mean "plain"'),
+        (["plain", "--models", "point", "-o", "none/report"], "folder none does not exist"),
+        (["plain", "--models", "point", "-o", "file"], "holds a file"),
+    ],
+)
+def test_faults(
+    options: list[str],
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("file").write_text("")
+    output = [] if "-o" in options else ["-o", "report"]
+    assert run(["compare", *options, *output]) == 2
+    captured = capsys.readouterr()
+    assert expected in captured.err
+    assert captured.err.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file"]
