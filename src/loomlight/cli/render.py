@@ -14,7 +14,7 @@ from loomlight.core.errors import InputError
 
 EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
 
-MODELS = ("point",)
+MODELS = ("point", "woven")
 
 
 def render(

@@ -7,6 +7,10 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.backend import array_types
+from loomlight.core.footprint import Footprint
+from loomlight.mitsuba.ray_cone import cone_partials
+
 
 def draft_position(si: Any, uv_size: Any) -> tuple[Any, Any]:
     """Draft coordinates x, y in millimetres of `si`, where `uv_size` is mm per unit of u and of v.
@@ -14,6 +18,37 @@ def draft_position(si: Any, uv_size: Any) -> tuple[Any, Any]:
     The frame's y is n × x. Where dp/dv points against it (OBJ as Mitsuba loads it, glTF, mirrored islands)
     the draft counts from the other end of v, so that a Z twill stays a Z twill.
     """
-    mirrored = dr.dot(dr.cross(si.dp_du, si.dp_dv), si.sh_frame.n) < 0
-    v = dr.select(mirrored, 1 - si.uv.y, si.uv.y)
+    v = dr.select(_mirrored(si), 1 - si.uv.y, si.uv.y)
     return si.uv.x * mi.Float(uv_size[0]), v * mi.Float(uv_size[1])
+
+
+def draft_footprint(si: Any, uv_size: Any, uv_footprint: tuple[Any, Any]) -> Footprint:
+    """A footprint in draft coordinates, millimetres; see `draft_position`.
+
+    Args:
+        uv_footprint: its edges in uv.
+    """
+    types = array_types(mi.Float)
+    turn = dr.select(_mirrored(si), mi.Float(-1), 1)
+
+    def step(edge: Any) -> Any:
+        return types.Vector2(edge.x * mi.Float(uv_size[0]), turn * edge.y * mi.Float(uv_size[1]))
+
+    return Footprint(types.Vector2(*draft_position(si, uv_size)), *(step(edge) for edge in uv_footprint))
+
+
+def uv_footprint(si: Any, pixel_angle: float) -> tuple[Any, Any]:
+    """Edges of the footprint in uv, as the integrator tells them.
+
+    Args:
+        pixel_angle: of a cone from the camera, radians, where the integrator tells nothing; 0 for none.
+    """
+    if pixel_angle <= 0:
+        return si.duv_dx, si.duv_dy
+    told = (dr.squared_norm(si.duv_dx) > 0) | (dr.squared_norm(si.duv_dy) > 0)
+    cone = cone_partials(si, -si.to_world(si.wi), si.t * pixel_angle)
+    return dr.select(told, si.duv_dx, cone[0]), dr.select(told, si.duv_dy, cone[1])
+
+
+def _mirrored(si: Any) -> Any:
+    return dr.dot(dr.cross(si.dp_du, si.dp_dv), si.sh_frame.n) < 0

@@ -10,7 +10,7 @@ from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
 
-MODELS = {"point": "woven_point"}
+MODELS = {"point": "woven_point", "woven": "woven_neural"}
 
 
 def fabric_bsdf(
@@ -20,7 +20,7 @@ def fabric_bsdf(
 
     Args:
         fabric: a fabric, or the path of a fabric file, a draft or a `.loom`, or a weave's name.
-        model: "point".
+        model: one of `MODELS`.
 
     Raises:
         InputError: an unknown model, or a fabric that cannot be read.

@@ -37,7 +37,7 @@ def render_fabric(
         fabric: a fabric; or the path of a fabric file, a draft or a `.loom`; or a weave's name, such as
             "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
-        model: "point".
+        model: "point", exact at every point, or "woven", the network that averages over footprints.
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.

@@ -24,6 +24,7 @@ from loomlight.assets.loom_file import is_loom
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.file import FabricFile
+from loomlight.fabric.load import edited_fabric
 
 _TABLES = ("warp", "weft", "sheen", "variation")
 _TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
@@ -52,6 +53,24 @@ def fabric_of(props: Any) -> Fabric:
     return fabric_of_text(text, folder)
 
 
+def other_fabric_of(props: Any) -> Fabric | None:
+    """The fabric that the parameter ``other`` names, as ``fabric`` does; None where there is none.
+
+    Raises:
+        InputError: no such file, or a field that cannot be.
+    """
+    return _named(str(props["other"])) if "other" in props else None
+
+
+def with_fields(fabric: Fabric, fields: dict[str, Any]) -> Fabric:
+    """The fabric with other values of some fields, by their dotted names: "warp.roughness", "sheen.strength".
+
+    Raises:
+        InputError: a value that cannot be; the message names its field.
+    """
+    return edited_fabric(fabric, _toml(_merged(tomllib.loads(fabric.to_toml()), fields)))
+
+
 def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
     """Millimetres per unit of u and of v: ``uv_size`` (mm), or ``uv_scale`` (repeats); 100 mm by default.
 
@@ -73,7 +92,10 @@ def _base(props: Any) -> Fabric | None:
         return fabric_of_text(str(props["toml"]), _folder(props))
     if "fabric" not in props:
         return None
-    name = str(props["fabric"])
+    return _named(str(props["fabric"]))
+
+
+def _named(name: str) -> Fabric:
     resolved = Path(_resolved(name))
     # What is no file is left as it was written: the name of a weave, or a message's subject.
     return fabric_of_path(resolved if resolved.is_file() else name)

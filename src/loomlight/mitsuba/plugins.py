@@ -9,11 +9,15 @@ import mitsuba as mi
 
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.variants import is_supported, require_backend
+from loomlight.mitsuba.woven_neural import woven_neural_class
 from loomlight.mitsuba.woven_point import woven_point_class
 
 # Mitsuba's base classes differ from variant to variant, so a plugin is a function that makes its class.
 _INTEGRATORS: dict[str, Callable[[], type]] = {"footprint_path": footprint_path_class}
-_BSDFS: dict[str, Callable[[], type]] = {"woven_point": woven_point_class}
+_BSDFS: dict[str, Callable[[], type]] = {
+    "woven_point": woven_point_class,
+    "woven_neural": woven_neural_class,
+}
 
 
 def follow_variants() -> None:

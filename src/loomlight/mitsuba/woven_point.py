@@ -7,7 +7,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
 from loomlight.mitsuba.cloth_uv import draft_position
 from loomlight.mitsuba.fabric_props import fabric_of, uv_size_of
 from loomlight.mitsuba.held_surface import HeldSurface
@@ -55,18 +55,7 @@ def woven_point_class() -> type:
             sheen = self.model.sheen
             self._sheen = None if sheen is None else [mi.Float(float(value)) for value in sheen]
             self.parameters_changed([])
-            flags: Any = mi.BSDFFlags
-            both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
-            self.m_components = [
-                flags.DiffuseReflection | both,
-                flags.GlossyReflection | both,
-                flags.DiffuseTransmission | both,
-                flags.GlossyTransmission | both,
-                flags.Null | flags.FrontSide | flags.BackSide | flags.SpatiallyVarying,
-            ]
-            self.m_flags = self.m_components[0]
-            for component in self.m_components[1:]:
-                self.m_flags = self.m_flags | component
+            declare_lobes(self)
 
         def traverse(self, callback: Any) -> None:
             free = mi.ParamFlags.Differentiable
@@ -96,26 +85,26 @@ def woven_point_class() -> type:
                 self.model.sheen = (strength, roughness)
 
         def _families(self) -> Any:
-            return self.model.parameters(_types())
+            return self.model.parameters(variant_types())
 
         def _point(self, si: Any, active: Any) -> Any:
             x, y = draft_position(si, self.uv_size)
             with dr.suspend_grad():
-                hit = self.model.locate(x, y, _array(si.wi), active)
+                hit = self.model.locate(x, y, plain(si.wi), active)
             point = self.model.at(hit.x, hit.y, hit.back, hit.hole)
             if self.albedo is not None:
-                tint = _array(dr.clip(self.albedo.eval(si, active), 0, 1))
+                tint = plain(dr.clip(self.albedo.eval(si, active), 0, 1))
                 point.albedos.diffuse_reflect = point.albedos.diffuse_reflect * tint
                 point.albedos.diffuse_transmit = point.albedos.diffuse_transmit * tint
             return point
 
         def eval(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
             point = self._point(si, active)
-            return mi.Spectrum(self.model.evaluate(point, _array(wo), _array(si.wi), active))
+            return mi.Spectrum(self.model.evaluate(point, plain(wo), plain(si.wi), active))
 
         def pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
             point = self._point(si, active)
-            return dr.select(active, self.model.pdf(point, _array(wo), _array(si.wi)), 0)
+            return dr.select(active, self.model.pdf(point, plain(wo), plain(si.wi)), 0)
 
         def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
             return self._value_and_pdf(self._point(si, active), si, wo, active)
@@ -134,33 +123,21 @@ def woven_point_class() -> type:
 
         def eval_null_transmission(self, si: Any, active: Any = True) -> Any:
             point = self._point(si, active)
-            return mi.Spectrum(dr.select(active, self.model.straight_through(point, _array(si.wi)), 0))
+            return mi.Spectrum(dr.select(active, self.model.straight_through(point, plain(si.wi)), 0))
 
         def eval_diffuse_reflectance(self, si: Any, active: Any = True) -> Any:
             point = self._point(si, active)
             return mi.Spectrum(dr.select(active & ~point.hole, point.albedos.diffuse_reflect, 0))
 
         def _value_and_pdf(self, point: Any, si: Any, wo: Any, active: Any) -> Any:
-            light, view = _array(wo), _array(si.wi)
+            light, view = plain(wo), plain(si.wi)
             value = self.model.evaluate(point, light, view, active)
             return mi.Spectrum(value), dr.select(active, self.model.pdf(point, light, view), 0)
 
         def _drawn(self, point: Any, si: Any, choice: Any, square: Any, active: Any) -> Any:
-            types = _types()
-            drawn = self.model.sample(point, _array(si.wi), choice, types.Vector2(square), active)
-            bs: Any = dr.zeros(mi.BSDFSample3f)
-            bs.wo = mi.Vector3f(drawn.light)
-            bs.pdf = drawn.pdf
-            bs.eta = 1.0
-            flags: Any = mi.BSDFFlags
-            same_side = drawn.light.z * mi.Frame3f.cos_theta(si.wi) > 0
-            scattered = dr.select(
-                same_side, mi.UInt32(+flags.DiffuseReflection), mi.UInt32(+flags.DiffuseTransmission)
-            )
-            bs.sampled_type = dr.select(drawn.passes, mi.UInt32(+flags.Null), scattered)
-            lobe = dr.select(same_side, mi.UInt32(0), mi.UInt32(2))
-            bs.sampled_component = dr.select(drawn.passes, mi.UInt32(4), lobe)
-            return bs, mi.Spectrum(dr.select(active, drawn.weight, 0))
+            types = variant_types()
+            drawn = self.model.sample(point, plain(si.wi), choice, types.Vector2(square), active)
+            return bsdf_sample(drawn, si, active)
 
         def to_string(self) -> str:
             width, height = self.fabric.repeat_mm
@@ -173,12 +150,3 @@ def woven_point_class() -> type:
             )
 
     return WovenPoint
-
-
-def _types() -> ArrayTypes:
-    return array_types(mi.Float)
-
-
-def _array(value: Any) -> Any:
-    """A Mitsuba vector or colour as the plain three-component array that the physics uses."""
-    return _types().Vector3(value.x, value.y, value.z)
