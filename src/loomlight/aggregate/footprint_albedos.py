@@ -39,6 +39,7 @@ from loomlight.yarn.threads import FamilyTables
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _NUMBERS = 3 * len(_ALBEDOS)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
+# Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
 _MOST_ENTRIES = 1 << 26
 # Principal axes that move no albedo by more than this are left out.
 _SMALLEST_AXIS = 1e-6
