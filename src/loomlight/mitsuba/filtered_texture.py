@@ -1,6 +1,6 @@
 """Any Mitsuba texture as a pyramid of means, so that it can be read over a footprint.
 
-Mitsuba's textures are read at points: a print on cloth that is seen from afar would need many samples a pixel.
+Mitsuba's textures are read at points: a print on cloth seen from afar would need many samples a pixel.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class FilteredTexture:
 def _finest(texture: Any) -> Any:
     """The texture at the middles of fine texels."""
     side = _SIDE * _READS
-    number = dr.arange(mi.UInt32, side * side)
+    number: Any = dr.arange(mi.UInt32, side * side)
     si = dr.zeros(mi.SurfaceInteraction3f, side * side)
     si.uv = mi.Point2f((number % side + 0.5) / side, (number // side + 0.5) / side)
     with dr.suspend_grad():
@@ -84,7 +84,7 @@ def _means(level: Any, side: int, group: int) -> Any:
     """Means over groups of texels, each side."""
     coarse = side // group
     number = dr.arange(mi.UInt32, coarse * coarse)
-    corner = (number // coarse) * (group * side) + (number % coarse) * group
+    corner: Any = (number // coarse) * (group * side) + (number % coarse) * group
     total = mi.Color3f(0)
     for row in range(group):
         for column in range(group):

@@ -14,12 +14,15 @@ and the positions of surfaces are held fixed.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import drjit as dr
 import mitsuba as mi
 
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
+from loomlight.mitsuba.woven_neural import runs_network
 
 # A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
 MOST_PASSES = 64
@@ -64,6 +67,10 @@ def footprint_path_class() -> type:
             ray, weight, position = super().sample_rays(scene, sensor, places)
             ray.scale_differential(self._samples(sampler) ** -0.5)
             return ray, weight, position
+
+        def render(self, scene: Any, *arguments: Any, **named: Any) -> Any:
+            with calls_for(scene):
+                return super().render(scene, *arguments, **named)
 
         def _samples(self, sampler: Any) -> int:
             return self.footprint_samples or sampler.sample_count()
@@ -214,7 +221,11 @@ def footprint_path_class() -> type:
             width = mi.Float(width)
             passes = mi.UInt32(0)
             through = mi.Spectrum(1)
-            while dr.hint(active, label="footprint_path (shadow)"):
+            # Few rays pass through more than one hole: without symbolic loops only these are kept.
+            # Dr.Jit's stub leaves `compress` out.
+            while dr.hint(  # type: ignore[call-arg]
+                active, label="footprint_path (shadow)", compress=True
+            ):
                 pi = scene.ray_intersect_preliminary(ray, coherent=False, reorder=False, active=active)
                 blocked = active & pi.is_valid()
                 other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
@@ -263,6 +274,22 @@ def footprint_integrator(scene: Any) -> Any:
     """The scene's own integrator if it is a `footprint_path`, otherwise a new one."""
     own = scene.integrator()
     return own if type(own).__name__ == "FootprintPath" else mi.load_dict({"type": "footprint_path"})
+
+
+@contextmanager
+def calls_for(scene: Any) -> Iterator[None]:
+    """Without symbolic calls and loops where a surface evaluates a network, which they make slow."""
+    symbolic = not has_networks(scene)
+    with (
+        dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic and dr.flag(dr.JitFlag.SymbolicCalls)),
+        dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),
+    ):
+        yield
+
+
+def has_networks(scene: Any) -> bool:
+    """Whether any surface of the scene evaluates a network."""
+    return any(shape.bsdf() is not None and runs_network(shape.bsdf()) for shape in scene.shapes())
 
 
 def has_holes(scene: Any) -> bool:

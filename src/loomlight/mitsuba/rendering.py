@@ -11,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.integrator import footprint_integrator
+from loomlight.mitsuba.integrator import footprint_integrator, has_networks
 from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
+# Networks are evaluated outside of symbolic loops, which keeps every path's state in memory.
+_NETWORK_SHARE = 8
 
 Progress = Callable[[int, int], None]
 
@@ -57,7 +59,7 @@ def render(
     total: NDArray[np.float64] | float = 0.0
     done = 0
     try:
-        for number, samples in enumerate(_passes(spp, width * height)):
+        for number, samples in enumerate(_passes(spp, width * height, has_networks(scene))):
             picture = mi.render(
                 scene, sensor=sensor, integrator=integrator, spp=samples, seed=_pass_seed(seed, number)
             )
@@ -73,9 +75,10 @@ def render(
     return linear.astype(np.float32)
 
 
-def _passes(spp: int, pixels: int) -> list[int]:
+def _passes(spp: int, pixels: int, networks: bool) -> list[int]:
     """Samples of each pass: as few passes as fit, as equal as they can be, at least `spp` in all."""
-    largest = max(1, WAVEFRONT[choose_variant()] // pixels)
+    wavefront = WAVEFRONT[choose_variant()] // (_NETWORK_SHARE if networks else 1)
+    largest = max(1, wavefront // pixels)
     count = -(-spp // largest)
     return [_filling_grid(spp // count + (index < spp % count)) for index in range(count)]
 

@@ -1,7 +1,7 @@
-"""`woven_neural`: the universal network of chen2024 as a Mitsuba BSDF, for any distance at one sample a pixel.
+"""`woven_neural`: the universal network of chen2024 as a Mitsuba BSDF, for any distance, one sample a pixel.
 
-It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is ten times slower
-(see `loomlight.models.woven.decoder`), so that integrator leaves symbolic calls wherever such a BSDF is about.
+It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is ten times
+slower (`loomlight.models.woven.decoder`), so that integrator does without them where such a BSDF is about.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.fabric_props import fabric_of, other_fabric_of, uv_size_of, with_fields
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.models.interface import FamilyAlbedos
+from loomlight.models.woven.decoder import Seen
 from loomlight.models.woven.encoding import EncodedFabric, encode, encode_pair
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import shipped_weights
@@ -146,18 +147,19 @@ def woven_neural_class() -> type:
         def _refilter(self) -> None:
             self._texture = None if self.albedo is None else FilteredTexture(self.albedo)
 
-        def _seen(self, si: Any, active: Any) -> Any:
+        def _seen(self, si: Any, active: Any) -> tuple[Seen, FamilyAlbedos]:
             """Everything but the light: what the view sees, and mean albedos."""
             edges, view = uv_footprint(si, self.pixel_angle), plain(si.wi)
             footprint = draft_footprint(si, self.uv_size, edges)
-            means = self._means.over(footprint, view.z < 0)
+            warp, weft = self._means.over(footprint, view.z < 0)
             if self._texture is not None:
                 tint = plain(dr.clip(self._texture.over(si, *edges, active), 0, 1))
-                means = tuple(_tinted(family, tint) for family in means)
-            return self.model.seen(view, footprint), FamilyAlbedos(*means)
+                warp, weft = _tinted(warp, tint), _tinted(weft, tint)
+            return self.model.seen(view, footprint), FamilyAlbedos(warp, weft)
 
         def eval(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
-            return self._value(*self._seen(si, active), si, wo, active)
+            seen, albedos = self._seen(si, active)
+            return self._value(seen, albedos, si, wo, active)
 
         def pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
             seen, albedos = self._seen(si, active)
@@ -168,7 +170,8 @@ def woven_neural_class() -> type:
             return self._value(seen, albedos, si, wo, active), self._pdf(seen, albedos, si, wo, active)
 
         def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Any = True) -> Any:
-            return self._drawn(*self._seen(si, active), si, sample1, sample2, active)
+            seen, albedos = self._seen(si, active)
+            return self._drawn(seen, albedos, si, sample1, sample2, active)
 
         def eval_pdf_sample(
             self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Any = True
