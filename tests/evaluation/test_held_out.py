@@ -9,6 +9,7 @@ from loomlight.aggregate.queries import admits_transmission
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
 from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft
+from loomlight.models.woven.weaves import HELD_OUT_WEAVES
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +46,8 @@ def test_unseen_weaves_are_unlike_the_papers(fabrics: list[HeldOut]) -> None:
     names = {cloth.name.split(" ", 1)[1] for cloth in fabrics}
     assert {"twill 4/4", "basket 2/2"} <= names
     assert set(PAPER_WEAVES) <= names
+    # What training leaves out is what is judged here.
+    assert set(HELD_OUT_WEAVES) == names - set(PAPER_WEAVES)
     assert any("herringbone" in name for name in names)
     assert any(cloth.fabric.draft.ends > 32 and cloth.unseen_weave for cloth in fabrics)
 
