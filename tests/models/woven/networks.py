@@ -1,0 +1,55 @@
+"""Small untrained networks: parity asks nothing of what they have learnt."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+
+from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.weights import Weights, read_weights, write_weights
+
+# The shapes that are trained: what ships, what was published, and the ablations.
+TABLES: dict[str, dict[str, Any]] = {
+    "field": {},
+    "vector, published": {"latent": "vector", "half_vector": False},
+    "plain, not fused": {"position": "plain", "fusion": False},
+}
+
+
+def network(name: str) -> WovenNetwork:
+    """A network of `TABLES`, a fifth as wide, whose weights are all different from zero."""
+    torch.manual_seed(1)
+    made = WovenNetwork(NetworkTable(width=8, hidden=32, **TABLES[name]))
+    with torch.no_grad():
+        for key, values in made.named_parameters():
+            if key.endswith("gain"):
+                values.fill_(0.3)
+            elif key.startswith("decoder") and key.endswith("weight"):
+                values.mul_(2)
+        # Outputs of a fresh network lie about 0, where they are cut off and parity would say nothing.
+        made.decoder.angular[-1].bias.fill_(1.0)
+        made.decoder.hole[-1].bias.fill_(0.4)
+    return made
+
+
+def written(made: WovenNetwork, path: Path, half: bool = False, **changes: Any) -> Path:
+    """The network as a weights file."""
+    given: dict[str, Any] = {"linear_diffuse": not made.table.half_vector, "recipe": {}, "provenance": {}}
+    state = {name: values.numpy() for name, values in made.state_dict().items()}
+    write_weights(path, made.table, state, half=half, **(given | changes))
+    return path
+
+
+def weights_of(made: WovenNetwork, folder: Path) -> Weights:
+    """The network without torch, in single precision."""
+    return read_weights(written(made, folder / "weights.safetensors"))
+
+
+def unit_vectors(rng: np.random.Generator, count: int) -> np.ndarray:
+    """Directions on the whole sphere [count, 3]."""
+    vectors = rng.normal(size=(count, 3))
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)

@@ -1,0 +1,45 @@
+"""What torch says of queries: the readable twin of the decoder in Dr.Jit."""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.losses import unmapped
+from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.places import network_places
+from loomlight.models.woven.pool import places_of
+from loomlight.models.woven.pyramid import taps
+
+
+def responses(
+    made: WovenNetwork,
+    encoded: EncodedFabric,
+    fabric: Fabric,
+    lights: NDArray[np.float32],
+    views: NDArray[np.float32],
+    centres: NDArray[np.float64],
+    sides: NDArray[np.float64],
+) -> NDArray[np.float32]:
+    """Components, 1/sr, and hole [n, 5] of square footprints, millimetres; views of either side."""
+    footprints = places_of(fabric.layout(), centres, sides)
+    front, back = (face.astype(np.float32) for face in encoded.faces)
+    behind = views[:, 2:] < 0
+    if made.table.latent == "field":
+        texels, weights = taps(encoded.levels, *footprints.T)
+        latents = [np.einsum("nk,nkc->nc", weights, face[texels]) for face in (front, back)]
+    else:
+        latents = [front, back]
+    latent = np.where(behind, latents[1], latents[0])
+    place = network_places(made.table, encoded.picks, encoded.ends, footprints)
+    turn = np.where(behind, [1, 1, -1], 1).astype(np.float32)
+    light = torch.tensor(lights * turn)
+    with torch.no_grad():
+        output, hole = made.decoder(
+            torch.tensor(latent), torch.tensor(place), light, torch.tensor(views * turn)
+        )
+        components = unmapped(output, light, not made.table.half_vector)
+    return np.concatenate([components.numpy(), hole.clamp(0, 1).numpy()[:, None]], 1)

@@ -1,0 +1,101 @@
+"""The decoder in Dr.Jit against torch, on one set of queries."""
+
+from __future__ import annotations
+
+from dataclasses import astuple
+from pathlib import Path
+
+import drjit as dr
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.interface import Response
+from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.model import WovenModel
+
+from .networks import TABLES, network, unit_vectors, weights_of
+from .reference import responses
+
+require_llvm()
+COUNT = 4000
+# Unequal setts and a repeat that is no power of two.
+CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nroughness = 0.3'
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
+    made, fabric = network(name), fabric_from_text(CLOTH)
+    weights = weights_of(made, tmp_path)
+    encoded = encode(fabric, weights, Float)
+    model = WovenModel(fabric, encoded, weights)
+    rng = np.random.default_rng(2)
+    lights, views = unit_vectors(rng, COUNT), unit_vectors(rng, COUNT)
+    centres = rng.uniform(-3, 5, (COUNT, 2)) * fabric.repeat_mm
+    # From a 500th of a thread to 100 threads, so that both ends of the pyramid are met.
+    sides = 0.4 * np.exp(rng.uniform(np.log(0.002), np.log(100), COUNT))
+    found = np.stack(answered(model, lights, views, centres, sides), 1)
+    wanted = responses(made, encoded, fabric, lights, views, centres, sides)
+    scale = wanted.max(axis=0)
+    assert (scale > 1e-3).all()
+    # Positions in float32 are off by 1e-6 of a repeat, 1e-4 of the pyramid's finest texels at worst.
+    error = np.abs(found - wanted) / scale
+    assert np.percentile(error, 99.5) < 1e-5
+    assert error.max() < 1e-3
+
+
+def answered(
+    model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
+) -> list[np.ndarray]:
+    response = asked(model, lights, views, centres, sides)
+    dr.eval(response)
+    return [part.numpy() for part in astuple(response)]
+
+
+def asked(
+    model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
+) -> Response:
+    light, view = (Array3f(np.ascontiguousarray(part.T, np.float32)) for part in (lights, views))
+    centre = Array2f(np.ascontiguousarray(centres.T, np.float32))
+    side = Float(sides.astype(np.float32))
+    return model.evaluate(light, view, Footprint(centre, Array2f(side, 0), Array2f(0, side)))
+
+
+def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
+    made, fabric = network("field"), fabric_from_text("plain")
+    weights = weights_of(made, tmp_path)
+    model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+    rng = np.random.default_rng(3)
+    queries = (
+        unit_vectors(rng, 200),
+        unit_vectors(rng, 200),
+        rng.uniform(0, 1, (200, 2)) * fabric.repeat_mm,
+        np.full(200, 0.1),
+    )
+
+    def step(number: UInt32, total: Float) -> tuple[UInt32, Float]:
+        return number + 1, total + asked(model, *queries).diffuse_warp
+
+    _, total = dr.while_loop(
+        (UInt32(0), dr.zeros(Float, 200)), lambda number, total: number < 2, step, mode="symbolic"
+    )
+    np.testing.assert_allclose(total.numpy(), 2 * answered(model, *queries)[0], rtol=1e-4, atol=1e-8)
+
+
+def test_new_fabrics_need_no_new_kernels(tmp_path: Path) -> None:
+    weights = weights_of(network("field"), tmp_path)
+    rng = np.random.default_rng(4)
+    directions = unit_vectors(rng, 100), unit_vectors(rng, 100)
+    hashes = []
+    for text in ("plain", "satin 5/2"):
+        fabric = fabric_from_text(text)
+        model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+            dr.kernel_history_clear()
+            answered(model, *directions, rng.uniform(0, 1, (100, 2)), np.full(100, 0.1))
+            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+        hashes.append(max(kernels, key=lambda kernel: kernel["operation_count"])["hash"])
+    assert hashes[0] == hashes[1]

@@ -1,0 +1,103 @@
+"""The weights file: what is written comes back, what is wrong is one sentence, and what ships is small."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+import pytest
+from safetensors.numpy import load_file, save_file
+from safetensors.torch import load_file as load_torch
+
+from loomlight.core.errors import InputError
+from loomlight.models.woven.weights import read_weights, shipped_weights
+
+from .networks import network, written
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return written(network("field"), tmp_path_factory.mktemp("weights") / "a.safetensors", half=True)
+
+
+def header_of(path: Path) -> dict:
+    data = path.read_bytes()
+    size = int.from_bytes(data[:8], "little")
+    return json.loads(json.loads(data[8 : 8 + size])["__metadata__"]["woven"])
+
+
+def test_what_is_written_comes_back(file: Path, tmp_path: Path) -> None:
+    found = read_weights(file)
+    state = network("field").state_dict()
+    assert set(found.tensors) == set(state)
+    assert found.table == network("field").table
+    for name, values in found.tensors.items():
+        assert values.dtype == np.float32
+        # Half precision: 11 bits.
+        np.testing.assert_allclose(values, state[name].numpy(), rtol=2**-11, atol=1e-7)
+    assert len(found.sha256) == 64
+    again = written(network("field"), tmp_path / "b.safetensors", half=True)
+    assert again.read_bytes() == file.read_bytes()
+
+
+def test_the_checksum_names_the_content(file: Path, tmp_path: Path) -> None:
+    other = written(network("field"), tmp_path / "b.safetensors", half=True, recipe={"steps": 1})
+    assert read_weights(other).sha256 != read_weights(file).sha256
+
+
+def test_torch_reads_the_same_file(file: Path) -> None:
+    made = network("field")
+    made.load_state_dict({name: values.float() for name, values in load_torch(file).items()})
+
+
+def rewritten(file: Path, path: Path, change: dict) -> Path:
+    """The file with another header."""
+    header = header_of(file)
+    header["network"] |= change
+    save_file(load_file(file), path, {"woven": json.dumps(header)})
+    return path
+
+
+def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
+    data = bytearray(file.read_bytes())
+    (tmp_path / "cut").write_bytes(data[: len(data) // 2])
+    data[-3] ^= 0x40
+    (tmp_path / "flipped").write_bytes(data)
+    save_file({"a": np.zeros(3, np.float32)}, tmp_path / "foreign")
+    (tmp_path / "text").write_text("no weights")
+    save_file(load_file(file), tmp_path / "no header", {"woven": "{"})
+    rewritten(file, tmp_path / "older", {"schema": 0})
+    rewritten(file, tmp_path / "newer", {"schema": 2})
+    rewritten(file, tmp_path / "other shape", {"shape": {"hidden": 7}})
+    expected = {
+        "cut": "damaged",
+        "flipped": "checksum",
+        "foreign": "without the entry woven",
+        "text": "no weights file",
+        "no header": "header is damaged",
+        "older": "schema is 0",
+        "newer": "install a newer loomlight",
+        "other shape": "checksum",
+        "absent": "does not exist",
+    }
+    for name, part in expected.items():
+        with pytest.raises(InputError, match=part) as caught:
+            read_weights(tmp_path / name)
+        assert str(caught.value).startswith(str(tmp_path / name))
+        assert "\n" not in str(caught.value)
+
+
+def test_weights_beyond_half_precision_are_refused(tmp_path: Path) -> None:
+    made = network("field")
+    made.decoder.hole[1].bias.data.fill_(1e6)
+    with pytest.raises(ValueError, match=r"decoder\.hole\.1\.bias"):
+        written(made, tmp_path / "large.safetensors", half=True)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_package_ships_a_network_of_at_most_six_megabytes() -> None:
+    path = files("loomlight.models.woven") / "weights" / "woven.safetensors"
+    assert 1e5 < len(path.read_bytes()) <= 6e6
+    assert shipped_weights().table.latent in ("field", "vector")
