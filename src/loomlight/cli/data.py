@@ -35,7 +35,7 @@ def woven(
         str,
         typer.Option(
             metavar="N",
-            help="Queries a material, about: 200000 makes 0.5 GB in all; full is 6.4 million, 16 GB.",
+            help="Queries a material, about: 200000 makes 0.6 GB in all; full is 6.4 million, 17 GB.",
         ),
     ] = str(DEFAULT_QUERIES),
     seed: Annotated[int, typer.Option(help="The same seed gives the same materials and queries.")] = 0,
