@@ -53,14 +53,15 @@ def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) ->
 
     With the published weights the diffuse terms, three quarters of the light, are a hundredth of the loss.
     """
-    albedos = torch.tensor(_ALBEDOS)
+    albedos = torch.tensor(_ALBEDOS, device=output.device)
     target = truth[:, :4]
     bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=LARGEST_OUTPUT), 0.1)) / gain(light)
     error = (bounded - target) * albedos
     linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
     # Absolute errors make medians, which are darker than means where shadows are sharp: groups of queries of
     # one face, drawn at random, must be right in their mean.
-    groups = error[: len(error) // _GROUP * _GROUP].reshape(-1, _GROUP, 4)
+    size = min(_GROUP, len(error))
+    groups = error[: len(error) // size * size].reshape(-1, size, 4)
     linear = linear + _GROUP_WEIGHT * groups.mean(1).abs().sum(1).mean()
     logarithmic = (output - mapped(target, light, False)).square().sum(1).mean()
     holes = (hole - truth[:, 4]).abs().mean()

@@ -198,11 +198,11 @@ class Decoder(nn.Module):
         if self.table.half_vector:
             directions.append(half_vector(light, view))
         hidden: Any = torch.cat([spatial, *directions], 1)
-        skip = None
+        skip, kind = None, place.device.type
         for number, layer in enumerate(self.angular):
             last = number + 1 == len(self.angular)
             # Where training computes in bfloat16, the output must not: it is a logarithm.
-            with torch.autocast("cpu", enabled=torch.is_autocast_enabled("cpu") and not last):
+            with torch.autocast(kind, enabled=torch.is_autocast_enabled(kind) and not last):
                 hidden = layer(hidden.to(layer.weight.dtype) if last else hidden)
             if number == 0:
                 skip = hidden
@@ -229,7 +229,7 @@ def one_blob(place: Tensor) -> Tensor:
 
     Positions wrap around. The bump is quartic, which is near the Gaussian and needs no exponential.
     """
-    centres = (torch.arange(BINS, dtype=place.dtype) + 0.5) / BINS
+    centres = (torch.arange(BINS, dtype=place.dtype, device=place.device) + 0.5) / BINS
     offset = place[:, :, None] - centres
     around = offset[:, :2] - torch.round(offset[:, :2])
     distance = torch.cat([around, offset[:, 2:]], 1) * (BINS / BLOB_REACH)

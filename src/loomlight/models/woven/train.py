@@ -39,12 +39,14 @@ def train_woven(
     pool_report: PoolReport | None = None,
     report: Report | None = None,
     device: str = "cpu",
+    keep_every: float = 60.0,
 ) -> Path:
     """Trains a network and writes `woven.safetensors`, which it names.
 
     Args:
         folder: holds the pool (`pool/`) and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
+        keep_every: seconds between checkpoints.
 
     Raises:
         InputError: the folder belongs to another configuration, or a file in it is damaged.
@@ -59,6 +61,7 @@ def train_woven(
         steps=training.steps,
         rate=lambda share: training.rate * rate_share(training, share),
         seconds=60 * training.minutes,
+        keep_every=keep_every,
     )
     batches = Batches(config, faces, network, torch.device(device))
     steps = train(

@@ -1,0 +1,181 @@
+"""Training: learns, is the same after kill −9 at any moment, refuses what is not its own."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from safetensors.numpy import load_file
+
+torch = pytest.importorskip("torch")
+
+from loomlight.core.errors import InputError  # noqa: E402
+from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
+from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
+from loomlight.models.woven.train import rate_share, train_woven  # noqa: E402
+
+TINY = """
+[network]
+width = 4
+latent_size = 8
+hidden = 16
+[data]
+fabrics = 2
+pairs = 64
+footprints = 16
+lights = 16
+views = 16
+texels_per_thread = 8
+[training]
+steps = {steps}
+fabrics = 2
+queries = 64
+"""
+
+
+@pytest.fixture(scope="module")
+def pool(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the pool that all trainings here share."""
+    folder = tmp_path_factory.mktemp("pool")
+    train_woven(_config(folder, 1), folder)
+    return folder
+
+
+def _config(folder: Path, steps: int) -> TrainingConfig:
+    path = folder / "tiny.toml"
+    path.write_text(TINY.format(steps=steps))
+    return read_config(path)
+
+
+def _with_pool(pool: Path, folder: Path) -> Path:
+    folder.mkdir()
+    for made in pool.glob("pool-*"):
+        (folder / made.name).symlink_to(made)
+    return folder
+
+
+def test_training_learns(pool: Path, tmp_path: Path) -> None:
+    losses: list[float] = []
+    train_woven(
+        _config(tmp_path, 60),
+        _with_pool(pool, tmp_path / "run"),
+        report=lambda done, total, loss: losses.append(loss),
+    )
+    assert losses[-1] < 0.9 * losses[0]
+
+
+def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path) -> None:
+    """Stopped by an exception after any step, and gone on with: bit for bit the same."""
+    config = _config(tmp_path, 12)
+    whole = load_file(train_woven(config, _with_pool(pool, tmp_path / "whole")))
+    folder = _with_pool(pool, tmp_path / "stopped")
+    for stop in (3, 7):
+        with pytest.raises(KeyboardInterrupt):
+            train_woven(config, folder, report=_stop_at(stop), keep_every=0)
+    resumed = load_file(train_woven(config, folder, keep_every=0))
+    assert whole.keys() == resumed.keys()
+    assert all(np.array_equal(whole[name], resumed[name]) for name in whole)
+
+
+def _stop_at(step: int):
+    def report(done: int, total: int, loss: float) -> None:
+        if done == step:
+            raise KeyboardInterrupt
+
+    return report
+
+
+def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
+    """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
+    config = tmp_path / "tiny.toml"
+    config.write_text(TINY.format(steps=150))
+    whole = load_file(train_woven(read_config(config), _with_pool(pool, tmp_path / "whole")))
+    folder = _with_pool(pool, tmp_path / "killed")
+    command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
+    for seconds in (0.3, 0.6):
+        process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+        _wait_for(folder / "checkpoint.safetensors")
+        time.sleep(seconds)
+        os.kill(process.pid, signal.SIGKILL)
+        process.wait()
+    subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
+    resumed = load_file(folder / "woven.safetensors")
+    assert all(np.array_equal(whole[name], resumed[name]) for name in whole)
+
+
+_COMMAND = """
+import sys
+from pathlib import Path
+from loomlight.models.woven.config import read_config
+from loomlight.models.woven.train import train_woven
+train_woven(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0)
+"""
+
+
+def _wait_for(path: Path) -> None:
+    for _ in range(600):
+        if path.exists():
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"{path} was not written in a minute")
+
+
+def test_checkpoint_of_another_configuration_is_refused(pool: Path, tmp_path: Path) -> None:
+    folder = _with_pool(pool, tmp_path / "run")
+    train_woven(_config(tmp_path, 1), folder)
+    with pytest.raises(InputError, match="another configuration"):
+        train_woven(_config(tmp_path, 2), folder)
+    checkpoint = folder / "checkpoint.safetensors"
+    checkpoint.write_bytes(checkpoint.read_bytes()[:500])
+    with pytest.raises(InputError, match="damaged"):
+        train_woven(_config(tmp_path, 1), folder)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[training]\nsteps = 0", "training.steps = 0"),
+        ("[training]\nspeed = 1", "training.speed"),
+        ('[network]\nlatent = "tree"', "network.latent = 'tree'"),
+        ("[training", "no TOML"),
+    ],
+)
+def test_bad_configurations_end_in_a_sentence(tmp_path: Path, text: str, words: str) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text(text)
+    with pytest.raises(InputError) as caught:
+        read_config(path)
+    assert words in str(caught.value)
+    assert str(path) in str(caught.value)
+
+
+@pytest.mark.parametrize("published", [False, True])
+def test_components_come_back_through_the_map(published: bool) -> None:
+    components = torch.rand(50, 4) * 3
+    light = torch.nn.functional.normalize(torch.randn(50, 3), dim=1)
+    back = unmapped(mapped(components, light, published), light, published)
+    # e^x − 1 of float32 logarithms up to 8: 8·6e-8 relative, times a few.
+    torch.testing.assert_close(back, components, rtol=3e-6, atol=1e-7)
+
+
+@pytest.mark.parametrize("name", list(LOSSES))
+def test_losses_vanish_at_the_truth_alone(name: str) -> None:
+    truth = torch.rand(512, 5)
+    light = torch.nn.functional.normalize(torch.randn(512, 3), dim=1)
+    output = mapped(truth[:, :4], light, name == "published")
+    assert LOSSES[name](output, truth[:, 4], truth, light) < 1e-5
+    assert LOSSES[name](output + 0.1, truth[:, 4], truth, light) > 1e-3
+    assert LOSSES[name](output, truth[:, 4] + 0.1, truth, light) > 1e-4
+
+
+def test_schedules() -> None:
+    steps = TrainingConfig.model_validate({"training": {"schedule": "steps"}}).training
+    assert [round(rate_share(steps, share), 3) for share in (0, 0.59, 0.61, 0.95)] == [1, 1, 0.2, 0.04]
+    cosine = TrainingConfig().training
+    assert rate_share(cosine, 0) < 1e-6
+    assert rate_share(cosine, 0.01) == pytest.approx(1, abs=1e-3)
+    assert rate_share(cosine, 1) == pytest.approx(0, abs=1e-6)

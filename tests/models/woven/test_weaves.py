@@ -1,0 +1,50 @@
+"""What is drawn for training: inside the box, never a held-out weave."""
+
+import numpy as np
+
+from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft, random_fabric
+from loomlight.models.woven.weaves import HELD_OUT_WEAVES, _class_of, training_draft
+from loomlight.weave.named import named_weave
+
+
+def test_paper_weaves_have_the_repeats_the_paper_names() -> None:
+    shapes = {name: paper_draft(name).drawdown.shape[::-1] for name in PAPER_WEAVES}
+    assert shapes == {
+        "plain": (2, 2),
+        "twill 3×3": (3, 3),
+        "twill 5×5": (5, 5),
+        "twill 8×8": (8, 8),
+        "satin 5×5": (5, 5),
+        "satin 8×8": (8, 8),
+        "satin 5×10": (5, 10),
+    }
+
+
+def test_copies_of_a_weave_are_one_class() -> None:
+    twill = named_weave("twill 3/1 s").drawdown
+    assert _class_of(named_weave("twill 3/1 z").drawdown) == _class_of(twill)
+    assert _class_of(np.roll(~twill, 3, 0)) == _class_of(twill)
+    assert _class_of(~twill.T) == _class_of(twill)
+    assert _class_of(named_weave("twill 2/2").drawdown) != _class_of(twill)
+
+
+def test_held_out_weaves_are_never_drawn() -> None:
+    held = {_class_of(named_weave(name).drawdown) for name in HELD_OUT_WEAVES if name != "diamond figure 48"}
+    rng = np.random.default_rng(5)
+    drawn = [training_draft(rng, "all").drawdown for _ in range(150)]
+    assert not held & {_class_of(drawdown) for drawdown in drawn}
+    # Half are others than the paper's, and of those hardly two are alike.
+    assert len({drawdown.tobytes() for drawdown in drawn}) > 50
+
+
+def test_random_fabrics_fill_the_box() -> None:
+    rng = np.random.default_rng(1)
+    fabrics = [random_fabric(rng, paper_draft("satin 5×5")) for _ in range(300)]
+    roughness = np.array([fabric.appearance().warp.roughness for fabric in fabrics])
+    scale = np.array([fabric.layout().weft.height_scale for fabric in fabrics])
+    for values, (low, high) in ((roughness, PARAMETER_BOX.roughness), (scale, PARAMETER_BOX.height_scale)):
+        assert values.min() >= low
+        assert values.max() <= high
+        # Of 300 uniform numbers the extremes lie within 3 % of the ends but in e^-9 of cases.
+        assert values.min() < low + 0.03 * (high - low)
+        assert values.max() > high - 0.04 * (high - low)
