@@ -20,10 +20,10 @@ TABLES: dict[str, dict[str, Any]] = {
 }
 
 
-def network(name: str) -> WovenNetwork:
-    """A network of `TABLES`, a fifth as wide, whose weights are all different from zero."""
+def network(name: str, hidden: int = 32) -> WovenNetwork:
+    """A network of `TABLES`, narrower, whose weights are all different from zero."""
     torch.manual_seed(1)
-    made = WovenNetwork(NetworkTable(width=8, hidden=32, **TABLES[name]))
+    made = WovenNetwork(NetworkTable(width=8, hidden=hidden, **TABLES[name]))
     with torch.no_grad():
         for key, values in made.named_parameters():
             if key.endswith("gain"):

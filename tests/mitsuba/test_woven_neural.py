@@ -1,0 +1,340 @@
+"""The network as a BSDF: the same numbers as torch, what it samples, and what editing costs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError
+from loomlight.mitsuba import build_scene, fabric_bsdf, render, woven_neural
+from loomlight.mitsuba.filtered_texture import FilteredTexture
+from loomlight.mitsuba.integrator import calls_for, has_networks
+from loomlight.models.woven import encoding
+from loomlight.models.woven.weights import Weights
+
+from ..models.woven.networks import network, weights_of
+from ..models.woven.reference import responses
+
+TWILL = {
+    "type": "woven_neural",
+    "weave": "twill 2/1",
+    "warp_color": "#c08040",
+    "weft_color": "#4060c0",
+    "warp_translucency": 0.3,
+    "uv_size": "4,4",
+}
+
+
+@pytest.fixture(scope="module")
+def weights(tmp_path_factory: pytest.TempPathFactory) -> Weights:
+    """A narrow network with random weights, which compiles quickly."""
+    return weights_of(network("field", hidden=16), tmp_path_factory.mktemp("weights"))
+
+
+@pytest.fixture(autouse=True)
+def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> list[str]:
+    """Names of the fabrics that the encoder was run for, with empty caches."""
+    monkeypatch.setattr(woven_neural, "shipped_weights", lambda: weights)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    encoding.clear_encodings()
+    found: list[str] = []
+    run = encoding._run
+
+    def counted(fabric: Any, *arguments: Any) -> Any:
+        found.append(fabric.name)
+        return run(fabric, *arguments)
+
+    monkeypatch.setattr(encoding, "_run", counted)
+    return found
+
+
+def woven(**parameters: Any) -> Any:
+    return mi.load_dict(TWILL | parameters)
+
+
+def unit(rng: np.random.Generator, count: int) -> np.ndarray:
+    vectors = rng.normal(size=(count, 3))
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)
+
+
+def interactions(uv: np.ndarray, views: np.ndarray, sides: np.ndarray) -> Any:
+    """Points of cloth in the identity frame; footprints are squares of these sides in uv."""
+    count = len(uv)
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    si.uv = mi.Point2f(np.ascontiguousarray(uv.T, np.float32))
+    si.n = mi.Normal3f(0, 0, 1)
+    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
+    si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
+    si.wi = mi.Vector3f(np.ascontiguousarray(views.T, np.float32))
+    si.t = mi.Float(1)
+    side = mi.Float(sides.astype(np.float32))
+    si.duv_dx, si.duv_dy = mi.Vector2f(side, 0), mi.Vector2f(0, side)
+    return si
+
+
+def random_interactions(count: int, seed: int = 0) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray]:
+    rng = np.random.default_rng(seed)
+    uv, views = rng.random((count, 2)), unit(rng, count)
+    sides = np.exp(rng.uniform(np.log(0.01), np.log(0.5), count))
+    return interactions(uv, views, sides), uv, views, sides
+
+
+def vectors(values: np.ndarray) -> Any:
+    return mi.Vector3f(np.ascontiguousarray(values.T, np.float32))
+
+
+def test_values_are_those_of_torch() -> None:
+    bsdf, count, made = woven(), 2000, network("field", hidden=16)
+    si, uv, views, sides = random_interactions(count)
+    lights = unit(np.random.default_rng(1), count)
+    found = np.array(bsdf.eval(mi.BSDFContext(), si, vectors(lights)))
+    (encoded,) = bsdf._encoded
+    parts = responses(made, encoded, bsdf.fabric, lights, views, 4.0 * uv, 4.0 * sides)
+    appearance = bsdf.fabric.appearance()
+    side = np.where(lights[:, 2] * views[:, 2] < 0, "transmit", "reflect")
+    wanted = np.zeros((3, count))
+    for number, (term, family) in enumerate(
+        (term, family) for term in ("diffuse", "specular") for family in ("warp", "weft")
+    ):
+        albedo = np.stack([getattr(getattr(appearance, family), f"{term}_{s}")[0] for s in side], 1)
+        wanted += albedo * parts[:, number]
+    # Float32 all the way; the highest values are e^3 times those whose error is theirs.
+    np.testing.assert_allclose(found, wanted, atol=1e-4 * wanted.max())
+
+
+@pytest.mark.parametrize("side", [0.02, 0.3])
+def test_weight_is_value_over_density(side: float) -> None:
+    bsdf, count = woven(sheen_strength=0.4), 4000
+    rng = np.random.default_rng(2)
+    si = interactions(rng.random((count, 2)), unit(rng, count), np.full(count, side))
+    bs, weight = bsdf.sample(
+        mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
+    )
+    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
+    passes = np.array(mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null))
+    np.testing.assert_allclose(np.array(pdf)[~passes], np.array(bs.pdf)[~passes], rtol=1e-3)
+    product = np.array(weight * bs.pdf)[:, ~passes]
+    np.testing.assert_allclose(product, np.array(value)[:, ~passes], rtol=1e-3, atol=1e-5)
+    through = np.array(bsdf.eval_null_transmission(si))[0]
+    np.testing.assert_allclose(np.array(bs.pdf)[passes], through[passes], rtol=1e-4)
+    np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
+
+
+def test_all_at_once_is_each_alone() -> None:
+    bsdf, count = woven(), 1000
+    si, *_ = random_interactions(count)
+    rng = np.random.default_rng(3)
+    wo, lobe = vectors(unit(rng, count)), mi.Float(rng.random(count, np.float32))
+    square = mi.Point2f(rng.random((2, count)))
+    context = mi.BSDFContext()
+    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)
+    alone, alone_weight = bsdf.sample(context, si, lobe, square)
+    np.testing.assert_allclose(value, bsdf.eval(context, si, wo), rtol=1e-4, atol=1e-7)
+    np.testing.assert_allclose(pdf, bsdf.pdf(context, si, wo), rtol=1e-4)
+    np.testing.assert_allclose(bs.wo, alone.wo, atol=1e-5)
+    np.testing.assert_allclose(weight, alone_weight, rtol=1e-3, atol=1e-5)
+
+
+@pytest.mark.parametrize("view", [(0.1, 0.2, 1.0), (-0.6, 0.1, -0.5)])
+def test_sampling_follows_its_density(view: tuple[float, float, float]) -> None:
+    bsdf = woven()
+    direction = np.array(view) / np.linalg.norm(view)
+
+    def prepared(count: int) -> Any:
+        one = np.ones((count, 1))
+        return interactions(0.37 * np.ones((count, 2)), one * direction, np.full(count, 0.05))
+
+    def sample(u: Any) -> Any:
+        si = prepared(dr.width(u))
+        bs, _ = bsdf.sample(mi.BSDFContext(), si, u.x, mi.Point2f(u.y, u.z))
+        smooth = ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
+        return bs.wo, dr.select(smooth, mi.Float(1), 0)
+
+    test = mi.chi2.ChiSquareTest(
+        domain=mi.chi2.SphericalDomain(),
+        sample_func=sample,
+        pdf_func=lambda wo: bsdf.pdf(mi.BSDFContext(), prepared(dr.width(wo)), wo),
+        sample_dim=3,
+        sample_count=100_000,
+        res=51,
+        ires=8,
+    )
+    assert test.run(significance_level=0.001), getattr(test, "messages", "")
+
+
+def mean_value(bsdf: Any) -> np.ndarray:
+    si, *_ = random_interactions(500, seed=4)
+    return np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(0.1, 0.2, 0.97))).mean(axis=1)
+
+
+def test_editing_a_colour_needs_no_encoder(runs: list[str]) -> None:
+    bsdf = woven(sheen_strength=0.3)
+    params = mi.traverse(bsdf)
+    assert len(runs) == 1
+    before = mean_value(bsdf)
+    for family in ("warp", "weft"):
+        for term in ("diffuse", "specular"):
+            params[f"{family}.{term}_reflect"] *= 0.5
+            params[f"{family}.{term}_transmit"] *= 0.5
+    params["sheen.strength"] = 1e-3
+    params.update()
+    assert len(runs) == 1
+    halved = mean_value(bsdf)
+    assert (halved < before).all()
+    plain = mean_value(woven())
+    # What is left of the sheen takes and adds a thousandth.
+    np.testing.assert_allclose(halved, 0.5 * plain, rtol=5e-3)
+
+
+def test_editing_threads_is_the_fabric_of_those_threads(runs: list[str]) -> None:
+    bsdf = woven()
+    params = mi.traverse(bsdf)
+    params["warp.roughness"] = 0.7
+    params["weft.twist"] = float(np.radians(20))
+    params["weft.height_scale"] = 0.5
+    params.update()
+    assert len(runs) == 2
+    made = woven(warp_roughness=0.7, weft_twist_deg=20.0, weft_height_scale=0.5)
+    np.testing.assert_allclose(mean_value(bsdf), mean_value(made), rtol=1e-3)
+    assert np.abs(mean_value(bsdf) / mean_value(woven()) - 1).max() > 1e-3
+    params["warp.roughness"] = 7.0
+    with pytest.raises(InputError, match=r"warp\.roughness"):
+        params.update()
+
+
+def test_colours_thread_by_thread() -> None:
+    bsdf = woven(warp_color="#ff0000,#00ff00,#0000ff")
+    params = mi.traverse(bsdf)
+    albedos = np.array(params["warp.albedos"]).reshape(3, 4, 3)
+    np.testing.assert_allclose(albedos[:, 0], bsdf.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
+    params["warp.albedos"] = mi.Float(np.zeros(36, np.float32))
+    params.update()
+    assert (mean_value(bsdf) < mean_value(woven(warp_color="#ff0000,#00ff00,#0000ff"))).all()
+
+
+def test_two_fabrics_are_mixed_and_extrapolated(runs: list[str]) -> None:
+    colours = {"warp_color": "#808080", "weft_color": "#808080", "warp_translucency": 0.0}
+    bsdf = woven(other="plain", blend=0.0, **colours)
+    params = mi.traverse(bsdf)
+    np.testing.assert_allclose(mean_value(bsdf), mean_value(woven(**colours)), rtol=1e-2)
+    encoded = len(runs)
+    values = []
+    for blend in (0.5, 1.0, 1.5):
+        params["blend"] = blend
+        params.update()
+        values.append(mean_value(bsdf))
+        assert np.isfinite(values[-1]).all()
+    assert len(runs) == encoded
+    assert np.ptp(values, axis=0).max() > 0
+
+
+def test_a_print_is_averaged_over_the_footprint() -> None:
+    checks = {"type": "checkerboard", "color0": 0.0, "color1": 1.0}
+    checks["to_uv"] = mi.ScalarTransform4f().scale(40)
+    bsdf = woven(albedo=checks)
+    rng = np.random.default_rng(5)
+    views = np.tile([0.0, 0.0, 1.0], (500, 1))
+    light = mi.Vector3f(0.1, 0.2, 0.97)
+    contrast = []
+    for side in (1e-3, 0.2):
+        si = interactions(rng.random((500, 2)), views, np.full(500, side))
+        printed = np.array(bsdf.eval(mi.BSDFContext(), si, light))[0]
+        plain = np.array(woven().eval(mi.BSDFContext(), si, light))[0]
+        ratio = printed / plain
+        contrast.append(ratio.std() / ratio.mean())
+    # Near, half of it is black but for the highlight; from afar all of it is grey.
+    assert contrast[0] > 0.5
+    assert contrast[1] < 0.05
+
+
+def test_texture_means_are_those_of_the_texture() -> None:
+    texture = mi.load_dict({"type": "checkerboard", "color0": 0.2, "color1": 0.8})
+    filtered = FilteredTexture(texture)
+    si = interactions(np.array([[0.25, 0.25], [0.25, 0.75], [0.3, 0.3]]), np.zeros((3, 3)), np.ones(3))
+    edge = mi.Float([0.05, 0.05, 8.0])
+    found = np.array(filtered.over(si, mi.Vector2f(edge, 0), mi.Vector2f(0, edge), mi.Bool(True)))[0]
+    direct = np.array(texture.eval(si))[0]
+    # Inside a field, and over all of them.
+    np.testing.assert_allclose(found, [direct[0], direct[1], 0.5], atol=1e-5)
+
+
+def test_a_pixel_angle_stands_in_for_the_integrators_footprint() -> None:
+    rng = np.random.default_rng(6)
+    uv, views = rng.random((500, 2)), np.tile([0.0, 0.0, 1.0], (500, 1))
+    told = interactions(uv, views, np.full(500, 0.2))
+    untold = interactions(uv, views, np.zeros(500))
+    light = mi.Vector3f(0.1, 0.2, 0.97)
+    wanted = np.array(woven().eval(mi.BSDFContext(), told, light))
+    angled = np.array(woven(pixel_angle=0.2).eval(mi.BSDFContext(), untold, light))
+    np.testing.assert_allclose(angled, wanted, rtol=1e-3, atol=1e-5)
+    assert np.abs(np.array(woven().eval(mi.BSDFContext(), untold, light)) - wanted).max() > 1e-3
+
+
+def test_xml_and_inline_are_the_same() -> None:
+    xml = mi.load_string(
+        """<bsdf version="3.0.0" type="woven_neural">
+             <string name="weave" value="twill 2/1"/><string name="warp_color" value="#c08040"/>
+             <string name="weft_color" value="#4060c0"/><float name="warp_translucency" value="0.3"/>
+             <string name="uv_size" value="4,4"/></bsdf>"""
+    )
+    np.testing.assert_allclose(mean_value(xml), mean_value(woven()), rtol=1e-5)
+    assert "WovenNeural" in str(xml)
+    assert "twill 2/1" in str(xml)
+
+
+def test_many_fabrics_in_one_picture_are_each_its_own() -> None:
+    """Two fabrics side by side show what each shows alone, without symbolic calls."""
+
+    def square(number: int, bsdf: dict) -> dict:
+        place = mi.ScalarTransform4f().translate([2.0 * number - 1, 0, 0])
+        return {"type": "rectangle", "to_world": place, "bsdf": bsdf}
+
+    rest = {
+        "type": "scene",
+        "light": {"type": "directional", "direction": [0.3, -0.2, -1]},
+        "sensor": {
+            "type": "orthographic",
+            "to_world": mi.ScalarTransform4f().look_at([0, 0, 5], [0, 0, 0], [0, 1, 0])
+            @ mi.ScalarTransform4f().scale([2, 1, 1]),
+            "film": {"type": "hdrfilm", "width": 32, "height": 16, "rfilter": {"type": "box"}},
+        },
+    }
+    fabrics = (TWILL, TWILL | {"weave": "plain", "warp_color": "#ffffff"})
+
+    def picture(*shown: dict) -> np.ndarray:
+        pieces = {f"cloth {number}": square(number, bsdf) for number, bsdf in enumerate(shown)}
+        scene = mi.load_dict(rest | pieces)
+        assert has_networks(scene)
+        return render(scene, spp=1, seed=7)
+
+    both = picture(*fabrics)
+    assert both[..., 0].max() > 0
+    for number in range(2):
+        half = slice(16 * number, 16 * (number + 1))
+        alone = picture(*((fabrics[number],) * 2))
+        np.testing.assert_allclose(both[:, half], alone[:, half], rtol=1e-3, atol=1e-4)
+    assert not np.allclose(both[:, :16], both[:, 16:], rtol=0.05)
+
+
+def test_flags_are_left_as_they_were() -> None:
+    networks = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle", "bsdf": TWILL}})
+    others = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle"}})
+    assert dr.flag(dr.JitFlag.SymbolicCalls)
+    with calls_for(others):
+        assert dr.flag(dr.JitFlag.SymbolicCalls)
+    with calls_for(networks):
+        assert not dr.flag(dr.JitFlag.SymbolicCalls)
+        assert not dr.flag(dr.JitFlag.SymbolicLoops)
+    assert dr.flag(dr.JitFlag.SymbolicCalls)
+
+
+def test_a_scene_of_loomlight_renders_with_it() -> None:
+    scene = build_scene("flat", fabric_bsdf("twill 2/1", "woven"), size=(24, 24), max_depth=2)
+    picture = render(scene.scene, spp=1, integrator=scene.integrator)
+    assert np.isfinite(picture).all()
+    assert picture.mean() > 0
