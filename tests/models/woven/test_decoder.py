@@ -1,4 +1,4 @@
-"""The decoder in Dr.Jit against torch, on one set of queries."""
+"""The decoder in Dr.Jit and in ONNX Runtime against torch, on one set of queries."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
+from loomlight.models.woven.batch import decode
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.pool import places_of
 
 from .networks import TABLES, network, unit_vectors, weights_of
 from .reference import responses
@@ -42,9 +44,12 @@ def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
     scale = wanted.max(axis=0)
     assert (scale > 1e-3).all()
     # Positions in float32 are off by 1e-6 of a repeat, 1e-4 of the pyramid's finest texels at worst.
-    error = np.abs(found - wanted) / scale
-    assert np.percentile(error, 99.5) < 1e-5
-    assert error.max() < 1e-3
+    footprints = places_of(fabric.layout(), centres, sides)
+    batch = decode(weights, encoded, lights, views, footprints)
+    for answers in (found, batch):
+        error = np.abs(answers - wanted) / scale
+        assert np.percentile(error, 99.5) < 1e-5
+        assert error.max() < 1e-3
 
 
 def answered(

@@ -60,7 +60,7 @@ class LatentTable:
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
         self.picks, self.ends = encoded.picks, encoded.ends
-        latents = np.concatenate(encoded.faces).astype(np.float32)
+        latents = encoded.both
         if weights.table.fusion:
             first = weights.tensor("decoder.fusion.0.weight")[:, : weights.table.latent_size]
             latents = latents @ first.T + weights.tensor("decoder.fusion.0.bias")

@@ -9,7 +9,7 @@ import warnings
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -60,6 +60,11 @@ class EncodedFabric:
     def levels(self) -> list[Level]:
         """Where each level of a field begins."""
         return levels_of(self.picks, self.ends)
+
+    @cached_property
+    def both(self) -> NDArray[np.float32]:
+        """Front above back [2 texels, latent_size], in single precision."""
+        return np.concatenate(self.faces).astype(np.float32)
 
     def mixed(self, other: EncodedFabric, share: float) -> EncodedFabric:
         """Latents between this fabric (0) and another of the same repeat (1), or beyond them.

@@ -1,0 +1,202 @@
+"""Evaluations of the universal network a second, fetches and codings included, against the machine.
+
+    python benchmarks/woven_inference.py [--output benchmarks/results/woven_inference.json]
+
+Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
+bilinear fetches; codings and activations are not counted. "in Dr.Jit" is one kernel
+for fetch, coding and layers; "in ONNX Runtime" decodes chunks that stay in the cache, whose latents numpy
+fetches, and "layers" are its time alone; "in the renderer" are the kernels of `eval_pdf_sample` in a picture,
+which decode each pixel for two lights. Each share is of the FMA peak measured right before and after, with
+independent chains of multiply-adds, so that shares hold on busy machines.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f, Float
+from point import fma_peak, timed
+
+from loomlight.core.files import replacing
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.core.provenance import provenance
+from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.models.woven.batch import decode, decoder_session
+from loomlight.models.woven.encoding import encoder_session
+from loomlight.models.woven.maps import face_maps
+from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.pool import fabric_parameters, places_of
+from loomlight.models.woven.weights import Weights
+from loomlight.yarn.geometry import YarnGeometry
+
+FABRIC = "satin 8/3"
+COUNT = 1 << 18
+PICTURE = 512
+
+
+def operations(weights: Weights) -> tuple[int, int]:
+    """Operations of what the view sees of a footprint, and of each light."""
+    shapes = {name: values.shape for name, values in weights.tensors.items() if name.endswith("weight")}
+    spatial = shapes["decoder.hole.0.weight"][1] - 2
+    hidden = shapes["decoder.angular.0.weight"][0]
+    light = shapes["decoder.angular.0.weight"][1] - spatial - 2
+    later = sum(
+        rows * columns
+        for name, (rows, columns) in shapes_of(shapes, "decoder.angular")
+        if name != "decoder.angular.0.weight"
+    )
+    fusion = sum(rows * columns for _, (rows, columns) in shapes_of(shapes, "decoder.fusion"))
+    holes = sum(rows * columns for _, (rows, columns) in shapes_of(shapes, "decoder.hole"))
+    # The latent's part of the first layer is multiplied beforehand; its result is fetched.
+    fetched = hidden * weights.table.latent_size if weights.table.fusion else 0
+    seen = fusion - fetched + hidden * (spatial + 2) + holes + 8 * hidden
+    return 2 * seen, 2 * (hidden * light + later)
+
+
+def shapes_of(shapes: dict[str, tuple[int, ...]], prefix: str) -> list[tuple[str, Any]]:
+    """Layers whose names begin so."""
+    return [(name, shape) for name, shape in shapes.items() if name.startswith(prefix)]
+
+
+def queries(model: WovenModel, count: int) -> tuple[Any, ...]:
+    """Lights, views and footprints from a quarter thread to 10 threads."""
+    rng = np.random.default_rng(0)
+
+    def directions() -> np.ndarray:
+        vectors = rng.normal(size=(3, count))
+        vectors[2] = np.abs(vectors[2]) + 0.05
+        return (vectors / np.linalg.norm(vectors, axis=0)).astype(np.float32)
+
+    centres = (rng.random((2, count)) * np.array(model.fabric.repeat_mm)[:, None]).astype(np.float32)
+    sides = (0.5 * np.exp(rng.uniform(np.log(0.25), np.log(10), count))).astype(np.float32)
+    return directions(), directions(), centres, sides
+
+
+def in_drjit(model: WovenModel) -> float:
+    """Queries a second."""
+    lights, views, centres, sides = queries(model, COUNT)
+    light, view, side = Array3f(lights), Array3f(views), Float(sides)
+    footprint = Footprint(Array2f(centres), Array2f(side, 0), Array2f(0, side))
+    dr.eval(light, view, footprint)
+    return COUNT / timed(lambda: dr.eval(model.evaluate(light, view, footprint)))
+
+
+def in_onnx_runtime(model: WovenModel) -> tuple[float, float]:
+    """Queries a second through ONNX Runtime: all that a query needs, and the layers alone."""
+    lights, views, centres, sides = queries(model, COUNT)
+    footprints = places_of(model.fabric.layout(), centres.T, sides)
+    weights, chunk = model.weights, 4096
+    directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
+    whole = COUNT / timed(lambda: decode(weights, model.encoded, *directions, footprints))
+    session = decoder_session(weights)
+    inputs = {
+        "latent": np.zeros((chunk, weights.table.latent_size), np.float32),
+        "place": np.full((chunk, 3), 0.5, np.float32),
+        "light": directions[0][:chunk],
+        "view": directions[1][:chunk],
+    }
+
+    def layers() -> None:
+        for _ in range(COUNT // chunk):
+            session.run(None, inputs)
+
+    return whole, COUNT / timed(layers)
+
+
+Measured = TypeVar("Measured")
+
+
+def beside_peak(measure: Callable[[], Measured]) -> tuple[Measured, float]:
+    """What is measured, and the peak at that time."""
+    before = fma_peak()
+    found = measure()
+    return found, 0.5 * (before + fma_peak())
+
+
+def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
+    """Seconds of a picture, share of them in the network's kernels, and operations a second in these."""
+    choose_variant("llvm_ad_rgb")
+    shown = build_scene("flat", fabric_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4)
+
+    def run() -> None:
+        render(shown.scene, spp=1, integrator=shown.integrator)
+
+    seconds = timed(run)
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        run()
+        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+    # The largest kernel by far; passes through holes run it again for few lanes.
+    largest = max(kernel["operation_count"] for kernel in kernels)
+    networks = [kernel for kernel in kernels if kernel["operation_count"] == largest]
+    spent = sum(kernel["execution_time"] for kernel in networks) / 1e3
+    lanes = sum(kernel["size"] for kernel in networks)
+    return seconds, spent / seconds, lanes * operations_a_pixel / spent
+
+
+def encoder_seconds(model: WovenModel) -> float:
+    """Seconds of one face through ONNX Runtime."""
+    layout = model.fabric.layout()
+    picks, ends = layout.warp_on_top.shape
+    maps = face_maps(YarnGeometry(layout), False, 16 * picks, 16 * ends, Float)[None]
+    session, parameters = encoder_session(model.weights), fabric_parameters(model.fabric)
+    return timed(lambda: session.run(None, {"maps": maps, "parameters": parameters}))
+
+
+def main() -> None:
+    """Runs the benchmark and prints it."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--output", type=Path, default=None)
+    arguments = parser.parse_args()
+    require_llvm()
+    model = WovenModel.for_fabric(fabric_from_text(FABRIC))
+    seen, light = operations(model.weights)
+    start = time.perf_counter()
+    drjit, drjit_peak = beside_peak(lambda: in_drjit(model))
+    (whole, layers), onnx_peak = beside_peak(lambda: in_onnx_runtime(model))
+    (seconds, share, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
+    encoder = encoder_seconds(model)
+    result = {
+        **provenance("python benchmarks/woven_inference.py", Path(__file__).parent),
+        "fabric": FABRIC,
+        "fma_peak_gflops": round(peak / 1e9, 1),
+        "operations_seen": seen,
+        "operations_light": light,
+        "in_drjit": entry(drjit, seen + light, drjit_peak),
+        "in_onnx_runtime": entry(whole, seen + light, onnx_peak),
+        "in_onnx_runtime_layers": entry(layers, seen + light, onnx_peak),
+        "in_renderer": {
+            "picture": f"flat, {PICTURE}², 1 sample, direct light",
+            "seconds": round(seconds, 3),
+            "share_of_time_in_network": round(share, 2),
+            "share_of_fma_peak": round(rate / peak, 3),
+        },
+        "encoder_milliseconds_a_face": round(1e3 * encoder, 1),
+        "seconds": round(time.perf_counter() - start, 1),
+    }
+    text = json.dumps(result, indent=2)
+    print(text)
+    if arguments.output is not None:
+        with replacing(arguments.output) as temporary:
+            temporary.write_text(text + "\n")
+
+
+def entry(rate: float, count: int, peak: float) -> dict[str, float]:
+    """A rate in queries a second, and as a share of the peak."""
+    return {
+        "millions_per_second": round(rate / 1e6, 3),
+        "share_of_fma_peak": round(rate * count / peak, 3),
+    }
+
+
+if __name__ == "__main__":
+    main()
