@@ -29,7 +29,7 @@ def compare(
         str | None, typer.Option(help="Some of the eight scenes, with commas between them.")
     ] = None,
     size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Pixels; 480x270, or 960x540 with --full.")
+        str | None, typer.Option(metavar="WxH", help="Pixels; 400x225, or 960x540 with --full.")
     ] = None,
     samples: Annotated[
         int | None, typer.Option("--spp", help="Samples a pixel of the reference; 64, or 1024 with --full.")

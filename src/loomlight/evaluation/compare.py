@@ -26,7 +26,7 @@ from loomlight.evaluation.image_test import (
     image_test,
 )
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_test import run_query_test
+from loomlight.evaluation.query_test import WEAVES, run_query_test
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
@@ -36,7 +36,7 @@ from loomlight.mitsuba import MODELS
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
 from loomlight.models.registry import make_model
 
-QUICK_SIZE, QUICK_SAMPLES = (480, 270), 64
+QUICK_SIZE, QUICK_SAMPLES = (400, 225), 64
 _QUICK_PAIRS, _QUICK_FOOTPRINTS = 40, 40
 # The background of the scene with two fabrics.
 _PARTNER = 'weave = "plain"\n[warp]\ncolor = "#c9b58f"\n[weft]\ncolor = "#e6dcc4"\n'
@@ -83,7 +83,7 @@ def compare(
         full: the whole protocol: 960×540 against 1 024 samples, the query test on the 24 held-out fabrics
             besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
         scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.
-        size, reference_samples: of the pictures; by default 480×270 against 64, or the protocol's.
+        size, reference_samples: of the pictures; by default 400×225 against 64, or the protocol's.
         command: what the record says that it was made by.
         progress: called with (what is done, steps done, steps in all).
 
@@ -177,9 +177,10 @@ def _query_tables(
 
 
 def _titled(table: Table, title: str) -> Table:
-    """The table under another title, without columns that are empty."""
+    """The table of one fabric: without columns that are empty, or that tell kinds of fabrics apart."""
     cells = list(zip(*table.rows.values(), strict=True))
-    kept = [index for index, column in enumerate(cells) if not all(map(_missing, column))]
+    told = [name not in WEAVES for name in table.columns]
+    kept = [k for k, column in enumerate(cells) if told[k] and not all(map(_missing, column))]
     rows = {name: [row[index] for index in kept] for name, row in table.rows.items()}
     return Table(title, [table.columns[index] for index in kept], rows, table.note, table.digits)
 
