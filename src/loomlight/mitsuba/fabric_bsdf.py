@@ -9,6 +9,7 @@ from typing import Any
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
+from loomlight.models.woven.encoding import require_encodable
 
 MODELS = {"point": "woven_point", "woven": "woven_neural"}
 
@@ -23,11 +24,13 @@ def fabric_bsdf(
         model: one of `MODELS`.
 
     Raises:
-        InputError: an unknown model, or a fabric that cannot be read.
+        InputError: an unknown model, or a fabric that cannot be read, or is too large for the model.
     """
     if model not in MODELS:
         raise InputError(f'model = "{model}" is unknown: use {", ".join(MODELS)}.')
     cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
+    if model == "woven":
+        require_encodable(cloth)
     text = cloth.to_toml()
 
     def to_scale(uv_size_mm: tuple[float, float]) -> dict[str, Any]:

@@ -29,7 +29,6 @@ from loomlight.models.woven.architecture import (
     TRANSMISSION_GAIN,
 )
 from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.onnx_graphs import angular_layers
 from loomlight.models.woven.places import place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
@@ -132,7 +131,7 @@ class Decoder:
         self.weights = weights
         self._types = array_types(float_type)
         table = weights.table
-        self._layers = angular_layers(weights)
+        self._layers = weights.layers("decoder.angular")
         parts: dict[str, NDArray[np.float32]] = {}
         if table.fusion:
             parts["place"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]

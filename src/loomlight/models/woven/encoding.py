@@ -22,10 +22,9 @@ from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
 from loomlight.core.files import replacing
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
+from loomlight.models.woven.architecture import FIELD_MAP, MOST_THREADS, VECTOR_MAP
 from loomlight.models.woven.box import PARAMETER_BOX
 from loomlight.models.woven.maps import face_maps
-from loomlight.models.woven.onnx_graphs import MOST_THREADS, encoder_graph
 from loomlight.models.woven.pool import fabric_parameters
 from loomlight.models.woven.pyramid import Level, levels_of
 from loomlight.models.woven.weights import Weights
@@ -96,12 +95,8 @@ def encode(
     Raises:
         InputError: a repeat of more than 64 threads a side.
     """
+    require_encodable(fabric)
     picks, ends = (count * times for count, times in zip(repeat_threads(fabric), repeats, strict=True))
-    if max(picks, ends) > MOST_THREADS:
-        raise InputError(
-            f"{fabric.name}: its repeat of {ends} ends × {picks} picks is too large for the model woven, "
-            f'which takes up to {MOST_THREADS} a side: use the model "point".'
-        )
     warn_outside_box(fabric)
     key = _key(fabric, weights, repeats)
     found = _kept.get(key) or _read(key, picks, ends, weights) or _run(fabric, weights, float_type, repeats)
@@ -112,6 +107,20 @@ def encode(
     while len(_kept) > _KEPT:
         _kept.popitem(last=False)
     return found
+
+
+def require_encodable(fabric: Fabric) -> None:
+    """Returns if the encoder takes the fabric.
+
+    Raises:
+        InputError: a repeat of more than 64 threads a side.
+    """
+    picks, ends = repeat_threads(fabric)
+    if max(picks, ends) > MOST_THREADS:
+        raise InputError(
+            f"{fabric.name}: its repeat of {ends} ends × {picks} picks is too large for the model woven, "
+            f'which takes up to {MOST_THREADS} a side: use the model "point".'
+        )
 
 
 def encode_pair(
@@ -239,7 +248,10 @@ def _run(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int,
 @cache
 def encoder_session(weights: Weights) -> Any:
     """ONNX Runtime's session of the encoder."""
+    # Not needed where latents are at hand, and slow to import.
     import onnxruntime
+
+    from loomlight.models.woven.onnx_graphs import encoder_graph
 
     options = onnxruntime.SessionOptions()
     options.log_severity_level = 3

@@ -19,6 +19,7 @@ from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
     LARGEST_OUTPUT,
+    MOST_THREADS,
     OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
@@ -28,8 +29,6 @@ from loomlight.models.woven.maps import CHANNELS
 from loomlight.models.woven.pyramid import FINEST, WHOLE_REPEATS
 from loomlight.models.woven.weights import Weights
 
-# Ends or picks of the largest repeat that an encoder takes.
-MOST_THREADS = 64
 _OPSET, _IR = 21, 10
 _FLOAT = TensorProto.FLOAT
 
@@ -63,7 +62,7 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         directions.append(_half_vector(graph))
     hidden = graph.add("Concat", spatial, *directions, axis=1)
     skip = ""
-    count = angular_layers(weights)
+    count = weights.layers("decoder.angular")
     for number in range(count):
         hidden = graph.linear(f"decoder.angular.{number}", hidden)
         if number == 0:
@@ -86,14 +85,6 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         },
         {"components": ["n", 4], "hole": ["n"]},
     )
-
-
-def angular_layers(weights: Weights) -> int:
-    """How many layers the angular decoder has."""
-    count = 0
-    while f"decoder.angular.{count}.weight" in weights.tensors:
-        count += 1
-    return count
 
 
 class _Graph:

@@ -68,6 +68,13 @@ class Weights:
     sha256: str
     source: str
 
+    def layers(self, name: str) -> int:
+        """How many layers the list of layers `name` has."""
+        count = 0
+        while f"{name}.{count}.weight" in self.tensors:
+            count += 1
+        return count
+
     def tensor(self, name: str) -> NDArray[np.float32]:
         """The tensor `name`.
 
