@@ -27,6 +27,11 @@ PACKAGES = (
     "typer",
     "rich",
     "trimesh",
+    "safetensors",
+    "onnx",
+    "onnxruntime",
+    "zarr",
+    "flip-evaluator",
 )
 
 # In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
