@@ -25,6 +25,7 @@ from loomlight.mitsuba.camera import View, framing, look_at, perspective, requir
 from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
+from loomlight.mitsuba.scenes import BsdfFactory
 
 # Direct light alone: camera to cloth to light.
 _DEPTH = 2
@@ -33,11 +34,12 @@ _PLACES = (0.001, 0.5, 0.999)
 
 
 @dataclass(frozen=True)
-class _Shot:
-    """What a scene shows.
+class MeasuredShot:
+    """What a scene shows; one directional light, direct light only.
 
     Attributes:
         pieces: makes the pieces of cloth, in the order of the fabrics.
+        towards_camera, towards_light: directions from the first piece, of any length.
         yarns: yarns that the median pixel covers, along one side.
         zoom: 1 frames the first piece.
     """
@@ -60,14 +62,16 @@ def _background() -> ClothMesh:
 _FRONT, _ABOVE = (0.0, 0.0, 1.0), (0.35, 0.55, 1.0)
 _FLAT, _DRAPE = (cloth_shapes.flat,), (cloth_shapes.drape,)
 _SHOTS = {
-    "flat near": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 0.25, zoom=2.4),
-    "flat middle": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 2.5, zoom=2.4),
-    "flat far": _Shot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 10.0, zoom=2.4),
-    "drape near": _Shot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 0.6, zoom=3.0),
-    "drape far": _Shot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 4.0),
-    "cylinder grazing": _Shot((cloth_shapes.cylinder,), _FRONT, (1.0, 0.35, 0.4), 3.0, zoom=1.2),
-    "sphere": _Shot((cloth_shapes.sphere,), _FRONT, (-0.45, 0.6, 0.75), 3.0),
-    "two fabrics": _Shot((cloth_shapes.sphere, _background), _FRONT, (-0.45, 0.6, 0.75), 3.0, zoom=0.8),
+    "flat near": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 0.25, zoom=2.4),
+    "flat middle": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 2.5, zoom=2.4),
+    "flat far": MeasuredShot(_FLAT, (0.5, -0.3, 1.0), (-0.5, 0.6, 0.8), 10.0, zoom=2.4),
+    "drape near": MeasuredShot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 0.6, zoom=3.0),
+    "drape far": MeasuredShot(_DRAPE, _ABOVE, (-0.6, 0.75, 0.6), 4.0),
+    "cylinder grazing": MeasuredShot((cloth_shapes.cylinder,), _FRONT, (1.0, 0.35, 0.4), 3.0, zoom=1.2),
+    "sphere": MeasuredShot((cloth_shapes.sphere,), _FRONT, (-0.45, 0.6, 0.75), 3.0),
+    "two fabrics": MeasuredShot(
+        (cloth_shapes.sphere, _background), _FRONT, (-0.45, 0.6, 0.75), 3.0, zoom=0.8
+    ),
 }
 MEASURED_SCENES = tuple(_SHOTS)
 # The dolly begins far from a flat piece and ends near.
@@ -120,15 +124,32 @@ def measured_scene(
         InputError: an unknown scene, too few fabrics, a size out of range, or a fabric that is refused.
     """
     shot = _shot(name)
-    require_size(size)
     if len(fabrics) < len(shot.pieces):
         raise InputError(f'The scene "{name}" shows {len(shot.pieces)} fabrics, and {len(fabrics)} is given.')
-    measure = _measured(name, size)
+    return shot_scene(shot, [(fabric, fabric_bsdf(fabric, model)) for fabric in fabrics], size, pixel_centres)
+
+
+def shot_scene(
+    shot: MeasuredShot,
+    cloths: Sequence[tuple[Fabric, BsdfFactory]],
+    size: tuple[int, int],
+    pixel_centres: bool = False,
+) -> MeasuredScene:
+    """The scene of any shot; a Mitsuba variant must be set. See `measured_scene`.
+
+    Args:
+        cloths: a fabric, whose yarns are counted, and its BSDF for each piece of the shot; more are left out.
+
+    Raises:
+        InputError: a size out of range.
+    """
+    require_size(size)
+    measure = _measured(shot, size)
     scale = [
         shot.yarns * fabric_scale(fabric.layout()).thread / side
-        for fabric, side in zip(fabrics, measure.side_mm, strict=False)
+        for (fabric, _), side in zip(cloths, measure.side_mm, strict=False)
     ]
-    scene = mi.load_dict(_parts(shot, size, [fabric_bsdf(f, model) for f in fabrics], scale))
+    scene = mi.load_dict(_parts(shot, size, [bsdf for _, bsdf in cloths], scale))
     return MeasuredScene(scene, _integrator(pixel_centres), measure.piece >= 0, shot.yarns)
 
 
@@ -146,7 +167,7 @@ class Dolly:
         size = (side, side)
         first, last = _DOLLY_YARNS
         thread = fabric_scale(fabric.layout()).thread
-        scale = first * thread / _measured("flat far", size).side_mm[0]
+        scale = first * thread / _measured(_DOLLY, size).side_mm[0]
         self.scene = mi.load_dict(_parts(_DOLLY, size, [fabric_bsdf(fabric, model)], [scale]))
         self.integrator = _integrator(pixel_centres)
         self._view = _view(_DOLLY, size)
@@ -172,7 +193,7 @@ def require_scenes(names: Sequence[str]) -> None:
         _shot(name)
 
 
-def _shot(name: str) -> _Shot:
+def _shot(name: str) -> MeasuredShot:
     if name not in _SHOTS:
         raise InputError(f'scene = "{name}" is no scene of the image test: use {", ".join(_SHOTS)}.')
     return _SHOTS[name]
@@ -182,15 +203,15 @@ def _integrator(pixel_centres: bool) -> Any:
     return mi.load_dict({"type": "footprint_path", "max_depth": _DEPTH, "pixel_centres": pixel_centres})
 
 
-def _view(shot: _Shot, size: tuple[int, int]) -> View:
+def _view(shot: MeasuredShot, size: tuple[int, int]) -> View:
     view = framing(shot.pieces[0]().positions, np.array(shot.towards_camera), size)
     return view.closer(shot.zoom, view.target)
 
 
 def _parts(
-    shot: _Shot,
+    shot: MeasuredShot,
     size: tuple[int, int],
-    bsdfs: Sequence[Callable[[tuple[float, float]], dict[str, Any]]],
+    bsdfs: Sequence[BsdfFactory],
     scale: Sequence[float],
 ) -> dict[str, Any]:
     """The scene's dictionary, with the weave of each piece drawn 1/`scale` times as large as it is."""
@@ -208,9 +229,7 @@ def _parts(
 
 
 @lru_cache(maxsize=32)
-def _measured(name: str, size: tuple[int, int]) -> _Measure:
-    shot = _shot(name)
-
+def _measured(shot: MeasuredShot, size: tuple[int, int]) -> _Measure:
     def grey(_uv_size: tuple[float, float]) -> dict[str, Any]:
         return {"type": "twosided", "bsdf": {"type": "diffuse"}}
 

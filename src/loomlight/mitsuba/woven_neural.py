@@ -6,7 +6,9 @@ slower (`loomlight.models.woven.decoder`), so that integrator does without them 
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import drjit as dr
@@ -14,6 +16,7 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.core.files import require_file
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
@@ -24,7 +27,7 @@ from loomlight.models.interface import FamilyAlbedos
 from loomlight.models.woven.decoder import Seen
 from loomlight.models.woven.encoding import EncodedFabric, encode, encode_pair
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.weights import shipped_weights
+from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import YarnGeometry
@@ -56,6 +59,7 @@ def woven_neural_class() -> type:
             other: a second fabric, a path or a weave's name, whose latents this one's are mixed with.
             blend: how much of the other one: 0 (default) is this one, 1 the other; beyond, extrapolated.
                 Colours stay this one's.
+            weights: a weights file that `loomlight train woven` wrote; by default that of the package.
             pixel_angle: angle of a pixel seen from the camera, radians, for integrators that tell no
                 footprint; 0 (default).
 
@@ -73,6 +77,7 @@ def woven_neural_class() -> type:
             self.uv_size = mi.Vector2f(uv_size_of(props, self.fabric))
             self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
             self.pixel_angle = float(props.get("pixel_angle", 0.0))
+            self.weights = _weights_of(props)
             for name in ("toml", "folder"):
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)
@@ -124,19 +129,18 @@ def woven_neural_class() -> type:
 
         def _encode(self) -> None:
             """Runs the encoder, or reads its cache."""
-            weights = shipped_weights()
             self._encoded: tuple[EncodedFabric, ...]
             if self.other is None:
-                self._encoded = (encode(self.fabric, weights, llvm_float()),)
+                self._encoded = (encode(self.fabric, self.weights, llvm_float()),)
             else:
-                self._encoded = encode_pair(self.fabric, self.other, weights, llvm_float())
+                self._encoded = encode_pair(self.fabric, self.other, self.weights, llvm_float())
 
         def _mix(self) -> None:
             """Puts the latents where the decoder reads them."""
             latents = self._encoded[0]
             if self.other is not None:
                 latents = latents.mixed(self._encoded[1], _number(self._blend))
-            self.model = WovenModel(self.fabric, latents, shipped_weights())
+            self.model = WovenModel(self.fabric, latents, self.weights)
 
         def _recolour(self) -> None:
             """Takes over the albedos."""
@@ -222,6 +226,20 @@ def woven_neural_class() -> type:
 def runs_network(bsdf: Any) -> bool:
     """Whether a BSDF evaluates a network, which symbolic calls make slow."""
     return type(bsdf).__name__ == "WovenNeural"
+
+
+def _weights_of(props: Any) -> Weights:
+    """The network that the properties name: one object a file, so that fabrics share its kernels."""
+    if "weights" not in props:
+        return shipped_weights()
+    path = str(props["weights"])
+    require_file(path)
+    return _read_once(path, os.stat(path).st_mtime_ns)
+
+
+@cache
+def _read_once(path: str, _modified: int) -> Weights:
+    return read_weights(path)
 
 
 def _numbers_of(fabric: Fabric) -> dict[str, Any]:
