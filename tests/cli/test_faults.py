@@ -26,7 +26,6 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "a folder": (["render", "plain", "-o", "folder.png"], "is a folder"),
     "no name": (["render", "plain", "-o", "a\0b/c.png"], "--output"),
     "too long a name": (["render", "plain", "-o", "a" * 5000 + "/c.png"], "no path"),
-    "no model": (["render", "plain", "-o", "a.png", "--model", "woven"], "use point"),
     "no size": (["render", "plain", "-o", "a.png", "--size", "big"], "960x540"),
     "no pixels": (["render", "plain", "-o", "a.png", "--size", "0x9"], "960x540"),
     "too many pixels": (["render", "plain", "-o", "a.png", "--size", "99999x9"], "16384"),

@@ -60,7 +60,7 @@ def test_parameters_lie_in_the_box_and_colours_differ(fabrics: list[HeldOut]) ->
             assert box.roughness[0] <= scatters.roughness <= box.roughness[1]
             assert box.height_scale[0] <= lies.height_scale <= box.height_scale[1]
             assert box.twist_deg[0] <= np.degrees(lies.twist) <= box.twist_deg[1]
-            np.testing.assert_allclose(1 - lies.width / lies.spacing, box.gap)
+            np.testing.assert_allclose(1 - lies.width / lies.spacing, box.gap[0])
         rows = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
         assert (len({tuple(row) for row in rows}) > 2) == cloth.coloured, cloth.name
         assert appearance.sheen.strength == 0

@@ -15,7 +15,7 @@ from loomlight.models.woven.weights import Weights, read_weights, write_weights
 # The shapes that are trained: what ships, what was published, and the ablations.
 TABLES: dict[str, dict[str, Any]] = {
     "field": {},
-    "vector, published": {"latent": "vector", "half_vector": False},
+    "vector, published": {"latent": "vector"},
     "plain, not fused": {"position": "plain", "fusion": False},
 }
 
@@ -38,10 +38,15 @@ def network(name: str, hidden: int = 32) -> WovenNetwork:
 
 def written(made: WovenNetwork, path: Path, half: bool = False, **changes: Any) -> Path:
     """The network as a weights file."""
-    given: dict[str, Any] = {"linear_diffuse": not made.table.half_vector, "recipe": {}, "provenance": {}}
+    given: dict[str, Any] = {"linear_diffuse": linear_diffuse(made), "recipe": {}, "provenance": {}}
     state = {name: values.numpy() for name, values in made.state_dict().items()}
     write_weights(path, made.table, state, half=half, **(given | changes))
     return path
+
+
+def linear_diffuse(made: WovenNetwork) -> bool:
+    """Whether the network puts out diffuse components as they are, as published."""
+    return made.table.latent == "vector"
 
 
 def weights_of(made: WovenNetwork, folder: Path) -> Weights:

@@ -14,6 +14,8 @@ from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import places_of
 from loomlight.models.woven.pyramid import taps
 
+from .networks import linear_diffuse
+
 
 def responses(
     made: WovenNetwork,
@@ -41,5 +43,5 @@ def responses(
         output, hole = made.decoder(
             torch.tensor(latent), torch.tensor(place), light, torch.tensor(views * turn)
         )
-        components = unmapped(output, light, not made.table.half_vector)
+        components = unmapped(output, light, linear_diffuse(made))
     return np.concatenate([components.numpy(), hole.clamp(0, 1).numpy()[:, None]], 1)

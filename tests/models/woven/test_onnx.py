@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -19,8 +20,9 @@ from loomlight.models.woven.encoding import clear_encodings, encode, encode_pair
 from loomlight.models.woven.losses import unmapped
 from loomlight.models.woven.onnx_graphs import decoder_graph, encoder_graph
 from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.weights import read_weights
 
-from .networks import TABLES, network, unit_vectors, weights_of
+from .networks import TABLES, linear_diffuse, network, unit_vectors, weights_of, written
 
 require_llvm()
 
@@ -62,7 +64,7 @@ def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
     view[:, 2] = np.abs(view[:, 2])
     with torch.no_grad():
         output, hole = made.decoder(*map(torch.tensor, (latent, place, light, view)))
-        wanted = unmapped(output, torch.tensor(light), not made.table.half_vector).numpy()
+        wanted = unmapped(output, torch.tensor(light), linear_diffuse(made)).numpy()
     found, share = run.run(None, {"latent": latent, "place": place, "light": light, "view": view})
     assert wanted.max() > 1e-3
     np.testing.assert_allclose(found, wanted, atol=1e-5 * wanted.max())
@@ -144,6 +146,23 @@ def test_fabrics_outside_the_box_warn(runs: list[str], tmp_path: Path) -> None:
         LoomlightWarning, match=r"optical_depth = 3 \(2\), .*weft.twist_deg = 60 \(-45 to 45\)"
     ):
         encode(odd, weights, Float)
+
+
+@pytest.mark.parametrize(("layouts", "warned"), [("paper", True), ("varied", False)])
+def test_layouts_warn_where_training_had_none(
+    runs: list[str], tmp_path: Path, layouts: str, warned: bool
+) -> None:
+    recipe = {"data": {"layouts": layouts}}
+    weights = read_weights(written(network("field"), tmp_path / "a.safetensors", recipe=recipe))
+    cloth = fabric_from_text(
+        'weave = "plain"\nends_per_cm = 30\npicks_per_cm = 18\n[warp]\ngap = 0.03\n[weft]\ngap = 0.5'
+    )
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        encode(cloth, weights, Float)
+    said = " ".join(str(warning.message) for warning in found)
+    assert ("warp.gap = 0.03 (0.2)" in said) == warned
+    assert ("ends per pick = 1.667 (1)" in said) == warned
 
 
 def test_latents_are_mixed_on_a_common_repeat(runs: list[str], tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ width = 4
 latent_size = 8
 hidden = 16
 [data]
+layouts = "paper"
 fabrics = 2
 pairs = 64
 footprints = 16

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft, random_fabric
+from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, TRAINING_BOX, paper_draft, random_fabric
 from loomlight.models.woven.weaves import HELD_OUT_WEAVES, _class_of, training_draft
 from loomlight.weave.named import named_weave
 
@@ -48,3 +48,25 @@ def test_random_fabrics_fill_the_box() -> None:
         # Of 300 uniform numbers the extremes lie within 3 % of the ends but in e^-9 of cases.
         assert values.min() < low + 0.03 * (high - low)
         assert values.max() > high - 0.04 * (high - low)
+
+
+def test_layouts_vary_and_leave_the_yarns_as_they_are() -> None:
+    draft = paper_draft("plain")
+    kept, varied = (
+        [random_fabric(np.random.default_rng(k), draft, box=box) for k in range(200)]
+        for box in (PARAMETER_BOX, TRAINING_BOX)
+    )
+    for one, other in zip(kept, varied, strict=True):
+        assert one.appearance().warp.roughness == other.appearance().warp.roughness
+        assert one.layout().weft.inclination == other.layout().weft.inclination
+    families = [(fabric.layout().warp, fabric.layout().weft) for fabric in varied]
+    gaps = np.array([[1 - family.width[0] / family.spacing[0] for family in pair] for pair in families])
+    assert gaps.min() >= 0
+    assert gaps.max() <= 0.7
+    # The square of a uniform number: a quarter lies below a sixteenth, within 4 deviations of 400 draws.
+    assert abs((gaps < 0.7 / 16).mean() - 0.25) < 4 * np.sqrt(0.25 * 0.75 / gaps.size)
+    assert np.abs(np.corrcoef(gaps.T)[0, 1]) < 0.3  # families are drawn apart
+    ratios = np.array([weft.spacing[0] / warp.spacing[0] for warp, weft in families])
+    assert 0.4 <= ratios.min() < 0.45
+    assert 2.2 < ratios.max() <= 2.5
+    assert {fabric.layout().size[0] / fabric.layout().size[1] for fabric in kept} == {1.0}

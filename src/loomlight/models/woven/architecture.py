@@ -14,7 +14,5 @@ REFLECTION_GAIN = 100.0
 TRANSMISSION_GAIN = 1000.0
 # e^8 / 100 is brighter than any component.
 LARGEST_OUTPUT = 8.0
-# Added to the square of light + view: keeps the half vector of opposite directions finite.
-OPPOSITE = 1e-4
 # Ends or picks of the largest repeat that the encoder takes.
 MOST_THREADS = 64

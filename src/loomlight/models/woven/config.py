@@ -31,7 +31,6 @@ class NetworkTable(_Table):
         position: "one_blob", as published, or "plain" numbers (the ablation).
         fusion: whether latent and footprint are fused before directions join, as published; without it the
             directions join at once and the angular decoder has two layers more (the ablation).
-        half_vector: whether the half vector joins the directions; the published decoder has to find it.
         hidden: width of the decoder's layers.
     """
 
@@ -40,7 +39,6 @@ class NetworkTable(_Table):
     latent_size: Count = 64
     position: Literal["one_blob", "plain"] = "one_blob"
     fusion: bool = True
-    half_vector: bool = False
     hidden: Count = 64
 
 
@@ -50,6 +48,7 @@ class DataTable(_Table):
     Attributes:
         fabrics: how many; each face is a material of its own.
         weaves: "paper" are the seven weaves of chen2024 alone; "all" adds other named and random weaves.
+        layouts: "paper" are the gap and the sett of chen2024; "varied" draws both for two fabrics in three.
         pairs, footprints: pairs of directions a fabric, and footprints a pair.
         lights, views: distinct directions that the pairs share.
         texels_per_thread: of the slices.
@@ -58,6 +57,7 @@ class DataTable(_Table):
 
     fabrics: Count = 400
     weaves: Literal["paper", "all"] = "all"
+    layouts: Literal["paper", "varied"] = "varied"
     pairs: Count = 256
     footprints: Count = 512
     lights: Count = 64

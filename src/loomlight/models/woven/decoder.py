@@ -23,7 +23,6 @@ from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
     LARGEST_OUTPUT,
-    OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
@@ -181,12 +180,7 @@ class Decoder:
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
-        directions = [light.x, light.y, light.z]
-        if self.weights.table.half_vector:
-            total = light + seen.view
-            half = total * dr.rsqrt(dr.squared_norm(total) + OPPOSITE)
-            directions += [half.x, half.y, half.z]
-        skip = seen.angular + self._product("light", directions)
+        skip = seen.angular + self._product("light", [light.x, light.y, light.z])
         hidden = _leaky(skip)
         for number in range(1, self._layers):
             hidden = self._product(f"{number}", hidden, f"{number} bias")

@@ -23,7 +23,7 @@ from loomlight.core.files import replacing
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import FIELD_MAP, MOST_THREADS, VECTOR_MAP
-from loomlight.models.woven.box import PARAMETER_BOX
+from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX, ParameterBox
 from loomlight.models.woven.maps import face_maps
 from loomlight.models.woven.pool import fabric_parameters
 from loomlight.models.woven.pyramid import Level, levels_of
@@ -97,7 +97,7 @@ def encode(
     """
     require_encodable(fabric)
     picks, ends = (count * times for count, times in zip(repeat_threads(fabric), repeats, strict=True))
-    warn_outside_box(fabric)
+    warn_outside_box(fabric, trained_box(weights))
     key = _key(fabric, weights, repeats)
     found = _kept.get(key) or _read(key, picks, ends, weights) or _run(fabric, weights, float_type, repeats)
     if key not in _kept:
@@ -155,10 +155,15 @@ def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / "woven"
 
 
-def warn_outside_box(fabric: Fabric) -> None:
+def trained_box(weights: Weights) -> ParameterBox:
+    """What the network was trained for."""
+    varied = weights.recipe.get("data", {}).get("layouts") == "varied"
+    return TRAINING_BOX if varied else PARAMETER_BOX
+
+
+def warn_outside_box(fabric: Fabric, box: ParameterBox) -> None:
     """Warns, naming the fields, of a fabric that lies outside what the network was trained for."""
     layout, appearance = fabric.layout(), fabric.appearance()
-    box = PARAMETER_BOX
     satin = structure_of(fabric.draft.drawdown) is Structure.SATIN
     fields: list[tuple[str, float, tuple[float, float]]] = [
         ("diffuse_blend", appearance.diffuse_blend, (box.diffuse_blend,) * 2),
@@ -176,8 +181,10 @@ def warn_outside_box(fabric: Fabric) -> None:
                 box.satin_inclination_deg if satin else box.inclination_deg,
             ),
             (f"{family}.twist_deg", math.degrees(yarn.twist), box.twist_deg),
-            (f"{family}.gap", float(gaps[np.abs(gaps - box.gap).argmax()]), (box.gap,) * 2),
+            (f"{family}.gap", _farthest(gaps, box.gap), box.gap),
         ]
+    ratio = float(np.mean(layout.weft.spacing) / np.mean(layout.warp.spacing))
+    fields.append(("ends per pick", ratio, box.sett_ratio))
     outside = [
         f"{name} = {value:.4g} ({low:g}{f' to {high:g}' if high > low else ''})"
         for name, value, (low, high) in fields
@@ -190,6 +197,11 @@ def warn_outside_box(fabric: Fabric) -> None:
             LoomlightWarning,
             stacklevel=3,
         )
+
+
+def _farthest(values: NDArray[np.float64], bounds: tuple[float, float]) -> float:
+    """The value that lies farthest outside, or deepest inside."""
+    return float(values[np.abs(values - np.mean(bounds)).argmax()])
 
 
 def shortest_repeat(layout: ClothLayout) -> ClothLayout:

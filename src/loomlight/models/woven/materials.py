@@ -90,7 +90,7 @@ def paper_material(number: int, seed: int = 0) -> Fabric:
         for (twist, inclination), (roughness, height_scale) in zip(shape, appearance, strict=True)
     ]
     fields = FabricFile(
-        gap=box.gap,
+        gap=box.gap[0],
         diffuse_blend=box.diffuse_blend,
         optical_depth=box.optical_depth,
         warp=tables[0],

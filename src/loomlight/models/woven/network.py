@@ -21,7 +21,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.woven.architecture import BINS, BLOB_REACH, OPPOSITE, SLOPE, VECTOR_MAP
+from loomlight.models.woven.architecture import BINS, BLOB_REACH, SLOPE, VECTOR_MAP
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.maps import CHANNELS
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
@@ -179,7 +179,7 @@ class Decoder(nn.Module):
         fused = hidden if table.fusion else spatial
         self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
         inner = [hidden] * (4 if table.fusion else 6)
-        self.angular = _layers(fused + ANGLES + (3 if table.half_vector else 0), *inner, COMPONENTS)
+        self.angular = _layers(fused + ANGLES, *inner, COMPONENTS)
         self.hole = _layers(fused + 2, 16, 1)
 
     def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
@@ -194,10 +194,7 @@ class Decoder(nn.Module):
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
             spatial = functional.leaky_relu(layer(spatial), SLOPE)
-        directions = [light, view[:, :2]]
-        if self.table.half_vector:
-            directions.append(half_vector(light, view))
-        hidden: Any = torch.cat([spatial, *directions], 1)
+        hidden: Any = torch.cat([spatial, light, view[:, :2]], 1)
         skip, kind = None, place.device.type
         for number, layer in enumerate(self.angular):
             last = number + 1 == len(self.angular)
@@ -212,12 +209,6 @@ class Decoder(nn.Module):
                 hidden = functional.leaky_relu(hidden, SLOPE)
         hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
-
-
-def half_vector(light: Tensor, view: Tensor) -> Tensor:
-    """Unit half vector of lights and views [n, 3]; short where they are opposite, instead of undefined."""
-    total = light + view
-    return total / torch.sqrt(total.square().sum(1, keepdim=True) + OPPOSITE)
 
 
 def _layers(*widths: int) -> nn.ModuleList:

@@ -20,7 +20,6 @@ from loomlight.models.woven.architecture import (
     BLOB_REACH,
     LARGEST_OUTPUT,
     MOST_THREADS,
-    OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
@@ -57,10 +56,7 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         for number in range(2):
             spatial = graph.leaky(graph.linear(f"decoder.fusion.{number}", spatial))
     eye = graph.add("Slice", "view", graph.integers([0]), graph.integers([2]), graph.integers([1]))
-    directions = ["light", eye]
-    if table.half_vector:
-        directions.append(_half_vector(graph))
-    hidden = graph.add("Concat", spatial, *directions, axis=1)
+    hidden = graph.add("Concat", spatial, "light", eye, axis=1)
     skip = ""
     count = weights.layers("decoder.angular")
     for number in range(count):
@@ -301,12 +297,6 @@ def _one_blob(graph: _Graph) -> str:
     bump = graph.add("Sub", graph.number(1), graph.add("Mul", distance, distance))
     bump = graph.add("Relu", bump)
     return graph.add("Reshape", graph.add("Mul", bump, bump), graph.integers([0, 3 * BINS]))
-
-
-def _half_vector(graph: _Graph) -> str:
-    total = graph.add("Add", "light", "view")
-    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
-    return graph.add("Div", total, graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE))))
 
 
 def _unmapped(graph: _Graph, output: str) -> None:

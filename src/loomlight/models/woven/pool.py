@@ -17,7 +17,7 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.box import random_fabric
+from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX, random_fabric
 from loomlight.models.woven.config import DataTable
 from loomlight.models.woven.maps import face_maps, mean_pitch
 from loomlight.models.woven.weaves import training_draft
@@ -28,6 +28,8 @@ from loomlight.yarn.layout import ClothLayout
 # Crossings of a repeat that gets all its pairs, and the fewest pairs of a larger one.
 _FULL_REPEAT = 32
 _FEWEST_PAIRS = 64
+# Fabrics with layouts of their own, where layouts vary.
+_VARIED_SHARE = 2 / 3
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +57,9 @@ class Face:
 def pool_fabric(table: DataTable, number: int) -> Fabric:
     """Fabric `number` of the pool."""
     rng = np.random.default_rng([table.seed, number])
-    return random_fabric(rng, training_draft(rng, table.weaves))
+    draft = training_draft(rng, table.weaves)
+    varied = table.layouts == "varied" and rng.random() < _VARIED_SHARE
+    return random_fabric(rng, draft, box=TRAINING_BOX if varied else PARAMETER_BOX)
 
 
 def fabric_parameters(fabric: Fabric) -> NDArray[np.float32]:

@@ -1,0 +1,55 @@
+"""What a figure is once it is made: a sheet to look at, single pictures, and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.colour import linear_to_srgb
+from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.table import Table
+
+Pixels = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """A figure or a table of a paper, made here.
+
+    Attributes:
+        sheet: everything on one page, sRGB [height, width, 3].
+        pictures: single ones by their file's stem, sRGB [height, width, 3].
+        tables: all that was measured.
+    """
+
+    sheet: Pixels
+    pictures: dict[str, Pixels]
+    tables: list[Table]
+
+
+@dataclass(frozen=True)
+class Item:
+    """What can be reproduced.
+
+    Attributes:
+        name: such as "chen2024/fig4".
+        shows: one line for people.
+        make: makes it.
+    """
+
+    name: str
+    shows: str
+    make: Callable[[Setting], Evidence]
+
+    @property
+    def stem(self) -> str:
+        """The beginning of its files' names."""
+        return self.name.rpartition("/")[2]
+
+
+def on_display(linear: NDArray[np.float32]) -> Pixels:
+    """Linear RGB [height, width, 3] as 8-bit sRGB, exposure 0."""
+    return np.rint(255 * linear_to_srgb(np.clip(np.nan_to_num(linear), 0, 1))).astype(np.uint8)

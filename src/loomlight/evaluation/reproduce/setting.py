@@ -1,0 +1,63 @@
+"""What all figures are made with: sizes, samples, the network, and where progress goes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba import fabric_bsdf
+from loomlight.mitsuba.scenes import BsdfFactory
+from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
+
+SIZE, SAMPLES = (384, 216), 256
+RUNS = Path("runs")
+POINT, WOVEN = "point", "woven"
+
+# Called with (steps done, steps in all).
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What a figure is made with.
+
+    Attributes:
+        size: width and height of each picture, pixels.
+        samples: samples a pixel of references.
+        weights: a weights file; None is the package's.
+        runs: the folder of trainings, by the names of their configurations.
+        progress: called after every step of a figure.
+    """
+
+    size: tuple[int, int] = SIZE
+    samples: int = SAMPLES
+    weights: Path | None = None
+    runs: Path = RUNS
+    progress: Progress | None = None
+
+    def network(self) -> Weights:
+        """The network that the figure is of.
+
+        Raises:
+            InputError: no weights file, or a damaged one.
+        """
+        return shipped_weights() if self.weights is None else read_weights(self.weights)
+
+    def step(self, done: int, total: int) -> None:
+        """Says how far the figure is."""
+        if self.progress is not None:
+            self.progress(done, total)
+
+
+def cloth_bsdf(
+    fabric: Fabric, model: str, weights: Path | None = None, **properties: Any
+) -> BsdfFactory:
+    """`fabric_bsdf` with the network of a weights file, and with other properties of the BSDF."""
+    plain = fabric_bsdf(fabric, model)
+    more = dict(properties)
+    if weights is not None and model == WOVEN:
+        more["weights"] = str(weights)
+    return lambda uv_size_mm: plain(uv_size_mm) | more
