@@ -11,7 +11,7 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, train, weave
+from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, reproduce, train, weave
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
@@ -45,6 +45,7 @@ app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
 app.command("render", epilog=render.EXAMPLE)(render.render)
 app.command("compare", epilog=compare.EXAMPLE)(compare.compare)
+app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
 app.command("bake", epilog=bake.EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)

@@ -153,6 +153,11 @@ def shot_scene(
     return MeasuredScene(scene, _integrator(pixel_centres), measure.piece >= 0, shot.yarns)
 
 
+def shot_counted(shot: MeasuredShot, size: tuple[int, int]) -> NDArray[np.bool_]:
+    """Pixels of a shot that lie wholly on one piece of cloth [height, width], whatever the fabric."""
+    return _measured(shot, size).piece >= 0
+
+
 class Dolly:
     """A camera that comes closer to a flat piece of cloth, from 8 yarns a pixel to a quarter.
 

@@ -37,7 +37,7 @@ def render(
     Args:
         scene: a Mitsuba scene.
         spp: samples a pixel, ≥ 1; rendered in passes of different seeds. Each pass takes as many as fill a
-            grid (see `_filling_grid`), so a few more may be taken.
+            grid (see `filling_grid`), so a few more may be taken.
         seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
             samples up.
         sensor: a sensor or its index.
@@ -80,10 +80,10 @@ def _passes(spp: int, pixels: int, networks: bool) -> list[int]:
     wavefront = WAVEFRONT[choose_variant()] // (_NETWORK_SHARE if networks else 1)
     largest = max(1, wavefront // pixels)
     count = -(-spp // largest)
-    return [_filling_grid(spp // count + (index < spp % count)) for index in range(count)]
+    return [filling_grid(spp // count + (index < spp % count)) for index in range(count)]
 
 
-def _filling_grid(samples: int) -> int:
+def filling_grid(samples: int) -> int:
     """The smallest count ≥ `samples` that Mitsuba's multijitter sampler can lay out as a grid."""
     rows = math.isqrt(samples)
     return rows * -(-samples // rows)

@@ -7,12 +7,14 @@ for the weave by default; gap, blend and optical depth are the paper's.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from importlib.resources import files
 
-from loomlight.fabric.fabric import Fabric, make_fabric
-from loomlight.fabric.file import FabricFile, YarnTable
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft
-from loomlight.weave.draft import Draft
-from loomlight.weave.named import named_weave
+from loomlight.fabric import fabric_from_text
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX
+
+# The one pattern of the paper that is no named weave.
+_DRAFTS = {"satin 5×10": "satin-5x10.wif"}
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,7 @@ class Look:
         translucency: share of the light that threads scatter to the other side.
     """
 
-    colours: tuple[str, str]
+    colours: tuple[str, str] = ("#ffffff", "#ffffff")
     roughness: tuple[float, float] = (0.3, 0.3)
     height_scale: tuple[float, float] = (0.6, 0.6)
     translucency: float = 0.0
@@ -41,7 +43,8 @@ _SEEN = {
     "satin 8×8": Look(("#7a2447", "#4d1730"), (0.2, 0.4), (0.4, 0.6)),
     "satin 5×10": Look(("#2f7f86", "#d6e2df"), (0.2, 0.25), (0.5, 0.7)),
 }
-# A twill of 4 × 4 threads, and what weavers call 4/4; both are held out of every training.
+# As the paper counts twills, 4×4 has a repeat of 4 × 4 threads; as weavers do, 4/4 is over four, under four.
+# Both are held out of every training.
 _UNSEEN = {
     "twill 4×4": ("twill 2/2", Look(("#2b4a86", "#e8e4d8"), (0.3, 0.4), (0.6, 0.8))),
     "twill 4/4": ("twill 4/4", Look(("#6b3a3a", "#d9cdb8"), (0.25, 0.35), (0.6, 0.6))),
@@ -50,36 +53,32 @@ _UNSEEN = {
 
 def seen_fabrics() -> list[Fabric]:
     """The paper's seven patterns, which training has seen; not with these parameters."""
-    return [woven_as(name, paper_draft(name), look) for name, look in _SEEN.items()]
+    return [paper_fabric(name) for name in _SEEN]
 
 
 def unseen_fabrics() -> list[Fabric]:
     """Twills that no training has seen."""
-    return [woven_as(name, named_weave(weave), look) for name, (weave, look) in _UNSEEN.items()]
+    return [fabric_of(name, weave, look) for name, (weave, look) in _UNSEEN.items()]
 
 
-def pattern(name: str, look: Look) -> Fabric:
-    """One of the paper's seven patterns."""
-    return woven_as(name, paper_draft(name), look)
+def paper_fabric(name: str, look: Look | None = None) -> Fabric:
+    """One of the paper's seven patterns, in its own colours unless a look is given."""
+    return fabric_of(name, PAPER_WEAVES[name], _SEEN[name] if look is None else look)
 
 
-def woven_as(name: str, draft: Draft, look: Look) -> Fabric:
-    """A fabric of a draft."""
+def fabric_of(name: str, weave: str, look: Look) -> Fabric:
+    """A fabric of a weave's name, or of the paper's satin 5×10."""
+    source = f'draft = "{_DRAFTS[weave]}"' if weave in _DRAFTS else f'weave = "{weave}"'
     tables = [
-        YarnTable(
-            color=look.colours[family],
-            roughness=look.roughness[family],
-            height_scale=look.height_scale[family],
-            translucency=look.translucency,
-        )
-        for family in range(2)
+        f"[{family}]\n"
+        f'color = "{look.colours[number]}"\n'
+        f"roughness = {look.roughness[number]}\n"
+        f"height_scale = {look.height_scale[number]}\n"
+        f"translucency = {look.translucency}\n"
+        for number, family in enumerate(("warp", "weft"))
     ]
-    weave = PAPER_WEAVES.get(name, name)
-    fields = FabricFile(
-        weave=None if weave == "satin 5×10" else weave,
-        diffuse_blend=PARAMETER_BOX.diffuse_blend,
-        optical_depth=PARAMETER_BOX.optical_depth,
-        warp=tables[0],
-        weft=tables[1],
+    text = (
+        f'name = "{name}"\n{source}\n'
+        f"diffuse_blend = {PARAMETER_BOX.diffuse_blend}\noptical_depth = {PARAMETER_BOX.optical_depth}\n"
     )
-    return make_fabric(fields, draft, name, ".")
+    return fabric_from_text(text + "".join(tables), str(files("loomlight.evaluation.reproduce")))

@@ -52,9 +52,7 @@ class Setting:
             self.progress(done, total)
 
 
-def cloth_bsdf(
-    fabric: Fabric, model: str, weights: Path | None = None, **properties: Any
-) -> BsdfFactory:
+def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: Any) -> BsdfFactory:
     """`fabric_bsdf` with the network of a weights file, and with other properties of the BSDF."""
     plain = fabric_bsdf(fabric, model)
     more = dict(properties)

@@ -1,0 +1,64 @@
+"""`loomlight reproduce`: the figures and tables of the papers, made again."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from loomlight.cli.outputs import done
+from loomlight.cli.progress import progress
+from loomlight.cli.values import parse_size, require_within
+from loomlight.core.errors import InputError
+
+EXAMPLE = "Example: loomlight reproduce chen2024/fig4 -o out"
+
+
+def reproduce(
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="[FIGURE]...", help="Such as chen2024/fig4; see --list.")
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="DIR", help="The folder for pictures and table.json."),
+    ] = None,
+    listed: Annotated[bool, typer.Option("--list", help="Print every figure and what it shows.")] = False,
+    size: Annotated[
+        str | None,
+        typer.Option(metavar="WxH", help="Pixels of each picture; 384x216, the paper's 1920x1080."),
+    ] = None,
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of references.")] = 256,
+    weights: Annotated[
+        Path | None, typer.Option(help="A weights file of woven; by default the one that comes along.")
+    ] = None,
+    runs: Annotated[Path, typer.Option(metavar="DIR", help="Trainings that ablations are read from.")] = Path(
+        "runs"
+    ),
+) -> None:
+    """Makes figures and tables of the papers again, with every number behind them."""
+    if listed:
+        from loomlight.evaluation.reproduce import CATALOGUE
+
+        for item in CATALOGUE.values():
+            print(f"{item.name:18}{item.shows}")
+        return
+    if not names:
+        raise InputError("No figure is named: `loomlight reproduce --list` prints them all.")
+    if output is None:
+        raise InputError("No folder is given: write -o DIR for pictures and table.json.")
+    require_within("--spp", samples, 1, 1_000_000)
+    pixels = None if size is None else parse_size(size)
+
+    from loomlight.evaluation.reproduce import Setting, reproduce
+    from loomlight.evaluation.reproduce.catalogue import find_item
+    from loomlight.evaluation.reproduce.setting import SIZE
+
+    chosen = [find_item(name) for name in names]
+    for item in chosen:
+        with progress(item.name) as report:
+            setting = Setting(pixels or SIZE, samples, weights, runs, report)
+            found = reproduce(item.name, output, setting, command=f"loomlight reproduce {item.name}")
+        for table in found.tables:
+            print(table.to_markdown())
+        done(output / f"{item.stem}.png")

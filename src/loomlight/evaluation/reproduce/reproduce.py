@@ -1,0 +1,87 @@
+"""`reproduce`: makes a figure of a paper and writes it down, with every number and where it came from."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from pathlib import Path
+from typing import Any
+
+from loomlight.core.errors import InputError
+from loomlight.core.images import write_png
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.compare import prepared_folder
+from loomlight.evaluation.reproduce.catalogue import find_item
+from loomlight.evaluation.reproduce.evidence import Evidence, Item
+from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.table import write_json
+
+_SCHEMA = 1
+_KIND = "loomlight reproduce"
+
+
+def reproduce(
+    name: str,
+    folder: str | os.PathLike[str],
+    setting: Setting | None = None,
+    command: str = "loomlight.evaluation.reproduce",
+) -> Evidence:
+    """Makes a figure and writes `folder`/NAME.png, its single pictures in pictures/, and table.json.
+
+    What table.json says of other figures stays; the folder is made where there is none.
+
+    Args:
+        name: one of `CATALOGUE`, such as "chen2024/fig4".
+        setting: sizes, samples and weights.
+        command: what the record says that it was made by.
+
+    Raises:
+        InputError: an unknown name, weights that cannot be used, or a folder that cannot be written.
+    """
+    item = find_item(name)
+    chosen = setting or Setting()
+    chosen.network()
+    target = prepared_folder(folder)
+    earlier = _earlier(target / "table.json")
+    found = item.make(chosen)
+    for title, pixels in found.pictures.items():
+        write_png(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
+    write_png(target / f"{item.stem}.png", found.sheet)
+    entry = _entry(item, found, chosen, command)
+    content = {"schema": _SCHEMA, "kind": _KIND, "figures": {**earlier, item.name: entry}}
+    write_json(target / "table.json", content)
+    return found
+
+
+def _entry(item: Item, found: Evidence, setting: Setting, command: str) -> dict[str, Any]:
+    network = setting.network()
+    return {
+        "shows": item.shows,
+        **provenance(command, Path(__file__).parent),
+        "size": list(setting.size),
+        "reference_samples": setting.samples,
+        "weights": {
+            "file": "the package's" if setting.weights is None else setting.weights.name,
+            "sha256": network.sha256,
+            "trained": network.trained,
+        },
+        "tables": [table.to_dict() for table in found.tables],
+    }
+
+
+def _earlier(path: Path) -> dict[str, Any]:
+    """What the file says of figures made before."""
+    if not path.exists():
+        return {}
+    try:
+        content = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        content = None
+    if not isinstance(content, dict) or content.get("kind") != _KIND or content.get("schema") != _SCHEMA:
+        raise InputError(f"{path} was not written by `loomlight reproduce`; give another folder.")
+    return dict(content["figures"])
+
+
+def _file_name(text: str) -> str:
+    return re.sub(r"[^a-z0-9]+", "-", text.lower().replace("×", "x").replace("/", "-")).strip("-")
