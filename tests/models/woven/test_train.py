@@ -16,7 +16,8 @@ torch = pytest.importorskip("torch")
 from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
-from loomlight.models.woven.train import rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.pool import read_faces  # noqa: E402
+from loomlight.models.woven.train import _draw, rate_share, train_woven  # noqa: E402
 
 TINY = """
 [network]
@@ -171,6 +172,27 @@ def test_losses_vanish_at_the_truth_alone(name: str) -> None:
     assert LOSSES[name](output, truth[:, 4], truth, light) < 1e-5
     assert LOSSES[name](output + 0.1, truth[:, 4], truth, light) > 1e-3
     assert LOSSES[name](output, truth[:, 4] + 0.1, truth, light) > 1e-4
+
+
+def test_small_footprints_are_drawn_less_often(pool: Path) -> None:
+    face = read_faces(next(pool.glob("pool-*/*.safetensors")))[0]
+    count, small = 40000, 0.25
+    places, lights, views, truth = _draw(face, np.random.default_rng(3), count, small)
+    assert len(places) == len(lights) == len(views) == len(truth) == count
+    sizes = face.places[..., 2].ravel()
+    kept = np.clip(np.sqrt(sizes / 2), small, 1)
+    for below in (1 / 8, 0.5, 2.0):
+        expected = kept[sizes < below].sum() / kept.sum()
+        # 5 standard errors of a share among so many.
+        assert abs((places[:, 2] < below).mean() - expected) < 5 * np.sqrt(expected / count)
+    # A query keeps its own directions and truth.
+    row = {place.tobytes(): k for k, place in enumerate(face.places.reshape(-1, 3))}
+    for k in range(50):
+        found = row[places[k].tobytes()]
+        pair = found // face.places.shape[1]
+        np.testing.assert_array_equal(lights[k], face.lights[pair])
+        np.testing.assert_array_equal(views[k], face.views[pair])
+        np.testing.assert_array_equal(truth[k], face.truth.reshape(-1, 5)[found])
 
 
 def test_schedules() -> None:

@@ -80,6 +80,8 @@ class TrainingTable(_Table):
             warms up over the first hundredth and falls to 0.
         regularisation: weight of the sum of squares of all weights (decoupled with Adam).
         loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.woven.losses`.
+        small_footprints: share of the queries of footprints far below a thread that are learnt from; all from
+            two threads on. Their sharp edges are beyond a small network, so most of what they say is noise.
         seed: of initial weights and batches.
     """
 
@@ -92,6 +94,7 @@ class TrainingTable(_Table):
     schedule: Literal["steps", "cosine"] = "cosine"
     regularisation: Annotated[float, Field(ge=0)] = 0.0
     loss: Literal["published", "balanced"] = "balanced"
+    small_footprints: Annotated[float, Field(gt=0, le=1)] = 0.25
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
 
 

@@ -30,6 +30,7 @@ from loomlight.training.loop import Report, Schedule, train
 PoolReport = Callable[[int, int], None]
 _Floats = NDArray[np.float32]
 _WARM_UP = 0.01
+_LARGE = 2.0  # threads; footprints from here on are all learnt from
 _STREAM = 7  # keeps the random numbers of batches apart from those of the pool
 
 
@@ -124,7 +125,7 @@ class Batches:
         rng = np.random.default_rng([training.seed, _STREAM, step])
         count = min(training.fabrics, len(self._faces))
         chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
-        drawn = [_draw(face, rng, training.queries) for face in chosen]
+        drawn = [_draw(face, rng, training.queries, training.small_footprints) for face in chosen]
         places = [
             network_places(self._config.network, face.threads[0], face.threads[1], queries[0])
             for face, queries in zip(chosen, drawn, strict=True)
@@ -182,13 +183,23 @@ def _optimiser(network: WovenNetwork, training: TrainingTable) -> torch.optim.Op
     )
 
 
-def _draw(face: Face, rng: np.random.Generator, count: int) -> tuple[_Floats, ...]:
-    """Places, lights, views and truths of random queries of a face."""
+def _draw(face: Face, rng: np.random.Generator, count: int, small: float) -> tuple[_Floats, ...]:
+    """Places, lights, views and truths of random queries of a face.
+
+    Args:
+        small: share of the smallest footprints that is kept.
+    """
     pairs, footprints, _ = face.places.shape
-    index = rng.integers(pairs * footprints, size=count)
+    places = face.places.reshape(-1, 3)
+    index = np.empty(0, np.int64)
+    while len(index) < count:
+        drawn = rng.integers(pairs * footprints, size=2 * count)
+        kept = rng.random(2 * count) < np.clip(np.sqrt(places[drawn, 2] / _LARGE), small, 1)
+        index = np.concatenate([index, drawn[kept]])
+    index = index[:count]
     pair = index // footprints
     return (
-        face.places.reshape(-1, 3)[index],
+        places[index],
         face.lights[pair],
         face.views[pair],
         face.truth.reshape(-1, 5)[index].astype(np.float32),

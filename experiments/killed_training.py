@@ -1,0 +1,105 @@
+"""Kills a training with signal 9 at random moments, the data's making included, and lets it go on each time.
+
+python experiments/killed_training.py [--kills 10] [--output experiments/results/killed_training.json]
+
+The weights at the end must be those of an undisturbed run, bit for bit. A few minutes on two cores.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+from safetensors.numpy import load_file
+
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
+
+CONFIG = """
+[network]
+width = 8
+[data]
+fabrics = 12
+pairs = 64
+footprints = 64
+lights = 16
+views = 16
+texels_per_thread = 16
+[training]
+steps = 400
+fabrics = 3
+queries = 512
+"""
+# Seconds until a kill, uniformly: longer than a start takes, so that some work is done before most of them.
+_MOMENTS = 6.0, 16.0
+
+
+def main() -> None:
+    """Runs it and writes what was found."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--kills", type=int, default=10)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--output", type=Path)
+    arguments = parser.parse_args()
+    rng = np.random.default_rng(arguments.seed)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        config = folder / "config.toml"
+        config.write_text(CONFIG)
+        whole = _trained(config, folder / "whole")
+        kills = []
+        while len(kills) < arguments.kills:
+            kills.append(_killed(config, folder / "killed", float(rng.uniform(*_MOMENTS))))
+            print(f"killed: {kills[-1]}", file=sys.stderr, flush=True)
+        resumed = _trained(config, folder / "killed")
+        same = whole.keys() == resumed.keys() and all(np.array_equal(whole[k], resumed[k]) for k in whole)
+    result = {"kills": kills, "same_weights": same, "config": CONFIG.strip()}
+    result["provenance"] = provenance(f"python experiments/{Path(__file__).name}", Path(__file__).parent)
+    print(json.dumps(result, indent=1))
+    if arguments.output is not None:
+        write_json(arguments.output, result)
+    sys.exit(0 if same else 1)
+
+
+# What `loomlight train woven` runs, with a checkpoint twice a second in place of one a minute.
+_TRAINING = """
+import sys
+from pathlib import Path
+from loomlight.models.woven.config import read_config
+from loomlight.models.woven.train import train_woven
+train_woven(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0.5)
+"""
+
+
+def _command(config: Path, folder: Path) -> list[str]:
+    return [sys.executable, "-c", _TRAINING, str(config), str(folder)]
+
+
+def _trained(config: Path, folder: Path) -> dict[str, np.ndarray]:
+    subprocess.run(_command(config, folder), check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return load_file(folder / "woven.safetensors")
+
+
+def _killed(config: Path, folder: Path, seconds: float) -> dict[str, float | int | bool]:
+    """Starts the training, kills it after some seconds, and says how far it had come."""
+    process = subprocess.Popen(_command(config, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(seconds)
+    running = process.poll() is None
+    process.kill()
+    process.wait()
+    return {
+        "after_seconds": round(seconds, 2),
+        "running": running,
+        "fabrics_made": len(list(folder.glob("pool-*/*.safetensors"))),
+        "checkpoint": (folder / "checkpoint.safetensors").exists(),
+    }
+
+
+if __name__ == "__main__":
+    main()
