@@ -31,40 +31,16 @@ from loomlight.core.provenance import provenance
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 from loomlight.models.woven.batch import decode, decoder_session
+from loomlight.models.woven.decoder import decoder_cost
 from loomlight.models.woven.encoding import encoder_session
 from loomlight.models.woven.maps import face_maps
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.pool import fabric_parameters, places_of
-from loomlight.models.woven.weights import Weights
 from loomlight.yarn.geometry import YarnGeometry
 
 FABRIC = "satin 8/3"
 COUNT = 1 << 18
 PICTURE = 512
-
-
-def operations(weights: Weights) -> tuple[int, int]:
-    """Operations of what the view sees of a footprint, and of each light."""
-    shapes = {name: values.shape for name, values in weights.tensors.items() if name.endswith("weight")}
-    spatial = shapes["decoder.hole.0.weight"][1] - 2
-    hidden = shapes["decoder.angular.0.weight"][0]
-    light = shapes["decoder.angular.0.weight"][1] - spatial - 2
-    later = sum(
-        rows * columns
-        for name, (rows, columns) in shapes_of(shapes, "decoder.angular")
-        if name != "decoder.angular.0.weight"
-    )
-    fusion = sum(rows * columns for _, (rows, columns) in shapes_of(shapes, "decoder.fusion"))
-    holes = sum(rows * columns for _, (rows, columns) in shapes_of(shapes, "decoder.hole"))
-    # The latent's part of the first layer is multiplied beforehand; its result is fetched.
-    fetched = hidden * weights.table.latent_size if weights.table.fusion else 0
-    seen = fusion - fetched + hidden * (spatial + 2) + holes + 8 * hidden
-    return 2 * seen, 2 * (hidden * light + later)
-
-
-def shapes_of(shapes: dict[str, tuple[int, ...]], prefix: str) -> list[tuple[str, Any]]:
-    """Layers whose names begin so."""
-    return [(name, shape) for name, shape in shapes.items() if name.startswith(prefix)]
 
 
 def queries(model: WovenModel, count: int) -> tuple[Any, ...]:
@@ -159,7 +135,8 @@ def main() -> None:
     arguments = parser.parse_args()
     require_llvm()
     model = WovenModel.for_fabric(fabric_from_text(FABRIC))
-    seen, light = operations(model.weights)
+    cost = decoder_cost(model.weights)
+    seen, light = 2 * cost.seen, 2 * cost.lit
     start = time.perf_counter()
     drjit, drjit_peak = beside_peak(lambda: in_drjit(model))
     (whole, layers), onnx_peak = beside_peak(lambda: in_onnx_runtime(model))

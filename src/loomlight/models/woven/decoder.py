@@ -138,10 +138,7 @@ class Decoder:
             parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
         first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
         spatial = hole.shape[1] - 2
-        light, view, half = (first[:, spatial + k : spatial + end] for k, end in ((0, 3), (3, 5), (5, 8)))
-        parts["spatial"], parts["view"] = first[:, :spatial], view
-        # What a light brings: itself, and the half vector.
-        parts["light"] = np.concatenate([light, half], 1)
+        parts["spatial"], parts["light"], parts["view"] = np.split(first, [spatial, spatial + 3], axis=1)
         parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
         for number in range(1, self._layers):
             parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
@@ -202,6 +199,43 @@ class Decoder:
         if self.weights.linear_diffuse:
             return [*(dr.maximum(value, 0) for value in output[:2]), *linear[2:]]
         return linear
+
+
+@dataclass(frozen=True)
+class DecoderCost:
+    """What one query costs, in multiply-adds of layers and fetches; codings and activations are not counted.
+
+    Attributes:
+        seen: of what the view sees of a footprint, once for all lights.
+        lit: of each light.
+        bytes_fetched: of latents.
+    """
+
+    seen: int
+    lit: int
+    bytes_fetched: int
+
+
+def decoder_cost(weights: Weights) -> DecoderCost:
+    """What a query of the network costs, as it is computed here."""
+    sizes = {name: values.size for name, values in weights.tensors.items() if name.endswith("weight")}
+
+    def layers(prefix: str) -> int:
+        return sum(size for name, size in sizes.items() if name.startswith(f"decoder.{prefix}."))
+
+    latent = weights.table.latent_size
+    fetched, multiplied = latent, 0
+    if weights.table.fusion:
+        # The latent's part of the first layer is multiplied beforehand, and its result fetched.
+        fetched = weights.tensor("decoder.fusion.0.bias").size
+        multiplied = fetched * latent
+    # Two levels, four texels each.
+    taps = 8 if weights.table.latent == "field" else 1
+    light = 3 * weights.tensor("decoder.angular.0.bias").size
+    angular = sizes["decoder.angular.0.weight"]
+    lit = light + layers("angular") - angular
+    seen = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
+    return DecoderCost(seen, lit, 4 * taps * fetched)
 
 
 @cache

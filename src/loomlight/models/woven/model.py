@@ -15,7 +15,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
-from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_of
+from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_cost, decoder_of
 from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
 from loomlight.models.woven.maps import mean_pitch
 from loomlight.models.woven.pyramid import levels_of
@@ -34,6 +34,8 @@ class WovenModel(Model):
     Attributes:
         weights: the shared network.
         encoded: latents of both faces.
+        multiply_adds: of one query.
+        bytes_fetched: by one query.
     """
 
     name = "woven"
@@ -52,6 +54,9 @@ class WovenModel(Model):
         self._pitch = mean_pitch(layout)
         self._albedos = FootprintAlbedos(YarnGeometry(layout), fabric.appearance())
         self._tables: dict[type, LatentTable] = {}
+        cost = decoder_cost(weights)
+        self.multiply_adds = cost.seen + cost.lit
+        self.bytes_fetched = cost.bytes_fetched
 
     @classmethod
     def for_fabric(cls, fabric: Fabric) -> Self:
