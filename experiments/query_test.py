@@ -28,6 +28,7 @@ from loomlight.evaluation.table import write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
+from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights
@@ -52,6 +53,7 @@ def main() -> None:
     parser.add_argument("--models", default="", help="names, with commas between them")
     parser.add_argument("--weights", type=Path, action="append", default=[], help="weights of woven")
     parser.add_argument("--fabrics", type=int, default=None, help="only so many, of every kind")
+    parser.add_argument("--varied-layouts", action="store_true", help="gaps and setts other than chen2024's")
     parser.add_argument("--pairs", type=int, default=PAIRS)
     parser.add_argument("--footprints", type=int, default=FOOTPRINTS)
     parser.add_argument("--seed", type=int, default=SEED, help="of the queries")
@@ -60,7 +62,7 @@ def main() -> None:
     names = [name for name in arguments.models.split(",") if name]
     result = run_query_test(
         predictors(names, arguments.weights),
-        held_out_fabrics(arguments.fabrics),
+        held_out_fabrics(arguments.fabrics, TRAINING_BOX if arguments.varied_layouts else PARAMETER_BOX),
         pairs=arguments.pairs,
         footprints=arguments.footprints,
         seed=arguments.seed,

@@ -17,7 +17,7 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import YarnTable
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft, random_fabric
+from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, ParameterBox, paper_draft, random_fabric
 from loomlight.weave.named import named_weave
 
 _SEED = 20240727
@@ -90,8 +90,11 @@ _PAPER = (
 )
 
 
-def held_out_fabrics(count: int | None = None) -> list[HeldOut]:
+def held_out_fabrics(count: int | None = None, box: ParameterBox = PARAMETER_BOX) -> list[HeldOut]:
     """The fabrics; with `count` the first so many, unseen weaves and the paper's in turn.
+
+    Args:
+        box: where parameters are drawn from; with `TRAINING_BOX` gaps and setts differ from cloth to cloth.
 
     Raises:
         InputError: `count` is not from 1 to 24.
@@ -100,15 +103,15 @@ def held_out_fabrics(count: int | None = None) -> list[HeldOut]:
     if count is not None and not 1 <= count <= len(plans):
         raise InputError(f"{count} held-out fabrics do not exist: choose from 1 to {len(plans)}.")
     # Fabric k is the same whatever the count: each has a generator of its own.
-    return [_drawn(number, plans[number]) for number in range(len(plans) if count is None else count)]
+    return [_drawn(number, plans[number], box) for number in range(len(plans) if count is None else count)]
 
 
-def _drawn(number: int, plan: _Plan) -> HeldOut:
+def _drawn(number: int, plan: _Plan, box: ParameterBox) -> HeldOut:
     rng = np.random.default_rng([_SEED, number])
     # Pairs of the paper's and an unseen weave take turns.
     translucency = float(rng.uniform(*_TRANSLUCENCY)) if number // 2 % 2 == number % 2 else 0.0
     draft = paper_draft(plan.weave) if plan.weave in PAPER_WEAVES else named_weave(plan.weave)
-    fields = random_fabric(rng, draft, translucency).fields
+    fields = random_fabric(rng, draft, translucency, box).fields
     smooth = _uniform(rng, *_CLASSES[plan.smooth])
     roughness = rng.permutation([smooth, _uniform(rng, smooth, 1.0)])
     tables: dict[str, Any] = {}
