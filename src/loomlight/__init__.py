@@ -16,9 +16,12 @@ if TYPE_CHECKING:
         LoomlightWarning,
         MissingDependencyError,
     )
+    from loomlight.evaluation.compare import compare
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.load import fabric_from_text, load_fabric
     from loomlight.mitsuba.fabric_picture import render_fabric
+    from loomlight.models.bake import bake
+    from loomlight.models.registry import make_model, model_from_loom
     from loomlight.scattering.appearance import Appearance
     from loomlight.weave.draft import Draft
     from loomlight.weave.load import load_draft
@@ -38,9 +41,13 @@ _HOMES = {
     "LoomlightError": "loomlight.core.errors",
     "LoomlightWarning": "loomlight.core.errors",
     "MissingDependencyError": "loomlight.core.errors",
+    "bake": "loomlight.models.bake",
+    "compare": "loomlight.evaluation.compare",
     "fabric_from_text": "loomlight.fabric.load",
     "load_draft": "loomlight.weave.load",
     "load_fabric": "loomlight.fabric.load",
+    "make_model": "loomlight.models.registry",
+    "model_from_loom": "loomlight.models.registry",
     "named_weave": "loomlight.weave.named",
     "read_wif": "loomlight.weave.wif_reader",
     "render_fabric": "loomlight.mitsuba.fabric_picture",
@@ -57,9 +64,13 @@ __all__ = [
     "LoomlightError",
     "LoomlightWarning",
     "MissingDependencyError",
+    "bake",
+    "compare",
     "fabric_from_text",
     "load_draft",
     "load_fabric",
+    "make_model",
+    "model_from_loom",
     "named_weave",
     "read_wif",
     "render_fabric",

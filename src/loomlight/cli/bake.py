@@ -24,17 +24,7 @@ def bake(
     """Writes a fabric and all that a model needs of it into one .loom file; see docs/materials.md."""
     check_output(output, (".loom",))
 
-    from loomlight.models.registry import make_model, require_model_name
+    from loomlight.models.bake import bake as run
 
-    require_model_name(model)
-
-    from loomlight.assets.fabrics import fabric_of_path
-    from loomlight.assets.loom_file import write_loom
-
-    cloth = fabric_of_path(fabric)
-
-    from loomlight.core.llvm import require_llvm
-
-    require_llvm()
-    write_loom(output, make_model(model, cloth).to_loom())
+    run(fabric, model, output)
     done(output)
