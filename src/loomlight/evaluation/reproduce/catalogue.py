@@ -5,13 +5,22 @@ from __future__ import annotations
 import difflib
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.reproduce import comparison
+from loomlight.evaluation.reproduce import ablation, comparison, components, cost, editing, latents
 from loomlight.evaluation.reproduce.evidence import Item
 
 _ITEMS = (
+    Item(
+        "chen2024/fig2",
+        "the BSDF of a patch taken apart: R and T, diffuse and specular",
+        components.separated,
+    ),
     Item("chen2024/fig4", "seven seen patterns: 1 and 3 samples, equal time, the network", comparison.seen),
     Item("chen2024/fig5", "twills that no training has seen, the same columns", comparison.unseen),
     Item("chen2024/fig6", "plain cloth against the light, with and without the BTDF", comparison.backlit),
+    Item("chen2024/fig7", "ablations: no one-blob coding, no spatial fusion", ablation.ablated),
+    Item("chen2024/fig8", "latents interpolated and extrapolated against encoded ones", latents.interpolated),
+    Item("chen2024/fig9", "a strip of edits and what each costs", editing.edited),
+    Item("chen2024/table3", "the time of a picture: network, others, encoder", cost.split),
 )
 CATALOGUE = {item.name: item for item in _ITEMS}
 

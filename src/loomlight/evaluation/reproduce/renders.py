@@ -48,7 +48,7 @@ class Stage:
         """The point model with many samples a pixel."""
         scene = self._scene(fabric, cloth_bsdf(fabric, POINT), centred=False)
         start = time.perf_counter()
-        linear = _picture(scene, self.setting.samples, 0)
+        linear = one_picture(scene, self.setting.samples, 0)
         return Rendered(linear, self.setting.samples, time.perf_counter() - start)
 
     def point(self, fabric: Fabric, samples: int) -> Rendered:
@@ -84,16 +84,17 @@ def grid_near(samples: float) -> int:
 
 def timed(scene: MeasuredScene, samples: int) -> Rendered:
     """A picture and the seconds of it: the first compiles, the fastest of three others counts."""
-    _picture(scene, samples, 2)
+    one_picture(scene, samples, 2)
     seconds = []
     linear = None
     for _ in range(_TIMES):
         start = time.perf_counter()
-        linear = _picture(scene, samples, 1)
+        linear = one_picture(scene, samples, 1)
         seconds.append(time.perf_counter() - start)
     assert linear is not None
     return Rendered(linear, samples, min(seconds))
 
 
-def _picture(scene: MeasuredScene, samples: int, seed: int) -> NDArray[np.float32]:
+def one_picture(scene: MeasuredScene, samples: int, seed: int = 1) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] of a scene."""
     return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator)

@@ -1,0 +1,120 @@
+"""Figure 7: the network without one-blob coding, and without spatial fusion, at equal budget.
+
+The three networks are trained by configurations that differ in that alone (experiments/ablation_*.toml).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from loomlight.core.errors import InputError
+from loomlight.core.llvm import llvm_float
+from loomlight.evaluation.held_out import held_out_fabrics
+from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.predictions import Predictor, model_predictor
+from loomlight.evaluation.query_test import run_query_test
+from loomlight.evaluation.reproduce.evidence import Evidence, on_display
+from loomlight.evaluation.reproduce.fabrics import paper_fabric
+from loomlight.evaluation.reproduce.renders import Stage, one_picture
+from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.shots import CLOSE, CYLINDER, DRAPE
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba.measured_scenes import shot_counted
+from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.weights import Weights, read_weights
+
+# By heading: the configuration in experiments/.
+NETWORKS = {
+    "both": "ablation_both",
+    "no one-blob": "ablation_one_blob",
+    "no spatial fusion": "ablation_fusion",
+}
+_FABRICS, _PAIRS, _FOOTPRINTS = 8, 40, 40
+_SCENES = {
+    "twill 5×5, close": (CLOSE, "twill 5×5"),
+    "twill 3×3": (DRAPE, "twill 3×3"),
+    "satin 5×5": (CYLINDER, "satin 5×5"),
+}
+
+
+def ablated(setting: Setting) -> Evidence:
+    """Figure 7: pictures of the three networks, and their query test.
+
+    Raises:
+        InputError: a training is missing; the message says which commands make them.
+    """
+    files = weights_files(setting.runs)
+    networks = {name: read_weights(file) for name, file in files.items()}
+    columns = [*NETWORKS, "reference"]
+    rows, pictures = [], {}
+    tables = [Table(metric, list(NETWORKS)) for metric in ("MSE", "FLIP")]
+    for number, (label, (shot, weave)) in enumerate(_SCENES.items()):
+        stage, fabric = Stage(setting, shot), paper_fabric(weave)
+        reference = stage.reference(fabric).linear
+        counted = shot_counted(shot, setting.size)
+        shown = {
+            name: one_picture(stage.woven_scene(fabric, cloth_bsdf(fabric, WOVEN, file)), 1)
+            for name, file in files.items()
+        }
+        errors = {name: picture_error(picture, reference, counted) for name, picture in shown.items()}
+        tiles = [
+            Tile(on_display(picture), f"MSE {errors[name].mse:.1e}, FLIP {errors[name].flip:.3f}")
+            for name, picture in shown.items()
+        ]
+        tiles.append(Tile(on_display(reference), f"{setting.samples} spp"))
+        rows += [Row(label, tiles), Row("", [Tile(error.flip_picture) for error in errors.values()])]
+        for column, tile in zip(columns, tiles, strict=True):
+            if tile.picture is not None:
+                pictures[f"{label}-{column}"] = tile.picture
+        tables[0].rows[label] = [error.mse for error in errors.values()]
+        tables[1].rows[label] = [error.flip for error in errors.values()]
+        setting.step(number + 1, len(_SCENES) + 1)
+    test = run_query_test(
+        {name: _predictor(network) for name, network in networks.items()},
+        held_out_fabrics(_FABRICS),
+        pairs=_PAIRS,
+        footprints=_FOOTPRINTS,
+        monte_carlo=(1,),
+    )
+    setting.step(len(_SCENES) + 1, len(_SCENES) + 1)
+    note = (
+        f"Query test, nMAE of grey reflection on {_FABRICS} held-out fabrics: "
+        + ", ".join(f"{name} {test.rows[name].metric('reflection'):.3f}" for name in networks)
+        + f". Trained for {_budget(networks)}. Below each picture its FLIP map."
+    )
+    title = "chen2024 figure 7: one-blob coding and spatial fusion"
+    return Evidence(contact_sheet(title, columns, rows, note), pictures, [*tables, *test.tables()[:3]])
+
+
+def weights_files(runs: Path) -> dict[str, Path]:
+    """The weights of the three networks by heading.
+
+    Raises:
+        InputError: one is missing.
+    """
+    files = {name: runs / run / "woven.safetensors" for name, run in NETWORKS.items()}
+    missing = [NETWORKS[name] for name, file in files.items() if not file.is_file()]
+    if missing:
+        commands = "; ".join(
+            f"loomlight train woven experiments/{run}.toml -o {runs / run}" for run in missing
+        )
+        raise InputError(
+            f"chen2024/fig7 shows trainings that are not in the folder {runs}: make them with {commands}."
+        )
+    return files
+
+
+def _predictor(network: Weights) -> Predictor:
+    return model_predictor(lambda fabric: WovenModel(fabric, encode(fabric, network, llvm_float()), network))
+
+
+def _budget(networks: dict[str, Weights]) -> str:
+    """What each was trained for, as their recipes say."""
+    found = []
+    for name, network in networks.items():
+        minutes = network.recipe.get("training", {}).get("minutes", 0)
+        steps = network.provenance.get("steps", "unknown")
+        found.append(f"{name}: {f'{minutes:g} minutes, ' if minutes else ''}{steps} steps")
+    return "; ".join(found)

@@ -1,0 +1,26 @@
+"""Runs of the encoder that are runs: without the latents that are kept in memory and on disk."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from loomlight.models.woven.encoding import clear_encodings
+
+
+@contextmanager
+def without_cached_latents() -> Iterator[None]:
+    """Latents are kept in a folder that is thrown away, and none are in it."""
+    before = os.environ.get("XDG_CACHE_HOME")
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["XDG_CACHE_HOME"] = folder
+        clear_encodings()
+        try:
+            yield
+        finally:
+            if before is None:
+                del os.environ["XDG_CACHE_HOME"]
+            else:
+                os.environ["XDG_CACHE_HOME"] = before

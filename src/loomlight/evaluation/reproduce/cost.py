@@ -1,0 +1,124 @@
+"""Table 3: where the time of a picture goes: encoder, network, and the rest of the renderer.
+
+The paper's columns are network and "others" (intersection, transfer, shading); its encoder, once a fabric or
+edit, stands outside of the sum, as it does here. The network's share is read from the kernels of a picture:
+those that hold the decoder. They also intersect rays and fetch latents and albedos. "Host" is Python that
+traces and launches kernels, much the same for any number of pixels.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import drjit as dr
+
+from loomlight.core.llvm import llvm_float
+from loomlight.evaluation.reproduce.cache import without_cached_latents
+from loomlight.evaluation.reproduce.evidence import Evidence, on_display
+from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric, unseen_fabrics
+from loomlight.evaluation.reproduce.renders import Stage, one_picture
+from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.shots import BACKLIT, BALL, CYLINDER, DRAPE
+from loomlight.evaluation.table import Table
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.measured_scenes import MeasuredShot
+from loomlight.models.woven.encoding import encode
+
+_TIMES = 3
+
+
+@dataclass(frozen=True)
+class NetworkTime:
+    """What of a picture is the network's.
+
+    Attributes:
+        seconds: of the whole picture, kernels compiled beforehand.
+        network: of the kernels that hold the decoder.
+        others: of all other kernels; the rest of `seconds` is the host's.
+        lanes: of the network's kernels, all together.
+    """
+
+    seconds: float
+    network: float
+    others: float
+    lanes: int
+
+    @property
+    def host(self) -> float:
+        """Seconds outside of kernels: Python, tracing, launches."""
+        return max(self.seconds - self.network - self.others, 0.0)
+
+
+def network_time(run: Callable[[], object]) -> NetworkTime:
+    """Runs a picture of a scene with networks, and takes its time apart; compile it beforehand."""
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        start = time.perf_counter()
+        run()
+        seconds = time.perf_counter() - start
+        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+    # The largest kernel by far; passes through holes run it again for few lanes.
+    largest = max(kernel["operation_count"] for kernel in kernels)
+    networks = [kernel for kernel in kernels if kernel["operation_count"] == largest]
+    spent, everything = (
+        sum(kernel["execution_time"] for kernel in some) / 1e3 for some in (networks, kernels)
+    )
+    return NetworkTime(seconds, spent, everything - spent, sum(kernel["size"] for kernel in networks))
+
+
+def split(setting: Setting) -> Evidence:
+    """Table 3: milliseconds of network and others in each scene."""
+    table = Table(
+        "Milliseconds of a picture",
+        ["network", "other kernels", "host", "sum", "network's share", "encoder, once"],
+        note=f"{setting.size[0]} × {setting.size[1]} pixels, one sample, direct light; the fastest of "
+        f"{_TIMES} pictures after a first one. The encoder's are both faces and stand outside of the sum.",
+    )
+    tiles, pictures = [], {}
+    scenes = _scenes()
+    for number, (name, (shot, fabric)) in enumerate(scenes.items()):
+        scene = Stage(setting, shot).woven_scene(fabric)
+        picture = on_display(one_picture(scene, 1))
+        spent = min(
+            (network_time(partial(one_picture, scene, 1)) for _ in range(_TIMES)),
+            key=lambda found: found.seconds,
+        )
+        encoder = _encoder_seconds(setting, fabric)
+        shares = [spent.network, spent.others, spent.host, spent.seconds]
+        table.rows[name] = [
+            *(1e3 * seconds for seconds in shares),
+            spent.network / spent.seconds,
+            1e3 * encoder,
+        ]
+        caption = f"network {1e3 * spent.network:.0f} of {1e3 * spent.seconds:.0f} ms"
+        tiles.append(Tile(picture, f"{name}: {caption}"))
+        pictures[name] = picture
+        setting.step(number + 1, len(scenes))
+    rows = [Row("", tiles[:2]), Row("", tiles[2:])]
+    sheet = contact_sheet("chen2024 table 3: where the time goes", [], rows, table.note)
+    return Evidence(sheet, pictures, [table])
+
+
+def _scenes() -> dict[str, tuple[MeasuredShot, Fabric]]:
+    backlit = Look(("#c9b58f", "#e6dcc4"), translucency=0.4)
+    return {
+        "drape, satin 8×8": (DRAPE, paper_fabric("satin 8×8")),
+        "ball, twill 4×4": (BALL, unseen_fabrics()[0]),
+        "cylinder, plain": (CYLINDER, paper_fabric("plain")),
+        "backlit, plain": (BACKLIT, paper_fabric("plain", backlit)),
+    }
+
+
+def _encoder_seconds(setting: Setting, fabric: Fabric) -> float:
+    """Seconds of both faces, the fastest of some runs, the first of which compiles."""
+    network, seconds = setting.network(), []
+    for _ in range(_TIMES):
+        with without_cached_latents():
+            start = time.perf_counter()
+            encode(fabric, network, llvm_float())
+            seconds.append(time.perf_counter() - start)
+    return min(seconds)

@@ -1,0 +1,136 @@
+"""Figure 9: one fabric edited while it is looked at, and what each edit costs.
+
+Roughness, height, inclination and twist need one run of the encoder; albedos and an albedo map none; another
+pattern is another fabric. The cache of latents is empty, so that every run is a run.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.evaluation.reproduce.cache import without_cached_latents
+from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
+from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
+from loomlight.evaluation.reproduce.renders import Stage, one_picture
+from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.shots import DRAPE
+from loomlight.evaluation.table import Table
+from loomlight.mitsuba.measured_scenes import MeasuredScene
+from loomlight.mitsuba.scene_edits import SceneEdits, bitmap_texture
+
+_LOOK = Look(("#2f6f7f", "#d8cfae"), (0.3, 0.3), (0.6, 0.6))
+_PATTERN, _OTHER_PATTERN = "twill 5×5", "satin 8×8"
+_FAMILIES = ("warp", "weft")
+_MAP_SIDE = 256
+
+
+@dataclass(frozen=True)
+class _Edit:
+    """A change of scene parameters.
+
+    Attributes:
+        label: what stands below the picture.
+        values: by the end of the parameter's name.
+    """
+
+    label: str
+    values: dict[str, Any]
+
+
+_EDITS = (
+    _Edit("roughness 0.3 → 0.8", {f"{family}.roughness": 0.8 for family in _FAMILIES}),
+    _Edit("height 0.6 → 0.25", {f"{family}.height_scale": 0.25 for family in _FAMILIES}),
+    _Edit("inclination → 38°", {f"{family}.inclination": float(np.radians(38)) for family in _FAMILIES}),
+    _Edit("twist → −40°", {f"{family}.twist": float(np.radians(-40)) for family in _FAMILIES}),
+    _Edit("albedo of the warp", {"warp.diffuse_reflect": [0.45, 0.05, 0.08]}),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class _Shown:
+    """A picture after an edit.
+
+    Attributes:
+        edit, first, following: seconds of the edit, of the first picture after it, and of the one after that.
+    """
+
+    label: str
+    picture: Pixels
+    edit: float
+    first: float
+    following: float
+
+
+def edited(setting: Setting) -> Evidence:
+    """Figure 9: the strip of edits."""
+    stage = Stage(setting, DRAPE)
+    shown: list[_Shown] = []
+    with without_cached_latents():
+        for found in _strip(stage):
+            shown.append(found)
+            setting.step(len(shown), len(_EDITS) + 3)
+    table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
+    for found in shown:
+        table.rows[found.label] = [found.edit, found.first, found.following]
+    tiles = [
+        Tile(found.picture, f"{found.label}: {1e3 * found.edit:.0f} ms, picture {found.following:.2f} s")
+        for found in shown
+    ]
+    half = -(-len(tiles) // 2)
+    note = (
+        "Each from the first by one edit. Milliseconds are of the edit itself, with the encoder where it is "
+        "needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
+    )
+    rows = [Row("", tiles[:half]), Row("", tiles[half:])]
+    sheet = contact_sheet("chen2024 figure 9: editing", [], rows, note)
+    return Evidence(sheet, {found.label: found.picture for found in shown}, [table])
+
+
+def _strip(stage: Stage) -> Iterator[_Shown]:
+    fabric = paper_fabric(_PATTERN, _LOOK)
+    start = time.perf_counter()
+    scene = stage.woven_scene(fabric)
+    yield _pictured("the fabric, encoded", scene, time.perf_counter() - start)
+    edits = SceneEdits(scene.scene)
+    for edit in _EDITS:
+        start = time.perf_counter()
+        before = edits.apply(edit.values)
+        yield _pictured(edit.label, scene, time.perf_counter() - start)
+        edits.apply(before)
+    other = paper_fabric(_OTHER_PATTERN, _LOOK)
+    start = time.perf_counter()
+    scene = stage.woven_scene(other)
+    yield _pictured(f"pattern → {_OTHER_PATTERN}", scene, time.perf_counter() - start)
+    start = time.perf_counter()
+    scene = stage.woven_scene(
+        fabric, cloth_bsdf(fabric, WOVEN, stage.setting.weights, albedo=bitmap_texture(albedo_map(_MAP_SIDE)))
+    )
+    yield _pictured("albedo map", scene, time.perf_counter() - start)
+
+
+def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
+    seconds = []
+    for _ in range(2):
+        start = time.perf_counter()
+        picture = one_picture(scene, 1)
+        seconds.append(time.perf_counter() - start)
+    return _Shown(label, on_display(picture), edit, *seconds)
+
+
+def albedo_map(side: int) -> NDArray[np.float32]:
+    """Linear albedos [side, side, 3]: rings and bars with hard edges, which a map has to be filtered for."""
+    y, x = (np.indices((side, side)) + 0.5) / side * 2 - 1
+    radius, angle = np.hypot(x, y), np.arctan2(y, x)
+    petals = np.abs(np.cos(4 * angle)) * 0.35 + 0.45
+    pattern = np.full((side, side, 3), (0.85, 0.82, 0.7))
+    pattern[(radius * 12 % 1 < 0.5) & (radius < 1)] = (0.2, 0.45, 0.5)
+    pattern[radius < petals] = (0.75, 0.2, 0.12)
+    pattern[radius < 0.5 * petals] = (0.95, 0.7, 0.2)
+    return pattern.astype(np.float32)

@@ -1,0 +1,106 @@
+"""Figure 8: latents between two fabrics, and beyond them, against those of the encoder.
+
+Two latents at 0.2 and 0.8 of a parameter are mixed for 0.3 and 0.6 and extrapolated for 0.9, by the parameter
+as the weight; above stands what the encoder makes of the same parameter.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.evaluation.pictures import picture_error
+from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
+from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
+from loomlight.evaluation.reproduce.renders import Stage, one_picture
+from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.shots import CYLINDER
+from loomlight.evaluation.table import Table
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.measured_scenes import shot_counted
+from loomlight.mitsuba.scene_edits import SceneEdits
+
+_PATTERN = "twill 5×5"
+_FIRST, _SECOND = 0.2, 0.8
+_VALUES = (0.2, 0.3, 0.6, 0.8, 0.9)
+_BASE = Look(("#8a2f3c", "#d8c6a0"), (0.3, 0.3), (0.6, 0.6))
+
+
+@dataclass(frozen=True)
+class _Parameter:
+    """What is interpolated.
+
+    Attributes:
+        look: the look with a value of it in both families.
+    """
+
+    name: str
+    symbol: str
+    look: Callable[[float], Look]
+
+    def fabric(self, value: float) -> Fabric:
+        """The pattern with this value."""
+        return paper_fabric(_PATTERN, self.look(value))
+
+
+_PARAMETERS = (
+    _Parameter("roughness", "α", lambda value: replace(_BASE, roughness=(value, value))),
+    _Parameter("height", "β", lambda value: replace(_BASE, height_scale=(value, value))),
+)
+
+
+def interpolated(setting: Setting) -> Evidence:
+    """Figure 8: roughness and height field scaling by mixed latents."""
+    stage = Stage(setting, CYLINDER)
+    rows: list[Row] = []
+    pictures: dict[str, Pixels] = {}
+    columns = [f"{value:g}" for value in _VALUES]
+    tables = [Table(f"{metric} of mixed latents against encoded ones", columns) for metric in ("FLIP", "MSE")]
+    apart = Table("What 0.2 and 0.8 differ by", ["FLIP", "MSE"])
+    counted = shot_counted(CYLINDER, setting.size)
+    for number, parameter in enumerate(_PARAMETERS):
+        direct = [one_picture(stage.woven_scene(parameter.fabric(value)), 1) for value in _VALUES]
+        mixed = _mixed(stage, parameter)
+        errors = [picture_error(m, d, counted) for m, d in zip(mixed, direct, strict=True)]
+        captions = [f"FLIP {error.flip:.4f}, MSE {error.mse:.1e}" for error in errors]
+        for kind, shown, below in (("encoded", direct, [""] * len(_VALUES)), ("mixed", mixed, captions)):
+            pixels = [on_display(picture) for picture in shown]
+            tiles = [Tile(picture, caption) for picture, caption in zip(pixels, below, strict=True)]
+            rows.append(Row(f"{parameter.symbol}, {kind}", tiles))
+            pictures |= {
+                f"{parameter.name}-{value:g}-{kind}": picture
+                for value, picture in zip(_VALUES, pixels, strict=True)
+            }
+        tables[0].rows[parameter.name] = [error.flip for error in errors]
+        tables[1].rows[parameter.name] = [error.mse for error in errors]
+        whole = picture_error(direct[_VALUES.index(_SECOND)], direct[_VALUES.index(_FIRST)], counted)
+        apart.rows[parameter.name] = [whole.flip, whole.mse]
+        setting.step(number + 1, len(_PARAMETERS))
+    note = (
+        f"{_PATTERN}, both families alike. Mixed latents are those of {_FIRST:g} and {_SECOND:g}, weighted "
+        "by the parameter; 0.9 is extrapolated. Errors are of mixed against encoded latents."
+    )
+    title = "chen2024 figure 8: latents interpolated and extrapolated"
+    return Evidence(contact_sheet(title, columns, rows, note), pictures, [*tables, apart])
+
+
+def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
+    """Pictures of one scene whose parameter `blend` moves."""
+    first, second = parameter.fabric(_FIRST), parameter.fabric(_SECOND)
+    with tempfile.TemporaryDirectory() as folder:
+        other = Path(folder) / "other.toml"
+        other.write_text(second.to_toml(folder), encoding="utf-8")
+        bsdf = cloth_bsdf(first, WOVEN, stage.setting.weights, other=str(other), blend=0.0)
+        scene = stage.woven_scene(first, bsdf)
+    edits = SceneEdits(scene.scene)
+    pictures = []
+    for value in _VALUES:
+        edits.apply({"blend": (value - _FIRST) / (_SECOND - _FIRST)})
+        pictures.append(one_picture(scene, 1))
+    return pictures
