@@ -28,6 +28,7 @@ from loomlight.core.files import replacing
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 from loomlight.models.woven.batch import decode, decoder_session
@@ -106,17 +107,10 @@ def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
     def run() -> None:
         render(shown.scene, spp=1, integrator=shown.integrator)
 
-    seconds = timed(run)
-    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-        dr.kernel_history_clear()
-        run()
-        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
-    # The largest kernel by far; passes through holes run it again for few lanes.
-    largest = max(kernel["operation_count"] for kernel in kernels)
-    networks = [kernel for kernel in kernels if kernel["operation_count"] == largest]
-    spent = sum(kernel["execution_time"] for kernel in networks) / 1e3
-    lanes = sum(kernel["size"] for kernel in networks)
-    return seconds, spent / seconds, lanes * operations_a_pixel / spent
+    run()
+    found = min((network_time(run) for _ in range(3)), key=lambda found: found.seconds)
+    rate = found.lanes * operations_a_pixel / found.network
+    return found.seconds, found.network / found.seconds, rate
 
 
 def encoder_seconds(model: WovenModel) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -11,6 +11,9 @@ from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import InputError
+
+if TYPE_CHECKING:
+    from loomlight.evaluation.reproduce import Setting
 
 EXAMPLE = "Example: loomlight reproduce chen2024/fig4 -o out"
 
@@ -50,15 +53,21 @@ def reproduce(
     require_within("--spp", samples, 1, 1_000_000)
     pixels = None if size is None else parse_size(size)
 
-    from loomlight.evaluation.reproduce import Setting, reproduce
-    from loomlight.evaluation.reproduce.catalogue import find_item
+    from loomlight.evaluation.reproduce import Setting, find_item, reproduce
     from loomlight.evaluation.reproduce.setting import SIZE
 
     chosen = [find_item(name) for name in names]
     for item in chosen:
         with progress(item.name) as report:
             setting = Setting(pixels or SIZE, samples, weights, runs, report)
-            found = reproduce(item.name, output, setting, command=f"loomlight reproduce {item.name}")
+            found = reproduce(item.name, output, setting, _command(item.name, setting))
         for table in found.tables:
             print(table.to_markdown())
         done(output / f"{item.stem}.png")
+
+
+def _command(name: str, setting: Setting) -> str:
+    """What makes the same figure again, without folders."""
+    width, height = setting.size
+    command = f"loomlight reproduce {name} --size {width}x{height} --spp {setting.samples}"
+    return command if setting.weights is None else f"{command} --weights {setting.weights.name}"

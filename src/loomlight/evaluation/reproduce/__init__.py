@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from loomlight.evaluation.reproduce.catalogue import CATALOGUE
+from loomlight.evaluation.reproduce.catalogue import CATALOGUE, find_item
 from loomlight.evaluation.reproduce.reproduce import reproduce
 from loomlight.evaluation.reproduce.setting import Setting
 
-__all__ = ["CATALOGUE", "Setting", "reproduce"]
+__all__ = ["CATALOGUE", "Setting", "find_item", "reproduce"]

@@ -26,7 +26,7 @@ _TRANSLUCENT = Look(("#c9b58f", "#e6dcc4"), (0.35, 0.35), (0.6, 0.6), translucen
 
 def seen(setting: Setting) -> Evidence:
     """Figure 4: the seven patterns of the training set."""
-    return _compared(
+    return compared(
         "chen2024 figure 4: patterns of the training set",
         setting,
         DRAPE,
@@ -36,7 +36,7 @@ def seen(setting: Setting) -> Evidence:
 
 def unseen(setting: Setting) -> Evidence:
     """Figure 5: a twill that no training has seen."""
-    return _compared(
+    return compared(
         "chen2024 figure 5: a pattern that no training has seen",
         setting,
         DRAPE,
@@ -47,7 +47,7 @@ def unseen(setting: Setting) -> Evidence:
 def backlit(setting: Setting) -> Evidence:
     """Figure 6: plain cloth against the light, with the BTDF, and without it."""
     opaque = replace(_TRANSLUCENT, translucency=0.0)
-    return _compared(
+    return compared(
         "chen2024 figure 6: transmission, the light behind the cloth",
         setting,
         BACKLIT,
@@ -64,9 +64,7 @@ class _Judged:
     error: PictureError | None
 
 
-def _compared(
-    title: str, setting: Setting, shot: MeasuredShot, fabrics: list[tuple[str, Fabric]]
-) -> Evidence:
+def compared(title: str, setting: Setting, shot: MeasuredShot, fabrics: list[tuple[str, Fabric]]) -> Evidence:
     """Two rows a fabric: pictures, and FLIP of them."""
     stage = Stage(setting, shot)
     rows, pictures = [], {}

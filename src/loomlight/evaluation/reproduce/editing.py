@@ -44,11 +44,11 @@ class _Edit:
     values: dict[str, Any]
 
 
-_EDITS = (
+EDITS = (
     _Edit("roughness 0.3 → 0.8", {f"{family}.roughness": 0.8 for family in _FAMILIES}),
     _Edit("height 0.6 → 0.25", {f"{family}.height_scale": 0.25 for family in _FAMILIES}),
-    _Edit("inclination → 38°", {f"{family}.inclination": float(np.radians(38)) for family in _FAMILIES}),
-    _Edit("twist → −40°", {f"{family}.twist": float(np.radians(-40)) for family in _FAMILIES}),
+    _Edit("inclination 24° → 38°", {f"{family}.inclination": float(np.radians(38)) for family in _FAMILIES}),
+    _Edit("twist −30° → 40°", {f"{family}.twist": float(np.radians(40)) for family in _FAMILIES}),
     _Edit("albedo of the warp", {"warp.diffuse_reflect": [0.45, 0.05, 0.08]}),
 )
 
@@ -75,7 +75,7 @@ def edited(setting: Setting) -> Evidence:
     with without_cached_latents():
         for found in _strip(stage):
             shown.append(found)
-            setting.step(len(shown), len(_EDITS) + 3)
+            setting.step(len(shown), len(EDITS) + 3)
     table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
     for found in shown:
         table.rows[found.label] = [found.edit, found.first, found.following]
@@ -99,7 +99,7 @@ def _strip(stage: Stage) -> Iterator[_Shown]:
     scene = stage.woven_scene(fabric)
     yield _pictured("the fabric, encoded", scene, time.perf_counter() - start)
     edits = SceneEdits(scene.scene)
-    for edit in _EDITS:
+    for edit in EDITS:
         start = time.perf_counter()
         before = edits.apply(edit.values)
         yield _pictured(edit.label, scene, time.perf_counter() - start)
@@ -107,7 +107,7 @@ def _strip(stage: Stage) -> Iterator[_Shown]:
     other = paper_fabric(_OTHER_PATTERN, _LOOK)
     start = time.perf_counter()
     scene = stage.woven_scene(other)
-    yield _pictured(f"pattern → {_OTHER_PATTERN}", scene, time.perf_counter() - start)
+    yield _pictured(f"pattern {_OTHER_PATTERN}", scene, time.perf_counter() - start)
     start = time.perf_counter()
     scene = stage.woven_scene(
         fabric, cloth_bsdf(fabric, WOVEN, stage.setting.weights, albedo=bitmap_texture(albedo_map(_MAP_SIDE)))

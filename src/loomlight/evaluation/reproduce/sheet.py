@@ -15,7 +15,7 @@ _GAP, _MARGIN = 6, 14
 _TITLE, _HEADING, _CAPTION = 20, 16, 13
 # The one font that comes with Pillow has Latin letters only.
 _SPELT = str.maketrans(
-    {"α": "alpha", "β": "beta", "×": "x", "–": "-", "−": "-", "→": ">", "²": "^2", "³": "^3", "°": " deg"}
+    {"α": "alpha", "β": "beta", "×": "x", "–": "-", "−": "-", "→": "to", "²": "^2", "³": "^3", "°": " deg"}
 )
 
 
@@ -42,7 +42,7 @@ def contact_sheet(title: str, columns: Sequence[str], rows: Sequence[Row], note:
         columns: headings of all rows; none leaves them out.
         note: below the title; its lines are wrapped.
     """
-    widths, heights = _cells(rows)
+    widths, heights = _cells(columns, rows)
     width = max(2 * _MARGIN + sum(widths) + _GAP * (len(widths) - 1), 640)
     notes = _wrapped(note, width - 2 * _MARGIN)
     top = _MARGIN + _TITLE + 10 + (_CAPTION + 5) * len(notes) + (_HEADING + 10 if columns else 0)
@@ -69,23 +69,22 @@ def contact_sheet(title: str, columns: Sequence[str], rows: Sequence[Row], note:
     return np.asarray(sheet)
 
 
-def enlarged(picture: Pixels, factor: int) -> Pixels:
-    """Every pixel as a square of `factor` pixels."""
-    return np.kron(picture, np.ones((factor, factor, 1), np.uint8))
-
-
-def _cells(rows: Sequence[Row]) -> tuple[list[int], list[int]]:
-    """Widths of columns and heights of rows."""
-    columns = max(len(row.tiles) for row in rows)
-    widths = [0] * columns
+def _cells(columns: Sequence[str], rows: Sequence[Row]) -> tuple[list[int], list[int]]:
+    """Widths of columns, which hold all that stands in them, and heights of pictures by row."""
+    widths = [_length(heading, _HEADING) for heading in columns]
+    widths += [0] * (max(len(row.tiles) for row in rows) - len(widths))
     heights = []
     for row in rows:
         sizes = [(0, 0) if tile.picture is None else tile.picture.shape[:2] for tile in row.tiles]
         heights.append(max(size[0] for size in sizes))
         for number, tile in enumerate(row.tiles):
-            text = int(_font(_CAPTION).getlength(_spelt(tile.caption))) + 8
-            widths[number] = max(widths[number], sizes[number][1], text)
+            widths[number] = max(widths[number], sizes[number][1], _length(tile.caption, _CAPTION))
     return widths, heights
+
+
+def _length(text: str, size: int) -> int:
+    """Pixels that a text takes, and a little room after it."""
+    return int(_font(size).getlength(_spelt(text))) + 8 if text else 0
 
 
 def _line(text: str, size: int) -> int:
@@ -106,7 +105,7 @@ def _wrapped(text: str, width: int) -> list[str]:
     lines: list[str] = []
     for word in text.split():
         longer = f"{lines[-1]} {word}" if lines else word
-        if lines and _font(_CAPTION).getlength(_spelt(longer)) <= width:
+        if lines and _length(longer, _CAPTION) <= width:
             lines[-1] = longer
         else:
             lines.append(word)
