@@ -21,7 +21,7 @@ from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_counted
 
 _COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "woven, 1 spp", "reference")
 _METRICS = ("MSE", "FLIP", "seconds", "samples")
-_TRANSLUCENT = Look(("#c9b58f", "#e6dcc4"), (0.35, 0.35), (0.6, 0.6), translucency=0.4)
+_TRANSLUCENT = Look(("#f0d9a8", "#f6efe0"), (0.35, 0.35), (0.6, 0.6), translucency=0.6)
 
 
 def seen(setting: Setting) -> Evidence:

@@ -2,8 +2,8 @@
 
 The paper's columns are network and "others" (intersection, transfer, shading); its encoder, once a fabric or
 edit, stands outside of the sum, as it does here. The network's share is read from the kernels of a picture:
-those that hold the decoder. They also intersect rays and fetch latents and albedos. "Host" is Python that
-traces and launches kernels, much the same for any number of pixels.
+those that hold its layers, which also fetch latents and albedos; holes ask for a part of it. "Host" is Python
+that traces and launches kernels, much the same for any number of pixels.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ from loomlight.mitsuba.measured_scenes import MeasuredShot
 from loomlight.models.woven.encoding import encode
 
 _TIMES = 3
+# What Dr.Jit calls a network's layer in the code that it writes.
+_LAYER = "coop_vec_mat_vec"
 
 
 @dataclass(frozen=True)
@@ -37,7 +39,7 @@ class NetworkTime:
 
     Attributes:
         seconds: of the whole picture, kernels compiled beforehand.
-        network: of the kernels that hold the decoder.
+        network: of the kernels that hold layers of the decoder.
         others: of all other kernels; the rest of `seconds` is the host's.
         lanes: of the network's kernels, all together.
     """
@@ -61,9 +63,7 @@ def network_time(run: Callable[[], object]) -> NetworkTime:
         run()
         seconds = time.perf_counter() - start
         kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
-    # The largest kernel by far; passes through holes run it again for few lanes.
-    largest = max(kernel["operation_count"] for kernel in kernels)
-    networks = [kernel for kernel in kernels if kernel["operation_count"] == largest]
+    networks = [kernel for kernel in kernels if _LAYER in kernel["ir"].getvalue()]
     spent, everything = (
         sum(kernel["execution_time"] for kernel in some) / 1e3 for some in (networks, kernels)
     )
