@@ -20,7 +20,6 @@ from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import CLOSE, CYLINDER, DRAPE
 from loomlight.evaluation.table import Table
-from loomlight.mitsuba.measured_scenes import shot_counted
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights
@@ -51,14 +50,14 @@ def ablated(setting: Setting) -> Evidence:
     rows, pictures = [], {}
     tables = [Table(metric, list(NETWORKS)) for metric in ("MSE", "FLIP")]
     for number, (label, (shot, weave)) in enumerate(_SCENES.items()):
-        stage, fabric = Stage(setting, shot), paper_fabric(weave)
-        reference = stage.reference(fabric).linear
-        counted = shot_counted(shot, setting.size)
+        fabric = paper_fabric(weave)
+        stage = Stage(setting, shot, fabric)
+        reference = stage.reference().linear
         shown = {
-            name: one_picture(stage.woven_scene(fabric, cloth_bsdf(fabric, WOVEN, file)), 1)
+            name: one_picture(stage.woven_scene(cloth_bsdf(fabric, WOVEN, file)), 1)
             for name, file in files.items()
         }
-        errors = {name: picture_error(picture, reference, counted) for name, picture in shown.items()}
+        errors = {name: picture_error(picture, reference, stage.counted) for name, picture in shown.items()}
         tiles = [
             Tile(on_display(picture), f"MSE {errors[name].mse:.1e}, FLIP {errors[name].flip:.3f}")
             for name, picture in shown.items()

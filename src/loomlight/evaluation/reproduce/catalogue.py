@@ -9,6 +9,7 @@ from loomlight.evaluation.reproduce import ablation, comparison, components, cos
 from loomlight.evaluation.reproduce.evidence import Item
 
 _ITEMS = (
+    Item("chen2024/fig1", "nine fabrics in one picture, one network", comparison.many),
     Item(
         "chen2024/fig2",
         "the BSDF of a patch taken apart: R and T, diffuse and specular",

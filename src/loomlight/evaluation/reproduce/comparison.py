@@ -1,4 +1,4 @@
-"""Figures 4, 5 and 6: the network against the point model at 1 and 3 samples and at equal time.
+"""Figures 1, 4, 5 and 6: the network against the point model at 1 and 3 samples and at equal time.
 
 The paper's columns, without NeuMIP's, which joins when that model exists, and with 3 samples everywhere. The
 reference has 256 samples a pixel as the paper's has; its own noise is part of every error.
@@ -6,6 +6,7 @@ reference has 256 samples a pixel as the paper's has; its own noise is part of e
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from loomlight.evaluation.pictures import PictureError, picture_error
@@ -14,14 +15,25 @@ from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric, seen_fabr
 from loomlight.evaluation.reproduce.renders import Rendered, Stage
 from loomlight.evaluation.reproduce.setting import Setting
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
-from loomlight.evaluation.reproduce.shots import BACKLIT, DRAPE
+from loomlight.evaluation.reproduce.shots import BACKLIT, DRAPE, NINE
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba.measured_scenes import MeasuredShot, shot_counted
+from loomlight.mitsuba.measured_scenes import MeasuredShot
 
 _COLUMNS = ("point, 1 spp", "point, 3 spp", "point, equal time", "woven, 1 spp", "reference")
 _METRICS = ("MSE", "FLIP", "seconds", "samples")
 _TRANSLUCENT = Look(("#f0d9a8", "#f6efe0"), (0.35, 0.35), (0.6, 0.6), translucency=0.6)
+
+
+def many(setting: Setting) -> Evidence:
+    """Figure 1: many fabrics in one picture."""
+    fabrics = [*seen_fabrics(), *unseen_fabrics()]
+    return compared(
+        "chen2024 figure 1: nine fabrics, one network",
+        setting,
+        NINE,
+        [(", ".join(fabric.name for fabric in fabrics), fabrics)],
+    )
 
 
 def seen(setting: Setting) -> Evidence:
@@ -30,7 +42,7 @@ def seen(setting: Setting) -> Evidence:
         "chen2024 figure 4: patterns of the training set",
         setting,
         DRAPE,
-        [(fabric.name, fabric) for fabric in seen_fabrics()],
+        [(fabric.name, [fabric]) for fabric in seen_fabrics()],
     )
 
 
@@ -40,7 +52,7 @@ def unseen(setting: Setting) -> Evidence:
         "chen2024 figure 5: a pattern that no training has seen",
         setting,
         DRAPE,
-        [(fabric.name, fabric) for fabric in unseen_fabrics()],
+        [(fabric.name, [fabric]) for fabric in unseen_fabrics()],
     )
 
 
@@ -52,8 +64,8 @@ def backlit(setting: Setting) -> Evidence:
         setting,
         BACKLIT,
         [
-            ("plain, BRDF and BTDF", paper_fabric("plain", _TRANSLUCENT)),
-            ("plain, BRDF alone", paper_fabric("plain", opaque)),
+            ("plain, BRDF and BTDF", [paper_fabric("plain", _TRANSLUCENT)]),
+            ("plain, BRDF alone", [paper_fabric("plain", opaque)]),
         ],
     )
 
@@ -64,16 +76,17 @@ class _Judged:
     error: PictureError | None
 
 
-def compared(title: str, setting: Setting, shot: MeasuredShot, fabrics: list[tuple[str, Fabric]]) -> Evidence:
-    """Two rows a fabric: pictures, and FLIP of them."""
-    stage = Stage(setting, shot)
+def compared(
+    title: str, setting: Setting, shot: MeasuredShot, cloths: Sequence[tuple[str, Sequence[Fabric]]]
+) -> Evidence:
+    """Two rows for each picture, by its label and its fabrics: what is seen, and FLIP of it."""
     rows, pictures = [], {}
     tables = {metric: Table(metric, list(_COLUMNS[:-1])) for metric in _METRICS}
-    for number, (label, fabric) in enumerate(fabrics):
-        judged = _judged(stage, fabric)
+    for number, (label, fabrics) in enumerate(cloths):
+        judged = _judged(Stage(setting, shot, *fabrics))
         shown, maps = [], []
         for column, found in judged.items():
-            file = f"{label}-{column}"
+            file = f"{label}-{column}" if len(cloths) > 1 else column
             pixels = on_display(found.picture.linear)
             pictures[file] = pixels
             shown.append(Tile(pixels, _caption(found)))
@@ -88,7 +101,7 @@ def compared(title: str, setting: Setting, shot: MeasuredShot, fabrics: list[tup
         tables["FLIP"].rows[label] = [error.flip for _, error in errors]
         tables["seconds"].rows[label] = [picture.seconds for picture, _ in errors]
         tables["samples"].rows[label] = [picture.samples for picture, _ in errors]
-        setting.step(number + 1, len(fabrics))
+        setting.step(number + 1, len(cloths))
     note = (
         f"{shot.yarns:g} yarns a pixel, one directional light, direct light only, box filter; reference: the "
         f"point model with {setting.samples} samples a pixel. MSE of linear RGB and mean LDR-FLIP over the "
@@ -97,18 +110,17 @@ def compared(title: str, setting: Setting, shot: MeasuredShot, fabrics: list[tup
     return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, list(tables.values()))
 
 
-def _judged(stage: Stage, fabric: Fabric) -> dict[str, _Judged]:
-    reference = stage.reference(fabric)
-    woven = stage.woven(fabric)
+def _judged(stage: Stage) -> dict[str, _Judged]:
+    reference = stage.reference()
+    woven, as_long = stage.equal_time()
     pictures = {
-        "point, 1 spp": stage.point(fabric, 1),
-        "point, 3 spp": stage.point(fabric, 3),
-        "point, equal time": stage.equal_time(fabric, woven.seconds),
+        "point, 1 spp": stage.point(1),
+        "point, 3 spp": stage.point(3),
+        "point, equal time": as_long,
         "woven, 1 spp": woven,
     }
-    counted = shot_counted(stage.shot, stage.setting.size)
     judged = {
-        name: _Judged(picture, picture_error(picture.linear, reference.linear, counted))
+        name: _Judged(picture, picture_error(picture.linear, reference.linear, stage.counted))
         for name, picture in pictures.items()
     }
     return judged | {"reference": _Judged(reference, None)}

@@ -81,7 +81,7 @@ def split(setting: Setting) -> Evidence:
     tiles, pictures = [], {}
     scenes = _scenes()
     for number, (name, (shot, fabric)) in enumerate(scenes.items()):
-        scene = Stage(setting, shot).woven_scene(fabric)
+        scene = Stage(setting, shot, fabric).woven_scene()
         picture = on_display(one_picture(scene, 1))
         spent = min(
             (network_time(partial(one_picture, scene, 1)) for _ in range(_TIMES)),

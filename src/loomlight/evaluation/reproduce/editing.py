@@ -70,10 +70,9 @@ class _Shown:
 
 def edited(setting: Setting) -> Evidence:
     """Figure 9: the strip of edits."""
-    stage = Stage(setting, DRAPE)
     shown: list[_Shown] = []
     with without_cached_latents():
-        for found in _strip(stage):
+        for found in _strip(setting):
             shown.append(found)
             setting.step(len(shown), len(EDITS) + 3)
     table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
@@ -93,10 +92,11 @@ def edited(setting: Setting) -> Evidence:
     return Evidence(sheet, {found.label: found.picture for found in shown}, [table])
 
 
-def _strip(stage: Stage) -> Iterator[_Shown]:
+def _strip(setting: Setting) -> Iterator[_Shown]:
     fabric = paper_fabric(_PATTERN, _LOOK)
     start = time.perf_counter()
-    scene = stage.woven_scene(fabric)
+    stage = Stage(setting, DRAPE, fabric)
+    scene = stage.woven_scene()
     yield _pictured("the fabric, encoded", scene, time.perf_counter() - start)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
@@ -106,11 +106,11 @@ def _strip(stage: Stage) -> Iterator[_Shown]:
         edits.apply(before)
     other = paper_fabric(_OTHER_PATTERN, _LOOK)
     start = time.perf_counter()
-    scene = stage.woven_scene(other)
+    scene = Stage(setting, DRAPE, other).woven_scene()
     yield _pictured(f"pattern {_OTHER_PATTERN}", scene, time.perf_counter() - start)
     start = time.perf_counter()
     scene = stage.woven_scene(
-        fabric, cloth_bsdf(fabric, WOVEN, stage.setting.weights, albedo=bitmap_texture(albedo_map(_MAP_SIDE)))
+        cloth_bsdf(fabric, WOVEN, setting.weights, albedo=bitmap_texture(albedo_map(_MAP_SIDE)))
     )
     yield _pictured("albedo map", scene, time.perf_counter() - start)
 

@@ -23,7 +23,6 @@ from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import CYLINDER
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba.measured_scenes import shot_counted
 from loomlight.mitsuba.scene_edits import SceneEdits
 
 _PATTERN = "twill 5×5"
@@ -57,16 +56,16 @@ _PARAMETERS = (
 
 def interpolated(setting: Setting) -> Evidence:
     """Figure 8: roughness and height field scaling by mixed latents."""
-    stage = Stage(setting, CYLINDER)
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
     columns = [f"{value:g}" for value in _VALUES]
     tables = [Table(f"{metric} of mixed latents against encoded ones", columns) for metric in ("FLIP", "MSE")]
     apart = Table("What 0.2 and 0.8 differ by", ["FLIP", "MSE"])
-    counted = shot_counted(CYLINDER, setting.size)
     for number, parameter in enumerate(_PARAMETERS):
-        direct = [one_picture(stage.woven_scene(parameter.fabric(value)), 1) for value in _VALUES]
-        mixed = _mixed(stage, parameter)
+        stages = [Stage(setting, CYLINDER, parameter.fabric(value)) for value in _VALUES]
+        counted = stages[0].counted
+        direct = [one_picture(stage.woven_scene(), 1) for stage in stages]
+        mixed = _mixed(stages[0], parameter)
         errors = [picture_error(m, d, counted) for m, d in zip(mixed, direct, strict=True)]
         captions = [f"FLIP {error.flip:.4f}, MSE {error.mse:.1e}" for error in errors]
         for kind, shown, below in (("encoded", direct, [""] * len(_VALUES)), ("mixed", mixed, captions)):
@@ -92,12 +91,12 @@ def interpolated(setting: Setting) -> Evidence:
 
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
     """Pictures of one scene whose parameter `blend` moves."""
-    first, second = parameter.fabric(_FIRST), parameter.fabric(_SECOND)
+    (first,), second = stage.fabrics, parameter.fabric(_SECOND)
     with tempfile.TemporaryDirectory() as folder:
         other = Path(folder) / "other.toml"
         other.write_text(second.to_toml(folder), encoding="utf-8")
         bsdf = cloth_bsdf(first, WOVEN, stage.setting.weights, other=str(other), blend=0.0)
-        scene = stage.woven_scene(first, bsdf)
+        scene = stage.woven_scene(bsdf)
     edits = SceneEdits(scene.scene)
     pictures = []
     for value in _VALUES:

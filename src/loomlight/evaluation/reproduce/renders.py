@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,12 +12,13 @@ from numpy.typing import NDArray
 from loomlight.evaluation.reproduce.setting import POINT, WOVEN, Setting, cloth_bsdf
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
-from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_scene
+from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_counted, shot_scene
 from loomlight.mitsuba.rendering import filling_grid
 from loomlight.mitsuba.scenes import BsdfFactory
 
 _TIMES = 3
 _MOST_EQUAL = 64
+_CORRECTIONS = 2
 # Sample counts that the time a sample takes is read from.
 _FEW, _SOME = 1, 9
 
@@ -37,43 +39,59 @@ class Rendered:
 
 
 class Stage:
-    """A shot that fabrics are shown in."""
+    """A shot with the fabrics that it shows, one for each of its pieces."""
 
-    def __init__(self, setting: Setting, shot: MeasuredShot) -> None:
+    def __init__(self, setting: Setting, shot: MeasuredShot, *fabrics: Fabric) -> None:
         choose_variant()
         self.setting = setting
         self.shot = shot
+        self.fabrics = fabrics
 
-    def reference(self, fabric: Fabric) -> Rendered:
+    @property
+    def counted(self) -> NDArray[np.bool_]:
+        """Pixels that lie wholly on one piece [height, width]."""
+        return shot_counted(self.shot, self.setting.size)
+
+    def reference(self) -> Rendered:
         """The point model with many samples a pixel."""
-        scene = self._scene(fabric, cloth_bsdf(fabric, POINT), centred=False)
+        scene = self._point_scene()
         start = time.perf_counter()
         linear = one_picture(scene, self.setting.samples, 0)
         return Rendered(linear, self.setting.samples, time.perf_counter() - start)
 
-    def point(self, fabric: Fabric, samples: int) -> Rendered:
+    def point(self, samples: int) -> Rendered:
         """The point model with a few samples a pixel."""
-        return timed(self._scene(fabric, cloth_bsdf(fabric, POINT), centred=False), samples)
+        return timed(self._point_scene(), samples)
 
-    def woven(self, fabric: Fabric, bsdf: BsdfFactory | None = None) -> Rendered:
-        """The network, one sample through the middle of each pixel."""
-        return timed(self.woven_scene(fabric, bsdf), 1)
+    def equal_time(self) -> tuple[Rendered, Rendered]:
+        """The network, and the point model with as many samples as take as long, from 1 to 64.
 
-    def woven_scene(self, fabric: Fabric, bsdf: BsdfFactory | None = None) -> MeasuredScene:
-        """What `woven` renders; another BSDF may stand for the fabric's."""
-        own = cloth_bsdf(fabric, WOVEN, self.setting.weights) if bsdf is None else bsdf
-        return self._scene(fabric, own, centred=True)
-
-    def equal_time(self, fabric: Fabric, seconds: float) -> Rendered:
-        """The point model with as many samples as take `seconds`, at least 1 and at most 64."""
-        scene = self._scene(fabric, cloth_bsdf(fabric, POINT), centred=False)
+        Both are timed one after the other and again with a better count, since other work on the machine
+        comes and goes.
+        """
+        network, scene = self.woven_scene(), self._point_scene()
         few, some = (timed(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
-        guess = _FEW + (seconds - few) / slope
-        return timed(scene, grid_near(guess))
+        woven = timed(network, 1)
+        point = timed(scene, grid_near(_FEW + (woven.seconds - few) / slope))
+        for _ in range(_CORRECTIONS):
+            better = grid_near(point.samples * woven.seconds / point.seconds)
+            if better == point.samples:
+                break
+            woven, point = timed(network, 1), timed(scene, better)
+        return woven, point
 
-    def _scene(self, fabric: Fabric, bsdf: BsdfFactory, centred: bool) -> MeasuredScene:
-        return shot_scene(self.shot, [(fabric, bsdf)], self.setting.size, centred)
+    def woven_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
+        """The network, to be rendered with one sample; other BSDFs may stand for the fabrics'."""
+        weights = self.setting.weights
+        return self._scene(bsdfs or [cloth_bsdf(fabric, WOVEN, weights) for fabric in self.fabrics], True)
+
+    def _point_scene(self) -> MeasuredScene:
+        return self._scene([cloth_bsdf(fabric, POINT) for fabric in self.fabrics], False)
+
+    def _scene(self, bsdfs: Sequence[BsdfFactory], centred: bool) -> MeasuredScene:
+        cloths = list(zip(self.fabrics, bsdfs, strict=True))
+        return shot_scene(self.shot, cloths, self.setting.size, centred)
 
 
 def grid_near(samples: float) -> int:

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from loomlight.mitsuba import cloth_shapes
+from collections.abc import Callable
+
+import numpy as np
+
+from loomlight.mitsuba import ClothMesh, cloth_shapes
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 
 _ABOVE = (0.35, 0.55, 1.0)
@@ -14,3 +18,24 @@ BACKLIT = MeasuredShot((cloth_shapes.curtain,), (0.25, 0.1, 1.0), (-1.0, 0.3, -0
 CLOSE = MeasuredShot((cloth_shapes.drape,), _ABOVE, (-0.6, 0.75, 0.6), yarns=0.15, zoom=3.0)
 CYLINDER = MeasuredShot((cloth_shapes.cylinder,), (0.0, 0.0, 1.0), (-0.3, 0.6, 0.8), yarns=2.0, zoom=1.2)
 BALL = MeasuredShot((cloth_shapes.sphere,), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.0)
+
+
+def _ball_at(column: int, row: int) -> Callable[[], ClothMesh]:
+    """The ball, moved by whole places to the right and up."""
+
+    def moved() -> ClothMesh:
+        ball = cloth_shapes.sphere()
+        offset = np.array([column * _APART[0], row * _APART[1], 0.0])
+        return ClothMesh(ball.positions + offset, ball.normals, ball.uv, ball.triangles, ball.name)
+
+    return moved
+
+
+_APART = (0.36, 0.21)
+# The camera frames the first one, in the middle.
+_PLACES = sorted(
+    ((column, row) for row in (1, 0, -1) for column in (-1, 0, 1)), key=lambda place: place != (0, 0)
+)
+NINE = MeasuredShot(
+    tuple(_ball_at(*place) for place in _PLACES), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.5, zoom=0.32
+)
