@@ -46,9 +46,9 @@ def separated(setting: Setting) -> Evidence:
         queries = direction_grid(fabric, grid, sign)
         count = len(queries.views)
         right, guess = (_matrices(predict(fabric, queries), count) for predict in (truth, woven))
-        white = float(np.quantile(right[0], 0.99))
+        whites = np.quantile(right, 0.99, axis=(1, 2))
         for name, found in (("sampled", right), ("woven", guess)):
-            shown = [_picture(values, white) for values in found]
+            shown = [_picture(values, white) for values, white in zip(found, whites, strict=True)]
             rows.append(Row(f"{side}, {name}", [Tile(pixels) for pixels in shown]))
             pictures |= {
                 f"{side}-{name}-{column}": pixels for column, pixels in zip(_COLUMNS, shown, strict=True)
@@ -56,8 +56,8 @@ def separated(setting: Setting) -> Evidence:
         table.rows[side] = [error_sums(p, t).nmae for p, t in zip(guess, right, strict=True)]
         setting.step(number + 1, len(_SIDES))
     note = (
-        "Light directions across, view directions down, row by row over the disc of their x and y; one "
-        f"scale a side, white at the 99th percentile. A patch of {_PATCH:g} of the repeat, "
+        "Light directions across, view directions down, row by row over the disc of their x and y; each "
+        f"column of a side is white at its 99th percentile, sampled. A patch of {_PATCH:g} of the repeat, "
         f"{setting.samples} samples."
     )
     title = "chen2024 figure 2: components of plain white cloth"

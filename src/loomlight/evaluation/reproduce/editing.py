@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from loomlight.evaluation.reproduce.cache import without_cached_latents
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
-from loomlight.evaluation.reproduce.renders import Stage, one_picture
+from loomlight.evaluation.reproduce.renders import Stage, one_picture, timed
 from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import DRAPE
@@ -25,7 +25,7 @@ from loomlight.evaluation.table import Table
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scene_edits import SceneEdits, bitmap_texture
 
-_LOOK = Look(("#2f6f7f", "#d8cfae"), (0.3, 0.3), (0.6, 0.6))
+_LOOK = Look(("#2f6f7f", "#b0a888"), (0.3, 0.3), (0.6, 0.6), specular=0.7)
 _PATTERN, _OTHER_PATTERN = "twill 5×5", "satin 8×8"
 _FAMILIES = ("warp", "weft")
 _MAP_SIDE = 256
@@ -45,7 +45,7 @@ class _Edit:
 
 
 EDITS = (
-    _Edit("roughness 0.3 → 0.8", {f"{family}.roughness": 0.8 for family in _FAMILIES}),
+    _Edit("roughness 0.3 → 0.9", {f"{family}.roughness": 0.9 for family in _FAMILIES}),
     _Edit("height 0.6 → 0.25", {f"{family}.height_scale": 0.25 for family in _FAMILIES}),
     _Edit("inclination 24° → 38°", {f"{family}.inclination": float(np.radians(38)) for family in _FAMILIES}),
     _Edit("twist −30° → 40°", {f"{family}.twist": float(np.radians(40)) for family in _FAMILIES}),
@@ -58,7 +58,7 @@ class _Shown:
     """A picture after an edit.
 
     Attributes:
-        edit, first, following: seconds of the edit, of the first picture after it, and of the one after that.
+        edit, first, following: seconds of the edit, of the first picture after it, and of later ones.
     """
 
     label: str
@@ -116,12 +116,11 @@ def _strip(setting: Setting) -> Iterator[_Shown]:
 
 
 def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
-    seconds = []
-    for _ in range(2):
-        start = time.perf_counter()
-        picture = one_picture(scene, 1)
-        seconds.append(time.perf_counter() - start)
-    return _Shown(label, on_display(picture), edit, *seconds)
+    start = time.perf_counter()
+    one_picture(scene, 1)
+    first = time.perf_counter() - start
+    following = timed(scene, 1)
+    return _Shown(label, on_display(following.linear), edit, first, following.seconds)
 
 
 def albedo_map(side: int) -> NDArray[np.float32]:

@@ -26,12 +26,14 @@ class Look:
         roughness: α of warp and weft.
         height_scale: β of warp and weft.
         translucency: share of the light that threads scatter to the other side.
+        specular: share of the albedo that is the fibres'.
     """
 
     colours: tuple[str, str] = ("#ffffff", "#ffffff")
     roughness: tuple[float, float] = (0.3, 0.3)
     height_scale: tuple[float, float] = (0.6, 0.6)
     translucency: float = 0.0
+    specular: float = 0.4
 
 
 _SEEN = {
@@ -74,7 +76,7 @@ def fabric_of(name: str, weave: str, look: Look) -> Fabric:
         f'color = "{look.colours[number]}"\n'
         f"roughness = {look.roughness[number]}\n"
         f"height_scale = {look.height_scale[number]}\n"
-        f"translucency = {look.translucency}\n"
+        f"translucency = {look.translucency}\nspecular = {look.specular}\n"
         for number, family in enumerate(("warp", "weft"))
     ]
     text = (

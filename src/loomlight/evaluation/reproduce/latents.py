@@ -20,15 +20,15 @@ from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
 from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
-from loomlight.evaluation.reproduce.shots import CYLINDER
+from loomlight.evaluation.reproduce.shots import BALL
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.scene_edits import SceneEdits
 
-_PATTERN = "twill 5×5"
+_PATTERN = "satin 5×5"
 _FIRST, _SECOND = 0.2, 0.8
 _VALUES = (0.2, 0.3, 0.6, 0.8, 0.9)
-_BASE = Look(("#8a2f3c", "#d8c6a0"), (0.3, 0.3), (0.6, 0.6))
+_BASE = Look(("#7a3c48", "#5c2c38"), (0.3, 0.3), (0.6, 0.6), specular=0.8)
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def interpolated(setting: Setting) -> Evidence:
     tables = [Table(f"{metric} of mixed latents against encoded ones", columns) for metric in ("FLIP", "MSE")]
     apart = Table("What 0.2 and 0.8 differ by", ["FLIP", "MSE"])
     for number, parameter in enumerate(_PARAMETERS):
-        stages = [Stage(setting, CYLINDER, parameter.fabric(value)) for value in _VALUES]
+        stages = [Stage(setting, BALL, parameter.fabric(value)) for value in _VALUES]
         counted = stages[0].counted
         direct = [one_picture(stage.woven_scene(), 1) for stage in stages]
         mixed = _mixed(stages[0], parameter)
