@@ -28,6 +28,7 @@ from loomlight.mitsuba.scene_edits import SceneEdits
 _PATTERN = "satin 5×5"
 _FIRST, _SECOND = 0.2, 0.8
 _VALUES = (0.2, 0.3, 0.6, 0.8, 0.9)
+_COMPARED = ("encoded against reference", "mixed against reference", "mixed against encoded")
 _BASE = Look(("#7a3c48", "#5c2c38"), (0.3, 0.3), (0.6, 0.6), specular=0.8)
 
 
@@ -59,34 +60,56 @@ def interpolated(setting: Setting) -> Evidence:
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}
     columns = [f"{value:g}" for value in _VALUES]
-    tables = [Table(f"{metric} of mixed latents against encoded ones", columns) for metric in ("FLIP", "MSE")]
-    apart = Table("What 0.2 and 0.8 differ by", ["FLIP", "MSE"])
+    tables = {kind: Table(f"FLIP of {kind}", columns) for kind in _COMPARED}
+    apart = Table("FLIP between 0.2 and 0.8", ["reference", "encoded"])
     for number, parameter in enumerate(_PARAMETERS):
         stages = [Stage(setting, BALL, parameter.fabric(value)) for value in _VALUES]
+        pictures_of = {
+            "reference": [stage.reference().linear for stage in stages],
+            "encoded": [one_picture(stage.woven_scene(), 1) for stage in stages],
+            "mixed": _mixed(stages[0], parameter),
+        }
         counted = stages[0].counted
-        direct = [one_picture(stage.woven_scene(), 1) for stage in stages]
-        mixed = _mixed(stages[0], parameter)
-        errors = [picture_error(m, d, counted) for m, d in zip(mixed, direct, strict=True)]
-        captions = [f"FLIP {error.flip:.4f}, MSE {error.mse:.1e}" for error in errors]
-        for kind, shown, below in (("encoded", direct, [""] * len(_VALUES)), ("mixed", mixed, captions)):
+        for kind, table in tables.items():
+            one, other = kind.split(" against ")
+            table.rows[parameter.name] = [
+                picture_error(p, q, counted).flip
+                for p, q in zip(pictures_of[one], pictures_of[other], strict=True)
+            ]
+        apart.rows[parameter.name] = [
+            picture_error(shown[_VALUES.index(_SECOND)], shown[_VALUES.index(_FIRST)], counted).flip
+            for shown in (pictures_of["reference"], pictures_of["encoded"])
+        ]
+        for kind, shown in pictures_of.items():
+            captions = _captions(kind, tables, parameter.name)
             pixels = [on_display(picture) for picture in shown]
-            tiles = [Tile(picture, caption) for picture, caption in zip(pixels, below, strict=True)]
+            tiles = [Tile(picture, caption) for picture, caption in zip(pixels, captions, strict=True)]
             rows.append(Row(f"{parameter.symbol}, {kind}", tiles))
             pictures |= {
-                f"{parameter.name}-{value:g}-{kind}": picture
-                for value, picture in zip(_VALUES, pixels, strict=True)
+                f"{parameter.name}-{column}-{kind}": picture
+                for column, picture in zip(columns, pixels, strict=True)
             }
-        tables[0].rows[parameter.name] = [error.flip for error in errors]
-        tables[1].rows[parameter.name] = [error.mse for error in errors]
-        whole = picture_error(direct[_VALUES.index(_SECOND)], direct[_VALUES.index(_FIRST)], counted)
-        apart.rows[parameter.name] = [whole.flip, whole.mse]
         setting.step(number + 1, len(_PARAMETERS))
+    differ = ", ".join(
+        f"{name}: {reference:.3f} in the reference, {encoded:.3f} as encoded"
+        for name, (reference, encoded) in apart.rows.items()
+    )
     note = (
         f"{_PATTERN}, both families alike. Mixed latents are those of {_FIRST:g} and {_SECOND:g}, weighted "
-        "by the parameter; 0.9 is extrapolated. Errors are of mixed against encoded latents."
+        f"by the parameter; 0.9 is extrapolated. FLIP between {_FIRST:g} and {_SECOND:g}: {differ}."
     )
     title = "chen2024 figure 8: latents interpolated and extrapolated"
-    return Evidence(contact_sheet(title, columns, rows, note), pictures, [*tables, apart])
+    return Evidence(contact_sheet(title, columns, rows, note), pictures, [*tables.values(), apart])
+
+
+def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
+    """What stands below the pictures of a kind: FLIP of it against others."""
+    lines = [
+        [f"FLIP {cell:.4f} to {title.partition(' against ')[2]}" for cell in table.rows[name]]
+        for title, table in tables.items()
+        if title.startswith(kind)
+    ]
+    return ["; ".join(parts) for parts in zip(*lines, strict=True)] or [""] * len(_VALUES)
 
 
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
