@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -73,13 +74,14 @@ class Stage:
         few, some = (timed(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
         woven = timed(network, 1)
-        point = timed(scene, grid_near(_FEW + (woven.seconds - few) / slope))
+        pairs = [(woven, timed(scene, grid_near(_FEW + (woven.seconds - few) / slope)))]
         for _ in range(_CORRECTIONS):
+            woven, point = pairs[-1]
             better = grid_near(point.samples * woven.seconds / point.seconds)
             if better == point.samples:
                 break
-            woven, point = timed(network, 1), timed(scene, better)
-        return woven, point
+            pairs.append((timed(network, 1), timed(scene, better)))
+        return min(pairs, key=lambda pair: abs(math.log(pair[0].seconds / pair[1].seconds)))
 
     def woven_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
         """The network, to be rendered with one sample; other BSDFs may stand for the fabrics'."""

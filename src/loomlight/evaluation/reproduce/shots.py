@@ -31,11 +31,11 @@ def _ball_at(column: int, row: int) -> Callable[[], ClothMesh]:
     return moved
 
 
-_APART = (0.36, 0.21)
+_APART = (0.28, 0.205)
 # The camera frames the first one, in the middle.
 _PLACES = sorted(
     ((column, row) for row in (1, 0, -1) for column in (-1, 0, 1)), key=lambda place: place != (0, 0)
 )
 NINE = MeasuredShot(
-    tuple(_ball_at(*place) for place in _PLACES), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.5, zoom=0.32
+    tuple(_ball_at(*place) for place in _PLACES), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.5, zoom=0.33
 )
