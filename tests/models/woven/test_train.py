@@ -157,7 +157,7 @@ def test_bad_configurations_end_in_a_sentence(tmp_path: Path, text: str, words: 
 
 @pytest.mark.parametrize("published", [False, True])
 def test_components_come_back_through_the_map(published: bool) -> None:
-    components = torch.rand(50, 4) * 3
+    components = torch.rand(50, 4) * 2.9  # outputs are cut off at ln(1000 · 2.98 + 1)
     light = torch.nn.functional.normalize(torch.randn(50, 3), dim=1)
     back = unmapped(mapped(components, light, published), light, published)
     # e^x − 1 of float32 logarithms up to 8: 8·6e-8 relative, times a few.

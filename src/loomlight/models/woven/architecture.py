@@ -6,6 +6,11 @@ SLOPE = 0.01  # of leaky ReLU
 BINS = 8  # of one-blob coding
 # The reach of a bin, in bins: neighbours overlap as Gaussians of one bin's deviation do.
 BLOB_REACH = 2.5
+# Bins of x and of y of the half vector, over −1 to 1, and their reach in bins.
+HALF_BINS = 16
+HALF_REACH = 2.0
+# Added to the square of light + view: keeps the half vector of opposite directions finite.
+OPPOSITE = 1e-4
 # Side of the maps of a repeat for "vector", and maps a thread for "field".
 VECTOR_MAP = 128
 FIELD_MAP = 16

@@ -22,7 +22,10 @@ from loomlight.core.backend import array_types, uploaded
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
+    HALF_BINS,
+    HALF_REACH,
     LARGEST_OUTPUT,
+    OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
@@ -138,7 +141,11 @@ class Decoder:
             parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
         first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
         spatial = hole.shape[1] - 2
-        parts["spatial"], parts["light"], parts["view"] = np.split(first, [spatial, spatial + 3], axis=1)
+        parts["spatial"], light, parts["view"], half = np.split(
+            first, [spatial, spatial + 3, spatial + 5], axis=1
+        )
+        # All that a light brings.
+        parts["light"] = np.concatenate([light, half], 1)
         parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
         for number in range(1, self._layers):
             parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
@@ -177,7 +184,10 @@ class Decoder:
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
-        skip = seen.angular + self._product("light", [light.x, light.y, light.z])
+        directions = [light.x, light.y, light.z]
+        if self.weights.table.half_vector:
+            directions += coded_half_vector(light, seen.view)
+        skip = seen.angular + self._product("light", directions)
         hidden = _leaky(skip)
         for number in range(1, self._layers):
             hidden = self._product(f"{number}", hidden, f"{number} bias")
@@ -231,8 +241,10 @@ def decoder_cost(weights: Weights) -> DecoderCost:
         multiplied = fetched * latent
     # Two levels, four texels each.
     taps = 8 if weights.table.latent == "field" else 1
-    light = 3 * weights.tensor("decoder.angular.0.bias").size
-    angular = sizes["decoder.angular.0.weight"]
+    hidden, directions = weights.tensor("decoder.angular.0.weight").shape
+    spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
+    angular = hidden * directions
+    light = angular - hidden * (spatial + 2)
     lit = light + layers("angular") - angular
     seen = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
     return DecoderCost(seen, lit, 4 * taps * fetched)
@@ -253,6 +265,19 @@ def one_blob(place: tuple[Any, Any, Any]) -> list[Any]:
             if number < 2:
                 offset -= dr.round(offset)
             distance = offset * (BINS / BLOB_REACH)
+            coded.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
+    return coded
+
+
+def coded_half_vector(light: Any, view: Any) -> list[Any]:
+    """One-blob coding of x and y of the half vector, 16 Floats each; see `network.coded_half_vector`."""
+    total = light + view
+    scale = 0.5 * dr.rsqrt(dr.squared_norm(total) + OPPOSITE)
+    coded = []
+    for value in (total.x, total.y):
+        place = dr.fma(value, scale, 0.5) * (HALF_BINS / HALF_REACH)
+        for bin_ in range(HALF_BINS):
+            distance = place - (bin_ + 0.5) / HALF_REACH
             coded.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
     return coded
 

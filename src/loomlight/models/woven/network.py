@@ -21,7 +21,15 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.woven.architecture import BINS, BLOB_REACH, SLOPE, VECTOR_MAP
+from loomlight.models.woven.architecture import (
+    BINS,
+    BLOB_REACH,
+    HALF_BINS,
+    HALF_REACH,
+    OPPOSITE,
+    SLOPE,
+    VECTOR_MAP,
+)
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.maps import CHANNELS
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
@@ -179,7 +187,8 @@ class Decoder(nn.Module):
         fused = hidden if table.fusion else spatial
         self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
         inner = [hidden] * (4 if table.fusion else 6)
-        self.angular = _layers(fused + ANGLES, *inner, COMPONENTS)
+        directions = ANGLES + (2 * HALF_BINS if table.half_vector else 0)
+        self.angular = _layers(fused + directions, *inner, COMPONENTS)
         self.hole = _layers(fused + 2, 16, 1)
 
     def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
@@ -194,7 +203,10 @@ class Decoder(nn.Module):
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
             spatial = functional.leaky_relu(layer(spatial), SLOPE)
-        hidden: Any = torch.cat([spatial, light, view[:, :2]], 1)
+        directions = [light, view[:, :2]]
+        if self.table.half_vector:
+            directions.append(coded_half_vector(light, view))
+        hidden: Any = torch.cat([spatial, *directions], 1)
         skip, kind = None, place.device.type
         for number, layer in enumerate(self.angular):
             last = number + 1 == len(self.angular)
@@ -209,6 +221,19 @@ class Decoder(nn.Module):
                 hidden = functional.leaky_relu(hidden, SLOPE)
         hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
+
+
+def coded_half_vector(light: Tensor, view: Tensor) -> Tensor:
+    """One-blob coding of x and y of the half vector of lights and views [n, 3], 16 bins each [n, 32].
+
+    Highlights are ridges in it, α wide, which bins hold as they are. Where directions are opposite it is
+    short, instead of undefined.
+    """
+    total = light + view
+    half = total[:, :2] / torch.sqrt(total.square().sum(1, keepdim=True) + OPPOSITE)
+    centres = (torch.arange(HALF_BINS, dtype=half.dtype, device=half.device) + 0.5) / HALF_BINS
+    distance = (0.5 + 0.5 * half[:, :, None] - centres) * (HALF_BINS / HALF_REACH)
+    return torch.clamp(1 - distance * distance, min=0).square().flatten(1)
 
 
 def _layers(*widths: int) -> nn.ModuleList:

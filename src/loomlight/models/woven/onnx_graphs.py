@@ -18,8 +18,11 @@ from onnx import TensorProto, helper, numpy_helper
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
+    HALF_BINS,
+    HALF_REACH,
     LARGEST_OUTPUT,
     MOST_THREADS,
+    OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
@@ -56,7 +59,10 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         for number in range(2):
             spatial = graph.leaky(graph.linear(f"decoder.fusion.{number}", spatial))
     eye = graph.add("Slice", "view", graph.integers([0]), graph.integers([2]), graph.integers([1]))
-    hidden = graph.add("Concat", spatial, "light", eye, axis=1)
+    directions = ["light", eye]
+    if table.half_vector:
+        directions.append(_coded_half_vector(graph))
+    hidden = graph.add("Concat", spatial, *directions, axis=1)
     skip = ""
     count = weights.layers("decoder.angular")
     for number in range(count):
@@ -297,6 +303,22 @@ def _one_blob(graph: _Graph) -> str:
     bump = graph.add("Sub", graph.number(1), graph.add("Mul", distance, distance))
     bump = graph.add("Relu", bump)
     return graph.add("Reshape", graph.add("Mul", bump, bump), graph.integers([0, 3 * BINS]))
+
+
+def _coded_half_vector(graph: _Graph) -> str:
+    total = graph.add("Add", "light", "view")
+    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
+    length = graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE)))
+    half = graph.add("Div", total, length)
+    half = graph.add("Slice", half, graph.integers([0]), graph.integers([2]), graph.integers([1]))
+    # From −1 to 1 in bins; centres lie half a bin beyond edges.
+    centres = (np.arange(HALF_BINS) + 0.5) / HALF_BINS * 2 - 1
+    offset = graph.add(
+        "Sub", graph.add("Unsqueeze", half, graph.integers([2])), graph.number(centres[None, None])
+    )
+    distance = graph.add("Mul", offset, graph.number(HALF_BINS / HALF_REACH / 2))
+    bump = graph.add("Relu", graph.add("Sub", graph.number(1), graph.add("Mul", distance, distance)))
+    return graph.add("Reshape", graph.add("Mul", bump, bump), graph.integers([0, 2 * HALF_BINS]))
 
 
 def _unmapped(graph: _Graph, output: str) -> None:
