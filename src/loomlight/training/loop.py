@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -45,7 +45,7 @@ class Schedule:
 def train(
     network: nn.Module,
     optimiser: torch.optim.Optimizer,
-    loss_of: Callable[[int], Tensor],
+    losses_of: Callable[[int], Iterable[Tensor]],
     schedule: Schedule,
     checkpoint: Path,
     identity: str,
@@ -53,8 +53,9 @@ def train(
 ) -> int:
     """Trains until the schedule's end, going on from the checkpoint if there is one.
 
-    Random numbers belong to steps: `loss_of(step)` must depend on the step and the weights alone. Then a
-    training that was stopped at any moment ends with the weights of one that was not.
+    A step is one update of the weights for each of the losses that `losses_of(step)` yields. Random numbers
+    belong to steps: the losses must depend on the step and the weights alone. Then a training that was
+    stopped at any moment ends with the weights of one that was not.
 
     Args:
         identity: of everything the weights depend on; a checkpoint of another one is refused.
@@ -77,14 +78,15 @@ def train(
             break
         for group in optimiser.param_groups:
             group["lr"] = schedule.rate(share)
-        loss = loss_of(step)
-        value = float(loss.detach())
-        if value != value:
-            raise LoomlightError(f"The loss is no number at step {step}: lower [training] rate.")
-        optimiser.zero_grad(set_to_none=True)
-        loss.backward()
-        nn.utils.clip_grad_norm_(network.parameters(), _LONGEST_GRADIENT)
-        optimiser.step()
+        for loss in losses_of(step):
+            value = float(loss.detach())
+            if value != value:
+                raise LoomlightError(f"The loss is no number at step {step}: lower [training] rate.")
+            # Weights that a loss does not reach have no gradient, and stay as they are.
+            optimiser.zero_grad(set_to_none=True)
+            loss.backward()
+            nn.utils.clip_grad_norm_(network.parameters(), _LONGEST_GRADIENT)
+            optimiser.step()
         step += 1
         mean = value if step == 1 else _MEMORY * mean + (1 - _MEMORY) * value
         if report is not None:

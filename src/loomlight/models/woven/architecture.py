@@ -11,6 +11,8 @@ HALF_BINS = 16
 HALF_REACH = 2.0
 # Added to the square of light + view: keeps the half vector of opposite directions finite.
 OPPOSITE = 1e-4
+# Half the span of ln α over the parameter box.
+LOG_ROUGHNESS = 1.15
 # Side of the maps of a repeat for "vector", and maps a thread for "field".
 VECTOR_MAP = 128
 FIELD_MAP = 16

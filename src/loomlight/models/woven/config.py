@@ -77,6 +77,8 @@ class TrainingTable(_Table):
         minutes: an end by the clock in place of `steps`, for comparisons at equal budget; 0 is none.
         fabrics: faces of fabrics in one step.
         queries: of each of them in one step.
+        updates: of the decoder in one step, each with queries of its own; the first is the encoder's too,
+            which costs five times as much as a decoder's.
         optimiser: "sgd", as published, or "adam".
         rate: largest learning rate.
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
@@ -92,6 +94,7 @@ class TrainingTable(_Table):
     minutes: Annotated[float, Field(ge=0)] = 0.0
     fabrics: Count = 8
     queries: Count = 4096
+    updates: Count = 4
     optimiser: Literal["sgd", "adam"] = "adam"
     rate: Positive = 2e-3
     schedule: Literal["steps", "cosine"] = "cosine"

@@ -26,6 +26,7 @@ from loomlight.models.woven.architecture import (
     BLOB_REACH,
     HALF_BINS,
     HALF_REACH,
+    LOG_ROUGHNESS,
     OPPOSITE,
     SLOPE,
     VECTOR_MAP,
@@ -108,9 +109,15 @@ class _Join(nn.Module):
         self.last = nn.Linear(hidden, latent)
 
     def forward(self, features: Tensor, parameters: Tensor) -> Tensor:
-        joined = self.first(torch.cat([features, parameters], 1))
+        joined = self.first(torch.cat([features, scaled_parameters(parameters)], 1))
         hidden = functional.leaky_relu(joined, SLOPE)
         return self.last(functional.leaky_relu(joined + self.second(hidden), SLOPE))
+
+
+def scaled_parameters(parameters: Tensor) -> Tensor:
+    """ln α and β [n, 4], each about −1 to 1: highlights widen by shares, not by differences."""
+    roughness, height_scale = parameters[:, :2], parameters[:, 2:]
+    return torch.cat([1 + torch.log(roughness) / LOG_ROUGHNESS, 2 * height_scale - 1], 1)
 
 
 class VectorEncoder(nn.Module):

@@ -21,6 +21,7 @@ from loomlight.models.woven.architecture import (
     HALF_BINS,
     HALF_REACH,
     LARGEST_OUTPUT,
+    LOG_ROUGHNESS,
     MOST_THREADS,
     OPPOSITE,
     REFLECTION_GAIN,
@@ -270,7 +271,7 @@ def _join(graph: _Graph, rows: str, output: str) -> None:
     features = weight.shape[1] - 4
     bias = graph.add(
         "Gemm",
-        graph.add("Unsqueeze", "parameters", graph.integers([0])),
+        graph.add("Unsqueeze", _scaled_parameters(graph), graph.integers([0])),
         graph.constant(np.ascontiguousarray(weight[:, features:])),
         graph.weight("encoder.join.first.bias"),
         transB=1,
@@ -288,6 +289,21 @@ def _join(graph: _Graph, rows: str, output: str) -> None:
         graph.weight(f"{last}.bias"),
         transB=1,
         output=output,
+    )
+
+
+def _scaled_parameters(graph: _Graph) -> str:
+    roughness = graph.add("Slice", "parameters", graph.integers([0]), graph.integers([2]))
+    height_scale = graph.add("Slice", "parameters", graph.integers([2]), graph.integers([4]))
+    return graph.add(
+        "Concat",
+        graph.add(
+            "Add",
+            graph.number(1),
+            graph.add("Div", graph.add("Log", roughness), graph.number(LOG_ROUGHNESS)),
+        ),
+        graph.add("Sub", graph.add("Mul", graph.number(2), height_scale), graph.number(1)),
+        axis=0,
     )
 
 

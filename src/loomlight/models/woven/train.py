@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,7 @@ from loomlight.models.woven.losses import LOSSES, is_published
 from loomlight.models.woven.network import FieldEncoder, WovenNetwork
 from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
-from loomlight.models.woven.pyramid import taps
+from loomlight.models.woven.pyramid import levels_of, taps
 from loomlight.models.woven.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
 
@@ -68,7 +68,7 @@ def train_woven(
     steps = train(
         network,
         _optimiser(network, training),
-        batches.loss,
+        batches.losses,
         schedule,
         folder / "checkpoint.safetensors",
         _identity(config),
@@ -119,12 +119,20 @@ class Batches:
         self._device = device
         self._loss = LOSSES[config.training.loss]
 
-    def loss(self, step: int) -> Tensor:
-        """The loss of one step."""
+    def losses(self, step: int) -> Iterator[Tensor]:
+        """The losses of one step: of encoder and decoder, then of the decoder, the latents as they were."""
         training = self._config.training
         rng = np.random.default_rng([training.seed, _STREAM, step])
         count = min(training.fabrics, len(self._faces))
         chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
+        latents = self._encoded(chosen)
+        yield self._loss_of(chosen, latents, rng)
+        kept = [table.detach() for table in latents]
+        for _ in range(training.updates - 1):
+            yield self._loss_of(chosen, kept, rng)
+
+    def _loss_of(self, chosen: list[Face], latents: list[Tensor], rng: np.random.Generator) -> Tensor:
+        training = self._config.training
         drawn = [_draw(face, rng, training.queries, training.small_footprints) for face in chosen]
         places = [
             network_places(self._config.network, face.threads[0], face.threads[1], queries[0])
@@ -135,24 +143,36 @@ class Batches:
             self._tensor(np.concatenate([queries[part] for queries in drawn])) for part in (1, 2, 3)
         )
         place = self._tensor(np.concatenate(places))
-        with torch.autocast(self._device.type, torch.bfloat16):
-            latent = self._latents(chosen, [queries[0] for queries in drawn])
+        latent = self._fetched(chosen, latents, [queries[0] for queries in drawn])
+        with self._half_precision():
             output, hole = self._network.decoder(latent, place, light, view)
         return self._loss(output.float(), hole.float(), truth, light)
 
-    def _latents(self, faces: list[Face], places: list[_Floats]) -> Tensor:
-        """The latent of each query [n, latent_size]."""
+    def _half_precision(self) -> torch.autocast:
+        return torch.autocast(self._device.type, torch.bfloat16)
+
+    def _encoded(self, faces: list[Face]) -> list[Tensor]:
+        """The latents of each face [texels, latent_size]."""
         encoder = self._network.encoder
         parameters = [self._tensor(face.parameters) for face in faces]
-        if not isinstance(encoder, FieldEncoder):
-            maps = torch.stack([self._tensor(face.maps) for face in faces])
-            vectors = encoder(maps, torch.stack(parameters))
-            return vectors.repeat_interleave(len(places[0]), 0)
-        tables, texels, weights, first = [], [], [], 0
-        for face, values, place in zip(faces, parameters, places, strict=True):
-            table, levels = encoder(self._tensor(face.maps), values)
-            index, weight = taps(levels, place[:, 0], place[:, 1], place[:, 2])
-            tables.append(table.float())
+        with self._half_precision():
+            if isinstance(encoder, FieldEncoder):
+                tables = [
+                    encoder(self._tensor(face.maps), values)[0]
+                    for face, values in zip(faces, parameters, strict=True)
+                ]
+            else:
+                maps = torch.stack([self._tensor(face.maps) for face in faces])
+                tables = list(encoder(maps, torch.stack(parameters)).split(1))
+        return [table.float() for table in tables]
+
+    def _fetched(self, faces: list[Face], tables: list[Tensor], places: list[_Floats]) -> Tensor:
+        """The latent of each query [n, latent_size]."""
+        if not isinstance(self._network.encoder, FieldEncoder):
+            return torch.cat(tables).repeat_interleave(len(places[0]), 0)
+        texels, weights, first = [], [], 0
+        for face, table, place in zip(faces, tables, places, strict=True):
+            index, weight = taps(levels_of(*face.threads), place[:, 0], place[:, 1], place[:, 2])
             texels.append(index + first)
             weights.append(weight)
             first += len(table)
