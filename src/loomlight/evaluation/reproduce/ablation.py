@@ -79,8 +79,12 @@ def ablated(setting: Setting) -> Evidence:
     )
     setting.step(len(_SCENES) + 1, len(_SCENES) + 1)
     note = (
-        f"Query test, nMAE of grey reflection on {_FABRICS} held-out fabrics: "
-        + ", ".join(f"{name} {test.rows[name].metric('reflection'):.3f}" for name in networks)
+        f"Query test on {_FABRICS} held-out fabrics, nMAE of grey reflection and of colour: "
+        + ", ".join(
+            f"{name} {row.metric('reflection'):.3f} and {row.metric('colour'):.3f}"
+            for name, row in test.rows.items()
+            if name in networks
+        )
         + f". Trained for {_budget(networks)}. Below each picture its FLIP map."
     )
     title = "chen2024 figure 7: one-blob coding and spatial fusion"
