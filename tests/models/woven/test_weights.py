@@ -12,9 +12,9 @@ from safetensors.numpy import load_file, save_file
 from safetensors.torch import load_file as load_torch
 
 from loomlight.core.errors import InputError
-from loomlight.models.woven.weights import read_weights, shipped_weights
+from loomlight.models.woven.weights import decoder_shapes, read_weights, shipped_weights
 
-from .networks import network, written
+from .networks import TABLES, network, written
 
 
 @pytest.fixture(scope="module")
@@ -52,6 +52,13 @@ def test_torch_reads_the_same_file(file: Path) -> None:
     made.load_state_dict({name: values.float() for name, values in load_torch(file).items()})
 
 
+@pytest.mark.parametrize("name", TABLES)
+def test_shapes_are_those_of_torch(name: str) -> None:
+    made = network(name)
+    found = {key: tuple(values.shape) for key, values in made.decoder.state_dict(prefix="decoder.").items()}
+    assert decoder_shapes(made.table) == found
+
+
 def rewritten(file: Path, path: Path, change: dict) -> Path:
     """The file with another header."""
     header = header_of(file)
@@ -69,8 +76,11 @@ def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
     (tmp_path / "text").write_text("no weights")
     save_file(load_file(file), tmp_path / "no header", {"woven": "{"})
     rewritten(file, tmp_path / "older", {"schema": 0})
-    rewritten(file, tmp_path / "newer", {"schema": 2})
+    rewritten(file, tmp_path / "newer", {"schema": 3})
     rewritten(file, tmp_path / "other shape", {"shape": {"hidden": 7}})
+    other = network("plain, not fused")
+    other.table = network("field").table
+    written(other, tmp_path / "other tensors")
     expected = {
         "cut": "damaged",
         "flipped": "checksum",
@@ -80,6 +90,7 @@ def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
         "older": "schema is 0",
         "newer": "install a newer loomlight",
         "other shape": "checksum",
+        "other tensors": "not those of the network in its header",
         "absent": "does not exist",
     }
     for name, part in expected.items():

@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import as_file, files
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -27,9 +28,11 @@ from safetensors.numpy import save
 from loomlight.assets.loom_file import checksum
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
+from loomlight.models.woven.architecture import BINS, HALF_BINS
 from loomlight.models.woven.config import NetworkTable
 
-SCHEMA = 1
+# 2: the half vector joins the directions, roughness enters the encoder as its logarithm.
+SCHEMA = 2
 _ENTRY = "woven"
 
 
@@ -134,7 +137,8 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
     """The network in a weights file.
 
     Raises:
-        InputError: no such file, no weights file, one of another version, or one that is damaged.
+        InputError: no such file, no weights file, one of another version, or one that is damaged or whose
+            decoder is not the one that its header describes.
     """
     require_file(path)
     source = str(path)
@@ -158,6 +162,9 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
         header = _Header.model_validate(content["network"])
     except (ValidationError, RecursionError) as error:
         raise InputError(f"{source}: its header does not describe a network: {_REMEDY}.") from error
+    for name, shape in decoder_shapes(header.shape).items():
+        if name not in kept or kept[name].shape != shape:
+            raise InputError(f"{source}: its tensors are not those of the network in its header: {_REMEDY}.")
     return Weights(
         table=header.shape,
         tensors={name: values.astype(np.float32) for name, values in kept.items()},
@@ -168,6 +175,26 @@ def read_weights(path: str | os.PathLike[str]) -> Weights:
         sha256=found,
         source=source,
     )
+
+
+def decoder_shapes(table: NetworkTable) -> dict[str, tuple[int, ...]]:
+    """Shapes of the decoder's weights [outputs, inputs] and biases [outputs]; see `network.Decoder`."""
+    hidden = table.hidden
+    spatial = table.latent_size + (3 * BINS if table.position == "one_blob" else 3)
+    fused = hidden if table.fusion else spatial
+    directions = 5 + (2 * HALF_BINS if table.half_vector else 0)
+    widths = {
+        "angular": [fused + directions, *[hidden] * (4 if table.fusion else 6), 4],
+        "hole": [fused + 2, 16, 1],
+    }
+    if table.fusion:
+        widths["fusion"] = [spatial, hidden, hidden]
+    shapes: dict[str, tuple[int, ...]] = {}
+    for part, sizes in widths.items():
+        for number, (before, after) in enumerate(pairwise(sizes)):
+            shapes[f"decoder.{part}.{number}.weight"] = after, before
+            shapes[f"decoder.{part}.{number}.bias"] = (after,)
+    return shapes
 
 
 @cache
