@@ -33,6 +33,7 @@ def test_areas_are_those_of_the_parallelograms() -> None:
     )
     np.testing.assert_allclose(footprint.area.numpy(), np.abs(shoelace) / 2, rtol=1e-9, atol=1e-12)
     np.testing.assert_allclose(footprint.square_side.numpy() ** 2, footprint.area.numpy(), rtol=1e-12)
+    assert (footprint.spread_side.numpy() >= footprint.square_side.numpy() * (1 - 1e-12)).all()
 
 
 def test_boxes_keep_the_variances_and_leave_the_correlation_out() -> None:
@@ -44,6 +45,8 @@ def test_boxes_keep_the_variances_and_leave_the_correlation_out() -> None:
     box = footprint.box()
     # The variance of a sample variance is below 2/n of a normal's: four deviations are 0.9 %.
     np.testing.assert_allclose(12 * points.var(axis=1), box.size.numpy()[:, 0] ** 2, rtol=0.009)
+    spread = 2 * footprint.spread_side.numpy() ** 2
+    np.testing.assert_allclose(12 * points.var(axis=1).sum(), spread, rtol=0.009)
     correlation = float(footprint.box_correlation()[0])
     assert abs(np.corrcoef(points)[0, 1] - correlation) < 4 / math.sqrt(count)
     share = footprint.area.numpy() / np.prod(box.size.numpy(), axis=0)

@@ -57,6 +57,15 @@ class Footprint:
         return dr.sqrt(self.area)
 
     @property
+    def spread_side(self) -> Any:
+        """Side of the square whose variances have the same sum, millimetres.
+
+        It is that of the same area or larger. For filters that know squares alone: of long footprints, such as
+        grazing views have, means over it are nearer than over the square of the same area, and show no moiré.
+        """
+        return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
+
+    @property
     def gaussian_sigma(self) -> Any:
         """Standard deviation of the Gaussian that stands for it, sqrt(area/12), millimetres."""
         return dr.sqrt(self.area * (1 / 12))

@@ -109,7 +109,7 @@ class WovenModel(Model):
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        size = footprint.square_side * (1 / self._pitch)
+        size = footprint.spread_side * (1 / self._pitch)
         return self._decoder(types.Float).seen(
             self._table(types.Float), x, y, size, on_face(view, back), back
         )
