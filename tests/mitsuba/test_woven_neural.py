@@ -200,8 +200,8 @@ def test_editing_threads_is_the_fabric_of_those_threads(runs: list[str]) -> None
     params.update()
     assert len(runs) == 2
     made = woven(warp_roughness=0.7, weft_twist_deg=20.0, weft_height_scale=0.5)
-    np.testing.assert_allclose(mean_value(bsdf), mean_value(made), rtol=1e-3)
-    assert np.abs(mean_value(bsdf) / mean_value(woven()) - 1).max() > 1e-3
+    np.testing.assert_allclose(mean_value(bsdf), mean_value(made), rtol=1e-4)
+    assert np.abs(mean_value(bsdf) / mean_value(woven()) - 1).max() > 5e-4
     params["warp.roughness"] = 7.0
     with pytest.raises(InputError, match=r"warp\.roughness"):
         params.update()
@@ -236,7 +236,8 @@ def test_two_fabrics_are_mixed_and_extrapolated(runs: list[str]) -> None:
 def test_a_print_is_averaged_over_the_footprint() -> None:
     checks = {"type": "checkerboard", "color0": 0.0, "color1": 1.0}
     checks["to_uv"] = mi.ScalarTransform4f().scale(40)
-    bsdf = woven(albedo=checks)
+    matt = {"warp_specular": 0.0, "weft_specular": 0.0}
+    bsdf, bare = woven(albedo=checks, **matt), woven(**matt)
     rng = np.random.default_rng(5)
     views = np.tile([0.0, 0.0, 1.0], (500, 1))
     light = mi.Vector3f(0.1, 0.2, 0.97)
@@ -244,11 +245,11 @@ def test_a_print_is_averaged_over_the_footprint() -> None:
     for side in (1e-3, 0.2):
         si = interactions(rng.random((500, 2)), views, np.full(500, side))
         printed = np.array(bsdf.eval(mi.BSDFContext(), si, light))[0]
-        plain = np.array(woven().eval(mi.BSDFContext(), si, light))[0]
+        plain = np.array(bare.eval(mi.BSDFContext(), si, light))[0]
         ratio = printed / plain
         contrast.append(ratio.std() / ratio.mean())
-    # Near, half of it is black but for the highlight; from afar all of it is grey.
-    assert contrast[0] > 0.5
+    # Near, half of it is black; from afar all of it is grey.
+    assert contrast[0] > 0.8
     assert contrast[1] < 0.05
 
 
