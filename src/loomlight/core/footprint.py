@@ -60,8 +60,9 @@ class Footprint:
     def spread_side(self) -> Any:
         """Side of the square whose variances have the same sum, millimetres.
 
-        It is that of the same area or larger. For filters that know squares alone: of long footprints, such as
-        grazing views have, means over it are nearer than over the square of the same area, and show no moiré.
+        It is that of the same area or larger. For filters that know squares alone: where footprints are long,
+        as grazing views make them, means over it are nearer than over the square of the same area, and show
+        no moiré.
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
 

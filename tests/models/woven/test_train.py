@@ -36,6 +36,7 @@ texels_per_thread = 8
 steps = {steps}
 fabrics = 2
 queries = 64
+decoder_steps = {decoder_steps}
 """
 
 
@@ -47,9 +48,9 @@ def pool(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def _config(folder: Path, steps: int) -> TrainingConfig:
+def _config(folder: Path, steps: int, decoder_steps: int = 0) -> TrainingConfig:
     path = folder / "tiny.toml"
-    path.write_text(TINY.format(steps=steps))
+    path.write_text(TINY.format(steps=steps, decoder_steps=decoder_steps))
     return read_config(path)
 
 
@@ -70,12 +71,21 @@ def test_training_learns(pool: Path, tmp_path: Path) -> None:
     assert losses[-1] < 0.9 * losses[0]
 
 
+def test_the_decoder_alone_is_trained_last(pool: Path, tmp_path: Path) -> None:
+    short, longer = (
+        load_file(train_woven(_config(tmp_path, 5, more), _with_pool(pool, tmp_path / f"run {more}")))
+        for more in (0, 5)
+    )
+    for name, values in short.items():
+        assert np.array_equal(values, longer[name]) == (not name.startswith("decoder")), name
+
+
 def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path) -> None:
     """Stopped by an exception after any step, and gone on with: bit for bit the same."""
-    config = _config(tmp_path, 12)
+    config = _config(tmp_path, 12, decoder_steps=6)
     whole = load_file(train_woven(config, _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "stopped")
-    for stop in (3, 7):
+    for stop in (3, 7, 14):
         with pytest.raises(KeyboardInterrupt):
             train_woven(config, folder, report=_stop_at(stop), keep_every=0)
     resumed = load_file(train_woven(config, folder, keep_every=0))
@@ -84,8 +94,10 @@ def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: P
 
 
 def _stop_at(step: int):
+    """Interrupts after so many steps in all, those of the decoder alone included."""
+
     def report(done: int, total: int, loss: float) -> None:
-        if done == step:
+        if (done if total == 12 else 12 + done) == step:
             raise KeyboardInterrupt
 
     return report
@@ -94,7 +106,7 @@ def _stop_at(step: int):
 def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
     """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
     config = tmp_path / "tiny.toml"
-    config.write_text(TINY.format(steps=150))
+    config.write_text(TINY.format(steps=60, decoder_steps=60))
     whole = load_file(train_woven(read_config(config), _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]

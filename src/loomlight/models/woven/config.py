@@ -79,6 +79,9 @@ class TrainingTable(_Table):
         queries: of each of them in one step.
         updates: of the decoder in one step, each with queries of its own; the first is the encoder's too,
             which costs five times as much as a decoder's.
+        decoder_steps: further steps, of the decoder alone, on the latents of the encoder as it is then; those
+            are computed once, so a step costs a tenth.
+        decoder_rate: largest learning rate of these; the schedule begins anew.
         optimiser: "sgd", as published, or "adam".
         rate: largest learning rate.
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
@@ -95,6 +98,8 @@ class TrainingTable(_Table):
     fabrics: Count = 8
     queries: Count = 4096
     updates: Count = 4
+    decoder_steps: Annotated[int, Field(ge=0)] = 0
+    decoder_rate: Positive = 1e-3
     optimiser: Literal["sgd", "adam"] = "adam"
     rate: Positive = 2e-3
     schedule: Literal["steps", "cosine"] = "cosine"

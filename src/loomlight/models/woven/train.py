@@ -31,7 +31,9 @@ PoolReport = Callable[[int, int], None]
 _Floats = NDArray[np.float32]
 _WARM_UP = 0.01
 _LARGE = 2.0  # threads; footprints from here on are all learnt from
-_STREAM = 7  # keeps the random numbers of batches apart from those of the pool
+_DECODER_FACES = 4  # times as many faces in a step of the decoder alone, of that part of the queries each
+# They keep the random numbers of batches apart from those of the pool.
+_STREAM, _DECODER_STREAM = 7, 11
 
 
 def train_woven(
@@ -74,6 +76,20 @@ def train_woven(
         _identity(config),
         report,
     )
+    if training.decoder_steps:
+        steps += train(
+            network.decoder,
+            _optimiser(network.decoder, training),
+            batches.decoder_losses(),
+            Schedule(
+                steps=training.decoder_steps,
+                rate=lambda share: training.decoder_rate * rate_share(training, share),
+                keep_every=keep_every,
+            ),
+            folder / "decoder.safetensors",
+            _identity(config),
+            report,
+        )
     weights = folder / "woven.safetensors"
     write_weights(
         weights,
@@ -126,27 +142,48 @@ class Batches:
         count = min(training.fabrics, len(self._faces))
         chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
         latents = self._encoded(chosen)
-        yield self._loss_of(chosen, latents, rng)
+        yield self._loss_of(chosen, latents, rng, training.queries)
         kept = [table.detach() for table in latents]
         for _ in range(training.updates - 1):
-            yield self._loss_of(chosen, kept, rng)
+            yield self._loss_of(chosen, kept, rng, training.queries)
 
-    def _loss_of(self, chosen: list[Face], latents: list[Tensor], rng: np.random.Generator) -> Tensor:
-        training = self._config.training
-        drawn = [_draw(face, rng, training.queries, training.small_footprints) for face in chosen]
+    def _loss_of(
+        self, chosen: list[Face], latents: list[Tensor], rng: np.random.Generator, queries: int
+    ) -> Tensor:
+        small = self._config.training.small_footprints
+        drawn = [_draw(face, rng, queries, small) for face in chosen]
         places = [
-            network_places(self._config.network, face.threads[0], face.threads[1], queries[0])
-            for face, queries in zip(chosen, drawn, strict=True)
+            network_places(self._config.network, face.threads[0], face.threads[1], asked[0])
+            for face, asked in zip(chosen, drawn, strict=True)
         ]
         # The queries of all faces, one face after another.
         light, view, truth = (
-            self._tensor(np.concatenate([queries[part] for queries in drawn])) for part in (1, 2, 3)
+            self._tensor(np.concatenate([asked[part] for asked in drawn])) for part in (1, 2, 3)
         )
         place = self._tensor(np.concatenate(places))
-        latent = self._fetched(chosen, latents, [queries[0] for queries in drawn])
+        latent = self._fetched(chosen, latents, [asked[0] for asked in drawn])
         with self._half_precision():
             output, hole = self._network.decoder(latent, place, light, view)
         return self._loss(output.float(), hole.float(), truth, light)
+
+    def decoder_losses(self) -> Callable[[int], Iterator[Tensor]]:
+        """Losses of steps of the decoder alone, with the latents of all faces as they are now.
+
+        As these cost nothing, a step takes more faces, with fewer queries each.
+        """
+        training = self._config.training
+        with torch.no_grad():
+            tables = [self._encoded([face])[0].half() for face in self._faces]
+        count = min(_DECODER_FACES * training.fabrics, len(self._faces))
+        queries = -(-training.queries // _DECODER_FACES)
+
+        def losses(step: int) -> Iterator[Tensor]:
+            rng = np.random.default_rng([training.seed, _DECODER_STREAM, step])
+            chosen = rng.choice(len(self._faces), count, replace=False)
+            latents = [tables[k].float() for k in chosen]
+            yield self._loss_of([self._faces[k] for k in chosen], latents, rng, queries)
+
+        return losses
 
     def _half_precision(self) -> torch.autocast:
         return torch.autocast(self._device.type, torch.bfloat16)
@@ -194,7 +231,7 @@ def rate_share(training: TrainingTable, share: float) -> float:
     return min(1.0, (share + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * share))
 
 
-def _optimiser(network: WovenNetwork, training: TrainingTable) -> torch.optim.Optimizer:
+def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim.Optimizer:
     parameters = network.parameters()
     if training.optimiser == "sgd":
         return torch.optim.SGD(parameters, training.rate, weight_decay=training.regularisation)
