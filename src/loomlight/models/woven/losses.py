@@ -15,7 +15,8 @@ _SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1
 _ALBEDOS = (0.4, 0.4, 0.6, 0.6)
 _MEAN_VALUE = 0.06
 _LOGARITHMIC_SHARE = 0.1
-_HOLE_WEIGHT = 0.5
+# Holes are a few per cent of the area: with less weight light passes through the wrong cloths.
+_HOLE_WEIGHT = 3.0
 _GROUP, _GROUP_WEIGHT = 256, 2.0
 
 
@@ -60,12 +61,17 @@ def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) ->
     linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
     # Absolute errors make medians, which are darker than means where shadows are sharp: groups of queries of
     # one face, drawn at random, must be right in their mean.
-    size = min(_GROUP, len(error))
-    groups = error[: len(error) // size * size].reshape(-1, size, 4)
-    linear = linear + _GROUP_WEIGHT * groups.mean(1).abs().sum(1).mean()
+    linear = linear + _GROUP_WEIGHT * _group_means(error).abs().sum(1).mean()
     logarithmic = (output - mapped(target, light, False)).square().sum(1).mean()
-    holes = (hole - truth[:, 4]).abs().mean()
+    missed = (hole - truth[:, 4])[:, None]
+    holes = missed.abs().mean() + _group_means(missed).abs().mean()
     return linear / _MEAN_VALUE + _LOGARITHMIC_SHARE * logarithmic + _HOLE_WEIGHT * holes
+
+
+def _group_means(error: Tensor) -> Tensor:
+    """Means over groups of consecutive queries [groups, k] of errors [n, k]."""
+    size = min(_GROUP, len(error))
+    return error[: len(error) // size * size].reshape(-1, size, error.shape[1]).mean(1)
 
 
 LOSSES = {"published": published_loss, "balanced": balanced_loss}
