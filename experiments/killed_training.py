@@ -25,19 +25,20 @@ CONFIG = """
 [network]
 width = 8
 [data]
-fabrics = 12
+fabrics = 40
 pairs = 64
 footprints = 64
 lights = 16
 views = 16
 texels_per_thread = 16
 [training]
-steps = 400
+steps = 700
+decoder_steps = 400
 fabrics = 3
 queries = 512
 """
 # Seconds until a kill, uniformly: longer than a start takes, so that some work is done before most of them.
-_MOMENTS = 6.0, 16.0
+_MOMENTS = 5.0, 12.0
 
 
 def main() -> None:
