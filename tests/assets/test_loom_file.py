@@ -224,7 +224,8 @@ def good(tmp_path: Path) -> Path:
 def parts(path: Path) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Header and tensors of a file, to be changed."""
     with safe_open(path, framework="numpy") as file:
-        return json.loads(file.metadata()["loom"]), {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
+        names = list(file.keys())
+        return json.loads(file.metadata()["loom"]), {name: file.get_tensor(name) for name in names}
 
 
 def put(path: Path, header: Any, tensors: dict[str, NDArray[Any]], valid: bool = True) -> None:

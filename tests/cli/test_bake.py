@@ -8,7 +8,7 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-import loomlight.mitsuba  # noqa: F401
+import loomlight.mitsuba  # noqa: F401 (registers the plugins)
 from loomlight.assets.loom_file import read_loom
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError

@@ -37,7 +37,7 @@ def read_checkpoint(path: Path) -> tuple[dict[str, Tensor], dict[str, Any]]:
             facts = json.loads((file.metadata() or {}).get("loomlight", "{}"))
             if facts.get("kind") != "checkpoint" or facts.get("schema") != SCHEMA:
                 raise InputError(f"{path} is no checkpoint of this version; remove it to begin anew.")
-            tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118
+            tensors = {name: file.get_tensor(name) for name in file.keys()}  # noqa: SIM118 (no mapping)
     except (SafetensorError, OSError, ValueError) as error:
         raise InputError(f"{path} is damaged ({error}); remove it to begin anew.") from error
     return tensors, facts
