@@ -14,6 +14,7 @@ from loomlight.models.interface import Model
 
 # Module and class; a model that is listed here must pass tests/models/test_contract.py.
 _HOMES = {
+    "lobes": ("loomlight.models.lobes.model", "LobesModel"),
     "point": ("loomlight.models.point", "PointFootprint"),
     "samples": ("loomlight.models.samples", "FootprintSamples"),
     "woven": ("loomlight.models.woven.model", "WovenModel"),

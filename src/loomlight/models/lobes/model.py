@@ -1,0 +1,247 @@
+"""Prefiltered fibre lobes as a multi-scale model: tables of one fabric, no training."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Self, final
+
+import drjit as dr
+
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.assets.loom_file import LoomFile
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import FamilyAlbedos, Model, Response
+from loomlight.models.lobes.estimate import Estimator, Place, half_vector
+from loomlight.models.lobes.near import NEAR_QUALITY, near_hole, near_response, points_of
+from loomlight.models.lobes.proposal import Shares, density, draw, energies_where, group_density, shares_of
+from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
+from loomlight.scattering.point import DirectionSample, PointModel, on_face
+from loomlight.yarn.geometry import YarnGeometry
+
+DEFAULT_GROUPS = 8
+MOST_GROUPS = 64
+# Footprints in units of the pyramid's smallest square: below the first points alone count, above the second
+# groups alone.
+_HAND_OVER = 0.6, 1.2
+_NEAREST = 1e-9
+
+
+@final
+class LobesModel(Model):
+    """Groups of like yarn points, their lobes in closed form.
+
+    Attributes:
+        tables: what is baked.
+        groups: of each family.
+    """
+
+    name = "lobes"
+    filters = True
+    conserves_energy = True
+
+    def __init__(self, fabric: Fabric, tables: LobeTables) -> None:
+        """A model of tables that are at hand; see `for_fabric`."""
+        self.fabric = fabric
+        self.tables = tables
+        geometry = YarnGeometry(fabric.layout())
+        self.point_model = PointModel(geometry, fabric.appearance(), NEAR_QUALITY)
+        self._albedos = FootprintAlbedos(geometry, fabric.appearance())
+        self._estimators: dict[type, Estimator] = {}
+        self._sheen = fabric.appearance().sheen
+        self._blend = fabric.appearance().diffuse_blend
+        picks, ends = fabric.layout().warp_on_top.shape
+        width, height = fabric.layout().size
+        self._thread = math.sqrt(width / ends * height / picks)
+
+    @classmethod
+    def for_fabric(cls, fabric: Fabric, groups: int = DEFAULT_GROUPS) -> Self:
+        """The model of a fabric with so many groups of each family, 1 to 64.
+
+        Raises:
+            InputError: fewer or more groups.
+        """
+        if not 1 <= groups <= MOST_GROUPS:
+            raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")
+        geometry = YarnGeometry(fabric.layout())
+        return cls(fabric, bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float()))
+
+    def to_loom(self) -> LoomFile:
+        """The tables."""
+        return LoomFile(
+            model=self.name,
+            fabric=self.fabric,
+            tensors=self.tables.arrays(),
+            settings={"size": self.tables.size},
+        )
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of the tables in a file.
+
+        Raises:
+            InputError: another model's file, or tables that do not belong together.
+        """
+        loom.require_model(cls.name)
+        return cls(loom.fabric, tables_of_loom(loom))
+
+    def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
+        """Components and hole of footprints."""
+        return self._answer(light, view, footprint, None)[0]
+
+    def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
+        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
+        return FamilyAlbedos(*self._albedos.over(footprint, view.z < 0))
+
+    def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
+        """Straight through the holes, else from one of the lobes."""
+        return self.sample_with(self.albedos(view, footprint), view, footprint, choice, u)
+
+    def sample_with(
+        self, albedos: FamilyAlbedos, view: Any, footprint: Footprint, choice: Any, u: Any
+    ) -> DirectionSample:
+        """`sample` where mean albedos are at hand already."""
+        types = array_types(view.x)
+        shares = self.shares(albedos, view, footprint)
+        back = types.Bool(view.z < 0)
+        place = self._place(footprint, view)
+        facing, passes = draw(self._estimator(types), place, shares, self._sheen, self._blend, choice, u)
+        light = on_face(facing, back)
+        response, of_groups = self._answer(light, view, footprint, shares)
+        pdf = dr.select(passes, shares.through, self._density(shares, of_groups, light, view))
+        value = self.composed(response, albedos, light, view)
+        # A ray goes straight through with the very share of light that does.
+        weight = dr.select(passes, 1, dr.select(pdf > 0, value / dr.maximum(pdf, 1e-30), 0))
+        return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
+
+    def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
+        """Density of `sample` per solid angle, without delta: Float, 1/sr."""
+        shares = self.shares(self.albedos(view, footprint), view, footprint)
+        return self.response_and_pdf(shares, light, view, footprint)[1]
+
+    def shares(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> Shares:
+        """How directions are drawn for footprints that views see, whatever the light."""
+        through = self.straight_through(view, self.hole(view, footprint))
+        place = self._place(footprint, view)
+        return shares_of(self._estimator(array_types(view.x)), place, albedos, through, self._sheen)
+
+    def response_and_pdf(
+        self, shares: Shares, light: Any, view: Any, footprint: Footprint
+    ) -> tuple[Response, Any]:
+        """`evaluate` and `pdf` at the cost of little more than one."""
+        response, of_groups = self._answer(light, view, footprint, shares)
+        return response, self._density(shares, of_groups, light, view)
+
+    def hole(self, view: Any, footprint: Footprint) -> Any:
+        """The hole of `evaluate`, which no light changes: Float."""
+        types = array_types(view.x)
+        size = footprint.spread_side
+        far_share = self._far_share(size)
+        near = near_hole(self.point_model, view, footprint, self._points(size, far_share))
+        return dr.lerp(near, self._far_hole(types, view, footprint), far_share)
+
+    def _answer(
+        self, light: Any, view: Any, footprint: Footprint, shares: Shares | None
+    ) -> tuple[Response, Any]:
+        """The response, and with shares the groups' part of the density."""
+        size = footprint.spread_side
+        far_share = self._far_share(size)
+        points = self._points(size, far_share)
+        near = near_response(self.point_model, light, view, footprint, points)
+        far, of_groups = self._far(light, view, footprint, far_share > 0, shares)
+        return _mixed(near, far, far_share), of_groups
+
+    def _points(self, size: Any, far_share: Any) -> Any:
+        return dr.select(far_share < 1, points_of(size * (1 / self._thread)), 0)
+
+    def _far_share(self, size: Any) -> Any:
+        """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
+        low, high = (math.log2(bound * self.tables.size) for bound in _HAND_OVER)
+        share = dr.clip((dr.log2(dr.maximum(size, _NEAREST)) - low) * (1 / (high - low)), 0, 1)
+        return dr.square(share) * dr.fma(-2, share, 3)
+
+    def _place(self, footprint: Footprint, view: Any) -> Place:
+        types = array_types(view.x)
+        back = types.Bool(view.z < 0)
+        return self._estimator(types).place(
+            footprint.centre, footprint.spread_side, on_face(view, back), back
+        )
+
+    def _far(
+        self, light: Any, view: Any, footprint: Footprint, active: Any, shares: Shares | None
+    ) -> tuple[Response, Any]:
+        types = array_types(view.x)
+        estimator, place = self._estimator(types), self._place(footprint, view)
+        facing, seen = on_face(light, place.back), place.view
+        nodes, half = estimator.light_nodes(place, facing), half_vector(facing, seen)
+        # Densities are wanted close up too.
+        active = types.Bool(active) if shares is None else types.Bool(True)
+
+        def add(word: Any, total: Any, of_groups: Any, *sums: Any) -> tuple[Any, ...]:
+            is_warp = word < estimator.warp_words
+            found = estimator.seen(place, word, is_warp)
+            diffuse, specular = estimator.components(found, place, nodes, word, facing, half)
+            parts = [dr.select(is_warp, diffuse, 0), dr.select(is_warp, 0, diffuse)]
+            parts += [dr.select(is_warp, specular, 0), dr.select(is_warp, 0, specular)]
+            if shares is not None:
+                energies = energies_where(is_warp, shares)
+                for weight, lobe in zip(found.weights, found.lobes, strict=True):
+                    of_groups = of_groups + group_density(weight, lobe, energies, facing, seen, self._blend)
+            sums = tuple(a + b for a, b in zip(sums, parts, strict=True))
+            return word + 1, total + sum(found.weights), of_groups, *sums
+
+        width = dr.width(view, light, footprint.centre, footprint.duv_dx)
+        holes = estimator.hole_weight(place)
+        zero = dr.zeros(types.Float, width)
+        start = (dr.zeros(types.UInt32, width), holes + zero, *(types.Float(zero) for _ in range(5)))
+        _, total, of_groups, *sums = dr.while_loop(
+            start, lambda word, *rest: active & (word < estimator.words), add, label="lobes: groups"
+        )
+        inverse = dr.rcp(dr.maximum(total, 1e-12))
+        diffuse_warp, diffuse_weft, specular_warp, specular_weft = (part * inverse for part in sums)
+        response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, holes * inverse)
+        return response, of_groups
+
+    def _far_hole(self, types: ArrayTypes, view: Any, footprint: Footprint) -> Any:
+        estimator, place = self._estimator(types), self._place(footprint, view)
+        holes = estimator.hole_weight(place)
+
+        def add(word: Any, total: Any) -> tuple[Any, Any]:
+            return word + 1, total + sum(estimator.seen(place, word, types.Bool(True)).weights)
+
+        width = dr.width(view, footprint.centre, footprint.duv_dx)
+        start = dr.zeros(types.UInt32, width), holes + dr.zeros(types.Float, width)
+        # Where no ray can pass, nothing is worth summing.
+        total = dr.while_loop(
+            start, lambda word, _: (holes > 0) & (word < estimator.words), add, label="lobes: holes"
+        )[1]
+        return holes * dr.rcp(dr.maximum(total, 1e-12))
+
+    def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
+        back = array_types(view.x).Bool(view.z < 0)
+        return density(shares, of_groups, on_face(light, back), on_face(view, back), self._sheen)
+
+    def _estimator(self, types: ArrayTypes) -> Estimator:
+        if types.Float not in self._estimators:
+            appearance = self.fabric.appearance()
+            self._estimators[types.Float] = Estimator(
+                self.tables,
+                self.fabric.layout().size,
+                (appearance.warp.roughness, appearance.weft.roughness),
+                appearance.optical_depth,
+                types,
+            )
+        return self._estimators[types.Float]
+
+
+def _mixed(near: Response, far: Response, share: Any) -> Response:
+    return Response(
+        dr.lerp(near.diffuse_warp, far.diffuse_warp, share),
+        dr.lerp(near.diffuse_weft, far.diffuse_weft, share),
+        dr.lerp(near.specular_warp, far.specular_warp, share),
+        dr.lerp(near.specular_weft, far.specular_weft, share),
+        dr.lerp(near.hole, far.hole, share),
+    )
