@@ -20,11 +20,11 @@ import drjit as dr
 from loomlight.core.backend import array_types
 
 # Narrower groups are as good as one fibre; the quotient below would lose its digits.
-_NARROWEST = 0.02
+NARROWEST = 0.02
 # √k of α = 1, where D is constant; keeps quotients finite.
-_SMALLEST_STEEPNESS = 1e-3
+SMALLEST_STEEPNESS = 1e-3
 # Mean cosines are kept above this: a group that is seen at all holds normals that face the eye.
-_SMALLEST_COSINE = 0.02
+SMALLEST_COSINE = 0.02
 
 
 @dataclass
@@ -60,9 +60,9 @@ def mean_density(half: Any, lobe: GroupLobe) -> Any:
     roughness = lobe.roughness
     mean = dr.dot(half, lobe.tangent)
     steepness = dr.maximum(
-        dr.sqrt(dr.maximum(1 - dr.square(roughness), 0)) * dr.rcp(roughness), _SMALLEST_STEEPNESS
+        dr.sqrt(dr.maximum(1 - dr.square(roughness), 0)) * dr.rcp(roughness), SMALLEST_STEEPNESS
     )
-    width = dr.maximum(dr.sqrt(3 * lobe.variance(half)), dr.fma(roughness, _NARROWEST, 1e-4))
+    width = dr.maximum(dr.sqrt(3 * lobe.variance(half)), dr.fma(roughness, NARROWEST, 1e-4))
     # In units of 1/√k.
     first, last = steepness * (mean - width), steepness * (mean + width)
     product = first * last
@@ -88,8 +88,8 @@ def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, 
     """
     types = array_types(light.x)
     cos_light = dr.dot(light, lobe.normal)
-    cos_light = dr.maximum(dr.select(beyond, -cos_light, cos_light), _SMALLEST_COSINE)
-    cos_view = dr.maximum(dr.dot(view, lobe.normal), _SMALLEST_COSINE)
+    cos_light = dr.maximum(dr.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
+    cos_view = dr.maximum(dr.dot(view, lobe.normal), SMALLEST_COSINE)
     area_light, area_view = mean_area(light, lobe), mean_area(view, lobe)
     # Reflection: (1 − e^{−Tρ(Λ_l + Λ_v)})·cos_l/(σ_l cos_v + σ_v cos_l).
     crossed = dr.fma(area_light, cos_view, area_view * cos_light)

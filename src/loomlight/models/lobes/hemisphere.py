@@ -20,13 +20,13 @@ from loomlight.core.backend import array_types
 AZIMUTHS, HEIGHTS = 16, 8
 NODES = AZIMUTHS * HEIGHTS
 # The lowest row: below, a ray through the cloth's plane meets crests alone.
-_LOWEST = 0.03
+LOWEST = 0.03
 
 
 def node_directions() -> NDArray[np.float64]:
     """Unit vectors of all nodes [NODES, 3], azimuth by azimuth, z > 0."""
     azimuth = np.repeat(np.arange(AZIMUTHS) * (2 * math.pi / AZIMUTHS), HEIGHTS)
-    height = np.maximum(np.arange(HEIGHTS) / (HEIGHTS - 1), _LOWEST)
+    height = np.maximum(np.arange(HEIGHTS) / (HEIGHTS - 1), LOWEST)
     z = np.tile(height, AZIMUTHS)
     radius = np.sqrt(1 - z * z)
     return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
@@ -57,7 +57,7 @@ def node_taps(direction: Any) -> NodeTaps:
     height = dr.clip(dr.abs(direction.z), 0, 1) * (HEIGHTS - 1)
     row = dr.minimum(types.UInt32(height), HEIGHTS - 2)
     # Between the lowest row and the next heights are stretched.
-    start = dr.select(row == 0, types.Float(_LOWEST * (HEIGHTS - 1)), types.Float(row))
+    start = dr.select(row == 0, types.Float(LOWEST * (HEIGHTS - 1)), types.Float(row))
     up = dr.clip((height - start) * dr.rcp(types.Float(row + 1) - start), 0, 1)
     first, second = column * HEIGHTS + row, following * HEIGHTS + row
     return NodeTaps(

@@ -28,7 +28,7 @@ _LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
 _COSINE_SHARE = 0.05
 _LEAST_ENERGY = 1e-6
 # A box of half-width √3 s beside a lobe of width α.
-_SPREAD_WIDTH = 1.7
+SPREAD_WIDTH = 1.7
 
 
 @dataclass
@@ -218,5 +218,5 @@ def _frame(lobe: GroupLobe) -> tuple[Any, Any, Any]:
     """Unit fibre direction, roughness of the group as a whole, and unit normal."""
     variance = 0.5 * (lobe.xx + lobe.yy + lobe.zz)
     width = dr.sqrt(dr.maximum(variance, 0))
-    roughness = dr.minimum(dr.fma(_SPREAD_WIDTH, width, lobe.roughness), 1)
+    roughness = dr.minimum(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
     return dr.normalize(lobe.tangent), roughness, dr.normalize(lobe.normal)
