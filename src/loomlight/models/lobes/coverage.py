@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.models.lobes.bytes import ByteWeights
 from loomlight.models.lobes.groups import GroupFinder, Groups
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -58,11 +59,11 @@ class CoverageTaps:
 
     Attributes:
         nodes: their rows in the table, UInt32 each.
-        weights: their shares, Float each; sum 1.
+        weights: their shares.
     """
 
     nodes: list[Any]
-    weights: list[Any]
+    weights: ByteWeights
 
 
 def words_of(per_family: int) -> int:
@@ -243,23 +244,12 @@ class CoverageTable:
                 for column, column_share in ((left, 1 - across), (right, across)):
                     nodes.append((start + types.UInt32(first) + row * wide + column) * self._rows)
                     weights.append(share * row_share * column_share)
-        return CoverageTaps(nodes, weights)
+        return CoverageTaps(nodes, ByteWeights(types, weights))
 
     def bytes(self, taps: CoverageTaps, word: Any) -> list[Any]:
         """The four bytes of a word, 0 to 255, interpolated: Float each."""
         words = [dr.gather(self._types.UInt32, self._table, node + word) for node in taps.nodes]
-        return interpolated_bytes(self._types, words, taps.weights)
-
-
-def interpolated_bytes(types: ArrayTypes, words: list[Any], weights: Any) -> list[Any]:
-    """Sums of the bytes of words by weights: four Floats."""
-    return [
-        sum(
-            types.Float((word >> (8 * byte)) & 255) * weight
-            for word, weight in zip(words, weights, strict=True)
-        )
-        for byte in range(4)
-    ]
+        return taps.weights.interpolated(words)
 
 
 def _neighbours(types: ArrayTypes, turns: Any, count: Any) -> tuple[Any, Any, Any]:

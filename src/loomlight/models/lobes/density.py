@@ -17,14 +17,14 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types
-
 # Narrower groups are as good as one fibre; the quotient below would lose its digits.
 NARROWEST = 0.02
 # √k of α = 1, where D is constant; keeps quotients finite.
 SMALLEST_STEEPNESS = 1e-3
 # Mean cosines are kept above this: a group that is seen at all holds normals that face the eye.
 SMALLEST_COSINE = 0.02
+# Shorter paths are as good as none; 1 − e^{−x} would lose its digits.
+SMALLEST_PATH = 1e-3
 
 
 @dataclass
@@ -86,19 +86,16 @@ def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, 
         half: their half vector, unit [3].
         beyond: Bool, light comes from the other side.
     """
-    types = array_types(light.x)
     cos_light = dr.dot(light, lobe.normal)
     cos_light = dr.maximum(dr.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
     cos_view = dr.maximum(dr.dot(view, lobe.normal), SMALLEST_COSINE)
     area_light, area_view = mean_area(light, lobe), mean_area(view, lobe)
-    # Reflection: (1 − e^{−Tρ(Λ_l + Λ_v)})·cos_l/(σ_l cos_v + σ_v cos_l).
-    crossed = dr.fma(area_light, cos_view, area_view * cos_light)
-    per_view = dr.rcp(cos_view)
-    per_light = dr.rcp(cos_light)
-    near = (1 - dr.exp(-optical_depth * crossed * per_light * per_view)) * cos_light * dr.rcp(crossed)
-    # Transmission: e^{−Tρ min}·(1 − e^{−Tρ|Δ|})/|Δ|/cos_v, which tends to Tρ e^{−Tρ Λ}/cos_v at Δ = 0.
+    per_view, per_light = dr.rcp(cos_view), dr.rcp(cos_light)
     slope_light, slope_view = area_light * per_light, area_view * per_view
-    depth = optical_depth * dr.maximum(dr.abs(slope_light - slope_view), 1e-3)
-    passed = dr.exp(-optical_depth * dr.minimum(slope_light, slope_view))
-    far = optical_depth * passed * (1 - dr.exp(-depth)) * dr.rcp(depth) * per_view
-    return types.Float(0.25) * mean_density(half, lobe) * dr.select(beyond, far, near)
+    # Reflection is (1 − e^{−x})/x·Tρ/cos_v with x = Tρ(Λ_l + Λ_v), transmission e^{−Tρ min(Λ_l, Λ_v)} times
+    # the same with x = Tρ|Λ_l − Λ_v|: one form, so that both together take two exponentials.
+    path = dr.select(beyond, dr.abs(slope_light - slope_view), slope_light + slope_view)
+    depth = optical_depth * dr.maximum(path, SMALLEST_PATH)
+    passed = dr.exp(-optical_depth * dr.select(beyond, dr.minimum(slope_light, slope_view), 0))
+    attenuation = optical_depth * passed * (1 - dr.exp(-depth)) * dr.rcp(depth) * per_view
+    return 0.25 * mean_density(half, lobe) * attenuation

@@ -19,7 +19,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, uploaded
-from loomlight.models.lobes.coverage import Coverage, CoverageTable, CoverageTaps, interpolated_bytes
+from loomlight.models.lobes.coverage import Coverage, CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
@@ -163,7 +163,7 @@ class Estimator:
 
     def _bytes(self, table: Any, nodes: NodeTaps, word: Any) -> list[Any]:
         words = [dr.gather(self._types.UInt32, table, node + word) for node in nodes.nodes]
-        return interpolated_bytes(self._types, words, nodes.weights)
+        return nodes.weights.interpolated(words)
 
 
 def azimuth_correlation(light: Any, view: Any) -> Any:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
+from loomlight.models.lobes.bytes import ByteWeights
 
 AZIMUTHS, HEIGHTS = 16, 8
 NODES = AZIMUTHS * HEIGHTS
@@ -38,11 +39,11 @@ class NodeTaps:
 
     Attributes:
         nodes: their numbers, UInt32 each.
-        weights: their shares, Float each; sum 1.
+        weights: their shares.
     """
 
     nodes: tuple[Any, ...]
-    weights: tuple[Any, ...]
+    weights: ByteWeights
 
 
 def node_taps(direction: Any) -> NodeTaps:
@@ -62,5 +63,5 @@ def node_taps(direction: Any) -> NodeTaps:
     first, second = column * HEIGHTS + row, following * HEIGHTS + row
     return NodeTaps(
         (first, first + 1, second, second + 1),
-        ((1 - share) * (1 - up), (1 - share) * up, share * (1 - up), share * up),
+        ByteWeights(types, ((1 - share) * (1 - up), (1 - share) * up, share * (1 - up), share * up)),
     )

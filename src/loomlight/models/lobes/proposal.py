@@ -94,7 +94,7 @@ def shares_of(
         weights = estimator.seen(place, word, is_warp).weights
         return word + 1, total + sum(weights) * dr.select(is_warp, warp.total, weft.total)
 
-    width = dr.width(place.view, place.coverage.weights, through, warp.total)
+    width = dr.width(place.view, place.coverage.nodes, through, warp.total)
     start = dr.zeros(types.UInt32, width), dr.zeros(types.Float, width)
     total = dr.while_loop(start, lambda word, _: word < estimator.words, add, label="lobes: energy")[1]
     from_sheen = types.Float(0)
@@ -196,7 +196,7 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
             left = dr.select(left >= 0, left - weight * energies.total, left)
         return word + 1, left, lobe, tangent, roughness, normal
 
-    width = dr.width(aim, place.view, place.coverage.weights)
+    width = dr.width(aim, place.view, place.coverage.nodes)
     start = (
         dr.zeros(types.UInt32, width),
         types.Float(aim),
