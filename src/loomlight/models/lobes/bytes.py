@@ -15,7 +15,7 @@ import drjit as dr
 from loomlight.core.backend import ArrayTypes
 
 # Eight weights rounded up exceed their sum by 4 at the most, and 255·256 < 2¹⁶.
-_UNITS = 252
+UNITS = 252
 _EVEN = 0x00FF00FF
 
 
@@ -25,7 +25,7 @@ class ByteWeights:
     def __init__(self, types: ArrayTypes, weights: Sequence[Any]) -> None:
         """Rounds weights (Float each, ≥ 0, sum 1)."""
         self._types = types
-        self._units = [types.UInt32(dr.fma(weight, _UNITS, 0.5)) for weight in weights]
+        self._units = [types.UInt32(dr.fma(weight, UNITS, 0.5)) for weight in weights]
         self._inverse = dr.rcp(types.Float(sum(self._units)))
 
     def interpolated(self, words: Sequence[Any]) -> list[Any]:
