@@ -11,7 +11,7 @@ from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
 
-EXAMPLE = "Example: loomlight compare examples/denim.toml --models point,woven -o report"
+EXAMPLE = "Example: loomlight compare examples/denim.toml --models lobes,point -o report"
 
 
 def compare(
@@ -21,7 +21,7 @@ def compare(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
     ],
-    models: Annotated[str, typer.Option(help="Names with commas between them.")] = "point,woven",
+    models: Annotated[str, typer.Option(help="Names with commas between them.")] = "lobes,point,woven",
     full: Annotated[
         bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
     ] = False,

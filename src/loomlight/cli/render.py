@@ -14,7 +14,8 @@ from loomlight.core.errors import InputError
 
 EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
 
-MODELS = ("point", "woven")
+MODELS = ("lobes", "point", "woven")
+DEFAULT_MODEL = "lobes"
 
 
 def render(
@@ -24,7 +25,9 @@ def render(
     output: Annotated[
         Path, typer.Option("--output", "-o", help="The picture to write: .png (sRGB) or .exr (linear).")
     ],
-    model: Annotated[str, typer.Option(help=f"How the cloth is computed: {', '.join(MODELS)}.")] = "point",
+    model: Annotated[
+        str, typer.Option(help=f"How the cloth is computed: {', '.join(MODELS)}.")
+    ] = DEFAULT_MODEL,
     scene: Annotated[
         str, typer.Option(help="flat, sphere, cylinder, drape, or a Mitsuba scene FILE.xml.")
     ] = "drape",
@@ -65,7 +68,7 @@ def render(
 ) -> None:
     """Renders a fabric on a piece of cloth, a mesh, or the marked shapes of a scene file."""
     if model not in MODELS:
-        raise InputError(f'--model "{model}" does not exist: use {" or ".join(MODELS)}.')
+        raise InputError(f'--model "{model}" does not exist: use {", ".join(MODELS)}.')
     check_output(output, (".png", ".exr"))
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)

@@ -11,11 +11,12 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
 from loomlight.models.woven.encoding import require_encodable
 
-MODELS = {"point": "woven_point", "woven": "woven_neural"}
+MODELS = {"lobes": "woven_lobes", "point": "woven_point", "woven": "woven_neural"}
+DEFAULT_MODEL = "lobes"
 
 
 def fabric_bsdf(
-    fabric: Fabric | str | os.PathLike[str], model: str = "point"
+    fabric: Fabric | str | os.PathLike[str], model: str = DEFAULT_MODEL
 ) -> Callable[[tuple[float, float]], dict[str, Any]]:
     """A function from (mm per unit of u, mm per unit of v) to the dictionary of the fabric's BSDF.
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
-from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
+from loomlight.mitsuba.fabric_bsdf import DEFAULT_MODEL, fabric_bsdf
 from loomlight.mitsuba.rendering import Progress, render
 from loomlight.mitsuba.scenes import SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
@@ -23,7 +23,7 @@ def render_fabric(
     fabric: Fabric | str | os.PathLike[str],
     scene: str | os.PathLike[str] = "drape",
     *,
-    model: str = "point",
+    model: str = DEFAULT_MODEL,
     spp: int = 64,
     seed: int = 0,
     exposure: float = 0.0,
@@ -37,7 +37,8 @@ def render_fabric(
         fabric: a fabric; or the path of a fabric file, a draft or a `.loom`; or a weave's name, such as
             "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
-        model: "point", exact at every point, or "woven", the network that averages over footprints.
+        model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
+            or "woven", the network that averages over footprints.
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.

@@ -9,6 +9,7 @@ import mitsuba as mi
 
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.variants import is_supported, require_backend
+from loomlight.mitsuba.woven_lobes import woven_lobes_class
 from loomlight.mitsuba.woven_neural import woven_neural_class
 from loomlight.mitsuba.woven_point import woven_point_class
 
@@ -16,6 +17,7 @@ from loomlight.mitsuba.woven_point import woven_point_class
 _INTEGRATORS: dict[str, Callable[[], type]] = {"footprint_path": footprint_path_class}
 _BSDFS: dict[str, Callable[[], type]] = {
     "woven_point": woven_point_class,
+    "woven_lobes": woven_lobes_class,
     "woven_neural": woven_neural_class,
 }
 

@@ -1,0 +1,103 @@
+"""`woven_lobes`: prefiltered fibre lobes as a Mitsuba BSDF, for any distance, one sample a pixel, untrained.
+
+It averages over the footprint that `footprint_path` hands it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from loomlight.assets.loom_file import is_loom, read_loom
+from loomlight.core.footprint import Footprint
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class
+from loomlight.models.interface import FamilyAlbedos, Response
+from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
+from loomlight.models.lobes.proposal import Shares
+from loomlight.scattering.point import DirectionSample
+
+
+def woven_lobes_class() -> type:
+    """The BSDF's class in the current variant, for `mi.register_bsdf`."""
+    base: Any = footprint_bsdf_class()
+
+    class WovenLobes(base):
+        """Woven cloth over footprints, by lobes of groups of like yarn points.
+
+        Parameters beside those of `FootprintBsdf`:
+            groups: of each family, 1 to 64; 8. A `.loom` that was baked for this model is used as it is where
+                nothing in the scene changes its fabric and `groups` is not given.
+
+        Scene parameters are those of `FootprintBsdf`. A change of heights, inclination or twist bakes tables
+        anew, one of roughness, colours or sheen does not.
+        """
+
+        baked_parameters = ("height_scale", "inclination", "twist")
+
+        def __init__(self, props: Any) -> None:
+            super().__init__(props)
+            self._groups = int(props["groups"]) if "groups" in props else None
+            self.finish()
+
+        def bake(self) -> None:
+            """Measures the tables, or reads them from the material that the fabric lies in."""
+            found = _in_material(self.fabric) if self._groups is None else None
+            self._baked = found or LobesModel.for_fabric(self.fabric, self._groups or DEFAULT_GROUPS)
+
+        def assembled(self) -> LobesModel:
+            """The model of the tables baked last."""
+            if self._baked.fabric is not self.fabric:
+                return LobesModel(self.fabric, self._baked.tables)
+            return self._baked
+
+        def seen_cloth(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> SeenCloth:
+            """The footprint's lobes."""
+            return _SeenLobes(self.model, albedos, view, footprint)
+
+        def hole(self, view: Any, footprint: Footprint) -> Any:
+            """Share of the view rays that pass through footprints: Float."""
+            return self.model.hole(view, footprint)
+
+        def to_string(self) -> str:
+            """The fabric, and the size of what was baked of it."""
+            return str(self.described(tables=f"{self._baked.tables.nbytes / 1e3:.3g} kB"))
+
+    return WovenLobes
+
+
+@dataclass
+class _SeenLobes:
+    """A `SeenCloth` of lobes; how directions are drawn is worked out once, and where it is asked for."""
+
+    model: LobesModel
+    albedos: FamilyAlbedos
+    view: Any
+    footprint: Footprint
+
+    @cached_property
+    def _shares(self) -> Shares:
+        return self.model.shares(self.albedos, self.view, self.footprint)
+
+    def response(self, light: Any) -> Response:
+        return self.model.evaluate(light, self.view, self.footprint)
+
+    def pdf(self, light: Any) -> Any:
+        return self.response_and_pdf(light)[1]
+
+    def response_and_pdf(self, light: Any) -> tuple[Response, Any]:
+        return self.model.response_and_pdf(self._shares, light, self.view, self.footprint)
+
+    def sample(self, choice: Any, u: Any) -> DirectionSample:
+        return self.model.sample_with(self.albedos, self.view, self.footprint, choice, u)
+
+
+def _in_material(fabric: Fabric) -> LobesModel | None:
+    """The model in the `.loom` that a fabric was read from; None where there is none for this very fabric."""
+    if not is_loom(fabric.folder):
+        return None
+    loom = read_loom(fabric.folder)
+    if loom.model != LobesModel.name or loom.fabric.to_toml() != fabric.to_toml():
+        return None
+    return LobesModel.from_loom(loom)
