@@ -1,0 +1,329 @@
+"""The estimate again in plain NumPy, one query at a time: to read, to port, and to hold the rest against.
+
+What counts is the groups' part alone, from the tables' bytes; the points that the model looks at close up and
+the hand-over to them are left out. All vectors are of one query, [3] or [2]; arrays of groups are [G], as the
+groups lie among the bytes: the warp's first, each family padded to words of four. Everything is float64.
+
+For a view v, a light l, their half vector h and a footprint, with bytes interpolated between `Nodes`:
+
+    weight of a group     w = coverage·seen²·unit                      holes likewise
+    lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ
+    diffuse               Σ w·irradiance·V/reached / Σ w
+    specular              Σ w·f(h, l, v)·V / Σ w                       f: `layer_value`
+    hole                  w of holes / Σ w
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.interface import Response
+from loomlight.models.lobes.bytes import UNITS
+from loomlight.models.lobes.density import NARROWEST, SMALLEST_COSINE, SMALLEST_PATH, SMALLEST_STEEPNESS
+from loomlight.models.lobes.hemisphere import AZIMUTHS, HEIGHTS, LOWEST
+from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
+from loomlight.models.lobes.tables import LobeTables
+
+Numbers = NDArray[np.float64]
+"""Float64 of any shape: of groups [G], or a vector [2] or [3]."""
+
+_PER_BYTE = 1 / 255
+
+
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """Rows of a table to interpolate between.
+
+    Attributes:
+        numbers: of the rows [n].
+        shares: of each [n]; sum 1.
+    """
+
+    numbers: NDArray[np.int64]
+    shares: Numbers
+
+    def of(self, table: NDArray[np.uint8]) -> Numbers:
+        """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Shares are rounded to whole units."""
+        units = np.floor(self.shares * UNITS + 0.5)
+        return np.asarray(units @ table[self.numbers] / units.sum())
+
+
+@dataclass(frozen=True, eq=False)
+class GroupMoments:
+    """The moments of the groups of one face.
+
+    Attributes:
+        normal, tangent: means [G, 3], shorter than 1.
+        covariance: of the fibre direction [G, 3, 3].
+        unit: what (coverage byte)·(seen byte)² is multiplied with [G].
+        roughness: α of each group's family [G].
+    """
+
+    normal: Numbers
+    tangent: Numbers
+    covariance: Numbers
+    unit: Numbers
+    roughness: Numbers
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """What a view sees in a footprint.
+
+    Attributes:
+        groups: w of each group [G], not divided by the sum.
+        hole: w of the holes.
+        reached: share of each group that light from the view's side and direction would reach [G].
+    """
+
+    groups: Numbers
+    hole: float
+    reached: Numbers
+
+    @property
+    def total(self) -> float:
+        """Of groups and holes."""
+        return float(self.groups.sum()) + self.hole
+
+
+class LobesTwin:
+    """The groups' estimate of one fabric."""
+
+    def __init__(
+        self,
+        tables: LobeTables,
+        repeat: tuple[float, float],
+        roughness: tuple[float, float],
+        optical_depth: float,
+        diffuse_blend: float = 0.5,
+    ) -> None:
+        """A twin of tables.
+
+        Args:
+            repeat: width and height of the repeat, millimetres.
+            roughness: α of (warp, weft).
+            optical_depth: Tρ of the fibre layer.
+            diffuse_blend: w of the diffuse term; the density alone needs it.
+        """
+        self.tables = tables
+        self.repeat = repeat
+        self.optical_depth = optical_depth
+        self.diffuse_blend = diffuse_blend
+        self.is_warp = np.arange(4 * tables.words) < 2 * tables.words
+        self.roughness = np.where(self.is_warp, *roughness)
+
+    def response(self, light: Numbers, view: Numbers, centre: Numbers, size: float) -> Response:
+        """Components, 1/sr, and hole: floats.
+
+        Args:
+            light, view: unit vectors [3]; z < 0 on the back.
+            centre: of the footprint [2], millimetres.
+            size: side of the square that stands for the footprint, millimetres.
+        """
+        back, light, view = on_seen_face(light, view)
+        beyond = bool(light[2] < 0)
+        groups = self.groups(back)
+        weights = self.weights(view, centre, size, back)
+
+        row = direction_nodes(light).of(self.tables.lit[int(back), int(beyond)])
+        irradiance, reached = np.split(row * _PER_BYTE, 2)
+        both = np.minimum(1, reached / np.maximum(weights.reached, _PER_BYTE))
+        correlation = 0.0 if beyond else azimuth_correlation(light, view)
+        shared = reached + correlation * (both - reached)
+
+        diffuse = weights.groups * irradiance / math.pi * shared / np.maximum(reached, _PER_BYTE)
+        specular = (
+            weights.groups
+            * shared
+            * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
+        )
+        total = max(weights.total, 1e-12)
+        return Response(
+            diffuse_warp=float(diffuse[self.is_warp].sum() / total),
+            diffuse_weft=float(diffuse[~self.is_warp].sum() / total),
+            specular_warp=float(specular[self.is_warp].sum() / total),
+            specular_weft=float(specular[~self.is_warp].sum() / total),
+            hole=weights.hole / total,
+        )
+
+    def group_density(
+        self,
+        light: Numbers,
+        view: Numbers,
+        centre: Numbers,
+        size: float,
+        energies: tuple[Energies, Energies],
+    ) -> float:
+        """Density of the mixture of groups that directions are drawn from, 1/sr, without cosine and sheen.
+
+        Args:
+            light, view, centre, size: as in `response`.
+            energies: what (warp, weft) send on by each lobe; floats.
+        """
+        back, light, view = on_seen_face(light, view)
+        groups = self.groups(back)
+        weights = self.weights(view, centre, size, back)
+        specular, reflect, transmit = (
+            np.where(self.is_warp, *(getattr(family, name) for family in energies))
+            for name in ("specular", "reflect", "transmit")
+        )
+        # The group as one fibre: along its mean direction, wider by its spread.
+        normal, tangent = _unit(groups.normal), _unit(groups.tangent)
+        spread = np.sqrt(0.5 * np.trace(groups.covariance, axis1=1, axis2=2))
+        width = np.minimum(groups.roughness + SPREAD_WIDTH * spread, 1)
+        along = tangent @ half_vector(light, view)
+        area = np.sqrt(1 - (1 - width**2) * (tangent @ view) ** 2)
+        lobe = fibre_density(along, width) / (4 * area)
+        blend = self.diffuse_blend
+
+        def diffuse(direction: Numbers) -> Numbers:
+            about_yarn, about_cloth = np.maximum(normal @ direction, 0), max(direction[2], 0)
+            return np.asarray((blend * about_yarn + (1 - blend) * about_cloth) / math.pi)
+
+        found = specular * lobe + reflect * diffuse(light) + transmit * diffuse(-light)
+        energy = specular + reflect + transmit
+        return float((weights.groups * found).sum() / (weights.groups * energy).sum())
+
+    def weights(self, view: Numbers, centre: Numbers, size: float, back: bool) -> Weights:
+        """What a view [3], in the frame of the face it sees, sees of groups and holes in a footprint."""
+        face, count = int(back), 4 * self.tables.words
+        coverage = self.coverage_nodes(centre, size).of(self.tables.coverage[face])
+        row = direction_nodes(view).of(self.tables.seen[face])
+        # Coverage and seen hold a word for the holes after the groups, of which the first byte counts.
+        seen, reached = row[: count + 4], row[count + 4 :] * _PER_BYTE
+        unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
+        found = coverage[: count + 1] * seen[: count + 1] ** 2 * unit
+        return Weights(found[:count], float(found[count]), reached)
+
+    def groups(self, back: bool) -> GroupMoments:
+        """The groups of a face, from the twelve numbers of each."""
+        moments = self.tables.moments[int(back)].astype(np.float64)
+        normal, unit, tangent = moments[:, :3], moments[:, 3], moments[:, 4:7]
+        xx, yy, xy, xz, yz = moments[:, 7:].T
+        # Fibre directions are unit vectors: |mean|² and the trace of their covariance add up to 1.
+        zz = 1 - (tangent**2).sum(axis=1) - xx - yy
+        covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).transpose(2, 0, 1)
+        return GroupMoments(normal, tangent, covariance, unit, self.roughness)
+
+    def coverage_nodes(self, centre: Numbers, size: float) -> Nodes:
+        """Eight nodes around a footprint, of the two levels whose squares its own lies between.
+
+        Level m holds means over squares of side s_m = s_0·2^m. A mixture of two squares has the mixture of
+        their variances, so s² is what is interpolated.
+        """
+        top = len(self.tables.levels) - 1
+        relative = max(size / self.tables.size, 1.0)
+        lower = min(int(math.log2(relative)), top)
+        share = min(max(((relative / 2**lower) ** 2 - 1) / 3, 0.0), 1.0)
+        numbers, shares = self._level_nodes(lower, centre)
+        more_numbers, more_shares = self._level_nodes(min(lower + 1, top), centre)
+        return Nodes(np.append(numbers, more_numbers), np.append((1 - share) * shares, share * more_shares))
+
+    def _level_nodes(self, level: int, centre: Numbers) -> tuple[NDArray[np.int64], Numbers]:
+        """The four nodes around a centre; the first of a level is half a spacing from the repeat's corner."""
+        first, columns, rows = (int(number) for number in self.tables.levels[level])
+        x = centre[0] / self.repeat[0] % 1.0 * columns - 0.5
+        y = centre[1] / self.repeat[1] % 1.0 * rows - 0.5
+        left, down = math.floor(x), math.floor(y)
+        column, row = np.array([left, left + 1]) % columns, np.array([down, down + 1]) % rows
+        numbers = first + row[:, None] * columns + column
+        return numbers.ravel(), np.outer([down + 1 - y, y - down], [left + 1 - x, x - left]).ravel()
+
+
+def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]:
+    """Whether the back is seen, and both directions in the frame of the face that is."""
+    back = bool(view[2] < 0)
+    flip = np.array([1, 1, -1.0 if back else 1.0])
+    return back, light * flip, view * flip
+
+
+def direction_nodes(direction: Numbers) -> Nodes:
+    """Four nodes around a direction, by azimuth and |z|.
+
+    Nodes stand azimuth by azimuth, at even azimuths and even heights; but the lowest stands at `LOWEST`.
+    """
+    heights = np.maximum(np.arange(HEIGHTS) / (HEIGHTS - 1), LOWEST)
+    z = min(max(abs(float(direction[2])), LOWEST), 1.0)
+    row = min(int(np.searchsorted(heights, z, side="right")) - 1, HEIGHTS - 2)
+    up = (z - heights[row]) / (heights[row + 1] - heights[row])
+    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
+    column = math.floor(turns)
+    share = turns - column
+    columns = np.array([column, column + 1]) % AZIMUTHS
+    numbers = columns[:, None] * HEIGHTS + np.array([row, row + 1])
+    return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - up, up]).ravel())
+
+
+def azimuth_correlation(light: Numbers, view: Numbers) -> float:
+    """κ = max(cos Δφ, 0): 1 where light and view come from one azimuth, 0 from 90° apart on."""
+    together = float(light[:2] @ view[:2])
+    return max(together, 0.0) / max(float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2])), 1e-6)
+
+
+def half_vector(light: Numbers, view: Numbers) -> Numbers:
+    """Unit half vector [3]."""
+    total = light + view
+    return total / math.sqrt(max(float(total @ total), 1e-12))
+
+
+def fibre_density(along: Numbers, roughness: Numbers) -> Numbers:
+    """D of x = h·t: 1/(πα(1 + k x²)²), k = 1/α² − 1 (chen2024 eq. 2), 1/sr."""
+    return np.asarray(1 / (math.pi * roughness * (1 + (1 / roughness**2 - 1) * along**2) ** 2))
+
+
+def mean_density(half: Numbers, groups: GroupMoments) -> Numbers:
+    """D̄: the mean of `fibre_density` over x uniform in m − w to m + w, 1/sr [G].
+
+    m and w = √3·deviation are those of h·t over the group.
+    """
+    roughness = groups.roughness
+    mean = groups.tangent @ half
+    deviation = np.sqrt(np.maximum(_variance(groups, half), 0))
+    width = np.maximum(math.sqrt(3) * deviation, NARROWEST * roughness + 1e-4)
+    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, SMALLEST_STEEPNESS)
+    first, last = steepness * (mean - width), steepness * (mean + width)
+    product, span = first * last, last - first
+    rational = (1 - product) / ((1 + first**2) * (1 + last**2))
+    # arctan(last) − arctan(first) in one.
+    angle = np.arctan2(span, 1 + product)
+    return np.asarray((rational + angle / span) / (2 * math.pi * roughness))
+
+
+def mean_area(direction: Numbers, groups: GroupMoments) -> Numbers:
+    """Root of the mean σ² = 1 − (1 − α²)(ω·t)² over the group [G]."""
+    along = (groups.tangent @ direction) ** 2 + np.maximum(_variance(groups, direction), 0)
+    squared = groups.roughness**2
+    return np.sqrt(np.maximum(1 - (1 - squared) * along, squared))
+
+
+def layer_value(
+    half: Numbers, light: Numbers, view: Numbers, groups: GroupMoments, optical_depth: float
+) -> Numbers:
+    """f·cos of each group's fibre layer at albedo 1, without shadows [G], 1/sr (chen2024 eq. 1–2).
+
+    Reflection D G_r/(4 cos_v), or, where light comes from the other side, transmission D G_t/(4 cos_v).
+    """
+    beyond = light[2] < 0
+    cos_light = np.maximum(groups.normal @ (-light if beyond else light), SMALLEST_COSINE)
+    cos_view = np.maximum(groups.normal @ view, SMALLEST_COSINE)
+    slope_light = mean_area(light, groups) / cos_light
+    slope_view = mean_area(view, groups) / cos_view
+    # The layer's mean of e^{−s} along the path, e^{−Tρ min(Λ_l, Λ_v)}·(1 − e^{−Tρ|Δ|})/|Δ| in transmission.
+    path = np.abs(slope_light - slope_view) if beyond else slope_light + slope_view
+    path = np.maximum(path, SMALLEST_PATH)
+    passed = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if beyond else 1.0
+    attenuation = passed * -np.expm1(-optical_depth * path) / path
+    return np.asarray(mean_density(half, groups) * attenuation / (4 * cos_view))
+
+
+def _variance(groups: GroupMoments, direction: Numbers) -> Numbers:
+    """Variance of direction·t over each group [G]."""
+    return np.asarray(np.einsum("gij,i,j->g", groups.covariance, direction, direction))
+
+
+def _unit(vectors: Numbers) -> Numbers:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))

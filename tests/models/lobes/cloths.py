@@ -1,0 +1,150 @@
+"""Fabrics that differ in what the lobes model has to get right, their models, and the groups' part alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cache
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f, Bool, Float
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.models.interface import Response
+from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.twin import LobesTwin
+from loomlight.yarn.geometry import YarnGeometry
+
+require_llvm()
+
+TEXTS = {
+    # Holes.
+    "open plain": 'weave = "plain"\ngap = 0.4',
+    # Narrow highlights; each face shows little of one family.
+    "smooth satin": """
+        weave = "satin 8/3"
+        [warp]
+        roughness = 0.1
+        twist_deg = -30.0
+        [weft]
+        roughness = 0.3
+        """,
+    # Light from the other side, families unlike each other.
+    "translucent twill": """
+        weave = "twill 2/1"
+        diffuse_blend = 0.8
+        optical_depth = 1.2
+        [warp]
+        translucency = 0.6
+        roughness = 0.6
+        height_scale = 0.5
+        [weft]
+        translucency = 0.3
+        inclination_deg = 35.0
+        """,
+    # A repeat that is longer than wide.
+    "long rib": 'weave = "warp rib 3/3"\nends_per_cm = 30.0\npicks_per_cm = 12.0',
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Asked:
+    """n queries of squares.
+
+    Attributes:
+        lights, views: unit vectors [n, 3].
+        centres: [n, 2], millimetres.
+        sizes: sides [n], millimetres.
+    """
+
+    lights: NDArray[np.float64]
+    views: NDArray[np.float64]
+    centres: NDArray[np.float64]
+    sizes: NDArray[np.float64]
+
+    @property
+    def light(self) -> Array3f:
+        """The lights on a device."""
+        return Array3f(np.ascontiguousarray(self.lights.T, np.float32))
+
+    @property
+    def view(self) -> Array3f:
+        """The views on a device."""
+        return Array3f(np.ascontiguousarray(self.views.T, np.float32))
+
+    @property
+    def footprint(self) -> Footprint:
+        """The squares on a device."""
+        x, y = np.ascontiguousarray(self.centres.T, np.float32)
+        side = np.ascontiguousarray(self.sizes, np.float32)
+        none = np.zeros_like(side)
+        return Footprint(Array2f(x, y), Array2f(side, none), Array2f(none, side))
+
+
+@cache
+def cloth(name: str) -> Fabric:
+    """A fabric of `TEXTS`."""
+    return fabric_from_text(TEXTS[name])
+
+
+@cache
+def model_of(name: str, groups: int = 8) -> LobesModel:
+    """Its model."""
+    return LobesModel.for_fabric(cloth(name), groups)
+
+
+def geometry_of(name: str) -> YarnGeometry:
+    """Its yarns."""
+    return YarnGeometry(cloth(name).layout())
+
+
+def twin_of(model: LobesModel) -> LobesTwin:
+    """The twin in NumPy of the same tables."""
+    appearance = model.fabric.appearance()
+    return LobesTwin(
+        model.tables,
+        model.fabric.layout().size,
+        (appearance.warp.roughness, appearance.weft.roughness),
+        appearance.optical_depth,
+        appearance.diffuse_blend,
+    )
+
+
+def directions(rng: np.random.Generator, count: int, lowest: float = 0.02) -> NDArray[np.float64]:
+    """Unit vectors [count, 3], uniform over both sides above z = `lowest`."""
+    z = rng.uniform(lowest, 1, count) * rng.choice([-1.0, 1.0], count)
+    azimuth = rng.uniform(0, 2 * np.pi, count)
+    radius = np.sqrt(1 - z**2)
+    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
+
+
+def asked_of(fabric: Fabric, smallest: float, count: int, seed: int) -> Asked:
+    """Queries anywhere, from squares of half of `smallest` to three repeats wide."""
+    rng = np.random.default_rng(seed)
+    extent = np.asarray(fabric.repeat_mm)
+    sizes = np.exp(rng.uniform(np.log(0.5 * smallest), np.log(3 * extent.max()), count))
+    return Asked(
+        directions(rng, count), directions(rng, count), rng.uniform(-1, 2, (count, 2)) * extent, sizes
+    )
+
+
+def far_response(model: LobesModel, light: Any, view: Any, footprint: Footprint) -> Response:
+    """What the groups alone say, at every size."""
+    found = model._far(light, view, footprint, Bool(True), None)[0]
+    dr.eval(found)
+    return found
+
+
+def far_parts(model: LobesModel, asked: Asked) -> dict[str, NDArray[np.float32]]:
+    """The parts of it by name [n]."""
+    found = far_response(model, asked.light, asked.view, asked.footprint)
+    return {part.name: getattr(found, part.name).numpy() for part in fields(Response)}
+
+
+def floats(values: NDArray[Any]) -> Float:
+    """Numbers on a device."""
+    return Float(np.ascontiguousarray(values, np.float32))

@@ -1,0 +1,110 @@
+"""The estimate in Dr.Jit against its twin in NumPy: the same formulas, written twice."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from loomlight.models.interface import Response
+from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.proposal import Energies
+from loomlight.models.lobes.twin import LobesTwin
+
+from .cloths import TEXTS, Asked, asked_of, far_parts, model_of, twin_of
+
+QUERIES = 250
+# Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where
+# light and view are nearly opposite.
+RELATIVE, ABSOLUTE = 1e-4, 1e-6
+# Shares of nodes are rounded to whole units: one that lies between two may go either way, 1 query in 1000.
+FLIPPED, UNIT = 0.01, 1e-2
+
+
+def asked(model: LobesModel, seed: int) -> Asked:
+    return asked_of(model.fabric, model.tables.size, QUERIES, seed)
+
+
+def agree(found: NDArray[np.float32], wanted: NDArray[np.float64], name: str) -> None:
+    np.testing.assert_allclose(found, wanted, rtol=UNIT, atol=1e-4, err_msg=name)
+    apart = ~np.isclose(found, wanted, rtol=RELATIVE, atol=ABSOLUTE)
+    assert apart.mean() <= FLIPPED, (name, found[apart][:5], wanted[apart][:5])
+
+
+def says(twin: LobesTwin, queries: Asked) -> dict[str, NDArray[np.float64]]:
+    """What the twin says of queries, by name [n]."""
+    found = [
+        twin.response(*query)
+        for query in zip(queries.lights, queries.views, queries.centres, queries.sizes, strict=True)
+    ]
+    return {part.name: np.array([getattr(one, part.name) for one in found]) for part in fields(Response)}
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_twins_agree_on_components_and_holes(name: str) -> None:
+    model = model_of(name)
+    queries = asked(model, seed=1)
+    # Both faces, both sides of light, all levels.
+    assert {(v > 0, lit > 0) for v, lit in zip(queries.views[:, 2], queries.lights[:, 2], strict=True)} == {
+        (a, b) for a in (False, True) for b in (False, True)
+    }
+    level = np.log2(np.maximum(queries.sizes / model.tables.size, 1)).astype(int)
+    assert set(level) >= set(range(len(model.tables.levels) - 1))
+    found, wanted = far_parts(model, queries), says(twin_of(model), queries)
+    for part, values in wanted.items():
+        agree(found[part], values, part)
+    assert all(values.max() > 0.02 for values in wanted.values())
+
+
+@pytest.mark.parametrize("groups", [1, 5, 16])
+def test_twins_agree_on_any_number_of_groups(groups: int) -> None:
+    """Five leave bytes of padding in each family's last word."""
+    model = model_of("translucent twill", groups)
+    queries = asked(model, seed=2)
+    found, wanted = far_parts(model, queries), says(twin_of(model), queries)
+    for part, values in wanted.items():
+        agree(found[part], values, part)
+
+
+@pytest.mark.parametrize("name", ["smooth satin", "translucent twill"])
+def test_twins_agree_on_the_density(name: str) -> None:
+    model = model_of(name)
+    queries = asked(model, seed=3)
+    light, view, footprint = queries.light, queries.view, queries.footprint
+    shares = model.shares(model.albedos(view, footprint), view, footprint)
+    of_groups = model._far(light, view, footprint, True, shares)[1]
+    found = (of_groups / shares.total).numpy()
+    energies = [
+        [np.broadcast_to(getattr(family, part.name).numpy(), QUERIES) for part in fields(Energies)]
+        for family in (shares.warp, shares.weft)
+    ]
+    twin = twin_of(model)
+    wanted = [
+        twin.group_density(
+            queries.lights[lane],
+            queries.views[lane],
+            queries.centres[lane],
+            queries.sizes[lane],
+            tuple(Energies(*(float(part[lane]) for part in family)) for family in energies),
+        )
+        for lane in range(QUERIES)
+    ]
+    agree(found, np.array(wanted), name)
+
+
+def test_a_twin_of_other_bytes_disagrees() -> None:
+    """The tables decide: one byte of a level that every large footprint reads shows."""
+    model = model_of("smooth satin")
+    queries = asked(model, seed=4)
+    found = far_parts(model, queries)
+    tables = model.tables
+    damaged = tables.coverage.copy()
+    strongest = damaged[0, -1].argmax()
+    damaged[:, -1, strongest] //= 2
+    twin = twin_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
+    wanted = says(twin, queries)["specular_warp"]
+    large = (queries.sizes > 16 * tables.size) & (wanted > 0)
+    assert large.any()
+    assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=1e-2)
