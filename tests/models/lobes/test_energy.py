@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import fields
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from loomlight.fabric import Fabric
