@@ -1,0 +1,170 @@
+"""How much of each group a footprint holds: the pyramid against sums over a fine map of the groups."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Bool, Float
+from numpy.typing import NDArray
+
+from loomlight.core.backend import array_types
+from loomlight.fabric import Fabric
+from loomlight.fabric.fabric import make_fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.models.lobes.coverage import (
+    Coverage,
+    CoverageTable,
+    coverage_size,
+    measure_coverage,
+    padded_group,
+    words_of,
+)
+from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups
+from loomlight.models.lobes.model import LobesModel
+from loomlight.weave.draft import Draft
+from loomlight.yarn.geometry import YarnGeometry
+
+from .cloths import TEXTS, floats, geometry_of
+
+TYPES = array_types(Float)
+PER_FAMILY = 8
+SQUARES = 150
+# Points along each side of a square that is counted out.
+POINTS = 48
+# Largest mean error by size in units of s_0, half the sum over groups of |error|. Close, bilinear
+# interpolation rounds the squares' edges, and two squares stand for one between them; far away, where every
+# footprint holds all, a plan of twelve rays across a thread is what errs.
+ERRORS = {1.0: 0.14, 1.41: 0.25, 2.0: 0.13, 2.83: 0.17, 4.0: 0.09, 8.0: 0.05, 23.0: 0.05}
+
+
+@cache
+def made(name: str) -> tuple[YarnGeometry, Groups, Coverage]:
+    geometry = geometry_of(name)
+    groups = find_groups(geometry, PER_FAMILY, Float)
+    return geometry, groups, measure_coverage(geometry, groups, Float)
+
+
+def held(name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any]) -> NDArray[np.float64]:
+    """Shares of groups and holes in squares, by the pyramid [n, 2 K + 1]."""
+    geometry, _, coverage = made(name)
+    table = CoverageTable(coverage, geometry.size, TYPES)
+    taps = table.taps(Array2f(*np.asarray(centres.T, np.float32)), floats(sizes), Bool(back))
+    words = [table.bytes(taps, TYPES.UInt32(word)) for word in range(table.words)]
+    values = np.stack([byte.numpy() for word in words for byte in word], axis=1)
+    places = np.append(padded_group(PER_FAMILY), 4 * words_of(PER_FAMILY))
+    return values[:, places] * coverage.scale[int(back), places] / 255
+
+
+def counted(name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any]) -> NDArray[np.float64]:
+    """The same by looking at POINTS² jittered points of every square."""
+    geometry, groups, _ = made(name)
+    rng = np.random.default_rng(9)
+    row, column = np.divmod(np.arange(POINTS * POINTS), POINTS)
+    places = (np.stack([column, row], axis=1) + rng.random((len(sizes), POINTS * POINTS, 2))) / POINTS - 0.5
+    x, y = (centres[:, None] + places * sizes[:, None, None]).reshape(-1, 2).T
+    point = geometry.surface(floats(x), floats(y), Bool(back))
+    finder = GroupFinder(groups, TYPES)
+    number = finder.group(Bool(back), point.is_warp, point.hole, point.normal, point.tangent).numpy()
+    shows = number.reshape(len(sizes), -1)
+    return np.stack([(shows == group).mean(axis=1) for group in range(groups.count + 1)], axis=1)
+
+
+def squares(name: str, relative: float, seed: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Centres anywhere [n, 2], and sides of one size [n], millimetres."""
+    geometry, _, coverage = made(name)
+    centres = np.random.default_rng(seed).uniform(-1, 2, (SQUARES, 2)) * geometry.size
+    return centres, np.full(SQUARES, relative * coverage.size)
+
+
+@pytest.mark.parametrize("relative", ERRORS)
+@pytest.mark.parametrize("name", TEXTS)
+def test_means_are_those_of_squares(name: str, relative: float) -> None:
+    for back in (False, True):
+        centres, sizes = squares(name, relative, 1)
+        found, wanted = (of(name, back, centres, sizes) for of in (held, counted))
+        error = np.abs(found - wanted).sum(axis=1) / 2
+        assert error.mean() < ERRORS[relative], (back, error.mean())
+        # Of all squares together nothing is lost: every group as much as the repeat holds.
+        assert np.abs(found.mean(axis=0) - wanted.mean(axis=0)).max() < 0.03
+
+
+def test_squares_elsewhere_are_another_matter() -> None:
+    """What the bounds above would say of a table read in the wrong place."""
+    centres, sizes = squares("smooth satin", 2.0, 2)
+    moved = centres + 1.5 * made("smooth satin")[2].size
+    found = held("smooth satin", False, moved, sizes)
+    wanted = counted("smooth satin", False, centres, sizes)
+    assert (np.abs(found - wanted).sum(axis=1) / 2).mean() > 1.5 * ERRORS[2.0]
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_shares_sum_to_one(name: str) -> None:
+    for relative in (0.3, 1.0, 1.7, 5.0, 40.0):
+        for back in (False, True):
+            total = held(name, back, *squares(name, relative, 3)).sum(axis=1)
+            # Each of 17 bytes is off by half a 255th of the group's largest share.
+            np.testing.assert_allclose(total, 1, atol=6e-3)
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_coverage_repeats(name: str) -> None:
+    width, height = made(name)[0].size
+    for relative in (0.5, 1.3, 3.0, 30.0):
+        centres, sizes = squares(name, relative, 4)
+        found = held(name, False, centres, sizes)
+        again = held(name, False, centres + np.array([3 * width, -2 * height]), sizes)
+        # Shares of nodes are whole units: of a lane in some hundred one goes the other way.
+        np.testing.assert_allclose(again, found, atol=8e-3)
+        assert (np.abs(again - found).max(axis=1) < 1e-4).mean() > 0.95
+
+
+def test_levels_are_a_pyramid() -> None:
+    for name in TEXTS:
+        geometry, _, coverage = made(name)
+        first, columns, rows = coverage.levels.T
+        assert (first == np.concatenate([[0], np.cumsum(columns * rows)[:-1]])).all()
+        assert (columns[1:] == -(-columns[:-1] // 2)).all()
+        assert (rows[1:] == -(-rows[:-1] // 2)).all()
+        assert (columns[-1], rows[-1]) == (1, 1)
+        assert coverage.bytes.shape == (2, (columns * rows).sum(), 4 * (words_of(PER_FAMILY) + 1))
+        # Nodes of the first level lie a third of its squares apart or less.
+        assert columns[0] * coverage.size >= 3 * geometry.size[0] * (1 - 1e-6)
+
+
+def test_wider_squares_vary_less() -> None:
+    """A footprint of many repeats holds what any other does: all steps between are monotone."""
+    last = np.inf
+    for relative in (0.5, 1.0, 1.41, 2.0, 2.83, 4.0, 8.0, 16.0, 64.0):
+        varies = held("smooth satin", False, *squares("smooth satin", relative, 5)).std(axis=0).sum()
+        assert varies <= last + 1e-3
+        last = varies
+    assert last < 1e-6
+
+
+def random_cloth(ends: int, picks: int) -> Fabric:
+    drawdown = np.random.default_rng(0).random((picks, ends)) < 0.5
+    return make_fabric(FabricFile(), Draft(drawdown), "random", ".")
+
+
+def test_groups_lie_in_words_of_their_family() -> None:
+    assert [words_of(count) for count in (1, 4, 5, 8, 9)] == [2, 2, 4, 4, 6]
+    assert padded_group(5).tolist() == [0, 1, 2, 3, 4, 8, 9, 10, 11, 12]
+
+
+def test_repeats_of_sixteen_threads_are_small() -> None:
+    for groups in (8, 64):
+        assert LobesModel.for_fabric(random_cloth(16, 16), groups).tables.nbytes < 2_000_000
+
+
+def test_the_largest_drafts_stay_bounded() -> None:
+    """641 × 641 crossings, all different."""
+    cloth = random_cloth(641, 641)
+    assert LobesModel.for_fabric(cloth).tables.nbytes < 64_000_000
+    geometry = YarnGeometry(cloth.layout())
+    assert coverage_size(geometry, PER_FAMILY) < 3 * geometry.size[0] / 641
+    # A small draft has the smallest squares there are.
+    small = YarnGeometry(random_cloth(16, 16).layout())
+    assert coverage_size(small, PER_FAMILY) == pytest.approx(small.size[0] / 16)
