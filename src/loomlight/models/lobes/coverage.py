@@ -22,8 +22,12 @@ from loomlight.models.lobes.groups import GroupFinder, Groups
 from loomlight.yarn.geometry import YarnGeometry
 
 NODES_PER_SIDE = 3
-# Plan texels between two nodes; the number of rays that a mean is of follows from it.
+# Plan texels between two nodes along each axis, and for each thread, at least: so many points a mean is of.
 _TEXELS_PER_NODE = 4
+_TEXELS_PER_THREAD = 3
+# Texels evaluated at once.
+_BATCH = 1 << 23
+_EVEN_FROM, _EVEN_STEP = 64, 16
 # Side of a baked square: with the variance of a bilinear tent of node spacing it makes up that of s_m.
 _BAKED_SIDE = math.sqrt(1 - 2 / NODES_PER_SIDE**2)
 # A level from the one below: means of nodes half a spacing and one and a half away. Their weights bring the
@@ -32,8 +36,8 @@ _FAR_WEIGHT = 0.75
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
 _MOST_BYTES = 56 << 20
 _LARGEST = 255.0
-# The golden ratio's fraction and one half, in units of 2⁻³²: products wrap around as fractions do.
-_TURN, _START = 0x9E3779B9, 0x80000000
+# Powers of the plastic number in units of 2⁻³²: products wrap around as fractions do (Roberts 2018).
+_ACROSS, _ALONG = 0xC13FA9A9, 0x91E10DA5
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,12 +48,14 @@ class Coverage:
         size: s_0, millimetres.
         levels: first node, columns and rows of each level [levels, 3].
         scale: share of the area that a byte of 255 stands for [2 faces, 4·words].
+        mean: shares of the whole repeat [2, 4·words].
         bytes: [2 faces, nodes of all levels, 4·words]: groups, padded, and holes in the last word's first.
     """
 
     size: float
     levels: NDArray[np.int64]
     scale: NDArray[np.float64]
+    mean: NDArray[np.float64]
     bytes: NDArray[np.uint8]
 
 
@@ -91,116 +97,106 @@ def measure_coverage(geometry: YarnGeometry, groups: Groups, float_type: type) -
     """Looks which group shows at every texel of the plan, and sums up."""
     types = array_types(float_type)
     size = coverage_size(geometry, groups.per_family)
-    columns, rows = (max(1, math.ceil(NODES_PER_SIDE * side / size - 1e-6)) for side in geometry.size)
-    spacings = geometry.size[0] / columns, geometry.size[1] / rows
-    faces = [
-        _first_level(types, geometry, groups, bool(face), (columns, rows), size, spacings)
-        for face in range(2)
-    ]
-    means = np.stack(faces)
+    columns, rows = (_nodes_along(side, size) for side in geometry.size)
+    means = _cells(types, geometry, groups, columns, rows)
+    mean = means.mean(axis=(1, 2), dtype=np.float64)
+    for axis, count, side in ((1, rows, geometry.size[1]), (2, columns, geometry.size[0])):
+        means = _widened(means, axis, _BAKED_SIDE * size * count / side)
     levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
     while columns * rows > 1:
-        levels.append([levels[-1][0] + columns * rows, *(max(1, -(-side // 2)) for side in (columns, rows))])
-        means = _next_level(means, levels[-1][2], levels[-1][1])
-        columns, rows = levels[-1][1:]
+        first = levels[-1][0] + columns * rows
+        columns, rows = (-(-count // 2) for count in (columns, rows))
+        means = _halved(_halved(means, rows, 1), columns, 2)
+        levels.append([first, columns, rows])
         parts.append(means.reshape(2, -1, means.shape[-1]))
-    everything = np.concatenate(parts, axis=1)
-    scale = np.maximum(everything.max(axis=1), 1e-9).astype(np.float64)
-    packed = np.rint(everything * (_LARGEST / scale[:, None])).astype(np.uint8)
-    return Coverage(size, np.array(levels, np.int64), scale, packed)
+    # The first level holds the extremes of all: the others are means of it.
+    scale = np.maximum(parts[0].max(axis=1), 1e-9).astype(np.float64)
+    unit = (_LARGEST / scale[:, None]).astype(np.float32)
+    packed = np.concatenate([(part * unit + np.float32(0.5)).astype(np.uint8) for part in parts], axis=1)
+    return Coverage(size, np.array(levels, np.int64), scale, mean, packed)
 
 
-def _first_level(
-    types: ArrayTypes,
-    geometry: YarnGeometry,
-    groups: Groups,
-    back: bool,
-    nodes: tuple[int, int],
-    size: float,
-    spacings: tuple[float, float],
+def _nodes_along(side: float, size: float) -> int:
+    """Nodes of the first level along one side of the repeat."""
+    count = max(1, math.ceil(NODES_PER_SIDE * side / size - 1e-6))
+    # Halves of large levels are found by slices.
+    return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
+
+
+def _cells(
+    types: ArrayTypes, geometry: YarnGeometry, groups: Groups, columns: int, rows: int
 ) -> NDArray[np.float32]:
-    """Means of one face around the nodes of the first level [rows, columns, 4·words]."""
-    columns, rows = (_TEXELS_PER_NODE * count for count in nodes)
-    seen = _plan(types, geometry, groups, back, columns, rows)
+    """Shares of the groups in the cells between nodes [2 faces, rows, columns, 4·words]."""
+    picks, ends = geometry.layout.warp_on_top.shape
+    across, along = (
+        max(_TEXELS_PER_NODE, math.ceil(_TEXELS_PER_THREAD * threads / count))
+        for threads, count in ((ends, columns), (picks, rows))
+    )
     words = words_of(groups.per_family) + 1
-    lane = dr.arange(types.UInt32, nodes[0] * nodes[1] * words)
-    node, word = lane // words, lane % words
-    row = node // nodes[0]
-    column = node - row * nodes[0]
-    half = [0.5 * _BAKED_SIDE * size / spacing * _TEXELS_PER_NODE for spacing in spacings]
-    # A square wider than the repeat holds all of it, and that once.
-    half = [min(reach, 0.5 * count) for reach, count in zip(half, (columns, rows), strict=True)]
-    reach_x, reach_y = (dr.opaque(types.UInt32, math.ceil(reach)) for reach in half)
-    half_x, half_y = (dr.opaque(types.Float, reach) for reach in half)
-    wide, high = dr.opaque(types.UInt32, columns), dr.opaque(types.UInt32, rows)
-    middle_x = column * _TEXELS_PER_NODE + _TEXELS_PER_NODE // 2 + wide - reach_x
-    middle_y = row * _TEXELS_PER_NODE + _TEXELS_PER_NODE // 2 + high - reach_y
-    holes, per_family = dr.opaque(types.UInt32, groups.count), dr.opaque(types.UInt32, groups.per_family)
-    family_bytes = dr.opaque(types.UInt32, 2 * words_of(groups.per_family))
-
-    def share(step: Any, reach: Any, half_side: Any) -> Any:
-        """Of a texel's width that lies within the square."""
-        from_middle = dr.abs(types.Float(step) - types.Float(reach) + 0.5)
-        return dr.clip(half_side - from_middle + 0.5, 0, 1)
-
-    def add(step: Any, *sums: Any) -> tuple[Any, ...]:
-        down = step // (2 * reach_x)
-        across = step - down * (2 * reach_x)
-        weight = share(across, reach_x, half_x) * share(down, reach_y, half_y)
-        x, y = middle_x + across, middle_y + down
-        x, y = x - wide * (x // wide), y - high * (y // high)
-        group = dr.gather(types.UInt32, seen, y * wide + x)
-        place = dr.select(group < per_family, group, group - per_family + family_bytes)
-        place = dr.select(group == holes, 2 * family_bytes, place)
-        own = (place >> 2) == word
-        return step + 1, *(
-            total + dr.select(own & ((place & 3) == byte), weight, 0) for byte, total in enumerate(sums)
+    finder = GroupFinder(groups, types)
+    face_texels = columns * across * rows * along
+    wide, face = (dr.opaque(types.UInt32, count) for count in (columns * across, face_texels))
+    step_x, step_y = (
+        dr.opaque(types.Float, side / count)
+        for side, count in zip(geometry.size, (columns * across, rows * along), strict=True)
+    )
+    per_family, family_bytes = (
+        dr.opaque(types.UInt32, count) for count in (groups.per_family, 2 * (words - 1))
+    )
+    per_column, per_row, nodes_wide, bytes_of_node = (
+        dr.opaque(types.UInt32, count) for count in (across, along, columns, 4 * words)
+    )
+    face_nodes = dr.opaque(types.UInt32, rows * columns)
+    shares = dr.zeros(types.Float, 2 * rows * columns * 4 * words)
+    weight = dr.opaque(types.Float, 1 / (across * along))
+    for start in range(0, 2 * face_texels, _BATCH):
+        lane = dr.arange(types.UInt32, min(_BATCH, 2 * face_texels - start)) + dr.opaque(types.UInt32, start)
+        back = lane >= face
+        texel = dr.select(back, lane - face, lane)
+        row = texel // wide
+        column = texel - row * wide
+        share_x = types.Float((texel * _ACROSS) >> 8) * 2**-24
+        share_y = types.Float((texel * _ALONG) >> 8) * 2**-24
+        point = geometry.surface(
+            (types.Float(column) + share_x) * step_x, (types.Float(row) + share_y) * step_y, back
         )
-
-    zero = dr.zeros(types.Float, dr.width(lane))
-    state = (dr.zeros(types.UInt32, dr.width(lane)), *(types.Float(zero) for _ in range(4)))
-    total = dr.while_loop(state, lambda step, *sums: step < 4 * reach_x * reach_y, add)[1:]
-    area = 4 * half[0] * half[1]
-    table = np.stack([part.numpy() / area for part in total], axis=-1)
-    return table.reshape(nodes[1], nodes[0], 4 * words).astype(np.float32)
-
-
-def _plan(
-    types: ArrayTypes, geometry: YarnGeometry, groups: Groups, back: bool, columns: int, rows: int
-) -> Any:
-    """The group that shows at one place of each texel of the plan, row by row: UInt32."""
-    texel = dr.arange(types.UInt32, columns * rows)
-    row = texel // dr.opaque(types.UInt32, columns)
-    column = texel - row * dr.opaque(types.UInt32, columns)
-    share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
-    share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
-    x = (types.Float(column) + share_x) * dr.opaque(types.Float, geometry.size[0] / columns)
-    y = (types.Float(row) + share_y) * dr.opaque(types.Float, geometry.size[1] / rows)
-    face = dr.full(types.Bool, back, columns * rows)
-    point = geometry.surface(x, y, face)
-    group = GroupFinder(groups, types).group(face, point.is_warp, point.hole, point.normal, point.tangent)
-    dr.eval(group)
-    return group
+        group = finder.group(back, point.is_warp, point.hole, point.normal, point.tangent)
+        place = dr.select(group < per_family, group, group - per_family + family_bytes)
+        place = dr.select(group == finder.holes, 2 * family_bytes, place)
+        node = (row // per_row) * nodes_wide + column // per_column + dr.select(back, face_nodes, 0)
+        dr.scatter_add(shares, weight, node * bytes_of_node + place)
+        dr.eval(shares)
+    return shares.numpy().reshape(2, rows, columns, 4 * words)
 
 
-def _next_level(means: NDArray[np.float32], rows: int, columns: int) -> NDArray[np.float32]:
-    """Means over squares twice as wide [faces, rows, columns, bytes]."""
-    return _halved(_halved(means, rows, 1), columns, 2)
+def _widened(means: NDArray[np.float32], axis: int, width: float) -> NDArray[np.float32]:
+    """Means over so many cells about each cell, along one axis of the periodic repeat."""
+    count = means.shape[axis]
+    half = min(width, count) / 2
+    total = means * np.float32(min(2 * half, 1))
+    for step in range(1, math.ceil(half + 0.5)):
+        weight = np.float32(min(half - step + 0.5, 1))
+        total += weight * np.roll(means, step, axis)
+        total += weight * np.roll(means, -step, axis)
+    return total * np.float32(1 / max(2 * half, 1))
 
 
 def _halved(means: NDArray[np.float32], count: int, axis: int) -> NDArray[np.float32]:
+    """Means over squares twice as wide, along one axis."""
     before = means.shape[axis]
+    if before == 2 * count:
+        even, odd = (means[(slice(None),) * axis + (slice(start, None, 2),)] for start in (0, 1))
+        near = np.float32(0.5 * (1 - _FAR_WEIGHT)) * (even + odd)
+        return near + np.float32(0.5 * _FAR_WEIGHT) * (np.roll(odd, 1, axis) + np.roll(even, -1, axis))
     middle = (np.arange(count) + 0.5) * (before / count) - 0.5
     total = np.zeros((*means.shape[:axis], count, *means.shape[axis + 1 :]), np.float32)
+    shape = [1] * means.ndim
+    shape[axis] = count
     for offset, weight in ((0.5, 0.5 * (1 - _FAR_WEIGHT)), (1.5, 0.5 * _FAR_WEIGHT)):
         for place in (middle - offset, middle + offset):
             lower = np.floor(place + 1e-9).astype(np.intp)
             share = np.maximum(place - lower, 0)
             for node, part in ((lower, 1 - share), (lower + 1, share)):
-                if not (part > 1e-9).any():
-                    continue
-                shape = [1] * means.ndim
-                shape[axis] = count
                 factor = (weight * part).astype(np.float32).reshape(shape)
                 total += factor * np.take(means, node % before, axis=axis)
     return total
@@ -209,18 +205,26 @@ def _halved(means: NDArray[np.float32], count: int, axis: int) -> NDArray[np.flo
 class CoverageTable:
     """Finds the nodes of footprints on one backend."""
 
-    def __init__(self, coverage: Coverage, repeat: tuple[float, float], types: ArrayTypes) -> None:
+    def __init__(
+        self,
+        size: float,
+        levels: NDArray[np.int64],
+        table: NDArray[np.uint8],
+        repeat: tuple[float, float],
+        types: ArrayTypes,
+    ) -> None:
+        """Uploads what `Coverage` calls size, levels and bytes, of a repeat of so many millimetres."""
         self._types = types
-        self._inverse_size = dr.opaque(types.Float, 1 / coverage.size)
+        self._inverse_size = dr.opaque(types.Float, 1 / size)
         self._inverse_repeat = [dr.opaque(types.Float, 1 / side) for side in repeat]
-        self._top = dr.opaque(types.UInt32, len(coverage.levels) - 1)
-        self._face = dr.opaque(types.UInt32, coverage.bytes.shape[1])
-        padded = np.pad(coverage.levels, ((0, 0), (0, 1))).astype(np.float32)
+        self._top = dr.opaque(types.UInt32, len(levels) - 1)
+        self._face = dr.opaque(types.UInt32, table.shape[1])
+        padded = np.pad(levels, ((0, 0), (0, 1))).astype(np.float32)
         # Node numbers stay below 2^24, which float32 holds exactly.
         self._levels = uploaded(types.Float, padded)
-        self.words = coverage.bytes.shape[2] // 4
+        self.words = table.shape[2] // 4
         self._rows = dr.opaque(types.UInt32, self.words)
-        self._table = uploaded(types.UInt32, np.ascontiguousarray(coverage.bytes).view("<u4"))
+        self._table = uploaded(types.UInt32, np.ascontiguousarray(table).view("<u4"))
 
     def taps(self, centre: Any, size: Any, back: Any) -> CoverageTaps:
         """Nodes around a footprint of a centre [2] and a side, millimetres."""

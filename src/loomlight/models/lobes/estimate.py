@@ -16,10 +16,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
-import numpy as np
 
 from loomlight.core.backend import ArrayTypes, uploaded
-from loomlight.models.lobes.coverage import Coverage, CoverageTable, CoverageTaps
+from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
@@ -75,8 +74,7 @@ class Estimator:
         types: ArrayTypes,
     ) -> None:
         self._types = types
-        coverage = Coverage(tables.size, tables.levels, np.zeros(0), tables.coverage)
-        self._coverage = CoverageTable(coverage, repeat, types)
+        self._coverage = CoverageTable(tables.size, tables.levels, tables.coverage, repeat, types)
         self.words = dr.opaque(types.UInt32, tables.words)
         self.warp_words = dr.opaque(types.UInt32, tables.words // 2)
         self._seen_row = dr.opaque(types.UInt32, 2 * tables.words + 1)

@@ -1,8 +1,8 @@
 """Functions of a direction as tables: nodes over the hemisphere, interpolated between.
 
-Azimuths are even, heights z = cos θ too, from nearly grazing to the zenith. The functions are mean
-visibilities of many points, which are smooth; 32 azimuths and 16 heights made estimates 5 % better than 16
-and 8 do.
+Azimuths are even; rings are even in (1 − cos θ)^¾, from the zenith to nearly grazing: what is seen and lit
+falls with tan θ near the zenith, where even steps of cos θ are too wide, and fast near the horizon, where even
+steps of θ are. Twice as many nodes along both make estimates 5 % better.
 """
 
 from __future__ import annotations
@@ -18,17 +18,16 @@ from numpy.typing import NDArray
 from loomlight.core.backend import array_types
 from loomlight.models.lobes.bytes import ByteWeights
 
-AZIMUTHS, HEIGHTS = 16, 8
-NODES = AZIMUTHS * HEIGHTS
-# The lowest row: below, a ray through the cloth's plane meets crests alone.
+AZIMUTHS, RINGS = 16, 8
+NODES = AZIMUTHS * RINGS
+# cos θ of the last ring: below, a ray through the cloth's plane meets crests alone.
 LOWEST = 0.03
 
 
 def node_directions() -> NDArray[np.float64]:
     """Unit vectors of all nodes [NODES, 3], azimuth by azimuth, z > 0."""
-    azimuth = np.repeat(np.arange(AZIMUTHS) * (2 * math.pi / AZIMUTHS), HEIGHTS)
-    height = np.maximum(np.arange(HEIGHTS) / (HEIGHTS - 1), LOWEST)
-    z = np.tile(height, AZIMUTHS)
+    azimuth = np.repeat(np.arange(AZIMUTHS) * (2 * math.pi / AZIMUTHS), RINGS)
+    z = np.tile(1 - (1 - LOWEST) * (np.arange(RINGS) / (RINGS - 1)) ** (4 / 3), AZIMUTHS)
     radius = np.sqrt(1 - z * z)
     return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
 
@@ -55,13 +54,12 @@ def node_taps(direction: Any) -> NodeTaps:
     # Conversion to unsigned numbers needs positive ones; 16 azimuths are a mask.
     column = types.UInt32(types.Int32(whole) + AZIMUTHS) & (AZIMUTHS - 1)
     following = (column + 1) & (AZIMUTHS - 1)
-    height = dr.clip(dr.abs(direction.z), 0, 1) * (HEIGHTS - 1)
-    row = dr.minimum(types.UInt32(height), HEIGHTS - 2)
-    # Between the lowest row and the next heights are stretched.
-    start = dr.select(row == 0, types.Float(LOWEST * (HEIGHTS - 1)), types.Float(row))
-    up = dr.clip((height - start) * dr.rcp(types.Float(row + 1) - start), 0, 1)
-    first, second = column * HEIGHTS + row, following * HEIGHTS + row
+    root = dr.sqrt(dr.clip((1 - dr.abs(direction.z)) * (1 / (1 - LOWEST)), 0, 1))
+    ring = (RINGS - 1) * root * dr.sqrt(root)
+    inner = dr.minimum(types.UInt32(ring), RINGS - 2)
+    out = ring - types.Float(inner)
+    first, second = column * RINGS + inner, following * RINGS + inner
     return NodeTaps(
         (first, first + 1, second, second + 1),
-        ByteWeights(types, ((1 - share) * (1 - up), (1 - share) * up, share * (1 - up), share * up)),
+        ByteWeights(types, ((1 - share) * (1 - out), (1 - share) * out, share * (1 - out), share * out)),
     )

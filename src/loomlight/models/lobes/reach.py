@@ -25,8 +25,10 @@ from loomlight.models.lobes.hemisphere import NODES, node_directions
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import SearchQuality, first_hit, unoccluded
 
-# Rays a node and face. With a quarter of them estimates are off by 1 % more of their mean.
-RAYS = 1024
+# Rays a node and face. With four times as many, estimates are better by 1 %, with half as many worse by 1 %.
+RAYS = 512
+# Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1.
+_EVEN_IN_FOUR = 1.1673039782614187 ** -np.arange(1.0, 5.0)
 _QUALITY = SearchQuality(steps_per_thread=6, steps_per_relief=6, refinements=5)
 
 
@@ -56,8 +58,7 @@ def measure_reach(geometry: YarnGeometry, groups: Groups, diffuse_blend: float, 
     each = NODES * RAYS
     lane = np.arange(2 * each)
     node, back = lane % each // RAYS, lane >= each
-    # Nodes are sampled at different places, or their errors would be alike.
-    places = (evenly_spread(RAYS)[lane % RAYS] + evenly_spread(NODES)[node]) % 1.0 * geometry.size
+    places = _places(geometry)[lane % each]
     x, y = (uploaded(types.Float, part.astype(np.float32)) for part in places.T)
     directions = node_directions()[node].astype(np.float32)
     towards = types.Vector3(*(uploaded(types.Float, part) for part in directions.T))
@@ -65,7 +66,7 @@ def measure_reach(geometry: YarnGeometry, groups: Groups, diffuse_blend: float, 
 
     def group_at(at_x: Any, at_y: Any, hole: Any) -> tuple[Any, Any]:
         point = geometry.surface(at_x, at_y, face)
-        number = finder.group(face, point.is_warp, point.hole | hole, point.normal, point.tangent)
+        number = finder.group(face, point.is_warp, hole | point.hole, point.normal, point.tangent)
         return number, point
 
     hit = first_hit(geometry, x, y, towards, face, True, _QUALITY)
@@ -95,6 +96,21 @@ def measure_reach(geometry: YarnGeometry, groups: Groups, diffuse_blend: float, 
         [free.numpy(), beyond.numpy()],
         [part.numpy() for part in irradiance],
     )
+
+
+def _places(geometry: YarnGeometry) -> NDArray[np.float64]:
+    """Where the rays of all nodes cross the plane [NODES·RAYS, 2], millimetres.
+
+    Evenly spread over crossings and within a crossing both: points that are even over the repeat alone may
+    meet a gap of a few per cent too often, as threads repeat. Every node has places of its own.
+    """
+    numbers = np.arange(RAYS)[:, None] + 0.5
+    first = evenly_spread(NODES)
+    shift = np.concatenate([first, first[::-1]], axis=1)[:, None]
+    turns = (numbers * _EVEN_IN_FOUR + shift) % 1.0
+    picks, ends = geometry.layout.warp_on_top.shape
+    crossing = np.floor(turns[..., 2:] * (ends, picks))
+    return np.asarray((crossing + turns[..., :2]) / (ends, picks) * geometry.size).reshape(-1, 2)
 
 
 def _means(

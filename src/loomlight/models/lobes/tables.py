@@ -138,7 +138,7 @@ def _moments(
     """Rows of twelve numbers a group, and the weight of holes."""
     words, places = words_of(groups.per_family), padded_group(groups.per_family)
     # Of a footprint that holds as much of a group as the repeat does, views see what they see of the repeat.
-    share = np.concatenate([groups.area, groups.hole[:, None]], axis=1)
+    share = np.concatenate([coverage.mean[:, places], coverage.mean[:, 4 * words, None]], axis=1)
     unit = np.concatenate([coverage.scale[:, places], coverage.scale[:, 4 * words, None]], axis=1)
     weight = np.where(share > 0, unit * seen_scale / np.maximum(share, 1e-9) / _LARGEST**3, 0)
     table = np.zeros((2, 4 * words, MOMENTS), np.float32)

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from loomlight.models.interface import Response
 from loomlight.models.lobes.bytes import UNITS
 from loomlight.models.lobes.density import NARROWEST, SMALLEST_COSINE, SMALLEST_PATH, SMALLEST_STEEPNESS
-from loomlight.models.lobes.hemisphere import AZIMUTHS, HEIGHTS, LOWEST
+from loomlight.models.lobes.hemisphere import AZIMUTHS, LOWEST, RINGS
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
 from loomlight.models.lobes.tables import LobeTables
 
@@ -244,18 +244,17 @@ def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]
 def direction_nodes(direction: Numbers) -> Nodes:
     """Four nodes around a direction, by azimuth and |z|.
 
-    Nodes stand azimuth by azimuth, at even azimuths and even heights; but the lowest stands at `LOWEST`.
+    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `LOWEST`.
     """
-    heights = np.maximum(np.arange(HEIGHTS) / (HEIGHTS - 1), LOWEST)
-    z = min(max(abs(float(direction[2])), LOWEST), 1.0)
-    row = min(int(np.searchsorted(heights, z, side="right")) - 1, HEIGHTS - 2)
-    up = (z - heights[row]) / (heights[row + 1] - heights[row])
+    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - LOWEST), 1.0) ** 0.75
+    inner = min(int(ring), RINGS - 2)
+    out = ring - inner
     turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
     column = math.floor(turns)
     share = turns - column
     columns = np.array([column, column + 1]) % AZIMUTHS
-    numbers = columns[:, None] * HEIGHTS + np.array([row, row + 1])
-    return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - up, up]).ravel())
+    numbers = columns[:, None] * RINGS + np.array([inner, inner + 1])
+    return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - out, out]).ravel())
 
 
 def azimuth_correlation(light: Numbers, view: Numbers) -> float:
