@@ -50,7 +50,7 @@ def made(name: str) -> tuple[YarnGeometry, Groups, Coverage]:
 def held(name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any]) -> NDArray[np.float64]:
     """Shares of groups and holes in squares, by the pyramid [n, 2 K + 1]."""
     geometry, _, coverage = made(name)
-    table = CoverageTable(coverage, geometry.size, TYPES)
+    table = CoverageTable(coverage.size, coverage.levels, coverage.bytes, geometry.size, TYPES)
     taps = table.taps(Array2f(*np.asarray(centres.T, np.float32)), floats(sizes), Bool(back))
     words = [table.bytes(taps, TYPES.UInt32(word)) for word in range(table.words)]
     values = np.stack([byte.numpy() for word in words for byte in word], axis=1)
