@@ -32,7 +32,8 @@ DEGREE, SMOOTH_CYCLES = 5, 3
 
 def pictures(fabric_file: str, scene: str, size: int) -> NDArray[np.float64]:
     """Luminance [seeds, rows, columns] of one fabric, the same view with different seeds."""
-    shown = build_scene(scene, fabric_bsdf(load_fabric(EXAMPLES / fabric_file)), size=(size, size))
+    cloth = fabric_bsdf(load_fabric(EXAMPLES / fabric_file), "point")
+    shown = build_scene(scene, cloth, size=(size, size))
     frames = [render(shown.scene, integrator=shown.integrator, spp=SAMPLES, seed=s) for s in range(SEEDS)]
     return np.stack(frames).astype(np.float64) @ np.array([0.2126, 0.7152, 0.0722])
 

@@ -19,6 +19,7 @@ from loomlight.models.woven.weights import Weights
 
 from ..models.woven.networks import network, weights_of
 from ..models.woven.reference import responses
+from .footprints import interactions, random_interactions, side_by_side, unit, vectors
 
 TWILL = {
     "type": "woven_neural",
@@ -55,37 +56,6 @@ def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> l
 
 def woven(**parameters: Any) -> Any:
     return mi.load_dict(TWILL | parameters)
-
-
-def unit(rng: np.random.Generator, count: int) -> np.ndarray:
-    vectors = rng.normal(size=(count, 3))
-    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)
-
-
-def interactions(uv: np.ndarray, views: np.ndarray, sides: np.ndarray) -> Any:
-    """Points of cloth in the identity frame; footprints are squares of these sides in uv."""
-    count = len(uv)
-    si = dr.zeros(mi.SurfaceInteraction3f, count)
-    si.uv = mi.Point2f(np.ascontiguousarray(uv.T, np.float32))
-    si.n = mi.Normal3f(0, 0, 1)
-    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
-    si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
-    si.wi = mi.Vector3f(np.ascontiguousarray(views.T, np.float32))
-    si.t = mi.Float(1)
-    side = mi.Float(sides.astype(np.float32))
-    si.duv_dx, si.duv_dy = mi.Vector2f(side, 0), mi.Vector2f(0, side)
-    return si
-
-
-def random_interactions(count: int, seed: int = 0) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray]:
-    rng = np.random.default_rng(seed)
-    uv, views = rng.random((count, 2)), unit(rng, count)
-    sides = np.exp(rng.uniform(np.log(0.01), np.log(0.5), count))
-    return interactions(uv, views, sides), uv, views, sides
-
-
-def vectors(values: np.ndarray) -> Any:
-    return mi.Vector3f(np.ascontiguousarray(values.T, np.float32))
 
 
 def test_values_are_those_of_torch() -> None:
@@ -290,26 +260,10 @@ def test_xml_and_inline_are_the_same() -> None:
 
 def test_many_fabrics_in_one_picture_are_each_its_own() -> None:
     """Two fabrics side by side show what each shows alone, without symbolic calls."""
-
-    def square(number: int, bsdf: dict) -> dict:
-        place = mi.ScalarTransform4f().translate([2.0 * number - 1, 0, 0])
-        return {"type": "rectangle", "to_world": place, "bsdf": bsdf}
-
-    rest = {
-        "type": "scene",
-        "light": {"type": "directional", "direction": [0.3, -0.2, -1]},
-        "sensor": {
-            "type": "orthographic",
-            "to_world": mi.ScalarTransform4f().look_at([0, 0, 5], [0, 0, 0], [0, 1, 0])
-            @ mi.ScalarTransform4f().scale([2, 1, 1]),
-            "film": {"type": "hdrfilm", "width": 32, "height": 16, "rfilter": {"type": "box"}},
-        },
-    }
     fabrics = (TWILL, TWILL | {"weave": "plain", "warp_color": "#ffffff"})
 
     def picture(*shown: dict) -> np.ndarray:
-        pieces = {f"cloth {number}": square(number, bsdf) for number, bsdf in enumerate(shown)}
-        scene = mi.load_dict(rest | pieces)
+        scene = side_by_side(*shown)
         assert has_networks(scene)
         return render(scene, spp=1, seed=7)
 

@@ -191,7 +191,7 @@ def test_inline_parameters_are_those_of_a_file(tmp_path: Path) -> None:
     xml = mi.load_string(
         f"""<bsdf version="3.0.0" type="woven_point"><string name="fabric" value="{file}"/></bsdf>"""
     )
-    factory = mi.load_dict(fabric_bsdf(load_fabric(file))((100.0, 100.0)))
+    factory = mi.load_dict(fabric_bsdf(load_fabric(file), "point")((100.0, 100.0)))
     si, wo = interactions(500, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
     expected = np.array(inline.eval(mi.BSDFContext(), si, wo))
     assert expected.max() > 0
@@ -312,7 +312,7 @@ def test_threads_of_their_own_colours_are_one_array() -> None:
 
 
 def test_cloth_renders_with_stock_integrators_too() -> None:
-    scene = build_scene("flat", fabric_bsdf("plain"), size=(16, 16), light="directional").scene
+    scene = build_scene("flat", fabric_bsdf("plain", "point"), size=(16, 16), light="directional").scene
     ours = render(scene, spp=64)
     theirs = render(scene, spp=64, integrator=mi.load_dict({"type": "path", "max_depth": 8}), seed=1)
     # One directional light and nothing behind the cloth: holes show black either way.

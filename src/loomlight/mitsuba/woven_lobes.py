@@ -44,7 +44,8 @@ def woven_lobes_class() -> type:
         def bake(self) -> None:
             """Measures the tables, or reads them from the material that the fabric lies in."""
             found = _in_material(self.fabric) if self._groups is None else None
-            self._baked = found or LobesModel.for_fabric(self.fabric, self._groups or DEFAULT_GROUPS)
+            groups = DEFAULT_GROUPS if self._groups is None else self._groups
+            self._baked = found or LobesModel.for_fabric(self.fabric, groups)
 
         def assembled(self) -> LobesModel:
             """The model of the tables baked last."""

@@ -1,0 +1,67 @@
+"""Points of cloth with footprints, as an integrator hands them to a BSDF."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+
+def unit(rng: np.random.Generator, count: int) -> np.ndarray:
+    """Directions over the whole sphere [count, 3]."""
+    vectors = rng.normal(size=(count, 3))
+    return (vectors / np.linalg.norm(vectors, axis=1, keepdims=True)).astype(np.float32)
+
+
+def vectors(values: np.ndarray) -> Any:
+    """Rows [n, 3] as Mitsuba's vectors."""
+    return mi.Vector3f(np.ascontiguousarray(values.T, np.float32))
+
+
+def interactions(uv: np.ndarray, views: np.ndarray, sides: np.ndarray) -> Any:
+    """Points of cloth in the identity frame; footprints are squares of these sides in uv."""
+    count = len(uv)
+    si = dr.zeros(mi.SurfaceInteraction3f, count)
+    si.uv = mi.Point2f(np.ascontiguousarray(uv.T, np.float32))
+    si.n = mi.Normal3f(0, 0, 1)
+    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
+    si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
+    si.wi = vectors(views)
+    si.t = mi.Float(1)
+    side = mi.Float(sides.astype(np.float32))
+    si.duv_dx, si.duv_dy = mi.Vector2f(side, 0), mi.Vector2f(0, side)
+    return si
+
+
+def random_interactions(count: int, seed: int = 0) -> tuple[Any, np.ndarray, np.ndarray, np.ndarray]:
+    """Points, and what they are of: uv, views, and sides of 0.01 to 0.5."""
+    rng = np.random.default_rng(seed)
+    uv, views = rng.random((count, 2)), unit(rng, count)
+    sides = np.exp(rng.uniform(np.log(0.01), np.log(0.5), count))
+    return interactions(uv, views, sides), uv, views, sides
+
+
+def side_by_side(*cloths: dict[str, Any]) -> Any:
+    """A scene of squares of cloth beside each other, 16 by 16 pixels each, under one light."""
+    width = len(cloths)
+    pieces = {
+        f"cloth {number}": {
+            "type": "rectangle",
+            "to_world": mi.ScalarTransform4f().translate([2.0 * number + 1 - width, 0, 0]),
+            "bsdf": cloth,
+        }
+        for number, cloth in enumerate(cloths)
+    }
+    rest = {
+        "type": "scene",
+        "light": {"type": "directional", "direction": [0.3, -0.2, -1]},
+        "sensor": {
+            "type": "orthographic",
+            "to_world": mi.ScalarTransform4f().look_at([0, 0, 5], [0, 0, 0], [0, 1, 0])
+            @ mi.ScalarTransform4f().scale([width, 1, 1]),
+            "film": {"type": "hdrfilm", "width": 16 * width, "height": 16, "rfilter": {"type": "box"}},
+        },
+    }
+    return mi.load_dict(rest | pieces)

@@ -1,0 +1,268 @@
+"""Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Float
+
+from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
+from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba import build_scene, fabric_bsdf, render
+from loomlight.mitsuba.integrator import has_networks
+from loomlight.models.bake import bake
+from loomlight.models.lobes import model as lobes_model
+from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
+
+from .footprints import interactions, random_interactions, side_by_side, unit, vectors
+
+GROUPS = 4
+TWILL = {
+    "type": "woven_lobes",
+    "weave": "twill 2/1",
+    "warp_color": "#c08040",
+    "weft_color": "#4060c0",
+    "warp_translucency": 0.3,
+    "gap": 0.2,
+    "uv_size": "4,4",
+    "groups": GROUPS,
+}
+
+
+@pytest.fixture(autouse=True)
+def baked(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Groups a family of every baking, in order."""
+    found: list[int] = []
+    bake_tables = lobes_model.bake_tables
+
+    def counted(geometry: Any, diffuse_blend: float, per_family: int, float_type: type) -> Any:
+        found.append(per_family)
+        return bake_tables(geometry, diffuse_blend, per_family, float_type)
+
+    monkeypatch.setattr(lobes_model, "bake_tables", counted)
+    return found
+
+
+def woven(**parameters: Any) -> Any:
+    return mi.load_dict(TWILL | parameters)
+
+
+def mean_value(bsdf: Any) -> np.ndarray:
+    si, *_ = random_interactions(500, seed=4)
+    return np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(0.1, 0.2, 0.97))).mean(axis=1)
+
+
+def test_values_and_densities_are_those_of_the_model() -> None:
+    bsdf, count = woven(), 2000
+    si, uv, views, sides = random_interactions(count)
+    lights = unit(np.random.default_rng(1), count)
+    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, vectors(lights))
+    through = bsdf.eval_null_transmission(si)
+    dr.eval(value, pdf, through)
+
+    model = LobesModel.for_fabric(bsdf.fabric, GROUPS)
+    light, view = (Array3f(np.ascontiguousarray(part.T)) for part in (lights, views))
+    side = Float((4 * sides).astype(np.float32))
+    centre = Array2f(np.ascontiguousarray(4 * uv.T, np.float32))
+    footprint = Footprint(centre, Array2f(side, 0), Array2f(0, side))
+    # The same arithmetic, in kernels that are put together differently.
+    close = {"rtol": 2e-3, "atol": 1e-5}
+    hole = model.straight_through(view, model.hole(view, footprint))
+    wanted, density = model.value(light, view, footprint), model.pdf(light, view, footprint)
+    dr.eval(hole, wanted, density)
+    np.testing.assert_allclose(value, wanted, **close)
+    np.testing.assert_allclose(pdf, density, **close)
+    np.testing.assert_allclose(np.array(through)[0], np.array(hole), **close)
+    assert np.array(hole).max() > 0.01
+
+
+@pytest.mark.parametrize("side", [0.02, 0.3])
+def test_weight_is_value_over_density(side: float) -> None:
+    bsdf, count = woven(sheen_strength=0.4), 4000
+    rng = np.random.default_rng(2)
+    si = interactions(rng.random((count, 2)), unit(rng, count), np.full(count, side))
+    bs, weight = bsdf.sample(
+        mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
+    )
+    dr.eval(bs, weight)
+    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
+    dr.eval(value, pdf)
+    passes = np.array(mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null))
+    np.testing.assert_allclose(np.array(pdf)[~passes], np.array(bs.pdf)[~passes], rtol=2e-3)
+    product = np.array(weight * bs.pdf)[:, ~passes]
+    np.testing.assert_allclose(product, np.array(value)[:, ~passes], rtol=5e-3, atol=1e-5)
+    through = np.array(bsdf.eval_null_transmission(si))[0]
+    np.testing.assert_allclose(np.array(bs.pdf)[passes], through[passes], rtol=1e-3)
+    np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
+    assert 0 < passes.sum() < count / 2
+
+
+def test_all_at_once_is_each_alone() -> None:
+    bsdf, count = woven(), 1000
+    si, *_ = random_interactions(count)
+    rng = np.random.default_rng(3)
+    wo, lobe = vectors(unit(rng, count)), mi.Float(rng.random(count, np.float32))
+    square = mi.Point2f(rng.random((2, count)))
+    context = mi.BSDFContext()
+    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)
+    alone, alone_weight = bsdf.sample(context, si, lobe, square)
+    value_alone, pdf_alone = bsdf.eval(context, si, wo), bsdf.pdf(context, si, wo)
+    dr.eval(value, pdf, bs, weight, alone, alone_weight, value_alone, pdf_alone)
+    np.testing.assert_allclose(value, value_alone, rtol=1e-3, atol=1e-6)
+    np.testing.assert_allclose(pdf, pdf_alone, rtol=1e-3)
+    np.testing.assert_allclose(bs.wo, alone.wo, atol=1e-5)
+    np.testing.assert_allclose(weight, alone_weight, rtol=1e-3, atol=1e-5)
+
+
+def test_what_the_scene_edits_is_what_the_picture_shows(baked: list[int]) -> None:
+    """Colours, roughness and sheen bake nothing; threads do, and are then those of a fabric made so."""
+    bsdf = woven(sheen_strength=0.3)
+    params = mi.traverse(bsdf)
+    assert baked == [GROUPS]
+    before = mean_value(bsdf)
+    for family in ("warp", "weft"):
+        for term in ("diffuse", "specular"):
+            params[f"{family}.{term}_reflect"] *= 0.5
+            params[f"{family}.{term}_transmit"] *= 0.5
+    params["sheen.strength"] = 1e-3
+    params.update()
+    halved = mean_value(bsdf)
+    assert (halved < before).all()
+    # What is left of the sheen takes and adds a thousandth.
+    np.testing.assert_allclose(halved, 0.5 * mean_value(woven()), rtol=5e-3)
+
+    rough = woven()
+    params = mi.traverse(rough)
+    params["warp.roughness"] = 0.7
+    baked.clear()
+    params.update()
+    assert baked == []
+    np.testing.assert_allclose(mean_value(rough), mean_value(woven(warp_roughness=0.7)), rtol=1e-4)
+    assert np.abs(mean_value(rough) / mean_value(woven()) - 1).max() > 5e-3
+
+    params["weft.height_scale"] = 0.5
+    params["warp.twist"] = float(np.radians(20))
+    baked.clear()
+    params.update()
+    assert baked == [GROUPS]
+    made = woven(warp_roughness=0.7, warp_twist_deg=20.0, weft_height_scale=0.5)
+    np.testing.assert_allclose(mean_value(rough), mean_value(made), rtol=1e-4)
+    assert np.abs(mean_value(rough) / mean_value(woven(warp_roughness=0.7)) - 1).max() > 5e-3
+    params["warp.roughness"] = 7.0
+    with pytest.raises(InputError, match=r"warp\.roughness"):
+        params.update()
+
+
+def test_colours_thread_by_thread(baked: list[int]) -> None:
+    bsdf = woven(warp_color="#ff0000,#00ff00,#0000ff")
+    params = mi.traverse(bsdf)
+    albedos = np.array(params["warp.albedos"]).reshape(3, 4, 3)
+    np.testing.assert_allclose(albedos[:, 0], bsdf.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
+    before = mean_value(bsdf)
+    params["warp.albedos"] = mi.Float(np.zeros(36, np.float32))
+    params.update()
+    assert (mean_value(bsdf) < before).all()
+    assert baked == [GROUPS]
+
+
+def test_groups_are_checked_and_can_be_few(baked: list[int]) -> None:
+    assert "twill 2/1" in str(woven(groups=1))
+    assert baked == [1]
+    with pytest.raises((RuntimeError, InputError), match="groups = 0"):
+        woven(groups=0)
+
+
+def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -> None:
+    file = tmp_path / "twill.loom"
+    bake("twill 2/1", "lobes", file)
+    assert len(baked) == 1
+    direct = mi.load_dict({"type": "woven_lobes", "fabric": str(file), "uv_size": "4,4"})
+    built = mi.load_dict(fabric_bsdf(file, "lobes")((4.0, 4.0)))
+    assert len(baked) == 1
+    np.testing.assert_allclose(mean_value(built), mean_value(direct), rtol=1e-4)
+    np.testing.assert_allclose(
+        mean_value(direct),
+        mean_value(mi.load_dict({"type": "woven_lobes", "weave": "twill 2/1", "uv_size": "4,4"})),
+        rtol=1e-4,
+    )
+    # Another fabric than the file's, and other groups than the file's, are baked.
+    changed = mi.load_dict({"type": "woven_lobes", "fabric": str(file), "warp_height_scale": 0.5})
+    assert changed.fabric.layout().warp.height_scale == 0.5
+    mi.load_dict({"type": "woven_lobes", "fabric": str(file), "groups": 2})
+    assert baked[2:] == [DEFAULT_GROUPS, 2]
+
+
+def test_two_fabrics_in_one_picture_are_each_its_own() -> None:
+    """Side by side, in symbolic calls, both show what each shows alone."""
+    fabrics = (TWILL, TWILL | {"weave": "plain", "warp_color": "#ffffff", "weft_height_scale": 0.3})
+
+    def picture(*shown: dict) -> np.ndarray:
+        scene = side_by_side(*shown)
+        assert not has_networks(scene)
+        return render(scene, spp=1, seed=7)
+
+    both = picture(*fabrics)
+    assert both[..., 0].max() > 0
+    for number in range(2):
+        half = slice(16 * number, 16 * (number + 1))
+        alone = picture(*((fabrics[number],) * 2))
+        np.testing.assert_allclose(both[:, half], alone[:, half], rtol=1e-3, atol=1e-4)
+    assert not np.allclose(both[:, :16], both[:, 16:], rtol=0.05)
+
+
+@pytest.mark.parametrize("zoom", [1.0, 30.0])
+def test_white_cloth_in_a_white_world(zoom: float) -> None:
+    white = fabric_from_text(
+        'weave = "twill 2/1"\n[warp]\ncolor = "#ffffff"\ntranslucency = 0.3\nspecular = 1.0\n'
+        '[weft]\ncolor = "#ffffff"\nspecular = 1.0\n'
+    )
+
+    def blocks(model: str) -> np.ndarray:
+        """Means of 16 pixels each of a white ball in a white world, 1024 paths."""
+        ball = {"type": "sphere", "bsdf": fabric_bsdf(white, model)((200.0, 200.0))}
+        camera = {
+            "type": "perspective",
+            "fov": 20 / zoom,
+            "to_world": mi.ScalarTransform4f().look_at([0, 0, 8], [0.3, 0.2, 0], [0, 1, 0]),
+            "film": {"type": "hdrfilm", "width": 24, "height": 24, "rfilter": {"type": "box"}},
+        }
+        light = {"type": "constant"}
+        scene = mi.load_dict({"type": "scene", "ball": ball, "sky": light, "sensor": camera})
+        integrator = mi.load_dict({"type": "footprint_path", "max_depth": 3})
+        picture = render(scene, spp=64, integrator=integrator)
+        return picture.reshape(6, 4, 6, 4, 3).mean(axis=(1, 3))
+
+    found, wanted = blocks("lobes"), blocks("point")
+    # Paths scatter by less than 0.6: 0.02 is their noise.
+    assert found.max() < 1.02
+    # Light that is scattered between yarns is lost by both alike.
+    np.testing.assert_allclose(found.mean(), wanted.mean(), rtol=0.05)
+
+
+def test_from_afar_a_few_samples_are_the_point_models_many() -> None:
+    denim = fabric_from_text(
+        'weave = "twill 3/1"\nends_per_cm = 28\npicks_per_cm = 18\n[warp]\ncolor = "#2a4680"\n'
+        '[weft]\ncolor = "#e4ddcd"\n'
+    )
+    shot = {"size": (64, 64), "max_depth": 2, "light": "directional"}
+    pictures = {}
+    for model, samples in (("lobes", 4), ("point", 4), ("point", 256)):
+        shown = build_scene("sphere", fabric_bsdf(denim, model), **shot)
+        pictures[model, samples] = render(shown.scene, spp=samples, integrator=shown.integrator, seed=samples)
+    reference = pictures["point", 256]
+    lit = reference.mean(axis=2) > 0.05
+
+    def error(model: str) -> float:
+        return float(np.abs(pictures[model, 4] - reference)[lit].mean() / reference[lit].mean())
+
+    # Groups of like points are right to about a tenth (models/lobes); point samples of twill scatter by twice
+    # that at 4 a pixel. In the mean over the picture both agree far better.
+    assert error("lobes") < 0.12
+    assert error("lobes") < 0.7 * error("point")
+    np.testing.assert_allclose(pictures["lobes", 4][lit].mean(), reference[lit].mean(), rtol=0.05)
