@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import drjit as dr
@@ -24,11 +25,14 @@ from loomlight.yarn.geometry import YarnGeometry
 _NORMAL_SHARE = 0.5
 _FEATURES = 6
 # Points of a face that groups are found from, and that their moments are summed over.
-_POINTS = 1 << 14
-_LEARNT_FROM = 1 << 12
-_ITERATIONS = 12
-# The plastic number's powers: points at multiples of these shares fill a square evenly (Roberts 2018).
-_ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
+_POINTS = 1 << 13
+_LEARNT_FROM = 1 << 10
+_ITERATIONS = 10
+# Points that differ less are one group's, as those of a straight flat yarn are.
+_ALIKE = 1e-4
+# Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
+# (Roberts 2018).
+_EVEN_IN_FOUR = 1.1673039782614187 ** -np.arange(1.0, 5.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +47,7 @@ class Groups:
         normal: mean normal, shorter than 1 [2, 2 K, 3].
         tangent: mean fibre direction, shorter than 1 [2, 2 K, 3].
         spread: covariance of the fibre direction [2, 2 K, 3, 3].
+        gaps: places where neither family is, evenly spread [n, 2], millimetres.
     """
 
     per_family: int
@@ -52,6 +57,7 @@ class Groups:
     normal: NDArray[np.float64]
     tangent: NDArray[np.float64]
     spread: NDArray[np.float64]
+    gaps: NDArray[np.float32]
 
     @property
     def count(self) -> int:
@@ -90,10 +96,24 @@ class GroupFinder:
         return dr.select(hole, self.holes, first + state[2])
 
 
-def evenly_spread(count: int, start: int = 0) -> NDArray[np.float64]:
-    """Points [count, 2] that fill the unit square evenly, from number `start` of one endless sequence on."""
-    number = np.arange(start, start + count, dtype=np.float64)[:, None]
-    return np.asarray((number * [_ACROSS, _ALONG] + 0.5) % 1.0)
+@cache
+def _turns(count: int, sets: int) -> NDArray[np.float64]:
+    """Points [sets, count, 4] of the unit cube of four dimensions, each set evenly spread."""
+    number = np.arange(count)[:, None] + 0.5
+    shift = np.arange(sets)[:, None, None] * _EVEN_IN_FOUR[::-1]
+    return np.asarray((number * _EVEN_IN_FOUR + shift) % 1.0)
+
+
+def places_over(geometry: YarnGeometry, count: int, sets: int = 1) -> NDArray[np.float32]:
+    """Places on the cloth [sets, count, 2], millimetres, the same every time.
+
+    They are even over the crossings and within a crossing both: places that are even over the repeat alone
+    may meet a gap of a few per cent too often, as threads repeat.
+    """
+    turns = _turns(count, sets)
+    picks, ends = geometry.layout.warp_on_top.shape
+    crossing = np.floor(turns[..., 2:] * (ends, picks))
+    return ((crossing + turns[..., :2]) / (ends, picks) * geometry.size).astype(np.float32)
 
 
 def find_groups(geometry: YarnGeometry, per_family: int, float_type: type) -> Groups:
@@ -105,37 +125,45 @@ def find_groups(geometry: YarnGeometry, per_family: int, float_type: type) -> Gr
     features = np.concatenate([_NORMAL_SHARE * normal, tangent], axis=1)
     count = 2 * per_family
     centres = np.zeros((2, count, _FEATURES), np.float32)
-    shape = (2, count)
-    area, mean_normal, mean_tangent = np.zeros(shape), np.zeros((*shape, 3)), np.zeros((*shape, 3))
-    spread = np.zeros((*shape, 3, 3))
-    mean_normal[..., 2] = 1
-    mean_tangent[..., 1] = 1
+    number = np.full(len(back), 2 * count)
     for face in range(2):
         for family in range(2):
             chosen = np.flatnonzero((back == bool(face)) & (is_warp == (family == 0)) & ~hole)
-            if not len(chosen):
-                continue
-            own = slice(family * per_family, (family + 1) * per_family)
-            centres[face, own] = _centres(features[chosen], per_family)
-            number = _nearest(features[chosen], centres[face, own])
-            for group in range(per_family):
-                part = chosen[number == group]
-                if not len(part):
-                    continue
-                at = face, family * per_family + group
-                area[at] = len(part) / _POINTS
-                mean_normal[at], mean_tangent[at] = normal[part].mean(0), tangent[part].mean(0)
-                spread[at] = np.cov(tangent[part].T, bias=True)
-    holes = np.array([(hole & (back == bool(face))).sum() / _POINTS for face in range(2)])
-    return Groups(per_family, centres, area, holes, mean_normal, mean_tangent, spread)
+            if len(chosen):
+                own = slice(family * per_family, (family + 1) * per_family)
+                centres[face, own] = _centres(features[chosen], per_family)
+                first = face * count + family * per_family
+                number[chosen] = first + _nearest(features[chosen], centres[face, own])
+    area, mean_normal, mean_tangent, spread = _moments(number, normal, tangent, count)
+    # A gap is one seen from both faces.
+    gaps = places_over(geometry, _POINTS)[0][hole[:_POINTS]]
+    holes = np.full(2, len(gaps) / _POINTS)
+    return Groups(per_family, centres, area, holes, mean_normal, mean_tangent, spread, gaps)
+
+
+def _moments(
+    number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64], count: int
+) -> tuple[NDArray[np.float64], ...]:
+    """Areas [2, count], mean normals and fibre directions, covariances of these, of points by group."""
+    squares = tangent[:, :, None] * tangent[:, None, :]
+    rows = np.concatenate([np.ones((len(number), 1)), normal, tangent, squares.reshape(-1, 9)], axis=1)
+    member = (number == np.arange(2 * count)[:, None]).astype(np.float64)
+    sums = (member @ rows).reshape(2, count, -1)
+    points = sums[..., :1]
+    means = sums[..., 1:] / np.maximum(points, 1)
+    # Groups without points face the eye, so that nothing is divided by 0.
+    means[points[..., 0] == 0, 2] = means[points[..., 0] == 0, 4] = 1
+    mean_normal, mean_tangent = means[..., :3], means[..., 3:6]
+    spread = means[..., 6:].reshape(2, count, 3, 3) - mean_tangent[..., :, None] * mean_tangent[..., None, :]
+    spread[points[..., 0] == 0] = 0
+    return points[..., 0] / _POINTS, mean_normal, mean_tangent, spread
 
 
 def _points(geometry: YarnGeometry, float_type: type) -> tuple[NDArray[Any], ...]:
     """Points of the plan, the front's first: back, is_warp, hole [n], normal and tangent [n, 3]."""
     types = array_types(float_type)
-    places = np.tile(evenly_spread(_POINTS) * geometry.size, (2, 1)).astype(np.float32)
     back = np.repeat([False, True], _POINTS)
-    x, y = (uploaded(types.Float, part) for part in places.T)
+    x, y = (uploaded(types.Float, np.tile(part, 2)) for part in places_over(geometry, _POINTS)[0].T)
     point = geometry.surface(x, y, uploaded(types.Bool, back))
     dr.eval(point.is_warp, point.hole, point.normal, point.tangent)
     normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
@@ -143,11 +171,9 @@ def _points(geometry: YarnGeometry, float_type: type) -> tuple[NDArray[Any], ...
 
 
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    step = max(1, len(features) * 2 // _LEARNT_FROM)
-    learnt = features[::step]
-    different = np.unique(learnt.round(6), axis=0)
-    if len(different) <= count:
-        return np.resize(different, (count, _FEATURES))
+    learnt = features[:: max(1, len(features) // _LEARNT_FROM)]
+    if len(learnt) <= count or float(np.ptp(learnt, axis=0).max()) < _ALIKE:
+        return np.resize(learnt, (count, _FEATURES))
     with warnings.catch_warnings():
         # A group that loses all its points keeps its place and does no harm.
         warnings.simplefilter("ignore", UserWarning)

@@ -1,8 +1,8 @@
 """Functions of a direction as tables: nodes over the hemisphere, interpolated between.
 
 Azimuths are even; rings are even in (1 − cos θ)^¾, from the zenith to nearly grazing: what is seen and lit
-falls with tan θ near the zenith, where even steps of cos θ are too wide, and fast near the horizon, where even
-steps of θ are. Twice as many nodes along both make estimates 5 % better.
+falls with tan θ near the zenith, where even steps of cos θ are too wide, and fast near the horizon, where
+even steps of θ are. Twice as many nodes along both make estimates 5 % better.
 """
 
 from __future__ import annotations
