@@ -95,16 +95,15 @@ def test_twins_agree_on_the_density(name: str) -> None:
 
 
 def test_a_twin_of_other_bytes_disagrees() -> None:
-    """The tables decide: one byte of a level that every large footprint reads shows."""
+    """The tables decide: the warp's bytes of a level that all large footprints read shows."""
     model = model_of("smooth satin")
     queries = asked(model, seed=4)
     found = far_parts(model, queries)
     tables = model.tables
     damaged = tables.coverage.copy()
-    strongest = damaged[0, -1].argmax()
-    damaged[:, -1, strongest] //= 2
+    damaged[:, -1, : 2 * tables.words] //= 2
     twin = twin_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
     wanted = says(twin, queries)["specular_warp"]
-    large = (queries.sizes > 16 * tables.size) & (wanted > 0)
+    large = queries.sizes > 16 * tables.size
     assert large.any()
-    assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=1e-2)
+    assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=UNIT, atol=1e-4)
