@@ -71,6 +71,11 @@ class FootprintAlbedos:
         self._uploaded: dict[type, _Uploaded] = {}
 
     @property
+    def varied(self) -> bool:
+        """Whether threads of a family differ, so that it matters where a footprint lies."""
+        return any(len(tables.axes) > 0 for tables in self._tables)
+
+    @property
     def bytes(self) -> int:
         """What the tables take up on a device."""
         return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self._tables)

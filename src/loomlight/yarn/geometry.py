@@ -130,6 +130,7 @@ class YarnGeometry:
             axis=2,
         )
         self._uploaded: dict[type, _Uploaded] = {}
+        self.extents: dict[type, Any] = {}
 
     @property
     def families(self) -> tuple[FamilyTables, FamilyTables]:
@@ -172,8 +173,10 @@ class YarnGeometry:
         tables = self._tables(types)
         levels = dr.select(
             shown.warp_above,
-            tables.scalar(self.height_scale[0]) * tables.scalar(self._warp.highest / CREST_LEVELS),
-            tables.scalar(self.height_scale[1]) * tables.scalar(self._weft.highest / CREST_LEVELS),
+            tables.scalar("warp scale", self.height_scale[0])
+            * tables.scalar("warp level", self._warp.highest / CREST_LEVELS),
+            tables.scalar("weft scale", self.height_scale[1])
+            * tables.scalar("weft level", self._weft.highest / CREST_LEVELS),
         )
         return Probe(
             height=point.height,
@@ -208,8 +211,10 @@ class YarnGeometry:
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
         is_warp = shown.is_warp
-        warp_beta, weft_beta = (tables.scalar(scale) for scale in self.height_scale)
-        warp_twist, weft_twist = (tables.scalar(twist) for twist in self.twist)
+        warp_beta = tables.scalar("warp scale", self.height_scale[0])
+        weft_beta = tables.scalar("weft scale", self.height_scale[1])
+        warp_twist = tables.scalar("warp twist", self.twist[0])
+        weft_twist = tables.scalar("weft twist", self.twist[1])
         beta = dr.select(is_warp, warp_beta, weft_beta)
         other_beta = dr.select(is_warp, weft_beta, warp_beta)
         twist = dr.select(is_warp, warp_twist, weft_twist)
@@ -287,15 +292,16 @@ class _Uploaded:
         self.words = uploaded(types.UInt32, words)
         self.ends = dr.opaque(types.UInt32, words.shape[1])
         self._float = types.Float
-        self._scalars: dict[float, Any] = {}
+        self._scalars: dict[str, tuple[float, Any]] = {}
 
-    def scalar(self, value: Any) -> Any:
+    def scalar(self, name: str, value: Any) -> Any:
         """A number of the fabric as an opaque Float; a Dr.Jit scalar as it is."""
         if not isinstance(value, int | float):
             return self._float(value)
-        if value not in self._scalars:
-            self._scalars[value] = dr.opaque(self._float, value)
-        return self._scalars[value]
+        # By name: two numbers that happen to be one would be one in the kernels, which then are others.
+        if name not in self._scalars or self._scalars[name][0] != value:
+            self._scalars[name] = value, dr.opaque(self._float, value)
+        return self._scalars[name][1]
 
 
 @dataclass

@@ -32,6 +32,7 @@ class TextureSurface:
         self._bounds = (float(heights.min()) - 1e-3, float(heights.max()) + 1e-3)
         self._texels = np.stack([_pack(front), _pack(behind)])
         self._uploaded: dict[type, Any] = {}
+        self.extents: dict[type, Any] = {}
 
     @property
     def finest(self) -> tuple[float, float]:

@@ -23,6 +23,7 @@ class Surface(Protocol):
     """A source of cloth geometry: analytic, or textures of one repeat."""
 
     size: tuple[float, float]
+    extents: dict[type, Any]  # what searches keep of it
 
     @property
     def finest(self) -> tuple[float, float]:
@@ -91,13 +92,14 @@ class _Extent:
     """The lengths of a surface that searches are measured by, opaque: fabrics share the kernels.
 
     Attributes:
+        lengths: the finest extents along x and y, and bounds of heights, as numbers.
         low, high: bounds of all heights, millimetres.
         lift: how far above its surface a ray starts.
     """
 
-    def __init__(self, surface: Surface, types: ArrayTypes) -> None:
-        fine_x, fine_y = surface.finest
-        low, high = surface.height_bounds
+    def __init__(self, lengths: tuple[float, float, float, float], types: ArrayTypes) -> None:
+        self.lengths = lengths
+        fine_x, fine_y, low, high = lengths
         self.low, self.high = dr.opaque(types.Float, low), dr.opaque(types.Float, high)
         self.lift = dr.opaque(types.Float, _LIFT * min(fine_x, fine_y))
         self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
@@ -113,6 +115,15 @@ class _Extent:
             self.threads(direction.x, direction.y) * quality.steps_per_thread,
             dr.abs(direction.z) * self._per_relief * quality.steps_per_relief,
         )
+
+
+def _extent_of(surface: Surface, types: ArrayTypes) -> _Extent:
+    """The extent of a surface, uploaded once, until its heights are edited."""
+    lengths = *surface.finest, *surface.height_bounds
+    kept: _Extent | None = surface.extents.get(types.Float)
+    if kept is None or kept.lengths != lengths:
+        kept = surface.extents[types.Float] = _Extent(lengths, types)
+    return kept
 
 
 @dataclass
@@ -197,7 +208,7 @@ def unoccluded(
         active: lanes to search; the others return False.
     """
     types = array_types(x)
-    extent = _Extent(surface, types)
+    extent = _extent_of(surface, types)
     high = extent.high
     rate = quality.shadow_share * extent.steps_per_length(quality, direction)
     step = dr.rcp(dr.maximum(rate, 1e-9))
@@ -257,7 +268,7 @@ def first_hit(
         back: Bool, which face is seen.
     """
     types = array_types(x)
-    extent = _Extent(surface, types)
+    extent = _extent_of(surface, types)
     low, high = extent.low, extent.high
     back = types.Bool(back)
     vertical = dr.maximum(view.z, 1e-4)
@@ -343,7 +354,8 @@ def first_hit(
         label="cloth: refine",
     )
     under = state[2]
-    hole = active & passes_through(surface, x, y, view, back, active, quality)
+    # What has met yarn above the plane does not pass it.
+    hole = passes_through(surface, x, y, view, back, active & (under <= 0), quality)
     return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
 
 
@@ -365,7 +377,7 @@ def passes_through(
     _, hole = surface.height(x, y, back)
     candidate = types.Bool(active) & hole
     # Unlifted again: the ray starts on the plane.
-    zero = -_Extent(surface, types).lift
+    zero = -_extent_of(surface, types).lift
     in_front = unoccluded(surface, x, y, zero, view, back, candidate, quality)
     # Seen from the other face the line goes on along (−x, −y, +z) of its mirrored frame.
     onwards = types.Vector3(-view.x, -view.y, view.z)
@@ -389,7 +401,7 @@ def horizon(
     types = array_types(x)
     outwards: tuple[Any, Any] = dr.sincos(azimuth)
     sine, cosine = outwards
-    extent = _Extent(surface, types)
+    extent = _extent_of(surface, types)
     high = extent.high
     step = dr.rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
     start = height + extent.lift

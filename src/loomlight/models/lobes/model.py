@@ -21,6 +21,7 @@ from loomlight.models.lobes.proposal import Shares, density, draw, energies_wher
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import DirectionSample, PointModel, on_face
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import first_hit
 
 DEFAULT_GROUPS = 8
 MOST_GROUPS = 64
@@ -93,8 +94,24 @@ class LobesModel(Model):
         return self._answer(light, view, footprint, None)[0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
-        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
-        return FamilyAlbedos(*self._albedos.over(footprint, view.z < 0))
+        """Mean albedos of the threads; close up, of those around the point that the middle ray meets."""
+        return FamilyAlbedos(*self._albedos.over(self.shown(view, footprint), view.z < 0))
+
+    def shown(self, view: Any, footprint: Footprint) -> Footprint:
+        """The footprint on the yarns that show in it: moved, close up, to where the middle ray meets one.
+
+        Where the threads of each family are alike it makes no difference, and the footprint stays.
+        """
+        if not self._albedos.varied:
+            return footprint
+        types = array_types(view.x)
+        close = self._far_share(footprint.spread_side) < 1
+        back, middle = types.Bool(view.z < 0), footprint.centre
+        surface, quality = self.point_model.surface, self.point_model.quality
+        hit = first_hit(surface, middle.x, middle.y, on_face(view, back), back, close, quality)
+        moves = close & ~hit.hole
+        centre = types.Vector2(dr.select(moves, hit.x, middle.x), dr.select(moves, hit.y, middle.y))
+        return Footprint(centre, footprint.duv_dx, footprint.duv_dy)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
         """Straight through the holes, else from one of the lobes."""

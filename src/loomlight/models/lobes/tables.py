@@ -92,10 +92,15 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
         InputError: tensors that are missing, of another kind, or do not belong together.
     """
     moments = loom.tensor("moments", (2, None, MOMENTS), np.float32)
+    if moments.shape[1] % 8 or not moments.size:
+        raise InputError(
+            f"{loom.source}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
+            "whole words of four, as many of the weft as of the warp."
+        )
     words = moments.shape[1] // 4
     levels = loom.tensor("levels", (None, 3), np.int64)
     sizes = levels[:, 1] * levels[:, 2]
-    consistent = len(levels) > 0 and (sizes > 0).all() and levels[0, 0] == 0
+    consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
     if not (consistent and (levels[1:, 0] == np.cumsum(sizes)[:-1]).all()):
         raise InputError(f"{loom.source}: the tensor model.levels is no pyramid: bake it again.")
     size = loom.setting("size", float)
