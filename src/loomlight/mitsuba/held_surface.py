@@ -19,6 +19,7 @@ class HeldSurface:
     def __init__(self, geometry: YarnGeometry) -> None:
         self.geometry = geometry
         self.size = geometry.size
+        self.extents: dict[type, Any] = {}
 
     @property
     def finest(self) -> tuple[float, float]:
