@@ -144,14 +144,14 @@ class Estimator:
         diffuse: Any = 0
         specular: Any = 0
         for byte in range(4):
+            # V + κ(min(1, V/V_view) − V), divided by V.
             reached = lit[byte] * _PER_BYTE
-            both = dr.minimum(1, reached * dr.rcp(dr.maximum(seen.reached[byte], _PER_BYTE)))
-            shared = dr.fma(correlation, both - reached, reached)
-            raised = shared * dr.rcp(dr.maximum(reached, _PER_BYTE))
+            most = dr.maximum(dr.maximum(reached, seen.reached[byte]), _PER_BYTE)
+            raised = dr.fma(correlation, dr.rcp(most) - 1, 1)
             weight = seen.weights[byte]
             diffuse += weight * irradiance[byte] * raised
             value = layer_value(half, light, place.view, beyond, seen.lobes[byte], self._optical_depth)
-            specular += weight * value * shared
+            specular += weight * value * (reached * raised)
         return diffuse * (_PER_BYTE * dr.inv_pi), specular
 
     def _view_bytes(self, place: Place, word: Any) -> list[Any]:

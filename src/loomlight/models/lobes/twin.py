@@ -131,14 +131,16 @@ class LobesTwin:
 
         row = direction_nodes(light).of(self.tables.lit[int(back), int(beyond)])
         irradiance, reached = np.split(row * _PER_BYTE, 2)
-        both = np.minimum(1, reached / np.maximum(weights.reached, _PER_BYTE))
         correlation = 0.0 if beyond else azimuth_correlation(light, view)
-        shared = reached + correlation * (both - reached)
+        # V + κ(min(1, V/V_view) − V), divided by V.
+        most = np.maximum(np.maximum(reached, weights.reached), _PER_BYTE)
+        raised = 1 + correlation * (1 / most - 1)
 
-        diffuse = weights.groups * irradiance / math.pi * shared / np.maximum(reached, _PER_BYTE)
+        diffuse = weights.groups * irradiance / math.pi * raised
         specular = (
             weights.groups
-            * shared
+            * reached
+            * raised
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
         total = max(weights.total, 1e-12)
