@@ -45,7 +45,7 @@ class Surface(Protocol):
 
 @dataclass(frozen=True)
 class SearchQuality:
-    """How finely rays are searched.
+    """How finely rays are searched; the first two and `refinements` may be Dr.Jit arrays, a number a lane.
 
     Attributes:
         steps_per_thread: steps while crossing the finest thread.
@@ -56,10 +56,10 @@ class SearchQuality:
         steps: at most so many; a ray still undecided then counts as free.
     """
 
-    steps_per_thread: float = 8.0
-    steps_per_relief: float = 8.0
+    steps_per_thread: Any = 8.0
+    steps_per_relief: Any = 8.0
     shadow_share: float = 0.6
-    refinements: int = 8
+    refinements: Any = 8
     steps: int = 1024
 
 

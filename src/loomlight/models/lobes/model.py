@@ -16,7 +16,7 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
-from loomlight.models.lobes.near import NEAR_QUALITY, near_hole, near_response, points_of
+from loomlight.models.lobes.near import near_hole, near_response, points_of, searched_for
 from loomlight.models.lobes.proposal import Shares, density, draw, energies_where, group_density, shares_of
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import DirectionSample, PointModel, on_face
@@ -27,8 +27,11 @@ DEFAULT_GROUPS = 8
 MOST_GROUPS = 64
 # Footprints in units of the pyramid's smallest square: below the first points alone count, above the second
 # groups alone.
-_HAND_OVER = 0.6, 1.2
+_HAND_OVER = 0.5, 1.2
 _NEAREST = 1e-9
+# Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
+# for attenuation.
+_MULTIPLY_ADDS = 120
 
 
 @final
@@ -37,7 +40,9 @@ class LobesModel(Model):
 
     Attributes:
         tables: what is baked.
-        groups: of each family.
+        multiply_adds: of one query far away, as the formulas stand: twin.py has them.
+        bytes_fetched: by one query far away, from tables that differ from place to place and direction to
+            direction. The moments, 48 bytes a group, are the same for all queries of a face.
     """
 
     name = "lobes"
@@ -49,7 +54,7 @@ class LobesModel(Model):
         self.fabric = fabric
         self.tables = tables
         geometry = YarnGeometry(fabric.layout())
-        self.point_model = PointModel(geometry, fabric.appearance(), NEAR_QUALITY)
+        self.point_model = PointModel(geometry, fabric.appearance())
         self._albedos = FootprintAlbedos(geometry, fabric.appearance())
         self._estimators: dict[type, Estimator] = {}
         self._sheen = fabric.appearance().sheen
@@ -57,6 +62,9 @@ class LobesModel(Model):
         picks, ends = fabric.layout().warp_on_top.shape
         width, height = fabric.layout().size
         self._thread = math.sqrt(width / ends * height / picks)
+        self.multiply_adds = _MULTIPLY_ADDS * 4 * tables.words
+        # Eight nodes of the pyramid, four of the view, four of the light.
+        self.bytes_fetched = 4 * (8 * (tables.words + 1) + 4 * (2 * tables.words + 1) + 4 * 2 * tables.words)
 
     @classmethod
     def for_fabric(cls, fabric: Fabric, groups: int = DEFAULT_GROUPS) -> Self:
@@ -125,7 +133,7 @@ class LobesModel(Model):
         shares = self.shares(albedos, view, footprint)
         back = types.Bool(view.z < 0)
         place = self._place(footprint, view)
-        facing, passes = draw(self._estimator(types), place, shares, self._sheen, self._blend, choice, u)
+        facing, passes = draw(self.estimator(types), place, shares, self._sheen, self._blend, choice, u)
         light = on_face(facing, back)
         response, of_groups = self._answer(light, view, footprint, shares)
         pdf = dr.select(passes, shares.through, self._density(shares, of_groups, light, view))
@@ -143,7 +151,7 @@ class LobesModel(Model):
         """How directions are drawn for footprints that views see, whatever the light."""
         through = self.straight_through(view, self.hole(view, footprint))
         place = self._place(footprint, view)
-        return shares_of(self._estimator(array_types(view.x)), place, albedos, through, self._sheen)
+        return shares_of(self.estimator(array_types(view.x)), place, albedos, through, self._sheen)
 
     def response_and_pdf(
         self, shares: Shares, light: Any, view: Any, footprint: Footprint
@@ -157,7 +165,7 @@ class LobesModel(Model):
         types = array_types(view.x)
         size = footprint.spread_side
         far_share = self._far_share(size)
-        near = near_hole(self.point_model, view, footprint, self._points(size, far_share))
+        near = near_hole(*self._points(size, far_share), view, footprint)
         return dr.lerp(near, self._far_hole(types, view, footprint), far_share)
 
     def _answer(
@@ -166,13 +174,14 @@ class LobesModel(Model):
         """The response, and with shares the groups' part of the density."""
         size = footprint.spread_side
         far_share = self._far_share(size)
-        points = self._points(size, far_share)
-        near = near_response(self.point_model, light, view, footprint, points)
+        near = near_response(*self._points(size, far_share), light, view, footprint)
         far, of_groups = self._far(light, view, footprint, far_share > 0, shares)
         return _mixed(near, far, far_share), of_groups
 
-    def _points(self, size: Any, far_share: Any) -> Any:
-        return dr.select(far_share < 1, points_of(size * (1 / self._thread)), 0)
+    def _points(self, size: Any, far_share: Any) -> tuple[PointModel, Any]:
+        """The point model for close-ups of a side, millimetres, and how many points they take."""
+        threads = size * (1 / self._thread)
+        return searched_for(self.point_model, threads), points_of(threads, far_share)
 
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
@@ -183,15 +192,13 @@ class LobesModel(Model):
     def _place(self, footprint: Footprint, view: Any) -> Place:
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
-        return self._estimator(types).place(
-            footprint.centre, footprint.spread_side, on_face(view, back), back
-        )
+        return self.estimator(types).place(footprint.centre, footprint.spread_side, on_face(view, back), back)
 
     def _far(
         self, light: Any, view: Any, footprint: Footprint, active: Any, shares: Shares | None
     ) -> tuple[Response, Any]:
         types = array_types(view.x)
-        estimator, place = self._estimator(types), self._place(footprint, view)
+        estimator, place = self.estimator(types), self._place(footprint, view)
         facing, seen = on_face(light, place.back), place.view
         nodes, half = estimator.light_nodes(place, facing), half_vector(facing, seen)
         # Densities are wanted close up too.
@@ -223,7 +230,7 @@ class LobesModel(Model):
         return response, of_groups
 
     def _far_hole(self, types: ArrayTypes, view: Any, footprint: Footprint) -> Any:
-        estimator, place = self._estimator(types), self._place(footprint, view)
+        estimator, place = self.estimator(types), self._place(footprint, view)
         holes = estimator.hole_weight(place)
 
         def add(word: Any, total: Any) -> tuple[Any, Any]:
@@ -241,7 +248,8 @@ class LobesModel(Model):
         back = array_types(view.x).Bool(view.z < 0)
         return density(shares, of_groups, on_face(light, back), on_face(view, back), self._sheen)
 
-    def _estimator(self, types: ArrayTypes) -> Estimator:
+    def estimator(self, types: ArrayTypes) -> Estimator:
+        """The tables on one backend, uploaded once."""
         if types.Float not in self._estimators:
             appearance = self.fabric.appearance()
             self._estimators[types.Float] = Estimator(
