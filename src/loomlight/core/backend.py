@@ -14,9 +14,6 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike
 
-# Bytes of the widest vector that Dr.Jit loads at once: 16 numbers of double precision.
-_ALIGNMENT = 128
-
 
 @dataclass(frozen=True)
 class ArrayTypes:
@@ -65,12 +62,14 @@ def array_types(example: Any) -> ArrayTypes:
 def uploaded(kind: Any, values: ArrayLike) -> Any:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 
-    On the CPU Dr.Jit uses numpy's memory as it is, and compiles kernels anew when its alignment differs. Here
-    all arrays are aligned alike.
+    On the CPU Dr.Jit would use numpy's memory as it is: it compiles kernels anew when its alignment differs,
+    and frozen functions go on reading what they were recorded with. Here the memory is Dr.Jit's own.
     """
     flat = np.ravel(np.asarray(values))
-    memory = np.empty(flat.nbytes + _ALIGNMENT, np.uint8)
-    start = -memory.ctypes.data % _ALIGNMENT
-    copy = memory[start : start + flat.nbytes].view(flat.dtype)
-    copy[:] = flat
-    return kind(copy)
+    if dr.backend_v(kind) != dr.JitBackend.LLVM or flat.size == 0:
+        return kind(np.ascontiguousarray(flat))
+    array: Any = dr.empty(kind, flat.size)
+    # Kernels that still run may read memory that was given back before.
+    dr.sync_thread()
+    array.numpy()[:] = flat
+    return array

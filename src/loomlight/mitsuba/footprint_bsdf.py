@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from dataclasses import replace
 from typing import Any, Protocol
@@ -75,12 +76,14 @@ def footprint_bsdf_class() -> type:
 
         Attributes:
             baked_parameters: scene parameters of a family that `bake` depends on; colours never are.
+            symbolic: it is called in symbolic calls, where nothing can be uploaded any more.
             fabric: as the scene's parameters have it, but for its colours.
             model: of that fabric.
             own_parameters: scene parameters of the derived class, by name.
         """
 
         baked_parameters: tuple[str, ...]
+        symbolic: bool
 
         def __init__(self, props: Any) -> None:
             super().__init__(props)
@@ -92,7 +95,8 @@ def footprint_bsdf_class() -> type:
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)
             self.own_parameters: dict[str, Any] = {}
-            self._numbers = _numbers_of(self.fabric)
+            self._held = _numbers_of(self.fabric)
+            self._numbers = {name: mi.Float(value) for name, value in self._held.items()}
             appearance = self.fabric.appearance()
             self._colours = {family: _colours_of(getattr(appearance, family)) for family in _FAMILIES}
             declare_lobes(self)
@@ -103,6 +107,7 @@ def footprint_bsdf_class() -> type:
             self.model = self.assembled()
             self._recolour()
             self._refilter()
+            self._settle(self.symbolic)
 
         @abstractmethod
         def bake(self) -> None:
@@ -115,6 +120,10 @@ def footprint_bsdf_class() -> type:
         @abstractmethod
         def seen_cloth(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> SeenCloth:
             """What a view [3] sees of footprints."""
+
+        @abstractmethod
+        def shown(self, view: Any, footprint: Footprint) -> Footprint:
+            """The footprint on the threads whose albedos count."""
 
         @abstractmethod
         def hole(self, view: Any, footprint: Footprint) -> Any:
@@ -136,28 +145,35 @@ def footprint_bsdf_class() -> type:
         def parameters_changed(self, keys: Any) -> None:
             edits = self._edits()
             if edits:
-                self.fabric = with_fields(self.fabric, edits)
-            changed = {name.rpartition(".")[2] for name in edits}
-            baked = not changed.isdisjoint(_FIELDS[name] for name in self.baked_parameters)
-            if baked:
+                self.fabric = with_fields(self.fabric, dict(_field(*edit) for edit in edits.items()))
+                self._held = _numbers_of(self.fabric)
+            if any(name.rpartition(".")[2] in self.baked_parameters for name in edits):
                 self.bake()
-            if edits or any(key in self.own_parameters for key in keys):
+            anew = bool(edits) or any(key in self.own_parameters for key in keys)
+            if anew:
                 self.model = self.assembled()
             self._recolour()
             if any(key.startswith("albedo") for key in keys):
                 self._refilter()
+            self._settle(self.symbolic and anew)
 
         def _edits(self) -> dict[str, float]:
-            """Fields of the fabric that no longer are what the scene's parameters say."""
-            edits = {}
-            for name, held in _numbers_of(self.fabric).items():
-                value = number_of(self._numbers[name])
-                # Radians to degrees and back moves the last digits.
-                if abs(value - number_of(held)) > 1e-6:
-                    family, _, parameter = name.rpartition(".")
-                    field = parameter if family == "sheen" else _FIELDS[parameter]
-                    edits[f"{family}.{field}"] = float(np.degrees(value)) if parameter in _ANGLES else value
-            return edits
+            """Scene parameters that no longer are what the fabric says."""
+            values = {name: number_of(value) for name, value in self._numbers.items()}
+            # In single precision, and radians to degrees and back, the last digits move.
+            return {name: value for name, value in values.items() if abs(value - self._held[name]) > 1e-6}
+
+        def _settle(self, with_model: bool) -> None:
+            """Uploads what calls use: what is uploaded at first use must not meet a symbolic call."""
+            # Equal literals are one variable until one is edited, which frozen functions would notice.
+            dr.make_opaque(self._numbers, self._colours, self.own_parameters)
+            si = dr.zeros(mi.SurfaceInteraction3f)
+            si.wi = mi.Vector3f(0, 0, 1)
+            # Traced, and never computed.
+            if with_model:
+                self.eval_pdf(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
+            else:
+                self._means.over(self._footprint(si), mi.Bool(False))
 
         def _recolour(self) -> None:
             """Takes over the albedos."""
@@ -172,7 +188,8 @@ def footprint_bsdf_class() -> type:
             return draft_footprint(si, self.uv_size, uv_footprint(si, self.pixel_angle))
 
         def _albedos(self, si: Any, footprint: Footprint, active: Any) -> FamilyAlbedos:
-            warp, weft = self._means.over(footprint, plain(si.wi).z < 0)
+            view = plain(si.wi)
+            warp, weft = self._means.over(self.shown(view, footprint), view.z < 0)
             if self._texture is not None:
                 edges = uv_footprint(si, self.pixel_angle)
                 tint = plain(dr.clip(self._texture.over(si, *edges, active), 0, 1))
@@ -249,11 +266,11 @@ def footprint_bsdf_class() -> type:
 
 def number_of(value: Any) -> float:
     """The number that a Dr.Jit array of one holds."""
-    return float(np.array(value).ravel()[0])
+    return float(value[0])
 
 
-def _numbers_of(fabric: Fabric) -> dict[str, Any]:
-    """Scene parameters that are fields of the fabric: Floats."""
+def _numbers_of(fabric: Fabric) -> dict[str, float]:
+    """Scene parameters that are fields of the fabric."""
     layout, appearance = fabric.layout(), fabric.appearance()
     found = {}
     for family in _FAMILIES:
@@ -264,7 +281,15 @@ def _numbers_of(fabric: Fabric) -> dict[str, Any]:
     if appearance.sheen.strength > 0:
         found["sheen.strength"] = appearance.sheen.strength
         found["sheen.roughness"] = appearance.sheen.roughness
-    return {name: mi.Float(float(value)) for name, value in found.items()}
+    return {name: float(value) for name, value in found.items()}
+
+
+def _field(name: str, value: float) -> tuple[str, float]:
+    """The field of the fabric file that a scene parameter is, and its value there."""
+    family, _, parameter = name.rpartition(".")
+    if family == "sheen":
+        return name, value
+    return f"{family}.{_FIELDS[parameter]}", math.degrees(value) if parameter in _ANGLES else value
 
 
 def _colours_of(family: FamilyAppearance) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
 from loomlight.models.lobes.proposal import Shares
+from loomlight.models.lobes.tables import LobeTables, tables_of_loom
 from loomlight.scattering.point import DirectionSample
 
 
@@ -35,6 +36,7 @@ def woven_lobes_class() -> type:
         """
 
         baked_parameters = ("height_scale", "inclination", "twist")
+        symbolic = True
 
         def __init__(self, props: Any) -> None:
             super().__init__(props)
@@ -45,17 +47,19 @@ def woven_lobes_class() -> type:
             """Measures the tables, or reads them from the material that the fabric lies in."""
             found = _in_material(self.fabric) if self._groups is None else None
             groups = DEFAULT_GROUPS if self._groups is None else self._groups
-            self._baked = found or LobesModel.for_fabric(self.fabric, groups)
+            self._tables = found or LobesModel.for_fabric(self.fabric, groups).tables
 
         def assembled(self) -> LobesModel:
             """The model of the tables baked last."""
-            if self._baked.fabric is not self.fabric:
-                return LobesModel(self.fabric, self._baked.tables)
-            return self._baked
+            return LobesModel(self.fabric, self._tables)
 
         def seen_cloth(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> SeenCloth:
             """The footprint's lobes."""
             return _SeenLobes(self.model, albedos, view, footprint)
+
+        def shown(self, view: Any, footprint: Footprint) -> Footprint:
+            """The footprint, moved close up to the yarn that the middle ray meets."""
+            return self.model.shown(view, footprint)
 
         def hole(self, view: Any, footprint: Footprint) -> Any:
             """Share of the view rays that pass through footprints: Float."""
@@ -63,7 +67,7 @@ def woven_lobes_class() -> type:
 
         def to_string(self) -> str:
             """The fabric, and the size of what was baked of it."""
-            return str(self.described(tables=f"{self._baked.tables.nbytes / 1e3:.3g} kB"))
+            return str(self.described(tables=f"{self._tables.nbytes / 1e3:.3g} kB"))
 
     return WovenLobes
 
@@ -94,11 +98,11 @@ class _SeenLobes:
         return self.model.sample_with(self.albedos, self.view, self.footprint, choice, u)
 
 
-def _in_material(fabric: Fabric) -> LobesModel | None:
-    """The model in the `.loom` that a fabric was read from; None where there is none for this very fabric."""
+def _in_material(fabric: Fabric) -> LobeTables | None:
+    """The tables in the `.loom` that a fabric was read from; None where it holds none for this one."""
     if not is_loom(fabric.folder):
         return None
     loom = read_loom(fabric.folder)
     if loom.model != LobesModel.name or loom.fabric.to_toml() != fabric.to_toml():
         return None
-    return LobesModel.from_loom(loom)
+    return tables_of_loom(loom)

@@ -44,6 +44,7 @@ def woven_neural_class() -> type:
         """
 
         baked_parameters = ("roughness", "height_scale", "inclination", "twist")
+        symbolic = False
 
         def __init__(self, props: Any) -> None:
             super().__init__(props)
@@ -72,6 +73,10 @@ def woven_neural_class() -> type:
         def seen_cloth(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> SeenCloth:
             """What the first part of the decoder makes of views."""
             return _SeenByNetwork(self.model, self.model.seen(view, footprint), albedos, view)
+
+        def shown(self, view: Any, footprint: Footprint) -> Footprint:
+            """The footprint as it is: the network knows no single thread."""
+            return footprint
 
         def hole(self, view: Any, footprint: Footprint) -> Any:
             """The decoder's hole."""
