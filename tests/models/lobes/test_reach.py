@@ -14,13 +14,14 @@ from numpy.typing import NDArray
 from loomlight.core.backend import array_types
 from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
-from loomlight.models.lobes.reach import RAYS, Reach, measure_reach
+from loomlight.models.lobes.reach import Reach, measure_reach, rays_of
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import REFERENCE_QUALITY, first_hit, unoccluded
 
 from .cloths import TEXTS, directions, floats, geometry_of
 
 PER_FAMILY = 4
+RAYS = rays_of(PER_FAMILY)
 BLEND = 0.7
 # Rays of the independent count, a side of the repeat.
 SIDE = 160
@@ -49,7 +50,7 @@ def node_near(degrees: float, azimuth: float) -> int:
 
 
 def noise(share: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bound on the difference of two shares: 4.5 deviations of random rays; a group in RAYS is one ray."""
+    """Bound on the difference of two shares: 4.5 deviations of random rays; a group of one ray counts."""
     return 4.5 * np.sqrt(np.maximum(share * (1 - share), 1 / RAYS) * (1 / RAYS + 1 / SIDE**2))
 
 

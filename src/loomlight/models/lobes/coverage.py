@@ -148,7 +148,6 @@ def _cells(
     )
     face_nodes = dr.opaque(types.UInt32, rows * columns)
     shares = dr.zeros(types.Float, 2 * rows * columns * 4 * words)
-    weight = dr.opaque(types.Float, 1 / (across * along))
     for start in range(0, 2 * face_texels, _BATCH):
         lane = dr.arange(types.UInt32, min(_BATCH, 2 * face_texels - start)) + dr.opaque(types.UInt32, start)
         back = lane >= face
@@ -164,9 +163,10 @@ def _cells(
         place = dr.select(group < per_family, group, group - per_family + family_bytes)
         place = dr.select(group == finder.holes, 2 * family_bytes, place)
         node = (row // per_row) * nodes_wide + column // per_column + dr.select(back, face_nodes, 0)
-        dr.scatter_add(shares, weight, node * bytes_of_node + place)
+        # Ones, whose sum does not depend on the order in which threads add them.
+        dr.scatter_add(shares, types.Float(1), node * bytes_of_node + place)
         dr.eval(shares)
-    return shares.numpy().reshape(2, rows, columns, 4 * words)
+    return shares.numpy().reshape(2, rows, columns, 4 * words) * np.float32(1 / (across * along))
 
 
 def _widened(means: NDArray[np.float32], axis: int, width: float) -> NDArray[np.float32]:

@@ -28,8 +28,8 @@ _FEATURES = 6
 _POINTS = 1 << 13
 _LEARNT_FROM = 1 << 10
 _ITERATIONS = 10
-# Points that differ less are one group's, as those of a straight flat yarn are.
-_ALIKE = 1e-4
+# Points that agree in so many are one group's, as those of a straight flat yarn are.
+_DIGITS = 4
 # Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
 # (Roberts 2018).
 _EVEN_IN_FOUR = 1.1673039782614187 ** -np.arange(1.0, 5.0)
@@ -172,8 +172,9 @@ def _points(geometry: YarnGeometry, float_type: type) -> tuple[NDArray[Any], ...
 
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
     learnt = features[:: max(1, len(features) // _LEARNT_FROM)]
-    if len(learnt) <= count or float(np.ptp(learnt, axis=0).max()) < _ALIKE:
-        return np.resize(learnt, (count, _FEATURES))
+    different = np.unique(learnt.round(_DIGITS), axis=0)
+    if len(different) <= count:
+        return np.resize(different, (count, _FEATURES))
     with warnings.catch_warnings():
         # A group that loses all its points keeps its place and does no harm.
         warnings.simplefilter("ignore", UserWarning)

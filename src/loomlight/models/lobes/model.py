@@ -27,7 +27,7 @@ DEFAULT_GROUPS = 8
 MOST_GROUPS = 64
 # Footprints in units of the pyramid's smallest square: below the first points alone count, above the second
 # groups alone.
-_HAND_OVER = 0.5, 1.2
+_HAND_OVER = 0.6, 1.6
 _NEAREST = 1e-9
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.
@@ -113,12 +113,16 @@ class LobesModel(Model):
         if not self._albedos.varied:
             return footprint
         types = array_types(view.x)
-        close = self._far_share(footprint.spread_side) < 1
+        share = 1 - self._far_share(footprint.spread_side)
         back, middle = types.Bool(view.z < 0), footprint.centre
         surface, quality = self.point_model.surface, self.point_model.quality
-        hit = first_hit(surface, middle.x, middle.y, on_face(view, back), back, close, quality)
-        moves = close & ~hit.hole
-        centre = types.Vector2(dr.select(moves, hit.x, middle.x), dr.select(moves, hit.y, middle.y))
+        hit = first_hit(surface, middle.x, middle.y, on_face(view, back), back, share > 0, quality)
+        share = dr.select(hit.hole, 0, share)
+        # Nothing has been searched where the share is 0.
+        centre = types.Vector2(
+            dr.select(share > 0, dr.lerp(middle.x, hit.x, share), middle.x),
+            dr.select(share > 0, dr.lerp(middle.y, hit.y, share), middle.y),
+        )
         return Footprint(centre, footprint.duv_dx, footprint.duv_dy)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
