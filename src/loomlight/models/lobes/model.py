@@ -62,6 +62,7 @@ class LobesModel(Model):
         picks, ends = fabric.layout().warp_on_top.shape
         width, height = fabric.layout().size
         self._thread = math.sqrt(width / ends * height / picks)
+        self._scales: dict[type, tuple[Any, Any]] = {}
         self.multiply_adds = _MULTIPLY_ADDS * 4 * tables.words
         # Eight nodes of the pyramid, four of the view, four of the light.
         self.bytes_fetched = 4 * (8 * (tables.words + 1) + 4 * (2 * tables.words + 1) + 4 * 2 * tables.words)
@@ -184,14 +185,23 @@ class LobesModel(Model):
 
     def _points(self, size: Any, far_share: Any) -> tuple[PointModel, Any]:
         """The point model for close-ups of a side, millimetres, and how many points they take."""
-        threads = size * (1 / self._thread)
+        threads = size * self._scale(array_types(size))[0]
         return searched_for(self.point_model, threads), points_of(threads, far_share)
 
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
-        low, high = (math.log2(bound * self.tables.size) for bound in _HAND_OVER)
-        share = dr.clip((dr.log2(dr.maximum(size, _NEAREST)) - low) * (1 / (high - low)), 0, 1)
+        low, high = (math.log2(bound) for bound in _HAND_OVER)
+        level = dr.log2(dr.maximum(size, _NEAREST)) - self._scale(array_types(size))[1]
+        share = dr.clip((level - low) * (1 / (high - low)), 0, 1)
         return dr.square(share) * dr.fma(-2, share, 3)
+
+    def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
+        """Threads a millimetre, and log2 of the pyramid's smallest square: opaque, fabrics share the kernels."""
+        if types.Float not in self._scales:
+            numbers = 1 / self._thread, math.log2(self.tables.size)
+            per_thread, level = (dr.opaque(types.Float, number) for number in numbers)
+            self._scales[types.Float] = per_thread, level
+        return self._scales[types.Float]
 
     def _place(self, footprint: Footprint, view: Any) -> Place:
         types = array_types(view.x)
