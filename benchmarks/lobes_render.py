@@ -3,12 +3,11 @@
     python benchmarks/lobes_render.py [--size 384x216] [--output benchmarks/results/lobes_render.json]
 
 The scene is that of the image test where a pixel of draped cloth covers four yarns a side, the reference the
-point model with 1 024 samples a pixel. Lobes look at the pixel's footprint through its middle. Errors are over
-pixels wholly on cloth. The point model's error falls with its samples and is that of the reference in the
-end, so its samples for an error are read off what was measured at 1, 4, 16 … samples, on logarithmic scales;
-each of these pictures shares no samples with the reference. Seconds are those of rendering alone, the least of
-several runs in turns, so that both see the same machine, and of the point model's largest picture for the
-samples of that size. Bar: 20 times.
+point model with 1 024 samples a pixel. Lobes look at the pixel's footprint through its middle. Errors are
+over pixels wholly on cloth. The samples that the point model needs for the lobes' MSE are read off its errors
+at 1, 4, 16 … samples, on logarithmic scales. Seconds are those of pictures that are traced already
+(`LivePicture`), the least of several in turns, so that both see the same machine; the point model's are read
+off between 1 sample and the next larger picture than it needs. Bar: 20 times.
 """
 
 from __future__ import annotations
@@ -29,6 +28,7 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import choose_variant, render
+from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
 
 SCENE, SIZE, REFERENCE_SAMPLES = "drape far", (384, 216), 1024
@@ -84,10 +84,11 @@ def measured(fabric: Fabric, size: tuple[int, int]) -> dict[str, Any]:
     theirs = {samples: judged(point, samples) for samples in POINT_SAMPLES}
     errors = [theirs[samples].mse for samples in POINT_SAMPLES]
     equal = samples_for(ours.mse, list(POINT_SAMPLES), errors)
-    # A picture of at least as many samples tells what each costs; small ones are mostly overhead.
+    # A picture of at least as many samples tells what each costs.
     counted = next((samples for samples in POINT_SAMPLES if samples >= equal), POINT_SAMPLES[-1])
-    runs = [lambda: picture_of(lobes, 1), lambda: picture_of(point, counted), lambda: picture_of(point, 1)]
-    lobes_seconds, point_seconds, start_seconds = seconds_of(runs)
+    shots = [(lobes, 1), (point, counted), (point, 1)]
+    lives = [LivePicture(shown.scene, integrator=shown.integrator, spp=n) for shown, n in shots]
+    lobes_seconds, point_seconds, start_seconds = seconds_of([live.take for live in lives])
     each = max(point_seconds - start_seconds, 0) / max(counted - 1, 1)
     wanted = start_seconds + max(equal - 1, 0) * each
     return {

@@ -18,6 +18,7 @@ from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, v
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.fabric_props import fabric_of, uv_size_of, with_fields
 from loomlight.mitsuba.filtered_texture import FilteredTexture
+from loomlight.mitsuba.held_arrays import arrays_of
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos, DirectionSample
@@ -80,6 +81,7 @@ def footprint_bsdf_class() -> type:
             fabric: as the scene's parameters have it, but for its colours.
             model: of that fabric.
             own_parameters: scene parameters of the derived class, by name.
+            arrays: all that it holds, for frozen functions.
         """
 
         baked_parameters: tuple[str, ...]
@@ -95,19 +97,28 @@ def footprint_bsdf_class() -> type:
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)
             self.own_parameters: dict[str, Any] = {}
+            self.arrays: list[Any] = []
+            declare_lobes(self)
+
+        def finish(self) -> None:
+            """Bakes and assembles the model of the fabric, whose numbers become the scene's parameters."""
             self._held = _numbers_of(self.fabric)
             self._numbers = {name: mi.Float(value) for name, value in self._held.items()}
             appearance = self.fabric.appearance()
             self._colours = {family: _colours_of(getattr(appearance, family)) for family in _FAMILIES}
-            declare_lobes(self)
-
-        def finish(self) -> None:
-            """Bakes and assembles the model."""
             self.bake()
             self.model = self.assembled()
             self._recolour()
             self._refilter()
             self._settle(self.symbolic)
+
+        def weave(self, fabric: Fabric) -> None:
+            """Becomes the BSDF of another fabric; `mi.traverse` has to be called again.
+
+            A BSDF put in its place would be another instance, for which kernels are compiled anew.
+            """
+            self.fabric = fabric
+            self.finish()
 
         @abstractmethod
         def bake(self) -> None:
@@ -174,6 +185,9 @@ def footprint_bsdf_class() -> type:
                 self.eval_pdf(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
             else:
                 self._means.over(self._footprint(si), mi.Bool(False))
+            # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
+            self.arrays = []
+            self.arrays = arrays_of(self)
 
         def _recolour(self) -> None:
             """Takes over the albedos."""

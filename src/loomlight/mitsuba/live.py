@@ -14,9 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
+from loomlight.mitsuba.held_arrays import arrays_of, is_ours
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks
-
-_OURS = "loomlight."
 
 
 class LivePicture:
@@ -62,29 +61,8 @@ class LivePicture:
     def _held(self) -> list[list[Any]]:
         """Arrays of the scene's BSDFs, which are Python's and which Dr.Jit does not find by itself."""
         bsdfs = {id(shape.bsdf()): shape.bsdf() for shape in self._scene.shapes() if shape.bsdf() is not None}
-        return [arrays_of(bsdf) for bsdf in bsdfs.values() if type(bsdf).__module__.startswith(_OURS)]
+        return [arrays_of(bsdf) for bsdf in bsdfs.values() if is_ours(bsdf)]
 
     def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[list[Any]]) -> Any:
         del held
         return mi.render(scene, sensor=self._camera, integrator=integrator, spp=self._samples, seed=seed)
-
-
-def arrays_of(holder: Any) -> list[Any]:
-    """Every Dr.Jit array that an object of this project holds, however deep, each once, in a fixed order."""
-    found: list[Any] = []
-    seen: set[int] = set()
-    waiting = [holder]
-    while waiting:
-        value = waiting.pop()
-        if id(value) in seen or isinstance(value, type):
-            continue
-        seen.add(id(value))
-        if dr.is_array_v(value):
-            found.append(value)
-        elif isinstance(value, dict):
-            waiting.extend(value.values())
-        elif isinstance(value, list | tuple):
-            waiting.extend(value)
-        elif type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__"):
-            waiting.extend(vars(value).values())
-    return found

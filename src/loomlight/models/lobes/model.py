@@ -196,7 +196,7 @@ class LobesModel(Model):
         return dr.square(share) * dr.fma(-2, share, 3)
 
     def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
-        """Threads a millimetre, and log2 of the pyramid's smallest square: opaque, fabrics share the kernels."""
+        """Threads a millimetre, and log2 of the pyramid's smallest square: opaque."""
         if types.Float not in self._scales:
             numbers = 1 / self._thread, math.log2(self.tables.size)
             per_thread, level = (dr.opaque(types.Float, number) for number in numbers)

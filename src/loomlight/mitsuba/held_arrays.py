@@ -1,0 +1,35 @@
+"""The Dr.Jit arrays that objects of this project hold: frozen functions have to be told of them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+
+_OURS = "loomlight."
+
+
+def is_ours(value: Any) -> bool:
+    """Whether an object is of a class of this project that has attributes."""
+    return type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__")
+
+
+def arrays_of(holder: Any) -> list[Any]:
+    """Every Dr.Jit array that an object of this project holds, however deep, each once, in a fixed order."""
+    found: list[Any] = []
+    seen: set[int] = set()
+    waiting = [holder]
+    while waiting:
+        value = waiting.pop()
+        if id(value) in seen or isinstance(value, type):
+            continue
+        seen.add(id(value))
+        if dr.is_array_v(value):
+            found.append(value)
+        elif isinstance(value, dict):
+            waiting.extend(value.values())
+        elif isinstance(value, list | tuple):
+            waiting.extend(value)
+        elif is_ours(value):
+            waiting.extend(vars(value).values())
+    return found
