@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from typing import Any
+from weakref import WeakSet
 
 import drjit as dr
 import mitsuba as mi
@@ -12,10 +13,13 @@ from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
+# Every BSDF of cloth that there is: Dr.Jit traces them all, whichever scene they belong to.
+CLOTHS: WeakSet[Any] = WeakSet()
 
 
 def declare_lobes(bsdf: Any) -> None:
-    """Sets components and flags: reflection and transmission, diffuse and glossy, and holes; both faces."""
+    """Adds the BSDF to `CLOTHS` and sets its flags: reflection and transmission, diffuse and glossy, and holes; both faces."""
+    CLOTHS.add(bsdf)
     flags: Any = mi.BSDFFlags
     both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
     bsdf.m_components = [

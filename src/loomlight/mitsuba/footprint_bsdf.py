@@ -82,6 +82,7 @@ def footprint_bsdf_class() -> type:
             model: of that fabric.
             own_parameters: scene parameters of the derived class, by name.
             arrays: all that it holds, for frozen functions.
+            literals: numbers of the fabric that kernels hold: where they change, they are compiled anew.
         """
 
         baked_parameters: tuple[str, ...]
@@ -98,6 +99,7 @@ def footprint_bsdf_class() -> type:
             dr.make_opaque(self.uv_size)
             self.own_parameters: dict[str, Any] = {}
             self.arrays: list[Any] = []
+            self.literals: tuple[float, ...] = ()
             declare_lobes(self)
 
         def finish(self) -> None:
@@ -188,6 +190,9 @@ def footprint_bsdf_class() -> type:
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
             self.arrays = []
             self.arrays = arrays_of(self)
+            appearance = self.fabric.appearance()
+            sheen = appearance.sheen
+            self.literals = (sheen.strength, sheen.roughness, appearance.diffuse_blend)
 
         def _recolour(self) -> None:
             """Takes over the albedos."""

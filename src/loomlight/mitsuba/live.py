@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.held_arrays import arrays_of, is_ours
+from loomlight.mitsuba.cloth_samples import CLOTHS
+from loomlight.mitsuba.held_arrays import arrays_of
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks
 
 
@@ -55,14 +56,18 @@ class LivePicture:
         Args:
             seed: any 32-bit number.
         """
-        shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), self._held())
-        return np.array(shown, dtype=np.float32)
+        try:
+            shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), _held())
+            return np.array(shown, dtype=np.float32)
+        except RuntimeError:
+            # A cloth that was never traced, of whichever scene, has arrays to upload: that is done here.
+            return np.array(self._rendered(self._scene, self._integrator, seed, []), dtype=np.float32)
 
-    def _held(self) -> list[list[Any]]:
-        """Arrays of the scene's BSDFs, which are Python's and which Dr.Jit does not find by itself."""
-        bsdfs = {id(shape.bsdf()): shape.bsdf() for shape in self._scene.shapes() if shape.bsdf() is not None}
-        return [arrays_of(bsdf) for bsdf in bsdfs.values() if is_ours(bsdf)]
-
-    def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[list[Any]]) -> Any:
+    def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
         return mi.render(scene, sensor=self._camera, integrator=integrator, spp=self._samples, seed=seed)
+
+
+def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
+    """Arrays of every cloth that there is, which Dr.Jit does not find by itself, and its literals."""
+    return [(arrays_of(cloth), getattr(cloth, "literals", ())) for cloth in CLOTHS]

@@ -1,0 +1,68 @@
+"""Live pictures: edits show at once, as they would in a picture that is traced anew."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.core.errors import InputError
+from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba import build_scene, fabric_bsdf
+from loomlight.mitsuba.live import LivePicture
+from loomlight.mitsuba.scene_edits import SceneEdits
+
+SHOWN: dict[str, Any] = {"size": (12, 12), "light": "directional", "max_depth": 2, "zoom": 3.0}
+# Several values each: a picture that went on showing old memory would be right once.
+EDITS = [
+    ("warp.diffuse_reflect", ([0.1, 0.2, 0.3], [0.6, 0.5, 0.4], [0.3, 0.1, 0.5])),
+    ("weft.roughness", (0.2, 0.6, 0.9)),
+    ("warp.height_scale", (0.3, 0.9, 0.6)),
+    ("sheen.strength", (0.1, 0.9)),
+]
+
+
+def traced_anew(shown: Any, seed: int) -> np.ndarray:
+    return np.array(mi.render(shown.scene, integrator=shown.integrator, spp=1, seed=seed))
+
+
+@pytest.mark.parametrize("model", ["lobes", "point"])
+def test_edits_show_as_if_the_picture_were_traced_anew(model: str) -> None:
+    cloth = fabric_from_text('weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n')
+    shown = build_scene("flat", fabric_bsdf(cloth, model), **SHOWN)
+    live, edits = LivePicture(shown.scene, integrator=shown.integrator), SceneEdits(shown.scene)
+    before = live.take(1)
+    np.testing.assert_allclose(before, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
+    assert not np.allclose(live.take(2), before, rtol=1e-2)
+    kept = []
+    for name, values in EDITS:
+        for value in values:
+            kept.append(edits.apply({name: value}))
+            now = live.take(1)
+            # Threads add samples up in an order of their own.
+            np.testing.assert_allclose(now, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
+            assert np.abs(now - before).max() > 1e-4
+            before = now
+
+
+def test_another_weave_shows() -> None:
+    shown = build_scene("flat", fabric_bsdf("twill 2/1"), **SHOWN)
+    live = LivePicture(shown.scene, integrator=shown.integrator)
+    (cloth,) = (s.bsdf() for s in shown.scene.shapes() if type(s.bsdf()).__name__ == "WovenLobes")
+    before = live.take(1)
+    for weave in ("satin 5/2", "plain"):
+        cloth.weave(fabric_from_text(weave))
+        now = live.take(1)
+        np.testing.assert_allclose(now, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
+        assert np.abs(now - before).max() > 1e-2
+        before = now
+    other = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
+    np.testing.assert_allclose(before, traced_anew(other, 1), rtol=1e-3, atol=1e-4)
+
+
+def test_no_samples_is_a_fault() -> None:
+    shown = build_scene("flat", {"type": "diffuse"}, **SHOWN)
+    with pytest.raises(InputError, match="spp = 0"):
+        LivePicture(shown.scene, spp=0)
