@@ -17,9 +17,9 @@ from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.coverage import (
     Coverage,
     CoverageTable,
-    coverage_size,
     measure_coverage,
     padded_group,
+    spacing_of,
     words_of,
 )
 from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups
@@ -164,7 +164,7 @@ def test_the_largest_drafts_stay_bounded() -> None:
     cloth = random_cloth(641, 641)
     assert LobesModel.for_fabric(cloth).tables.nbytes < 64_000_000
     geometry = YarnGeometry(cloth.layout())
-    assert coverage_size(geometry, PER_FAMILY) < 3 * geometry.size[0] / 641
+    assert spacing_of(geometry, PER_FAMILY).size < 3 * geometry.size[0] / 641
     # A small draft has the smallest squares there are.
     small = YarnGeometry(random_cloth(16, 16).layout())
-    assert coverage_size(small, PER_FAMILY) == pytest.approx(small.size[0] / 16)
+    assert spacing_of(small, PER_FAMILY).size == pytest.approx(small.size[0] / 16)

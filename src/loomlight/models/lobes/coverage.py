@@ -21,18 +21,15 @@ from loomlight.models.lobes.bytes import ByteWeights
 from loomlight.models.lobes.groups import GroupFinder, Groups
 from loomlight.yarn.geometry import YarnGeometry
 
-NODES_PER_SIDE = 3
+# Nodes along a square's side, and where the table would grow too large: estimates are 1 % worse then.
+_NODES_PER_SIDE, _FEWER_NODES = 3, 2
 # Plan texels between two nodes along each axis, and for each thread, at least: so many points a mean is of.
 _TEXELS_PER_NODE = 4
 _TEXELS_PER_THREAD = 3
 # Texels evaluated at once.
 _BATCH = 1 << 23
+# Large levels are rounded up to even numbers of nodes, so that their halves are slices.
 _EVEN_FROM, _EVEN_STEP = 64, 16
-# Side of a baked square: with the variance of a bilinear tent of node spacing it makes up that of s_m.
-_BAKED_SIDE = math.sqrt(1 - 2 / NODES_PER_SIDE**2)
-# A level from the one below: means of nodes half a spacing and one and a half away. Their weights bring the
-# variance of the baked squares to that of squares twice as wide.
-_FAR_WEIGHT = 0.75
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
 _MOST_BYTES = 56 << 20
 _LARGEST = 255.0
@@ -83,43 +80,73 @@ def padded_group(per_family: int) -> NDArray[np.intp]:
     return number % per_family + number // per_family * 4 * (words_of(per_family) // 2)
 
 
-def coverage_size(geometry: YarnGeometry, per_family: int) -> float:
-    """s_0, millimetres: one thread, or more where the table would grow too large."""
+@dataclass(frozen=True)
+class Spacing:
+    """How squares and nodes lie.
+
+    Attributes:
+        size: s_0, millimetres.
+        nodes: along a square's side.
+    """
+
+    size: float
+    nodes: int
+
+    @property
+    def baked_side(self) -> float:
+        """Side of a baked square over s_m: with the variance of a bilinear tent between nodes, that of s_m."""
+        return math.sqrt(1 - 2 / self.nodes**2)
+
+    @property
+    def far_weight(self) -> float:
+        """Weight a of the nodes one and a half spacings away in a level made from the one below.
+
+        The rest goes to those half a spacing away. Squares twice as wide have four times the variance; with v
+        that of a baked square in spacings, v + (1 − a)/4 + 9a/4 = 4v.
+        """
+        return ((self.nodes**2 - 2) / 4 - 1 / 4) / 2
+
+
+def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
+    """Squares of one thread, or as small as the table's bound allows."""
     width, height = geometry.size
     picks, ends = geometry.layout.warp_on_top.shape
     thread = math.sqrt(width / ends * height / picks)
     row = 2 * 4 * (words_of(per_family) + 1)
-    smallest = NODES_PER_SIDE * math.sqrt(width * height * row * 4 / 3 / _MOST_BYTES)
-    return max(thread, smallest)
+    for nodes in (_NODES_PER_SIDE, _FEWER_NODES):
+        smallest = nodes * math.sqrt(width * height * row * 4 / 3 / _MOST_BYTES)
+        if smallest <= thread:
+            return Spacing(thread, nodes)
+    return Spacing(smallest, nodes)
 
 
 def measure_coverage(geometry: YarnGeometry, groups: Groups, float_type: type) -> Coverage:
     """Looks which group shows at every texel of the plan, and sums up."""
     types = array_types(float_type)
-    size = coverage_size(geometry, groups.per_family)
-    columns, rows = (_nodes_along(side, size) for side in geometry.size)
+    spacing = spacing_of(geometry, groups.per_family)
+    columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
     means = _cells(types, geometry, groups, columns, rows)
     mean = means.mean(axis=(1, 2), dtype=np.float64)
     for axis, count, side in ((1, rows, geometry.size[1]), (2, columns, geometry.size[0])):
-        means = _widened(means, axis, _BAKED_SIDE * size * count / side)
+        means = _widened(means, axis, spacing.baked_side * spacing.size * count / side)
     levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
     while columns * rows > 1:
         first = levels[-1][0] + columns * rows
         columns, rows = (-(-count // 2) for count in (columns, rows))
-        means = _halved(_halved(means, rows, 1), columns, 2)
+        for axis, count in ((1, rows), (2, columns)):
+            means = _halved(means, count, axis, spacing.far_weight)
         levels.append([first, columns, rows])
         parts.append(means.reshape(2, -1, means.shape[-1]))
     # The first level holds the extremes of all: the others are means of it.
     scale = np.maximum(parts[0].max(axis=1), 1e-9).astype(np.float64)
     unit = (_LARGEST / scale[:, None]).astype(np.float32)
     packed = np.concatenate([(part * unit + np.float32(0.5)).astype(np.uint8) for part in parts], axis=1)
-    return Coverage(size, np.array(levels, np.int64), scale, mean, packed)
+    return Coverage(spacing.size, np.array(levels, np.int64), scale, mean, packed)
 
 
-def _nodes_along(side: float, size: float) -> int:
+def _nodes_along(side: float, spacing: Spacing) -> int:
     """Nodes of the first level along one side of the repeat."""
-    count = max(1, math.ceil(NODES_PER_SIDE * side / size - 1e-6))
-    # Halves of large levels are found by slices.
+    count = max(1, math.ceil(spacing.nodes * side / spacing.size - 1e-6))
     return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
 
 
@@ -181,18 +208,18 @@ def _widened(means: NDArray[np.float32], axis: int, width: float) -> NDArray[np.
     return total * np.float32(1 / max(2 * half, 1))
 
 
-def _halved(means: NDArray[np.float32], count: int, axis: int) -> NDArray[np.float32]:
+def _halved(means: NDArray[np.float32], count: int, axis: int, far_weight: float) -> NDArray[np.float32]:
     """Means over squares twice as wide, along one axis."""
     before = means.shape[axis]
     if before == 2 * count:
         even, odd = (means[(slice(None),) * axis + (slice(start, None, 2),)] for start in (0, 1))
-        near = np.float32(0.5 * (1 - _FAR_WEIGHT)) * (even + odd)
-        return near + np.float32(0.5 * _FAR_WEIGHT) * (np.roll(odd, 1, axis) + np.roll(even, -1, axis))
+        near = np.float32(0.5 * (1 - far_weight)) * (even + odd)
+        return near + np.float32(0.5 * far_weight) * (np.roll(odd, 1, axis) + np.roll(even, -1, axis))
     middle = (np.arange(count) + 0.5) * (before / count) - 0.5
     total = np.zeros((*means.shape[:axis], count, *means.shape[axis + 1 :]), np.float32)
     shape = [1] * means.ndim
     shape[axis] = count
-    for offset, weight in ((0.5, 0.5 * (1 - _FAR_WEIGHT)), (1.5, 0.5 * _FAR_WEIGHT)):
+    for offset, weight in ((0.5, 0.5 * (1 - far_weight)), (1.5, 0.5 * far_weight)):
         for place in (middle - offset, middle + offset):
             lower = np.floor(place + 1e-9).astype(np.intp)
             share = np.maximum(place - lower, 0)

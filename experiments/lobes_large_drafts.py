@@ -1,0 +1,131 @@
+"""The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking, and cost of a query.
+
+    python experiments/lobes_large_drafts.py DRAFT.wif … --output experiments/results/lobes_large_drafts.json
+
+A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
+samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
+bands and metric are those of the query test. Costs are measured against plain weave in the same run, for
+footprints of the same sizes in threads, sorted by size as in pictures.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Float
+
+from loomlight.aggregate.queries import BANDS, QuerySet, admits_transmission, fabric_scale, query_set
+from loomlight.assets.fabrics import fabric_of_path
+from loomlight.core.backend import array_types
+from loomlight.core.files import replacing
+from loomlight.core.llvm import require_llvm
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.metrics import Classes, sums_by_class
+from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor, query_arrays
+from loomlight.evaluation.query_test import grey_value
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.lobes.model import LobesModel
+
+PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
+REPEATS = 15
+
+
+def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
+    """NMAE of grey f·cos in reflection by band, of the lobes and of a few samples."""
+    scale = fabric_scale(fabric.layout())
+    queries = query_set(scale, PAIRS, FOOTPRINTS, 0, transmits=admits_transmission(fabric.appearance()))
+    near = queries.lights[queries.pairs[:, 0], 2] * queries.views[queries.pairs[:, 1], 2] > 0
+    truth = grey_value(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries).means)[near]
+    rows = {
+        "lobes": model_predictor(lambda _: model),
+        "3 samples": monte_carlo_predictor(3),
+        "8 samples": monte_carlo_predictor(8),
+        f"{SAMPLES} other samples": monte_carlo_predictor(SAMPLES, seed=2),
+    }
+    bands = [Classes(BANDS, scale.bands(queries.sizes)[near])]
+    found = {}
+    for name, predict in rows.items():
+        guess = grey_value(predict(fabric, queries).means)[near]
+        sums = sums_by_class(guess, truth, bands)
+        found[name] = {part: round(total.nmae, 4) for part, total in sums.items() if total.count}
+    return found
+
+
+def sorted_queries(fabric: Fabric, low: float, high: float) -> Any:
+    """Arrays of queries of sides from `low` to `high` threads, sorted by size."""
+    scale = fabric_scale(fabric.layout())
+    queries = query_set(scale, 512, 512, 0)
+    sizes = scale.thread * np.geomspace(low, high, queries.sizes.size).reshape(queries.sizes.shape)
+    rng = np.random.default_rng(0)
+    pairs = queries.pairs[rng.integers(0, len(queries.pairs), len(queries.pairs))]
+    return query_arrays(
+        array_types(Float), QuerySet(queries.lights, queries.views, pairs, queries.centres, sizes)
+    )
+
+
+def cost_ratio(model: LobesModel, plain: LobesModel, low: float, high: float) -> float:
+    """Time of a query against that of plain weave: the median of paired runs."""
+    runs = [
+        (model, sorted_queries(model.fabric, low, high)),
+        (plain, sorted_queries(plain.fabric, low, high)),
+    ]
+    ratios = []
+    for index in range(REPEATS + 1):
+        seconds = []
+        for chosen, arrays in runs:
+            start = time.perf_counter()
+            dr.eval(chosen.evaluate(*arrays))
+            dr.sync_thread()
+            seconds.append(time.perf_counter() - start)
+        if index:
+            ratios.append(seconds[0] / seconds[1])
+    return round(float(np.median(ratios)), 3)
+
+
+def main() -> None:
+    """Runs the experiment and prints it."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("drafts", nargs="+")
+    parser.add_argument("--output", type=Path, default=None)
+    arguments = parser.parse_args()
+    require_llvm()
+    plain = LobesModel.for_fabric(fabric_of_path("plain"))
+    names = " ".join(Path(text).name for text in arguments.drafts)
+    result: dict[str, Any] = {
+        **provenance(f"python experiments/lobes_large_drafts.py {names}", Path(__file__).parent),
+        "drafts": {},
+    }
+    for text in arguments.drafts:
+        fabric = fabric_of_path(text)
+        LobesModel.for_fabric(fabric)
+        start = time.perf_counter()
+        model = LobesModel.for_fabric(fabric)
+        seconds = time.perf_counter() - start
+        picks, ends = fabric.layout().warp_on_top.shape
+        result["drafts"][Path(text).name] = {
+            "ends": ends,
+            "picks": picks,
+            "baking_seconds": round(seconds, 3),
+            "table_megabytes": round(model.tables.nbytes / 1e6, 2),
+            "nmae_of_reflection": errors(fabric, model),
+            "cost_against_plain": {
+                "0.05 to 100 threads": cost_ratio(model, plain, 0.05, 100),
+                "4 to 100 threads": cost_ratio(model, plain, 4, 100),
+            },
+        }
+        print(json.dumps(result["drafts"][Path(text).name], indent=2), flush=True)
+    if arguments.output is not None:
+        with replacing(arguments.output) as temporary:
+            temporary.write_text(json.dumps(result, indent=2) + "\n")
+
+
+if __name__ == "__main__":
+    main()
