@@ -2,9 +2,10 @@
 
     python benchmarks/lobes.py [--output benchmarks/results/lobes.json]
 
-"far" are footprints that the groups alone answer; "as in pictures" are those of the query test, from 1/128
-of the repeat to 5 repeats, sorted by size, as neighbouring pixels are alike; "at random" are the same
-shuffled, so that every 16 lanes hold close-ups, which search yarns, beside far views. Floating-point
+"far" are footprints that the groups alone answer, 4 to 100 threads wide; "as in pictures" are rows of
+adjacent footprints, each row of one size from 1/20 to 100 threads; "far at random" and "at random" are the
+same shuffled: memory is read here and there, and every 16 lanes hold close-ups, which search yarns, beside
+far views. Each draft's time of a query is compared with plain weave's in paired runs. Floating-point
 operations are counted in the kernel that Dr.Jit emits (a fused multiply-add is two, a root or a division
 one); unpacking bytes takes whole numbers and is not counted. The FMA peak and the memory's bandwidth are
 measured in the same run.
@@ -14,6 +15,8 @@ from __future__ import annotations
 
 import argparse
 import json
+import statistics
+import time
 from pathlib import Path
 from typing import Any
 
@@ -22,18 +25,20 @@ import numpy as np
 from drjit.llvm.ad import Float, UInt32
 from point import fma_peak, operations_of, timed
 
-from loomlight.aggregate.queries import fabric_scale, query_set
+from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.files import replacing
+from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.predictions import query_arrays
+from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
-PAIRS, FOOTPRINTS = 512, 1024
+ROWS, ACROSS, REPEATS = 512, 1024, 9
 
 
 def memory_bandwidth() -> float:
@@ -71,26 +76,71 @@ def operations(model: LobesModel, arrays: Any) -> int:
     return int(counts[0] + (model.tables.words - 1) * (counts[1] - counts[0]))
 
 
-def rates(text: str, peak: float, bandwidth: float) -> dict[str, Any]:
+def rows_of_pixels(fabric: Fabric, low: float, high: float, shuffled: bool) -> Any:
+    """Lights, views and footprints in rows of adjacent squares, one pair of directions and one size a row.
+
+    Args:
+        low, high: sides of the smallest and the largest, in threads.
+        shuffled: in no order.
+    """
+    scale = fabric_scale(fabric.layout())
+    rng = np.random.default_rng(0)
+    queries = query_set(scale, ROWS, ACROSS, 0)
+    side = scale.thread * np.geomspace(low, high, ROWS)[:, None]
+    start = rng.random((ROWS, 1, 2)) * scale.extent
+    step = np.stack([np.arange(ACROSS) * side, np.zeros((ROWS, ACROSS))], axis=-1)
+    sizes = np.broadcast_to(side, (ROWS, ACROSS))
+    arrays = query_arrays(
+        array_types(Float), QuerySet(queries.lights, queries.views, queries.pairs, start + step, sizes)
+    )
+    if shuffled:
+        light, view, footprint = arrays
+        order = UInt32(rng.permutation(ROWS * ACROSS).astype(np.uint32))
+        arrays = (
+            dr.gather(type(light), light, order),
+            dr.gather(type(view), view, order),
+            Footprint(
+                *(
+                    dr.gather(type(part), part, order)
+                    for part in (footprint.centre, footprint.duv_dx, footprint.duv_dy)
+                )
+            ),
+        )
+    dr.eval(arrays)
+    return arrays
+
+
+SETTINGS = {
+    "far": (4, 100, False),
+    "as in pictures": (0.05, 100, False),
+    "far at random": (4, 100, True),
+    "at random": (0.05, 100, True),
+}
+
+
+def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[str, Any]:
     """Figures of one fabric."""
     fabric = fabric_of_path(text)
     model = LobesModel.for_fabric(fabric)
-    queries = query_set(fabric_scale(fabric.layout()), PAIRS, FOOTPRINTS, 0)
-    arrays = query_arrays(array_types(Float), queries)
-    order = np.argsort(queries.sizes.ravel())
-    far = order[queries.sizes.ravel()[order] > 1.3 * model.tables.size]
-    rng = np.random.default_rng(0)
-    found: dict[str, float] = {}
-    for name, chosen in (
-        ("far", np.resize(rng.permutation(far), order.size)),
-        ("as in pictures", order),
-        ("at random", rng.permutation(order)),
-    ):
-        picked = _picked(arrays, chosen)
-        found[name] = order.size / timed(lambda picked=picked: dr.eval(model.evaluate(*picked)))
-    each = operations(model, _picked(arrays, order))
+    found, ratios = {}, {}
+    for name, setting in SETTINGS.items():
+        own, other = (rows_of_pixels(chosen.fabric, *setting) for chosen in (model, plain))
+        seconds: list[tuple[float, float]] = []
+        for _ in range(REPEATS):
+            pair = []
+            for chosen, arrays in ((model, own), (plain, other)):
+                start = time.perf_counter()
+                dr.eval(chosen.evaluate(*arrays))
+                dr.sync_thread()
+                pair.append(time.perf_counter() - start)
+            seconds.append((pair[0], pair[1]))
+        # The first two compile and warm up.
+        found[name] = ROWS * ACROSS / statistics.median(first for first, _ in seconds[2:])
+        ratios[name] = statistics.median(first / second for first, second in seconds[2:])
+    each = operations(model, rows_of_pixels(fabric, 4, 100, False))
     return {
         "millions_per_second": {name: round(rate / 1e6, 2) for name, rate in found.items()},
+        "time_against_plain": {name: round(ratio, 3) for name, ratio in ratios.items()},
         "operations_far": each,
         "share_of_fma_peak_far": round(found["far"] * each / peak, 3),
         "bytes_fetched": model.bytes_fetched,
@@ -100,21 +150,6 @@ def rates(text: str, peak: float, bandwidth: float) -> dict[str, Any]:
     }
 
 
-def _picked(arrays: Any, chosen: np.ndarray) -> Any:
-    light, view, footprint = arrays
-    index = UInt32(chosen.astype(np.uint32))
-    centre, across, along = (
-        dr.gather(type(part), part, index) for part in (footprint.centre, footprint.duv_dx, footprint.duv_dy)
-    )
-    picked = (
-        dr.gather(type(light), light, index),
-        dr.gather(type(view), view, index),
-        type(footprint)(centre, across, along),
-    )
-    dr.eval(picked)
-    return picked
-
-
 def main() -> None:
     """Runs the benchmark and prints it."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -122,12 +157,17 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=None)
     arguments = parser.parse_args()
     require_llvm()
+    named = ["--drafts", *(Path(text).name for text in arguments.drafts)] if arguments.drafts else []
     peak, bandwidth = fma_peak(), memory_bandwidth()
+    plain = LobesModel.for_fabric(fabric_of_path("plain"))
     result: dict[str, Any] = {
-        **provenance("python benchmarks/lobes.py", Path(__file__).parent),
+        **provenance(" ".join(["python benchmarks/lobes.py", *named]).strip(), Path(__file__).parent),
         "fma_peak_gflops": round(peak / 1e9, 1),
         "bandwidth_gigabytes_per_second": round(bandwidth / 1e9, 1),
-        "fabrics": {Path(text).stem: rates(text, peak, bandwidth) for text in (*FABRICS, *arguments.drafts)},
+        "fabrics": {
+            Path(text).name if text in arguments.drafts else text: rates(text, plain, peak, bandwidth)
+            for text in (*FABRICS, *arguments.drafts)
+        },
     }
     text = json.dumps(result, indent=2)
     print(text)

@@ -1,11 +1,10 @@
-"""The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking, and cost of a query.
+"""The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking.
 
     python experiments/lobes_large_drafts.py DRAFT.wif … --output experiments/results/lobes_large_drafts.json
 
 A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
 samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
-bands and metric are those of the query test. Costs are measured against plain weave in the same run, for
-footprints of the same sizes in threads, sorted by size as in pictures.
+bands and metric are those of the query test. benchmarks/lobes.py has the cost of a query.
 """
 
 from __future__ import annotations
@@ -16,24 +15,18 @@ import time
 from pathlib import Path
 from typing import Any
 
-import drjit as dr
-import numpy as np
-from drjit.llvm.ad import Float
-
-from loomlight.aggregate.queries import BANDS, QuerySet, admits_transmission, fabric_scale, query_set
+from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
-from loomlight.core.backend import array_types
 from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.metrics import Classes, sums_by_class
-from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor, query_arrays
+from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_test import grey_value
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 
 PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
-REPEATS = 15
 
 
 def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
@@ -57,37 +50,6 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     return found
 
 
-def sorted_queries(fabric: Fabric, low: float, high: float) -> Any:
-    """Arrays of queries of sides from `low` to `high` threads, sorted by size."""
-    scale = fabric_scale(fabric.layout())
-    queries = query_set(scale, 512, 512, 0)
-    sizes = scale.thread * np.geomspace(low, high, queries.sizes.size).reshape(queries.sizes.shape)
-    rng = np.random.default_rng(0)
-    pairs = queries.pairs[rng.integers(0, len(queries.pairs), len(queries.pairs))]
-    return query_arrays(
-        array_types(Float), QuerySet(queries.lights, queries.views, pairs, queries.centres, sizes)
-    )
-
-
-def cost_ratio(model: LobesModel, plain: LobesModel, low: float, high: float) -> float:
-    """Time of a query against that of plain weave: the median of paired runs."""
-    runs = [
-        (model, sorted_queries(model.fabric, low, high)),
-        (plain, sorted_queries(plain.fabric, low, high)),
-    ]
-    ratios = []
-    for index in range(REPEATS + 1):
-        seconds = []
-        for chosen, arrays in runs:
-            start = time.perf_counter()
-            dr.eval(chosen.evaluate(*arrays))
-            dr.sync_thread()
-            seconds.append(time.perf_counter() - start)
-        if index:
-            ratios.append(seconds[0] / seconds[1])
-    return round(float(np.median(ratios)), 3)
-
-
 def main() -> None:
     """Runs the experiment and prints it."""
     parser = argparse.ArgumentParser(
@@ -97,7 +59,6 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=None)
     arguments = parser.parse_args()
     require_llvm()
-    plain = LobesModel.for_fabric(fabric_of_path("plain"))
     names = " ".join(Path(text).name for text in arguments.drafts)
     result: dict[str, Any] = {
         **provenance(f"python experiments/lobes_large_drafts.py {names}", Path(__file__).parent),
@@ -116,10 +77,6 @@ def main() -> None:
             "baking_seconds": round(seconds, 3),
             "table_megabytes": round(model.tables.nbytes / 1e6, 2),
             "nmae_of_reflection": errors(fabric, model),
-            "cost_against_plain": {
-                "0.05 to 100 threads": cost_ratio(model, plain, 0.05, 100),
-                "4 to 100 threads": cost_ratio(model, plain, 4, 100),
-            },
         }
         print(json.dumps(result["drafts"][Path(text).name], indent=2), flush=True)
     if arguments.output is not None:

@@ -94,7 +94,7 @@ class Spacing:
 
     @property
     def baked_side(self) -> float:
-        """Side of a baked square over s_m: with the variance of a bilinear tent between nodes, that of s_m."""
+        """Side of a baked square over s_m: variances of it and of a bilinear tent make up that of s_m."""
         return math.sqrt(1 - 2 / self.nodes**2)
 
     @property

@@ -25,9 +25,10 @@ from loomlight.yarn.visibility import first_hit
 
 DEFAULT_GROUPS = 8
 MOST_GROUPS = 64
-# Footprints in units of the pyramid's smallest square: below the first points alone count, above the second
-# groups alone.
+# Footprints in threads: below the first points alone count, above the second groups alone. Where squares of
+# the pyramid are wider than a thread, in units of this share of them.
 _HAND_OVER = 0.6, 1.6
+_SQUARE_SHARE = 0.8
 _NEAREST = 1e-9
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.
@@ -196,9 +197,10 @@ class LobesModel(Model):
         return dr.square(share) * dr.fma(-2, share, 3)
 
     def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
-        """Threads a millimetre, and log2 of the pyramid's smallest square: opaque."""
+        """Threads a millimetre, and log2 of the length that the hand-over is measured by: opaque."""
         if types.Float not in self._scales:
-            numbers = 1 / self._thread, math.log2(self.tables.size)
+            unit = max(self._thread, _SQUARE_SHARE * self.tables.size)
+            numbers = 1 / self._thread, math.log2(unit)
             per_thread, level = (dr.opaque(types.Float, number) for number in numbers)
             self._scales[types.Float] = per_thread, level
         return self._scales[types.Float]
