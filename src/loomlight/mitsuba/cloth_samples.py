@@ -18,7 +18,10 @@ CLOTHS: WeakSet[Any] = WeakSet()
 
 
 def declare_lobes(bsdf: Any) -> None:
-    """Adds the BSDF to `CLOTHS` and sets its flags: reflection and transmission, diffuse and glossy, and holes; both faces."""
+    """Sets components and flags: reflection and transmission, diffuse and glossy, and holes; both faces.
+
+    The BSDF is one of `CLOTHS` from then on.
+    """
     CLOTHS.add(bsdf)
     flags: Any = mi.BSDFFlags
     both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic

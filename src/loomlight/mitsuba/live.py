@@ -6,6 +6,9 @@ frozen functions keep what was launched, and launch it again with whatever the s
 
 from __future__ import annotations
 
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import drjit as dr
@@ -57,7 +60,8 @@ class LivePicture:
             seed: any 32-bit number.
         """
         try:
-            shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), _held())
+            with _collecting_later():
+                shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), _held())
             return np.array(shown, dtype=np.float32)
         except RuntimeError:
             # A cloth that was never traced, of whichever scene, has arrays to upload: that is done here.
@@ -66,6 +70,18 @@ class LivePicture:
     def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
         return mi.render(scene, sensor=self._camera, integrator=integrator, spp=self._samples, seed=seed)
+
+
+@contextmanager
+def _collecting_later() -> Iterator[None]:
+    """Without Python's garbage collector: arrays that it frees while Dr.Jit records end the process."""
+    enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if enabled:
+            gc.enable()
 
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
