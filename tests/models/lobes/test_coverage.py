@@ -22,7 +22,7 @@ from loomlight.models.lobes.coverage import (
     spacing_of,
     words_of,
 )
-from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups
+from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups, plan_points
 from loomlight.models.lobes.model import LobesModel
 from loomlight.weave.draft import Draft
 from loomlight.yarn.geometry import YarnGeometry
@@ -43,7 +43,7 @@ ERRORS = {1.0: 0.14, 1.41: 0.25, 2.0: 0.13, 2.83: 0.17, 4.0: 0.09, 8.0: 0.05, 23
 @cache
 def made(name: str) -> tuple[YarnGeometry, Groups, Coverage]:
     geometry = geometry_of(name)
-    groups = find_groups(geometry, PER_FAMILY, Float)
+    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
     return geometry, groups, measure_coverage(geometry, groups, Float)
 
 

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import math
-from dataclasses import fields
+from dataclasses import fields, replace
 
+import drjit as dr
 import numpy as np
 import pytest
-from drjit.llvm.ad import Bool, Float
+from drjit.llvm.ad import Bool, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes import groups as module
-from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups, places_over
+from loomlight.models.lobes import tables
+from loomlight.models.lobes.groups import (
+    GroupFinder,
+    Groups,
+    PlanPoints,
+    find_groups,
+    places_over,
+    plan_points,
+)
 from loomlight.models.lobes.model import LobesModel
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 
@@ -42,7 +51,7 @@ def numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int64
 @pytest.mark.parametrize("back", [False, True])
 def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(geometry, PER_FAMILY, Float)
+    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
     point = plan(geometry, 1, back)
     found = numbers(groups, point, back)
     hole, is_warp = point.hole.numpy(), point.is_warp.numpy()
@@ -67,7 +76,7 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
 @pytest.mark.parametrize("back", [False, True])
 def test_areas_and_moments_are_those_of_the_plan(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(geometry, PER_FAMILY, Float)
+    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
     face = int(back)
     assert groups.area[face].sum() + groups.hole[face] == pytest.approx(1, abs=1e-12)
     point = plan(geometry, 2, back)
@@ -96,7 +105,7 @@ def test_more_groups_are_narrower() -> None:
     geometry = geometry_of("translucent twill")
     spreads = []
     for per_family in (1, 4, 16):
-        groups = find_groups(geometry, per_family, Float)
+        groups = find_groups(plan_points(geometry, Float), per_family)
         spreads.append((groups.area * np.trace(groups.spread, axis1=2, axis2=3)).sum())
     # Four times the groups of a set of two or three dimensions: at least half the variance.
     assert spreads[1] < 0.5 * spreads[0]
@@ -104,7 +113,9 @@ def test_more_groups_are_narrower() -> None:
 
 
 def test_the_same_groups_every_time() -> None:
-    first, second = (find_groups(geometry_of("smooth satin"), PER_FAMILY, Float) for _ in range(2))
+    first, second = (
+        find_groups(plan_points(geometry_of("smooth satin"), Float), PER_FAMILY) for _ in range(2)
+    )
     for part in fields(Groups):
         assert np.array_equal(getattr(first, part.name), getattr(second, part.name)), part.name
 
@@ -112,8 +123,9 @@ def test_the_same_groups_every_time() -> None:
 def test_places_are_even_over_crossings_and_within_them() -> None:
     geometry = geometry_of("long rib")
     count = 4096
-    places = places_over(geometry, count, 3)
-    assert places.shape == (3, count, 2)
+    lane = dr.arange(UInt32, 3 * count)
+    x, y = places_over(geometry, lane % count, lane // count)
+    places = np.stack([x.numpy(), y.numpy()], axis=1).reshape(3, count, 2)
     picks, ends = geometry.layout.warp_on_top.shape
     for some in places:
         crossing = some / geometry.size * [ends, picks]
@@ -141,17 +153,22 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     whole = LobesModel.for_fabric(fabric, per_family)
     asked = asked_of(fabric, whole.tables.size, 500, seed=3)
     wanted = far_parts(whole, asked)
-    original = module._points
 
-    def without_weft(geometry: YarnGeometry, float_type: type) -> tuple[NDArray[np.float64], ...]:
-        back, is_warp, hole, normal, tangent = original(geometry, float_type)
-        weft, warp = (np.flatnonzero(~back & ~hole & (is_warp == wanted)) for wanted in (False, True))
-        taken = np.arange(len(back))
+    def without_weft(geometry: YarnGeometry, float_type: type) -> PlanPoints:
+        points = plan_points(geometry, float_type)
+        shown = ~points.back & ~points.hole
+        weft, warp = (np.flatnonzero(shown & (points.is_warp == wanted)) for wanted in (False, True))
+        taken = np.arange(len(points.back))
         taken[weft] = np.resize(warp, len(weft))
-        return back, is_warp[taken], hole, normal[taken], tangent[taken]
+        return replace(
+            points,
+            is_warp=points.is_warp[taken],
+            normal=points.normal[taken],
+            tangent=points.tangent[taken],
+        )
 
-    monkeypatch.setattr(module, "_points", without_weft)
-    groups = find_groups(YarnGeometry(fabric.layout()), per_family, Float)
+    monkeypatch.setattr(tables, "plan_points", without_weft)
+    groups = find_groups(without_weft(YarnGeometry(fabric.layout()), Float), per_family)
     assert not groups.area[0, per_family:].any()
     assert groups.area[1, per_family:].all()
     for part in fields(Groups):
@@ -170,7 +187,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
 def test_fewer_different_points_than_groups() -> None:
     """Flat threads of one direction each: one point a family, eight groups of it."""
     count = 100
-    features = np.tile([0, 0, 0.5, 1, 0, 0.0], (count, 1))
+    features = np.tile([0, 0, 0.5, 1, 0, 0.0], (2, count, 1))
     centres = module._centres(features, PER_FAMILY)
-    assert centres.shape == (PER_FAMILY, 6)
-    np.testing.assert_allclose(centres, features[:PER_FAMILY])
+    assert centres.shape == (2, PER_FAMILY, 6)
+    np.testing.assert_allclose(centres, features[:, :PER_FAMILY])

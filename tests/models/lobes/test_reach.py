@@ -12,9 +12,9 @@ from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups
+from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
-from loomlight.models.lobes.reach import Reach, measure_reach, rays_of
+from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, rays_of
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import REFERENCE_QUALITY, first_hit, unoccluded
 
@@ -30,8 +30,9 @@ SIDE = 160
 @cache
 def made(name: str) -> tuple[YarnGeometry, Groups, Reach]:
     geometry = geometry_of(name)
-    groups = find_groups(geometry, PER_FAMILY, Float)
-    return geometry, groups, measure_reach(geometry, groups, BLEND, Float)
+    points = plan_points(geometry, Float)
+    groups = find_groups(points, PER_FAMILY)
+    return geometry, groups, measure_reach(cast_rays(geometry, points, PER_FAMILY, Float), groups, BLEND)
 
 
 def places(geometry: YarnGeometry, seed: int) -> tuple[Float, Float]:

@@ -7,15 +7,12 @@ that holds few groups to the whole cloth, however large its draft. Groups 0 to K
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
-from scipy.cluster.vq import kmeans2
 
 from loomlight.core.backend import ArrayTypes, array_types, uploaded
 from loomlight.yarn.geometry import YarnGeometry
@@ -28,11 +25,29 @@ _FEATURES = 6
 _POINTS = 1 << 13
 _LEARNT_FROM = 1 << 10
 _ITERATIONS = 10
-# Points that agree in so many are one group's, as those of a straight flat yarn are.
+# Points that agree in so many are one to k-means, as those of a straight flat yarn are.
 _DIGITS = 4
 # Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
-# (Roberts 2018).
-_EVEN_IN_FOUR = 1.1673039782614187 ** -np.arange(1.0, 5.0)
+# (Roberts 2018), in units of 2⁻³²: products wrap around as fractions do.
+_EVEN_IN_FOUR = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
+
+
+@dataclass(frozen=True, eq=False)
+class PlanPoints:
+    """Points spread evenly over the plan, those of the front first.
+
+    Attributes:
+        back, is_warp, hole: Booleans [n].
+        normal, tangent: unit vectors [n, 3] in the frame of the face.
+        gaps: places where neither family is, evenly spread [m, 2], millimetres.
+    """
+
+    back: NDArray[np.bool_]
+    is_warp: NDArray[np.bool_]
+    hole: NDArray[np.bool_]
+    normal: NDArray[np.float64]
+    tangent: NDArray[np.float64]
+    gaps: NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +62,6 @@ class Groups:
         normal: mean normal, shorter than 1 [2, 2 K, 3].
         tangent: mean fibre direction, shorter than 1 [2, 2 K, 3].
         spread: covariance of the fibre direction [2, 2 K, 3, 3].
-        gaps: places where neither family is, evenly spread [n, 2], millimetres.
     """
 
     per_family: int
@@ -57,7 +71,6 @@ class Groups:
     normal: NDArray[np.float64]
     tangent: NDArray[np.float64]
     spread: NDArray[np.float64]
-    gaps: NDArray[np.float32]
 
     @property
     def count(self) -> int:
@@ -96,92 +109,135 @@ class GroupFinder:
         return dr.select(hole, self.holes, first + state[2])
 
 
-@cache
-def _turns(count: int, sets: int) -> NDArray[np.float64]:
-    """Points [sets, count, 4] of the unit cube of four dimensions, each set evenly spread."""
-    number = np.arange(count)[:, None] + 0.5
-    shift = np.arange(sets)[:, None, None] * _EVEN_IN_FOUR[::-1]
-    return np.asarray((number * _EVEN_IN_FOUR + shift) % 1.0)
-
-
-def places_over(geometry: YarnGeometry, count: int, sets: int = 1) -> NDArray[np.float32]:
-    """Places on the cloth [sets, count, 2], millimetres, the same every time.
+def places_over(geometry: YarnGeometry, number: Any, chosen: Any) -> tuple[Any, Any]:
+    """Places x, y on the cloth, millimetres, the same every time: Float each.
 
     They are even over the crossings and within a crossing both: places that are even over the repeat alone
     may meet a gap of a few per cent too often, as threads repeat.
+
+    Args:
+        number: of the place in its set, from 0: UInt32.
+        chosen: which set, each evenly spread: UInt32.
     """
-    turns = _turns(count, sets)
+    types = array_types(dr.float32_array_t(number))
+    turns = [
+        types.Float((number * share + share // 2 + chosen * shift) >> 8) * 2**-24
+        for share, shift in zip(_EVEN_IN_FOUR, _EVEN_IN_FOUR[::-1], strict=True)
+    ]
     picks, ends = geometry.layout.warp_on_top.shape
-    crossing = np.floor(turns[..., 2:] * (ends, picks))
-    return ((crossing + turns[..., :2]) / (ends, picks) * geometry.size).astype(np.float32)
+    x, y = (
+        (dr.floor(crossing * dr.opaque(types.Float, threads)) + within)
+        * dr.opaque(types.Float, side / threads)
+        for within, crossing, threads, side in zip(
+            turns[:2], turns[2:], (ends, picks), geometry.size, strict=True
+        )
+    )
+    return x, y
 
 
-def find_groups(geometry: YarnGeometry, per_family: int, float_type: type) -> Groups:
+def plan_points(geometry: YarnGeometry, float_type: type) -> PlanPoints:
+    """Looks at the plan of both faces."""
+    types = array_types(float_type)
+    lane = dr.arange(types.UInt32, 2 * _POINTS)
+    back = lane >= _POINTS
+    x, y = places_over(geometry, lane & (_POINTS - 1), types.UInt32(0))
+    point = geometry.surface(x, y, back)
+    dr.eval(x, y, point.is_warp, point.hole, point.normal, point.tangent)
+    normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
+    hole = point.hole.numpy()
+    # A gap is one seen from both faces.
+    gaps = np.stack([part.numpy()[:_POINTS][hole[:_POINTS]] for part in (x, y)], axis=1)
+    return PlanPoints(np.arange(2 * _POINTS) >= _POINTS, point.is_warp.numpy(), hole, normal, tangent, gaps)
+
+
+def find_groups(points: PlanPoints, per_family: int) -> Groups:
     """Parts the points of both faces into `per_family` groups for each family (k-means) and sums them up.
 
     A family that a face never shows has groups without area.
     """
-    back, is_warp, hole, normal, tangent = _points(geometry, float_type)
-    features = np.concatenate([_NORMAL_SHARE * normal, tangent], axis=1)
     count = 2 * per_family
-    centres = np.zeros((2, count, _FEATURES), np.float32)
-    number = np.full(len(back), 2 * count)
-    for face in range(2):
-        for family in range(2):
-            chosen = np.flatnonzero((back == bool(face)) & (is_warp == (family == 0)) & ~hole)
-            if len(chosen):
-                own = slice(family * per_family, (family + 1) * per_family)
-                centres[face, own] = _centres(features[chosen], per_family)
-                first = face * count + family * per_family
-                number[chosen] = first + _nearest(features[chosen], centres[face, own])
-    area, mean_normal, mean_tangent, spread = _moments(number, normal, tangent, count)
-    # A gap is one seen from both faces.
-    gaps = places_over(geometry, _POINTS)[0][hole[:_POINTS]]
-    holes = np.full(2, len(gaps) / _POINTS)
-    return Groups(per_family, centres, area, holes, mean_normal, mean_tangent, spread, gaps)
+    of_set = 2 * points.back + ~points.is_warp
+    sets = {number: np.flatnonzero((of_set == number) & ~points.hole) for number in range(4)}
+    sets = {number: chosen for number, chosen in sets.items() if len(chosen)}
+    centres = np.zeros((4, per_family, _FEATURES), np.float32)
+    if sets:
+        learnt = [
+            np.resize(chosen, -(-len(chosen) // _LEARNT_FROM) * _LEARNT_FROM) for chosen in sets.values()
+        ]
+        rows = np.stack([some[:: len(some) // _LEARNT_FROM] for some in learnt])
+        centres[list(sets)] = _centres(_features(points, rows), per_family)
+    number = np.full(len(points.back), 2 * count)
+    for family, chosen in sets.items():
+        number[chosen] = family * per_family + _nearest(_features(points, chosen), centres[family])
+    area, mean_normal, mean_tangent, spread = _moments(number, points.normal, points.tangent, count)
+    holes = np.full(2, len(points.gaps) / _POINTS)
+    return Groups(
+        per_family, centres.reshape(2, count, _FEATURES), area, holes, mean_normal, mean_tangent, spread
+    )
 
 
 def _moments(
     number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64], count: int
 ) -> tuple[NDArray[np.float64], ...]:
     """Areas [2, count], mean normals and fibre directions, covariances of these, of points by group."""
-    squares = tangent[:, :, None] * tangent[:, None, :]
-    rows = np.concatenate([np.ones((len(number), 1)), normal, tangent, squares.reshape(-1, 9)], axis=1)
-    member = (number == np.arange(2 * count)[:, None]).astype(np.float64)
-    sums = (member @ rows).reshape(2, count, -1)
+    first, second = np.triu_indices(3)
+    rows = [np.ones(len(number)), *normal.T, *tangent.T, *(tangent.T[first] * tangent.T[second])]
+    sums = np.stack([np.bincount(number, row, minlength=2 * count + 1)[: 2 * count] for row in rows], axis=1)
+    sums = sums.reshape(2, count, -1)
     points = sums[..., :1]
     means = sums[..., 1:] / np.maximum(points, 1)
     # Groups without points face the eye, so that nothing is divided by 0.
     means[points[..., 0] == 0, 2] = means[points[..., 0] == 0, 4] = 1
     mean_normal, mean_tangent = means[..., :3], means[..., 3:6]
-    spread = means[..., 6:].reshape(2, count, 3, 3) - mean_tangent[..., :, None] * mean_tangent[..., None, :]
+    spread = -mean_tangent[..., :, None] * mean_tangent[..., None, :]
+    spread[..., first, second] += means[..., 6:]
+    spread[..., second, first] = spread[..., first, second]
     spread[points[..., 0] == 0] = 0
     return points[..., 0] / _POINTS, mean_normal, mean_tangent, spread
 
 
-def _points(geometry: YarnGeometry, float_type: type) -> tuple[NDArray[Any], ...]:
-    """Points of the plan, the front's first: back, is_warp, hole [n], normal and tangent [n, 3]."""
-    types = array_types(float_type)
-    back = np.repeat([False, True], _POINTS)
-    x, y = (uploaded(types.Float, np.tile(part, 2)) for part in places_over(geometry, _POINTS)[0].T)
-    point = geometry.surface(x, y, uploaded(types.Bool, back))
-    dr.eval(point.is_warp, point.hole, point.normal, point.tangent)
-    normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
-    return back, point.is_warp.numpy(), point.hole.numpy(), normal, tangent
-
-
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    learnt = features[:: max(1, len(features) // _LEARNT_FROM)]
-    different = np.unique(learnt.round(_DIGITS), axis=0)
-    if len(different) <= count:
-        return np.resize(different, (count, _FEATURES))
-    with warnings.catch_warnings():
-        # A group that loses all its points keeps its place and does no harm.
-        warnings.simplefilter("ignore", UserWarning)
-        found, _ = kmeans2(learnt, count, iter=_ITERATIONS, minit="++", rng=np.random.default_rng(0))
-    return np.asarray(found)
+    """Means of `count` groups (k-means) in each of several sets of points [sets, n, features].
+
+    Where fewer points differ some groups are one; where a group loses all its points it keeps its place.
+    """
+    learnt = features.round(_DIGITS)
+    turned = np.ascontiguousarray(learnt.transpose(0, 2, 1))
+    centres = _first_centres(turned, count)
+    for _ in range(_ITERATIONS):
+        distance = (centres**2).sum(2)[..., None] - 2 * centres @ turned
+        # A point between two groups counts for both.
+        member = distance == distance.min(axis=1, keepdims=True)
+        points = member.sum(axis=2)[..., None]
+        sums = member.astype(np.float64) @ learnt
+        centres = np.where(points > 0, sums / np.maximum(points, 1), centres)
+    return centres
+
+
+def _first_centres(turned: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+    """Points far from each other, of sets [sets, features, n]: drawn by squared distance (k-means++)."""
+    chances = np.random.default_rng(0).random(count)
+    sets = np.arange(len(turned))
+    centres = [turned[sets, :, int(chances[0] * turned.shape[2])]]
+    nearest = np.full((len(turned), turned.shape[2]), np.inf)
+    for chance in chances[1:]:
+        nearest = np.minimum(nearest, np.square(turned - centres[-1][..., None]).sum(axis=1))
+        reached = nearest.cumsum(axis=1)
+        centres.append(turned[sets, :, (reached < chance * reached[:, -1:]).sum(axis=1)])
+    return np.stack(centres, axis=1)
+
+
+def _features(points: PlanPoints, chosen: NDArray[np.intp]) -> NDArray[np.float64]:
+    """What groups are compared by, of some points [..., 6]."""
+    return np.concatenate([_NORMAL_SHARE * points.normal[chosen], points.tangent[chosen]], axis=-1)
 
 
 def _nearest(features: NDArray[np.float64], centres: NDArray[np.float32]) -> NDArray[np.intp]:
-    distance = (centres.astype(np.float64) ** 2).sum(1) - 2 * features @ centres.T.astype(np.float64)
-    return np.asarray(distance.argmin(axis=1))
+    """Number of the nearest centre of each point."""
+    exact = centres.astype(np.float64)
+    distances = (exact**2).sum(axis=1)[:, None] - 2 * exact @ features.T
+    least, number = distances[0], np.zeros(len(features), np.intp)
+    for group in range(1, len(centres)):
+        number[distances[group] < least] = group
+        least = np.minimum(least, distances[group])
+    return number

@@ -19,10 +19,10 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, uploaded
-from loomlight.models.lobes.groups import GroupFinder, Groups, places_over
-from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.models.lobes.groups import GroupFinder, Groups, PlanPoints, places_over
+from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
+from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
 # Rays a node and face, at least, and for each group of a family. With four times as many, estimates are
@@ -53,103 +53,171 @@ def rays_of(per_family: int) -> int:
     return max(_FEWEST_RAYS, _RAYS_PER_GROUP * per_family)
 
 
-def measure_reach(geometry: YarnGeometry, groups: Groups, diffuse_blend: float, float_type: type) -> Reach:
-    """Casts the rays of both faces and of all nodes.
+@dataclass
+class CastRays:
+    """What rays met, before groups are known; lanes are faces, then nodes, then rays. Work may go on.
+
+    Attributes:
+        hits: the yarn points that views meet.
+        nothing: views that meet none: Bool.
+        points: the plan points that light goes to.
+        towards: unit vectors [3] to eye and light.
+        free: light reaches the point: Bool.
+        passes: views through gaps that pass through the cloth, of the front's nodes: Bool; None without gaps.
+    """
+
+    hits: SurfacePoint
+    nothing: Any
+    points: SurfacePoint
+    towards: Any
+    free: Any
+    passes: Any | None
+
+
+def cast_rays(geometry: YarnGeometry, points: PlanPoints, per_family: int, float_type: type) -> CastRays:
+    """Casts the rays of both faces and of all nodes to eye and light, and does not wait for them.
+
+    Args:
+        points: of the plan, whose gaps rays go through.
+        per_family: groups of each family that rays shall tell of.
+    """
+    types = array_types(float_type)
+    directions = uploaded(types.Float, np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32))
+    passes = _passing(geometry, points.gaps, directions, types)
+    back, x, y, towards = _rays(geometry, directions, rays_of(per_family), types)
+    point = geometry.surface(x, y, back)
+    awake = ~point.hole & (dr.dot(point.normal, towards) > 0)
+    free = unoccluded(geometry, x, y, point.height, towards, back, awake, _QUALITY)
+    dr.eval(free, towards, point.is_warp, point.hole, point.normal, point.tangent)
+    back, x, y, view = _rays(geometry, directions, rays_of(per_family), types)
+    hit = first_hit(geometry, x, y, view, back, True, _QUALITY)
+    met = geometry.surface(hit.x, hit.y, back)
+    nothing = hit.hole | met.hole
+    dr.eval(nothing, met.is_warp, met.normal, met.tangent)
+    return CastRays(met, nothing, point, towards, free, passes)
+
+
+def _rays(geometry: YarnGeometry, directions: Any, rays: int, types: ArrayTypes) -> tuple[Any, Any, Any, Any]:
+    """So many rays of both faces and of all nodes: back, x, y, direction."""
+    each, of_node = (dr.opaque(types.UInt32, count) for count in (NODES * rays, rays))
+    lane = dr.arange(types.UInt32, 2 * NODES * rays)
+    back = lane >= each
+    lane = dr.select(back, lane - each, lane)
+    node = lane // of_node
+    return back, *places_over(geometry, lane - node * of_node, node), _direction(types, directions, node)
+
+
+def _direction(types: ArrayTypes, directions: Any, node: Any) -> Any:
+    """Unit vector [3] of a node."""
+    found = dr.gather(types.Vector4, directions, node)
+    return types.Vector3(found.x, found.y, found.z)
+
+
+def _passing(geometry: YarnGeometry, gaps: NDArray[np.float32], directions: Any, types: ArrayTypes) -> Any:
+    """Which view rays pass through the cloth, from rays through its gaps alone; None without gaps.
+
+    Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
+    """
+    gaps = gaps[:: max(1, len(gaps) // _GAP_RAYS)][:_GAP_RAYS]
+    if not len(gaps):
+        return None
+    x, y = (uploaded(types.Float, part) for part in gaps.T)
+    each = dr.opaque(types.UInt32, len(gaps))
+    lane = dr.arange(types.UInt32, NODES * len(gaps))
+    node = lane // each
+    number = lane - node * each
+    x, y = (dr.gather(types.Float, part, number) for part in (x, y))
+    towards = _direction(types, directions, node)
+    passes = passes_through(geometry, x, y, towards, lane < 0, True, _QUALITY)
+    dr.eval(passes)
+    return passes
+
+
+def measure_reach(rays: CastRays, groups: Groups, diffuse_blend: float) -> Reach:
+    """Sums up by group what the rays met.
 
     Args:
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
     """
-    types = array_types(float_type)
+    types = array_types(rays.towards)
     finder = GroupFinder(groups, types)
-    rays = rays_of(groups.per_family)
-    each = NODES * rays
-    places = places_over(geometry, rays, NODES)
-    lane = np.arange(2 * each)
-    node, back = lane % each // rays, lane >= each
-    x, y = (uploaded(types.Float, np.tile(part, 2)) for part in places.reshape(-1, 2).T)
-    directions = node_directions().astype(np.float32).T
-    towards = types.Vector3(
-        *(uploaded(types.Float, np.tile(np.repeat(part, rays), 2)) for part in directions)
-    )
-    face = uploaded(types.Bool, back)
+    count = dr.width(rays.free)
 
-    def group_at(at_x: Any, at_y: Any, hole: Any) -> tuple[Any, Any]:
-        point = geometry.surface(at_x, at_y, face)
-        number = finder.group(face, point.is_warp, hole | point.hole, point.normal, point.tangent)
-        return number, point
+    def group_of(point: SurfacePoint, hole: Any) -> Any:
+        lanes = dr.width(hole)
+        back = dr.arange(types.UInt32, lanes) >= dr.opaque(types.UInt32, lanes // 2)
+        return finder.group(back, point.is_warp, hole, point.normal, point.tangent)
 
-    hit = first_hit(geometry, x, y, towards, face, True, _QUALITY)
-    met = dr.select(hit.hole, finder.holes, group_at(hit.x, hit.y, hit.hole)[0])
-    lit, point = group_at(x, y, face & False)
-    facing = dr.dot(point.normal, towards)
-    near = dr.maximum(facing, 0)
-    free = unoccluded(geometry, x, y, point.height, towards, face, ~point.hole & (facing > 0), _QUALITY)
-    far = geometry.surface(x, y, ~face)
-    awake = ~far.hole & (dr.dot(far.normal, towards) > 0)
-    beyond = unoccluded(geometry, x, y, far.height, towards, ~face, awake, _QUALITY)
+    met, lit = group_of(rays.hits, rays.nothing), group_of(rays.points, rays.points.hole)
+    normal, towards = rays.points.normal, rays.towards
+    near = dr.maximum(dr.dot(normal, towards), 0)
     # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated.
-    under = dr.maximum(
-        -(point.normal.x * towards.x + point.normal.y * towards.y - point.normal.z * towards.z), 0
-    )
-    blend = float(diffuse_blend)
-    irradiance = [
-        dr.select(reaches, dr.lerp(towards.z, cosine, blend) * dr.inv_pi, 0)
-        for reaches, cosine in ((free, near), (beyond, under))
-    ]
-    dr.eval(met, lit, free, beyond, irradiance)
+    under = dr.maximum(normal.z * towards.z - normal.x * towards.x - normal.y * towards.y, 0)
+    blend = dr.opaque(types.Float, float(diffuse_blend))
+    terms = [dr.lerp(towards.z, cosine, blend) * dr.inv_pi for cosine in (near, under)]
+    dr.eval(met, lit, terms)
+    free = rays.free.numpy()
+    # Light from the other side falls on the other face, whose rays start at the same places.
+    beyond = np.roll(free, count // 2)
+    passing = np.zeros((2, NODES)) if rays.passes is None else _both_faces(rays.passes.numpy())
     return _means(
         groups.count,
-        _passing(geometry, groups, float_type),
-        back * NODES + node,
+        groups.hole[:, None] * passing,
         met.numpy(),
         lit.numpy(),
-        [free.numpy(), beyond.numpy()],
-        [part.numpy() for part in irradiance],
+        [free, beyond],
+        [term.numpy() for term in terms],
     )
 
 
-def _passing(geometry: YarnGeometry, groups: Groups, float_type: type) -> NDArray[np.float64]:
-    """Share of view rays that pass through the cloth [2 faces, nodes], from rays through its gaps alone.
+def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Share of rays through gaps that pass [2 faces, nodes] of those of the front.
 
-    Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
+    A line that passes is seen from the other face from the opposite azimuth.
     """
-    types = array_types(float_type)
-    gaps = groups.gaps[:: max(1, len(groups.gaps) // _GAP_RAYS)][:_GAP_RAYS]
-    if not len(gaps):
-        return np.zeros((2, NODES))
-    count = 2 * NODES * len(gaps)
-    x, y = (uploaded(types.Float, np.tile(part, 2 * NODES)) for part in gaps.T)
-    directions = np.tile(np.repeat(node_directions(), len(gaps), axis=0), (2, 1)).astype(np.float32)
-    towards = types.Vector3(*(uploaded(types.Float, part) for part in directions.T))
-    face = uploaded(types.Bool, np.arange(count) >= count // 2)
-    passes = passes_through(geometry, x, y, towards, face, True, _QUALITY)
-    return groups.hole[:, None] * passes.numpy().reshape(2, NODES, len(gaps)).mean(axis=2)
+    front = passes.reshape(AZIMUTHS, RINGS, -1).mean(axis=2)
+    return np.stack([front, np.roll(front, AZIMUTHS // 2, axis=0)]).reshape(2, NODES)
 
 
 def _means(
     count: int,
     passing: NDArray[np.float64],
-    row: NDArray[np.intp],
     met: NDArray[np.uint32],
     lit: NDArray[np.uint32],
     reached: list[NDArray[np.bool_]],
-    irradiance: list[NDArray[np.float32]],
+    terms: list[NDArray[np.float32]],
 ) -> Reach:
-    """Means by row (face and node) and group."""
+    """Means by row (face and node) and group.
+
+    Args:
+        passing: share of the views of a row that pass through [2 faces, nodes].
+        met, lit: groups that views and light meet.
+        reached: whether light does, of both sides.
+        terms: the diffuse term where it does.
+    """
     size = 2 * NODES * (count + 1)
+    rows = np.arange(0, size, count + 1)[:, None]
+    of_met, of_lit = ((rows + group.reshape(len(rows), -1)).ravel() for group in (met, lit))
 
-    def sums(group: NDArray[np.uint32], values: NDArray[Any] | None) -> NDArray[np.float64]:
-        total = np.bincount(row * (count + 1) + group, values, minlength=size)
-        return total.astype(np.float64).reshape(2, NODES, count + 1)
+    def sums(bins: NDArray[np.intp], values: NDArray[Any] | None = None) -> NDArray[np.float64]:
+        total = np.bincount(bins, values, minlength=size)
+        return total.astype(np.float64).reshape(2, NODES, count + 1)[..., :count]
 
-    points = np.maximum(sums(lit, None)[..., :count], 1)
-    hits = sums(met, None)[..., :count]
+    points = np.maximum(sums(of_lit), 1)
+    hits = sums(of_met)
     # Rays that meet yarn are all that do not pass.
     met_yarn = hits.sum(axis=2)
     passing = np.where(met_yarn > 0, passing, 1)
     shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
+    lights = [of_lit[free] for free in reached]
     return Reach(
         np.concatenate([shares, passing[..., None]], axis=2),
-        np.stack([sums(lit, part)[..., :count] / points for part in reached], axis=1),
-        np.stack([sums(lit, part)[..., :count] / points for part in irradiance], axis=1),
+        np.stack([sums(light) / points for light in lights], axis=1),
+        np.stack(
+            [
+                sums(light, term[free]) / points
+                for light, term, free in zip(lights, terms, reached, strict=True)
+            ],
+            axis=1,
+        ),
     )

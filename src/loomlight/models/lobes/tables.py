@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.errors import InputError
 from loomlight.models.lobes.coverage import Coverage, measure_coverage, padded_group, words_of
-from loomlight.models.lobes.groups import Groups, find_groups
+from loomlight.models.lobes.groups import Groups, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.reach import Reach, measure_reach
+from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach
 from loomlight.yarn.geometry import YarnGeometry
 
 _LARGEST = 255.0
@@ -75,9 +75,12 @@ def bake_tables(
         per_family: groups of each family.
         float_type: the Dr.Jit Float type to compute with.
     """
-    groups = find_groups(geometry, per_family, float_type)
+    points = plan_points(geometry, float_type)
+    # Rays are on their way while groups are found.
+    rays = cast_rays(geometry, points, per_family, float_type)
+    groups = find_groups(points, per_family)
     coverage = measure_coverage(geometry, groups, float_type)
-    reach = measure_reach(geometry, groups, diffuse_blend, float_type)
+    reach = measure_reach(rays, groups, diffuse_blend)
     seen, seen_scale = _seen(reach, per_family)
     moments, hole_weight = _moments(groups, coverage, seen_scale)
     return LobeTables(
