@@ -40,11 +40,14 @@ class Footprint:
     Attributes:
         centre: middle of the parallelogram [2].
         duv_dx, duv_dy: its edges [2], the steps on the cloth to the next pixel along x and along y.
+        samples: of how many footprints a mean is taken anyway, as of a pixel's samples. Models that look at
+            points of a footprint look at fewer then.
     """
 
     centre: Any
     duv_dx: Any
     duv_dy: Any
+    samples: Any = 1
 
     @property
     def area(self) -> Any:
@@ -96,7 +99,7 @@ class Footprint:
     def shrunk(self, samples: int) -> Footprint:
         """The footprint of each of `samples` samples of a pixel: both edges times 1/sqrt(samples)."""
         scale = samples**-0.5
-        return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale)
+        return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale, self.samples * samples)
 
     def at(self, s: Any, t: Any) -> Any:
         """The point centre + s·duv_dx + t·duv_dy [2]; s and t from −1/2 to 1/2 reach all of it."""

@@ -37,6 +37,14 @@ def declare_lobes(bsdf: Any) -> None:
         bsdf.m_flags = bsdf.m_flags | component
 
 
+def tell_pixel_samples(samples: int) -> None:
+    """Tells every cloth that averages over footprints how many samples share a pixel."""
+    for cloth in CLOTHS:
+        held = getattr(cloth, "pixel_samples", None)
+        if held is not None and float(held[0]) != samples:
+            cloth.pixel_samples = dr.opaque(type(held), samples)
+
+
 def bsdf_sample(drawn: DirectionSample, si: Any, active: Any) -> tuple[Any, Any]:
     """A sampled direction as (BSDFSample3f, weight)."""
     bs: Any = dr.zeros(mi.BSDFSample3f)

@@ -51,6 +51,9 @@ class SeenCloth(Protocol):
     def sample(self, choice: Any, u: Any) -> DirectionSample:
         """A light direction; see `Model.sample`."""
 
+    def respond_and_sample(self, light: Any, choice: Any, u: Any) -> tuple[Response, Any, DirectionSample]:
+        """Response and density of a light, and a sample: for less than each alone."""
+
 
 def footprint_bsdf_class() -> type:
     """The base class in the current variant; plugins derive from it."""
@@ -81,6 +84,7 @@ def footprint_bsdf_class() -> type:
             fabric: as the scene's parameters have it, but for its colours.
             model: of that fabric.
             own_parameters: scene parameters of the derived class, by name.
+            pixel_samples: how many samples share a pixel, which `footprint_path` tells.
             arrays: all that it holds, for frozen functions.
             literals: numbers of the fabric that kernels hold: where they change, they are compiled anew.
         """
@@ -97,6 +101,7 @@ def footprint_bsdf_class() -> type:
             for name in ("toml", "folder"):
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)
+            self.pixel_samples = dr.opaque(mi.Float, 1)
             self.own_parameters: dict[str, Any] = {}
             self.arrays: list[Any] = []
             self.literals: tuple[float, ...] = ()
@@ -204,7 +209,8 @@ def footprint_bsdf_class() -> type:
             self._texture = None if self.albedo is None else FilteredTexture(self.albedo)
 
         def _footprint(self, si: Any) -> Footprint:
-            return draft_footprint(si, self.uv_size, uv_footprint(si, self.pixel_angle))
+            footprint = draft_footprint(si, self.uv_size, uv_footprint(si, self.pixel_angle))
+            return replace(footprint, samples=self.pixel_samples)
 
         def _albedos(self, si: Any, footprint: Footprint, active: Any) -> FamilyAlbedos:
             view = plain(si.wi)
@@ -240,8 +246,10 @@ def footprint_bsdf_class() -> type:
         ) -> Any:
             # What the view sees is computed once for both lights.
             seen, albedos = self._seen(si, active)
-            value, pdf = self._value_and_pdf(seen, albedos, si, wo, active)
-            return value, pdf, *self._drawn(seen, si, sample1, sample2, active)
+            u = variant_types().Vector2(sample2)
+            response, pdf, drawn = seen.respond_and_sample(plain(wo), sample1, u)
+            value = self._value(response, albedos, si, wo, active)
+            return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
 
         def eval_null_transmission(self, si: Any, active: Any = True) -> Any:
             view = plain(si.wi)

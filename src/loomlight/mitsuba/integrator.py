@@ -21,6 +21,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.mitsuba.cloth_samples import tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
 from loomlight.mitsuba.woven_neural import runs_network
 
@@ -63,6 +64,7 @@ def footprint_path_class() -> type:
             )
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
+            tell_pixel_samples(self._samples(sampler))
             places = _PixelCentres(sampler) if self.pixel_centres else sampler
             ray, weight, position = super().sample_rays(scene, sensor, places)
             ray.scale_differential(self._samples(sampler) ** -0.5)

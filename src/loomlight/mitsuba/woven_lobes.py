@@ -95,7 +95,12 @@ class _SeenLobes:
         return self.model.response_and_pdf(self._shares, light, self.view, self.footprint)
 
     def sample(self, choice: Any, u: Any) -> DirectionSample:
-        return self.model.sample_with(self.albedos, self.view, self.footprint, choice, u)
+        return self.model.sample_with(self.albedos, self._shares, self.view, self.footprint, choice, u)
+
+    def respond_and_sample(self, light: Any, choice: Any, u: Any) -> tuple[Response, Any, DirectionSample]:
+        return self.model.respond_and_sample(
+            self.albedos, self._shares, light, self.view, self.footprint, choice, u
+        )
 
 
 def _in_material(fabric: Fabric) -> LobeTables | None:

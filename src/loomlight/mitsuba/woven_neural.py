@@ -113,6 +113,9 @@ class _SeenByNetwork:
     def sample(self, choice: Any, u: Any) -> DirectionSample:
         return self.model.sample_seen(self.seen, self.albedos, self.view, choice, u)
 
+    def respond_and_sample(self, light: Any, choice: Any, u: Any) -> tuple[Response, Any, DirectionSample]:
+        return *self.response_and_pdf(light), self.sample(choice, u)
+
 
 def runs_network(bsdf: Any) -> bool:
     """Whether a BSDF evaluates a network, which symbolic calls make slow."""

@@ -134,7 +134,7 @@ def asked_of(fabric: Fabric, smallest: float, count: int, seed: int) -> Asked:
 
 def far_response(model: LobesModel, light: Any, view: Any, footprint: Footprint) -> Response:
     """What the groups alone say, at every size."""
-    found = model._far(light, view, footprint, Bool(True), None)[0]
+    found = model.far([light], view, footprint, Bool(True), None)[0][0]
     dr.eval(found)
     return found
 

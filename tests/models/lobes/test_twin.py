@@ -74,7 +74,7 @@ def test_twins_agree_on_the_density(name: str) -> None:
     queries = asked(model, seed=3)
     light, view, footprint = queries.light, queries.view, queries.footprint
     shares = model.shares(model.albedos(view, footprint), view, footprint)
-    of_groups = model._far(light, view, footprint, True, shares)[1]
+    of_groups = model.far([light], view, footprint, True, shares)[0][1]
     found = (of_groups / shares.total).numpy()
     energies = [
         [np.broadcast_to(getattr(family, part.name).numpy(), QUERIES) for part in fields(Energies)]

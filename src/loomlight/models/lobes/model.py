@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any, Self, final
 
 import drjit as dr
@@ -16,8 +18,18 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
-from loomlight.models.lobes.near import near_hole, near_response, points_of, searched_for
-from loomlight.models.lobes.proposal import Shares, density, draw, energies_where, group_density, shares_of
+from loomlight.models.lobes.near import near_hole, near_responses, points_of, searched_for
+from loomlight.models.lobes.proposal import (
+    SMALLEST_WEIGHT,
+    Shares,
+    density,
+    draw,
+    energies_of,
+    energies_where,
+    group_density,
+    shares_of,
+    weigh,
+)
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import DirectionSample, PointModel, on_face
 from loomlight.yarn.geometry import YarnGeometry
@@ -101,7 +113,7 @@ class LobesModel(Model):
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints."""
-        return self._answer(light, view, footprint, None)[0]
+        return self._answers([light], view, footprint, None)[0][0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """Mean albedos of the threads; close up, of those around the point that the middle ray meets."""
@@ -125,23 +137,55 @@ class LobesModel(Model):
             dr.select(share > 0, dr.lerp(middle.x, hit.x, share), middle.x),
             dr.select(share > 0, dr.lerp(middle.y, hit.y, share), middle.y),
         )
-        return Footprint(centre, footprint.duv_dx, footprint.duv_dy)
+        return replace(footprint, centre=centre)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
         """Straight through the holes, else from one of the lobes."""
-        return self.sample_with(self.albedos(view, footprint), view, footprint, choice, u)
+        albedos = self.albedos(view, footprint)
+        shares = self.shares(albedos, view, footprint)
+        return self.sample_with(albedos, shares, view, footprint, choice, u)
 
     def sample_with(
-        self, albedos: FamilyAlbedos, view: Any, footprint: Footprint, choice: Any, u: Any
+        self, albedos: FamilyAlbedos, shares: Shares, view: Any, footprint: Footprint, choice: Any, u: Any
     ) -> DirectionSample:
-        """`sample` where mean albedos are at hand already."""
+        """`sample` where mean albedos and shares are at hand already."""
+        light, passes = self._drawn(shares, view, footprint, choice, u)
+        answer = self._answers([light], view, footprint, shares)[0]
+        return self._weighed(albedos, shares, view, light, passes, answer)
+
+    def respond_and_sample(
+        self,
+        albedos: FamilyAlbedos,
+        shares: Shares,
+        light: Any,
+        view: Any,
+        footprint: Footprint,
+        choice: Any,
+        u: Any,
+    ) -> tuple[Response, Any, DirectionSample]:
+        """`evaluate` and `pdf` of a light, and a sample; yarns are searched once for both."""
+        drawn, passes = self._drawn(shares, view, footprint, choice, u)
+        first, second = self._answers([light, drawn], view, footprint, shares)
+        pdf = self._density(shares, first[1], light, view)
+        return first[0], pdf, self._weighed(albedos, shares, view, drawn, passes, second)
+
+    def _drawn(self, shares: Shares, view: Any, footprint: Footprint, choice: Any, u: Any) -> tuple[Any, Any]:
+        """A light direction, and whether it passes straight through."""
         types = array_types(view.x)
-        shares = self.shares(albedos, view, footprint)
-        back = types.Bool(view.z < 0)
         place = self._place(footprint, view)
         facing, passes = draw(self.estimator(types), place, shares, self._sheen, self._blend, choice, u)
-        light = on_face(facing, back)
-        response, of_groups = self._answer(light, view, footprint, shares)
+        return on_face(facing, types.Bool(view.z < 0)), passes
+
+    def _weighed(
+        self,
+        albedos: FamilyAlbedos,
+        shares: Shares,
+        view: Any,
+        light: Any,
+        passes: Any,
+        answer: tuple[Response, Any],
+    ) -> DirectionSample:
+        response, of_groups = answer
         pdf = dr.select(passes, shares.through, self._density(shares, of_groups, light, view))
         value = self.composed(response, albedos, light, view)
         # A ray goes straight through with the very share of light that does.
@@ -155,39 +199,47 @@ class LobesModel(Model):
 
     def shares(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> Shares:
         """How directions are drawn for footprints that views see, whatever the light."""
-        through = self.straight_through(view, self.hole(view, footprint))
-        place = self._place(footprint, view)
-        return shares_of(self.estimator(array_types(view.x)), place, albedos, through, self._sheen)
+        estimator, place = self.estimator(array_types(view.x)), self._place(footprint, view)
+        weight, energy = weigh(estimator, place, energies_of(albedos))
+        holes = estimator.hole_weight(place)
+        hole = self._hole(view, footprint, holes * dr.rcp(dr.maximum(holes + weight, SMALLEST_WEIGHT)))
+        return shares_of(place, albedos, energy, self.straight_through(view, hole), self._sheen)
 
     def response_and_pdf(
         self, shares: Shares, light: Any, view: Any, footprint: Footprint
     ) -> tuple[Response, Any]:
         """`evaluate` and `pdf` at the cost of little more than one."""
-        response, of_groups = self._answer(light, view, footprint, shares)
+        response, of_groups = self._answers([light], view, footprint, shares)[0]
         return response, self._density(shares, of_groups, light, view)
 
     def hole(self, view: Any, footprint: Footprint) -> Any:
         """The hole of `evaluate`, which no light changes: Float."""
-        types = array_types(view.x)
-        size = footprint.spread_side
-        far_share = self._far_share(size)
-        near = near_hole(*self._points(size, far_share), view, footprint)
-        return dr.lerp(near, self._far_hole(types, view, footprint), far_share)
+        estimator, place = self.estimator(array_types(view.x)), self._place(footprint, view)
+        holes = estimator.hole_weight(place)
+        weight = weigh(estimator, place)[0]
+        return self._hole(view, footprint, holes * dr.rcp(dr.maximum(holes + weight, SMALLEST_WEIGHT)))
 
-    def _answer(
-        self, light: Any, view: Any, footprint: Footprint, shares: Shares | None
-    ) -> tuple[Response, Any]:
-        """The response, and with shares the groups' part of the density."""
-        size = footprint.spread_side
-        far_share = self._far_share(size)
-        near = near_response(*self._points(size, far_share), light, view, footprint)
-        far, of_groups = self._far(light, view, footprint, far_share > 0, shares)
-        return _mixed(near, far, far_share), of_groups
+    def _hole(self, view: Any, footprint: Footprint, far: Any) -> Any:
+        far_share = self._far_share(footprint.spread_side)
+        return dr.lerp(near_hole(*self._points(footprint, far_share), view, footprint), far, far_share)
 
-    def _points(self, size: Any, far_share: Any) -> tuple[PointModel, Any]:
-        """The point model for close-ups of a side, millimetres, and how many points they take."""
+    def _answers(
+        self, lights: Sequence[Any], view: Any, footprint: Footprint, shares: Shares | None
+    ) -> list[tuple[Response, Any]]:
+        """The response to each light, and with shares the groups' part of its density."""
+        far_share = self._far_share(footprint.spread_side)
+        near = near_responses(*self._points(footprint, far_share), lights, view, footprint)
+        far = self.far(lights, view, footprint, far_share > 0, shares)
+        return [
+            (_mixed(close, response, far_share), of_groups)
+            for close, (response, of_groups) in zip(near, far, strict=True)
+        ]
+
+    def _points(self, footprint: Footprint, far_share: Any) -> tuple[PointModel, Any]:
+        """The point model for close-ups of footprints, and how many points they take."""
+        size = footprint.spread_side
         threads = size * self._scale(array_types(size))[0]
-        return searched_for(self.point_model, threads), points_of(threads, far_share)
+        return searched_for(self.point_model, threads), points_of(threads, far_share, footprint.samples)
 
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
@@ -210,55 +262,61 @@ class LobesModel(Model):
         back = types.Bool(view.z < 0)
         return self.estimator(types).place(footprint.centre, footprint.spread_side, on_face(view, back), back)
 
-    def _far(
-        self, light: Any, view: Any, footprint: Footprint, active: Any, shares: Shares | None
-    ) -> tuple[Response, Any]:
+    def far(
+        self, lights: Sequence[Any], view: Any, footprint: Footprint, active: Any, shares: Shares | None
+    ) -> list[tuple[Response, Any]]:
+        """What the groups say of each light, without points, and of its density where shares are given.
+
+        Args:
+            active: lanes where responses are wanted; densities are computed in all.
+        """
         types = array_types(view.x)
         estimator, place = self.estimator(types), self._place(footprint, view)
-        facing, seen = on_face(light, place.back), place.view
-        nodes, half = estimator.light_nodes(place, facing), half_vector(facing, seen)
-        # Densities are wanted close up too.
+        seen = place.view
+        facing = [on_face(light, place.back) for light in lights]
+        nodes = [estimator.light_nodes(place, light) for light in facing]
+        halves = [half_vector(light, seen) for light in facing]
         active = types.Bool(active) if shares is None else types.Bool(True)
 
-        def add(word: Any, total: Any, of_groups: Any, *sums: Any) -> tuple[Any, ...]:
+        def add(word: Any, total: Any, *sums: Any) -> tuple[Any, ...]:
             is_warp = word < estimator.warp_words
             found = estimator.seen(place, word, is_warp)
-            diffuse, specular = estimator.components(found, place, nodes, word, facing, half)
-            parts = [dr.select(is_warp, diffuse, 0), dr.select(is_warp, 0, diffuse)]
-            parts += [dr.select(is_warp, specular, 0), dr.select(is_warp, 0, specular)]
-            if shares is not None:
-                energies = energies_where(is_warp, shares)
-                for weight, lobe in zip(found.weights, found.lobes, strict=True):
-                    of_groups = of_groups + group_density(weight, lobe, energies, facing, seen, self._blend)
+            parts = []
+            for light, at, half in zip(facing, nodes, halves, strict=True):
+                diffuse, specular = estimator.components(found, place, at, word, light, half)
+                parts += [dr.select(is_warp, diffuse, 0), dr.select(is_warp, 0, diffuse)]
+                parts += [dr.select(is_warp, specular, 0), dr.select(is_warp, 0, specular)]
+                of_groups: Any = 0
+                if shares is not None:
+                    energies = energies_where(is_warp, shares)
+                    for weight, lobe in zip(found.weights, found.lobes, strict=True):
+                        of_groups = of_groups + group_density(
+                            weight, lobe, energies, light, seen, self._blend
+                        )
+                parts.append(of_groups)
             sums = tuple(a + b for a, b in zip(sums, parts, strict=True))
-            return word + 1, total + sum(found.weights), of_groups, *sums
+            return word + 1, total + sum(found.weights), *sums
 
-        width = dr.width(view, light, footprint.centre, footprint.duv_dx)
+        width = dr.width(view, list(lights), footprint.centre, footprint.duv_dx)
         holes = estimator.hole_weight(place)
         zero = dr.zeros(types.Float, width)
-        start = (dr.zeros(types.UInt32, width), holes + zero, *(types.Float(zero) for _ in range(5)))
-        _, total, of_groups, *sums = dr.while_loop(
+        start = (
+            dr.zeros(types.UInt32, width),
+            holes + zero,
+            *(types.Float(zero) for _ in range(5 * len(lights))),
+        )
+        _, total, *sums = dr.while_loop(
             start, lambda word, *rest: active & (word < estimator.words), add, label="lobes: groups"
         )
-        inverse = dr.rcp(dr.maximum(total, 1e-12))
-        diffuse_warp, diffuse_weft, specular_warp, specular_weft = (part * inverse for part in sums)
-        response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, holes * inverse)
-        return response, of_groups
-
-    def _far_hole(self, types: ArrayTypes, view: Any, footprint: Footprint) -> Any:
-        estimator, place = self.estimator(types), self._place(footprint, view)
-        holes = estimator.hole_weight(place)
-
-        def add(word: Any, total: Any) -> tuple[Any, Any]:
-            return word + 1, total + sum(estimator.seen(place, word, types.Bool(True)).weights)
-
-        width = dr.width(view, footprint.centre, footprint.duv_dx)
-        start = dr.zeros(types.UInt32, width), holes + dr.zeros(types.Float, width)
-        # Where no ray can pass, nothing is worth summing.
-        total = dr.while_loop(
-            start, lambda word, _: (holes > 0) & (word < estimator.words), add, label="lobes: holes"
-        )[1]
-        return holes * dr.rcp(dr.maximum(total, 1e-12))
+        inverse = dr.rcp(dr.maximum(total, SMALLEST_WEIGHT))
+        answers = []
+        for first in range(0, len(sums), 5):
+            diffuse_warp, diffuse_weft, specular_warp, specular_weft = (
+                part * inverse for part in sums[first : first + 4]
+            )
+            response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, holes * inverse)
+            answers.append((response, sums[first + 4]))
+        return answers
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)

@@ -7,7 +7,7 @@ middle, and their number grows with the footprint.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from copy import copy
 from typing import Any
 
@@ -30,14 +30,16 @@ _FINEST, _COARSEST = 1 / 32, 1 / 8
 _FEWEST_REFINEMENTS = 2
 
 
-def points_of(size: Any, far_share: Any) -> Any:
+def points_of(size: Any, far_share: Any, samples: Any) -> Any:
     """How many points stand for a footprint: a Float, whose last point counts by its fraction; 0 is none.
 
     Args:
         size: side of the footprint, in threads.
         far_share: how much the groups count; what they leave needs fewer points.
+        samples: footprints that share a pixel share its points.
     """
-    most = dr.fma(-(MOST_POINTS - 1), far_share, MOST_POINTS)
+    most = dr.maximum(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
+    most = dr.lerp(most, 1, far_share)
     return dr.select(far_share < 1, dr.clip(size * _POINTS_PER_THREAD, 1, most), 0)
 
 
@@ -55,16 +57,25 @@ def searched_for(model: PointModel, size: Any) -> PointModel:
     return searched
 
 
-def near_response(model: PointModel, points: Any, light: Any, view: Any, footprint: Footprint) -> Response:
-    """Mean response of so many points (Float a lane); 0 where there are none."""
+def near_responses(
+    model: PointModel, points: Any, lights: Sequence[Any], view: Any, footprint: Footprint
+) -> list[Response]:
+    """Mean responses of so many points (Float a lane) to each light; 0 where there are none."""
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
         point = model.locate(x, y, view)
-        found = components(model.appearance, point, light, view, model.visibility(point, light))
-        return *found, dr.select(point.hole, array_types(view.x).Float(1), 0)
+        found = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
+        for light in lights:
+            found += components(model.appearance, point, light, view, model.visibility(point, light))
+        return tuple(found)
 
-    width = dr.width(view, light, footprint.centre, points)
-    return Response(*_mean(measure, 5, footprint, points, width))
+    width = dr.width(view, list(lights), footprint.centre, points)
+    hole, *means = _mean(measure, 1 + 4 * len(lights), footprint, points, width)
+    answers = []
+    for first in range(0, len(means), 4):
+        diffuse_warp, diffuse_weft, specular_warp, specular_weft = means[first : first + 4]
+        answers.append(Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole))
+    return answers
 
 
 def near_hole(model: PointModel, points: Any, view: Any, footprint: Footprint) -> Any:

@@ -27,6 +27,8 @@ _LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
 # Kept for what lobes miss; black cloth draws by it alone.
 _COSINE_SHARE = 0.05
 _LEAST_ENERGY = 1e-6
+# Of groups and holes together; a view that sees neither is none.
+SMALLEST_WEIGHT = 1e-12
 # A box of half-width √3 s beside a lobe of width α.
 SPREAD_WIDTH = 1.7
 
@@ -78,25 +80,35 @@ def energies_of(albedos: FamilyAlbedos) -> tuple[Energies, Energies]:
     return of(albedos.warp), of(albedos.weft)
 
 
-def shares_of(
-    estimator: Estimator, place: Place, albedos: FamilyAlbedos, through: Any, sheen: Sheen
-) -> Shares:
+def weigh(
+    estimator: Estimator, place: Place, energies: tuple[Energies, Energies] | None = None
+) -> tuple[Any, Any]:
+    """Sum over groups of their weights, and of weight times energy (0 without energies): Float each."""
+    types = array_types(place.view.x)
+    warp, weft = (0, 0) if energies is None else (family.total for family in energies)
+
+    def add(word: Any, weight: Any, energy: Any) -> tuple[Any, Any, Any]:
+        is_warp = word < estimator.warp_words
+        own = sum(estimator.seen(place, word, is_warp).weights)
+        return word + 1, weight + own, dr.fma(own, dr.select(is_warp, types.Float(warp), weft), energy)
+
+    width = dr.width(place.view, place.coverage.nodes, types.Float(warp), types.Float(weft))
+    start = (dr.zeros(types.UInt32, width), *(dr.zeros(types.Float, width) for _ in range(2)))
+    _, weight, energy = dr.while_loop(
+        start, lambda word, *rest: word < estimator.words, add, label="lobes: weights"
+    )
+    return weight, energy
+
+
+def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sheen: Sheen) -> Shares:
     """Shares of a footprint and a view.
 
     Args:
+        total: sum over groups of weight times energy.
         through: share of light that passes straight through, by which passing is drawn.
     """
     types = array_types(place.view.x)
     warp, weft = energies_of(albedos)
-
-    def add(word: Any, total: Any) -> tuple[Any, Any]:
-        is_warp = word < estimator.warp_words
-        weights = estimator.seen(place, word, is_warp).weights
-        return word + 1, total + sum(weights) * dr.select(is_warp, warp.total, weft.total)
-
-    width = dr.width(place.view, place.coverage.nodes, through, warp.total)
-    start = dr.zeros(types.UInt32, width), dr.zeros(types.Float, width)
-    total = dr.while_loop(start, lambda word, _: word < estimator.words, add, label="lobes: energy")[1]
     from_sheen = types.Float(0)
     if sheen.strength > 0:
         reflected = 1 - sheen_transmittance(place.view, sheen.strength, sheen.roughness)
