@@ -12,6 +12,7 @@ of the other face.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -30,6 +31,8 @@ from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, 
 _FEWEST_RAYS, _RAYS_PER_GROUP = 256, 32
 # Rays through gaps, at most so many a node and face.
 _GAP_RAYS = 128
+# Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
+_UNITS = 1 << 15
 _QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, refinements=4)
 
 
@@ -134,40 +137,65 @@ def _passing(geometry: YarnGeometry, gaps: NDArray[np.float32], directions: Any,
 
 
 def measure_reach(rays: CastRays, groups: Groups, diffuse_blend: float) -> Reach:
-    """Sums up by group what the rays met.
+    """Means by face, node and group of what the rays met.
 
     Args:
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
     """
-    types = array_types(rays.towards)
-    finder = GroupFinder(groups, types)
-    count = dr.width(rays.free)
-
-    def group_of(point: SurfacePoint, hole: Any) -> Any:
-        lanes = dr.width(hole)
-        back = dr.arange(types.UInt32, lanes) >= dr.opaque(types.UInt32, lanes // 2)
-        return finder.group(back, point.is_warp, hole, point.normal, point.tangent)
-
-    met, lit = group_of(rays.hits, rays.nothing), group_of(rays.points, rays.points.hole)
-    normal, towards = rays.points.normal, rays.towards
-    near = dr.maximum(dr.dot(normal, towards), 0)
-    # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated.
-    under = dr.maximum(normal.z * towards.z - normal.x * towards.x - normal.y * towards.y, 0)
-    blend = dr.opaque(types.Float, float(diffuse_blend))
-    terms = [dr.lerp(towards.z, cosine, blend) * dr.inv_pi for cosine in (near, under)]
-    dr.eval(met, lit, terms)
-    free = rays.free.numpy()
-    # Light from the other side falls on the other face, whose rays start at the same places.
-    beyond = np.roll(free, count // 2)
+    hits, points, free, beyond, *terms = _sums(rays, groups, diffuse_blend)
+    # Rays that meet yarn are all that do not pass.
+    met_yarn = hits.sum(axis=2)
     passing = np.zeros((2, NODES)) if rays.passes is None else _both_faces(rays.passes.numpy())
-    return _means(
-        groups.count,
-        groups.hole[:, None] * passing,
-        met.numpy(),
-        lit.numpy(),
-        [free, beyond],
-        [term.numpy() for term in terms],
+    passing = np.where(met_yarn > 0, groups.hole[:, None] * passing, 1)
+    shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
+    points = np.maximum(points, 1)
+    return Reach(
+        np.concatenate([shares, passing[..., None]], axis=2),
+        np.stack([free / points, beyond / points], axis=1),
+        np.stack([term * (1 / (_UNITS * math.pi)) / points for term in terms], axis=1),
     )
+
+
+def _sums(rays: CastRays, groups: Groups, diffuse_blend: float) -> NDArray[np.float64]:
+    """Sums [6, 2 faces, nodes, groups].
+
+    Of views that meet a group, points of its plan, those that light from either side reaches, and the
+    diffuse terms of these, π times and in units of 1/_UNITS: whole numbers, whose sums do not depend on the
+    order in which threads add them.
+    """
+    types = array_types(rays.towards)
+    UInt32 = types.UInt32
+    finder = GroupFinder(groups, types)
+    size = 2 * NODES * groups.count
+    totals = dr.zeros(UInt32, 6 * size)
+    stride, per_row = (dr.opaque(UInt32, count) for count in (size, groups.count))
+
+    def bins(point: SurfacePoint, hole: Any) -> tuple[Any, Any, Any]:
+        lanes = dr.width(hole)
+        lane = dr.arange(UInt32, lanes)
+        half, of_row = (dr.opaque(UInt32, count) for count in (lanes // 2, lanes // (2 * NODES)))
+        group = finder.group(lane >= half, point.is_warp, hole, point.normal, point.tangent)
+        other = dr.select(lane >= half, lane - half, lane + half)
+        return (lane // of_row) * per_row + group, ~hole, other
+
+    def add(number: int, values: Any, place: Any, active: Any) -> None:
+        dr.scatter_add(totals, UInt32(values), stride * number + place, active)
+
+    place, shows, _ = bins(rays.hits, rays.nothing)
+    add(0, 1, place, shows)
+    place, shows, other = bins(rays.points, rays.points.hole)
+    add(1, 1, place, shows)
+    normal, towards = rays.points.normal, rays.towards
+    # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated. It
+    # falls on the other face, whose rays start at the same places.
+    across = normal.x * towards.x + normal.y * towards.y
+    cosines = normal.z * towards.z + across, normal.z * towards.z - across
+    blend = dr.opaque(types.Float, float(diffuse_blend))
+    for side, free in enumerate((rays.free, dr.gather(types.Bool, rays.free, other))):
+        term = dr.lerp(towards.z, dr.maximum(cosines[side], 0), blend)
+        add(2 + side, 1, place, shows & free)
+        add(4 + side, term * _UNITS + 0.5, place, shows & free)
+    return np.asarray(totals.numpy(), np.float64).reshape(6, 2, NODES, groups.count)
 
 
 def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:
@@ -177,47 +205,3 @@ def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:
     """
     front = passes.reshape(AZIMUTHS, RINGS, -1).mean(axis=2)
     return np.stack([front, np.roll(front, AZIMUTHS // 2, axis=0)]).reshape(2, NODES)
-
-
-def _means(
-    count: int,
-    passing: NDArray[np.float64],
-    met: NDArray[np.uint32],
-    lit: NDArray[np.uint32],
-    reached: list[NDArray[np.bool_]],
-    terms: list[NDArray[np.float32]],
-) -> Reach:
-    """Means by row (face and node) and group.
-
-    Args:
-        passing: share of the views of a row that pass through [2 faces, nodes].
-        met, lit: groups that views and light meet.
-        reached: whether light does, of both sides.
-        terms: the diffuse term where it does.
-    """
-    size = 2 * NODES * (count + 1)
-    rows = np.arange(0, size, count + 1)[:, None]
-    of_met, of_lit = ((rows + group.reshape(len(rows), -1)).ravel() for group in (met, lit))
-
-    def sums(bins: NDArray[np.intp], values: NDArray[Any] | None = None) -> NDArray[np.float64]:
-        total = np.bincount(bins, values, minlength=size)
-        return total.astype(np.float64).reshape(2, NODES, count + 1)[..., :count]
-
-    points = np.maximum(sums(of_lit), 1)
-    hits = sums(of_met)
-    # Rays that meet yarn are all that do not pass.
-    met_yarn = hits.sum(axis=2)
-    passing = np.where(met_yarn > 0, passing, 1)
-    shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
-    lights = [of_lit[free] for free in reached]
-    return Reach(
-        np.concatenate([shares, passing[..., None]], axis=2),
-        np.stack([sums(light) / points for light in lights], axis=1),
-        np.stack(
-            [
-                sums(light, term[free]) / points
-                for light, term, free in zip(lights, terms, reached, strict=True)
-            ],
-            axis=1,
-        ),
-    )
