@@ -86,12 +86,12 @@ def cast_rays(geometry: YarnGeometry, points: PlanPoints, per_family: int, float
     """
     types = array_types(float_type)
     directions = uploaded(types.Float, np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32))
-    passes = _passing(geometry, points.gaps, directions, types)
     back, x, y, towards = _rays(geometry, directions, rays_of(per_family), types)
     point = geometry.surface(x, y, back)
     awake = ~point.hole & (dr.dot(point.normal, towards) > 0)
     free = unoccluded(geometry, x, y, point.height, towards, back, awake, _QUALITY)
     dr.eval(free, towards, point.is_warp, point.hole, point.normal, point.tangent)
+    passes = _passing(geometry, points.gaps, directions, types)
     back, x, y, view = _rays(geometry, directions, rays_of(per_family), types)
     hit = first_hit(geometry, x, y, view, back, True, _QUALITY)
     met = geometry.surface(hit.x, hit.y, back)
