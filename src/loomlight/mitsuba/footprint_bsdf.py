@@ -140,8 +140,8 @@ def footprint_bsdf_class() -> type:
             """What a view [3] sees of footprints."""
 
         @abstractmethod
-        def shown(self, view: Any, footprint: Footprint) -> Footprint:
-            """The footprint on the threads whose albedos count."""
+        def mean_albedos(self, means: FootprintAlbedos, view: Any, footprint: Footprint) -> FamilyAlbedos:
+            """Albedos of the threads that a view [3] sees in footprints."""
 
         @abstractmethod
         def hole(self, view: Any, footprint: Footprint) -> Any:
@@ -214,12 +214,12 @@ def footprint_bsdf_class() -> type:
 
         def _albedos(self, si: Any, footprint: Footprint, active: Any) -> FamilyAlbedos:
             view = plain(si.wi)
-            warp, weft = self._means.over(self.shown(view, footprint), view.z < 0)
+            albedos = self.mean_albedos(self._means, view, footprint)
             if self._texture is not None:
                 edges = uv_footprint(si, self.pixel_angle)
                 tint = plain(dr.clip(self._texture.over(si, *edges, active), 0, 1))
-                warp, weft = _tinted(warp, tint), _tinted(weft, tint)
-            return FamilyAlbedos(warp, weft)
+                albedos = FamilyAlbedos(_tinted(albedos.warp, tint), _tinted(albedos.weft, tint))
+            return albedos
 
         def _seen(self, si: Any, active: Any) -> tuple[SeenCloth, FamilyAlbedos]:
             """Everything but the light: what the view sees, and mean albedos."""

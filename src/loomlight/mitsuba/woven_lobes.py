@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import is_loom, read_loom
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
@@ -57,9 +58,9 @@ def woven_lobes_class() -> type:
             """The footprint's lobes."""
             return _SeenLobes(self.model, albedos, view, footprint)
 
-        def shown(self, view: Any, footprint: Footprint) -> Footprint:
-            """The footprint, moved close up to the yarn that the middle ray meets."""
-            return self.model.shown(view, footprint)
+        def mean_albedos(self, means: FootprintAlbedos, view: Any, footprint: Footprint) -> FamilyAlbedos:
+            """Close up those of the yarn that the middle ray meets."""
+            return self.model.albedos_from(means, view, footprint)
 
         def hole(self, view: Any, footprint: Footprint) -> Any:
             """Share of the view rays that pass through footprints: Float."""

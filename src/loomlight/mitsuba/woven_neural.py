@@ -13,6 +13,7 @@ from typing import Any
 
 import mitsuba as mi
 
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
@@ -74,9 +75,9 @@ def woven_neural_class() -> type:
             """What the first part of the decoder makes of views."""
             return _SeenByNetwork(self.model, self.model.seen(view, footprint), albedos, view)
 
-        def shown(self, view: Any, footprint: Footprint) -> Footprint:
-            """The footprint as it is: the network knows no single thread."""
-            return footprint
+        def mean_albedos(self, means: FootprintAlbedos, view: Any, footprint: Footprint) -> FamilyAlbedos:
+            """As the threads lie under the footprint, without parallax."""
+            return FamilyAlbedos(*means.over(footprint, view.z < 0))
 
         def hole(self, view: Any, footprint: Footprint) -> Any:
             """The decoder's hole."""

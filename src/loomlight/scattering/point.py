@@ -191,8 +191,8 @@ class PointModel:
                 for number in range(len(_ALBEDOS))
             )
         )
-        if self._varies:
-            albedos = self._varied(point, albedos, x, y)
+        if self.varies:
+            albedos = self.varied(point, albedos, x, y)
         return YarnPoint(
             back=back,
             hole=hole,
@@ -207,10 +207,12 @@ class PointModel:
         )
 
     @property
-    def _varies(self) -> bool:
+    def varies(self) -> bool:
+        """Whether fibres or threads vary by chance."""
         return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
 
-    def _varied(self, point: SurfacePoint, albedos: Albedos, x: Any, y: Any) -> Albedos:
+    def varied(self, point: SurfacePoint, albedos: Albedos, x: Any, y: Any) -> Albedos:
+        """Albedos of the thread at draft coordinates x, y (millimetres), varied as its fibres there are."""
         types = array_types(x)
         variation = self.appearance.variation
         # Threads are counted over the whole cloth, or the noise would repeat with the draft.

@@ -31,7 +31,7 @@ from loomlight.models.lobes.proposal import (
     weigh,
 )
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
-from loomlight.scattering.point import DirectionSample, PointModel, on_face
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import first_hit
 
@@ -117,27 +117,34 @@ class LobesModel(Model):
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """Mean albedos of the threads; close up, of those around the point that the middle ray meets."""
-        return FamilyAlbedos(*self._albedos.over(self.shown(view, footprint), view.z < 0))
+        return self.albedos_from(self._albedos, view, footprint)
 
-    def shown(self, view: Any, footprint: Footprint) -> Footprint:
-        """The footprint on the yarns that show in it: moved, close up, to where the middle ray meets one.
+    def albedos_from(self, means: FootprintAlbedos, view: Any, footprint: Footprint) -> FamilyAlbedos:
+        """`albedos` of threads of other colours.
 
-        Where the threads of each family are alike it makes no difference, and the footprint stays.
+        Close up the footprint is moved to where the middle ray meets a yarn, and that yarn and its fibres
+        vary by chance as the fabric says; from afar variations cancel.
         """
-        if not self._albedos.varied:
-            return footprint
         types = array_types(view.x)
-        share = 1 - self._far_share(footprint.spread_side)
-        back, middle = types.Bool(view.z < 0), footprint.centre
+        back = types.Bool(view.z < 0)
+        varies = self.point_model.varies
+        if not (means.varied or varies):
+            return FamilyAlbedos(*means.over(footprint, back))
+        middle, share = footprint.centre, 1 - self._far_share(footprint.spread_side)
         surface, quality = self.point_model.surface, self.point_model.quality
         hit = first_hit(surface, middle.x, middle.y, on_face(view, back), back, share > 0, quality)
-        share = dr.select(hit.hole, 0, share)
         # Nothing has been searched where the share is 0.
-        centre = types.Vector2(
-            dr.select(share > 0, dr.lerp(middle.x, hit.x, share), middle.x),
-            dr.select(share > 0, dr.lerp(middle.y, hit.y, share), middle.y),
-        )
-        return replace(footprint, centre=centre)
+        share = dr.select(hit.hole, 0, share)
+        x, y = dr.select(share > 0, hit.x, middle.x), dr.select(share > 0, hit.y, middle.y)
+        moved = types.Vector2(dr.lerp(middle.x, x, share), dr.lerp(middle.y, y, share))
+        warp, weft = means.over(replace(footprint, centre=moved), back)
+        if varies:
+            point = surface.surface(x, y, back)
+            warp, weft = (
+                _faded(family, self.point_model.varied(point, family, x, y), dr.select(here, share, 0))
+                for family, here in ((warp, point.is_warp), (weft, ~point.is_warp))
+            )
+        return FamilyAlbedos(warp, weft)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
         """Straight through the holes, else from one of the lobes."""
@@ -334,6 +341,15 @@ class LobesModel(Model):
                 types,
             )
         return self._estimators[types.Float]
+
+
+def _faded(albedos: Albedos, varied: Albedos, share: Any) -> Albedos:
+    return Albedos(
+        dr.lerp(albedos.diffuse_reflect, varied.diffuse_reflect, share),
+        dr.lerp(albedos.diffuse_transmit, varied.diffuse_transmit, share),
+        dr.lerp(albedos.specular_reflect, varied.specular_reflect, share),
+        dr.lerp(albedos.specular_transmit, varied.specular_transmit, share),
+    )
 
 
 def _mixed(near: Response, far: Response, share: Any) -> Response:
