@@ -40,9 +40,10 @@ def declare_lobes(bsdf: Any) -> None:
 def tell_pixel_samples(samples: int) -> None:
     """Tells every cloth that averages over footprints how many samples share a pixel."""
     for cloth in CLOTHS:
-        held = getattr(cloth, "pixel_samples", None)
-        if held is not None and float(held[0]) != samples:
-            cloth.pixel_samples = dr.opaque(type(held), samples)
+        # The number is kept beside the array: while a frozen function records, arrays cannot be read.
+        if getattr(cloth, "pixel_samples_told", samples) != samples:
+            cloth.pixel_samples_told = samples
+            cloth.pixel_samples = dr.opaque(type(cloth.pixel_samples), samples)
 
 
 def bsdf_sample(drawn: DirectionSample, si: Any, active: Any) -> tuple[Any, Any]:

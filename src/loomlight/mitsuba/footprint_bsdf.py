@@ -84,7 +84,7 @@ def footprint_bsdf_class() -> type:
             fabric: as the scene's parameters have it, but for its colours.
             model: of that fabric.
             own_parameters: scene parameters of the derived class, by name.
-            pixel_samples: how many samples share a pixel, which `footprint_path` tells.
+            pixel_samples, pixel_samples_told: how many samples share a pixel, which `footprint_path` tells.
             arrays: all that it holds, for frozen functions.
             literals: numbers of the fabric that kernels hold: where they change, they are compiled anew.
         """
@@ -102,6 +102,7 @@ def footprint_bsdf_class() -> type:
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)
             self.pixel_samples = dr.opaque(mi.Float, 1)
+            self.pixel_samples_told = 1
             self.own_parameters: dict[str, Any] = {}
             self.arrays: list[Any] = []
             self.literals: tuple[float, ...] = ()
