@@ -21,7 +21,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.mitsuba.cloth_samples import tell_pixel_samples
+from loomlight.mitsuba.cloth_samples import collecting_later, tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
 from loomlight.mitsuba.woven_neural import runs_network
 
@@ -71,7 +71,7 @@ def footprint_path_class() -> type:
             return ray, weight, position
 
         def render(self, scene: Any, *arguments: Any, **named: Any) -> Any:
-            with calls_for(scene):
+            with collecting_later(), calls_for(scene):
                 return super().render(scene, *arguments, **named)
 
         def _samples(self, sampler: Any) -> int:

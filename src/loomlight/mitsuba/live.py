@@ -6,9 +6,6 @@ frozen functions keep what was launched, and launch it again with whatever the s
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 
 import drjit as dr
@@ -17,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.cloth_samples import CLOTHS
+from loomlight.mitsuba.cloth_samples import CLOTHS, collecting_later
 from loomlight.mitsuba.held_arrays import arrays_of
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks
 
@@ -71,7 +68,7 @@ class LivePicture:
             seed: any 32-bit number.
         """
         try:
-            with _collecting_later():
+            with collecting_later():
                 shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), _held())
             return np.array(shown, dtype=np.float32)
         except RuntimeError:
@@ -81,18 +78,6 @@ class LivePicture:
     def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
         return mi.render(scene, sensor=self._camera, integrator=integrator, spp=self._samples, seed=seed)
-
-
-@contextmanager
-def _collecting_later() -> Iterator[None]:
-    """Without Python's garbage collector: arrays that it frees while Dr.Jit records end the process."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
