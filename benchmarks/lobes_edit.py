@@ -47,7 +47,7 @@ class Bench:
         self.shown = build_scene(
             "flat", fabric_bsdf(fabric_from_text("twill 3/1")), size=(side, side), **SHOWN
         )
-        self.live = LivePicture(self.shown.scene, integrator=self.shown.integrator, records=True)
+        self.live = LivePicture(self.shown.scene, integrator=self.shown.integrator)
         self.edits = SceneEdits(self.shown.scene)
 
     def edit(self, name: str, number: int) -> None:

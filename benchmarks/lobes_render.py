@@ -87,7 +87,7 @@ def measured(fabric: Fabric, size: tuple[int, int]) -> dict[str, Any]:
     # A picture of at least as many samples tells what each costs.
     counted = next((samples for samples in POINT_SAMPLES if samples >= equal), POINT_SAMPLES[-1])
     shots = [(lobes, 1), (point, counted), (point, 1)]
-    lives = [LivePicture(shown.scene, integrator=shown.integrator, spp=n, records=True) for shown, n in shots]
+    lives = [LivePicture(shown.scene, integrator=shown.integrator, spp=n) for shown, n in shots]
     lobes_seconds, point_seconds, start_seconds = seconds_of([live.take for live in lives])
     each = max(point_seconds - start_seconds, 0) / max(counted - 1, 1)
     wanted = start_seconds + max(equal - 1, 0) * each

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-import os
+import gc
+import traceback
+import weakref
 from typing import Any
 
 import mitsuba as mi
@@ -12,9 +14,11 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, fabric_bsdf
+from loomlight.mitsuba.cloth_samples import CLOTHS
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
 
+SHEEN = 'weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n'
 SHOWN: dict[str, Any] = {"size": (12, 12), "light": "directional", "max_depth": 2, "zoom": 3.0}
 # Several values each: a picture that went on showing old memory would be right once.
 EDITS = [
@@ -29,25 +33,13 @@ def traced_anew(shown: Any, seed: int) -> np.ndarray:
     return np.array(mi.render(shown.scene, integrator=shown.integrator, spp=1, seed=seed))
 
 
-# A crash of Dr.Jit's recorder would take all other tests of the process with it.
-records = pytest.mark.parametrize(
-    "recorded",
-    [
-        False,
-        pytest.param(
-            True,
-            marks=pytest.mark.skipif(
-                "LOOMLIGHT_RECORDED" not in os.environ, reason="recording is tried with LOOMLIGHT_RECORDED=1"
-            ),
-        ),
-    ],
-)
+records = pytest.mark.parametrize("recorded", [False, True])
 
 
 @records
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: bool) -> None:
-    cloth = fabric_from_text('weave = "twill 2/1"\n[sheen]\nstrength = 0.5\n')
+    cloth = fabric_from_text(SHEEN)
     shown = build_scene("flat", fabric_bsdf(cloth, model), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
     edits = SceneEdits(shown.scene)
@@ -87,3 +79,46 @@ def test_no_samples_is_a_fault() -> None:
     shown = build_scene("flat", {"type": "diffuse"}, **SHOWN)
     with pytest.raises(InputError, match="spp = 0"):
         LivePicture(shown.scene, spp=0)
+
+
+def test_nothing_refers_to_itself() -> None:
+    """What refers to itself lives until Python's collector runs: were that while calls are traced, freeing
+    a BSDF would end the process.
+    """
+    gc.collect()
+    gc.disable()
+    try:
+        shown = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
+        cloths = {weakref.ref(s.bsdf()) for s in shown.scene.shapes() if s.bsdf() in CLOTHS}
+        live = LivePicture(shown.scene, integrator=shown.integrator)
+        SceneEdits(shown.scene).apply({"weft.roughness": 0.3})
+        live.take(1)
+        assert len(cloths) == 1
+        del live, shown
+        assert [cloth() for cloth in cloths] == [None]
+    finally:
+        gc.enable()
+
+
+@records
+def test_nothing_is_collected_while_calls_are_traced(recorded: bool) -> None:
+    shown = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
+    live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
+    shown.scene.shapes()[0].bsdf().weave(fabric_from_text(SHEEN))
+    seen: list[str] = []
+
+    def look(phase: str, facts: dict[str, int]) -> None:
+        stack = traceback.extract_stack()
+        seen.append("traced" if any(frame.name == "_loop_body" for frame in stack) else "elsewhere")
+
+    thresholds = gc.get_threshold()
+    gc.callbacks.append(look)
+    gc.set_threshold(5, 2, 2)
+    try:
+        live.take(2)
+    finally:
+        gc.set_threshold(*thresholds)
+        gc.callbacks.remove(look)
+    # Otherwise the threshold would have been too high to see anything.
+    assert "elsewhere" in seen
+    assert "traced" not in seen

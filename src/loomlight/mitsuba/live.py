@@ -6,6 +6,7 @@ frozen functions keep what was launched, and launch it again with whatever the s
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import drjit as dr
@@ -27,7 +28,7 @@ class LivePicture:
     """
 
     def __init__(
-        self, scene: Any, *, spp: int = 1, sensor: int = 0, integrator: Any = None, records: bool = False
+        self, scene: Any, *, spp: int = 1, sensor: int = 0, integrator: Any = None, records: bool = True
     ) -> None:
         """Takes the first pictures, which compile the kernels.
 
@@ -36,8 +37,7 @@ class LivePicture:
             spp: samples a pixel, ≥ 1; for models that average over footprints, which are shrunk accordingly.
             sensor: the index of the camera.
             integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
-            records: launches are recorded and repeated, which saves 40 ms a picture. Dr.Jit 1.5's recordings
-                have ended the process once in ten long runs: for sessions that may be started again.
+            records: launches are recorded and repeated, which saves 40 ms a picture.
 
         Raises:
             InputError: spp < 1.
@@ -46,8 +46,8 @@ class LivePicture:
             raise InputError(f"spp = {spp} is too small: a pixel needs at least 1 sample.")
         self._scene = scene
         self._integrator = integrator or footprint_integrator(scene)
-        self._camera = sensor
-        self._samples = spp
+        # Not a bound method: what refers to itself is freed by the garbage collector, whenever that runs.
+        self._rendered = _renderer(sensor, spp)
         enabled = records and not has_networks(scene)
         self._launch = dr.freeze(self._rendered, auto_opaque=False, enabled=enabled)
         # Once without freezing: whatever is uploaded when it is first used must be there beforehand.
@@ -75,9 +75,15 @@ class LivePicture:
             # A cloth that was never traced, of whichever scene, has arrays to upload: that is done here.
             return np.array(self._rendered(self._scene, self._integrator, seed, []), dtype=np.float32)
 
-    def _rendered(self, scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
+
+def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]], Any]:
+    """Renders a scene by an integrator; frozen functions look at what else its cloths hold."""
+
+    def rendered(scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
-        return mi.render(scene, sensor=self._camera, integrator=integrator, spp=self._samples, seed=seed)
+        return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)
+
+    return rendered
 
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
