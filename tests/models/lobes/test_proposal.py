@@ -27,7 +27,8 @@ DRAWN = 8000
 VIEWS = (0.0, 0.0), (35.0, 20.0), (60.0, 250.0), (84.0, 130.0), (140.0, 300.0)
 # Sides in units of the pyramid's smallest square: points alone, both, groups alone.
 SIZES = 0.3, 1.0, 6.0
-CASES = list(product([*TEXTS, "white with sheen"], VIEWS, SIZES))
+FABRICS = *TEXTS, "white with sheen"
+SEEDS = {case: seed for seed, case in enumerate(product(FABRICS, VIEWS, SIZES))}
 
 
 @dataclass(frozen=True)
@@ -79,44 +80,41 @@ def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
     return Case(model, view, size * model.tables.size, 0.37 * np.asarray(model.fabric.repeat_mm))
 
 
-@pytest.fixture(scope="module")
-def found_values() -> list[float]:
-    """The p-values of all cases that ran."""
-    return []
-
-
-@pytest.mark.parametrize("number", range(len(CASES)))
-def test_directions_are_distributed_by_their_density(number: int, found_values: list[float]) -> None:
-    case = case_of(*CASES[number])
+def compared(case: Case, seed: int, label: str) -> float:
+    """The p-value of directions drawn with `seed`; the rest of what holds of them is asserted."""
     shares = cell_shares(case.density)
-    found = case.drawn(number)
+    found = case.drawn(seed)
     passes, chance = found.passes.numpy(), found.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
     # The rule's error in the cells that a narrow highlight lies in is a few thousandths.
-    assert abs(shares.sum() + through - 1) < 5e-3
-    assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-3) / DRAWN)
-    counts = cell_counts(found.light.numpy().T[~passes].astype(np.float64))
-    value = p_value(counts, shares * DRAWN)
-    found_values.append(value)
-    # Of 75 cases one so unlikely would turn up in one run of a hundred, were the seeds not fixed.
-    assert value > 1e-4
+    assert abs(shares.sum() + through - 1) < 5e-3, label
+    assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-3) / DRAWN), label
     weight = found.weight.numpy()
     density = np.where(passes, 1, chance)
     again = case.model.value(found.light, *case.query(DRAWN)).numpy() / np.maximum(density, 1e-30)
     smooth = ~passes & (chance > 0)
     close = np.isclose(weight, again, rtol=2e-3, atol=1e-5).all(axis=0)
     # Two kernels round differently, and in a shadow's edge that decides.
-    assert close[smooth].mean() > 0.995
-    assert (weight[:, passes] == 1).all()
+    assert close[smooth].mean() > 0.995, label
+    assert (weight[:, passes] == 1).all(), label
     pdf = case.model.pdf(found.light, *case.query(DRAWN)).numpy()
-    assert np.isclose(pdf, chance, rtol=2e-3)[smooth].mean() > 0.995
+    assert np.isclose(pdf, chance, rtol=2e-3)[smooth].mean() > 0.995, label
+    counts = cell_counts(found.light.numpy().T[~passes].astype(np.float64))
+    return p_value(counts, shares * DRAWN)
 
 
-def test_all_cases_together(found_values: list[float]) -> None:
-    """p-values are uniform, so small faults of many cases show in their mean."""
-    if len(found_values) < len(CASES):
-        pytest.skip("not all cases ran")
-    assert abs(np.mean(found_values) - 0.5) < 4 / math.sqrt(12 * len(CASES))
+@pytest.mark.parametrize("name", FABRICS)
+def test_directions_are_distributed_by_their_density(name: str) -> None:
+    values = []
+    for view, size in product(VIEWS, SIZES):
+        label = f"{name}, view {view}, size {size}"
+        values.append(compared(case_of(name, view, size), SEEDS[name, view, size], label))
+        # Of 75 cases one so unlikely would turn up in one run of a hundred, were the seeds not fixed.
+        assert values[-1] > 1e-4, label
+    # p-values are uniform, so small faults of many cases show in their mean. Three standard deviations of it:
+    # one of the five fabrics so far off would turn up in one run of a hundred, too. If every cell is wrong by
+    # 5 %, up or down, that is found in 20 of 20 patterns; at four deviations in 2, as in 2 by one case alone.
+    assert abs(np.mean(values) - 0.5) < 3 / math.sqrt(12 * len(values)), values
 
 
 # Fabric, view, how much wider, how many threads away and how many degrees turned: of all directions 5 to 13 %
