@@ -16,10 +16,11 @@ import json
 import statistics
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import mitsuba as mi
 import numpy as np
@@ -76,7 +77,7 @@ class Bench:
 def baking_times() -> Iterator[list[float]]:
     """Seconds of each baking of tables."""
     taken: list[float] = []
-    bake_tables: Callable[..., Any] = lobes_model.bake_tables
+    bake_tables = lobes_model.bake_tables
 
     def timed(*arguments: Any) -> Any:
         start = time.perf_counter()
@@ -84,11 +85,8 @@ def baking_times() -> Iterator[list[float]]:
         taken.append(time.perf_counter() - start)
         return tables
 
-    lobes_model.bake_tables = timed  # type: ignore[assignment]
-    try:
+    with patch.object(lobes_model, "bake_tables", timed):
         yield taken
-    finally:
-        lobes_model.bake_tables = bake_tables
 
 
 def milliseconds(bench: Bench, name: str) -> dict[str, float]:
