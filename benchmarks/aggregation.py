@@ -32,10 +32,10 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.aggregate.surface_form import surface_samples
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
 from loomlight.core.backend import array_types
-from loomlight.core.files import replacing
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -255,11 +255,9 @@ def main() -> None:
         "boxes": boxes(1500),
         "surface_form": parted(12),
     }
-    text = json.dumps(result, indent=2)
-    print(text)
+    print(json.dumps(result, indent=2))
     if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n")
+        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,6 @@ with exit code 2, one sentence that names section, key and value, and no picture
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import re
 import subprocess
@@ -20,8 +19,8 @@ import time
 from pathlib import Path
 from typing import Any
 
-from loomlight.core.files import replacing
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 
 OPTIONS = ["--size", "256x256", "--spp", "32"]
 MOST_SECONDS = 30.0
@@ -88,9 +87,7 @@ def main() -> None:
         "runs": runs,
     }
     if arguments.output is not None:
-        arguments.output.parent.mkdir(exist_ok=True)
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2) + "\n")
+        write_json(arguments.output, result, digits=None)
     print(f"{len(every)} files, {result['failed']} failed, slowest {result['slowest_seconds']} s")
     sys.exit(1 if result["failed"] else 0)
 

@@ -10,7 +10,6 @@ neighbours. Memory is the peak of a whole process that renders one picture. Bars
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import resource
 import statistics
@@ -24,9 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from loomlight.core.files import replacing
 from loomlight.core.images import write_png
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 
@@ -144,9 +143,7 @@ def main() -> None:
         "runs": runs,
     }
     if arguments.output is not None:
-        arguments.output.parent.mkdir(exist_ok=True)
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n")
+        write_json(arguments.output, result, digits=None)
     print(f"ratio {largest}, peak {peak} MB")
     sys.exit(0 if largest <= MOST_TIMES and peak * 1e6 < MOST_BYTES else 1)
 

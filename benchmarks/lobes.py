@@ -28,11 +28,11 @@ from point import fma_peak, operations_of, timed
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.backend import array_types
-from loomlight.core.files import replacing
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.predictions import query_arrays
+from loomlight.evaluation.table import write_json
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
@@ -169,11 +169,9 @@ def main() -> None:
             for text in (*FABRICS, *arguments.drafts)
         },
     }
-    text = json.dumps(result, indent=2)
-    print(text)
+    print(json.dumps(result, indent=2))
     if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n")
+        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":

@@ -25,8 +25,8 @@ from unittest.mock import patch
 import mitsuba as mi
 import numpy as np
 
-from loomlight.core.files import replacing
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf
 from loomlight.mitsuba.live import LivePicture
@@ -131,9 +131,7 @@ def main() -> None:
         "runs": runs,
     }
     if arguments.output is not None:
-        arguments.output.parent.mkdir(exist_ok=True)
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n")
+        write_json(arguments.output, result, digits=None)
     print("missed:", ", ".join(missed) or "none")
     sys.exit(1 if missed else 0)
 

@@ -13,7 +13,6 @@ off between 1 sample and the next larger picture than it needs. Bar: 20 times.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 import time
 from collections.abc import Callable
@@ -23,9 +22,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.files import replacing
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.pictures import PictureError, picture_error
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import Fabric, load_fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.live import LivePicture
@@ -123,9 +122,7 @@ def main() -> None:
         "runs": runs,
     }
     if arguments.output is not None:
-        arguments.output.parent.mkdir(exist_ok=True)
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n")
+        write_json(arguments.output, result, digits=None)
     print(f"{least} times faster")
     sys.exit(0 if least >= BAR else 1)
 

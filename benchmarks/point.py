@@ -23,9 +23,9 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array3f, Bool, Float
 
-from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.point import PointModel
@@ -143,11 +143,9 @@ def main() -> None:
             "share_of_fma_peak": round(rate * operations / peak, 3),
             "exact_search_millions_per_second": round(exact / 1e6, 2),
         }
-    text = json.dumps(result, indent=2)
-    print(text)
+    print(json.dumps(result, indent=2))
     if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n")
+        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":

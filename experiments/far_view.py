@@ -19,8 +19,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.files import replacing
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.fabric import load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 
@@ -100,11 +100,9 @@ def main() -> None:
         "even_tone": {name: evenness(f"{name}.toml") for name in ("silk-satin", "denim")},
         "highlight_on_satin": highlight(),
     }
-    text = json.dumps(result, indent=2)
-    print(text)
+    print(json.dumps(result, indent=2))
     if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n")
+        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":

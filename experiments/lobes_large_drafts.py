@@ -17,12 +17,12 @@ from typing import Any
 
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
-from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.metrics import Classes, sums_by_class
 from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_test import grey_value
+from loomlight.evaluation.table import write_json
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 
@@ -80,8 +80,7 @@ def main() -> None:
         }
         print(json.dumps(result["drafts"][Path(text).name], indent=2), flush=True)
     if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2) + "\n")
+        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":

@@ -27,9 +27,9 @@ from drjit.llvm import Array2f, Array3f, Bool, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
 from loomlight.scattering.point import PointModel, YarnPoint
@@ -187,8 +187,7 @@ def main() -> None:
         for number in range(result["fabrics"], min(result["fabrics"] + SAVE_EVERY, arguments.fabrics)):
             absorb(result, measure(arguments.seed, number))
         result["seconds"] = round(result["seconds"] + time.perf_counter() - start, 1)
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(json.dumps(result, indent=2) + "\n")
+        write_json(arguments.output, result, digits=None)
         print(f"{result['fabrics']} fabrics, {result['seconds']} s, largest {result['largest']}", flush=True)
 
 

@@ -61,5 +61,20 @@ def test_a_table_in_both_forms(tmp_path: Path) -> None:
     write_json(tmp_path / "t.json", table.to_dict())
     read = json.loads((tmp_path / "t.json").read_text())
     assert read["rows"] == {"woven": {"nMAE": 0.12345, "MSE": None, "n": 3}}
-    with pytest.raises(InputError, match="does not exist"):
-        write_json(tmp_path / "none" / "t.json", {})
+
+
+def test_json_keeps_as_many_digits_as_asked_for(tmp_path: Path) -> None:
+    content = {"a third": 1 / 3, "none": [math.inf], "millions": 12_345_678, "size": "16 × 16"}
+    rounded, whole = tmp_path / "rounded.json", tmp_path / "made" / "whole.json"
+    write_json(rounded, content)
+    write_json(whole, content, digits=None)
+    assert json.loads(rounded.read_text(encoding="utf-8")) == content | {"a third": 0.333333, "none": [None]}
+    assert json.loads(whole.read_text(encoding="utf-8")) == content | {"none": [None]}
+
+
+def test_json_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    for folder in (tmp_path / "none" / "none", tmp_path / "file"):
+        with pytest.raises(InputError, match="does not exist"):
+            write_json(folder / "t.json", {})
+    assert not (tmp_path / "none").exists()

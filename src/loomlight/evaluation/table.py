@@ -5,12 +5,16 @@ from __future__ import annotations
 import json
 import math
 import os
+from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 from loomlight.core.files import replacing
 
 Cell = float | int | str | None
+
+_DIGITS = 6  # significant, of numbers in JSON
 
 
 @dataclass
@@ -59,25 +63,34 @@ class Table:
         return str(cell)
 
 
-def write_json(path: str | os.PathLike[str], content: dict[str, Any]) -> None:
-    """Writes JSON without NaN.
+def write_json(
+    path: str | os.PathLike[str], content: dict[str, Any], *, digits: int | None = _DIGITS
+) -> None:
+    """Writes JSON without NaN; the last folder of the path is made where there is none.
+
+    Args:
+        digits: significant digits that numbers keep; None for all of them.
 
     Raises:
         InputError: the path cannot be written.
     """
+    # Figures may have taken an hour. If the folder cannot be made, `replacing` says that it is not there.
+    with suppress(OSError, ValueError):
+        Path(path).parent.mkdir(exist_ok=True)
     with replacing(path) as temporary:
-        temporary.write_text(
-            json.dumps(_plain(content), indent=2, ensure_ascii=False) + "\n", encoding="utf-8"
-        )
+        text = json.dumps(_plain(content, digits), indent=2, ensure_ascii=False)
+        temporary.write_text(text + "\n", encoding="utf-8")
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Any, digits: int | None = _DIGITS) -> Any:
     if isinstance(value, dict):
-        return {key: _plain(part) for key, part in value.items()}
+        return {key: _plain(part, digits) for key, part in value.items()}
     if isinstance(value, list | tuple):
-        return [_plain(part) for part in value]
+        return [_plain(part, digits) for part in value]
     if isinstance(value, float):
-        return float(f"{value:.6g}") if math.isfinite(value) else None
+        if not math.isfinite(value):
+            return None
+        return value if digits is None else float(f"{value:.{digits}g}")
     return value
 
 
