@@ -15,12 +15,21 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, fabric_bsdf, render
-from loomlight.mitsuba.integrator import has_networks
 from loomlight.models.bake import bake
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
 
-from .footprints import interactions, random_interactions, side_by_side, unit, vectors
+from .footprints import (
+    assert_all_at_once_is_each_alone,
+    assert_each_shows_its_own,
+    assert_threads_have_colours_to_edit,
+    assert_weight_is_value_over_density,
+    halve_colours,
+    mean_value,
+    random_interactions,
+    unit,
+    vectors,
+)
 
 GROUPS = 4
 TWILL = {
@@ -53,11 +62,6 @@ def woven(**parameters: Any) -> Any:
     return mi.load_dict(TWILL | parameters)
 
 
-def mean_value(bsdf: Any) -> np.ndarray:
-    si, *_ = random_interactions(500, seed=4)
-    return np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(0.1, 0.2, 0.97))).mean(axis=1)
-
-
 def test_values_and_densities_are_those_of_the_model() -> None:
     bsdf, count = woven(), 2000
     si, uv, views, sides = random_interactions(count)
@@ -84,55 +88,23 @@ def test_values_and_densities_are_those_of_the_model() -> None:
 
 @pytest.mark.parametrize("side", [0.02, 0.3])
 def test_weight_is_value_over_density(side: float) -> None:
-    bsdf, count = woven(sheen_strength=0.4), 4000
-    rng = np.random.default_rng(2)
-    si = interactions(rng.random((count, 2)), unit(rng, count), np.full(count, side))
-    bs, weight = bsdf.sample(
-        mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
-    )
-    dr.eval(bs, weight)
-    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
-    dr.eval(value, pdf)
-    passes = np.array(mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null))
-    np.testing.assert_allclose(np.array(pdf)[~passes], np.array(bs.pdf)[~passes], rtol=2e-3)
-    product = np.array(weight * bs.pdf)[:, ~passes]
-    np.testing.assert_allclose(product, np.array(value)[:, ~passes], rtol=5e-3, atol=1e-5)
-    through = np.array(bsdf.eval_null_transmission(si))[0]
-    np.testing.assert_allclose(np.array(bs.pdf)[passes], through[passes], rtol=1e-3)
-    np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
-    assert 0 < passes.sum() < count / 2
+    cloth = woven(sheen_strength=0.4)
+    passes = assert_weight_is_value_over_density(cloth, side, density=2e-3, value=5e-3, through=1e-3)
+    assert 0 < passes.sum() < len(passes) / 2
 
 
 def test_all_at_once_is_each_alone() -> None:
-    bsdf, count = woven(), 1000
-    si, *_ = random_interactions(count)
-    rng = np.random.default_rng(3)
-    wo, lobe = vectors(unit(rng, count)), mi.Float(rng.random(count, np.float32))
-    square = mi.Point2f(rng.random((2, count)))
-    context = mi.BSDFContext()
-    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)
-    alone, alone_weight = bsdf.sample(context, si, lobe, square)
-    value_alone, pdf_alone = bsdf.eval(context, si, wo), bsdf.pdf(context, si, wo)
-    dr.eval(value, pdf, bs, weight, alone, alone_weight, value_alone, pdf_alone)
-    np.testing.assert_allclose(value, value_alone, rtol=1e-3, atol=1e-6)
-    np.testing.assert_allclose(pdf, pdf_alone, rtol=1e-3)
-    np.testing.assert_allclose(bs.wo, alone.wo, atol=1e-5)
-    np.testing.assert_allclose(weight, alone_weight, rtol=1e-3, atol=1e-5)
+    assert_all_at_once_is_each_alone(woven(), rtol=1e-3)
 
 
 def test_what_the_scene_edits_is_what_the_picture_shows(baked: list[int]) -> None:
     """Colours, roughness and sheen bake nothing; threads do, and are then those of a fabric made so."""
     bsdf = woven(sheen_strength=0.3)
-    params = mi.traverse(bsdf)
     assert baked == [GROUPS]
     before = mean_value(bsdf)
-    for family in ("warp", "weft"):
-        for term in ("diffuse", "specular"):
-            params[f"{family}.{term}_reflect"] *= 0.5
-            params[f"{family}.{term}_transmit"] *= 0.5
-    params["sheen.strength"] = 1e-3
-    params.update()
+    halve_colours(bsdf)
     halved = mean_value(bsdf)
+    assert baked == [GROUPS]
     assert (halved < before).all()
     # What is left of the sheen takes and adds a thousandth.
     np.testing.assert_allclose(halved, 0.5 * mean_value(woven()), rtol=5e-3)
@@ -160,14 +132,7 @@ def test_what_the_scene_edits_is_what_the_picture_shows(baked: list[int]) -> Non
 
 
 def test_colours_thread_by_thread(baked: list[int]) -> None:
-    bsdf = woven(warp_color="#ff0000,#00ff00,#0000ff")
-    params = mi.traverse(bsdf)
-    albedos = np.array(params["warp.albedos"]).reshape(3, 4, 3)
-    np.testing.assert_allclose(albedos[:, 0], bsdf.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
-    before = mean_value(bsdf)
-    params["warp.albedos"] = mi.Float(np.zeros(36, np.float32))
-    params.update()
-    assert (mean_value(bsdf) < before).all()
+    assert_threads_have_colours_to_edit(woven(warp_color="#ff0000,#00ff00,#0000ff"))
     assert baked == [GROUPS]
 
 
@@ -200,20 +165,8 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
 
 def test_two_fabrics_in_one_picture_are_each_its_own() -> None:
     """Side by side, in symbolic calls, both show what each shows alone."""
-    fabrics = (TWILL, TWILL | {"weave": "plain", "warp_color": "#ffffff", "weft_height_scale": 0.3})
-
-    def picture(*shown: dict) -> np.ndarray:
-        scene = side_by_side(*shown)
-        assert not has_networks(scene)
-        return render(scene, spp=1, seed=7)
-
-    both = picture(*fabrics)
-    assert both[..., 0].max() > 0
-    for number in range(2):
-        half = slice(16 * number, 16 * (number + 1))
-        alone = picture(*((fabrics[number],) * 2))
-        np.testing.assert_allclose(both[:, half], alone[:, half], rtol=1e-3, atol=1e-4)
-    assert not np.allclose(both[:, :16], both[:, 16:], rtol=0.05)
+    other = TWILL | {"weave": "plain", "warp_color": "#ffffff", "weft_height_scale": 0.3}
+    assert_each_shows_its_own(TWILL, other, networks=False)
 
 
 @pytest.mark.parametrize("zoom", [1.0, 30.0])

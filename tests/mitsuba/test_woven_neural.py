@@ -13,13 +13,24 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import build_scene, fabric_bsdf, render, woven_neural
 from loomlight.mitsuba.filtered_texture import FilteredTexture
-from loomlight.mitsuba.integrator import calls_for, has_networks
+from loomlight.mitsuba.integrator import calls_for
 from loomlight.models.woven import encoding
 from loomlight.models.woven.weights import Weights
 
 from ..models.woven.networks import network, weights_of
 from ..models.woven.reference import responses
-from .footprints import interactions, random_interactions, side_by_side, unit, vectors
+from .footprints import (
+    assert_all_at_once_is_each_alone,
+    assert_each_shows_its_own,
+    assert_threads_have_colours_to_edit,
+    assert_weight_is_value_over_density,
+    halve_colours,
+    interactions,
+    mean_value,
+    random_interactions,
+    unit,
+    vectors,
+)
 
 TWILL = {
     "type": "woven_neural",
@@ -79,35 +90,12 @@ def test_values_are_those_of_torch() -> None:
 
 @pytest.mark.parametrize("side", [0.02, 0.3])
 def test_weight_is_value_over_density(side: float) -> None:
-    bsdf, count = woven(sheen_strength=0.4), 4000
-    rng = np.random.default_rng(2)
-    si = interactions(rng.random((count, 2)), unit(rng, count), np.full(count, side))
-    bs, weight = bsdf.sample(
-        mi.BSDFContext(), si, mi.Float(rng.random(count, np.float32)), mi.Point2f(rng.random((2, count)))
-    )
-    value, pdf = bsdf.eval_pdf(mi.BSDFContext(), si, bs.wo)
-    passes = np.array(mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null))
-    np.testing.assert_allclose(np.array(pdf)[~passes], np.array(bs.pdf)[~passes], rtol=1e-3)
-    product = np.array(weight * bs.pdf)[:, ~passes]
-    np.testing.assert_allclose(product, np.array(value)[:, ~passes], rtol=1e-3, atol=1e-5)
-    through = np.array(bsdf.eval_null_transmission(si))[0]
-    np.testing.assert_allclose(np.array(bs.pdf)[passes], through[passes], rtol=1e-4)
-    np.testing.assert_allclose(np.array(bs.wo + si.wi)[:, passes], 0, atol=1e-6)
+    cloth = woven(sheen_strength=0.4)
+    assert_weight_is_value_over_density(cloth, side, density=1e-3, value=1e-3, through=1e-4)
 
 
 def test_all_at_once_is_each_alone() -> None:
-    bsdf, count = woven(), 1000
-    si, *_ = random_interactions(count)
-    rng = np.random.default_rng(3)
-    wo, lobe = vectors(unit(rng, count)), mi.Float(rng.random(count, np.float32))
-    square = mi.Point2f(rng.random((2, count)))
-    context = mi.BSDFContext()
-    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, wo, lobe, square)
-    alone, alone_weight = bsdf.sample(context, si, lobe, square)
-    np.testing.assert_allclose(value, bsdf.eval(context, si, wo), rtol=1e-4, atol=1e-7)
-    np.testing.assert_allclose(pdf, bsdf.pdf(context, si, wo), rtol=1e-4)
-    np.testing.assert_allclose(bs.wo, alone.wo, atol=1e-5)
-    np.testing.assert_allclose(weight, alone_weight, rtol=1e-3, atol=1e-5)
+    assert_all_at_once_is_each_alone(woven(), rtol=1e-4)
 
 
 @pytest.mark.parametrize("view", [(0.1, 0.2, 1.0), (-0.6, 0.1, -0.5)])
@@ -137,24 +125,13 @@ def test_sampling_follows_its_density(view: tuple[float, float, float]) -> None:
     assert test.run(significance_level=0.001), getattr(test, "messages", "")
 
 
-def mean_value(bsdf: Any) -> np.ndarray:
-    si, *_ = random_interactions(500, seed=4)
-    return np.array(bsdf.eval(mi.BSDFContext(), si, mi.Vector3f(0.1, 0.2, 0.97))).mean(axis=1)
-
-
 def test_editing_a_colour_needs_no_encoder(runs: list[str]) -> None:
     bsdf = woven(sheen_strength=0.3)
-    params = mi.traverse(bsdf)
     assert len(runs) == 1
     before = mean_value(bsdf)
-    for family in ("warp", "weft"):
-        for term in ("diffuse", "specular"):
-            params[f"{family}.{term}_reflect"] *= 0.5
-            params[f"{family}.{term}_transmit"] *= 0.5
-    params["sheen.strength"] = 1e-3
-    params.update()
-    assert len(runs) == 1
+    halve_colours(bsdf)
     halved = mean_value(bsdf)
+    assert len(runs) == 1
     assert (halved < before).all()
     plain = mean_value(woven())
     # What is left of the sheen takes and adds a thousandth.
@@ -178,13 +155,7 @@ def test_editing_threads_is_the_fabric_of_those_threads(runs: list[str]) -> None
 
 
 def test_colours_thread_by_thread() -> None:
-    bsdf = woven(warp_color="#ff0000,#00ff00,#0000ff")
-    params = mi.traverse(bsdf)
-    albedos = np.array(params["warp.albedos"]).reshape(3, 4, 3)
-    np.testing.assert_allclose(albedos[:, 0], bsdf.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
-    params["warp.albedos"] = mi.Float(np.zeros(36, np.float32))
-    params.update()
-    assert (mean_value(bsdf) < mean_value(woven(warp_color="#ff0000,#00ff00,#0000ff"))).all()
+    assert_threads_have_colours_to_edit(woven(warp_color="#ff0000,#00ff00,#0000ff"))
 
 
 def test_two_fabrics_are_mixed_and_extrapolated(runs: list[str]) -> None:
@@ -260,20 +231,8 @@ def test_xml_and_inline_are_the_same() -> None:
 
 def test_many_fabrics_in_one_picture_are_each_its_own() -> None:
     """Two fabrics side by side show what each shows alone, without symbolic calls."""
-    fabrics = (TWILL, TWILL | {"weave": "plain", "warp_color": "#ffffff"})
-
-    def picture(*shown: dict) -> np.ndarray:
-        scene = side_by_side(*shown)
-        assert has_networks(scene)
-        return render(scene, spp=1, seed=7)
-
-    both = picture(*fabrics)
-    assert both[..., 0].max() > 0
-    for number in range(2):
-        half = slice(16 * number, 16 * (number + 1))
-        alone = picture(*((fabrics[number],) * 2))
-        np.testing.assert_allclose(both[:, half], alone[:, half], rtol=1e-3, atol=1e-4)
-    assert not np.allclose(both[:, :16], both[:, 16:], rtol=0.05)
+    other = TWILL | {"weave": "plain", "warp_color": "#ffffff"}
+    assert_each_shows_its_own(TWILL, other, networks=True)
 
 
 def test_flags_are_left_as_they_were() -> None:
