@@ -8,6 +8,9 @@ heuristic, Russian roulette. It adds two things:
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
 
+Where all lights are points or directions, paths end with the last light sample; pictures of direct light
+then draw no directions at all.
+
 Derivatives of BSDF and emitter parameters come from path replay (Vicini et al. 2021); the shadows of holes
 and the positions of surfaces are held fixed.
 """
@@ -93,6 +96,9 @@ def footprint_path_class() -> type:
             context = mi.BSDFContext()
             samples = self._samples(sampler)
             holes = has_holes(scene)
+            # Lights that no direction drawn by chance can meet leave nothing to find after the last bounce.
+            met = has_lights_to_meet(scene)
+            lit_only = not met and self.max_depth <= 2
 
             camera = ray
             width, spread = pixel_cone(ray)
@@ -130,14 +136,16 @@ def footprint_path_class() -> type:
                 si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
 
                 # ---- Emission
-                origin = dr.zeros(mi.Interaction3f)
-                origin.p = vertex
-                ds = mi.DirectionSample3f(scene, si, origin)
-                emitter_pdf = scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
-                shown = active & (scattered | (not self.hide_emitters))
-                with dr.resume_grad(when=not primal):
-                    emitted = ds.emitter.eval(si, shown)
-                    Le = β * power_heuristic(vertex_pdf, emitter_pdf) * emitted
+                Le: Any = mi.Spectrum(0)
+                if dr.hint(met, mode="scalar"):
+                    origin = dr.zeros(mi.Interaction3f)
+                    origin.p = vertex
+                    ds = mi.DirectionSample3f(scene, si, origin)
+                    emitter_pdf = scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
+                    shown = active & (scattered | (not self.hide_emitters))
+                    with dr.resume_grad(when=not primal):
+                        emitted = ds.emitter.eval(si, shown)
+                        Le = β * power_heuristic(vertex_pdf, emitter_pdf) * emitted
 
                 # ---- A light
                 bounces = valid & (depth + 1 < self.max_depth)
@@ -152,11 +160,17 @@ def footprint_path_class() -> type:
                 if dr.hint(holes, mode="scalar"):
                     enters |= valid & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null)
                 lobe, square = sampler.next_1d(), sampler.next_2d()
-                if dr.hint(primal, mode="scalar"):
+                if dr.hint(primal and lit_only, mode="scalar"):
+                    value, pdf = bsdf.eval(context, si, to_light, lit), mi.Float(0)
+                    bs, weight = self._straight_on(bsdf, si, lobe, holes, enters)
+                elif dr.hint(primal, mode="scalar"):
                     value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, to_light, lobe, square, enters)
                     value = dr.select(lit, value, 0)
                 else:
-                    bs, weight = bsdf.sample(context, si, lobe, square, enters)
+                    if dr.hint(lit_only, mode="scalar"):
+                        bs, weight = self._straight_on(bsdf, si, lobe, holes, enters)
+                    else:
+                        bs, weight = bsdf.sample(context, si, lobe, square, enters)
                     with dr.resume_grad():
                         value, pdf = bsdf.eval_pdf(context, si, to_light, lit)
                         attached = scene.eval_emitter_direction(si, ds, lit) / ds.pdf
@@ -179,6 +193,8 @@ def footprint_path_class() -> type:
 
                 ray_next = si.spawn_ray(si.to_world(bs.wo))
                 active_next = bounced | (passed & (passes < MOST_PASSES))
+                if dr.hint(not met, mode="scalar"):
+                    active_next &= passed | (depth + 2 < self.max_depth)
                 β *= weight
                 η *= bs.eta
                 β_max = dr.max(β)
@@ -212,6 +228,18 @@ def footprint_path_class() -> type:
                 active = active_next
 
             return (L if primal else δL), visible, [], L
+
+        def _straight_on(self, bsdf: Any, si: Any, choice: Any, holes: bool, active: Any) -> tuple[Any, Any]:
+            """A BSDF sample and its weight where only passing through holes leads to anything."""
+            bs: Any = dr.zeros(mi.BSDFSample3f)
+            bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
+            if not holes:
+                return bs, mi.Spectrum(0)
+            through = bsdf.eval_null_transmission(si, active)
+            chance = dr.mean(through)
+            passes = active & (choice < chance)
+            bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
+            return bs, dr.select(passes, through * dr.rcp(dr.maximum(chance, 1e-8)), 0)
 
         @dr.syntax
         def _transmittance(
@@ -292,6 +320,11 @@ def calls_for(scene: Any) -> Iterator[None]:
 def has_networks(scene: Any) -> bool:
     """Whether any surface of the scene evaluates a network."""
     return any(shape.bsdf() is not None and runs_network(shape.bsdf()) for shape in scene.shapes())
+
+
+def has_lights_to_meet(scene: Any) -> bool:
+    """Whether the scene has lights that a ray can meet: of an extent, or all around."""
+    return any(not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters())
 
 
 def has_holes(scene: Any) -> bool:

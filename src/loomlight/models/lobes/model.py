@@ -14,6 +14,7 @@ from loomlight.assets.loom_file import LoomFile
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
+from loomlight.core.lanes import changed_where
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
@@ -130,20 +131,31 @@ class LobesModel(Model):
         varies = self.point_model.varies
         if not (means.varied or varies):
             return FamilyAlbedos(*means.over(footprint, back))
-        middle, share = footprint.centre, 1 - self._far_share(footprint.spread_side)
-        surface, quality = self.point_model.surface, self.point_model.quality
-        hit = first_hit(surface, middle.x, middle.y, on_face(view, back), back, share > 0, quality)
-        # Nothing has been searched where the share is 0.
-        share = dr.select(hit.hole, 0, share)
-        x, y = dr.select(share > 0, hit.x, middle.x), dr.select(share > 0, hit.y, middle.y)
+        surface, middle = self.point_model.surface, footprint.centre
+
+        def meet(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
+            seen = on_face(view, back)
+            hit = first_hit(surface, middle.x, middle.y, seen, back, True, self.point_model.quality)
+            counts = dr.select(hit.hole, 0, close)
+            return dr.select(hit.hole, middle.x, hit.x), dr.select(hit.hole, middle.y, hit.y), counts
+
+        close = 1 - self._far_share(footprint.spread_side)
+        start = middle.x, middle.y, types.Float(close)
+        x, y, share = changed_where(close > 0, start, meet, "lobes: middle ray")
         moved = types.Vector2(dr.lerp(middle.x, x, share), dr.lerp(middle.y, y, share))
-        warp, weft = means.over(replace(footprint, centre=moved), back)
-        if varies:
+        mean = means.over(replace(footprint, centre=moved), back)
+        if not varies:
+            return FamilyAlbedos(*mean)
+
+        def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
             point = surface.surface(x, y, back)
             warp, weft = (
                 _faded(family, self.point_model.varied(point, family, x, y), dr.select(here, share, 0))
-                for family, here in ((warp, point.is_warp), (weft, ~point.is_warp))
+                for family, here in zip(families, (point.is_warp, ~point.is_warp), strict=True)
             )
+            return warp, weft
+
+        warp, weft = changed_where(share > 0, mean, vary, "lobes: variation")
         return FamilyAlbedos(warp, weft)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
