@@ -15,6 +15,18 @@ from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 
 SMALL = ["--size", "24x16", "--spp", "2"]
+# A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
+SCENE = """<scene version="3.0.0">
+    <sensor type="perspective"><transform name="to_world">
+        <lookat origin="0, 0, 4" target="0, 0, 0" up="0, 1, 0"/>
+    </transform></sensor>
+    <emitter type="constant"/>
+    <shape type="rectangle"><bsdf type="diffuse" id="fabric"/></shape>
+    <shape type="rectangle">
+        <transform name="to_world"><translate z="9"/></transform>
+        <bsdf type="woven_lobes">{parameters}</bsdf>
+    </shape>
+</scene>"""
 
 
 def pixels(path: Path) -> np.ndarray:
@@ -77,6 +89,48 @@ def test_what_cannot_be_rendered(
     assert len(error.splitlines()) == 1
     assert expected in error
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_rectangle_of_a_scene_file_is_a_mesh(tmp_path: Path) -> None:
+    (tmp_path / "scene.xml").write_text(SCENE.format(parameters=""))
+    for name, weft in (("dark", "#000000"), ("light", "#ffffff")):
+        (tmp_path / f"{name}.toml").write_text(f'weave = "plain"\n[weft]\ncolor = "{weft}"')
+        options = ["--scene", str(tmp_path / "scene.xml"), *SMALL]
+        fabric, picture = tmp_path / f"{name}.toml", tmp_path / f"{name}.exr"
+        assert run(["render", str(fabric), "-o", str(picture), *options]) == 0
+    dark, light = (pixels(tmp_path / f"{name}.exr")[8, 12, :3].mean() for name in ("dark", "light"))
+    assert light > 1.5 * dark
+
+
+@pytest.mark.parametrize(
+    ("parameters", "expected"),
+    [
+        ('<string name="groups" value="a"/>', 'groups = "a" is no whole number: give one from 1 to 64.'),
+        ('<float name="groups" value="2.5"/>', "groups = 2.5 is no whole number"),
+        ('<boolean name="groups" value="true"/>', "groups = true is no whole number"),
+        ('<integer name="groups" value="0"/>', "cannot be loaded: groups = 0 is out of range"),
+        ('<integer name="gruops" value="8"/>', 'unreferenced property in bsdf plugin of type "woven_lobes"'),
+        ('<integer name="gruops" value="8"/>', 'integer "gruops": 8'),
+        ('<string name="pixel_angle" value="x"/>', 'pixel_angle = "x" is wrong: give an angle in radians'),
+        ('<float name="pixel_angle" value="-1"/>', "pixel_angle = -1.0 is wrong"),
+        ('<string name="fabric" value="none.toml"/>', "cannot be loaded: none.toml does not exist."),
+        ('<texture type="bitmap" name="albedo"><string name="filename" value="no.png"/></texture>', "no.png"),
+    ],
+)
+def test_what_a_scene_file_says_of_its_own_cloth(
+    parameters: str,
+    expected: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("scene.xml").write_text(SCENE.format(parameters=parameters))
+    assert run(["render", "plain", "-o", "a.png", "--scene", "scene.xml", *SMALL]) == 2
+    error = capsys.readouterr().err
+    assert len(error.splitlines()) == 1
+    assert expected in error
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.xml"]
 
 
 def test_an_interrupted_render_leaves_nothing(

@@ -12,6 +12,7 @@
 from __future__ import annotations
 
 import json
+import math
 import tomllib
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.file import FabricFile
 from loomlight.fabric.load import edited_fabric
+from loomlight.fabric.sentences import shown
 
 _TABLES = ("warp", "weft", "sheen", "variation")
 _TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
@@ -85,6 +87,39 @@ def uv_size_of(props: Any, fabric: Fabric) -> tuple[float, float]:
     u, v = _pair(given[0], props[given[0]])
     width, height = fabric.repeat_mm
     return (u, v) if given[0] == "uv_size" else (u * width, v * height)
+
+
+def number_of_props(props: Any, name: str, default: float, such_as: str, least: float = -math.inf) -> float:
+    """A single number of a plugin: a property that may be left out.
+
+    Args:
+        such_as: what would be right, the end of a sentence: "an angle in radians, such as 0.001".
+
+    Raises:
+        InputError: what is given is no finite number of `least` and more.
+    """
+    value = props.get(name, default)
+    if not _is_number(value) or not math.isfinite(value) or value < least:
+        raise InputError(f"{name} = {shown(value)} is wrong: give {such_as}.")
+    return float(value)
+
+
+def whole_number_of_props(props: Any, name: str, such_as: str) -> int | None:
+    """A whole number of a plugin; None where it is left out.
+
+    Raises:
+        InputError: what is given is no whole number; `such_as` says what would be right.
+    """
+    if name not in props:
+        return None
+    value = props[name]
+    if not _is_number(value) or not float(value).is_integer():
+        raise InputError(f"{name} = {shown(value)} is no whole number: give {such_as}.")
+    return int(value)
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
 
 
 def _base(props: Any) -> Fabric | None:

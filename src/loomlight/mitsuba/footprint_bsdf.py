@@ -16,7 +16,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
-from loomlight.mitsuba.fabric_props import fabric_of, uv_size_of, with_fields
+from loomlight.mitsuba.fabric_props import fabric_of, number_of_props, uv_size_of, with_fields
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.held_arrays import arrays_of
 from loomlight.models.interface import FamilyAlbedos, Response
@@ -97,7 +97,8 @@ def footprint_bsdf_class() -> type:
             self.fabric = fabric_of(props)
             self.uv_size = mi.Vector2f(uv_size_of(props, self.fabric))
             self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
-            self.pixel_angle = float(props.get("pixel_angle", 0.0))
+            radians = "an angle in radians, such as 0.001"
+            self.pixel_angle = number_of_props(props, "pixel_angle", 0.0, radians, least=0.0)
             for name in ("toml", "folder"):
                 props.mark_queried(name)
             dr.make_opaque(self.uv_size)

@@ -110,15 +110,15 @@ def from_shape(shape: Any, name: str) -> ClothMesh:
     Raises:
         InputError: no usable uv.
     """
-    params = mi.traverse(shape)
 
-    def rows(key: str, width: int) -> NDArray[np.float64]:
-        return np.array(params[key], dtype=np.float64).reshape(-1, width)
+    def rows(values: Any, width: int) -> NDArray[np.float64]:
+        return np.array(values, dtype=np.float64).reshape(-1, width)
 
-    positions = rows("vertex_positions", 3)
-    triangles = np.array(params["faces"], dtype=np.int64).reshape(-1, 3)
-    uv = rows("vertex_texcoords", 2) if shape.has_vertex_texcoords() else np.zeros((0, 2))
-    normals = rows("vertex_normals", 3) if shape.has_vertex_normals() else np.zeros((0, 3))
+    # Not as scene parameters: a rectangle is a mesh that has none of these.
+    positions = rows(shape.vertex_positions_buffer(), 3)
+    triangles = np.array(shape.faces_buffer(), dtype=np.int64).reshape(-1, 3)
+    uv = rows(shape.vertex_texcoords_buffer(), 2) if shape.has_vertex_texcoords() else np.zeros((0, 2))
+    normals = rows(shape.vertex_normals_buffer(), 3) if shape.has_vertex_normals() else np.zeros((0, 3))
     return _checked(ClothMesh(positions, normals, uv, triangles, name))
 
 

@@ -13,9 +13,10 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import is_loom, read_loom
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.fabric_props import whole_number_of_props
 from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class
 from loomlight.models.interface import FamilyAlbedos, Response
-from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
+from loomlight.models.lobes.model import DEFAULT_GROUPS, MOST_GROUPS, LobesModel
 from loomlight.models.lobes.proposal import Shares
 from loomlight.models.lobes.tables import LobeTables, tables_of_loom
 from loomlight.scattering.point import DirectionSample
@@ -41,7 +42,7 @@ def woven_lobes_class() -> type:
 
         def __init__(self, props: Any) -> None:
             super().__init__(props)
-            self._groups = int(props["groups"]) if "groups" in props else None
+            self._groups = whole_number_of_props(props, "groups", f"one from 1 to {MOST_GROUPS}")
             self.finish()
 
         def bake(self) -> None:

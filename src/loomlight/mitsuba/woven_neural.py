@@ -17,7 +17,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
-from loomlight.mitsuba.fabric_props import other_fabric_of
+from loomlight.mitsuba.fabric_props import number_of_props, other_fabric_of
 from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class, number_of
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.models.woven.decoder import Seen
@@ -51,7 +51,7 @@ def woven_neural_class() -> type:
             super().__init__(props)
             self.other = other_fabric_of(props)
             self.weights = _weights_of(props)
-            self._blend = mi.Float(float(props.get("blend", 0.0)))
+            self._blend = mi.Float(number_of_props(props, "blend", 0.0, "a number, such as 0.5"))
             if self.other is not None:
                 self.own_parameters["blend"] = self._blend
             self.finish()
