@@ -21,6 +21,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import drjit as dr
 import numpy as np
@@ -105,6 +106,24 @@ class _Shown:
     weft: Cell
 
 
+_Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32]]
+# What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
+# 4096 by 4096 threads takes seconds.
+_known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
+
+
+def _prepared(layout: ClothLayout) -> _Prepared:
+    """Tables of warp and weft, and the words of both families at each crossing [picks, ends, 2]."""
+    if layout not in _known:
+        warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
+        weft_words = pack_runs(~layout.warp_on_top)
+        warp = prepare_family(layout.warp, layout.weft, warp_words)
+        weft = prepare_family(layout.weft, layout.warp, weft_words)
+        words = [with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)]
+        _known[layout] = warp, weft, np.stack(words, axis=2)
+    return _known[layout]
+
+
 class YarnGeometry:
     """Analytic geometry of one layout of cloth, for any Dr.Jit backend.
 
@@ -120,15 +139,7 @@ class YarnGeometry:
         self.size = layout.size
         self.height_scale: tuple[Any, Any] = (layout.warp.height_scale, layout.weft.height_scale)
         self.twist: tuple[Any, Any] = (layout.warp.twist, layout.weft.twist)
-        warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-        weft_words = pack_runs(~layout.warp_on_top)
-        self._warp = prepare_family(layout.warp, layout.weft, warp_words)
-        self._weft = prepare_family(layout.weft, layout.warp, weft_words)
-        # [picks, ends, 2]: the words of both families at one crossing lie side by side.
-        self._words: NDArray[np.uint32] = np.stack(
-            [with_crests(warp_words, self._warp.crests).T, with_crests(weft_words, self._weft.crests)],
-            axis=2,
-        )
+        self._warp, self._weft, self._words = _prepared(layout)
         self._uploaded: dict[type, _Uploaded] = {}
         self.extents: dict[type, Any] = {}
 

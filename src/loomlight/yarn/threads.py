@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
-from loomlight.yarn.runs import CREST_LEVELS, LONGEST_ARC
+from loomlight.yarn.runs import CREST_LEVELS, LONGEST_ARC, LONGEST_NEIGHBOUR, LONGEST_OFFSET
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -176,12 +176,16 @@ def _run_ends(
     words: NDArray[np.uint32], lower: NDArray[np.float64], upper: NDArray[np.float64], period: float
 ) -> _RunEnds:
     count = lower.size
+    # Where cells begin, of all crossings that a word can tell of: one look-up each in place of a division.
+    farthest = LONGEST_OFFSET + LONGEST_NEIGHBOUR + 2
+    crossing = np.arange(-farthest, count + farthest)
+    cell_starts = lower[crossing % count] + period * (crossing // count)
 
-    def position(index: NDArray[np.int64]) -> NDArray[np.float64]:
-        return lower[index % count] + period * (index // count)
+    def position(index: NDArray[np.int32]) -> NDArray[np.float64]:
+        return cell_starts.take(index + farthest)
 
-    here = np.arange(count)
-    signed = words.astype(np.int64)
+    here = np.arange(count, dtype=np.int32)
+    signed = words.astype(np.int32)
     behind, ahead = (signed >> 1) & 127, (signed >> 8) & 127
     before, after = (signed >> 15) & 63, (signed >> 21) & 63
     straight = (signed >> 27 & 1) == 1

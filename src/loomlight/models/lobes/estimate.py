@@ -1,8 +1,8 @@
 """The analytic estimate: what groups of a footprint do to light, and what directions their lobes suggest.
 
 A group's weight is what views see of it: how much of it the footprint holds times the share of the view rays
-that meet it. Weights of groups and holes are divided by their sum. Diffuse terms are the group's irradiance,
-specular ones its lobe times the share of it that light reaches.
+that meet it. The weight of holes is their share; groups have the rest by their weights. Diffuse terms are the
+group's irradiance, specular ones its lobe times the share of it that light reaches.
 
 Light and view hide from the same yarns. Where both come from one azimuth, what the lower one reaches the
 higher one reaches too, so of what is seen a share g = min(1, V(light)/V(view)) is lit; where their azimuths
@@ -91,11 +91,12 @@ class Estimator:
         """Where a footprint (centre [2] and side, millimetres) and a view [3] lie in the tables."""
         return Place(self._coverage.taps(centre, size, back), node_taps(view), view, back)
 
-    def hole_weight(self, place: Place) -> Any:
-        """Weight of the holes, not divided by the sum yet: Float."""
+    def hole(self, place: Place) -> Any:
+        """Share of the view rays that pass through holes: Float, 0 to 1."""
         holes = self._coverage.bytes(place.coverage, self.words)[0]
         seen = self._view_bytes(place, self.words)[0]
-        return holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
+        weight = holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
+        return dr.minimum(weight, 1)
 
     def seen(self, place: Place, word: Any, is_warp: Any) -> Seen:
         """The four groups of a word."""

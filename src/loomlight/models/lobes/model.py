@@ -27,9 +27,9 @@ from loomlight.models.lobes.proposal import (
     draw,
     energies_of,
     energies_where,
+    energy_of,
     group_density,
     shares_of,
-    weigh,
 )
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
@@ -219,9 +219,8 @@ class LobesModel(Model):
     def shares(self, albedos: FamilyAlbedos, view: Any, footprint: Footprint) -> Shares:
         """How directions are drawn for footprints that views see, whatever the light."""
         estimator, place = self.estimator(array_types(view.x)), self._place(footprint, view)
-        weight, energy = weigh(estimator, place, energies_of(albedos))
-        holes = estimator.hole_weight(place)
-        hole = self._hole(view, footprint, holes * dr.rcp(dr.maximum(holes + weight, SMALLEST_WEIGHT)))
+        energy = energy_of(estimator, place, energies_of(albedos))
+        hole = self._hole(view, footprint, estimator.hole(place))
         return shares_of(place, albedos, energy, self.straight_through(view, hole), self._sheen)
 
     def response_and_pdf(
@@ -233,10 +232,8 @@ class LobesModel(Model):
 
     def hole(self, view: Any, footprint: Footprint) -> Any:
         """The hole of `evaluate`, which no light changes: Float."""
-        estimator, place = self.estimator(array_types(view.x)), self._place(footprint, view)
-        holes = estimator.hole_weight(place)
-        weight = weigh(estimator, place)[0]
-        return self._hole(view, footprint, holes * dr.rcp(dr.maximum(holes + weight, SMALLEST_WEIGHT)))
+        far = self.estimator(array_types(view.x)).hole(self._place(footprint, view))
+        return self._hole(view, footprint, far)
 
     def _hole(self, view: Any, footprint: Footprint, far: Any) -> Any:
         far_share = self._far_share(footprint.spread_side)
@@ -317,23 +314,21 @@ class LobesModel(Model):
             return word + 1, total + sum(found.weights), *sums
 
         width = dr.width(view, list(lights), footprint.centre, footprint.duv_dx)
-        holes = estimator.hole_weight(place)
-        zero = dr.zeros(types.Float, width)
         start = (
             dr.zeros(types.UInt32, width),
-            holes + zero,
-            *(types.Float(zero) for _ in range(5 * len(lights))),
+            *(dr.zeros(types.Float, width) for _ in range(1 + 5 * len(lights))),
         )
         _, total, *sums = dr.while_loop(
             start, lambda word, *rest: active & (word < estimator.words), add, label="lobes: groups"
         )
-        inverse = dr.rcp(dr.maximum(total, SMALLEST_WEIGHT))
+        hole = estimator.hole(place)
+        share = (1 - hole) * dr.rcp(dr.maximum(total, SMALLEST_WEIGHT))
         answers = []
         for first in range(0, len(sums), 5):
             diffuse_warp, diffuse_weft, specular_warp, specular_weft = (
-                part * inverse for part in sums[first : first + 4]
+                part * share for part in sums[first : first + 4]
             )
-            response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, holes * inverse)
+            response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole)
             answers.append((response, sums[first + 4]))
         return answers
 

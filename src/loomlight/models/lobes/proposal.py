@@ -27,7 +27,7 @@ _LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
 # Kept for what lobes miss; black cloth draws by it alone.
 _COSINE_SHARE = 0.05
 _LEAST_ENERGY = 1e-6
-# Of groups and holes together; a view that sees neither is none.
+# Of all groups together; a view that sees none sees holes alone.
 SMALLEST_WEIGHT = 1e-12
 # A box of half-width √3 s beside a lobe of width α.
 SPREAD_WIDTH = 1.7
@@ -80,24 +80,19 @@ def energies_of(albedos: FamilyAlbedos) -> tuple[Energies, Energies]:
     return of(albedos.warp), of(albedos.weft)
 
 
-def weigh(
-    estimator: Estimator, place: Place, energies: tuple[Energies, Energies] | None = None
-) -> tuple[Any, Any]:
-    """Sum over groups of their weights, and of weight times energy (0 without energies): Float each."""
+def energy_of(estimator: Estimator, place: Place, families: tuple[Energies, Energies]) -> Any:
+    """Sum over groups of weight times the energy of their family: Float."""
     types = array_types(place.view.x)
-    warp, weft = (0, 0) if energies is None else (family.total for family in energies)
+    warp, weft = (family.total for family in families)
 
-    def add(word: Any, weight: Any, energy: Any) -> tuple[Any, Any, Any]:
+    def add(word: Any, energy: Any) -> tuple[Any, Any]:
         is_warp = word < estimator.warp_words
-        own = sum(estimator.seen(place, word, is_warp).weights)
-        return word + 1, weight + own, dr.fma(own, dr.select(is_warp, types.Float(warp), weft), energy)
+        weight = sum(estimator.seen(place, word, is_warp).weights)
+        return word + 1, dr.fma(weight, dr.select(is_warp, types.Float(warp), weft), energy)
 
     width = dr.width(place.view, place.coverage.nodes, types.Float(warp), types.Float(weft))
-    start = (dr.zeros(types.UInt32, width), *(dr.zeros(types.Float, width) for _ in range(2)))
-    _, weight, energy = dr.while_loop(
-        start, lambda word, *rest: word < estimator.words, add, label="lobes: weights"
-    )
-    return weight, energy
+    start = dr.zeros(types.UInt32, width), dr.zeros(types.Float, width)
+    return dr.while_loop(start, lambda word, energy: word < estimator.words, add, label="lobes: energy")[1]
 
 
 def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sheen: Sheen) -> Shares:

@@ -6,11 +6,11 @@ groups lie among the bytes: the warp's first, each family padded to words of fou
 
 For a view v, a light l, their half vector h and a footprint, with bytes interpolated between `Nodes`:
 
-    weight of a group     w = coverage·seen²·unit                      holes likewise
+    weight of a group     w = coverage·seen²·unit
+    hole                  the same for holes, at most 1
     lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ
-    diffuse               Σ w·irradiance·V/reached / Σ w
-    specular              Σ w·f(h, l, v)·V / Σ w                       f: `layer_value`
-    hole                  w of holes / Σ w
+    diffuse               (1 − hole)·Σ w·irradiance·V/reached / Σ w
+    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w            f: `layer_value`
 """
 
 from __future__ import annotations
@@ -76,18 +76,13 @@ class Weights:
 
     Attributes:
         groups: w of each group [G], not divided by the sum.
-        hole: w of the holes.
+        hole: share of the view rays that pass through holes.
         reached: share of each group that light from the view's side and direction would reach [G].
     """
 
     groups: Numbers
     hole: float
     reached: Numbers
-
-    @property
-    def total(self) -> float:
-        """Of groups and holes."""
-        return float(self.groups.sum()) + self.hole
 
 
 class LobesTwin:
@@ -143,13 +138,13 @@ class LobesTwin:
             * raised
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
-        total = max(weights.total, 1e-12)
+        total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
         return Response(
             diffuse_warp=float(diffuse[self.is_warp].sum() / total),
             diffuse_weft=float(diffuse[~self.is_warp].sum() / total),
             specular_warp=float(specular[self.is_warp].sum() / total),
             specular_weft=float(specular[~self.is_warp].sum() / total),
-            hole=weights.hole / total,
+            hole=weights.hole,
         )
 
     def group_density(
@@ -199,7 +194,7 @@ class LobesTwin:
         seen, reached = row[: count + 4], row[count + 4 :] * _PER_BYTE
         unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
         found = coverage[: count + 1] * seen[: count + 1] ** 2 * unit
-        return Weights(found[:count], float(found[count]), reached)
+        return Weights(found[:count], min(float(found[count]), 1.0), reached)
 
     def groups(self, back: bool) -> GroupMoments:
         """The groups of a face, from the twelve numbers of each."""
