@@ -11,6 +11,7 @@ import pytest
 from PIL import Image
 
 import loomlight
+from loomlight.cli.doctor import PACKAGES
 from loomlight.cli.main import run
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
@@ -127,6 +128,8 @@ def test_the_doctor_finds_this_machine_usable() -> None:
     assert done.returncode == 0, done.stdout
     for subject in ("Python", "mitsuba", "LLVM", "CUDA"):
         assert subject in done.stdout
+    for name in PACKAGES:
+        assert f" {name} " in done.stdout
 
 
 def test_the_doctor_says_what_is_missing(

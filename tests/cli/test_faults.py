@@ -34,6 +34,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no seed": (["render", "plain", "-o", "a.png", "--seed", "-1"], "--seed -1"),
     "no weave": (["render", "plian", "-o", "a.png"], 'did you mean "plain"'),
     "no fabric": (["render", "none.toml", "-o", "a.png"], "none.toml does not exist"),
+    "no fabric at all": (["render", "", "-o", "a.png"], 'loomlight: "" is no fabric'),
     "no such fabric": (["render", "cloth.obj", "-o", "a.png"], "cloth.obj is no fabric"),
     "bad fabric": (["render", "bad.toml", "-o", "a.png"], "bad.toml: gap = 2"),
     "bad wif": (["weave", "info", "bad.wif"], "bad.wif"),

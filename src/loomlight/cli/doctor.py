@@ -71,9 +71,9 @@ def doctor() -> None:
     for finding in findings():
         fatal = finding.remedy is not None and finding.needed
         mark = "missing" if fatal else "ok" if finding.remedy is None else "none"
-        print(f"{mark:8}{finding.subject:14}{finding.found}")
+        print(f"{mark:8}{finding.subject:16}{finding.found}")
         if finding.remedy is not None:
-            print(f"{'':22}{finding.remedy}")
+            print(f"{'':24}{finding.remedy}")
         usable = usable and not fatal
     print("loomlight is ready." if usable else "loomlight cannot render yet: mend what is missing above.")
     raise typer.Exit(0 if usable else 1)

@@ -38,7 +38,7 @@ def load_fabric(path: str | os.PathLike[str]) -> Fabric:
             fields = parse_fabric_file(text)
         return _made(fields, folder, file.stem, str(file))
     if suffix or _exists(file) or file.is_absolute():
-        shown = one_line(str(file))
+        shown = one_line(str(file)) if str(path) else '""'
         raise InputError(f"{shown} is no fabric: give a fabric file (.toml), a draft (.wif, .png), a weave.")
     return fabric_from_text(str(path))
 
