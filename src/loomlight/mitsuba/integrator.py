@@ -153,6 +153,10 @@ def footprint_path_class() -> type:
                 ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), not holes, lit)
                 lit &= ds.pdf != 0
                 to_light = si.to_local(ds.d)
+                if dr.hint(holes, mode="scalar"):
+                    # Where no light arrives the cloth need not be asked what it does with it.
+                    arriving *= self._transmittance(scene, si, ds.p, width, spread, lit)
+                    lit &= dr.max(arriving) > 0
 
                 # ---- The next direction. Past the last bounce a path still passes through holes, because
                 # the previous vertex's light samples did.
@@ -175,10 +179,6 @@ def footprint_path_class() -> type:
                         value, pdf = bsdf.eval_pdf(context, si, to_light, lit)
                         attached = scene.eval_emitter_direction(si, ds, lit) / ds.pdf
                         arriving *= dr.relative_grad(dr.select(lit, attached, 0))
-
-                if dr.hint(holes, mode="scalar"):
-                    lit &= dr.max(dr.detach(value * arriving)) > 0
-                    arriving *= self._transmittance(scene, si, ds.p, width, spread, lit)
 
                 with dr.resume_grad(when=not primal):
                     heuristic = dr.select(ds.delta, 1, power_heuristic(ds.pdf, dr.detach(pdf)))

@@ -128,7 +128,8 @@ def measure_coverage(geometry: YarnGeometry, groups: Groups, float_type: type) -
     means = _cells(types, geometry, groups, columns, rows)
     mean = means.mean(axis=(1, 2), dtype=np.float64)
     for axis, count, side in ((1, rows, geometry.size[1]), (2, columns, geometry.size[0])):
-        means = _widened(means, axis, spacing.baked_side * spacing.size * count / side)
+        for _ in range(2):
+            means = _widened(means, axis, spacing.baked_side * spacing.size * count / side / math.sqrt(2))
     levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
     while columns * rows > 1:
         first = levels[-1][0] + columns * rows
