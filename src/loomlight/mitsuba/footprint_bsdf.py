@@ -189,9 +189,10 @@ def footprint_bsdf_class() -> type:
             dr.make_opaque(self._numbers, self._colours, self.own_parameters)
             si = dr.zeros(mi.SurfaceInteraction3f)
             si.wi = mi.Vector3f(0, 0, 1)
-            # Traced, and never computed.
+            # Traced, and never computed. What draws directions reads no more than these two.
             if with_model:
-                self.eval_pdf(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
+                self.eval(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
+                self.eval_null_transmission(si)
             else:
                 self._means.over(self._footprint(si), mi.Bool(False))
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.

@@ -159,16 +159,17 @@ def find_groups(points: PlanPoints, per_family: int) -> Groups:
     of_set = 2 * points.back + ~points.is_warp
     sets = {number: np.flatnonzero((of_set == number) & ~points.hole) for number in range(4)}
     sets = {number: chosen for number, chosen in sets.items() if len(chosen)}
+    features = np.concatenate([_NORMAL_SHARE * points.normal, points.tangent], axis=1)
     centres = np.zeros((4, per_family, _FEATURES), np.float32)
     if sets:
         learnt = [
             np.resize(chosen, -(-len(chosen) // _LEARNT_FROM) * _LEARNT_FROM) for chosen in sets.values()
         ]
         rows = np.stack([some[:: len(some) // _LEARNT_FROM] for some in learnt])
-        centres[list(sets)] = _centres(_features(points, rows), per_family)
+        centres[list(sets)] = _centres(features[rows], per_family)
     number = np.full(len(points.back), 2 * count)
     for family, chosen in sets.items():
-        number[chosen] = family * per_family + _nearest(_features(points, chosen), centres[family])
+        number[chosen] = family * per_family + _nearest(features[chosen], centres[family])
     area, mean_normal, mean_tangent, spread = _moments(number, points.normal, points.tangent, count)
     holes = np.full(2, len(points.gaps) / _POINTS)
     return Groups(
@@ -225,11 +226,6 @@ def _first_centres(turned: NDArray[np.float64], count: int) -> NDArray[np.float6
         reached = nearest.cumsum(axis=1)
         centres.append(turned[sets, :, (reached < chance * reached[:, -1:]).sum(axis=1)])
     return np.stack(centres, axis=1)
-
-
-def _features(points: PlanPoints, chosen: NDArray[np.intp]) -> NDArray[np.float64]:
-    """What groups are compared by, of some points [..., 6]."""
-    return np.concatenate([_NORMAL_SHARE * points.normal[chosen], points.tangent[chosen]], axis=-1)
 
 
 def _nearest(features: NDArray[np.float64], centres: NDArray[np.float32]) -> NDArray[np.intp]:
