@@ -1,9 +1,10 @@
 """How much of each group a footprint holds: a pyramid of running means over the repeat, a byte a group.
 
 Level m holds means over squares of side s_m = s_0·2^m around nodes s_m/3 apart, and footprints between nodes
-and sizes are interpolated. Bilinear interpolation widens a footprint: squares are baked smaller, so that
-variances come out right. Levels end where a square holds the whole repeat. Size is bounded: s_0 is one
-thread, and more for drafts of hundreds of threads.
+and sizes are interpolated. The squares are tents of their variances: pixels lie askew of the threads, and a
+sharp square answers to a weave's regularity more than they do. Bilinear interpolation widens a footprint:
+squares are baked smaller, so that variances come out right. Levels end where a square holds the whole repeat.
+Size is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
 """
 
 from __future__ import annotations
@@ -128,8 +129,9 @@ def measure_coverage(geometry: YarnGeometry, groups: Groups, float_type: type) -
     means = _cells(types, geometry, groups, columns, rows)
     mean = means.mean(axis=(1, 2), dtype=np.float64)
     for axis, count, side in ((1, rows, geometry.size[1]), (2, columns, geometry.size[0])):
-        for _ in range(2):
-            means = _widened(means, axis, spacing.baked_side * spacing.size * count / side / math.sqrt(2))
+        # Two running means make a tent; each has half the variance.
+        width = math.sqrt(0.5) * spacing.baked_side * spacing.size * count / side
+        means = _widened(_widened(means, axis, width), axis, width)
     levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
     while columns * rows > 1:
         first = levels[-1][0] + columns * rows
