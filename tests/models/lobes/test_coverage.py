@@ -35,7 +35,7 @@ SQUARES = 150
 # Points along each side of a square that is counted out.
 POINTS = 48
 # Largest mean error by size in units of s_0, half the sum over groups of |error|. Close, tents stand for
-# squares, which blurs their edges, and two squares stand for one between them; far away, where every footprint
+# squares, which blurs their edges, and two stand for one between them; far away, where every footprint
 # holds all, a plan of twelve rays across a thread is what errs.
 ERRORS = {1.0: 0.16, 1.41: 0.25, 2.0: 0.13, 2.83: 0.17, 4.0: 0.09, 8.0: 0.05, 23.0: 0.05}
 
