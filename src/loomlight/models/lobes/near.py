@@ -21,8 +21,8 @@ from loomlight.scattering.point import PointModel, on_face
 from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, passes_through
 
 MOST_POINTS = 8
-# Points for every thread that a footprint is wide.
-_POINTS_PER_THREAD = 24
+# Points for every thread that a footprint is wide. 24 took 5 % longer as in pictures and were 2 % nearer.
+_POINTS_PER_THREAD = 20
 _ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
 # Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
 # half as finely: of 8 points together that is 0.5 % more error in a third less time.
