@@ -8,7 +8,7 @@ same shuffled: memory is read here and there, and every 16 lanes hold close-ups,
 far views. Each draft's time of a query is compared with plain weave's in paired runs. Floating-point
 operations are counted in the kernel that Dr.Jit emits (a fused multiply-add is two, a root or a division
 one); unpacking bytes takes whole numbers and is not counted. The FMA peak and the memory's bandwidth are
-measured in the same run. Rates are those of the fastest of several runs, as others use the machine; shares and
+measured in the same run. Rates are of the fastest of several runs, as others use the machine; shares and
 ratios are medians.
 """
 
