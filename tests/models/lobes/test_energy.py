@@ -22,7 +22,7 @@ VIEWS = np.array([1.0, 0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.25, 0.15, 0.1, 0.06, 0
 SIZES = np.array([0.15, 0.6, 3.0])
 # Lights of one quadrature, rows by z and columns by azimuth, both sides together.
 ROWS, COLUMNS = 24, 36
-# Room for what bytes, interpolated directions and 864 lights are off by; the worst of 1440 is 0.98 or so.
+# Room for what bytes, interpolated directions and 864 lights are off by; the worst of 1440 is 0.99 or so.
 BAR = 1.02
 
 
