@@ -11,7 +11,7 @@ from drjit.llvm.ad import Array2f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.fabric import Fabric
+from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.lobes.coverage import (
@@ -168,3 +168,21 @@ def test_the_largest_drafts_stay_bounded() -> None:
     # A small draft has the smallest squares there are.
     small = YarnGeometry(random_cloth(16, 16).layout())
     assert spacing_of(small, PER_FAMILY).size == pytest.approx(small.size[0] / 16)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # Three nodes where two and a bit would do, and 80 where 66 would: squares are many cells wide.
+        'weave = "plain"\nends_per_cm = 80\npicks_per_cm = 10\n',
+        'weave = "plain"\nends_per_cm = 10\npicks_per_cm = 200\n',
+        'weave = "twill 19/3"\n',
+    ],
+)
+def test_no_group_counts_less_than_nothing(text: str) -> None:
+    """As a byte it would count as much as all there is."""
+    geometry = YarnGeometry(fabric_from_text(text).layout())
+    coverage = measure_coverage(geometry, find_groups(plan_points(geometry, Float), PER_FAMILY), Float)
+    shares = (coverage.bytes * coverage.scale[:, None] / 255).sum(axis=-1)
+    # Each of 17 bytes is off by half a 255th of the group's largest share.
+    np.testing.assert_allclose(shares, 1, atol=2e-2)
