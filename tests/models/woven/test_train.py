@@ -37,6 +37,7 @@ steps = {steps}
 fabrics = 2
 queries = 64
 decoder_steps = {decoder_steps}
+optimiser = "{optimiser}"
 """
 
 
@@ -48,9 +49,9 @@ def pool(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def _config(folder: Path, steps: int, decoder_steps: int = 0) -> TrainingConfig:
+def _config(folder: Path, steps: int, decoder_steps: int = 0, optimiser: str = "adam") -> TrainingConfig:
     path = folder / "tiny.toml"
-    path.write_text(TINY.format(steps=steps, decoder_steps=decoder_steps))
+    path.write_text(TINY.format(steps=steps, decoder_steps=decoder_steps, optimiser=optimiser))
     return read_config(path)
 
 
@@ -61,10 +62,11 @@ def _with_pool(pool: Path, folder: Path) -> Path:
     return folder
 
 
-def test_training_learns(pool: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("optimiser", ["adam", "soap"])
+def test_training_learns(pool: Path, tmp_path: Path, optimiser: str) -> None:
     losses: list[float] = []
     train_woven(
-        _config(tmp_path, 60),
+        _config(tmp_path, 60, optimiser=optimiser),
         _with_pool(pool, tmp_path / "run"),
         report=lambda done, total, loss: losses.append(loss),
     )
@@ -80,9 +82,10 @@ def test_the_decoder_alone_is_trained_last(pool: Path, tmp_path: Path) -> None:
         assert np.array_equal(values, longer[name]) == (not name.startswith("decoder")), name
 
 
-def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("optimiser", ["adam", "soap"])
+def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path, optimiser: str) -> None:
     """Stopped by an exception after any step, and gone on with: bit for bit the same."""
-    config = _config(tmp_path, 12, decoder_steps=6)
+    config = _config(tmp_path, 12, decoder_steps=6, optimiser=optimiser)
     whole = load_file(train_woven(config, _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "stopped")
     for stop in (3, 7, 14):
@@ -106,7 +109,7 @@ def _stop_at(step: int):
 def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
     """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
     config = tmp_path / "tiny.toml"
-    config.write_text(TINY.format(steps=60, decoder_steps=60))
+    config.write_text(TINY.format(steps=60, decoder_steps=60, optimiser="soap"))
     whole = load_file(train_woven(read_config(config), _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]

@@ -25,6 +25,7 @@ from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_face
 from loomlight.models.woven.pyramid import levels_of, taps
 from loomlight.models.woven.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
+from loomlight.training.soap import Soap
 
 # Called with (fabrics made, fabrics in all).
 PoolReport = Callable[[int, int], None]
@@ -235,6 +236,8 @@ def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim
     parameters = network.parameters()
     if training.optimiser == "sgd":
         return torch.optim.SGD(parameters, training.rate, weight_decay=training.regularisation)
+    if training.optimiser == "soap":
+        return Soap(parameters, training.rate, training.regularisation)
     return torch.optim.AdamW(
         parameters, training.rate, betas=(0.9, 0.99), weight_decay=training.regularisation
     )
