@@ -126,6 +126,11 @@ def _extent_of(surface: Surface, types: ArrayTypes) -> _Extent:
     return kept
 
 
+def upload_extent(surface: Surface, types: ArrayTypes) -> None:
+    """Puts what searches keep of a surface on a backend, which otherwise happens at first use."""
+    _extent_of(surface, types)
+
+
 @dataclass
 class _Trail:
     """The last clearance of a ray above a yarn and its rate: with the next they tell how low it came between.
@@ -149,10 +154,10 @@ class _Trail:
         return dr.select(known, start + end, 1e9), rest * step
 
 
-def _trail(clearance: Any, rate: Any, here: Probe, clears: Any) -> _Trail:
-    """The trail after a sample. Above the crest nothing can come between, and leaps are too long to tell."""
+def _trail(clearance: Any, rate: Any, here: Probe, leaps: Any) -> _Trail:
+    """The trail after a sample. Nothing comes between over leaps, which are too long for a cubic to tell."""
     types = array_types(clearance)
-    known = ~here.hole & ~clears
+    known = ~here.hole & ~leaps
     return _Trail(types.Float(clearance), types.Float(rate), types.UInt32(here.yarn), known)
 
 
@@ -161,11 +166,12 @@ def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
     return _Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
 
 
-def _advance(probe: Probe, direction: Any, clears: Any, step: Any) -> Any:
-    """Length of ray to the next sample along a direction [3], whose length need not be 1.
+def _advance(probe: Probe, direction: Any, clearance: Any, rate: Any, step: Any) -> tuple[Any, Any]:
+    """Lengths of ray along a direction [3], which need not be 1, to the next sample and out of the cell.
 
-    One step, or less where it would pass an outline: what stands behind it may be a wall. A ray that
-    `clears` the cell's crest leaves the cell at once.
+    The next sample is one step ahead, or less where that would pass an outline: what stands behind it may be
+    a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to meet
+    it on the way stops short of the outline first, or it could leave unseen through the yarn's flank.
     """
     per_x, per_y = (
         dr.rcp(dr.maximum(dr.abs(direction.x), 1e-9)),
@@ -182,8 +188,9 @@ def _advance(probe: Probe, direction: Any, clears: Any, step: Any) -> Any:
     )
     # The hop lands on the far side despite rounding.
     hop = _HOP * step
-    near = dr.minimum(step, dr.maximum(edge, 0) + hop)
-    return dr.select(clears, dr.maximum(dr.maximum(out, 0) + hop, step), near)
+    sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * hop)
+    beside = dr.select(sinks, edge - hop, dr.maximum(edge, 0) + hop)
+    return dr.minimum(step, beside), dr.maximum(out, 0) + hop
 
 
 def unoccluded(
@@ -235,7 +242,8 @@ def unoccluded(
         # The ray rises, so above the crest it stays above until it leaves the cell.
         clears = point.z > here.crest
         trail = _trail(clearance, rate, here, clears)
-        leap = _advance(here, direction, clears, step)
+        near, out = _advance(here, direction, clearance, rate, step)
+        leap = dr.select(clears, dr.maximum(out, step), near)
         distance = distance + leap
         count = count + 1
         searching = (
@@ -299,11 +307,11 @@ def first_hit(
         dipped = searching & ~met & (lowest < 0)
         count = count + 1
         onwards = searching & ~met & ~dipped & (height > floor) & (count < quality.steps)
-        # Above the crest the ray falls freely, but not below it.
-        clears = height > here.crest
-        trail = _trail(clearance, rate, here, clears)
-        fall = _advance(here, towards, clears, step)
-        fall = dr.select(clears, dr.maximum(dr.minimum(fall, height - here.crest), step), fall)
+        # Down to the crest the ray falls freely.
+        near, out = _advance(here, towards, clearance, rate, step)
+        free = dr.minimum(out, height - here.crest)
+        trail = _trail(clearance, rate, here, free > near)
+        fall = dr.maximum(free, near)
         return (
             dr.select(onwards, height - fall, dr.select(dipped, height + to_lowest, height)),
             dr.select(onwards, height, previous),
