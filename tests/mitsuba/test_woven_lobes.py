@@ -13,6 +13,7 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
+from loomlight.core.held_arrays import named_arrays
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, fabric_bsdf, render
 from loomlight.models.bake import bake
@@ -95,6 +96,30 @@ def test_weight_is_value_over_density(side: float) -> None:
 
 def test_all_at_once_is_each_alone() -> None:
     assert_all_at_once_is_each_alone(woven(), rtol=1e-3)
+
+
+def test_nothing_is_uploaded_at_first_use() -> None:
+    """Calls are symbolic, where nothing can be: neither at first nor after an edit or another weave."""
+    bsdf = woven(sheen_strength=0.4, gap=0.3)
+    # Albedos of threads that differ are read from tables.
+    varied = fabric_from_text('weave = "houndstooth"\ngap = 0.3')
+    for change in (lambda: None, lambda: edited(bsdf, "warp.height_scale", 0.4), lambda: bsdf.weave(varied)):
+        change()
+        held = named_arrays(bsdf).keys()
+        context, si = mi.BSDFContext(), dr.zeros(mi.SurfaceInteraction3f)
+        si.wi = mi.Vector3f(0, 0, 1)
+        bsdf.eval_pdf_sample(context, si, si.wi, mi.Float(0.5), mi.Point2f(0.5, 0.5))
+        bsdf.sample(context, si, mi.Float(0.5), mi.Point2f(0.5, 0.5))
+        bsdf.eval_diffuse_reflectance(si)
+        bsdf.eval_null_transmission(si)
+        assert named_arrays(bsdf).keys() == held
+    assert any("_areas" in name for name in held)
+
+
+def edited(bsdf: Any, name: str, value: float) -> None:
+    parameters = mi.traverse(bsdf)
+    parameters[name] = value
+    parameters.update()
 
 
 def test_what_the_scene_edits_is_what_the_picture_shows(baked: list[int]) -> None:

@@ -92,9 +92,13 @@ class FootprintAlbedos:
             back: Bool, the footprint is seen from behind.
         """
         types = array_types(footprint.centre)
+        self.upload(types)
+        return self._uploaded[types.Float].over(footprint, types.Bool(back))
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts the tables on a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = _Uploaded(self._families, self._tables, types)
-        return self._uploaded[types.Float].over(footprint, types.Bool(back))
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Any
 from weakref import WeakSet
 
@@ -38,18 +35,6 @@ def declare_lobes(bsdf: Any) -> None:
     bsdf.m_flags = bsdf.m_components[0]
     for component in bsdf.m_components[1:]:
         bsdf.m_flags = bsdf.m_flags | component
-
-
-@contextmanager
-def collecting_later() -> Iterator[None]:
-    """Without Python's garbage collector: BSDFs that it frees while Dr.Jit traces calls end the process."""
-    enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if enabled:
-            gc.enable()
 
 
 def tell_pixel_samples(samples: int) -> None:

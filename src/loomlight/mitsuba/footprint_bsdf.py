@@ -13,12 +13,12 @@ import numpy as np
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.footprint import Footprint
+from loomlight.core.held_arrays import arrays_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.fabric_props import fabric_of, number_of_props, uv_size_of, with_fields
 from loomlight.mitsuba.filtered_texture import FilteredTexture
-from loomlight.mitsuba.held_arrays import arrays_of
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos, DirectionSample
@@ -187,14 +187,9 @@ def footprint_bsdf_class() -> type:
             """Uploads what calls use: what is uploaded at first use must not meet a symbolic call."""
             # Equal literals are one variable until one is edited, which frozen functions would notice.
             dr.make_opaque(self._numbers, self._colours, self.own_parameters)
-            si = dr.zeros(mi.SurfaceInteraction3f)
-            si.wi = mi.Vector3f(0, 0, 1)
-            # Traced, and never computed. What draws directions reads no more than these two.
             if with_model:
-                self.eval(mi.BSDFContext(), si, mi.Vector3f(0, 0, 1))
-                self.eval_null_transmission(si)
-            else:
-                self._means.over(self._footprint(si), mi.Bool(False))
+                self.model.upload(variant_types())
+            self._means.upload(variant_types())
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
             self.arrays = []
             self.arrays = arrays_of(self)

@@ -24,7 +24,8 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.mitsuba.cloth_samples import collecting_later, tell_pixel_samples
+from loomlight.core.recorded import collecting_later
+from loomlight.mitsuba.cloth_samples import tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
 from loomlight.mitsuba.woven_neural import runs_network
 

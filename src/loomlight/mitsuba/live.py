@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.cloth_samples import CLOTHS, collecting_later
-from loomlight.mitsuba.held_arrays import arrays_of
+from loomlight.core.held_arrays import arrays_of
+from loomlight.core.recorded import collecting_later
+from loomlight.mitsuba.cloth_samples import CLOTHS
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks
 
 

@@ -16,7 +16,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.fabric_props import whole_number_of_props
 from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class
 from loomlight.models.interface import FamilyAlbedos, Response
-from loomlight.models.lobes.model import DEFAULT_GROUPS, MOST_GROUPS, LobesModel
+from loomlight.models.lobes.model import DEFAULT_GROUPS, MOST_GROUPS, LobesModel, tables_of
 from loomlight.models.lobes.proposal import Shares
 from loomlight.models.lobes.tables import LobeTables, tables_of_loom
 from loomlight.scattering.point import DirectionSample
@@ -49,7 +49,7 @@ def woven_lobes_class() -> type:
             """Measures the tables, or reads them from the material that the fabric lies in."""
             found = _in_material(self.fabric) if self._groups is None else None
             groups = DEFAULT_GROUPS if self._groups is None else self._groups
-            self._tables = found or LobesModel.for_fabric(self.fabric, groups).tables
+            self._tables = found or tables_of(self.fabric, groups)
 
         def assembled(self) -> LobesModel:
             """The model of the tables baked last."""

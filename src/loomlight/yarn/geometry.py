@@ -168,6 +168,22 @@ class YarnGeometry:
             self._uploaded[types.Float] = _Uploaded(self._warp, self._weft, self._words, types)
         return self._uploaded[types.Float]
 
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts all that points and probes read on a backend, which otherwise happens at first use."""
+        self._numbers(self._tables(types))
+
+    def _numbers(self, tables: _Uploaded) -> dict[str, Any]:
+        """Numbers of the fabric by name, as `_Uploaded.scalar` has them."""
+        numbers = {
+            "warp scale": self.height_scale[0],
+            "weft scale": self.height_scale[1],
+            "warp twist": self.twist[0],
+            "weft twist": self.twist[1],
+            "warp level": self._warp.highest / CREST_LEVELS,
+            "weft level": self._weft.highest / CREST_LEVELS,
+        }
+        return {name: tables.scalar(name, number) for name, number in numbers.items()}
+
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         """Height of the cloth and whether there is a hole, at draft coordinates x, y in millimetres.
 
@@ -181,13 +197,11 @@ class YarnGeometry:
         """What searches along rays need at draft coordinates x, y (millimetres) of one face."""
         types = array_types(x)
         point, shown, (slope_x, slope_y) = self._surface(x, y, back)
-        tables = self._tables(types)
+        numbers = self._numbers(self._tables(types))
         levels = dr.select(
             shown.warp_above,
-            tables.scalar("warp scale", self.height_scale[0])
-            * tables.scalar("warp level", self._warp.highest / CREST_LEVELS),
-            tables.scalar("weft scale", self.height_scale[1])
-            * tables.scalar("weft level", self._weft.highest / CREST_LEVELS),
+            numbers["warp scale"] * numbers["warp level"],
+            numbers["weft scale"] * numbers["weft level"],
         )
         return Probe(
             height=point.height,
@@ -222,10 +236,9 @@ class YarnGeometry:
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
         is_warp = shown.is_warp
-        warp_beta = tables.scalar("warp scale", self.height_scale[0])
-        weft_beta = tables.scalar("weft scale", self.height_scale[1])
-        warp_twist = tables.scalar("warp twist", self.twist[0])
-        weft_twist = tables.scalar("weft twist", self.twist[1])
+        numbers = self._numbers(tables)
+        warp_beta, weft_beta = numbers["warp scale"], numbers["weft scale"]
+        warp_twist, weft_twist = numbers["warp twist"], numbers["weft twist"]
         beta = dr.select(is_warp, warp_beta, weft_beta)
         other_beta = dr.select(is_warp, weft_beta, warp_beta)
         twist = dr.select(is_warp, warp_twist, weft_twist)

@@ -14,9 +14,12 @@ from numpy.typing import NDArray
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
+from loomlight.fabric.fabric import make_fabric
+from loomlight.fabric.file import FabricFile
 from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.twin import LobesTwin
+from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 
 require_llvm()
@@ -89,6 +92,13 @@ class Asked:
 def cloth(name: str) -> Fabric:
     """A fabric of `TEXTS`."""
     return fabric_from_text(TEXTS[name])
+
+
+def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:
+    """A fabric of a draft by chance; ends of two sizes if uneven."""
+    drawdown = np.random.default_rng(0).random((picks, ends)) < 0.5
+    warp = Threads(spacing_mm=np.where(np.arange(ends) % 3, 0.4, 0.6)) if uneven else Threads()
+    return make_fabric(FabricFile(), Draft(drawdown, warp), "random", ".")
 
 
 @cache

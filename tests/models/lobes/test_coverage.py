@@ -11,23 +11,22 @@ from drjit.llvm.ad import Array2f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.fabric.fabric import make_fabric
-from loomlight.fabric.file import FabricFile
+from loomlight.core.recorded import Held
+from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.coverage import (
     Coverage,
     CoverageTable,
+    count_cells,
     measure_coverage,
     padded_group,
     spacing_of,
     words_of,
 )
-from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups, plan_points
+from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.model import LobesModel
-from loomlight.weave.draft import Draft
 from loomlight.yarn.geometry import YarnGeometry
 
-from .cloths import TEXTS, floats, geometry_of
+from .cloths import TEXTS, floats, geometry_of, random_cloth
 
 TYPES = array_types(Float)
 PER_FAMILY = 8
@@ -40,11 +39,18 @@ POINTS = 48
 ERRORS = {1.0: 0.16, 1.41: 0.25, 2.0: 0.13, 2.83: 0.17, 4.0: 0.09, 8.0: 0.05, 23.0: 0.05}
 
 
+def measured(geometry: YarnGeometry) -> tuple[Groups, Coverage]:
+    """The groups of a geometry and their pyramid."""
+    cloth = cloth_of(geometry, Float)
+    groups = find_groups(plan_points(cloth), PER_FAMILY)
+    cells = count_cells(cloth, Held(GroupFinder(groups, TYPES)), PER_FAMILY)
+    return groups, measure_coverage(cells)
+
+
 @cache
 def made(name: str) -> tuple[YarnGeometry, Groups, Coverage]:
     geometry = geometry_of(name)
-    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
-    return geometry, groups, measure_coverage(geometry, groups, Float)
+    return geometry, *measured(geometry)
 
 
 def held(name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any]) -> NDArray[np.float64]:
@@ -144,11 +150,6 @@ def test_wider_squares_vary_less() -> None:
     assert last < 1e-6
 
 
-def random_cloth(ends: int, picks: int) -> Fabric:
-    drawdown = np.random.default_rng(0).random((picks, ends)) < 0.5
-    return make_fabric(FabricFile(), Draft(drawdown), "random", ".")
-
-
 def test_groups_lie_in_words_of_their_family() -> None:
     assert [words_of(count) for count in (1, 4, 5, 8, 9)] == [2, 2, 4, 4, 6]
     assert padded_group(5).tolist() == [0, 1, 2, 3, 4, 8, 9, 10, 11, 12]
@@ -181,8 +182,7 @@ def test_the_largest_drafts_stay_bounded() -> None:
 )
 def test_no_group_counts_less_than_nothing(text: str) -> None:
     """As a byte it would count as much as all there is."""
-    geometry = YarnGeometry(fabric_from_text(text).layout())
-    coverage = measure_coverage(geometry, find_groups(plan_points(geometry, Float), PER_FAMILY), Float)
+    coverage = measured(YarnGeometry(fabric_from_text(text).layout()))[1]
     shares = (coverage.bytes * coverage.scale[:, None] / 255).sum(axis=-1)
     # Each of 17 bytes is off by half a 255th of the group's largest share.
     np.testing.assert_allclose(shares, 1, atol=2e-2)

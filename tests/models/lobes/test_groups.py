@@ -12,15 +12,18 @@ from drjit.llvm.ad import Bool, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
+from loomlight.core.recorded import Held
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes import groups as module
 from loomlight.models.lobes import tables
 from loomlight.models.lobes.groups import (
+    Cloth,
     GroupFinder,
     Groups,
+    Places,
     PlanPoints,
+    cloth_of,
     find_groups,
-    places_over,
     plan_points,
 )
 from loomlight.models.lobes.model import LobesModel
@@ -51,7 +54,7 @@ def numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int64
 @pytest.mark.parametrize("back", [False, True])
 def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
+    groups = find_groups(plan_points(cloth_of(geometry, Float)), PER_FAMILY)
     point = plan(geometry, 1, back)
     found = numbers(groups, point, back)
     hole, is_warp = point.hole.numpy(), point.is_warp.numpy()
@@ -76,7 +79,7 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
 @pytest.mark.parametrize("back", [False, True])
 def test_areas_and_moments_are_those_of_the_plan(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(plan_points(geometry, Float), PER_FAMILY)
+    groups = find_groups(plan_points(cloth_of(geometry, Float)), PER_FAMILY)
     face = int(back)
     assert groups.area[face].sum() + groups.hole[face] == pytest.approx(1, abs=1e-12)
     point = plan(geometry, 2, back)
@@ -105,7 +108,7 @@ def test_more_groups_are_narrower() -> None:
     geometry = geometry_of("translucent twill")
     spreads = []
     for per_family in (1, 4, 16):
-        groups = find_groups(plan_points(geometry, Float), per_family)
+        groups = find_groups(plan_points(cloth_of(geometry, Float)), per_family)
         spreads.append((groups.area * np.trace(groups.spread, axis1=2, axis2=3)).sum())
     # Four times the groups of a set of two or three dimensions: at least half the variance.
     assert spreads[1] < 0.5 * spreads[0]
@@ -114,7 +117,7 @@ def test_more_groups_are_narrower() -> None:
 
 def test_the_same_groups_every_time() -> None:
     first, second = (
-        find_groups(plan_points(geometry_of("smooth satin"), Float), PER_FAMILY) for _ in range(2)
+        find_groups(plan_points(cloth_of(geometry_of("smooth satin"), Float)), PER_FAMILY) for _ in range(2)
     )
     for part in fields(Groups):
         assert np.array_equal(getattr(first, part.name), getattr(second, part.name)), part.name
@@ -124,7 +127,7 @@ def test_places_are_even_over_crossings_and_within_them() -> None:
     geometry = geometry_of("long rib")
     count = 4096
     lane = dr.arange(UInt32, 3 * count)
-    x, y = places_over(geometry, lane % count, lane // count)
+    x, y = Places(geometry, array_types(Float)).over(lane % count, lane // count)
     places = np.stack([x.numpy(), y.numpy()], axis=1).reshape(3, count, 2)
     picks, ends = geometry.layout.warp_on_top.shape
     for some in places:
@@ -154,8 +157,8 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     asked = asked_of(fabric, whole.tables.size, 500, seed=3)
     wanted = far_parts(whole, asked)
 
-    def without_weft(geometry: YarnGeometry, float_type: type) -> PlanPoints:
-        points = plan_points(geometry, float_type)
+    def without_weft(cloth: Held[Cloth]) -> PlanPoints:
+        points = plan_points(cloth)
         shown = ~points.back & ~points.hole
         weft, warp = (np.flatnonzero(shown & (points.is_warp == wanted)) for wanted in (False, True))
         taken = np.arange(len(points.back))
@@ -168,7 +171,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
         )
 
     monkeypatch.setattr(tables, "plan_points", without_weft)
-    groups = find_groups(without_weft(YarnGeometry(fabric.layout()), Float), per_family)
+    groups = find_groups(without_weft(cloth_of(YarnGeometry(fabric.layout()), Float)), per_family)
     assert not groups.area[0, per_family:].any()
     assert groups.area[1, per_family:].all()
     for part in fields(Groups):

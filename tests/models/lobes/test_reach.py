@@ -12,9 +12,10 @@ from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.groups import GroupFinder, Groups, find_groups, plan_points
+from loomlight.core.recorded import Held
+from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
-from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, rays_of
+from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, rays_of, sort_rays
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import REFERENCE_QUALITY, first_hit, unoccluded
 
@@ -30,9 +31,12 @@ SIDE = 160
 @cache
 def made(name: str) -> tuple[YarnGeometry, Groups, Reach]:
     geometry = geometry_of(name)
-    points = plan_points(geometry, Float)
+    cloth = cloth_of(geometry, Float)
+    points = plan_points(cloth)
     groups = find_groups(points, PER_FAMILY)
-    return geometry, groups, measure_reach(cast_rays(geometry, points, PER_FAMILY, Float), groups, BLEND)
+    finder = Held(GroupFinder(groups, array_types(Float)))
+    found = sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, finder, BLEND)
+    return geometry, groups, measure_reach(found)
 
 
 def places(geometry: YarnGeometry, seed: int) -> tuple[Float, Float]:

@@ -17,9 +17,10 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.core.backend import ArrayTypes, uploaded
+from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.bytes import ByteWeights
-from loomlight.models.lobes.groups import GroupFinder, Groups
+from loomlight.models.lobes.groups import Cloth, GroupFinder
 from loomlight.yarn.geometry import YarnGeometry
 
 # Variance of the first level's tents, of that of the square they stand for: at 1 estimates err 1.5 % more, at
@@ -122,14 +123,32 @@ def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
     return Spacing(smallest, nodes)
 
 
-def measure_coverage(geometry: YarnGeometry, groups: Groups, float_type: type) -> Coverage:
-    """Looks which group shows at every texel of the plan, and sums up."""
-    types = array_types(float_type)
-    spacing = spacing_of(geometry, groups.per_family)
-    columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
-    means = _cells(types, geometry, groups, columns, rows)
+@dataclass
+class CellCounts:
+    """How many texels of each cell between the first level's nodes show which group. Work may go on.
+
+    Attributes:
+        repeat: width and height of the repeat, millimetres.
+        spacing: of the nodes.
+        shape: faces, rows, columns, 4·words.
+        texels: of a cell.
+        counts: Float [2·rows·columns·4·words].
+    """
+
+    repeat: tuple[float, float]
+    spacing: Spacing
+    shape: tuple[int, int, int, int]
+    texels: int
+    counts: Any
+
+
+def measure_coverage(cells: CellCounts) -> Coverage:
+    """The pyramid over the cells."""
+    repeat, spacing = cells.repeat, cells.spacing
+    _, rows, columns, _ = cells.shape
+    means = cells.counts.numpy().reshape(cells.shape) * np.float32(1 / cells.texels)
     mean = means.mean(axis=(1, 2), dtype=np.float64)
-    for axis, count, side in ((1, rows, geometry.size[1]), (2, columns, geometry.size[0])):
+    for axis, count, side in ((1, rows, repeat[1]), (2, columns, repeat[0])):
         means = _widened(means, axis, spacing.size * count / side)
     levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
     while columns * rows > 1:
@@ -152,50 +171,85 @@ def _nodes_along(side: float, spacing: Spacing) -> int:
     return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
 
 
-def _cells(
-    types: ArrayTypes, geometry: YarnGeometry, groups: Groups, columns: int, rows: int
-) -> NDArray[np.float32]:
-    """Shares of the groups in the cells between nodes [2 faces, rows, columns, 4·words]."""
+class _Texels:
+    """The texels of the plan, cell by cell, and where the table counts them: opaque numbers, and the counts.
+
+    Attributes:
+        lanes: texels of both faces.
+        entries: of the table of counts.
+    """
+
+    def __init__(
+        self,
+        types: ArrayTypes,
+        repeat: tuple[float, float],
+        cells: tuple[int, int],
+        texels: tuple[int, int],
+        per_family: int,
+    ) -> None:
+        """Texels of so many along the sides of a cell, of so many cells along the sides of the repeat."""
+        self._types = types
+        (columns, rows), (across, along) = cells, texels
+        row = 4 * (words_of(per_family) + 1)
+        wide, high = columns * across, rows * along
+        self.lanes, self.entries = 2 * wide * high, 2 * columns * rows * row
+        counts = wide, wide * high, across, along, columns, columns * rows, row, per_family
+        self._numbers = [dr.opaque(types.UInt32, count) for count in counts]
+        self._family_bytes = dr.opaque(types.UInt32, 4 * words_of(per_family) // 2)
+        self._steps = [
+            dr.opaque(types.Float, side / count) for side, count in zip(repeat, (wide, high), strict=True)
+        ]
+
+    def count(self, cloth: Cloth, finder: GroupFinder, lane: Any, counts: Any) -> None:
+        """Adds 1 to the cell and group of each texel of some lanes."""
+        Float = self._types.Float
+        wide, face, across, along, columns, face_nodes, row_bytes, per_family = self._numbers
+        back = lane >= face
+        texel = dr.select(back, lane - face, lane)
+        row = texel // wide
+        column = texel - row * wide
+        share_x = Float((texel * _ACROSS) >> 8) * 2**-24
+        share_y = Float((texel * _ALONG) >> 8) * 2**-24
+        point = cloth.geometry.surface(
+            (Float(column) + share_x) * self._steps[0], (Float(row) + share_y) * self._steps[1], back
+        )
+        group = finder.group(back, point.is_warp, point.hole, point.normal, point.tangent)
+        place = dr.select(group < per_family, group, group - per_family + self._family_bytes)
+        place = dr.select(group == finder.holes, 2 * self._family_bytes, place)
+        node = (row // along) * columns + column // across + dr.select(back, face_nodes, 0)
+        # Ones, whose sum does not depend on the order in which threads add them.
+        dr.scatter_add(counts, Float(1), node * row_bytes + place)
+
+
+def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) -> CellCounts:
+    """Looks which group shows at every texel of the plan, and does not wait for it where texels are few."""
+    types, geometry = cloth.value.types, cloth.value.geometry
+    spacing = spacing_of(geometry, per_family)
+    columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
     across, along = (
         max(_TEXELS_PER_NODE, math.ceil(_TEXELS_PER_THREAD * threads / count))
         for threads, count in ((ends, columns), (picks, rows))
     )
-    words = words_of(groups.per_family) + 1
-    finder = GroupFinder(groups, types)
-    face_texels = columns * across * rows * along
-    wide, face = (dr.opaque(types.UInt32, count) for count in (columns * across, face_texels))
-    step_x, step_y = (
-        dr.opaque(types.Float, side / count)
-        for side, count in zip(geometry.size, (columns * across, rows * along), strict=True)
-    )
-    per_family, family_bytes = (
-        dr.opaque(types.UInt32, count) for count in (groups.per_family, 2 * (words - 1))
-    )
-    per_column, per_row, nodes_wide, bytes_of_node = (
-        dr.opaque(types.UInt32, count) for count in (across, along, columns, 4 * words)
-    )
-    face_nodes = dr.opaque(types.UInt32, rows * columns)
-    shares = dr.zeros(types.Float, 2 * rows * columns * 4 * words)
-    for start in range(0, 2 * face_texels, _BATCH):
-        lane = dr.arange(types.UInt32, min(_BATCH, 2 * face_texels - start)) + dr.opaque(types.UInt32, start)
-        back = lane >= face
-        texel = dr.select(back, lane - face, lane)
-        row = texel // wide
-        column = texel - row * wide
-        share_x = types.Float((texel * _ACROSS) >> 8) * 2**-24
-        share_y = types.Float((texel * _ALONG) >> 8) * 2**-24
-        point = geometry.surface(
-            (types.Float(column) + share_x) * step_x, (types.Float(row) + share_y) * step_y, back
-        )
-        group = finder.group(back, point.is_warp, point.hole, point.normal, point.tangent)
-        place = dr.select(group < per_family, group, group - per_family + family_bytes)
-        place = dr.select(group == finder.holes, 2 * family_bytes, place)
-        node = (row // per_row) * nodes_wide + column // per_column + dr.select(back, face_nodes, 0)
-        # Ones, whose sum does not depend on the order in which threads add them.
-        dr.scatter_add(shares, types.Float(1), node * bytes_of_node + place)
-        dr.eval(shares)
-    return shares.numpy().reshape(2, rows, columns, 4 * words) * np.float32(1 / (across * along))
+    texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
+    if texels.lanes <= _BATCH:
+        counts = _counted(cloth, finder, Held(texels), texels.lanes, texels.entries)
+    else:
+        counts = dr.zeros(types.Float, texels.entries)
+        for start in range(0, texels.lanes, _BATCH):
+            lane = dr.arange(types.UInt32, min(_BATCH, texels.lanes - start))
+            texels.count(cloth.value, finder.value, lane + dr.opaque(types.UInt32, start), counts)
+            dr.eval(counts)
+    shape = 2, rows, columns, texels.entries // (2 * rows * columns)
+    return CellCounts(geometry.size, spacing, shape, across * along, counts)
+
+
+@Recorded
+def _counted(cloth: Cloth, finder: GroupFinder, texels: _Texels, lanes: int, entries: int) -> Any:
+    """Counts of all texels; their number and that of the counts are part of a recording."""
+    counts = dr.zeros(cloth.types.Float, entries)
+    texels.count(cloth, finder, dr.arange(cloth.types.UInt32, lanes), counts)
+    return counts
 
 
 def _widened(means: NDArray[np.float32], axis: int, cells: float) -> NDArray[np.float32]:

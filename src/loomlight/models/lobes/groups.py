@@ -15,7 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.core.recorded import Held, Recorded
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import upload_extent
 
 # What a group is measured by: half the normal beside the fibre direction. Highlights are narrow in the
 # latter; in trials with 8 groups a family other shares were up to 4 % worse.
@@ -109,45 +111,78 @@ class GroupFinder:
         return dr.select(hole, self.holes, first + state[2])
 
 
-def places_over(geometry: YarnGeometry, number: Any, chosen: Any) -> tuple[Any, Any]:
-    """Places x, y on the cloth, millimetres, the same every time: Float each.
+class Places:
+    """Sets of places on the cloth, the same every time."""
 
-    They are even over the crossings and within a crossing both: places that are even over the repeat alone
-    may meet a gap of a few per cent too often, as threads repeat.
+    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+        self._types = types
+        picks, ends = geometry.layout.warp_on_top.shape
+        # Threads, and millimetres a thread.
+        self._axes = [
+            (dr.opaque(types.Float, threads), dr.opaque(types.Float, side / threads))
+            for threads, side in zip((ends, picks), geometry.size, strict=True)
+        ]
 
-    Args:
-        number: of the place in its set, from 0: UInt32.
-        chosen: which set, each evenly spread: UInt32.
-    """
-    types = array_types(dr.float32_array_t(number))
-    turns = [
-        types.Float((number * share + share // 2 + chosen * shift) >> 8) * 2**-24
-        for share, shift in zip(_EVEN_IN_FOUR, _EVEN_IN_FOUR[::-1], strict=True)
-    ]
-    picks, ends = geometry.layout.warp_on_top.shape
-    x, y = (
-        (dr.floor(crossing * dr.opaque(types.Float, threads)) + within)
-        * dr.opaque(types.Float, side / threads)
-        for within, crossing, threads, side in zip(
-            turns[:2], turns[2:], (ends, picks), geometry.size, strict=True
+    def over(self, number: Any, chosen: Any) -> tuple[Any, Any]:
+        """Places x, y, millimetres: Float each.
+
+        They are even over the crossings and within a crossing both: places that are even over the repeat
+        alone may meet a gap of a few per cent too often, as threads repeat.
+
+        Args:
+            number: of the place in its set, from 0: UInt32.
+            chosen: which set, each evenly spread: UInt32.
+        """
+        turns = [
+            self._types.Float((number * share + share // 2 + chosen * shift) >> 8) * 2**-24
+            for share, shift in zip(_EVEN_IN_FOUR, _EVEN_IN_FOUR[::-1], strict=True)
+        ]
+        x, y = (
+            (dr.floor(crossing * threads) + within) * side
+            for within, crossing, (threads, side) in zip(turns[:2], turns[2:], self._axes, strict=True)
         )
-    )
-    return x, y
+        return x, y
 
 
-def plan_points(geometry: YarnGeometry, float_type: type) -> PlanPoints:
+class Cloth:
+    """The yarns of one fabric on one backend, uploaded, and places on them.
+
+    Attributes:
+        geometry: the yarns.
+        places: all over them.
+        types: of the backend.
+    """
+
+    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+        geometry.upload(types)
+        upload_extent(geometry, types)
+        self.geometry = geometry
+        self.places = Places(geometry, types)
+        self.types = types
+
+
+def cloth_of(geometry: YarnGeometry, float_type: type) -> Held[Cloth]:
+    """A cloth on the backend of a Dr.Jit Float type, for functions that are recorded."""
+    return Held(Cloth(geometry, array_types(float_type)))
+
+
+def plan_points(cloth: Held[Cloth]) -> PlanPoints:
     """Looks at the plan of both faces."""
-    types = array_types(float_type)
-    lane = dr.arange(types.UInt32, 2 * _POINTS)
-    back = lane >= _POINTS
-    x, y = places_over(geometry, lane & (_POINTS - 1), types.UInt32(0))
-    point = geometry.surface(x, y, back)
-    dr.eval(x, y, point.is_warp, point.hole, point.normal, point.tangent)
-    normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
-    hole = point.hole.numpy()
+    x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _plan(cloth))
     # A gap is one seen from both faces.
-    gaps = np.stack([part.numpy()[:_POINTS][hole[:_POINTS]] for part in (x, y)], axis=1)
-    return PlanPoints(np.arange(2 * _POINTS) >= _POINTS, point.is_warp.numpy(), hole, normal, tangent, gaps)
+    gaps = np.stack([part[:_POINTS][hole[:_POINTS]] for part in (x, y)], axis=1)
+    normal, tangent = (part.T.astype(np.float64) for part in (normal, tangent))
+    return PlanPoints(np.arange(2 * _POINTS) >= _POINTS, is_warp, hole, normal, tangent, gaps)
+
+
+@Recorded
+def _plan(cloth: Cloth) -> tuple[Any, ...]:
+    """x, y, whether it is the warp that shows, or a hole, normal and fibre direction of the plan's points."""
+    lane = dr.arange(cloth.types.UInt32, 2 * _POINTS)
+    back = lane >= _POINTS
+    x, y = cloth.places.over(lane & (_POINTS - 1), cloth.types.UInt32(0))
+    point = cloth.geometry.surface(x, y, back)
+    return x, y, point.is_warp, point.hole, point.normal, point.tangent
 
 
 def find_groups(points: PlanPoints, per_family: int) -> Groups:
@@ -206,12 +241,15 @@ def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
     turned = np.ascontiguousarray(learnt.transpose(0, 2, 1))
     centres = _first_centres(turned, count)
     for _ in range(_ITERATIONS):
-        distance = (centres**2).sum(2)[..., None] - 2 * centres @ turned
+        distance = 2 * centres @ turned
+        np.subtract((centres**2).sum(2)[..., None], distance, out=distance)
         # A point between two groups counts for both.
         member = distance == distance.min(axis=1, keepdims=True)
-        points = member.sum(axis=2)[..., None]
+        points = np.count_nonzero(member, axis=2)[..., None]
         sums = member.astype(np.float64) @ learnt
-        centres = np.where(points > 0, sums / np.maximum(points, 1), centres)
+        before, centres = centres, np.where(points > 0, sums / np.maximum(points, 1), centres)
+        if np.array_equal(before, centres):
+            break
     return centres
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any, Self, final
 
 import drjit as dr
@@ -34,7 +35,7 @@ from loomlight.models.lobes.proposal import (
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import first_hit
+from loomlight.yarn.visibility import first_hit, upload_extent
 
 DEFAULT_GROUPS = 8
 MOST_GROUPS = 64
@@ -67,9 +68,8 @@ class LobesModel(Model):
         """A model of tables that are at hand; see `for_fabric`."""
         self.fabric = fabric
         self.tables = tables
-        geometry = YarnGeometry(fabric.layout())
-        self.point_model = PointModel(geometry, fabric.appearance())
-        self._albedos = FootprintAlbedos(geometry, fabric.appearance())
+        self._geometry = YarnGeometry(fabric.layout())
+        self.point_model = PointModel(self._geometry, fabric.appearance())
         self._estimators: dict[type, Estimator] = {}
         self._sheen = fabric.appearance().sheen
         self._blend = fabric.appearance().diffuse_blend
@@ -88,10 +88,15 @@ class LobesModel(Model):
         Raises:
             InputError: fewer or more groups.
         """
-        if not 1 <= groups <= MOST_GROUPS:
-            raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")
-        geometry = YarnGeometry(fabric.layout())
-        return cls(fabric, bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float()))
+        return cls(fabric, tables_of(fabric, groups))
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts all but albedos on a backend, which otherwise happens at first use."""
+        self._geometry.upload(types)
+        upload_extent(self._geometry, types)
+        self.point_model.parameters(types)
+        self.estimator(types)
+        self._scale(types)
 
     def to_loom(self) -> LoomFile:
         """The tables."""
@@ -119,6 +124,10 @@ class LobesModel(Model):
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """Mean albedos of the threads; close up, of those around the point that the middle ray meets."""
         return self.albedos_from(self._albedos, view, footprint)
+
+    @cached_property
+    def _albedos(self) -> FootprintAlbedos:
+        return FootprintAlbedos(self._geometry, self.fabric.appearance())
 
     def albedos_from(self, means: FootprintAlbedos, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """`albedos` of threads of other colours.
@@ -348,6 +357,18 @@ class LobesModel(Model):
                 types,
             )
         return self._estimators[types.Float]
+
+
+def tables_of(fabric: Fabric, groups: int) -> LobeTables:
+    """Bakes the tables of a fabric with so many groups of each family, 1 to 64.
+
+    Raises:
+        InputError: fewer or more groups.
+    """
+    if not 1 <= groups <= MOST_GROUPS:
+        raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")
+    geometry = YarnGeometry(fabric.layout())
+    return bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float())
 
 
 def _faded(albedos: Albedos, varied: Albedos, share: Any) -> Albedos:

@@ -20,10 +20,10 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, uploaded
-from loomlight.models.lobes.groups import GroupFinder, Groups, PlanPoints, places_over
+from loomlight.core.backend import array_types, uploaded
+from loomlight.core.recorded import Held, Recorded
+from loomlight.models.lobes.groups import Cloth, GroupFinder, Groups, PlanPoints
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
-from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
 # Rays a node and face, at least, and for each group of a family. With four times as many, estimates are
@@ -57,96 +57,189 @@ def rays_of(per_family: int) -> int:
 
 
 @dataclass
-class CastRays:
-    """What rays met, before groups are known; lanes are faces, then nodes, then rays. Work may go on.
+class Met:
+    """Yarn points in the frame of a face; lanes are faces, then nodes, then rays.
 
     Attributes:
-        hits: the yarn points that views meet.
-        nothing: views that meet none: Bool.
+        is_warp, hole: Bool.
+        normal, tangent: unit vectors [3].
+    """
+
+    is_warp: Any
+    hole: Any
+    normal: Any
+    tangent: Any
+
+
+@dataclass
+class CastRays:
+    """What rays met, before groups are known. Work may go on.
+
+    Attributes:
+        rays: of each node and face.
+        hits: what views meet; they meet a hole where they pass through the cloth.
         points: the plan points that light goes to.
-        towards: unit vectors [3] to eye and light.
+        towards: unit vectors [3] to the light.
         free: light reaches the point: Bool.
         passes: views through gaps that pass through the cloth, of the front's nodes: Bool; None without gaps.
     """
 
-    hits: SurfacePoint
-    nothing: Any
-    points: SurfacePoint
+    rays: int
+    hits: Met
+    points: Met
     towards: Any
     free: Any
     passes: Any | None
 
 
-def cast_rays(geometry: YarnGeometry, points: PlanPoints, per_family: int, float_type: type) -> CastRays:
+def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRays:
     """Casts the rays of both faces and of all nodes to eye and light, and does not wait for them.
 
     Args:
         points: of the plan, whose gaps rays go through.
         per_family: groups of each family that rays shall tell of.
     """
-    types = array_types(float_type)
-    directions = uploaded(types.Float, np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32))
-    back, x, y, towards = _rays(geometry, directions, rays_of(per_family), types)
-    point = geometry.surface(x, y, back)
+    Float = cloth.value.types.Float
+    rays = rays_of(per_family)
+    directions = uploaded(Float, np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32))
+    # Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
+    gaps = points.gaps[:: max(1, len(points.gaps) // _GAP_RAYS)][:_GAP_RAYS]
+    starts = uploaded(Float, gaps)
+    lit, towards, free = _to_lights(cloth, directions, rays)
+    passes = _through_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
+    return CastRays(rays, _to_eyes(cloth, directions, rays), lit, towards, free, passes)
+
+
+@Recorded
+def _to_lights(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any, Any]:
+    """Plan points, the directions of lights, and whether these reach them."""
+    back, x, y, towards = _rays(cloth, directions, rays)
+    point = cloth.geometry.surface(x, y, back)
     awake = ~point.hole & (dr.dot(point.normal, towards) > 0)
-    free = unoccluded(geometry, x, y, point.height, towards, back, awake, _QUALITY)
-    dr.eval(free, towards, point.is_warp, point.hole, point.normal, point.tangent)
-    passes = _passing(geometry, points.gaps, directions, types)
-    back, x, y, view = _rays(geometry, directions, rays_of(per_family), types)
-    hit = first_hit(geometry, x, y, view, back, True, _QUALITY)
-    met = geometry.surface(hit.x, hit.y, back)
-    nothing = hit.hole | met.hole
-    dr.eval(nothing, met.is_warp, met.normal, met.tangent)
-    return CastRays(met, nothing, point, towards, free, passes)
+    free = unoccluded(cloth.geometry, x, y, point.height, towards, back, awake, _QUALITY)
+    return Met(point.is_warp, point.hole, point.normal, point.tangent), towards, free
 
 
-def _rays(geometry: YarnGeometry, directions: Any, rays: int, types: ArrayTypes) -> tuple[Any, Any, Any, Any]:
+@Recorded
+def _to_eyes(cloth: Cloth, directions: Any, rays: int) -> Met:
+    """What views meet."""
+    back, x, y, view = _rays(cloth, directions, rays)
+    hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY)
+    met = cloth.geometry.surface(hit.x, hit.y, back)
+    return Met(met.is_warp, hit.hole | met.hole, met.normal, met.tangent)
+
+
+def _rays(cloth: Cloth, directions: Any, rays: int) -> tuple[Any, Any, Any, Any]:
     """So many rays of both faces and of all nodes: back, x, y, direction."""
-    each, of_node = (dr.opaque(types.UInt32, count) for count in (NODES * rays, rays))
-    lane = dr.arange(types.UInt32, 2 * NODES * rays)
+    UInt32 = cloth.types.UInt32
+    each, of_node = (dr.opaque(UInt32, count) for count in (NODES * rays, rays))
+    lane = dr.arange(UInt32, 2 * NODES * rays)
     back = lane >= each
     lane = dr.select(back, lane - each, lane)
     node = lane // of_node
-    return back, *places_over(geometry, lane - node * of_node, node), _direction(types, directions, node)
+    return back, *cloth.places.over(lane - node * of_node, node), _direction(cloth, directions, node)
 
 
-def _direction(types: ArrayTypes, directions: Any, node: Any) -> Any:
+def _direction(cloth: Cloth, directions: Any, node: Any) -> Any:
     """Unit vector [3] of a node."""
-    found = dr.gather(types.Vector4, directions, node)
-    return types.Vector3(found.x, found.y, found.z)
+    found = dr.gather(cloth.types.Vector4, directions, node)
+    return cloth.types.Vector3(found.x, found.y, found.z)
 
 
-def _passing(geometry: YarnGeometry, gaps: NDArray[np.float32], directions: Any, types: ArrayTypes) -> Any:
-    """Which view rays pass through the cloth, from rays through its gaps alone; None without gaps.
-
-    Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
-    """
-    gaps = gaps[:: max(1, len(gaps) // _GAP_RAYS)][:_GAP_RAYS]
-    if not len(gaps):
-        return None
-    x, y = (uploaded(types.Float, part) for part in gaps.T)
-    each = dr.opaque(types.UInt32, len(gaps))
-    lane = dr.arange(types.UInt32, NODES * len(gaps))
+@Recorded
+def _through_gaps(cloth: Cloth, directions: Any, starts: Any, count: int) -> Any:
+    """Which view rays through so many places pass through the cloth."""
+    types = cloth.types
+    each = dr.opaque(types.UInt32, count)
+    lane = dr.arange(types.UInt32, NODES * count)
     node = lane // each
-    number = lane - node * each
-    x, y = (dr.gather(types.Float, part, number) for part in (x, y))
-    towards = _direction(types, directions, node)
-    passes = passes_through(geometry, x, y, towards, lane < 0, True, _QUALITY)
-    dr.eval(passes)
-    return passes
+    x, y = dr.gather(types.Vector2, starts, lane - node * each)
+    towards = _direction(cloth, directions, node)
+    return passes_through(cloth.geometry, x, y, towards, lane < 0, True, _QUALITY)
 
 
-def measure_reach(rays: CastRays, groups: Groups, diffuse_blend: float) -> Reach:
-    """Means by face, node and group of what the rays met.
+@dataclass
+class SortedRays:
+    """What rays met, by group. Work may go on.
+
+    Attributes:
+        rays: what was cast.
+        groups: the groups.
+        seen: bins of views; those of holes lie beyond all groups': UInt32. A bin is a face, a node, a group.
+        lit: bins of plan points: UInt32.
+        free: whether light from the side seen reaches them, 1, and that from the other side, 2: UInt32.
+        terms: π times the diffuse terms of light from either side that does, in units of 1/_UNITS: UInt32
+            each.
+    """
+
+    rays: CastRays
+    groups: Groups
+    seen: Any
+    lit: Any
+    free: Any
+    terms: tuple[Any, Any]
+
+
+def sort_rays(rays: CastRays, groups: Groups, finder: Held[GroupFinder], diffuse_blend: float) -> SortedRays:
+    """Finds the groups of what rays met, and does not wait for it.
 
     Args:
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
     """
-    hits, points, free, beyond, *terms = _sums(rays, groups, diffuse_blend)
+    blend = dr.opaque(dr.value_t(type(rays.towards)), float(diffuse_blend))
+    seen = _seen_bins(finder, rays.hits, rays.rays, groups.count)
+    lit, free, *terms = _lit_bins(
+        finder, rays.points, rays.towards, rays.free, blend, rays.rays, groups.count
+    )
+    return SortedRays(rays, groups, seen, lit, free, (terms[0], terms[1]))
+
+
+@Recorded
+def _seen_bins(finder: GroupFinder, met: Met, rays: int, groups: int) -> Any:
+    """Bins of views."""
+    return _bins(finder, met, rays, groups)[0]
+
+
+@Recorded
+def _lit_bins(
+    finder: GroupFinder, met: Met, towards: Any, free: Any, blend: Any, rays: int, groups: int
+) -> tuple[Any, ...]:
+    """Bins of plan points, which sides' light reaches them, diffuse terms of either."""
+    types = array_types(towards)
+    bins, lane, half = _bins(finder, met, rays, groups)
+    # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated. It
+    # falls on the other face, whose rays start at the same places.
+    other = dr.select(lane >= half, lane - half, lane + half)
+    normal = met.normal
+    across = normal.x * towards.x + normal.y * towards.y
+    cosines = normal.z * towards.z + across, normal.z * towards.z - across
+    reaches = free, dr.gather(types.Bool, free, other)
+    terms = (
+        dr.select(frees, types.UInt32(dr.lerp(towards.z, dr.maximum(cosine, 0), blend) * _UNITS + 0.5), 0)
+        for frees, cosine in zip(reaches, cosines, strict=True)
+    )
+    return bins, types.UInt32(reaches[0]) + 2 * types.UInt32(reaches[1]), *terms
+
+
+def _bins(finder: GroupFinder, met: Met, rays: int, groups: int) -> tuple[Any, Any, Any]:
+    """Bins, lanes, and the first lane of the back."""
+    UInt32 = array_types(met.normal).UInt32
+    lane = dr.arange(UInt32, 2 * NODES * rays)
+    half, of_node, of_all, row = (
+        dr.opaque(UInt32, count) for count in (NODES * rays, rays, 2 * NODES * groups, groups)
+    )
+    group = finder.group(lane >= half, met.is_warp, met.hole, met.normal, met.tangent)
+    return dr.select(met.hole, of_all, (lane // of_node) * row + group), lane, half
+
+
+def measure_reach(found: SortedRays) -> Reach:
+    """Means by face, node and group of what the rays met."""
+    hits, points, free, beyond, *terms = _sums(found)
     # Rays that meet yarn are all that do not pass.
     met_yarn = hits.sum(axis=2)
-    passing = np.zeros((2, NODES)) if rays.passes is None else _both_faces(rays.passes.numpy())
-    passing = np.where(met_yarn > 0, groups.hole[:, None] * passing, 1)
+    passes = found.rays.passes
+    passing = np.zeros((2, NODES)) if passes is None else _both_faces(passes.numpy())
+    passing = np.where(met_yarn > 0, found.groups.hole[:, None] * passing, 1)
     shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
     points = np.maximum(points, 1)
     return Reach(
@@ -156,46 +249,23 @@ def measure_reach(rays: CastRays, groups: Groups, diffuse_blend: float) -> Reach
     )
 
 
-def _sums(rays: CastRays, groups: Groups, diffuse_blend: float) -> NDArray[np.float64]:
+def _sums(found: SortedRays) -> NDArray[np.float64]:
     """Sums [6, 2 faces, nodes, groups].
 
     Of views that meet a group, points of its plan, those that light from either side reaches, and the
-    diffuse terms of these, π times and in units of 1/_UNITS: whole numbers, whose sums do not depend on the
-    order in which threads add them.
+    diffuse terms of these in their units: whole numbers, which are exact.
     """
-    types = array_types(rays.towards)
-    UInt32 = types.UInt32
-    finder = GroupFinder(groups, types)
-    size = 2 * NODES * groups.count
-    totals = dr.zeros(UInt32, 6 * size)
-    stride, per_row = (dr.opaque(UInt32, count) for count in (size, groups.count))
-
-    def bins(point: SurfacePoint, hole: Any) -> tuple[Any, Any, Any]:
-        lanes = dr.width(hole)
-        lane = dr.arange(UInt32, lanes)
-        half, of_row = (dr.opaque(UInt32, count) for count in (lanes // 2, lanes // (2 * NODES)))
-        group = finder.group(lane >= half, point.is_warp, hole, point.normal, point.tangent)
-        other = dr.select(lane >= half, lane - half, lane + half)
-        return (lane // of_row) * per_row + group, ~hole, other
-
-    def add(number: int, values: Any, place: Any, active: Any) -> None:
-        dr.scatter_add(totals, UInt32(values), stride * number + place, active)
-
-    place, shows, _ = bins(rays.hits, rays.nothing)
-    add(0, 1, place, shows)
-    place, shows, other = bins(rays.points, rays.points.hole)
-    add(1, 1, place, shows)
-    normal, towards = rays.points.normal, rays.towards
-    # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated. It
-    # falls on the other face, whose rays start at the same places.
-    across = normal.x * towards.x + normal.y * towards.y
-    cosines = normal.z * towards.z + across, normal.z * towards.z - across
-    blend = dr.opaque(types.Float, float(diffuse_blend))
-    for side, free in enumerate((rays.free, dr.gather(types.Bool, rays.free, other))):
-        term = dr.lerp(towards.z, dr.maximum(cosines[side], 0), blend)
-        add(2 + side, 1, place, shows & free)
-        add(4 + side, term * _UNITS + 0.5, place, shows & free)
-    return np.asarray(totals.numpy(), np.float64).reshape(6, 2, NODES, groups.count)
+    size = 2 * NODES * found.groups.count
+    lit, free = found.lit.numpy().astype(np.intp), found.free.numpy()
+    sides = np.bincount(4 * lit + free, minlength=4 * size)[: 4 * size].reshape(size, 4)
+    sums = [
+        np.bincount(found.seen.numpy(), minlength=size)[:size],
+        sides.sum(axis=1),
+        sides[:, 1] + sides[:, 3],
+        sides[:, 2] + sides[:, 3],
+        *(np.bincount(lit, term.numpy(), minlength=size)[:size] for term in found.terms),
+    ]
+    return np.stack(sums).astype(np.float64).reshape(6, 2, NODES, found.groups.count)
 
 
 def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.errors import InputError
-from loomlight.models.lobes.coverage import Coverage, measure_coverage, padded_group, words_of
-from loomlight.models.lobes.groups import Groups, find_groups, plan_points
+from loomlight.core.recorded import Held
+from loomlight.models.lobes.coverage import Coverage, count_cells, measure_coverage, padded_group, words_of
+from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach
+from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, sort_rays
 from loomlight.yarn.geometry import YarnGeometry
 
 _LARGEST = 255.0
@@ -75,12 +76,16 @@ def bake_tables(
         per_family: groups of each family.
         float_type: the Dr.Jit Float type to compute with.
     """
-    points = plan_points(geometry, float_type)
-    # Rays are on their way while groups are found.
-    rays = cast_rays(geometry, points, per_family, float_type)
+    cloth = cloth_of(geometry, float_type)
+    points = plan_points(cloth)
+    # Rays are on their way while groups are found, and are sorted while the pyramid is made.
+    rays = cast_rays(cloth, points, per_family)
     groups = find_groups(points, per_family)
-    coverage = measure_coverage(geometry, groups, float_type)
-    reach = measure_reach(rays, groups, diffuse_blend)
+    finder = Held(GroupFinder(groups, cloth.value.types))
+    cells = count_cells(cloth, finder, per_family)
+    found = sort_rays(rays, groups, finder, diffuse_blend)
+    coverage = measure_coverage(cells)
+    reach = measure_reach(found)
     seen, seen_scale = _seen(reach, per_family)
     moments, hole_weight = _moments(groups, coverage, seen_scale)
     return LobeTables(

@@ -33,3 +33,28 @@ def arrays_of(holder: Any) -> list[Any]:
         elif is_ours(value):
             waiting.extend(vars(value).values())
     return found
+
+
+def named_arrays(holder: Any) -> dict[str, Any]:
+    """The same by where they lie, which tells the classes on the way: sorted, whenever each came to be.
+
+    An array that lies in several places is there several times.
+    """
+    found: dict[str, Any] = {}
+    waiting: list[tuple[str, Any]] = [(type(holder).__name__, holder)]
+    while waiting:
+        path, value = waiting.pop()
+        if isinstance(value, type):
+            continue
+        if dr.is_array_v(value):
+            found[path] = value
+            continue
+        parts: dict[Any, Any] = {}
+        if isinstance(value, dict):
+            parts = value
+        elif isinstance(value, list | tuple):
+            parts = dict(enumerate(value))
+        elif is_ours(value):
+            parts = vars(value)
+        waiting.extend((f"{path}.{name}:{type(part).__name__}", part) for name, part in parts.items())
+    return dict(sorted(found.items()))
