@@ -69,15 +69,20 @@ def timed(run: Callable[[], None]) -> float:
 
 
 def fma_peak() -> float:
-    """Floating-point operations a second of independent multiply-add chains on all cores."""
-    chains, length, lanes = 12, 256, 1 << 18
+    """Floating-point operations a second of independent multiply-add chains on all cores.
+
+    Dr.Jit writes one chain out after the other, and a core that looks only a few hundred instructions ahead
+    would wait for each. Chains that now and then add their neighbour are written side by side.
+    """
+    chains, length, lanes = 12, 64, 1 << 20
 
     def run() -> None:
         seed = dr.linspace(Float, 0, 1, lanes)
         values = [seed + k for k in range(chains)]
         factor, summand = dr.opaque(Float, 0.999), dr.opaque(Float, 0.001)
-        for _ in range(length):
-            values = [dr.fma(value, factor, summand) for value in values]
+        for step in range(length):
+            summands = [*values[1:], values[0]] if step % 4 == 3 else [summand] * chains
+            values = [dr.fma(value, factor, added) for value, added in zip(values, summands, strict=True)]
         total = values[0]
         for value in values[1:]:
             total += value

@@ -18,7 +18,8 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.woven import encoding
 from loomlight.models.woven.encoding import clear_encodings, encode, encode_pair, shortest_repeat
 from loomlight.models.woven.losses import unmapped
-from loomlight.models.woven.onnx_graphs import decoder_graph, encoder_graph
+from loomlight.models.woven.onnx_decoder import decoder_graph
+from loomlight.models.woven.onnx_encoder import encoder_graph
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import read_weights
 

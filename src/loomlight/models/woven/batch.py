@@ -2,21 +2,32 @@
 
 from __future__ import annotations
 
-from functools import cache
+import os
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache, lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.woven.architecture import (
+    LARGEST_OUTPUT,
+    OPPOSITE,
+    REFLECTION_GAIN,
+    TRANSMISSION_GAIN,
+)
 from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.onnx_graphs import decoder_graph
-from loomlight.models.woven.places import network_places
-from loomlight.models.woven.pyramid import taps
+from loomlight.models.woven.latents import LatentRows
+from loomlight.models.woven.onnx_decoder import batch_graph
+from loomlight.models.woven.places import place_of
 from loomlight.models.woven.weights import Weights
 
-# Queries at once: their activations stay in the cache.
-_CHUNK = 4096
-_MIRROR = np.array([1, 1, -1], np.float32)
+# Queries of one run of the layers, whose activations stay in a core's cache, and runs that a thread prepares
+# at once, so that numpy's calls cost nothing beside their work.
+QUERIES_A_RUN = 1024
+_RUNS = 8
+# Fabrics whose latents are kept as they are fetched.
+_KEPT = 8
 
 
 def decode(
@@ -26,16 +37,28 @@ def decode(
     views: NDArray[np.float32],
     footprints: NDArray[np.float32],
 ) -> NDArray[np.float32]:
-    """Components, 1/sr, and hole fraction [n, 5] of n queries.
+    """Components, 1/sr, and hole fraction [n, 5] of n queries, on all cores.
 
     Args:
         lights, views: unit vectors [n, 3]; z < 0 is behind the cloth.
         footprints: position x and y and side [n, 3], in threads; see `pool.places_of`.
     """
-    found = np.empty((len(lights), 5), np.float32)
-    for first in range(0, len(lights), _CHUNK):
-        part = slice(first, first + _CHUNK)
+    count, threads = len(lights), _cores()
+    found = np.empty((count, 5), np.float32)
+    runs = -(-count // QUERIES_A_RUN)
+    block = QUERIES_A_RUN * max(1, min(_RUNS, -(-runs // threads)))
+    parts = [slice(first, first + block) for first in range(0, count, block)]
+
+    def answer(part: slice) -> None:
         found[part] = _decoded(weights, encoded, lights[part], views[part], footprints[part])
+
+    if len(parts) < 2:
+        for part in parts:
+            answer(part)
+        return found
+    # Each core decodes blocks of its own: threads within a layer would wait for each other after every one.
+    with ThreadPoolExecutor(threads) as pool:
+        list(pool.map(answer, parts))
     return found
 
 
@@ -46,38 +69,76 @@ def _decoded(
     views: NDArray[np.float32],
     footprints: NDArray[np.float32],
 ) -> NDArray[np.float32]:
-    behind = views[:, 2] < 0
-    turn = np.where(behind[:, None], _MIRROR, np.float32(1))
-    components, hole = decoder_session(weights).run(
-        None,
-        {
-            "latent": _latents(encoded, footprints, behind),
-            "place": network_places(weights.table, encoded.picks, encoded.ends, footprints),
-            "light": lights * turn,
-            "view": views * turn,
-        },
-    )
-    return np.concatenate([components, hole[:, None]], axis=1)
+    """Of one block, on one core."""
+    count = len(lights)
+    light, view, (x, y, size) = (_columns(rows) for rows in (lights, views, footprints))
+    back = view[2] < 0
+    turn = np.where(back, np.float32(-1), np.float32(1))
+    light[2] *= turn
+    view[2] *= turn
+    inputs = {
+        "place": np.stack(place_of(weights.table, encoded.picks, encoded.ends, x, y, size)),
+        "angles": np.concatenate([light, view[:2]]),
+    }
+    if weights.table.half_vector:
+        inputs["half"] = _half_vectors(light, view)
+    fetched = latent_rows(weights, encoded).at(x, y, size, back)
+    session = decoder_session(weights)
+    found = np.empty((5, len(x)), np.float32)
+    for first in range(0, len(x), QUERIES_A_RUN):
+        part = slice(first, first + QUERIES_A_RUN)
+        run = {name: np.ascontiguousarray(values[None, :, None, part]) for name, values in inputs.items()}
+        output, share = session.run(None, {"fetched": fetched[None, None, part], **run})
+        found[:4, part], found[4, part] = output[0, :, 0], share[0, 0, 0]
+    _unmap(found, light[2], weights.linear_diffuse)
+    return found.T[:count]
 
 
-def _latents(
-    encoded: EncodedFabric, footprints: NDArray[np.float32], behind: NDArray[np.bool_]
-) -> NDArray[np.float32]:
-    """Interpolated latents [n, latent_size] of the faces that are seen."""
-    texels = len(encoded.faces[0])
-    both = encoded.both
-    if texels == 1:
-        return both[behind.astype(np.intp)]
-    index, share = taps(encoded.levels, *footprints.T)
-    index += texels * behind[:, None]
-    return np.matmul(share[:, None], both[index])[:, 0]
+def _columns(rows: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Rows [n, 3] as [3, m], where m is n made a whole number of runs by repeating the last."""
+    count = len(rows)
+    columns = np.empty((3, -(-count // QUERIES_A_RUN) * QUERIES_A_RUN), np.float32)
+    columns[:, :count] = rows.T
+    columns[:, count:] = rows[-1][:, None]
+    return columns
+
+
+def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> NDArray[np.float32]:
+    """x and y [2, n] of the half vectors of lights and views [3, n]; see `network.coded_half_vector`."""
+    x, y, z = total = light + view
+    return total[:2] / np.sqrt(x * x + y * y + z * z + np.float32(OPPOSITE))
+
+
+def _unmap(found: NDArray[np.float32], height: NDArray[np.float32], linear_diffuse: bool) -> None:
+    """Makes components [4, n] and the hole fraction of what the network puts out: `losses.unmapped`."""
+    gain = np.where(height > 0, np.float32(REFLECTION_GAIN), np.float32(TRANSMISSION_GAIN))
+    mapped = found[2 if linear_diffuse else 0 : 4]
+    mapped[:] = np.expm1(np.clip(mapped, 0, LARGEST_OUTPUT)) / gain
+    if linear_diffuse:
+        np.maximum(found[:2], 0, out=found[:2])
+    np.clip(found[4], 0, 1, out=found[4])
+
+
+@lru_cache(_KEPT)
+def latent_rows(weights: Weights, encoded: EncodedFabric) -> LatentRows:
+    """A fabric's latents as they are fetched."""
+    return LatentRows(weights, encoded)
 
 
 @cache
 def decoder_session(weights: Weights) -> Any:
-    """ONNX Runtime's session of the decoder."""
+    """ONNX Runtime's session of the decoder of `QUERIES_A_RUN` queries, on the thread that calls it."""
     import onnxruntime
 
+    options = onnxruntime.SessionOptions()
+    options.intra_op_num_threads = options.inter_op_num_threads = 1
+    # With a number of queries that is known, layers keep their blocks of channels.
+    options.add_free_dimension_override_by_name("n", QUERIES_A_RUN)
     return onnxruntime.InferenceSession(
-        decoder_graph(weights).SerializeToString(), providers=["CPUExecutionProvider"]
+        batch_graph(weights).SerializeToString(), options, providers=["CPUExecutionProvider"]
     )
+
+
+def _cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

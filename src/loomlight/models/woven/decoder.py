@@ -31,6 +31,7 @@ from loomlight.models.woven.architecture import (
     TRANSMISSION_GAIN,
 )
 from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.latents import fetched_latents
 from loomlight.models.woven.places import place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
@@ -61,10 +62,7 @@ class LatentTable:
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
         self.picks, self.ends = encoded.picks, encoded.ends
-        latents = encoded.both
-        if weights.table.fusion:
-            first = weights.tensor("decoder.fusion.0.weight")[:, : weights.table.latent_size]
-            latents = latents @ first.T + weights.tensor("decoder.fusion.0.bias")
+        latents = fetched_latents(weights, encoded)
         self.channels = latents.shape[1]
         self.texels = len(encoded.faces[0])
         self._types = types = array_types(float_type)

@@ -263,7 +263,7 @@ def encoder_session(weights: Weights) -> Any:
     # Not needed where latents are at hand, and slow to import.
     import onnxruntime
 
-    from loomlight.models.woven.onnx_graphs import encoder_graph
+    from loomlight.models.woven.onnx_encoder import encoder_graph
 
     options = onnxruntime.SessionOptions()
     options.log_severity_level = 3

@@ -1,0 +1,250 @@
+"""The decoder as ONNX models: in operators of ONNX alone, and as ONNX Runtime computes it fastest.
+
+Both hold queries in the last axis, [1, channels, 1, n], where layers are convolutions of one place, so that a
+session that knows n keeps them in blocks of channels from the first layer to the last.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import onnx
+from numpy.typing import NDArray
+
+from loomlight.models.woven.architecture import (
+    BINS,
+    BLOB_REACH,
+    HALF_BINS,
+    HALF_REACH,
+    LARGEST_OUTPUT,
+    OPPOSITE,
+    REFLECTION_GAIN,
+    SLOPE,
+    TRANSMISSION_GAIN,
+)
+from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.latents import fetched_channels
+from loomlight.models.woven.onnx_graph import CONTRIB, Graph
+from loomlight.models.woven.weights import Weights
+
+# Bins beyond either end that a position within the reach of the other end meets.
+_AROUND = 2
+
+
+def decoder_graph(weights: Weights) -> onnx.ModelProto:
+    """The decoder of n queries for any runtime.
+
+    `latent` [n, latent_size], `place` [n, 3], `light` and `view` [n, 3] in the frame of the face that is
+    seen, to `components` [n, 4], 1/sr, and `hole` [n], 0 to 1.
+    """
+    graph = Graph(weights)
+    size = weights.table.latent_size
+    latent, place, light, view = (
+        _channels_first(graph, name, count)
+        for name, count in (("latent", size), ("place", 3), ("light", 3), ("view", 3))
+    )
+    if weights.table.fusion:
+        first = weights.tensor("decoder.fusion.0.weight")[:, :size]
+        latent = _dense(graph, latent, first, weights.tensor("decoder.fusion.0.bias"))
+    angles = graph.add("Concat", light, _sliced(graph, view, 0, 2), axis=1)
+    half = _half_vector(graph, light, view) if weights.table.half_vector else ""
+    output, hole = _layers(graph, latent, place, angles, half)
+    components = _unmapped(graph, output, light)
+    rows = graph.add("Reshape", components, graph.integers([4, -1]))
+    graph.add("Transpose", rows, perm=[1, 0], output="components")
+    hole = graph.add("Clip", hole, graph.number(0), graph.number(1))
+    graph.add("Reshape", hole, graph.integers([-1]), output="hole")
+    return graph.model(
+        "woven_decoder",
+        {"latent": ["n", size], "place": ["n", 3], "light": ["n", 3], "view": ["n", 3]},
+        {"components": ["n", 4], "hole": ["n"]},
+    )
+
+
+def batch_graph(weights: Weights) -> onnx.ModelProto:
+    """Codings and layers of n queries, for ONNX Runtime: its own operator sums and activates in one pass.
+
+    `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` is [1, 3, 1, n]; `angles` [1, 5, 1, n]
+    are x, y, z of the light and x and y of the view; `half` [1, 2, 1, n], for networks that take it, x and y
+    of the half vector. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the network puts
+    them out.
+    """
+    graph = Graph(weights, contrib=True)
+    fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
+    output, share = _layers(graph, fetched, "place", "angles", "half")
+    graph.add("Identity", output, output="output")
+    graph.add("Identity", share, output="share")
+    counts = {"place": 3, "angles": 5} | ({"half": 2} if weights.table.half_vector else {})
+    return graph.model(
+        "woven_batch",
+        {"fetched": [1, 1, "n", fetched_channels(weights)]}
+        | {name: [1, count, 1, "n"] for name, count in counts.items()},
+        {"output": [1, 4, 1, "n"], "share": [1, 1, 1, "n"]},
+    )
+
+
+def _channels_first(graph: Graph, name: str, count: int) -> str:
+    columns = graph.add("Transpose", name, perm=[1, 0])
+    return graph.add("Reshape", columns, graph.integers([1, count, 1, -1]))
+
+
+def _layers(graph: Graph, latent: str, place: str, angles: str, half: str) -> tuple[str, str]:
+    """What the network puts out [1, 4, 1, n], and of holes [1, 1, 1, n].
+
+    Args:
+        latent: multiplied by the first layer where there is fusion.
+        angles: x, y, z of the light, x and y of the view.
+        half: x and y of the half vector, for networks that take it.
+    """
+    weights = graph.weights
+    table, tensor = weights.table, weights.tensor
+    coded = _one_blob(graph, place) if table.position == "one_blob" else place
+    if table.fusion:
+        first = tensor("decoder.fusion.0.weight")[:, table.latent_size :]
+        placed = _dense(graph, coded, _of_coded(table, first))
+        spatial = _layer(graph, "decoder.fusion.1", _leaky(graph, latent, table.hidden, placed), leaky=True)
+    else:
+        spatial = graph.add("Concat", latent, coded, axis=1)
+    weight, bias = tensor("decoder.hole.0.weight"), tensor("decoder.hole.0.bias")
+    of_spatial, of_view = weight[:, :-2], weight[:, -2:]
+    seen = _dense(graph, angles, np.pad(of_view, ((0, 0), (3, 0))))
+    hole = _dense(graph, spatial, _of_spatial(table, of_spatial), bias, seen, leaky=True)
+    return _angular(graph, spatial, angles, half), _layer(graph, "decoder.hole.1", hole)
+
+
+def _angular(graph: Graph, spatial: str, angles: str, half: str) -> str:
+    """What the angular layers put out [1, 4, 1, n]."""
+    weights, table = graph.weights, graph.weights.table
+    weight, bias = (weights.tensor(f"decoder.angular.0.{part}") for part in ("weight", "bias"))
+    width = weights.tensor("decoder.hole.0.weight").shape[1] - 2
+    of_spatial, of_angles, of_half = np.split(weight, [width, width + 5], axis=1)
+    skip = _dense(graph, angles, of_angles, bias)
+    if table.half_vector:
+        skip = _dense(graph, _coded_half_vector(graph, half), of_half, plus=skip)
+    skip = _dense(graph, spatial, _of_spatial(table, of_spatial), plus=skip)
+    hidden = _leaky(graph, skip, table.hidden)
+    count = weights.layers("decoder.angular")
+    for number in range(1, count):
+        plus = skip if number == 2 else None
+        hidden = _layer(graph, f"decoder.angular.{number}", hidden, plus, leaky=number + 1 < count)
+    return hidden
+
+
+def _layer(graph: Graph, name: str, value: str, plus: str | None = None, leaky: bool = False) -> str:
+    weight, bias = (graph.weights.tensor(f"{name}.{part}") for part in ("weight", "bias"))
+    return _dense(graph, value, weight, bias, plus, leaky)
+
+
+def _dense(
+    graph: Graph,
+    value: str,
+    weight: NDArray[np.floating],
+    bias: NDArray[np.floating] | None = None,
+    plus: str | None = None,
+    leaky: bool = False,
+) -> str:
+    """A layer of weights [outputs, inputs], what is added to it, and its activation."""
+    rest = [] if bias is None else [graph.number(bias)]
+    return _convolved(graph, [value, graph.number(weight[:, :, None, None]), *rest], 1, plus, leaky)
+
+
+def _leaky(graph: Graph, value: str, channels: int, plus: str | None = None) -> str:
+    """Leaky ReLU of a value, or of a sum.
+
+    ONNX Runtime keeps its blocks only where activations follow convolutions: here one that changes nothing.
+    """
+    if graph.contrib:
+        same = graph.number(np.ones((channels, 1, 1, 1)))
+        return _convolved(graph, [value, same, graph.number(np.zeros(channels))], channels, plus, True)
+    return graph.leaky(value if plus is None else graph.add("Add", value, plus))
+
+
+def _convolved(graph: Graph, inputs: list[str], groups: int, plus: str | None, leaky: bool) -> str:
+    if graph.contrib and plus is not None and leaky:
+        bias = [""] if len(inputs) == 2 else []
+        return graph.add(
+            "FusedConv",
+            *inputs,
+            *bias,
+            plus,
+            kernel_shape=[1, 1],
+            group=groups,
+            activation="LeakyRelu",
+            activation_params=[SLOPE],
+            domain=CONTRIB,
+        )
+    found = graph.add("Conv", *inputs, kernel_shape=[1, 1], group=groups)
+    if plus is not None:
+        found = graph.add("Add", found, plus)
+    return graph.leaky(found) if leaky else found
+
+
+def _sliced(graph: Graph, value: str, first: int, end: int) -> str:
+    """Some of the channels."""
+    return graph.add("Slice", value, graph.integers([first]), graph.integers([end]), graph.integers([1]))
+
+
+def _of_spatial(table: NetworkTable, weight: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Weights over what is fused, or over latent and coded place."""
+    if table.fusion:
+        return weight
+    latent, coded = np.split(weight, [table.latent_size], axis=1)
+    return np.concatenate([latent, _of_coded(table, coded)], axis=1)
+
+
+def _of_coded(table: NetworkTable, weight: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Weights over the coded place, whose bins beyond the ends are those that lie there, a period away."""
+    if table.position == "plain":
+        return weight
+    x, y, size = np.split(weight, 3, axis=1)
+    around = [np.concatenate([bins[:, -_AROUND:], bins, bins[:, :_AROUND]], axis=1) for bins in (x, y)]
+    return np.concatenate([*around, size], axis=1)
+
+
+def _one_blob(graph: Graph, place: str) -> str:
+    """`network.one_blob`, where positions wrap around by bins beyond the ends: see `_of_coded`."""
+    inner, wider = ((np.arange(-more, BINS + more) + 0.5) / BINS for more in (0, _AROUND))
+    return _bumps(graph, place, [wider, wider, inner], BINS / BLOB_REACH)
+
+
+def _half_vector(graph: Graph, light: str, view: str) -> str:
+    """x and y of the half vector [1, 2, 1, n]; short where directions are opposite."""
+    total = graph.add("Add", light, view)
+    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
+    length = graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE)))
+    return graph.add("Div", _sliced(graph, total, 0, 2), length)
+
+
+def _coded_half_vector(graph: Graph, half: str) -> str:
+    """`network.coded_half_vector`."""
+    # From −1 to 1 in bins; centres lie half a bin beyond edges.
+    centres = (np.arange(HALF_BINS) + 0.5) / HALF_BINS * 2 - 1
+    return _bumps(graph, half, [centres, centres], HALF_BINS / HALF_REACH / 2)
+
+
+def _bumps(graph: Graph, values: str, centres: list[NDArray[np.float64]], scale: float) -> str:
+    """max(1 − d², 0)² of each value's distances d from its centres, as products of 1 − d and 1 + d.
+
+    Sums, products and what is cut off at 0 are all that ONNX Runtime does in blocks of channels.
+    """
+    of_value = scale * np.repeat(np.eye(len(centres)), [len(part) for part in centres], axis=0)
+    offset = scale * np.concatenate(centres)
+    # At most one of the two is negative.
+    sides = [graph.add("Relu", _dense(graph, values, sign * of_value, 1 - sign * offset)) for sign in (-1, 1)]
+    bump = graph.add("Mul", *sides)
+    return graph.add("Mul", bump, bump)
+
+
+def _unmapped(graph: Graph, output: str, light: str) -> str:
+    """Components of what the network puts out: `losses.unmapped`."""
+    inverse = graph.add(
+        "Where",
+        graph.add("Greater", _sliced(graph, light, 2, 3), graph.number(0)),
+        graph.number(1 / REFLECTION_GAIN),
+        graph.number(1 / TRANSMISSION_GAIN),
+    )
+    clipped = graph.add("Clip", output, graph.number(0), graph.number(LARGEST_OUTPUT))
+    linear = graph.add("Mul", graph.add("Sub", graph.add("Exp", clipped), graph.number(1)), inverse)
+    if not graph.weights.linear_diffuse:
+        return linear
+    diffuse = graph.add("Relu", _sliced(graph, output, 0, 2))
+    return graph.add("Concat", diffuse, _sliced(graph, linear, 2, 4), axis=1)

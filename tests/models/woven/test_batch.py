@@ -1,0 +1,61 @@
+"""Batches of queries in ONNX Runtime: what numpy fetches, and that their number does not matter."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from drjit.llvm.ad import Float
+
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.woven.batch import QUERIES_A_RUN, decode
+from loomlight.models.woven.encoding import EncodedFabric, encode
+from loomlight.models.woven.latents import LatentRows, fetched_channels, fetched_latents
+from loomlight.models.woven.pyramid import levels_of, taps
+
+from .networks import TABLES, network, unit_vectors, weights_of
+
+require_llvm()
+
+
+@pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])
+@pytest.mark.parametrize("name", ["field", "plain, not fused"])
+def test_rows_are_those_of_the_pyramid(name: str, picks: int, ends: int, tmp_path: Path) -> None:
+    weights = weights_of(network(name), tmp_path)
+    rng = np.random.default_rng(picks)
+    last = levels_of(picks, ends)[-1].first + 1
+    front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
+    encoded = EncodedFabric(picks, ends, (front, back))
+    # Edges of the repeat and of texels too, where rounding decides which side of them a footprint lies on.
+    x = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(-200, 200) / 16]).astype(np.float32)
+    y = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(200, -200, -1) / 16]).astype(np.float32)
+    size = np.exp(rng.uniform(np.log(0.005), np.log(200), len(x))).astype(np.float32)
+    behind = rng.random(len(x)) < 0.5
+    table = fetched_latents(weights, encoded).astype(np.float64)
+    texels, shares = taps(encoded.levels, x, y, size)
+    wanted = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
+    found = LatentRows(weights, encoded).at(x, y, size, behind)
+    assert found.shape == (len(x), fetched_channels(weights))
+    # float32 coordinates up to 40·8 texels have 2e-5 of a texel, between two of which values change by up to
+    # twice the largest.
+    np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> None:
+    weights = weights_of(network(name), tmp_path)
+    encoded = encode(fabric_from_text("twill 2/1"), weights, Float)
+    rng = np.random.default_rng(5)
+    # More than one block for each of two cores, and a last run that is not full.
+    count = 17 * QUERIES_A_RUN + 3
+    lights, views = unit_vectors(rng, count), unit_vectors(rng, count)
+    footprints = rng.uniform(0.1, 5, (count, 3)).astype(np.float32)
+    found = decode(weights, encoded, lights, views, footprints)
+    assert found.shape == (count, 5)
+    assert np.ptp(found, axis=0).min() > 1e-3
+    for first, some in ((0, 0), (0, 1), (5, QUERIES_A_RUN), (count - 1500, 1500)):
+        part = slice(first, first + some)
+        again = decode(weights, encoded, lights[part], views[part], footprints[part])
+        np.testing.assert_allclose(again, found[part], rtol=1e-5, atol=1e-6)
