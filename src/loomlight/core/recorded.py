@@ -36,6 +36,11 @@ def collecting_later() -> Iterator[None]:
             gc.enable()
 
 
+def frozen(function: Callable[..., Any], *, enabled: bool = True) -> Any:
+    """Dr.Jit's frozen function, of which so many recordings are kept."""
+    return dr.freeze(function, auto_opaque=False, limit=_MOST_RECORDINGS, warn_after=_NEVER, enabled=enabled)
+
+
 class Held(Generic[_Value]):
     """An object of this project as an argument of recorded functions.
 
@@ -85,7 +90,7 @@ class Recorded:
                 )
             )
 
-        self._launch: Any = dr.freeze(launched, auto_opaque=False, limit=_MOST_RECORDINGS, warn_after=_NEVER)
+        self._launch = frozen(launched)
 
     @property
     def recordings(self) -> int:

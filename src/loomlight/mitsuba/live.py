@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.core.held_arrays import arrays_of
-from loomlight.core.recorded import collecting_later
+from loomlight.core.recorded import collecting_later, frozen
 from loomlight.mitsuba.cloth_samples import CLOTHS
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks
 
@@ -50,7 +50,7 @@ class LivePicture:
         # Not a bound method: what refers to itself is freed by the garbage collector, whenever that runs.
         self._rendered = _renderer(sensor, spp)
         enabled = records and not has_networks(scene)
-        self._launch = dr.freeze(self._rendered, auto_opaque=False, enabled=enabled)
+        self._launch = frozen(self._rendered, enabled=enabled)
         # Once without freezing: whatever is uploaded when it is first used must be there beforehand.
         dr.eval(self._rendered(scene, self._integrator, mi.UInt32(0), []))
         for seed in range(2):
