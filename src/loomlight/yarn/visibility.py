@@ -264,6 +264,7 @@ def first_hit(
     back: Any,
     active: Any = True,
     quality: SearchQuality = DEFAULT_QUALITY,
+    passing: bool = True,
 ) -> Hit:
     """The first point of the cloth along the view ray that crosses the plane z = 0 at x, y.
 
@@ -274,6 +275,7 @@ def first_hit(
         x, y: draft coordinates where the ray meets the plane of the crown lines, millimetres.
         view: unit vector [3] towards the eye in the frame of the face seen, z > 0.
         back: Bool, which face is seen.
+        passing: look whether rays pass through; if not, none is said to.
     """
     types = array_types(x)
     extent = _extent_of(surface, types)
@@ -362,8 +364,10 @@ def first_hit(
         label="cloth: refine",
     )
     under = state[2]
-    # What has met yarn above the plane does not pass it.
-    hole = passes_through(surface, x, y, view, back, active & (under <= 0), quality)
+    hole = types.Bool(False)
+    if passing:
+        # What has met yarn above the plane does not pass it.
+        hole = passes_through(surface, x, y, view, back, active & (under <= 0), quality)
     return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
 
 

@@ -28,7 +28,9 @@ STEPS = [
 ]
 RECORDED: list[Recorded] = [
     groups._plan,
+    reach._start_in_gaps,
     reach._to_lights,
+    reach._pass,
     reach._to_eyes,
     reach._through_gaps,
     reach._seen_bins,
