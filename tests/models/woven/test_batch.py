@@ -59,3 +59,16 @@ def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> N
         part = slice(first, first + some)
         again = decode(weights, encoded, lights[part], views[part], footprints[part])
         np.testing.assert_allclose(again, found[part], rtol=1e-5, atol=1e-6)
+
+
+def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> None:
+    weights = weights_of(network("field"), tmp_path)
+    last = levels_of(3, 5)[-1].first + 1
+    encoded = EncodedFabric(3, 5, (np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)))
+    odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
+    x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
+    with np.errstate(invalid="ignore", over="ignore"):
+        found = LatentRows(weights, encoded).at(x, y, size, np.zeros(len(x), np.bool_))
+    # All texels hold the same, so whichever are read, shares that add up to one give it back.
+    front = fetched_latents(weights, encoded)[:1]
+    np.testing.assert_allclose(found, np.broadcast_to(front, found.shape), rtol=1e-5, atol=1e-6)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, lru_cache
 from typing import Any
@@ -27,7 +28,7 @@ from loomlight.models.woven.weights import Weights
 QUERIES_A_RUN = 1024
 _RUNS = 8
 # Fabrics whose latents are kept as they are fetched.
-_KEPT = 8
+_KEPT = 2
 
 
 def decode(
@@ -76,19 +77,23 @@ def _decoded(
     turn = np.where(back, np.float32(-1), np.float32(1))
     light[2] *= turn
     view[2] *= turn
-    inputs = {
-        "place": np.stack(place_of(weights.table, encoded.picks, encoded.ends, x, y, size)),
-        "angles": np.concatenate([light, view[:2]]),
-    }
-    if weights.table.half_vector:
-        inputs["half"] = _half_vectors(light, view)
+    table = weights.table
     fetched = latent_rows(weights, encoded).at(x, y, size, back)
+    place: Sequence[NDArray[np.float32]] = place_of(table, encoded.picks, encoded.ends, x, y, size)
+    if table.position == "one_blob":
+        place = _with_squares([part - np.float32(0.5) for part in place])
+    inputs = {
+        "fetched": fetched.reshape(-1, 1, 1, QUERIES_A_RUN, fetched.shape[1]),
+        "place": _by_runs(place),
+        "angles": _by_runs([*light, *view[:2]]),
+    }
+    if table.half_vector:
+        inputs["half"] = _by_runs(_with_squares(_half_vectors(light, view)))
     session = decoder_session(weights)
     found = np.empty((5, len(x)), np.float32)
-    for first in range(0, len(x), QUERIES_A_RUN):
-        part = slice(first, first + QUERIES_A_RUN)
-        run = {name: np.ascontiguousarray(values[None, :, None, part]) for name, values in inputs.items()}
-        output, share = session.run(None, {"fetched": fetched[None, None, part], **run})
+    for run in range(len(x) // QUERIES_A_RUN):
+        part = slice(run * QUERIES_A_RUN, (run + 1) * QUERIES_A_RUN)
+        output, share = session.run(None, {name: values[run] for name, values in inputs.items()})
         found[:4, part], found[4, part] = output[0, :, 0], share[0, 0, 0]
     _unmap(found, light[2], weights.linear_diffuse)
     return found.T[:count]
@@ -103,10 +108,20 @@ def _columns(rows: NDArray[np.float32]) -> NDArray[np.float32]:
     return columns
 
 
-def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> NDArray[np.float32]:
-    """x and y [2, n] of the half vectors of lights and views [3, n]; see `network.coded_half_vector`."""
-    x, y, z = total = light + view
-    return total[:2] / np.sqrt(x * x + y * y + z * z + np.float32(OPPOSITE))
+def _by_runs(numbers: Sequence[NDArray[np.float32]]) -> NDArray[np.float32]:
+    """Numbers of all queries [c][m] as the layers take them [runs, 1, c, 1, QUERIES_A_RUN]."""
+    return np.stack([part.reshape(-1, 1, 1, QUERIES_A_RUN) for part in numbers], axis=2)
+
+
+def _with_squares(numbers: Sequence[NDArray[np.float32]]) -> list[NDArray[np.float32]]:
+    return [*numbers, *(part * part for part in numbers)]
+
+
+def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> Sequence[NDArray[np.float32]]:
+    """x and y [n] of the half vectors of lights and views [3, n]; see `network.coded_half_vector`."""
+    x, y, z = light + view
+    scale = 1 / np.sqrt(x * x + y * y + z * z + np.float32(OPPOSITE))
+    return x * scale, y * scale
 
 
 def _unmap(found: NDArray[np.float32], height: NDArray[np.float32], linear_diffuse: bool) -> None:

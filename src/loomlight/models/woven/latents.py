@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.pyramid import FINEST, Level
 from loomlight.models.woven.weights import Weights
-
-# Queries whose eight rows stay in the cache between the fetch and the sum.
-_ROWS_OF = 256
 
 
 def fetched_channels(weights: Weights) -> int:
@@ -66,16 +64,10 @@ class LatentRows:
         if self._single:
             return self._rows[back.astype(np.intp)]
         texels, shares = self._taps(x, y, size, back)
-        count, channels = len(x), self._rows.shape[1]
-        found = np.empty((count, 1, channels), np.float32)
-        rows = np.empty((min(count, _ROWS_OF), 8, channels), np.float32)
-        for first in range(0, count, _ROWS_OF):
-            part = slice(first, first + _ROWS_OF)
-            taken = rows[: len(texels[part])]
-            # Without "clip" numpy takes a copy first; no texel lies outside.
-            np.take(self._rows, texels[part], axis=0, out=taken, mode="clip")
-            np.matmul(shares[part], taken, out=found[part])
-        return found[:, 0]
+        # A sparse product reads each row once and keeps no copy.
+        starts = np.arange(0, 8 * len(x) + 1, 8, dtype=np.int32)
+        taps = csr_array((shares.ravel(), texels.ravel(), starts), shape=(len(x), len(self._rows)))
+        return taps @ self._rows
 
     def _taps(
         self,
@@ -83,16 +75,14 @@ class LatentRows:
         y: NDArray[np.float32],
         size: NDArray[np.float32],
         back: NDArray[np.bool_],
-    ) -> tuple[NDArray[np.intp], NDArray[np.float32]]:
-        """Rows [n, 8] and weights [n, 1, 8]; see `pyramid.taps`."""
-        # Near the origin, where float32 is finest; rounding may leave them just below it.
-        x = np.maximum(x - self._ends * np.floor(x / self._ends), 0)
-        y = np.maximum(y - self._picks * np.floor(y / self._picks), 0)
-        place = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST, 0, self._last)
+    ) -> tuple[NDArray[np.int32], NDArray[np.float32]]:
+        """Rows and weights [n, 8]; see `pyramid.taps`."""
+        x, y = _wrapped(x, self._ends), _wrapped(y, self._picks)
+        place = np.clip(np.log2(np.fmax(size, 1e-6)) + FINEST, 0, self._last)
         lower = np.minimum(place.astype(np.intp), self._last - 1)
         blend = place - lower.astype(np.float32)
-        texels = np.empty((len(x), 8), np.intp)
-        shares = np.empty((len(x), 1, 8), np.float32)
+        texels = np.empty((len(x), 8), np.int32)
+        shares = np.empty((len(x), 8), np.float32)
         face = back * self._width
         for side, share in enumerate((1 - blend, blend)):
             level = lower + side
@@ -103,14 +93,19 @@ class LatentRows:
             stride = self._stride.take(level)
             start = row * stride + column + self._first.take(level) + face
             for tall, along in enumerate((share - share * up, share * up)):
-                texel = (start + stride if tall else start).astype(np.intp)
+                texel = (start + stride if tall else start).astype(np.int32)
                 tap = 4 * side + 2 * tall
                 texels[:, tap] = texel
                 texels[:, tap + 1] = texel + 1
                 across = along * right
-                shares[:, 0, tap] = along - across
-                shares[:, 0, tap + 1] = across
+                shares[:, tap] = along - across
+                shares[:, tap + 1] = across
         return texels, shares
+
+
+def _wrapped(value: NDArray[np.float32], period: np.float32) -> NDArray[np.float32]:
+    """Near the origin, where float32 is finest, and 0 to the period, whatever comes in: rows must exist."""
+    return np.fmin(np.fmax(value - period * np.floor(value / period), 0), period)
 
 
 def _with_margin(faces: NDArray[np.float32], level: Level) -> NDArray[np.float32]:

@@ -46,7 +46,9 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         first = weights.tensor("decoder.fusion.0.weight")[:, :size]
         latent = _dense(graph, latent, first, weights.tensor("decoder.fusion.0.bias"))
     angles = graph.add("Concat", light, _sliced(graph, view, 0, 2), axis=1)
-    half = _half_vector(graph, light, view) if weights.table.half_vector else ""
+    half = _with_squares(graph, _half_vector(graph, light, view)) if weights.table.half_vector else ""
+    if weights.table.position == "one_blob":
+        place = _with_squares(graph, graph.add("Sub", place, graph.number(0.5)))
     output, hole = _layers(graph, latent, place, angles, half)
     components = _unmapped(graph, output, light)
     rows = graph.add("Reshape", components, graph.integers([4, -1]))
@@ -63,17 +65,20 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
 def batch_graph(weights: Weights) -> onnx.ModelProto:
     """Codings and layers of n queries, for ONNX Runtime: its own operator sums and activates in one pass.
 
-    `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` is [1, 3, 1, n]; `angles` [1, 5, 1, n]
-    are x, y, z of the light and x and y of the view; `half` [1, 2, 1, n], for networks that take it, x and y
-    of the half vector. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the network puts
-    them out.
+    `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` [1, 3, 1, n] as in `decoder_graph`, or
+    for networks with one-blob coding [1, 6, 1, n] less a half and followed by squares; `angles` [1, 5, 1, n]
+    are x, y, z of the light and x and y of the view; `half` [1, 4, 1, n], for networks that take it, x and y
+    of the half vector and their squares. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the
+    network puts them out.
     """
     graph = Graph(weights, contrib=True)
     fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
     output, share = _layers(graph, fetched, "place", "angles", "half")
     graph.add("Identity", output, output="output")
     graph.add("Identity", share, output="share")
-    counts = {"place": 3, "angles": 5} | ({"half": 2} if weights.table.half_vector else {})
+    counts = {"place": 6 if weights.table.position == "one_blob" else 3, "angles": 5}
+    if weights.table.half_vector:
+        counts["half"] = 4
     return graph.model(
         "woven_batch",
         {"fetched": [1, 1, "n", fetched_channels(weights)]}
@@ -92,8 +97,7 @@ def _layers(graph: Graph, latent: str, place: str, angles: str, half: str) -> tu
 
     Args:
         latent: multiplied by the first layer where there is fusion.
-        angles: x, y, z of the light, x and y of the view.
-        half: x and y of the half vector, for networks that take it.
+        place, angles, half: as in `batch_graph`.
     """
     weights = graph.weights
     table, tensor = weights.table, weights.tensor
@@ -202,7 +206,7 @@ def _of_coded(table: NetworkTable, weight: NDArray[np.float32]) -> NDArray[np.fl
 
 def _one_blob(graph: Graph, place: str) -> str:
     """`network.one_blob`, where positions wrap around by bins beyond the ends: see `_of_coded`."""
-    inner, wider = ((np.arange(-more, BINS + more) + 0.5) / BINS for more in (0, _AROUND))
+    inner, wider = ((np.arange(-more, BINS + more) + 0.5) / BINS - 0.5 for more in (0, _AROUND))
     return _bumps(graph, place, [wider, wider, inner], BINS / BLOB_REACH)
 
 
@@ -221,16 +225,19 @@ def _coded_half_vector(graph: Graph, half: str) -> str:
     return _bumps(graph, half, [centres, centres], HALF_BINS / HALF_REACH / 2)
 
 
-def _bumps(graph: Graph, values: str, centres: list[NDArray[np.float64]], scale: float) -> str:
-    """max(1 − d², 0)² of each value's distances d from its centres, as products of 1 − d and 1 + d.
+def _with_squares(graph: Graph, values: str) -> str:
+    return graph.add("Concat", values, graph.add("Mul", values, values), axis=1)
 
-    Sums, products and what is cut off at 0 are all that ONNX Runtime does in blocks of channels.
+
+def _bumps(graph: Graph, values: str, centres: list[NDArray[np.float64]], scale: float) -> str:
+    """max(1 − d², 0)² of each value's distances d from its centres, where squares follow the values.
+
+    1 − d² is linear in a value and its square, so it is a layer; values about 0 leave it exact to 1e-6.
     """
-    of_value = scale * np.repeat(np.eye(len(centres)), [len(part) for part in centres], axis=0)
-    offset = scale * np.concatenate(centres)
-    # At most one of the two is negative.
-    sides = [graph.add("Relu", _dense(graph, values, sign * of_value, 1 - sign * offset)) for sign in (-1, 1)]
-    bump = graph.add("Mul", *sides)
+    of_value = np.repeat(np.eye(len(centres)), [len(part) for part in centres], axis=0)
+    centre = np.concatenate(centres)
+    weight = scale**2 * np.concatenate([2 * centre[:, None] * of_value, -of_value], axis=1)
+    bump = graph.add("Relu", _dense(graph, values, weight, 1 - (scale * centre) ** 2))
     return graph.add("Mul", bump, bump)
 
 
