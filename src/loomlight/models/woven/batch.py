@@ -23,10 +23,10 @@ from loomlight.models.woven.onnx_decoder import batch_graph
 from loomlight.models.woven.places import place_of
 from loomlight.models.woven.weights import Weights
 
-# Queries of one run of the layers, whose activations stay in a core's cache, and runs that a thread prepares
+# Queries of one run of the layers, whose activations stay near a core, and runs that a thread prepares
 # at once, so that numpy's calls cost nothing beside their work.
-QUERIES_A_RUN = 1024
-_RUNS = 8
+QUERIES_A_RUN = 2048
+_RUNS = 16
 # Fabrics whose latents are kept as they are fetched.
 _KEPT = 2
 
