@@ -61,7 +61,7 @@ def operations(model: LobesModel, arrays: Any) -> int:
     estimator = model.estimator(types)
     counts = []
     for words in (1, 2):
-        place = estimator.place(footprint.centre, footprint.spread_side, view, view.z < 0)
+        place = estimator.place(footprint, view, view.z < 0)
         nodes, half = estimator.light_nodes(place, light), half_vector(light, view)
         total: Any = 0
         for word in range(words):

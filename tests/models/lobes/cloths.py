@@ -56,18 +56,26 @@ TEXTS = {
 
 @dataclass(frozen=True, eq=False)
 class Asked:
-    """n queries of squares.
+    """n queries of footprints.
 
     Attributes:
         lights, views: unit vectors [n, 3].
         centres: [n, 2], millimetres.
-        sizes: sides [n], millimetres.
+        sizes: sides of the squares of the same variances [n], millimetres.
+        shapes: both edges of each in units of that, squares along the threads if not given [n, 2, 2].
     """
 
     lights: NDArray[np.float64]
     views: NDArray[np.float64]
     centres: NDArray[np.float64]
     sizes: NDArray[np.float64]
+    shapes: NDArray[np.float64] | None = None
+
+    @property
+    def edges(self) -> NDArray[np.float64]:
+        """Both edges of each footprint [n, 2, 2], millimetres."""
+        shapes = np.eye(2)[None] if self.shapes is None else self.shapes
+        return self.sizes[:, None, None] * shapes
 
     @property
     def light(self) -> Array3f:
@@ -81,11 +89,9 @@ class Asked:
 
     @property
     def footprint(self) -> Footprint:
-        """The squares on a device."""
-        x, y = np.ascontiguousarray(self.centres.T, np.float32)
-        side = np.ascontiguousarray(self.sizes, np.float32)
-        none = np.zeros_like(side)
-        return Footprint(Array2f(x, y), Array2f(side, none), Array2f(none, side))
+        """The footprints on a device."""
+        parts = self.centres, self.edges[:, 0], self.edges[:, 1]
+        return Footprint(*(Array2f(np.ascontiguousarray(part.T, np.float32)) for part in parts))
 
 
 @cache
@@ -133,13 +139,22 @@ def directions(rng: np.random.Generator, count: int, lowest: float = 0.02) -> ND
 
 
 def asked_of(fabric: Fabric, smallest: float, count: int, seed: int) -> Asked:
-    """Queries anywhere, from squares of half of `smallest` to three repeats wide."""
+    """Queries anywhere, from half of `smallest` to three repeats wide, askew and up to thrice as long."""
     rng = np.random.default_rng(seed)
     extent = np.asarray(fabric.repeat_mm)
     sizes = np.exp(rng.uniform(np.log(0.5 * smallest), np.log(3 * extent.max()), count))
-    return Asked(
-        directions(rng, count), directions(rng, count), rng.uniform(-1, 2, (count, 2)) * extent, sizes
-    )
+    centres = rng.uniform(-1, 2, (count, 2)) * extent
+    return Asked(directions(rng, count), directions(rng, count), centres, sizes, askew(rng, count))
+
+
+def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
+    """Edges of parallelograms anyhow, up to thrice as long as wide, in units of their size [count, 2, 2]."""
+    angle = rng.uniform(0, 2 * np.pi, count)
+    between = np.radians(rng.uniform(60, 120, count))
+    lengths = np.stack([rng.uniform(1, 3, count), np.ones(count)], axis=1)
+    angles = np.stack([angle, angle + between], axis=1)
+    edges = lengths[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=2)
+    return edges / np.sqrt(0.5 * (edges**2).sum(axis=(1, 2)))[:, None, None]
 
 
 def far_response(model: LobesModel, light: Any, view: Any, footprint: Footprint) -> Response:

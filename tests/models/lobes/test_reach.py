@@ -13,9 +13,17 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.core.recorded import Held
-from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
+from loomlight.models.lobes.groups import GroupFinder, Groups, as_met, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
-from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, rays_of, sort_rays
+from loomlight.models.lobes.reach import (
+    Reach,
+    SortedRays,
+    cast_rays,
+    groups_met,
+    measure_reach,
+    rays_of,
+    sort_rays,
+)
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import REFERENCE_QUALITY, first_hit, unoccluded
 
@@ -29,14 +37,19 @@ SIDE = 160
 
 
 @cache
-def made(name: str) -> tuple[YarnGeometry, Groups, Reach]:
+def sorted_rays(name: str) -> tuple[YarnGeometry, SortedRays]:
     geometry = geometry_of(name)
     cloth = cloth_of(geometry, Float)
     points = plan_points(cloth)
     groups = find_groups(points, PER_FAMILY)
     finder = Held(GroupFinder(groups, array_types(Float)))
-    found = sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, finder, BLEND)
-    return geometry, groups, measure_reach(found)
+    return geometry, sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, finder, BLEND)
+
+
+@cache
+def made(name: str) -> tuple[YarnGeometry, Groups, Reach]:
+    geometry, found = sorted_rays(name)
+    return geometry, found.groups, measure_reach(found)
 
 
 def places(geometry: YarnGeometry, seed: int) -> tuple[Float, Float]:
@@ -74,6 +87,45 @@ def test_seen_is_what_finer_rays_meet(name: str, degrees: float, azimuth: float)
         met = dr.select(hit.hole, finder.holes, met).numpy()
         wanted = np.bincount(met, minlength=groups.count + 1) / len(met)
         assert (np.abs(reach.seen[int(back), node] - wanted) < noise(wanted)).all()
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_moments_are_those_of_what_finer_rays_meet(name: str) -> None:
+    """Of random rays from all nodes, as many as moments are of."""
+    geometry, found = sorted_rays(name)
+    groups = groups_met(found)
+    rng = np.random.default_rng(3)
+    node = np.arange(SIDE * SIDE) % NODES
+    x, y = (floats(rng.random(SIDE * SIDE) * side) for side in geometry.size)
+    view = Array3f(*np.ascontiguousarray(node_directions()[node].T, np.float32))
+    finder = GroupFinder(groups, array_types(Float))
+    for back in (False, True):
+        hit = first_hit(geometry, x, y, view, Bool(back), True, REFERENCE_QUALITY)
+        point = geometry.surface(hit.x, hit.y, Bool(back))
+        met = finder.group(Bool(back), point.is_warp, point.hole, point.normal, point.tangent)
+        met = dr.select(hit.hole, finder.holes, met).numpy()
+        normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
+        for group in range(groups.count):
+            members = met == group
+            if members.sum() < 50:
+                continue
+            for means, values in ((groups.normal, normal), (groups.tangent, tangent)):
+                # 4.5 deviations of the difference of two means of random points, and float32.
+                error = 4.5 * values[members].std(axis=0) * math.sqrt(2.5 / members.sum()) + 1e-3
+                assert (np.abs(means[int(back), group] - values[members].mean(axis=0)) < error).all()
+            spread, wanted = np.trace(groups.spread[int(back), group]), np.trace(np.cov(tangent[members].T))
+            assert spread == pytest.approx(wanted, rel=9 / math.sqrt(members.sum()) + 0.1, abs=1e-3)
+
+
+def test_groups_that_few_views_meet_keep_the_moments_of_the_plan() -> None:
+    plan = sorted_rays("smooth satin")[1].groups
+    some = np.random.default_rng(4).normal(size=(20, 3))
+    # Twenty points of group 1 of the back, three of group 0 of the front.
+    number = np.where(np.arange(20) < 17, plan.count + 1, 0)
+    moved = as_met(plan, number, some, some)
+    assert (moved.tangent[1, 1] == some[:17].mean(axis=0)).all()
+    np.testing.assert_array_equal(moved.tangent[0], plan.tangent[0])
+    np.testing.assert_array_equal(moved.spread[0], plan.spread[0])
 
 
 @pytest.mark.parametrize(("degrees", "azimuth"), [(30.0, 4.0), (70.0, 1.0)])

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.proposal import Energies
-from loomlight.models.lobes.twin import LobesTwin
+from loomlight.models.lobes.twin import LobesTwin, Parallelogram
 
 from .cloths import TEXTS, Asked, asked_of, far_parts, model_of, twin_of
 
@@ -19,7 +19,8 @@ QUERIES = 250
 # Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where
 # light and view are nearly opposite.
 RELATIVE, ABSOLUTE = 1e-4, 1e-6
-# Shares of nodes are rounded to whole units: one that lies between two may go either way, 1 query in 1000.
+# Shares of directions' nodes are rounded to whole units, footprints to nodes: what lies between two may go
+# either way, 1 query in 1000.
 FLIPPED, UNIT = 0.01, 1e-2
 
 
@@ -33,11 +34,16 @@ def agree(found: NDArray[np.float32], wanted: NDArray[np.float64], name: str) ->
     assert apart.mean() <= FLIPPED, (name, found[apart][:5], wanted[apart][:5])
 
 
+def parallelogram(queries: Asked, lane: int) -> Parallelogram:
+    """One footprint."""
+    return Parallelogram(queries.centres[lane], *queries.edges[lane])
+
+
 def says(twin: LobesTwin, queries: Asked) -> dict[str, NDArray[np.float64]]:
     """What the twin says of queries, by name [n]."""
     found = [
-        twin.response(*query)
-        for query in zip(queries.lights, queries.views, queries.centres, queries.sizes, strict=True)
+        twin.response(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
+        for lane in range(QUERIES)
     ]
     return {part.name: np.array([getattr(one, part.name) for one in found]) for part in fields(Response)}
 
@@ -85,8 +91,7 @@ def test_twins_agree_on_the_density(name: str) -> None:
         twin.group_density(
             queries.lights[lane],
             queries.views[lane],
-            queries.centres[lane],
-            queries.sizes[lane],
+            parallelogram(queries, lane),
             tuple(Energies(*(float(part[lane]) for part in family)) for family in energies),
         )
         for lane in range(QUERIES)
@@ -95,13 +100,13 @@ def test_twins_agree_on_the_density(name: str) -> None:
 
 
 def test_a_twin_of_other_bytes_disagrees() -> None:
-    """The tables decide: the warp's bytes of a level that all large footprints read shows."""
+    """The tables decide: the warp's bytes of the levels that large footprints read show."""
     model = model_of("smooth satin")
     queries = asked(model, seed=4)
     found = far_parts(model, queries)
     tables = model.tables
     damaged = tables.coverage.copy()
-    damaged[:, -1, : 2 * tables.words] //= 2
+    damaged[:, tables.levels[-3, 0] :, : 2 * tables.words] //= 2
     twin = twin_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
     wanted = says(twin, queries)["specular_warp"]
     large = queries.sizes > 16 * tables.size

@@ -32,5 +32,17 @@ class ByteWeights:
         """Means of the four bytes of words, one word a node: four Floats, 0 to 255."""
         even = sum((word & _EVEN) * unit for word, unit in zip(words, self._units, strict=True))
         odd = sum(((word >> 8) & _EVEN) * unit for word, unit in zip(words, self._units, strict=True))
-        pairs = (even & 0xFFFF, odd & 0xFFFF, even >> 16, odd >> 16)
-        return [self._types.Float(pair) * self._inverse for pair in pairs]
+        return _parted(self._types, even, odd, self._inverse)
+
+
+def mean_bytes(types: ArrayTypes, words: Sequence[Any]) -> list[Any]:
+    """Means of the four bytes of up to 256 words that count alike: four Floats, 0 to 255."""
+    even = sum(word & _EVEN for word in words)
+    odd = sum((word >> 8) & _EVEN for word in words)
+    return _parted(types, even, odd, 1 / len(words))
+
+
+def _parted(types: ArrayTypes, even: Any, odd: Any, scale: Any) -> list[Any]:
+    """The four sums that lie 16 bits apart in two words, times a scale."""
+    pairs = (even & 0xFFFF, odd & 0xFFFF, even >> 16, odd >> 16)
+    return [types.Float(pair) * scale for pair in pairs]

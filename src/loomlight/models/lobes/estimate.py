@@ -18,6 +18,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.core.backend import ArrayTypes, uploaded
+from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
@@ -87,9 +88,9 @@ class Estimator:
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
 
-    def place(self, centre: Any, size: Any, view: Any, back: Any) -> Place:
-        """Where a footprint (centre [2] and side, millimetres) and a view [3] lie in the tables."""
-        return Place(self._coverage.taps(centre, size, back), node_taps(view), view, back)
+    def place(self, footprint: Footprint, view: Any, back: Any) -> Place:
+        """Where a footprint, millimetres, and a view [3] of the face seen lie in the tables."""
+        return Place(self._coverage.taps(footprint, back), node_taps(view), view, back)
 
     def hole(self, place: Place) -> Any:
         """Share of the view rays that pass through holes: Float, 0 to 1."""

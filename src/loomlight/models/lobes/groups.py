@@ -7,7 +7,7 @@ that holds few groups to the whole cloth, however large its draft. Groups 0 to K
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -26,6 +26,8 @@ _FEATURES = 6
 # Points of a face that groups are found from, and that their moments are summed over.
 _POINTS = 1 << 13
 _LEARNT_FROM = 1 << 10
+# A covariance of fewer says nothing.
+_FEWEST_MET = 8
 _ITERATIONS = 10
 # Points that agree in so many are one to k-means, as those of a straight flat yarn are.
 _DIGITS = 4
@@ -61,8 +63,8 @@ class Groups:
         centres: what points are compared with [2 faces, 2 K, 6]: half the normal, then the fibre direction.
         area: share of the plan of the cloth [2, 2 K].
         hole: share of the plan where neither family is [2].
-        normal: mean normal, shorter than 1 [2, 2 K, 3].
-        tangent: mean fibre direction, shorter than 1 [2, 2 K, 3].
+        normal: mean normal of the plan, or of what views meet (`as_met`), shorter than 1 [2, 2 K, 3].
+        tangent: mean fibre direction of the same, shorter than 1 [2, 2 K, 3].
         spread: covariance of the fibre direction [2, 2 K, 3, 3].
     """
 
@@ -205,21 +207,45 @@ def find_groups(points: PlanPoints, per_family: int) -> Groups:
     number = np.full(len(points.back), 2 * count)
     for family, chosen in sets.items():
         number[chosen] = family * per_family + _nearest(features[chosen], centres[family])
-    area, mean_normal, mean_tangent, spread = _moments(number, points.normal, points.tangent, count)
+    members, mean_normal, mean_tangent, spread = _moments(number, points.normal, points.tangent, count)
     holes = np.full(2, len(points.gaps) / _POINTS)
-    return Groups(
-        per_family, centres.reshape(2, count, _FEATURES), area, holes, mean_normal, mean_tangent, spread
+    centres = centres.reshape(2, count, _FEATURES)
+    return Groups(per_family, centres, members / _POINTS, holes, mean_normal, mean_tangent, spread)
+
+
+def as_met(
+    groups: Groups, number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64]
+) -> Groups:
+    """The groups with moments of yarn points as often as views meet them.
+
+    What dives under other yarns is steep and seldom seen: over the plan it may make a group five times as
+    wide as it looks. A group that few views meet keeps its moments.
+
+    Args:
+        number: group of each point, those of the back from 2 K on, and 4 K of none [n].
+        normal, tangent: unit vectors [n, 3] in the frame of the face.
+    """
+    members, mean_normal, mean_tangent, spread = _moments(number, normal, tangent, groups.count)
+    few = members[..., None] < _FEWEST_MET
+    return replace(
+        groups,
+        normal=np.where(few, groups.normal, mean_normal),
+        tangent=np.where(few, groups.tangent, mean_tangent),
+        spread=np.where(few[..., None], groups.spread, spread),
     )
 
 
 def _moments(
     number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64], count: int
 ) -> tuple[NDArray[np.float64], ...]:
-    """Areas [2, count], mean normals and fibre directions, covariances of these, of points by group."""
+    """Points by group [2, count]; their mean normals, mean fibre directions and covariances of these."""
     first, second = np.triu_indices(3)
     rows = [np.ones(len(number)), *normal.T, *tangent.T, *(tangent.T[first] * tangent.T[second])]
-    sums = np.stack([np.bincount(number, row, minlength=2 * count + 1)[: 2 * count] for row in rows], axis=1)
-    sums = sums.reshape(2, count, -1)
+    sums: NDArray[np.float64] = np.stack(
+        [np.bincount(number, row, minlength=2 * count + 1)[: 2 * count] for row in rows],
+        axis=1,
+        dtype=np.float64,
+    ).reshape(2, count, -1)
     points = sums[..., :1]
     means = sums[..., 1:] / np.maximum(points, 1)
     # Groups without points face the eye, so that nothing is divided by 0.
@@ -229,7 +255,7 @@ def _moments(
     spread[..., first, second] += means[..., 6:]
     spread[..., second, first] = spread[..., first, second]
     spread[points[..., 0] == 0] = 0
-    return points[..., 0] / _POINTS, mean_normal, mean_tangent, spread
+    return points[..., 0], mean_normal, mean_tangent, spread
 
 
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:

@@ -78,8 +78,8 @@ class LobesModel(Model):
         self._thread = math.sqrt(width / ends * height / picks)
         self._scales: dict[type, tuple[Any, Any]] = {}
         self.multiply_adds = _MULTIPLY_ADDS * 4 * tables.words
-        # Eight nodes of the pyramid, four of the view, four of the light.
-        self.bytes_fetched = 4 * (8 * (tables.words + 1) + 4 * (2 * tables.words + 1) + 4 * 2 * tables.words)
+        # Nine nodes of the pyramid, four of the view, four of the light.
+        self.bytes_fetched = 4 * (9 * (tables.words + 1) + 4 * (2 * tables.words + 1) + 4 * 2 * tables.words)
 
     @classmethod
     def for_fabric(cls, fabric: Fabric, groups: int = DEFAULT_GROUPS) -> Self:
@@ -285,7 +285,7 @@ class LobesModel(Model):
     def _place(self, footprint: Footprint, view: Any) -> Place:
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
-        return self.estimator(types).place(footprint.centre, footprint.spread_side, on_face(view, back), back)
+        return self.estimator(types).place(footprint, on_face(view, back), back)
 
     def far(
         self, lights: Sequence[Any], view: Any, footprint: Footprint, active: Any, shares: Shares | None

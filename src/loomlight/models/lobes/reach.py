@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, uploaded
 from loomlight.core.recorded import Held, Recorded
-from loomlight.models.lobes.groups import Cloth, GroupFinder, Groups, PlanPoints
+from loomlight.models.lobes.groups import Cloth, GroupFinder, Groups, PlanPoints, as_met
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
@@ -31,6 +31,8 @@ from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, 
 _FEWEST_RAYS, _RAYS_PER_GROUP = 256, 32
 # Rays through gaps, at most so many a node and face.
 _GAP_RAYS = 128
+# Moments are those of every so many views.
+_MOMENTS_FROM = 4
 # Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
 _UNITS = 1 << 15
 _QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, refinements=4)
@@ -280,6 +282,24 @@ def measure_reach(found: SortedRays) -> Reach:
     )
 
 
+def groups_met(found: SortedRays) -> Groups:
+    """The groups with moments of what views from all sides meet."""
+    groups, hits = found.groups, found.rays.hits
+    bins = _met_bins(found)[::_MOMENTS_FROM]
+    vectors = np.stack([part.numpy()[::_MOMENTS_FROM] for part in (*hits.normal, *hits.tangent)], axis=1)
+    face, group = bins // (NODES * groups.count), bins % groups.count
+    vectors = vectors.astype(np.float64)
+    return as_met(groups, face * groups.count + group, vectors[:, :3], vectors[:, 3:])
+
+
+def _met_bins(found: SortedRays) -> NDArray[np.intp]:
+    """Bins of views; those that pass through the cloth lie beyond all."""
+    bins = found.seen.numpy().astype(np.intp)
+    if found.rays.pass_cloth is not None:
+        bins[found.rays.from_gaps[found.rays.pass_cloth.numpy()]] = 2 * NODES * found.groups.count
+    return bins
+
+
 def _sums(found: SortedRays) -> NDArray[np.float64]:
     """Sums [6, 2 faces, nodes, groups].
 
@@ -289,11 +309,8 @@ def _sums(found: SortedRays) -> NDArray[np.float64]:
     size = 2 * NODES * found.groups.count
     lit, free = found.lit.numpy().astype(np.intp), found.free.numpy()
     sides = np.bincount(4 * lit + free, minlength=4 * size)[: 4 * size].reshape(size, 4)
-    seen = found.seen.numpy().astype(np.intp)
-    if found.rays.pass_cloth is not None:
-        seen[found.rays.from_gaps[found.rays.pass_cloth.numpy()]] = size
     sums = [
-        np.bincount(seen, minlength=size)[:size],
+        np.bincount(_met_bins(found), minlength=size)[:size],
         sides.sum(axis=1),
         sides[:, 1] + sides[:, 3],
         sides[:, 2] + sides[:, 3],

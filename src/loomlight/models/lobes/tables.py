@@ -18,7 +18,7 @@ from loomlight.core.recorded import Held
 from loomlight.models.lobes.coverage import Coverage, count_cells, measure_coverage, padded_group, words_of
 from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.reach import Reach, cast_rays, measure_reach, sort_rays
+from loomlight.models.lobes.reach import Reach, cast_rays, groups_met, measure_reach, sort_rays
 from loomlight.yarn.geometry import YarnGeometry
 
 _LARGEST = 255.0
@@ -87,7 +87,7 @@ def bake_tables(
     coverage = measure_coverage(cells)
     reach = measure_reach(found)
     seen, seen_scale = _seen(reach, per_family)
-    moments, hole_weight = _moments(groups, coverage, seen_scale)
+    moments, hole_weight = _moments(groups_met(found), coverage, seen_scale)
     return LobeTables(
         coverage.size, coverage.levels, coverage.bytes, seen, _lit(reach, per_family), moments, hole_weight
     )

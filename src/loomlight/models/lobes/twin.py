@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 
 from loomlight.models.interface import Response
 from loomlight.models.lobes.bytes import UNITS
+from loomlight.models.lobes.coverage import CLOSEST, PLACES, SQUARE_SHARE, TENT
 from loomlight.models.lobes.density import NARROWEST, SMALLEST_COSINE, SMALLEST_PATH, SMALLEST_STEEPNESS
 from loomlight.models.lobes.hemisphere import AZIMUTHS, LOWEST, RINGS
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
@@ -50,6 +51,25 @@ class Nodes:
         """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Shares are rounded to whole units."""
         units = np.floor(self.shares * UNITS + 0.5)
         return np.asarray(units @ table[self.numbers] / units.sum())
+
+
+@dataclass(frozen=True, eq=False)
+class Parallelogram:
+    """A footprint on the cloth, millimetres.
+
+    Attributes:
+        centre: its middle [2].
+        along_x, along_y: its edges [2].
+    """
+
+    centre: Numbers
+    along_x: Numbers
+    along_y: Numbers
+
+    @property
+    def side(self) -> float:
+        """Side of the square whose variances have the same sum."""
+        return math.sqrt(0.5 * float(self.along_x @ self.along_x + self.along_y @ self.along_y))
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,18 +131,17 @@ class LobesTwin:
         self.is_warp = np.arange(4 * tables.words) < 2 * tables.words
         self.roughness = np.where(self.is_warp, *roughness)
 
-    def response(self, light: Numbers, view: Numbers, centre: Numbers, size: float) -> Response:
+    def response(self, light: Numbers, view: Numbers, footprint: Parallelogram) -> Response:
         """Components, 1/sr, and hole: floats.
 
         Args:
             light, view: unit vectors [3]; z < 0 on the back.
-            centre: of the footprint [2], millimetres.
-            size: side of the square that stands for the footprint, millimetres.
+            footprint: what a pixel sees of the cloth.
         """
         back, light, view = on_seen_face(light, view)
         beyond = bool(light[2] < 0)
         groups = self.groups(back)
-        weights = self.weights(view, centre, size, back)
+        weights = self.weights(view, footprint, back)
 
         row = direction_nodes(light).of(self.tables.lit[int(back), int(beyond)])
         irradiance, reached = np.split(row * _PER_BYTE, 2)
@@ -151,19 +170,18 @@ class LobesTwin:
         self,
         light: Numbers,
         view: Numbers,
-        centre: Numbers,
-        size: float,
+        footprint: Parallelogram,
         energies: tuple[Energies, Energies],
     ) -> float:
         """Density of the mixture of groups that directions are drawn from, 1/sr, without cosine and sheen.
 
         Args:
-            light, view, centre, size: as in `response`.
+            light, view, footprint: as in `response`.
             energies: what (warp, weft) send on by each lobe; floats.
         """
         back, light, view = on_seen_face(light, view)
         groups = self.groups(back)
-        weights = self.weights(view, centre, size, back)
+        weights = self.weights(view, footprint, back)
         specular, reflect, transmit = (
             np.where(self.is_warp, *(getattr(family, name) for family in energies))
             for name in ("specular", "reflect", "transmit")
@@ -185,10 +203,10 @@ class LobesTwin:
         energy = specular + reflect + transmit
         return float((weights.groups * found).sum() / (weights.groups * energy).sum())
 
-    def weights(self, view: Numbers, centre: Numbers, size: float, back: bool) -> Weights:
+    def weights(self, view: Numbers, footprint: Parallelogram, back: bool) -> Weights:
         """What a view [3], in the frame of the face it sees, sees of groups and holes in a footprint."""
         face, count = int(back), 4 * self.tables.words
-        coverage = self.coverage_nodes(centre, size).of(self.tables.coverage[face])
+        coverage = self.coverage_nodes(footprint).of(self.tables.coverage[face])
         row = direction_nodes(view).of(self.tables.seen[face])
         # Coverage and seen hold a word for the holes after the groups, of which the first byte counts.
         seen, reached = row[: count + 4], row[count + 4 :] * _PER_BYTE
@@ -206,29 +224,31 @@ class LobesTwin:
         covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).transpose(2, 0, 1)
         return GroupMoments(normal, tangent, covariance, unit, self.roughness)
 
-    def coverage_nodes(self, centre: Numbers, size: float) -> Nodes:
-        """Eight nodes around a footprint, of the two levels whose squares its own lies between.
+    def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
+        """Nine nodes that count alike, three along each edge of a footprint.
 
-        Level m holds means over squares of side s_m = s_0·2^m. A mixture of two squares has the mixture of
-        their variances, so s² is what is interpolated.
+        Level m holds means over squares of side s_m = s_0·2^m. Squares have about `SQUARE_SHARE` of the
+        footprint's side; sizes between two levels take some of either.
         """
         top = len(self.tables.levels) - 1
-        relative = max(size / self.tables.size, 1.0)
-        lower = min(int(math.log2(relative)), top)
-        share = min(max(((relative / 2**lower) ** 2 - 1) / 3, 0.0), 1.0)
-        numbers, shares = self._level_nodes(lower, centre)
-        more_numbers, more_shares = self._level_nodes(min(lower + 1, top), centre)
-        return Nodes(np.append(numbers, more_numbers), np.append((1 - share) * shares, share * more_shares))
+        relative = footprint.side / self.tables.size
+        level = min(math.log2(max(SQUARE_SHARE * relative, 1.0)), top)
+        # Squares nearly as large as the footprint stand closer to its middle.
+        apart = math.sqrt(min(max(TENT * (1 - relative**-2), 0.0), 1.0))
+        apart = min(max(apart, CLOSEST / relative), 1.0)
+        numbers = []
+        for place, (s, t) in enumerate(PLACES):
+            wide = level % 1.0 > 1 - (place + 0.5) / len(PLACES)
+            x, y = footprint.centre + apart * (s * footprint.along_x + t * footprint.along_y)
+            numbers.append(self._node(min(int(level) + wide, top), x, y))
+        return Nodes(np.array(numbers), np.full(len(PLACES), 1 / len(PLACES)))
 
-    def _level_nodes(self, level: int, centre: Numbers) -> tuple[NDArray[np.int64], Numbers]:
-        """The four nodes around a centre; the first of a level is half a spacing from the repeat's corner."""
+    def _node(self, level: int, x: float, y: float) -> int:
+        """The node of a level nearest to a place, millimetres; nodes lie in the middle of their cells."""
         first, columns, rows = (int(number) for number in self.tables.levels[level])
-        x = centre[0] / self.repeat[0] % 1.0 * columns - 0.5
-        y = centre[1] / self.repeat[1] % 1.0 * rows - 0.5
-        left, down = math.floor(x), math.floor(y)
-        column, row = np.array([left, left + 1]) % columns, np.array([down, down + 1]) % rows
-        numbers = first + row[:, None] * columns + column
-        return numbers.ravel(), np.outer([down + 1 - y, y - down], [left + 1 - x, x - left]).ravel()
+        column = min(int(x / self.repeat[0] % 1.0 * columns), columns - 1)
+        row = min(int(y / self.repeat[1] % 1.0 * rows), rows - 1)
+        return first + row * columns + column
 
 
 def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]:
