@@ -33,9 +33,13 @@ class HeldSurface:
         with dr.suspend_grad():
             return self.geometry.height(x, y, back)
 
-    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
         with dr.suspend_grad():
-            return self.geometry.probe(x, y, back)
+            return self.geometry.roofs(x, y, back)
+
+    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
+        with dr.suspend_grad():
+            return self.geometry.probe(x, y, back, right, up)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         point = self.geometry.surface(x, y, back)

@@ -6,6 +6,7 @@ What differs between fabrics is opaque to the kernels, counts of threads include
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,18 +33,6 @@ class Cell:
     half_width: Any
     below: Any
     above: Any
-
-    @property
-    def edge_above(self) -> Any:
-        """Distance upwards to the thread's outline, or past it to the upper end of the cell."""
-        beyond = dr.select(self.across < self.half_width, self.half_width - self.across, self.above)
-        return dr.select(self.across < -self.half_width, -self.half_width - self.across, beyond)
-
-    @property
-    def edge_below(self) -> Any:
-        """Distance downwards to the thread's outline, or past it to the lower end of the cell."""
-        beyond = dr.select(self.across > -self.half_width, self.across + self.half_width, self.below)
-        return dr.select(self.across > self.half_width, self.across - self.half_width, beyond)
 
 
 class Count:
@@ -175,6 +164,19 @@ class VariedFamily:
         return dr.gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
 
 
-def upload_family(tables: FamilyTables, types: ArrayTypes) -> UniformFamily | VariedFamily:
+Family = UniformFamily | VariedFamily
+
+
+def span_along(is_warp: Any, thread: Any, warp: Family, weft: Family) -> Callable[[Any, Any], Any]:
+    """`span` of the family that a thread of warp (else weft) crosses, counted from its crossing `thread`."""
+    if isinstance(warp, UniformFamily) and isinstance(weft, UniformFamily):
+        size = dr.select(is_warp, weft.size, warp.size)
+        return lambda first, last: type(size)(last - first) * size
+    return lambda first, last: dr.select(
+        is_warp, weft.span(thread, first, last), warp.span(thread, first, last)
+    )
+
+
+def upload_family(tables: FamilyTables, types: ArrayTypes) -> Family:
     """The family on one backend: without tables where its threads are alike."""
     return UniformFamily(tables, types) if tables.uniform else VariedFamily(tables, types)

@@ -28,8 +28,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types, uploaded
-from loomlight.yarn.families import Cell, select_cell, upload_family
+from loomlight.yarn.families import Cell, select_cell, span_along, upload_family
 from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.roofs import ROOF_BLOCK, ROOF_RADII, pack_roofs
 from loomlight.yarn.runs import CREST_LEVELS, pack_runs, with_crests
 from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
 
@@ -70,9 +71,9 @@ class Probe:
         height, hole: see `SurfacePoint`.
         slope_x, slope_y: of the height along x and y.
         crest: nothing in the cell around this place is higher, millimetres.
-        to_left, to_right, to_lower, to_upper: distances to the sides of that cell along x and y, ≥ 0.
-        edge_left, edge_right, edge_lower, edge_upper: the same to the next outline of a thread that belongs
-            to the cell, or to its side.
+        side_x, side_y: distances to the sides of that cell along x and y, the way the search goes, ≥ 0.
+        edge_x, edge_y: the same to the next place where another thread may show, or where this one begins to
+            dive or is halfway down.
         yarn: a number that differs between neighbouring yarns: within one, heights are smooth.
     """
 
@@ -82,14 +83,10 @@ class Probe:
     slope_y: Any
     yarn: Any
     crest: Any
-    to_left: Any
-    to_right: Any
-    to_lower: Any
-    to_upper: Any
-    edge_left: Any
-    edge_right: Any
-    edge_lower: Any
-    edge_upper: Any
+    side_x: Any
+    side_y: Any
+    edge_x: Any
+    edge_y: Any
 
 
 @dataclass
@@ -106,21 +103,23 @@ class _Shown:
     weft: Cell
 
 
-_Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32]]
+_Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
 # What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
 # 4096 by 4096 threads takes seconds.
 _known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
 
 
 def _prepared(layout: ClothLayout) -> _Prepared:
-    """Tables of warp and weft, and the words of both families at each crossing [picks, ends, 2]."""
+    """Tables of warp and weft, the words of both families at each crossing [picks, ends, 2], and roofs."""
     if layout not in _known:
         warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
         weft_words = pack_runs(~layout.warp_on_top)
         warp = prepare_family(layout.warp, layout.weft, warp_words)
         weft = prepare_family(layout.weft, layout.warp, weft_words)
-        words = [with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)]
-        _known[layout] = warp, weft, np.stack(words, axis=2)
+        words = np.stack(
+            [with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2
+        )
+        _known[layout] = warp, weft, words, pack_roofs(words)
     return _known[layout]
 
 
@@ -139,7 +138,7 @@ class YarnGeometry:
         self.size = layout.size
         self.height_scale: tuple[Any, Any] = (layout.warp.height_scale, layout.weft.height_scale)
         self.twist: tuple[Any, Any] = (layout.warp.twist, layout.weft.twist)
-        self._warp, self._weft, self._words = _prepared(layout)
+        self._warp, self._weft, self._words, self._roofs = _prepared(layout)
         self._uploaded: dict[type, _Uploaded] = {}
         self.extents: dict[type, Any] = {}
 
@@ -165,7 +164,7 @@ class YarnGeometry:
 
     def _tables(self, types: ArrayTypes) -> _Uploaded:
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = _Uploaded(self._warp, self._weft, self._words, types)
+            self._uploaded[types.Float] = _Uploaded(self._warp, self._weft, self._words, self._roofs, types)
         return self._uploaded[types.Float]
 
     def upload(self, types: ArrayTypes) -> None:
@@ -193,10 +192,33 @@ class YarnGeometry:
         point = self.surface(x, y, back)
         return point.height, point.hole
 
-    def probe(self, x: Any, y: Any, back: Any) -> Probe:
-        """What searches along rays need at draft coordinates x, y (millimetres) of one face."""
+    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+        """What nothing around draft coordinates x, y (millimetres) is higher than, the widest first.
+
+        Returns:
+            distances along x and y, in units of the `finest` extents, and within them bounds of heights as a
+            share of the upper one of `height_bounds`.
+        """
         types = array_types(x)
-        point, shown, (slope_x, slope_y) = self._surface(x, y, back)
+        tables = self._tables(types)
+        column, row = (family.locate(place).thread for family, place in ((tables.warp, x), (tables.weft, y)))
+        index = row // ROOF_BLOCK * tables.roof_columns + column // ROOF_BLOCK
+        word = dr.gather(types.UInt32, tables.roofs, index) >> dr.select(
+            back, types.UInt32(4), types.UInt32(0)
+        )
+        return [
+            (float(radius), types.Float((word >> 8 * number) & 15) * (1 / CREST_LEVELS))
+            for number, radius in reversed(list(enumerate(ROOF_RADII)))
+        ]
+
+    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
+        """What searches along rays need at draft coordinates x, y (millimetres) of one face.
+
+        Args:
+            right, up: Bool, whether the search goes up the x and the y axis.
+        """
+        types = array_types(x)
+        point, shown, run, (slope_x, slope_y) = self._surface(x, y, back)
         numbers = self._numbers(self._tables(types))
         levels = dr.select(
             shown.warp_above,
@@ -212,14 +234,10 @@ class YarnGeometry:
                 point.is_warp, types.UInt32(point.warp_thread) * 2 + 1, types.UInt32(point.weft_thread) * 2
             ),
             crest=types.Float(shown.top_word >> 28) * levels,
-            to_left=shown.warp.below,
-            to_right=shown.warp.above,
-            to_lower=shown.weft.below,
-            to_upper=shown.weft.above,
-            edge_left=shown.warp.edge_below,
-            edge_right=shown.warp.edge_above,
-            edge_lower=shown.weft.edge_below,
-            edge_upper=shown.weft.edge_above,
+            side_x=dr.select(right, shown.warp.above, shown.warp.below),
+            side_y=dr.select(up, shown.weft.above, shown.weft.below),
+            edge_x=_edge(shown.warp, shown, run, ~shown.is_warp, right),
+            edge_y=_edge(shown.weft, shown, run, shown.is_warp, up),
         )
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
@@ -231,7 +249,7 @@ class YarnGeometry:
         """
         return self._surface(x, y, back)[0]
 
-    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown, tuple[Any, Any]]:
+    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown, _Run, tuple[Any, Any]]:
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
@@ -251,8 +269,9 @@ class YarnGeometry:
 
         radius = own.half_width / math.sin(SECTION_ANGLE)
         across = dr.clip(own.across, -own.half_width, own.half_width)
-        lateral = dr.sqrt(dr.fma(radius, radius, -dr.square(across)))
-        section = dr.square(across) / (radius + lateral)
+        lateral_square = dr.fma(radius, radius, -dr.square(across))
+        inverse_lateral = dr.rsqrt(lateral_square)
+        section = dr.fma(-lateral_square, inverse_lateral, radius)
 
         # A float's flank close to its end lies on the arc of the run that follows underneath.
         flank = shown.on_top & (run.distance < section * run.sine)
@@ -261,12 +280,13 @@ class YarnGeometry:
         along = dr.select(flank, arc + run.distance, dr.maximum(arc - run.distance, 0))
         sign = dr.select(over, types.Float(1), types.Float(-1))
         tube = arc * dr.rcp(run.sine) - sign * section
-        inverse_root = dr.rsqrt(dr.maximum(dr.fma(tube, tube, -dr.square(along)), 1e-20))
-        root = dr.rcp(inverse_root)
+        root_square = dr.maximum(dr.fma(tube, tube, -dr.square(along)), 1e-20)
+        inverse_root = dr.rsqrt(root_square)
+        root = root_square * inverse_root
         bent = along > 0
         rise = dr.select(run.straight, 0, arc * run.half_tangent - dr.square(along) / (tube + root))
         flat_height = dr.fma(sign, rise, -section)
-        slope_across = -across / lateral * dr.select(bent, tube * inverse_root, 1)
+        slope_across = -across * inverse_lateral * dr.select(bent, tube * inverse_root, 1)
         outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
         slope_along = dr.select(bent, outwards, 0) * dr.select(
             run.near_start, types.Float(1), types.Float(-1)
@@ -302,19 +322,26 @@ class YarnGeometry:
             fibre_across=dr.fma(unrolled, cosine, lengthwise * sine),
             fibre_along=dr.fma(lengthwise, cosine, -unrolled * sine),
         )
-        return point, shown, (slope_x, slope_y)
+        return point, shown, run, (slope_x, slope_y)
 
 
 class _Uploaded:
     """The tables on one backend. Numbers are opaque, so that all fabrics share their kernels."""
 
     def __init__(
-        self, warp: FamilyTables, weft: FamilyTables, words: NDArray[np.uint32], types: ArrayTypes
+        self,
+        warp: FamilyTables,
+        weft: FamilyTables,
+        words: NDArray[np.uint32],
+        roofs: NDArray[np.uint32],
+        types: ArrayTypes,
     ) -> None:
         self.warp: Any = upload_family(warp, types)
         self.weft: Any = upload_family(weft, types)
         self.words = uploaded(types.UInt32, words)
         self.ends = dr.opaque(types.UInt32, words.shape[1])
+        self.roofs = uploaded(types.UInt32, roofs)
+        self.roof_columns = dr.opaque(types.UInt32, roofs.shape[1])
         self._float = types.Float
         self._scalars: dict[str, tuple[float, Any]] = {}
 
@@ -334,6 +361,8 @@ class _Run:
 
     distance: Any  # from the nearer end of the run
     near_start: Any
+    from_start: Any
+    to_end: Any
     reach: Any  # half-length of this run's bent ends
     other_reach: Any  # the same of the run beyond the nearer end
     sine: Any
@@ -364,11 +393,7 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, cros
     after = types.Int32((word >> 21) & 63)
     straight = ((word >> 27) & 1) == 1
 
-    def span(first: Any, last: Any) -> Any:
-        thread = crossed.thread
-        return dr.select(
-            shown.is_warp, tables.weft.span(thread, first, last), tables.warp.span(thread, first, last)
-        )
+    span = span_along(shown.is_warp, crossed.thread, tables.warp, tables.weft)
 
     from_start = crossed.below + span(-behind, types.Int32(0))
     to_end = crossed.above + span(types.Int32(1), ahead + 1)
@@ -380,6 +405,8 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, cros
     return _Run(
         distance=dr.select(straight, far, dr.minimum(from_start, to_end)),
         near_start=near_start,
+        from_start=from_start,
+        to_end=to_end,
         reach=dr.minimum(0.5 * (from_start + to_end), arc),
         other_reach=dr.minimum(0.5 * other, arc),
         sine=sine,
@@ -388,6 +415,31 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, cros
         first_crossing=behind == 0,
         last_crossing=ahead == 0,
     )
+
+
+def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Any, forwards: Any) -> Any:
+    """Distance along one axis to where another thread may show, or the shown one begins or ceases to dive.
+
+    Args:
+        cell: of the family that is counted along this axis.
+        lengthwise: the thread that shows runs along it.
+        forwards: up the axis, else down.
+    """
+    across = dr.select(forwards, cell.across, -cell.across)
+    ahead = dr.select(forwards, cell.above, cell.below)
+    ends = dr.select(forwards, run.last_crossing, run.first_crossing)
+    began = dr.select(forwards, run.first_crossing, run.last_crossing)
+    before, behind = across < -cell.half_width, across >= cell.half_width
+    # A float stays on top up to the end of its run, but dives in the gap where that begins. A thread
+    # underneath shows in the gap, as far as the next outline, and is level there if it stays underneath; and
+    # holes are as wide. A gap reaches equally far into both cells.
+    stays = lengthwise & ~ends & ~shown.hole
+    floats = stays & shown.on_top & ~(began & before)
+    level = shown.hole | (stays & ~shown.on_top)
+    outline = dr.select(before, -cell.half_width, cell.half_width) - across
+    beyond = dr.select(level, 2 * ahead + across - cell.half_width, ahead)
+    edge = dr.select(behind, beyond, outline)
+    return dr.select(floats, dr.select(forwards, run.to_end, run.from_start), edge)
 
 
 def _dive(
@@ -412,9 +464,10 @@ def _dive(
 
     here = dr.select(shown.on_top, 0, drop(types.Int32(0)))
     beyond = dr.select(shown.on_top ^ turns_over, 0, drop(step))
-    share = dr.clip((half_gap - distance) / dr.maximum(2 * half_gap, 1e-12), 0, 1)
+    inverse_gap = dr.rcp(dr.maximum(2 * half_gap, 1e-12))
+    share = dr.clip((half_gap - distance) * inverse_gap, 0, 1)
     blend = dr.square(share) * (3 - 2 * share)
-    rate = 6 * share * (1 - share) / dr.maximum(2 * half_gap, 1e-12)
+    rate = 6 * share * (1 - share) * inverse_gap
     depth = dr.fma(beyond - here, blend, here)
     slope = (here - beyond) * rate * dr.select(low_side, types.Float(1), types.Float(-1))
     return depth, slope

@@ -14,11 +14,12 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.errors import InputError
-from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, Surface, horizon
+from loomlight.yarn.visibility import SearchQuality, Surface, horizon
 
 # Azimuths a texel: more than 16 change the light that cloth reflects by less than 0.5 %.
 AZIMUTHS = 16
 _BATCH = 1 << 22
+_QUALITY = SearchQuality(steps_per_thread=8)
 
 
 class HorizonMap:
@@ -32,7 +33,7 @@ class HorizonMap:
         surface: Surface,
         resolution: tuple[int, int],
         float_type: type,
-        quality: SearchQuality = DEFAULT_QUALITY,
+        quality: SearchQuality = _QUALITY,
     ) -> None:
         """Searches the horizons.
 

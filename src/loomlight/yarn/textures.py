@@ -50,15 +50,20 @@ class TextureSurface:
         point = self.surface(x, y, back)
         return point.height, point.hole
 
-    def probe(self, x: Any, y: Any, back: Any) -> Probe:
+    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+        """Nothing is known of how high the maps rise here or there."""
+        return []
+
+    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
         """What searches along rays need; one cell of unbounded size, so no part is passed by."""
+        del right, up
         point = self.surface(x, y, back)
         types = array_types(x)
         far = types.Float(1e9)
         slope_x, slope_y = -point.normal.x / point.normal.z, -point.normal.y / point.normal.z
         yarn = dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
         return Probe(
-            point.height, point.hole, slope_x, slope_y, yarn, types.Float(self._bounds[1]), *[far] * 8
+            point.height, point.hole, slope_x, slope_y, yarn, types.Float(self._bounds[1]), *[far] * 4
         )
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:

@@ -36,8 +36,14 @@ class Surface(Protocol):
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         """Height and hole at draft coordinates, millimetres."""
 
-    def probe(self, x: Any, y: Any, back: Any) -> Probe:
-        """What searches along rays need at draft coordinates, millimetres."""
+    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+        """Distances along x and y in units of `finest`, and bounds of heights within them, the widest first.
+
+        Bounds are shares of the upper one of `height_bounds`.
+        """
+
+    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
+        """What searches need at draft coordinates, millimetres, that go up the x and the y axis or down."""
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """Everything known of the point at draft coordinates, millimetres."""
@@ -45,29 +51,30 @@ class Surface(Protocol):
 
 @dataclass(frozen=True)
 class SearchQuality:
-    """How finely rays are searched; the first two and `refinements` may be Dr.Jit arrays, a number a lane.
+    """How finely rays are searched; all but `steps` may be Dr.Jit arrays, a number a lane.
 
     Attributes:
         steps_per_thread: steps while crossing the finest thread.
         steps_per_relief: steps while falling through the whole relief of the cloth.
-        shadow_share: shadow rays take this share of the steps. They need no position, and outlines and the
-            cubic between samples find what steps alone miss: 5 a thread judge 0.1 % of lights wrongly.
-        refinements: halvings of the bracket around a hit, alternating with secant steps.
+        shadow_share: shadow rays take this share of the steps.
+        refinements: steps of regula falsi in the bracket around a hit.
         steps: at most so many; a ray still undecided then counts as free.
     """
 
-    steps_per_thread: Any = 8.0
+    steps_per_thread: Any = 5.0
     steps_per_relief: Any = 8.0
-    shadow_share: float = 0.6
-    refinements: Any = 8
+    shadow_share: Any = 1.0
+    refinements: Any = 5
     steps: int = 1024
 
 
 DEFAULT_QUALITY = SearchQuality()
-REFERENCE_QUALITY = SearchQuality(48, 48, shadow_share=1, refinements=20, steps=16384)
+REFERENCE_QUALITY = SearchQuality(48, 48, refinements=20, steps=16384)
 
 # A ray starts this share of the finest thread above its surface, or rounding would shadow it.
 _LIFT = 2e-3
+# Dips are looked for down to this share of the interval between two samples.
+_NARROWEST = 0.02
 # How far past an outline the next sample lies, in steps.
 _HOP = 5e-3
 
@@ -131,12 +138,26 @@ def upload_extent(surface: Surface, types: ArrayTypes) -> None:
     _extent_of(surface, types)
 
 
+def _roof(surface: Surface, extent: _Extent, x: Any, y: Any, height: Any, direction: Any, back: Any) -> Any:
+    """A height that the cloth stays below along a ray, as far as the ray itself is above x, y, `height`.
+
+    Args:
+        direction: along the ray [3], z > 0; of any length.
+    """
+    threads = extent.threads(direction.x, direction.y) / direction.z
+    roof = extent.high
+    for radius, share in surface.roofs(x, y, back):
+        reached = (roof - height) * threads <= radius
+        roof = dr.select(reached, dr.minimum(roof, share * extent.high), roof)
+    return roof
+
+
 @dataclass
 class _Trail:
-    """The last clearance of a ray above a yarn and its rate: with the next they tell how low it came between.
+    """The last sample of a ray: its clearance (1e9 in a hole), the rate of that, and whether dips may follow.
 
-    A cubic through both finds rays that dip into a yarn's back between two samples; without it the shadows
-    and outlines of smooth yarns would be scalloped.
+    A cubic through it and the next sample finds where rays dip into a yarn's back between the two; without
+    it the shadows and outlines of smooth yarns would be scalloped.
     """
 
     clearance: Any
@@ -144,21 +165,32 @@ class _Trail:
     yarn: Any
     known: Any
 
-    def lowest_before(self, clearance: Any, rate: Any, step: Any, here: Probe) -> tuple[Any, Any]:
-        """Lowest clearance since the last sample, `step` ago, and how far back it is; 1e9 if at the ends."""
-        known = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
-        share = self.rate / dr.minimum(self.rate - rate, -1e-20)
+    def dip_before(self, clearance: Any, rate: Any, step: Any, here: Probe) -> tuple[Any, Any]:
+        """Whether the cubic to this sample, `step` after the last, dips below the yarn, and how far back."""
+        falls = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
+        # Where the cubic's rate, a parabola over the step, turns from falling to rising.
+        fall, rise, gain = self.rate * step, rate * step, clearance - self.clearance
+        square, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
+        root = dr.sqrt(dr.maximum(dr.fma(linear, linear, -4 * square * fall), 0))
+        share = -2 * fall / dr.maximum(linear + root, 1e-20)
         rest = 1 - share
-        start = (self.clearance * dr.fma(2, share, 1) + step * self.rate * share) * dr.square(rest)
-        end = (clearance * dr.fma(2, rest, 1) - step * rate * rest) * dr.square(share)
-        return dr.select(known, start + end, 1e9), rest * step
+        start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
+        end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
+        # A share of the interval that leads no further has been looked at.
+        inside = (share > _NARROWEST) & (rest > _NARROWEST)
+        return falls & inside & (start + end < 0), rest * step
 
+    def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> _Trail:
+        """The trail after a sample, or this one where it `stays`.
 
-def _trail(clearance: Any, rate: Any, here: Probe, leaps: Any) -> _Trail:
-    """The trail after a sample. Nothing comes between over leaps, which are too long for a cubic to tell."""
-    types = array_types(clearance)
-    known = ~here.hole & ~leaps
-    return _Trail(types.Float(clearance), types.Float(rate), types.UInt32(here.yarn), known)
+        Nothing comes between over leaps, which are too long for a cubic to tell.
+        """
+        return _Trail(
+            dr.select(stays, self.clearance, dr.select(here.hole, 1e9, clearance)),
+            dr.select(stays, self.rate, rate),
+            dr.select(stays, self.yarn, here.yarn),
+            dr.select(stays, self.known, ~here.hole & ~leaps),
+        )
 
 
 def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
@@ -166,31 +198,34 @@ def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
     return _Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
 
 
-def _advance(probe: Probe, direction: Any, clearance: Any, rate: Any, step: Any) -> tuple[Any, Any]:
-    """Lengths of ray along a direction [3], which need not be 1, to the next sample and out of the cell.
+class _Stride:
+    """How far a ray may go from one sample to the next: one step, or less.
 
-    The next sample is one step ahead, or less where that would pass an outline: what stands behind it may be
-    a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to meet
-    it on the way stops short of the outline first, or it could leave unseen through the yarn's flank.
+    Attributes:
+        step: length of ray, along a direction [3] that need not be of length 1.
+        right, up: whether it goes up the x and the y axis.
+        hop: how far behind an outline the ray lands, despite rounding.
     """
-    per_x, per_y = (
-        dr.rcp(dr.maximum(dr.abs(direction.x), 1e-9)),
-        dr.rcp(dr.maximum(dr.abs(direction.y), 1e-9)),
-    )
-    right, up = direction.x > 0, direction.y > 0
-    out = dr.minimum(
-        dr.select(right, probe.to_right, probe.to_left) * per_x,
-        dr.select(up, probe.to_upper, probe.to_lower) * per_y,
-    )
-    edge = dr.minimum(
-        dr.select(right, probe.edge_right, probe.edge_left) * per_x,
-        dr.select(up, probe.edge_upper, probe.edge_lower) * per_y,
-    )
-    # The hop lands on the far side despite rounding.
-    hop = _HOP * step
-    sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * hop)
-    beside = dr.select(sinks, edge - hop, dr.maximum(edge, 0) + hop)
-    return dr.minimum(step, beside), dr.maximum(out, 0) + hop
+
+    def __init__(self, direction: Any, step: Any) -> None:
+        self.step = step
+        self.hop = _HOP * step
+        self._per_x = dr.rcp(dr.maximum(dr.abs(direction.x), 1e-9))
+        self._per_y = dr.rcp(dr.maximum(dr.abs(direction.y), 1e-9))
+        self.right, self.up = direction.x > 0, direction.y > 0
+
+    def onwards(self, probe: Probe, clearance: Any, rate: Any) -> tuple[Any, Any]:
+        """Lengths of ray to the next sample and out of the cell.
+
+        The next sample is one step ahead, or less where that would pass an outline: what stands behind it may
+        be a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to
+        meet it on the way stops short of the outline first, or it could leave unseen through its flank.
+        """
+        out = dr.minimum(probe.side_x * self._per_x, probe.side_y * self._per_y)
+        edge = dr.minimum(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
+        sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
+        beside = dr.select(sinks, edge - self.hop, dr.maximum(edge, 0) + self.hop)
+        return dr.minimum(self.step, beside), dr.maximum(out, 0) + self.hop
 
 
 def unoccluded(
@@ -214,16 +249,33 @@ def unoccluded(
         back: Bool, the face the height counts from.
         active: lanes to search; the others return False.
     """
+    extent = _extent_of(surface, array_types(x))
+    roof = _roof(surface, extent, x, y, height, direction, back)
+    return _rises_free(surface, x, y, height, direction, back, roof, active, quality)
+
+
+def _rises_free(
+    surface: Surface,
+    x: Any,
+    y: Any,
+    height: Any,
+    direction: Any,
+    back: Any,
+    roof: Any,
+    active: Any,
+    quality: SearchQuality,
+) -> Any:
+    """`unoccluded`, where nothing on the ray's way is higher than the roof."""
     types = array_types(x)
     extent = _extent_of(surface, types)
-    high = extent.high
+    back = types.Bool(back)
     rate = quality.shadow_share * extent.steps_per_length(quality, direction)
     step = dr.rcp(dr.maximum(rate, 1e-9))
+    stride = _Stride(direction, step)
     start = types.Vector3(x, y, height + extent.lift)
     distance = types.Float(0 * x)
     free = types.Bool(active) & (direction.z > 0)
     searching = types.Bool(free)
-    back = types.Bool(back)
     count = types.UInt32(0)
 
     def is_searching(distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any) -> Any:
@@ -234,24 +286,26 @@ def unoccluded(
         distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any
     ) -> tuple[Any, ...]:
         point = start + direction * distance
-        here = surface.probe(point.x, point.y, back)
+        here = surface.probe(point.x, point.y, back, stride.right, stride.up)
         clearance = point.z - here.height
         rate = direction.z - here.slope_x * direction.x - here.slope_y * direction.y
-        dips = trail.lowest_before(clearance, rate, leap, here)[0] < 0
-        met = searching & ~here.hole & ((clearance < 0) | dips)
+        met = searching & ~here.hole & (clearance < 0)
+        dips, way_back = trail.dip_before(clearance, rate, leap, here)
         # The ray rises, so above the crest it stays above until it leaves the cell.
         clears = point.z > here.crest
-        trail = _trail(clearance, rate, here, clears)
-        near, out = _advance(here, direction, clearance, rate, step)
-        leap = dr.select(clears, dr.maximum(out, step), near)
-        distance = distance + leap
+        trail = trail.followed_by(clearance, rate, here, clears, dips)
+        near, out = stride.onwards(here, clearance, rate)
+        onwards = dr.select(clears, dr.maximum(out, step), near)
+        # Where a dip is likely the next sample goes back to its lowest point.
+        distance += dr.select(dips, -way_back, onwards)
+        leap = dr.select(dips, leap - way_back, onwards)
         count = count + 1
         searching = (
-            searching & ~met & (dr.fma(direction.z, distance, start.z) < high) & (count < quality.steps)
+            searching & ~met & (dr.fma(direction.z, distance, start.z) < roof) & (count < quality.steps)
         )
         return distance, leap, free & ~met, searching, count, trail
 
-    state = (distance, types.Float(distance), free, searching & (start.z < high), count, _no_trail(types, x))
+    state = (distance, types.Float(distance), free, searching & (start.z < roof), count, _no_trail(types, x))
     state = dr.while_loop(state, is_searching, advance, label="cloth: unoccluded")
     return state[2]
 
@@ -288,77 +342,87 @@ def first_hit(
     step = dr.rcp(dr.maximum(rate, 1e-9))
     active = types.Bool(active)
 
-    def ground(height: Any) -> tuple[Any, Any]:
+    def ground(height: Any) -> Any:
         level, hole = surface.height(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
-        return dr.select(hole, types.Float(-1e9), level), hole
+        return dr.select(hole, types.Float(-1e9), level)
 
     floor = low - (high - low)
+    # Moving down, the ray runs against the view's slope.
+    stride = _Stride(-slope, step)
 
-    def is_searching(height: Any, previous: Any, leap: Any, searching: Any, count: Any, trail: Any) -> Any:
-        del height, previous, leap, count, trail
+    def is_searching(
+        height: Any, previous: Any, depth: Any, leap: Any, searching: Any, count: Any, trail: Any
+    ) -> Any:
+        del height, previous, depth, leap, count, trail
         return searching
 
     def advance(
-        height: Any, previous: Any, leap: Any, searching: Any, count: Any, trail: Any
+        height: Any, previous: Any, depth: Any, leap: Any, searching: Any, count: Any, trail: Any
     ) -> tuple[Any, ...]:
-        here = surface.probe(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
+        here = surface.probe(
+            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
+        )
         clearance = height - here.height
         met = ~here.hole & (clearance <= 0)
-        rate = -1 - here.slope_x * towards.x - here.slope_y * towards.y
-        lowest, to_lowest = trail.lowest_before(clearance, rate, leap, here)
-        dipped = searching & ~met & (lowest < 0)
+        rate = dr.fma(here.slope_x, slope.x, dr.fma(here.slope_y, slope.y, -1))
+        dips, way_back = trail.dip_before(clearance, rate, leap, here)
         count = count + 1
-        onwards = searching & ~met & ~dipped & (height > floor) & (count < quality.steps)
+        onwards = searching & ~met & (height > floor) & (count < quality.steps)
         # Down to the crest the ray falls freely.
-        near, out = _advance(here, towards, clearance, rate, step)
+        near, out = stride.onwards(here, clearance, rate)
         free = dr.minimum(out, height - here.crest)
-        trail = _trail(clearance, rate, here, free > near)
+        trail = trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
         fall = dr.maximum(free, near)
+        # Where a dip is likely the next sample goes back to its lowest point.
         return (
-            dr.select(onwards, height - fall, dr.select(dipped, height + to_lowest, height)),
-            dr.select(onwards, height, previous),
-            dr.select(onwards, fall, leap),
+            dr.select(onwards, height + dr.select(dips, way_back, -fall), height),
+            dr.select(onwards & ~dips, height, previous),
+            dr.select(searching, -clearance, depth),
+            dr.select(onwards, dr.select(dips, leap - way_back, fall), leap),
             onwards,
             count,
             trail,
         )
 
-    # Moving down, the ray runs against the view's slope.
-    towards = types.Vector3(-slope.x, -slope.y, 0)
-    top = types.Float(high + 0 * x)
-    height, above, _, _, _, _ = dr.while_loop(
-        (top, types.Float(top), types.Float(step), types.Bool(active), types.UInt32(0), _no_trail(types, x)),
+    top = types.Float(_roof(surface, extent, x, y, 0, types.Vector3(slope.x, slope.y, 1), back))
+    under, above, depth, _, _, _, trail = dr.while_loop(
+        (
+            top,
+            types.Float(top),
+            types.Float(0 * top),
+            types.Float(step),
+            types.Bool(active),
+            types.UInt32(0),
+            _no_trail(types, x),
+        ),
         is_searching,
         advance,
         label="cloth: first hit",
     )
-
-    under = types.Float(height)
-    above_gap, _ = ground(above)
-    above_gap = dr.maximum(above - above_gap, 0)
-    under_gap, _ = ground(under)
-    under_gap = dr.maximum(under_gap - under, 0)
+    relief = high - low
+    above_gap, under_gap = dr.clip(trail.clearance, 0, relief), dr.clip(depth, 0, relief)
 
     def refine(
-        index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any
-    ) -> tuple[Any, Any, Any, Any, Any]:
-        # Halving is right at walls, where the gap jumps; the secant is fast on smooth yarn.
+        index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any
+    ) -> tuple[Any, ...]:
+        # Regula falsi. An end that stays twice counts half (the Illinois rule), so that both close in; at
+        # walls, where the gap jumps, this comes to halving.
         share = dr.clip(above_gap / dr.maximum(above_gap + under_gap, 1e-20), 0.02, 0.98)
-        share = dr.select((index & 1) == 0, types.Float(0.5), share)
         middle = dr.fma(share, under - above, above)
-        level, _ = ground(middle)
-        met = level >= middle
+        gap = dr.clip(middle - ground(middle), -relief, relief)
+        met = gap <= 0
         return (
             index + 1,
             dr.select(met, above, middle),
             dr.select(met, middle, under),
-            dr.select(met, above_gap, middle - level),
-            dr.select(met, level - middle, under_gap),
+            dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap),
+            dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap)),
+            dr.select(met, types.Float(1), -1),
         )
 
     count = quality.refinements
     state = dr.while_loop(
-        (types.UInt32(0), above, under, above_gap, under_gap),
+        (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * top)),
         lambda index, *rest: index < count,
         refine,
         label="cloth: refine",
@@ -389,11 +453,12 @@ def passes_through(
     _, hole = surface.height(x, y, back)
     candidate = types.Bool(active) & hole
     # Unlifted again: the ray starts on the plane.
-    zero = -_extent_of(surface, types).lift
-    in_front = unoccluded(surface, x, y, zero, view, back, candidate, quality)
+    extent = _extent_of(surface, types)
+    zero, high = -extent.lift, extent.high
+    in_front = _rises_free(surface, x, y, zero, view, back, high, candidate, quality)
     # Seen from the other face the line goes on along (−x, −y, +z) of its mirrored frame.
     onwards = types.Vector3(-view.x, -view.y, view.z)
-    behind = unoccluded(surface, x, y, zero, onwards, ~back, candidate & in_front, quality)
+    behind = _rises_free(surface, x, y, zero, onwards, ~back, high, candidate & in_front, quality)
     return candidate & in_front & behind
 
 
@@ -429,7 +494,7 @@ def horizon(
 
     # The yarn itself hides what lies below its tangent plane. Without any rise the search would only end
     # with the budget; 1e-3 is a horizon of 0.06°.
-    here = surface.probe(x, y, back)
+    here = surface.probe(x, y, back, cosine > 0, sine > 0)
     own = dr.fma(here.slope_x, cosine, here.slope_y * sine)
     state = (types.Float(0.25 * step), dr.maximum(own, 1e-3), types.UInt32(0))
     return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]

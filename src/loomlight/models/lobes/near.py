@@ -25,9 +25,9 @@ MOST_POINTS = 8
 _POINTS_PER_THREAD = 20
 _ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
 # Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
-# half as finely: of 8 points together that is 0.5 % more error in a third less time.
+# this coarsely: up to 1 % of error against the finest search. With 3 refinements it was 2 %, in 3 % less time.
 _FINEST, _COARSEST = 1 / 32, 1 / 8
-_FEWEST_REFINEMENTS = 2
+_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=4)
 
 
 def points_of(size: Any, far_share: Any, samples: Any) -> Any:
@@ -48,12 +48,18 @@ def searched_for(model: PointModel, size: Any) -> PointModel:
     types = array_types(size)
     detail = (math.log2(_COARSEST) - dr.log2(dr.maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
     detail = dr.clip(detail, 0, 1)
-    steps = 0.5 * DEFAULT_QUALITY.steps_per_thread * (1 + detail)
-    refinements = types.UInt32(
-        dr.fma(DEFAULT_QUALITY.refinements - _FEWEST_REFINEMENTS, detail, _FEWEST_REFINEMENTS)
-    )
+
+    def between(coarse: float, fine: float) -> Any:
+        return dr.fma(fine - coarse, detail, coarse)
+
+    steps = between(_COARSE.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
     searched = copy(model)
-    searched.quality = SearchQuality(steps, steps, refinements=refinements)
+    searched.quality = SearchQuality(
+        steps,
+        steps,
+        shadow_share=between(_COARSE.shadow_share, DEFAULT_QUALITY.shadow_share),
+        refinements=types.UInt32(between(_COARSE.refinements, DEFAULT_QUALITY.refinements)),
+    )
     return searched
 
 

@@ -35,7 +35,7 @@ _GAP_RAYS = 128
 _MOMENTS_FROM = 4
 # Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
 _UNITS = 1 << 15
-_QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, refinements=4)
+_QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=0.6, refinements=4)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,53 @@
+"""Roofs against the heights of many points around, and against windows counted one by one."""
+
+from __future__ import annotations
+
+import drjit as dr
+import numpy as np
+import pytest
+from drjit.llvm.ad import Bool, Float
+
+from loomlight.core.llvm import require_llvm
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.roofs import ROOF_BLOCK, ROOF_RADII, pack_roofs
+
+from .layouts import random_layout
+
+require_llvm()
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (2, 3), (5, 8), (41, 37)])
+def test_roofs_are_maxima_of_windows(shape: tuple[int, int]) -> None:
+    rng = np.random.default_rng(0)
+    picks, ends = shape
+    # Few high levels, so that windows of all sizes differ.
+    levels = np.where(rng.random((picks, ends, 2)) < 0.01, 15, rng.integers(0, 12, (picks, ends, 2)))
+    warp_on_top = rng.random(shape) < 0.5
+    words = (levels << 28 | np.stack([warp_on_top, ~warp_on_top], axis=2)).astype(np.uint32)
+    roofs = pack_roofs(words)
+    for row in range(roofs.shape[0]):
+        for column in range(roofs.shape[1]):
+            for number, radius in enumerate(ROOF_RADII):
+                rows, columns = (
+                    np.arange(ROOF_BLOCK * first - radius, min(ROOF_BLOCK * (first + 1), count) + radius)
+                    % count
+                    for first, count in ((row, picks), (column, ends))
+                )
+                window = np.ix_(rows, columns)
+                for face, top in enumerate((warp_on_top, ~warp_on_top)):
+                    expected = np.where(top, levels[..., 0], levels[..., 1])[window].max()
+                    assert roofs[row, column] >> (8 * number + 4 * face) & 15 == expected
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_nothing_rises_above_roofs(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    geometry = YarnGeometry(random_layout(rng, uneven=seed % 2 == 0))
+    count = 20_000
+    x, y = (rng.uniform(-extent, 2 * extent, count) for extent in geometry.size)
+    back = Bool(rng.random(count) < 0.5)
+    for radius, share in geometry.roofs(Float(x), Float(y), back):
+        away_x, away_y = (rng.uniform(-radius, radius, count) * 0.999 * extent for extent in geometry.finest)
+        height, hole = geometry.height(Float(x + away_x), Float(y + away_y), back)
+        # Rounding of levels up to 15ths leaves more than that of float32.
+        assert dr.all(hole | (height <= share * geometry.height_bounds[1] + 1e-6))
