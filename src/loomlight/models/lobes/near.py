@@ -25,7 +25,7 @@ MOST_POINTS = 8
 _POINTS_PER_THREAD = 20
 _ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
 # Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
-# this coarsely: up to 1 % of error against the finest search. With 3 refinements it was 2 %, in 3 % less time.
+# this coarsely: up to 1 % of error against the finest search; with 3 refinements 2 %, in 3 % less time.
 _FINEST, _COARSEST = 1 / 32, 1 / 8
 _COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=4)
 
