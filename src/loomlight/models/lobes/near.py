@@ -22,7 +22,7 @@ from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, passes_thr
 
 MOST_POINTS = 8
 # Points for every thread that a footprint is wide. With 20, footprints under two threads are 2 to 4 % nearer,
-# and rows of pixels from close up to far take 5 % longer; with 14 those of large drafts err by more than 0.09.
+# and rows of pixels from close up to far take 5 % longer; with 14, large drafts err by more than 0.09.
 _POINTS_PER_THREAD = 16
 _ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
 # Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
