@@ -4,6 +4,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
+# Without torch, which is optional, the file is skipped above; what imports it can only come here (E402).
 from torch import nn  # noqa: E402
 
 from loomlight.training.checkpoint import optimiser_tensors, restore_optimiser  # noqa: E402
