@@ -38,10 +38,11 @@ def responses(
     latent = np.where(behind, latents[1], latents[0])
     place = network_places(made.table, encoded.picks, encoded.ends, footprints)
     turn = np.where(behind, [1, 1, -1], 1).astype(np.float32)
+    fibres = np.where(behind[..., None], encoded.fibres.face(True), encoded.fibres.face(False))
     light = torch.tensor(lights * turn)
     with torch.no_grad():
         output, hole = made.decoder(
-            torch.tensor(latent), torch.tensor(place), light, torch.tensor(views * turn)
+            torch.tensor(latent), torch.tensor(place), light, torch.tensor(views * turn), torch.tensor(fibres)
         )
         components = unmapped(output, light, linear_diffuse(made))
     return np.concatenate([components.numpy(), hole.clamp(0, 1).numpy()[:, None]], 1)

@@ -12,12 +12,14 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.woven.batch import QUERIES_A_RUN, decode
 from loomlight.models.woven.encoding import EncodedFabric, encode
+from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.latents import LatentRows, fetched_channels, fetched_latents
 from loomlight.models.woven.pyramid import levels_of, taps
 
 from .networks import TABLES, network, unit_vectors, weights_of
 
 require_llvm()
+_FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7))
 
 
 @pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])
@@ -27,7 +29,7 @@ def test_rows_are_those_of_the_pyramid(name: str, picks: int, ends: int, tmp_pat
     rng = np.random.default_rng(picks)
     last = levels_of(picks, ends)[-1].first + 1
     front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
-    encoded = EncodedFabric(picks, ends, (front, back))
+    encoded = EncodedFabric(picks, ends, (front, back), _FIBRES)
     # Edges of the repeat and of texels too, where rounding decides which side of them a footprint lies on.
     x = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(-200, 200) / 16]).astype(np.float32)
     y = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(200, -200, -1) / 16]).astype(np.float32)
@@ -64,7 +66,8 @@ def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> N
 def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> None:
     weights = weights_of(network("field"), tmp_path)
     last = levels_of(3, 5)[-1].first + 1
-    encoded = EncodedFabric(3, 5, (np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)))
+    faces = np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)
+    encoded = EncodedFabric(3, 5, faces, _FIBRES)
     odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
     x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
     with np.errstate(invalid="ignore", over="ignore"):

@@ -12,7 +12,7 @@ from safetensors.numpy import load_file, save_file
 from safetensors.torch import load_file as load_torch
 
 from loomlight.core.errors import InputError
-from loomlight.models.woven.weights import decoder_shapes, read_weights, shipped_weights
+from loomlight.models.woven.weights import SCHEMA, decoder_shapes, read_weights, shipped_weights
 
 from .networks import TABLES, network, written
 
@@ -76,7 +76,7 @@ def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
     (tmp_path / "text").write_text("no weights")
     save_file(load_file(file), tmp_path / "no header", {"woven": "{"})
     rewritten(file, tmp_path / "older", {"schema": 0})
-    rewritten(file, tmp_path / "newer", {"schema": 3})
+    rewritten(file, tmp_path / "newer", {"schema": SCHEMA + 1})
     rewritten(file, tmp_path / "other shape", {"shape": {"hidden": 7}})
     other = network("plain, not fused")
     other.table = network("field").table

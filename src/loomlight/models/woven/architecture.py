@@ -6,10 +6,17 @@ SLOPE = 0.01  # of leaky ReLU
 BINS = 8  # of one-blob coding
 # The reach of a bin, in bins: neighbours overlap as Gaussians of one bin's deviation do.
 BLOB_REACH = 2.5
-# Bins of x and of y of the half vector, over −1 to 1, and their reach in bins.
-HALF_BINS = 16
-HALF_REACH = 2.0
-# Added to the square of light + view: keeps the half vector of opposite directions finite.
+# What the decoder is told of directions along the fibres of either family; see `network.fibre_features`.
+# Bins of the half vector's inclination, over −1 to 1, and their reach in bins.
+INCLINATION_BINS = 16
+INCLINATION_REACH = 2.0
+# How inclinations spread over the bins: three times as many to a degree at 0 as evenly.
+INCLINATION_CROWDING = 0.5
+# The density of a fibre's normals, as ln(30 D + 1)/4.
+DENSITY_GAIN, DENSITY_SCALE = 30.0, 0.25
+# Numbers of fibre features that lights bring, and that views do.
+LIGHT_FEATURES, VIEW_FEATURES = 2 + 2 * INCLINATION_BINS + 2, 2
+# Added to squared lengths: keeps the half vector of opposite directions finite.
 OPPOSITE = 1e-4
 # Half the span of ln α over the parameter box.
 LOG_ROUGHNESS = 1.15

@@ -12,12 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.woven.architecture import (
+    DENSITY_GAIN,
+    DENSITY_SCALE,
+    INCLINATION_CROWDING,
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
     TRANSMISSION_GAIN,
 )
 from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.onnx_decoder import batch_graph
 from loomlight.models.woven.places import place_of
@@ -82,13 +86,16 @@ def _decoded(
     place: Sequence[NDArray[np.float32]] = place_of(table, encoded.picks, encoded.ends, x, y, size)
     if table.position == "one_blob":
         place = _with_squares([part - np.float32(0.5) for part in place])
+    angles = [*light, *view[:2]]
     inputs = {
         "fetched": fetched.reshape(-1, 1, 1, QUERIES_A_RUN, fetched.shape[1]),
         "place": _by_runs(place),
-        "angles": _by_runs([*light, *view[:2]]),
     }
-    if table.half_vector:
-        inputs["half"] = _by_runs(_with_squares(_half_vectors(light, view)))
+    if table.fibres:
+        cosines, inclinations, densities = _along_fibres(encoded.fibres, light, view, turn)
+        angles += [*cosines, *densities]
+        inputs["inclinations"] = _by_runs(_with_squares(inclinations))
+    inputs["angles"] = _by_runs(angles)
     session = decoder_session(weights)
     found = np.empty((5, len(x)), np.float32)
     for run in range(len(x) // QUERIES_A_RUN):
@@ -117,11 +124,42 @@ def _with_squares(numbers: Sequence[NDArray[np.float32]]) -> list[NDArray[np.flo
     return [*numbers, *(part * part for part in numbers)]
 
 
-def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> Sequence[NDArray[np.float32]]:
-    """x and y [n] of the half vectors of lights and views [3, n]; see `network.coded_half_vector`."""
-    x, y, z = light + view
-    scale = 1 / np.sqrt(x * x + y * y + z * z + np.float32(OPPOSITE))
-    return x * scale, y * scale
+def _along_fibres(
+    fibres: Fibres, light: NDArray[np.float32], view: NDArray[np.float32], turn: NDArray[np.float32]
+) -> tuple[list[NDArray[np.float32]], list[NDArray[np.float32]], list[NDArray[np.float32]]]:
+    """Cosines of views, then of lights [4][n], inclinations [2][n], densities [2][n]; see
+    `network.fibre_features`.
+
+    Args:
+        light, view: in the frame of the face that is seen [3, n].
+        turn: 1 where that is the front, −1 where it is the back [n].
+    """
+    total = light + view
+    height = total[2] * total[2] + np.float32(OPPOSITE)
+    inverse_square = 1 / (total[0] * total[0] + total[1] * total[1] + height)
+    of_views, of_lights, inclinations, densities = [], [], [], []
+    for (x, y, roughness), mirrored in zip(fibres.face(False), (0, 1), strict=True):
+        # Seen from behind twists are the other way round.
+        along = [x, y]
+        along[mirrored] = along[mirrored] * turn
+        of_view, of_light = (along[0] * part[0] + along[1] * part[1] for part in (view, light))
+        cosine = of_view + of_light
+        square = cosine * cosine
+        reach = np.sqrt(square + height)
+        reach *= np.float32(INCLINATION_CROWDING)
+        reach += np.abs(cosine)
+        cosine *= np.float32(1 + INCLINATION_CROWDING)
+        squared = roughness * roughness
+        square *= inverse_square
+        square *= 1 - squared
+        square += squared
+        density = np.float32(DENSITY_GAIN / np.pi) * squared * roughness / (square * square)
+        density += 1
+        of_views.append(of_view)
+        of_lights.append(of_light)
+        inclinations.append(cosine / reach)
+        densities.append(np.float32(DENSITY_SCALE) * np.log(density))
+    return [*of_views, *of_lights], inclinations, densities
 
 
 def _unmap(found: NDArray[np.float32], height: NDArray[np.float32], linear_diffuse: bool) -> None:

@@ -31,8 +31,7 @@ class NetworkTable(_Table):
         position: "one_blob", as published, or "plain" numbers (the ablation).
         fusion: whether latent and footprint are fused before directions join, as published; without it the
             directions join at once and the angular decoder has two layers more (the ablation).
-        half_vector: whether the half vector, one-blob coded, joins the directions; the published decoder has
-            to find it.
+        fibres: whether directions are given along the fibres too; the published decoder has to find these.
         hidden: width of the decoder's layers.
     """
 
@@ -41,7 +40,7 @@ class NetworkTable(_Table):
     latent_size: Count = 64
     position: Literal["one_blob", "plain"] = "one_blob"
     fusion: bool = True
-    half_vector: bool = True
+    fibres: bool = True
     hidden: Count = 64
 
 

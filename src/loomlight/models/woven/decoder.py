@@ -22,13 +22,17 @@ from loomlight.core.backend import array_types, uploaded
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
-    HALF_BINS,
-    HALF_REACH,
+    DENSITY_GAIN,
+    DENSITY_SCALE,
+    INCLINATION_BINS,
+    INCLINATION_CROWDING,
+    INCLINATION_REACH,
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
     SLOPE,
     TRANSMISSION_GAIN,
+    VIEW_FEATURES,
 )
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import fetched_latents
@@ -45,11 +49,31 @@ class Seen:
         angular: the first angular layer without the light's part, a cooperative vector.
         hole: share of rays that pass through, 0 to 1.
         view: unit vector [3] in the frame of the face that is seen.
+        fibres: of both families in that frame.
     """
 
     angular: Any
     hole: Any
     view: Any
+    fibres: tuple[Fibre, Fibre]
+
+
+@dataclass
+class Fibre:
+    """Fibres of one family on a yarn's crown.
+
+    Attributes:
+        x, y: their direction, a unit vector.
+        roughness: α.
+    """
+
+    x: Any
+    y: Any
+    roughness: Any
+
+    def cosine(self, direction: Any) -> Any:
+        """Cosine with a unit vector [3]."""
+        return dr.fma(self.x, direction.x, self.y * direction.y)
 
 
 class LatentTable:
@@ -78,6 +102,16 @@ class LatentTable:
         self._width = dr.opaque(types.UInt32, self.texels)
         self._extent = dr.opaque(types.Float, float(self.ends)), dr.opaque(types.Float, float(self.picks))
         self._top = dr.opaque(types.UInt32, self._last)
+        numbers_of_fibres = encoded.fibres.face(False).tolist()
+        self._fibres = [[dr.opaque(types.Float, number) for number in row] for row in numbers_of_fibres]
+
+    def fibres(self, back: Any) -> tuple[Fibre, Fibre]:
+        """The fibres of both families in the frame of the face that is seen; see `Fibres.face`."""
+        (warp_x, warp_y, warp_roughness), (weft_x, weft_y, weft_roughness) = self._fibres
+        return (
+            Fibre(dr.select(back, -warp_x, warp_x), warp_y, warp_roughness),
+            Fibre(weft_x, dr.select(back, -weft_y, weft_y), weft_roughness),
+        )
 
     def at(self, x: Any, y: Any, size: Any, back: Any) -> list[Any]:
         """Interpolated values of footprints: centres and sides in threads, `channels` Floats."""
@@ -139,11 +173,10 @@ class Decoder:
             parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
         first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
         spatial = hole.shape[1] - 2
-        parts["spatial"], light, parts["view"], half = np.split(
-            first, [spatial, spatial + 3, spatial + 5], axis=1
-        )
-        # All that a light brings.
-        parts["light"] = np.concatenate([light, half], 1)
+        parts["spatial"], light, view, fibres = np.split(first, [spatial, spatial + 3, spatial + 5], axis=1)
+        of_views, of_lights = np.split(fibres, [VIEW_FEATURES], axis=1)
+        parts["view"] = np.concatenate([view, of_views], axis=1)
+        parts["light"] = np.concatenate([light, of_lights], axis=1)
         parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
         for number in range(1, self._layers):
             parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
@@ -175,16 +208,20 @@ class Decoder:
         else:
             spatial = nn.CoopVec(*fetched, *coded)
         eye = nn.CoopVec(view.x, view.y)
-        angular = self._product("spatial", spatial, "0 bias") + self._product("view", eye)
+        fibres = table.fibres(back)
+        cosines = [fibre.cosine(view) for fibre in fibres] if network.fibres else []
+        angular = self._product("spatial", spatial, "0 bias") + self._product(
+            "view", [view.x, view.y, *cosines]
+        )
         hole = _leaky(self._product("hole spatial", spatial, "hole bias") + self._product("hole view", eye))
         (share,) = self._product("hole last", hole, "hole last bias")
-        return Seen(angular, dr.clip(share, 0, 1), view)
+        return Seen(angular, dr.clip(share, 0, 1), view, fibres)
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
         directions = [light.x, light.y, light.z]
-        if self.weights.table.half_vector:
-            directions += coded_half_vector(light, seen.view)
+        if self.weights.table.fibres:
+            directions += fibre_features(light, seen.view, seen.fibres)
         skip = seen.angular + self._product("light", directions)
         hidden = _leaky(skip)
         for number in range(1, self._layers):
@@ -267,17 +304,27 @@ def one_blob(place: tuple[Any, Any, Any]) -> list[Any]:
     return coded
 
 
-def coded_half_vector(light: Any, view: Any) -> list[Any]:
-    """One-blob coding of x and y of the half vector, 16 Floats each; see `network.coded_half_vector`."""
+def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[Any]:
+    """What lights bring of `network.fibre_features`: 36 Floats."""
     total = light + view
-    scale = 0.5 * dr.rsqrt(dr.squared_norm(total) + OPPOSITE)
-    coded = []
-    for value in (total.x, total.y):
-        place = dr.fma(value, scale, 0.5) * (HALF_BINS / HALF_REACH)
-        for bin_ in range(HALF_BINS):
-            distance = place - (bin_ + 0.5) / HALF_REACH
-            coded.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
-    return coded
+    height = dr.fma(total.z, total.z, OPPOSITE)
+    inverse_square = dr.rcp(dr.fma(total.x, total.x, dr.fma(total.y, total.y, height)))
+    cosines, bins, densities = [], [], []
+    for fibre in fibres:
+        cosines.append(fibre.cosine(light))
+        cosine = fibre.cosine(total)
+        square = dr.square(cosine)
+        reach = dr.fma(INCLINATION_CROWDING, dr.sqrt(square + height), dr.abs(cosine))
+        place = (0.5 * (1 + INCLINATION_CROWDING)) * cosine * dr.rcp(reach)
+        place = (place + 0.5) * (INCLINATION_BINS / INCLINATION_REACH)
+        for bin_ in range(INCLINATION_BINS):
+            distance = place - (bin_ + 0.5) / INCLINATION_REACH
+            bins.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
+        squared = dr.square(fibre.roughness)
+        q = dr.fma(square * inverse_square, 1 - squared, squared)
+        density = (DENSITY_GAIN * dr.inv_pi) * squared * fibre.roughness * dr.rcp(dr.square(q))
+        densities.append(DENSITY_SCALE * dr.log(1 + density))
+    return [*cosines, *bins, *densities]
 
 
 def _leaky(vector: Any) -> Any:

@@ -24,6 +24,7 @@ from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import FIELD_MAP, MOST_THREADS, VECTOR_MAP
 from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX, ParameterBox
+from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.maps import face_maps
 from loomlight.models.woven.pool import fabric_parameters
 from loomlight.models.woven.pyramid import Level, levels_of
@@ -49,11 +50,13 @@ class EncodedFabric:
         picks, ends: of the shortest repeat, without its colours.
         faces: latents of front and back [texels, latent_size], in half precision: what they are computed and
             stored with are the same numbers.
+        fibres: of both families.
     """
 
     picks: int
     ends: int
     faces: tuple[NDArray[np.float16], NDArray[np.float16]]
+    fibres: Fibres
 
     @property
     def levels(self) -> list[Level]:
@@ -66,7 +69,7 @@ class EncodedFabric:
         return np.concatenate(self.faces).astype(np.float32)
 
     def mixed(self, other: EncodedFabric, share: float) -> EncodedFabric:
-        """Latents between this fabric (0) and another of the same repeat (1), or beyond them.
+        """Latents and fibres between this fabric (0) and another of the same repeat (1), or beyond them.
 
         Raises:
             InputError: repeats of different size.
@@ -80,7 +83,7 @@ class EncodedFabric:
             (mine + share * (yours.astype(np.float32) - mine)).astype(np.float16)
             for mine, yours in zip(self.faces, other.faces, strict=True)
         )
-        return EncodedFabric(self.picks, self.ends, (front, back))
+        return EncodedFabric(self.picks, self.ends, (front, back), self.fibres.mixed(other.fibres, share))
 
 
 def encode(
@@ -99,7 +102,11 @@ def encode(
     picks, ends = (count * times for count, times in zip(repeat_threads(fabric), repeats, strict=True))
     warn_outside_box(fabric, trained_box(weights))
     key = _key(fabric, weights, repeats)
-    found = _kept.get(key) or _read(key, picks, ends, weights) or _run(fabric, weights, float_type, repeats)
+    found = (
+        _kept.get(key)
+        or _read(key, picks, ends, weights, Fibres.of(fabric))
+        or _run(fabric, weights, float_type, repeats)
+    )
     if key not in _kept:
         _write(key, found)
     _kept[key] = found
@@ -254,7 +261,8 @@ def _run(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int,
             maps = np.tile(maps, (1, *repeats))
         (latents,) = encoder_session(weights).run(None, {"maps": maps[None], "parameters": parameters})
         faces.append(latents.astype(np.float16))
-    return EncodedFabric(picks * repeats[0], ends * repeats[1], (faces[0], faces[1]))
+    shape = picks * repeats[0], ends * repeats[1]
+    return EncodedFabric(*shape, (faces[0], faces[1]), Fibres.of(fabric))
 
 
 @cache
@@ -285,7 +293,7 @@ def _key(fabric: Fabric, weights: Weights, repeats: tuple[int, int]) -> str:
     return digest.hexdigest()
 
 
-def _read(key: str, picks: int, ends: int, weights: Weights) -> EncodedFabric | None:
+def _read(key: str, picks: int, ends: int, weights: Weights, fibres: Fibres) -> EncodedFabric | None:
     """What is kept on disk; None where nothing is, or nothing that can be used."""
     try:
         arrays = load_file(cache_folder() / f"{key}.safetensors")
@@ -300,7 +308,7 @@ def _read(key: str, picks: int, ends: int, weights: Weights) -> EncodedFabric | 
     for face in (front, back):
         if face.dtype != np.float16 or face.shape != (texels, weights.table.latent_size):
             return None
-    return EncodedFabric(picks, ends, (front, back))
+    return EncodedFabric(picks, ends, (front, back), fibres)
 
 
 def _write(key: str, encoded: EncodedFabric) -> None:

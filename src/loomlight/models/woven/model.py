@@ -17,6 +17,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
 from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_cost, decoder_of
 from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
+from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.maps import mean_pitch
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import Weights, shipped_weights
@@ -69,12 +70,12 @@ class WovenModel(Model):
         return cls(fabric, encode(fabric, weights, llvm_float()), weights)
 
     def to_loom(self) -> LoomFile:
-        """The latents, and the checksum of the network that decodes them."""
+        """The latents and fibres, and the checksum of the network that decodes them."""
         front, back = self.encoded.faces
         return LoomFile(
             model=self.name,
             fabric=self.fabric,
-            tensors={"front": front, "back": back},
+            tensors={"front": front, "back": back, "fibres": self.encoded.fibres.array()},
             networks={_NETWORK: self.weights.sha256},
         )
 
@@ -93,7 +94,8 @@ class WovenModel(Model):
         front, back = (
             loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
         )
-        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back)), weights)
+        fibres = Fibres.from_array(loom.tensor("fibres", (2, 2), np.float32))
+        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres), weights)
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints."""

@@ -24,12 +24,17 @@ from torch.nn import functional
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
-    HALF_BINS,
-    HALF_REACH,
+    DENSITY_GAIN,
+    DENSITY_SCALE,
+    INCLINATION_BINS,
+    INCLINATION_CROWDING,
+    INCLINATION_REACH,
+    LIGHT_FEATURES,
     LOG_ROUGHNESS,
     OPPOSITE,
     SLOPE,
     VECTOR_MAP,
+    VIEW_FEATURES,
 )
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.maps import CHANNELS
@@ -194,25 +199,28 @@ class Decoder(nn.Module):
         fused = hidden if table.fusion else spatial
         self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
         inner = [hidden] * (4 if table.fusion else 6)
-        directions = ANGLES + (2 * HALF_BINS if table.half_vector else 0)
+        directions = ANGLES + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
         self.angular = _layers(fused + directions, *inner, COMPONENTS)
         self.hole = _layers(fused + 2, 16, 1)
 
-    def forward(self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor) -> tuple[Tensor, Tensor]:
+    def forward(
+        self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor, fibres: Tensor
+    ) -> tuple[Tensor, Tensor]:
         """Components [n, 4] as the loss maps them, and the hole fraction [n].
 
         Args:
             latent: [n, latent_size].
             place: position x and y, and size of the footprint, each 0 to 1 [n, 3].
             light, view: unit vectors in the frame of the face that is seen [n, 3].
+            fibres: of the face that is seen [n, 2, 3]; see `fibres.face_fibres`.
         """
         coded = one_blob(place) if self.table.position == "one_blob" else place
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
             spatial = functional.leaky_relu(layer(spatial), SLOPE)
         directions = [light, view[:, :2]]
-        if self.table.half_vector:
-            directions.append(coded_half_vector(light, view))
+        if self.table.fibres:
+            directions.append(fibre_features(light, view, fibres))
         hidden: Any = torch.cat([spatial, *directions], 1)
         skip, kind = None, place.device.type
         for number, layer in enumerate(self.angular):
@@ -230,17 +238,36 @@ class Decoder(nn.Module):
         return hidden, self.hole[1](hole)[:, 0]
 
 
-def coded_half_vector(light: Tensor, view: Tensor) -> Tensor:
-    """One-blob coding of x and y of the half vector of lights and views [n, 3], 16 bins each [n, 32].
+def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
+    """What the fibres of both families make of lights and views [n, 3]: [n, 38].
 
-    Highlights are ridges in it, α wide, which bins hold as they are. Where directions are opposite it is
-    short, instead of undefined.
+    Highlights are ridges where the half vector is at right angles to the fibres, α wide, which lie askew of
+    the threads by the twist. Of each family, warp then weft:
+
+    - the cosines of the view, then of the light, with the fibres on a yarn's crown;
+    - the inclination along these of which fibres would reflect the light into the view, one-blob coded, bins
+      crowded about 0, where highlights are narrowest;
+    - the density of normals of the fibres on a crown towards the half vector, as a logarithm.
+
+    Args:
+        fibres: direction on a crown, x and y, and α [n, 2 families, 3].
     """
+    along, roughness = fibres[..., :2], fibres[..., 2]
+    cosines = [(along * direction[:, None, :2]).sum(2) for direction in (view, light)]
     total = light + view
-    half = total[:, :2] / torch.sqrt(total.square().sum(1, keepdim=True) + OPPOSITE)
-    centres = (torch.arange(HALF_BINS, dtype=half.dtype, device=half.device) + 0.5) / HALF_BINS
-    distance = (0.5 + 0.5 * half[:, :, None] - centres) * (HALF_BINS / HALF_REACH)
-    return torch.clamp(1 - distance * distance, min=0).square().flatten(1)
+    cosine = cosines[0] + cosines[1]
+    square = cosine.square()
+    reach = torch.sqrt(square + total[:, 2:].square() + OPPOSITE)
+    place = (1 + INCLINATION_CROWDING) * cosine / (cosine.abs() + INCLINATION_CROWDING * reach)
+    numbers = torch.arange(INCLINATION_BINS, dtype=place.dtype, device=place.device)
+    centres = (numbers + 0.5) / INCLINATION_BINS
+    distance = (0.5 + 0.5 * place[:, :, None] - centres) * (INCLINATION_BINS / INCLINATION_REACH)
+    bins = torch.clamp(1 - distance * distance, min=0).square().flatten(1)
+    flat = square / (total.square().sum(1, keepdim=True) + OPPOSITE)
+    squared_roughness = roughness.square()
+    q = squared_roughness + flat * (1 - squared_roughness)
+    density = squared_roughness * roughness / (torch.pi * q.square())
+    return torch.cat([*cosines, bins, DENSITY_SCALE * torch.log1p(DENSITY_GAIN * density)], 1)
 
 
 def _layers(*widths: int) -> nn.ModuleList:

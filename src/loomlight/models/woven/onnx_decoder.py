@@ -13,8 +13,11 @@ from numpy.typing import NDArray
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
-    HALF_BINS,
-    HALF_REACH,
+    DENSITY_GAIN,
+    DENSITY_SCALE,
+    INCLINATION_BINS,
+    INCLINATION_CROWDING,
+    INCLINATION_REACH,
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
@@ -34,7 +37,8 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
     """The decoder of n queries for any runtime.
 
     `latent` [n, latent_size], `place` [n, 3], `light` and `view` [n, 3] in the frame of the face that is
-    seen, to `components` [n, 4], 1/sr, and `hole` [n], 0 to 1.
+    seen, and `fibres` [n, 2, 3] of that face (`Fibres.face`) for networks that take them, to `components`
+    [n, 4], 1/sr, and `hole` [n], 0 to 1.
     """
     graph = Graph(weights)
     size = weights.table.latent_size
@@ -46,18 +50,24 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         first = weights.tensor("decoder.fusion.0.weight")[:, :size]
         latent = _dense(graph, latent, first, weights.tensor("decoder.fusion.0.bias"))
     angles = graph.add("Concat", light, _sliced(graph, view, 0, 2), axis=1)
-    half = _with_squares(graph, _half_vector(graph, light, view)) if weights.table.half_vector else ""
+    inclinations = ""
+    if weights.table.fibres:
+        cosines, inclinations, densities = _along_fibres(graph, light, view)
+        angles = graph.add("Concat", angles, *cosines, densities, axis=1)
     if weights.table.position == "one_blob":
         place = _with_squares(graph, graph.add("Sub", place, graph.number(0.5)))
-    output, hole = _layers(graph, latent, place, angles, half)
+    output, hole = _layers(graph, latent, place, angles, inclinations)
     components = _unmapped(graph, output, light)
     rows = graph.add("Reshape", components, graph.integers([4, -1]))
     graph.add("Transpose", rows, perm=[1, 0], output="components")
     hole = graph.add("Clip", hole, graph.number(0), graph.number(1))
     graph.add("Reshape", hole, graph.integers([-1]), output="hole")
+    inputs = {"latent": ["n", size], "place": ["n", 3], "light": ["n", 3], "view": ["n", 3]}
+    if weights.table.fibres:
+        inputs["fibres"] = ["n", 2, 3]
     return graph.model(
         "woven_decoder",
-        {"latent": ["n", size], "place": ["n", 3], "light": ["n", 3], "view": ["n", 3]},
+        inputs,
         {"components": ["n", 4], "hole": ["n"]},
     )
 
@@ -67,18 +77,19 @@ def batch_graph(weights: Weights) -> onnx.ModelProto:
 
     `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` [1, 3, 1, n] as in `decoder_graph`, or
     for networks with one-blob coding [1, 6, 1, n] less a half and followed by squares; `angles` [1, 5, 1, n]
-    are x, y, z of the light and x and y of the view; `half` [1, 4, 1, n], for networks that take it, x and y
-    of the half vector and their squares. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the
-    network puts them out.
+    are x, y, z of the light and x and y of the view. For networks that take fibres six more follow, of both
+    families each, in the order of `network.fibre_features`: cosines of views, of lights, densities; and
+    `inclinations` [1, 4, 1, n] are those of both families and their squares. `output` [1, 4, 1, n] and
+    `share` [1, 1, 1, n], of holes, are as the network puts them out.
     """
     graph = Graph(weights, contrib=True)
     fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
-    output, share = _layers(graph, fetched, "place", "angles", "half")
+    output, share = _layers(graph, fetched, "place", "angles", "inclinations")
     graph.add("Identity", output, output="output")
     graph.add("Identity", share, output="share")
     counts = {"place": 6 if weights.table.position == "one_blob" else 3, "angles": 5}
-    if weights.table.half_vector:
-        counts["half"] = 4
+    if weights.table.fibres:
+        counts |= {"angles": 11, "inclinations": 4}
     return graph.model(
         "woven_batch",
         {"fetched": [1, 1, "n", fetched_channels(weights)]}
@@ -92,12 +103,12 @@ def _channels_first(graph: Graph, name: str, count: int) -> str:
     return graph.add("Reshape", columns, graph.integers([1, count, 1, -1]))
 
 
-def _layers(graph: Graph, latent: str, place: str, angles: str, half: str) -> tuple[str, str]:
+def _layers(graph: Graph, latent: str, place: str, angles: str, inclinations: str) -> tuple[str, str]:
     """What the network puts out [1, 4, 1, n], and of holes [1, 1, 1, n].
 
     Args:
         latent: multiplied by the first layer where there is fusion.
-        place, angles, half: as in `batch_graph`.
+        place, angles, inclinations: as in `batch_graph`.
     """
     weights = graph.weights
     table, tensor = weights.table, weights.tensor
@@ -110,20 +121,23 @@ def _layers(graph: Graph, latent: str, place: str, angles: str, half: str) -> tu
         spatial = graph.add("Concat", latent, coded, axis=1)
     weight, bias = tensor("decoder.hole.0.weight"), tensor("decoder.hole.0.bias")
     of_spatial, of_view = weight[:, :-2], weight[:, -2:]
-    seen = _dense(graph, angles, np.pad(of_view, ((0, 0), (3, 0))))
+    seen = _dense(graph, angles, np.pad(of_view, ((0, 0), (3, 6 if table.fibres else 0))))
     hole = _dense(graph, spatial, _of_spatial(table, of_spatial), bias, seen, leaky=True)
-    return _angular(graph, spatial, angles, half), _layer(graph, "decoder.hole.1", hole)
+    return _angular(graph, spatial, angles, inclinations), _layer(graph, "decoder.hole.1", hole)
 
 
-def _angular(graph: Graph, spatial: str, angles: str, half: str) -> str:
+def _angular(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
     """What the angular layers put out [1, 4, 1, n]."""
     weights, table = graph.weights, graph.weights.table
     weight, bias = (weights.tensor(f"decoder.angular.0.{part}") for part in ("weight", "bias"))
     width = weights.tensor("decoder.hole.0.weight").shape[1] - 2
-    of_spatial, of_angles, of_half = np.split(weight, [width, width + 5], axis=1)
-    skip = _dense(graph, angles, of_angles, bias)
-    if table.half_vector:
-        skip = _dense(graph, _coded_half_vector(graph, half), of_half, plus=skip)
+    of_spatial, of_angles, of_fibres = np.split(weight, [width, width + 5], axis=1)
+    if table.fibres:
+        of_cosines, of_bins, of_densities = np.split(of_fibres, [4, 4 + 2 * INCLINATION_BINS], axis=1)
+        skip = _dense(graph, angles, np.concatenate([of_angles, of_cosines, of_densities], axis=1), bias)
+        skip = _dense(graph, _coded_inclinations(graph, inclinations), of_bins, plus=skip)
+    else:
+        skip = _dense(graph, angles, of_angles, bias)
     skip = _dense(graph, spatial, _of_spatial(table, of_spatial), plus=skip)
     hidden = _leaky(graph, skip, table.hidden)
     count = weights.layers("decoder.angular")
@@ -210,19 +224,53 @@ def _one_blob(graph: Graph, place: str) -> str:
     return _bumps(graph, place, [wider, wider, inner], BINS / BLOB_REACH)
 
 
-def _half_vector(graph: Graph, light: str, view: str) -> str:
-    """x and y of the half vector [1, 2, 1, n]; short where directions are opposite."""
-    total = graph.add("Add", light, view)
-    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
-    length = graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE)))
-    return graph.add("Div", _sliced(graph, total, 0, 2), length)
+def _along_fibres(graph: Graph, light: str, view: str) -> tuple[list[str], str, str]:
+    """Cosines of view and light with the fibres, inclinations and their squares, densities; see
+    `network.fibre_features`."""
+    turned = graph.add("Transpose", "fibres", perm=[2, 1, 0])
+    x, y, roughness = (
+        graph.add("Reshape", _first_axis(graph, turned, k), graph.integers([1, 2, 1, -1])) for k in range(3)
+    )
+
+    def cosine(direction: str) -> str:
+        parts = (_sliced(graph, direction, k, k + 1) for k in range(2))
+        along = [graph.add("Mul", axis, part) for axis, part in zip((x, y), parts, strict=True)]
+        return graph.add("Add", *along)
+
+    def squared(value: str) -> str:
+        return graph.add("Mul", value, value)
+
+    cosines = [cosine(view), cosine(light)]
+    total, half = graph.add("Add", light, view), graph.add("Add", *cosines)
+    square, opposite = squared(half), graph.number(OPPOSITE)
+    height = graph.add("Add", squared(_sliced(graph, total, 2, 3)), opposite)
+    reach = graph.add("Sqrt", graph.add("Add", square, height))
+    wide = graph.add("Mul", reach, graph.number(INCLINATION_CROWDING))
+    raised = graph.add("Mul", half, graph.number(1 + INCLINATION_CROWDING))
+    inclination = graph.add("Div", raised, graph.add("Add", graph.add("Abs", half), wide))
+    length = graph.add("ReduceSum", squared(total), graph.integers([1]), keepdims=1)
+    flat = graph.add("Div", square, graph.add("Add", length, opposite))
+    squared_roughness = squared(roughness)
+    rest = graph.add("Sub", graph.number(1), squared_roughness)
+    q = graph.add("Add", squared_roughness, graph.add("Mul", flat, rest))
+    scale = graph.add(
+        "Mul", graph.add("Mul", squared_roughness, roughness), graph.number(DENSITY_GAIN / np.pi)
+    )
+    density = graph.add("Add", graph.number(1), graph.add("Div", scale, squared(q)))
+    logarithm = graph.add("Mul", graph.add("Log", density), graph.number(DENSITY_SCALE))
+    return cosines, _with_squares(graph, inclination), logarithm
 
 
-def _coded_half_vector(graph: Graph, half: str) -> str:
-    """`network.coded_half_vector`."""
+def _first_axis(graph: Graph, value: str, number: int) -> str:
+    """One entry along the first axis."""
+    return graph.add("Gather", value, graph.integers([number]), axis=0)
+
+
+def _coded_inclinations(graph: Graph, inclinations: str) -> str:
+    """Bins of `network.fibre_features`."""
     # From −1 to 1 in bins; centres lie half a bin beyond edges.
-    centres = (np.arange(HALF_BINS) + 0.5) / HALF_BINS * 2 - 1
-    return _bumps(graph, half, [centres, centres], HALF_BINS / HALF_REACH / 2)
+    centres = (np.arange(INCLINATION_BINS) + 0.5) / INCLINATION_BINS * 2 - 1
+    return _bumps(graph, inclinations, [centres, centres], INCLINATION_BINS / INCLINATION_REACH / 2)
 
 
 def _with_squares(graph: Graph, values: str) -> str:

@@ -19,6 +19,7 @@ from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX, random_fabric
 from loomlight.models.woven.config import DataTable
+from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.maps import face_maps, mean_pitch
 from loomlight.models.woven.weaves import training_draft
 from loomlight.scattering.point import PointModel
@@ -30,6 +31,8 @@ _FULL_REPEAT = 32
 _FEWEST_PAIRS = 64
 # Fabrics with layouts of their own, where layouts vary.
 _VARIED_SHARE = 2 / 3
+# What is kept of a face beside its threads.
+_ARRAYS = ("maps", "parameters", "fibres", "lights", "views", "places", "truth")
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +42,7 @@ class Face:
     Attributes:
         maps: what the encoder sees [7, rows, columns].
         parameters: α of warp and weft, β of warp and weft [4].
+        fibres: see `Fibres.face` [2 families, 3].
         threads: picks and ends of the repeat.
         lights, views: unit vectors [p, 3].
         places: position x and y and side of the footprint [p, m, 3], in threads.
@@ -47,6 +51,7 @@ class Face:
 
     maps: NDArray[np.float32]
     parameters: NDArray[np.float32]
+    fibres: NDArray[np.float32]
     threads: tuple[int, int]
     lights: NDArray[np.float32]
     views: NDArray[np.float32]
@@ -125,6 +130,7 @@ def pool_faces(
             Face(
                 maps=face_maps(geometry, back, rows, columns, float_type),
                 parameters=fabric_parameters(fabric),
+                fibres=Fibres.of(fabric).face(back),
                 threads=(picks, ends),
                 lights=(lights[chosen] * turn).astype(np.float32),
                 views=(views[chosen] * turn).astype(np.float32),
@@ -139,10 +145,7 @@ def write_faces(path: Path, faces: list[Face]) -> None:
     """Keeps the queries of a fabric, both faces; maps are made again, which is quick."""
     arrays: dict[str, NDArray[Any]] = {}
     for side, face in zip(("front", "back"), faces, strict=True):
-        arrays |= {
-            f"{side}.{name}": np.ascontiguousarray(getattr(face, name))
-            for name in ("maps", "parameters", "lights", "views", "places", "truth")
-        }
+        arrays |= {f"{side}.{name}": np.ascontiguousarray(getattr(face, name)) for name in _ARRAYS}
         arrays[f"{side}.threads"] = np.array(face.threads, np.int64)
     with replacing(path) as temporary:
         save_file(arrays, temporary)
@@ -151,9 +154,8 @@ def write_faces(path: Path, faces: list[Face]) -> None:
 def read_faces(path: Path) -> list[Face]:
     """What `write_faces` kept."""
     arrays = load_file(path)
-    names = ("maps", "parameters", "lights", "views", "places", "truth")
     faces = []
     for side in ("front", "back"):
         picks, ends = arrays[f"{side}.threads"].tolist()
-        faces.append(Face(**{name: arrays[f"{side}.{name}"] for name in names}, threads=(picks, ends)))
+        faces.append(Face(**{name: arrays[f"{side}.{name}"] for name in _ARRAYS}, threads=(picks, ends)))
     return faces

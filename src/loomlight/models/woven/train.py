@@ -33,6 +33,8 @@ _Floats = NDArray[np.float32]
 _WARM_UP = 0.01
 _LARGE = 2.0  # threads; footprints from here on are all learnt from
 _DECODER_FACES = 4  # times as many faces in a step of the decoder alone, of that part of the queries each
+# Of what the pool's files hold: a folder of another version is left alone.
+_POOL_VERSION = 2
 # They keep the random numbers of batches apart from those of the pool.
 _STREAM, _DECODER_STREAM = 7, 11
 
@@ -56,7 +58,9 @@ def train_woven(
         InputError: the folder belongs to another configuration, or a file in it is damaged.
     """
     faces = make_pool(
-        config, folder / f"pool-{_identity(config.data, config.network.latent)[:8]}", pool_report
+        config,
+        folder / f"pool-{_identity(_POOL_VERSION, config.data, config.network.latent)[:8]}",
+        pool_report,
     )
     torch.manual_seed(config.training.seed)
     network = WovenNetwork(config.network).to(device)
@@ -162,9 +166,10 @@ class Batches:
             self._tensor(np.concatenate([asked[part] for asked in drawn])) for part in (1, 2, 3)
         )
         place = self._tensor(np.concatenate(places))
+        fibres = self._tensor(np.repeat(np.stack([face.fibres for face in chosen]), queries, axis=0))
         latent = self._fetched(chosen, latents, [asked[0] for asked in drawn])
         with self._half_precision():
-            output, hole = self._network.decoder(latent, place, light, view)
+            output, hole = self._network.decoder(latent, place, light, view, fibres)
         return self._loss(output.float(), hole.float(), truth, light)
 
     def decoder_losses(self) -> Callable[[int], Iterator[Tensor]]:

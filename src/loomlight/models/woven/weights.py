@@ -28,11 +28,11 @@ from safetensors.numpy import save
 from loomlight.assets.loom_file import checksum
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
-from loomlight.models.woven.architecture import BINS, HALF_BINS
+from loomlight.models.woven.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES
 from loomlight.models.woven.config import NetworkTable
 
-# 2: the half vector joins the directions, roughness enters the encoder as its logarithm.
-SCHEMA = 2
+# 2: roughness enters the encoder as its logarithm. 3: directions are given along the fibres too.
+SCHEMA = 3
 _ENTRY = "woven"
 
 
@@ -182,7 +182,7 @@ def decoder_shapes(table: NetworkTable) -> dict[str, tuple[int, ...]]:
     hidden = table.hidden
     spatial = table.latent_size + (3 * BINS if table.position == "one_blob" else 3)
     fused = hidden if table.fusion else spatial
-    directions = 5 + (2 * HALF_BINS if table.half_vector else 0)
+    directions = 5 + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
     widths = {
         "angular": [fused + directions, *[hidden] * (4 if table.fusion else 6), 4],
         "hole": [fused + 2, 16, 1],
