@@ -1,6 +1,6 @@
 """How long the point model takes to be as near to the truth as lobes are with one sample a pixel, from afar.
 
-    python benchmarks/lobes_render.py [--size 384x216] [--output benchmarks/results/lobes_render.json]
+    python benchmarks/lobes_render.py [--size 960x540] [--output benchmarks/results/lobes_render.json]
 
 The scene is that of the image test where a pixel of draped cloth covers four yarns a side, the reference the
 point model with 1 024 samples a pixel. Lobes look at the pixel's footprint through its middle. Errors are
@@ -30,7 +30,7 @@ from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
 
-SCENE, SIZE, REFERENCE_SAMPLES = "drape far", (384, 216), 1024
+SCENE, SIZE, REFERENCE_SAMPLES = "drape far", (960, 540), 1024
 POINT_SAMPLES = (1, 4, 16, 64, 256)
 TURNS = 7
 BAR = 20.0

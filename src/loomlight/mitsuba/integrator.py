@@ -48,6 +48,8 @@ def footprint_path_class() -> type:
             hide_emitters: directly visible emitters do not show, false.
             footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
                 A picture that is averaged from several renders names their sum here.
+            passes, pass_number: how many renders make up the picture, 1, and which this is, from 0. Samplers
+                that spread the samples of a pixel evenly spread those of all passes together.
             pixel_centres: every camera ray goes through the middle of its pixel, false. For one sample a
                 pixel of models that average over the footprint, which is the pixel itself then.
         """
@@ -57,6 +59,8 @@ def footprint_path_class() -> type:
                 props["max_depth"] = -1
             super().__init__(props)
             self.footprint_samples: int = props.get("footprint_samples", 0)
+            self.passes: int = props.get("passes", 1)
+            self.pass_number: int = props.get("pass_number", 0)
             self.pixel_centres: bool = props.get("pixel_centres", False)
 
         def to_string(self) -> str:
@@ -64,12 +68,29 @@ def footprint_path_class() -> type:
             return (
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
                 f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}, "
+                f"passes = {self.passes}, pass_number = {self.pass_number}, "
                 f"pixel_centres = {self.pixel_centres}]"
             )
 
+        def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
+            if self.passes == 1:
+                prepared: tuple[Any, int] = super().prepare(sensor, seed, spp, list(aovs))
+                return prepared
+            sampler = sensor.sampler().clone()
+            sampler.set_sample_count(spp * self.passes)
+            sampler.set_samples_per_wavefront(spp)
+            film = sensor.film()
+            border = 2 * film.rfilter().border_size() if film.sample_border() else 0
+            sampler.seed(seed, dr.prod(film.crop_size() + border) * spp)
+            for _ in range(self.pass_number):
+                sampler.advance()
+            film.prepare(list(aovs))
+            return sampler, spp
+
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
             tell_pixel_samples(self._samples(sampler))
-            places = _PixelCentres(sampler) if self.pixel_centres else sampler
+            of_pass = sampler.sample_count() // self.passes
+            places = _CameraSampler(sampler, of_pass, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
             ray.scale_differential(self._samples(sampler) ** -0.5)
             return ray, weight, position
@@ -279,25 +300,28 @@ def footprint_path_class() -> type:
     return FootprintPath
 
 
-class _PixelCentres:
-    """A sampler, as far as camera rays need one, whose first square sample, the place in the pixel, is its
-    middle."""
+class _CameraSampler:
+    """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
 
-    def __init__(self, sampler: Any) -> None:
+    Where rays go through pixel centres its first square sample, the place in the pixel, is the middle.
+    """
+
+    def __init__(self, sampler: Any, of_pass: int, centred: bool) -> None:
         self._sampler = sampler
-        self._placed = False
+        self._of_pass = of_pass
+        self._centred = centred
 
     def sample_count(self) -> int:
-        return int(self._sampler.sample_count())
+        return self._of_pass
 
     def next_1d(self) -> Any:
         return self._sampler.next_1d()
 
     def next_2d(self) -> Any:
         drawn = self._sampler.next_2d()
-        if self._placed:
+        if not self._centred:
             return drawn
-        self._placed = True
+        self._centred = False
         return mi.Point2f(0.5)
 
 

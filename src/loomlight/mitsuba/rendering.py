@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import mitsuba as mi
@@ -16,6 +17,7 @@ from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
+_SPREAD_OVER_PASSES = "MultijitterSampler"
 # Networks are evaluated outside of symbolic loops, which keeps every path's state in memory.
 _NETWORK_SHARE = 8
 
@@ -36,8 +38,8 @@ def render(
 
     Args:
         scene: a Mitsuba scene.
-        spp: samples a pixel, ≥ 1; rendered in passes of different seeds. Each pass takes as many as fill a
-            grid (see `filling_grid`), so a few more may be taken.
+        spp: samples a pixel, ≥ 1; rendered in passes. As many are taken as fill a grid (see `filling_grid`),
+            which may be a few more.
         seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
             samples up.
         sensor: a sensor or its index.
@@ -53,34 +55,60 @@ def render(
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
-    previous = getattr(integrator, "footprint_samples", None)
-    if previous is not None:
-        integrator.footprint_samples = spp
+    passes = _passes(spp, width * height, has_networks(scene))
     total: NDArray[np.float64] | float = 0.0
     done = 0
-    try:
-        for number, samples in enumerate(_passes(spp, width * height, has_networks(scene))):
-            picture = mi.render(
-                scene, sensor=sensor, integrator=integrator, spp=samples, seed=_pass_seed(seed, number)
-            )
-            total = total + samples * np.array(picture, dtype=np.float64)
-            done += samples
-            if progress is not None:
-                progress(min(spp, done), spp)
-    finally:
-        if previous is not None:
-            integrator.footprint_samples = previous
+    for number, samples in enumerate(passes):
+        with _one_of(integrator, sensor, spp, passes, number) as own_seed:
+            of_pass = _pass_seed(seed, number) if own_seed else seed
+            picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=samples, seed=of_pass)
+        total = total + samples * np.array(picture, dtype=np.float64)
+        done += samples
+        if progress is not None:
+            progress(min(spp, done), spp)
     linear = np.asarray(total, dtype=np.float64) / done
     linear[..., :3] *= 2.0**exposure
     return linear.astype(np.float32)
 
 
+@contextmanager
+def _one_of(integrator: Any, sensor: Any, spp: int, passes: list[int], number: int) -> Iterator[bool]:
+    """An integrator that renders one pass of a picture, and whether that needs a seed of its own.
+
+    Only `footprint_path` knows of passes, and only one sampler's samples are spread evenly over all of them.
+    """
+    ours = hasattr(integrator, "footprint_samples")
+    together = ours and sensor.sampler().class_name() == _SPREAD_OVER_PASSES
+    changed = {"footprint_samples": spp} if ours else {}
+    if together:
+        changed |= {"passes": len(passes), "pass_number": number}
+    previous = {name: getattr(integrator, name) for name in changed}
+    try:
+        for name, value in changed.items():
+            setattr(integrator, name, value)
+        yield not together
+    finally:
+        for name, value in previous.items():
+            setattr(integrator, name, value)
+
+
 def _passes(spp: int, pixels: int, networks: bool) -> list[int]:
-    """Samples of each pass: as few passes as fit, as equal as they can be, at least `spp` in all."""
+    """Samples of each pass: passes that fit, all alike, of a grid of at least `spp` samples."""
     wavefront = WAVEFRONT[choose_variant()] // (_NETWORK_SHARE if networks else 1)
     largest = max(1, wavefront // pixels)
-    count = -(-spp // largest)
-    return [filling_grid(spp // count + (index < spp % count)) for index in range(count)]
+    whole = filling_grid(spp)
+    if whole <= largest:
+        return [whole]
+    # A slightly larger grid may come in fewer parts.
+    candidates = (filling_grid(count) for count in range(spp, spp + spp // 16 + 1))
+    best = min(candidates, key=lambda count: (count // _divisor(count, largest), count))
+    each = _divisor(best, largest)
+    return [each] * (best // each)
+
+
+def _divisor(count: int, largest: int) -> int:
+    """The largest divisor up to a bound."""
+    return next(each for each in range(min(count, largest), 0, -1) if count % each == 0)
 
 
 def filling_grid(samples: int) -> int:
