@@ -189,6 +189,25 @@ def test_losses_vanish_at_the_truth_alone(name: str) -> None:
     assert LOSSES[name](output, truth[:, 4] + 0.1, truth, light) > 1e-4
 
 
+def test_faint_highlights_count_by_shares() -> None:
+    light = torch.tensor([[0.0, 0.0, 1.0]]).repeat(64, 1)
+
+    def cost(name: str, value: float, factor: float) -> float:
+        truth = torch.tensor([[0.1, 0.1, value, value, 0.0]]).repeat(64, 1)
+        off = truth[:, :4] * torch.tensor([1.0, 1.0, factor, factor])
+        return float(LOSSES[name](mapped(off, light, False), truth[:, 4], truth, light))
+
+    # Twice as bright as it should be: all the same to "faint" but for what "balanced" says as well.
+    faint, bright = (cost("faint", value, 2) - cost("balanced", value, 2) for value in (0.005, 0.2))
+    assert faint == pytest.approx(bright, rel=0.2)
+    assert cost("balanced", 0.005, 2) < 0.1 * cost("balanced", 0.2, 2)
+    # What is below 0 stands for 0, and is still told to rise.
+    output = torch.full((64, 4), -0.5, requires_grad=True)
+    truth = torch.full((64, 5), 0.1)
+    LOSSES["faint"](output, truth[:, 4], truth, light).backward()
+    assert (output.grad < 0).all()
+
+
 def test_small_footprints_are_drawn_less_often(pool: Path) -> None:
     face = read_faces(next(pool.glob("pool-*/*.safetensors")))[0]
     count, small = 40000, 0.25

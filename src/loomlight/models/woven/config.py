@@ -81,6 +81,7 @@ class TrainingTable(_Table):
         decoder_steps: further steps, of the decoder alone, on the latents of the encoder as it is then; those
             are computed once, so a step costs a tenth.
         decoder_rate: largest learning rate of these; the schedule begins anew.
+        decoder_loss: of these; "faint" is "balanced" that counts faint specular terms by shares.
         optimiser: "sgd", as published, "adam" or "soap", which is Adam along the principal axes of gradients.
         rate: largest learning rate.
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
@@ -99,6 +100,7 @@ class TrainingTable(_Table):
     updates: Count = 4
     decoder_steps: Annotated[int, Field(ge=0)] = 0
     decoder_rate: Positive = 1e-3
+    decoder_loss: Literal["balanced", "faint"] = "balanced"
     optimiser: Literal["sgd", "adam", "soap"] = "adam"
     rate: Positive = 2e-3
     schedule: Literal["steps", "cosine"] = "cosine"

@@ -138,7 +138,6 @@ class Batches:
         self._faces = faces
         self._network = network
         self._device = device
-        self._loss = LOSSES[config.training.loss]
 
     def losses(self, step: int) -> Iterator[Tensor]:
         """The losses of one step: of encoder and decoder, then of the decoder, the latents as they were."""
@@ -147,13 +146,13 @@ class Batches:
         count = min(training.fabrics, len(self._faces))
         chosen = [self._faces[k] for k in rng.choice(len(self._faces), count, replace=False)]
         latents = self._encoded(chosen)
-        yield self._loss_of(chosen, latents, rng, training.queries)
+        yield self._loss_of(training.loss, chosen, latents, rng, training.queries)
         kept = [table.detach() for table in latents]
         for _ in range(training.updates - 1):
-            yield self._loss_of(chosen, kept, rng, training.queries)
+            yield self._loss_of(training.loss, chosen, kept, rng, training.queries)
 
     def _loss_of(
-        self, chosen: list[Face], latents: list[Tensor], rng: np.random.Generator, queries: int
+        self, loss: str, chosen: list[Face], latents: list[Tensor], rng: np.random.Generator, queries: int
     ) -> Tensor:
         small = self._config.training.small_footprints
         drawn = [_draw(face, rng, queries, small) for face in chosen]
@@ -170,7 +169,7 @@ class Batches:
         latent = self._fetched(chosen, latents, [asked[0] for asked in drawn])
         with self._half_precision():
             output, hole = self._network.decoder(latent, place, light, view, fibres)
-        return self._loss(output.float(), hole.float(), truth, light)
+        return LOSSES[loss](output.float(), hole.float(), truth, light)
 
     def decoder_losses(self) -> Callable[[int], Iterator[Tensor]]:
         """Losses of steps of the decoder alone, with the latents of all faces as they are now.
@@ -187,7 +186,8 @@ class Batches:
             rng = np.random.default_rng([training.seed, _DECODER_STREAM, step])
             chosen = rng.choice(len(self._faces), count, replace=False)
             latents = [tables[k].float() for k in chosen]
-            yield self._loss_of([self._faces[k] for k in chosen], latents, rng, queries)
+            some = [self._faces[k] for k in chosen]
+            yield self._loss_of(training.decoder_loss, some, latents, rng, queries)
 
         return losses
 
