@@ -201,11 +201,13 @@ def test_faint_highlights_count_by_shares() -> None:
     faint, bright = (cost("faint", value, 2) - cost("balanced", value, 2) for value in (0.005, 0.2))
     assert faint == pytest.approx(bright, rel=0.2)
     assert cost("balanced", 0.005, 2) < 0.1 * cost("balanced", 0.2, 2)
-    # What is below 0 stands for 0, and is still told to rise.
-    output = torch.full((64, 4), -0.5, requires_grad=True)
-    truth = torch.full((64, 5), 0.1)
-    LOSSES["faint"](output, truth[:, 4], truth, light).backward()
-    assert (output.grad < 0).all()
+    # What is below 0, however far, stands for 0, and is still told to rise.
+    for below in (-0.5, -100.0):
+        output = torch.full((64, 4), below, requires_grad=True)
+        truth = torch.full((64, 5), 0.1)
+        LOSSES["faint"](output, truth[:, 4], truth, light).backward()
+        assert output.grad.isfinite().all()
+        assert (output.grad[:, 2:] < 0).all()
 
 
 def test_small_footprints_are_drawn_less_often(pool: Path) -> None:

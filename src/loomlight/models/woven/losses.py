@@ -20,8 +20,7 @@ _HOLE_WEIGHT = 3.0
 _GROUP, _GROUP_WEIGHT = 256, 2.0
 # Beside highlights, specular terms are counted as ln(10 k x + 1): by shares down to 1/1000 per sr.
 _FAINT_GAIN, _FAINT_SHARE = 10.0, 0.7
-# How much of an output below 0, which stands for 0, is taken as it is, so that it can be learnt from.
-_BELOW = 0.01
+_BELOW = 0.1  # of outputs below 0, so that they can be learnt from
 
 
 def gain(light: Tensor) -> Tensor:
@@ -77,10 +76,12 @@ def faint_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Te
 
     Dark dyed silk shows little else beside its highlights; in absolute errors that is nothing.
     """
-    gains = gain(light)
-    found = torch.expm1(functional.leaky_relu(torch.clamp(output[:, 2:], max=LARGEST_OUTPUT), _BELOW)) / gains
-    faint = [torch.log1p(_FAINT_GAIN * gains * values) for values in (found, truth[:, 2:4])]
-    relative = (faint[0] - faint[1]).abs().sum(1).mean()
+    reached = torch.log1p(_FAINT_GAIN * gain(light) * truth[:, 2:4])
+    specular = torch.clamp(output[:, 2:], max=LARGEST_OUTPUT)
+    found = torch.log1p(_FAINT_GAIN * torch.expm1(torch.clamp(specular, min=0)))
+    # What is below 0 stands for 0, and is still told to rise, evenly, however far below it lies.
+    found = found + _BELOW * torch.clamp(specular, max=0)
+    relative = (found - reached).abs().sum(1).mean()
     return balanced_loss(output, hole, truth, light) + _FAINT_SHARE * relative
 
 
