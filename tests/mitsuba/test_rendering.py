@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import drjit as dr
 import numpy as np
 import pytest
 
@@ -37,6 +38,19 @@ def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
     # In trials 0.97 of that of one go, and 1.27 apart; pictures are the same every time but for rounding.
     assert error(together) < 1.1 * error([whole])
     assert error(apart) > 1.15 * error(together)
+
+
+def test_passes_share_their_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = build_scene("flat", WHITE, size=(16, 16)).scene
+    monkeypatch.setitem(rendering.WAVEFRONT, "llvm_ad_rgb", 16 * 16 * 4)
+    render(scene, spp=8, seed=1)
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        render(scene, spp=32, seed=1)
+        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+    # Eight passes, all of the picture of two.
+    assert len(kernels) >= 8
+    assert all(kernel["cache_hit"] for kernel in kernels)
 
 
 def test_same_seed_same_picture_and_exposure_scales() -> None:

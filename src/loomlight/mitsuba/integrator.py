@@ -84,6 +84,9 @@ def footprint_path_class() -> type:
             sampler.seed(seed, dr.prod(film.crop_size() + border) * spp)
             for _ in range(self.pass_number):
                 sampler.advance()
+            # Or its number would be part of the kernel, which each pass would compile anew.
+            sampler.schedule_state()
+            dr.eval()
             film.prepare(list(aovs))
             return sampler, spp
 
