@@ -82,11 +82,13 @@ def footprint_path_class() -> type:
             film = sensor.film()
             border = 2 * film.rfilter().border_size() if film.sample_border() else 0
             sampler.seed(seed, dr.prod(film.crop_size() + border) * spp)
-            for _ in range(self.pass_number):
-                sampler.advance()
-            # Or its number would be part of the kernel, which each pass would compile anew.
+            # Evaluated: what led there would be part of the kernel, which each pass would compile anew.
             sampler.schedule_state()
             dr.eval()
+            for _ in range(self.pass_number):
+                sampler.advance()
+                sampler.schedule_state()
+                dr.eval()
             film.prepare(list(aovs))
             return sampler, spp
 
