@@ -48,8 +48,6 @@ def footprint_path_class() -> type:
             hide_emitters: directly visible emitters do not show, false.
             footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
                 A picture that is averaged from several renders names their sum here.
-            passes, pass_number: how many renders make up the picture, 1, and which this is, from 0. Samplers
-                that spread the samples of a pixel evenly spread those of all passes together.
             pixel_centres: every camera ray goes through the middle of its pixel, false. For one sample a
                 pixel of models that average over the footprint, which is the pixel itself then.
         """
@@ -59,8 +57,8 @@ def footprint_path_class() -> type:
                 props["max_depth"] = -1
             super().__init__(props)
             self.footprint_samples: int = props.get("footprint_samples", 0)
-            self.passes: int = props.get("passes", 1)
-            self.pass_number: int = props.get("pass_number", 0)
+            # How many renders make up the picture, and which this is: `render` says so.
+            self.passes, self.pass_number = 1, 0
             self.pixel_centres: bool = props.get("pixel_centres", False)
 
         def to_string(self) -> str:
@@ -68,7 +66,6 @@ def footprint_path_class() -> type:
             return (
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
                 f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}, "
-                f"passes = {self.passes}, pass_number = {self.pass_number}, "
                 f"pixel_centres = {self.pixel_centres}]"
             )
 

@@ -100,7 +100,8 @@ def _passes(spp: int, pixels: int, networks: bool) -> list[int]:
     if whole <= largest:
         return [whole]
     # A slightly larger grid may come in fewer parts.
-    candidates = (filling_grid(count) for count in range(spp, spp + max(spp // 8, 1) + 1))
+    step = max(math.isqrt(spp) // 8, 1)
+    candidates = (filling_grid(count) for count in range(spp, spp + max(spp // 8, 1) + 1, step))
     best = min(candidates, key=lambda count: (count // _divisor(count, largest), count))
     each = _divisor(best, largest)
     return [each] * (best // each)

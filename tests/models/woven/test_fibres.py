@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import torch
 from drjit.llvm.ad import Array3f, Bool, Float
 
 from loomlight import fabric_from_text
+from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.models.woven.architecture import DENSITY_GAIN, DENSITY_SCALE, OPPOSITE
 from loomlight.models.woven.fibres import Fibres
+from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.network import fibre_features
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry
@@ -68,3 +72,12 @@ def test_mixed_fibres_lie_between() -> None:
     # Beyond the others roughness stays one.
     assert _FIBRES.mixed(other, 3).roughness[0] == 1
     assert Fibres.from_array(_FIBRES.array()).array() == pytest.approx(_FIBRES.array())
+
+
+def test_a_material_with_an_impossible_roughness_is_one_sentence() -> None:
+    loom = WovenModel.for_fabric(fabric_from_text("plain")).to_loom()
+    assert WovenModel.from_loom(loom).encoded.fibres == WovenModel.for_fabric(loom.fabric).encoded.fibres
+    for roughness in (0.0, -0.5, 1.5):
+        wrong = np.array([[0, 0], [0.3, roughness]], np.float32)
+        with pytest.raises(InputError, match=r"model\.fibres has a roughness of"):
+            WovenModel.from_loom(replace(loom, tensors={**loom.tensors, "fibres": wrong}))

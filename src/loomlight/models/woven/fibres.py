@@ -28,11 +28,11 @@ class Fibres:
 
     @classmethod
     def of(cls, fabric: Fabric) -> Self:
-        """The fibres of a fabric."""
+        """The fibres of a fabric, in single precision, as materials keep them."""
         layout, appearance = fabric.layout(), fabric.appearance()
-        return cls(
-            (layout.warp.twist, layout.weft.twist), (appearance.warp.roughness, appearance.weft.roughness)
-        )
+        twist = layout.warp.twist, layout.weft.twist
+        roughness = appearance.warp.roughness, appearance.weft.roughness
+        return cls.from_array(np.array([twist, roughness], np.float32))
 
     @classmethod
     def from_array(cls, numbers: NDArray[np.float32]) -> Self:

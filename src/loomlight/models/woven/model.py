@@ -11,6 +11,7 @@ import numpy as np
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
@@ -95,6 +96,11 @@ class WovenModel(Model):
             loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
         )
         fibres = Fibres.from_array(loom.tensor("fibres", (2, 2), np.float32))
+        if not all(0 < roughness <= 1 for roughness in fibres.roughness):
+            raise InputError(
+                f"{loom.source}: the tensor model.fibres has a roughness of {min(fibres.roughness):g} and "
+                f"{max(fibres.roughness):g}: both should be above 0 and at most 1. Bake it again."
+            )
         return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres), weights)
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
