@@ -17,7 +17,9 @@ from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.interface import Response
+from loomlight.models.lobes.groups import Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.reach import first_looks, seen_points
 from loomlight.models.lobes.twin import LobesTwin
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
@@ -173,3 +175,9 @@ def far_parts(model: LobesModel, asked: Asked) -> dict[str, NDArray[np.float32]]
 def floats(values: NDArray[Any]) -> Float:
     """Numbers on a device."""
     return Float(np.ascontiguousarray(values, np.float32))
+
+
+def groups_of(geometry: YarnGeometry, per_family: int) -> Groups:
+    """The groups that tables are made of."""
+    cloth = cloth_of(geometry, Float)
+    return find_groups(plan_points(cloth), seen_points(first_looks(cloth)), per_family)

@@ -27,9 +27,10 @@ from loomlight.models.lobes.groups import (
     plan_points,
 )
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.reach import cast_rays, first_looks, seen_points
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 
-from .cloths import TEXTS, asked_of, far_parts, floats, geometry_of
+from .cloths import TEXTS, asked_of, far_parts, floats, geometry_of, groups_of
 
 PER_FAMILY = 8
 # Texels of an independent plan, a side.
@@ -54,7 +55,7 @@ def numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int64
 @pytest.mark.parametrize("back", [False, True])
 def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(plan_points(cloth_of(geometry, Float)), PER_FAMILY)
+    groups = groups_of(geometry, PER_FAMILY)
     point = plan(geometry, 1, back)
     found = numbers(groups, point, back)
     hole, is_warp = point.hole.numpy(), point.is_warp.numpy()
@@ -77,48 +78,47 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
 
 @pytest.mark.parametrize("name", TEXTS)
 @pytest.mark.parametrize("back", [False, True])
-def test_areas_and_moments_are_those_of_the_plan(name: str, back: bool) -> None:
+def test_areas_are_those_of_the_plan(name: str, back: bool) -> None:
     geometry = geometry_of(name)
-    groups = find_groups(plan_points(cloth_of(geometry, Float)), PER_FAMILY)
+    groups = groups_of(geometry, PER_FAMILY)
     face = int(back)
     assert groups.area[face].sum() + groups.hole[face] == pytest.approx(1, abs=1e-12)
-    point = plan(geometry, 2, back)
-    found = numbers(groups, point, back)
+    found = numbers(groups, plan(geometry, 2, back), back)
     area = np.bincount(found, minlength=groups.count + 1) / len(found)
     # Points are even: where each of n stands for a square, some √n lie on the outlines of a group.
     bound = 0.6 / math.sqrt(module._POINTS)
     np.testing.assert_allclose(groups.area[face], area[:-1], atol=bound)
     assert groups.hole[face] == pytest.approx(area[-1], abs=bound)
-    normal, tangent = (part.numpy().T.astype(np.float64) for part in (point.normal, point.tangent))
-    for group in np.flatnonzero(area[:-1] > 0.01):
-        own = found == group
-        # Deviations of half the width of a group, and the error of as many random points.
-        error = 4.5 / math.sqrt(area[group] * module._POINTS)
-        for found_mean, values in ((groups.normal, normal), (groups.tangent, tangent)):
-            wanted, width = values[own].mean(0), values[own].std(0)
-            assert (np.abs(found_mean[face, group] - wanted) < error * width + 1e-4).all()
-        covariance = np.cov(tangent[own].T)
-        assert np.abs(groups.spread[face, group] - covariance).max() < 2 * error * np.trace(covariance) + 1e-5
-        # Directions are unit vectors: their mean square is 1.
-        mean = groups.tangent[face, group]
-        assert mean @ mean + np.trace(groups.spread[face, group]) == pytest.approx(1, abs=1e-6)
 
 
-def test_more_groups_are_narrower() -> None:
-    geometry = geometry_of("translucent twill")
+def test_until_views_tell_more_fibres_lie_about_the_centre() -> None:
+    groups = groups_of(geometry_of("smooth satin"), PER_FAMILY)
+    np.testing.assert_allclose(groups.tangent, groups.centres[..., 3:])
+    # Directions are unit vectors: their mean square is 1.
+    square = np.square(groups.tangent).sum(axis=-1) + np.trace(groups.spread, axis1=2, axis2=3)
+    np.testing.assert_allclose(square, 1, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_more_groups_are_narrower(name: str) -> None:
+    cloth = cloth_of(geometry_of(name), Float)
+    points, seen = plan_points(cloth), seen_points(first_looks(cloth))
+    families = seen.of_families()
     spreads = []
     for per_family in (1, 4, 16):
-        groups = find_groups(plan_points(cloth_of(geometry, Float)), per_family)
-        spreads.append((groups.area * np.trace(groups.spread, axis1=2, axis2=3)).sum())
+        centres = find_groups(points, seen, per_family).centres.reshape(4, per_family, -1)
+        distances = [
+            np.square(seen.features[chosen, None] - own).sum(axis=2).min(axis=1)
+            for chosen, own in zip(families, centres, strict=True)
+        ]
+        spreads.append(np.concatenate(distances).mean())
     # Four times the groups of a set of two or three dimensions: at least half the variance.
     assert spreads[1] < 0.5 * spreads[0]
     assert spreads[2] < 0.5 * spreads[1]
 
 
 def test_the_same_groups_every_time() -> None:
-    first, second = (
-        find_groups(plan_points(cloth_of(geometry_of("smooth satin"), Float)), PER_FAMILY) for _ in range(2)
-    )
+    first, second = (groups_of(geometry_of("smooth satin"), PER_FAMILY) for _ in range(2))
     for part in fields(Groups):
         assert np.array_equal(getattr(first, part.name), getattr(second, part.name)), part.name
 
@@ -171,7 +171,8 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
         )
 
     monkeypatch.setattr(tables, "plan_points", without_weft)
-    groups = find_groups(without_weft(cloth_of(YarnGeometry(fabric.layout()), Float)), per_family)
+    cloth = cloth_of(YarnGeometry(fabric.layout()), Float)
+    groups = find_groups(without_weft(cloth), seen_points(first_looks(cloth)), per_family)
     assert not groups.area[0, per_family:].any()
     assert groups.area[1, per_family:].all()
     for part in fields(Groups):
@@ -188,9 +189,58 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
 
 
 def test_fewer_different_points_than_groups() -> None:
-    """Flat threads of one direction each: one point a family, eight groups of it."""
+    """Flat threads of one direction: one point, eight groups of it."""
     count = 100
-    features = np.tile([0, 0, 0.5, 1, 0, 0.0], (2, count, 1))
+    features = np.tile([0, 0, 0.5, 1, 0, 0.0], (count, 1))
     centres = module._centres(features, PER_FAMILY)
-    assert centres.shape == (2, PER_FAMILY, 6)
-    np.testing.assert_allclose(centres, features[:, :PER_FAMILY])
+    assert centres.shape == (PER_FAMILY, 6)
+    np.testing.assert_allclose(centres, features[:PER_FAMILY])
+
+
+def test_halves_are_parted_where_points_part() -> None:
+    """Four heaps of different size: each is a group, whatever the order of the points."""
+    rng = np.random.default_rng(5)
+    heaps = np.zeros((4, 6))
+    heaps[:, :2] = [[0, 0], [1, 0.1], [0, 1.2], [1.1, 1]]
+    heap = rng.permutation(np.repeat(np.arange(4), [300, 100, 50, 550]))
+    features = heaps[heap] + 0.02 * rng.normal(size=(len(heap), 6))
+    for order in (np.arange(len(heap)), rng.permutation(len(heap))):
+        centres = module._centres(features[order], 4)
+        for number in range(4):
+            distance = np.linalg.norm(centres - features[heap == number].mean(axis=0), axis=1)
+            # Coordinates are rounded to four digits.
+            assert distance.min() < 1e-4
+
+
+def test_groups_err_less_than_halves_alone_and_far_less_than_one() -> None:
+    """Steps of k-means only lower the sum of squared distances."""
+    rng = np.random.default_rng(6)
+    features = rng.normal(size=(1000, 6)) * [1, 0.5, 0.2, 0.6, 0.1, 0.1]
+
+    def error(centres: NDArray[np.float64]) -> float:
+        return float(np.square(features[:, None] - centres).sum(axis=2).min(axis=1).mean())
+
+    halves, found = module._halved_centres(features, 8), module._centres(features, 8)
+    assert error(found) < error(halves) < 0.5 * error(module._halved_centres(features, 1))
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_seen_points_are_those_that_views_meet(name: str) -> None:
+    """Shares of families and holes are those of the rays that tables are made of."""
+    geometry = geometry_of(name)
+    cloth = cloth_of(geometry, Float)
+    seen = seen_points(first_looks(cloth))
+    rays = cast_rays(cloth, plan_points(cloth), PER_FAMILY)
+    hits = rays.hits.is_warp.numpy()
+    passing = np.zeros(len(hits), bool)
+    if rays.pass_cloth is not None:
+        passing[rays.from_gaps[rays.pass_cloth.numpy()]] = True
+    for back in (False, True):
+        some, many = seen.back == back, (np.arange(len(hits)) >= len(hits) // 2) == back
+        for found, wanted in (
+            (seen.hole[some], passing[many]),
+            ((seen.is_warp & ~seen.hole)[some], (hits & ~passing)[many]),
+        ):
+            # 4.5 deviations of random rays; these are even.
+            bound = 4.5 * math.sqrt(0.25 / some.sum())
+            assert abs(found.mean() - wanted.mean()) < bound

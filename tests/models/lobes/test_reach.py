@@ -19,9 +19,11 @@ from loomlight.models.lobes.reach import (
     Reach,
     SortedRays,
     cast_rays,
+    first_looks,
     groups_met,
     measure_reach,
     rays_of,
+    seen_points,
     sort_rays,
 )
 from loomlight.yarn.geometry import YarnGeometry
@@ -41,7 +43,7 @@ def sorted_rays(name: str) -> tuple[YarnGeometry, SortedRays]:
     geometry = geometry_of(name)
     cloth = cloth_of(geometry, Float)
     points = plan_points(cloth)
-    groups = find_groups(points, PER_FAMILY)
+    groups = find_groups(points, seen_points(first_looks(cloth)), PER_FAMILY)
     finder = Held(GroupFinder(groups, array_types(Float)))
     return geometry, sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, finder, BLEND)
 

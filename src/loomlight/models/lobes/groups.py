@@ -19,16 +19,19 @@ from loomlight.core.recorded import Held, Recorded
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import upload_extent
 
-# What a group is measured by: half the normal beside the fibre direction. Highlights are narrow in the
-# latter; in trials with 8 groups a family other shares were up to 4 % worse.
+# What a group is measured by: this much of the normal beside the fibre direction, in which highlights are
+# narrow.
 _NORMAL_SHARE = 0.5
-_FEATURES = 6
-# Points of a face that groups are found from, and that their moments are summed over.
+# Points of a face's plan that areas are counted over, and points of a family and face that its
+# groups are learnt from.
 _POINTS = 1 << 13
-_LEARNT_FROM = 1 << 10
+_LEARNT_FROM = 1 << 11
+# Fewer points of a family that views meet say less than its plan.
+_FEWEST_SEEN = 64
 # A covariance of fewer says nothing.
 _FEWEST_MET = 8
-_ITERATIONS = 10
+_ITERATIONS = 2
+_HALVINGS = 4
 # Points that agree in so many are one to k-means, as those of a straight flat yarn are.
 _DIGITS = 4
 # Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
@@ -37,13 +40,12 @@ _EVEN_IN_FOUR = [round(2**32 * 1.1673039782614187**-power) for power in range(1,
 
 
 @dataclass(frozen=True, eq=False)
-class PlanPoints:
-    """Points spread evenly over the plan, those of the front first.
+class FacePoints:
+    """Points of both faces.
 
     Attributes:
         back, is_warp, hole: Booleans [n].
         normal, tangent: unit vectors [n, 3] in the frame of the face.
-        gaps: places where neither family is, evenly spread [m, 2], millimetres.
     """
 
     back: NDArray[np.bool_]
@@ -51,6 +53,26 @@ class PlanPoints:
     hole: NDArray[np.bool_]
     normal: NDArray[np.float64]
     tangent: NDArray[np.float64]
+
+    @property
+    def features(self) -> NDArray[np.float64]:
+        """What groups are parted by [n, 6]."""
+        return np.concatenate([_NORMAL_SHARE * self.normal, self.tangent], axis=1)
+
+    def of_families(self) -> list[NDArray[np.intp]]:
+        """Points of the front's warp and weft and of the back's, holes left out."""
+        number = 2 * self.back + ~self.is_warp
+        return [np.flatnonzero((number == family) & ~self.hole) for family in range(4)]
+
+
+@dataclass(frozen=True, eq=False)
+class PlanPoints(FacePoints):
+    """Points spread evenly over the plan, those of the front first.
+
+    Attributes:
+        gaps: places where neither family is, evenly spread [m, 2], millimetres.
+    """
+
     gaps: NDArray[np.float32]
 
 
@@ -63,9 +85,9 @@ class Groups:
         centres: what points are compared with [2 faces, 2 K, 6]: half the normal, then the fibre direction.
         area: share of the plan of the cloth [2, 2 K].
         hole: share of the plan where neither family is [2].
-        normal: mean normal of the plan, or of what views meet (`as_met`), shorter than 1 [2, 2 K, 3].
-        tangent: mean fibre direction of the same, shorter than 1 [2, 2 K, 3].
-        spread: covariance of the fibre direction [2, 2 K, 3, 3].
+        normal: of the centre, or the mean of what views meet (`as_met`), shorter than 1 [2, 2 K, 3].
+        tangent: fibre direction of the same, shorter than 1 [2, 2 K, 3].
+        spread: covariance of the fibre direction [2, 2 K, 3, 3]; its trace is 1 − |tangent|².
     """
 
     per_family: int
@@ -187,30 +209,52 @@ def _plan(cloth: Cloth) -> tuple[Any, ...]:
     return x, y, point.is_warp, point.hole, point.normal, point.tangent
 
 
-def find_groups(points: PlanPoints, per_family: int) -> Groups:
-    """Parts the points of both faces into `per_family` groups for each family (k-means) and sums them up.
+def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups:
+    """Parts the yarns of both faces into `per_family` groups for each family.
 
     A family that a face never shows has groups without area.
+
+    Args:
+        seen: what views from all around meet, which groups are made for. What dives under other
+            yarns is a large part of the plan, and seldom seen.
     """
     count = 2 * per_family
-    of_set = 2 * points.back + ~points.is_warp
-    sets = {number: np.flatnonzero((of_set == number) & ~points.hole) for number in range(4)}
-    sets = {number: chosen for number, chosen in sets.items() if len(chosen)}
-    features = np.concatenate([_NORMAL_SHARE * points.normal, points.tangent], axis=1)
-    centres = np.zeros((4, per_family, _FEATURES), np.float32)
+    features, of_seen = points.features, seen.features
+    sets = {family: chosen for family, chosen in enumerate(points.of_families()) if len(chosen)}
+    # Groups of no points face the eye, so that nothing is divided by 0.
+    facing = np.array([0, 0, _NORMAL_SHARE, 0, 1, 0], np.float32)
+    centres = np.tile(facing, (4, per_family, 1))
     if sets:
+        met = seen.of_families()
         learnt = [
-            np.resize(chosen, -(-len(chosen) // _LEARNT_FROM) * _LEARNT_FROM) for chosen in sets.values()
+            _some(of_seen[met[family]] if len(met[family]) >= _FEWEST_SEEN else features[chosen])
+            for family, chosen in sets.items()
         ]
-        rows = np.stack([some[:: len(some) // _LEARNT_FROM] for some in learnt])
-        centres[list(sets)] = _centres(features[rows], per_family)
+        centres[list(sets)] = [_centres(some, per_family) for some in learnt]
     number = np.full(len(points.back), 2 * count)
     for family, chosen in sets.items():
         number[chosen] = family * per_family + _nearest(features[chosen], centres[family])
-    members, mean_normal, mean_tangent, spread = _moments(number, points.normal, points.tangent, count)
-    holes = np.full(2, len(points.gaps) / _POINTS)
-    centres = centres.reshape(2, count, _FEATURES)
-    return Groups(per_family, centres, members / _POINTS, holes, mean_normal, mean_tangent, spread)
+    members = np.bincount(number, minlength=2 * count + 1)[: 2 * count].reshape(2, count)
+    centres = centres.reshape(2, count, -1)
+    # Until views tell more: fibres about the centre, as far from it in all directions.
+    tangent = centres[..., 3:].astype(np.float64)
+    left = np.maximum(1 - np.square(tangent).sum(axis=-1), 0)
+    return Groups(
+        per_family,
+        centres,
+        members / _POINTS,
+        np.full(2, len(points.gaps) / _POINTS),
+        centres[..., :3].astype(np.float64) / _NORMAL_SHARE,
+        tangent,
+        left[..., None, None] / 3 * np.eye(3),
+    )
+
+
+def _some(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+    """`_LEARNT_FROM` of them at the most, at random: every k-th would favour some places."""
+    if len(rows) <= _LEARNT_FROM:
+        return rows
+    return rows[np.random.default_rng(0).choice(len(rows), _LEARNT_FROM, replace=False)]
 
 
 def as_met(
@@ -218,7 +262,7 @@ def as_met(
 ) -> Groups:
     """The groups with moments of yarn points as often as views meet them.
 
-    What dives under other yarns is steep and seldom seen: over the plan it may make a group five times as
+    What dives under other yarns is steep and seldom seen: over the plan it would make a group five times as
     wide as it looks. A group that few views meet keeps its moments.
 
     Args:
@@ -248,48 +292,75 @@ def _moments(
     ).reshape(2, count, -1)
     points = sums[..., :1]
     means = sums[..., 1:] / np.maximum(points, 1)
-    # Groups without points face the eye, so that nothing is divided by 0.
-    means[points[..., 0] == 0, 2] = means[points[..., 0] == 0, 4] = 1
     mean_normal, mean_tangent = means[..., :3], means[..., 3:6]
     spread = -mean_tangent[..., :, None] * mean_tangent[..., None, :]
     spread[..., first, second] += means[..., 6:]
     spread[..., second, first] = spread[..., first, second]
-    spread[points[..., 0] == 0] = 0
     return points[..., 0], mean_normal, mean_tangent, spread
 
 
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Means of `count` groups (k-means) in each of several sets of points [sets, n, features].
+    """Means of `count` groups of points [n, features]: a few steps of k-means from `_halved_centres`.
 
     Where fewer points differ some groups are one; where a group loses all its points it keeps its place.
     """
     learnt = features.round(_DIGITS)
-    turned = np.ascontiguousarray(learnt.transpose(0, 2, 1))
-    centres = _first_centres(turned, count)
+    turned = np.ascontiguousarray(learnt.T)
+    centres = _halved_centres(learnt, count)
     for _ in range(_ITERATIONS):
-        distance = 2 * centres @ turned
-        np.subtract((centres**2).sum(2)[..., None], distance, out=distance)
+        distance = np.square(centres).sum(axis=1)[:, None] - 2 * centres @ turned
         # A point between two groups counts for both.
-        member = distance == distance.min(axis=1, keepdims=True)
-        points = np.count_nonzero(member, axis=2)[..., None]
-        sums = member.astype(np.float64) @ learnt
-        before, centres = centres, np.where(points > 0, sums / np.maximum(points, 1), centres)
-        if np.array_equal(before, centres):
-            break
+        member = distance == distance.min(axis=0)
+        points = np.count_nonzero(member, axis=1)[:, None]
+        centres = np.where(points > 0, member.astype(np.float64) @ learnt / np.maximum(points, 1), centres)
     return centres
 
 
-def _first_centres(turned: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Points far from each other, of sets [sets, features, n]: drawn by squared distance (k-means++)."""
-    chances = np.random.default_rng(0).random(count)
-    sets = np.arange(len(turned))
-    centres = [turned[sets, :, int(chances[0] * turned.shape[2])]]
-    nearest = np.full((len(turned), turned.shape[2]), np.inf)
-    for chance in chances[1:]:
-        nearest = np.minimum(nearest, np.square(turned - centres[-1][..., None]).sum(axis=1))
-        reached = nearest.cumsum(axis=1)
-        centres.append(turned[sets, :, (reached < chance * reached[:, -1:]).sum(axis=1)])
-    return np.stack(centres, axis=1)
+def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+    """Means of groups that come of halving the widest, again and again [count, features].
+
+    Widest is whose points have the largest sum of squared distances from their mean. It is parted across its
+    longest axis, where both halves are nearest to their means. No step is left to chance: groups found from
+    centres drawn at random make pictures of the same cloth that err up to a third more or less.
+    """
+    mean = points.mean(axis=0)
+    # Of each group: its points, their mean, and the sum of squared distances from it.
+    parts, centres, errors = [points], [mean], [float(np.square(points - mean).sum())]
+    while len(parts) < count:
+        widest = int(np.argmax(errors))
+        part, centre = parts[widest], centres[widest]
+        offset = part - centre
+        along = offset @ np.linalg.eigh(offset.T @ offset)[1][:, -1]
+        beyond = along > _between(along)
+        there = np.count_nonzero(beyond)
+        if not there:
+            # All points are one.
+            centres += [centre] * (count - len(parts))
+            break
+        share = beyond.astype(np.float64)
+        # Offsets of both halves cancel.
+        total = share @ offset
+        squared, error_there = float(total @ total), float(share @ np.einsum("nk,nk->n", offset, offset))
+        here = len(part) - there
+        parts[widest], centres[widest] = part[np.flatnonzero(~beyond)], centre - total / here
+        errors[widest] += -error_there - squared / here
+        parts.append(part[np.flatnonzero(beyond)])
+        centres.append(centre + total / there)
+        errors.append(error_there - squared / there)
+    return np.array(centres)
+
+
+def _between(along: NDArray[np.float64]) -> float:
+    """Where to part points on a line [n], whose mean is 0: halfway between the means of both halves."""
+    at = 0.0
+    for _ in range(_HALVINGS):
+        beyond = along > at
+        there = np.count_nonzero(beyond)
+        if not there:
+            break
+        # Both sums cancel.
+        at = 0.5 * float(beyond @ along) * (1 / there - 1 / (len(along) - there))
+    return at
 
 
 def _nearest(features: NDArray[np.float64], centres: NDArray[np.float32]) -> NDArray[np.intp]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import drjit as dr
@@ -22,7 +23,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, uploaded
 from loomlight.core.recorded import Held, Recorded
-from loomlight.models.lobes.groups import Cloth, GroupFinder, Groups, PlanPoints, as_met
+from loomlight.models.lobes.groups import Cloth, FacePoints, GroupFinder, Groups, PlanPoints, as_met
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
@@ -31,6 +32,8 @@ from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, 
 _FEWEST_RAYS, _RAYS_PER_GROUP = 256, 32
 # Rays through gaps, at most so many a node and face.
 _GAP_RAYS = 128
+# Rays of each node and face that groups are learnt from.
+_FIRST_RAYS = 32
 # Moments are those of every so many views.
 _MOMENTS_FROM = 4
 # Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
@@ -98,6 +101,33 @@ class CastRays:
     passes: Any | None
 
 
+def first_looks(cloth: Held[Cloth]) -> Met:
+    """What a few views from every node meet; does not wait for it."""
+    return _first_looks(cloth, _directions(cloth))
+
+
+@Recorded
+def _first_looks(cloth: Cloth, directions: Any) -> Met:
+    lane = dr.arange(cloth.types.UInt32, 2 * NODES * _FIRST_RAYS)
+    back, x, y, view = _rays(cloth, directions, _FIRST_RAYS, lane)
+    hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY)
+    met = cloth.geometry.surface(hit.x, hit.y, back)
+    return Met(met.is_warp, hit.hole | met.hole, met.normal, met.tangent)
+
+
+def seen_points(met: Met) -> FacePoints:
+    """What `first_looks` found."""
+    normal, tangent = (part.numpy().T.astype(np.float64) for part in (met.normal, met.tangent))
+    back = np.arange(len(normal)) >= len(normal) // 2
+    return FacePoints(back, met.is_warp.numpy(), met.hole.numpy(), normal, tangent)
+
+
+def _directions(cloth: Held[Cloth]) -> Any:
+    """Unit vectors of all nodes, uploaded: Float [4 NODES]."""
+    rows = np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32)
+    return uploaded(cloth.value.types.Float, rows)
+
+
 def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRays:
     """Casts the rays of both faces and of all nodes to eye and light, and does not wait for them.
 
@@ -110,7 +140,7 @@ def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRa
     # Few views start in gaps, but one among every sixteen that are followed at once: apart they take less.
     from_gaps = np.flatnonzero(_start_in_gaps(cloth, rays).numpy())
     lanes = uploaded(UInt32, from_gaps.astype(np.uint32))
-    directions = uploaded(Float, np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32))
+    directions = _directions(cloth)
     # Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
     gaps = points.gaps[:: max(1, len(points.gaps) // _GAP_RAYS)][:_GAP_RAYS]
     starts = uploaded(Float, gaps)
@@ -212,6 +242,14 @@ class SortedRays:
     free: Any
     terms: tuple[Any, Any]
 
+    @cached_property
+    def met(self) -> NDArray[np.intp]:
+        """Bins of views; those that pass through the cloth lie beyond all."""
+        bins = self.seen.numpy().astype(np.intp)
+        if self.rays.pass_cloth is not None:
+            bins[self.rays.from_gaps[self.rays.pass_cloth.numpy()]] = 2 * NODES * self.groups.count
+        return bins
+
 
 def sort_rays(rays: CastRays, groups: Groups, finder: Held[GroupFinder], diffuse_blend: float) -> SortedRays:
     """Finds the groups of what rays met, and does not wait for it.
@@ -285,19 +323,13 @@ def measure_reach(found: SortedRays) -> Reach:
 def groups_met(found: SortedRays) -> Groups:
     """The groups with moments of what views from all sides meet."""
     groups, hits = found.groups, found.rays.hits
-    bins = _met_bins(found)[::_MOMENTS_FROM]
-    vectors = np.stack([part.numpy()[::_MOMENTS_FROM] for part in (*hits.normal, *hits.tangent)], axis=1)
+    bins = found.met[::_MOMENTS_FROM]
+    normal, tangent = (
+        np.stack([axis.numpy()[::_MOMENTS_FROM] for axis in part]).astype(np.float64).T
+        for part in (hits.normal, hits.tangent)
+    )
     face, group = bins // (NODES * groups.count), bins % groups.count
-    vectors = vectors.astype(np.float64)
-    return as_met(groups, face * groups.count + group, vectors[:, :3], vectors[:, 3:])
-
-
-def _met_bins(found: SortedRays) -> NDArray[np.intp]:
-    """Bins of views; those that pass through the cloth lie beyond all."""
-    bins = found.seen.numpy().astype(np.intp)
-    if found.rays.pass_cloth is not None:
-        bins[found.rays.from_gaps[found.rays.pass_cloth.numpy()]] = 2 * NODES * found.groups.count
-    return bins
+    return as_met(groups, face * groups.count + group, normal, tangent)
 
 
 def _sums(found: SortedRays) -> NDArray[np.float64]:
@@ -310,7 +342,7 @@ def _sums(found: SortedRays) -> NDArray[np.float64]:
     lit, free = found.lit.numpy().astype(np.intp), found.free.numpy()
     sides = np.bincount(4 * lit + free, minlength=4 * size)[: 4 * size].reshape(size, 4)
     sums = [
-        np.bincount(_met_bins(found), minlength=size)[:size],
+        np.bincount(found.met, minlength=size)[:size],
         sides.sum(axis=1),
         sides[:, 1] + sides[:, 3],
         sides[:, 2] + sides[:, 3],

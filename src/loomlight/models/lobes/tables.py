@@ -18,7 +18,15 @@ from loomlight.core.recorded import Held
 from loomlight.models.lobes.coverage import Coverage, count_cells, measure_coverage, padded_group, words_of
 from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES
-from loomlight.models.lobes.reach import Reach, cast_rays, groups_met, measure_reach, sort_rays
+from loomlight.models.lobes.reach import (
+    Reach,
+    cast_rays,
+    first_looks,
+    groups_met,
+    measure_reach,
+    seen_points,
+    sort_rays,
+)
 from loomlight.yarn.geometry import YarnGeometry
 
 _LARGEST = 255.0
@@ -77,10 +85,11 @@ def bake_tables(
         float_type: the Dr.Jit Float type to compute with.
     """
     cloth = cloth_of(geometry, float_type)
-    points = plan_points(cloth)
+    looks = first_looks(cloth)
+    points, met = plan_points(cloth), seen_points(looks)
     # Rays are on their way while groups are found, and are sorted while the pyramid is made.
     rays = cast_rays(cloth, points, per_family)
-    groups = find_groups(points, per_family)
+    groups = find_groups(points, met, per_family)
     finder = Held(GroupFinder(groups, cloth.value.types))
     cells = count_cells(cloth, finder, per_family)
     found = sort_rays(rays, groups, finder, diffuse_blend)
