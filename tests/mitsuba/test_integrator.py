@@ -9,7 +9,10 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
-import loomlight.mitsuba  # noqa: F401 (registers the plugins)
+from loomlight.fabric import fabric_from_text
+from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
+from loomlight.mitsuba.integrator import has_holes, has_porous_shadows
+from loomlight.mitsuba.live import LivePicture
 
 DIFFUSE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.7}}
 ROUGH = {"type": "twosided", "inner": {"type": "roughconductor", "alpha": 0.15}}
@@ -276,3 +279,42 @@ def test_gradient_of_a_colour_is_what_finite_differences_say() -> None:
     dr.backward(dr.mean(mi.render(scene, params, integrator=tracer, spp=64, seed=7), axis=None))
     # The same random numbers on both sides; what is left is curvature and Russian roulette's choices.
     np.testing.assert_allclose(np.array(dr.grad(params[key])).sum(), difference, rtol=0.05)
+
+
+@pytest.mark.parametrize("gap", [0.02, 0.03, 0.05])
+def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> None:
+    """The floor under a sheet of cloth that covers all of it, in light from straight above."""
+    fabric = fabric_from_text(f'weave = "satin 8/3"\ngap = {gap}')
+    light = {"type": "directional", "direction": [0, -1, 0], "irradiance": 1.0}
+    lit, shaded = (
+        table(bsdf, light) for bsdf in ({"type": "null"}, fabric_bsdf(fabric, "lobes")((2000.0, 2000.0)))
+    )
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
+    assert has_porous_shadows(shaded) == (gap > 0.03)
+    assert has_holes(shaded)
+    under, bare = (
+        # Pixels of the floor right under the sheet, seen beneath its edge.
+        np.array(mi.render(scene, integrator=integrator, spp=16))[..., :3]
+        for scene in (shaded, lit)
+    )
+    dark = (under.sum(axis=2) < 0.05 * bare.sum(axis=2)) & (bare.sum(axis=2) > 0)
+    assert dark.any()
+    missing = gap**2 - (under[dark] / bare[dark])
+    assert missing.max() < 1e-3
+
+
+def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:
+    texts = ('weave = "plain"\ngap = 0.02', 'weave = "plain"\ngap = 0.5')
+    dense, open_ = (fabric_from_text(text) for text in texts)
+    light = {"type": "directional", "direction": [0, -1, 0], "irradiance": 1.0}
+    scene = table(fabric_bsdf(dense, "lobes")((2000.0, 2000.0)), light)
+    (bsdf,) = (shape.bsdf() for shape in scene.shapes() if hasattr(shape.bsdf(), "weave"))
+    picture = LivePicture(scene, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2}))
+    before = picture.take()
+    bsdf.weave(open_)
+    after = picture.take()
+    assert has_porous_shadows(scene)
+    anew = table(fabric_bsdf(open_, "lobes")((2000.0, 2000.0)), light)
+    wanted = LivePicture(anew, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2})).take()
+    assert not np.allclose(before, wanted, atol=1e-3)
+    np.testing.assert_allclose(after, wanted, atol=1e-5)

@@ -16,7 +16,7 @@ from drjit.llvm.ad import Bool, Float, Float64
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
-from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.layout import SMALLEST_GAP, ClothLayout, FamilyLayout
 from loomlight.yarn.runs import pack_runs
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
@@ -232,3 +232,17 @@ def test_geometries_of_one_layout_are_worked_out_once(monkeypatch: pytest.Monkey
     del layout
     gc.collect()
     assert gone() is None
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_open_area_is_the_share_of_holes(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    layout = random_layout(rng, uneven=seed % 2 == 1)
+    width, height = layout.size
+    row, column = np.divmod(np.arange(500 * 500), 500)
+    x, y = (np.stack([column, row]) + rng.random((2, 500 * 500))) / 500 * np.array([[width], [height]])
+    holes = _evaluate(YarnGeometry(layout), x, y, False).hole.numpy().mean()
+    # Jittered points: less than the 4.5 deviations of random ones.
+    assert holes == pytest.approx(layout.open_area, abs=4.5 * math.sqrt(0.25 / 500**2))
+    tight = even_layout(PLAIN, gap=0.0)
+    assert tight.open_area == pytest.approx(SMALLEST_GAP**2)

@@ -7,6 +7,8 @@ heuristic, Russian roulette. It adds two things:
   1/sqrt(samples)) on the first surface, from a ray cone beyond.
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
+  Where no BSDF lets through what would be seen (`lets_light_through` of cloth averaged over footprints),
+  shadows are plain ones.
 
 Where all lights are points or directions, paths end with the last light sample; pictures of direct light
 then draw no directions at all.
@@ -119,7 +121,7 @@ def footprint_path_class() -> type:
             primal = mode == dr.ADMode.Primal
             context = mi.BSDFContext()
             samples = self._samples(sampler)
-            holes = has_holes(scene)
+            holes, porous_shadows = has_holes(scene), has_porous_shadows(scene)
             # Lights that no direction drawn by chance can meet leave nothing to find after the last bounce.
             met = has_lights_to_meet(scene)
             lit_only = not met and self.max_depth <= 2
@@ -174,10 +176,10 @@ def footprint_path_class() -> type:
                 # ---- A light
                 bounces = valid & (depth + 1 < self.max_depth)
                 lit = bounces & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Smooth)
-                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), not holes, lit)
+                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), not porous_shadows, lit)
                 lit &= ds.pdf != 0
                 to_light = si.to_local(ds.d)
-                if dr.hint(holes, mode="scalar"):
+                if dr.hint(porous_shadows, mode="scalar"):
                     # Where no light arrives the cloth need not be asked what it does with it.
                     arriving *= self._transmittance(scene, si, ds.p, width, spread, lit)
                     lit &= dr.max(arriving) > 0
@@ -358,6 +360,19 @@ def has_holes(scene: Any) -> bool:
     """Whether any surface of the scene lets light pass straight through."""
     return any(
         shape.class_name() == "Instance" or (shape.bsdf() is not None and _lets_through(shape.bsdf()))
+        for shape in scene.shapes()
+    )
+
+
+def has_porous_shadows(scene: Any) -> bool:
+    """Whether any surface of the scene lets through enough light to be seen in its shadow."""
+    return any(
+        shape.class_name() == "Instance"
+        or (
+            shape.bsdf() is not None
+            and _lets_through(shape.bsdf())
+            and getattr(shape.bsdf(), "lets_light_through", True)
+        )
         for shape in scene.shapes()
     )
 

@@ -41,6 +41,12 @@ class FamilyLayout:
         _require_within("twist (degrees)", math.degrees(self.twist), -89, 89)
         _require_within("height_scale", self.height_scale, 0.01, 2)
 
+    @property
+    def open_share(self) -> float:
+        """Share of the cloth's side that no thread of the family covers."""
+        widths = np.minimum(self.width, (1 - SMALLEST_GAP) * self.spacing)
+        return 1 - float(widths.sum() / self.spacing.sum())
+
 
 @dataclass(frozen=True, eq=False)
 class ClothLayout:
@@ -59,6 +65,11 @@ class ClothLayout:
     def size(self) -> tuple[float, float]:
         """Width and height of the repeat, millimetres."""
         return float(self.warp.spacing.sum()), float(self.weft.spacing.sum())
+
+    @property
+    def open_area(self) -> float:
+        """Share of the plan where neither family lies: at most this goes straight through, from anywhere."""
+        return self.warp.open_share * self.weft.open_share
 
 
 def _require_within(name: str, value: NDArray[np.float64] | float, low: float, high: float) -> None:
