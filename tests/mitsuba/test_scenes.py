@@ -217,3 +217,34 @@ def test_paths_of_a_scene_file_are_as_long_as_asked_for(tmp_path: Path) -> None:
     file.write_text(file.read_text().replace("</scene>", own))
     assert build_scene(file, WHITE).integrator.max_depth == 5
     assert build_scene(file, WHITE, max_depth=3).integrator.max_depth == 3
+
+
+def test_no_ray_slips_through_between_two_triangles() -> None:
+    """Rays from all around to points of the edges of the draped mesh, which two triangles share."""
+    shown = build_scene("drape", WHITE, size=(16, 16))
+    (cloth,) = (shape for shape in shown.scene.shapes() if shape.id() == "cloth")
+    params = mi.traverse(cloth)
+    positions = np.array(params["vertex_positions"], np.float64).reshape(-1, 3)
+    faces = np.array(params["faces"]).reshape(-1, 3)
+    normals = np.cross(
+        positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]]
+    )
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    edges = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    order = np.lexsort(edges.T)
+    shared = np.flatnonzero((edges[order[1:]] == edges[order[:-1]]).all(axis=1))
+    first, second = order[shared], order[shared + 1]
+    rng = np.random.default_rng(0)
+    chosen = rng.integers(len(first), size=1_000_000)
+    ends = positions[edges[first[chosen]]]
+    targets = ends[:, 0] + rng.random((len(chosen), 1)) * (ends[:, 1] - ends[:, 0])
+    towards = rng.normal(size=targets.shape)
+    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
+    cosines = [(normals[edge[chosen] % len(faces)] * towards).sum(axis=1) for edge in (first, second)]
+    # Where neither is seen from its edge.
+    kept = (np.minimum(*np.abs(cosines)) > 0.2) & (cosines[0] * cosines[1] > 0)
+    start, direction = (targets - 0.1 * towards)[kept], towards[kept]
+    ray = mi.Ray3f(*(mi.Vector3f(np.ascontiguousarray(part.T, np.float32)) for part in (start, direction)))
+    hit = shown.scene.ray_intersect_preliminary(ray)
+    # Rounding of places half a metre from the origin, seen at an angle.
+    assert (np.array(hit.t) < 0.1 + 1e-5).all()

@@ -25,7 +25,7 @@ from loomlight.mitsuba.camera import View, framing, look_at, perspective, requir
 from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
 from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
-from loomlight.mitsuba.scenes import BsdfFactory
+from loomlight.mitsuba.scenes import BsdfFactory, empty_scene
 
 # Direct light alone: camera to cloth to light.
 _DEPTH = 2
@@ -223,7 +223,7 @@ def _parts(
     pieces = [piece() for piece in shot.pieces]
     sensor = perspective(_view(shot, size), size)
     sensor["film"]["rfilter"] = {"type": "box"}
-    parts: dict[str, Any] = {"type": "scene", "sensor": sensor}
+    parts: dict[str, Any] = {**empty_scene(), "sensor": sensor}
     for number, (piece, bsdf) in enumerate(zip(pieces, bsdfs, strict=False)):
         across, along = uv_size(piece)
         material = mi.load_dict(bsdf((across * scale[number], along * scale[number])))
