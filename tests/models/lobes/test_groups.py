@@ -220,8 +220,8 @@ def test_groups_err_less_than_halves_alone_and_far_less_than_one() -> None:
     def error(centres: NDArray[np.float64]) -> float:
         return float(np.square(features[:, None] - centres).sum(axis=2).min(axis=1).mean())
 
-    halves, found = module._halved_centres(features, 8), module._centres(features, 8)
-    assert error(found) < error(halves) < 0.5 * error(module._halved_centres(features, 1))
+    halves, found = module._halved_centres(features.T, 8), module._centres(features, 8)
+    assert error(found) < error(halves) < 0.5 * error(module._halved_centres(features.T, 1))
 
 
 @pytest.mark.parametrize("name", TEXTS)
