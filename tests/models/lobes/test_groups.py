@@ -188,13 +188,13 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     np.testing.assert_allclose(found["diffuse_weft"][back], wanted["diffuse_weft"][back], rtol=1e-6)
 
 
-def test_fewer_different_points_than_groups() -> None:
-    """Flat threads of one direction: one point, eight groups of it."""
-    count = 100
-    features = np.tile([0, 0, 0.5, 1, 0, 0.0], (count, 1))
-    centres = module._centres(features, PER_FAMILY)
-    assert centres.shape == (PER_FAMILY, 6)
-    np.testing.assert_allclose(centres, features[:PER_FAMILY])
+@pytest.mark.parametrize("count", [1, 100, 2047])
+def test_fewer_different_points_than_groups(count: int) -> None:
+    """Flat threads of one direction: one point, eight groups of it, whatever its mean is rounded to."""
+    rng = np.random.default_rng(count)
+    for point in ([0, 0, 0.5, 1, 0, 0.0], *rng.uniform(-1, 1, (200, 6)).round(4)):
+        centres = module._centres(np.tile(point, (count, 1)), PER_FAMILY)
+        np.testing.assert_allclose(centres, np.tile(point, (PER_FAMILY, 1)), atol=1e-12)
 
 
 def test_halves_are_parted_where_points_part() -> None:

@@ -339,7 +339,8 @@ def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float
         along = np.einsum("in,i->n", offset, axis)
         beyond = along > _between(along)
         there = np.count_nonzero(beyond)
-        if not there:
+        here = len(along) - there
+        if not (here and there):
             # All points are one.
             centres += [centre] * (count - len(parts))
             break
@@ -348,7 +349,6 @@ def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float
         # Offsets of both halves cancel.
         total = far_offset.sum(axis=1)
         squared, error_there = float(np.square(total).sum()), float(np.square(far_offset).sum())
-        here = len(along) - there
         parts[widest], centres[widest] = part[:, ~beyond], centre - total / here
         errors[widest] += -error_there - squared / here
         parts.append(far)
@@ -363,10 +363,11 @@ def _between(along: NDArray[np.float64]) -> float:
     for _ in range(_HALVINGS):
         beyond = along > at
         there = np.count_nonzero(beyond)
-        if not there:
+        here = len(along) - there
+        if not (here and there):
             break
         # Both sums cancel.
-        at = 0.5 * float(along[beyond].sum()) * (1 / there - 1 / (len(along) - there))
+        at = 0.5 * float(along[beyond].sum()) * (1 / there - 1 / here)
     return at
 
 
