@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -244,3 +245,29 @@ def test_from_afar_a_few_samples_are_the_point_models_many() -> None:
     assert error("lobes") < 0.12
     assert error("lobes") < 0.7 * error("point")
     np.testing.assert_allclose(pictures["lobes", 4][lit].mean(), reference[lit].mean(), rtol=0.05)
+
+
+def test_cloths_of_a_scene_are_made_by_one_thread_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Mitsuba loads on several threads; Dr.Jit's recordings are made by one."""
+    making: list[int] = []
+    together: list[int] = []
+    bake = lobes_model.bake_tables
+
+    def watched(*arguments: Any) -> Any:
+        making.append(threading.get_ident())
+        together.append(len(set(making)))
+        tables = bake(*arguments)
+        making.remove(threading.get_ident())
+        return tables
+
+    monkeypatch.setattr(lobes_model, "bake_tables", watched)
+    cloths = {
+        f"cloth{number}": {
+            "type": "rectangle",
+            "bsdf": {"type": "woven_lobes", "weave": "satin 8/3", "ends_per_cm": 20.5 + number},
+        }
+        for number in range(6)
+    }
+    mi.load_dict({"type": "scene", **cloths})
+    assert len(together) == len(cloths)
+    assert max(together) == 1

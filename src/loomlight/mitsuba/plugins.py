@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from threading import RLock
 from typing import Any
 
 import mitsuba as mi
@@ -20,6 +21,10 @@ _BSDFS: dict[str, Callable[[], type]] = {
     "woven_lobes": woven_lobes_class,
     "woven_neural": woven_neural_class,
 }
+
+# Mitsuba makes the parts of a scene on several threads, and Dr.Jit's recordings are not made for that: a test
+# hung within Dr.Jit. A thread that waits for a kernel may begin the next part: it may enter the lock again.
+_MAKING = RLock()
 
 
 def follow_variants() -> None:
@@ -40,4 +45,8 @@ def _on_variant(_previous: str | None, variant: str | None) -> None:
 
 
 def _constructor(plugin: type) -> Callable[[Any], Any]:
-    return lambda props: plugin(props)
+    def make(props: Any) -> Any:
+        with _MAKING:
+            return plugin(props)
+
+    return make
