@@ -3,11 +3,12 @@
     python benchmarks/woven_inference.py [--output benchmarks/results/woven_inference.json]
 
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
-bilinear fetches; codings and activations are not counted. "in Dr.Jit" is one kernel for fetch, coding and
-layers; "in ONNX Runtime" is `batch.decode`, numpy arrays in and out, and "layers" are its runs alone, without
-the fetch; "in the renderer" are the kernels of `eval_pdf_sample` in a picture, which decode each pixel for
-two lights. All use all cores. Each share is of the FMA peak measured right before and after, with independent
-chains of multiply-adds, so that shares hold on busy machines.
+bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
+queries, fetch, coding and layers; "by cooperative vectors" is the same as few queries and other calls get it;
+"in ONNX Runtime" is `batch.decode`, numpy arrays in and out, and "layers" are its runs alone, without the
+fetch; "in the renderer" are the kernels with layers of a picture, which decode each pixel for two lights. All
+use all cores. Each share is of the FMA peak measured right before and after, with independent chains of
+multiply-adds, so that shares hold on busy machines.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.models.woven import decoder
 from loomlight.models.woven.batch import QUERIES_A_RUN, decode, decoder_session
 from loomlight.models.woven.decoder import decoder_cost
 from loomlight.models.woven.encoding import encoder_session
@@ -59,13 +61,23 @@ def queries(model: WovenModel, count: int) -> tuple[Any, ...]:
     return directions(), directions(), centres, sides
 
 
-def in_drjit(model: WovenModel) -> float:
-    """Queries a second."""
+def in_batch(model: WovenModel) -> float:
+    """Queries a second of many at once."""
     lights, views, centres, sides = queries(model, COUNT)
     light, view, side = Array3f(lights), Array3f(views), Float(sides)
     footprint = Footprint(Array2f(centres), Array2f(side, 0), Array2f(0, side))
     dr.eval(light, view, footprint)
     return COUNT / timed(lambda: dr.eval(model.evaluate(light, view, footprint)))
+
+
+def by_cooperative_vectors(model: WovenModel) -> float:
+    """The same without kernels of their own."""
+    fewest = decoder.FEWEST_UNROLLED
+    decoder.FEWEST_UNROLLED = COUNT + 1
+    try:
+        return in_batch(model)
+    finally:
+        decoder.FEWEST_UNROLLED = fewest
 
 
 def in_onnx_runtime(model: WovenModel) -> tuple[float, float]:
@@ -104,7 +116,7 @@ def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
 
     run()
     found = min((network_time(run) for _ in range(3)), key=lambda found: found.seconds)
-    rate = found.lanes * operations_a_pixel / found.network
+    rate = PICTURE**2 * operations_a_pixel / found.network
     return found.seconds, found.network / found.seconds, rate
 
 
@@ -127,7 +139,8 @@ def main() -> None:
     cost = decoder_cost(model.weights)
     seen, light = 2 * cost.seen, 2 * cost.lit
     start = time.perf_counter()
-    drjit, drjit_peak = beside_peak(lambda: in_drjit(model))
+    batch, batch_peak = beside_peak(lambda: in_batch(model))
+    vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model))
     (whole, layers), onnx_peak = beside_peak(lambda: in_onnx_runtime(model))
     (seconds, share, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
     encoder = encoder_seconds(model)
@@ -137,7 +150,8 @@ def main() -> None:
         "fma_peak_gflops": round(peak / 1e9, 1),
         "operations_seen": seen,
         "operations_light": light,
-        "in_drjit": entry(drjit, seen + light, drjit_peak),
+        "in_batch": entry(batch, seen + light, batch_peak),
+        "by_cooperative_vectors": entry(vectors, seen + light, vectors_peak),
         "in_onnx_runtime": entry(whole, seen + light, onnx_peak),
         "in_onnx_runtime_layers": entry(layers, seen + light, onnx_peak),
         "in_renderer": {

@@ -175,6 +175,40 @@ def footprint_probe() -> type:
     return FootprintProbe
 
 
+def test_bsdfs_are_asked_for_light_and_next_direction_at_once() -> None:
+    asked: list[str] = []
+
+    class CountingProbe(footprint_probe()):  # type: ignore[misc]
+        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            asked.append("eval_pdf")
+            return super().eval_pdf(ctx, si, wo, active)
+
+        def eval_pdf_sample(
+            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Any = True
+        ) -> Any:
+            asked.append("eval_pdf_sample")
+            return mi.Spectrum(0.5), mi.Float(0), *self.sample(ctx, si, sample1, sample2, active)
+
+    mi.register_bsdf("counting_probe", lambda props: CountingProbe(props))
+    scene = mi.load_dict(
+        {
+            "type": "scene",
+            "sensor": {
+                "type": "perspective",
+                "to_world": mi.ScalarTransform4f().translate([0, 0, 2]).rotate([0, 1, 0], 180),
+                "film": {"type": "hdrfilm", "width": 4, "height": 4, "rfilter": {"type": "box"}},
+            },
+            "plate": {"type": "rectangle", "bsdf": {"type": "counting_probe"}},
+            "light": {"type": "constant", "radiance": 1.0},
+        }
+    )
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
+    picture = np.array(mi.render(scene, integrator=integrator, spp=16))
+    # With a density of 0 lights count in full, and all 4π directions are drawn alike.
+    np.testing.assert_allclose(picture.mean(), 0.5 * 4 * np.pi, rtol=1e-4)
+    assert set(asked) == {"eval_pdf_sample"}
+
+
 def probe_scene(distance: float, tilt: float = 0.0, mirror: bool = False) -> Any:
     """A camera looks along −z at a 2 × 2 plate `distance` away, or at it by way of a mirror."""
     probe = footprint_probe()

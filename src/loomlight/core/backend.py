@@ -17,7 +17,10 @@ from numpy.typing import ArrayLike
 
 @dataclass(frozen=True)
 class ArrayTypes:
-    """The array types of one backend and precision; `Color3` and `Vector3` hold three `Float`."""
+    """The array types of one backend and precision; `Color3` and `Vector3` hold three `Float`.
+
+    `Vectors` hold any number.
+    """
 
     Float: Any
     UInt32: Any
@@ -26,6 +29,7 @@ class ArrayTypes:
     Vector2: Any
     Vector3: Any
     Vector4: Any
+    Vectors: Any
     Color3: Any
     Index2: Any
     Index4: Any
@@ -44,6 +48,7 @@ def _types_of(float_type: type) -> ArrayTypes:
         Vector2=getattr(module, f"Array2{precision}"),
         Vector3=getattr(module, f"Array3{precision}"),
         Vector4=getattr(module, f"Array4{precision}"),
+        Vectors=getattr(module, f"ArrayX{precision}"),
         Color3=getattr(module, f"Array3{precision}"),
         Index2=module.Array2u,
         Index4=module.Array4u,
@@ -57,6 +62,15 @@ def array_types(example: Any) -> ArrayTypes:
     while dr.depth_v(kind) > 1:
         kind = dr.value_t(kind)
     return _types_of(kind)
+
+
+def keep_order(float_type: type) -> None:
+    """What is traced from here on comes after what was traced before, in compiled code too.
+
+    Dr.Jit writes code by dependence: all that one result needs, then the next, which may be far more numbers
+    at once than there are registers. It keeps the order of its scopes.
+    """
+    dr.detail.new_scope(dr.backend_v(float_type))
 
 
 def uploaded(kind: Any, values: ArrayLike) -> Any:

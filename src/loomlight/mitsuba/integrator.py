@@ -194,7 +194,7 @@ def footprint_path_class() -> type:
                     value, pdf = bsdf.eval(context, si, to_light, lit), mi.Float(0)
                     bs, weight = self._straight_on(bsdf, si, lobe, holes, enters)
                 elif dr.hint(primal, mode="scalar"):
-                    value, pdf, bs, weight = bsdf.eval_pdf_sample(context, si, to_light, lobe, square, enters)
+                    value, pdf, bs, weight = _both(bsdf, context, si, to_light, lobe, square, enters)
                     value = dr.select(lit, value, 0)
                 else:
                     if dr.hint(lit_only, mode="scalar"):
@@ -302,6 +302,21 @@ def footprint_path_class() -> type:
             return dr.select(emitter, self.skip_area_emitters(scene, si.spawn_ray(ray.d), True, emitter), pi)
 
     return FootprintPath
+
+
+def _both(
+    bsdf: Any, context: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any
+) -> tuple[Any, Any, Any, Any]:
+    """`eval_pdf_sample` of BSDFs. Mitsuba's own call asks those written in Python for `eval_pdf`, then for
+    `sample`, where each of them would evaluate what both share."""
+
+    def asked(self: Any, *of_lanes: Any) -> Any:
+        if self is None:  # A scene without any BSDF.
+            return mi.Spectrum(0), mi.Float(0), dr.zeros(mi.BSDFSample3f), mi.Spectrum(0)
+        return self.eval_pdf_sample(context, *of_lanes)
+
+    found: tuple[Any, Any, Any, Any] = dr.dispatch(bsdf, asked, si, to_light, lobe, square, active)
+    return found
 
 
 class _CameraSampler:

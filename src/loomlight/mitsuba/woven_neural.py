@@ -81,7 +81,7 @@ def woven_neural_class() -> type:
 
         def hole(self, view: Any, footprint: Footprint) -> Any:
             """The decoder's hole."""
-            return self.model.seen(view, footprint).hole
+            return self.model.hole(view, footprint)
 
         def to_string(self) -> str:
             """The fabric, and the one that it is mixed with."""

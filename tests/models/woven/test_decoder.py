@@ -12,8 +12,10 @@ from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.evaluation.reproduce.cost import runs_layers
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
+from loomlight.models.woven import decoder
 from loomlight.models.woven.batch import decode
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
@@ -28,8 +30,15 @@ COUNT = 4000
 CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nroughness = 0.3'
 
 
+@pytest.fixture(params=[1 << 30, 1], ids=["cooperative", "unrolled"])
+def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
+    """Few queries in both ways of computing layers: whether that is in kernels of their own."""
+    monkeypatch.setattr(decoder, "FEWEST_UNROLLED", request.param)
+    return bool(request.param == 1)
+
+
 @pytest.mark.parametrize("name", TABLES)
-def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
+def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> None:
     made, fabric = network(name), fabric_from_text(CLOTH)
     weights = weights_of(made, tmp_path)
     encoded = encode(fabric, weights, Float)
@@ -90,7 +99,7 @@ def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
     np.testing.assert_allclose(total.numpy(), 2 * answered(model, *queries)[0], rtol=1e-4, atol=1e-8)
 
 
-def test_new_fabrics_need_no_new_kernels(tmp_path: Path) -> None:
+def test_new_fabrics_need_no_new_kernels(either_way: bool, tmp_path: Path) -> None:
     weights = weights_of(network("field"), tmp_path)
     rng = np.random.default_rng(4)
     directions = unit_vectors(rng, 100), unit_vectors(rng, 100)
@@ -102,5 +111,54 @@ def test_new_fabrics_need_no_new_kernels(tmp_path: Path) -> None:
             dr.kernel_history_clear()
             answered(model, *directions, rng.uniform(0, 1, (100, 2)), np.full(100, 0.1))
             kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        hashes.append(max(kernels, key=lambda kernel: kernel["operation_count"])["hash"])
+        of_layers = [kernel for kernel in kernels if runs_layers(kernel)]
+        assert len(of_layers) == 1
+        hashes.append(of_layers[0]["hash"])
     assert hashes[0] == hashes[1]
+
+
+def test_unrolled_layers_take_what_all_lanes_share(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
+    model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+    count, answers = 1000, []
+    lights = unit_vectors(np.random.default_rng(5), count)
+    light = Array3f(np.ascontiguousarray(lights.T))
+    for fewest in (count + 1, count):
+        monkeypatch.setattr(decoder, "FEWEST_UNROLLED", fewest)
+        # One footprint and view, of which parts are literals, for many lights.
+        centre, edge = Array2f(0.1, dr.opaque(Float, 0.2)), dr.opaque(Float, 0.3)
+        footprint = Footprint(centre, Array2f(edge, 0), Array2f(0, edge))
+        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+            dr.kernel_history_clear()
+            response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
+            dr.eval(response)
+            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
+        answers.append(np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response)))))
+    assert any(runs_layers(kernel) for kernel in kernels)
+    assert answers[0][:4].max() > 1e-3
+    # Sums of the same terms in much the same order.
+    np.testing.assert_allclose(answers[1], answers[0], rtol=1e-4, atol=1e-6)
+
+
+def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
+    weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
+    model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+    rng = np.random.default_rng(6)
+    view = Array3f(np.ascontiguousarray(unit_vectors(rng, 500).T))
+    side = Float(rng.uniform(0.05, 0.5, 500).astype(np.float32))
+    footprint = Footprint(Array2f(side, 0.1), Array2f(side, 0), Array2f(0, side))
+    holes = model.hole(view, footprint).numpy()
+    assert holes.std() > 1e-3
+    np.testing.assert_allclose(holes, model.seen(view, footprint).hole.numpy(), rtol=0, atol=1e-6)
+
+
+def test_derivatives_go_by_cooperative_vectors(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(decoder, "FEWEST_UNROLLED", 1)
+    weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
+    model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+    x = Float(0.1, 0.2, 0.3)
+    dr.enable_grad(x)
+    light = dr.normalize(Array3f(x, 0.2, 1))
+    footprint = Footprint(Array2f(0.1, 0.2), Array2f(0.3, 0), Array2f(0, 0.3))
+    dr.backward(model.evaluate(light, Array3f(0, 0, 1), footprint).diffuse_warp)
+    assert (dr.grad(x).numpy() != 0).all()

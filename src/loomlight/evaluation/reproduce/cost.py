@@ -12,6 +12,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import drjit as dr
 
@@ -29,8 +30,10 @@ from loomlight.mitsuba.measured_scenes import MeasuredShot
 from loomlight.models.woven.encoding import encode
 
 _TIMES = 3
-# What Dr.Jit calls a network's layer in the code that it writes.
+# What Dr.Jit calls a layer of cooperative vectors, and a multiply-add, in the code that it writes; and more
+# multiply-adds than any kernel has without layers that are written out.
 _LAYER = "coop_vec_mat_vec"
+_MULTIPLY_ADD, _MOST_WITHOUT_LAYERS = "llvm.fma", 1200
 
 
 @dataclass(frozen=True)
@@ -41,13 +44,11 @@ class NetworkTime:
         seconds: of the whole picture, kernels compiled beforehand.
         network: of the kernels that hold layers of the decoder.
         others: of all other kernels; the rest of `seconds` is the host's.
-        lanes: of the network's kernels, all together.
     """
 
     seconds: float
     network: float
     others: float
-    lanes: int
 
     @property
     def host(self) -> float:
@@ -63,11 +64,17 @@ def network_time(run: Callable[[], object]) -> NetworkTime:
         run()
         seconds = time.perf_counter() - start
         kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
-    networks = [kernel for kernel in kernels if _LAYER in kernel["ir"].getvalue()]
+    networks = [kernel for kernel in kernels if runs_layers(kernel)]
     spent, everything = (
         sum(kernel["execution_time"] for kernel in some) / 1e3 for some in (networks, kernels)
     )
-    return NetworkTime(seconds, spent, everything - spent, sum(kernel["size"] for kernel in networks))
+    return NetworkTime(seconds, spent, everything - spent)
+
+
+def runs_layers(kernel: dict[str, Any]) -> bool:
+    """Whether an entry of Dr.Jit's kernel history holds layers of a network."""
+    code = kernel["ir"].getvalue()
+    return _LAYER in code or code.count(_MULTIPLY_ADD) > _MOST_WITHOUT_LAYERS
 
 
 def split(setting: Setting) -> Evidence:

@@ -1,24 +1,26 @@
-"""The decoder in Dr.Jit, on any backend: cooperative vectors for the layers, gathers for the latents.
+"""The decoder in Dr.Jit, on any backend: layers, and gathers for the latents.
 
 What the light does not change (latents, fusion, the view's part of the first angular layer, holes) is
 computed once a footprint and view (`Decoder.seen`), the rest for every light (`Decoder.components`). The
 first layer is linear, so latents are multiplied by its weights beforehand and interpolated afterwards.
 
-Symbolic calls hand a network its weights lane by lane, which makes it ten times slower: call it outside.
+Symbolic calls hand cooperative vectors their weights lane by lane, which makes them ten times slower, and
+other layers are not for these: call it outside.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import drjit as dr
-import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, uploaded
+from loomlight.core.backend import array_types, keep_order, uploaded
+from loomlight.core.recorded import Held, Recorded
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
@@ -30,15 +32,20 @@ from loomlight.models.woven.architecture import (
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
-    SLOPE,
     TRANSMISSION_GAIN,
     VIEW_FEATURES,
 )
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import fetched_latents
+from loomlight.models.woven.layers import CooperativeLayers, Layers, UnrolledLayers
 from loomlight.models.woven.places import place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
+
+# Queries that kernels of their own are for: fewer take the others some hundredths of a second.
+FEWEST_UNROLLED = 1 << 15
+# Numbers of a texel that are fetched at once: a line of the cache.
+_PACKET = 16
 
 
 @dataclass
@@ -46,16 +53,18 @@ class Seen:
     """What a view sees of footprints, before any light.
 
     Attributes:
-        angular: the first angular layer without the light's part, a cooperative vector.
+        angular: the first angular layer without the light's part, numbers one by one.
         hole: share of rays that pass through, 0 to 1.
         view: unit vector [3] in the frame of the face that is seen.
-        fibres: of both families in that frame.
+        back: whether that is the back.
+        table: latents that were seen.
     """
 
-    angular: Any
+    angular: list[Any]
     hole: Any
     view: Any
-    fibres: tuple[Fibre, Fibre]
+    back: Any
+    table: LatentTable
 
 
 @dataclass
@@ -90,8 +99,7 @@ class LatentTable:
         self.channels = latents.shape[1]
         self.texels = len(encoded.faces[0])
         self._types = types = array_types(float_type)
-        # Fetched by fours.
-        self._padded = -(-self.channels // 4) * 4
+        self._padded = -(-self.channels // _PACKET) * _PACKET
         padding = ((0, 0), (0, self._padded - self.channels))
         self._values = uploaded(types.Float, np.pad(latents, padding))
         levels = encoded.levels
@@ -118,20 +126,28 @@ class LatentTable:
         types = self._types
         face = dr.select(back, self._width, 0)
         if self.texels == 1:
-            return self._row(face)
+            packets = [self._packet(face, number) for number in range(self._padded // _PACKET)]
+            return [value for packet in packets for value in packet][: self.channels]
         ends, picks = self._extent
         # Near the origin, where float32 is finest.
         x, y = x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
         place = dr.clip(dr.log2(dr.maximum(size, 1e-6)) + FINEST, 0, types.Float(self._top))
         lower = dr.minimum(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
-        total: list[Any] = [types.Float(0)] * self.channels
+        taps = []
         for side in range(2):
             share = blend if side else 1 - blend
-            for texel, weight in self._taps(lower + side, x, y):
-                row = self._row(face + texel)
-                total = [dr.fma(share * weight, value, sum_) for value, sum_ in zip(row, total, strict=True)]
-        return total
+            taps += [(face + texel, share * weight) for texel, weight in self._taps(lower + side, x, y)]
+        total: list[Any] = []
+        for number in range(self._padded // _PACKET):
+            sums: list[Any] = [types.Float(0)] * _PACKET
+            for texel, weight in taps:
+                # Of one tap after another: all at once are more than there are registers.
+                keep_order(types.Float)
+                row = self._packet(texel, number)
+                sums = [dr.fma(weight, value, sum_) for value, sum_ in zip(row, sums, strict=True)]
+            total += sums
+        return total[: self.channels]
 
     def _taps(self, level: Any, x: Any, y: Any) -> list[tuple[Any, Any]]:
         """Texels and bilinear weights of one level; see `pyramid.taps`."""
@@ -150,45 +166,31 @@ class LatentTable:
             for c, across in ((left_column, 1 - right), (right_column, right))
         ]
 
-    def _row(self, texel: Any) -> list[Any]:
-        fours = self._padded // 4
-        packets = [
-            dr.gather(self._types.Vector4, self._values, texel * fours + number) for number in range(fours)
-        ]
-        return [value for packet in packets for value in packet][: self.channels]
+    def _packet(self, texel: Any, number: int) -> Any:
+        """Some of the numbers of texels."""
+        index = texel * (self._padded // _PACKET) + number
+        return dr.gather(self._types.Vectors, self._values, index, shape=(_PACKET, dr.width(texel)))
 
 
 class Decoder:
-    """The network of some weights on one backend."""
+    """The network of some weights on one backend.
+
+    On CPUs many queries are answered by kernels of their own, whose code the weights are part of
+    (`UnrolledLayers`): they take seconds to compile, but once for all fabrics and scenes, and Dr.Jit keeps
+    them on disk. Few queries, and those within symbolic calls and loops, go by cooperative vectors.
+    """
 
     def __init__(self, weights: Weights, float_type: type) -> None:
         self.weights = weights
         self._types = array_types(float_type)
-        table = weights.table
-        self._layers = weights.layers("decoder.angular")
-        parts: dict[str, NDArray[np.float32]] = {}
-        if table.fusion:
-            parts["place"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]
-            parts["fusion"] = weights.tensor("decoder.fusion.1.weight")
-            parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
-        first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
-        spatial = hole.shape[1] - 2
-        parts["spatial"], light, view, fibres = np.split(first, [spatial, spatial + 3, spatial + 5], axis=1)
-        of_views, of_lights = np.split(fibres, [VIEW_FEATURES], axis=1)
-        parts["view"] = np.concatenate([view, of_views], axis=1)
-        parts["light"] = np.concatenate([light, of_lights], axis=1)
-        parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
-        for number in range(1, self._layers):
-            parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
-            parts[f"{number} bias"] = weights.tensor(f"decoder.angular.{number}.bias")
-        parts["hole spatial"], parts["hole view"] = hole[:, :spatial], hole[:, spatial:]
-        parts["hole bias"] = weights.tensor("decoder.hole.0.bias")
-        parts["hole last"] = weights.tensor("decoder.hole.1.weight")
-        parts["hole last bias"] = weights.tensor("decoder.hole.1.bias")
-        tensor_type: Any = dr.tensor_t(float_type)
-        tensors = [tensor_type(np.ascontiguousarray(values)) for values in parts.values()]
-        views: Any = nn.pack(tensors, layout="inference")
-        self._parts: dict[str, Any] = dict(zip(parts, views, strict=True))
+        self._count = weights.layers("decoder.angular")
+        matrices = _matrices(weights)
+        self._cooperative = CooperativeLayers(matrices, float_type)
+        self._unrolled = UnrolledLayers(matrices, float_type)
+        self._launch_seen = Recorded(partial(self._seen, self._unrolled))
+        self._launch_hole = Recorded(partial(self._hole, self._unrolled))
+        self._launch_components = Recorded(partial(self._components, self._unrolled))
+        self._launch_answers = Recorded(partial(self._answers, self._unrolled))
 
     def seen(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
@@ -198,43 +200,128 @@ class Decoder:
             view: unit vector [3] in the frame of the face that is seen, z > 0.
             back: whether that face is the back.
         """
-        network = self.weights.table
-        place = place_of(network, table.picks, table.ends, x, y, size, dr)
-        coded = one_blob(place) if network.position == "one_blob" else list(place)
-        fetched = table.at(x, y, size, back)
-        if network.fusion:
-            hidden = _leaky(self._product("place", coded) + nn.CoopVec(*fetched))
-            spatial = _leaky(self._product("fusion", hidden, "fusion bias"))
+        asked = x, y, size, view, back
+        if self._unrolls(asked):
+            angular, hole = self._launch_seen(Held(table), self._repeat(table), _wide(asked))
         else:
-            spatial = nn.CoopVec(*fetched, *coded)
-        eye = nn.CoopVec(view.x, view.y)
-        fibres = table.fibres(back)
-        cosines = [fibre.cosine(view) for fibre in fibres] if network.fibres else []
-        angular = self._product("spatial", spatial, "0 bias") + self._product(
-            "view", [view.x, view.y, *cosines]
-        )
-        hole = _leaky(self._product("hole spatial", spatial, "hole bias") + self._product("hole view", eye))
-        (share,) = self._product("hole last", hole, "hole last bias")
-        return Seen(angular, dr.clip(share, 0, 1), view, fibres)
+            angular, hole = self._seen(self._cooperative, table, self._repeat(table), asked)
+        return Seen(angular, hole, view, back, table)
+
+    def hole(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Any:
+        """The hole alone of `seen`."""
+        asked = x, y, size, view, back
+        if self._unrolls(asked):
+            return self._launch_hole(Held(table), self._repeat(table), _wide(asked))
+        return self._hole(self._cooperative, table, self._repeat(table), asked)
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
+        asked = seen.angular, seen.view, seen.back, light
+        if self._unrolls(asked):
+            return self._launch_components(Held(seen.table), _wide(asked))
+        return self._components(self._cooperative, seen.table, asked)
+
+    def answers(
+        self, table: LatentTable, light: Any, x: Any, y: Any, size: Any, view: Any, back: Any
+    ) -> list[Any]:
+        """The four components for one light, and the hole: `components` of `seen` in one kernel."""
+        asked = x, y, size, view, back, light
+        if self._unrolls(asked):
+            found: list[Any] = self._launch_answers(Held(table), self._repeat(table), _wide(asked))
+            return found
+        return self._answers(self._cooperative, table, self._repeat(table), asked)
+
+    def _unrolls(self, asked: Sequence[Any]) -> bool:
+        """Whether queries are answered by kernels of their own."""
+        return (
+            dr.backend_v(self._types.Float) == dr.JitBackend.LLVM
+            and dr.width(asked) >= FEWEST_UNROLLED
+            and not dr.flag(dr.JitFlag.SymbolicScope)
+            and not dr.flag(dr.JitFlag.FreezingScope)
+            and not dr.grad_enabled(asked)
+        )
+
+    def _repeat(self, table: LatentTable) -> tuple[int, int]:
+        """Picks and ends, if the code depends on them."""
+        return (0, 0) if self.weights.table.latent == "field" else (table.picks, table.ends)
+
+    def _seen(
+        self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
+    ) -> tuple[Any, Any]:
+        """The first angular layer without the light's part, and the hole."""
+        *_, view, back = asked
+
+        def of_place(fetched: list[Any], coded: list[Any], eye: list[Any], cosines: list[Any]) -> list[Any]:
+            spatial = self._spatial(layers, fetched, coded)
+            angular = layers.added(
+                layers.product("spatial", spatial, "0 bias"), layers.product("view", [*eye, *cosines])
+            )
+            return [self._share(layers, spatial, eye), *angular]
+
+        cosines = [fibre.cosine(view) for fibre in table.fibres(back)] if self.weights.table.fibres else []
+        fetched, coded = self._fetched(table, repeat, asked)
+        hole, *angular = layers.outlined(of_place, fetched, coded, [view.x, view.y], cosines)
+        return angular, dr.clip(hole, 0, 1)
+
+    def _hole(self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]) -> Any:
+        view = asked[3]
+
+        def of_place(fetched: list[Any], coded: list[Any], eye: list[Any]) -> list[Any]:
+            return [self._share(layers, self._spatial(layers, fetched, coded), eye)]
+
+        (hole,) = layers.outlined(of_place, *self._fetched(table, repeat, asked), [view.x, view.y])
+        return dr.clip(hole, 0, 1)
+
+    def _fetched(
+        self, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
+    ) -> tuple[list[Any], list[Any]]:
+        """Latents of footprints, and where these lie, coded."""
+        x, y, size, _, back = asked
+        network = self.weights.table
+        place = place_of(network, *repeat, x, y, size, dr)
+        coded = one_blob(place) if network.position == "one_blob" else list(place)
+        return table.at(x, y, size, back), coded
+
+    def _spatial(self, layers: Layers, fetched: list[Any], coded: list[Any]) -> Any:
+        """Latent and footprint, fused."""
+        if not self.weights.table.fusion:
+            return [*fetched, *coded]
+        hidden = layers.leaky(layers.added(layers.product("place", coded), fetched))
+        return layers.leaky(layers.product("fusion", hidden, "fusion bias"))
+
+    def _share(self, layers: Layers, spatial: Any, eye: list[Any]) -> Any:
+        """The hole, not yet clipped."""
+        hidden = layers.added(
+            layers.product("hole spatial", spatial, "hole bias"), layers.product("hole view", eye)
+        )
+        (share,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
+        return share
+
+    def _components(self, layers: Layers, table: LatentTable, asked: Sequence[Any]) -> list[Any]:
+        angular, view, back, light = asked
         directions = [light.x, light.y, light.z]
         if self.weights.table.fibres:
-            directions += fibre_features(light, seen.view, seen.fibres)
-        skip = seen.angular + self._product("light", directions)
-        hidden = _leaky(skip)
-        for number in range(1, self._layers):
-            hidden = self._product(f"{number}", hidden, f"{number} bias")
-            if number == 2:
-                hidden = hidden + skip
-            if number + 1 < self._layers:
-                hidden = _leaky(hidden)
-        return self._unmapped([*hidden], light)
+            directions += fibre_features(light, view, table.fibres(back))
 
-    def _product(self, matrix: str, vector: Any, bias: str | None = None) -> Any:
-        values = vector if isinstance(vector, nn.CoopVec) else nn.CoopVec(*vector)
-        return nn.matvec(self._parts[matrix], values, None if bias is None else self._parts[bias])
+        def of_light(angular: Any, directions: list[Any]) -> list[Any]:
+            skip = layers.added(angular, layers.product("light", directions))
+            hidden = layers.leaky(skip)
+            for number in range(1, self._count):
+                hidden = layers.product(f"{number}", hidden, f"{number} bias")
+                if number == 2:
+                    hidden = layers.added(hidden, skip)
+                if number + 1 < self._count:
+                    hidden = layers.leaky(hidden)
+            return [*hidden]
+
+        return self._unmapped(layers.outlined(of_light, angular, directions), light)
+
+    def _answers(
+        self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
+    ) -> list[Any]:
+        *of_view, light = asked
+        angular, hole = self._seen(layers, table, repeat, of_view)
+        return [*self._components(layers, table, [angular, *of_view[-2:], light]), hole]
 
     def _unmapped(self, output: list[Any], light: Any) -> list[Any]:
         """`losses.unmapped`."""
@@ -244,6 +331,49 @@ class Decoder:
         if self.weights.linear_diffuse:
             return [*(dr.maximum(value, 0) for value in output[:2]), *linear[2:]]
         return linear
+
+
+def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
+    """Weights and biases, split by what they are multiplied with."""
+    table = weights.table
+    parts: dict[str, NDArray[np.float32]] = {}
+    if table.fusion:
+        parts["place"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]
+        parts["fusion"] = weights.tensor("decoder.fusion.1.weight")
+        parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
+    first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
+    spatial = hole.shape[1] - 2
+    parts["spatial"], light, view, fibres = np.split(first, [spatial, spatial + 3, spatial + 5], axis=1)
+    of_views, of_lights = np.split(fibres, [VIEW_FEATURES], axis=1)
+    parts["view"] = np.concatenate([view, of_views], axis=1)
+    parts["light"] = np.concatenate([light, of_lights], axis=1)
+    parts["0 bias"] = weights.tensor("decoder.angular.0.bias")
+    for number in range(1, weights.layers("decoder.angular")):
+        parts[f"{number}"] = weights.tensor(f"decoder.angular.{number}.weight")
+        parts[f"{number} bias"] = weights.tensor(f"decoder.angular.{number}.bias")
+    parts["hole spatial"], parts["hole view"] = hole[:, :spatial], hole[:, spatial:]
+    parts["hole bias"] = weights.tensor("decoder.hole.0.bias")
+    parts["hole last"] = weights.tensor("decoder.hole.1.weight")
+    parts["hole last bias"] = weights.tensor("decoder.hole.1.bias")
+    return parts
+
+
+def _wide(asked: Any) -> list[Any]:
+    """Queries as evaluated arrays, a number a lane: what all lanes share would make other kernels."""
+    width = dr.width(asked)
+
+    def spread(value: Any) -> Any:
+        if isinstance(value, list | tuple):
+            return [spread(part) for part in value]
+        if dr.depth_v(value) > 1:
+            return type(value)(*(spread(part) for part in value))
+        if dr.width(value) == width:
+            return type(value)(value)
+        return dr.gather(type(value), value, dr.zeros(dr.uint32_array_t(value), width))
+
+    found: list[Any] = spread(asked)
+    dr.make_opaque(found)
+    return found
 
 
 @dataclass(frozen=True)
@@ -325,10 +455,6 @@ def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[A
         density = (DENSITY_GAIN * dr.inv_pi) * squared * fibre.roughness * dr.rcp(dr.square(q))
         densities.append(DENSITY_SCALE * dr.log(1 + density))
     return [*cosines, *bins, *densities]
-
-
-def _leaky(vector: Any) -> Any:
-    return dr.maximum(vector, vector * SLOPE)
 
 
 def _wrapped(index: Any, count: Any) -> Any:

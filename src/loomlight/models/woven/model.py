@@ -105,7 +105,11 @@ class WovenModel(Model):
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints."""
-        return self.lit(self.seen(view, footprint), light, view)
+        types = array_types(view.x)
+        facing = on_face(light, types.Bool(view.z < 0))
+        decoder, table = self._decoder(types.Float), self._table(types.Float)
+        found = decoder.answers(table, facing, *self._asked(view, footprint))
+        return Response(*found)
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """Mean albedos of the threads over footprints as they lie under them, without parallax."""
@@ -113,14 +117,21 @@ class WovenModel(Model):
 
     def seen(self, view: Any, footprint: Footprint) -> Seen:
         """What no light changes, to be computed once for several lights."""
+        float_type = array_types(view.x).Float
+        return self._decoder(float_type).seen(self._table(float_type), *self._asked(view, footprint))
+
+    def hole(self, view: Any, footprint: Footprint) -> Any:
+        """Share of the view rays that pass through footprints: Float."""
+        float_type = array_types(view.x).Float
+        return self._decoder(float_type).hole(self._table(float_type), *self._asked(view, footprint))
+
+    def _asked(self, view: Any, footprint: Footprint) -> tuple[Any, ...]:
+        """Position and size in threads, the view in the frame of the face that it sees, and which that is."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        size = footprint.spread_side * (1 / self._pitch)
-        return self._decoder(types.Float).seen(
-            self._table(types.Float), x, y, size, on_face(view, back), back
-        )
+        return x, y, footprint.spread_side * (1 / self._pitch), on_face(view, back), back
 
     def lit(self, seen: Seen, light: Any, view: Any) -> Response:
         """The response to one light of what is seen."""
