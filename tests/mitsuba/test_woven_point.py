@@ -67,6 +67,11 @@ def test_all_at_once_is_each_alone() -> None:
     np.testing.assert_allclose(pdf, bsdf.pdf(context, si, wo), rtol=1e-5)
     np.testing.assert_allclose(bs.wo, alone_bs.wo, rtol=1e-5)
     np.testing.assert_allclose(weight, alone_weight, rtol=1e-5)
+    active, entering = mi.Bool(u[0] < 0.6), mi.Bool(u[1] < 0.7)
+    value, through = bsdf.eval_and_null_transmission(context, si, wo, active, entering)
+    np.testing.assert_allclose(value, bsdf.eval(context, si, wo, active), rtol=1e-5)
+    np.testing.assert_allclose(through, bsdf.eval_null_transmission(si, entering))
+    assert np.array(through).any()
 
 
 @pytest.mark.parametrize("view", [(0.1, 0.2, 1), (0.9, 0.2, 0.4), (-0.4, 0.1, -0.9)])

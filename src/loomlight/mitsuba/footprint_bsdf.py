@@ -260,6 +260,16 @@ def footprint_bsdf_class() -> type:
             value = self._value(response, albedos, si, wo, active)
             return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
 
+        def eval_and_null_transmission(
+            self, ctx: Any, si: Any, wo: Any, active: Any = True, entering: Any = True
+        ) -> tuple[Any, Any]:
+            """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
+            seen, albedos = self._seen(si, active)
+            response = seen.response(plain(wo))
+            through = self.model.straight_through(plain(si.wi), response.hole)
+            value = self._value(response, albedos, si, wo, active)
+            return value, mi.Spectrum(dr.select(entering, through, 0))
+
         def eval_null_transmission(self, si: Any, active: Any = True) -> Any:
             view = plain(si.wi)
             through = self.model.straight_through(view, self.hole(view, self._footprint(si)))

@@ -191,14 +191,16 @@ def footprint_path_class() -> type:
                     enters |= valid & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null)
                 lobe, square = sampler.next_1d(), sampler.next_2d()
                 if dr.hint(primal and lit_only, mode="scalar"):
-                    value, pdf = bsdf.eval(context, si, to_light, lit), mi.Float(0)
-                    bs, weight = self._straight_on(bsdf, si, lobe, holes, enters)
+                    value, through = _lit_and_passed(bsdf, context, si, to_light, lit, holes, enters)
+                    bs, weight = _straight_on(si, through, lobe, enters)
+                    pdf = mi.Float(0)
                 elif dr.hint(primal, mode="scalar"):
                     value, pdf, bs, weight = _both(bsdf, context, si, to_light, lobe, square, enters)
                     value = dr.select(lit, value, 0)
                 else:
                     if dr.hint(lit_only, mode="scalar"):
-                        bs, weight = self._straight_on(bsdf, si, lobe, holes, enters)
+                        through = bsdf.eval_null_transmission(si, enters)
+                        bs, weight = _straight_on(si, through, lobe, enters)
                     else:
                         bs, weight = bsdf.sample(context, si, lobe, square, enters)
                     with dr.resume_grad():
@@ -255,18 +257,6 @@ def footprint_path_class() -> type:
 
             return (L if primal else δL), visible, [], L
 
-        def _straight_on(self, bsdf: Any, si: Any, choice: Any, holes: bool, active: Any) -> tuple[Any, Any]:
-            """A BSDF sample and its weight where only passing through holes leads to anything."""
-            bs: Any = dr.zeros(mi.BSDFSample3f)
-            bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
-            if not holes:
-                return bs, mi.Spectrum(0)
-            through = bsdf.eval_null_transmission(si, active)
-            chance = dr.mean(through)
-            passes = active & (choice < chance)
-            bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
-            return bs, dr.select(passes, through * dr.rcp(dr.maximum(chance, 1e-8)), 0)
-
         @dr.syntax
         def _transmittance(
             self, scene: Any, si: Any, target: Any, width: Any, spread: Any, active: Any
@@ -304,18 +294,53 @@ def footprint_path_class() -> type:
     return FootprintPath
 
 
+def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
+    """A BSDF sample and its weight where only passing through holes leads to anything.
+
+    Args:
+        through: `eval_null_transmission`.
+    """
+    bs: Any = dr.zeros(mi.BSDFSample3f)
+    bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
+    chance = dr.mean(through)
+    passes = active & (choice < chance)
+    bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
+    return bs, dr.select(passes, through * dr.rcp(dr.maximum(chance, 1e-8)), 0)
+
+
+# Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew
+# what the cloth looks like from here. Within one call both come of the same.
+
+
 def _both(
     bsdf: Any, context: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any
 ) -> tuple[Any, Any, Any, Any]:
-    """`eval_pdf_sample` of BSDFs. Mitsuba's own call asks those written in Python for `eval_pdf`, then for
-    `sample`, where each of them would evaluate what both share."""
+    """`eval_pdf_sample` of BSDFs, their own where they have one."""
 
-    def asked(self: Any, *of_lanes: Any) -> Any:
-        if self is None:  # A scene without any BSDF.
+    def asked(one: Any, *of_lanes: Any) -> Any:
+        if one is None:  # A scene without any BSDF.
             return mi.Spectrum(0), mi.Float(0), dr.zeros(mi.BSDFSample3f), mi.Spectrum(0)
-        return self.eval_pdf_sample(context, *of_lanes)
+        return one.eval_pdf_sample(context, *of_lanes)
 
     found: tuple[Any, Any, Any, Any] = dr.dispatch(bsdf, asked, si, to_light, lobe, square, active)
+    return found
+
+
+def _lit_and_passed(
+    bsdf: Any, context: Any, si: Any, to_light: Any, lit: Any, holes: bool, enters: Any
+) -> tuple[Any, Any]:
+    """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
+    if not holes:
+        return bsdf.eval(context, si, to_light, lit), mi.Spectrum(0)
+
+    def asked(one: Any, si: Any, to_light: Any, lit: Any, enters: Any) -> Any:
+        if one is None:
+            return mi.Spectrum(0), mi.Spectrum(0)
+        if hasattr(one, "eval_and_null_transmission"):
+            return one.eval_and_null_transmission(context, si, to_light, lit, enters)
+        return one.eval(context, si, to_light, lit), one.eval_null_transmission(si, enters)
+
+    found: tuple[Any, Any] = dr.dispatch(bsdf, asked, si, to_light, lit, enters)
     return found
 
 

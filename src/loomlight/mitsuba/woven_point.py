@@ -121,6 +121,15 @@ def woven_point_class() -> type:
             drawn, weight = self._drawn(point, si, sample1, sample2, active)
             return value, pdf, drawn, weight
 
+        def eval_and_null_transmission(
+            self, ctx: Any, si: Any, wo: Any, active: Any = True, entering: Any = True
+        ) -> tuple[Any, Any]:
+            """`eval` of active lanes and `eval_null_transmission` of entering ones: one search for both."""
+            point = self._point(si, active | entering)
+            value = self.model.evaluate(point, plain(wo), plain(si.wi), active)
+            through = self.model.straight_through(point, plain(si.wi))
+            return mi.Spectrum(value), mi.Spectrum(dr.select(entering, through, 0))
+
         def eval_null_transmission(self, si: Any, active: Any = True) -> Any:
             point = self._point(si, active)
             return mi.Spectrum(dr.select(active, self.model.straight_through(point, plain(si.wi)), 0))
