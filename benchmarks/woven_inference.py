@@ -4,7 +4,7 @@
 
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
-queries, fetch, coding and layers; "by cooperative vectors" is the same as few queries and other calls get it;
+queries, fetch, coding and layers; "by cooperative vectors" is the same as symbolic calls would get it;
 "in ONNX Runtime" is `batch.decode`, numpy arrays in and out, and "layers" are its runs alone, without the
 fetch; "in the renderer" are the kernels with layers of a picture, which decode each pixel for two lights. All
 use all cores. Each share is of the FMA peak measured right before and after, with independent chains of
@@ -20,6 +20,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, TypeVar
+from unittest.mock import patch
 
 import drjit as dr
 import numpy as np
@@ -33,9 +34,8 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
-from loomlight.models.woven import decoder
 from loomlight.models.woven.batch import QUERIES_A_RUN, decode, decoder_session
-from loomlight.models.woven.decoder import decoder_cost
+from loomlight.models.woven.decoder import Decoder, decoder_cost
 from loomlight.models.woven.encoding import encoder_session
 from loomlight.models.woven.maps import face_maps
 from loomlight.models.woven.model import WovenModel
@@ -72,12 +72,8 @@ def in_batch(model: WovenModel) -> float:
 
 def by_cooperative_vectors(model: WovenModel) -> float:
     """The same without kernels of their own."""
-    fewest = decoder.FEWEST_UNROLLED
-    decoder.FEWEST_UNROLLED = COUNT + 1
-    try:
+    with patch.object(Decoder, "unrolls", lambda decoder, asked: False):
         return in_batch(model)
-    finally:
-        decoder.FEWEST_UNROLLED = fewest
 
 
 def in_onnx_runtime(model: WovenModel) -> tuple[float, float]:

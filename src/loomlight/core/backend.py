@@ -73,6 +73,14 @@ def keep_order(float_type: type) -> None:
     dr.detail.new_scope(dr.backend_v(float_type))
 
 
+def channel_mean(colour: Any) -> Any:
+    """Mean of the channels of a Dr.Jit colour or spectrum: Float.
+
+    `dr.mean` would make the number of lanes a literal, and every other number compile kernels anew.
+    """
+    return dr.sum(colour) * (1 / len(colour))
+
+
 def uploaded(kind: Any, values: ArrayLike) -> Any:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 

@@ -26,6 +26,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.backend import channel_mean
 from loomlight.core.recorded import collecting_later
 from loomlight.mitsuba.cloth_samples import tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
@@ -302,7 +303,7 @@ def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, 
     """
     bs: Any = dr.zeros(mi.BSDFSample3f)
     bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
-    chance = dr.mean(through)
+    chance = channel_mean(through)
     passes = active & (choice < chance)
     bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
     return bs, dr.select(passes, through * dr.rcp(dr.maximum(chance, 1e-8)), 0)

@@ -16,7 +16,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.diffuse import (
@@ -349,9 +349,12 @@ class PointModel:
         depth = types.Float(self.appearance.optical_depth)
         turned, through = layer_albedo_estimate(view, point.normal, point.tangent, point.roughness, depth)
         albedos = point.albedos
-        specular = dr.mean(albedos.specular_reflect) * turned + dr.mean(albedos.specular_transmit) * through
-        reflect = dr.mean(albedos.diffuse_reflect)
-        transmit = dr.mean(albedos.diffuse_transmit)
+        specular = (
+            channel_mean(albedos.specular_reflect) * turned
+            + channel_mean(albedos.specular_transmit) * through
+        )
+        reflect = channel_mean(albedos.diffuse_reflect)
+        transmit = channel_mean(albedos.diffuse_transmit)
         if self.sheen is None:
             sheen = types.Float(0)
         else:

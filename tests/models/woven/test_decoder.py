@@ -15,8 +15,8 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.reproduce.cost import runs_layers
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
-from loomlight.models.woven import decoder
 from loomlight.models.woven.batch import decode
+from loomlight.models.woven.decoder import Decoder, decoder_of
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.pool import places_of
@@ -30,11 +30,12 @@ COUNT = 4000
 CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nroughness = 0.3'
 
 
-@pytest.fixture(params=[1 << 30, 1], ids=["cooperative", "unrolled"])
+@pytest.fixture(params=[False, True], ids=["cooperative", "unrolled"])
 def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
-    """Few queries in both ways of computing layers: whether that is in kernels of their own."""
-    monkeypatch.setattr(decoder, "FEWEST_UNROLLED", request.param)
-    return bool(request.param == 1)
+    """Both ways of computing layers: whether that is in kernels of their own."""
+    if not request.param:
+        monkeypatch.setattr(Decoder, "unrolls", lambda decoder, asked: False)
+    return bool(request.param)
 
 
 @pytest.mark.parametrize("name", TABLES)
@@ -117,27 +118,47 @@ def test_new_fabrics_need_no_new_kernels(either_way: bool, tmp_path: Path) -> No
     assert hashes[0] == hashes[1]
 
 
-def test_unrolled_layers_take_what_all_lanes_share(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+@pytest.mark.parametrize("count", [1, 1000])
+def test_unrolled_layers_take_what_all_lanes_share(
+    count: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
     model = WovenModel(fabric, encode(fabric, weights, Float), weights)
-    count, answers = 1000, []
-    lights = unit_vectors(np.random.default_rng(5), count)
-    light = Array3f(np.ascontiguousarray(lights.T))
-    for fewest in (count + 1, count):
-        monkeypatch.setattr(decoder, "FEWEST_UNROLLED", fewest)
+    light = Array3f(np.ascontiguousarray(unit_vectors(np.random.default_rng(5), count).T))
+
+    def answer() -> np.ndarray:
         # One footprint and view, of which parts are literals, for many lights.
         centre, edge = Array2f(0.1, dr.opaque(Float, 0.2)), dr.opaque(Float, 0.3)
         footprint = Footprint(centre, Array2f(edge, 0), Array2f(0, edge))
+        response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
+        seen = model.seen(Array3f(0.6, 0, 0.8), footprint)
+        again = model.lit(seen, light, Array3f(0.6, 0, 0.8))
+        np.testing.assert_allclose(again.specular_warp, response.specular_warp, rtol=1e-5)
+        assert dr.width(response) == count
+        return np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response))))
+
+    unrolled = answer()
+    monkeypatch.setattr(Decoder, "unrolls", lambda decoder, asked: False)
+    assert unrolled[:4].max() > 1e-3
+    # Sums of the same terms in much the same order.
+    np.testing.assert_allclose(unrolled, answer(), rtol=1e-4, atol=1e-6)
+
+
+def test_kernels_of_their_own_are_compiled_and_traced_once(tmp_path: Path) -> None:
+    weights = weights_of(network("field"), tmp_path)
+    rng, hashes = np.random.default_rng(7), set()
+    decoder = decoder_of(weights, Float)
+    for count, text in ((100, "plain"), (1, "satin 5/2"), (2500, "plain"), (70, "twill 2/1")):
+        fabric = fabric_from_text(text)
+        model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+        directions = unit_vectors(rng, count), unit_vectors(rng, count)
         with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
             dr.kernel_history_clear()
-            response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
-            dr.eval(response)
+            answered(model, *directions, rng.uniform(0, 1, (count, 2)), np.full(count, 0.1))
             kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        answers.append(np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response)))))
-    assert any(runs_layers(kernel) for kernel in kernels)
-    assert answers[0][:4].max() > 1e-3
-    # Sums of the same terms in much the same order.
-    np.testing.assert_allclose(answers[1], answers[0], rtol=1e-4, atol=1e-6)
+        hashes |= {kernel["hash"] for kernel in kernels if runs_layers(kernel)}
+    assert len(hashes) == 1
+    assert decoder.recordings == 1
 
 
 def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
@@ -152,8 +173,7 @@ def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
     np.testing.assert_allclose(holes, model.seen(view, footprint).hole.numpy(), rtol=0, atol=1e-6)
 
 
-def test_derivatives_go_by_cooperative_vectors(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(decoder, "FEWEST_UNROLLED", 1)
+def test_derivatives_go_by_cooperative_vectors(tmp_path: Path) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
     model = WovenModel(fabric, encode(fabric, weights, Float), weights)
     x = Float(0.1, 0.2, 0.3)

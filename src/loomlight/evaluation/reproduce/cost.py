@@ -2,7 +2,7 @@
 
 The paper's columns are network and "others" (intersection, transfer, shading); its encoder, once a fabric or
 edit, stands outside of the sum, as it does here. The network's share is read from the kernels of a picture:
-those that hold its layers, which also fetch latents and albedos; holes ask for a part of it. "Host" is Python
+those that hold its layers, which also fetch latents; holes ask for a part of it. "Host" is Python
 that traces and launches kernels, much the same for any number of pixels.
 """
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, channel_mean
 from loomlight.models.interface import FamilyAlbedos
 from loomlight.models.lobes.density import GroupLobe
 from loomlight.models.lobes.estimate import Estimator, Place
@@ -73,9 +73,9 @@ def energies_of(albedos: FamilyAlbedos) -> tuple[Energies, Energies]:
     """Energies of (warp, weft)."""
 
     def of(family: Any) -> Energies:
-        specular = _LAYER_REFLECTS * dr.mean(family.specular_reflect)
-        specular += _LAYER_TRANSMITS * dr.mean(family.specular_transmit)
-        return Energies(specular, dr.mean(family.diffuse_reflect), dr.mean(family.diffuse_transmit))
+        specular = _LAYER_REFLECTS * channel_mean(family.specular_reflect)
+        specular += _LAYER_TRANSMITS * channel_mean(family.specular_transmit)
+        return Energies(specular, channel_mean(family.diffuse_reflect), channel_mean(family.diffuse_transmit))
 
     return of(albedos.warp), of(albedos.weft)
 

@@ -10,7 +10,7 @@ other layers are not for these: call it outside.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import Any
@@ -42,8 +42,6 @@ from loomlight.models.woven.places import place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
-# Queries that kernels of their own are for: fewer take the others some hundredths of a second.
-FEWEST_UNROLLED = 1 << 15
 # Numbers of a texel that are fetched at once: a line of the cache.
 _PACKET = 16
 
@@ -175,9 +173,9 @@ class LatentTable:
 class Decoder:
     """The network of some weights on one backend.
 
-    On CPUs many queries are answered by kernels of their own, whose code the weights are part of
+    On CPUs queries are answered by kernels of their own, whose code the weights are part of
     (`UnrolledLayers`): they take seconds to compile, but once for all fabrics and scenes, and Dr.Jit keeps
-    them on disk. Few queries, and those within symbolic calls and loops, go by cooperative vectors.
+    them on disk. Derivatives, and queries within symbolic calls and loops, go by cooperative vectors.
     """
 
     def __init__(self, weights: Weights, float_type: type) -> None:
@@ -187,10 +185,15 @@ class Decoder:
         matrices = _matrices(weights)
         self._cooperative = CooperativeLayers(matrices, float_type)
         self._unrolled = UnrolledLayers(matrices, float_type)
-        self._launch_seen = Recorded(partial(self._seen, self._unrolled))
-        self._launch_hole = Recorded(partial(self._hole, self._unrolled))
-        self._launch_components = Recorded(partial(self._components, self._unrolled))
-        self._launch_answers = Recorded(partial(self._answers, self._unrolled))
+        functions = self._seen, self._hole, self._components, self._answers
+        self._launched = {
+            function.__name__: Recorded(partial(function, self._unrolled)) for function in functions
+        }
+
+    @property
+    def recordings(self) -> int:
+        """How often kernels of its own were traced."""
+        return sum(recorded.recordings for recorded in self._launched.values())
 
     def seen(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
@@ -201,45 +204,44 @@ class Decoder:
             back: whether that face is the back.
         """
         asked = x, y, size, view, back
-        if self._unrolls(asked):
-            angular, hole = self._launch_seen(Held(table), self._repeat(table), _wide(asked))
-        else:
-            angular, hole = self._seen(self._cooperative, table, self._repeat(table), asked)
+        angular, hole = self._found(self._seen, table, asked)
         return Seen(angular, hole, view, back, table)
 
     def hole(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
-        asked = x, y, size, view, back
-        if self._unrolls(asked):
-            return self._launch_hole(Held(table), self._repeat(table), _wide(asked))
-        return self._hole(self._cooperative, table, self._repeat(table), asked)
+        return self._found(self._hole, table, (x, y, size, view, back))
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
         asked = seen.angular, seen.view, seen.back, light
-        if self._unrolls(asked):
-            return self._launch_components(Held(seen.table), _wide(asked))
-        return self._components(self._cooperative, seen.table, asked)
+        found: list[Any] = self._found(self._components, seen.table, asked)
+        return found
 
     def answers(
         self, table: LatentTable, light: Any, x: Any, y: Any, size: Any, view: Any, back: Any
     ) -> list[Any]:
         """The four components for one light, and the hole: `components` of `seen` in one kernel."""
-        asked = x, y, size, view, back, light
-        if self._unrolls(asked):
-            found: list[Any] = self._launch_answers(Held(table), self._repeat(table), _wide(asked))
-            return found
-        return self._answers(self._cooperative, table, self._repeat(table), asked)
+        found: list[Any] = self._found(self._answers, table, (x, y, size, view, back, light))
+        return found
 
-    def _unrolls(self, asked: Sequence[Any]) -> bool:
+    def unrolls(self, asked: Sequence[Any]) -> bool:
         """Whether queries are answered by kernels of their own."""
         return (
             dr.backend_v(self._types.Float) == dr.JitBackend.LLVM
-            and dr.width(asked) >= FEWEST_UNROLLED
+            and dr.width(asked) > 0
             and not dr.flag(dr.JitFlag.SymbolicScope)
             and not dr.flag(dr.JitFlag.FreezingScope)
             and not dr.grad_enabled(asked)
         )
+
+    def _found(self, function: Callable[..., Any], table: LatentTable, asked: Sequence[Any]) -> Any:
+        """What a function of layers, latents, the repeat and queries returns."""
+        if not self.unrolls(asked):
+            return function(self._cooperative, table, self._repeat(table), asked)
+        # Kernels for single queries would be others, with numbers in place of arrays.
+        width = max(dr.width(asked), 2)
+        found = self._launched[function.__name__](Held(table), self._repeat(table), _wide(asked, width))
+        return found if width == dr.width(asked) else _first(found)
 
     def _repeat(self, table: LatentTable) -> tuple[int, int]:
         """Picks and ends, if the code depends on them."""
@@ -297,7 +299,9 @@ class Decoder:
         (share,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
         return share
 
-    def _components(self, layers: Layers, table: LatentTable, asked: Sequence[Any]) -> list[Any]:
+    def _components(
+        self, layers: Layers, table: LatentTable, _repeat: tuple[int, int], asked: Sequence[Any]
+    ) -> list[Any]:
         angular, view, back, light = asked
         directions = [light.x, light.y, light.z]
         if self.weights.table.fibres:
@@ -321,7 +325,7 @@ class Decoder:
     ) -> list[Any]:
         *of_view, light = asked
         angular, hole = self._seen(layers, table, repeat, of_view)
-        return [*self._components(layers, table, [angular, *of_view[-2:], light]), hole]
+        return [*self._components(layers, table, repeat, [angular, *of_view[-2:], light]), hole]
 
     def _unmapped(self, output: list[Any], light: Any) -> list[Any]:
         """`losses.unmapped`."""
@@ -358,9 +362,8 @@ def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
     return parts
 
 
-def _wide(asked: Any) -> list[Any]:
-    """Queries as evaluated arrays, a number a lane: what all lanes share would make other kernels."""
-    width = dr.width(asked)
+def _wide(asked: Any, width: int) -> list[Any]:
+    """Queries as evaluated arrays of a width: what all lanes share would make other kernels."""
 
     def spread(value: Any) -> Any:
         if isinstance(value, list | tuple):
@@ -374,6 +377,13 @@ def _wide(asked: Any) -> list[Any]:
     found: list[Any] = spread(asked)
     dr.make_opaque(found)
     return found
+
+
+def _first(found: Any) -> Any:
+    """The first lane of arrays, in the containers that they are in."""
+    if isinstance(found, list | tuple):
+        return [_first(part) for part in found]
+    return dr.gather(type(found), found, dr.uint32_array_t(found)(0))
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, channel_mean
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
@@ -176,7 +176,9 @@ class WovenModel(Model):
 
         def energy(side: str) -> Any:
             diffuse, specular = (
-                sum(dr.mean(getattr(family, f"{term}_{side}")) for family in (albedos.warp, albedos.weft))
+                sum(
+                    channel_mean(getattr(family, f"{term}_{side}")) for family in (albedos.warp, albedos.weft)
+                )
                 for term in ("diffuse", "specular")
             )
             return diffuse + highlight * specular
