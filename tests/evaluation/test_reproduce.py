@@ -124,7 +124,7 @@ def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:
     # Kernels lie within the picture's time; two threads may overlap by what a clock cannot tell.
     spent = network_time(lambda: one_picture(scene, 1))
     assert 0 < spent.network + spent.others < 1.1 * spent.seconds
-    assert spent.network > 0 and spent.others > 0
+    assert min(spent.network, spent.others) > 0
 
 
 def test_another_networks_weights_are_used(setting: Setting) -> None:
