@@ -28,7 +28,7 @@ from loomlight.evaluation.table import write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
-from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX
+from loomlight.models.woven.box import LAYOUT_BOX, PARAMETER_BOX
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights
@@ -62,7 +62,7 @@ def main() -> None:
     names = [name for name in arguments.models.split(",") if name]
     result = run_query_test(
         predictors(names, arguments.weights),
-        held_out_fabrics(arguments.fabrics, TRAINING_BOX if arguments.varied_layouts else PARAMETER_BOX),
+        held_out_fabrics(arguments.fabrics, LAYOUT_BOX if arguments.varied_layouts else PARAMETER_BOX),
         pairs=arguments.pairs,
         footprints=arguments.footprints,
         seed=arguments.seed,

@@ -94,7 +94,7 @@ def held_out_fabrics(count: int | None = None, box: ParameterBox = PARAMETER_BOX
     """The fabrics; with `count` the first so many, unseen weaves and the paper's in turn.
 
     Args:
-        box: where parameters are drawn from; with `TRAINING_BOX` gaps and setts differ from cloth to cloth.
+        box: where parameters are drawn from; with `LAYOUT_BOX` gaps and setts differ from cloth to cloth.
 
     Raises:
         InputError: `count` is not from 1 to 24.

@@ -12,12 +12,18 @@ import pytest
 from safetensors.numpy import load_file
 
 torch = pytest.importorskip("torch")
+from torch import Tensor  # noqa: E402
+from torch.nn import functional  # noqa: E402
 
 from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
+from loomlight.models.woven.network import widened  # noqa: E402
 from loomlight.models.woven.pool import read_faces  # noqa: E402
 from loomlight.models.woven.train import _draw, rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.weights import read_weights  # noqa: E402
+
+from .networks import TABLES, network  # noqa: E402
 
 TINY = """
 [network]
@@ -37,6 +43,7 @@ steps = {steps}
 fabrics = 2
 queries = 64
 decoder_steps = {decoder_steps}
+decoder_hidden = {decoder_hidden}
 optimiser = "{optimiser}"
 """
 
@@ -49,9 +56,15 @@ def pool(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def _config(folder: Path, steps: int, decoder_steps: int = 0, optimiser: str = "adam") -> TrainingConfig:
+def _config(
+    folder: Path, steps: int, decoder_steps: int = 0, optimiser: str = "adam", decoder_hidden: int = 0
+) -> TrainingConfig:
     path = folder / "tiny.toml"
-    path.write_text(TINY.format(steps=steps, decoder_steps=decoder_steps, optimiser=optimiser))
+    path.write_text(
+        TINY.format(
+            steps=steps, decoder_steps=decoder_steps, decoder_hidden=decoder_hidden, optimiser=optimiser
+        )
+    )
     return read_config(path)
 
 
@@ -82,10 +95,36 @@ def test_the_decoder_alone_is_trained_last(pool: Path, tmp_path: Path) -> None:
         assert np.array_equal(values, longer[name]) == (not name.startswith("decoder")), name
 
 
+def test_a_wider_decoder_is_written_as_such(pool: Path, tmp_path: Path) -> None:
+    config = _config(tmp_path, 2, 3, decoder_hidden=24)
+    weights = read_weights(train_woven(config, _with_pool(pool, tmp_path / "run")))
+    assert weights.table.hidden == 24
+    assert weights.tensor("decoder.angular.1.weight").shape == (24, 24)
+    assert weights.recipe["network"]["hidden"] == 16
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_a_wider_decoder_computes_the_same_at_first(name: str) -> None:
+    decoder = network(name).decoder
+    wider = widened(decoder, 48)
+    table, torch_rng = decoder.table, torch.Generator().manual_seed(1)
+
+    def numbers(*shape: int) -> Tensor:
+        return torch.rand(shape, generator=torch_rng)
+
+    light, view = (functional.normalize(numbers(200, 3) - 0.4) for _ in range(2))
+    asked = numbers(200, table.latent_size), numbers(200, 3), light, view, numbers(200, 2, 3)
+    for before, after in zip(decoder(*asked), wider(*asked), strict=True):
+        torch.testing.assert_close(after, before, rtol=1e-4, atol=1e-5)
+    # What is new can be learnt: its weights get gradients.
+    sum(part.sum() for part in wider(*asked)).backward()
+    assert wider.angular[-1].weight.grad[:, 32:].abs().min() > 0
+
+
 @pytest.mark.parametrize("optimiser", ["adam", "soap"])
 def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path, optimiser: str) -> None:
     """Stopped by an exception after any step, and gone on with: bit for bit the same."""
-    config = _config(tmp_path, 12, decoder_steps=6, optimiser=optimiser)
+    config = _config(tmp_path, 12, decoder_steps=6, optimiser=optimiser, decoder_hidden=24)
     whole = load_file(train_woven(config, _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "stopped")
     for stop in (3, 7, 14):
@@ -109,7 +148,7 @@ def _stop_at(step: int):
 def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
     """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
     config = tmp_path / "tiny.toml"
-    config.write_text(TINY.format(steps=60, decoder_steps=60, optimiser="soap"))
+    config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
     whole = load_file(train_woven(read_config(config), _with_pool(pool, tmp_path / "whole")))
     folder = _with_pool(pool, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
@@ -157,6 +196,7 @@ def test_checkpoint_of_another_configuration_is_refused(pool: Path, tmp_path: Pa
     [
         ("[training]\nsteps = 0", "training.steps = 0"),
         ("[training]\nspeed = 1", "training.speed"),
+        ("[training]\ndecoder_hidden = 60", "training.decoder_hidden = 60: should be 0 or at least 64"),
         ('[network]\nlatent = "tree"', "network.latent = 'tree'"),
         ("[training", "no TOML"),
     ],

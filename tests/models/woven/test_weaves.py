@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, TRAINING_BOX, paper_draft, random_fabric
+from loomlight.models.woven.box import LAYOUT_BOX, PAPER_WEAVES, PARAMETER_BOX, paper_draft, random_fabric
 from loomlight.models.woven.weaves import HELD_OUT_WEAVES, _class_of, training_draft
 from loomlight.weave.named import named_weave
 
@@ -54,7 +54,7 @@ def test_layouts_vary_and_leave_the_yarns_as_they_are() -> None:
     draft = paper_draft("plain")
     kept, varied = (
         [random_fabric(np.random.default_rng(k), draft, box=box) for k in range(200)]
-        for box in (PARAMETER_BOX, TRAINING_BOX)
+        for box in (PARAMETER_BOX, LAYOUT_BOX)
     )
     for one, other in zip(kept, varied, strict=True):
         assert one.appearance().warp.roughness == other.appearance().warp.roughness

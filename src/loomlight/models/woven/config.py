@@ -80,6 +80,8 @@ class TrainingTable(_Table):
             which costs five times as much as a decoder's.
         decoder_steps: further steps, of the decoder alone, on the latents of the encoder as it is then; those
             are computed once, so a step costs a tenth.
+        decoder_hidden: width of the decoder's layers in these and afterwards; 0 is the network's. Units that
+            are new change nothing at first.
         decoder_rate: largest learning rate of these; the schedule begins anew.
         decoder_loss: of these; "faint" is "balanced" that counts faint specular terms by shares.
         optimiser: "sgd", as published, "adam" or "soap", which is Adam along the principal axes of gradients.
@@ -99,6 +101,7 @@ class TrainingTable(_Table):
     queries: Count = 4096
     updates: Count = 4
     decoder_steps: Annotated[int, Field(ge=0)] = 0
+    decoder_hidden: Annotated[int, Field(ge=0)] = 0
     decoder_rate: Positive = 1e-3
     decoder_loss: Literal["balanced", "faint"] = "balanced"
     optimiser: Literal["sgd", "adam", "soap"] = "adam"
@@ -127,10 +130,16 @@ def read_config(path: str | os.PathLike[str]) -> TrainingConfig:
     file = Path(path)
     require_file(file)
     try:
-        return TrainingConfig.model_validate(tomllib.loads(file.read_text(encoding="utf-8")))
+        config = TrainingConfig.model_validate(tomllib.loads(file.read_text(encoding="utf-8")))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InputError(f"{file} is no TOML: {error}.") from error
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(map(str, first["loc"]))
         raise InputError(f"{file}: {field} = {first['input']!r}: {first['msg'].lower()}.") from error
+    width, wider = config.network.hidden, config.training.decoder_hidden
+    if 0 < wider < width:
+        raise InputError(
+            f"{file}: training.decoder_hidden = {wider}: should be 0 or at least {width}, as before."
+        )
+    return config

@@ -238,6 +238,29 @@ class Decoder(nn.Module):
         return hidden, self.hole[1](hole)[:, 0]
 
 
+def widened(decoder: Decoder, hidden: int) -> Decoder:
+    """A decoder with wider layers that computes the same (Net2Net, Chen et al. 2016).
+
+    What new units find is of no weight yet; their own weights are random. Training goes on from there, where
+    a decoder as wide from the beginning would have made every step longer.
+    """
+    wider = Decoder(decoder.table.model_copy(update={"hidden": hidden}))
+    pairs = zip(wider.modules(), decoder.modules(), strict=True)
+    with torch.no_grad():
+        for layer, before in pairs:
+            if not (isinstance(layer, nn.Linear) and isinstance(before, nn.Linear)):
+                continue
+            grown = layer.in_features - before.in_features
+            # Hidden units are a layer's first inputs.
+            first = decoder.table.hidden if grown else before.in_features
+            rows = layer.weight[: before.out_features]
+            rows[:, :first] = before.weight[:, :first]
+            rows[:, first : first + grown] = 0
+            rows[:, first + grown :] = before.weight[:, first:]
+            layer.bias[: before.out_features] = before.bias
+    return wider
+
+
 def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
     """What the fibres of both families make of lights and views [n, 3]: [n, 38].
 

@@ -19,7 +19,7 @@ from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.config import TrainingConfig, TrainingTable
 from loomlight.models.woven.losses import LOSSES, is_published
-from loomlight.models.woven.network import FieldEncoder, WovenNetwork
+from loomlight.models.woven.network import FieldEncoder, WovenNetwork, widened
 from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
 from loomlight.models.woven.pyramid import levels_of, taps
@@ -34,7 +34,7 @@ _WARM_UP = 0.01
 _LARGE = 2.0  # threads; footprints from here on are all learnt from
 _DECODER_FACES = 4  # times as many faces in a step of the decoder alone, of that part of the queries each
 # Of what the pool's files hold: a folder of another version is left alone.
-_POOL_VERSION = 2
+_POOL_VERSION = 3
 # They keep the random numbers of batches apart from those of the pool.
 _STREAM, _DECODER_STREAM = 7, 11
 
@@ -82,10 +82,14 @@ def train_woven(
         report,
     )
     if training.decoder_steps:
+        batches.keep_latents()
+        if training.decoder_hidden > config.network.hidden:
+            torch.manual_seed(training.seed)
+            network.decoder = widened(network.decoder, training.decoder_hidden).to(device)
         steps += train(
             network.decoder,
             _optimiser(network.decoder, training),
-            batches.decoder_losses(),
+            batches.decoder_losses,
             Schedule(
                 steps=training.decoder_steps,
                 rate=lambda share: training.decoder_rate * rate_share(training, share),
@@ -98,7 +102,7 @@ def train_woven(
     weights = folder / "woven.safetensors"
     write_weights(
         weights,
-        config.network,
+        network.decoder.table,
         {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()},
         linear_diffuse=is_published(training),
         recipe=config.model_dump(),
@@ -138,6 +142,7 @@ class Batches:
         self._faces = faces
         self._network = network
         self._device = device
+        self._kept: list[Tensor] = []
 
     def losses(self, step: int) -> Iterator[Tensor]:
         """The losses of one step: of encoder and decoder, then of the decoder, the latents as they were."""
@@ -171,25 +176,23 @@ class Batches:
             output, hole = self._network.decoder(latent, place, light, view, fibres)
         return LOSSES[loss](output.float(), hole.float(), truth, light)
 
-    def decoder_losses(self) -> Callable[[int], Iterator[Tensor]]:
-        """Losses of steps of the decoder alone, with the latents of all faces as they are now.
+    def keep_latents(self) -> None:
+        """Keeps the latents of all faces as they are now, for `decoder_losses`."""
+        with torch.no_grad():
+            self._kept = [self._encoded([face])[0].half() for face in self._faces]
+
+    def decoder_losses(self, step: int) -> Iterator[Tensor]:
+        """The loss of one step of the decoder alone, with the latents that were kept.
 
         As these cost nothing, a step takes more faces, with fewer queries each.
         """
         training = self._config.training
-        with torch.no_grad():
-            tables = [self._encoded([face])[0].half() for face in self._faces]
         count = min(_DECODER_FACES * training.fabrics, len(self._faces))
-        queries = -(-training.queries // _DECODER_FACES)
-
-        def losses(step: int) -> Iterator[Tensor]:
-            rng = np.random.default_rng([training.seed, _DECODER_STREAM, step])
-            chosen = rng.choice(len(self._faces), count, replace=False)
-            latents = [tables[k].float() for k in chosen]
-            some = [self._faces[k] for k in chosen]
-            yield self._loss_of(training.decoder_loss, some, latents, rng, queries)
-
-        return losses
+        rng = np.random.default_rng([training.seed, _DECODER_STREAM, step])
+        chosen = rng.choice(len(self._faces), count, replace=False)
+        latents = [self._kept[k].float() for k in chosen]
+        some = [self._faces[k] for k in chosen]
+        yield self._loss_of(training.decoder_loss, some, latents, rng, -(-training.queries // _DECODER_FACES))
 
     def _half_precision(self) -> torch.autocast:
         return torch.autocast(self._device.type, torch.bfloat16)
