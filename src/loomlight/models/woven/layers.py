@@ -23,6 +23,8 @@ Matrices = dict[str, NDArray[np.float32]]
 # wait for each other nor loads of the vector cost time (measured: 4 sums 0.5, 8 0.8, 16 0.7 of the peak).
 _SUMS = 8
 _IN_A_ROW = 4
+# Multiply-adds from which on a product is a function of its own.
+_LARGE = 4096
 
 
 class Layers(Protocol):
@@ -79,6 +81,12 @@ class UnrolledLayers:
     def product(self, matrix: str, vector: Any, bias: str | None = None) -> Any:
         """See `Layers`."""
         rows = self._parts[matrix]
+        if len(rows) * len(rows[0]) < _LARGE:
+            return self._summed(rows, bias, vector)
+        # Functions twice as long take three times as long to compile.
+        return self.outlined(lambda *values: self._summed(rows, bias, values), *vector)
+
+    def _summed(self, rows: list[list[float]], bias: str | None, vector: Sequence[Any]) -> list[Any]:
         sums: list[Any] = [self._types.Float(0)] * len(rows) if bias is None else [*self._parts[bias]]
         for first in range(0, len(rows), _SUMS):
             block = range(first, min(first + _SUMS, len(rows)))
@@ -98,7 +106,7 @@ class UnrolledLayers:
         """See `Layers`."""
         return [dr.maximum(value, value * SLOPE) for value in vector]
 
-    def outlined(self, function: Callable[..., list[Any]], *vectors: Sequence[Any]) -> list[Any]:
+    def outlined(self, function: Callable[..., list[Any]], *vectors: Any) -> list[Any]:
         """See `Layers`. Within the kernel's loop, LLVM would consider for every weight to load it beforehand,
         which takes three times as long to compile as all else."""
         only = dr.opaque(self._types.UInt32, 0)
