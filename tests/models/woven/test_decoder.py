@@ -133,6 +133,7 @@ def test_unrolled_layers_take_what_all_lanes_share(
         response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
         seen = model.seen(Array3f(0.6, 0, 0.8), footprint)
         again = model.lit(seen, light, Array3f(0.6, 0, 0.8))
+        # In one kernel or in two: the same operations.
         np.testing.assert_allclose(again.specular_warp, response.specular_warp, rtol=1e-5)
         assert dr.width(response) == count
         return np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response))))
@@ -170,6 +171,7 @@ def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
     footprint = Footprint(Array2f(side, 0.1), Array2f(side, 0), Array2f(0, side))
     holes = model.hole(view, footprint).numpy()
     assert holes.std() > 1e-3
+    # The same operations, in another kernel.
     np.testing.assert_allclose(holes, model.seen(view, footprint).hole.numpy(), rtol=0, atol=1e-6)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from safetensors.numpy import load_file
 
+# Nothing below can be imported without torch, which only training needs (hence E402).
 torch = pytest.importorskip("torch")
 from torch import Tensor  # noqa: E402
 from torch.nn import functional  # noqa: E402
@@ -114,6 +115,7 @@ def test_a_wider_decoder_computes_the_same_at_first(name: str) -> None:
 
     light, view = (functional.normalize(numbers(200, 3) - 0.4) for _ in range(2))
     asked = numbers(200, table.latent_size), numbers(200, 3), light, view, numbers(200, 2, 3)
+    # The same products, added up in another order.
     for before, after in zip(decoder(*asked), wider(*asked), strict=True):
         torch.testing.assert_close(after, before, rtol=1e-4, atol=1e-5)
     # What is new can be learnt: its weights get gradients.
