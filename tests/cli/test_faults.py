@@ -5,13 +5,17 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+import drjit as dr
 import pytest
+from drjit.llvm import Float
 
 from loomlight.cli.main import run
 from loomlight.core.images import write_png
+from loomlight.core.llvm import require_llvm
 from loomlight.weave.drawing import draw_drawdown
 from loomlight.weave.named import named_weave
 
+require_llvm()
 FAULTS: dict[str, tuple[list[str], str]] = {
     "no such command": (["rendr"], "render"),
     "no such subcommand": (["weave", "shw", "plain"], "show"),
@@ -109,6 +113,30 @@ def test_an_interruption_is_quiet(
 
     monkeypatch.setattr("loomlight.weave.named.named_weave", interrupted)
     assert run(["weave", "info", "plain"]) == 130
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize(("raised", "code"), [(KeyboardInterrupt, 130), (ZeroDivisionError, None)])
+def test_an_interruption_within_a_loop_of_drjit_is_quiet(
+    raised: type[BaseException],
+    code: int | None,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Dr.Jit raises an error of its own in its place; faults of any other kind are not hidden."""
+
+    def body(_number: Float) -> tuple[Float]:
+        raise raised
+
+    def interrupted(_text: str) -> None:
+        dr.while_loop((dr.arange(Float, 3),), lambda number: number < 2, body)
+
+    monkeypatch.setattr("loomlight.weave.named.named_weave", interrupted)
+    if code is None:
+        with pytest.raises(RuntimeError):
+            run(["weave", "info", "plain"])
+        return
+    assert run(["weave", "info", "plain"]) == code
     assert capsys.readouterr().err == ""
 
 

@@ -77,10 +77,22 @@ def run(arguments: list[str]) -> int:
         return _refuse(_sentence(error))
     except (KeyboardInterrupt, typer.Abort):
         return INTERRUPTED
+    except RuntimeError as error:
+        # Dr.Jit raises this in place of what ended a function that it called.
+        if not _was_interrupted(error):
+            raise
+        return INTERRUPTED
     except BrokenPipeError:
         return _reader_has_enough()
     except SystemExit:  # what Typer does when the pipe breaks while it prints
         return _reader_has_enough()
+
+
+def _was_interrupted(error: BaseException | None) -> bool:
+    """Whether an interruption is among what led to an error."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
 
 
 def _invoke(arguments: list[str]) -> Any:
