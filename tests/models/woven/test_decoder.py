@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import astuple
 from pathlib import Path
+from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -159,6 +160,24 @@ def test_kernels_of_their_own_are_compiled_and_traced_once(tmp_path: Path) -> No
             kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
         hashes |= {kernel["hash"] for kernel in kernels if runs_layers(kernel)}
     assert len(hashes) == 1
+    assert decoder.recordings == 1
+
+
+def test_recordings_make_no_arrays_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Calls that chose their function by an array of the recording's own took another one some time later."""
+    opaque, flag = dr.opaque, dr.JitFlag.FreezingScope
+
+    def checked(*arguments: Any) -> Any:
+        assert not dr.flag(flag)
+        return opaque(*arguments)
+
+    weights = weights_of(network("field"), tmp_path)
+    fabric, rng = fabric_from_text("plain"), np.random.default_rng(8)
+    model = WovenModel(fabric, encode(fabric, weights, Float), weights)
+    decoder = decoder_of(weights, Float)
+    monkeypatch.setattr(dr, "opaque", checked)
+    directions = unit_vectors(rng, 50), unit_vectors(rng, 50)
+    answered(model, *directions, rng.uniform(0, 1, (50, 2)), np.full(50, 0.1))
     assert decoder.recordings == 1
 
 

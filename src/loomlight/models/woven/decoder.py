@@ -19,7 +19,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, keep_order, uploaded
+from loomlight.core.backend import array_types, clipped, keep_order, larger, smaller, uploaded
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.woven.architecture import (
     BINS,
@@ -129,8 +129,8 @@ class LatentTable:
         ends, picks = self._extent
         # Near the origin, where float32 is finest.
         x, y = x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
-        place = dr.clip(dr.log2(dr.maximum(size, 1e-6)) + FINEST, 0, types.Float(self._top))
-        lower = dr.minimum(types.UInt32(place), self._top - 1)
+        place = clipped(dr.log2(larger(size, 1e-6)) + FINEST, 0, types.Float(self._top))
+        lower = smaller(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
         taps = []
         for side in range(2):
@@ -187,7 +187,7 @@ class Decoder:
         self._unrolled = UnrolledLayers(matrices, float_type)
         functions = self._seen, self._hole, self._components, self._answers
         self._launched = {
-            function.__name__: Recorded(partial(function, self._unrolled)) for function in functions
+            function.__name__: Recorded(partial(self._unrolled_found, function)) for function in functions
         }
 
     @property
@@ -240,8 +240,13 @@ class Decoder:
             return function(self._cooperative, table, self._repeat(table), asked)
         # Kernels for single queries would be others, with numbers in place of arrays.
         width = max(dr.width(asked), 2)
-        found = self._launched[function.__name__](Held(table), self._repeat(table), _wide(asked, width))
+        launched = self._launched[function.__name__]
+        found = launched([self._unrolled.only], Held(table), self._repeat(table), _wide(asked, width))
         return found if width == dr.width(asked) else _first(found)
+
+    def _unrolled_found(self, function: Callable[..., Any], _only: list[Any], *arguments: Any) -> Any:
+        """The same of unrolled layers, within a recording that is told of their array."""
+        return function(self._unrolled, *arguments)
 
     def _repeat(self, table: LatentTable) -> tuple[int, int]:
         """Picks and ends, if the code depends on them."""
@@ -263,7 +268,7 @@ class Decoder:
         cosines = [fibre.cosine(view) for fibre in table.fibres(back)] if self.weights.table.fibres else []
         fetched, coded = self._fetched(table, repeat, asked)
         hole, *angular = layers.outlined(of_place, fetched, coded, [view.x, view.y], cosines)
-        return angular, dr.clip(hole, 0, 1)
+        return angular, clipped(hole, 0, 1)
 
     def _hole(self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]) -> Any:
         view = asked[3]
@@ -272,7 +277,7 @@ class Decoder:
             return [self._share(layers, self._spatial(layers, fetched, coded), eye)]
 
         (hole,) = layers.outlined(of_place, *self._fetched(table, repeat, asked), [view.x, view.y])
-        return dr.clip(hole, 0, 1)
+        return clipped(hole, 0, 1)
 
     def _fetched(
         self, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
@@ -331,9 +336,9 @@ class Decoder:
         """`losses.unmapped`."""
         types = self._types
         scale = dr.select(light.z > 0, types.Float(1 / REFLECTION_GAIN), 1 / TRANSMISSION_GAIN)
-        linear = [(dr.exp(dr.clip(value, 0, LARGEST_OUTPUT)) - 1) * scale for value in output]
+        linear = [(dr.exp(clipped(value, 0, LARGEST_OUTPUT)) - 1) * scale for value in output]
         if self.weights.linear_diffuse:
-            return [*(dr.maximum(value, 0) for value in output[:2]), *linear[2:]]
+            return [*(larger(value, 0) for value in output[:2]), *linear[2:]]
         return linear
 
 
@@ -440,7 +445,7 @@ def one_blob(place: tuple[Any, Any, Any]) -> list[Any]:
             if number < 2:
                 offset -= dr.round(offset)
             distance = offset * (BINS / BLOB_REACH)
-            coded.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
+            coded.append(dr.square(larger(dr.fma(-distance, distance, 1), 0)))
     return coded
 
 
@@ -459,7 +464,7 @@ def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[A
         place = (place + 0.5) * (INCLINATION_BINS / INCLINATION_REACH)
         for bin_ in range(INCLINATION_BINS):
             distance = place - (bin_ + 0.5) / INCLINATION_REACH
-            bins.append(dr.square(dr.maximum(dr.fma(-distance, distance, 1), 0)))
+            bins.append(dr.square(larger(dr.fma(-distance, distance, 1), 0)))
         squared = dr.square(fibre.roughness)
         q = dr.fma(square * inverse_square, 1 - squared, squared)
         density = (DENSITY_GAIN * dr.inv_pi) * squared * fibre.roughness * dr.rcp(dr.square(q))

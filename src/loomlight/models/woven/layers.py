@@ -15,7 +15,7 @@ import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, keep_order
+from loomlight.core.backend import array_types, keep_order, larger
 from loomlight.models.woven.architecture import SLOPE
 
 Matrices = dict[str, NDArray[np.float32]]
@@ -64,7 +64,7 @@ class CooperativeLayers:
 
     def leaky(self, vector: Any) -> Any:
         """See `Layers`."""
-        return dr.maximum(vector, vector * SLOPE)
+        return larger(vector, vector * SLOPE)
 
     def outlined(self, function: Callable[..., list[Any]], *vectors: Sequence[Any]) -> list[Any]:
         """See `Layers`."""
@@ -72,11 +72,17 @@ class CooperativeLayers:
 
 
 class UnrolledLayers:
-    """Layers whose weights are numbers in the code, for LLVM; a vector is a list of Floats."""
+    """Layers whose weights are numbers in the code, for LLVM; a vector is a list of Floats.
+
+    Attributes:
+        only: number of the only function that calls choose from. Recordings have to be given it: of an array
+            that is made while they are recorded they keep no more than its place in memory.
+    """
 
     def __init__(self, matrices: Matrices, float_type: type) -> None:
         self._parts = {name: values.tolist() for name, values in matrices.items()}
         self._types = array_types(float_type)
+        self.only: Any = dr.opaque(self._types.UInt32, 0)
 
     def product(self, matrix: str, vector: Any, bias: str | None = None) -> Any:
         """See `Layers`."""
@@ -104,13 +110,12 @@ class UnrolledLayers:
 
     def leaky(self, vector: Any) -> Any:
         """See `Layers`."""
-        return [dr.maximum(value, value * SLOPE) for value in vector]
+        return [larger(value, value * SLOPE) for value in vector]
 
     def outlined(self, function: Callable[..., list[Any]], *vectors: Any) -> list[Any]:
         """See `Layers`. Within the kernel's loop, LLVM would consider for every weight to load it beforehand,
         which takes three times as long to compile as all else."""
-        only = dr.opaque(self._types.UInt32, 0)
-        found: Any = dr.switch(only, [function], *vectors, mode="symbolic")
+        found: Any = dr.switch(self.only, [function], *vectors, mode="symbolic")
         return list(found)
 
 
