@@ -60,21 +60,23 @@ def operations(model: LobesModel, arrays: Any) -> int:
     types = array_types(Float)
     estimator = model.estimator(types)
     counts = []
-    for words in (1, 2):
+    for pairs in (1, 2):
         place = estimator.place(footprint, view, view.z < 0)
         nodes, half = estimator.light_nodes(place, light), half_vector(light, view)
         total: Any = 0
-        for word in range(words):
-            number = dr.opaque(UInt32, word)
-            seen = estimator.seen(place, number, number < estimator.warp_words)
-            diffuse, specular = estimator.components(seen, place, nodes, number, light, half)
-            total = total + diffuse + specular + sum(seen.weights)
+        for pair in range(pairs):
+            number = dr.opaque(UInt32, pair)
+            words = estimator.seen(place, number)
+            for seen, (diffuse, specular) in zip(
+                words, estimator.components(words, place, nodes, number, light, half), strict=True
+            ):
+                total = total + diffuse + specular + sum(seen.weights)
         with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
             dr.kernel_history_clear()
             dr.eval(total)
             kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
-    return int(counts[0] + (model.tables.words - 1) * (counts[1] - counts[0]))
+    return int(counts[0] + (model.tables.words // 2 - 1) * (counts[1] - counts[0]))
 
 
 def rows_of_pixels(fabric: Fabric, low: float, high: float, shuffled: bool) -> Any:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import drjit as dr
 import numpy as np
 import pytest
@@ -27,16 +29,19 @@ def test_roofs_are_maxima_of_windows(shape: tuple[int, int]) -> None:
     roofs = pack_roofs(words)
     for row in range(roofs.shape[0]):
         for column in range(roofs.shape[1]):
-            for number, radius in enumerate(ROOF_RADII):
+            for (number, radius), up, right in product(enumerate(ROOF_RADII), (0, 1), (0, 1)):
                 rows, columns = (
-                    np.arange(ROOF_BLOCK * first - radius, min(ROOF_BLOCK * (first + 1), count) + radius)
+                    np.arange(
+                        ROOF_BLOCK * first - (0 if ahead else radius),
+                        min(ROOF_BLOCK * (first + 1), count) + (radius if ahead else 0),
+                    )
                     % count
-                    for first, count in ((row, picks), (column, ends))
+                    for first, count, ahead in ((row, picks, up), (column, ends, right))
                 )
                 window = np.ix_(rows, columns)
                 for face, top in enumerate((warp_on_top, ~warp_on_top)):
                     expected = np.where(top, levels[..., 0], levels[..., 1])[window].max()
-                    assert roofs[row, column] >> (8 * number + 4 * face) & 15 == expected
+                    assert roofs[row, column, right + 2 * up] >> (8 * number + 4 * face) & 15 == expected
 
 
 @pytest.mark.parametrize("seed", range(6))
@@ -46,8 +51,12 @@ def test_nothing_rises_above_roofs(seed: int) -> None:
     count = 20_000
     x, y = (rng.uniform(-extent, 2 * extent, count) for extent in geometry.size)
     back = Bool(rng.random(count) < 0.5)
-    for radius, share in geometry.roofs(Float(x), Float(y), back):
-        away_x, away_y = (rng.uniform(-radius, radius, count) * 0.999 * extent for extent in geometry.finest)
+    ahead = rng.random((2, count)) < 0.5
+    for radius, share in geometry.roofs(Float(x), Float(y), back, *(Bool(way) for way in ahead)):
+        away_x, away_y = (
+            np.where(way, 1, -1) * rng.uniform(0, radius, count) * 0.999 * extent
+            for way, extent in zip(ahead, geometry.finest, strict=True)
+        )
         height, hole = geometry.height(Float(x + away_x), Float(y + away_y), back)
         # Rounding of levels up to 15ths leaves more than that of float32.
         assert dr.all(hole | (height <= share * geometry.height_bounds[1] + 1e-6))

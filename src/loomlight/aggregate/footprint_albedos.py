@@ -28,7 +28,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller, uploaded
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos
@@ -212,7 +212,7 @@ class _Axis:
     def bounds(self, centre: Any, size: Any) -> tuple[_Bound, _Bound]:
         """Lower and upper bound of a stretch of the axis, the centre moved into the first repeat."""
         local = centre - dr.floor((centre - self._start) / self._period) * self._period
-        half = dr.maximum(size, self._smallest) * 0.5
+        half = larger(size, self._smallest) * 0.5
         return self._bound(local - half), self._bound(local + half)
 
     def _bound(self, position: Any) -> _Bound:
@@ -222,9 +222,9 @@ class _Axis:
         # Rounding decides between neighbouring cells, so the repeat follows from the cell that was found.
         turns = dr.round((position - self._start - before.y - found.below) / self._period)
         width = 2 * found.half_width
-        visible = dr.clip((found.across + found.half_width) / width, 0, 1)
+        visible = clipped((found.across + found.half_width) / width, 0, 1)
         ahead = found.below - found.across - found.half_width
-        gap = dr.minimum(found.below, ahead) + dr.maximum(found.across - found.half_width, 0)
+        gap = smaller(found.below, ahead) + larger(found.across - found.half_width, 0)
         return _Bound(found.thread, turns, found.below, visible, width, gap)
 
     def lengths(self, low: _Bound, high: _Bound) -> tuple[Any, Any, Any]:
@@ -297,19 +297,19 @@ class _Colours:
             for part, on_top in zip(visible, self._on_top(own, other), strict=True)
         ]
         area = visible[0] * crossing
-        noise = _NOISE_UNITS * self._unit * dr.minimum(area / self._crossing, 1) + _NOISE_SHARE * area
+        noise = _NOISE_UNITS * self._unit * smaller(area / self._crossing, 1) + _NOISE_SHARE * area
         sums = [
             part * gaps + dr.select(above[0] > noise, shown, 0) + _HIDDEN * length * cell
             for part, shown, cell in zip(visible, above, cells, strict=True)
         ]
-        weight = dr.rcp(dr.maximum(sums[0], 1e-20))
+        weight = dr.rcp(larger(sums[0], 1e-20))
         ratios = [total * weight for total in sums[1:]]
         numbers = []
         for index in range(_NUMBERS):
             number = self._mean[index]
             for ratio, axis in zip(ratios, self._axes, strict=True):
                 number = dr.fma(ratio, axis[index], number)
-            numbers.append(dr.clip(number, 0, 1))
+            numbers.append(clipped(number, 0, 1))
         return _albedos(self._types, numbers)
 
     def _along(self, own: _Stretch) -> tuple[list[Any], list[Any]]:

@@ -28,7 +28,7 @@ from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps, uploaded_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
-from loomlight.core.backend import array_types, uploaded
+from loomlight.core.backend import array_types, larger, uploaded
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
 
@@ -293,7 +293,7 @@ def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
     below, in its shade. One texel further the way the ray goes is on the yarn for certain.
     """
     types = array_types(met.point.x)
-    length = dr.rsqrt(dr.maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
+    length = dr.rsqrt(larger(dr.square(view.x) + dr.square(view.y), 1e-12))
     step_x, step_y = (dr.opaque(types.Float, step) for step in maps.grid.step)
     further = dr.select(met.wall, types.Float(1), 0) * length
     return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
-from loomlight.core.backend import array_types, uploaded
+from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
 from loomlight.core.errors import InputError
 
 # Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
@@ -99,11 +99,11 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
         zip((grid.left, grid.bottom), grid.step, (grid.columns, grid.rows), strict=True)
     ):
         per_texel = dr.opaque(types.Float, 1 / step)
-        half = 0.5 * dr.maximum(whole[axis] * per_texel, _SMALLEST_BOX)
+        half = 0.5 * larger(whole[axis] * per_texel, _SMALLEST_BOX)
         place = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
         low, high = place - half, place + half
         if not grid.periodic:
-            low, high = dr.clip(low, 0, count), dr.clip(high, 0, count)
+            low, high = clipped(low, 0, count), clipped(high, 0, count)
         bounds += [low, high]
     return TexelBoxes(*bounds)
 
@@ -132,8 +132,8 @@ def _bound(position: Any, count: int) -> _Bound:
     types = array_types(position)
     whole = dr.opaque(types.Float, count)
     turns = dr.floor(position * dr.opaque(types.Float, 1 / count))
-    local = dr.clip(position - turns * whole, 0, whole)
-    entry = dr.minimum(types.UInt32(local), dr.opaque(types.UInt32, count - 1))
+    local = clipped(position - turns * whole, 0, whole)
+    entry = smaller(types.UInt32(local), dr.opaque(types.UInt32, count - 1))
     return _Bound(entry, local - types.Float(entry), turns)
 
 

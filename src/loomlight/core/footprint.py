@@ -17,7 +17,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, larger
 
 
 @dataclass
@@ -94,7 +94,7 @@ class Footprint:
         """
         box = self.box().size
         covariance = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
-        return covariance / dr.maximum(box.x * box.y, 1e-30)
+        return covariance / larger(box.x * box.y, 1e-30)
 
     def shrunk(self, samples: int) -> Footprint:
         """The footprint of each of `samples` samples of a pixel: both edges times 1/sqrt(samples)."""

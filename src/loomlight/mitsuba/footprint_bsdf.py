@@ -12,6 +12,7 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.core.backend import clipped
 from loomlight.core.footprint import Footprint
 from loomlight.core.held_arrays import arrays_of
 from loomlight.fabric.fabric import Fabric
@@ -226,7 +227,7 @@ def footprint_bsdf_class() -> type:
             albedos = self.mean_albedos(self._means, view, footprint)
             if self._texture is not None:
                 edges = uv_footprint(si, self.pixel_angle)
-                tint = plain(dr.clip(self._texture.over(si, *edges, active), 0, 1))
+                tint = plain(clipped(self._texture.over(si, *edges, active), 0, 1))
                 albedos = FamilyAlbedos(_tinted(albedos.warp, tint), _tinted(albedos.weft, tint))
             return albedos
 

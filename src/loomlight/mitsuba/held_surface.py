@@ -10,7 +10,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.yarn.geometry import Probe, SurfacePoint, YarnGeometry
+from loomlight.yarn.geometry import Block, Probe, SurfacePoint, YarnGeometry
 
 
 class HeldSurface:
@@ -33,13 +33,17 @@ class HeldSurface:
         with dr.suspend_grad():
             return self.geometry.height(x, y, back)
 
-    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
         with dr.suspend_grad():
-            return self.geometry.roofs(x, y, back)
+            return self.geometry.roofs(x, y, back, right, up)
 
     def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
         with dr.suspend_grad():
             return self.geometry.probe(x, y, back, right, up)
+
+    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
+        with dr.suspend_grad():
+            return self.geometry.block(x, y, back, right, up)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         point = self.geometry.surface(x, y, back)

@@ -26,7 +26,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import channel_mean
+from loomlight.core.backend import channel_mean, larger, smaller
 from loomlight.core.recorded import collecting_later
 from loomlight.mitsuba.cloth_samples import tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
@@ -228,7 +228,7 @@ def footprint_path_class() -> type:
                 η *= bs.eta
                 β_max = dr.max(β)
                 active_next &= β_max != 0
-                survival = dr.minimum(β_max * dr.square(η), 0.95)
+                survival = smaller(β_max * dr.square(η), 0.95)
                 roulette = bounced & (depth >= self.rr_depth)
                 β[roulette] *= dr.rcp(survival)
                 active_next &= ~roulette | (sampler.next_1d() < survival)
@@ -306,7 +306,7 @@ def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, 
     chance = channel_mean(through)
     passes = active & (choice < chance)
     bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
-    return bs, dr.select(passes, through * dr.rcp(dr.maximum(chance, 1e-8)), 0)
+    return bs, dr.select(passes, through * dr.rcp(larger(chance, 1e-8)), 0)
 
 
 # Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew

@@ -11,6 +11,8 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.backend import larger, smaller
+
 # A footprint seen at a grazing angle is stretched at most this much; beyond, the plane leaves the object.
 _LARGEST_STRETCH = 20.0
 # One scattering event opens the cone by at most this angle (radians).
@@ -31,8 +33,8 @@ def opening(pdf: Any, samples: int) -> Any:
 
     One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.
     """
-    angle = dr.rsqrt(dr.maximum(pdf * samples, 1e-6))
-    return dr.minimum(angle, _LARGEST_OPENING)
+    angle = dr.rsqrt(larger(pdf * samples, 1e-6))
+    return smaller(angle, _LARGEST_OPENING)
 
 
 def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
@@ -44,9 +46,9 @@ def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
     along = direction - cosine * si.n
     length = dr.norm(along)
     fallback, _ = mi.coordinate_system(si.n)
-    along = dr.select(length > 1e-4, along / dr.maximum(length, 1e-4), fallback)
+    along = dr.select(length > 1e-4, along / larger(length, 1e-4), fallback)
     across = dr.cross(si.n, along)
-    stretch = dr.minimum(dr.rcp(dr.maximum(dr.abs(cosine), 1e-3)), _LARGEST_STRETCH)
+    stretch = smaller(dr.rcp(larger(dr.abs(cosine), 1e-3)), _LARGEST_STRETCH)
     return _to_uv(si, along * (width * stretch)), _to_uv(si, across * width)
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, larger, smaller
 from loomlight.scattering.directions import cosine_about
 
 
@@ -39,13 +39,13 @@ def sample_diffuse(normal: Any, blend: Any, u: Any) -> Any:
     # The number that chose is stretched back to [0, 1) and used again.
     start = dr.select(about_yarn, 0, blend)
     width = dr.select(about_yarn, blend, 1 - blend)
-    stretched = dr.minimum((u.x - start) / dr.maximum(width, 1e-7), dr.one_minus_epsilon(types.Float))
+    stretched = smaller((u.x - start) / larger(width, 1e-7), dr.one_minus_epsilon(types.Float))
     axis = dr.select(about_yarn, normal, types.Vector3(0, 0, 1))
     return cosine_about(axis, types.Vector2(stretched, u.y))
 
 
 def diffuse_pdf(light: Any, normal: Any, blend: Any) -> Any:
     """Density of `sample_diffuse`, 1/sr: both cosines clamped at zero, blended, over π."""
-    about_yarn = dr.maximum(dr.dot(light, normal), 0)
-    about_cloth = dr.maximum(light.z, 0)
+    about_yarn = larger(dr.dot(light, normal), 0)
+    about_cloth = larger(light.z, 0)
     return dr.inv_pi * dr.lerp(about_cloth, about_yarn, blend)

@@ -12,6 +12,7 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.backend import larger, smaller
 from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_sphere
 
 # Cosines are kept above this before something is divided by them. Optical depths then reach 1e6 and their
@@ -32,7 +33,7 @@ def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
     along = dr.dot(direction, tangent)
     # Not below α² but for rounding, so the root and its derivative stay finite.
     squared = dr.fma((roughness + 1) * (roughness - 1), along * along, 1)
-    return dr.sqrt(dr.maximum(squared, roughness * roughness))
+    return dr.sqrt(larger(squared, roughness * roughness))
 
 
 def density(half: Any, tangent: Any, roughness: Any) -> Any:
@@ -59,9 +60,9 @@ def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any
     """
     total = light + view
     along = dr.dot(total, tangent)
-    squared_along = along * along * dr.rcp(dr.maximum(dr.squared_norm(total), _SMALLEST_SQUARED_SUM))
+    squared_along = along * along * dr.rcp(larger(dr.squared_norm(total), _SMALLEST_SQUARED_SUM))
     # (h·t)² ≤ 1 but for rounding.
-    return _density(dr.minimum(squared_along, 1), roughness)
+    return _density(smaller(squared_along, 1), roughness)
 
 
 def _mean_attenuation(depth: Any) -> Any:
@@ -70,7 +71,7 @@ def _mean_attenuation(depth: Any) -> Any:
     The series takes over below 0.1, where the difference would lose digits; there it is off by 1e-8.
     """
     series = dr.fma(depth, dr.fma(depth, dr.fma(depth, dr.fma(depth, 1 / 120, -1 / 24), 1 / 6), -0.5), 1)
-    large = dr.maximum(depth, 0.1)
+    large = larger(depth, 0.1)
     return dr.select(depth < 0.1, series, (1 - dr.exp(-large)) * dr.rcp(large))
 
 
@@ -82,8 +83,8 @@ def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any,
     """
     cos_light, cos_view = dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    cos_light = dr.maximum(cos_light, _SMALLEST_COSINE)
-    cos_view = dr.maximum(cos_view, _SMALLEST_COSINE)
+    cos_light = larger(cos_light, _SMALLEST_COSINE)
+    cos_view = larger(cos_view, _SMALLEST_COSINE)
     area_light = projected_area(light, tangent, roughness)
     area_view = projected_area(view, tangent, roughness)
     crossed = dr.fma(area_light, cos_view, area_view * cos_light)
@@ -101,10 +102,10 @@ def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: An
     """
     cos_light, cos_view = -dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    per_cos_view = dr.rcp(dr.maximum(cos_view, _SMALLEST_COSINE))
-    slope_light = projected_area(light, tangent, roughness) * dr.rcp(dr.maximum(cos_light, _SMALLEST_COSINE))
+    per_cos_view = dr.rcp(larger(cos_view, _SMALLEST_COSINE))
+    slope_light = projected_area(light, tangent, roughness) * dr.rcp(larger(cos_light, _SMALLEST_COSINE))
     slope_view = projected_area(view, tangent, roughness) * per_cos_view
-    passed = dr.exp(-optical_depth * dr.minimum(slope_light, slope_view))
+    passed = dr.exp(-optical_depth * smaller(slope_light, slope_view))
     mean = _mean_attenuation(optical_depth * dr.abs(slope_light - slope_view))
     lengths = 0.25 * optical_depth * passed * mean * per_cos_view
     return dr.select(visible, _density_between(light, view, tangent, roughness) * lengths, 0)
@@ -118,10 +119,10 @@ def layer_albedo_estimate(
     Every light direction is given the depth of one at 45°, and each side its mean share. Averaged over views
     they are within a quarter of the truth. Both are positive wherever their lobe is.
     """
-    cos_view = dr.maximum(dr.abs(dr.dot(view, normal)), _SMALLEST_COSINE)
+    cos_view = larger(dr.abs(dr.dot(view, normal)), _SMALLEST_COSINE)
     slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
     turned = slope * dr.rcp(slope + _TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
-    passed = dr.exp(-optical_depth * dr.minimum(slope, _TYPICAL_DEPTH))
+    passed = dr.exp(-optical_depth * smaller(slope, _TYPICAL_DEPTH))
     through = (
         optical_depth * slope * passed * _mean_attenuation(optical_depth * dr.abs(slope - _TYPICAL_DEPTH))
     )
@@ -143,13 +144,13 @@ def sample_specular(view: Any, tangent: Any, roughness: Any, u: Any) -> Any:
     """
     squeeze = 1 - roughness
     seen = dr.fma(-squeeze * dr.dot(view, tangent), tangent, view)
-    axis = seen * dr.rsqrt(dr.maximum(dr.squared_norm(seen), SMALLEST_SQUARED_LENGTH))
+    axis = seen * dr.rsqrt(larger(dr.squared_norm(seen), SMALLEST_SQUARED_LENGTH))
     point = axis + uniform_on_sphere(u)
     half = dr.fma(-squeeze * dr.dot(point, tangent), tangent, point)
     # h is normalised within the reflection: light = 2 (view·h) h/|h|² − view.
-    scale = 2 * dr.dot(view, half) * dr.rcp(dr.maximum(dr.squared_norm(half), SMALLEST_SQUARED_LENGTH))
+    scale = 2 * dr.dot(view, half) * dr.rcp(larger(dr.squared_norm(half), SMALLEST_SQUARED_LENGTH))
     light = dr.fma(scale, half, -view)
-    return light * dr.rsqrt(dr.maximum(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
+    return light * dr.rsqrt(larger(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
 
 
 def pdf_specular(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:

@@ -16,7 +16,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, array_types, channel_mean
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean, larger
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.diffuse import (
@@ -310,7 +310,7 @@ class PointModel:
         light = on_face(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
         worth &= self.visibility(point, light, worth & ~passes) | passes
-        weight = dr.select(worth, value / dr.maximum(pdf, 1e-30), 0)
+        weight = dr.select(worth, value / larger(pdf, 1e-30), 0)
         return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
 
     def straight_through(self, point: YarnPoint, view: Any) -> Any:
@@ -360,9 +360,9 @@ class PointModel:
         else:
             transmittance = sheen_transmittance(view, *self.sheen)
             sheen = dr.select(
-                point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(dr.maximum(transmittance, 1e-3))
+                point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(larger(transmittance, 1e-3))
             )
-        total = dr.maximum(specular + reflect + transmit + sheen, 1e-20)
+        total = larger(specular + reflect + transmit + sheen, 1e-20)
         scale = dr.select(point.hole, 0, dr.rcp(total))
         passing = dr.select(point.hole, 1 - sheen, 0)
         sheen = dr.select(point.hole, sheen, sheen * scale)

@@ -13,7 +13,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, uploaded
+from loomlight.core.backend import ArrayTypes, smaller, uploaded
 from loomlight.yarn.threads import FamilyTables
 
 
@@ -139,11 +139,11 @@ class VariedFamily:
         turns = (position - self.start) * self.inverse_period
         turns -= dr.floor(turns)
         local = turns * self.period
-        slot = dr.minimum(UInt32(turns * self.bins), self._last_bin)
+        slot = smaller(UInt32(turns * self.bins), self._last_bin)
         thread = dr.gather(UInt32, self._first, slot)
         upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
         # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
-        thread = dr.minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
+        thread = smaller(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
         lower, upper, centre, half_width = self._row(self._place, thread)
         return Cell(thread, local - centre, half_width, local - lower, upper - local)
 

@@ -7,9 +7,9 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, larger
 from loomlight.yarn.families import Count
-from loomlight.yarn.geometry import Probe, SurfacePoint
+from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
 
 _ROW = 8  # floats a texel: normal and height, then tangent and a code for warp and hole
@@ -50,21 +50,26 @@ class TextureSurface:
         point = self.surface(x, y, back)
         return point.height, point.hole
 
-    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
         """Nothing is known of how high the maps rise here or there."""
         return []
 
     def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
-        """What searches along rays need; one cell of unbounded size, so no part is passed by."""
-        del right, up
+        """What searches along rays need."""
         point = self.surface(x, y, back)
         types = array_types(x)
         far = types.Float(1e9)
         slope_x, slope_y = -point.normal.x / point.normal.z, -point.normal.y / point.normal.z
         yarn = dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
-        return Probe(
-            point.height, point.hole, slope_x, slope_y, yarn, types.Float(self._bounds[1]), *[far] * 4
-        )
+        block = self.block(x, y, back, right, up)
+        return Probe(point.height, point.hole, slope_x, slope_y, yarn, block, far, far)
+
+    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
+        """One cell of unbounded size, so no part is passed by."""
+        del y, back, right, up
+        types = array_types(x)
+        far = types.Float(1e9)
+        return Block(types.Float(self._bounds[1]), far, far)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """The point at draft coordinates x, y (millimetres, any number of repeats) of one face."""
@@ -103,7 +108,7 @@ class TextureSurface:
             dr.select(to_right, corners[1][1].w, corners[0][1].w),
         )
         is_warp = (code == 1) | (code == 3)
-        normal = dr.normalize(types.Vector3(blended[0].x, blended[0].y, dr.maximum(blended[0].z, 1e-3)))
+        normal = dr.normalize(types.Vector3(blended[0].x, blended[0].y, larger(blended[0].z, 1e-3)))
         fibre = types.Vector3(blended[1].x, blended[1].y, blended[1].z)
         # Interpolated vectors are brought back into the tangent plane.
         fibre -= normal * dr.dot(normal, fibre)

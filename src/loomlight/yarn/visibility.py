@@ -15,8 +15,8 @@ from typing import Any, Protocol
 
 import drjit as dr
 
-from loomlight.core.backend import ArrayTypes, array_types
-from loomlight.yarn.geometry import Probe, SurfacePoint
+from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller
+from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 
 
 class Surface(Protocol):
@@ -36,14 +36,18 @@ class Surface(Protocol):
     def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
         """Height and hole at draft coordinates, millimetres."""
 
-    def roofs(self, x: Any, y: Any, back: Any) -> list[tuple[float, Any]]:
+    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
         """Distances along x and y in units of `finest`, and bounds of heights within them, the widest first.
 
-        Bounds are shares of the upper one of `height_bounds`.
+        They hold for searches that go up the x and the y axis or down. Bounds are shares of the upper one of
+        `height_bounds`.
         """
 
     def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
         """What searches need at draft coordinates, millimetres, that go up the x and the y axis or down."""
+
+    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
+        """`probe`'s part that rays need which pass above."""
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         """Everything known of the point at draft coordinates, millimetres."""
@@ -114,11 +118,11 @@ class _Extent:
 
     def threads(self, x: Any, y: Any) -> Any:
         """How many of the finest threads a length along x and y (millimetres, any sign) crosses at most."""
-        return dr.maximum(dr.abs(x) * self._per_x, dr.abs(y) * self._per_y)
+        return larger(dr.abs(x) * self._per_x, dr.abs(y) * self._per_y)
 
     def steps_per_length(self, quality: SearchQuality, direction: Any) -> Any:
         """Steps per millimetre of ray that the search takes along a unit direction [3]."""
-        return dr.maximum(
+        return larger(
             self.threads(direction.x, direction.y) * quality.steps_per_thread,
             dr.abs(direction.z) * self._per_relief * quality.steps_per_relief,
         )
@@ -146,9 +150,9 @@ def _roof(surface: Surface, extent: _Extent, x: Any, y: Any, height: Any, direct
     """
     threads = extent.threads(direction.x, direction.y) / direction.z
     roof = extent.high
-    for radius, share in surface.roofs(x, y, back):
+    for radius, share in surface.roofs(x, y, back, direction.x > 0, direction.y > 0):
         reached = (roof - height) * threads <= radius
-        roof = dr.select(reached, dr.minimum(roof, share * extent.high), roof)
+        roof = dr.select(reached, smaller(roof, share * extent.high), roof)
     return roof
 
 
@@ -171,8 +175,8 @@ class _Trail:
         # Where the cubic's rate, a parabola over the step, turns from falling to rising.
         fall, rise, gain = self.rate * step, rate * step, clearance - self.clearance
         square, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
-        root = dr.sqrt(dr.maximum(dr.fma(linear, linear, -4 * square * fall), 0))
-        share = -2 * fall / dr.maximum(linear + root, 1e-20)
+        root = dr.sqrt(larger(dr.fma(linear, linear, -4 * square * fall), 0))
+        share = -2 * fall / larger(linear + root, 1e-20)
         rest = 1 - share
         start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
         end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
@@ -210,22 +214,25 @@ class _Stride:
     def __init__(self, direction: Any, step: Any) -> None:
         self.step = step
         self.hop = _HOP * step
-        self._per_x = dr.rcp(dr.maximum(dr.abs(direction.x), 1e-9))
-        self._per_y = dr.rcp(dr.maximum(dr.abs(direction.y), 1e-9))
+        self._per_x = dr.rcp(larger(dr.abs(direction.x), 1e-9))
+        self._per_y = dr.rcp(larger(dr.abs(direction.y), 1e-9))
         self.right, self.up = direction.x > 0, direction.y > 0
 
-    def onwards(self, probe: Probe, clearance: Any, rate: Any) -> tuple[Any, Any]:
-        """Lengths of ray to the next sample and out of the cell.
+    def out(self, block: Block) -> Any:
+        """Length of ray out of the cell."""
+        return larger(smaller(block.side_x * self._per_x, block.side_y * self._per_y), 0) + self.hop
 
-        The next sample is one step ahead, or less where that would pass an outline: what stands behind it may
+    def onwards(self, probe: Probe, clearance: Any, rate: Any) -> Any:
+        """Length of ray to the next sample.
+
+        It is one step ahead, or less where that would pass an outline: what stands behind it may
         be a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to
         meet it on the way stops short of the outline first, or it could leave unseen through its flank.
         """
-        out = dr.minimum(probe.side_x * self._per_x, probe.side_y * self._per_y)
-        edge = dr.minimum(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
+        edge = smaller(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
         sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
-        beside = dr.select(sinks, edge - self.hop, dr.maximum(edge, 0) + self.hop)
-        return dr.minimum(self.step, beside), dr.maximum(out, 0) + self.hop
+        beside = dr.select(sinks, edge - self.hop, larger(edge, 0) + self.hop)
+        return smaller(self.step, beside)
 
 
 def unoccluded(
@@ -270,7 +277,7 @@ def _rises_free(
     extent = _extent_of(surface, types)
     back = types.Bool(back)
     rate = quality.shadow_share * extent.steps_per_length(quality, direction)
-    step = dr.rcp(dr.maximum(rate, 1e-9))
+    step = dr.rcp(larger(rate, 1e-9))
     stride = _Stride(direction, step)
     start = types.Vector3(x, y, height + extent.lift)
     distance = types.Float(0 * x)
@@ -292,12 +299,12 @@ def _rises_free(
         met = searching & ~here.hole & (clearance < 0)
         dips, way_back = trail.dip_before(clearance, rate, leap, here)
         # The ray rises, so above the crest it stays above until it leaves the cell.
-        clears = point.z > here.crest
+        clears = point.z > here.block.crest
         trail = trail.followed_by(clearance, rate, here, clears, dips)
-        near, out = stride.onwards(here, clearance, rate)
-        onwards = dr.select(clears, dr.maximum(out, step), near)
+        near = stride.onwards(here, clearance, rate)
+        onwards = dr.select(clears, larger(stride.out(here.block), step), near)
         # Where a dip is likely the next sample goes back to its lowest point.
-        distance += dr.select(dips, -way_back, onwards)
+        distance = distance + dr.select(dips, -way_back, onwards)
         leap = dr.select(dips, leap - way_back, onwards)
         count = count + 1
         searching = (
@@ -335,12 +342,19 @@ def first_hit(
     extent = _extent_of(surface, types)
     low, high = extent.low, extent.high
     back = types.Bool(back)
-    vertical = dr.maximum(view.z, 1e-4)
+    vertical = larger(view.z, 1e-4)
     slope = types.Vector2(view.x / vertical, view.y / vertical)
     # The ray is followed by its height, which falls by `step` each time.
     rate = extent.steps_per_length(quality, view) / vertical
-    step = dr.rcp(dr.maximum(rate, 1e-9))
+    step = dr.rcp(larger(rate, 1e-9))
     active = types.Bool(active)
+
+    def fall(height: Any, falling: Any, count: Any) -> tuple[Any, ...]:
+        block = surface.block(
+            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
+        )
+        above, out = height - block.crest, stride.out(block)
+        return height - clipped(above, 0, out), falling & (above > out) & (count < quality.steps), count + 1
 
     def ground(height: Any) -> Any:
         level, hole = surface.height(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
@@ -368,27 +382,34 @@ def first_hit(
         dips, way_back = trail.dip_before(clearance, rate, leap, here)
         count = count + 1
         onwards = searching & ~met & (height > floor) & (count < quality.steps)
+        near = stride.onwards(here, clearance, rate)
         # Down to the crest the ray falls freely.
-        near, out = stride.onwards(here, clearance, rate)
-        free = dr.minimum(out, height - here.crest)
+        free = smaller(stride.out(here.block), height - here.block.crest)
         trail = trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
-        fall = dr.maximum(free, near)
+        farther = larger(free, near)
         # Where a dip is likely the next sample goes back to its lowest point.
         return (
-            dr.select(onwards, height + dr.select(dips, way_back, -fall), height),
+            dr.select(onwards, height + dr.select(dips, way_back, -farther), height),
             dr.select(onwards & ~dips, height, previous),
             dr.select(searching, -clearance, depth),
-            dr.select(onwards, dr.select(dips, leap - way_back, fall), leap),
+            dr.select(onwards, dr.select(dips, leap - way_back, farther), leap),
             onwards,
             count,
             trail,
         )
 
     top = types.Float(_roof(surface, extent, x, y, 0, types.Vector3(slope.x, slope.y, 1), back))
+    # Cells that rays pass above ask little: most are passed here, before the search for yarn begins.
+    top = dr.while_loop(
+        (top, active, types.UInt32(0)),
+        lambda height, falling, count: falling,
+        fall,
+        label="cloth: fall",
+    )[0]
     under, above, depth, _, _, _, trail = dr.while_loop(
         (
             top,
-            types.Float(top),
+            top + stride.hop,
             types.Float(0 * top),
             types.Float(step),
             types.Bool(active),
@@ -400,16 +421,16 @@ def first_hit(
         label="cloth: first hit",
     )
     relief = high - low
-    above_gap, under_gap = dr.clip(trail.clearance, 0, relief), dr.clip(depth, 0, relief)
+    above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(depth, 0, relief)
 
     def refine(
         index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any
     ) -> tuple[Any, ...]:
         # Regula falsi. An end that stays twice counts half (the Illinois rule), so that both close in; at
         # walls, where the gap jumps, this comes to halving.
-        share = dr.clip(above_gap / dr.maximum(above_gap + under_gap, 1e-20), 0.02, 0.98)
+        share = clipped(above_gap / larger(above_gap + under_gap, 1e-20), 0.02, 0.98)
         middle = dr.fma(share, under - above, above)
-        gap = dr.clip(middle - ground(middle), -relief, relief)
+        gap = clipped(middle - ground(middle), -relief, relief)
         met = gap <= 0
         return (
             index + 1,
@@ -490,11 +511,11 @@ def horizon(
     def advance(distance: Any, steepest: Any, count: Any) -> tuple[Any, ...]:
         level, hole = surface.height(dr.fma(cosine, distance, x), dr.fma(sine, distance, y), back)
         rise = dr.select(hole, types.Float(0), (level - start) / distance)
-        return distance + step, dr.maximum(steepest, rise), count + 1
+        return distance + step, larger(steepest, rise), count + 1
 
     # The yarn itself hides what lies below its tangent plane. Without any rise the search would only end
     # with the budget; 1e-3 is a horizon of 0.06°.
     here = surface.probe(x, y, back, cosine > 0, sine > 0)
     own = dr.fma(here.slope_x, cosine, here.slope_y * sine)
-    state = (types.Float(0.25 * step), dr.maximum(own, 1e-3), types.UInt32(0))
+    state = (types.Float(0.25 * step), larger(own, 1e-3), types.UInt32(0))
     return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]

@@ -74,8 +74,8 @@ def held(
     parts = centres, edges[:, 0], edges[:, 1]
     footprint = Footprint(*(Array2f(np.ascontiguousarray(part.T, np.float32)) for part in parts))
     taps = table.taps(footprint, Bool(back))
-    words = [table.bytes(taps, TYPES.UInt32(word)) for word in range(table.words)]
-    values = np.stack([byte.numpy() for word in words for byte in word], axis=1)
+    words = [word for pair in range(table.pairs) for word in table.groups(taps, TYPES.UInt32(pair))]
+    values = np.stack([byte.numpy() for word in words for byte in word] + [table.holes(taps).numpy()], axis=1)
     places = np.append(padded_group(PER_FAMILY), 4 * words_of(PER_FAMILY))
     return values[:, places] * coverage.scale[int(back), places] / 255
 

@@ -18,7 +18,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, uploaded
+from loomlight.core.backend import ArrayTypes, clipped, larger, smaller, uploaded
 from loomlight.core.footprint import Footprint
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.bytes import mean_bytes
@@ -81,7 +81,7 @@ class CoverageTaps:
     """Nodes that together stand for a footprint, all alike.
 
     Attributes:
-        nodes: their rows in the table, UInt32 each.
+        nodes: their numbers, UInt32 each.
     """
 
     nodes: list[Any]
@@ -305,7 +305,14 @@ def _halved(means: NDArray[np.float32], count: int, axis: int, far_weight: float
 
 
 class CoverageTable:
-    """Finds the nodes of footprints on one backend."""
+    """Finds the nodes of footprints on one backend, and reads them.
+
+    CPUs fetch what lies in a row together, and single words one by one: groups are read two words at a time,
+    and holes, whose bytes lie apart from them, eight nodes at a time, of which one is wanted.
+
+    Attributes:
+        pairs: of words of four groups.
+    """
 
     def __init__(
         self,
@@ -324,19 +331,21 @@ class CoverageTable:
         padded = np.pad(levels, ((0, 0), (0, 1))).astype(np.float32)
         # Node numbers stay below 2^24, which float32 holds exactly.
         self._levels = uploaded(types.Float, padded)
-        self.words = table.shape[2] // 4
-        self._rows = dr.opaque(types.UInt32, self.words)
-        self._table = uploaded(types.UInt32, np.ascontiguousarray(table).view("<u4"))
+        self.pairs = (table.shape[2] - 4) // 8
+        self._row = dr.opaque(types.UInt32, self.pairs)
+        self._groups = uploaded(types.UInt32, np.ascontiguousarray(table[..., :-4]).view("<u4"))
+        holes = table[..., -4].ravel()
+        self._holes = uploaded(types.UInt32, np.pad(holes, (0, -holes.size % 8)).view("<u4"))
 
     def taps(self, footprint: Footprint, back: Any) -> CoverageTaps:
         """Nodes that stand for a footprint, millimetres, of the face that is seen."""
         types = self._types
         relative = footprint.spread_side * self._inverse_size
-        level = dr.minimum(dr.log2(dr.maximum(SQUARE_SHARE * relative, 1)), self._top)
+        level = smaller(dr.log2(larger(SQUARE_SHARE * relative, 1)), self._top)
         lower = types.UInt32(level)
         coarser = level - types.Float(lower)
         rows_of_both = [
-            dr.gather(types.Vector4, self._levels, dr.minimum(types.Float(lower + more), self._top))
+            dr.gather(types.Vector4, self._levels, smaller(types.Float(lower + more), self._top))
             for more in (0, 1)
         ]
         x, y, edges = self._in_repeats(footprint, _apart(relative))
@@ -347,7 +356,7 @@ class CoverageTable:
             first, columns, rows, _ = (dr.select(wide, b, a) for a, b in zip(*rows_of_both, strict=True))
             column = _node(dr.fma(s, edges[0].x, dr.fma(t, edges[1].x, x)), columns)
             row = _node(dr.fma(s, edges[0].y, dr.fma(t, edges[1].y, y)), rows)
-            nodes.append((start + types.UInt32(dr.fma(row, columns, column) + first)) * self._rows)
+            nodes.append(start + types.UInt32(dr.fma(row, columns, column) + first))
         return CoverageTaps(nodes)
 
     def _in_repeats(self, footprint: Footprint, apart: Any) -> tuple[Any, Any, list[Any]]:
@@ -359,11 +368,20 @@ class CoverageTable:
         ]
         return footprint.centre.x * across, footprint.centre.y * along, edges
 
-    def bytes(self, taps: CoverageTaps, word: Any) -> list[Any]:
-        """The four bytes of a word, 0 to 255, of all nodes together: Float each."""
-        return mean_bytes(
-            self._types, [dr.gather(self._types.UInt32, self._table, n + word) for n in taps.nodes]
-        )
+    def groups(self, taps: CoverageTaps, pair: Any) -> list[list[Any]]:
+        """The bytes of two words, 0 to 255, of all nodes together: twice four Floats."""
+        words = [
+            dr.gather(self._types.Index2, self._groups, dr.fma(node, self._row, pair)) for node in taps.nodes
+        ]
+        return [mean_bytes(self._types, [word[half] for word in words]) for half in range(2)]
+
+    def holes(self, taps: CoverageTaps) -> Any:
+        """The byte of holes, 0 to 255, of all nodes together: Float."""
+        total = self._types.UInt32(0)
+        for node in taps.nodes:
+            words = dr.gather(self._types.Index2, self._holes, node >> 3)
+            total += (dr.select((node & 4) == 4, words.y, words.x) >> ((node & 3) << 3)) & 255
+        return self._types.Float(total) * (1 / len(taps.nodes))
 
 
 def _apart(relative: Any) -> Any:
@@ -375,11 +393,11 @@ def _apart(relative: Any) -> Any:
     Args:
         relative: side of the footprint in units of s_0.
     """
-    inverse = dr.rcp(dr.maximum(relative, _NEAREST))
-    apart = dr.sqrt(dr.clip(TENT * (1 - dr.square(inverse)), 0, 1))
-    return dr.minimum(dr.maximum(apart, CLOSEST * inverse), 1)
+    inverse = dr.rcp(larger(relative, _NEAREST))
+    apart = dr.sqrt(clipped(TENT * (1 - dr.square(inverse)), 0, 1))
+    return smaller(larger(apart, CLOSEST * inverse), 1)
 
 
 def _node(turns: Any, count: Any) -> Any:
     """The node, of so many along the repeat, nearest to a place in repeats: a whole Float."""
-    return dr.minimum(dr.floor((turns - dr.floor(turns)) * count), count - 1)
+    return smaller(dr.floor((turns - dr.floor(turns)) * count), count - 1)

@@ -17,6 +17,8 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.backend import larger, smaller
+
 # Narrower groups are as good as one fibre; the quotient below would lose its digits.
 NARROWEST = 0.02
 # √k of α = 1, where D is constant; keeps quotients finite.
@@ -62,7 +64,7 @@ class GroupLobe:
         square = self.xx * dr.square(direction.x) + self.yy * dr.square(direction.y)
         square += self.zz * dr.square(direction.z)
         mixed = self.xy * direction.x * direction.y + self.xz * direction.x * direction.z
-        return dr.maximum(square + 2 * (mixed + self.yz * direction.y * direction.z), 0)
+        return larger(square + 2 * (mixed + self.yz * direction.y * direction.z), 0)
 
 
 @dataclass
@@ -87,9 +89,9 @@ class _Interval:
 def _interval(half: Any, lobe: GroupLobe) -> _Interval:
     roughness = lobe.roughness
     per_roughness = dr.rcp(roughness)
-    steepness = dr.sqrt(dr.maximum(1 - dr.square(roughness), 0)) * per_roughness
-    steepness = dr.maximum(steepness, SMALLEST_STEEPNESS)
-    width = dr.maximum(dr.sqrt(3 * lobe.variance(half)), dr.fma(roughness, NARROWEST, 1e-4))
+    steepness = dr.sqrt(larger(1 - dr.square(roughness), 0)) * per_roughness
+    steepness = larger(steepness, SMALLEST_STEEPNESS)
+    width = larger(dr.sqrt(3 * lobe.variance(half)), dr.fma(roughness, NARROWEST, 1e-4))
     mean = dr.dot(half, lobe.tangent)
     first, last = steepness * (mean - width), steepness * (mean + width)
     product = first * last
@@ -98,7 +100,7 @@ def _interval(half: Any, lobe: GroupLobe) -> _Interval:
         product,
         dr.fma(first, first, 1) * dr.fma(last, last, 1),
         span,
-        dr.maximum(span, dr.abs(1 + product)),
+        larger(span, dr.abs(1 + product)),
         dr.inv_two_pi * per_roughness,
     )
 
@@ -108,7 +110,7 @@ def _mean_density(interval: _Interval, per_all: Any) -> Any:
     base = 1 + interval.product
     span, larger = interval.span, interval.larger
     per_span = per_all * interval.quotient * larger
-    ratio = dr.minimum(span, dr.abs(base)) * (per_all * interval.quotient * span)
+    ratio = smaller(span, dr.abs(base)) * (per_all * interval.quotient * span)
     angle = _arc_tangent(ratio)
     angle = dr.select(span > dr.abs(base), 0.5 * dr.pi - angle, angle)
     angle = dr.select(base < 0, dr.pi - angle, angle)
@@ -134,7 +136,7 @@ def mean_area(direction: Any, lobe: GroupLobe) -> Any:
     """Root of the mean σ² over the group: the fibres' projected area, α to 1."""
     along = dr.square(dr.dot(direction, lobe.tangent)) + lobe.variance(direction)
     squared = dr.square(lobe.roughness)
-    return dr.sqrt(dr.maximum(dr.fma(squared - 1, along, 1), squared))
+    return dr.sqrt(larger(dr.fma(squared - 1, along, 1), squared))
 
 
 def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, optical_depth: Any) -> Any:
@@ -146,8 +148,8 @@ def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, 
         beyond: Bool, light comes from the other side.
     """
     cos_light = dr.dot(light, lobe.normal)
-    cos_light = dr.maximum(dr.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
-    cos_view = dr.maximum(dr.dot(view, lobe.normal), SMALLEST_COSINE)
+    cos_light = larger(dr.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
+    cos_view = larger(dr.dot(view, lobe.normal), SMALLEST_COSINE)
     area_light, area_view = mean_area(light, lobe), mean_area(view, lobe)
     # Divisions cost most here: reciprocals are taken of products, and multiplied back.
     per_cosines = dr.rcp(cos_view * cos_light)
@@ -156,8 +158,8 @@ def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, 
     # Reflection is (1 − e^{−x})/x·Tρ/cos_v with x = Tρ(Λ_l + Λ_v), transmission e^{−Tρ min(Λ_l, Λ_v)} times
     # the same with x = Tρ|Λ_l − Λ_v|: one form, so that both together take two exponentials.
     path = dr.select(beyond, dr.abs(slope_light - slope_view), slope_light + slope_view)
-    depth = optical_depth * dr.maximum(path, SMALLEST_PATH)
-    passed = dr.exp(-optical_depth * dr.select(beyond, dr.minimum(slope_light, slope_view), 0))
+    depth = optical_depth * larger(path, SMALLEST_PATH)
+    passed = dr.exp(-optical_depth * dr.select(beyond, smaller(slope_light, slope_view), 0))
     interval = _interval(half, lobe)
     denominator = interval.quotient * interval.span * interval.larger
     # At most 1e18, where α = 0.01 and both directions graze.

@@ -16,8 +16,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, uploaded
+from loomlight.core.backend import ArrayTypes, larger, smaller, uploaded
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -25,6 +27,8 @@ from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 _PER_BYTE = 1 / 255
+# Numbers fetched at once; what a word's four groups have is three times as many.
+_PACKET = 16
 
 
 @dataclass
@@ -33,7 +37,7 @@ class Place:
 
     Attributes:
         coverage: nodes of the pyramid.
-        view_nodes: nodes of the hemisphere around the view.
+        view_nodes: nodes of the hemisphere around the view, of the face seen.
         view: unit vector [3] in the frame of the face seen.
         back: Bool, the back is seen.
     """
@@ -49,11 +53,13 @@ class Seen:
     """A word of four groups as a view sees them.
 
     Attributes:
+        is_warp: they are of the warp, all four.
         weights: of the groups, not divided by their sum yet: four Floats.
         lobes: of the groups.
         reached: share of each that light from the view's side and direction would reach: four Floats.
     """
 
+    is_warp: Any
     weights: list[Any]
     lobes: list[GroupLobe]
     reached: list[Any]
@@ -62,8 +68,10 @@ class Seen:
 class Estimator:
     """The tables of one fabric on one backend.
 
+    Groups come in pairs of words, eight at a time, the warp's first: what is fetched for them lies in a row.
+
     Attributes:
-        words: words of four groups, the warp's half first: UInt32.
+        pairs: how many: UInt32.
     """
 
     def __init__(
@@ -76,13 +84,14 @@ class Estimator:
     ) -> None:
         self._types = types
         self._coverage = CoverageTable(tables.size, tables.levels, tables.coverage, repeat, types)
-        self.words = dr.opaque(types.UInt32, tables.words)
-        self.warp_words = dr.opaque(types.UInt32, tables.words // 2)
-        self._seen_row = dr.opaque(types.UInt32, 2 * tables.words + 1)
-        self._lit_row = dr.opaque(types.UInt32, 2 * tables.words)
-        self._face_rows = dr.opaque(types.UInt32, tables.words * 4)
-        self._seen = uploaded(types.UInt32, tables.seen.view("<u4"))
-        self._lit = uploaded(types.UInt32, tables.lit.view("<u4"))
+        words = tables.words
+        self.pairs = dr.opaque(types.UInt32, words // 2)
+        self._words = dr.opaque(types.UInt32, words)
+        self._warp_words = dr.opaque(types.UInt32, words // 2)
+        seen, lit = tables.seen.view("<u4"), tables.lit.view("<u4")
+        self._seen = uploaded(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
+        self._holes = uploaded(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
+        self._lit = uploaded(types.UInt32, _in_pairs(lit[..., :words], lit[..., words:]))
         self._moments = uploaded(types.Float, tables.moments)
         self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
@@ -90,34 +99,48 @@ class Estimator:
 
     def place(self, footprint: Footprint, view: Any, back: Any) -> Place:
         """Where a footprint, millimetres, and a view [3] of the face seen lie in the tables."""
-        return Place(self._coverage.taps(footprint, back), node_taps(view), view, back)
+        taps = node_taps(view)
+        face = dr.select(back, self._types.UInt32(NODES), self._types.UInt32(0))
+        around = NodeTaps(tuple(face + node for node in taps.nodes), taps.weights)
+        return Place(self._coverage.taps(footprint, back), around, view, back)
 
     def hole(self, place: Place) -> Any:
         """Share of the view rays that pass through holes: Float, 0 to 1."""
-        holes = self._coverage.bytes(place.coverage, self.words)[0]
-        seen = self._view_bytes(place, self.words)[0]
+        holes = self._coverage.holes(place.coverage)
+        words = [dr.gather(self._types.Index2, self._holes, node).x for node in place.view_nodes.nodes]
+        seen = place.view_nodes.weights.interpolated(words)[0]
         weight = holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
-        return dr.minimum(weight, 1)
+        return smaller(weight, 1)
 
-    def seen(self, place: Place, word: Any, is_warp: Any) -> Seen:
-        """The four groups of a word."""
+    def seen(self, place: Place, pair: Any) -> list[Seen]:
+        """The groups of two words."""
+        coverage = self._coverage.groups(place.coverage, pair)
+        visible, reached = self._read(self._seen, place.view_nodes, pair)
+        return [
+            self._seen_word(place, 2 * pair + half, coverage[half], visible[half], reached[half])
+            for half in range(2)
+        ]
+
+    def _seen_word(
+        self, place: Place, word: Any, coverage: list[Any], visible: list[Any], reached: list[Any]
+    ) -> Seen:
         types = self._types
-        coverage = self._coverage.bytes(place.coverage, word)
-        seen = self._view_bytes(place, word)
-        reached = self._view_bytes(place, self.words + 1 + word)
-        start = dr.select(place.back, self._face_rows, 0) + 4 * word
+        is_warp = word < self._warp_words
         roughness = dr.select(is_warp, *self._roughness)
+        row = (dr.select(place.back, self._words, 0) + word) * (4 * MOMENTS // _PACKET)
+        numbers: list[Any] = []
+        for part in range(4 * MOMENTS // _PACKET):
+            shape = _PACKET, dr.width(row)
+            numbers.extend(dr.gather(types.Vectors, self._moments, row + part, shape=shape))
         weights, lobes = [], []
-        for byte in range(4):
-            row = (start + byte) * (MOMENTS // 4)
-            a, b, c = (dr.gather(types.Vector4, self._moments, row + part) for part in range(3))
-            weights.append(coverage[byte] * dr.square(seen[byte]) * a.w)
-            tangent = types.Vector3(b.x, b.y, b.z)
-            zz = 1 - dr.squared_norm(tangent) - b.w - c.x
-            lobes.append(
-                GroupLobe(types.Vector3(a.x, a.y, a.z), tangent, b.w, c.x, zz, c.y, c.z, c.w, roughness)
-            )
-        return Seen(weights, lobes, [part * _PER_BYTE for part in reached])
+        for group in range(4):
+            x, y, z, unit, *moments = numbers[MOMENTS * group : MOMENTS * (group + 1)]
+            weights.append(coverage[group] * dr.square(visible[group]) * unit)
+            tangent = types.Vector3(moments[0], moments[1], moments[2])
+            xx, yy, xy, xz, yz = moments[3:]
+            zz = 1 - dr.squared_norm(tangent) - xx - yy
+            lobes.append(GroupLobe(types.Vector3(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness))
+        return Seen(is_warp, weights, lobes, [part * _PER_BYTE for part in reached])
 
     def light_nodes(self, place: Place, light: Any) -> NodeTaps:
         """Nodes around a light [3] in the frame of the face seen, in the tables of its side."""
@@ -127,53 +150,59 @@ class Estimator:
         )
         taps = node_taps(light)
         start = side * NODES
-        return NodeTaps(tuple((start + node) * self._lit_row for node in taps.nodes), taps.weights)
+        return NodeTaps(tuple(start + node for node in taps.nodes), taps.weights)
 
     def components(
-        self, seen: Seen, place: Place, nodes: NodeTaps, word: Any, light: Any, half: Any
-    ) -> tuple[Any, Any]:
-        """Sums over four groups of weight times diffuse and specular component: Float each.
+        self, seen: list[Seen], place: Place, nodes: NodeTaps, pair: Any, light: Any, half: Any
+    ) -> list[tuple[Any, Any]]:
+        """Sums over each word's four groups of weight times diffuse and specular component: Float each.
 
         Args:
+            seen: the pair's words.
             nodes: from `light_nodes`.
             light: unit vector [3] in the frame of the face seen.
             half: half vector [3] of light and view.
         """
         beyond = light.z < 0
-        irradiance = self._bytes(self._lit, nodes, word)
-        lit = self._bytes(self._lit, nodes, self.words + word)
+        irradiance, lit = self._read(self._lit, nodes, pair)
         correlation = dr.select(beyond, 0, azimuth_correlation(light, place.view))
-        diffuse: Any = 0
-        specular: Any = 0
-        for byte in range(4):
-            # V + κ(min(1, V/V_view) − V), divided by V.
-            reached = lit[byte] * _PER_BYTE
-            most = dr.maximum(dr.maximum(reached, seen.reached[byte]), _PER_BYTE)
-            raised = dr.fma(correlation, dr.rcp(most) - 1, 1)
-            weight = seen.weights[byte]
-            diffuse += weight * irradiance[byte] * raised
-            value = layer_value(half, light, place.view, beyond, seen.lobes[byte], self._optical_depth)
-            specular += weight * value * (reached * raised)
-        return diffuse * (_PER_BYTE * dr.inv_pi), specular
+        found = []
+        for number, word in enumerate(seen):
+            diffuse: Any = 0
+            specular: Any = 0
+            for group in range(4):
+                # V + κ(min(1, V/V_view) − V), divided by V.
+                reached = lit[number][group] * _PER_BYTE
+                most = larger(larger(reached, word.reached[group]), _PER_BYTE)
+                raised = dr.fma(correlation, dr.rcp(most) - 1, 1)
+                weight = word.weights[group]
+                diffuse += weight * irradiance[number][group] * raised
+                value = layer_value(half, light, place.view, beyond, word.lobes[group], self._optical_depth)
+                specular += weight * value * (reached * raised)
+            found.append((diffuse * (_PER_BYTE * dr.inv_pi), specular))
+        return found
 
-    def _view_bytes(self, place: Place, word: Any) -> list[Any]:
-        face = dr.select(place.back, self._types.UInt32(NODES), self._types.UInt32(0))
-        nodes = tuple((face + node) * self._seen_row for node in place.view_nodes.nodes)
-        return self._bytes(self._seen, NodeTaps(nodes, place.view_nodes.weights), word)
+    def _read(self, table: Any, nodes: NodeTaps, pair: Any) -> tuple[list[Any], list[Any]]:
+        """The bytes of two words in both halves of a table of `_in_pairs`: twice four Floats each."""
+        rows = [dr.gather(self._types.Index4, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
+        read = [nodes.weights.interpolated([row[word] for row in rows]) for word in range(4)]
+        return read[:2], read[2:]
 
-    def _bytes(self, table: Any, nodes: NodeTaps, word: Any) -> list[Any]:
-        words = [dr.gather(self._types.UInt32, table, node + word) for node in nodes.nodes]
-        return nodes.weights.interpolated(words)
+
+def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[np.uint32]:
+    """Two tables of words [..., n] as one, two words of the first and two of the second in turn."""
+    parts = [part.reshape(*part.shape[:-1], -1, 2) for part in (first, second)]
+    return np.concatenate(parts, axis=-1)
 
 
 def azimuth_correlation(light: Any, view: Any) -> Any:
     """κ = max(cos Δφ, 0) of two directions [3]; 0 where one has no azimuth."""
     together = light.x * view.x + light.y * view.y
     lengths = dr.sqrt((dr.square(light.x) + dr.square(light.y)) * (dr.square(view.x) + dr.square(view.y)))
-    return dr.maximum(together, 0) * dr.rcp(dr.maximum(lengths, 1e-6))
+    return larger(together, 0) * dr.rcp(larger(lengths, 1e-6))
 
 
 def half_vector(light: Any, view: Any) -> Any:
     """Unit half vector [3]; where light = −view any vector of at most that length."""
     total = light + view
-    return total * dr.rsqrt(dr.maximum(dr.squared_norm(total), 1e-12))
+    return total * dr.rsqrt(larger(dr.squared_norm(total), 1e-12))

@@ -15,7 +15,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, clipped, smaller
 from loomlight.models.lobes.bytes import ByteWeights
 
 AZIMUTHS, RINGS = 16, 8
@@ -54,9 +54,9 @@ def node_taps(direction: Any) -> NodeTaps:
     # Conversion to unsigned numbers needs positive ones; 16 azimuths are a mask.
     column = types.UInt32(types.Int32(whole) + AZIMUTHS) & (AZIMUTHS - 1)
     following = (column + 1) & (AZIMUTHS - 1)
-    root = dr.sqrt(dr.clip((1 - dr.abs(direction.z)) * (1 / (1 - LOWEST)), 0, 1))
+    root = dr.sqrt(clipped((1 - dr.abs(direction.z)) * (1 / (1 - LOWEST)), 0, 1))
     ring = (RINGS - 1) * root * dr.sqrt(root)
-    inner = dr.minimum(types.UInt32(ring), RINGS - 2)
+    inner = smaller(types.UInt32(ring), RINGS - 2)
     out = ring - types.Float(inner)
     first, second = column * RINGS + inner, following * RINGS + inner
     return NodeTaps(

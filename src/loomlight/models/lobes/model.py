@@ -12,7 +12,7 @@ import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.backend import ArrayTypes, array_types, clipped, larger
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.lanes import changed_where
@@ -217,7 +217,7 @@ class LobesModel(Model):
         pdf = dr.select(passes, shares.through, self._density(shares, of_groups, light, view))
         value = self.composed(response, albedos, light, view)
         # A ray goes straight through with the very share of light that does.
-        weight = dr.select(passes, 1, dr.select(pdf > 0, value / dr.maximum(pdf, 1e-30), 0))
+        weight = dr.select(passes, 1, dr.select(pdf > 0, value / larger(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
 
     def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
@@ -269,8 +269,8 @@ class LobesModel(Model):
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
         low, high = (math.log2(bound) for bound in _HAND_OVER)
-        level = dr.log2(dr.maximum(size, _NEAREST)) - self._scale(array_types(size))[1]
-        share = dr.clip((level - low) * (1 / (high - low)), 0, 1)
+        level = dr.log2(larger(size, _NEAREST)) - self._scale(array_types(size))[1]
+        share = clipped((level - low) * (1 / (high - low)), 0, 1)
         return dr.square(share) * dr.fma(-2, share, 3)
 
     def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
@@ -303,24 +303,24 @@ class LobesModel(Model):
         halves = [half_vector(light, seen) for light in facing]
         active = types.Bool(active) if shares is None else types.Bool(True)
 
-        def add(word: Any, total: Any, *sums: Any) -> tuple[Any, ...]:
-            is_warp = word < estimator.warp_words
-            found = estimator.seen(place, word, is_warp)
-            parts = []
-            for light, at, half in zip(facing, nodes, halves, strict=True):
-                diffuse, specular = estimator.components(found, place, at, word, light, half)
-                parts += [dr.select(is_warp, diffuse, 0), dr.select(is_warp, 0, diffuse)]
-                parts += [dr.select(is_warp, specular, 0), dr.select(is_warp, 0, specular)]
-                of_groups: Any = 0
-                if shares is not None:
-                    energies = energies_where(is_warp, shares)
-                    for weight, lobe in zip(found.weights, found.lobes, strict=True):
-                        of_groups = of_groups + group_density(
-                            weight, lobe, energies, light, seen, self._blend
-                        )
-                parts.append(of_groups)
-            sums = tuple(a + b for a, b in zip(sums, parts, strict=True))
-            return word + 1, total + sum(found.weights), *sums
+        def add(pair: Any, total: Any, *sums: Any) -> tuple[Any, ...]:
+            found = estimator.seen(place, pair)
+            added = list(sums)
+            for number, (light, at, half) in enumerate(zip(facing, nodes, halves, strict=True)):
+                components = estimator.components(found, place, at, pair, light, half)
+                for word, (diffuse, specular) in zip(found, components, strict=True):
+                    parts = [dr.select(word.is_warp, diffuse, 0), dr.select(word.is_warp, 0, diffuse)]
+                    parts += [dr.select(word.is_warp, specular, 0), dr.select(word.is_warp, 0, specular)]
+                    of_groups: Any = 0
+                    if shares is not None:
+                        energies = energies_where(word.is_warp, shares)
+                        for weight, lobe in zip(word.weights, word.lobes, strict=True):
+                            of_groups = of_groups + group_density(
+                                weight, lobe, energies, light, seen, self._blend
+                            )
+                    for place_of, part in enumerate((*parts, of_groups), 5 * number):
+                        added[place_of] = added[place_of] + part
+            return pair + 1, total + sum(sum(word.weights) for word in found), *added
 
         width = dr.width(view, list(lights), footprint.centre, footprint.duv_dx)
         start = (
@@ -328,10 +328,10 @@ class LobesModel(Model):
             *(dr.zeros(types.Float, width) for _ in range(1 + 5 * len(lights))),
         )
         _, total, *sums = dr.while_loop(
-            start, lambda word, *rest: active & (word < estimator.words), add, label="lobes: groups"
+            start, lambda pair, *rest: active & (pair < estimator.pairs), add, label="lobes: groups"
         )
         hole = estimator.hole(place)
-        share = (1 - hole) * dr.rcp(dr.maximum(total, SMALLEST_WEIGHT))
+        share = (1 - hole) * dr.rcp(larger(total, SMALLEST_WEIGHT))
         answers = []
         for first in range(0, len(sums), 5):
             diffuse_warp, diffuse_weft, specular_warp, specular_weft = (

@@ -14,7 +14,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.aggregate.components import components
-from loomlight.core.backend import array_types
+from loomlight.core.backend import array_types, clipped, larger, smaller
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import Response
 from loomlight.scattering.point import PointModel, on_face
@@ -39,16 +39,16 @@ def points_of(size: Any, far_share: Any, samples: Any) -> Any:
         far_share: how much the groups count; what they leave needs fewer points.
         samples: footprints that share a pixel share its points.
     """
-    most = dr.maximum(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
+    most = larger(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
     most = dr.lerp(most, 1, far_share)
-    return dr.select(far_share < 1, dr.clip(size * _POINTS_PER_THREAD, 1, most), 0)
+    return dr.select(far_share < 1, clipped(size * _POINTS_PER_THREAD, 1, most), 0)
 
 
 def searched_for(model: PointModel, size: Any) -> PointModel:
     """The model, with yarns searched as finely as footprints of a side (in threads) need it."""
     types = array_types(size)
-    detail = (math.log2(_COARSEST) - dr.log2(dr.maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
-    detail = dr.clip(detail, 0, 1)
+    detail = (math.log2(_COARSEST) - dr.log2(larger(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
+    detail = clipped(detail, 0, 1)
 
     def between(coarse: float, fine: float) -> Any:
         return dr.fma(fine - coarse, detail, coarse)
@@ -107,7 +107,7 @@ def _mean(
     def add(number: Any, *sums: Any) -> tuple[Any, ...]:
         s, t = (types.Float(number) * share + 0.5 for share in (_ACROSS, _ALONG))
         place = footprint.at(s - dr.floor(s) - 0.5, t - dr.floor(t) - 0.5)
-        share = dr.minimum(points - types.Float(number), 1)
+        share = smaller(points - types.Float(number), 1)
         found = measure(place.x, place.y)
         return number + 1, *(dr.fma(share, part, total) for part, total in zip(found, sums, strict=True))
 
@@ -115,5 +115,5 @@ def _mean(
     total = dr.while_loop(
         start, lambda number, *sums: types.Float(number) < points, add, label="lobes: points"
     )[1:]
-    inverse = dr.rcp(dr.maximum(points, 1))
+    inverse = dr.rcp(larger(points, 1))
     return [part * inverse for part in total]

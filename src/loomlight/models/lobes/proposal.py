@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, channel_mean
+from loomlight.core.backend import array_types, channel_mean, larger, smaller
 from loomlight.models.interface import FamilyAlbedos
 from loomlight.models.lobes.density import GroupLobe
 from loomlight.models.lobes.estimate import Estimator, Place
@@ -85,14 +85,15 @@ def energy_of(estimator: Estimator, place: Place, families: tuple[Energies, Ener
     types = array_types(place.view.x)
     warp, weft = (family.total for family in families)
 
-    def add(word: Any, energy: Any) -> tuple[Any, Any]:
-        is_warp = word < estimator.warp_words
-        weight = sum(estimator.seen(place, word, is_warp).weights)
-        return word + 1, dr.fma(weight, dr.select(is_warp, types.Float(warp), weft), energy)
+    def add(pair: Any, energy: Any) -> tuple[Any, Any]:
+        for seen in estimator.seen(place, pair):
+            own = dr.select(seen.is_warp, types.Float(warp), weft)
+            energy = dr.fma(sum(seen.weights), own, energy)
+        return pair + 1, energy
 
     width = dr.width(place.view, place.coverage.nodes, types.Float(warp), types.Float(weft))
     start = dr.zeros(types.UInt32, width), dr.zeros(types.Float, width)
-    return dr.while_loop(start, lambda word, energy: word < estimator.words, add, label="lobes: energy")[1]
+    return dr.while_loop(start, lambda pair, energy: pair < estimator.pairs, add, label="lobes: energy")[1]
 
 
 def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sheen: Sheen) -> Shares:
@@ -110,7 +111,7 @@ def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sh
         from_sheen = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _LEAST_ENERGY)
     cosine = dr.select(total > _LEAST_ENERGY, types.Float(_COSINE_SHARE), 1)
     transmit = dr.select(warp.transmit + weft.transmit > 0, types.Float(0.5), 0)
-    return Shares(through, from_sheen, cosine, transmit, warp, weft, dr.maximum(total, _LEAST_ENERGY))
+    return Shares(through, from_sheen, cosine, transmit, warp, weft, larger(total, _LEAST_ENERGY))
 
 
 def energies_where(is_warp: Any, shares: Shares) -> Energies:
@@ -157,11 +158,11 @@ def draw(
     types = array_types(place.view.x)
     view = place.view
     passes = types.Bool(choice < shares.through)
-    rest = (choice - shares.through) * dr.rcp(dr.maximum(1 - shares.through, 1e-6))
+    rest = (choice - shares.through) * dr.rcp(larger(1 - shares.through, 1e-6))
     from_sheen = rest < shares.sheen
-    rest = (rest - shares.sheen) * dr.rcp(dr.maximum(1 - shares.sheen, 1e-6))
+    rest = (rest - shares.sheen) * dr.rcp(larger(1 - shares.sheen, 1e-6))
     by_cosine = rest < shares.cosine
-    rest = (rest - shares.cosine) * dr.rcp(dr.maximum(1 - shares.cosine, 1e-6))
+    rest = (rest - shares.cosine) * dr.rcp(larger(1 - shares.cosine, 1e-6))
     aim = rest * shares.total
     lobe, tangent, roughness, normal = _drawn_group(estimator, place, shares, aim)
     light = sample_specular(view, tangent, roughness, u)
@@ -169,8 +170,8 @@ def draw(
     light = dr.select(lobe == _SPECULAR, light, dr.select(lobe == _REFLECT, diffuse, -diffuse))
     cosine = sample_diffuse(types.Vector3(0, 0, 1), types.Float(0), u)
     # What chose the cosine is uniform again on its share, and chooses the side.
-    far = (rest + shares.cosine * dr.rcp(dr.maximum(1 - shares.cosine, 1e-6))) * (
-        dr.maximum(1 - shares.cosine, 1e-6) * dr.rcp(shares.cosine)
+    far = (rest + shares.cosine * dr.rcp(larger(1 - shares.cosine, 1e-6))) * (
+        larger(1 - shares.cosine, 1e-6) * dr.rcp(shares.cosine)
     ) < shares.transmit
     light = dr.select(by_cosine, dr.select(far, -cosine, cosine), light)
     if sheen.strength > 0:
@@ -185,11 +186,13 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
     """Lobe, mean fibre direction, roughness and mean normal of the group where the running sum is `aim`."""
     types = array_types(place.view.x)
 
-    def search(word: Any, left: Any, lobe: Any, tangent: Any, roughness: Any, normal: Any) -> tuple[Any, ...]:
-        is_warp = word < estimator.warp_words
-        seen = estimator.seen(place, word, is_warp)
-        energies = energies_where(is_warp, shares)
-        for weight, found in zip(seen.weights, seen.lobes, strict=True):
+    def search(pair: Any, left: Any, lobe: Any, tangent: Any, roughness: Any, normal: Any) -> tuple[Any, ...]:
+        groups = [
+            (weight, found, energies_where(seen.is_warp, shares))
+            for seen in estimator.seen(place, pair)
+            for weight, found in zip(seen.weights, seen.lobes, strict=True)
+        ]
+        for weight, found, energies in groups:
             own_tangent, own_roughness, own_normal = _frame(found)
             here = (left >= 0) & (weight > 0)
             tangent = dr.select(here, own_tangent, tangent)
@@ -201,7 +204,7 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
                 here, dr.select(inside < weight * energies.specular, types.UInt32(_SPECULAR), third), lobe
             )
             left = dr.select(left >= 0, left - weight * energies.total, left)
-        return word + 1, left, lobe, tangent, roughness, normal
+        return pair + 1, left, lobe, tangent, roughness, normal
 
     width = dr.width(aim, place.view, place.coverage.nodes)
     start = (
@@ -214,7 +217,7 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
     )
     found = dr.while_loop(
         start,
-        lambda word, left, *rest: (word < estimator.words) & (left >= 0),
+        lambda pair, left, *rest: (pair < estimator.pairs) & (left >= 0),
         search,
         label="lobes: draw a group",
     )
@@ -224,6 +227,6 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
 def _frame(lobe: GroupLobe) -> tuple[Any, Any, Any]:
     """Unit fibre direction, roughness of the group as a whole, and unit normal."""
     variance = 0.5 * (lobe.xx + lobe.yy + lobe.zz)
-    width = dr.sqrt(dr.maximum(variance, 0))
-    roughness = dr.minimum(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
+    width = dr.sqrt(larger(variance, 0))
+    roughness = smaller(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
     return dr.normalize(lobe.tangent), roughness, dr.normalize(lobe.normal)

@@ -21,7 +21,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, uploaded
+from loomlight.core.backend import array_types, larger, uploaded
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.groups import Cloth, FacePoints, GroupFinder, Groups, PlanPoints, as_met
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
@@ -286,7 +286,7 @@ def _lit_bins(
     cosines = normal.z * towards.z + across, normal.z * towards.z - across
     reaches = free, dr.gather(types.Bool, free, other)
     terms = (
-        dr.select(frees, types.UInt32(dr.lerp(towards.z, dr.maximum(cosine, 0), blend) * _UNITS + 0.5), 0)
+        dr.select(frees, types.UInt32(dr.lerp(towards.z, larger(cosine, 0), blend) * _UNITS + 0.5), 0)
         for frees, cosine in zip(reaches, cosines, strict=True)
     )
     return bins, types.UInt32(reaches[0]) + 2 * types.UInt32(reaches[1]), *terms
