@@ -33,7 +33,7 @@ def test_roofs_are_maxima_of_windows(shape: tuple[int, int]) -> None:
                 rows, columns = (
                     np.arange(
                         ROOF_BLOCK * first - (0 if ahead else radius),
-                        min(ROOF_BLOCK * (first + 1), count) + (radius if ahead else 0),
+                        ROOF_BLOCK * (first + 1) + (radius if ahead else 0),
                     )
                     % count
                     for first, count, ahead in ((row, picks, up), (column, ends, right))

@@ -10,8 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-# In threads beyond a block, on the sides that a ray may reach. Each is twice the one before, or windows would
-# have gaps.
+# In threads beyond a block, on the sides that a ray may reach.
 ROOF_RADII = (1, 2, 4, 8)
 ROOF_BLOCK = 2
 # Ways that rays go: words of a block. A word's number is 1 where x rises, plus 2 where y rises.
@@ -26,26 +25,27 @@ def pack_roofs(words: NDArray[np.uint32]) -> NDArray[np.uint32]:
     behind = np.where(warp_on_top, levels[..., 1], levels[..., 0])
     faces = np.stack([front, behind])
     roofs = np.zeros((*(-(-count // ROOF_BLOCK) for count in front.shape), WAYS), np.uint32)
-    for right in (False, True):
-        across = faces
-        for number, radius in enumerate(ROOF_RADII):
-            across = _farther(across, radius, 2, right)
-            columns = _of_blocks(across, 2)
+    for number, radius in enumerate(ROOF_RADII):
+        for right in (False, True):
+            columns = _highest(faces, 2, radius, right)
             for up in (False, True):
-                along = columns
-                for reached in ROOF_RADII[: number + 1]:
-                    along = _farther(along, reached, 1, up)
-                front, behind = _of_blocks(along, 1).astype(np.uint32)
+                front, behind = _highest(columns, 1, radius, up).astype(np.uint32)
                 roofs[..., right + 2 * up] |= (front | behind << np.uint32(4)) << np.uint32(8 * number)
     return roofs
 
 
-def _farther(maxima: NDArray[np.uint8], radius: int, axis: int, ahead: bool) -> NDArray[np.uint8]:
-    """Maxima of windows that reach `radius` cells ahead (else back), of those that reach half as far."""
-    shift = max(radius // 2, 1)
-    return np.maximum(maxima, np.roll(maxima, -shift if ahead else shift, axis))
-
-
-def _of_blocks(maxima: NDArray[np.uint8], axis: int) -> NDArray[np.uint8]:
-    """Maxima of blocks of cells along an axis; the last block of an odd number is of fewer."""
-    return np.maximum.reduceat(maxima, np.arange(0, maxima.shape[axis], ROOF_BLOCK), axis)
+def _highest(levels: NDArray[np.uint8], axis: int, radius: int, ahead: bool) -> NDArray[np.uint8]:
+    """Maxima of blocks of two cells and of what lies so far ahead of them, else behind; the axis is periodic."""
+    levels = np.moveaxis(levels, axis, -1)
+    count = levels.shape[-1]
+    blocks = -(-count // ROOF_BLOCK)
+    first = 0 if ahead else -radius
+    found = levels.take(np.arange(first, first + ROOF_BLOCK * blocks + radius) % count, axis=-1)
+    even, odd = found[..., 0::2], found[..., 1::2]
+    pairs = np.maximum(even[..., : odd.shape[-1]], odd)
+    highest = pairs[..., :blocks]
+    for more in range(1, radius // 2 + 1):
+        highest = np.maximum(highest, pairs[..., more : more + blocks])
+    if radius % 2:
+        highest = np.maximum(highest, even[..., -blocks:])
+    return np.moveaxis(highest, -1, axis)
