@@ -35,7 +35,7 @@ def pack_roofs(words: NDArray[np.uint32]) -> NDArray[np.uint32]:
 
 
 def _highest(levels: NDArray[np.uint8], axis: int, radius: int, ahead: bool) -> NDArray[np.uint8]:
-    """Maxima of blocks of two cells and of what lies so far ahead of them, else behind; the axis is periodic."""
+    """Maxima of blocks of two cells and of what lies ahead of them, else behind, along a periodic axis."""
     levels = np.moveaxis(levels, axis, -1)
     count = levels.shape[-1]
     blocks = -(-count // ROOF_BLOCK)

@@ -57,7 +57,8 @@ class LobesModel(Model):
         tables: what is baked.
         multiply_adds: of one query far away, as the formulas stand: twin.py has them.
         bytes_fetched: by one query far away, from tables that differ from place to place and direction to
-            direction. The moments, 48 bytes a group, are the same for all queries of a face.
+            direction. The moments, 48 bytes a group, are the same for all queries of a face; what is fetched
+            along with the bytes of holes is left out.
     """
 
     name = "lobes"
