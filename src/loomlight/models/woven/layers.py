@@ -75,8 +75,8 @@ class UnrolledLayers:
     """Layers whose weights are numbers in the code, for LLVM; a vector is a list of Floats.
 
     Attributes:
-        only: number of the only function that calls choose from. Recordings have to be given it: of an array
-            that is made while they are recorded they keep no more than its place in memory.
+        only: number of the only function that calls choose from. Recordings have to be given it: where it was
+            made while they were recorded, calls took another function now and then.
     """
 
     def __init__(self, matrices: Matrices, float_type: type) -> None:
