@@ -14,7 +14,8 @@ from loomlight.models.woven.weights import Weights, read_weights, write_weights
 
 # The shapes that are trained: what ships, what was published, and the ablations.
 TABLES: dict[str, dict[str, Any]] = {
-    "field": {},
+    "field": {"bundles": True},
+    "field, no bundles": {},
     "vector, published": {"latent": "vector", "fibres": False},
     "plain, not fused": {"position": "plain", "fusion": False},
 }

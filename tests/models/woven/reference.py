@@ -40,9 +40,9 @@ def responses(
     turn = np.where(behind, [1, 1, -1], 1).astype(np.float32)
     fibres = np.where(behind[..., None], encoded.fibres.face(True), encoded.fibres.face(False))
     light = torch.tensor(lights * turn)
+    bundles = np.where(behind[..., None, None], encoded.fibres.bundles(True), encoded.fibres.bundles(False))
+    given = latent, place, lights * turn, views * turn, fibres, bundles
     with torch.no_grad():
-        output, hole = made.decoder(
-            torch.tensor(latent), torch.tensor(place), light, torch.tensor(views * turn), torch.tensor(fibres)
-        )
+        output, hole = made.decoder(*map(torch.tensor, given))
         components = unmapped(output, light, linear_diffuse(made))
     return np.concatenate([components.numpy(), hole.clamp(0, 1).numpy()[:, None]], 1)

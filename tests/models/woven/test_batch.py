@@ -19,7 +19,7 @@ from loomlight.models.woven.pyramid import levels_of, taps
 from .networks import TABLES, network, unit_vectors, weights_of
 
 require_llvm()
-_FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7))
+_FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7), inclination=(0.3, 0.6), height_scale=(1.0, 0.5))
 
 
 @pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])

@@ -16,6 +16,7 @@ from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.woven import encoding
+from loomlight.models.woven.architecture import BUNDLES
 from loomlight.models.woven.encoding import clear_encodings, encode, encode_pair, shortest_repeat
 from loomlight.models.woven.losses import unmapped
 from loomlight.models.woven.onnx_decoder import decoder_graph
@@ -65,13 +66,14 @@ def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
     view[:, 2] = np.abs(view[:, 2])
     angles, roughness = rng.uniform(-np.pi, np.pi, (count, 2)), rng.uniform(0.05, 1, (count, 2))
     fibres = np.stack([np.cos(angles), np.sin(angles), roughness], axis=2).astype(np.float32)
+    bundles = rng.uniform(0.1, 2, (count, 2, BUNDLES, 4)).astype(np.float32)
     with torch.no_grad():
-        output, hole = made.decoder(*map(torch.tensor, (latent, place, light, view, fibres)))
+        given = latent, place, light, view, fibres, bundles
+        output, hole = made.decoder(*map(torch.tensor, given))
         wanted = unmapped(output, torch.tensor(light), linear_diffuse(made)).numpy()
-    given = {"latent": latent, "place": place, "light": light, "view": view, "fibres": fibres}
-    if not made.table.fibres:
-        del given["fibres"]
-    found, share = run.run(None, given)
+    names = {given.name for given in run.get_inputs()}
+    named = zip(("latent", "place", "light", "view", "fibres", "bundles"), given, strict=True)
+    found, share = run.run(None, {name: values for name, values in named if name in names})
     assert wanted.max() > 1e-3
     np.testing.assert_allclose(found, wanted, atol=1e-5 * wanted.max())
     np.testing.assert_allclose(share, hole.clamp(0, 1).numpy(), atol=1e-5)

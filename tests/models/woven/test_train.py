@@ -13,18 +13,13 @@ from safetensors.numpy import load_file
 
 # Nothing below can be imported without torch, which only training needs (hence E402).
 torch = pytest.importorskip("torch")
-from torch import Tensor  # noqa: E402
-from torch.nn import functional  # noqa: E402
 
 from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
-from loomlight.models.woven.network import widened  # noqa: E402
 from loomlight.models.woven.pool import read_faces  # noqa: E402
 from loomlight.models.woven.train import _draw, rate_share, train_woven  # noqa: E402
 from loomlight.models.woven.weights import read_weights  # noqa: E402
-
-from .networks import TABLES, network  # noqa: E402
 
 TINY = """
 [network]
@@ -45,6 +40,7 @@ fabrics = 2
 queries = 64
 decoder_steps = {decoder_steps}
 decoder_hidden = {decoder_hidden}
+decoder_bundles = true
 optimiser = "{optimiser}"
 """
 
@@ -96,31 +92,13 @@ def test_the_decoder_alone_is_trained_last(pool: Path, tmp_path: Path) -> None:
         assert np.array_equal(values, longer[name]) == (not name.startswith("decoder")), name
 
 
-def test_a_wider_decoder_is_written_as_such(pool: Path, tmp_path: Path) -> None:
+def test_a_decoder_made_anew_is_written_as_such(pool: Path, tmp_path: Path) -> None:
     config = _config(tmp_path, 2, 3, decoder_hidden=24)
     weights = read_weights(train_woven(config, _with_pool(pool, tmp_path / "run")))
-    assert weights.table.hidden == 24
+    assert (weights.table.hidden, weights.table.bundles) == (24, True)
+    assert not weights.recipe["network"]["bundles"]
     assert weights.tensor("decoder.angular.1.weight").shape == (24, 24)
     assert weights.recipe["network"]["hidden"] == 16
-
-
-@pytest.mark.parametrize("name", TABLES)
-def test_a_wider_decoder_computes_the_same_at_first(name: str) -> None:
-    decoder = network(name).decoder
-    wider = widened(decoder, 48)
-    table, torch_rng = decoder.table, torch.Generator().manual_seed(1)
-
-    def numbers(*shape: int) -> Tensor:
-        return torch.rand(shape, generator=torch_rng)
-
-    light, view = (functional.normalize(numbers(200, 3) - 0.4) for _ in range(2))
-    asked = numbers(200, table.latent_size), numbers(200, 3), light, view, numbers(200, 2, 3)
-    # The same products, added up in another order.
-    for before, after in zip(decoder(*asked), wider(*asked), strict=True):
-        torch.testing.assert_close(after, before, rtol=1e-4, atol=1e-5)
-    # What is new can be learnt: its weights get gradients.
-    sum(part.sum() for part in wider(*asked)).backward()
-    assert wider.angular[-1].weight.grad[:, 32:].abs().min() > 0
 
 
 @pytest.mark.parametrize("optimiser", ["adam", "soap"])
@@ -198,7 +176,7 @@ def test_checkpoint_of_another_configuration_is_refused(pool: Path, tmp_path: Pa
     [
         ("[training]\nsteps = 0", "training.steps = 0"),
         ("[training]\nspeed = 1", "training.speed"),
-        ("[training]\ndecoder_hidden = 60", "training.decoder_hidden = 60: should be 0 or at least 64"),
+        ("[training]\ndecoder_hidden = -1", "training.decoder_hidden = -1"),
         ('[network]\nlatent = "tree"', "network.latent = 'tree'"),
         ("[training", "no TOML"),
     ],

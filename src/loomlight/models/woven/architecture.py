@@ -18,6 +18,12 @@ DENSITY_GAIN, DENSITY_SCALE = 30.0, 0.25
 LIGHT_FEATURES, VIEW_FEATURES = 2 + 2 * INCLINATION_BINS + 2, 2
 # Added to squared lengths: keeps the half vector of opposite directions finite.
 OPPOSITE = 1e-4
+# Bundles of fibres that lie alike, of each family: slopes along the yarn, times places across it, and one
+# that is the same in all directions.
+BUNDLE_SLOPES, BUNDLE_PLACES = 8, 3
+BUNDLES = BUNDLE_SLOPES * BUNDLE_PLACES + 1
+# What the network puts out for a bundle is of the order of 1 where its share of the light, 1/sr, is this.
+BUNDLE_UNIT = 0.02
 # Half the span of ln α over the parameter box.
 LOG_ROUGHNESS = 1.15
 # Side of the maps of a repeat for "vector", and maps a thread for "field".

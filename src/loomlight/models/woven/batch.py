@@ -21,7 +21,6 @@ from loomlight.models.woven.architecture import (
     TRANSMISSION_GAIN,
 )
 from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.onnx_decoder import batch_graph
 from loomlight.models.woven.places import place_of
@@ -75,14 +74,32 @@ def _decoded(
     footprints: NDArray[np.float32],
 ) -> NDArray[np.float32]:
     """Of one block, on one core."""
+    behind = views[:, 2] < 0
+    if behind.all() or not behind.any():
+        return _decoded_face(weights, encoded, lights, views, footprints, bool(behind.all()))
+    found = np.empty((len(lights), 5), np.float32)
+    for back in (False, True):
+        seen = behind == back
+        found[seen] = _decoded_face(weights, encoded, lights[seen], views[seen], footprints[seen], back)
+    return found
+
+
+def _decoded_face(
+    weights: Weights,
+    encoded: EncodedFabric,
+    lights: NDArray[np.float32],
+    views: NDArray[np.float32],
+    footprints: NDArray[np.float32],
+    back: bool,
+) -> NDArray[np.float32]:
+    """Of queries that see one face, one at least."""
     count = len(lights)
     light, view, (x, y, size) = (_columns(rows) for rows in (lights, views, footprints))
-    back = view[2] < 0
-    turn = np.where(back, np.float32(-1), np.float32(1))
+    turn = np.float32(-1 if back else 1)
     light[2] *= turn
     view[2] *= turn
     table = weights.table
-    fetched = latent_rows(weights, encoded).at(x, y, size, back)
+    fetched = latent_rows(weights, encoded).at(x, y, size, np.full(len(x), back))
     place: Sequence[NDArray[np.float32]] = place_of(table, encoded.picks, encoded.ends, x, y, size)
     if table.position == "one_blob":
         place = _with_squares([part - np.float32(0.5) for part in place])
@@ -92,18 +109,34 @@ def _decoded(
         "place": _by_runs(place),
     }
     if table.fibres:
-        cosines, inclinations, densities = _along_fibres(encoded.fibres, light, view, turn)
+        cosines, inclinations, densities = _along_fibres(encoded.fibres.face(back), light, view)
         angles += [*cosines, *densities]
         inputs["inclinations"] = _by_runs(_with_squares(inclinations))
     inputs["angles"] = _by_runs(angles)
+    if table.bundles:
+        inputs["half"] = _half_vectors(light, view)
+    same = _bundles(encoded, back) if table.bundles else {}
     session = decoder_session(weights)
     found = np.empty((5, len(x)), np.float32)
     for run in range(len(x) // QUERIES_A_RUN):
         part = slice(run * QUERIES_A_RUN, (run + 1) * QUERIES_A_RUN)
-        output, share = session.run(None, {name: values[run] for name, values in inputs.items()})
+        output, share = session.run(None, {name: values[run] for name, values in inputs.items()} | same)
         found[:4, part], found[4, part] = output[0, :, 0], share[0, 0, 0]
-    _unmap(found, light[2], weights.linear_diffuse)
+    _unmap(found, light[2], weights)
     return found.T[:count]
+
+
+def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Half vectors of directions [3, m], a little short where these are nearly opposite [runs, 3, n]."""
+    total = light + view
+    total /= np.sqrt(np.einsum("cn,cn->n", total, total) + np.float32(OPPOSITE))
+    return np.stack([part.reshape(-1, QUERIES_A_RUN) for part in total], axis=1)
+
+
+def _bundles(encoded: EncodedFabric, back: bool) -> dict[str, NDArray[np.float32]]:
+    """Bundles of a face as the layers take them."""
+    rows = encoded.fibres.bundles(back).reshape(-1, 4)
+    return {"axes": np.ascontiguousarray(rows[:, :3]), "widths": rows[:, 3].reshape(1, -1, 1, 1).copy()}
 
 
 def _columns(rows: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -125,24 +158,21 @@ def _with_squares(numbers: Sequence[NDArray[np.float32]]) -> list[NDArray[np.flo
 
 
 def _along_fibres(
-    fibres: Fibres, light: NDArray[np.float32], view: NDArray[np.float32], turn: NDArray[np.float32]
+    fibres: NDArray[np.float32], light: NDArray[np.float32], view: NDArray[np.float32]
 ) -> tuple[list[NDArray[np.float32]], list[NDArray[np.float32]], list[NDArray[np.float32]]]:
     """Cosines of views, then of lights [4][n], inclinations [2][n], densities [2][n]; see
     `network.fibre_features`.
 
     Args:
-        light, view: in the frame of the face that is seen [3, n].
-        turn: 1 where that is the front, −1 where it is the back [n].
+        fibres: of the face that is seen; see `Fibres.face`.
+        light, view: in the frame of that face [3, n].
     """
     total = light + view
     height = total[2] * total[2] + np.float32(OPPOSITE)
     inverse_square = 1 / (total[0] * total[0] + total[1] * total[1] + height)
     of_views, of_lights, inclinations, densities = [], [], [], []
-    for (x, y, roughness), mirrored in zip(fibres.face(False), (0, 1), strict=True):
-        # Seen from behind twists are the other way round.
-        along = [x, y]
-        along[mirrored] = along[mirrored] * turn
-        of_view, of_light = (along[0] * part[0] + along[1] * part[1] for part in (view, light))
+    for x, y, roughness in fibres:
+        of_view, of_light = (x * part[0] + y * part[1] for part in (view, light))
         cosine = of_view + of_light
         square = cosine * cosine
         reach = np.sqrt(square + height)
@@ -162,13 +192,16 @@ def _along_fibres(
     return [*of_views, *of_lights], inclinations, densities
 
 
-def _unmap(found: NDArray[np.float32], height: NDArray[np.float32], linear_diffuse: bool) -> None:
+def _unmap(found: NDArray[np.float32], height: NDArray[np.float32], weights: Weights) -> None:
     """Makes components [4, n] and the hole fraction of what the network puts out: `losses.unmapped`."""
     gain = np.where(height > 0, np.float32(REFLECTION_GAIN), np.float32(TRANSMISSION_GAIN))
-    mapped = found[2 if linear_diffuse else 0 : 4]
+    mixed = weights.table.bundles
+    mapped = found[2 if weights.linear_diffuse else 0 : 2 if mixed else 4]
     mapped[:] = np.expm1(np.clip(mapped, 0, LARGEST_OUTPUT)) / gain
-    if linear_diffuse:
+    if weights.linear_diffuse:
         np.maximum(found[:2], 0, out=found[:2])
+    if mixed:
+        np.clip(found[2:4], 0, np.float32(np.expm1(LARGEST_OUTPUT)) / gain, out=found[2:4])
     np.clip(found[4], 0, 1, out=found[4])
 
 

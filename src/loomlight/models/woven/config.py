@@ -11,6 +11,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.models.woven.architecture import BUNDLES
 
 Count = Annotated[int, Field(ge=1)]
 Positive = Annotated[float, Field(gt=0)]
@@ -32,6 +33,8 @@ class NetworkTable(_Table):
         fusion: whether latent and footprint are fused before directions join, as published; without it the
             directions join at once and the angular decoder has two layers more (the ablation).
         fibres: whether directions are given along the fibres too; the published decoder has to find these.
+        bundles: whether specular components are mixed of the densities of bundles of fibres, whose shares the
+            decoder puts out; the published decoder puts out the components themselves.
         hidden: width of the decoder's layers.
     """
 
@@ -41,7 +44,13 @@ class NetworkTable(_Table):
     position: Literal["one_blob", "plain"] = "one_blob"
     fusion: bool = True
     fibres: bool = True
+    bundles: bool = False
     hidden: Count = 64
+
+    @property
+    def outputs(self) -> int:
+        """Numbers that the angular layers put out: components, or diffuse ones and one for each bundle."""
+        return 2 + 2 * BUNDLES if self.bundles else 4
 
 
 class DataTable(_Table):
@@ -80,8 +89,9 @@ class TrainingTable(_Table):
             which costs five times as much as a decoder's.
         decoder_steps: further steps, of the decoder alone, on the latents of the encoder as it is then; those
             are computed once, so a step costs a tenth.
-        decoder_hidden: width of the decoder's layers in these and afterwards; 0 is the network's. Units that
-            are new change nothing at first.
+        decoder_hidden: width of a decoder that is made anew for these; 0 keeps the network's, unless
+            `decoder_bundles` asks for another.
+        decoder_bundles: whether a new decoder mixes bundles; see `NetworkTable`.
         decoder_rate: largest learning rate of these; the schedule begins anew.
         decoder_loss: of these; "faint" is "balanced" that counts faint specular terms by shares.
         optimiser: "sgd", as published, "adam" or "soap", which is Adam along the principal axes of gradients.
@@ -102,6 +112,7 @@ class TrainingTable(_Table):
     updates: Count = 4
     decoder_steps: Annotated[int, Field(ge=0)] = 0
     decoder_hidden: Annotated[int, Field(ge=0)] = 0
+    decoder_bundles: bool = False
     decoder_rate: Positive = 1e-3
     decoder_loss: Literal["balanced", "faint"] = "balanced"
     optimiser: Literal["sgd", "adam", "soap"] = "adam"
@@ -130,16 +141,10 @@ def read_config(path: str | os.PathLike[str]) -> TrainingConfig:
     file = Path(path)
     require_file(file)
     try:
-        config = TrainingConfig.model_validate(tomllib.loads(file.read_text(encoding="utf-8")))
+        return TrainingConfig.model_validate(tomllib.loads(file.read_text(encoding="utf-8")))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise InputError(f"{file} is no TOML: {error}.") from error
     except ValidationError as error:
         first = error.errors()[0]
         field = ".".join(map(str, first["loc"]))
         raise InputError(f"{file}: {field} = {first['input']!r}: {first['msg'].lower()}.") from error
-    width, wider = config.network.hidden, config.training.decoder_hidden
-    if 0 < wider < width:
-        raise InputError(
-            f"{file}: training.decoder_hidden = {wider}: should be 0 or at least {width}, as before."
-        )
-    return config

@@ -10,6 +10,7 @@ other layers are not for these: call it outside.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -24,6 +25,9 @@ from loomlight.core.recorded import Held, Recorded
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
+    BUNDLE_PLACES,
+    BUNDLE_UNIT,
+    BUNDLES,
     DENSITY_GAIN,
     DENSITY_SCALE,
     INCLINATION_BINS,
@@ -42,6 +46,8 @@ from loomlight.models.woven.places import place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
+# Of components, the first are diffuse.
+_DIFFUSE = 2
 # Numbers of a texel that are fetched at once: a line of the cache.
 _PACKET = 16
 
@@ -89,6 +95,7 @@ class LatentTable:
     Attributes:
         picks, ends: of the repeat.
         channels: numbers a texel.
+        bundles: of the front, b and a of each, for both families; see `Fibres.bundles`.
     """
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
@@ -110,6 +117,11 @@ class LatentTable:
         self._top = dr.opaque(types.UInt32, self._last)
         numbers_of_fibres = encoded.fibres.face(False).tolist()
         self._fibres = [[dr.opaque(types.Float, number) for number in row] for row in numbers_of_fibres]
+        # Of the front, for each family.
+        self.bundles = [
+            [tuple(dr.opaque(types.Float, number) for number in bundle) for bundle in family]
+            for family in (encoded.fibres.bundles(False).tolist() if weights.table.bundles else [])
+        ]
 
     def fibres(self, back: Any) -> tuple[Fibre, Fibre]:
         """The fibres of both families in the frame of the face that is seen; see `Fibres.face`."""
@@ -319,11 +331,21 @@ class Decoder:
                 hidden = layers.product(f"{number}", hidden, f"{number} bias")
                 if number == 2:
                     hidden = layers.added(hidden, skip)
-                if number + 1 < self._count:
+                # What is put out for components is cut off at 0 anyway.
+                if number + 1 < self._count or self.weights.table.bundles:
                     hidden = layers.leaky(hidden)
             return [*hidden]
 
-        return self._unmapped(layers.outlined(of_light, angular, directions), light)
+        found = layers.outlined(of_light, angular, directions)
+        if not self.weights.table.bundles:
+            return self._unmapped(found, light)
+        specular = mixed_bundles(found[_DIFFUSE:], light + view, table.bundles, back)
+        # As bright as a logarithm of `LARGEST_OUTPUT` is.
+        most = math.expm1(LARGEST_OUTPUT) * self._scale(light)
+        return [
+            *self._unmapped(found[:_DIFFUSE], light),
+            *(clipped(component, 0, most) for component in specular),
+        ]
 
     def _answers(
         self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
@@ -334,12 +356,15 @@ class Decoder:
 
     def _unmapped(self, output: list[Any], light: Any) -> list[Any]:
         """`losses.unmapped`."""
-        types = self._types
-        scale = dr.select(light.z > 0, types.Float(1 / REFLECTION_GAIN), 1 / TRANSMISSION_GAIN)
+        scale = self._scale(light)
         linear = [(dr.exp(clipped(value, 0, LARGEST_OUTPUT)) - 1) * scale for value in output]
         if self.weights.linear_diffuse:
             return [*(larger(value, 0) for value in output[:2]), *linear[2:]]
         return linear
+
+    def _scale(self, light: Any) -> Any:
+        """1/k of `losses.gain`."""
+        return dr.select(light.z > 0, self._types.Float(1 / REFLECTION_GAIN), 1 / TRANSMISSION_GAIN)
 
 
 def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
@@ -470,6 +495,39 @@ def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[A
         density = (DENSITY_GAIN * dr.inv_pi) * squared * fibre.roughness * dr.rcp(dr.square(q))
         densities.append(DENSITY_SCALE * dr.log(1 + density))
     return [*cosines, *bins, *densities]
+
+
+def mixed_bundles(shares: Sequence[Any], total: Any, bundles: Sequence[Any], back: Any) -> list[Any]:
+    """`network.mixed_bundles` of numbers above 0: the specular components of both families.
+
+    Args:
+        shares: what is put out for the bundles of the face that is seen [2 · `BUNDLES`].
+        total: light plus view [3], in the frame of that face.
+        bundles: of the front.
+        back: whether the back is seen.
+    """
+    inverse = dr.rcp(dr.squared_norm(total) + OPPOSITE)
+    mixed = []
+    for family, of_front in enumerate(bundles):
+        # Those of the back are mirrored across the yarn, and so is their order of places.
+        x = total.x if family else dr.select(back, -total.x, total.x)
+        y = dr.select(back, -total.y, total.y) if family else total.y
+        kept = shares[family * BUNDLES : (family + 1) * BUNDLES]
+        component: Any = 0
+        for number, (along_x, along_y, along_z, width) in enumerate(of_front):
+            cosine = dr.fma(along_x, x, dr.fma(along_y, y, along_z * total.z))
+            root = dr.fma(dr.square(cosine), inverse, width)
+            behind = _mirrored(number)
+            share = kept[number] if behind == number else dr.select(back, kept[behind], kept[number])
+            component = dr.fma(share, dr.rcp(dr.square(root)), component)
+        mixed.append(BUNDLE_UNIT * component)
+    return mixed
+
+
+def _mirrored(bundle: int) -> int:
+    """The number on the back of a bundle of the front."""
+    slope, place = divmod(bundle, BUNDLE_PLACES)
+    return bundle if bundle == BUNDLES - 1 else slope * BUNDLE_PLACES + BUNDLE_PLACES - 1 - place
 
 
 def _wrapped(index: Any, count: Any) -> Any:

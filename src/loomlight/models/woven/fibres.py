@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Self
 
@@ -9,9 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven.architecture import BUNDLE_PLACES, BUNDLE_SLOPES
 
-# Roughness that mixing may lead to.
-_ROUGHNESS = 0.01, 1.0
+# What mixing may lead to, and a material may hold; angles in radians.
+_LIMITS = {"roughness": (0.01, 1.0), "inclination": (0.0, math.radians(80)), "height_scale": (0.01, 2.0)}
+_ROUNDING = 1e-6
+# Slopes of bundles reach a little beyond those of floats' ends, as yarns dive between floats.
+_REACH, _LEAST_SLOPE = 1.15, 0.03
+# The sine of the angle at a yarn's edges, seen along it.
+_EDGE = 0.98
+# A bundle's lobe is as wide as its fibres' and this share of the squared distance to the next bundle: less
+# leaves gaps between lobes, more blurs highlights.
+_SPREAD = 0.3
 
 
 @dataclass(frozen=True)
@@ -21,28 +31,37 @@ class Fibres:
     Attributes:
         twist: ψ, radians.
         roughness: α.
+        inclination: U, radians.
+        height_scale: β.
     """
 
     twist: tuple[float, float]
     roughness: tuple[float, float]
+    inclination: tuple[float, float]
+    height_scale: tuple[float, float]
 
     @classmethod
     def of(cls, fabric: Fabric) -> Self:
         """The fibres of a fabric, in single precision, as materials keep them."""
         layout, appearance = fabric.layout(), fabric.appearance()
-        twist = layout.warp.twist, layout.weft.twist
-        roughness = appearance.warp.roughness, appearance.weft.roughness
-        return cls.from_array(np.array([twist, roughness], np.float32))
+        families = layout.warp, layout.weft
+        numbers = [
+            [family.twist for family in families],
+            [appearance.warp.roughness, appearance.weft.roughness],
+            [family.inclination for family in families],
+            [family.height_scale for family in families],
+        ]
+        return cls.from_array(np.array(numbers, np.float32))
 
     @classmethod
     def from_array(cls, numbers: NDArray[np.float32]) -> Self:
         """What `array` gave."""
-        (warp, weft), (warp_roughness, weft_roughness) = numbers.tolist()
-        return cls((warp, weft), (warp_roughness, weft_roughness))
+        twist, roughness, inclination, height_scale = ((warp, weft) for warp, weft in numbers.tolist())
+        return cls(twist, roughness, inclination, height_scale)
 
     def array(self) -> NDArray[np.float32]:
-        """Twists and roughnesses [2, 2 families]."""
-        return np.array([self.twist, self.roughness], np.float32)
+        """Twists, roughnesses, inclinations and height scales [4, 2 families]."""
+        return np.array([self.twist, self.roughness, self.inclination, self.height_scale], np.float32)
 
     def face(self, back: bool) -> NDArray[np.float32]:
         """Their direction on a yarn's crown, x and y, and α [2 families, 3], in the frame of one face.
@@ -59,10 +78,63 @@ class Fibres:
             np.float32,
         )
 
+    def bundles(self, back: bool) -> NDArray[np.float32]:
+        """Bundles of fibres that lie alike, in the frame of one face [2 families, `BUNDLES`, 4]: b and a.
+
+        The density of their normals towards the half vector h is 1/(a + (b·h)²)², 1/sr. They are those of
+        `BUNDLE_SLOPES` slopes along the yarn, times `BUNDLE_PLACES` places across it, which differ where
+        fibres are twisted; the last one's density is 1 everywhere. Seen from behind bundles are mirrored
+        across the yarn, and so are their places: those of one face are the other's in another order.
+        """
+        slopes, places = np.indices((BUNDLE_SLOPES, BUNDLE_PLACES)).reshape(2, -1).astype(float)
+        numbers = []
+        for family in (0, 1):
+            axis = self._axis(family, back, slopes, places)
+            square = np.full(len(axis), self.roughness[family] ** 2)
+            for along, across in ((0.5, 0.0), (0.0, 0.5)):
+                step = self._axis(family, back, slopes + along, places + across) - self._axis(
+                    family, back, slopes - along, places - across
+                )
+                square += _SPREAD * np.square(step).sum(1)
+            square = np.minimum(square, 1)
+            # SGGX of fibres (appearance.md 3), α³/(π (α² + (t·h)²(1 − α²))²), as one square.
+            scale = np.sqrt(math.pi / square**1.5)
+            axis *= np.sqrt(scale * (1 - square))[:, None]
+            bundles = np.concatenate([axis, (scale * square)[:, None]], axis=1)
+            numbers.append(np.concatenate([bundles, [[0, 0, 0, 1]]]))
+        return np.array(numbers, np.float32)
+
+    def _axis(
+        self, family: int, back: bool, slopes: NDArray[np.float64], places: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Unit vectors along the fibres at numbers of slopes and places [n], counted in bundles: [n, 3]."""
+        twist = -self.twist[family] if back else self.twist[family]
+        steepest = _REACH * math.tan(self.inclination[family]) + _LEAST_SLOPE
+        along = steepest * ((2 * slopes + 1) / BUNDLE_SLOPES - 1)
+        # Evenly over the yarn's width; the outermost half a place is as steep as its middle is.
+        sine = np.clip(_EDGE * ((2 * places + 1) / BUNDLE_PLACES - 1), -_EDGE, _EDGE)
+        across = -sine / np.sqrt(1 - sine * sine)
+        # t = cos ψ e_u − sin ψ e_v of a surface with these slopes; heights are scaled afterwards.
+        lengthwise = 1 + along * along
+        crosswise = math.sin(twist) / np.sqrt(lengthwise * (lengthwise + across * across))
+        x, y = -crosswise * lengthwise, crosswise * across * along + math.cos(twist) / np.sqrt(lengthwise)
+        z = self.height_scale[family] * (across * x + along * y)
+        axis = np.stack([x, y, z] if family == 0 else [-y, x, z], axis=1)
+        return axis / np.linalg.norm(axis, axis=1, keepdims=True)
+
     def mixed(self, other: Fibres, share: float) -> Fibres:
-        """Between these (0) and others (1), or beyond: twists evenly, roughnesses by shares."""
-        low, high = _ROUGHNESS
+        """Between these (0) and others (1), or beyond: angles and heights evenly, roughnesses by shares."""
         mine, theirs = self.array(), other.array()
-        twist = (1 - share) * mine[0] + share * theirs[0]
+        twist, roughness, inclination, height_scale = (1 - share) * mine + share * theirs
         roughness = np.exp((1 - share) * np.log(mine[1]) + share * np.log(theirs[1]))
-        return Fibres.from_array(np.stack([twist, np.clip(roughness, low, high)]).astype(np.float32))
+        others = zip((roughness, inclination, height_scale), _LIMITS.values(), strict=True)
+        kept = [twist, *(np.clip(values, *limits) for values, limits in others)]
+        return Fibres.from_array(np.stack(kept).astype(np.float32))
+
+    def flaw(self) -> str | None:
+        """What no fabric has, in words; None where all is well."""
+        for name, (low, high) in _LIMITS.items():
+            warp, weft = getattr(self, name)
+            if not all(low - _ROUNDING <= value <= high + _ROUNDING for value in (warp, weft)):
+                return f"{name} is {warp:g} and {weft:g}: both should be {low:g} to {high:g}"
+        return None

@@ -95,12 +95,10 @@ class WovenModel(Model):
         front, back = (
             loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
         )
-        fibres = Fibres.from_array(loom.tensor("fibres", (2, 2), np.float32))
-        if not all(0 < roughness <= 1 for roughness in fibres.roughness):
-            raise InputError(
-                f"{loom.source}: the tensor model.fibres has a roughness of {min(fibres.roughness):g} and "
-                f"{max(fibres.roughness):g}: both should be above 0 and at most 1. Bake it again."
-            )
+        fibres = Fibres.from_array(loom.tensor("fibres", (4, 2), np.float32))
+        flaw = fibres.flaw()
+        if flaw is not None:
+            raise InputError(f"{loom.source}: of the tensor model.fibres the {flaw}. Bake it again.")
         return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres), weights)
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:

@@ -10,6 +10,9 @@ of both families (chen2024 4.2). Two departures from the paper, both measured (d
 
 Decoder: one-blob coded footprint and latent fused by two layers, then five layers over directions with one
 skip connection. A head of its own gives the hole fraction, which no light changes.
+
+Highlights are narrower than a small network can follow: where it mixes bundles, what lies in a footprint is
+learnt, and which way its fibres gleam is computed.
 """
 
 from __future__ import annotations
@@ -24,6 +27,8 @@ from torch.nn import functional
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
+    BUNDLE_UNIT,
+    BUNDLES,
     DENSITY_GAIN,
     DENSITY_SCALE,
     INCLINATION_BINS,
@@ -37,12 +42,18 @@ from loomlight.models.woven.architecture import (
     VIEW_FEATURES,
 )
 from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.losses import gain
 from loomlight.models.woven.maps import CHANNELS
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
 
 PARAMETERS = 4
 ANGLES = 5
 COMPONENTS = 4
+FAMILIES = 2
+# Of components, the first are diffuse.
+_DIFFUSE = 2
+# What is put out for bundles before anything is learnt.
+_FIRST_SHARE = 0.25
 
 
 class WovenNetwork(nn.Module):
@@ -200,11 +211,20 @@ class Decoder(nn.Module):
         self.fusion = _layers(spatial, hidden, hidden) if table.fusion else nn.ModuleList()
         inner = [hidden] * (4 if table.fusion else 6)
         directions = ANGLES + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
-        self.angular = _layers(fused + directions, *inner, COMPONENTS)
+        self.angular = _layers(fused + directions, *inner, table.outputs)
+        if table.bundles:
+            # All bundles have a share at first, so that all can be learnt from.
+            nn.init.constant_(self.angular[-1].bias[_DIFFUSE:], _FIRST_SHARE)
         self.hole = _layers(fused + 2, 16, 1)
 
     def forward(
-        self, latent: Tensor, place: Tensor, light: Tensor, view: Tensor, fibres: Tensor
+        self,
+        latent: Tensor,
+        place: Tensor,
+        light: Tensor,
+        view: Tensor,
+        fibres: Tensor,
+        bundles: Tensor | None = None,
     ) -> tuple[Tensor, Tensor]:
         """Components [n, 4] as the loss maps them, and the hole fraction [n].
 
@@ -212,7 +232,9 @@ class Decoder(nn.Module):
             latent: [n, latent_size].
             place: position x and y, and size of the footprint, each 0 to 1 [n, 3].
             light, view: unit vectors in the frame of the face that is seen [n, 3].
-            fibres: of the face that is seen [n, 2, 3]; see `fibres.face_fibres`.
+            fibres: of the face that is seen [n, 2, 3]; see `Fibres.face`.
+            bundles: of the face that is seen [b, 2, `BUNDLES`, 4], where each holds for n/b queries in a row;
+                see `Fibres.bundles`. Needed where the network mixes bundles.
         """
         coded = one_blob(place) if self.table.position == "one_blob" else place
         spatial = torch.cat([latent, coded], 1)
@@ -234,31 +256,12 @@ class Decoder(nn.Module):
                 hidden = hidden + skip
             if not last:
                 hidden = functional.leaky_relu(hidden, SLOPE)
+        if bundles is not None and self.table.bundles:
+            with torch.autocast(kind, enabled=False):
+                mixed = mixed_bundles(hidden[:, _DIFFUSE:], light + view, bundles)
+                hidden = torch.cat([hidden[:, :_DIFFUSE], _logarithmic(mixed * gain(light))], 1)
         hole = functional.leaky_relu(self.hole[0](torch.cat([spatial, view[:, :2]], 1)), SLOPE)
         return hidden, self.hole[1](hole)[:, 0]
-
-
-def widened(decoder: Decoder, hidden: int) -> Decoder:
-    """A decoder with wider layers that computes the same (Net2Net, Chen et al. 2016).
-
-    What new units find is of no weight yet; their own weights are random. Training goes on from there, where
-    a decoder as wide from the beginning would have made every step longer.
-    """
-    wider = Decoder(decoder.table.model_copy(update={"hidden": hidden}))
-    pairs = zip(wider.modules(), decoder.modules(), strict=True)
-    with torch.no_grad():
-        for layer, before in pairs:
-            if not (isinstance(layer, nn.Linear) and isinstance(before, nn.Linear)):
-                continue
-            grown = layer.in_features - before.in_features
-            # Hidden units are a layer's first inputs.
-            first = decoder.table.hidden if grown else before.in_features
-            rows = layer.weight[: before.out_features]
-            rows[:, :first] = before.weight[:, :first]
-            rows[:, first : first + grown] = 0
-            rows[:, first + grown :] = before.weight[:, first:]
-            layer.bias[: before.out_features] = before.bias
-    return wider
 
 
 def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
@@ -291,6 +294,28 @@ def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
     q = squared_roughness + flat * (1 - squared_roughness)
     density = squared_roughness * roughness / (torch.pi * q.square())
     return torch.cat([*cosines, bins, DENSITY_SCALE * torch.log1p(DENSITY_GAIN * density)], 1)
+
+
+def mixed_bundles(shares: Tensor, total: Tensor, bundles: Tensor) -> Tensor:
+    """Specular components [n, 2], 1/sr, of densities of bundles and of what is put out for each.
+
+    Args:
+        shares: what is put out for the bundles of both families [n, 2 · `BUNDLES`].
+        total: light plus view [n, 3].
+        bundles: [b, 2, `BUNDLES`, 4], each for n/b queries in a row.
+    """
+    count, groups = len(total), len(bundles)
+    inverse = 1 / (total.square().sum(1) + OPPOSITE)
+    cosine = torch.einsum("gnc,gfbc->gnfb", total.view(groups, -1, 3), bundles[..., :3])
+    width = bundles[:, None, :, :, 3].expand_as(cosine).reshape(count, FAMILIES, BUNDLES)
+    root = width + cosine.reshape(count, FAMILIES, BUNDLES).square() * inverse[:, None, None]
+    kept = BUNDLE_UNIT * functional.leaky_relu(shares, SLOPE).view(count, FAMILIES, BUNDLES)
+    return (kept / root.square()).sum(2)
+
+
+def _logarithmic(values: Tensor) -> Tensor:
+    """ln(x + 1), and x below 0, so that it can be learnt from there."""
+    return torch.where(values > 0, torch.log1p(torch.clamp(values, min=0)), values)
 
 
 def _layers(*widths: int) -> nn.ModuleList:

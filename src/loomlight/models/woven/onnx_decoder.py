@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from loomlight.models.woven.architecture import (
     BINS,
     BLOB_REACH,
+    BUNDLE_UNIT,
+    BUNDLES,
     DENSITY_GAIN,
     DENSITY_SCALE,
     INCLINATION_BINS,
@@ -37,8 +39,8 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
     """The decoder of n queries for any runtime.
 
     `latent` [n, latent_size], `place` [n, 3], `light` and `view` [n, 3] in the frame of the face that is
-    seen, and `fibres` [n, 2, 3] of that face (`Fibres.face`) for networks that take them, to `components`
-    [n, 4], 1/sr, and `hole` [n], 0 to 1.
+    seen, and for networks that take them `fibres` [n, 2, 3] of that face (`Fibres.face`) and `bundles`
+    [n or 1, 2, `BUNDLES`, 4] (`Fibres.bundles`), to `components` [n, 4], 1/sr, and `hole` [n], 0 to 1.
     """
     graph = Graph(weights)
     size = weights.table.latent_size
@@ -57,7 +59,7 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
     if weights.table.position == "one_blob":
         place = _with_squares(graph, graph.add("Sub", place, graph.number(0.5)))
     output, hole = _layers(graph, latent, place, angles, inclinations)
-    components = _unmapped(graph, output, light)
+    components = _components(graph, output, light, view)
     rows = graph.add("Reshape", components, graph.integers([4, -1]))
     graph.add("Transpose", rows, perm=[1, 0], output="components")
     hole = graph.add("Clip", hole, graph.number(0), graph.number(1))
@@ -65,6 +67,8 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
     inputs = {"latent": ["n", size], "place": ["n", 3], "light": ["n", 3], "view": ["n", 3]}
     if weights.table.fibres:
         inputs["fibres"] = ["n", 2, 3]
+    if weights.table.bundles:
+        inputs["bundles"] = ["m", 2, BUNDLES, 4]
     return graph.model(
         "woven_decoder",
         inputs,
@@ -79,21 +83,30 @@ def batch_graph(weights: Weights) -> onnx.ModelProto:
     for networks with one-blob coding [1, 6, 1, n] less a half and followed by squares; `angles` [1, 5, 1, n]
     are x, y, z of the light and x and y of the view. For networks that take fibres six more follow, of both
     families each, in the order of `network.fibre_features`: cosines of views, of lights, densities; and
-    `inclinations` [1, 4, 1, n] are those of both families and their squares. `output` [1, 4, 1, n] and
-    `share` [1, 1, 1, n], of holes, are as the network puts them out.
+    `inclinations` [1, 4, 1, n] are those of both families and their squares. For networks that mix bundles
+    `half` [3, n] is the half vector, and `axes` [2 · `BUNDLES`, 3] and `widths` [1, 2 · `BUNDLES`, 1, 1] are
+    b and a of `Fibres.bundles`. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the network
+    puts them out, and specular components as mixed.
     """
     graph = Graph(weights, contrib=True)
     fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
     output, share = _layers(graph, fetched, "place", "angles", "inclinations")
+    table = weights.table
+    if table.bundles:
+        cosines = _rows(graph, graph.add("MatMul", "axes", "half"))
+        diffuse, shares = _sliced(graph, output, 0, 2), _sliced(graph, output, 2, table.outputs)
+        output = graph.add("Concat", diffuse, _mixed(graph, shares, cosines, "widths"), axis=1)
     graph.add("Identity", output, output="output")
     graph.add("Identity", share, output="share")
-    counts = {"place": 6 if weights.table.position == "one_blob" else 3, "angles": 5}
-    if weights.table.fibres:
+    counts = {"place": 6 if table.position == "one_blob" else 3, "angles": 5}
+    if table.fibres:
         counts |= {"angles": 11, "inclinations": 4}
+    bundled = {"half": [3, "n"], "axes": [2 * BUNDLES, 3], "widths": [1, 2 * BUNDLES, 1, 1]}
     return graph.model(
         "woven_batch",
         {"fetched": [1, 1, "n", fetched_channels(weights)]}
-        | {name: [1, count, 1, "n"] for name, count in counts.items()},
+        | {name: [1, count, 1, "n"] for name, count in counts.items()}
+        | (bundled if table.bundles else {}),
         {"output": [1, 4, 1, "n"], "share": [1, 1, 1, "n"]},
     )
 
@@ -143,7 +156,9 @@ def _angular(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
     count = weights.layers("decoder.angular")
     for number in range(1, count):
         plus = skip if number == 2 else None
-        hidden = _layer(graph, f"decoder.angular.{number}", hidden, plus, leaky=number + 1 < count)
+        # What is put out for components is cut off at 0 anyway.
+        leaky = number + 1 < count or table.bundles
+        hidden = _layer(graph, f"decoder.angular.{number}", hidden, plus, leaky)
     return hidden
 
 
@@ -289,14 +304,56 @@ def _bumps(graph: Graph, values: str, centres: list[NDArray[np.float64]], scale:
     return graph.add("Mul", bump, bump)
 
 
-def _unmapped(graph: Graph, output: str, light: str) -> str:
-    """Components of what the network puts out: `losses.unmapped`."""
-    inverse = graph.add(
+def _components(graph: Graph, output: str, light: str, view: str) -> str:
+    """Components [1, 4, 1, n] of what the network puts out."""
+    if not graph.weights.table.bundles:
+        return _unmapped(graph, output, light)
+    shares = _sliced(graph, output, 2, graph.weights.table.outputs)
+    total = graph.add("Add", light, view)
+    square = graph.add("ReduceSum", graph.add("Mul", total, total), graph.integers([1]), keepdims=1)
+    half = graph.add("Div", total, graph.add("Sqrt", graph.add("Add", square, graph.number(OPPOSITE))))
+    columns = graph.add("Transpose", half, perm=[3, 1, 2, 0])
+    columns = graph.add("Reshape", columns, graph.integers([-1, 3, 1]))
+    bundles = graph.add("Reshape", "bundles", graph.integers([-1, 2 * BUNDLES, 4]))
+    axes, widths = (
+        graph.add("Slice", bundles, graph.integers([first]), graph.integers([end]), graph.integers([2]))
+        for first, end in ((0, 3), (3, 4))
+    )
+    cosines, widths = (
+        _rows(graph, graph.add("Transpose", rows, perm=[2, 1, 0]))
+        for rows in (graph.add("MatMul", axes, columns), widths)
+    )
+    specular = _mixed(graph, shares, cosines, widths)
+    most = graph.add("Mul", _inverse_gain(graph, light), graph.number(np.expm1(LARGEST_OUTPUT)))
+    specular = graph.add("Min", graph.add("Relu", specular), most)
+    return graph.add("Concat", _unmapped(graph, _sliced(graph, output, 0, 2), light), specular, axis=1)
+
+
+def _rows(graph: Graph, values: str) -> str:
+    """A number of each bundle and query as [1, 2 · `BUNDLES`, 1, n]."""
+    return graph.add("Reshape", values, graph.integers([1, 2 * BUNDLES, 1, -1]))
+
+
+def _mixed(graph: Graph, shares: str, cosines: str, widths: str) -> str:
+    """`network.mixed_bundles` of numbers above 0 [1, 2, 1, n]; see `decoder.mixed_bundles`."""
+    root = graph.add("Add", graph.add("Mul", cosines, cosines), widths)
+    lit = graph.add("Div", shares, graph.add("Mul", root, root))
+    return _dense(graph, lit, np.kron(np.eye(2), np.full((1, BUNDLES), BUNDLE_UNIT)))
+
+
+def _inverse_gain(graph: Graph, light: str) -> str:
+    """1/k of `losses.gain` [1, 1, 1, n]."""
+    return graph.add(
         "Where",
         graph.add("Greater", _sliced(graph, light, 2, 3), graph.number(0)),
         graph.number(1 / REFLECTION_GAIN),
         graph.number(1 / TRANSMISSION_GAIN),
     )
+
+
+def _unmapped(graph: Graph, output: str, light: str) -> str:
+    """Components of what the network puts out: `losses.unmapped`."""
+    inverse = _inverse_gain(graph, light)
     clipped = graph.add("Clip", output, graph.number(0), graph.number(LARGEST_OUTPUT))
     linear = graph.add("Mul", graph.add("Sub", graph.add("Exp", clipped), graph.number(1)), inverse)
     if not graph.weights.linear_diffuse:

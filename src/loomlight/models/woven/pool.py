@@ -32,7 +32,7 @@ _FEWEST_PAIRS = 64
 # Fabrics with layouts of their own, where layouts vary.
 _VARIED_SHARE = 2 / 3
 # What is kept of a face beside its threads.
-_ARRAYS = ("maps", "parameters", "fibres", "lights", "views", "places", "truth")
+_ARRAYS = ("maps", "parameters", "fibres", "bundles", "lights", "views", "places", "truth")
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +43,7 @@ class Face:
         maps: what the encoder sees [7, rows, columns].
         parameters: α of warp and weft, β of warp and weft [4].
         fibres: see `Fibres.face` [2 families, 3].
+        bundles: see `Fibres.bundles` [2 families, `BUNDLES`, 4].
         threads: picks and ends of the repeat.
         lights, views: unit vectors [p, 3].
         places: position x and y and side of the footprint [p, m, 3], in threads.
@@ -52,6 +53,7 @@ class Face:
     maps: NDArray[np.float32]
     parameters: NDArray[np.float32]
     fibres: NDArray[np.float32]
+    bundles: NDArray[np.float32]
     threads: tuple[int, int]
     lights: NDArray[np.float32]
     views: NDArray[np.float32]
@@ -131,6 +133,7 @@ def pool_faces(
                 maps=face_maps(geometry, back, rows, columns, float_type),
                 parameters=fabric_parameters(fabric),
                 fibres=Fibres.of(fabric).face(back),
+                bundles=Fibres.of(fabric).bundles(back),
                 threads=(picks, ends),
                 lights=(lights[chosen] * turn).astype(np.float32),
                 views=(views[chosen] * turn).astype(np.float32),

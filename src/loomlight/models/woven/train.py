@@ -19,7 +19,7 @@ from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.config import TrainingConfig, TrainingTable
 from loomlight.models.woven.losses import LOSSES, is_published
-from loomlight.models.woven.network import FieldEncoder, WovenNetwork, widened
+from loomlight.models.woven.network import Decoder, FieldEncoder, WovenNetwork
 from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
 from loomlight.models.woven.pyramid import levels_of, taps
@@ -34,7 +34,7 @@ _WARM_UP = 0.01
 _LARGE = 2.0  # threads; footprints from here on are all learnt from
 _DECODER_FACES = 4  # times as many faces in a step of the decoder alone, of that part of the queries each
 # Of what the pool's files hold: a folder of another version is left alone.
-_POOL_VERSION = 3
+_POOL_VERSION = 4
 # They keep the random numbers of batches apart from those of the pool.
 _STREAM, _DECODER_STREAM = 7, 11
 
@@ -83,9 +83,7 @@ def train_woven(
     )
     if training.decoder_steps:
         batches.keep_latents()
-        if training.decoder_hidden > config.network.hidden:
-            torch.manual_seed(training.seed)
-            network.decoder = widened(network.decoder, training.decoder_hidden).to(device)
+        network.decoder = last_decoder(config, network.decoder).to(device)
         steps += train(
             network.decoder,
             _optimiser(network.decoder, training),
@@ -109,6 +107,19 @@ def train_woven(
         provenance={**provenance("loomlight train woven", Path(__file__).parent), "steps": steps},
     )
     return weights
+
+
+def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
+    """The decoder that is trained alone: that of the training before, or a new one."""
+    training, table = config.training, config.network
+    changes: dict[str, Any] = {"hidden": training.decoder_hidden or table.hidden}
+    if training.decoder_bundles:
+        changes["bundles"] = True
+    wanted = table.model_copy(update=changes)
+    if wanted == table:
+        return before
+    torch.manual_seed(training.seed)
+    return Decoder(wanted)
 
 
 def make_pool(config: TrainingConfig, folder: Path, report: PoolReport | None = None) -> list[Face]:
@@ -171,9 +182,10 @@ class Batches:
         )
         place = self._tensor(np.concatenate(places))
         fibres = self._tensor(np.repeat(np.stack([face.fibres for face in chosen]), queries, axis=0))
+        bundles = self._tensor(np.stack([face.bundles for face in chosen]))
         latent = self._fetched(chosen, latents, [asked[0] for asked in drawn])
         with self._half_precision():
-            output, hole = self._network.decoder(latent, place, light, view, fibres)
+            output, hole = self._network.decoder(latent, place, light, view, fibres, bundles)
         return LOSSES[loss](output.float(), hole.float(), truth, light)
 
     def keep_latents(self) -> None:
@@ -195,7 +207,10 @@ class Batches:
         yield self._loss_of(training.decoder_loss, some, latents, rng, -(-training.queries // _DECODER_FACES))
 
     def _half_precision(self) -> torch.autocast:
-        return torch.autocast(self._device.type, torch.bfloat16)
+        """Where the machine computes with it: on other processors it takes four times as long as without."""
+        capabilities: dict[str, Any] = getattr(torch.cpu, "get_capabilities", dict)()
+        enabled = self._device.type != "cpu" or capabilities.get("avx512_bf16", False)
+        return torch.autocast(self._device.type, torch.bfloat16, enabled=enabled)
 
     def _encoded(self, faces: list[Face]) -> list[Tensor]:
         """The latents of each face [texels, latent_size]."""

@@ -31,8 +31,9 @@ from loomlight.core.files import replacing, require_file
 from loomlight.models.woven.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES
 from loomlight.models.woven.config import NetworkTable
 
-# 2: roughness enters the encoder as its logarithm. 3: directions are given along the fibres too.
-SCHEMA = 3
+# 2: roughness enters the encoder as its logarithm. 3: directions are given along the fibres too. 4: specular
+# components may be mixed of bundles.
+SCHEMA = 4
 _ENTRY = "woven"
 
 
@@ -184,7 +185,7 @@ def decoder_shapes(table: NetworkTable) -> dict[str, tuple[int, ...]]:
     fused = hidden if table.fusion else spatial
     directions = 5 + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
     widths = {
-        "angular": [fused + directions, *[hidden] * (4 if table.fusion else 6), 4],
+        "angular": [fused + directions, *[hidden] * (4 if table.fusion else 6), table.outputs],
         "hole": [fused + 2, 16, 1],
     }
     if table.fusion:
