@@ -72,8 +72,14 @@ def fma_peak() -> float:
     """Floating-point operations a second of independent multiply-add chains on all cores.
 
     Dr.Jit writes one chain out after the other, and a core that looks only a few hundred instructions ahead
-    would wait for each. Chains that now and then add their neighbour are written side by side.
+    would wait for each. Chains that add their neighbour are written side by side. How often they best do is a
+    matter of the core (measured: every step on a Xeon, 1.6 times as fast as every fourth, an EPYC's).
     """
+    return max(_fma_rate(every) for every in (1, 4))
+
+
+def _fma_rate(every: int) -> float:
+    """The same of chains that add their neighbour in every so many steps."""
     chains, length, lanes = 12, 64, 1 << 20
 
     def run() -> None:
@@ -81,7 +87,7 @@ def fma_peak() -> float:
         values = [seed + k for k in range(chains)]
         factor, summand = dr.opaque(Float, 0.999), dr.opaque(Float, 0.001)
         for step in range(length):
-            summands = [*values[1:], values[0]] if step % 4 == 3 else [summand] * chains
+            summands = [*values[1:], values[0]] if step % every == every - 1 else [summand] * chains
             values = [dr.fma(value, factor, added) for value, added in zip(values, summands, strict=True)]
         total = values[0]
         for value in values[1:]:

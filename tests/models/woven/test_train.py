@@ -18,8 +18,10 @@ from loomlight.core.errors import InputError  # noqa: E402
 from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
 from loomlight.models.woven.pool import read_faces  # noqa: E402
-from loomlight.models.woven.train import _draw, rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.train import Batches, _draw, rate_share, train_woven  # noqa: E402
 from loomlight.models.woven.weights import read_weights  # noqa: E402
+
+from .networks import network  # noqa: E402
 
 TINY = """
 [network]
@@ -99,6 +101,16 @@ def test_a_decoder_made_anew_is_written_as_such(pool: Path, tmp_path: Path) -> N
     assert not weights.recipe["network"]["bundles"]
     assert weights.tensor("decoder.angular.1.weight").shape == (24, 24)
     assert weights.recipe["network"]["hidden"] == 16
+
+
+@pytest.mark.parametrize("computed", [False, True])
+def test_half_precision_is_for_processors_that_compute_with_it(
+    computed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(torch.cpu, "get_capabilities", lambda: {"avx512_bf16": computed}, raising=False)
+    batches = Batches(TrainingConfig(), [], network("field"), torch.device("cpu"))
+    with batches._half_precision():
+        assert torch.is_autocast_enabled("cpu") == computed
 
 
 @pytest.mark.parametrize("optimiser", ["adam", "soap"])
