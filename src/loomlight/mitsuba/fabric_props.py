@@ -118,6 +118,18 @@ def whole_number_of_props(props: Any, name: str, such_as: str) -> int | None:
     return int(value)
 
 
+def truth_of_props(props: Any, name: str, default: bool) -> bool:
+    """A yes or no of a plugin: a property that may be left out.
+
+    Raises:
+        InputError: what is given is neither.
+    """
+    value = props.get(name, default)
+    if not isinstance(value, bool):
+        raise InputError(f"{name} = {shown(value)} is wrong: give true or false.")
+    return value
+
+
 def _is_number(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 

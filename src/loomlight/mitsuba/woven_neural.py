@@ -17,7 +17,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
-from loomlight.mitsuba.fabric_props import number_of_props, other_fabric_of
+from loomlight.mitsuba.fabric_props import number_of_props, other_fabric_of, truth_of_props
 from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class, number_of
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.models.woven.decoder import Seen
@@ -38,10 +38,13 @@ def woven_neural_class() -> type:
             other: a second fabric, a path or a weave's name, whose latents this one's are mixed with.
             blend: how much of the other one: 0 (default) is this one, 1 the other; beyond, extrapolated.
                 Colours stay this one's.
+            refined: whether the last layer is fitted to the fabric, true by default: seconds for a fabric
+                that the cache does not have, and highlights twice as exact. Off, threads are edited live.
             weights: a weights file that `loomlight train woven` wrote; by default that of the package.
 
         Scene parameters are those of `FootprintBsdf`, and ``blend`` where there is another fabric. A change
-        of a family's threads costs one run of the encoder, one of anything else none.
+        of a family's threads costs one run of the encoder, and one fit where it is refined; one of anything
+        else neither.
         """
 
         baked_parameters = ("roughness", "height_scale", "inclination", "twist")
@@ -51,6 +54,7 @@ def woven_neural_class() -> type:
             super().__init__(props)
             self.other = other_fabric_of(props)
             self.weights = _weights_of(props)
+            self._refined = truth_of_props(props, "refined", True)
             self._blend = mi.Float(number_of_props(props, "blend", 0.0, "a number, such as 0.5"))
             if self.other is not None:
                 self.own_parameters["blend"] = self._blend
@@ -60,9 +64,12 @@ def woven_neural_class() -> type:
             """Runs the encoder, or reads its cache."""
             self._encoded: tuple[EncodedFabric, ...]
             if self.other is None:
-                self._encoded = (encode(self.fabric, self.weights, llvm_float()),)
+                own = encode(self.fabric, self.weights, llvm_float(), refined=self._refined)
+                self._encoded = (own,)
             else:
-                self._encoded = encode_pair(self.fabric, self.other, self.weights, llvm_float())
+                self._encoded = encode_pair(
+                    self.fabric, self.other, self.weights, llvm_float(), self._refined
+                )
 
         def assembled(self) -> WovenModel:
             """The model of mixed latents."""

@@ -41,7 +41,9 @@ def responses(
     fibres = np.where(behind[..., None], encoded.fibres.face(True), encoded.fibres.face(False))
     light = torch.tensor(lights * turn)
     bundles = np.where(behind[..., None, None], encoded.fibres.bundles(True), encoded.fibres.bundles(False))
-    given = latent, place, lights * turn, views * turn, fibres, bundles
+    given = [latent, place, lights * turn, views * turn, fibres, bundles]
+    if encoded.correction is not None:
+        given.append(encoded.correction)
     with torch.no_grad():
         output, hole = made.decoder(*map(torch.tensor, given))
         components = unmapped(output, light, linear_diffuse(made))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import astuple
+from dataclasses import astuple, replace
 from pathlib import Path
 from typing import Any
 
@@ -39,11 +39,14 @@ def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) 
     return bool(request.param)
 
 
-@pytest.mark.parametrize("name", TABLES)
+@pytest.mark.parametrize("name", [*TABLES, "field, corrected"])
 def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> None:
-    made, fabric = network(name), fabric_from_text(CLOTH)
+    made, fabric = network(name.removesuffix(", corrected")), fabric_from_text(CLOTH)
     weights = weights_of(made, tmp_path)
     encoded = encode(fabric, weights, Float)
+    if name.endswith("corrected"):
+        correction = np.random.default_rng(3).normal(size=made.table.corrected_shape).astype(np.float32)
+        encoded = replace(encoded, correction=correction)
     model = WovenModel(fabric, encoded, weights)
     rng = np.random.default_rng(2)
     lights, views = unit_vectors(rng, COUNT), unit_vectors(rng, COUNT)

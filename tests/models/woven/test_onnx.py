@@ -68,11 +68,14 @@ def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
     fibres = np.stack([np.cos(angles), np.sin(angles), roughness], axis=2).astype(np.float32)
     bundles = rng.uniform(0.1, 2, (count, 2, BUNDLES, 4)).astype(np.float32)
     with torch.no_grad():
-        given = latent, place, light, view, fibres, bundles
-        output, hole = made.decoder(*map(torch.tensor, given))
+        correction = None
+        if made.table.bundles:
+            correction = rng.normal(size=made.table.corrected_shape).astype(np.float32)
+        given = latent, place, light, view, fibres, bundles, correction
+        output, hole = made.decoder(*(None if part is None else torch.tensor(part) for part in given))
         wanted = unmapped(output, torch.tensor(light), linear_diffuse(made)).numpy()
     names = {given.name for given in run.get_inputs()}
-    named = zip(("latent", "place", "light", "view", "fibres", "bundles"), given, strict=True)
+    named = zip(("latent", "place", "light", "view", "fibres", "bundles", "correction"), given, strict=True)
     found, share = run.run(None, {name: values for name, values in named if name in names})
     assert wanted.max() > 1e-3
     np.testing.assert_allclose(found, wanted, atol=1e-5 * wanted.max())

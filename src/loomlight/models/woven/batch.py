@@ -23,7 +23,7 @@ from loomlight.models.woven.architecture import (
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.onnx_decoder import batch_graph
-from loomlight.models.woven.places import place_of
+from loomlight.models.woven.places import own_share, place_of
 from loomlight.models.woven.weights import Weights
 
 # Queries of one run of the layers, whose activations stay near a core, and runs that a thread prepares
@@ -101,6 +101,7 @@ def _decoded_face(
     table = weights.table
     fetched = latent_rows(weights, encoded).at(x, y, size, np.full(len(x), back))
     place: Sequence[NDArray[np.float32]] = place_of(table, encoded.picks, encoded.ends, x, y, size)
+    coded_size = place[2]
     if table.position == "one_blob":
         place = _with_squares([part - np.float32(0.5) for part in place])
     angles = [*light, *view[:2]]
@@ -116,7 +117,10 @@ def _decoded_face(
     if table.bundles:
         inputs["half"] = _half_vectors(light, view)
     same = _bundles(encoded, back) if table.bundles else {}
-    session = decoder_session(weights)
+    if encoded.correction is not None:
+        same["correction"] = encoded.correction
+        inputs["own"] = (own_share(coded_size) * (light[2] > 0)).reshape(-1, 1, QUERIES_A_RUN)
+    session = decoder_session(weights, encoded.correction is not None)
     found = np.empty((5, len(x)), np.float32)
     for run in range(len(x) // QUERIES_A_RUN):
         part = slice(run * QUERIES_A_RUN, (run + 1) * QUERIES_A_RUN)
@@ -134,9 +138,12 @@ def _half_vectors(light: NDArray[np.float32], view: NDArray[np.float32]) -> NDAr
 
 
 def _bundles(encoded: EncodedFabric, back: bool) -> dict[str, NDArray[np.float32]]:
-    """Bundles of a face as the layers take them."""
+    """Bundles of a face as the session takes them."""
     rows = encoded.fibres.bundles(back).reshape(-1, 4)
-    return {"axes": np.ascontiguousarray(rows[:, :3]), "widths": rows[:, 3].reshape(1, -1, 1, 1).copy()}
+    return {
+        "axes": np.ascontiguousarray(rows[:, :3]),
+        "widths": rows[:, 3].reshape(1, -1, 1, 1).copy(),
+    }
 
 
 def _columns(rows: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -212,7 +219,7 @@ def latent_rows(weights: Weights, encoded: EncodedFabric) -> LatentRows:
 
 
 @cache
-def decoder_session(weights: Weights) -> Any:
+def decoder_session(weights: Weights, corrected: bool = False) -> Any:
     """ONNX Runtime's session of the decoder of `QUERIES_A_RUN` queries, on the thread that calls it."""
     import onnxruntime
 
@@ -221,7 +228,7 @@ def decoder_session(weights: Weights) -> Any:
     # With a number of queries that is known, layers keep their blocks of channels.
     options.add_free_dimension_override_by_name("n", QUERIES_A_RUN)
     return onnxruntime.InferenceSession(
-        batch_graph(weights).SerializeToString(), options, providers=["CPUExecutionProvider"]
+        batch_graph(weights, corrected).SerializeToString(), options, providers=["CPUExecutionProvider"]
     )
 
 

@@ -52,6 +52,11 @@ class NetworkTable(_Table):
         """Numbers that the angular layers put out: components, or diffuse ones and one for each bundle."""
         return 2 + 2 * BUNDLES if self.bundles else 4
 
+    @property
+    def corrected_shape(self) -> tuple[int, int]:
+        """Of what is added to the last layer of a network that mixes bundles; see `EncodedFabric`."""
+        return 2 * BUNDLES, self.hidden + 1
+
 
 class DataTable(_Table):
     """[data]: the pool of fabrics that queries are drawn from.

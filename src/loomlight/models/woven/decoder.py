@@ -17,6 +17,7 @@ from functools import cache, partial
 from typing import Any
 
 import drjit as dr
+import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,13 +37,14 @@ from loomlight.models.woven.architecture import (
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
+    SLOPE,
     TRANSMISSION_GAIN,
     VIEW_FEATURES,
 )
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import fetched_latents
 from loomlight.models.woven.layers import CooperativeLayers, Layers, UnrolledLayers
-from loomlight.models.woven.places import place_of
+from loomlight.models.woven.places import own_share, place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
@@ -59,6 +61,7 @@ class Seen:
     Attributes:
         angular: the first angular layer without the light's part, numbers one by one.
         hole: share of rays that pass through, 0 to 1.
+        own: how much of the fabric's own correction of the last layer counts, 0 to 1.
         view: unit vector [3] in the frame of the face that is seen.
         back: whether that is the back.
         table: latents that were seen.
@@ -66,6 +69,7 @@ class Seen:
 
     angular: list[Any]
     hole: Any
+    own: Any
     view: Any
     back: Any
     table: LatentTable
@@ -122,6 +126,13 @@ class LatentTable:
             [tuple(dr.opaque(types.Float, number) for number in bundle) for bundle in family]
             for family in (encoded.fibres.bundles(False).tolist() if weights.table.bundles else [])
         ]
+        # Of the last layer: weights, then biases.
+        self._correction: tuple[Any, Any] | None = None
+        if encoded.correction is not None:
+            weight, bias = encoded.correction[:, :-1], encoded.correction[:, -1]
+            self._correction = tuple(
+                uploaded(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
+            )
 
     def fibres(self, back: Any) -> tuple[Fibre, Fibre]:
         """The fibres of both families in the frame of the face that is seen; see `Fibres.face`."""
@@ -130,6 +141,27 @@ class LatentTable:
             Fibre(dr.select(back, -warp_x, warp_x), warp_y, warp_roughness),
             Fibre(weft_x, dr.select(back, -weft_y, weft_y), weft_roughness),
         )
+
+    @property
+    def is_corrected(self) -> bool:
+        """Whether the fabric has a correction of its own."""
+        return self._correction is not None
+
+    def corrected(self, shares: list[Any], hidden: list[Any], own: Any) -> list[Any]:
+        """What is put out for bundles, with the fabric's own correction.
+
+        Args:
+            hidden: what the last layer takes.
+            own: how much of the correction counts, 0 to 1.
+        """
+        if self._correction is None:
+            return shares
+        tensor: Any = dr.tensor_t(self._types.Float)
+        weight, bias = self._correction
+        outputs = len(shares)
+        matrix: Any = nn.view(tensor(weight, (outputs, dr.width(weight) // outputs)))
+        added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
+        return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
 
     def at(self, x: Any, y: Any, size: Any, back: Any) -> list[Any]:
         """Interpolated values of footprints: centres and sides in threads, `channels` Floats."""
@@ -216,8 +248,8 @@ class Decoder:
             back: whether that face is the back.
         """
         asked = x, y, size, view, back
-        angular, hole = self._found(self._seen, table, asked)
-        return Seen(angular, hole, view, back, table)
+        angular, hole, own = self._found(self._seen, table, asked)
+        return Seen(angular, hole, own, view, back, table)
 
     def hole(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
@@ -225,7 +257,7 @@ class Decoder:
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
-        asked = seen.angular, seen.view, seen.back, light
+        asked = seen.angular, seen.view, seen.back, seen.own, light
         found: list[Any] = self._found(self._components, seen.table, asked)
         return found
 
@@ -266,8 +298,8 @@ class Decoder:
 
     def _seen(
         self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
-    ) -> tuple[Any, Any]:
-        """The first angular layer without the light's part, and the hole."""
+    ) -> tuple[Any, Any, Any]:
+        """The first angular layer without the light's part, the hole, and how much of a correction counts."""
         *_, view, back = asked
 
         def of_place(fetched: list[Any], coded: list[Any], eye: list[Any], cosines: list[Any]) -> list[Any]:
@@ -280,7 +312,9 @@ class Decoder:
         cosines = [fibre.cosine(view) for fibre in table.fibres(back)] if self.weights.table.fibres else []
         fetched, coded = self._fetched(table, repeat, asked)
         hole, *angular = layers.outlined(of_place, fetched, coded, [view.x, view.y], cosines)
-        return angular, clipped(hole, 0, 1)
+        x, y, side = asked[:3]
+        size = place_of(self.weights.table, *repeat, x, y, side, dr)[2]
+        return angular, clipped(hole, 0, 1), own_share(size, dr)
 
     def _hole(self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]) -> Any:
         view = asked[3]
@@ -319,7 +353,7 @@ class Decoder:
     def _components(
         self, layers: Layers, table: LatentTable, _repeat: tuple[int, int], asked: Sequence[Any]
     ) -> list[Any]:
-        angular, view, back, light = asked
+        angular, view, back, own, light = asked
         directions = [light.x, light.y, light.z]
         if self.weights.table.fibres:
             directions += fibre_features(light, view, table.fibres(back))
@@ -328,18 +362,21 @@ class Decoder:
             skip = layers.added(angular, layers.product("light", directions))
             hidden = layers.leaky(skip)
             for number in range(1, self._count):
+                taken = hidden
                 hidden = layers.product(f"{number}", hidden, f"{number} bias")
                 if number == 2:
                     hidden = layers.added(hidden, skip)
-                # What is put out for components is cut off at 0 anyway.
-                if number + 1 < self._count or self.weights.table.bundles:
+                if number + 1 < self._count:
                     hidden = layers.leaky(hidden)
-            return [*hidden]
+            return [*hidden, *(taken if table.is_corrected else [])]
 
         found = layers.outlined(of_light, angular, directions)
         if not self.weights.table.bundles:
             return self._unmapped(found, light)
-        specular = mixed_bundles(found[_DIFFUSE:], light + view, table.bundles, back)
+        outputs = self.weights.table.outputs
+        own = dr.select(light.z > 0, own, self._types.Float(0))
+        shares = table.corrected(found[_DIFFUSE:outputs], found[outputs:], own)
+        specular = mixed_bundles(shares, light + view, table.bundles, back)
         # As bright as a logarithm of `LARGEST_OUTPUT` is.
         most = math.expm1(LARGEST_OUTPUT) * self._scale(light)
         return [
@@ -351,8 +388,8 @@ class Decoder:
         self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
     ) -> list[Any]:
         *of_view, light = asked
-        angular, hole = self._seen(layers, table, repeat, of_view)
-        return [*self._components(layers, table, repeat, [angular, *of_view[-2:], light]), hole]
+        angular, hole, own = self._seen(layers, table, repeat, of_view)
+        return [*self._components(layers, table, repeat, [angular, *of_view[-2:], own, light]), hole]
 
     def _unmapped(self, output: list[Any], light: Any) -> list[Any]:
         """`losses.unmapped`."""
@@ -498,7 +535,7 @@ def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[A
 
 
 def mixed_bundles(shares: Sequence[Any], total: Any, bundles: Sequence[Any], back: Any) -> list[Any]:
-    """`network.mixed_bundles` of numbers above 0: the specular components of both families.
+    """`network.mixed_bundles`: the specular components of both families.
 
     Args:
         shares: what is put out for the bundles of the face that is seen [2 · `BUNDLES`].
@@ -519,6 +556,7 @@ def mixed_bundles(shares: Sequence[Any], total: Any, bundles: Sequence[Any], bac
             root = dr.fma(dr.square(cosine), inverse, width)
             behind = _mirrored(number)
             share = kept[number] if behind == number else dr.select(back, kept[behind], kept[number])
+            share = larger(share, share * SLOPE)
             component = dr.fma(share, dr.rcp(dr.square(root)), component)
         mixed.append(BUNDLE_UNIT * component)
     return mixed

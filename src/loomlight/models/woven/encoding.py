@@ -33,7 +33,7 @@ from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
 # Part of every key: to be raised when maps of the same layout change.
-_VERSION = 1
+_VERSION = 2
 # Fabrics kept in memory, and texels above which a fabric is not kept on disk (8 MB of half precision).
 _KEPT = 64
 _LARGEST_KEPT = 1 << 16
@@ -51,12 +51,15 @@ class EncodedFabric:
         faces: latents of front and back [texels, latent_size], in half precision: what they are computed and
             stored with are the same numbers.
         fibres: of both families.
+        correction: what is added to the decoder's last layer, to its rows for bundles [2 · `BUNDLES`,
+            hidden + 1], biases last; None where it is that of all fabrics. See `refinement.py`.
     """
 
     picks: int
     ends: int
     faces: tuple[NDArray[np.float16], NDArray[np.float16]]
     fibres: Fibres
+    correction: NDArray[np.float32] | None = None
 
     @property
     def levels(self) -> list[Level]:
@@ -83,17 +86,27 @@ class EncodedFabric:
             (mine + share * (yours.astype(np.float32) - mine)).astype(np.float16)
             for mine, yours in zip(self.faces, other.faces, strict=True)
         )
-        return EncodedFabric(self.picks, self.ends, (front, back), self.fibres.mixed(other.fibres, share))
+        correction = None
+        if self.correction is not None and other.correction is not None:
+            correction = self.correction + np.float32(share) * (other.correction - self.correction)
+        fibres = self.fibres.mixed(other.fibres, share)
+        return EncodedFabric(self.picks, self.ends, (front, back), fibres, correction)
 
 
 def encode(
-    fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int, int] = (1, 1)
+    fabric: Fabric,
+    weights: Weights,
+    float_type: type,
+    repeats: tuple[int, int] = (1, 1),
+    refined: bool = False,
 ) -> EncodedFabric:
     """The latents of both faces, from the cache where they are in it.
 
     Args:
         float_type: the Dr.Jit Float type that the encoder's maps are computed with.
         repeats: how often the repeat is laid along picks and along ends, for a common repeat of two fabrics.
+        refined: whether the last layer is fitted to the fabric, which takes seconds (`refinement.py`), where
+            the network mixes bundles and has a latent field; otherwise it is that of all fabrics.
 
     Raises:
         InputError: a repeat of more than 64 threads a side.
@@ -101,12 +114,13 @@ def encode(
     require_encodable(fabric)
     picks, ends = (count * times for count, times in zip(repeat_threads(fabric), repeats, strict=True))
     warn_outside_box(fabric, trained_box(weights))
-    key = _key(fabric, weights, repeats)
-    found = (
-        _kept.get(key)
-        or _read(key, picks, ends, weights, Fibres.of(fabric))
-        or _run(fabric, weights, float_type, repeats)
-    )
+    refined = refined and weights.table.bundles and weights.table.latent == "field"
+    key = _key(fabric, weights, repeats, refined)
+    found = _kept.get(key) or _read(key, picks, ends, weights, Fibres.of(fabric), refined)
+    if found is None and refined:
+        found = _refined(fabric, weights, float_type, repeats)
+    if found is None:
+        found = _run(fabric, weights, float_type, repeats)
     if key not in _kept:
         _write(key, found)
     _kept[key] = found
@@ -131,7 +145,7 @@ def require_encodable(fabric: Fabric) -> None:
 
 
 def encode_pair(
-    first: Fabric, second: Fabric, weights: Weights, float_type: type
+    first: Fabric, second: Fabric, weights: Weights, float_type: type, refined: bool = False
 ) -> tuple[EncodedFabric, EncodedFabric]:
     """Two fabrics on their common repeat, to be interpolated.
 
@@ -146,7 +160,7 @@ def encode_pair(
             f"latents are interpolated up to {MOST_THREADS} a side."
         )
     one, other = (
-        encode(fabric, weights, float_type, (common[0] // threads[0], common[1] // threads[1]))
+        encode(fabric, weights, float_type, (common[0] // threads[0], common[1] // threads[1]), refined)
         for fabric, threads in ((first, mine), (second, yours))
     )
     return one, other
@@ -265,6 +279,17 @@ def _run(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int,
     return EncodedFabric(*shape, (faces[0], faces[1]), Fibres.of(fabric))
 
 
+def _refined(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[int, int]) -> EncodedFabric:
+    """Latents as they are, and a correction of the last layer."""
+    # It needs the decoder, which needs this module.
+    from loomlight.models.woven.refinement import fitted_correction
+
+    own = encode(fabric, weights, float_type)
+    correction = fitted_correction(fabric, shortest_repeat(fabric.layout()), own, weights, float_type)
+    found = own if repeats == (1, 1) else encode(fabric, weights, float_type, repeats)
+    return replace(found, correction=correction)
+
+
 @cache
 def encoder_session(weights: Weights) -> Any:
     """ONNX Runtime's session of the encoder."""
@@ -280,20 +305,24 @@ def encoder_session(weights: Weights) -> Any:
     )
 
 
-def _key(fabric: Fabric, weights: Weights, repeats: tuple[int, int]) -> str:
+def _key(fabric: Fabric, weights: Weights, repeats: tuple[int, int], refined: bool) -> str:
     """SHA-256 of everything that the latents depend on."""
     layout = shortest_repeat(fabric.layout())
-    digest = hashlib.sha256(f"{_VERSION} {weights.sha256} {repeats}\n".encode())
+    digest = hashlib.sha256(f"{_VERSION} {weights.sha256} {repeats} {refined}\n".encode())
     digest.update(repr(layout.warp_on_top.shape).encode() + np.packbits(layout.warp_on_top).tobytes())
     for family in (layout.warp, layout.weft):
         digest.update(np.asarray(family.spacing, np.float64).tobytes())
         digest.update(np.asarray(family.width, np.float64).tobytes())
         digest.update(repr((float(family.inclination), float(family.twist))).encode())
     digest.update(fabric_parameters(fabric).tobytes())
+    appearance = fabric.appearance()
+    digest.update(repr((float(appearance.diffuse_blend), float(appearance.optical_depth))).encode())
     return digest.hexdigest()
 
 
-def _read(key: str, picks: int, ends: int, weights: Weights, fibres: Fibres) -> EncodedFabric | None:
+def _read(
+    key: str, picks: int, ends: int, weights: Weights, fibres: Fibres, refined: bool
+) -> EncodedFabric | None:
     """What is kept on disk; None where nothing is, or nothing that can be used."""
     try:
         arrays = load_file(cache_folder() / f"{key}.safetensors")
@@ -308,7 +337,14 @@ def _read(key: str, picks: int, ends: int, weights: Weights, fibres: Fibres) -> 
     for face in (front, back):
         if face.dtype != np.float16 or face.shape != (texels, weights.table.latent_size):
             return None
-    return EncodedFabric(picks, ends, (front, back), fibres)
+    correction = arrays.get("correction")
+    if (correction is not None) != refined:
+        return None
+    if correction is not None and (
+        correction.dtype != np.float32 or correction.shape != weights.table.corrected_shape
+    ):
+        return None
+    return EncodedFabric(picks, ends, (front, back), fibres, correction)
 
 
 def _write(key: str, encoded: EncodedFabric) -> None:
@@ -322,6 +358,9 @@ def _write(key: str, encoded: EncodedFabric) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with replacing(file) as temporary:
-            save_file({"front": encoded.faces[0], "back": encoded.faces[1]}, temporary)
+            arrays: dict[str, NDArray[Any]] = {"front": encoded.faces[0], "back": encoded.faces[1]}
+            if encoded.correction is not None:
+                arrays["correction"] = encoded.correction
+            save_file(arrays, temporary)
     except (OSError, LoomlightError, SafetensorError):
         return

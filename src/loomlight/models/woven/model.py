@@ -7,6 +7,7 @@ from typing import Any, Self, final
 
 import drjit as dr
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
@@ -62,21 +63,28 @@ class WovenModel(Model):
 
     @classmethod
     def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model of a fabric by the weights of the package: the encoder runs once, or its cache is read.
+        """The model of a fabric by the weights of the package, refined, or what the cache has of it.
 
         Raises:
             InputError: a repeat of more than 64 threads a side.
         """
         weights = shipped_weights()
-        return cls(fabric, encode(fabric, weights, llvm_float()), weights)
+        return cls(fabric, encode(fabric, weights, llvm_float(), refined=True), weights)
 
     def to_loom(self) -> LoomFile:
-        """The latents and fibres, and the checksum of the network that decodes them."""
+        """Latents, fibres and correction, and the checksum of the network that decodes them."""
         front, back = self.encoded.faces
+        tensors: dict[str, NDArray[Any]] = {
+            "front": front,
+            "back": back,
+            "fibres": self.encoded.fibres.array(),
+        }
+        if self.encoded.correction is not None:
+            tensors["correction"] = self.encoded.correction
         return LoomFile(
             model=self.name,
             fabric=self.fabric,
-            tensors={"front": front, "back": back, "fibres": self.encoded.fibres.array()},
+            tensors=tensors,
             networks={_NETWORK: self.weights.sha256},
         )
 
@@ -99,7 +107,10 @@ class WovenModel(Model):
         flaw = fibres.flaw()
         if flaw is not None:
             raise InputError(f"{loom.source}: of the tensor model.fibres the {flaw}. Bake it again.")
-        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres), weights)
+        correction = None
+        if "correction" in loom.tensors:
+            correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
+        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres, correction), weights)
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints."""

@@ -44,6 +44,7 @@ from loomlight.models.woven.architecture import (
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.losses import gain
 from loomlight.models.woven.maps import CHANNELS
+from loomlight.models.woven.places import own_share
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
 
 PARAMETERS = 4
@@ -225,6 +226,7 @@ class Decoder(nn.Module):
         view: Tensor,
         fibres: Tensor,
         bundles: Tensor | None = None,
+        correction: Tensor | None = None,
     ) -> tuple[Tensor, Tensor]:
         """Components [n, 4] as the loss maps them, and the hole fraction [n].
 
@@ -235,6 +237,8 @@ class Decoder(nn.Module):
             fibres: of the face that is seen [n, 2, 3]; see `Fibres.face`.
             bundles: of the face that is seen [b, 2, `BUNDLES`, 4], where each holds for n/b queries in a row;
                 see `Fibres.bundles`. Needed where the network mixes bundles.
+            correction: what is added to the last layer's rows for bundles [2 · `BUNDLES`, hidden + 1] where
+                lights are on the side of the view and footprints large; see `EncodedFabric`.
         """
         coded = one_blob(place) if self.table.position == "one_blob" else place
         spatial = torch.cat([latent, coded], 1)
@@ -249,7 +253,12 @@ class Decoder(nn.Module):
             last = number + 1 == len(self.angular)
             # Where training computes in bfloat16, the output must not: it is a logarithm.
             with torch.autocast(kind, enabled=torch.is_autocast_enabled(kind) and not last):
-                hidden = layer(hidden.to(layer.weight.dtype) if last else hidden)
+                taken = hidden.to(layer.weight.dtype) if last else hidden
+                hidden = layer(taken)
+                if last and correction is not None:
+                    share = own_share(place[:, 2:], torch) * (light[:, 2:] > 0)
+                    added = functional.linear(taken, correction[:, :-1], correction[:, -1])
+                    hidden = torch.cat([hidden[:, :_DIFFUSE], hidden[:, _DIFFUSE:] + share * added], 1)
             if number == 0:
                 skip = hidden
             elif number == 2:

@@ -29,6 +29,7 @@ from loomlight.models.woven.architecture import (
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.latents import fetched_channels
 from loomlight.models.woven.onnx_graph import CONTRIB, Graph
+from loomlight.models.woven.places import own_share
 from loomlight.models.woven.weights import Weights
 
 # Bins beyond either end that a position within the reach of the other end meets.
@@ -40,9 +41,78 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
 
     `latent` [n, latent_size], `place` [n, 3], `light` and `view` [n, 3] in the frame of the face that is
     seen, and for networks that take them `fibres` [n, 2, 3] of that face (`Fibres.face`) and `bundles`
-    [n or 1, 2, `BUNDLES`, 4] (`Fibres.bundles`), to `components` [n, 4], 1/sr, and `hole` [n], 0 to 1.
+    [n or 1, 2, `BUNDLES`, 4] (`Fibres.bundles`), and with these `correction` [2 · `BUNDLES`, hidden + 1] of
+    the fabric (`EncodedFabric`; zeros where there is none), to `components` [n, 4], 1/sr, and `hole` [n],
+    0 to 1.
     """
     graph = Graph(weights)
+    spatial, hole, angles, inclinations, light, view = _coded(graph)
+    hidden = _hidden(graph, spatial, angles, inclinations)
+    output = _last(graph, hidden)
+    if weights.table.bundles:
+        flat = graph.integers([1, -1])
+        size, height = (
+            graph.add("Reshape", _sliced(graph, _channels_first(graph, name, 3), 2, 3), flat)
+            for name in ("place", "light")
+        )
+        first, rise = _own_slope()
+        share = graph.add("Mul", graph.add("Sub", size, graph.number(first)), graph.number(rise))
+        share = graph.add("Clip", share, graph.number(0), graph.number(1))
+        lit = graph.add("Greater", height, graph.number(0))
+        share = graph.add("Where", lit, share, graph.number(0))
+        output = _corrected(graph, output, hidden, share)
+    components = _components(graph, output, light, view)
+    rows = graph.add("Reshape", components, graph.integers([4, -1]))
+    graph.add("Transpose", rows, perm=[1, 0], output="components")
+    hole = graph.add("Clip", hole, graph.number(0), graph.number(1))
+    graph.add("Reshape", hole, graph.integers([-1]), output="hole")
+    inputs = _inputs(weights.table)
+    if weights.table.bundles:
+        inputs |= {"bundles": ["m", 2, BUNDLES, 4], "correction": [*weights.table.corrected_shape]}
+    return graph.model("woven_decoder", inputs, {"components": ["n", 4], "hole": ["n"]})
+
+
+def hidden_graph(weights: Weights) -> onnx.ModelProto:
+    """What the last layer takes, `hidden` [n, hidden], of the inputs of `decoder_graph` without `bundles` and
+    `correction`."""
+    graph = Graph(weights)
+    spatial, _, angles, inclinations, _, _ = _coded(graph)
+    hidden = _hidden(graph, spatial, angles, inclinations)
+    rows = graph.add("Reshape", hidden, graph.integers([weights.table.hidden, -1]))
+    graph.add("Transpose", rows, perm=[1, 0], output="hidden")
+    return graph.model("woven_hidden", _inputs(weights.table), {"hidden": ["n", weights.table.hidden]})
+
+
+def _inputs(table: NetworkTable) -> dict[str, list[str | int]]:
+    inputs: dict[str, list[str | int]] = {
+        "latent": ["n", table.latent_size],
+        "place": ["n", 3],
+        "light": ["n", 3],
+        "view": ["n", 3],
+    }
+    if table.fibres:
+        inputs["fibres"] = ["n", 2, 3]
+    return inputs
+
+
+def _own_slope() -> tuple[float, float]:
+    """Where `places.own_share` begins to rise, and how fast."""
+    rising = own_share(np.array([0.5, 0.6]), _Straight)
+    rise = float(rising[1] - rising[0]) / 0.1
+    return 0.5 - float(rising[0]) / rise, rise
+
+
+class _Straight:
+    """Arrays that are not clipped."""
+
+    @staticmethod
+    def clip(values: NDArray[np.floating], _low: float, _high: float) -> NDArray[np.floating]:
+        return values
+
+
+def _coded(graph: Graph) -> tuple[str, str, str, str, str, str]:
+    """What is fused, holes, angles, inclinations, light and view of the inputs of `decoder_graph`."""
+    weights = graph.weights
     size = weights.table.latent_size
     latent, place, light, view = (
         _channels_first(graph, name, count)
@@ -58,25 +128,11 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
         angles = graph.add("Concat", angles, *cosines, densities, axis=1)
     if weights.table.position == "one_blob":
         place = _with_squares(graph, graph.add("Sub", place, graph.number(0.5)))
-    output, hole = _layers(graph, latent, place, angles, inclinations)
-    components = _components(graph, output, light, view)
-    rows = graph.add("Reshape", components, graph.integers([4, -1]))
-    graph.add("Transpose", rows, perm=[1, 0], output="components")
-    hole = graph.add("Clip", hole, graph.number(0), graph.number(1))
-    graph.add("Reshape", hole, graph.integers([-1]), output="hole")
-    inputs = {"latent": ["n", size], "place": ["n", 3], "light": ["n", 3], "view": ["n", 3]}
-    if weights.table.fibres:
-        inputs["fibres"] = ["n", 2, 3]
-    if weights.table.bundles:
-        inputs["bundles"] = ["m", 2, BUNDLES, 4]
-    return graph.model(
-        "woven_decoder",
-        inputs,
-        {"components": ["n", 4], "hole": ["n"]},
-    )
+    spatial, hole = _layers(graph, latent, place, angles)
+    return spatial, hole, angles, inclinations, light, view
 
 
-def batch_graph(weights: Weights) -> onnx.ModelProto:
+def batch_graph(weights: Weights, corrected: bool = False) -> onnx.ModelProto:
     """Codings and layers of n queries, for ONNX Runtime: its own operator sums and activates in one pass.
 
     `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` [1, 3, 1, n] as in `decoder_graph`, or
@@ -84,13 +140,17 @@ def batch_graph(weights: Weights) -> onnx.ModelProto:
     are x, y, z of the light and x and y of the view. For networks that take fibres six more follow, of both
     families each, in the order of `network.fibre_features`: cosines of views, of lights, densities; and
     `inclinations` [1, 4, 1, n] are those of both families and their squares. For networks that mix bundles
-    `half` [3, n] is the half vector, and `axes` [2 · `BUNDLES`, 3] and `widths` [1, 2 · `BUNDLES`, 1, 1] are
-    b and a of `Fibres.bundles`. `output` [1, 4, 1, n] and `share` [1, 1, 1, n], of holes, are as the network
-    puts them out, and specular components as mixed.
+    `half` [3, n] is the half vector, `axes` [2 · `BUNDLES`, 3] and `widths` [1, 2 · `BUNDLES`, 1, 1] are b
+    and a of `Fibres.bundles`, and `head` is as in `decoder_graph`. `output` [1, 4, 1, n] and `share`
+    [1, 1, 1, n], of holes, are as the network puts them out, and specular components as mixed.
     """
     graph = Graph(weights, contrib=True)
     fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
-    output, share = _layers(graph, fetched, "place", "angles", "inclinations")
+    spatial, share = _layers(graph, fetched, "place", "angles")
+    hidden = _hidden(graph, spatial, "angles", "inclinations")
+    output = _last(graph, hidden)
+    if corrected:
+        output = _corrected(graph, output, hidden, "own")
     table = weights.table
     if table.bundles:
         cosines = _rows(graph, graph.add("MatMul", "axes", "half"))
@@ -101,7 +161,13 @@ def batch_graph(weights: Weights) -> onnx.ModelProto:
     counts = {"place": 6 if table.position == "one_blob" else 3, "angles": 5}
     if table.fibres:
         counts |= {"angles": 11, "inclinations": 4}
-    bundled = {"half": [3, "n"], "axes": [2 * BUNDLES, 3], "widths": [1, 2 * BUNDLES, 1, 1]}
+    bundled: dict[str, list[str | int]] = {
+        "half": [3, "n"],
+        "axes": [2 * BUNDLES, 3],
+        "widths": [1, 2 * BUNDLES, 1, 1],
+    }
+    if corrected:
+        bundled |= {"correction": [*table.corrected_shape], "own": [1, "n"]}
     return graph.model(
         "woven_batch",
         {"fetched": [1, 1, "n", fetched_channels(weights)]}
@@ -116,12 +182,12 @@ def _channels_first(graph: Graph, name: str, count: int) -> str:
     return graph.add("Reshape", columns, graph.integers([1, count, 1, -1]))
 
 
-def _layers(graph: Graph, latent: str, place: str, angles: str, inclinations: str) -> tuple[str, str]:
-    """What the network puts out [1, 4, 1, n], and of holes [1, 1, 1, n].
+def _layers(graph: Graph, latent: str, place: str, angles: str) -> tuple[str, str]:
+    """What is fused [1, channels, 1, n], and what the network puts out of holes [1, 1, 1, n].
 
     Args:
         latent: multiplied by the first layer where there is fusion.
-        place, angles, inclinations: as in `batch_graph`.
+        place, angles: as in `batch_graph`.
     """
     weights = graph.weights
     table, tensor = weights.table, weights.tensor
@@ -136,11 +202,30 @@ def _layers(graph: Graph, latent: str, place: str, angles: str, inclinations: st
     of_spatial, of_view = weight[:, :-2], weight[:, -2:]
     seen = _dense(graph, angles, np.pad(of_view, ((0, 0), (3, 6 if table.fibres else 0))))
     hole = _dense(graph, spatial, _of_spatial(table, of_spatial), bias, seen, leaky=True)
-    return _angular(graph, spatial, angles, inclinations), _layer(graph, "decoder.hole.1", hole)
+    return spatial, _layer(graph, "decoder.hole.1", hole)
 
 
-def _angular(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
-    """What the angular layers put out [1, 4, 1, n]."""
+def _last(graph: Graph, hidden: str) -> str:
+    """What the last of the angular layers puts out [1, outputs, 1, n]."""
+    return _layer(graph, f"decoder.angular.{graph.weights.layers('decoder.angular') - 1}", hidden)
+
+
+def _corrected(graph: Graph, output: str, hidden: str, share: str) -> str:
+    """What is put out [1, outputs, 1, n], with the fabric's own correction for shares of it [1, n]."""
+    table = graph.weights.table
+    columns = graph.add("Reshape", hidden, graph.integers([table.hidden, -1]))
+    axis, width = graph.integers([1]), table.hidden
+    weight, bias = (
+        graph.add("Slice", "correction", graph.integers([first]), graph.integers([end]), axis)
+        for first, end in ((0, width), (width, width + 1))
+    )
+    added = graph.add("Mul", graph.add("Add", graph.add("MatMul", weight, columns), bias), share)
+    shares = graph.add("Add", _sliced(graph, output, 2, table.outputs), _rows(graph, added))
+    return graph.add("Concat", _sliced(graph, output, 0, 2), shares, axis=1)
+
+
+def _hidden(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
+    """What the last of the angular layers takes [1, hidden, 1, n]."""
     weights, table = graph.weights, graph.weights.table
     weight, bias = (weights.tensor(f"decoder.angular.0.{part}") for part in ("weight", "bias"))
     width = weights.tensor("decoder.hole.0.weight").shape[1] - 2
@@ -154,11 +239,9 @@ def _angular(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
     skip = _dense(graph, spatial, _of_spatial(table, of_spatial), plus=skip)
     hidden = _leaky(graph, skip, table.hidden)
     count = weights.layers("decoder.angular")
-    for number in range(1, count):
+    for number in range(1, count - 1):
         plus = skip if number == 2 else None
-        # What is put out for components is cut off at 0 anyway.
-        leaky = number + 1 < count or table.bundles
-        hidden = _layer(graph, f"decoder.angular.{number}", hidden, plus, leaky)
+        hidden = _layer(graph, f"decoder.angular.{number}", hidden, plus, leaky=True)
     return hidden
 
 
@@ -335,9 +418,9 @@ def _rows(graph: Graph, values: str) -> str:
 
 
 def _mixed(graph: Graph, shares: str, cosines: str, widths: str) -> str:
-    """`network.mixed_bundles` of numbers above 0 [1, 2, 1, n]; see `decoder.mixed_bundles`."""
+    """`network.mixed_bundles` [1, 2, 1, n]."""
     root = graph.add("Add", graph.add("Mul", cosines, cosines), widths)
-    lit = graph.add("Div", shares, graph.add("Mul", root, root))
+    lit = graph.add("Div", graph.leaky(shares), graph.add("Mul", root, root))
     return _dense(graph, lit, np.kron(np.eye(2), np.full((1, BUNDLES), BUNDLE_UNIT)))
 
 

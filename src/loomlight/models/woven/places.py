@@ -15,6 +15,8 @@ from loomlight.models.woven.pyramid import size_share
 # `_LONGEST` threads. They are those of the query test.
 _FIELD_SIZES = 1 / 64, 80.0
 _REPEATS = 1 / 128, 5.0
+# A fabric's own correction counts from the first size on, in threads, and wholly from the second.
+_CORRECTED = 1.0, 4.0
 _LONGEST = 8.0
 
 
@@ -37,6 +39,16 @@ def place_of(
     smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
     return u - arrays.floor(u), v - arrays.floor(v), size_share(size, smallest, largest, arrays)
+
+
+def own_share(size: Any, arrays: Any = np) -> Any:
+    """How much a fabric's own correction of the last layer counts, 0 to 1, for coded sizes of "field".
+
+    Args:
+        size: the last of what `place_of` gives.
+    """
+    first, full = (float(size_share(threads, *_FIELD_SIZES)) for threads in _CORRECTED)
+    return arrays.clip((size - first) * (1 / (full - first)), 0, 1)
 
 
 def network_places(
