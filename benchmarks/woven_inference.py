@@ -36,10 +36,11 @@ from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 from loomlight.models.woven.batch import QUERIES_A_RUN, decode, decoder_session
 from loomlight.models.woven.decoder import Decoder, decoder_cost
-from loomlight.models.woven.encoding import encoder_session
+from loomlight.models.woven.encoding import encoder_session, shortest_repeat
 from loomlight.models.woven.maps import face_maps
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.pool import fabric_parameters, places_of
+from loomlight.models.woven.refinement import fitted_correction
 from loomlight.yarn.geometry import YarnGeometry
 
 FABRIC = "satin 8/3"
@@ -82,7 +83,8 @@ def in_onnx_runtime(model: WovenModel) -> tuple[float, float]:
     footprints = places_of(model.fabric.layout(), centres.T, sides)
     directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
     whole = COUNT / timed(lambda: decode(model.weights, model.encoded, *directions, footprints))
-    session, rng = decoder_session(model.weights), np.random.default_rng(1)
+    session = decoder_session(model.weights, model.encoded.correction is not None)
+    rng = np.random.default_rng(1)
     inputs = {given.name: rng.random(given.shape, np.float32) for given in session.get_inputs()}
 
     def layers() -> None:
@@ -125,6 +127,12 @@ def encoder_seconds(model: WovenModel) -> float:
     return timed(lambda: session.run(None, {"maps": maps, "parameters": parameters}))
 
 
+def correction_seconds(model: WovenModel) -> float:
+    """Seconds of the correction of the last layer for both faces."""
+    layout = shortest_repeat(model.fabric.layout())
+    return timed(lambda: fitted_correction(model.fabric, layout, model.encoded, model.weights, Float))
+
+
 def main() -> None:
     """Runs the benchmark and prints it."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -132,7 +140,8 @@ def main() -> None:
     arguments = parser.parse_args()
     require_llvm()
     model = WovenModel.for_fabric(fabric_from_text(FABRIC))
-    cost = decoder_cost(model.weights)
+    corrected = model.encoded.correction is not None
+    cost = decoder_cost(model.weights, corrected)
     seen, light = 2 * cost.seen, 2 * cost.lit
     start = time.perf_counter()
     batch, batch_peak = beside_peak(lambda: in_batch(model))
@@ -157,6 +166,7 @@ def main() -> None:
             "share_of_fma_peak": round(rate / peak, 3),
         },
         "encoder_milliseconds_a_face": round(1e3 * encoder, 1),
+        "correction_seconds": round(correction_seconds(model), 2),
         "seconds": round(time.perf_counter() - start, 1),
     }
     text = json.dumps(result, indent=2)

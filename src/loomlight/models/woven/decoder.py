@@ -468,8 +468,12 @@ class DecoderCost:
     bytes_fetched: int
 
 
-def decoder_cost(weights: Weights) -> DecoderCost:
-    """What a query of the network costs, as it is computed here."""
+def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
+    """What a query of the network costs, as it is computed here.
+
+    Args:
+        corrected: whether the fabric has a correction of its own.
+    """
     sizes = {name: values.size for name, values in weights.tensors.items() if name.endswith("weight")}
 
     def layers(prefix: str) -> int:
@@ -488,6 +492,8 @@ def decoder_cost(weights: Weights) -> DecoderCost:
     angular = hidden * directions
     light = angular - hidden * (spatial + 2)
     lit = light + layers("angular") - angular
+    if corrected:
+        lit += 2 * BUNDLES * weights.table.hidden
     seen = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
     return DecoderCost(seen, lit, 4 * taps * fetched)
 

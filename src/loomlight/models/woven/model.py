@@ -57,7 +57,7 @@ class WovenModel(Model):
         self._pitch = mean_pitch(layout)
         self._albedos = FootprintAlbedos(YarnGeometry(layout), fabric.appearance())
         self._tables: dict[type, LatentTable] = {}
-        cost = decoder_cost(weights)
+        cost = decoder_cost(weights, encoded.correction is not None)
         self.multiply_adds = cost.seen + cost.lit
         self.bytes_fetched = cost.bytes_fetched
 
