@@ -23,7 +23,9 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array3f, Bool, Float
 
+from loomlight.core.lane_code import Code, Lanes
 from loomlight.core.llvm import require_llvm
+from loomlight.core.machine_code import MachineCode, cores, vectors
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
@@ -34,6 +36,8 @@ from loomlight.yarn.horizon import HorizonMap
 
 COUNT = 1 << 22
 REPEATS = 9
+# Chains of multiply-adds that do not wait for each other, and how long they are.
+CHAINS, TURNS = 12, 20_000
 _OPERATIONS = re.compile(r"= (?:fast )?(fadd|fsub|fmul|fdiv|fneg|call [^@]*@llvm\.(\w+))")
 _TWO = {"fma", "fmuladd"}
 _ONE = {"sqrt", "minnum", "maxnum", "floor", "fabs", "minimum", "maximum", "ceil", "round", "rint"}
@@ -71,30 +75,34 @@ def timed(run: Callable[[], None]) -> float:
 def fma_peak() -> float:
     """Floating-point operations a second of independent multiply-add chains on all cores.
 
-    Dr.Jit writes one chain out after the other, and a core that looks only a few hundred instructions ahead
-    would wait for each. Chains that add their neighbour are written side by side. How often they best do is a
-    matter of the core (measured: every step on a Xeon, 1.6 times as fast as every fourth, an EPYC's).
+    They are machine code, a loop of as many chains as keep two units of a core busy. Kernels of Dr.Jit's in
+    their place, long lines of multiply-adds, reached two thirds of it on a Xeon.
     """
-    return max(_fma_rate(every) for every in (1, 4))
+    code, blocks = _chains(), 64 * cores()
+    queries = blocks * code.vectors.block
+    compiled, start = MachineCode(code), np.zeros(queries, np.float32)
+    found = np.empty_like(start)
+    seconds = timed(lambda: compiled.run(queries, [start], [found], []))
+    return 2 * CHAINS * TURNS * code.vectors.lanes * blocks / seconds
 
 
-def _fma_rate(every: int) -> float:
-    """The same of chains that add their neighbour in every so many steps."""
-    chains, length, lanes = 12, 64, 1 << 20
-
-    def run() -> None:
-        seed = dr.linspace(Float, 0, 1, lanes)
-        values = [seed + k for k in range(chains)]
-        factor, summand = dr.opaque(Float, 0.999), dr.opaque(Float, 0.001)
-        for step in range(length):
-            summands = [*values[1:], values[0]] if step % every == every - 1 else [summand] * chains
-            values = [dr.fma(value, factor, added) for value, added in zip(values, summands, strict=True)]
-        total = values[0]
-        for value in values[1:]:
-            total += value
-        dr.eval(total)
-
-    return 2 * chains * length * lanes / timed(run)
+def _chains() -> Code:
+    code = Code("chains", vectors())
+    with code.blocks():
+        first = [code.given(0) + number for number in range(CHAINS)]
+        before = code.builder.block
+        with code.loop(TURNS):
+            values = [code.builder.phi(chain.value.type) for chain in first]
+            for value, chain in zip(values, first, strict=True):
+                value.add_incoming(chain.value, before)
+            following = [code.fma(Lanes(code, value), 0.999, 0.001) for value in values]
+            for value, chain in zip(values, following, strict=True):
+                value.add_incoming(chain.value, code.builder.block)
+        total = following[0]
+        for chain in following[1:]:
+            total = total + chain
+        code.answer(1, total)
+    return code
 
 
 def evaluations(model: PointModel, searched: bool) -> tuple[float, int | None]:

@@ -64,15 +64,6 @@ def array_types(example: Any) -> ArrayTypes:
     return _types_of(kind)
 
 
-def keep_order(float_type: type) -> None:
-    """What is traced from here on comes after what was traced before, in compiled code too.
-
-    Dr.Jit writes code by dependence: all that one result needs, then the next, which may be far more numbers
-    at once than there are registers. It keeps the order of its scopes.
-    """
-    dr.detail.new_scope(dr.backend_v(float_type))
-
-
 def larger(first: Any, second: Any) -> Any:
     """The larger one of two Dr.Jit numbers or arrays, lane by lane; the second where either is no number.
 

@@ -1,7 +1,8 @@
-"""Batches of queries in ONNX Runtime: what numpy fetches, and that their number does not matter."""
+"""Batches of queries: what machine code fetches, and that their number does not matter."""
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,12 +10,16 @@ import pytest
 from drjit.llvm.ad import Float
 
 from loomlight.core.llvm import require_llvm
+from loomlight.core.machine_code import vectors
 from loomlight.fabric import fabric_from_text
-from loomlight.models.woven.batch import QUERIES_A_RUN, decode
+from loomlight.models.woven.batch import decode, fabric_numbers
+from loomlight.models.woven.compiled import compiled_decoder
+from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.encoding import EncodedFabric, encode
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.latents import LatentRows, fetched_channels, fetched_latents
+from loomlight.models.woven.network import WovenNetwork
 from loomlight.models.woven.pyramid import levels_of, taps
+from loomlight.models.woven.weights import Weights
 
 from .networks import TABLES, network, unit_vectors, weights_of
 
@@ -22,10 +27,31 @@ require_llvm()
 _FIBRES = Fibres(twist=(-0.5, 0.3), roughness=(0.2, 0.7), inclination=(0.3, 0.6), height_scale=(1.0, 0.5))
 
 
+def _seeing_latents(folder: Path) -> Weights:
+    """A network whose first angular layer is the latent's first numbers."""
+    # Bins of places that are no numbers are 0, where such places themselves would be multiplied by 0.
+    weights = weights_of(WovenNetwork(NetworkTable(width=8, hidden=32, fusion=False)), folder)
+    tensors = dict(weights.tensors)
+    first = tensors["decoder.angular.0.weight"]
+    tensors["decoder.angular.0.weight"] = np.eye(*first.shape, dtype=np.float32)
+    tensors["decoder.angular.0.bias"] = np.zeros(len(first), np.float32)
+    return replace(weights, tensors=tensors)
+
+
+def _fetched(
+    weights: Weights, encoded: EncodedFabric, x: np.ndarray, y: np.ndarray, size: np.ndarray, back: np.ndarray
+) -> np.ndarray:
+    """The first numbers [n, hidden] of interpolated latents."""
+    view = [np.zeros(len(x), np.float32), np.zeros(len(x), np.float32), np.ones(len(x), np.float32)]
+    found = np.empty((weights.table.hidden + 2, len(x)), np.float32)
+    queries = [x, y, size, *view, back.astype(np.float32)]
+    compiled_decoder(weights).run("seen", fabric_numbers(weights, encoded), queries, [*found])
+    return found[: weights.table.hidden].T
+
+
 @pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])
-@pytest.mark.parametrize("name", ["field", "plain, not fused"])
-def test_rows_are_those_of_the_pyramid(name: str, picks: int, ends: int, tmp_path: Path) -> None:
-    weights = weights_of(network(name), tmp_path)
+def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path) -> None:
+    weights = _seeing_latents(tmp_path)
     rng = np.random.default_rng(picks)
     last = levels_of(picks, ends)[-1].first + 1
     front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
@@ -35,14 +61,25 @@ def test_rows_are_those_of_the_pyramid(name: str, picks: int, ends: int, tmp_pat
     y = np.concatenate([rng.uniform(-20, 40, 2000), np.arange(200, -200, -1) / 16]).astype(np.float32)
     size = np.exp(rng.uniform(np.log(0.005), np.log(200), len(x))).astype(np.float32)
     behind = rng.random(len(x)) < 0.5
-    table = fetched_latents(weights, encoded).astype(np.float64)
     texels, shares = taps(encoded.levels, x, y, size)
+    table = encoded.both[:, : weights.table.hidden].astype(np.float64)
     wanted = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
-    found = LatentRows(weights, encoded).at(x, y, size, behind)
-    assert found.shape == (len(x), fetched_channels(weights))
+    found = _fetched(weights, encoded, x, y, size, behind)
     # float32 coordinates up to 40·8 texels have 2e-5 of a texel, between two of which values change by up to
     # twice the largest.
     np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
+
+
+def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> None:
+    weights = _seeing_latents(tmp_path)
+    last = levels_of(3, 5)[-1].first + 1
+    faces = np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)
+    encoded = EncodedFabric(3, 5, faces, _FIBRES)
+    odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
+    x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
+    found = _fetched(weights, encoded, x, y, size, np.zeros(len(x)))
+    # All texels hold the same, so whichever are read, shares that add up to one give it back.
+    np.testing.assert_allclose(found, np.ones_like(found), rtol=1e-5)
 
 
 @pytest.mark.parametrize("name", TABLES)
@@ -50,28 +87,16 @@ def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> N
     weights = weights_of(network(name), tmp_path)
     encoded = encode(fabric_from_text("twill 2/1"), weights, Float)
     rng = np.random.default_rng(5)
-    # More than one block for each of two cores, and a last run that is not full.
-    count = 17 * QUERIES_A_RUN + 3
+    # More than one block for each part of two cores' work, and a last one that is not full.
+    block = vectors().block
+    count = 50 * block + 3
     lights, views = unit_vectors(rng, count), unit_vectors(rng, count)
     footprints = rng.uniform(0.1, 5, (count, 3)).astype(np.float32)
     found = decode(weights, encoded, lights, views, footprints)
     assert found.shape == (count, 5)
     assert np.ptp(found, axis=0).min() > 1e-3
-    for first, some in ((0, 0), (0, 1), (5, QUERIES_A_RUN), (count - 1500, 1500)):
+    for first, some in ((0, 0), (0, 1), (5, block), (count - 1500, 1500)):
         part = slice(first, first + some)
         again = decode(weights, encoded, lights[part], views[part], footprints[part])
-        np.testing.assert_allclose(again, found[part], rtol=1e-5, atol=1e-6)
-
-
-def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> None:
-    weights = weights_of(network("field"), tmp_path)
-    last = levels_of(3, 5)[-1].first + 1
-    faces = np.full((last, 64), 1, np.float16), np.full((last, 64), 2, np.float16)
-    encoded = EncodedFabric(3, 5, faces, _FIBRES)
-    odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
-    x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
-    with np.errstate(invalid="ignore", over="ignore"):
-        found = LatentRows(weights, encoded).at(x, y, size, np.zeros(len(x), np.bool_))
-    # All texels hold the same, so whichever are read, shares that add up to one give it back.
-    front = fetched_latents(weights, encoded)[:1]
-    np.testing.assert_allclose(found, np.broadcast_to(front, found.shape), rtol=1e-5, atol=1e-6)
+        # Every query's numbers are its own, wherever in a block it stands.
+        np.testing.assert_array_equal(again, found[part])

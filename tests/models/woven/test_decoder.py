@@ -1,10 +1,9 @@
-"""The decoder in Dr.Jit and in ONNX Runtime against torch, on one set of queries."""
+"""The decoder in machine code and by cooperative vectors against torch, on one set of queries."""
 
 from __future__ import annotations
 
 from dataclasses import astuple, replace
 from pathlib import Path
-from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -13,11 +12,11 @@ from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.evaluation.reproduce.cost import runs_layers
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
 from loomlight.models.woven.batch import decode
-from loomlight.models.woven.decoder import Decoder, decoder_of
+from loomlight.models.woven.compiled import _compiled
+from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.pool import places_of
@@ -31,11 +30,11 @@ COUNT = 4000
 CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nroughness = 0.3'
 
 
-@pytest.fixture(params=[False, True], ids=["cooperative", "unrolled"])
+@pytest.fixture(params=[False, True], ids=["cooperative", "compiled"])
 def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
     """Both ways of computing layers: whether that is in kernels of their own."""
     if not request.param:
-        monkeypatch.setattr(Decoder, "unrolls", lambda decoder, asked: False)
+        monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
     return bool(request.param)
 
 
@@ -104,26 +103,21 @@ def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
     np.testing.assert_allclose(total.numpy(), 2 * answered(model, *queries)[0], rtol=1e-4, atol=1e-8)
 
 
-def test_new_fabrics_need_no_new_kernels(either_way: bool, tmp_path: Path) -> None:
+def test_new_fabrics_need_no_new_code(tmp_path: Path) -> None:
     weights = weights_of(network("field"), tmp_path)
     rng = np.random.default_rng(4)
-    directions = unit_vectors(rng, 100), unit_vectors(rng, 100)
-    hashes = []
-    for text in ("plain", "satin 5/2"):
+    compiled = []
+    for text in ("plain", "satin 5/2", "twill 2/1"):
         fabric = fabric_from_text(text)
         model = WovenModel(fabric, encode(fabric, weights, Float), weights)
-        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-            dr.kernel_history_clear()
-            answered(model, *directions, rng.uniform(0, 1, (100, 2)), np.full(100, 0.1))
-            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        of_layers = [kernel for kernel in kernels if runs_layers(kernel)]
-        assert len(of_layers) == 1
-        hashes.append(of_layers[0]["hash"])
-    assert hashes[0] == hashes[1]
+        directions = unit_vectors(rng, 100), unit_vectors(rng, 100)
+        answered(model, *directions, rng.uniform(0, 1, (100, 2)), np.full(100, 0.1))
+        compiled.append(_compiled.cache_info().misses)
+    assert compiled[0] == compiled[-1]
 
 
 @pytest.mark.parametrize("count", [1, 1000])
-def test_unrolled_layers_take_what_all_lanes_share(
+def test_machine_code_takes_what_all_lanes_share(
     count: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
@@ -137,51 +131,35 @@ def test_unrolled_layers_take_what_all_lanes_share(
         response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
         seen = model.seen(Array3f(0.6, 0, 0.8), footprint)
         again = model.lit(seen, light, Array3f(0.6, 0, 0.8))
-        # In one kernel or in two: the same operations.
+        # At once or in two parts: the same operations.
         np.testing.assert_allclose(again.specular_warp, response.specular_warp, rtol=1e-5)
         assert dr.width(response) == count
         return np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response))))
 
-    unrolled = answer()
-    monkeypatch.setattr(Decoder, "unrolls", lambda decoder, asked: False)
-    assert unrolled[:4].max() > 1e-3
+    compiled = answer()
+    monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
+    assert compiled[:4].max() > 1e-3
     # Sums of the same terms in much the same order.
-    np.testing.assert_allclose(unrolled, answer(), rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(compiled, answer(), rtol=1e-4, atol=1e-6)
 
 
-def test_kernels_of_their_own_are_compiled_and_traced_once(tmp_path: Path) -> None:
-    weights = weights_of(network("field"), tmp_path)
-    rng, hashes = np.random.default_rng(7), set()
-    decoder = decoder_of(weights, Float)
-    for count, text in ((100, "plain"), (1, "satin 5/2"), (2500, "plain"), (70, "twill 2/1")):
-        fabric = fabric_from_text(text)
-        model = WovenModel(fabric, encode(fabric, weights, Float), weights)
-        directions = unit_vectors(rng, count), unit_vectors(rng, count)
-        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-            dr.kernel_history_clear()
-            answered(model, *directions, rng.uniform(0, 1, (count, 2)), np.full(count, 0.1))
-            kernels = [k for k in dr.kernel_history() if k["type"] == dr.KernelType.JIT]
-        hashes |= {kernel["hash"] for kernel in kernels if runs_layers(kernel)}
-    assert len(hashes) == 1
-    assert decoder.recordings == 1
-
-
-def test_recordings_make_no_arrays_of_their_own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Calls that chose their function by an array of the recording's own took another one some time later."""
-    opaque, flag = dr.opaque, dr.JitFlag.FreezingScope
-
-    def checked(*arguments: Any) -> Any:
-        assert not dr.flag(flag)
-        return opaque(*arguments)
-
-    weights = weights_of(network("field"), tmp_path)
-    fabric, rng = fabric_from_text("plain"), np.random.default_rng(8)
+def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
+    weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
     model = WovenModel(fabric, encode(fabric, weights, Float), weights)
-    decoder = decoder_of(weights, Float)
-    monkeypatch.setattr(dr, "opaque", checked)
-    directions = unit_vectors(rng, 50), unit_vectors(rng, 50)
-    answered(model, *directions, rng.uniform(0, 1, (50, 2)), np.full(50, 0.1))
-    assert decoder.recordings == 1
+    rng, count = np.random.default_rng(8), 1 << 18
+    light = Array3f(np.ascontiguousarray(unit_vectors(rng, count).T))
+    footprint = Footprint(Array2f(0.1, 0.2), Array2f(0.3, 0), Array2f(0, 0.3))
+    wanted = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint).diffuse_warp.numpy()
+    # Launched, and far from done, when the answers are asked for.
+    slow = light.x
+    for _ in range(200):
+        slow = dr.sin(slow)
+    dr.eval(slow)
+    turned = Array3f(light.x + 0 * slow, light.y, light.z)
+    found = model.evaluate(turned, Array3f(0.6, 0, 0.8), footprint).diffuse_warp
+    later = found + 0
+    dr.eval(later)
+    np.testing.assert_array_equal(later.numpy(), wanted)
 
 
 def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
@@ -193,7 +171,7 @@ def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
     footprint = Footprint(Array2f(side, 0.1), Array2f(side, 0), Array2f(0, side))
     holes = model.hole(view, footprint).numpy()
     assert holes.std() > 1e-3
-    # The same operations, in another kernel.
+    # The same operations, among others.
     np.testing.assert_allclose(holes, model.seen(view, footprint).hole.numpy(), rtol=0, atol=1e-6)
 
 

@@ -1,9 +1,9 @@
 """Table 3: where the time of a picture goes: encoder, network, and the rest of the renderer.
 
 The paper's columns are network and "others" (intersection, transfer, shading); its encoder, once a fabric or
-edit, stands outside of the sum, as it does here. The network's share is read from the kernels of a picture:
-those that hold its layers, which also fetch latents; holes ask for a part of it. "Host" is Python
-that traces and launches kernels, much the same for any number of pixels.
+edit, stands outside of the sum, as it does here. The network is the decoder, which also fetches latents;
+holes ask for a part of it. "Host" is Python that traces and launches kernels, much the same for any number of
+pixels.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import drjit as dr
 
@@ -27,13 +26,10 @@ from loomlight.evaluation.reproduce.shots import BACKLIT, BALL, CYLINDER, DRAPE
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
+from loomlight.models.woven.compiled import CompiledDecoder
 from loomlight.models.woven.encoding import encode
 
 _TIMES = 3
-# What Dr.Jit calls a layer of cooperative vectors, and a multiply-add, in the code that it writes; and more
-# multiply-adds than any kernel has without layers that are written out.
-_LAYER = "coop_vec_mat_vec"
-_MULTIPLY_ADD, _MOST_WITHOUT_LAYERS = "llvm.fma", 1200
 
 
 @dataclass(frozen=True)
@@ -42,8 +38,8 @@ class NetworkTime:
 
     Attributes:
         seconds: of the whole picture, kernels compiled beforehand.
-        network: of the kernels that hold layers of the decoder.
-        others: of all other kernels; the rest of `seconds` is the host's.
+        network: of the decoder.
+        others: of all kernels of Dr.Jit's; the rest of `seconds` is the host's.
     """
 
     seconds: float
@@ -60,21 +56,12 @@ def network_time(run: Callable[[], object]) -> NetworkTime:
     """Runs a picture of a scene with networks, and takes its time apart; compile it beforehand."""
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         dr.kernel_history_clear()
-        start = time.perf_counter()
+        before, start = CompiledDecoder.seconds, time.perf_counter()
         run()
         seconds = time.perf_counter() - start
         kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
-    networks = [kernel for kernel in kernels if runs_layers(kernel)]
-    spent, everything = (
-        sum(kernel["execution_time"] for kernel in some) / 1e3 for some in (networks, kernels)
-    )
-    return NetworkTime(seconds, spent, everything - spent)
-
-
-def runs_layers(kernel: dict[str, Any]) -> bool:
-    """Whether an entry of Dr.Jit's kernel history holds layers of a network."""
-    code = kernel["ir"].getvalue()
-    return _LAYER in code or code.count(_MULTIPLY_ADD) > _MOST_WITHOUT_LAYERS
+    others = sum(kernel["execution_time"] for kernel in kernels) / 1e3
+    return NetworkTime(seconds, CompiledDecoder.seconds - before, others)
 
 
 def split(setting: Setting) -> Evidence:

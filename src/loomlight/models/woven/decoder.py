@@ -1,19 +1,19 @@
-"""The decoder in Dr.Jit, on any backend: layers, and gathers for the latents.
+"""The decoder for Dr.Jit's arrays, on any backend.
 
 What the light does not change (latents, fusion, the view's part of the first angular layer, holes) is
 computed once a footprint and view (`Decoder.seen`), the rest for every light (`Decoder.components`). The
 first layer is linear, so latents are multiplied by its weights beforehand and interpolated afterwards.
 
-Symbolic calls hand cooperative vectors their weights lane by lane, which makes them ten times slower, and
-other layers are not for these: call it outside.
+On CPUs queries are answered by machine code (`compiled`); on GPUs, for derivatives, and within symbolic calls
+and loops by cooperative vectors. On CPUs these are several times slower, in symbolic calls fifty times, as
+Dr.Jit then hands them their weights lane by lane: call it outside.
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from functools import cache, partial
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import drjit as dr
@@ -21,37 +21,24 @@ import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, clipped, keep_order, larger, smaller, uploaded
-from loomlight.core.recorded import Held, Recorded
-from loomlight.models.woven.architecture import (
-    BINS,
-    BLOB_REACH,
-    BUNDLE_PLACES,
-    BUNDLE_UNIT,
-    BUNDLES,
-    DENSITY_GAIN,
-    DENSITY_SCALE,
-    INCLINATION_BINS,
-    INCLINATION_CROWDING,
-    INCLINATION_REACH,
-    LARGEST_OUTPUT,
-    OPPOSITE,
-    REFLECTION_GAIN,
-    SLOPE,
-    TRANSMISSION_GAIN,
-    VIEW_FEATURES,
+from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
+from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
+from loomlight.models.woven.codings import (
+    DIFFUSE,
+    Fibre,
+    fibre_features,
+    mixed_bundles,
+    one_blob,
+    unmapped,
 )
+from loomlight.models.woven.compiled import FabricNumbers, compiled_decoder
+from loomlight.models.woven.decoder_code import Question
 from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.latents import fetched_latents
-from loomlight.models.woven.layers import CooperativeLayers, Layers, UnrolledLayers
+from loomlight.models.woven.latents import PACKET, LatentRows
+from loomlight.models.woven.layers import CooperativeLayers
 from loomlight.models.woven.places import own_share, place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
-
-# Of components, the first are diffuse.
-_DIFFUSE = 2
-# Numbers of a texel that are fetched at once: a line of the cache.
-_PACKET = 16
 
 
 @dataclass
@@ -75,24 +62,6 @@ class Seen:
     table: LatentTable
 
 
-@dataclass
-class Fibre:
-    """Fibres of one family on a yarn's crown.
-
-    Attributes:
-        x, y: their direction, a unit vector.
-        roughness: α.
-    """
-
-    x: Any
-    y: Any
-    roughness: Any
-
-    def cosine(self, direction: Any) -> Any:
-        """Cosine with a unit vector [3]."""
-        return dr.fma(self.x, direction.x, self.y * direction.y)
-
-
 class LatentTable:
     """Latents of both faces on one backend, multiplied by the first layer where there is fusion.
 
@@ -104,18 +73,13 @@ class LatentTable:
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
         self.picks, self.ends = encoded.picks, encoded.ends
-        latents = fetched_latents(weights, encoded)
-        self.channels = latents.shape[1]
-        self.texels = len(encoded.faces[0])
+        rows = LatentRows.of(weights, encoded)
+        self.channels, self.texels = rows.channels, rows.texels
         self._types = types = array_types(float_type)
-        self._padded = -(-self.channels // _PACKET) * _PACKET
-        padding = ((0, 0), (0, self._padded - self.channels))
-        self._values = uploaded(types.Float, np.pad(latents, padding))
-        levels = encoded.levels
-        self._last = len(levels) - 1
-        # Whole numbers below 2^24 are exact in float32.
-        numbers = [(level.first, level.columns, level.rows, level.per_thread) for level in levels]
-        self._levels = uploaded(types.Float, np.array(numbers, np.float32))
+        self._padded = rows.values.shape[1]
+        self._values = uploaded(types.Float, rows.values)
+        self._last = len(rows.levels) - 1
+        self._levels = uploaded(types.Float, rows.levels)
         self._width = dr.opaque(types.UInt32, self.texels)
         self._extent = dr.opaque(types.Float, float(self.ends)), dr.opaque(types.Float, float(self.picks))
         self._top = dr.opaque(types.UInt32, self._last)
@@ -133,6 +97,12 @@ class LatentTable:
             self._correction = tuple(
                 uploaded(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
             )
+        # What machine code reads: the same memory, where Dr.Jit's arrays are in it.
+        self.numbers: FabricNumbers | None = None
+        if dr.backend_v(types.Float) == dr.JitBackend.LLVM:
+            dr.sync_thread()
+            values = self._values.numpy().reshape(rows.values.shape)
+            self.numbers = FabricNumbers(weights, encoded, replace(rows, values=values))
 
     def fibres(self, back: Any) -> tuple[Fibre, Fibre]:
         """The fibres of both families in the frame of the face that is seen; see `Fibres.face`."""
@@ -168,7 +138,7 @@ class LatentTable:
         types = self._types
         face = dr.select(back, self._width, 0)
         if self.texels == 1:
-            packets = [self._packet(face, number) for number in range(self._padded // _PACKET)]
+            packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
             return [value for packet in packets for value in packet][: self.channels]
         ends, picks = self._extent
         # Near the origin, where float32 is finest.
@@ -181,11 +151,9 @@ class LatentTable:
             share = blend if side else 1 - blend
             taps += [(face + texel, share * weight) for texel, weight in self._taps(lower + side, x, y)]
         total: list[Any] = []
-        for number in range(self._padded // _PACKET):
-            sums: list[Any] = [types.Float(0)] * _PACKET
+        for number in range(self._padded // PACKET):
+            sums: list[Any] = [types.Float(0)] * PACKET
             for texel, weight in taps:
-                # Of one tap after another: all at once are more than there are registers.
-                keep_order(types.Float)
                 row = self._packet(texel, number)
                 sums = [dr.fma(weight, value, sum_) for value, sum_ in zip(row, sums, strict=True)]
             total += sums
@@ -210,34 +178,18 @@ class LatentTable:
 
     def _packet(self, texel: Any, number: int) -> Any:
         """Some of the numbers of texels."""
-        index = texel * (self._padded // _PACKET) + number
-        return dr.gather(self._types.Vectors, self._values, index, shape=(_PACKET, dr.width(texel)))
+        index = texel * (self._padded // PACKET) + number
+        return dr.gather(self._types.Vectors, self._values, index, shape=(PACKET, dr.width(texel)))
 
 
 class Decoder:
-    """The network of some weights on one backend.
-
-    On CPUs queries are answered by kernels of their own, whose code the weights are part of
-    (`UnrolledLayers`): they take seconds to compile, but once for all fabrics and scenes, and Dr.Jit keeps
-    them on disk. Derivatives, and queries within symbolic calls and loops, go by cooperative vectors.
-    """
+    """The network of some weights on one backend."""
 
     def __init__(self, weights: Weights, float_type: type) -> None:
         self.weights = weights
         self._types = array_types(float_type)
         self._count = weights.layers("decoder.angular")
-        matrices = _matrices(weights)
-        self._cooperative = CooperativeLayers(matrices, float_type)
-        self._unrolled = UnrolledLayers(matrices, float_type)
-        functions = self._seen, self._hole, self._components, self._answers
-        self._launched = {
-            function.__name__: Recorded(partial(self._unrolled_found, function)) for function in functions
-        }
-
-    @property
-    def recordings(self) -> int:
-        """How often kernels of its own were traced."""
-        return sum(recorded.recordings for recorded in self._launched.values())
+        self._layers = CooperativeLayers(_matrices(weights), float_type)
 
     def seen(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
@@ -248,160 +200,112 @@ class Decoder:
             back: whether that face is the back.
         """
         asked = x, y, size, view, back
-        angular, hole, own = self._found(self._seen, table, asked)
-        return Seen(angular, hole, own, view, back, table)
+        if self.compiles(asked):
+            angular = self.weights.table.hidden
+            *found, hole, own = self._compiled("seen", table, asked, angular + 2)
+            return Seen(found, hole, own, view, back, table)
+        spatial, cosines = self._spatial(table, asked), self._view_cosines(table, view, back)
+        angular = self._layers.product("spatial", spatial, "0 bias")
+        angular = self._layers.added(angular, self._layers.product("view", [view.x, view.y, *cosines]))
+        coded_size = self._place(table, x, y, size)[2]
+        return Seen([*angular], self._hole(spatial, view), own_share(coded_size, dr), view, back, table)
 
     def hole(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
-        return self._found(self._hole, table, (x, y, size, view, back))
+        asked = x, y, size, view, back
+        if self.compiles(asked):
+            (found,) = self._compiled("hole", table, asked, 1)
+            return found
+        return self._hole(self._spatial(table, asked), view)
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
-        asked = seen.angular, seen.view, seen.back, seen.own, light
-        found: list[Any] = self._found(self._components, seen.table, asked)
-        return found
+        asked = seen.angular, seen.own, seen.view, seen.back, light
+        if self.compiles(asked):
+            return self._compiled("components", seen.table, asked, DIFFUSE + 2)
+        return self._components(seen, light)
 
     def answers(
         self, table: LatentTable, light: Any, x: Any, y: Any, size: Any, view: Any, back: Any
     ) -> list[Any]:
-        """The four components for one light, and the hole: `components` of `seen` in one kernel."""
-        found: list[Any] = self._found(self._answers, table, (x, y, size, view, back, light))
-        return found
+        """The four components for one light, and the hole: `components` of `seen` at once."""
+        asked = x, y, size, view, back, light
+        if self.compiles(asked):
+            return self._compiled("answers", table, asked, DIFFUSE + 3)
+        seen = self.seen(table, x, y, size, view, back)
+        return [*self._components(seen, light), seen.hole]
 
-    def unrolls(self, asked: Sequence[Any]) -> bool:
-        """Whether queries are answered by kernels of their own."""
+    def compiles(self, asked: Sequence[Any]) -> bool:
+        """Whether queries are answered by machine code."""
         return (
             dr.backend_v(self._types.Float) == dr.JitBackend.LLVM
+            and dr.type_v(self._types.Float) == dr.VarType.Float32
             and dr.width(asked) > 0
             and not dr.flag(dr.JitFlag.SymbolicScope)
             and not dr.flag(dr.JitFlag.FreezingScope)
             and not dr.grad_enabled(asked)
         )
 
-    def _found(self, function: Callable[..., Any], table: LatentTable, asked: Sequence[Any]) -> Any:
-        """What a function of layers, latents, the repeat and queries returns."""
-        if not self.unrolls(asked):
-            return function(self._cooperative, table, self._repeat(table), asked)
-        # Kernels for single queries would be others, with numbers in place of arrays.
-        width = max(dr.width(asked), 2)
-        launched = self._launched[function.__name__]
-        found = launched([self._unrolled.only], Held(table), self._repeat(table), _wide(asked, width))
-        return found if width == dr.width(asked) else _first(found)
+    def _compiled(self, question: Question, table: LatentTable, asked: Any, answers: int) -> list[Any]:
+        """What machine code answers."""
+        width = dr.width(asked)
+        given = _wide(_numbers(asked), width)
+        found = [dr.empty(self._types.Float, width) for _ in range(answers)]
+        # Memory that was given back may still be read, and what is asked not yet be written.
+        dr.sync_thread()
+        assert table.numbers is not None
+        queries, answered = ([part.numpy() for part in parts] for parts in (given, found))
+        compiled_decoder(self.weights).run(question, table.numbers, queries, answered)
+        return found
 
-    def _unrolled_found(self, function: Callable[..., Any], _only: list[Any], *arguments: Any) -> Any:
-        """The same of unrolled layers, within a recording that is told of their array."""
-        return function(self._unrolled, *arguments)
+    def _place(self, table: LatentTable, x: Any, y: Any, size: Any) -> tuple[Any, Any, Any]:
+        return place_of(self.weights.table, table.picks, table.ends, x, y, size, dr)
 
-    def _repeat(self, table: LatentTable) -> tuple[int, int]:
-        """Picks and ends, if the code depends on them."""
-        return (0, 0) if self.weights.table.latent == "field" else (table.picks, table.ends)
+    def _view_cosines(self, table: LatentTable, view: Any, back: Any) -> list[Any]:
+        fibres = table.fibres(back) if self.weights.table.fibres else ()
+        return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _seen(
-        self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
-    ) -> tuple[Any, Any, Any]:
-        """The first angular layer without the light's part, the hole, and how much of a correction counts."""
-        *_, view, back = asked
-
-        def of_place(fetched: list[Any], coded: list[Any], eye: list[Any], cosines: list[Any]) -> list[Any]:
-            spatial = self._spatial(layers, fetched, coded)
-            angular = layers.added(
-                layers.product("spatial", spatial, "0 bias"), layers.product("view", [*eye, *cosines])
-            )
-            return [self._share(layers, spatial, eye), *angular]
-
-        cosines = [fibre.cosine(view) for fibre in table.fibres(back)] if self.weights.table.fibres else []
-        fetched, coded = self._fetched(table, repeat, asked)
-        hole, *angular = layers.outlined(of_place, fetched, coded, [view.x, view.y], cosines)
-        x, y, side = asked[:3]
-        size = place_of(self.weights.table, *repeat, x, y, side, dr)[2]
-        return angular, clipped(hole, 0, 1), own_share(size, dr)
-
-    def _hole(self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]) -> Any:
-        view = asked[3]
-
-        def of_place(fetched: list[Any], coded: list[Any], eye: list[Any]) -> list[Any]:
-            return [self._share(layers, self._spatial(layers, fetched, coded), eye)]
-
-        (hole,) = layers.outlined(of_place, *self._fetched(table, repeat, asked), [view.x, view.y])
-        return clipped(hole, 0, 1)
-
-    def _fetched(
-        self, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
-    ) -> tuple[list[Any], list[Any]]:
-        """Latents of footprints, and where these lie, coded."""
-        x, y, size, _, back = asked
-        network = self.weights.table
-        place = place_of(network, *repeat, x, y, size, dr)
-        coded = one_blob(place) if network.position == "one_blob" else list(place)
-        return table.at(x, y, size, back), coded
-
-    def _spatial(self, layers: Layers, fetched: list[Any], coded: list[Any]) -> Any:
+    def _spatial(self, table: LatentTable, asked: Sequence[Any]) -> Any:
         """Latent and footprint, fused."""
+        x, y, size, _, back = asked
+        place = self._place(table, x, y, size)
+        coded = one_blob(place, dr) if self.weights.table.position == "one_blob" else list(place)
+        fetched, layers = table.at(x, y, size, back), self._layers
         if not self.weights.table.fusion:
             return [*fetched, *coded]
         hidden = layers.leaky(layers.added(layers.product("place", coded), fetched))
         return layers.leaky(layers.product("fusion", hidden, "fusion bias"))
 
-    def _share(self, layers: Layers, spatial: Any, eye: list[Any]) -> Any:
-        """The hole, not yet clipped."""
+    def _hole(self, spatial: Any, view: Any) -> Any:
+        layers = self._layers
         hidden = layers.added(
-            layers.product("hole spatial", spatial, "hole bias"), layers.product("hole view", eye)
+            layers.product("hole spatial", spatial, "hole bias"),
+            layers.product("hole view", [view.x, view.y]),
         )
         (share,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
-        return share
+        return clipped(share, 0, 1)
 
-    def _components(
-        self, layers: Layers, table: LatentTable, _repeat: tuple[int, int], asked: Sequence[Any]
-    ) -> list[Any]:
-        angular, view, back, own, light = asked
+    def _components(self, seen: Seen, light: Any) -> list[Any]:
+        layers, table, weights = self._layers, seen.table, self.weights
         directions = [light.x, light.y, light.z]
-        if self.weights.table.fibres:
-            directions += fibre_features(light, view, table.fibres(back))
-
-        def of_light(angular: Any, directions: list[Any]) -> list[Any]:
-            skip = layers.added(angular, layers.product("light", directions))
-            hidden = layers.leaky(skip)
-            for number in range(1, self._count):
-                taken = hidden
-                hidden = layers.product(f"{number}", hidden, f"{number} bias")
-                if number == 2:
-                    hidden = layers.added(hidden, skip)
-                if number + 1 < self._count:
-                    hidden = layers.leaky(hidden)
-            return [*hidden, *(taken if table.is_corrected else [])]
-
-        found = layers.outlined(of_light, angular, directions)
-        if not self.weights.table.bundles:
-            return self._unmapped(found, light)
-        outputs = self.weights.table.outputs
-        own = dr.select(light.z > 0, own, self._types.Float(0))
-        shares = table.corrected(found[_DIFFUSE:outputs], found[outputs:], own)
-        specular = mixed_bundles(shares, light + view, table.bundles, back)
-        # As bright as a logarithm of `LARGEST_OUTPUT` is.
-        most = math.expm1(LARGEST_OUTPUT) * self._scale(light)
-        return [
-            *self._unmapped(found[:_DIFFUSE], light),
-            *(clipped(component, 0, most) for component in specular),
-        ]
-
-    def _answers(
-        self, layers: Layers, table: LatentTable, repeat: tuple[int, int], asked: Sequence[Any]
-    ) -> list[Any]:
-        *of_view, light = asked
-        angular, hole, own = self._seen(layers, table, repeat, of_view)
-        return [*self._components(layers, table, repeat, [angular, *of_view[-2:], own, light]), hole]
-
-    def _unmapped(self, output: list[Any], light: Any) -> list[Any]:
-        """`losses.unmapped`."""
-        scale = self._scale(light)
-        linear = [(dr.exp(clipped(value, 0, LARGEST_OUTPUT)) - 1) * scale for value in output]
-        if self.weights.linear_diffuse:
-            return [*(larger(value, 0) for value in output[:2]), *linear[2:]]
-        return linear
-
-    def _scale(self, light: Any) -> Any:
-        """1/k of `losses.gain`."""
-        return dr.select(light.z > 0, self._types.Float(1 / REFLECTION_GAIN), 1 / TRANSMISSION_GAIN)
+        if weights.table.fibres:
+            directions += fibre_features(light, seen.view, table.fibres(seen.back), dr)
+        skip = layers.added(seen.angular, layers.product("light", directions))
+        hidden = taken = layers.leaky(skip)
+        for number in range(1, self._count):
+            taken = hidden
+            hidden = layers.product(f"{number}", hidden, f"{number} bias")
+            if number == 2:
+                hidden = layers.added(hidden, skip)
+            if number + 1 < self._count:
+                hidden = layers.leaky(hidden)
+        found, specular = [*hidden], None
+        if weights.table.bundles:
+            own = dr.select(light.z > 0, seen.own, self._types.Float(0))
+            shares = table.corrected(found[DIFFUSE:], [*taken], own)
+            found = found[:DIFFUSE]
+            specular = mixed_bundles(shares, light, seen.view, table.bundles, seen.back, dr)
+        return unmapped(found, specular, light.z, weights.linear_diffuse, dr)
 
 
 def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
@@ -429,28 +333,26 @@ def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
     return parts
 
 
-def _wide(asked: Any, width: int) -> list[Any]:
-    """Queries as evaluated arrays of a width: what all lanes share would make other kernels."""
+def _numbers(asked: Any) -> list[Any]:
+    """All arrays of queries one by one; 1 for what is true."""
+    if isinstance(asked, list | tuple) or dr.depth_v(asked) > 1:
+        return [number for part in asked for number in _numbers(part)]
+    if not dr.is_mask_v(asked):
+        return [asked]
+    float_type: Any = dr.float32_array_t(asked)
+    return [dr.select(asked, float_type(1), float_type(0))]
 
-    def spread(value: Any) -> Any:
-        if isinstance(value, list | tuple):
-            return [spread(part) for part in value]
-        if dr.depth_v(value) > 1:
-            return type(value)(*(spread(part) for part in value))
-        if dr.width(value) == width:
-            return type(value)(value)
-        return dr.gather(type(value), value, dr.zeros(dr.uint32_array_t(value), width))
 
-    found: list[Any] = spread(asked)
+def _wide(numbers: list[Any], width: int) -> list[Any]:
+    """Evaluated arrays of a width, of what all lanes share too."""
+    found = [
+        type(value)(value)
+        if dr.width(value) == width
+        else dr.gather(type(value), value, dr.zeros(dr.uint32_array_t(value), width))
+        for value in numbers
+    ]
     dr.make_opaque(found)
     return found
-
-
-def _first(found: Any) -> Any:
-    """The first lane of arrays, in the containers that they are in."""
-    if isinstance(found, list | tuple):
-        return [_first(part) for part in found]
-    return dr.gather(type(found), found, dr.uint32_array_t(found)(0))
 
 
 @dataclass(frozen=True)
@@ -502,76 +404,6 @@ def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
 def decoder_of(weights: Weights, float_type: type) -> Decoder:
     """The decoder of some weights on one backend; all fabrics share it."""
     return Decoder(weights, float_type)
-
-
-def one_blob(place: tuple[Any, Any, Any]) -> list[Any]:
-    """One-blob coding of x, y and size, 8 Floats each; see `network.one_blob`."""
-    coded = []
-    for number, value in enumerate(place):
-        for bin_ in range(BINS):
-            offset = value - (bin_ + 0.5) / BINS
-            if number < 2:
-                offset -= dr.round(offset)
-            distance = offset * (BINS / BLOB_REACH)
-            coded.append(dr.square(larger(dr.fma(-distance, distance, 1), 0)))
-    return coded
-
-
-def fibre_features(light: Any, view: Any, fibres: tuple[Fibre, Fibre]) -> list[Any]:
-    """What lights bring of `network.fibre_features`: 36 Floats."""
-    total = light + view
-    height = dr.fma(total.z, total.z, OPPOSITE)
-    inverse_square = dr.rcp(dr.fma(total.x, total.x, dr.fma(total.y, total.y, height)))
-    cosines, bins, densities = [], [], []
-    for fibre in fibres:
-        cosines.append(fibre.cosine(light))
-        cosine = fibre.cosine(total)
-        square = dr.square(cosine)
-        reach = dr.fma(INCLINATION_CROWDING, dr.sqrt(square + height), dr.abs(cosine))
-        place = (0.5 * (1 + INCLINATION_CROWDING)) * cosine * dr.rcp(reach)
-        place = (place + 0.5) * (INCLINATION_BINS / INCLINATION_REACH)
-        for bin_ in range(INCLINATION_BINS):
-            distance = place - (bin_ + 0.5) / INCLINATION_REACH
-            bins.append(dr.square(larger(dr.fma(-distance, distance, 1), 0)))
-        squared = dr.square(fibre.roughness)
-        q = dr.fma(square * inverse_square, 1 - squared, squared)
-        density = (DENSITY_GAIN * dr.inv_pi) * squared * fibre.roughness * dr.rcp(dr.square(q))
-        densities.append(DENSITY_SCALE * dr.log(1 + density))
-    return [*cosines, *bins, *densities]
-
-
-def mixed_bundles(shares: Sequence[Any], total: Any, bundles: Sequence[Any], back: Any) -> list[Any]:
-    """`network.mixed_bundles`: the specular components of both families.
-
-    Args:
-        shares: what is put out for the bundles of the face that is seen [2 · `BUNDLES`].
-        total: light plus view [3], in the frame of that face.
-        bundles: of the front.
-        back: whether the back is seen.
-    """
-    inverse = dr.rcp(dr.squared_norm(total) + OPPOSITE)
-    mixed = []
-    for family, of_front in enumerate(bundles):
-        # Those of the back are mirrored across the yarn, and so is their order of places.
-        x = total.x if family else dr.select(back, -total.x, total.x)
-        y = dr.select(back, -total.y, total.y) if family else total.y
-        kept = shares[family * BUNDLES : (family + 1) * BUNDLES]
-        component: Any = 0
-        for number, (along_x, along_y, along_z, width) in enumerate(of_front):
-            cosine = dr.fma(along_x, x, dr.fma(along_y, y, along_z * total.z))
-            root = dr.fma(dr.square(cosine), inverse, width)
-            behind = _mirrored(number)
-            share = kept[number] if behind == number else dr.select(back, kept[behind], kept[number])
-            share = larger(share, share * SLOPE)
-            component = dr.fma(share, dr.rcp(dr.square(root)), component)
-        mixed.append(BUNDLE_UNIT * component)
-    return mixed
-
-
-def _mirrored(bundle: int) -> int:
-    """The number on the back of a bundle of the front."""
-    slope, place = divmod(bundle, BUNDLE_PLACES)
-    return bundle if bundle == BUNDLES - 1 else slope * BUNDLE_PLACES + BUNDLE_PLACES - 1 - place
 
 
 def _wrapped(index: Any, count: Any) -> Any:

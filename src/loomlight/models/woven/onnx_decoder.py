@@ -1,6 +1,6 @@
-"""The decoder as ONNX models: in operators of ONNX alone, and as ONNX Runtime computes it fastest.
+"""The decoder as an ONNX model, for any runtime.
 
-Both hold queries in the last axis, [1, channels, 1, n], where layers are convolutions of one place, so that a
+It holds queries in the last axis, [1, channels, 1, n], where layers are convolutions of one place, so that a
 session that knows n keeps them in blocks of channels from the first layer to the last.
 """
 
@@ -23,12 +23,10 @@ from loomlight.models.woven.architecture import (
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
-    SLOPE,
     TRANSMISSION_GAIN,
 )
 from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.latents import fetched_channels
-from loomlight.models.woven.onnx_graph import CONTRIB, Graph
+from loomlight.models.woven.onnx_graph import Graph
 from loomlight.models.woven.places import own_share
 from loomlight.models.woven.weights import Weights
 
@@ -70,17 +68,6 @@ def decoder_graph(weights: Weights) -> onnx.ModelProto:
     if weights.table.bundles:
         inputs |= {"bundles": ["m", 2, BUNDLES, 4], "correction": [*weights.table.corrected_shape]}
     return graph.model("woven_decoder", inputs, {"components": ["n", 4], "hole": ["n"]})
-
-
-def hidden_graph(weights: Weights) -> onnx.ModelProto:
-    """What the last layer takes, `hidden` [n, hidden], of the inputs of `decoder_graph` without `bundles` and
-    `correction`."""
-    graph = Graph(weights)
-    spatial, _, angles, inclinations, _, _ = _coded(graph)
-    hidden = _hidden(graph, spatial, angles, inclinations)
-    rows = graph.add("Reshape", hidden, graph.integers([weights.table.hidden, -1]))
-    graph.add("Transpose", rows, perm=[1, 0], output="hidden")
-    return graph.model("woven_hidden", _inputs(weights.table), {"hidden": ["n", weights.table.hidden]})
 
 
 def _inputs(table: NetworkTable) -> dict[str, list[str | int]]:
@@ -132,51 +119,6 @@ def _coded(graph: Graph) -> tuple[str, str, str, str, str, str]:
     return spatial, hole, angles, inclinations, light, view
 
 
-def batch_graph(weights: Weights, corrected: bool = False) -> onnx.ModelProto:
-    """Codings and layers of n queries, for ONNX Runtime: its own operator sums and activates in one pass.
-
-    `fetched` [1, 1, n, channels] are of `latents.LatentRows`; `place` [1, 3, 1, n] as in `decoder_graph`, or
-    for networks with one-blob coding [1, 6, 1, n] less a half and followed by squares; `angles` [1, 5, 1, n]
-    are x, y, z of the light and x and y of the view. For networks that take fibres six more follow, of both
-    families each, in the order of `network.fibre_features`: cosines of views, of lights, densities; and
-    `inclinations` [1, 4, 1, n] are those of both families and their squares. For networks that mix bundles
-    `half` [3, n] is the half vector, `axes` [2 · `BUNDLES`, 3] and `widths` [1, 2 · `BUNDLES`, 1, 1] are b
-    and a of `Fibres.bundles`, and `head` is as in `decoder_graph`. `output` [1, 4, 1, n] and `share`
-    [1, 1, 1, n], of holes, are as the network puts them out, and specular components as mixed.
-    """
-    graph = Graph(weights, contrib=True)
-    fetched = graph.add("Transpose", "fetched", perm=[0, 3, 1, 2])
-    spatial, share = _layers(graph, fetched, "place", "angles")
-    hidden = _hidden(graph, spatial, "angles", "inclinations")
-    output = _last(graph, hidden)
-    if corrected:
-        output = _corrected(graph, output, hidden, "own")
-    table = weights.table
-    if table.bundles:
-        cosines = _rows(graph, graph.add("MatMul", "axes", "half"))
-        diffuse, shares = _sliced(graph, output, 0, 2), _sliced(graph, output, 2, table.outputs)
-        output = graph.add("Concat", diffuse, _mixed(graph, shares, cosines, "widths"), axis=1)
-    graph.add("Identity", output, output="output")
-    graph.add("Identity", share, output="share")
-    counts = {"place": 6 if table.position == "one_blob" else 3, "angles": 5}
-    if table.fibres:
-        counts |= {"angles": 11, "inclinations": 4}
-    bundled: dict[str, list[str | int]] = {
-        "half": [3, "n"],
-        "axes": [2 * BUNDLES, 3],
-        "widths": [1, 2 * BUNDLES, 1, 1],
-    }
-    if corrected:
-        bundled |= {"correction": [*table.corrected_shape], "own": [1, "n"]}
-    return graph.model(
-        "woven_batch",
-        {"fetched": [1, 1, "n", fetched_channels(weights)]}
-        | {name: [1, count, 1, "n"] for name, count in counts.items()}
-        | (bundled if table.bundles else {}),
-        {"output": [1, 4, 1, "n"], "share": [1, 1, 1, "n"]},
-    )
-
-
 def _channels_first(graph: Graph, name: str, count: int) -> str:
     columns = graph.add("Transpose", name, perm=[1, 0])
     return graph.add("Reshape", columns, graph.integers([1, count, 1, -1]))
@@ -187,7 +129,11 @@ def _layers(graph: Graph, latent: str, place: str, angles: str) -> tuple[str, st
 
     Args:
         latent: multiplied by the first layer where there is fusion.
-        place, angles: as in `batch_graph`.
+        place: [1, 3, 1, n], or for networks with one-blob coding [1, 6, 1, n] less a half and followed by
+            squares.
+        angles: x, y, z of the light and x and y of the view [1, 5, 1, n]; for networks that take fibres six
+            more, of both families each, in the order of `network.fibre_features`: cosines of views, of
+            lights, densities [1, 11, 1, n].
     """
     weights = graph.weights
     table, tensor = weights.table, weights.tensor
@@ -195,7 +141,7 @@ def _layers(graph: Graph, latent: str, place: str, angles: str) -> tuple[str, st
     if table.fusion:
         first = tensor("decoder.fusion.0.weight")[:, table.latent_size :]
         placed = _dense(graph, coded, _of_coded(table, first))
-        spatial = _layer(graph, "decoder.fusion.1", _leaky(graph, latent, table.hidden, placed), leaky=True)
+        spatial = _layer(graph, "decoder.fusion.1", graph.leaky(graph.add("Add", latent, placed)), leaky=True)
     else:
         spatial = graph.add("Concat", latent, coded, axis=1)
     weight, bias = tensor("decoder.hole.0.weight"), tensor("decoder.hole.0.bias")
@@ -225,7 +171,11 @@ def _corrected(graph: Graph, output: str, hidden: str, share: str) -> str:
 
 
 def _hidden(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
-    """What the last of the angular layers takes [1, hidden, 1, n]."""
+    """What the last of the angular layers takes [1, hidden, 1, n].
+
+    Args:
+        inclinations: of both families, and their squares [1, 4, 1, n], where networks take fibres.
+    """
     weights, table = graph.weights, graph.weights.table
     weight, bias = (weights.tensor(f"decoder.angular.0.{part}") for part in ("weight", "bias"))
     width = weights.tensor("decoder.hole.0.weight").shape[1] - 2
@@ -237,7 +187,7 @@ def _hidden(graph: Graph, spatial: str, angles: str, inclinations: str) -> str:
     else:
         skip = _dense(graph, angles, of_angles, bias)
     skip = _dense(graph, spatial, _of_spatial(table, of_spatial), plus=skip)
-    hidden = _leaky(graph, skip, table.hidden)
+    hidden = graph.leaky(skip)
     count = weights.layers("decoder.angular")
     for number in range(1, count - 1):
         plus = skip if number == 2 else None
@@ -260,35 +210,7 @@ def _dense(
 ) -> str:
     """A layer of weights [outputs, inputs], what is added to it, and its activation."""
     rest = [] if bias is None else [graph.number(bias)]
-    return _convolved(graph, [value, graph.number(weight[:, :, None, None]), *rest], 1, plus, leaky)
-
-
-def _leaky(graph: Graph, value: str, channels: int, plus: str | None = None) -> str:
-    """Leaky ReLU of a value, or of a sum.
-
-    ONNX Runtime keeps its blocks only where activations follow convolutions: here one that changes nothing.
-    """
-    if graph.contrib:
-        same = graph.number(np.ones((channels, 1, 1, 1)))
-        return _convolved(graph, [value, same, graph.number(np.zeros(channels))], channels, plus, True)
-    return graph.leaky(value if plus is None else graph.add("Add", value, plus))
-
-
-def _convolved(graph: Graph, inputs: list[str], groups: int, plus: str | None, leaky: bool) -> str:
-    if graph.contrib and plus is not None and leaky:
-        bias = [""] if len(inputs) == 2 else []
-        return graph.add(
-            "FusedConv",
-            *inputs,
-            *bias,
-            plus,
-            kernel_shape=[1, 1],
-            group=groups,
-            activation="LeakyRelu",
-            activation_params=[SLOPE],
-            domain=CONTRIB,
-        )
-    found = graph.add("Conv", *inputs, kernel_shape=[1, 1], group=groups)
+    found = graph.add("Conv", value, graph.number(weight[:, :, None, None]), *rest, kernel_shape=[1, 1])
     if plus is not None:
         found = graph.add("Add", found, plus)
     return graph.leaky(found) if leaky else found

@@ -14,7 +14,6 @@ from loomlight.models.woven.weights import Weights
 
 _OPSET, _IR = 21, 10
 FLOAT = TensorProto.FLOAT
-CONTRIB = "com.microsoft"  # the domain of ONNX Runtime's own operators
 
 
 class Graph:
@@ -22,12 +21,10 @@ class Graph:
 
     Attributes:
         weights: the network.
-        contrib: whether it may use ONNX Runtime's own operators.
     """
 
-    def __init__(self, weights: Weights, contrib: bool = False) -> None:
+    def __init__(self, weights: Weights) -> None:
         self.weights = weights
-        self.contrib = contrib
         self._nodes: list[Any] = []
         self._constants: dict[str, NDArray[Any]] = {}
 
@@ -84,8 +81,6 @@ class Graph:
             [numpy_helper.from_array(values, key) for key, values in self._constants.items()],
         )
         operators = [helper.make_opsetid("", _OPSET)]
-        if self.contrib:
-            operators.append(helper.make_opsetid(CONTRIB, 1))
         model = helper.make_model(graph, opset_imports=operators, ir_version=_IR, producer_name="loomlight")
         helper.set_model_props(model, {"network": self.weights.sha256})
         return model

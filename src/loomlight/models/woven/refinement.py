@@ -10,9 +10,6 @@ all below a thread: of what lies in those the fit knows nothing.
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
@@ -21,11 +18,10 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
+from loomlight.models.woven.batch import columns, fabric_numbers
+from loomlight.models.woven.compiled import compiled_decoder
 from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.onnx_decoder import hidden_graph
-from loomlight.models.woven.places import network_places
 from loomlight.models.woven.pool import places_of
-from loomlight.models.woven.pyramid import taps
 from loomlight.models.woven.weights import Weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -158,29 +154,8 @@ def _hidden(
     footprints: NDArray[np.float32],
 ) -> NDArray[np.float64]:
     """Inputs of the last layer [n, hidden] in the frame of one face."""
-    latents = encoded.faces[int(back)].astype(np.float32)
-    texels, shares = taps(encoded.levels, *footprints.T)
-    latent = np.einsum("nk,nkc->nc", shares, latents[texels])
-    given: dict[str, NDArray[np.float32]] = {
-        "latent": latent.astype(np.float32),
-        "place": network_places(weights.table, encoded.picks, encoded.ends, footprints),
-        "light": light,
-        "view": view,
-    }
-    if weights.table.fibres:
-        face = encoded.fibres.face(back)
-        given["fibres"] = np.broadcast_to(face, (len(light), *face.shape))
-    session = _hidden_session(weights)
-    (hidden,) = session.run(None, {name: np.ascontiguousarray(values) for name, values in given.items()})
-    return hidden.astype(np.float64)
-
-
-@cache
-def _hidden_session(weights: Weights) -> Any:
-    import onnxruntime
-
-    options = onnxruntime.SessionOptions()
-    options.log_severity_level = 3
-    return onnxruntime.InferenceSession(
-        hidden_graph(weights).SerializeToString(), options, providers=["CPUExecutionProvider"]
-    )
+    behind = np.full(len(light), back, np.float32)
+    queries = [*columns(footprints), *columns(view), behind, *columns(light)]
+    found = np.empty((weights.table.hidden, len(light)), np.float32)
+    compiled_decoder(weights).run("hidden", fabric_numbers(weights, encoded), queries, [*found])
+    return found.T.astype(np.float64)

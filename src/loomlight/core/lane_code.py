@@ -1,0 +1,428 @@
+"""Code that answers many queries at once, written in LLVM's language: vectors with a lane for each query.
+
+Arithmetic on `Lanes` reads as that of arrays, and `Code` has functions that numpy and Dr.Jit have, so that
+formulas may be written once for all three. A function of such code answers block after block of queries;
+whatever a block needs between its first number and its last lies in rows on the stack, near the core.
+`machine_code` compiles and runs it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+from llvmlite import ir
+from numpy.polynomial import Chebyshev, Polynomial
+
+FLOAT, WHOLE, INDEX = ir.FloatType(), ir.IntType(32), ir.IntType(64)
+_BYTES = 64  # of a line of the cache, which rows begin with
+# Degrees that leave errors of single precision.
+_LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE = 9, 7
+# ln 2 as a number of few digits and a rest, so that a multiple of it can be taken away exactly.
+_LN2 = 0.693359375, math.log(2) - 0.693359375
+
+
+# What LLVM may do: fuse a product and a sum; for a quotient of finite numbers, take an estimate of the
+# reciprocal and one step of Newton's, off by a few last digits, where a division takes five times as long.
+_FREEDOMS = {"fdiv": ["arcp", "ninf"]}
+
+
+@dataclass(frozen=True)
+class Vectors:
+    """How code uses a processor's vectors.
+
+    Attributes:
+        lanes: numbers of a vector.
+        registers: vectors that a core holds at once.
+        of_block: vectors of a block of queries. Three keep every weight for three multiply-adds, and leave
+            their sums room for eight outputs.
+    """
+
+    lanes: int
+    registers: int
+    of_block: int = 3
+
+    @property
+    def block(self) -> int:
+        """Queries of a block."""
+        return self.lanes * self.of_block
+
+    @property
+    def sums(self) -> int:
+        """Outputs of a layer whose sums stay in registers, for all vectors of a block: a power of two, as
+        layers' widths are multiples of one."""
+        room = (self.registers - self.of_block - 1) // self.of_block
+        return 1 << (room.bit_length() - 1)
+
+
+class Lanes:
+    """A number for each lane, or what is true in which. Divisors must not be 0."""
+
+    __slots__ = ("_code", "value")
+
+    def __init__(self, code: Code, value: ir.Value) -> None:
+        self._code, self.value = code, value
+
+    def _with(self, other: Any, operation: str, turned: bool = False) -> Lanes:
+        pair = self.value, self._code.number(other).value
+        first, second = reversed(pair) if turned else pair
+        write = getattr(self._code.builder, operation)
+        return Lanes(self._code, write(first, second, flags=_FREEDOMS.get(operation, ["contract"])))
+
+    def __add__(self, other: Any) -> Lanes:
+        return self._with(other, "fadd")
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Lanes:
+        return self._with(other, "fsub")
+
+    def __rsub__(self, other: Any) -> Lanes:
+        return self._with(other, "fsub", turned=True)
+
+    def __mul__(self, other: Any) -> Lanes:
+        return self._with(other, "fmul")
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Lanes:
+        return self._with(other, "fdiv")
+
+    def __rtruediv__(self, other: Any) -> Lanes:
+        return self._with(other, "fdiv", turned=True)
+
+    def __neg__(self) -> Lanes:
+        return 0.0 - self
+
+    def _compared(self, relation: str, other: Any) -> Lanes:
+        found = self._code.builder.fcmp_ordered(relation, self.value, self._code.number(other).value)
+        return Lanes(self._code, found)
+
+    def __lt__(self, other: Any) -> Lanes:
+        return self._compared("<", other)
+
+    def __gt__(self, other: Any) -> Lanes:
+        return self._compared(">", other)
+
+    def __ge__(self, other: Any) -> Lanes:
+        return self._compared(">=", other)
+
+    def __and__(self, other: Lanes) -> Lanes:
+        return Lanes(self._code, self._code.builder.and_(self.value, other.value))
+
+
+class Rows:
+    """Numbers of a block's queries on the stack, a row for each channel."""
+
+    def __init__(self, code: Code, pointer: ir.Value) -> None:
+        self._code, self.pointer = code, pointer
+
+    def after(self, channel: int) -> Rows:
+        """Rows without so many of the first."""
+        return Rows(self._code, self.place(channel))
+
+    def place(self, channel: Any) -> ir.Value:
+        """Where a row begins."""
+        return self._code.element(self.pointer, self._code.times(channel, self._code.vectors.block))
+
+    def __getitem__(self, channel: Any) -> Lanes:
+        """A channel of the vector at hand."""
+        return self._code.load(self._code.element(self.place(channel), self._code.lane))
+
+    def __setitem__(self, channel: Any, lanes: Any) -> None:
+        self._code.store(self._code.number(lanes), self._code.element(self.place(channel), self._code.lane))
+
+
+class Code:
+    """A function of blocks of queries that is being written.
+
+    It is given the blocks from which and before which it is to answer, and addresses of arrays of floats: a
+    query's numbers lie in the first arrays, its answers are put into others, and what all queries share is in
+    the rest.
+
+    Attributes:
+        vectors: of the processor.
+        module: LLVM's; its one function of public linkage is `name`.
+        builder: writes the next instruction.
+        lane: of the vector at hand, the number of its first lane within the block.
+    """
+
+    def __init__(self, name: str, vectors: Vectors) -> None:
+        self.name, self.vectors = name, vectors
+        self.module = ir.Module(name)
+        self._vector = ir.VectorType(FLOAT, vectors.lanes)
+        self._wholes = ir.VectorType(WHOLE, vectors.lanes)
+        pointers = FLOAT.as_pointer().as_pointer()
+        kind = ir.FunctionType(ir.VoidType(), [INDEX, INDEX, pointers])
+        self._function = ir.Function(self.module, kind, name)
+        self._entry = self._function.append_basic_block("entry")
+        self.builder = ir.IRBuilder(self._entry)
+        self._first, self._end, self._addresses = self._function.args
+        self.lane: Any = INDEX(0)
+        self._block: Any = INDEX(0)
+
+    # Where code goes.
+
+    @contextmanager
+    def blocks(self) -> Iterator[None]:
+        """Code for each block; the function is finished afterwards."""
+        start = self.builder.append_basic_block("blocks")
+        self.builder.position_at_end(start)
+        with self.loop(self.builder.sub(self._end, self._first)) as number:
+            self._block = self.times(self.builder.add(self._first, number), self.vectors.block)
+            yield
+        self.builder.ret_void()
+        # All rows have been asked for.
+        self.builder.position_at_end(self._entry)
+        self.builder.branch(start)
+
+    @contextmanager
+    def loop(self, count: Any) -> Iterator[ir.Value]:
+        """Code for each number from 0 to count − 1; at least for 0."""
+        builder, before = self.builder, self.builder.block
+        body = builder.append_basic_block("turn")
+        builder.branch(body)
+        builder.position_at_end(body)
+        number = builder.phi(INDEX)
+        number.add_incoming(INDEX(0), before)
+        yield number
+        following = builder.add(number, INDEX(1))
+        number.add_incoming(following, builder.block)
+        done = builder.append_basic_block("done")
+        more = builder.icmp_signed("<", following, count if isinstance(count, ir.Value) else INDEX(count))
+        builder.cbranch(more, body, done)
+        builder.position_at_end(done)
+
+    @contextmanager
+    def each_vector(self) -> Iterator[None]:
+        """Code for each vector of the block."""
+        with self.loop(self.vectors.of_block) as number:
+            self.lane = self.times(number, self.vectors.lanes)
+            yield
+        self.lane = INDEX(0)
+
+    @contextmanager
+    def function(self, name: str, kinds: Sequence[ir.Type]) -> Iterator[Sequence[ir.Value]]:
+        """Code of a function of its own; its arguments."""
+        function = ir.Function(self.module, ir.FunctionType(ir.VoidType(), kinds), name)
+        function.linkage = "private"
+        function.attributes.add("noinline")
+        outer, self.builder = self.builder, ir.IRBuilder(function.append_basic_block("entry"))
+        yield function.args
+        self.builder.ret_void()
+        self.builder = outer
+
+    def call(self, name: str, arguments: Sequence[ir.Value]) -> None:
+        """Calls a function that `function` wrote."""
+        self.builder.call(self.module.get_global(name), arguments)
+
+    def has(self, name: str) -> bool:
+        """Whether a function of that name is written."""
+        return name in self.module.globals
+
+    # Where numbers lie.
+
+    def rows(self, count: int) -> Rows:
+        """Rows on the stack, not yet filled."""
+        return Rows(self, self.stack(count * self.vectors.block))
+
+    def stack(self, count: int) -> ir.Value:
+        """Room for so many floats on the stack."""
+        with self.builder.goto_block(self._entry):
+            room = self.builder.alloca(ir.ArrayType(FLOAT, count))
+            room.align = _BYTES
+            return self.builder.bitcast(room, FLOAT.as_pointer())
+
+    def array(self, number: Any) -> ir.Value:
+        """Where an array begins."""
+        return self.builder.load(self.builder.gep(self._addresses, [self._index(number)]))
+
+    def queries(self, number: Any) -> ir.Value:
+        """Where the numbers of the vector at hand lie in an array of queries or answers."""
+        return self.element(self.array(number), self.builder.add(self._block, self.lane))
+
+    def given(self, number: Any) -> Lanes:
+        """What an array holds for the queries at hand."""
+        return self.load(self.queries(number), align=4)
+
+    def answer(self, number: Any, lanes: Any) -> None:
+        """Puts the answers to the queries at hand into an array."""
+        self.store(self.number(lanes), self.queries(number), align=4)
+
+    def element(self, pointer: ir.Value, number: Any) -> ir.Value:
+        """Where an element of an array lies."""
+        return self.builder.gep(pointer, [self._index(number)])
+
+    def load(self, pointer: ir.Value, align: int | None = None) -> Lanes:
+        """A vector from memory, with its first lane there."""
+        found = self.builder.load(self.builder.bitcast(pointer, self._vector.as_pointer()))
+        found.align = align or 4 * self.vectors.lanes
+        return Lanes(self, found)
+
+    def store(self, lanes: Lanes, pointer: ir.Value, align: int | None = None) -> None:
+        """Puts a vector into memory."""
+        place = self.builder.bitcast(pointer, self._vector.as_pointer())
+        self.builder.store(lanes.value, place).align = align or 4 * self.vectors.lanes
+
+    def shared(self, pointer: ir.Value, number: Any) -> Lanes:
+        """An element of an array in all lanes."""
+        return self.spread(self.builder.load(self.element(pointer, number)))
+
+    def spread(self, value: ir.Value) -> Lanes:
+        """A number in all lanes."""
+        nowhere = ir.Constant(self._vector, ir.Undefined)
+        one = self.builder.insert_element(nowhere, value, WHOLE(0))
+        return Lanes(self, self.builder.shuffle_vector(one, nowhere, self._lanes([0] * self.vectors.lanes)))
+
+    def transposed(self, lines: Sequence[Lanes]) -> list[Lanes]:
+        """Of as many vectors as they have lanes, those whose lanes are the vectors."""
+        half, lanes = self.vectors.lanes // 2, self.vectors.lanes
+        low = self._lanes([lane // 2 + lanes * (lane % 2) for lane in range(lanes)])
+        high = self._lanes([lane // 2 + half + lanes * (lane % 2) for lane in range(lanes)])
+        found = [line.value for line in lines]
+        for _ in range(lanes.bit_length() - 1):
+            found = [
+                self.builder.shuffle_vector(found[number // 2], found[number // 2 + half], order)
+                for number, order in ((k, high if k % 2 else low) for k in range(lanes))
+            ]
+        return [Lanes(self, value) for value in found]
+
+    # What may be done with numbers, as modules of arrays have it.
+
+    def number(self, value: Any) -> Lanes:
+        """A number of Python's, in all lanes; lanes as they are."""
+        if isinstance(value, Lanes):
+            return value
+        return Lanes(self, ir.Constant(self._vector, [float(np.float32(value))] * self.vectors.lanes))
+
+    def fma(self, a: Any, b: Any, c: Any) -> Lanes:
+        """a b + c, rounded once."""
+        return self._intrinsic("fma", a, b, c)
+
+    def sqrt(self, value: Any) -> Lanes:
+        """Square root."""
+        return self._intrinsic("sqrt", value)
+
+    def floor(self, value: Any) -> Lanes:
+        """The next whole number below."""
+        return self._intrinsic("floor", value)
+
+    def round(self, value: Any) -> Lanes:
+        """The nearest whole number."""
+        return self._intrinsic("rint", value)
+
+    def abs(self, value: Any) -> Lanes:
+        """Magnitude."""
+        return self._intrinsic("fabs", value)
+
+    def square(self, value: Any) -> Lanes:
+        """Square."""
+        return self.number(value) * value
+
+    def rcp(self, value: Any) -> Lanes:
+        """Reciprocal."""
+        return 1.0 / self.number(value)
+
+    def select(self, chosen: Lanes, first: Any, second: Any) -> Lanes:
+        """One number where something is true, another where it is not."""
+        values = self.number(first).value, self.number(second).value
+        return Lanes(self, self.builder.select(chosen.value, *values))
+
+    def maximum(self, first: Any, second: Any) -> Lanes:
+        """The larger one; the second where either is no number."""
+        return self.select(self.number(first) > second, first, second)
+
+    def minimum(self, first: Any, second: Any) -> Lanes:
+        """The smaller one; the second where either is no number."""
+        return self.select(self.number(first) < second, first, second)
+
+    def clip(self, value: Any, low: Any, high: Any) -> Lanes:
+        """Brought into a range; `low` where it is no number."""
+        return self.minimum(self.maximum(value, low), high)
+
+    def log2(self, value: Any) -> Lanes:
+        """Binary logarithm of a positive number that is not subnormal."""
+        bits = self.builder.bitcast(self.number(value).value, self._wholes)
+        # From 1/√2 to √2, and a power of two.
+        root = self._wholes_of(int(np.float32(math.sqrt(0.5)).view(np.int32)))
+        power = self.builder.ashr(self.builder.sub(bits, root), self._wholes_of(23))
+        near_one = self.builder.sub(bits, self.builder.shl(power, self._wholes_of(23)))
+        less_one = Lanes(self, self.builder.bitcast(near_one, self._vector)) - 1.0
+        share = self._polynomial(_logarithm(), less_one)
+        return self.fma(less_one, share, Lanes(self, self.builder.sitofp(power, self._vector)))
+
+    def log(self, value: Any) -> Lanes:
+        """Natural logarithm of a positive number that is not subnormal."""
+        return math.log(2) * self.log2(value)
+
+    def exp(self, value: Any) -> Lanes:
+        """Exponential of a number between −87 and 88."""
+        value = self.clip(value, -87.0, 88.0)
+        power = self.round(value * (1 / math.log(2)))
+        rest = self.fma(power, -_LN2[1], self.fma(power, -_LN2[0], value))
+        found = self._polynomial(_exponential(), rest)
+        whole = self.builder.fptosi(power.value, self._wholes)
+        raised = self.builder.add(
+            self.builder.bitcast(found.value, self._wholes), self.builder.shl(whole, self._wholes_of(23))
+        )
+        return Lanes(self, self.builder.bitcast(raised, self._vector))
+
+    # Numbers of arrays.
+
+    def times(self, number: Any, factor: int) -> Any:
+        """A multiple of a number of an array's element."""
+        if isinstance(number, ir.Value) and not isinstance(number, ir.Constant):
+            return self.builder.mul(number, INDEX(factor))
+        return INDEX(int(getattr(number, "constant", number)) * factor)
+
+    def whole(self, value: ir.Value) -> ir.Value:
+        """The number of an element that a float holds."""
+        return self.builder.fptosi(value, INDEX)
+
+    def _index(self, number: Any) -> ir.Value:
+        return number if isinstance(number, ir.Value) else INDEX(number)
+
+    def _polynomial(self, coefficients: tuple[float, ...], value: Lanes) -> Lanes:
+        found = self.number(coefficients[-1])
+        for coefficient in reversed(coefficients[:-1]):
+            found = self.fma(found, value, coefficient)
+        return found
+
+    def _intrinsic(self, name: str, *values: Any) -> Lanes:
+        full = f"llvm.{name}.v{self.vectors.lanes}f32"
+        function = self.module.globals.get(full)
+        if function is None:
+            kind = ir.FunctionType(self._vector, [self._vector] * len(values))
+            function = ir.Function(self.module, kind, full)
+        return Lanes(self, self.builder.call(function, [self.number(value).value for value in values]))
+
+    def _lanes(self, numbers: Sequence[int]) -> ir.Constant:
+        return ir.Constant(self._wholes, list(numbers))
+
+    def _wholes_of(self, number: int) -> ir.Constant:
+        return self._lanes([number] * self.vectors.lanes)
+
+
+@cache
+def _logarithm() -> tuple[float, ...]:
+    """Of log2(1 + t)/t."""
+    return _fitted(
+        lambda t: np.log1p(t) / (t * math.log(2)), math.sqrt(0.5) - 1, math.sqrt(2) - 1, _LOGARITHM_DEGREE
+    )
+
+
+@cache
+def _exponential() -> tuple[float, ...]:
+    """Of e^t."""
+    return _fitted(np.exp, -0.51 * math.log(2), 0.51 * math.log(2), _EXPONENTIAL_DEGREE)
+
+
+def _fitted(function: Callable[[Any], Any], low: float, high: float, degree: int) -> tuple[float, ...]:
+    """Coefficients of a polynomial that is a function to within rounding, lowest power first."""
+    fitted: Any = Chebyshev.interpolate(function, degree, [low, high])
+    return tuple(fitted.convert(kind=Polynomial).coef.tolist())

@@ -1,0 +1,137 @@
+"""Code of `lane_code`, compiled for this processor and run on all its cores."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from typing import Any
+
+import llvmlite.binding as llvm
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.lane_code import Code, Vectors
+
+_SPEED = 2  # LLVM's level of optimisation
+# Parts of the work for each core: a core that others use as well should not be waited for.
+_PARTS = 8
+_LINE = 16  # floats of a line of the cache
+
+Floats = NDArray[np.float32]
+
+
+@cache
+def cores() -> int:
+    """Cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@cache
+def vectors() -> Vectors:
+    """Vectors of this processor."""
+    try:
+        features = llvm.get_host_cpu_features()
+    except RuntimeError:  # LLVM does not know how to ask
+        features = {}
+    if features.get("avx512f"):
+        return Vectors(16, 32)
+    if features.get("avx2") and features.get("fma"):
+        return Vectors(8, 16)
+    return Vectors(4, 32 if llvm.get_default_triple().startswith(("aarch64", "arm64")) else 16)
+
+
+def aligned(values: Floats) -> Floats:
+    """The same numbers, beginning with a line of the cache, which no vector of theirs then straddles."""
+    room = np.empty(values.size + _LINE, np.float32)
+    first = -(room.ctypes.data // room.itemsize) % _LINE
+    found = room[first : first + values.size].reshape(values.shape)
+    found[:] = values
+    return found
+
+
+class MachineCode:
+    """A compiled function of queries."""
+
+    def __init__(self, code: Code) -> None:
+        self._block = code.vectors.block
+        self._engine = _compiled(code)
+        kind = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
+        self._function = kind(self._engine.get_function_address(code.name))
+
+    def run(
+        self, count: int, queries: Sequence[Floats], answers: Sequence[Floats], shared: Sequence[Floats]
+    ) -> None:
+        """Answers queries.
+
+        Args:
+            count: of queries.
+            queries: the numbers that each is, arrays [count].
+            answers: arrays [count] to be filled.
+            shared: what all queries share, in memory one after another.
+        """
+        for array in (*queries, *answers):
+            if array.shape != (count,) or array.dtype != np.float32 or not array.flags.c_contiguous:
+                raise ValueError("queries and answers have to be float32 in a row, as many as are asked for")
+        full = count // self._block
+        if full:
+            self._on_all_cores(full, [*queries, *answers, *shared])
+        done = full * self._block
+        if done < count:
+            # A block that is not full is answered aside.
+            last = [_padded(array[done:], self._block) for array in queries]
+            found = [np.empty(self._block, np.float32) for _ in answers]
+            self._on_all_cores(1, [*last, *found, *shared])
+            for array, some in zip(answers, found, strict=True):
+                array[done:] = some[: count - done]
+
+    def _on_all_cores(self, blocks: int, arrays: Sequence[Floats]) -> None:
+        addresses = np.array([array.ctypes.data for array in arrays], np.uint64)
+        at = addresses.ctypes.data
+        parts = min(blocks, cores() * _PARTS)
+        if cores() == 1 or parts < 2:
+            self._function(0, blocks, at)
+            return
+        bounds = [blocks * part // parts for part in range(parts + 1)]
+        list(_workers().map(lambda first, end: self._function(first, end, at), bounds[:-1], bounds[1:]))
+
+
+@cache
+def _workers() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(cores(), thread_name_prefix="loomlight")
+
+
+@cache
+def _target() -> Any:
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    return llvm.Target.from_default_triple()
+
+
+def _compiled(code: Code) -> Any:
+    """LLVM's engine that holds the machine code."""
+    target = _target()
+    try:
+        features = llvm.get_host_cpu_features().flatten()
+    except RuntimeError:
+        features = ""
+    machine = target.create_target_machine(
+        cpu=llvm.get_host_cpu_name(), features=features, opt=_SPEED, jit=True
+    )
+    module = llvm.parse_assembly(str(code.module))
+    module.verify()
+    # Layers are loops already, as long as they should be.
+    options = llvm.create_pipeline_tuning_options(speed_level=_SPEED)
+    options.loop_unrolling = options.loop_vectorization = options.slp_vectorization = False
+    passes = llvm.create_pass_builder(machine, options)
+    passes.getModulePassManager().run(module, passes)
+    engine = llvm.create_mcjit_compiler(module, machine)
+    engine.finalize_object()
+    return engine
+
+
+def _padded(values: Floats, count: int) -> Floats:
+    """Values [n] and, up to `count`, the last of them again."""
+    return np.concatenate([values, np.repeat(values[-1:], count - len(values))])
