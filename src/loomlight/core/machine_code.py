@@ -103,6 +103,11 @@ def _workers() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(cores(), thread_name_prefix="loomlight")
 
 
+if hasattr(os, "register_at_fork"):
+    # Threads stay behind.
+    os.register_at_fork(after_in_child=_workers.cache_clear)
+
+
 @cache
 def _target() -> Any:
     llvm.initialize_native_target()

@@ -1,6 +1,6 @@
 """`woven_neural`: the universal network of chen2024 as a Mitsuba BSDF, for any distance, one sample a pixel.
 
-It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is ten times
+It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is fifty times
 slower (`loomlight.models.woven.decoder`), so that integrator does without them where such a BSDF is about.
 """
 
@@ -38,8 +38,9 @@ def woven_neural_class() -> type:
             other: a second fabric, a path or a weave's name, whose latents this one's are mixed with.
             blend: how much of the other one: 0 (default) is this one, 1 the other; beyond, extrapolated.
                 Colours stay this one's.
-            refined: whether the last layer is fitted to the fabric, true by default: seconds for a fabric
-                that the cache does not have, and highlights twice as exact. Off, threads are edited live.
+            refined: whether the last layer is fitted to the fabric, true by default: most of a second for a
+                fabric that the cache does not have, and highlights twice as exact. Off, threads are edited
+                live.
             weights: a weights file that `loomlight train woven` wrote; by default that of the package.
 
         Scene parameters are those of `FootprintBsdf`, and ``blend`` where there is another fabric. A change

@@ -10,9 +10,12 @@ all below a thread: of what lies in those the fit knows nothing.
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
+from threadpoolctl import threadpool_limits
 
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
@@ -59,10 +62,16 @@ def fitted_correction(
     layer = np.concatenate(
         [weights.tensor(f"{name}.weight"), weights.tensor(f"{name}.bias")[:, None]], axis=1
     )
-    correction = []
-    for family, rows in enumerate(np.split(layer[-2 * BUNDLES :].astype(np.float64), 2)):
-        fitted = _fitted(rows, inputs, BUNDLE_UNIT * densities[:, family], truth[:, 2 + family])
-        correction.append(fitted - rows)
+    heads = np.split(layer[-2 * BUNDLES :].astype(np.float64), 2)
+
+    def own(family: int) -> NDArray[np.float64]:
+        return _fitted(heads[family], inputs, BUNDLE_UNIT * densities[:, family], truth[:, 2 + family])
+
+    # A core each: threads within a small factorisation wait for each other longer than they compute, and
+    # fifty times as long where others use a core too.
+    with threadpool_limits(1, "blas"), ThreadPoolExecutor(2) as pool:
+        fitted = pool.map(own, (0, 1))
+        correction = [rows - head for rows, head in zip(fitted, heads, strict=True)]
     return np.concatenate(correction).astype(np.float32)
 
 
@@ -85,6 +94,7 @@ def _fitted(
     importance = (truth + _DARK * mean) ** _POWER
     likeness = inputs @ inputs.T
     scale = np.mean(np.diagonal(likeness))
+    likeness /= scale
 
     def errors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
         shares = inputs @ rows.T
@@ -94,9 +104,12 @@ def _fitted(
     error = errors(head)
     for _ in range(_STEPS):
         slopes = densities * np.where(inputs @ head.T > 0, 1, SLOPE) * importance[:, None]
-        kernel = (slopes @ slopes.T) * likeness / scale
+        kernel = slopes @ slopes.T
+        kernel *= likeness
         kernel[np.diag_indices_from(kernel)] += _CHANGE * np.trace(kernel) / len(kernel)
-        change = (slopes * cho_solve(cho_factor(kernel), error)[:, None]).T @ inputs / scale
+        # Symmetric, and so its own transpose, which lies as LAPACK takes it.
+        factor = cho_factor(kernel.T, lower=True, overwrite_a=True, check_finite=False)
+        change = (slopes * cho_solve(factor, error, check_finite=False)[:, None]).T @ inputs / scale
         # What was linear may not be so far: the best of some shares of the step.
         tried = [head + share * change for share in _SHARES_OF_A_STEP]
         found = [errors(rows) for rows in tried]
