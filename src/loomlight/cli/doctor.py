@@ -20,6 +20,7 @@ PACKAGES = (
     "mitsuba",
     "numpy",
     "scipy",
+    "threadpoolctl",
     "pillow",
     "OpenEXR",
     "dtx_to_wif",
@@ -30,6 +31,7 @@ PACKAGES = (
     "safetensors",
     "onnx",
     "onnxruntime",
+    "llvmlite",
     "zarr",
     "flip-evaluator",
 )
@@ -91,6 +93,7 @@ def findings() -> Iterator[Finding]:
         return
     llvm = _llvm()
     yield llvm
+    yield _machine_code()
     yield _cuda()
     if llvm.remedy is None:
         yield _variant()
@@ -121,6 +124,23 @@ def _llvm() -> Finding:
     if not _kernel_runs("llvm"):
         return Finding("LLVM", f"{shown}, but a first kernel does not compile", f"{ADVICE}.")
     return Finding("LLVM", shown)
+
+
+def _machine_code() -> Finding:
+    import numpy as np
+
+    from loomlight.core.lane_code import Code
+    from loomlight.core.machine_code import MachineCode, vectors
+
+    code = Code("next", vectors())
+    with code.blocks(), code.each_vector():
+        code.answer(1, code.given(0) + 1)
+    numbers = np.arange(100, dtype=np.float32)
+    found = np.zeros_like(numbers)
+    MachineCode(code).run(len(numbers), [numbers], [found], [])
+    if not (found == numbers + 1).all():
+        return Finding("machine code", "counts wrongly", "python -m pip install --upgrade llvmlite")
+    return Finding("machine code", f"{vectors().lanes} numbers at once")
 
 
 def _cuda() -> Finding:

@@ -11,11 +11,13 @@ import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
 from loomlight.core.footprint import Footprint
+from loomlight.core.lane_code import Vectors
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
-from loomlight.models.woven.batch import decode
-from loomlight.models.woven.compiled import _compiled
+from loomlight.models.woven import compiled, decoder_code
+from loomlight.models.woven.batch import decode, fabric_numbers
+from loomlight.models.woven.compiled import _compiled, compiled_decoder
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
@@ -65,6 +67,30 @@ def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> N
         assert error.max() < 1e-3
 
 
+@pytest.mark.parametrize("wide", [Vectors(4, 16), Vectors(8, 16), Vectors(4, 32)], ids=str)
+def test_other_processors_answer_alike(
+    wide: Vectors, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text(CLOTH)
+    correction = np.random.default_rng(3).normal(size=weights.table.corrected_shape).astype(np.float32)
+    encoded = replace(encode(fabric, weights, Float), correction=correction)
+    rng = np.random.default_rng(9)
+    queries = unit_vectors(rng, 500), unit_vectors(rng, 500), rng.uniform(0.01, 20, (500, 3))
+    wanted = decode(weights, encoded, *queries)
+    caches = _compiled, compiled_decoder, fabric_numbers
+    for module in (compiled, decoder_code):
+        monkeypatch.setattr(module, "vectors", lambda: wide)
+    try:
+        for cached in caches:
+            cached.cache_clear()
+        found = decode(weights, encoded, *queries)
+    finally:
+        for cached in caches:
+            cached.cache_clear()
+    # Sums of the same terms, in the same order but for channels of the latents.
+    np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-5 * wanted.max())
+
+
 def answered(
     model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
 ) -> list[np.ndarray]:
@@ -106,14 +132,14 @@ def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
 def test_new_fabrics_need_no_new_code(tmp_path: Path) -> None:
     weights = weights_of(network("field"), tmp_path)
     rng = np.random.default_rng(4)
-    compiled = []
+    misses = []
     for text in ("plain", "satin 5/2", "twill 2/1"):
         fabric = fabric_from_text(text)
         model = WovenModel(fabric, encode(fabric, weights, Float), weights)
         directions = unit_vectors(rng, 100), unit_vectors(rng, 100)
         answered(model, *directions, rng.uniform(0, 1, (100, 2)), np.full(100, 0.1))
-        compiled.append(_compiled.cache_info().misses)
-    assert compiled[0] == compiled[-1]
+        misses.append(_compiled.cache_info().misses)
+    assert misses[0] == misses[-1]
 
 
 @pytest.mark.parametrize("count", [1, 1000])
@@ -136,11 +162,11 @@ def test_machine_code_takes_what_all_lanes_share(
         assert dr.width(response) == count
         return np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response))))
 
-    compiled = answer()
+    by_machine_code = answer()
     monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
-    assert compiled[:4].max() > 1e-3
+    assert by_machine_code[:4].max() > 1e-3
     # Sums of the same terms in much the same order.
-    np.testing.assert_allclose(compiled, answer(), rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(by_machine_code, answer(), rtol=1e-4, atol=1e-6)
 
 
 def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
