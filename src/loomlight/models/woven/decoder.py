@@ -69,6 +69,7 @@ class LatentTable:
         picks, ends: of the repeat.
         channels: numbers a texel.
         bundles: of the front, b and a of each, for both families; see `Fibres.bundles`.
+        numbers: what machine code reads, where there may be such.
     """
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
@@ -97,9 +98,9 @@ class LatentTable:
             self._correction = tuple(
                 uploaded(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
             )
-        # What machine code reads: the same memory, where Dr.Jit's arrays are in it.
         self.numbers: FabricNumbers | None = None
-        if dr.backend_v(types.Float) == dr.JitBackend.LLVM:
+        if _compiles(types.Float):
+            # Of the same memory.
             dr.sync_thread()
             values = self._values.numpy().reshape(rows.values.shape)
             self.numbers = FabricNumbers(weights, encoded, replace(rows, values=values))
@@ -111,11 +112,6 @@ class LatentTable:
             Fibre(dr.select(back, -warp_x, warp_x), warp_y, warp_roughness),
             Fibre(weft_x, dr.select(back, -weft_y, weft_y), weft_roughness),
         )
-
-    @property
-    def is_corrected(self) -> bool:
-        """Whether the fabric has a correction of its own."""
-        return self._correction is not None
 
     def corrected(self, shares: list[Any], hidden: list[Any], own: Any) -> list[Any]:
         """What is put out for bundles, with the fabric's own correction.
@@ -238,8 +234,7 @@ class Decoder:
     def compiles(self, asked: Sequence[Any]) -> bool:
         """Whether queries are answered by machine code."""
         return (
-            dr.backend_v(self._types.Float) == dr.JitBackend.LLVM
-            and dr.type_v(self._types.Float) == dr.VarType.Float32
+            _compiles(self._types.Float)
             and dr.width(asked) > 0
             and not dr.flag(dr.JitFlag.SymbolicScope)
             and not dr.flag(dr.JitFlag.FreezingScope)
@@ -306,6 +301,11 @@ class Decoder:
             found = found[:DIFFUSE]
             specular = mixed_bundles(shares, light, seen.view, table.bundles, seen.back, dr)
         return unmapped(found, specular, light.z, weights.linear_diffuse, dr)
+
+
+def _compiles(float_type: Any) -> bool:
+    """Whether machine code can read arrays of a type."""
+    return dr.backend_v(float_type) == dr.JitBackend.LLVM and dr.type_v(float_type) == dr.VarType.Float32
 
 
 def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
