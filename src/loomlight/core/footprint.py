@@ -17,7 +17,11 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, larger
+from loomlight.core.backend import array_types, larger, smaller
+
+# Squares of a row, and up to which ratio of squared length to squared width one square does as well.
+SQUARES = 4
+_ALIKE = 1.5
 
 
 @dataclass
@@ -68,6 +72,30 @@ class Footprint:
         no moiré.
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
+
+    def row_of_squares(self) -> tuple[Any, Any]:
+        """A row of `SQUARES` squares whose mean stands for a long footprint, as grazing views make them.
+
+        Their side, millimetres, and the step [2] from one to the next. The row has the footprint's sum of
+        variances, and nearly its variances, up to as long as the squares reach; beyond they are larger.
+        Where a footprint is hardly longer than wide the step is 0, and it is one square of `spread_side`.
+        """
+        types = array_types(self.duv_dx.x)
+        across = dr.square(self.duv_dx.x) + dr.square(self.duv_dy.x)
+        along = dr.square(self.duv_dx.y) + dr.square(self.duv_dy.y)
+        both = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
+        half, mean = 0.5 * (across - along), 0.5 * (across + along)
+        root = dr.sqrt(dr.square(half) + dr.square(both))
+        # Squares of length and width; twelve times the variances along the axes.
+        long, wide = mean + root, larger(mean - root, 0)
+        apart = larger(long - _ALIKE * wide, 0)
+        square = larger(mean - 0.5 * apart, long * (1 / SQUARES**2))
+        # Middles a step apart have this variance; the squares' own comes to it.
+        step = dr.sqrt(larger(smaller(apart, long - square), 0) * (1 / (SQUARES**2 - 1)))
+        double = half / larger(root, 1e-30)
+        x = dr.sqrt(larger(0.5 * (1 + double), 0))
+        y = dr.copysign(dr.sqrt(larger(0.5 * (1 - double), 0)), both)
+        return dr.sqrt(square), types.Vector2(step * x, step * y)
 
     @property
     def gaussian_sigma(self) -> Any:

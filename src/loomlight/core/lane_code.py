@@ -279,6 +279,20 @@ class Code:
         one = self.builder.insert_element(nowhere, value, WHOLE(0))
         return Lanes(self, self.builder.shuffle_vector(one, nowhere, self._lanes([0] * self.vectors.lanes)))
 
+    def counted(self, number: ir.Value) -> Lanes:
+        """A turn of a loop, or a number of turns, in all lanes."""
+        return self.spread(self.builder.uitofp(number, FLOAT))
+
+    def anywhere(self, row: Rows) -> ir.Value:
+        """Whether a row of the block is above 0 anywhere."""
+        found: ir.Value = ir.IntType(1)(0)
+        for number in range(self.vectors.of_block):
+            place = self.element(row.pointer, number * self.vectors.lanes)
+            above = self.load(place) > 0
+            bits = self.builder.bitcast(above.value, ir.IntType(self.vectors.lanes))
+            found = self.builder.or_(found, self.builder.icmp_unsigned("!=", bits, bits.type(0)))
+        return found
+
     def transposed(self, lines: Sequence[Lanes]) -> list[Lanes]:
         """Of as many vectors as they have lanes, those whose lanes are the vectors."""
         half, lanes = self.vectors.lanes // 2, self.vectors.lanes

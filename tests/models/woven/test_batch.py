@@ -39,12 +39,19 @@ def _seeing_latents(folder: Path) -> Weights:
 
 
 def _fetched(
-    weights: Weights, encoded: EncodedFabric, x: np.ndarray, y: np.ndarray, size: np.ndarray, back: np.ndarray
+    weights: Weights,
+    encoded: EncodedFabric,
+    x: np.ndarray,
+    y: np.ndarray,
+    size: np.ndarray,
+    back: np.ndarray,
+    step: np.ndarray | None = None,
 ) -> np.ndarray:
-    """The first numbers [n, hidden] of interpolated latents."""
+    """The first numbers [n, hidden] of interpolated latents, of rows of squares with steps [2, n]."""
     view = [np.zeros(len(x), np.float32), np.zeros(len(x), np.float32), np.ones(len(x), np.float32)]
     found = np.empty((weights.table.hidden + 2, len(x)), np.float32)
-    queries = [x, y, size, *view, back.astype(np.float32)]
+    steps = np.zeros((2, len(x)), np.float32) if step is None else step
+    queries = [x, y, size, *steps, *view, back.astype(np.float32)]
     compiled_decoder(weights).run("seen", fabric_numbers(weights, encoded), queries, [*found])
     return found[: weights.table.hidden].T
 
@@ -67,6 +74,31 @@ def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path)
     found = _fetched(weights, encoded, x, y, size, behind)
     # float32 coordinates up to 40·8 texels have 2e-5 of a texel, between two of which values change by up to
     # twice the largest.
+    np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
+
+
+def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
+    weights = _seeing_latents(tmp_path)
+    rng, count = np.random.default_rng(3), 1000
+    last = levels_of(3, 4)[-1].first + 1
+    front, back = rng.normal(size=(2, last, weights.table.latent_size)).astype(np.float16)
+    encoded = EncodedFabric(3, 4, (front, back), _FIBRES)
+    x, y = rng.uniform(-5, 9, (2, count)).astype(np.float32)
+    size = np.exp(rng.uniform(np.log(0.1), np.log(20), count)).astype(np.float32)
+    # Among them some that are one square, in blocks of their own and among others.
+    step = (rng.normal(size=(2, count)) * size).astype(np.float32)
+    step[:, :300] = 0
+    step[:, rng.random(count) < 0.3] = 0
+    behind = rng.random(count) < 0.5
+    table = encoded.both[:, : weights.table.hidden].astype(np.float64)
+    wanted = np.zeros((count, weights.table.hidden))
+    for place in (-1.5, -0.5, 0.5, 1.5):
+        texels, shares = taps(
+            encoded.levels, x + np.float32(place) * step[0], y + np.float32(place) * step[1], size
+        )
+        wanted += np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]]) / 4
+    found = _fetched(weights, encoded, x, y, size, behind, step)
+    # As above.
     np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
 
 

@@ -13,7 +13,7 @@ from loomlight import fabric_from_text
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.models.woven.architecture import BUNDLE_PLACES, BUNDLES, DENSITY_GAIN, DENSITY_SCALE, OPPOSITE
-from loomlight.models.woven.decoder import _mirrored
+from loomlight.models.woven.codings import _mirrored
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.network import fibre_features

@@ -36,9 +36,15 @@ def decode(
     view[2] *= turn
     found = np.empty((5, len(lights)), np.float32)
     numbers = fabric_numbers(weights, encoded)
-    queries = [*footprint, *view, back.astype(np.float32), *light]
+    queries = [*one_square(footprint), *view, back.astype(np.float32), *light]
     compiled_decoder(weights).run("answers", numbers, queries, [*found])
     return found.T
+
+
+def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
+    """The numbers of `Squares` of footprints [3, n], position x and y and side."""
+    still = np.zeros(footprints.shape[1], np.float32)
+    return [*footprints, still, still]
 
 
 def columns(rows: NDArray[np.floating]) -> NDArray[np.float32]:

@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
+from loomlight.core.footprint import SQUARES
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.woven.codings import (
     DIFFUSE,
@@ -36,7 +37,7 @@ from loomlight.models.woven.decoder_code import Question
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import PACKET, LatentRows
 from loomlight.models.woven.layers import CooperativeLayers
-from loomlight.models.woven.places import own_share, place_of
+from loomlight.models.woven.places import Squares, own_share, place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
@@ -129,31 +130,50 @@ class LatentTable:
         added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
         return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
 
-    def at(self, x: Any, y: Any, size: Any, back: Any) -> list[Any]:
-        """Interpolated values of footprints: centres and sides in threads, `channels` Floats."""
+    def at(self, squares: Squares, back: Any) -> list[Any]:
+        """Means of interpolated values over rows of squares: `channels` Floats."""
         types = self._types
         face = dr.select(back, self._width, 0)
         if self.texels == 1:
             packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
             return [value for packet in packets for value in packet][: self.channels]
-        ends, picks = self._extent
-        # Near the origin, where float32 is finest.
-        x, y = x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
-        place = clipped(dr.log2(larger(size, 1e-6)) + FINEST, 0, types.Float(self._top))
+        place = clipped(dr.log2(larger(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
         lower = smaller(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
-        taps = []
-        for side in range(2):
-            share = blend if side else 1 - blend
-            taps += [(face + texel, share * weight) for texel, weight in self._taps(lower + side, x, y)]
-        total: list[Any] = []
-        for number in range(self._padded // PACKET):
-            sums: list[Any] = [types.Float(0)] * PACKET
-            for texel, weight in taps:
-                row = self._packet(texel, number)
-                sums = [dr.fma(weight, value, sum_) for value, sum_ in zip(row, sums, strict=True)]
-            total += sums
-        return total[: self.channels]
+        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(SQUARES), 1)
+
+        def added(number: Any, total: list[Any]) -> tuple[Any, list[Any]]:
+            place = types.Float(number) - 0.5 * (types.Float(steps) - 1)
+            x, y = dr.fma(place, squares.step_x, squares.x), dr.fma(place, squares.step_y, squares.y)
+            taps = [
+                (face + texel, share * weight / types.Float(steps))
+                for level, share in ((lower, 1 - blend), (lower + 1, blend))
+                for texel, weight in self._taps(level, *self._near_origin(x, y))
+            ]
+            for packet in range(self._padded // PACKET):
+                part = slice(packet * PACKET, (packet + 1) * PACKET)
+                for texel, weight in taps:
+                    row = self._packet(texel, packet)
+                    total[part] = [
+                        dr.fma(weight, value, sum_) for value, sum_ in zip(row, total[part], strict=True)
+                    ]
+            return number + 1, total
+
+        nothing = [dr.zeros(types.Float, dr.width(squares.numbers())) for _ in range(self._padded)]
+        _, total = dr.while_loop(
+            (dr.zeros(types.UInt32, dr.width(steps)), nothing),
+            lambda number, _: number < steps,
+            added,
+            label="squares",
+            mode="symbolic",
+            max_iterations=SQUARES,
+        )
+        return list(total[: self.channels])
+
+    def _near_origin(self, x: Any, y: Any) -> tuple[Any, Any]:
+        """Places in the repeat, where float32 is finest."""
+        ends, picks = self._extent
+        return x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
 
     def _taps(self, level: Any, x: Any, y: Any) -> list[tuple[Any, Any]]:
         """Texels and bilinear weights of one level; see `pyramid.taps`."""
@@ -187,32 +207,31 @@ class Decoder:
         self._count = weights.layers("decoder.angular")
         self._layers = CooperativeLayers(_matrices(weights), float_type)
 
-    def seen(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Seen:
+    def seen(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
 
         Args:
-            x, y, size: centres and sides of footprints, in threads.
             view: unit vector [3] in the frame of the face that is seen, z > 0.
             back: whether that face is the back.
         """
-        asked = x, y, size, view, back
+        asked = *squares.numbers(), view, back
         if self.compiles(asked):
             angular = self.weights.table.hidden
             *found, hole, own = self._compiled("seen", table, asked, angular + 2)
             return Seen(found, hole, own, view, back, table)
-        spatial, cosines = self._spatial(table, asked), self._view_cosines(table, view, back)
+        spatial, cosines = self._spatial(table, squares, back), self._view_cosines(table, view, back)
         angular = self._layers.product("spatial", spatial, "0 bias")
         angular = self._layers.added(angular, self._layers.product("view", [view.x, view.y, *cosines]))
-        coded_size = self._place(table, x, y, size)[2]
+        coded_size = self._place(table, squares)[2]
         return Seen([*angular], self._hole(spatial, view), own_share(coded_size, dr), view, back, table)
 
-    def hole(self, table: LatentTable, x: Any, y: Any, size: Any, view: Any, back: Any) -> Any:
+    def hole(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
-        asked = x, y, size, view, back
+        asked = *squares.numbers(), view, back
         if self.compiles(asked):
             (found,) = self._compiled("hole", table, asked, 1)
             return found
-        return self._hole(self._spatial(table, asked), view)
+        return self._hole(self._spatial(table, squares, back), view)
 
     def components(self, seen: Seen, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
@@ -221,14 +240,12 @@ class Decoder:
             return self._compiled("components", seen.table, asked, DIFFUSE + 2)
         return self._components(seen, light)
 
-    def answers(
-        self, table: LatentTable, light: Any, x: Any, y: Any, size: Any, view: Any, back: Any
-    ) -> list[Any]:
+    def answers(self, table: LatentTable, light: Any, squares: Squares, view: Any, back: Any) -> list[Any]:
         """The four components for one light, and the hole: `components` of `seen` at once."""
-        asked = x, y, size, view, back, light
+        asked = *squares.numbers(), view, back, light
         if self.compiles(asked):
             return self._compiled("answers", table, asked, DIFFUSE + 3)
-        seen = self.seen(table, x, y, size, view, back)
+        seen = self.seen(table, squares, view, back)
         return [*self._components(seen, light), seen.hole]
 
     def compiles(self, asked: Sequence[Any]) -> bool:
@@ -253,19 +270,19 @@ class Decoder:
         compiled_decoder(self.weights).run(question, table.numbers, queries, answered)
         return found
 
-    def _place(self, table: LatentTable, x: Any, y: Any, size: Any) -> tuple[Any, Any, Any]:
-        return place_of(self.weights.table, table.picks, table.ends, x, y, size, dr)
+    def _place(self, table: LatentTable, squares: Squares) -> tuple[Any, Any, Any]:
+        size = squares.size(dr)
+        return place_of(self.weights.table, table.picks, table.ends, squares.x, squares.y, size, dr)
 
     def _view_cosines(self, table: LatentTable, view: Any, back: Any) -> list[Any]:
         fibres = table.fibres(back) if self.weights.table.fibres else ()
         return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _spatial(self, table: LatentTable, asked: Sequence[Any]) -> Any:
+    def _spatial(self, table: LatentTable, squares: Squares, back: Any) -> Any:
         """Latent and footprint, fused."""
-        x, y, size, _, back = asked
-        place = self._place(table, x, y, size)
+        place = self._place(table, squares)
         coded = one_blob(place, dr) if self.weights.table.position == "one_blob" else list(place)
-        fetched, layers = table.at(x, y, size, back), self._layers
+        fetched, layers = table.at(squares, back), self._layers
         if not self.weights.table.fusion:
             return [*fetched, *coded]
         hidden = layers.leaky(layers.added(layers.product("place", coded), fetched))

@@ -4,7 +4,7 @@ Latents are fetched, places and directions coded, layers multiplied and bundles 
 stay near the core. Code depends on the network's shape alone; weights, and what belongs to a fabric, are read
 from memory.
 
-Questions and answers are arrays [n]. A footprint is x, y and side, in threads; x, y, z of the view in the
+Questions and answers are arrays [n]. A footprint is the numbers of `Squares`; x, y, z of the view in the
 frame of the face that is seen, z > 0; and 1 where that is the back, else 0.
 
 - "answers", of a footprint and x, y, z of the light: four components, 1/sr, and the hole.
@@ -24,7 +24,8 @@ from llvmlite import ir
 from numpy.typing import NDArray
 
 from loomlight.core.dense_code import Packed, dense
-from loomlight.core.lane_code import FLOAT, INDEX, Code, Lanes, Rows
+from loomlight.core.footprint import SQUARES
+from loomlight.core.lane_code import INDEX, Code, Lanes, Rows
 from loomlight.core.machine_code import vectors
 from loomlight.models.woven.architecture import BINS, BUNDLES, SLOPE, VIEW_FEATURES
 from loomlight.models.woven.codings import (
@@ -37,7 +38,7 @@ from loomlight.models.woven.codings import (
     unmapped,
 )
 from loomlight.models.woven.latents import PACKET, fetched_channels
-from loomlight.models.woven.places import own_share, place_of
+from loomlight.models.woven.places import Squares, own_share, place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
@@ -47,7 +48,7 @@ Question = Literal["answers", "hole", "seen", "components", "hidden"]
 _LAYERS, _ROWS, _LEVELS, _FABRIC, _CORRECTION = range(5)
 # Numbers of the fabric: where they begin.
 _ENDS, _PICKS, _TEXELS, _LEVEL_COUNT, _FIBRES, _BUNDLES = 0, 1, 2, 3, 4, 10
-_FOOTPRINT, _VIEW, _LIGHT = 3, 4, 3  # numbers of a question
+_FOOTPRINT, _VIEW, _LIGHT = 5, 4, 3  # numbers of a question
 _TAPS = 8
 # Vectors of a texel that are summed at once, so that sums stay in registers.
 _SUMS = 6
@@ -148,6 +149,9 @@ class _Writer:
     def _light(self) -> Direction:
         return Direction(*(self.code.given(self._view + _VIEW + k) for k in range(_LIGHT)))
 
+    def _squares(self) -> Squares:
+        return Squares(*(self.code.given(k) for k in range(_FOOTPRINT)))
+
     def _fibres(self, back: Lanes) -> tuple[Fibre, Fibre]:
         """See `LatentTable.fibres`."""
         numbers = [self._number(_FIBRES + k) for k in range(6)]
@@ -173,25 +177,24 @@ class _Writer:
         """The first angular layer without the light's part; answers the hole, if asked."""
         code, table = self.code, self._table
         coded = code.rows(3 * BINS)
-        taps = code.rows(2 * _TAPS)
+        long = code.rows(1)
         with code.each_vector():
-            x, y, size = (code.given(k) for k in range(_FOOTPRINT))
-            _, back = self._view_and_face()
-            place = place_of(table, *self._repeat, x, y, size, code)
+            squares = self._squares()
+            place = place_of(table, *self._repeat, squares.x, squares.y, squares.size(code), code)
             numbers = one_blob(place, code) if table.position == "one_blob" else place
             for number, value in enumerate(numbers):
                 coded[number] = value
             own[0] = own_share(place[2], code)
-            self._write_taps(taps, x, y, size, back)
+            long[0] = code.abs(squares.step_x) + code.abs(squares.step_y)
         # The view's numbers stand behind what is fused. Before they do, more rows than that may be written.
         room = max(code.vectors.sums, code.vectors.lanes)
         fused = code.rows(self._spatial + room + 2 + VIEW_FEATURES)
         if table.fusion:
-            fetched, hidden = self._fetched(taps), self._rows_of("place")
+            fetched, hidden = self._fetched(long), self._rows_of("place")
             self._layer("place", coded, hidden, start=fetched, leaky=True)
             self._layer("fusion", hidden, fused, leaky=True)
         else:
-            self._fetched(taps, fused)
+            self._fetched(long, fused)
             with code.each_vector():
                 for number in range(self._spatial - self._channels):
                     fused[self._channels + number] = coded[number]
@@ -221,26 +224,32 @@ class _Writer:
         before = {"answers": DIFFUSE + 2, "hole": 0, "seen": self._hidden}
         return self._answers + before[self._question]
 
-    def _write_taps(self, taps: Rows, x: Lanes, y: Lanes, size: Lanes, back: Lanes) -> None:
-        """Texels, then weights, of the vector at hand; see `pyramid.taps`."""
+    def _write_taps(self, taps: Rows, number: Lanes, count: Lanes) -> None:
+        """Texels, then weights, of one of so many squares, of the vector at hand; see `pyramid.taps`."""
         code = self.code
+        _, back = self._view_and_face()
         face = code.select(back, self._number(_TEXELS), 0)
         if self._table.latent != "field":
             taps[0], taps[_TAPS] = face, code.number(1)
             return
-        ends, picks, count = (self._number(number) for number in (_ENDS, _PICKS, _LEVEL_COUNT))
+        squares, place = self._squares(), number - 0.5 * (count - 1)
+        x, y = (
+            code.fma(place, step, middle)
+            for step, middle in ((squares.step_x, squares.x), (squares.step_y, squares.y))
+        )
+        ends, picks, levels = (self._number(number) for number in (_ENDS, _PICKS, _LEVEL_COUNT))
         # Near the origin, where float32 is finest, and within the repeat whatever comes in: rows must exist.
         x, y = (
             code.clip(value - period * code.floor(value / period), 0, period)
             for value, period in ((x, ends), (y, picks))
         )
-        place = code.clip(code.log2(code.maximum(size, 1e-6)) + FINEST, 0, count - 1)
-        lower = code.minimum(code.floor(place), count - 2)
-        blend = place - lower
-        for side, share in enumerate((1 - blend, blend)):
+        place = code.clip(code.log2(code.maximum(squares.side, 1e-6)) + FINEST, 0, levels - 1)
+        lower = code.minimum(code.floor(place), levels - 2)
+        blend, whole = place - lower, 1 / count
+        for side, share in enumerate(((1 - blend) * whole, blend * whole)):
             level = lower + side
             first, columns, rows, per_thread = self._level(level)
-            running_mean = (level > FINEST) & (level < count - 1)
+            running_mean = (level > FINEST) & (level < levels - 1)
             corner = code.select(running_mean, 1, 0.5)
             u, v = code.fma(x, per_thread, -corner), code.fma(y, per_thread, -corner)
             column, row = code.floor(u), code.floor(v)
@@ -274,34 +283,23 @@ class _Writer:
                 part.add_incoming(value.value, code.builder.block)
         return found
 
-    def _fetched(self, taps: Rows, into: Rows | None = None) -> Rows:
-        """Interpolated latents: sums over channels a query, then turned."""
+    def _fetched(self, long: Rows, into: Rows | None = None) -> Rows:
+        """Means of interpolated latents over rows of squares: sums over channels a query, then turned.
+
+        Args:
+            long: a row, 0 where a footprint is one square.
+        """
         code = self.code
         lanes, block = code.vectors.lanes, code.vectors.block
         padded = -(-self._channels // PACKET) * PACKET
-        lines = code.stack(block * padded)
-        count = _TAPS if self._table.latent == "field" else 1
-        rows = self._array(_ROWS)
-        with code.loop(block) as query:
-            texels = [
-                code.builder.mul(
-                    code.whole(code.builder.load(code.element(taps.place(tap), query))), INDEX(padded)
-                )
-                for tap in range(count)
-            ]
-            line = code.element(lines, code.times(query, padded))
-            for first in range(0, padded, _SUMS * lanes):
-                places = range(first, min(first + _SUMS * lanes, padded), lanes)
-                sums = [code.number(0) for _ in places]
-                for tap, texel in enumerate(texels):
-                    weight = code.shared(taps.place(_TAPS + tap), query)
-                    row = code.element(rows, texel)
-                    sums = [
-                        code.fma(weight, code.load(code.element(row, place)), total)
-                        for place, total in zip(places, sums, strict=True)
-                    ]
-                for place, total in zip(places, sums, strict=True):
-                    code.store(total, code.element(line, place))
+        lines, taps = code.stack(block * padded), code.rows(2 * _TAPS)
+        with code.loop(block * padded // lanes) as number:
+            code.store(code.number(0), code.element(lines, code.times(number, lanes)))
+        count = code.builder.select(code.anywhere(long), INDEX(SQUARES), INDEX(1))
+        with code.loop(count) as number:
+            with code.each_vector():
+                self._write_taps(taps, code.counted(number), code.counted(count))
+            self._add_taps(taps, lines, padded)
         found = code.rows(padded) if into is None else into
         with code.each_vector():
             own = code.element(lines, code.times(code.lane, padded))
@@ -315,6 +313,32 @@ class _Writer:
                 for channel, value in enumerate(code.transposed(square)):
                     found[code.builder.add(column, INDEX(channel))] = value
         return found
+
+    def _add_taps(self, taps: Rows, lines: ir.Value, padded: int) -> None:
+        """Adds texels to a line of channels for each query."""
+        code, lanes = self.code, self.code.vectors.lanes
+        count = _TAPS if self._table.latent == "field" else 1
+        rows = self._array(_ROWS)
+        with code.loop(code.vectors.block) as query:
+            texels = [
+                code.builder.mul(
+                    code.whole(code.builder.load(code.element(taps.place(tap), query))), INDEX(padded)
+                )
+                for tap in range(count)
+            ]
+            line = code.element(lines, code.times(query, padded))
+            for first in range(0, padded, _SUMS * lanes):
+                places = range(first, min(first + _SUMS * lanes, padded), lanes)
+                sums = [code.load(code.element(line, place)) for place in places]
+                for tap, texel in enumerate(texels):
+                    weight = code.shared(taps.place(_TAPS + tap), query)
+                    row = code.element(rows, texel)
+                    sums = [
+                        code.fma(weight, code.load(code.element(row, place)), total)
+                        for place, total in zip(places, sums, strict=True)
+                    ]
+                for place, total in zip(places, sums, strict=True):
+                    code.store(total, code.element(line, place))
 
     def _answer_rows(self, rows: Rows) -> None:
         """Answers what is hidden."""
@@ -414,5 +438,5 @@ class _Writer:
 
 def _level_is(code: Code, level: Lanes, number: ir.Value) -> Lanes:
     """In which lanes a level is the one of a number."""
-    here = code.spread(code.builder.uitofp(number, FLOAT))
+    here = code.counted(number)
     return (level >= here) & (level < here + 1.0)

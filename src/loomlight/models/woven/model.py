@@ -21,6 +21,7 @@ from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_c
 from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.maps import mean_pitch
+from loomlight.models.woven.places import Squares
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import Weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -135,12 +136,14 @@ class WovenModel(Model):
         return self._decoder(float_type).hole(self._table(float_type), *self._asked(view, footprint))
 
     def _asked(self, view: Any, footprint: Footprint) -> tuple[Any, ...]:
-        """Position and size in threads, the view in the frame of the face that it sees, and which that is."""
+        """Squares in threads, the view in the frame of the face that it sees, and which that is."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        return x, y, footprint.spread_side * (1 / self._pitch), on_face(view, back), back
+        side, step = footprint.row_of_squares()
+        squares = Squares(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        return squares, on_face(view, back), back
 
     def lit(self, seen: Seen, light: Any, view: Any) -> Response:
         """The response to one light of what is seen."""

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.footprint import SQUARES
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.pyramid import size_share
 
@@ -18,6 +20,37 @@ _REPEATS = 1 / 128, 5.0
 # A fabric's own correction counts from the first size on, in threads, and wholly from the second.
 _CORRECTED = 1.0, 4.0
 _LONGEST = 8.0
+
+
+@dataclass
+class Squares:
+    """A footprint as a row of `SQUARES` squares, in threads; see `Footprint.row_of_squares`.
+
+    Attributes:
+        x, y: the middle of the row.
+        side: of a square.
+        step_x, step_y: from one square to the next; 0 and 0 where the footprint is one square.
+    """
+
+    x: Any
+    y: Any
+    side: Any
+    step_x: Any
+    step_y: Any
+
+    def numbers(self) -> tuple[Any, ...]:
+        """All five."""
+        return self.x, self.y, self.side, self.step_x, self.step_y
+
+    def size(self, arrays: Any) -> Any:
+        """The side of a square of the row's area, which the decoder is told.
+
+        Args:
+            arrays: the module of the arrays' functions, drjit or code that is being written.
+        """
+        step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
+        length = arrays.sqrt(arrays.fma(step, SQUARES**2 - 1.0, arrays.square(self.side)))
+        return arrays.sqrt(self.side * length)
 
 
 def place_of(

@@ -21,7 +21,7 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
-from loomlight.models.woven.batch import columns, fabric_numbers
+from loomlight.models.woven.batch import columns, fabric_numbers, one_square
 from loomlight.models.woven.compiled import compiled_decoder
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.pool import places_of
@@ -168,7 +168,7 @@ def _hidden(
 ) -> NDArray[np.float64]:
     """Inputs of the last layer [n, hidden] in the frame of one face."""
     behind = np.full(len(light), back, np.float32)
-    queries = [*columns(footprints), *columns(view), behind, *columns(light)]
+    queries = [*one_square(columns(footprints)), *columns(view), behind, *columns(light)]
     found = np.empty((weights.table.hidden, len(light)), np.float32)
     compiled_decoder(weights).run("hidden", fabric_numbers(weights, encoded), queries, [*found])
     return found.T.astype(np.float64)
