@@ -123,22 +123,37 @@ class _Crossing:
 
 _Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
 # What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
-# 4096 by 4096 threads takes seconds.
+# 4096 by 4096 threads takes seconds. An edit of heights or twist makes a layout whose threads lie as before.
 _known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
 
 
 def _prepared(layout: ClothLayout) -> _Prepared:
     """Tables of warp and weft, the words of both families at each crossing [picks, ends, 2], and roofs."""
-    if layout not in _known:
-        warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-        weft_words = pack_runs(~layout.warp_on_top)
-        warp = prepare_family(layout.warp, layout.weft, warp_words)
-        weft = prepare_family(layout.weft, layout.warp, weft_words)
-        words = np.stack(
-            [with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2
-        )
-        _known[layout] = warp, weft, words, pack_roofs(words)
-    return _known[layout]
+    found = _known.get(layout)
+    if found is None:
+        alike = (known for other, known in list(_known.items()) if _lie_alike(layout, other))
+        found = _known[layout] = next(alike, None) or _worked_out(layout)
+    return found
+
+
+def _lie_alike(first: ClothLayout, second: ClothLayout) -> bool:
+    """Whether two layouts differ in height scales and twist at the most."""
+    families = (first.warp, second.warp), (first.weft, second.weft)
+    return np.array_equal(first.warp_on_top, second.warp_on_top) and all(
+        a.inclination == b.inclination
+        and np.array_equal(a.spacing, b.spacing)
+        and np.array_equal(a.width, b.width)
+        for a, b in families
+    )
+
+
+def _worked_out(layout: ClothLayout) -> _Prepared:
+    warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
+    weft_words = pack_runs(~layout.warp_on_top)
+    warp = prepare_family(layout.warp, layout.weft, warp_words)
+    weft = prepare_family(layout.weft, layout.warp, weft_words)
+    words = np.stack([with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2)
+    return warp, weft, words, pack_roofs(words)
 
 
 class YarnGeometry:
