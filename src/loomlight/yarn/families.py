@@ -22,13 +22,15 @@ class Cell:
     """Where a coordinate falls among the threads of one family.
 
     Attributes:
-        thread: index of the thread whose cell it is.
+        thread: index of the thread whose cell it is: UInt32.
+        number: the same as a Float, known sooner.
         across: distance from the middle of that thread, signed, millimetres.
         half_width: of that thread.
         below, above: distances to the ends of the cell.
     """
 
     thread: Any
+    number: Any
     across: Any
     half_width: Any
     below: Any
@@ -41,13 +43,14 @@ class Count:
     def __init__(self, number: int, types: ArrayTypes) -> None:
         self._number = dr.opaque(types.Float, number)
         self._inverse = dr.opaque(types.Float, 1 / number)
+        self._half_inverse = dr.opaque(types.Float, 0.5 / number)
 
     def divide(self, index: Any) -> tuple[Any, Any]:
         """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
 
         Exact up to 4 million, where coordinates in single precision tell threads apart no longer.
         """
-        turns = dr.floor((index + 0.5) * self._inverse)
+        turns = dr.floor(dr.fma(index, self._inverse, self._half_inverse))
         return turns, dr.fma(-turns, self._number, index)
 
 
@@ -55,6 +58,7 @@ def select_cell(first_one: Any, first: Cell, second: Cell) -> Cell:
     """`first` where `first_one`, else `second`."""
     return Cell(
         dr.select(first_one, first.thread, second.thread),
+        dr.select(first_one, first.number, second.number),
         dr.select(first_one, first.across, second.across),
         dr.select(first_one, first.half_width, second.half_width),
         dr.select(first_one, first.below, second.below),
@@ -83,8 +87,15 @@ class UniformFamily:
         cells = position * self.inverse_size
         whole = dr.floor(cells)
         below = dr.fma(-whole, self.size, position)
-        thread = self._types.UInt32(self.count.divide(whole)[1])
-        return Cell(thread, below - 0.5 * self.size, self.half_width, below, self.size - below)
+        number = self.count.divide(whole)[1]
+        return Cell(
+            self._types.UInt32(number),
+            number,
+            below - 0.5 * self.size,
+            self.half_width,
+            below,
+            self.size - below,
+        )
 
     def span(self, thread: Any, first: Any, last: Any) -> Any:
         """Length from the lower boundary of cell thread + first to that of thread + last."""
@@ -145,7 +156,9 @@ class VariedFamily:
         # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
         thread = smaller(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
         lower, upper, centre, half_width = self._row(self._place, thread)
-        return Cell(thread, local - centre, half_width, local - lower, upper - local)
+        return Cell(
+            thread, self._types.Float(thread), local - centre, half_width, local - lower, upper - local
+        )
 
     def span(self, thread: Any, first: Any, last: Any) -> Any:
         return self._boundary(thread, last) - self._boundary(thread, first)
@@ -167,13 +180,17 @@ class VariedFamily:
 Family = UniformFamily | VariedFamily
 
 
-def span_along(is_warp: Any, thread: Any, warp: Family, weft: Family) -> Callable[[Any, Any], Any]:
-    """`span` of the family that a thread of warp (else weft) crosses, counted from its crossing `thread`."""
+def span_along(is_warp: Any, thread: Any, warp: Family, weft: Family) -> Callable[[Any, Any, Any], Any]:
+    """A length (millimetres) plus `span` of the family that a thread of warp (else weft) crosses.
+
+    Args:
+        thread: the crossing that is counted from.
+    """
     if isinstance(warp, UniformFamily) and isinstance(weft, UniformFamily):
         size = dr.select(is_warp, weft.size, warp.size)
-        return lambda first, last: type(size)(last - first) * size
-    return lambda first, last: dr.select(
-        is_warp, weft.span(thread, first, last), warp.span(thread, first, last)
+        return lambda length, first, last: dr.fma(type(size)(last - first), size, length)
+    return lambda length, first, last: (
+        length + dr.select(is_warp, weft.span(thread, first, last), warp.span(thread, first, last))
     )
 
 

@@ -123,22 +123,37 @@ class _Crossing:
 
 _Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
 # What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
-# 4096 by 4096 threads takes seconds.
+# 4096 by 4096 threads takes seconds. An edit of heights or twist makes a layout whose threads lie as before.
 _known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
 
 
 def _prepared(layout: ClothLayout) -> _Prepared:
     """Tables of warp and weft, the words of both families at each crossing [picks, ends, 2], and roofs."""
-    if layout not in _known:
-        warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-        weft_words = pack_runs(~layout.warp_on_top)
-        warp = prepare_family(layout.warp, layout.weft, warp_words)
-        weft = prepare_family(layout.weft, layout.warp, weft_words)
-        words = np.stack(
-            [with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2
-        )
-        _known[layout] = warp, weft, words, pack_roofs(words)
-    return _known[layout]
+    found = _known.get(layout)
+    if found is None:
+        alike = (known for other, known in list(_known.items()) if _lie_alike(layout, other))
+        found = _known[layout] = next(alike, None) or _worked_out(layout)
+    return found
+
+
+def _lie_alike(first: ClothLayout, second: ClothLayout) -> bool:
+    """Whether two layouts differ in height scales and twist at the most."""
+    families = (first.warp, second.warp), (first.weft, second.weft)
+    return np.array_equal(first.warp_on_top, second.warp_on_top) and all(
+        a.inclination == b.inclination
+        and np.array_equal(a.spacing, b.spacing)
+        and np.array_equal(a.width, b.width)
+        for a, b in families
+    )
+
+
+def _worked_out(layout: ClothLayout) -> _Prepared:
+    warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
+    weft_words = pack_runs(~layout.warp_on_top)
+    warp = prepare_family(layout.warp, layout.weft, warp_words)
+    weft = prepare_family(layout.weft, layout.warp, weft_words)
+    words = np.stack([with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2)
+    return warp, weft, words, pack_roofs(words)
 
 
 class YarnGeometry:
@@ -301,11 +316,11 @@ class YarnGeometry:
         crossed = select_cell(is_warp, shown.crossing.weft, shown.crossing.warp)
         run = _unpack(types, tables, shown, own, crossed)
 
-        radius = own.half_width / math.sin(SECTION_ANGLE)
-        across = clipped(own.across, -own.half_width, own.half_width)
-        lateral_square = dr.fma(radius, radius, -dr.square(across))
-        inverse_lateral = dr.rsqrt(lateral_square)
-        section = dr.fma(-lateral_square, inverse_lateral, radius)
+        # Searches wait for each sample: sections of both threads are worked out while the words are fetched
+        # that tell which of them shows.
+        warp_section, weft_section = (_section(cell) for cell in (shown.crossing.warp, shown.crossing.weft))
+        section = dr.select(is_warp, warp_section.drop, weft_section.drop)
+        section_slope = dr.select(is_warp, warp_section.slope, weft_section.slope)
 
         # A float's flank close to its end lies on the arc of the run that follows underneath.
         flank = shown.on_top & (run.distance < section * run.sine)
@@ -316,18 +331,18 @@ class YarnGeometry:
         tube = arc * dr.rcp(run.sine) - sign * section
         root_square = larger(dr.fma(tube, tube, -dr.square(along)), 1e-20)
         inverse_root = dr.rsqrt(root_square)
-        root = root_square * inverse_root
         bent = along > 0
-        rise = dr.select(run.straight, 0, arc * run.half_tangent - dr.square(along) / (tube + root))
-        flat_height = dr.fma(sign, rise, -section)
-        slope_across = -across * inverse_lateral * dr.select(bent, tube * inverse_root, 1)
+        fall = dr.square(along) / dr.fma(root_square, inverse_root, tube)
+        slope_across = section_slope * dr.select(bent, tube * inverse_root, 1)
         outwards = dr.select(shown.on_top, types.Float(1), types.Float(-1)) * along * inverse_root
         slope_along = dr.select(bent, outwards, 0) * dr.select(
             run.near_start, types.Float(1), types.Float(-1)
         )
 
         dive, dive_slope = _dive(types, tables, shown, run, crossed, other_beta)
-        height = dr.fma(beta, flat_height, -dive)
+        bend = dr.select(run.straight, 0, beta * sign)
+        level = dr.fma(bend, arc * run.half_tangent, dr.fma(-beta, section, -dive))
+        height = dr.fma(-bend, fall, level)
         p = beta * slope_across
         q = dr.fma(beta, slope_along, -dive_slope)
 
@@ -341,6 +356,8 @@ class YarnGeometry:
             lifted,
         )
         slope_x, slope_y = dr.select(is_warp, p, q), dr.select(is_warp, q, p)
+        radius = own.half_width / math.sin(SECTION_ANGLE)
+        across = dr.select(is_warp, warp_section.across, weft_section.across)
         unrolled = radius * dr.asin(clipped(across / radius, -1, 1))
         lengthwise = dr.select(is_warp, y, -x)
         sine, cosine = dr.sincos(twist)
@@ -373,7 +390,7 @@ class _Uploaded:
         self.warp: Any = upload_family(warp, types)
         self.weft: Any = upload_family(weft, types)
         self.words = uploaded(types.UInt32, words)
-        self.ends = dr.opaque(types.UInt32, words.shape[1])
+        self.ends = dr.opaque(types.Float, words.shape[1])
         self.roofs = uploaded(types.UInt32, roofs)
         self.roof_columns = dr.opaque(types.UInt32, roofs.shape[1])
         self._float = types.Float
@@ -387,6 +404,23 @@ class _Uploaded:
         if name not in self._scalars or self._scalars[name][0] != value:
             self._scalars[name] = value, dr.opaque(self._float, value)
         return self._scalars[name][1]
+
+
+@dataclass
+class _Section:
+    """The cross-section of a thread at a place in its cell."""
+
+    across: Any  # distance from its middle, at most half its width, signed
+    drop: Any  # below the crown
+    slope: Any
+
+
+def _section(cell: Cell) -> _Section:
+    radius = cell.half_width / math.sin(SECTION_ANGLE)
+    across = clipped(cell.across, -cell.half_width, cell.half_width)
+    lateral_square = dr.fma(radius, radius, -dr.square(across))
+    inverse_lateral = dr.rsqrt(lateral_square)
+    return _Section(across, dr.fma(-lateral_square, inverse_lateral, radius), -across * inverse_lateral)
 
 
 @dataclass
@@ -419,7 +453,9 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _S
 
 def _cross(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _Crossing:
     warp, weft = tables.warp.locate(x), tables.weft.locate(y)
-    words = dr.gather(types.Index2, tables.words, weft.thread * tables.ends + warp.thread)
+    # At most 4096 by 4096 words: single precision tells them apart, and is faster.
+    word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
+    words = dr.gather(types.Index2, tables.words, word)
     return _Crossing(warp, weft, words, ((words.x & 1) == 1) ^ back)
 
 
@@ -433,10 +469,10 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, cros
 
     span = span_along(shown.is_warp, crossed.thread, tables.warp, tables.weft)
 
-    from_start = crossed.below + span(-behind, types.Int32(0))
-    to_end = crossed.above + span(types.Int32(1), ahead + 1)
+    from_start = span(crossed.below, -behind, types.Int32(0))
+    to_end = span(crossed.above, types.Int32(1), ahead + 1)
     near_start = from_start < to_end
-    other = dr.select(near_start, span(-behind - before, -behind), span(ahead + 1, ahead + 1 + after))
+    other = dr.select(near_start, span(0, -behind - before, -behind), span(0, ahead + 1, ahead + 1 + after))
     bends = [tables.warp.bend(shown.crossing.warp.thread), tables.weft.bend(shown.crossing.weft.thread)]
     sine, half_tangent, arc = (dr.select(shown.is_warp, a, b) for a, b in zip(*bends, strict=True))
     far = types.Float(1e6)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,12 +56,14 @@ class FamilyTables:
     highest: float
     lowest: float
 
-    @property
+    @cached_property
     def uniform(self) -> bool:
         """Whether all threads are alike, so that no table is needed."""
-        size = self.upper - self.lower
-        arrays = (size, self.half_width, self.inclination, self.arc, self.edge_drop)
-        return all(np.allclose(array, array[0], rtol=1e-9, atol=0) for array in arrays)
+        rows = np.stack(
+            [self.upper - self.lower, self.half_width, self.inclination, self.arc, self.edge_drop]
+        )
+        first = rows[:, :1]
+        return bool((np.abs(rows - first) <= 1e-9 * np.abs(first)).all())
 
     @property
     def finest(self) -> float:

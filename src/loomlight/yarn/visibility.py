@@ -16,6 +16,7 @@ from typing import Any, Protocol
 import drjit as dr
 
 from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller
+from loomlight.core.lanes import changed_where
 from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 
 
@@ -171,18 +172,27 @@ class _Trail:
 
     def dip_before(self, clearance: Any, rate: Any, step: Any, here: Probe) -> tuple[Any, Any]:
         """Whether the cubic to this sample, `step` after the last, dips below the yarn, and how far back."""
+        types = array_types(clearance)
         falls = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
-        # Where the cubic's rate, a parabola over the step, turns from falling to rising.
-        fall, rise, gain = self.rate * step, rate * step, clearance - self.clearance
-        square, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
-        root = dr.sqrt(larger(dr.fma(linear, linear, -4 * square * fall), 0))
-        share = -2 * fall / larger(linear + root, 1e-20)
-        rest = 1 - share
-        start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
-        end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
-        # A share of the interval that leads no further has been looked at.
-        inside = (share > _NARROWEST) & (rest > _NARROWEST)
-        return falls & inside & (start + end < 0), rest * step
+        fall, rise = self.rate * step, rate * step
+        # The cubic stays between its ends and Bézier's two points, which few samples have below the yarn.
+        may_dip = falls & ((dr.fma(3, self.clearance, fall) < 0) | (dr.fma(3, clearance, -rise) < 0))
+
+        def look(_: tuple[Any, Any]) -> tuple[Any, Any]:
+            # Where the cubic's rate, a parabola over the step, turns from falling to rising.
+            gain = clearance - self.clearance
+            square, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
+            root = dr.sqrt(larger(dr.fma(linear, linear, -4 * square * fall), 0))
+            share = -2 * fall / larger(linear + root, 1e-20)
+            rest = 1 - share
+            start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
+            end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
+            # A share of the interval that leads no further has been looked at.
+            inside = (share > _NARROWEST) & (rest > _NARROWEST)
+            return inside & (start + end < 0), rest * step
+
+        # The next sample would wait for a root and a quotient, a third of what one takes.
+        return changed_where(may_dip, (types.Bool(False), types.Float(0)), look, "cloth: dip")
 
     def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> _Trail:
         """The trail after a sample, or this one where it `stays`.

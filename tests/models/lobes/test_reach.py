@@ -13,7 +13,16 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.core.recorded import Held
-from loomlight.models.lobes.groups import GroupFinder, Groups, as_met, cloth_of, find_groups, plan_points
+from loomlight.models.lobes.groups import (
+    SUMS,
+    GroupFinder,
+    Groups,
+    as_met,
+    cloth_of,
+    find_groups,
+    plan_points,
+    sums_of,
+)
 from loomlight.models.lobes.hemisphere import NODES, node_directions, node_taps
 from loomlight.models.lobes.reach import (
     Reach,
@@ -123,9 +132,12 @@ def test_groups_that_few_views_meet_keep_the_moments_of_the_plan() -> None:
     plan = sorted_rays("smooth satin")[1].groups
     some = np.random.default_rng(4).normal(size=(20, 3))
     # Twenty points of group 1 of the back, three of group 0 of the front.
-    number = np.where(np.arange(20) < 17, plan.count + 1, 0)
-    moved = as_met(plan, number, some, some)
-    assert (moved.tangent[1, 1] == some[:17].mean(axis=0)).all()
+    sums = np.zeros((2, plan.count, SUMS))
+    for place, points in (((1, 1), some[:17]), ((0, 0), some[17:])):
+        sums[place] = [len(points), *(np.sum(part) for part in sums_of(points.T, points.T))]
+    moved = as_met(plan, sums)
+    np.testing.assert_allclose(moved.tangent[1, 1], some[:17].mean(axis=0))
+    np.testing.assert_allclose(moved.spread[1, 1], np.cov(some[:17].T, ddof=0), atol=1e-12)
     np.testing.assert_array_equal(moved.tangent[0], plan.tangent[0])
     np.testing.assert_array_equal(moved.spread[0], plan.spread[0])
 
@@ -183,15 +195,17 @@ def test_ranges(name: str) -> None:
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_from_the_zenith_everything_is_seen_and_lit(name: str) -> None:
-    _, groups, reach = made(name)
+    geometry, groups, reach = made(name)
     zenith = np.flatnonzero(node_directions()[:, 2] > 1 - 1e-9)
     assert len(zenith) > 0
     for face in range(2):
-        present = groups.area[face] > 0.02
-        assert (reach.reached[face, 0][zenith][:, present] > 0.99).all()
         # Straight down a ray meets what lies there.
-        area = np.append(groups.area[face], groups.hole[face])
+        point = geometry.surface(*places(geometry, 4), Bool(face))
+        finder = GroupFinder(groups, array_types(Float))
+        there = finder.group(Bool(face), point.is_warp, point.hole, point.normal, point.tangent).numpy()
+        area = np.bincount(there, minlength=groups.count + 1) / len(there)
         assert (np.abs(reach.seen[face, zenith] - area) < noise(area)).all()
+        assert (reach.reached[face, 0][zenith][:, area[:-1] > 0.02] > 0.99).all()
     # Grazing light reaches less.
     if name == "open plain":
         assert reach.seen[:, zenith, -1].min() > 0.1

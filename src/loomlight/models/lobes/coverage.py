@@ -11,6 +11,8 @@ Size is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -22,6 +24,7 @@ from loomlight.core.backend import ArrayTypes, clipped, larger, smaller, uploade
 from loomlight.core.footprint import Footprint
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.bytes import mean_bytes
+from loomlight.models.lobes.divider import Divider
 from loomlight.models.lobes.groups import Cloth, GroupFinder
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -38,6 +41,8 @@ _TEXELS_PER_NODE = 4
 _TEXELS_PER_THREAD = 3
 # Texels evaluated at once.
 _BATCH = 1 << 23
+# Numbers of the pyramid worked on at once, which the caches hold, and how many make threads worth while.
+_BLOCK, _LARGE = 1 << 17, 1 << 22
 # Large levels are rounded up to even numbers of nodes, so that their halves are slices.
 _EVEN_FROM, _EVEN_STEP = 64, 16
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
@@ -142,7 +147,7 @@ class CellCounts:
         spacing: of the nodes.
         shape: faces, rows, columns, 4·words.
         texels: of a cell.
-        counts: Float [2·rows·columns·4·words].
+        counts: UInt32 [2·rows·columns·4·words / n], n numbers each, as many as fit.
     """
 
     repeat: tuple[float, float]
@@ -151,28 +156,93 @@ class CellCounts:
     texels: int
     counts: Any
 
+    def numbers(self) -> NDArray[Any]:
+        """The counts [2, rows, columns, 4·words]."""
+        kind = np.uint8 if _counts_of_a_word(self.texels) == 4 else np.uint16
+        return np.asarray(self.counts.numpy().view(kind).reshape(self.shape))
+
+
+def _counts_of_a_word(texels: int) -> int:
+    """How many counts of so many texels at the most a word of four bytes holds: 4 or 2."""
+    return 4 if texels < 1 << 8 else 2
+
 
 def measure_coverage(cells: CellCounts) -> Coverage:
     """The pyramid over the cells."""
-    repeat, spacing = cells.repeat, cells.spacing
-    _, rows, columns, _ = cells.shape
-    means = cells.counts.numpy().reshape(cells.shape) * np.float32(1 / cells.texels)
-    mean = means.mean(axis=(1, 2), dtype=np.float64)
-    for axis, count, side in ((1, rows, repeat[1]), (2, columns, repeat[0])):
-        means = _widened(means, axis, spacing.size * count / side)
-    levels, parts = [[0, columns, rows]], [means.reshape(2, -1, means.shape[-1])]
-    while columns * rows > 1:
-        first = levels[-1][0] + columns * rows
-        columns, rows = (-(-count // 2) for count in (columns, rows))
-        for axis, count in ((1, rows), (2, columns)):
-            means = _halved(means, count, axis, spacing.far_weight)
-        levels.append([first, columns, rows])
-        parts.append(means.reshape(2, -1, means.shape[-1]))
+    counts = cells.numbers()
+    if counts.size < _LARGE:
+        levels, *parts = _pyramid(cells, counts)
+    else:
+        # A face a thread: numpy's loops do not hold the interpreter up.
+        with ThreadPoolExecutor(2) as pool:
+            faces = list(pool.map(lambda face: _pyramid(cells, face), (counts[:1], counts[1:])))
+        levels = faces[0][0]
+        parts = [np.concatenate(pair) for pair in zip(*(face[1:] for face in faces), strict=True)]
+    scale, mean, packed = parts
+    return Coverage(cells.spacing.size, levels, scale, mean, packed)
+
+
+def _pyramid(cells: CellCounts, counts: NDArray[Any]) -> tuple[NDArray[Any], ...]:
+    """Levels, scale, mean and bytes, as in `Coverage`, of some faces' counts."""
+    means, mean, largest = _first_level(cells, counts)
     # The first level holds the extremes of all: the others are means of it.
-    scale = np.maximum(parts[0].max(axis=1), 1e-9).astype(np.float64)
-    unit = (_LARGEST / scale[:, None]).astype(np.float32)
-    packed = np.concatenate([(part * unit + np.float32(0.5)).astype(np.uint8) for part in parts], axis=1)
-    return Coverage(spacing.size, np.array(levels, np.int64), scale, mean, packed)
+    scale = np.maximum(largest, 1e-9).astype(np.float64)
+    unit = (_LARGEST / scale).astype(np.float32)[:, None]
+    levels: list[tuple[int, int, int]] = []
+    parts: list[NDArray[np.uint8]] = []
+    first = 0
+    while True:
+        rows, columns = means.shape[1:3]
+        levels.append((first, columns, rows))
+        parts.append(_packed(means, unit))
+        first += columns * rows
+        if columns * rows == 1:
+            return np.array(levels, np.int64), scale, mean, np.concatenate(parts, axis=1)
+        means = _halved(means, cells.spacing.far_weight)
+
+
+def _first_level(
+    cells: CellCounts, counts: NDArray[Any]
+) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float32]]:
+    """Tents over the cells of some faces, means of the repeat, and the largest numbers of all tents."""
+    faces, rows, columns, groups = counts.shape
+    sides = zip((rows, columns), cells.repeat[::-1], strict=True)
+    shares = [_beside(cells.spacing.size * count / side) for count, side in sides]
+    across = np.arange(-len(shares[1]), columns + len(shares[1])) % columns
+    means = np.empty(counts.shape, np.float32)
+    totals = np.zeros((faces, columns, groups))
+    largest = np.zeros((faces, groups), np.float32)
+    for start, stop in _blocks(rows, columns * groups):
+        along = np.arange(start - len(shares[0]), stop + len(shares[0])) % rows
+        part = counts.take(along, axis=1).take(across, axis=2).astype(np.float32)
+        # Whole numbers, which single precision holds.
+        own = (slice(None), *(slice(len(share), -len(share)) for share in shares))
+        totals += part[own].sum(axis=1)
+        part *= np.float32(1 / cells.texels)
+        for axis, share in enumerate(shares, 1):
+            for beside in share:
+                part = _widened(part, axis, beside)
+        means[:, start:stop] = part
+        largest = np.maximum(largest, part.max(axis=1).max(axis=1))
+    return means, totals.sum(axis=1) * (1 / (rows * columns * cells.texels)), largest
+
+
+def _packed(means: NDArray[np.float32], unit: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Bytes of means [faces, nodes, groups]."""
+    flat = means.reshape(means.shape[0], -1, means.shape[-1])
+    packed = np.empty(flat.shape, np.uint8)
+    for start, stop in _blocks(flat.shape[1], flat.shape[2]):
+        part = flat[:, start:stop] * unit
+        part += np.float32(0.5)
+        packed[:, start:stop] = part
+    return packed
+
+
+def _blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
+    """Where blocks of so many rows of one size begin and end that the caches hold them."""
+    step = max(2, _BLOCK // size)
+    for start in range(0, count, step):
+        yield start, min(start + step, count)
 
 
 def _nodes_along(side: float, spacing: Spacing) -> int:
@@ -182,11 +252,13 @@ def _nodes_along(side: float, spacing: Spacing) -> int:
 
 
 class _Texels:
-    """The texels of the plan, cell by cell, and where the table counts them: opaque numbers, and the counts.
+    """The texels of the plan, cell by cell, and where the table counts them: opaque numbers.
+
+    Counts share words, so that large tables are written to memory once.
 
     Attributes:
         lanes: texels of both faces.
-        entries: of the table of counts.
+        words: of the table of counts.
     """
 
     def __init__(
@@ -200,35 +272,40 @@ class _Texels:
         """Texels of so many along the sides of a cell, of so many cells along the sides of the repeat."""
         self._types = types
         (columns, rows), (across, along) = cells, texels
-        row = 4 * (words_of(per_family) + 1)
+        counts_of_a_word = _counts_of_a_word(across * along)
+        row = 4 * (words_of(per_family) + 1) // counts_of_a_word
         wide, high = columns * across, rows * along
-        self.lanes, self.entries = 2 * wide * high, 2 * columns * rows * row
-        counts = wide, wide * high, across, along, columns, columns * rows, row, per_family
+        self.lanes, self.words = 2 * wide * high, 2 * columns * rows * row
+        counts = wide * high, columns, columns * rows, row, per_family
         self._numbers = [dr.opaque(types.UInt32, count) for count in counts]
-        self._family_bytes = dr.opaque(types.UInt32, 4 * words_of(per_family) // 2)
+        self._wide, self._across, self._along = (Divider(count, types) for count in (wide, across, along))
+        self._of_a_word = Divider(counts_of_a_word, types)
+        self._bits = dr.opaque(types.UInt32, 32 // counts_of_a_word)
+        self._family_places = dr.opaque(types.UInt32, 4 * words_of(per_family) // 2)
         self._steps = [
             dr.opaque(types.Float, side / count) for side, count in zip(repeat, (wide, high), strict=True)
         ]
 
     def count(self, cloth: Cloth, finder: GroupFinder, lane: Any, counts: Any) -> None:
         """Adds 1 to the cell and group of each texel of some lanes."""
-        Float = self._types.Float
-        wide, face, across, along, columns, face_nodes, row_bytes, per_family = self._numbers
+        Float, UInt32 = self._types.Float, self._types.UInt32
+        face, columns, face_nodes, row_words, per_family = self._numbers
         back = lane >= face
         texel = dr.select(back, lane - face, lane)
-        row = texel // wide
-        column = texel - row * wide
+        row, column = self._wide.divide(texel)
         share_x = Float((texel * _ACROSS) >> 8) * 2**-24
         share_y = Float((texel * _ALONG) >> 8) * 2**-24
         point = cloth.geometry.surface(
             (Float(column) + share_x) * self._steps[0], (Float(row) + share_y) * self._steps[1], back
         )
         group = finder.group(back, point.is_warp, point.hole, point.normal, point.tangent)
-        place = dr.select(group < per_family, group, group - per_family + self._family_bytes)
-        place = dr.select(group == finder.holes, 2 * self._family_bytes, place)
-        node = (row // along) * columns + column // across + dr.select(back, face_nodes, 0)
-        # Ones, whose sum does not depend on the order in which threads add them.
-        dr.scatter_add(counts, Float(1), node * row_bytes + place)
+        place = dr.select(group < per_family, group, group - per_family + self._family_places)
+        place = dr.select(group == finder.holes, 2 * self._family_places, place)
+        node = self._along.divide(row)[0] * columns + self._across.divide(column)[0]
+        node += dr.select(back, face_nodes, 0)
+        word, number = self._of_a_word.divide(place)
+        # Whole numbers, whose sum does not depend on the order in which threads add them.
+        dr.scatter_add(counts, UInt32(1) << (number * self._bits), node * row_words + word)
 
 
 def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) -> CellCounts:
@@ -243,27 +320,27 @@ def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) 
     )
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
     if texels.lanes <= _BATCH:
-        counts = _counted(cloth, finder, Held(texels), texels.lanes, texels.entries)
+        counts = _counted(cloth, finder, Held(texels), texels.lanes, texels.words)
     else:
-        counts = dr.zeros(types.Float, texels.entries)
+        counts = dr.zeros(types.UInt32, texels.words)
         for start in range(0, texels.lanes, _BATCH):
             lane = dr.arange(types.UInt32, min(_BATCH, texels.lanes - start))
             texels.count(cloth.value, finder.value, lane + dr.opaque(types.UInt32, start), counts)
             dr.eval(counts)
-    shape = 2, rows, columns, texels.entries // (2 * rows * columns)
+    shape = 2, rows, columns, 4 * (words_of(per_family) + 1)
     return CellCounts(geometry.size, spacing, shape, across * along, counts)
 
 
 @Recorded
-def _counted(cloth: Cloth, finder: GroupFinder, texels: _Texels, lanes: int, entries: int) -> Any:
-    """Counts of all texels; their number and that of the counts are part of a recording."""
-    counts = dr.zeros(cloth.types.Float, entries)
+def _counted(cloth: Cloth, finder: GroupFinder, texels: _Texels, lanes: int, words: int) -> Any:
+    """Counts of all texels; their number and that of the words are part of a recording."""
+    counts = dr.zeros(cloth.types.UInt32, words)
     texels.count(cloth, finder, dr.arange(cloth.types.UInt32, lanes), counts)
     return counts
 
 
-def _widened(means: NDArray[np.float32], axis: int, cells: float) -> NDArray[np.float32]:
-    """Tents over the cells of the periodic repeat, along one axis.
+def _beside(cells: float) -> list[np.float32]:
+    """What of each neighbour goes to a cell, step by step, so that tents over cells come of it.
 
     With w of each neighbour a cell's variance of 1/12 becomes 1/12 + 2w, and interpolation adds 1/6. Wide
     squares, of repeats that are narrow or whose nodes were rounded up, take several such steps.
@@ -273,23 +350,40 @@ def _widened(means: NDArray[np.float32], axis: int, cells: float) -> NDArray[np.
     """
     missing = (TENT * cells**2 - 3) / 12
     steps = min(max(1, math.ceil(missing / (2 * _MOST_BESIDE))), _MOST_STEPS)
-    beside = np.float32(min(missing / (2 * steps), _MOST_BESIDE))
-    for _ in range(steps):
-        total = np.roll(means, 1, axis)
-        total += np.roll(means, -1, axis)
-        total *= beside
-        total += (1 - 2 * beside) * means
-        means = total
-    return means
+    return [np.float32(min(missing / (2 * steps), _MOST_BESIDE))] * steps
 
 
-def _halved(means: NDArray[np.float32], count: int, axis: int, far_weight: float) -> NDArray[np.float32]:
-    """Means over squares twice as wide, along one axis."""
+def _widened(means: NDArray[np.float32], axis: int, beside: np.float32) -> NDArray[np.float32]:
+    """One step of `_beside` along an axis, which loses a cell at either end."""
+    before, middle, after = (
+        means[(slice(None),) * axis + (slice(start, stop),)] for start, stop in ((0, -2), (1, -1), (2, None))
+    )
+    total: NDArray[np.float32] = before + after
+    total *= beside
+    total += (1 - 2 * beside) * middle
+    return total
+
+
+def _halved(means: NDArray[np.float32], far_weight: float) -> NDArray[np.float32]:
+    """Means over squares twice as wide."""
+    faces, rows, columns, groups = means.shape
+    across, along = -(-columns // 2), -(-rows // 2)
+    if rows != 2 * along:
+        return _halved_along(_halved_along(means, along, 1, far_weight), across, 2, far_weight)
+    halved = np.empty((faces, along, across, groups), np.float32)
+    for start, stop in _blocks(along, 4 * across * groups):
+        part = _from_pairs(means.take(np.arange(2 * start - 1, 2 * stop + 1) % rows, axis=1), 1, far_weight)
+        halved[:, start:stop] = _halved_along(part, across, 2, far_weight)
+    return halved
+
+
+def _halved_along(
+    means: NDArray[np.float32], count: int, axis: int, far_weight: float
+) -> NDArray[np.float32]:
+    """The same along one axis."""
     before = means.shape[axis]
     if before == 2 * count:
-        even, odd = (means[(slice(None),) * axis + (slice(start, None, 2),)] for start in (0, 1))
-        near = np.float32(0.5 * (1 - far_weight)) * (even + odd)
-        return near + np.float32(0.5 * far_weight) * (np.roll(odd, 1, axis) + np.roll(even, -1, axis))
+        return _from_pairs(means.take(np.arange(-1, before + 1) % before, axis=axis), axis, far_weight)
     middle = (np.arange(count) + 0.5) * (before / count) - 0.5
     total = np.zeros((*means.shape[:axis], count, *means.shape[axis + 1 :]), np.float32)
     shape = [1] * means.ndim
@@ -302,6 +396,16 @@ def _halved(means: NDArray[np.float32], count: int, axis: int, far_weight: float
                 factor = (weight * part).astype(np.float32).reshape(shape)
                 total += factor * np.take(means, node % before, axis=axis)
     return total
+
+
+def _from_pairs(means: NDArray[np.float32], axis: int, far_weight: float) -> NDArray[np.float32]:
+    """The same of pairs of nodes, with one more node at either end."""
+    last = means.shape[axis] - 2
+    before, even, odd, after = (
+        means[(slice(None),) * axis + (slice(start, start + last, 2),)] for start in range(4)
+    )
+    near: NDArray[np.float32] = np.float32(0.5 * (1 - far_weight)) * (even + odd)
+    return near + np.float32(0.5 * far_weight) * (before + after)
 
 
 class CoverageTable:

@@ -34,6 +34,11 @@ _ITERATIONS = 2
 _HALVINGS = 4
 # Points that agree in so many are one to k-means, as those of a straight flat yarn are.
 _DIGITS = 4
+# Parts of fibre directions whose products are summed, and all that is summed of a group; see `as_met`.
+_PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
+SUMS = 13
+# Numbers of two centres in memory, and coordinates that are far from all points.
+_ROW, _NOWHERE = 16, 1e3
 # Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
 # (Roberts 2018), in units of 2⁻³²: products wrap around as fractions do.
 _EVEN_IN_FOUR = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
@@ -54,10 +59,9 @@ class FacePoints:
     normal: NDArray[np.float64]
     tangent: NDArray[np.float64]
 
-    @property
-    def features(self) -> NDArray[np.float64]:
-        """What groups are parted by [n, 6]."""
-        return np.concatenate([_NORMAL_SHARE * self.normal, self.tangent], axis=1)
+    def features(self, chosen: NDArray[np.intp]) -> NDArray[np.float64]:
+        """What groups of some points are parted by [n, 6]."""
+        return np.concatenate([_NORMAL_SHARE * self.normal[chosen], self.tangent[chosen]], axis=1)
 
     def of_families(self) -> list[NDArray[np.intp]]:
         """Points of the front's warp and weft and of the back's, holes left out."""
@@ -83,7 +87,6 @@ class Groups:
     Attributes:
         per_family: K, ≥ 1.
         centres: what points are compared with [2 faces, 2 K, 6]: half the normal, then the fibre direction.
-        area: share of the plan of the cloth [2, 2 K].
         hole: share of the plan where neither family is [2].
         normal: of the centre, or the mean of what views meet (`as_met`), shorter than 1 [2, 2 K, 3].
         tangent: fibre direction of the same, shorter than 1 [2, 2 K, 3].
@@ -92,7 +95,6 @@ class Groups:
 
     per_family: int
     centres: NDArray[np.float32]
-    area: NDArray[np.float64]
     hole: NDArray[np.float64]
     normal: NDArray[np.float64]
     tangent: NDArray[np.float64]
@@ -109,7 +111,13 @@ class GroupFinder:
 
     def __init__(self, groups: Groups, types: ArrayTypes) -> None:
         self._types = types
-        self._centres = uploaded(types.Float, groups.centres)
+        # CPUs fetch what lies in a row together: two centres at once, as nothing else takes as long. The last
+        # one may be far from everything.
+        pairs = -(-groups.per_family // 2)
+        rows = np.full((4, 2 * pairs, _ROW // 2), _NOWHERE, np.float32)
+        rows[:, : groups.per_family, :6] = groups.centres.reshape(4, groups.per_family, 6)
+        self._centres = uploaded(types.Float, rows)
+        self._pairs = dr.opaque(types.UInt32, pairs)
         self._per_family = dr.opaque(types.UInt32, groups.per_family)
         self.holes = dr.opaque(types.UInt32, groups.count)
 
@@ -117,22 +125,26 @@ class GroupFinder:
         """Number of the nearest group of the family that shows; 2 K in holes: UInt32."""
         types = self._types
         UInt32, Float = types.UInt32, types.Float
-        first = dr.select(is_warp, UInt32(0), self._per_family)
-        start = dr.select(back, 2 * self._per_family, 0) + first
-        near = _NORMAL_SHARE * normal
+        start = dr.select(back, 2 * self._pairs, 0) + dr.select(is_warp, UInt32(0), self._pairs)
+        features = *(_NORMAL_SHARE * normal), *tangent
 
         def compare(step: Any, least: Any, best: Any) -> tuple[Any, Any, Any]:
-            row = 3 * (start + step)
-            a, b, c = (dr.gather(types.Vector2, self._centres, row + part) for part in range(3))
-            distance = dr.square(near.x - a.x) + dr.square(near.y - a.y) + dr.square(near.z - b.x)
-            distance += dr.square(tangent.x - b.y) + dr.square(tangent.y - c.x) + dr.square(tangent.z - c.y)
-            closer = distance < least
-            return step + 1, dr.select(closer, distance, least), dr.select(closer, step, best)
+            row = dr.gather(types.Vectors, self._centres, start + step, shape=(_ROW, dr.width(start)))
+            for number in range(2):
+                centre = list(row)[_ROW // 2 * number :]
+                distance = Float(0)
+                for feature, of_centre in zip(features, centre, strict=False):
+                    offset = feature - of_centre
+                    distance = dr.fma(offset, offset, distance)
+                closer = distance < least
+                least = dr.select(closer, distance, least)
+                best = dr.select(closer, 2 * step + number, best)
+            return step + 1, least, best
 
         nothing = dr.zeros(UInt32, dr.width(normal))
-        state = (UInt32(nothing), dr.full(Float, 1e9, dr.width(normal)), UInt32(nothing))
-        state = dr.while_loop(state, lambda step, least, best: step < self._per_family, compare)
-        return dr.select(hole, self.holes, first + state[2])
+        state = (UInt32(nothing), dr.full(Float, _NOWHERE, dr.width(normal)), UInt32(nothing))
+        best = dr.while_loop(state, lambda step, least, best: step < self._pairs, compare)[2]
+        return dr.select(hole, self.holes, dr.select(is_warp, 0, self._per_family) + best)
 
 
 class Places:
@@ -212,37 +224,26 @@ def _plan(cloth: Cloth) -> tuple[Any, ...]:
 def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups:
     """Parts the yarns of both faces into `per_family` groups for each family.
 
-    A family that a face never shows has groups without area.
+    Groups of a family that a face never shows face the eye.
 
     Args:
         seen: what views from all around meet, which groups are made for. What dives under other
             yarns is a large part of the plan, and seldom seen.
     """
-    count = 2 * per_family
-    features, of_seen = points.features, seen.features
-    sets = {family: chosen for family, chosen in enumerate(points.of_families()) if len(chosen)}
     # Groups of no points face the eye, so that nothing is divided by 0.
     facing = np.array([0, 0, _NORMAL_SHARE, 0, 1, 0], np.float32)
     centres = np.tile(facing, (4, per_family, 1))
-    if sets:
-        met = seen.of_families()
-        learnt = [
-            _some(of_seen[met[family]] if len(met[family]) >= _FEWEST_SEEN else features[chosen])
-            for family, chosen in sets.items()
-        ]
-        centres[list(sets)] = [_centres(some, per_family) for some in learnt]
-    number = np.full(len(points.back), 2 * count)
-    for family, chosen in sets.items():
-        number[chosen] = family * per_family + _nearest(features[chosen], centres[family])
-    members = np.bincount(number, minlength=2 * count + 1)[: 2 * count].reshape(2, count)
-    centres = centres.reshape(2, count, -1)
+    for family, (shown, met) in enumerate(zip(points.of_families(), seen.of_families(), strict=True)):
+        if len(shown):
+            learnt = seen.features(met) if len(met) >= _FEWEST_SEEN else points.features(shown)
+            centres[family] = _centres(_some(learnt), per_family)
+    centres = centres.reshape(2, 2 * per_family, -1)
     # Until views tell more: fibres about the centre, as far from it in all directions.
     tangent = centres[..., 3:].astype(np.float64)
     left = np.maximum(1 - np.square(tangent).sum(axis=-1), 0)
     return Groups(
         per_family,
         centres,
-        members / _POINTS,
         np.full(2, len(points.gaps) / _POINTS),
         centres[..., :3].astype(np.float64) / _NORMAL_SHARE,
         tangent,
@@ -257,46 +258,34 @@ def _some(rows: NDArray[np.float64]) -> NDArray[np.float64]:
     return rows[np.random.default_rng(0).choice(len(rows), _LEARNT_FROM, replace=False)]
 
 
-def as_met(
-    groups: Groups, number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64]
-) -> Groups:
+def sums_of(normal: Any, tangent: Any) -> list[Any]:
+    """What moments are sums of, beside ones: normal, fibre direction, products of its parts."""
+    return [*normal, *tangent, *(tangent[i] * tangent[j] for i, j in _PRODUCTS)]
+
+
+def as_met(groups: Groups, sums: NDArray[np.float64]) -> Groups:
     """The groups with moments of yarn points as often as views meet them.
 
     What dives under other yarns is steep and seldom seen: over the plan it would make a group five times as
     wide as it looks. A group that few views meet keeps its moments.
 
     Args:
-        number: group of each point, those of the back from 2 K on, and 4 K of none [n].
-        normal, tangent: unit vectors [n, 3] in the frame of the face.
+        sums: of each group, the number of its points, and over these what `sums_of` says [2, 2 K, SUMS].
     """
-    members, mean_normal, mean_tangent, spread = _moments(number, normal, tangent, groups.count)
-    few = members[..., None] < _FEWEST_MET
+    members = sums[..., :1]
+    means = sums[..., 1:] / np.maximum(members, 1)
+    normal, tangent = means[..., :3], means[..., 3:6]
+    spread = -tangent[..., :, None] * tangent[..., None, :]
+    for (i, j), product in zip(_PRODUCTS, np.moveaxis(means[..., 6:], -1, 0), strict=True):
+        spread[..., i, j] += product
+        spread[..., j, i] = spread[..., i, j]
+    few = members < _FEWEST_MET
     return replace(
         groups,
-        normal=np.where(few, groups.normal, mean_normal),
-        tangent=np.where(few, groups.tangent, mean_tangent),
+        normal=np.where(few, groups.normal, normal),
+        tangent=np.where(few, groups.tangent, tangent),
         spread=np.where(few[..., None], groups.spread, spread),
     )
-
-
-def _moments(
-    number: NDArray[np.intp], normal: NDArray[np.float64], tangent: NDArray[np.float64], count: int
-) -> tuple[NDArray[np.float64], ...]:
-    """Points by group [2, count]; their mean normals, mean fibre directions and covariances of these."""
-    first, second = np.triu_indices(3)
-    rows = [np.ones(len(number)), *normal.T, *tangent.T, *(tangent.T[first] * tangent.T[second])]
-    sums: NDArray[np.float64] = np.stack(
-        [np.bincount(number, row, minlength=2 * count + 1)[: 2 * count] for row in rows],
-        axis=1,
-        dtype=np.float64,
-    ).reshape(2, count, -1)
-    points = sums[..., :1]
-    means = sums[..., 1:] / np.maximum(points, 1)
-    mean_normal, mean_tangent = means[..., :3], means[..., 3:6]
-    spread = -mean_tangent[..., :, None] * mean_tangent[..., None, :]
-    spread[..., first, second] += means[..., 6:]
-    spread[..., second, first] = spread[..., first, second]
-    return points[..., 0], mean_normal, mean_tangent, spread
 
 
 def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
@@ -305,15 +294,45 @@ def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
     Where fewer points differ some groups are one; where a group loses all its points it keeps its place.
     """
     learnt = features.round(_DIGITS)
-    turned = np.ascontiguousarray(learnt.T)
-    centres = _halved_centres(turned, count)
+    centres = _halved_centres(np.ascontiguousarray(learnt.T), count)
+    # With ones beside them, one product each gives distances, and sums together with numbers of points.
+    with_ones = np.concatenate([learnt, np.ones((len(learnt), 1))], axis=1)
+    turned = np.ascontiguousarray(with_ones.T)
     for _ in range(_ITERATIONS):
-        distance = np.square(centres).sum(axis=1)[:, None] - 2 * centres @ turned
+        squares = np.square(centres).sum(axis=1)[:, None]
+        distance = np.concatenate([-2 * centres, squares], axis=1) @ turned
         # A point between two groups counts for both.
         member = distance == distance.min(axis=0)
-        points = np.count_nonzero(member, axis=1)[:, None]
-        centres = np.where(points > 0, member.astype(np.float64) @ learnt / np.maximum(points, 1), centres)
+        sums = member.astype(np.float64) @ with_ones
+        points = sums[:, -1:]
+        centres = np.where(points > 0, sums[:, :-1] / np.maximum(points, 1), centres)
     return centres
+
+
+@dataclass(eq=False)
+class _Part:
+    """Points of one group to be.
+
+    Attributes:
+        centre: their mean [features].
+        offsets: from it [features, n].
+        products: sums of products of offsets [features, features].
+        error: sum of their squares.
+    """
+
+    centre: NDArray[np.float64]
+    offsets: NDArray[np.float64]
+    products: NDArray[np.float64]
+    error: float
+
+    @classmethod
+    def of(cls, points: NDArray[np.float64], origin: NDArray[np.float64]) -> _Part:
+        """The part of points [features, n], seen from an origin."""
+        mean = points.sum(axis=1) * (1 / points.shape[1])
+        offsets = points - mean[:, None]
+        # Of two different arrays: a matrix with itself is another routine, which takes longer.
+        products = np.dot(points, offsets.T)
+        return cls(origin + mean, offsets, products, float(products.trace()))
 
 
 def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float64]:
@@ -323,60 +342,39 @@ def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float
     longest axis, where both halves are nearest to their means. No step is left to chance: groups found from
     centres drawn at random make pictures of the same cloth that err up to a third more or less.
 
-    Rays are traced meanwhile, and a matrix library's threads would fight theirs: sums are those of `einsum`.
+    Rays are traced meanwhile, and a matrix library's threads would fight theirs: these products are too small
+    for it to start any.
 
     Args:
         points: [features, n].
     """
-    mean = points.mean(axis=1)
-    # Of each group: its points, their mean, and the sum of squared distances from it.
-    parts, centres, errors = [points], [mean], [float(np.square(points - mean[:, None]).sum())]
+    parts = [_Part.of(points, np.zeros(len(points)))]
     while len(parts) < count:
-        widest = int(np.argmax(errors))
-        part, centre = parts[widest], centres[widest]
-        offset = part - centre[:, None]
-        axis = np.linalg.eigh(np.einsum("in,jn->ij", offset, offset))[1][:, -1]
-        along = np.einsum("in,i->n", offset, axis)
+        part = max(parts, key=lambda part: part.error)
+        axis = np.linalg.eigh(part.products)[1][:, -1]
+        along = np.einsum("in,i->n", part.offsets, axis)
         beyond = along > _between(along)
-        there = np.count_nonzero(beyond)
-        here = len(along) - there
-        if not (here and there):
+        halves = [side.nonzero()[0] for side in (~beyond, beyond)]
+        if not all(map(len, halves)):
             # All points are one.
-            centres += [centre] * (count - len(parts))
+            parts += [part] * (count - len(parts))
             break
-        far = part[:, beyond]
-        far_offset = far - centre[:, None]
-        # Offsets of both halves cancel.
-        total = far_offset.sum(axis=1)
-        squared, error_there = float(np.square(total).sum()), float(np.square(far_offset).sum())
-        parts[widest], centres[widest] = part[:, ~beyond], centre - total / here
-        errors[widest] += -error_there - squared / here
+        near, far = (_Part.of(part.offsets.take(half, axis=1), part.centre) for half in halves)
+        parts[parts.index(part)] = near
         parts.append(far)
-        centres.append(centre + total / there)
-        errors.append(error_there - squared / there)
-    return np.array(centres)
+    return np.array([part.centre for part in parts])
 
 
 def _between(along: NDArray[np.float64]) -> float:
     """Where to part points on a line [n], whose mean is 0: halfway between the means of both halves."""
-    at = 0.0
+    at, before = 0.0, 0
     for _ in range(_HALVINGS):
         beyond = along > at
-        there = np.count_nonzero(beyond)
+        there = int(np.count_nonzero(beyond))
         here = len(along) - there
-        if not (here and there):
+        if not (here and there) or there == before:
             break
+        before = there
         # Both sums cancel.
-        at = 0.5 * float(along[beyond].sum()) * (1 / there - 1 / here)
+        at = 0.5 * float(np.dot(along, beyond)) * (1 / there - 1 / here)
     return at
-
-
-def _nearest(features: NDArray[np.float64], centres: NDArray[np.float32]) -> NDArray[np.intp]:
-    """Number of the nearest centre of each point."""
-    exact = centres.astype(np.float64)
-    distances = (exact**2).sum(axis=1)[:, None] - 2 * exact @ features.T
-    least, number = distances[0], np.zeros(len(features), np.intp)
-    for group in range(1, len(centres)):
-        number[distances[group] < least] = group
-        least = np.minimum(least, distances[group])
-    return number

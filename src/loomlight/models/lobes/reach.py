@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import drjit as dr
@@ -23,7 +22,17 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, larger, uploaded
 from loomlight.core.recorded import Held, Recorded
-from loomlight.models.lobes.groups import Cloth, FacePoints, GroupFinder, Groups, PlanPoints, as_met
+from loomlight.models.lobes.divider import Divider
+from loomlight.models.lobes.groups import (
+    SUMS,
+    Cloth,
+    FacePoints,
+    GroupFinder,
+    Groups,
+    PlanPoints,
+    as_met,
+    sums_of,
+)
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
@@ -83,8 +92,7 @@ class CastRays:
     Attributes:
         rays: of each node and face.
         hits: what views meet, but for those that pass through the cloth.
-        from_gaps: lanes of views that may [n].
-        pass_cloth: whether these do: Bool; None without any.
+        pass_cloth: which views do: Bool; None where none can.
         points: the plan points that light goes to.
         towards: unit vectors [3] to the light.
         free: light reaches the point: Bool.
@@ -93,7 +101,6 @@ class CastRays:
 
     rays: int
     hits: Met
-    from_gaps: NDArray[np.intp]
     pass_cloth: Any | None
     points: Met
     towards: Any
@@ -148,7 +155,7 @@ def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRa
     passes = _through_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
     hits, below = _to_eyes(cloth, directions, rays)
     pass_cloth = _pass(cloth, directions, rays, lanes, below) if len(from_gaps) else None
-    return CastRays(rays, hits, from_gaps, pass_cloth, lit, towards, free, passes)
+    return CastRays(rays, hits, pass_cloth, lit, towards, free, passes)
 
 
 @Recorded
@@ -179,11 +186,13 @@ def _to_eyes(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
 
 @Recorded
 def _pass(cloth: Cloth, directions: Any, rays: int, lanes: Any, below: Any) -> Any:
-    """Which views of some lanes pass through the cloth."""
+    """Which views pass through the cloth, of which none but some lanes may: Bool of all."""
     back, x, y, view = _rays(cloth, directions, rays, lanes)
     # What has met yarn above the plane does not pass it.
     active = dr.gather(cloth.types.Bool, below, lanes)
-    return passes_through(cloth.geometry, x, y, view, back, active, _QUALITY)
+    found = dr.zeros(cloth.types.Bool, 2 * NODES * rays)
+    dr.scatter(found, passes_through(cloth.geometry, x, y, view, back, active, _QUALITY), lanes)
+    return found
 
 
 def _rays(cloth: Cloth, directions: Any, rays: int, lane: Any) -> tuple[Any, Any, Any, Any]:
@@ -195,11 +204,10 @@ def _rays(cloth: Cloth, directions: Any, rays: int, lane: Any) -> tuple[Any, Any
 def _places(cloth: Cloth, rays: int, lane: Any) -> tuple[Any, Any, Any, Any]:
     """Where they go through the plane: back, x, y, node."""
     UInt32 = cloth.types.UInt32
-    each, of_node = (dr.opaque(UInt32, count) for count in (NODES * rays, rays))
+    each = dr.opaque(UInt32, NODES * rays)
     back = lane >= each
-    lane = dr.select(back, lane - each, lane)
-    node = lane // of_node
-    return back, *cloth.places.over(lane - node * of_node, node), node
+    node, ray = Divider(rays, cloth.types).divide(dr.select(back, lane - each, lane))
+    return back, *cloth.places.over(ray, node), node
 
 
 def _direction(cloth: Cloth, directions: Any, node: Any) -> Any:
@@ -212,43 +220,32 @@ def _direction(cloth: Cloth, directions: Any, node: Any) -> Any:
 def _through_gaps(cloth: Cloth, directions: Any, starts: Any, count: int) -> Any:
     """Which view rays through so many places pass through the cloth."""
     types = cloth.types
-    each = dr.opaque(types.UInt32, count)
     lane = dr.arange(types.UInt32, NODES * count)
-    node = lane // each
-    x, y = dr.gather(types.Vector2, starts, lane - node * each)
+    node, ray = Divider(count, types).divide(lane)
+    x, y = dr.gather(types.Vector2, starts, ray)
     towards = _direction(cloth, directions, node)
     return passes_through(cloth.geometry, x, y, towards, lane < 0, True, _QUALITY)
 
 
 @dataclass
 class SortedRays:
-    """What rays met, by group. Work may go on.
+    """What rays met, added up by group. Work may go on.
 
     Attributes:
         rays: what was cast.
         groups: the groups.
-        seen: bins of views, those that pass through the cloth too: UInt32. A bin is a face, a node, a group;
-            that of holes lies beyond all.
-        lit: bins of plan points: UInt32.
-        free: whether light from the side seen reaches them, 1, and that from the other side, 2: UInt32.
-        terms: π times the diffuse terms of light from either side that does, in units of 1/_UNITS: UInt32
-            each.
+        views: that meet a group: UInt32 [2 faces, nodes, groups].
+        moments: of what every so many views meet, as whole numbers: UInt32 [2 faces, groups, SUMS].
+        points: of plan points, how many there are and, 16 bits above, how many light from the side seen
+            reaches; how many that from the other side does; and π times the diffuse terms of either, in units
+            of 1/_UNITS: UInt32 [2 faces, nodes, groups, 4].
     """
 
     rays: CastRays
     groups: Groups
-    seen: Any
-    lit: Any
-    free: Any
-    terms: tuple[Any, Any]
-
-    @cached_property
-    def met(self) -> NDArray[np.intp]:
-        """Bins of views; those that pass through the cloth lie beyond all."""
-        bins = self.seen.numpy().astype(np.intp)
-        if self.rays.pass_cloth is not None:
-            bins[self.rays.from_gaps[self.rays.pass_cloth.numpy()]] = 2 * NODES * self.groups.count
-        return bins
+    views: Any
+    moments: Any
+    points: Any
 
 
 def sort_rays(rays: CastRays, groups: Groups, finder: Held[GroupFinder], diffuse_blend: float) -> SortedRays:
@@ -258,29 +255,52 @@ def sort_rays(rays: CastRays, groups: Groups, finder: Held[GroupFinder], diffuse
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
     """
     blend = dr.opaque(dr.value_t(type(rays.towards)), float(diffuse_blend))
-    seen = _seen_bins(finder, rays.hits, rays.rays, groups.count)
-    lit, free, *terms = _lit_bins(
-        finder, rays.points, rays.towards, rays.free, blend, rays.rays, groups.count
-    )
-    return SortedRays(rays, groups, seen, lit, free, (terms[0], terms[1]))
+    passing = [] if rays.pass_cloth is None else [rays.pass_cloth]
+    views, moments = _seen_sums(finder, rays.hits, passing, rays.rays, groups.count)
+    points = _lit_sums(finder, rays.points, rays.towards, rays.free, blend, rays.rays, groups.count)
+    return SortedRays(rays, groups, views, moments, points)
 
 
 @Recorded
-def _seen_bins(finder: GroupFinder, met: Met, rays: int, groups: int) -> Any:
-    """Bins of views."""
-    return _bins(finder, met, rays, groups)[0]
+def _seen_sums(finder: GroupFinder, met: Met, passing: list[Any], rays: int, groups: int) -> tuple[Any, Any]:
+    """Numbers of views, and moments.
+
+    Args:
+        passing: which views pass through the cloth, if any do.
+    """
+    types = array_types(met.normal)
+    found = _sorted(finder, met, rays, groups)
+    known = ~met.hole
+    for passes in passing:
+        known &= ~passes
+    views = dr.zeros(types.UInt32, 2 * NODES * groups)
+    dr.scatter_add(views, types.UInt32(1), found.bins, known)
+    moments = dr.zeros(types.UInt32, 2 * groups * SUMS)
+    place = SUMS * dr.select(found.back, found.group + dr.opaque(types.UInt32, groups), found.group)
+    counts = known & (found.lane % _MOMENTS_FROM == 0)
+    dr.scatter_add(moments, types.UInt32(1), place, counts)
+    for number, value in enumerate(sums_of(met.normal, met.tangent), 1):
+        # Of both signs: whole numbers wrap around as they add up.
+        whole = types.Int32(dr.round(value * _moment_units(rays)))
+        dr.scatter_add(moments, types.UInt32(whole), place + number, counts)
+    return views, moments
+
+
+def _moment_units(rays: int) -> int:
+    """What whole numbers of moments count in, so that sums over all views of a face stay below 2³¹."""
+    return (1 << 30) // (NODES * rays // _MOMENTS_FROM)
 
 
 @Recorded
-def _lit_bins(
+def _lit_sums(
     finder: GroupFinder, met: Met, towards: Any, free: Any, blend: Any, rays: int, groups: int
-) -> tuple[Any, ...]:
-    """Bins of plan points, which sides' light reaches them, diffuse terms of either."""
+) -> Any:
+    """Sums over plan points."""
     types = array_types(towards)
-    bins, lane, half = _bins(finder, met, rays, groups)
+    found = _sorted(finder, met, rays, groups)
     # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated. It
     # falls on the other face, whose rays start at the same places.
-    other = dr.select(lane >= half, lane - half, lane + half)
+    other = dr.select(found.back, found.lane - found.half, found.lane + found.half)
     normal = met.normal
     across = normal.x * towards.x + normal.y * towards.y
     cosines = normal.z * towards.z + across, normal.z * towards.z - across
@@ -289,30 +309,51 @@ def _lit_bins(
         dr.select(frees, types.UInt32(dr.lerp(towards.z, larger(cosine, 0), blend) * _UNITS + 0.5), 0)
         for frees, cosine in zip(reaches, cosines, strict=True)
     )
-    return bins, types.UInt32(reaches[0]) + 2 * types.UInt32(reaches[1]), *terms
+    numbers = 1 + (types.UInt32(reaches[0]) << 16), types.UInt32(reaches[1]), *terms
+    sums = dr.zeros(types.UInt32, len(numbers) * 2 * NODES * groups)
+    for place, number in enumerate(numbers):
+        dr.scatter_add(sums, number, len(numbers) * found.bins + place, ~met.hole)
+    return sums
 
 
-def _bins(finder: GroupFinder, met: Met, rays: int, groups: int) -> tuple[Any, Any, Any]:
-    """Bins, lanes, and the first lane of the back."""
-    UInt32 = array_types(met.normal).UInt32
-    lane = dr.arange(UInt32, 2 * NODES * rays)
-    half, of_node, of_all, row = (
-        dr.opaque(UInt32, count) for count in (NODES * rays, rays, 2 * NODES * groups, groups)
-    )
-    group = finder.group(lane >= half, met.is_warp, met.hole, met.normal, met.tangent)
-    return dr.select(met.hole, of_all, (lane // of_node) * row + group), lane, half
+@dataclass
+class _Sorted:
+    """Rays by group.
+
+    Attributes:
+        lane, half: UInt32; from lane `half` on rays are those of the back, where `back` is true.
+        group: of the face.
+        bins: a face, a node and a group have one.
+    """
+
+    lane: Any
+    half: Any
+    back: Any
+    group: Any
+    bins: Any
+
+
+def _sorted(finder: GroupFinder, met: Met, rays: int, groups: int) -> _Sorted:
+    types = array_types(met.normal)
+    lane = dr.arange(types.UInt32, 2 * NODES * rays)
+    half, row = (dr.opaque(types.UInt32, count) for count in (NODES * rays, groups))
+    back = lane >= half
+    group = finder.group(back, met.is_warp, met.hole, met.normal, met.tangent)
+    return _Sorted(lane, half, back, group, Divider(rays, types).divide(lane)[0] * row + group)
 
 
 def measure_reach(found: SortedRays) -> Reach:
     """Means by face, node and group of what the rays met."""
-    hits, points, free, beyond, *terms = _sums(found)
+    shape = 2, NODES, found.groups.count
+    hits = found.views.numpy().reshape(shape)
     # Rays that meet yarn are all that do not pass.
     met_yarn = hits.sum(axis=2)
     passes = found.rays.passes
     passing = np.zeros((2, NODES)) if passes is None else _both_faces(passes.numpy())
     passing = np.where(met_yarn > 0, found.groups.hole[:, None] * passing, 1)
     shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
-    points = np.maximum(points, 1)
+    first, beyond, *terms = np.moveaxis(found.points.numpy().reshape(*shape, 4), -1, 0)
+    free, points = first >> 16, np.maximum(first & 0xFFFF, 1)
     return Reach(
         np.concatenate([shares, passing[..., None]], axis=2),
         np.stack([free / points, beyond / points], axis=1),
@@ -322,33 +363,9 @@ def measure_reach(found: SortedRays) -> Reach:
 
 def groups_met(found: SortedRays) -> Groups:
     """The groups with moments of what views from all sides meet."""
-    groups, hits = found.groups, found.rays.hits
-    bins = found.met[::_MOMENTS_FROM]
-    normal, tangent = (
-        np.stack([axis.numpy()[::_MOMENTS_FROM] for axis in part]).astype(np.float64).T
-        for part in (hits.normal, hits.tangent)
-    )
-    face, group = bins // (NODES * groups.count), bins % groups.count
-    return as_met(groups, face * groups.count + group, normal, tangent)
-
-
-def _sums(found: SortedRays) -> NDArray[np.float64]:
-    """Sums [6, 2 faces, nodes, groups].
-
-    Of views that meet a group, points of its plan, those that light from either side reaches, and the
-    diffuse terms of these in their units: whole numbers, which are exact.
-    """
-    size = 2 * NODES * found.groups.count
-    lit, free = found.lit.numpy().astype(np.intp), found.free.numpy()
-    sides = np.bincount(4 * lit + free, minlength=4 * size)[: 4 * size].reshape(size, 4)
-    sums = [
-        np.bincount(found.met, minlength=size)[:size],
-        sides.sum(axis=1),
-        sides[:, 1] + sides[:, 3],
-        sides[:, 2] + sides[:, 3],
-        *(np.bincount(lit, term.numpy(), minlength=size)[:size] for term in found.terms),
-    ]
-    return np.stack(sums).astype(np.float64).reshape(6, 2, NODES, found.groups.count)
+    sums = found.moments.numpy().view(np.int32).reshape(2, found.groups.count, SUMS).astype(np.float64)
+    sums[..., 1:] *= 1 / _moment_units(found.rays.rays)
+    return as_met(found.groups, sums)
 
 
 def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:
