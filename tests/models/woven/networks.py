@@ -6,9 +6,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pytest
 import torch
 
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven import encoding
 from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.encoding import clear_encodings
 from loomlight.models.woven.network import WovenNetwork
 from loomlight.models.woven.weights import Weights, read_weights, write_weights
 
@@ -53,6 +57,25 @@ def linear_diffuse(made: WovenNetwork) -> bool:
 def weights_of(made: WovenNetwork, folder: Path) -> Weights:
     """The network without torch, in single precision."""
     return read_weights(written(made, folder / "weights.safetensors"))
+
+
+def counted_runs(monkeypatch: pytest.MonkeyPatch, folder: Path, function: str) -> list[str]:
+    """Names of the fabrics that a function of `encoding` is called for from here on, with empty caches.
+
+    Args:
+        folder: of the cache on disk.
+    """
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
+    clear_encodings()
+    found: list[str] = []
+    run = getattr(encoding, function)
+
+    def counted(fabric: Fabric, *arguments: Any) -> Any:
+        found.append(fabric.name)
+        return run(fabric, *arguments)
+
+    monkeypatch.setattr(encoding, function, counted)
+    return found
 
 
 def unit_vectors(rng: np.random.Generator, count: int) -> np.ndarray:

@@ -24,7 +24,7 @@ from loomlight.models.woven.onnx_encoder import encoder_graph
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import read_weights
 
-from .networks import TABLES, linear_diffuse, network, unit_vectors, weights_of, written
+from .networks import TABLES, counted_runs, linear_diffuse, network, unit_vectors, weights_of, written
 
 require_llvm()
 
@@ -85,17 +85,7 @@ def test_the_decoder_is_torchs(name: str, tmp_path: Path) -> None:
 @pytest.fixture
 def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     """Names of the fabrics that the encoder was run for, with empty caches."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
-    found: list[str] = []
-    run = encoding._run
-
-    def counted(fabric, *arguments):  # type: ignore[no-untyped-def]
-        found.append(fabric.name)
-        return run(fabric, *arguments)
-
-    monkeypatch.setattr(encoding, "_run", counted)
-    return found
+    return counted_runs(monkeypatch, tmp_path / "cache", "_run")
 
 
 def test_a_fabric_is_encoded_once(runs: list[str], tmp_path: Path) -> None:

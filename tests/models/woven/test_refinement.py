@@ -13,7 +13,6 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven import encoding
 from loomlight.models.woven.batch import decode
 from loomlight.models.woven.encoding import EncodedFabric, clear_encodings, encode, encode_pair
 from loomlight.models.woven.model import WovenModel
@@ -22,7 +21,7 @@ from loomlight.models.woven.weights import shipped_weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
-from .networks import network, weights_of
+from .networks import counted_runs, network, weights_of
 
 require_llvm()
 SATIN = (
@@ -33,17 +32,7 @@ SATIN = (
 @pytest.fixture
 def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     """Names of the fabrics that were fitted, with empty caches."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    clear_encodings()
-    found: list[str] = []
-    refined = encoding._refined
-
-    def counted(fabric, *arguments):  # type: ignore[no-untyped-def]
-        found.append(fabric.name)
-        return refined(fabric, *arguments)
-
-    monkeypatch.setattr(encoding, "_refined", counted)
-    return found
+    return counted_runs(monkeypatch, tmp_path / "cache", "_refined")
 
 
 def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:
