@@ -15,10 +15,11 @@ from safetensors.numpy import load_file
 torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
+from loomlight.models.woven.batches import Batches, _draw  # noqa: E402
 from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
 from loomlight.models.woven.pool import read_faces  # noqa: E402
-from loomlight.models.woven.train import Batches, _draw, rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.train import rate_share, train_woven  # noqa: E402
 from loomlight.models.woven.weights import read_weights  # noqa: E402
 
 from .networks import network  # noqa: E402

@@ -75,10 +75,14 @@ def taps(
         column, row = np.floor(u), np.floor(v)
         right, up = u - column, v - row
         share = blend if side else 1 - blend
+        lines = []
+        for number, count in ((column.astype(np.int64), columns[level]), (row.astype(np.int64), rows[level])):
+            one = number % count
+            other = one + 1
+            # A remainder takes longer than all else here.
+            lines.append((one, np.where(other == count, 0, other)))
         for tap in range(4):
-            c = (column.astype(np.int64) + tap % 2) % columns[level]
-            r = (row.astype(np.int64) + tap // 2) % rows[level]
-            index[:, 4 * side + tap] = first[level] + r * columns[level] + c
+            index[:, 4 * side + tap] = first[level] + lines[1][tap // 2] * columns[level] + lines[0][tap % 2]
             across = right if tap % 2 else 1 - right
             along = up if tap // 2 else 1 - up
             weight[:, 4 * side + tap] = share * across * along
