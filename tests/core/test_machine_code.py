@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
+from llvmlite import ir
 
 from loomlight.core import machine_code
 from loomlight.core.dense_code import Packed, dense
-from loomlight.core.lane_code import Code, Vectors
+from loomlight.core.lane_code import INDEX, Code, Vectors
 from loomlight.core.machine_code import MachineCode, aligned, vectors
 
 # Of other processors: LLVM splits vectors that are too long, and code is right with few registers too.
@@ -85,6 +87,44 @@ def test_logarithms_and_exponentials_are_exact_to_rounding() -> None:
     np.testing.assert_allclose(binary, np.log2(exact), rtol=4e-7, atol=1e-7)
     wanted = np.exp(np.maximum(power.astype(np.float32).astype(np.float64), -87))
     np.testing.assert_allclose(exponential, wanted, rtol=4e-7)
+
+
+def test_angles_of_vectors() -> None:
+    rng = np.random.default_rng(3)
+    y, x = rng.normal(size=(2, 20000))
+    y, x = (np.concatenate([part, more]) for part, more in ((y, [0, 0, 1, -1, 0]), (x, [1, -1, 0, 0, 0])))
+    (found,) = computed(lambda code, given: [code.atan2(given[0], given[1])], y, x)
+    exact = np.arctan2(y.astype(np.float32).astype(np.float64), x.astype(np.float32).astype(np.float64))
+    np.testing.assert_allclose(found, exact, atol=1e-6)
+
+
+@pytest.mark.parametrize("wide", WIDTHS, ids=str)
+def test_tables_are_read(wide: Vectors) -> None:
+    """Rows of a small one by lanes; bytes in a row by a whole number that one lane has."""
+    rng = np.random.default_rng(4)
+    table = rng.normal(size=(7, 3)).astype(np.float32)
+    numbers = rng.integers(0, 256, 200, dtype=np.uint8)
+    code = Code("read", replace(wide, of_block=1))
+    with code.blocks():
+        places, sums, line = code.rows(1), code.rows(1), code.stack(wide.lanes)
+        row = code.given(0)
+        for number, value in enumerate(code.looked_up(code.array(5), 3, ir.Constant(INDEX, 7), row)):
+            code.answer(1 + number, value)
+        code.store_whole(row, 2, places.place(0))
+        with code.loop(wide.lanes) as query:
+            first = code.whole_at(places.place(0), query)
+            second = code.builder.add(first, INDEX(5))
+            # The first lane's sum alone is kept of each query.
+            code.store(code.sum_of_bytes(code.array(6), [first, second]), line)
+            one = code.builder.load(line)
+            byte = code.builder.uitofp(code.byte(code.array(6), first), one.type)
+            code.builder.store(code.builder.fsub(one, byte), code.element(sums.pointer, query))
+        code.answer(4, sums[0])
+    rows = rng.integers(0, 7, 100).astype(np.float32)
+    found = [np.full(len(rows), np.nan, np.float32) for _ in range(4)]
+    MachineCode(code).run(len(rows), [rows], found, [table.ravel(), numbers.view(np.float32)])
+    np.testing.assert_array_equal(np.stack(found[:3], 1), table[rows.astype(int)])
+    np.testing.assert_array_equal(found[3], numbers[2 * rows.astype(int) + 5].astype(np.float32))
 
 
 def test_what_is_no_number_is_clipped() -> None:

@@ -82,11 +82,18 @@ def drawn(model: Model, asked: Queries, seed: int) -> DirectionSample:
     return found
 
 
-def close(found: NDArray[np.float32], wanted: NDArray[np.float32], rtol: float = 2e-3) -> None:
-    """Two kernels round differently, and in a shadow's edge or a yarn's that decides: 1 lane in 200 may."""
+def close(
+    found: NDArray[np.float32], wanted: NDArray[np.float32], rtol: float = 2e-3, lanes: int | None = None
+) -> None:
+    """Two kernels round differently, and in a shadow's edge or a yarn's that decides: 1 lane in 200 may.
+
+    Args:
+        lanes: how many these were chosen from.
+    """
     near = np.isclose(found, wanted, rtol=rtol, atol=1e-5)
-    lanes = near if near.ndim == 1 else near.all(axis=0)
-    assert lanes.mean() > 0.995, (lanes.mean(), found[..., ~lanes][..., :3], wanted[..., ~lanes][..., :3])
+    alike = near if near.ndim == 1 else near.all(axis=0)
+    apart = found[..., ~alike][..., :3], wanted[..., ~alike][..., :3]
+    assert (~alike).sum() < 0.005 * (lanes or alike.size), (alike.mean(), *apart)
 
 
 @every_model
@@ -242,7 +249,8 @@ def test_weight_is_value_over_density(name: str, cloth: str) -> None:
     close(weight[:, smooth], value[:, smooth] / density[smooth])
     # Straight on means straight on, and the weight is the light that passes over the chance to be drawn.
     np.testing.assert_allclose(found.light.numpy()[:, passes], -asked.view.numpy()[:, passes], atol=1e-5)
-    close(weight[0, passes] * pdf[passes], through[passes])
+    # Rays are chosen that one of both kernels lets through.
+    close(weight[0, passes] * pdf[passes], through[passes], lanes=len(asked))
 
 
 def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int) -> Queries:

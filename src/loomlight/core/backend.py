@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 from importlib import import_module
+from types import SimpleNamespace
 from typing import Any
 
 import drjit as dr
@@ -87,6 +88,25 @@ def _compares(first: Any, second: Any) -> bool:
     # Of two literals a comparison leaves one, and derivatives would lose their way.
     on_cpu = dr.JitBackend.LLVM in (dr.backend_v(first), dr.backend_v(second))
     return on_cpu and not dr.grad_enabled(first, second)
+
+
+# What formulas that are machine code too (`lane_code.Code`) call functions of Dr.Jit's arrays by.
+DRJIT: Any = SimpleNamespace(
+    abs=dr.abs,
+    atan2=dr.atan2,
+    clip=clipped,
+    exp=dr.exp,
+    floor=dr.floor,
+    fma=dr.fma,
+    log2=dr.log2,
+    maximum=larger,
+    minimum=smaller,
+    rcp=dr.rcp,
+    rsqrt=dr.rsqrt,
+    select=dr.select,
+    sqrt=dr.sqrt,
+    square=dr.square,
+)
 
 
 def channel_mean(colour: Any) -> Any:

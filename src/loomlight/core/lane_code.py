@@ -19,10 +19,10 @@ import numpy as np
 from llvmlite import ir
 from numpy.polynomial import Chebyshev, Polynomial
 
-FLOAT, WHOLE, INDEX = ir.FloatType(), ir.IntType(32), ir.IntType(64)
+FLOAT, BYTE, WHOLE, INDEX = ir.FloatType(), ir.IntType(8), ir.IntType(32), ir.IntType(64)
 _BYTES = 64  # of a line of the cache, which rows begin with
 # Degrees that leave errors of single precision.
-_LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE = 9, 7
+_LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE, _ARC_TANGENT_DEGREE = 9, 7, 9
 # ln 2 as a number of few digits and a rest, so that a multiple of it can be taken away exactly.
 _LN2 = 0.693359375, math.log(2) - 0.693359375
 
@@ -114,6 +114,15 @@ class Lanes:
 
     def __and__(self, other: Lanes) -> Lanes:
         return Lanes(self._code, self._code.builder.and_(self.value, other.value))
+
+
+@dataclass
+class Vector:
+    """A vector of space, or of a plane with z = 0."""
+
+    x: Any
+    y: Any
+    z: Any = 0.0
 
 
 class Rows:
@@ -264,6 +273,58 @@ class Code:
         found.align = align or 4 * self.vectors.lanes
         return Lanes(self, found)
 
+    def sum_of_bytes(self, pointer: ir.Value, numbers: Sequence[Any]) -> Lanes:
+        """Sums of bytes of an array, those of each of some numbers: of the first lane, the others follow."""
+        kind = ir.VectorType(BYTE, self.vectors.lanes).as_pointer()
+        total: Any = None
+        for number in numbers:
+            place = self.builder.gep(self._bytes(pointer), [self._index(number)])
+            found = self.builder.load(self.builder.bitcast(place, kind))
+            found.align = 1
+            wide = self.builder.zext(found, self._wholes)
+            total = wide if total is None else self.builder.add(total, wide)
+        return Lanes(self, self.builder.sitofp(total, self._vector))
+
+    def byte(self, pointer: ir.Value, number: Any) -> ir.Value:
+        """A byte of an array, a whole number."""
+        place = self.builder.gep(self._bytes(pointer), [self._index(number)])
+        return self.builder.zext(self.builder.load(place), WHOLE)
+
+    def _bytes(self, pointer: ir.Value) -> ir.Value:
+        return self.builder.bitcast(pointer, BYTE.as_pointer())
+
+    def store_whole(self, lanes: Lanes, factor: int, pointer: ir.Value) -> None:
+        """Puts multiples of whole numbers into memory, for `whole_at`."""
+        whole = self.builder.fptosi(lanes.value, self._wholes)
+        multiple = self.builder.mul(whole, self._wholes_of(factor))
+        self.store(Lanes(self, self.builder.bitcast(multiple, self._vector)), pointer)
+
+    def whole_at(self, pointer: ir.Value, number: Any) -> ir.Value:
+        """The number of an element that `store_whole` put there."""
+        place = self.builder.bitcast(self.element(pointer, number), WHOLE.as_pointer())
+        return self.builder.sext(self.builder.load(place), INDEX)
+
+    def looked_up(self, pointer: ir.Value, width: int, count: ir.Value, row: Lanes) -> list[Lanes]:
+        """Of a small table in memory, the row of each lane.
+
+        Args:
+            width: of rows.
+            count: of rows; all are looked at.
+            row: whole numbers.
+        """
+        start, before = self.number(0), self.builder.block
+        with self.loop(count) as number:
+            held = [self.builder.phi(start.value.type) for _ in range(width)]
+            for part in held:
+                part.add_incoming(start.value, before)
+            turn = self.counted(number)
+            here = (row >= turn) & (row < turn + 1.0)
+            own = self.element(pointer, self.times(number, width))
+            found = [self.select(here, self.shared(own, k), Lanes(self, part)) for k, part in enumerate(held)]
+            for part, value in zip(held, found, strict=True):
+                part.add_incoming(value.value, self.builder.block)
+        return found
+
     def store(self, lanes: Lanes, pointer: ir.Value, align: int | None = None) -> None:
         """Puts a vector into memory."""
         place = self.builder.bitcast(pointer, self._vector.as_pointer())
@@ -342,6 +403,10 @@ class Code:
         """Reciprocal."""
         return 1.0 / self.number(value)
 
+    def rsqrt(self, value: Any) -> Lanes:
+        """Reciprocal of a square root."""
+        return 1.0 / self.sqrt(value)
+
     def select(self, chosen: Lanes, first: Any, second: Any) -> Lanes:
         """One number where something is true, another where it is not."""
         values = self.number(first).value, self.number(second).value
@@ -385,6 +450,15 @@ class Code:
             self.builder.bitcast(found.value, self._wholes), self.builder.shl(whole, self._wholes_of(23))
         )
         return Lanes(self, self.builder.bitcast(raised, self._vector))
+
+    def atan2(self, y: Any, x: Any) -> Lanes:
+        """Angle of a vector with the x axis, −π to π; 0 where it has no length."""
+        across, along = self.abs(x), self.abs(y)
+        ratio = self.minimum(across, along) / self.maximum(self.maximum(across, along), 1e-30)
+        angle = ratio * self._polynomial(_arc_tangent(), ratio * ratio)
+        angle = self.select(along > across, 0.5 * math.pi - angle, angle)
+        angle = self.select(self.number(x) < 0, math.pi - angle, angle)
+        return self.select(self.number(y) < 0, -angle, angle)
 
     # Numbers of arrays.
 
@@ -434,6 +508,12 @@ def _logarithm() -> tuple[float, ...]:
 def _exponential() -> tuple[float, ...]:
     """Of e^t."""
     return _fitted(np.exp, -0.51 * math.log(2), 0.51 * math.log(2), _EXPONENTIAL_DEGREE)
+
+
+@cache
+def _arc_tangent() -> tuple[float, ...]:
+    """Of atan(√t)/√t."""
+    return _fitted(lambda t: np.arctan(np.sqrt(t)) / np.sqrt(t), 0.0, 1.0, _ARC_TANGENT_DEGREE)
 
 
 def _fitted(function: Callable[[Any], Any], low: float, high: float, degree: int) -> tuple[float, ...]:

@@ -1,6 +1,6 @@
 """`woven_neural`: the universal network of chen2024 as a Mitsuba BSDF, for any distance, one sample a pixel.
 
-It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is fifty times
+It averages over the footprint that `footprint_path` hands it. In a symbolic call a network is seventy times
 slower (`loomlight.models.woven.decoder`), so that integrator does without them where such a BSDF is about.
 """
 

@@ -20,7 +20,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, clipped, larger, smaller, uploaded
+from loomlight.core.backend import DRJIT, ArrayTypes, smaller, uploaded
 from loomlight.core.footprint import Footprint
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.bytes import mean_bytes
@@ -48,6 +48,7 @@ _EVEN_FROM, _EVEN_STEP = 64, 16
 # Bytes of all levels of both faces; a third of it is levels beyond the first.
 _MOST_BYTES = 56 << 20
 _LARGEST = 255.0
+_BEHIND = 64  # bytes of the longest vectors
 # Places of squares along the edges of a footprint; the first go over to the wider squares first.
 PLACES = tuple(
     (i / 3, j / 3) for i, j in ((0, 0), (-1, -1), (1, 1), (1, -1), (-1, 1), (0, 1), (0, -1), (1, 0), (-1, 0))
@@ -437,40 +438,35 @@ class CoverageTable:
         self._levels = uploaded(types.Float, padded)
         self.pairs = (table.shape[2] - 4) // 8
         self._row = dr.opaque(types.UInt32, self.pairs)
-        self._groups = uploaded(types.UInt32, np.ascontiguousarray(table[..., :-4]).view("<u4"))
+        # Machine code reads on to the end of a vector.
+        groups = np.zeros(2 * table.shape[1] * (table.shape[2] - 4) + _BEHIND, np.uint8)
+        groups[:-_BEHIND].reshape(*table.shape[:2], -1)[:] = table[..., :-4]
+        self._groups = uploaded(types.UInt32, groups.view("<u4"))
         holes = table[..., -4].ravel()
         self._holes = uploaded(types.UInt32, np.pad(holes, (0, -holes.size % 8)).view("<u4"))
 
     def taps(self, footprint: Footprint, back: Any) -> CoverageTaps:
         """Nodes that stand for a footprint, millimetres, of the face that is seen."""
         types = self._types
-        relative = footprint.spread_side * self._inverse_size
-        level = smaller(dr.log2(larger(SQUARE_SHARE * relative, 1)), self._top)
-        lower = types.UInt32(level)
-        coarser = level - types.Float(lower)
-        rows_of_both = [
-            dr.gather(types.Vector4, self._levels, smaller(types.Float(lower + more), self._top))
+        lower, coarser, apart = level_of(footprint, self._inverse_size, self._top, DRJIT)
+        both = [
+            dr.gather(types.Vector4, self._levels, types.UInt32(smaller(lower + more, self._top)))
             for more in (0, 1)
         ]
-        x, y, edges = self._in_repeats(footprint, _apart(relative))
         start = dr.select(back, self._face, 0)
-        nodes = []
-        for number, (s, t) in enumerate(PLACES):
-            wide = coarser > 1 - (number + 0.5) / len(PLACES)
-            first, columns, rows, _ = (dr.select(wide, b, a) for a, b in zip(*rows_of_both, strict=True))
-            column = _node(dr.fma(s, edges[0].x, dr.fma(t, edges[1].x, x)), columns)
-            row = _node(dr.fma(s, edges[0].y, dr.fma(t, edges[1].y, y)), rows)
-            nodes.append(start + types.UInt32(dr.fma(row, columns, column) + first))
-        return CoverageTaps(nodes)
+        return CoverageTaps(
+            [
+                start + types.UInt32(node)
+                for node in nodes_of(
+                    footprint, apart, coarser, [list(row)[:3] for row in both], self._inverse_repeat, DRJIT
+                )
+            ]
+        )
 
-    def _in_repeats(self, footprint: Footprint, apart: Any) -> tuple[Any, Any, list[Any]]:
-        """The centre and both edges, these times `apart`, in repeats."""
-        across, along = self._inverse_repeat
-        edges = [
-            self._types.Vector2(apart * edge.x * across, apart * edge.y * along)
-            for edge in (footprint.duv_dx, footprint.duv_dy)
-        ]
-        return footprint.centre.x * across, footprint.centre.y * along, edges
+    def memory(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+        """See `Estimator.pyramid`."""
+        dr.sync_thread()
+        return self._groups.numpy(), self._holes.numpy()
 
     def groups(self, taps: CoverageTaps, pair: Any) -> list[list[Any]]:
         """The bytes of two words, 0 to 255, of all nodes together: twice four Floats."""
@@ -488,20 +484,53 @@ class CoverageTable:
         return self._types.Float(total) * (1 / len(taps.nodes))
 
 
-def _apart(relative: Any) -> Any:
-    """How far from the middle squares stand, of where thirds of the footprint are.
+# Formulas for Dr.Jit's arrays and for machine code: `arrays` is `backend.DRJIT`, or a `Code` being written.
 
-    Closer where squares are nearly as large as it, so that together they are not too wide, but so far apart
-    that their nodes differ: those of one place alone would show as steps.
+
+def level_of(footprint: Any, inverse_size: Any, top: Any, arrays: Any) -> tuple[Any, Any, Any]:
+    """The level whose squares a footprint is made of.
 
     Args:
-        relative: side of the footprint in units of s_0.
+        footprint: `Footprint`, or what has its numbers.
+        inverse_size: 1/s_0.
+        top: the last level.
+
+    Returns:
+        the level as a whole Float; how near its squares are to those of the next, 0 to 1; and how far from
+        the middle they stand, of where thirds of the footprint are: closer where squares are nearly as large
+        as it, so that together they are not too wide, but so far apart that their nodes differ, as those of
+        one place alone would show as steps.
     """
-    inverse = dr.rcp(larger(relative, _NEAREST))
-    apart = dr.sqrt(clipped(TENT * (1 - dr.square(inverse)), 0, 1))
-    return smaller(larger(apart, CLOSEST * inverse), 1)
+    relative = footprint.spread_side * inverse_size
+    level = arrays.minimum(arrays.log2(arrays.maximum(SQUARE_SHARE * relative, 1)), top)
+    lower = arrays.floor(level)
+    inverse = arrays.rcp(arrays.maximum(relative, _NEAREST))
+    apart = arrays.sqrt(arrays.clip(TENT * (1 - arrays.square(inverse)), 0, 1))
+    return lower, level - lower, arrays.minimum(arrays.maximum(apart, CLOSEST * inverse), 1)
 
 
-def _node(turns: Any, count: Any) -> Any:
+def nodes_of(
+    footprint: Any, apart: Any, coarser: Any, both: Any, inverse_repeat: Any, arrays: Any
+) -> Iterator[Any]:
+    """The nodes at `PLACES` of a footprint, whole Floats.
+
+    Args:
+        apart, coarser: see `level_of`.
+        both: first node, columns and rows of its level and of the next.
+        inverse_repeat: of the repeat's width and height.
+    """
+    across, along = inverse_repeat
+    x, y = footprint.centre.x * across, footprint.centre.y * along
+    first_x, second_x = (apart * edge.x * across for edge in (footprint.duv_dx, footprint.duv_dy))
+    first_y, second_y = (apart * edge.y * along for edge in (footprint.duv_dx, footprint.duv_dy))
+    for number, (s, t) in enumerate(PLACES):
+        wide = coarser > 1 - (number + 0.5) / len(PLACES)
+        first, columns, rows = (arrays.select(wide, b, a) for a, b in zip(both[0], both[1], strict=True))
+        column = _node(arrays.fma(s, first_x, arrays.fma(t, second_x, x)), columns, arrays)
+        row = _node(arrays.fma(s, first_y, arrays.fma(t, second_y, y)), rows, arrays)
+        yield arrays.fma(row, columns, column) + first
+
+
+def _node(turns: Any, count: Any, arrays: Any) -> Any:
     """The node, of so many along the repeat, nearest to a place in repeats: a whole Float."""
-    return smaller(dr.floor((turns - dr.floor(turns)) * count), count - 1)
+    return arrays.minimum(arrays.floor((turns - arrays.floor(turns)) * count), count - 1)

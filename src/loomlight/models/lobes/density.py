@@ -8,16 +8,18 @@ and the mean of D(x) = 1/(πα (1 + k x²)²), k = 1/α² − 1, over it is elem
 
 Neighbouring groups join without a seam, which sums of wider SGGX lobes do not. σ² is linear in t tᵀ, so its
 mean is exact; attenuation takes the group's mean normal.
+
+The formulas serve Dr.Jit's arrays and machine code: `arrays` is `backend.DRJIT` or a `Code` that is being
+written.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
-
-from loomlight.core.backend import larger, smaller
+from loomlight.core.backend import DRJIT
 
 # Narrower groups are as good as one fibre; the quotient below would lose its digits.
 NARROWEST = 0.02
@@ -41,7 +43,7 @@ _ARC_TANGENT = (
 
 @dataclass
 class GroupLobe:
-    """Moments of one group as Dr.Jit arrays.
+    """Moments of one group.
 
     Attributes:
         normal, tangent: means over the group [3], shorter than 1.
@@ -59,12 +61,13 @@ class GroupLobe:
     yz: Any
     roughness: Any
 
-    def variance(self, direction: Any) -> Any:
+    def variance(self, direction: Any, arrays: Any = DRJIT) -> Any:
         """Variance of direction·t, ≥ 0."""
-        square = self.xx * dr.square(direction.x) + self.yy * dr.square(direction.y)
-        square += self.zz * dr.square(direction.z)
-        mixed = self.xy * direction.x * direction.y + self.xz * direction.x * direction.z
-        return larger(square + 2 * (mixed + self.yz * direction.y * direction.z), 0)
+        x, y, z = direction.x, direction.y, direction.z
+        # Products of the direction are the same for all groups.
+        square = arrays.fma(self.xx, x * x, arrays.fma(self.yy, y * y, self.zz * (z * z)))
+        mixed = arrays.fma(self.xy, x * y, arrays.fma(self.xz, x * z, self.yz * (y * z)))
+        return arrays.maximum(arrays.fma(2, mixed, square), 0)
 
 
 @dataclass
@@ -86,60 +89,75 @@ class _Interval:
     scale: Any
 
 
-def _interval(half: Any, lobe: GroupLobe) -> _Interval:
+def _interval(half: Any, lobe: GroupLobe, arrays: Any) -> _Interval:
     roughness = lobe.roughness
-    per_roughness = dr.rcp(roughness)
-    steepness = dr.sqrt(larger(1 - dr.square(roughness), 0)) * per_roughness
-    steepness = larger(steepness, SMALLEST_STEEPNESS)
-    width = larger(dr.sqrt(3 * lobe.variance(half)), dr.fma(roughness, NARROWEST, 1e-4))
-    mean = dr.dot(half, lobe.tangent)
+    per_roughness = arrays.rcp(roughness)
+    steepness = arrays.sqrt(arrays.maximum(1 - arrays.square(roughness), 0)) * per_roughness
+    steepness = arrays.maximum(steepness, SMALLEST_STEEPNESS)
+    narrowest = arrays.fma(roughness, NARROWEST, 1e-4)
+    width = arrays.maximum(arrays.sqrt(3 * lobe.variance(half, arrays)), narrowest)
+    mean = dot(half, lobe.tangent, arrays)
     first, last = steepness * (mean - width), steepness * (mean + width)
     product = first * last
     span = 2 * width * steepness
     return _Interval(
         product,
-        dr.fma(first, first, 1) * dr.fma(last, last, 1),
+        arrays.fma(first, first, 1) * arrays.fma(last, last, 1),
         span,
-        larger(span, dr.abs(1 + product)),
-        dr.inv_two_pi * per_roughness,
+        arrays.maximum(span, arrays.abs(1 + product)),
+        (0.5 / math.pi) * per_roughness,
     )
 
 
-def _mean_density(interval: _Interval, per_all: Any) -> Any:
+def _mean_density(interval: _Interval, per_all: Any, arrays: Any) -> Any:
     """D̄ from the reciprocal of quotient · span · larger: one division for three."""
     base = 1 + interval.product
     span, larger = interval.span, interval.larger
     per_span = per_all * interval.quotient * larger
-    ratio = smaller(span, dr.abs(base)) * (per_all * interval.quotient * span)
-    angle = _arc_tangent(ratio)
-    angle = dr.select(span > dr.abs(base), 0.5 * dr.pi - angle, angle)
-    angle = dr.select(base < 0, dr.pi - angle, angle)
-    return interval.scale * dr.fma(1 - interval.product, per_all * span * larger, angle * per_span)
+    ratio = arrays.minimum(span, arrays.abs(base)) * (per_all * interval.quotient * span)
+    angle = _arc_tangent(ratio, arrays)
+    angle = arrays.select(span > arrays.abs(base), 0.5 * math.pi - angle, angle)
+    angle = arrays.select(base < 0, math.pi - angle, angle)
+    return interval.scale * arrays.fma(1 - interval.product, per_all * span * larger, angle * per_span)
 
 
-def _arc_tangent(ratio: Any) -> Any:
+def _arc_tangent(ratio: Any, arrays: Any) -> Any:
     """atan of 0 to 1: a least-squares polynomial at Chebyshev nodes, off by 6e-7 at most."""
-    square = dr.square(ratio)
+    square = arrays.square(ratio)
     value: Any = _ARC_TANGENT[-1]
     for coefficient in reversed(_ARC_TANGENT[:-1]):
-        value = dr.fma(value, square, coefficient)
+        value = arrays.fma(value, square, coefficient)
     return ratio * value
+
+
+def dot(first: Any, second: Any, arrays: Any = DRJIT) -> Any:
+    """Scalar product of two vectors [3]."""
+    return arrays.fma(first.x, second.x, arrays.fma(first.y, second.y, first.z * second.z))
 
 
 def mean_density(half: Any, lobe: GroupLobe) -> Any:
     """D̄(h) over the group, 1/sr; `half` is a unit vector [3]."""
-    interval = _interval(half, lobe)
-    return _mean_density(interval, dr.rcp(interval.quotient * interval.span * interval.larger))
+    interval = _interval(half, lobe, DRJIT)
+    return _mean_density(interval, DRJIT.rcp(interval.quotient * interval.span * interval.larger), DRJIT)
 
 
-def mean_area(direction: Any, lobe: GroupLobe) -> Any:
+def mean_area(direction: Any, lobe: GroupLobe, arrays: Any = DRJIT) -> Any:
     """Root of the mean σ² over the group: the fibres' projected area, α to 1."""
-    along = dr.square(dr.dot(direction, lobe.tangent)) + lobe.variance(direction)
-    squared = dr.square(lobe.roughness)
-    return dr.sqrt(larger(dr.fma(squared - 1, along, 1), squared))
+    mean = dot(direction, lobe.tangent, arrays)
+    along = arrays.fma(mean, mean, lobe.variance(direction, arrays))
+    squared = arrays.square(lobe.roughness)
+    return arrays.sqrt(arrays.maximum(arrays.fma(squared - 1, along, 1), squared))
 
 
-def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, optical_depth: Any) -> Any:
+def layer_value(
+    half: Any,
+    light: Any,
+    view: Any,
+    beyond: Any,
+    lobe: GroupLobe,
+    optical_depth: Any,
+    arrays: Any = DRJIT,
+) -> Any:
     """f·cos of the group's fibre layer at albedo 1, without shadows: Float, 1/sr.
 
     Args:
@@ -147,22 +165,22 @@ def layer_value(half: Any, light: Any, view: Any, beyond: Any, lobe: GroupLobe, 
         half: their half vector, unit [3].
         beyond: Bool, light comes from the other side.
     """
-    cos_light = dr.dot(light, lobe.normal)
-    cos_light = larger(dr.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
-    cos_view = larger(dr.dot(view, lobe.normal), SMALLEST_COSINE)
-    area_light, area_view = mean_area(light, lobe), mean_area(view, lobe)
+    cos_light = dot(light, lobe.normal, arrays)
+    cos_light = arrays.maximum(arrays.select(beyond, -cos_light, cos_light), SMALLEST_COSINE)
+    cos_view = arrays.maximum(dot(view, lobe.normal, arrays), SMALLEST_COSINE)
+    area_light, area_view = mean_area(light, lobe, arrays), mean_area(view, lobe, arrays)
     # Divisions cost most here: reciprocals are taken of products, and multiplied back.
-    per_cosines = dr.rcp(cos_view * cos_light)
+    per_cosines = arrays.rcp(cos_view * cos_light)
     per_view = per_cosines * cos_light
     slope_light, slope_view = area_light * per_cosines * cos_view, area_view * per_view
     # Reflection is (1 − e^{−x})/x·Tρ/cos_v with x = Tρ(Λ_l + Λ_v), transmission e^{−Tρ min(Λ_l, Λ_v)} times
     # the same with x = Tρ|Λ_l − Λ_v|: one form, so that both together take two exponentials.
-    path = dr.select(beyond, dr.abs(slope_light - slope_view), slope_light + slope_view)
-    depth = optical_depth * larger(path, SMALLEST_PATH)
-    passed = dr.exp(-optical_depth * dr.select(beyond, smaller(slope_light, slope_view), 0))
-    interval = _interval(half, lobe)
+    path = arrays.select(beyond, arrays.abs(slope_light - slope_view), slope_light + slope_view)
+    depth = optical_depth * arrays.maximum(path, SMALLEST_PATH)
+    passed = arrays.exp(-optical_depth * arrays.select(beyond, arrays.minimum(slope_light, slope_view), 0))
+    interval = _interval(half, lobe, arrays)
     denominator = interval.quotient * interval.span * interval.larger
     # At most 1e18, where α = 0.01 and both directions graze.
-    per_all = dr.rcp(denominator * depth)
-    attenuation = optical_depth * passed * (1 - dr.exp(-depth)) * (per_all * denominator) * per_view
-    return 0.25 * _mean_density(interval, per_all * depth) * attenuation
+    per_all = arrays.rcp(denominator * depth)
+    attenuation = optical_depth * passed * (1 - arrays.exp(-depth)) * (per_all * denominator) * per_view
+    return 0.25 * _mean_density(interval, per_all * depth, arrays) * attenuation

@@ -19,14 +19,14 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, larger, smaller, uploaded
+from loomlight.core.backend import DRJIT, ArrayTypes, smaller, uploaded
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
-_PER_BYTE = 1 / 255
+PER_BYTE = 1 / 255
 # Numbers fetched at once; what a word's four groups have is three times as many.
 _PACKET = 16
 
@@ -97,6 +97,10 @@ class Estimator:
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
 
+    def pyramid(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+        """Words of groups and of holes by node of the pyramid, where they lie in this machine's memory."""
+        return self._coverage.memory()
+
     def place(self, footprint: Footprint, view: Any, back: Any) -> Place:
         """Where a footprint, millimetres, and a view [3] of the face seen lie in the tables."""
         taps = node_taps(view)
@@ -140,7 +144,7 @@ class Estimator:
             xx, yy, xy, xz, yz = moments[3:]
             zz = 1 - dr.squared_norm(tangent) - xx - yy
             lobes.append(GroupLobe(types.Vector3(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness))
-        return Seen(is_warp, weights, lobes, [part * _PER_BYTE for part in reached])
+        return Seen(is_warp, weights, lobes, [part * PER_BYTE for part in reached])
 
     def light_nodes(self, place: Place, light: Any) -> NodeTaps:
         """Nodes around a light [3] in the frame of the face seen, in the tables of its side."""
@@ -171,15 +175,13 @@ class Estimator:
             diffuse: Any = 0
             specular: Any = 0
             for group in range(4):
-                # V + κ(min(1, V/V_view) − V), divided by V.
-                reached = lit[number][group] * _PER_BYTE
-                most = larger(larger(reached, word.reached[group]), _PER_BYTE)
-                raised = dr.fma(correlation, dr.rcp(most) - 1, 1)
+                reached = lit[number][group] * PER_BYTE
+                raised = raised_by(correlation, reached, word.reached[group], DRJIT)
                 weight = word.weights[group]
                 diffuse += weight * irradiance[number][group] * raised
                 value = layer_value(half, light, place.view, beyond, word.lobes[group], self._optical_depth)
                 specular += weight * value * (reached * raised)
-            found.append((diffuse * (_PER_BYTE * dr.inv_pi), specular))
+            found.append((diffuse * (PER_BYTE * dr.inv_pi), specular))
         return found
 
     def _read(self, table: Any, nodes: NodeTaps, pair: Any) -> tuple[list[Any], list[Any]]:
@@ -195,14 +197,26 @@ def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[
     return np.concatenate(parts, axis=-1)
 
 
-def azimuth_correlation(light: Any, view: Any) -> Any:
+# Formulas for Dr.Jit's arrays and for machine code: `arrays` is `backend.DRJIT`, or a `Code` being written.
+
+
+def azimuth_correlation(light: Any, view: Any, arrays: Any = DRJIT) -> Any:
     """κ = max(cos Δφ, 0) of two directions [3]; 0 where one has no azimuth."""
-    together = light.x * view.x + light.y * view.y
-    lengths = dr.sqrt((dr.square(light.x) + dr.square(light.y)) * (dr.square(view.x) + dr.square(view.y)))
-    return larger(together, 0) * dr.rcp(larger(lengths, 1e-6))
+    together = arrays.fma(light.x, view.x, light.y * view.y)
+    squares = [arrays.fma(side.x, side.x, side.y * side.y) for side in (light, view)]
+    lengths = arrays.sqrt(squares[0] * squares[1])
+    return arrays.maximum(together, 0) * arrays.rcp(arrays.maximum(lengths, 1e-6))
 
 
-def half_vector(light: Any, view: Any) -> Any:
+def raised_by(correlation: Any, reached: Any, reached_from_view: Any, arrays: Any) -> Any:
+    """(V + κ(min(1, V/V_view) − V))/V of shares that light, and light from the view, would reach."""
+    most = arrays.maximum(arrays.maximum(reached, reached_from_view), PER_BYTE)
+    return arrays.fma(correlation, arrays.rcp(most) - 1, 1)
+
+
+def half_vector(light: Any, view: Any, arrays: Any = DRJIT) -> Any:
     """Unit half vector [3]; where light = −view any vector of at most that length."""
-    total = light + view
-    return total * dr.rsqrt(larger(dr.squared_norm(total), 1e-12))
+    x, y, z = light.x + view.x, light.y + view.y, light.z + view.z
+    squared = arrays.fma(x, x, arrays.fma(y, y, z * z))
+    scale = arrays.rsqrt(arrays.maximum(squared, 1e-12))
+    return type(light)(x * scale, y * scale, z * scale)

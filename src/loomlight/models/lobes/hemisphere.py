@@ -11,11 +11,10 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, clipped, smaller
+from loomlight.core.backend import DRJIT, array_types
 from loomlight.models.lobes.bytes import ByteWeights
 
 AZIMUTHS, RINGS = 16, 8
@@ -48,18 +47,31 @@ class NodeTaps:
 def node_taps(direction: Any) -> NodeTaps:
     """The nodes that a direction [3] lies between, by azimuth and by |z|."""
     types = array_types(direction.x)
-    turns = dr.atan2(direction.y, direction.x) * (AZIMUTHS / dr.two_pi)
-    whole = dr.floor(turns)
-    share = turns - whole
+    whole, inner, weights = around(direction, DRJIT)
     # Conversion to unsigned numbers needs positive ones; 16 azimuths are a mask.
     column = types.UInt32(types.Int32(whole) + AZIMUTHS) & (AZIMUTHS - 1)
     following = (column + 1) & (AZIMUTHS - 1)
-    root = dr.sqrt(clipped((1 - dr.abs(direction.z)) * (1 / (1 - LOWEST)), 0, 1))
-    ring = (RINGS - 1) * root * dr.sqrt(root)
-    inner = smaller(types.UInt32(ring), RINGS - 2)
-    out = ring - types.Float(inner)
-    first, second = column * RINGS + inner, following * RINGS + inner
-    return NodeTaps(
-        (first, first + 1, second, second + 1),
-        ByteWeights(types, ((1 - share) * (1 - out), (1 - share) * out, share * (1 - out), share * out)),
-    )
+    ring = types.UInt32(inner)
+    first, second = column * RINGS + ring, following * RINGS + ring
+    return NodeTaps((first, first + 1, second, second + 1), ByteWeights(types, weights))
+
+
+def around(direction: Any, arrays: Any) -> tuple[Any, Any, tuple[Any, ...]]:
+    """Where a direction [3] lies among the nodes.
+
+    Args:
+        arrays: `backend.DRJIT`, or a `Code` that is being written.
+
+    Returns:
+        the azimuth before it, −8 to 8, and the ring within it, as whole Floats; weights of that azimuth's
+        inner and outer node, and of the next one's.
+    """
+    turns = arrays.atan2(direction.y, direction.x) * (0.5 * AZIMUTHS / math.pi)
+    whole = arrays.floor(turns)
+    share = turns - whole
+    root = arrays.sqrt(arrays.clip((1 - arrays.abs(direction.z)) * (1 / (1 - LOWEST)), 0, 1))
+    ring = (RINGS - 1) * root * arrays.sqrt(root)
+    inner = arrays.minimum(arrays.floor(ring), RINGS - 2)
+    out = ring - inner
+    weights = (1 - share) * (1 - out), (1 - share) * out, share * (1 - out), share * out
+    return whole, inner, weights

@@ -13,13 +13,16 @@ import drjit as dr
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.backend import ArrayTypes, array_types, clipped, larger
+from loomlight.core.compiled_queries import answered, answers_now
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.lanes import changed_where
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
+from loomlight.models.lobes.compiled import CompiledEstimate
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
+from loomlight.models.lobes.estimate_code import ANSWERS
 from loomlight.models.lobes.near import near_hole, near_responses, points_of, searched_for
 from loomlight.models.lobes.proposal import (
     SMALLEST_WEIGHT,
@@ -254,8 +257,13 @@ class LobesModel(Model):
     ) -> list[tuple[Response, Any]]:
         """The response to each light, and with shares the groups' part of its density."""
         far_share = self._far_share(footprint.spread_side)
+        asked = lights, view, footprint.centre, footprint.duv_dx, footprint.duv_dy
+        if shares is None and answers_now(array_types(view.x).Float, asked):
+            nothing = array_types(view.x).Float(0)
+            far = [(self._compiled(light, view, footprint, far_share > 0), nothing) for light in lights]
+        else:
+            far = self.far(lights, view, footprint, far_share > 0, shares)
         near = near_responses(*self._points(footprint, far_share), lights, view, footprint)
-        far = self.far(lights, view, footprint, far_share > 0, shares)
         return [
             (_mixed(close, response, far_share), of_groups)
             for close, (response, of_groups) in zip(near, far, strict=True)
@@ -341,6 +349,26 @@ class LobesModel(Model):
             response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole)
             answers.append((response, sums[first + 4]))
         return answers
+
+    def _compiled(self, light: Any, view: Any, footprint: Footprint, active: Any) -> Response:
+        """`far` by machine code; 0 where it is not asked for."""
+        types = array_types(view.x)
+        back = types.Bool(view.z < 0)
+        edges = footprint.duv_dx, footprint.duv_dy
+        asked = footprint.centre, *edges, on_face(view, back), back, on_face(light, back), types.Bool(active)
+        found = answered(types.Float, asked, ANSWERS, self._machine_code.run)
+        return Response(*found)
+
+    @cached_property
+    def _machine_code(self) -> CompiledEstimate:
+        appearance = self.fabric.appearance()
+        return CompiledEstimate(
+            self.tables,
+            self.estimator(array_types(llvm_float())).pyramid(),
+            self.fabric.layout().size,
+            (appearance.warp.roughness, appearance.weft.roughness),
+            appearance.optical_depth,
+        )
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)

@@ -5,7 +5,7 @@ computed once a footprint and view (`Decoder.seen`), the rest for every light (`
 first layer is linear, so latents are multiplied by its weights beforehand and interpolated afterwards.
 
 On CPUs queries are answered by machine code (`compiled`); on GPUs, for derivatives, and within symbolic calls
-and loops by cooperative vectors. On CPUs these are several times slower, in symbolic calls fifty times, as
+and loops by cooperative vectors. On CPUs these are four times slower, in symbolic calls seventy times, as
 Dr.Jit then hands them their weights lane by lane: call it outside.
 """
 
@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
+from loomlight.core.compiled_queries import answered, answers_now, reads
 from loomlight.core.footprint import SQUARES
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.woven.codings import (
@@ -100,7 +101,7 @@ class LatentTable:
                 uploaded(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
             )
         self.numbers: FabricNumbers | None = None
-        if _compiles(types.Float):
+        if reads(types.Float):
             # Of the same memory.
             dr.sync_thread()
             values = self._values.numpy().reshape(rows.values.shape)
@@ -250,25 +251,19 @@ class Decoder:
 
     def compiles(self, asked: Sequence[Any]) -> bool:
         """Whether queries are answered by machine code."""
-        return (
-            _compiles(self._types.Float)
-            and dr.width(asked) > 0
-            and not dr.flag(dr.JitFlag.SymbolicScope)
-            and not dr.flag(dr.JitFlag.FreezingScope)
-            and not dr.grad_enabled(asked)
-        )
+        return answers_now(self._types.Float, asked)
 
     def _compiled(self, question: Question, table: LatentTable, asked: Any, answers: int) -> list[Any]:
         """What machine code answers."""
-        width = dr.width(asked)
-        given = _wide(_numbers(asked), width)
-        found = [dr.empty(self._types.Float, width) for _ in range(answers)]
-        # Memory that was given back may still be read, and what is asked not yet be written.
-        dr.sync_thread()
-        assert table.numbers is not None
-        queries, answered = ([part.numpy() for part in parts] for parts in (given, found))
-        compiled_decoder(self.weights).run(question, table.numbers, queries, answered)
-        return found
+        numbers = table.numbers
+        assert numbers is not None
+        decoder = compiled_decoder(self.weights)
+        return answered(
+            self._types.Float,
+            asked,
+            answers,
+            lambda queries, found: decoder.run(question, numbers, queries, found),
+        )
 
     def _place(self, table: LatentTable, squares: Squares) -> tuple[Any, Any, Any]:
         size = squares.size(dr)
@@ -320,11 +315,6 @@ class Decoder:
         return unmapped(found, specular, light.z, weights.linear_diffuse, dr)
 
 
-def _compiles(float_type: Any) -> bool:
-    """Whether machine code can read arrays of a type."""
-    return dr.backend_v(float_type) == dr.JitBackend.LLVM and dr.type_v(float_type) == dr.VarType.Float32
-
-
 def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
     """Weights and biases, split by what they are multiplied with."""
     table = weights.table
@@ -348,28 +338,6 @@ def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
     parts["hole last"] = weights.tensor("decoder.hole.1.weight")
     parts["hole last bias"] = weights.tensor("decoder.hole.1.bias")
     return parts
-
-
-def _numbers(asked: Any) -> list[Any]:
-    """All arrays of queries one by one; 1 for what is true."""
-    if isinstance(asked, list | tuple) or dr.depth_v(asked) > 1:
-        return [number for part in asked for number in _numbers(part)]
-    if not dr.is_mask_v(asked):
-        return [asked]
-    float_type: Any = dr.float32_array_t(asked)
-    return [dr.select(asked, float_type(1), float_type(0))]
-
-
-def _wide(numbers: list[Any], width: int) -> list[Any]:
-    """Evaluated arrays of a width, of what all lanes share too."""
-    found = [
-        type(value)(value)
-        if dr.width(value) == width
-        else dr.gather(type(value), value, dr.zeros(dr.uint32_array_t(value), width))
-        for value in numbers
-    ]
-    dr.make_opaque(found)
-    return found
 
 
 @dataclass(frozen=True)

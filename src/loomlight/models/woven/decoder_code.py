@@ -269,19 +269,8 @@ class _Writer:
     def _level(self, level: Lanes) -> list[Lanes]:
         """First texel, columns, rows and texels a thread of a level in each lane: each level's in turn."""
         code = self.code
-        start = code.number(0)
-        levels = code.whole(code.builder.load(code.element(self._array(_FABRIC), _LEVEL_COUNT)))
-        before = code.builder.block
-        with code.loop(levels) as number:
-            held = [code.builder.phi(start.value.type) for _ in range(4)]
-            for part in held:
-                part.add_incoming(start.value, before)
-            here = _level_is(code, level, number)
-            row = code.element(self._array(_LEVELS), code.times(number, 4))
-            found = [code.select(here, code.shared(row, k), Lanes(code, part)) for k, part in enumerate(held)]
-            for part, value in zip(held, found, strict=True):
-                part.add_incoming(value.value, code.builder.block)
-        return found
+        count = code.whole(code.builder.load(code.element(self._array(_FABRIC), _LEVEL_COUNT)))
+        return code.looked_up(self._array(_LEVELS), 4, count, level)
 
     def _fetched(self, long: Rows, into: Rows | None = None) -> Rows:
         """Means of interpolated latents over rows of squares: sums over channels a query, then turned.
@@ -434,9 +423,3 @@ class _Writer:
             ]
             for family in range(2)
         ]
-
-
-def _level_is(code: Code, level: Lanes, number: ir.Value) -> Lanes:
-    """In which lanes a level is the one of a number."""
-    here = code.counted(number)
-    return (level >= here) & (level < here + 1.0)

@@ -1,0 +1,86 @@
+"""Where the points of `models/lobes/near.py` lie: one after another, they stand for a square that lines cut.
+
+    python experiments/near_points.py [--seconds 100] [--seed 1]
+
+For each of many lines the share of the square on one side is estimated by the first points, for numbers of
+points from 1 to 8 in quarters, the last point counting by its share. What is made small is the mean, over
+these numbers, of the root mean square error, in units of that of points of the plastic number (Roberts 2018).
+Lines are a little soft, so that gradients lead somewhere. The best of many starts is printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+
+COUNT, LINES, SOFTNESS = 8, 1500, 0.04
+NUMBERS = np.arange(1, COUNT + 0.01, 0.25)
+_GRID, _TURNS = 64, 40
+
+Floats = NDArray[np.float64]
+
+
+class Lines:
+    """Lines that cut the square of side 1 around the origin."""
+
+    def __init__(self, rng: np.random.Generator) -> None:
+        angle = rng.uniform(0, 2 * np.pi, LINES)
+        self._normal = np.stack([np.cos(angle), np.sin(angle)])
+        # Lines are as many as cut the square from each side.
+        self._reach = 0.5 * np.abs(self._normal).sum(0)
+        self._offset = rng.uniform(-1, 1, LINES) * self._reach
+        middles = (np.arange(_GRID) + 0.5) / _GRID - 0.5
+        across, along = np.meshgrid(middles, middles)
+        self._share = self._beyond(np.stack([across.ravel(), along.ravel()], 1)).mean(0)
+
+    def errors(self, points: Floats) -> Floats:
+        """Root mean square errors of the first of some points [COUNT, 2], for all `NUMBERS`."""
+        beyond = self._beyond(points)
+        weights = np.clip(NUMBERS[:, None] - np.arange(COUNT), 0, 1) / NUMBERS[:, None]
+        return np.asarray(np.sqrt(np.average((weights @ beyond - self._share) ** 2, 1, self._reach)))
+
+    def _beyond(self, points: Floats) -> Floats:
+        return 1 / (1 + np.exp((self._offset - points @ self._normal) / SOFTNESS))
+
+
+def plastic() -> Floats:
+    """Points of the plastic number, the first in the middle."""
+    shares = np.arange(COUNT)[:, None] * np.array([0.7548776662466927, 0.5698402909980532])
+    return (shares + 0.5) % 1 - 0.5
+
+
+def main() -> None:
+    """Prints the best places found."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--seconds", type=float, default=100.0)
+    parser.add_argument("--seed", type=int, default=1)
+    arguments = parser.parse_args()
+    lines, rng = Lines(np.random.default_rng(0)), np.random.default_rng(arguments.seed)
+    usual = lines.errors(plastic())
+
+    def points_of(numbers: Floats) -> Floats:
+        return np.vstack([np.zeros((1, 2)), numbers.reshape(-1, 2)])
+
+    def ratio(numbers: Floats) -> float:
+        return float((lines.errors(points_of(numbers)) / usual).mean())
+
+    best, least = plastic(), 1.0
+    end = time.monotonic() + arguments.seconds
+    while time.monotonic() < end:
+        start = rng.uniform(-0.45, 0.45, 2 * (COUNT - 1))
+        bounds = [(-0.5, 0.5)] * start.size
+        found = minimize(ratio, start, method="L-BFGS-B", bounds=bounds, options={"maxiter": _TURNS})
+        if found.fun < least:
+            best, least = points_of(found.x), found.fun
+    print(f"{least:.3f} of the error of the plastic number's")
+    print("places", best.round(4).tolist())
+    print("errors", dict(zip(NUMBERS.tolist(), lines.errors(best).round(4).tolist(), strict=True)))
+    print("usual ", dict(zip(NUMBERS.tolist(), usual.round(4).tolist(), strict=True)))
+
+
+if __name__ == "__main__":
+    main()
