@@ -67,6 +67,9 @@ def train(
         InputError: the checkpoint is damaged or belongs to another configuration.
         LoomlightError: the loss is no number any more.
     """
+    # Units that no input wakes have gradients whose means fade away: half of the numbers of an optimiser, whose
+    # steps then took 0.2 s where they take 0.08.
+    torch.set_flush_denormal(True)
     step, spent, mean = _restored(network, optimiser, checkpoint, identity)
     begun = kept = time.monotonic()
     while step < schedule.steps:
@@ -96,6 +99,7 @@ def train(
             _keep(network, optimiser, checkpoint, identity, step, spent + time.monotonic() - begun, mean)
             kept = time.monotonic()
     _keep(network, optimiser, checkpoint, identity, step, spent + time.monotonic() - begun, mean)
+    torch.set_flush_denormal(False)
     return step
 
 

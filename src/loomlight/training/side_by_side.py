@@ -26,7 +26,7 @@ class SideBySide:
             parts: threads; with 1, parts are computed in a row where they are asked for.
         """
         cores = max(1, torch.get_num_threads() // parts)
-        self._threads = ThreadPoolExecutor(parts, initializer=_use_cores, initargs=(cores,))
+        self._threads = ThreadPoolExecutor(parts, initializer=_begin, initargs=(cores,))
         self.parts = parts
 
     def loss(
@@ -50,8 +50,10 @@ class SideBySide:
         return loss
 
 
-def _use_cores(count: int) -> None:
-    torch.set_num_threads(count)
+def _begin(cores: int) -> None:
+    torch.set_num_threads(cores)
+    # See `loop.train`; it holds for one thread.
+    torch.set_flush_denormal(True)
 
 
 def _sum(gradients: Sequence[Tensor | None]) -> Tensor | None:
