@@ -1,10 +1,14 @@
 """Gradients of parts on threads of their own are those of the whole batch."""
 
+from collections.abc import Iterator
+from pathlib import Path
+
 import pytest
 
 # Nothing below can be imported without torch, which only training needs (hence E402).
 torch = pytest.importorskip("torch")
 
+from loomlight.training.loop import Schedule, train  # noqa: E402
 from loomlight.training.side_by_side import SideBySide  # noqa: E402
 
 
@@ -39,3 +43,30 @@ def test_what_goes_wrong_in_a_part_is_raised() -> None:
 
     with pytest.raises(ArithmeticError):
         SideBySide(2).loss([broken, broken], [0.5, 0.5], network)
+
+
+def _tiny() -> float:
+    return float((torch.full((64,), 1e-38) * 0.01).max())
+
+
+def test_numbers_too_small_to_be_normal_are_nothing(tmp_path: Path) -> None:
+    """On the threads, and where the optimiser's are moved; afterwards all is as before."""
+    network = torch.nn.Linear(2, 1)
+    side_by_side = SideBySide(2)
+    on_threads, on_main = [], []
+
+    def part() -> torch.Tensor:
+        on_threads.append(_tiny())
+        value: torch.Tensor = network(torch.ones(3, 2)).square().mean()
+        return value
+
+    def losses(_: int) -> Iterator[torch.Tensor]:
+        on_main.append(_tiny())
+        yield side_by_side.loss([part, part], [0.5, 0.5], network)
+
+    optimiser = torch.optim.SGD(network.parameters(), 0.1)
+    schedule = Schedule(steps=2, rate=lambda _: 0.1)
+    assert train(network, optimiser, losses, schedule, tmp_path / "checkpoint.safetensors", "x") == 2
+    assert on_threads == [0] * 4
+    assert on_main == [0] * 2
+    assert _tiny() > 0

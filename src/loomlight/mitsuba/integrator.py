@@ -157,10 +157,11 @@ def footprint_path_class() -> type:
 
                 # ---- Footprint
                 width = dr.fma(spread, dr.select(valid, si.t, 0), width)
-                duv_dx, duv_dy = cone_partials(si, ray.d, width)
                 si.compute_uv_partials(camera)
-                si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
-                si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
+                if dr.hint(not lit_only, mode="scalar"):
+                    duv_dx, duv_dy = cone_partials(si, ray.d, width)
+                    si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
+                    si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
 
                 # ---- Emission
                 Le: Any = mi.Spectrum(0)
@@ -177,13 +178,16 @@ def footprint_path_class() -> type:
                 # ---- A light
                 bounces = valid & (depth + 1 < self.max_depth)
                 lit = bounces & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Smooth)
-                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), not porous_shadows, lit)
+                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
                 lit &= ds.pdf != 0
                 to_light = si.to_local(ds.d)
                 if dr.hint(porous_shadows, mode="scalar"):
                     # Where no light arrives the cloth need not be asked what it does with it.
                     arriving *= self._transmittance(scene, si, ds.p, width, spread, not met, lit)
                     lit &= dr.max(arriving) > 0
+                else:
+                    # As to points and along directions, neighbours' rays go much the same way.
+                    lit &= ~scene.ray_test(si.spawn_ray_to(ds.p), not met, lit)
 
                 # ---- The next direction. Past the last bounce a path still passes through holes, because
                 # the previous vertex's light samples did.
