@@ -37,6 +37,9 @@ _COVERAGE, _HOLES, _SEEN, _SEEN_HOLES, _LIT, _NUMBERS = range(QUERY + ANSWERS, Q
 # the warp), of levels.
 _DEPTH, _INVERSE_SIZE, _TOP, _INVERSE_REPEAT, _FACE_NODES, _HOLE_WEIGHT, _GROUPS = 0, 1, 2, 3, 5, 6, 8
 _ROUGHNESS, _IS_WARP, _ROWS = MOMENTS, MOMENTS + 1, MOMENTS + 2
+# What is put down of a query beside places and directions: κ, where numbers of its face's groups begin, and
+# the weight of holes.
+_CORRELATION, _FIRST_GROUP, _OF_HOLE = range(3)
 # Of all groups together, so that nothing is divided by 0; see `proposal`.
 _SMALLEST_WEIGHT = 1e-12
 
@@ -107,7 +110,7 @@ class _Writer:
         self._places, self._seen, self._lit = (code.rows(count) for count in (2 * len(PLACES), _TAPS, _TAPS))
         self._seen_weights, self._lit_weights = code.rows(_TAPS), code.rows(_TAPS)
         self._seen_holes = code.rows(_TAPS)
-        self._directions, self._facts = code.rows(9), code.rows(4)
+        self._directions, self._facts = code.rows(9), code.rows(3)
         # Of each query a lane for each group: sums over groups are taken in the end.
         self._sums = [code.stack(code.vectors.lanes**2) for _ in range(ANSWERS)]
 
@@ -141,9 +144,11 @@ class _Writer:
             self._directions[number] = value
         face = code.select(back > 0.5, 1.0, 0.0)
         beyond = light.z < 0
-        self._facts[0] = code.select(beyond, 0, azimuth_correlation(light, view, code))
-        code.store_whole(face, _ROWS * self._padded, self._facts.place(1))
-        self._facts[3] = code.select(face > 0, self._number(_HOLE_WEIGHT + 1), self._number(_HOLE_WEIGHT))
+        self._facts[_CORRELATION] = code.select(beyond, 0, azimuth_correlation(light, view, code))
+        code.store_whole(face, _ROWS * self._padded, self._facts.place(_FIRST_GROUP))
+        self._facts[_OF_HOLE] = code.select(
+            face > 0, self._number(_HOLE_WEIGHT + 1), self._number(_HOLE_WEIGHT)
+        )
         self._find_places(Vector(x, y), Vector(ax, ay), Vector(bx, by), face)
         side = 2 * face + code.select(beyond, 1.0, 0.0)
         row = 2 * self._padded
@@ -211,8 +216,8 @@ class _Writer:
             Vector(*(self._of_query(self._directions, 3 * vector + axis, query) for axis in range(3)))
             for vector in range(3)
         )
-        correlation, beyond = self._of_query(self._facts, 0, query), light.z < 0
-        start = code.builder.add(code.whole_at(self._facts.place(1), query), first)
+        correlation, beyond = self._of_query(self._facts, _CORRELATION, query), light.z < 0
+        start = code.builder.add(code.whole_at(self._facts.place(_FIRST_GROUP), query), first)
         groups = [self._of_group(row, start) for row in range(_ROWS)]
         places = [
             code.builder.add(code.whole_at(self._places.place(number), query), first)
@@ -296,7 +301,7 @@ class _Writer:
                 number = code.builder.uitofp(byte, count.type)
                 mean = code.builder.fadd(mean, code.builder.fmul(weight, number))
             code.builder.store(mean, code.element(seen.pointer, query))
-        weight = covered[0] * (1 / len(PLACES)) * (seen[0] * seen[0]) * self._facts[3]
+        weight = covered[0] * (1 / len(PLACES)) * (seen[0] * seen[0]) * self._facts[_OF_HOLE]
         return code.minimum(weight, 1)
 
     def _hole_bytes(self, table: int, nodes: Rows, first: int, query: ir.Value) -> list[ir.Value]:

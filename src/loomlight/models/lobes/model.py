@@ -122,7 +122,11 @@ class LobesModel(Model):
         return cls(loom.fabric, tables_of_loom(loom))
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
-        """Components and hole of footprints."""
+        """Components and hole of footprints.
+
+        On CPUs, outside of symbolic calls and without derivatives, what groups say is worked out at once, by
+        machine code; arrays that are asked about are evaluated for it.
+        """
         return self._answers([light], view, footprint, None)[0][0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
