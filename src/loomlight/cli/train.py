@@ -57,8 +57,8 @@ class _Lines:
 
     def __call__(self, done: int, total: int, loss: float | None = None) -> None:
         now = time.monotonic()
-        if self._begun is None:
-            # What an earlier run did says nothing about the speed of this one.
+        if self._begun is None or done < self._begun[1]:
+            # What an earlier run did says nothing about the speed of this one, nor one phase about the next.
             self._begun = now, done
         if done < total and now - self._said < _LINE_EVERY:
             return
