@@ -21,6 +21,7 @@ from llvmlite import ir
 from numpy.typing import NDArray
 
 from loomlight.core.lane_code import INDEX, Code, Lanes, Rows, Vector, Vectors
+from loomlight.core.machine_code import aligned
 from loomlight.models.lobes.bytes import UNITS
 from loomlight.models.lobes.coverage import PLACES, level_of, nodes_of
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -35,7 +36,7 @@ _TAPS = 4
 _COVERAGE, _HOLES, _SEEN, _SEEN_HOLES, _LIT, _NUMBERS = range(QUERY + ANSWERS, QUERY + ANSWERS + 6)
 # Where numbers begin: of the fabric, of both faces' groups (rows of moments, roughness, 1 where a group is of
 # the warp), of levels.
-_DEPTH, _INVERSE_SIZE, _TOP, _INVERSE_REPEAT, _FACE_NODES, _HOLE_WEIGHT, _GROUPS = 0, 1, 2, 3, 5, 6, 8
+_DEPTH, _INVERSE_SIZE, _TOP, _INVERSE_REPEAT, _FACE_NODES, _HOLE_WEIGHT, _GROUPS = 0, 1, 2, 3, 5, 6, 16
 _ROUGHNESS, _IS_WARP, _ROWS = MOMENTS, MOMENTS + 1, MOMENTS + 2
 # What is put down of a query beside places and directions: κ, where numbers of its face's groups begin, and
 # the weight of holes.
@@ -82,12 +83,14 @@ def shared_numbers(
     groups[:, _ROUGHNESS] = np.where(np.arange(padded) < 2 * words, *roughness)
     groups[:, _IS_WARP, : 2 * words] = 1
     of_fabric = [optical_depth, 1 / tables.size, len(tables.levels) - 1, 1 / repeat[0], 1 / repeat[1]]
-    numbers = [*of_fabric, tables.coverage.shape[1], *tables.hole_weight]
+    numbers = np.zeros(_GROUPS)
+    numbers[: _HOLE_WEIGHT + 2] = [*of_fabric, tables.coverage.shape[1], *tables.hole_weight]
     return [
         rows(seen[..., : 4 * words], seen[..., 4 * (words + 1) :]),
         np.ascontiguousarray(seen[..., 4 * words]).view(np.float32).ravel(),
         rows(lit[..., : 4 * words], lit[..., 4 * words :]),
-        np.concatenate([numbers, groups.ravel(), tables.levels.ravel()]).astype(np.float32),
+        # Vectors of groups straddle no lines of the cache then.
+        aligned(np.concatenate([numbers, groups.ravel(), tables.levels.ravel()]).astype(np.float32)),
     ]
 
 
