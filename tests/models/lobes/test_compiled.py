@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import drjit as dr
 import numpy as np
@@ -105,6 +105,23 @@ def test_evaluations_are_the_same_either_way(monkeypatch: pytest.MonkeyPatch) ->
     assert calls == [1]
     parts = [part.name for part in fields(Response)]
     agree(*({name: getattr(one, name).numpy() for name in parts} for one in (found, wanted)))
+
+
+def test_odd_numbers_harm_no_other_lane() -> None:
+    """Nothing is read where there is no table, whatever is asked."""
+    model = model_of("open plain")
+    asked = asked_of(model.fabric, model.tables.size, 96, seed=6)
+    whole = compiled_parts(model, asked)
+    odd = [np.nan, np.inf, -np.inf, 0.0, 1e30, -1e30, 3e38]
+    spoilt = np.arange(96) % 3 == 0
+    for part in ("lights", "views", "centres", "sizes"):
+        for value in odd:
+            values = getattr(asked, part).copy()
+            values[spoilt] = value
+            with np.errstate(all="ignore"):
+                found = compiled_parts(model, replace(asked, **{part: values}))
+            for name, numbers in found.items():
+                np.testing.assert_array_equal(numbers[~spoilt], whole[name][~spoilt])
 
 
 def test_derivatives_go_by_drjit() -> None:

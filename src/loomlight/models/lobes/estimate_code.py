@@ -182,6 +182,8 @@ class _Writer:
         """Nodes around a direction in one of several tables of the hemisphere; puts their weights down."""
         code = self._code
         whole, ring, shares = around(direction, code)
+        # Whatever comes in, rows must exist.
+        whole = code.clip(whole, -0.5 * AZIMUTHS, 0.5 * AZIMUTHS)
         units = [code.floor(code.fma(share, UNITS, 0.5)) for share in shares]
         inverse = 1 / (units[0] + units[1] + units[2] + units[3])
         for number, unit in enumerate(units):
