@@ -15,6 +15,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, fabric_bsdf
 from loomlight.mitsuba.cloth_samples import CLOTHS
+from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
 
@@ -122,3 +123,43 @@ def test_nothing_is_collected_while_calls_are_traced(recorded: bool) -> None:
     # Otherwise the threshold would have been too high to see anything.
     assert "elsewhere" in seen
     assert "traced" not in seen
+
+
+FILMS = {
+    "colours": {"rfilter": {"type": "box"}},
+    "transparent": {"rfilter": {"type": "box"}, "pixel_format": "rgba"},
+    "a part": {"rfilter": {"type": "box"}, "crop_offset_x": 3, "crop_width": 7, "crop_height": 9},
+    "grey": {"rfilter": {"type": "box"}, "pixel_format": "luminance"},
+    "smooth": {"rfilter": {"type": "gaussian"}},
+}
+
+
+def filmed(film: dict[str, Any]) -> Any:
+    """A ball of cloth in the sun, as a film of 12 by 10 pixels shows it."""
+    camera = {
+        "type": "perspective",
+        "fov": 25,
+        "to_world": mi.ScalarTransform4f().look_at([0, 0, 6], [0.2, 0.1, 0], [0, 1, 0]),
+        "film": {"type": "hdrfilm", "width": 12, "height": 10, **film},
+    }
+    ball = {"type": "sphere", "bsdf": fabric_bsdf("twill 2/1", "lobes")((200.0, 200.0))}
+    light = {"type": "directional", "direction": [-0.3, -0.4, -1.0]}
+    return mi.load_dict({"type": "scene", "ball": ball, "sun": light, "sensor": camera})
+
+
+@pytest.mark.parametrize("film", FILMS)
+@pytest.mark.parametrize("spp", [1, 2])
+def test_pictures_are_what_the_film_would_show(film: str, spp: int) -> None:
+    scene = filmed(FILMS[film])
+    alone = film in ("colours", "transparent", "a part") and spp == 1
+    assert samples_are_pixels(scene.sensors()[0], spp) == alone
+    integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
+    live = LivePicture(scene, spp=spp, integrator=integrator)
+    found = live.take(3)
+    wanted = np.array(mi.render(scene, integrator=integrator, spp=spp, seed=3))
+    assert found.shape == wanted.shape
+    assert wanted.std() > 0.03
+    np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-6)
+    # Who renders without us may ask the film afterwards.
+    developed = np.array(scene.sensors()[0].film().bitmap(), dtype=np.float32)
+    assert developed.std() > 0.03

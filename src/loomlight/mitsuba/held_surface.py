@@ -16,6 +16,8 @@ from loomlight.yarn.geometry import Block, Probe, SurfacePoint, YarnGeometry
 class HeldSurface:
     """A `loomlight.yarn.visibility.Surface` around analytic geometry; heights carry no derivatives."""
 
+    tells_outlines = YarnGeometry.tells_outlines
+
     def __init__(self, geometry: YarnGeometry) -> None:
         self.geometry = geometry
         self.size = geometry.size

@@ -19,6 +19,7 @@ and the positions of surfaces are held fixed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -63,6 +64,8 @@ def footprint_path_class() -> type:
             # How many renders make up the picture, and which this is: `render` says so.
             self.passes, self.pass_number = 1, 0
             self.pixel_centres: bool = props.get("pixel_centres", False)
+            # Whether nobody asks the film afterwards: it may be left out then.
+            self.without_film = False
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
@@ -100,9 +103,42 @@ def footprint_path_class() -> type:
             ray.scale_differential(self._samples(sampler) ** -0.5)
             return ray, weight, position
 
-        def render(self, scene: Any, *arguments: Any, **named: Any) -> Any:
+        def render(
+            self,
+            scene: Any,
+            sensor: Any = 0,
+            seed: Any = 0,
+            spp: int = 0,
+            develop: bool = True,
+            evaluate: bool = True,
+        ) -> Any:
+            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
             with collecting_later(), calls_for(scene):
-                return super().render(scene, *arguments, **named)
+                if self.without_film and develop and samples_are_pixels(camera, spp):
+                    return self._samples_alone(scene, camera, seed)
+                return super().render(scene, camera, seed, spp, develop, evaluate)
+
+        def _samples_alone(self, scene: Any, camera: Any, seed: Any) -> Any:
+            """A picture of one sample a pixel, as the film would develop it."""
+            film = camera.film()
+            with dr.suspend_grad():
+                sampler, _ = self.prepare(camera, seed, 1, self.aov_names())
+                ray, weight, _ = self.sample_rays(scene, camera, sampler)
+                found, valid, _, _ = self.sample(
+                    mode=dr.ADMode.Primal,
+                    scene=scene,
+                    sampler=sampler,
+                    ray=ray,
+                    δL=None,
+                    state_in=None,
+                    active=mi.Bool(True),
+                )
+                pixels: Any = found * weight
+                if mi.has_flag(film.flags(), mi.FilmFlags.Alpha):
+                    pixels = mi.Vector4f(*pixels, dr.select(valid, mi.Float(1), 0))
+                width, height = (int(side) for side in film.crop_size())
+                tensor: Any = mi.TensorXf
+                return tensor(dr.ravel(pixels), (height, width, len(pixels)))
 
         def _samples(self, sampler: Any) -> int:
             return self.footprint_samples or sampler.sample_count()
@@ -380,10 +416,36 @@ class _CameraSampler:
         return mi.Point2f(0.5)
 
 
+def samples_are_pixels(camera: Any, spp: int) -> bool:
+    """Whether a picture of so many samples a pixel (0: the sampler's) is nothing but its samples.
+
+    The film would add them up one by one in whatever order, which takes a tenth of a picture of lobes.
+    """
+    film = camera.film()
+    count = spp or camera.sampler().sample_count()
+    # Films tell their format to readers alone.
+    plain = re.search(r"pixel_format = rgba?\b", str(film)) is not None
+    return bool(count == 1 and mi.is_rgb and plain and film.rfilter().is_box_filter())
+
+
 def footprint_integrator(scene: Any) -> Any:
     """The scene's own integrator if it is a `footprint_path`, otherwise a new one."""
     own = scene.integrator()
     return own if type(own).__name__ == "FootprintPath" else mi.load_dict({"type": "footprint_path"})
+
+
+@contextmanager
+def leaving_film_out(integrator: Any) -> Iterator[None]:
+    """While nobody asks the film for what an integrator has rendered; of `footprint_path` alone."""
+    before = getattr(integrator, "without_film", None)
+    if before is None:
+        yield
+        return
+    integrator.without_film = True
+    try:
+        yield
+    finally:
+        integrator.without_film = before
 
 
 @contextmanager

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.held_arrays import arrays_of
 from loomlight.core.recorded import collecting_later, frozen
 from loomlight.mitsuba.cloth_samples import CLOTHS
-from loomlight.mitsuba.integrator import footprint_integrator, has_networks
+from loomlight.mitsuba.integrator import footprint_integrator, has_networks, leaving_film_out
 
 
 class LivePicture:
@@ -82,7 +82,8 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
     def rendered(scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
-        return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)
+        with leaving_film_out(integrator):
+            return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)
 
     return rendered
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.integrator import footprint_integrator, has_networks
+from loomlight.mitsuba.integrator import footprint_integrator, has_networks, leaving_film_out
 from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
@@ -59,7 +59,7 @@ def render(
     total: NDArray[np.float64] | float = 0.0
     done = 0
     for number, samples in enumerate(passes):
-        with _one_of(integrator, sensor, spp, passes, number) as own_seed:
+        with _one_of(integrator, sensor, spp, passes, number) as own_seed, leaving_film_out(integrator):
             of_pass = _pass_seed(seed, number) if own_seed else seed
             picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=samples, seed=of_pass)
         total = total + samples * np.array(picture, dtype=np.float64)

@@ -30,8 +30,8 @@ def woven_lobes_class() -> type:
         """Woven cloth over footprints, by lobes of groups of like yarn points.
 
         Parameters beside those of `FootprintBsdf`:
-            groups: of each family, 1 to 64; 8. A `.loom` that was baked for this model is used as it is where
-                nothing in the scene changes its fabric and `groups` is not given.
+            groups: of each family on average, 1 to 64; 8. A `.loom` that was baked for this model is used as
+                it is where nothing in the scene changes its fabric and `groups` is not given.
 
         Scene parameters are those of `FootprintBsdf`. A change of heights, inclination or twist bakes tables
         anew, one of roughness, colours or sheen does not.

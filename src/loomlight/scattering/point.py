@@ -17,6 +17,7 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, larger
+from loomlight.core.lanes import changed_where
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.diffuse import (
@@ -257,15 +258,20 @@ class PointModel:
         facing = on_face(light, point.back)
         beyond = facing.z < 0
         side = point.back ^ beyond
-        far = self.surface.surface(point.x, point.y, ~point.back)
-        normal = dr.select(beyond, far.normal, point.normal)
+        # Whether light arrives is a Bool, so nothing is differentiated here.
+        own: tuple[Any, Any] = dr.detach((types.Vector3(point.normal), types.Float(point.height)))
+
+        def turned(_: tuple[Any, Any]) -> tuple[Any, Any]:
+            far = self.surface.surface(point.x, point.y, ~point.back)
+            return dr.detach(far.normal), dr.detach(far.height)
+
+        normal, height = changed_where(beyond, own, turned, "cloth: other side")
         direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
         # The yarn hides from itself what lies below its tangent plane.
         searched = types.Bool(active) & ~point.hole & (dr.dot(normal, direction) > 0)
         if self.horizon is not None:
             free = self.horizon.unoccluded(point.x, point.y, direction, side) & searched
         else:
-            height = dr.select(beyond, far.height, point.height)
             free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
         return free | point.hole
 

@@ -164,7 +164,10 @@ class YarnGeometry:
         size: width and height of the repeat, millimetres.
         height_scale: β of (warp, weft); numbers, or Dr.Jit scalars when gradients are wanted.
         twist: ψ of (warp, weft), radians; likewise.
+        tells_outlines: as searches ask for it.
     """
+
+    tells_outlines = True
 
     def __init__(self, layout: ClothLayout) -> None:
         self.layout = layout

@@ -23,6 +23,8 @@ class TextureSurface:
     change sign.
     """
 
+    tells_outlines = False
+
     def __init__(self, front: SurfaceMaps, back: SurfaceMaps | None = None) -> None:
         self.size = front.size
         rows, columns = front.height.shape

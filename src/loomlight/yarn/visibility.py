@@ -10,6 +10,7 @@ which rays pass.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -25,6 +26,7 @@ class Surface(Protocol):
 
     size: tuple[float, float]
     extents: dict[type, Any]  # what searches keep of it
+    tells_outlines: bool  # probes know the distance to the next outline, else it is as far as can be
 
     @property
     def finest(self) -> tuple[float, float]:
@@ -62,14 +64,14 @@ class SearchQuality:
         steps_per_thread: steps while crossing the finest thread.
         steps_per_relief: steps while falling through the whole relief of the cloth.
         shadow_share: shadow rays take this share of the steps.
-        refinements: steps of regula falsi in the bracket around a hit.
+        refinements: looks at the cloth around a hit beyond the two samples that found it.
         steps: at most so many; a ray still undecided then counts as free.
     """
 
     steps_per_thread: Any = 5.0
     steps_per_relief: Any = 8.0
     shadow_share: Any = 1.0
-    refinements: Any = 5
+    refinements: Any = 2
     steps: int = 1024
 
 
@@ -82,6 +84,11 @@ _LIFT = 2e-3
 _NARROWEST = 0.02
 # How far past an outline the next sample lies, in steps.
 _HOP = 5e-3
+# Of the cubic that tells where a ray meets a yarn, and the least of its rate, as a share of the mean.
+_NEWTON_STEPS = 3
+_FLATTEST = 0.1
+# Further looks where samples do not stand right behind outlines.
+_LOOKS_FOR_OUTLINES = 3
 
 
 @dataclass
@@ -366,23 +373,22 @@ def first_hit(
         above, out = height - block.crest, stride.out(block)
         return height - clipped(above, 0, out), falling & (above > out) & (count < quality.steps), count + 1
 
-    def ground(height: Any) -> Any:
-        level, hole = surface.height(dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back)
-        return dr.select(hole, types.Float(-1e9), level)
+    def ground(height: Any) -> tuple[Any, Any]:
+        here = surface.probe(
+            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
+        )
+        rate = dr.fma(here.slope_x, slope.x, dr.fma(here.slope_y, slope.y, -1))
+        return dr.select(here.hole, types.Float(-1e9), here.height), rate
 
     floor = low - (high - low)
     # Moving down, the ray runs against the view's slope.
     stride = _Stride(-slope, step)
 
-    def is_searching(
-        height: Any, previous: Any, depth: Any, leap: Any, searching: Any, count: Any, trail: Any
-    ) -> Any:
-        del height, previous, depth, leap, count, trail
+    def is_searching(height: Any, end: _End, leap: Any, searching: Any, count: Any, trail: Any) -> Any:
+        del height, end, leap, count, trail
         return searching
 
-    def advance(
-        height: Any, previous: Any, depth: Any, leap: Any, searching: Any, count: Any, trail: Any
-    ) -> tuple[Any, ...]:
+    def advance(height: Any, end: _End, leap: Any, searching: Any, count: Any, trail: Any) -> tuple[Any, ...]:
         here = surface.probe(
             dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
         )
@@ -390,6 +396,7 @@ def first_hit(
         met = ~here.hole & (clearance <= 0)
         rate = dr.fma(here.slope_x, slope.x, dr.fma(here.slope_y, slope.y, -1))
         dips, way_back = trail.dip_before(clearance, rate, leap, here)
+        smooth = trail.known & ~here.hole & (trail.yarn == here.yarn)
         count = count + 1
         onwards = searching & ~met & (height > floor) & (count < quality.steps)
         near = stride.onwards(here, clearance, rate)
@@ -400,8 +407,7 @@ def first_hit(
         # Where a dip is likely the next sample goes back to its lowest point.
         return (
             dr.select(onwards, height + dr.select(dips, way_back, -farther), height),
-            dr.select(onwards & ~dips, height, previous),
-            dr.select(searching, -clearance, depth),
+            _End(dr.select(onwards & ~dips, height, end.previous), -clearance, rate, smooth),
             dr.select(onwards, dr.select(dips, leap - way_back, farther), leap),
             onwards,
             count,
@@ -416,54 +422,112 @@ def first_hit(
         fall,
         label="cloth: fall",
     )[0]
-    under, above, depth, _, _, _, trail = dr.while_loop(
-        (
-            top,
-            top + stride.hop,
-            types.Float(0 * top),
-            types.Float(step),
-            types.Bool(active),
-            types.UInt32(0),
-            _no_trail(types, x),
-        ),
+    nothing = types.Float(0 * top)
+    start = _End(top + stride.hop, nothing, types.Float(nothing), types.Bool(False))
+    under, end, _, _, _, trail = dr.while_loop(
+        (top, start, types.Float(step), types.Bool(active), types.UInt32(0), _no_trail(types, x)),
         is_searching,
         advance,
         label="cloth: first hit",
     )
-    relief = high - low
-    above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(depth, 0, relief)
-
-    def refine(
-        index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any
-    ) -> tuple[Any, ...]:
-        # Regula falsi. An end that stays twice counts half (the Illinois rule), so that both close in; at
-        # walls, where the gap jumps, this comes to halving.
-        share = clipped(above_gap / larger(above_gap + under_gap, 1e-20), 0.02, 0.98)
-        middle = dr.fma(share, under - above, above)
-        gap = clipped(middle - ground(middle), -relief, relief)
-        met = gap <= 0
-        return (
-            index + 1,
-            dr.select(met, above, middle),
-            dr.select(met, middle, under),
-            dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap),
-            dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap)),
-            dr.select(met, types.Float(1), -1),
-        )
-
-    count = quality.refinements
-    state = dr.while_loop(
-        (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * top)),
-        lambda index, *rest: index < count,
-        refine,
-        label="cloth: refine",
-    )
-    under = state[2]
+    looks = quality.refinements + (0 if surface.tells_outlines else _LOOKS_FOR_OUTLINES)
+    under = _refined(ground, under, end, trail, high - low, looks)
     hole = types.Bool(False)
     if passing:
         # What has met yarn above the plane does not pass it.
         hole = passes_through(surface, x, y, view, back, active & (under <= 0), quality)
     return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
+
+
+@dataclass
+class _End:
+    """Where a ray that falls has met the cloth, as the last sample has it.
+
+    Attributes:
+        previous: height of the sample before, above the cloth.
+        depth: below the cloth.
+        rate: of clearance as the ray falls.
+        smooth: the yarn is the one of the sample before, with no outline and no leap between.
+    """
+
+    previous: Any
+    depth: Any
+    rate: Any
+    smooth: Any
+
+
+def _refined(
+    ground: Callable[[Any], tuple[Any, Any]], under: Any, end: _End, trail: _Trail, relief: Any, count: Any
+) -> Any:
+    """Height at which a ray meets the cloth that lies below it at one sample and above it at the next.
+
+    On one yarn that is the root of the cubic through both, from which `count` steps of Newton's lead on.
+    Elsewhere the ray has passed an outline, right behind which it was sampled: looks come closer to the last
+    sample.
+
+    Args:
+        ground: height of the cloth where the ray has fallen to a height, and the rate of clearance there.
+        under: height of the last sample.
+        trail: of the sample before.
+    """
+    types = array_types(under)
+    smooth = end.smooth
+
+    def refine(
+        index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any, middle: Any
+    ) -> tuple[Any, ...]:
+        level, rate = ground(middle)
+        gap = clipped(middle - level, -relief, relief)
+        met = gap <= 0
+        above, under = dr.select(met, above, middle), dr.select(met, middle, under)
+        # Regula falsi: an end that stays twice counts half (the Illinois rule), so that both close in; at
+        # walls, where the gap jumps, this comes to halving.
+        above_gap = dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap)
+        under_gap = dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap))
+        between = _between(above, under, above_gap, under_gap)
+        rooted = clipped(middle + gap / smaller(rate, -1e-6), under, above)
+        return (
+            index + 1,
+            above,
+            under,
+            above_gap,
+            under_gap,
+            dr.select(met, types.Float(1), -1),
+            dr.select(smooth, rooted, between),
+        )
+
+    above = end.previous
+    above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(end.depth, 0, relief)
+    length = above - under
+    root = _cubic_root(above_gap, -under_gap, trail.rate * length, end.rate * length)
+    middle = dr.select(smooth, dr.fma(-root, length, above), _between(above, under, above_gap, under_gap))
+    _, _, under, _, _, _, middle = dr.while_loop(
+        (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle),
+        lambda index, *rest: index < count,
+        refine,
+        label="cloth: refine",
+    )
+    return dr.select(smooth, middle, under)
+
+
+def _between(above: Any, under: Any, above_gap: Any, under_gap: Any) -> Any:
+    """The height that a straight line suggests, kept off both ends, where gaps may jump."""
+    share = clipped(above_gap / larger(above_gap + under_gap, 1e-20), 0.02, 0.98)
+    return dr.fma(share, under - above, above)
+
+
+def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
+    """Where in [0, 1] a cubic is 0 that starts above 0 and ends below; rates are of the whole interval."""
+    gain = end - start
+    cubic = start_rate + end_rate - 2 * gain
+    square = 3 * gain - 2 * start_rate - end_rate
+    share = start * dr.rcp(larger(-gain, 1e-20))
+    for _ in range(_NEWTON_STEPS):
+        value = dr.fma(dr.fma(dr.fma(cubic, share, square), share, start_rate), share, start)
+        rate = dr.fma(dr.fma(3 * cubic, share, 2 * square), share, start_rate)
+        # Where the cubic is flat, steps stay short.
+        share = clipped(share - value / smaller(rate, _FLATTEST * gain - 1e-20), 0, 1)
+    return share
 
 
 def passes_through(

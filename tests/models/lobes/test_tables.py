@@ -97,6 +97,8 @@ def test_a_file_gives_the_tables_back() -> None:
         ("moments", lambda values: values[..., :11]),
         ("moments", lambda values: values.astype(np.float64)),
         ("hole_weight", lambda values: values[:1]),
+        ("warp_words", lambda values: values[:1]),
+        ("warp_words", lambda values: values + 100),
         ("levels", lambda values: values.astype(np.int32)),
         ("levels", lambda values: values[:, :2]),
     ],
@@ -105,7 +107,9 @@ def test_tensors_of_another_shape_or_type(name: str, change: Callable[[Tensor], 
     refused(damaged(name, change), f"tensor model.{name} is ", "it should be ")
 
 
-@pytest.mark.parametrize("name", ["coverage", "seen", "lit", "moments", "hole_weight", "levels"])
+@pytest.mark.parametrize(
+    "name", ["coverage", "seen", "lit", "moments", "hole_weight", "levels", "warp_words"]
+)
 def test_tensors_that_are_missing(name: str) -> None:
     loom = damaged(name, lambda values: values)
     rest = {key: values for key, values in loom.tensors.items() if key != name}

@@ -4,10 +4,12 @@ A group's weight is what views see of it: how much of it the footprint holds tim
 that meet it. The weight of holes is their share; groups have the rest by their weights. Diffuse terms are the
 group's irradiance, specular ones its lobe times the share of it that light reaches.
 
-Light and view hide from the same yarns. Where both come from one azimuth, what the lower one reaches the
-higher one reaches too, so of what is seen a share g = min(1, V(light)/V(view)) is lit; where their azimuths
-differ by 90° or more they are as good as independent. In between a share κ = max(cos Δφ, 0) of g is taken and
-1 − κ of V(light).
+What light and view reach of a group is much the same: what stands high both reach. Were it as much the
+same as can be, of what is seen a share min(1, V(light)/V(view)) would be lit; were it independent, V(light).
+A share κ of the first is taken and 1 − κ of the second. Of diffuse terms κ is the larger the nearer the
+azimuths; of specular ones, which are bright where light and view mirror each other, it is the same all
+around. Light from the other side reaches what the view does not, and κ < 0. The numbers are fits to rays
+(`experiments/lobes_shadows.py`).
 """
 
 from __future__ import annotations
@@ -27,6 +29,10 @@ from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 PER_BYTE = 1 / 255
+# κ: of terms that depend on the angle Δφ between azimuths, what there is at 90° and what cos Δφ adds.
+DIFFUSE_CORRELATION = 0.5, 0.7
+SPECULAR_CORRELATION = 0.9
+THROUGH_CORRELATION = -0.35, -0.2
 # Numbers fetched at once; what a word's four groups have is three times as many.
 _PACKET = 16
 
@@ -87,7 +93,7 @@ class Estimator:
         words = tables.words
         self.pairs = dr.opaque(types.UInt32, words // 2)
         self._words = dr.opaque(types.UInt32, words)
-        self._warp_words = dr.opaque(types.UInt32, words // 2)
+        self._warp_words = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_words]
         seen, lit = tables.seen.view("<u4"), tables.lit.view("<u4")
         self._seen = uploaded(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
         self._holes = uploaded(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
@@ -129,7 +135,7 @@ class Estimator:
         self, place: Place, word: Any, coverage: list[Any], visible: list[Any], reached: list[Any]
     ) -> Seen:
         types = self._types
-        is_warp = word < self._warp_words
+        is_warp = word < dr.select(place.back, self._warp_words[1], self._warp_words[0])
         roughness = dr.select(is_warp, *self._roughness)
         row = (dr.select(place.back, self._words, 0) + word) * (4 * MOMENTS // _PACKET)
         numbers: list[Any] = []
@@ -169,18 +175,18 @@ class Estimator:
         """
         beyond = light.z < 0
         irradiance, lit = self._read(self._lit, nodes, pair)
-        correlation = dr.select(beyond, 0, azimuth_correlation(light, place.view))
+        correlations = shadow_correlation(light, place.view, beyond)
         found = []
         for number, word in enumerate(seen):
             diffuse: Any = 0
             specular: Any = 0
             for group in range(4):
                 reached = lit[number][group] * PER_BYTE
-                raised = raised_by(correlation, reached, word.reached[group], DRJIT)
+                more_diffuse, more = raised_by(correlations, reached, word.reached[group], DRJIT)
                 weight = word.weights[group]
-                diffuse += weight * irradiance[number][group] * raised
+                diffuse += weight * irradiance[number][group] * more_diffuse
                 value = layer_value(half, light, place.view, beyond, word.lobes[group], self._optical_depth)
-                specular += weight * value * (reached * raised)
+                specular += weight * value * (reached * more)
             found.append((diffuse * (PER_BYTE * dr.inv_pi), specular))
         return found
 
@@ -200,18 +206,33 @@ def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[
 # Formulas for Dr.Jit's arrays and for machine code: `arrays` is `backend.DRJIT`, or a `Code` being written.
 
 
-def azimuth_correlation(light: Any, view: Any, arrays: Any = DRJIT) -> Any:
-    """κ = max(cos Δφ, 0) of two directions [3]; 0 where one has no azimuth."""
+def shadow_correlation(light: Any, view: Any, beyond: Any, arrays: Any = DRJIT) -> tuple[Any, Any]:
+    """κ of diffuse and of specular terms: how far what light and view reach is the same; −0.55 to 1.
+
+    Args:
+        light, view: unit vectors [3].
+        beyond: Bool, they lie on different sides of the cloth.
+    """
     together = arrays.fma(light.x, view.x, light.y * view.y)
     squares = [arrays.fma(side.x, side.x, side.y * side.y) for side in (light, view)]
-    lengths = arrays.sqrt(squares[0] * squares[1])
-    return arrays.maximum(together, 0) * arrays.rcp(arrays.maximum(lengths, 1e-6))
+    # 0 where one has no azimuth; from there nearly all is reached, and κ hardly counts.
+    cosine = together * arrays.rcp(arrays.maximum(arrays.sqrt(squares[0] * squares[1]), 1e-6))
+    through = arrays.fma(THROUGH_CORRELATION[1], cosine, THROUGH_CORRELATION[0])
+    diffuse = arrays.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
+    return (
+        arrays.select(beyond, through, arrays.minimum(diffuse, 1)),
+        arrays.select(beyond, through, SPECULAR_CORRELATION),
+    )
 
 
-def raised_by(correlation: Any, reached: Any, reached_from_view: Any, arrays: Any) -> Any:
-    """(V + κ(min(1, V/V_view) − V))/V of shares that light, and light from the view, would reach."""
+def raised_by(
+    correlations: tuple[Any, Any], reached: Any, reached_from_view: Any, arrays: Any
+) -> tuple[Any, Any]:
+    """(V + κ(min(1, V/V_view) − V))/V, ≥ 0, of shares that light, and light from the view, would reach."""
     most = arrays.maximum(arrays.maximum(reached, reached_from_view), PER_BYTE)
-    return arrays.fma(correlation, arrays.rcp(most) - 1, 1)
+    less_one = arrays.rcp(most) - 1
+    diffuse, specular = (arrays.maximum(arrays.fma(part, less_one, 1), 0) for part in correlations)
+    return diffuse, specular
 
 
 def half_vector(light: Any, view: Any, arrays: Any = DRJIT) -> Any:

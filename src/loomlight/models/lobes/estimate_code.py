@@ -25,7 +25,7 @@ from loomlight.core.machine_code import aligned
 from loomlight.models.lobes.bytes import UNITS
 from loomlight.models.lobes.coverage import PLACES, level_of, nodes_of
 from loomlight.models.lobes.density import GroupLobe, layer_value
-from loomlight.models.lobes.estimate import PER_BYTE, azimuth_correlation, half_vector, raised_by
+from loomlight.models.lobes.estimate import PER_BYTE, half_vector, raised_by, shadow_correlation
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, around
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
@@ -38,9 +38,9 @@ _COVERAGE, _HOLES, _SEEN, _SEEN_HOLES, _LIT, _NUMBERS = range(QUERY + ANSWERS, Q
 # the warp), of levels.
 _DEPTH, _INVERSE_SIZE, _TOP, _INVERSE_REPEAT, _FACE_NODES, _HOLE_WEIGHT, _GROUPS = 0, 1, 2, 3, 5, 6, 16
 _ROUGHNESS, _IS_WARP, _ROWS = MOMENTS, MOMENTS + 1, MOMENTS + 2
-# What is put down of a query beside places and directions: κ, where numbers of its face's groups begin, and
-# the weight of holes.
-_CORRELATION, _FIRST_GROUP, _OF_HOLE = range(3)
+# What is put down of a query beside places and directions: κ of diffuse and specular terms, where numbers of
+# its face's groups begin, and the weight of holes.
+_DIFFUSE, _SPECULAR, _FIRST_GROUP, _OF_HOLE = range(4)
 # Of all groups together, so that nothing is divided by 0; see `proposal`.
 _SMALLEST_WEIGHT = 1e-12
 
@@ -80,8 +80,8 @@ def shared_numbers(
     # Groups that there are not weigh nothing, and have directions all the same.
     groups[:, (2, 5)] = 1
     groups[:, :MOMENTS, : 4 * words] = tables.moments.swapaxes(1, 2)
-    groups[:, _ROUGHNESS] = np.where(np.arange(padded) < 2 * words, *roughness)
-    groups[:, _IS_WARP, : 2 * words] = 1
+    groups[:, _IS_WARP] = np.arange(padded) < 4 * tables.warp_words[:, None]
+    groups[:, _ROUGHNESS] = np.where(groups[:, _IS_WARP] > 0, *roughness)
     of_fabric = [optical_depth, 1 / tables.size, len(tables.levels) - 1, 1 / repeat[0], 1 / repeat[1]]
     numbers = np.zeros(_GROUPS)
     numbers[: _HOLE_WEIGHT + 2] = [*of_fabric, tables.coverage.shape[1], *tables.hole_weight]
@@ -113,7 +113,7 @@ class _Writer:
         self._places, self._seen, self._lit = (code.rows(count) for count in (2 * len(PLACES), _TAPS, _TAPS))
         self._seen_weights, self._lit_weights = code.rows(_TAPS), code.rows(_TAPS)
         self._seen_holes = code.rows(_TAPS)
-        self._directions, self._facts = code.rows(9), code.rows(3)
+        self._directions, self._facts = code.rows(9), code.rows(4)
         # Of each query a lane for each group: sums over groups are taken in the end.
         self._sums = [code.stack(code.vectors.lanes**2) for _ in range(ANSWERS)]
 
@@ -147,7 +147,7 @@ class _Writer:
             self._directions[number] = value
         face = code.select(back > 0.5, 1.0, 0.0)
         beyond = light.z < 0
-        self._facts[_CORRELATION] = code.select(beyond, 0, azimuth_correlation(light, view, code))
+        self._facts[_DIFFUSE], self._facts[_SPECULAR] = shadow_correlation(light, view, beyond, code)
         code.store_whole(face, _ROWS * self._padded, self._facts.place(_FIRST_GROUP))
         self._facts[_OF_HOLE] = code.select(
             face > 0, self._number(_HOLE_WEIGHT + 1), self._number(_HOLE_WEIGHT)
@@ -221,7 +221,10 @@ class _Writer:
             Vector(*(self._of_query(self._directions, 3 * vector + axis, query) for axis in range(3)))
             for vector in range(3)
         )
-        correlation, beyond = self._of_query(self._facts, _CORRELATION, query), light.z < 0
+        correlations = (
+            self._of_query(self._facts, _DIFFUSE, query),
+            self._of_query(self._facts, _SPECULAR, query),
+        )
         start = code.builder.add(code.whole_at(self._facts.place(_FIRST_GROUP), query), first)
         groups = [self._of_group(row, start) for row in range(_ROWS)]
         places = [
@@ -237,10 +240,10 @@ class _Writer:
         lobe = GroupLobe(Vector(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness)
         weight = coverage * (visible * visible) * unit
         reached = reached * PER_BYTE
-        raised = raised_by(correlation, reached, from_view * PER_BYTE, code)
-        value = layer_value(half, light, view, beyond, lobe, self._number(_DEPTH), code)
-        diffuse = weight * irradiance * raised
-        specular = weight * value * (reached * raised)
+        more_diffuse, more = raised_by(correlations, reached, from_view * PER_BYTE, code)
+        value = layer_value(half, light, view, light.z < 0, lobe, self._number(_DEPTH), code)
+        diffuse = weight * irradiance * more_diffuse
+        specular = weight * value * (reached * more)
         is_weft = 1 - is_warp
         return [diffuse * is_warp, diffuse * is_weft, specular * is_warp, specular * is_weft, weight]
 

@@ -1,12 +1,13 @@
 """Groups: the points of both families on each face, parted by normal and fibre direction.
 
 A group stands for all points near one normal n_p and one fibre direction t, wherever in the repeat they lie:
-that holds few groups to the whole cloth, however large its draft. Groups 0 to K − 1 are the warp's, K to
-2K − 1 the weft's.
+that holds few groups to the whole cloth, however large its draft. The first groups of a face are the warp's,
+the others the weft's. A face has 2 K; a family that fills most of it has more of them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -34,6 +35,8 @@ _ITERATIONS = 2
 _HALVINGS = 4
 # Points that agree in so many are one to k-means, as those of a straight flat yarn are.
 _DIGITS = 4
+# Groups are shared out by so many, as they lie in memory.
+_SHARED_OUT = 4
 # Parts of fibre directions whose products are summed, and all that is summed of a group; see `as_met`.
 _PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
 SUMS = 13
@@ -85,7 +88,8 @@ class Groups:
     """The groups of both faces and their moments, in the frame of the face that is seen.
 
     Attributes:
-        per_family: K, ≥ 1.
+        per_family: K, ≥ 1: half of a face's groups.
+        of_warp: how many of a face's groups are the warp's [2].
         centres: what points are compared with [2 faces, 2 K, 6]: half the normal, then the fibre direction.
         hole: share of the plan where neither family is [2].
         normal: of the centre, or the mean of what views meet (`as_met`), shorter than 1 [2, 2 K, 3].
@@ -94,6 +98,7 @@ class Groups:
     """
 
     per_family: int
+    of_warp: NDArray[np.intp]
     centres: NDArray[np.float32]
     hole: NDArray[np.float64]
     normal: NDArray[np.float64]
@@ -113,19 +118,33 @@ class GroupFinder:
         self._types = types
         # CPUs fetch what lies in a row together: two centres at once, as nothing else takes as long. The last
         # one may be far from everything.
-        pairs = -(-groups.per_family // 2)
-        rows = np.full((4, 2 * pairs, _ROW // 2), _NOWHERE, np.float32)
-        rows[:, : groups.per_family, :6] = groups.centres.reshape(4, groups.per_family, 6)
+        families = [
+            part
+            for face, first in zip(groups.centres, groups.of_warp, strict=True)
+            for part in (face[:first], face[first:])
+        ]
+        pairs = [-(-len(part) // 2) for part in families]
+        rows = np.full((sum(pairs), 2, _ROW // 2), _NOWHERE, np.float32)
+        starts = np.cumsum([0, *pairs[:-1]])
+        for part, start in zip(families, starts, strict=True):
+            rows.reshape(-1, _ROW // 2)[2 * start : 2 * start + len(part), :6] = part
         self._centres = uploaded(types.Float, rows)
-        self._pairs = dr.opaque(types.UInt32, pairs)
-        self._per_family = dr.opaque(types.UInt32, groups.per_family)
+        self._starts, self._pairs = (
+            [dr.opaque(types.UInt32, int(number)) for number in numbers] for numbers in (starts, pairs)
+        )
+        self._of_warp = [dr.opaque(types.UInt32, int(number)) for number in groups.of_warp]
         self.holes = dr.opaque(types.UInt32, groups.count)
 
     def group(self, back: Any, is_warp: Any, hole: Any, normal: Any, tangent: Any) -> Any:
         """Number of the nearest group of the family that shows; 2 K in holes: UInt32."""
         types = self._types
         UInt32, Float = types.UInt32, types.Float
-        start = dr.select(back, 2 * self._pairs, 0) + dr.select(is_warp, UInt32(0), self._pairs)
+
+        def of_family(numbers: list[Any]) -> Any:
+            front, behind = (dr.select(is_warp, *pair) for pair in (numbers[:2], numbers[2:]))
+            return dr.select(back, behind, front)
+
+        start, pairs = of_family(self._starts), of_family(self._pairs)
         features = *(_NORMAL_SHARE * normal), *tangent
 
         def compare(step: Any, least: Any, best: Any) -> tuple[Any, Any, Any]:
@@ -143,8 +162,9 @@ class GroupFinder:
 
         nothing = dr.zeros(UInt32, dr.width(normal))
         state = (UInt32(nothing), dr.full(Float, _NOWHERE, dr.width(normal)), UInt32(nothing))
-        best = dr.while_loop(state, lambda step, least, best: step < self._pairs, compare)[2]
-        return dr.select(hole, self.holes, dr.select(is_warp, 0, self._per_family) + best)
+        best = dr.while_loop(state, lambda step, least, best: step < pairs, compare)[2]
+        before = dr.select(is_warp, 0, dr.select(back, self._of_warp[1], self._of_warp[0]))
+        return dr.select(hole, self.holes, before + best)
 
 
 class Places:
@@ -222,33 +242,62 @@ def _plan(cloth: Cloth) -> tuple[Any, ...]:
 
 
 def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups:
-    """Parts the yarns of both faces into `per_family` groups for each family.
+    """Parts the yarns of both faces into groups, 2 `per_family` a face.
 
-    Groups of a family that a face never shows face the eye.
+    Where that is a multiple of 8 the family that is more of what views meet may have more of them, by fours,
+    so that groups are as narrow as can be. Groups of a family that a face never shows face the eye.
 
     Args:
         seen: what views from all around meet, which groups are made for. What dives under other
             yarns is a large part of the plan, and seldom seen.
     """
-    # Groups of no points face the eye, so that nothing is divided by 0.
-    facing = np.array([0, 0, _NORMAL_SHARE, 0, 1, 0], np.float32)
-    centres = np.tile(facing, (4, per_family, 1))
-    for family, (shown, met) in enumerate(zip(points.of_families(), seen.of_families(), strict=True)):
-        if len(shown):
-            learnt = seen.features(met) if len(met) >= _FEWEST_SEEN else points.features(shown)
-            centres[family] = _centres(_some(learnt), per_family)
-    centres = centres.reshape(2, 2 * per_family, -1)
+    shown, met = points.of_families(), seen.of_families()
+    halved = [
+        _Halved(_some(seen.features(some) if len(some) >= _FEWEST_SEEN else points.features(family)))
+        if len(family)
+        else None
+        for family, some in zip(shown, met, strict=True)
+    ]
+    centres = np.empty((2, 2 * per_family, 6), np.float32)
+    of_warp = np.empty(2, np.intp)
+    for face in range(2):
+        own = halved[2 * face : 2 * face + 2]
+        first = _shared_out(own, [len(some) for some in met[2 * face : 2 * face + 2]], per_family)
+        centres[face, :first] = _centres(own[0], first)
+        centres[face, first:] = _centres(own[1], 2 * per_family - first)
+        of_warp[face] = first
     # Until views tell more: fibres about the centre, as far from it in all directions.
     tangent = centres[..., 3:].astype(np.float64)
     left = np.maximum(1 - np.square(tangent).sum(axis=-1), 0)
     return Groups(
         per_family,
+        of_warp,
         centres,
         np.full(2, len(points.gaps) / _POINTS),
         centres[..., :3].astype(np.float64) / _NORMAL_SHARE,
         tangent,
         left[..., None, None] / 3 * np.eye(3),
     )
+
+
+def _shared_out(halved: Sequence[_Halved | None], seen: Sequence[int], per_family: int) -> int:
+    """How many of a face's 2 `per_family` groups the warp has: so that points are nearest to their groups.
+
+    Args:
+        halved: points of warp and weft.
+        seen: how often views meet them.
+    """
+    total = 2 * per_family
+    if total % (2 * _SHARED_OUT) or None in halved:
+        return per_family
+    choices = range(_SHARED_OUT, total, _SHARED_OUT)
+
+    def error(first: int) -> float:
+        parts = zip(halved, seen, (first, total - first), strict=True)
+        return sum(part.error(count) * often for part, often, count in parts if part is not None)
+
+    # In doubt, halves.
+    return min(choices, key=lambda first: (error(first), abs(first - per_family)))
 
 
 def _some(rows: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -288,13 +337,15 @@ def as_met(groups: Groups, sums: NDArray[np.float64]) -> Groups:
     )
 
 
-def _centres(features: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Means of `count` groups of points [n, features]: a few steps of k-means from `_halved_centres`.
+def _centres(halved: _Halved | None, count: int) -> NDArray[np.float64]:
+    """Means of `count` groups of points [count, features]: a few steps of k-means from halves.
 
     Where fewer points differ some groups are one; where a group loses all its points it keeps its place.
+    Groups of no points face the eye, so that nothing is divided by 0.
     """
-    learnt = features.round(_DIGITS)
-    centres = _halved_centres(np.ascontiguousarray(learnt.T), count)
+    if halved is None:
+        return np.tile([0, 0, _NORMAL_SHARE, 0, 1, 0], (count, 1))
+    centres, learnt = halved.centres(count), halved.points
     # With ones beside them, one product each gives distances, and sums together with numbers of points.
     with_ones = np.concatenate([learnt, np.ones((len(learnt), 1))], axis=1)
     turned = np.ascontiguousarray(with_ones.T)
@@ -335,8 +386,8 @@ class _Part:
         return cls(origin + mean, offsets, products, float(products.trace()))
 
 
-def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Means of groups that come of halving the widest, again and again [count, features].
+class _Halved:
+    """Points, and groups that come of halving the widest, again and again.
 
     Widest is whose points have the largest sum of squared distances from their mean. It is parted across its
     longest axis, where both halves are nearest to their means. No step is left to chance: groups found from
@@ -345,24 +396,40 @@ def _halved_centres(points: NDArray[np.float64], count: int) -> NDArray[np.float
     Rays are traced meanwhile, and a matrix library's threads would fight theirs: these products are too small
     for it to start any.
 
-    Args:
-        points: [features, n].
+    Attributes:
+        points: as far as they are told apart [n, features].
     """
-    parts = [_Part.of(points, np.zeros(len(points)))]
-    while len(parts) < count:
-        part = max(parts, key=lambda part: part.error)
-        axis = np.linalg.eigh(part.products)[1][:, -1]
-        along = np.einsum("in,i->n", part.offsets, axis)
-        beyond = along > _between(along)
-        halves = [side.nonzero()[0] for side in (~beyond, beyond)]
-        if not all(map(len, halves)):
-            # All points are one.
-            parts += [part] * (count - len(parts))
-            break
-        near, far = (_Part.of(part.offsets.take(half, axis=1), part.centre) for half in halves)
-        parts[parts.index(part)] = near
-        parts.append(far)
-    return np.array([part.centre for part in parts])
+
+    def __init__(self, features: NDArray[np.float64]) -> None:
+        self.points = features.round(_DIGITS)
+        turned = np.ascontiguousarray(self.points.T)
+        # The parts there are of any number of groups.
+        self._steps = [[_Part.of(turned, np.zeros(len(turned)))]]
+
+    def centres(self, count: int) -> NDArray[np.float64]:
+        """Means of so many groups [count, features]; where fewer points differ some are one."""
+        found = np.array([part.centre for part in self._parts(count)])
+        return np.concatenate([found, np.repeat(found[:1], count - len(found), axis=0)])
+
+    def error(self, count: int) -> float:
+        """Mean squared distance of points from the middle of their one of so many groups."""
+        return sum(part.error for part in self._parts(count)) / len(self.points)
+
+    def _parts(self, count: int) -> list[_Part]:
+        """Parts of so many groups, or fewer where no more points differ."""
+        while len(self._steps) < count:
+            parts = self._steps[-1]
+            part = max(parts, key=lambda part: part.error)
+            axis = np.linalg.eigh(part.products)[1][:, -1]
+            along = np.einsum("in,i->n", part.offsets, axis)
+            beyond = along > _between(along)
+            halves = [side.nonzero()[0] for side in (~beyond, beyond)]
+            if not all(map(len, halves)):
+                # All points are one.
+                return parts
+            near, far = (_Part.of(part.offsets.take(half, axis=1), part.centre) for half in halves)
+            self._steps.append([near if other is part else other for other in parts] + [far])
+        return self._steps[count - 1]
 
 
 def _between(along: NDArray[np.float64]) -> float:

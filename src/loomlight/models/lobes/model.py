@@ -87,7 +87,7 @@ class LobesModel(Model):
 
     @classmethod
     def for_fabric(cls, fabric: Fabric, groups: int = DEFAULT_GROUPS) -> Self:
-        """The model of a fabric with so many groups of each family, 1 to 64.
+        """The model of a fabric with so many groups of each family, 1 to 64, on average; see `find_groups`.
 
         Raises:
             InputError: fewer or more groups.
@@ -393,7 +393,7 @@ class LobesModel(Model):
 
 
 def tables_of(fabric: Fabric, groups: int) -> LobeTables:
-    """Bakes the tables of a fabric with so many groups of each family, 1 to 64.
+    """Bakes the tables of a fabric with so many groups of each family, 1 to 64, on average.
 
     Raises:
         InputError: fewer or more groups.

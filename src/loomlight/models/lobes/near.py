@@ -40,9 +40,9 @@ _PLACES = (
     (0.1071, 0.3288),
 )
 # Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
-# this coarsely: up to 1 % of error against the finest search; with 3 refinements 2 %, in 3 % less time.
+# this coarsely: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within 1/20.
 _FINEST, _COARSEST = 1 / 32, 1 / 8
-_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=4)
+_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=1)
 
 
 def points_of(size: Any, far_share: Any, samples: Any) -> Any:
@@ -73,7 +73,7 @@ def searched_for(model: PointModel, size: Any) -> PointModel:
         steps,
         steps,
         shadow_share=between(_COARSE.shadow_share, DEFAULT_QUALITY.shadow_share),
-        refinements=types.UInt32(between(_COARSE.refinements, DEFAULT_QUALITY.refinements)),
+        refinements=types.UInt32(between(_COARSE.refinements, DEFAULT_QUALITY.refinements) + 0.5),
     )
     return searched
 

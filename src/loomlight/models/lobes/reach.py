@@ -47,7 +47,7 @@ _FIRST_RAYS = 32
 _MOMENTS_FROM = 4
 # Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
 _UNITS = 1 << 15
-_QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=0.6, refinements=4)
+_QUALITY = SearchQuality(steps_per_thread=4, steps_per_relief=4, shadow_share=0.6, refinements=1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +140,7 @@ def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRa
 
     Args:
         points: of the plan, whose gaps rays go through.
-        per_family: groups of each family that rays shall tell of.
+        per_family: groups of each family that rays shall tell of, on average.
     """
     Float, UInt32 = cloth.value.types.Float, cloth.value.types.UInt32
     rays = rays_of(per_family)

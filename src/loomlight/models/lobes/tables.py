@@ -49,6 +49,7 @@ class LobeTables:
         moments: [2, 4·words, 12] of each group: mean normal, weight of (coverage byte)·(seen byte)², mean
             fibre direction, and xx, yy, xy, xz, yz of its covariance, whose trace is 1 − |mean|².
         hole_weight: the weight of holes [2].
+        warp_words: how many words of each face, the first ones, are the warp's [2].
     """
 
     size: float
@@ -58,6 +59,7 @@ class LobeTables:
     lit: NDArray[np.uint8]
     moments: NDArray[np.float32]
     hole_weight: NDArray[np.float32]
+    warp_words: NDArray[np.int64]
 
     @property
     def words(self) -> int:
@@ -81,7 +83,7 @@ def bake_tables(
 
     Args:
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
-        per_family: groups of each family.
+        per_family: groups of each family, on average.
         float_type: the Dr.Jit Float type to compute with.
     """
     cloth = cloth_of(geometry, float_type)
@@ -98,7 +100,14 @@ def bake_tables(
     seen, seen_scale = _seen(reach, per_family)
     moments, hole_weight = _moments(groups_met(found), coverage, seen_scale)
     return LobeTables(
-        coverage.size, coverage.levels, coverage.bytes, seen, _lit(reach, per_family), moments, hole_weight
+        coverage.size,
+        coverage.levels,
+        coverage.bytes,
+        seen,
+        _lit(reach, per_family),
+        moments,
+        hole_weight,
+        _warp_words(groups),
     )
 
 
@@ -112,9 +121,15 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
     if moments.shape[1] % 8 or not moments.size:
         raise InputError(
             f"{loom.source}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
-            "whole words of four, as many of the weft as of the warp."
+            "whole words of four, and an even number of them."
         )
     words = moments.shape[1] // 4
+    warp_words = loom.tensor("warp_words", (2,), np.int64)
+    if not ((warp_words >= 0) & (warp_words <= words)).all():
+        raise InputError(
+            f"{loom.source}: the tensor model.warp_words is {warp_words.tolist()}: it should be 0 to "
+            f"{words} each, the words of four groups that there are."
+        )
     levels = loom.tensor("levels", (None, 3), np.int64)
     sizes = levels[:, 1] * levels[:, 2]
     consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
@@ -131,7 +146,15 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
         loom.tensor("lit", (2, 2, NODES, 8 * words), np.uint8),
         moments,
         loom.tensor("hole_weight", (2,), np.float32),
+        warp_words,
     )
+
+
+def _warp_words(groups: Groups) -> NDArray[np.int64]:
+    """Words of the warp of each face: half of them, or as groups are shared out, which is by words."""
+    half = words_of(groups.per_family) // 2
+    halves = groups.of_warp == groups.per_family
+    return np.where(halves, half, groups.of_warp // 4).astype(np.int64)
 
 
 def _seen(reach: Reach, per_family: int) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:

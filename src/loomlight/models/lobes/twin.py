@@ -8,9 +8,9 @@ For a view v, a light l, their half vector h and a footprint, with bytes interpo
 
     weight of a group     w = coverage·seen²·unit
     hole                  the same for holes, at most 1
-    lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ
-    diffuse               (1 − hole)·Σ w·irradiance·V/reached / Σ w
-    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w            f: `layer_value`
+    lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ, at least 0
+    diffuse               (1 − hole)·Σ w·irradiance·V/reached / Σ w    with one κ
+    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w            with another; f: `layer_value`
 """
 
 from __future__ import annotations
@@ -24,7 +24,18 @@ from numpy.typing import NDArray
 from loomlight.models.interface import Response
 from loomlight.models.lobes.bytes import UNITS
 from loomlight.models.lobes.coverage import CLOSEST, PLACES, SQUARE_SHARE, TENT
-from loomlight.models.lobes.density import NARROWEST, SMALLEST_COSINE, SMALLEST_PATH, SMALLEST_STEEPNESS
+from loomlight.models.lobes.density import (
+    LESS_BY_SPREAD,
+    NARROWEST,
+    SMALLEST_COSINE,
+    SMALLEST_PATH,
+    SMALLEST_STEEPNESS,
+)
+from loomlight.models.lobes.estimate import (
+    DIFFUSE_CORRELATION,
+    SPECULAR_CORRELATION,
+    THROUGH_CORRELATION,
+)
 from loomlight.models.lobes.hemisphere import AZIMUTHS, LOWEST, RINGS
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
 from loomlight.models.lobes.tables import LobeTables
@@ -128,7 +139,8 @@ class LobesTwin:
         self.repeat = repeat
         self.optical_depth = optical_depth
         self.diffuse_blend = diffuse_blend
-        self.is_warp = np.arange(4 * tables.words) < 2 * tables.words
+        # Of each face [2, G].
+        self.is_warp = np.arange(4 * tables.words) < 4 * tables.warp_words[:, None]
         self.roughness = np.where(self.is_warp, *roughness)
 
     def response(self, light: Numbers, view: Numbers, footprint: Parallelogram) -> Response:
@@ -145,24 +157,25 @@ class LobesTwin:
 
         row = direction_nodes(light).of(self.tables.lit[int(back), int(beyond)])
         irradiance, reached = np.split(row * _PER_BYTE, 2)
-        correlation = 0.0 if beyond else azimuth_correlation(light, view)
+        correlations = shadow_correlation(light, view, beyond)
         # V + κ(min(1, V/V_view) − V), divided by V.
         most = np.maximum(np.maximum(reached, weights.reached), _PER_BYTE)
-        raised = 1 + correlation * (1 / most - 1)
+        more_diffuse, more = (np.maximum(1 + part * (1 / most - 1), 0) for part in correlations)
 
-        diffuse = weights.groups * irradiance / math.pi * raised
+        diffuse = weights.groups * irradiance / math.pi * more_diffuse
         specular = (
             weights.groups
             * reached
-            * raised
+            * more
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
+        is_warp = self.is_warp[int(back)]
         total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
         return Response(
-            diffuse_warp=float(diffuse[self.is_warp].sum() / total),
-            diffuse_weft=float(diffuse[~self.is_warp].sum() / total),
-            specular_warp=float(specular[self.is_warp].sum() / total),
-            specular_weft=float(specular[~self.is_warp].sum() / total),
+            diffuse_warp=float(diffuse[is_warp].sum() / total),
+            diffuse_weft=float(diffuse[~is_warp].sum() / total),
+            specular_warp=float(specular[is_warp].sum() / total),
+            specular_weft=float(specular[~is_warp].sum() / total),
             hole=weights.hole,
         )
 
@@ -183,7 +196,7 @@ class LobesTwin:
         groups = self.groups(back)
         weights = self.weights(view, footprint, back)
         specular, reflect, transmit = (
-            np.where(self.is_warp, *(getattr(family, name) for family in energies))
+            np.where(self.is_warp[int(back)], *(getattr(family, name) for family in energies))
             for name in ("specular", "reflect", "transmit")
         )
         # The group as one fibre: along its mean direction, wider by its spread.
@@ -222,7 +235,7 @@ class LobesTwin:
         # Fibre directions are unit vectors: |mean|² and the trace of their covariance add up to 1.
         zz = 1 - (tangent**2).sum(axis=1) - xx - yy
         covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).transpose(2, 0, 1)
-        return GroupMoments(normal, tangent, covariance, unit, self.roughness)
+        return GroupMoments(normal, tangent, covariance, unit, self.roughness[int(back)])
 
     def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
         """Nine nodes that count alike, three along each edge of a footprint.
@@ -274,10 +287,15 @@ def direction_nodes(direction: Numbers) -> Nodes:
     return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - out, out]).ravel())
 
 
-def azimuth_correlation(light: Numbers, view: Numbers) -> float:
-    """κ = max(cos Δφ, 0): 1 where light and view come from one azimuth, 0 from 90° apart on."""
-    together = float(light[:2] @ view[:2])
-    return max(together, 0.0) / max(float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2])), 1e-6)
+def shadow_correlation(light: Numbers, view: Numbers, beyond: bool) -> tuple[float, float]:
+    """κ of diffuse and specular terms: how far what light and view reach is the same."""
+    lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
+    cosine = float(light[:2] @ view[:2]) / max(lengths, 1e-6)
+    if beyond:
+        through = THROUGH_CORRELATION[0] + THROUGH_CORRELATION[1] * cosine
+        return through, through
+    diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
+    return min(diffuse, 1.0), SPECULAR_CORRELATION
 
 
 def half_vector(light: Numbers, view: Numbers) -> Numbers:
@@ -333,7 +351,8 @@ def layer_value(
     path = np.maximum(path, SMALLEST_PATH)
     passed = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if beyond else 1.0
     attenuation = passed * -np.expm1(-optical_depth * path) / path
-    return np.asarray(mean_density(half, groups) * attenuation / (4 * cos_view))
+    less = 0 if beyond else LESS_BY_SPREAD * (1 - (groups.normal**2).sum(axis=1))
+    return np.asarray(mean_density(half, groups) * attenuation * (1 - less) / (4 * cos_view))
 
 
 def _variance(groups: GroupMoments, direction: Numbers) -> Numbers:

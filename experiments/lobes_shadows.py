@@ -1,0 +1,200 @@
+"""How far what light reaches of a group is what the view reaches: the numbers of `models/lobes/estimate.py`.
+
+    python experiments/lobes_shadows.py [--fabrics 40] [--output experiments/results/lobes_shadows.json]
+
+Of fabrics drawn at random (as `woven` is trained on, with another seed) and random pairs of directions,
+rays tell the components over a whole repeat; groups say a + κ b, a where light and view reach points
+independently, b what full correlation adds. For diffuse and specular terms, on one side of the cloth and
+through it, are told: nMAE and bias without correlation and with the one that ships, and the least-squares
+fit of κ = k₀ + k₁ cos Δφ, by itself and after a factor for all; each fabric's mean counts as 1.
+"""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Float, UInt32
+from numpy.typing import NDArray
+
+from loomlight.aggregate.components import lobes
+from loomlight.core.backend import array_types
+from loomlight.core.llvm import require_llvm
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.twin import (
+    LobesTwin,
+    Parallelogram,
+    direction_nodes,
+    half_vector,
+    layer_value,
+    on_seen_face,
+    shadow_correlation,
+)
+from loomlight.models.woven.config import DataTable
+from loomlight.models.woven.pool import pool_fabric
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.visibility import SearchQuality
+
+PAIRS, POINTS, SEED = 400, 4096, 77
+TERMS = "diffuse", "specular"
+SIDES = "reflection", "transmission"
+_QUALITY = SearchQuality(10, 10)
+_GRAZING = 0.1
+_PER_BYTE = 1 / 255
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Pairs:
+    """Components of one fabric for pairs of directions.
+
+    Attributes:
+        truth: from rays [2 terms, pairs].
+        apart: of each group, where light and view reach points independently [2, pairs, groups].
+        more: 1/most − 1 of each group, which κ is multiplied with [pairs, groups].
+        cosine: of the angle between azimuths [pairs, 1].
+        shipped: κ as the model has it [2, pairs, 1].
+    """
+
+    truth: Floats
+    apart: Floats
+    more: Floats
+    cosine: Floats
+    shipped: Floats
+
+    def sums(self, term: int, raised: Any = 1.0) -> Floats:
+        """Over groups [pairs]."""
+        return np.asarray((self.apart[term] * raised).sum(axis=1))
+
+
+def directions(rng: np.random.Generator) -> Floats:
+    """Unit vectors [PAIRS, 3], the second half of them below the cloth."""
+    z = rng.uniform(_GRAZING, 1, PAIRS)
+    azimuth = rng.uniform(0, 2 * np.pi, PAIRS)
+    radius = np.sqrt(1 - z**2)
+    z[PAIRS // 2 :] *= -1
+    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
+
+
+def truth(fabric: Fabric, lights: Floats, views: Floats) -> Floats:
+    """Diffuse and specular means over a repeat [2, pairs], 1/sr."""
+    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), _QUALITY)
+    lane = dr.arange(UInt32, PAIRS * POINTS)
+    pair = lane // POINTS
+    number = np.arange(POINTS)
+    # Even over the square (Roberts 2018).
+    turns = [number * share % 1 for share in (0.7548776662466927, 0.5698402909980532)]
+    x, y = (
+        dr.gather(Float, Float((turn * side).astype(np.float32)), lane - pair * POINTS)
+        for turn, side in zip(turns, fabric.layout().size, strict=True)
+    )
+
+    def spread(vectors: Floats) -> Any:
+        parts = (Float(np.ascontiguousarray(part, dtype=np.float32)) for part in vectors.T)
+        return array_types(Float).Vector3(*(dr.gather(Float, part, pair) for part in parts))
+
+    light, view = spread(lights), spread(views)
+    point = model.locate(x, y, view)
+    lit = model.visibility(point, light) & ~point.hole
+    terms = [dr.select(lit, term, 0) for term in lobes(model.appearance, point, light, view)]
+    return np.stack([term.numpy().reshape(PAIRS, POINTS).mean(axis=1) for term in terms])
+
+
+def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
+    """Random pairs on one side of the cloth, or through it."""
+    rng = np.random.default_rng(seed)
+    views, lights = directions(rng), directions(rng)
+    if through:
+        lights[:, 2] *= -1
+    tables = LobesModel.for_fabric(fabric).tables
+    appearance, size = fabric.appearance(), fabric.layout().size
+    roughness = appearance.warp.roughness, appearance.weft.roughness
+    twin = LobesTwin(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)
+    # So large that the whole repeat counts alike.
+    everything = Parallelogram(np.zeros(2), np.array([100 * size[0], 0]), np.array([0, 100 * size[1]]))
+    apart, more, cosine, shipped = [], [], [], []
+    for given_light, given_view in zip(lights, views, strict=True):
+        back, light, view = on_seen_face(given_light, given_view)
+        groups, weights = twin.groups(back), twin.weights(view, everything, back)
+        row = direction_nodes(light).of(tables.lit[int(back), int(through)]) * _PER_BYTE
+        irradiance, reached = np.split(row, 2)
+        shares = weights.groups / weights.groups.sum() * (1 - weights.hole)
+        value = layer_value(half_vector(light, view), light, view, groups, appearance.optical_depth)
+        apart.append([shares * irradiance / np.pi, shares * reached * value])
+        more.append(1 / np.maximum(np.maximum(reached, weights.reached), _PER_BYTE) - 1)
+        lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
+        cosine.append([float(light[:2] @ view[:2]) / max(lengths, 1e-6)])
+        shipped.append(shadow_correlation(light, view, through))
+    return Pairs(
+        truth(fabric, lights, views),
+        np.array(apart).swapaxes(0, 1),
+        np.array(more),
+        np.array(cosine),
+        np.array(shipped).T[..., None],
+    )
+
+
+def fitted(found: list[Pairs], term: int, with_factor: bool) -> list[float]:
+    """Least squares of a factor less one, if wanted, and of k₀ and k₁."""
+    products, sums = 0.0, 0.0
+    for pairs in found:
+        ways = [pairs.more, pairs.more * pairs.cosine]
+        if with_factor:
+            ways.insert(0, np.ones_like(pairs.more))
+        scale = pairs.truth[term].mean()
+        basis = np.stack([pairs.sums(term, way) for way in ways]) / scale
+        left = (pairs.truth[term] - pairs.sums(term)) / scale
+        products, sums = products + basis @ basis.T, sums + basis @ left
+    return [round(float(number), 3) for number in np.linalg.solve(products, sums)]
+
+
+def errors(found: list[Pairs], term: int, shipped: bool) -> dict[str, float]:
+    """Means over fabrics of nMAE and bias."""
+    rows = []
+    for pairs in found:
+        raised = np.maximum(1 + pairs.shipped[term] * pairs.more, 0) if shipped else 1.0
+        off, total = pairs.sums(term, raised) - pairs.truth[term], pairs.truth[term].sum()
+        rows.append((np.abs(off).sum() / total, off.sum() / total))
+    nmae, bias = np.mean(rows, axis=0)
+    return {"nmae": round(float(nmae), 4), "bias": round(float(bias), 4)}
+
+
+def main() -> None:
+    """Measures, fits and prints."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--fabrics", type=int, default=40)
+    parser.add_argument("--output", type=Path, default=None)
+    arguments = parser.parse_args()
+    require_llvm()
+    table = DataTable(seed=SEED)
+    found: dict[str, list[Pairs]] = {side: [] for side in SIDES}
+    for number in range(arguments.fabrics):
+        fabric = pool_fabric(table, number)
+        for through, side in enumerate(SIDES):
+            found[side].append(measured(fabric, bool(through), number))
+    command = f"python experiments/lobes_shadows.py --fabrics {arguments.fabrics}"
+    result: dict[str, Any] = dict(provenance(command, Path(__file__).parent))
+    for side in SIDES:
+        for number, term in enumerate(TERMS):
+            result[f"{term} {side}"] = {
+                "independent": errors(found[side], number, shipped=False),
+                "shipped": errors(found[side], number, shipped=True),
+                "fit": fitted(found[side], number, with_factor=False),
+                "fit_after_factor": fitted(found[side], number, with_factor=True),
+            }
+            print(f"{term} {side}", result[f"{term} {side}"], flush=True)
+    if arguments.output is not None:
+        write_json(arguments.output, result, digits=None)
+
+
+if __name__ == "__main__":
+    main()
