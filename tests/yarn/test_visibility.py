@@ -16,6 +16,7 @@ from loomlight.yarn.layout import ClothLayout
 from loomlight.yarn.visibility import (
     DEFAULT_QUALITY,
     REFERENCE_QUALITY,
+    Hit,
     SearchQuality,
     first_hit,
     horizon,
@@ -208,6 +209,30 @@ def test_finer_searches_change_next_to_nothing() -> None:
     coarse, default, reference = results
     assert (default != reference).mean() < 0.002
     assert (default != reference).mean() < (coarse != reference).mean()
+
+
+@pytest.mark.parametrize("draft", [PLAIN, SATIN], ids=["plain", "satin"])
+def test_two_looks_find_hits_as_twenty_do(draft: np.ndarray) -> None:
+    """On one yarn cubics and Newton's steps; walls are met right behind outlines, a 200th of a step."""
+    geometry = YarnGeometry(even_layout(draft))
+    rng = np.random.default_rng(8)
+    x, y = (mi.Float(rng.uniform(0, side, COUNT)) for side in geometry.size)
+    view, front = _directions(rng, 8, COUNT), dr.full(mi.Bool, False, COUNT)
+    twenty, two, none = (
+        first_hit(geometry, x, y, view, front, quality=SearchQuality(refinements=looks))
+        for looks in (20, 2, 0)
+    )
+    met = ~twenty.hole.numpy()
+
+    def apart(hit: Hit) -> np.ndarray:
+        distance = np.hypot((hit.x - twenty.x).numpy(), (hit.y - twenty.y).numpy())
+        return np.sort(distance[met] / min(geometry.finest))
+
+    share = int(0.99 * met.sum())
+    assert apart(two)[share // 2] < 1e-5
+    assert apart(two)[share] < 5e-3
+    # The cubic by itself is much less near, yet within a fifth of a step for all but 1 in 100.
+    assert 5e-3 < apart(none)[share] < 0.1
 
 
 @pytest.mark.parametrize("gap", [0.2, 0.5])

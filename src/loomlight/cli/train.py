@@ -53,13 +53,15 @@ class _Lines:
     def __init__(self, title: str) -> None:
         self._title = title
         self._begun: tuple[float, int] | None = None
+        self._last = 0
         self._said = 0.0
 
     def __call__(self, done: int, total: int, loss: float | None = None) -> None:
         now = time.monotonic()
-        if self._begun is None or done < self._begun[1]:
+        if self._begun is None or done < self._last:
             # What an earlier run did says nothing about the speed of this one, nor one phase about the next.
             self._begun = now, done
+        self._last = done
         if done < total and now - self._said < _LINE_EVERY:
             return
         self._said = now
