@@ -288,3 +288,15 @@ def test_horizon_map_agrees_with_the_search() -> None:
         # 16 azimuths and 64 texels a thread: what disagrees lies at shadow edges, and cancels on average.
         assert (tabulated == searched).mean() > 0.965
         assert abs(tabulated.mean() - searched.mean()) < 0.02
+
+
+@pytest.mark.parametrize("odd", [math.nan, math.inf, -math.inf, 1e30, -1e30])
+def test_odd_places_harm_no_other_ray(odd: float) -> None:
+    """Meshes may come with any uv: what is asked there has no answer, but reads no memory of others."""
+    geometry = YarnGeometry(even_layout(TWILL))
+    front = dr.full(mi.Bool, False, 3)
+    x, y = mi.Float([0.1, odd, 0.7]), mi.Float([0.2, 0.3, odd])
+    view = mi.Vector3f(0.3, 0.1, 0.9)
+    found = first_hit(geometry, x, y, view, front)
+    alone = first_hit(geometry, mi.Float(0.1), mi.Float(0.2), view, mi.Bool(False))
+    np.testing.assert_allclose(found.x.numpy()[0], alone.x.numpy()[0], rtol=1e-6)

@@ -13,7 +13,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, smaller, uploaded
+from loomlight.core.backend import ArrayTypes, clipped, smaller, uploaded
 from loomlight.yarn.threads import FamilyTables
 
 
@@ -71,6 +71,7 @@ class UniformFamily:
 
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
         self.count = Count(tables.lower.size, types)
+        self._last = dr.opaque(types.Float, tables.lower.size - 1)
         size = float(tables.upper[0] - tables.lower[0])
         self.size = dr.opaque(types.Float, size)
         self.inverse_size = dr.opaque(types.Float, 1 / size)
@@ -87,7 +88,8 @@ class UniformFamily:
         cells = position * self.inverse_size
         whole = dr.floor(cells)
         below = dr.fma(-whole, self.size, position)
-        number = self.count.divide(whole)[1]
+        # Whatever comes in, there is such a thread: positions that are no number would read any memory.
+        number = clipped(self.count.divide(whole)[1], 0, self._last)
         return Cell(
             self._types.UInt32(number),
             number,
