@@ -93,6 +93,7 @@ def _compares(first: Any, second: Any) -> bool:
 # What formulas that are machine code too (`lane_code.Code`) call functions of Dr.Jit's arrays by.
 DRJIT: Any = SimpleNamespace(
     abs=dr.abs,
+    asin=dr.asin,
     atan2=dr.atan2,
     clip=clipped,
     exp=dr.exp,
@@ -104,6 +105,7 @@ DRJIT: Any = SimpleNamespace(
     rcp=dr.rcp,
     rsqrt=dr.rsqrt,
     select=dr.select,
+    sincos=dr.sincos,
     sqrt=dr.sqrt,
     square=dr.square,
 )

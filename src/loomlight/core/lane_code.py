@@ -11,20 +11,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from llvmlite import ir
 from numpy.polynomial import Chebyshev, Polynomial
+from numpy.typing import NDArray
 
-FLOAT, BYTE, WHOLE, INDEX = ir.FloatType(), ir.IntType(8), ir.IntType(32), ir.IntType(64)
+FLOAT, BYTE, WHOLE, INDEX, TRUTH = ir.FloatType(), *(ir.IntType(bits) for bits in (8, 32, 64, 1))
 _BYTES = 64  # of a line of the cache, which rows begin with
 # Degrees that leave errors of single precision.
-_LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE, _ARC_TANGENT_DEGREE = 9, 7, 9
+_LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE, _ARC_TANGENT_DEGREE, _SINE_DEGREE = 9, 7, 9, 5
 # ln 2 as a number of few digits and a rest, so that a multiple of it can be taken away exactly.
 _LN2 = 0.693359375, math.log(2) - 0.693359375
+_PI = 3.140625, math.pi - 3.140625
 
 
 # What LLVM may do: fuse a product and a sum; for a quotient of finite numbers, take an estimate of the
@@ -61,50 +63,83 @@ class Vectors:
 
 
 class Lanes:
-    """A number for each lane, or what is true in which. Divisors must not be 0."""
+    """A number for each lane, or a whole one, or what is true in which. Divisors must not be 0.
 
-    __slots__ = ("_code", "value")
+    Whole numbers have 32 bits and a sign, but shifts to the right let zeros in. Numbers of Python's become of
+    the kind of what they meet.
+    """
 
-    def __init__(self, code: Code, value: ir.Value) -> None:
-        self._code, self.value = code, value
+    __slots__ = ("_value", "code")
 
-    def _with(self, other: Any, operation: str, turned: bool = False) -> Lanes:
-        pair = self.value, self._code.number(other).value
+    def __init__(self, code: Code, value: Any) -> None:
+        self.code, self._value = code, value
+
+    @property
+    def value(self) -> ir.Value:
+        """What LLVM has it as."""
+        return self._value
+
+    @property
+    def kind(self) -> ir.Type:
+        """FLOAT, WHOLE or TRUTH."""
+        return self.value.type.element
+
+    def _with(self, other: Any, operations: dict[ir.Type, str], turned: bool = False) -> Lanes:
+        own = self.value
+        kind = own.type.element
+        pair = own, self.code.constant(other, kind)
         first, second = reversed(pair) if turned else pair
-        write = getattr(self._code.builder, operation)
-        return Lanes(self._code, write(first, second, flags=_FREEDOMS.get(operation, ["contract"])))
+        operation = operations[kind]
+        write = getattr(self.code.builder, operation)
+        if kind != FLOAT:
+            return Lanes(self.code, write(first, second))
+        return Lanes(self.code, write(first, second, flags=_FREEDOMS.get(operation, ["contract"])))
 
     def __add__(self, other: Any) -> Lanes:
-        return self._with(other, "fadd")
+        return self._with(other, {FLOAT: "fadd", WHOLE: "add"})
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> Lanes:
-        return self._with(other, "fsub")
+        return self._with(other, {FLOAT: "fsub", WHOLE: "sub"})
 
     def __rsub__(self, other: Any) -> Lanes:
-        return self._with(other, "fsub", turned=True)
+        return self._with(other, {FLOAT: "fsub", WHOLE: "sub"}, turned=True)
 
-    def __mul__(self, other: Any) -> Lanes:
-        return self._with(other, "fmul")
+    def __mul__(self, other: Any) -> Any:
+        if isinstance(other, Vector):
+            return other * self
+        return self._with(other, {FLOAT: "fmul", WHOLE: "mul"})
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Lanes:
-        return self._with(other, "fdiv")
+        return self._with(other, {FLOAT: "fdiv"})
 
     def __rtruediv__(self, other: Any) -> Lanes:
-        return self._with(other, "fdiv", turned=True)
+        return self._with(other, {FLOAT: "fdiv"}, turned=True)
+
+    def __floordiv__(self, other: Any) -> Lanes:
+        return self._with(other, {WHOLE: "udiv"})
 
     def __neg__(self) -> Lanes:
-        return 0.0 - self
+        return 0 - self
+
+    def __abs__(self) -> Lanes:
+        return self.code.abs(self)
 
     def _compared(self, relation: str, other: Any) -> Lanes:
-        found = self._code.builder.fcmp_ordered(relation, self.value, self._code.number(other).value)
-        return Lanes(self._code, found)
+        own, builder = self.value, self.code.builder
+        second = self.code.constant(other, own.type.element)
+        if own.type.element == FLOAT:
+            return Lanes(self.code, builder.fcmp_ordered(relation, own, second))
+        return Lanes(self.code, builder.icmp_signed(relation, own, second))
 
     def __lt__(self, other: Any) -> Lanes:
         return self._compared("<", other)
+
+    def __le__(self, other: Any) -> Lanes:
+        return self._compared("<=", other)
 
     def __gt__(self, other: Any) -> Lanes:
         return self._compared(">", other)
@@ -112,8 +147,56 @@ class Lanes:
     def __ge__(self, other: Any) -> Lanes:
         return self._compared(">=", other)
 
-    def __and__(self, other: Lanes) -> Lanes:
-        return Lanes(self._code, self._code.builder.and_(self.value, other.value))
+    def __eq__(self, other: Any) -> Any:
+        return self._compared("==", other)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def _bits(self, other: Any, operation: str) -> Lanes:
+        return self._with(other, {WHOLE: operation, TRUTH: operation})
+
+    def __and__(self, other: Any) -> Lanes:
+        return self._bits(other, "and_")
+
+    def __or__(self, other: Any) -> Lanes:
+        return self._bits(other, "or_")
+
+    def __xor__(self, other: Any) -> Lanes:
+        return self._bits(other, "xor")
+
+    __rand__, __ror__, __rxor__ = __and__, __or__, __xor__
+
+    def __invert__(self) -> Lanes:
+        return self ^ (True if self.kind == TRUTH else -1)
+
+    def __rshift__(self, other: Any) -> Lanes:
+        return self._with(other, {WHOLE: "lshr"})
+
+    def __lshift__(self, other: Any) -> Lanes:
+        return self._with(other, {WHOLE: "shl"})
+
+
+class _SharedNumber(Lanes):
+    """A number that all queries share, read where it is used: instructions take it from memory as it is."""
+
+    __slots__ = ()
+
+    @property
+    def value(self) -> ir.Value:
+        return self.code.shared(self.code.array(self._value[0]), self._value[1]).value
+
+
+@dataclass
+class Table:
+    """Numbers that all queries share and look up.
+
+    Attributes:
+        kind: FLOAT or WHOLE.
+        array: which of the code's arrays they are.
+    """
+
+    kind: ir.Type
+    array: int
 
 
 @dataclass
@@ -123,6 +206,88 @@ class Vector:
     x: Any
     y: Any
     z: Any = 0.0
+
+    def __add__(self, other: Vector) -> Vector:
+        return Vector(self.x + other.x, self.y + other.y, self.z + other.z)
+
+    def __sub__(self, other: Vector) -> Vector:
+        return Vector(self.x - other.x, self.y - other.y, self.z - other.z)
+
+    def __neg__(self) -> Vector:
+        return Vector(-self.x, -self.y, -self.z)
+
+    def __mul__(self, factor: Any) -> Vector:
+        return Vector(self.x * factor, self.y * factor, self.z * factor)
+
+    __rmul__ = __mul__
+
+
+@dataclass(frozen=True)
+class LaneKind:
+    """Makes lanes of a kind, and says what `Code.gather` looks up: so many neighbours at once."""
+
+    code: SharedByQueries
+    element: ir.Type
+    count: int = 1
+
+    def __call__(self, value: Any) -> Any:
+        return self.code.converted(value, self.element)
+
+
+class SharedByQueries(Protocol):
+    """What takes numbers and tables that all queries share, in the order in which they are put there."""
+
+    def gather(self, kind: LaneKind, table: Any, index: Any) -> Any:
+        """Elements of a table."""
+
+    def shared_number(self, number: float) -> Any:
+        """The next number."""
+
+    def shared_table(self, values: NDArray[Any], kind: ir.Type) -> Any:
+        """The next table."""
+
+    def converted(self, value: Any, kind: ir.Type) -> Any:
+        """Lanes of a kind."""
+
+
+class LaneTypes:
+    """The kinds of lanes of some code, by the names that `core.backend.ArrayTypes` has for arrays."""
+
+    def __init__(self, code: SharedByQueries) -> None:
+        self.code = code
+        self.Float, self.Bool = LaneKind(code, FLOAT), LaneKind(code, TRUTH)
+        self.UInt32 = self.Int32 = LaneKind(code, WHOLE)
+        self.Vector4 = LaneKind(code, FLOAT, 4)
+        self.Index2, self.Index4 = LaneKind(code, WHOLE, 2), LaneKind(code, WHOLE, 4)
+        self.Vector2 = self.Vector3 = Vector
+
+
+class SharedNumbers:
+    """Numbers and tables that code reads, of one fabric: collected as the code was written."""
+
+    def __init__(self) -> None:
+        self.types = LaneTypes(self)
+        self._numbers: list[float] = []
+        self._tables: list[NDArray[np.float32]] = []
+
+    def shared_number(self, number: float) -> None:
+        """Takes the next number."""
+        self._numbers.append(number)
+
+    def shared_table(self, values: NDArray[Any], kind: ir.Type) -> None:
+        """Takes the next table."""
+        dtype = np.float32 if kind == FLOAT else np.uint32
+        self._tables.append(np.ascontiguousarray(values.ravel(), dtype).view(np.float32))
+
+    def converted(self, value: Any, kind: ir.Type) -> Any:
+        """There are no lanes here."""
+
+    def gather(self, kind: LaneKind, table: Any, index: Any) -> Any:
+        """There are no lanes here."""
+
+    def arrays(self) -> list[NDArray[np.float32]]:
+        """What code finds from its first shared array on."""
+        return [np.array(self._numbers, np.float32), *self._tables]
 
 
 class Rows:
@@ -174,6 +339,8 @@ class Code:
         self._first, self._end, self._addresses = self._function.args
         self.lane: Any = INDEX(0)
         self._block: Any = INDEX(0)
+        self.types = LaneTypes(self)
+        self._first_shared, self._numbers, self._tables = 0, 0, 0
 
     # Where code goes.
 
@@ -249,7 +416,7 @@ class Code:
 
     def array(self, number: Any) -> ir.Value:
         """Where an array begins."""
-        return self.builder.load(self.builder.gep(self._addresses, [self._index(number)]))
+        return self._constant(self.builder.load(self.builder.gep(self._addresses, [self._index(number)])))
 
     def queries(self, number: Any) -> ir.Value:
         """Where the numbers of the vector at hand lie in an array of queries or answers."""
@@ -334,6 +501,163 @@ class Code:
         """An element of an array in all lanes."""
         return self.spread(self.builder.load(self.element(pointer, number)))
 
+    # What all queries share, as formulas for arrays ask for it.
+
+    def shares(self, first: int) -> None:
+        """From this array on lie the numbers and then the tables of `SharedNumbers`."""
+        self._first_shared, self._numbers, self._tables = first, 0, 0
+
+    def shared_number(self, number: float) -> Lanes:
+        """The next number, whatever it is."""
+        del number
+        self._numbers += 1
+        return _SharedNumber(self, (self._first_shared, self._numbers - 1))
+
+    def shared_table(self, values: NDArray[Any], kind: ir.Type) -> Table:
+        """The next table, whatever is in it."""
+        del values
+        self._tables += 1
+        return Table(kind, self._first_shared + self._tables)
+
+    def gather(self, kind: LaneKind, table: Table, index: Lanes) -> Any:
+        """Elements of a table; of a kind that is several numbers a row of them each, as a list."""
+        numbers = [index if kind.count == 1 else index * kind.count + k for k in range(kind.count)]
+        found = [self._gathered(self.array(table.array), number, kind.element) for number in numbers]
+        return found[0] if kind.count == 1 else found
+
+    def _gathered(self, pointer: ir.Value, index: Lanes, kind: ir.Type) -> Lanes:
+        return self.gathered_from(pointer, index, kind)
+
+    def gathered_from(self, pointer: ir.Value, index: Lanes, kind: ir.Type = FLOAT) -> Lanes:
+        """Elements of an array in memory."""
+        vector = self._vector if kind == FLOAT else self._wholes
+        places = self._places(pointer, index)
+        every = self.constant(True, TRUTH)
+        lanes, letter = self.vectors.lanes, "f" if kind == FLOAT else "i"
+        full = f"llvm.masked.gather.v{lanes}{letter}32.v{lanes}p0"
+        function = self._declared(full, vector, [places.type, WHOLE, every.type, vector])
+        nothing = ir.Constant(vector, ir.Undefined)
+        return Lanes(self, self.builder.call(function, [places, WHOLE(4), every, nothing]))
+
+    def scatter_to(self, pointer: ir.Value, index: Lanes, lanes: Lanes, where: Lanes) -> None:
+        """Puts numbers into elements of an array in memory, which must differ."""
+        places = self._places(pointer, index)
+        full = f"llvm.masked.scatter.v{self.vectors.lanes}f32.v{self.vectors.lanes}p0"
+        kinds = [self._vector, places.type, WHOLE, where.value.type]
+        function = self._declared(full, ir.VoidType(), kinds)
+        self.builder.call(function, [lanes.value, places, WHOLE(4), where.value])
+
+    def _places(self, pointer: ir.Value, index: Lanes) -> ir.Value:
+        """Where elements lie: a vector of pointers, which the builder does not know how to make."""
+        made = ir.instructions.GEPInstr(self.builder.block, pointer, [WHOLE(0)], False, "")
+        made.operands = [pointer, index.value]
+        made.indices = [index.value]
+        made.type = ir.VectorType(FLOAT.as_pointer(), self.vectors.lanes)
+        self.builder._insert(made)
+        return made
+
+    def _declared(self, name: str, result: ir.Type, kinds: Sequence[ir.Type]) -> ir.Function:
+        function = self.module.globals.get(name)
+        return function or ir.Function(self.module, ir.FunctionType(result, kinds), name)
+
+    def _constant(self, load: ir.Value) -> ir.Value:
+        """A load of what nothing here changes."""
+        load.set_metadata("invariant.load", self.module.add_metadata([]))
+        return load
+
+    # Lanes together.
+
+    def count_of(self, chosen: Lanes) -> ir.Value:
+        """In how many lanes something is true: an index."""
+        bits = self.builder.bitcast(chosen.value, ir.IntType(self.vectors.lanes))
+        wide = self.builder.zext(bits, INDEX)
+        return self.builder.call(self._declared("llvm.ctpop.i64", INDEX, [INDEX]), [wide])
+
+    def is_anywhere(self, chosen: Lanes) -> ir.Value:
+        """Whether something is true in any lane."""
+        bits = self.builder.bitcast(chosen.value, ir.IntType(self.vectors.lanes))
+        return self.builder.icmp_unsigned("!=", bits, bits.type(0))
+
+    def compress(self, lanes: Lanes, chosen: Lanes, pointer: ir.Value) -> None:
+        """Puts chosen lanes into memory, one after another."""
+        full = f"llvm.masked.compressstore.v{self.vectors.lanes}f32"
+        kinds = [self._vector, FLOAT.as_pointer(), chosen.value.type]
+        function = self._declared(full, ir.VoidType(), kinds)
+        self.builder.call(function, [self.as_floats(lanes).value, pointer, chosen.value])
+
+    def as_floats(self, lanes: Lanes) -> Lanes:
+        """The bits of lanes, told to be floats; what is true becomes 1."""
+        if lanes.kind == TRUTH:
+            return self.select(lanes, 1.0, 0.0)
+        return Lanes(self, self.builder.bitcast(lanes.value, self._vector))
+
+    def as_kind(self, floats: Lanes, kind: ir.Type) -> Lanes:
+        """What `as_floats` was told."""
+        if kind == TRUTH:
+            return floats > 0.5
+        return Lanes(self, self.builder.bitcast(floats.value, self._of_kind(kind)))
+
+    def lanes_below(self, count: ir.Value) -> Lanes:
+        """The first so many lanes."""
+        numbers = self._lanes(list(range(self.vectors.lanes)))
+        whole = self.builder.trunc(count, WHOLE)
+        nowhere = ir.Constant(self._wholes, ir.Undefined)
+        one = self.builder.insert_element(nowhere, whole, WHOLE(0))
+        all_lanes = self.builder.shuffle_vector(one, nowhere, self._lanes([0] * self.vectors.lanes))
+        return Lanes(self, self.builder.icmp_signed("<", numbers, all_lanes))
+
+    # Work that goes on lane by lane, as Dr.Jit has it.
+
+    def while_loop(self, state: Any, condition: Callable[..., Lanes], body: Callable[..., Any]) -> Any:
+        """State, a tuple of trees of lanes, changed by `body` as long as a condition holds, lane by lane."""
+        leaves = [self._as_lanes(leaf) for leaf in leaves_of(state)]
+        before = self.builder.block
+        head, inside, done = (self.builder.append_basic_block(name) for name in ("while", "body", "left"))
+        values = [leaf.value for leaf in leaves]
+        self.builder.branch(head)
+        self.builder.position_at_end(head)
+        held = []
+        for value in values:
+            phi = self.builder.phi(value.type)
+            phi.add_incoming(value, before)
+            held.append(phi)
+        now = with_leaves(state, iter([Lanes(self, phi) for phi in held]))
+        active = condition(*now)
+        self.builder.cbranch(self.is_anywhere(active), inside, done)
+        self.builder.position_at_end(inside)
+        for phi, leaf, old in zip(held, leaves_of(body(*now)), leaves_of(now), strict=True):
+            kept = self._as_lanes(leaf, old.kind)
+            # Shared numbers are read here, not where they are asked for.
+            phi.add_incoming(self.select(active, kept, old).value, self.builder.block)
+        self.builder.branch(head)
+        self.builder.position_at_end(done)
+        return now
+
+    def changed_where(self, active: Lanes, value: Any, change: Callable[[Any], Any]) -> Any:
+        """`change(value)` in active lanes, `value` in others, and no time where there are none."""
+        leaves = [self._as_lanes(leaf) for leaf in leaves_of(value)]
+        values, before = [leaf.value for leaf in leaves], self.builder.block
+        inside, done = (self.builder.append_basic_block(name) for name in ("change", "changed"))
+        self.builder.cbranch(self.is_anywhere(active), inside, done)
+        self.builder.position_at_end(inside)
+        changed = [
+            self.select(active, self._as_lanes(leaf, old.kind), old).value
+            for leaf, old in zip(leaves_of(change(value)), leaves, strict=True)
+        ]
+        last = self.builder.block
+        self.builder.branch(done)
+        self.builder.position_at_end(done)
+        found = []
+        for old, new in zip(values, changed, strict=True):
+            phi = self.builder.phi(old.type)
+            phi.add_incoming(old, before)
+            phi.add_incoming(new, last)
+            found.append(Lanes(self, phi))
+        return with_leaves(value, iter(found))
+
+    def _as_lanes(self, leaf: Any, kind: ir.Type = FLOAT) -> Lanes:
+        return leaf if isinstance(leaf, Lanes) else Lanes(self, self.constant(leaf, kind))
+
     def spread(self, value: ir.Value) -> Lanes:
         """A number in all lanes."""
         nowhere = ir.Constant(self._vector, ir.Undefined)
@@ -371,9 +695,27 @@ class Code:
 
     def number(self, value: Any) -> Lanes:
         """A number of Python's, in all lanes; lanes as they are."""
+        return value if isinstance(value, Lanes) else Lanes(self, self.constant(value, FLOAT))
+
+    def constant(self, value: Any, kind: ir.Type) -> ir.Value:
+        """A number of Python's in all lanes, as LLVM has it; of lanes their value."""
         if isinstance(value, Lanes):
+            return value.value
+        one = float(np.float32(value)) if kind == FLOAT else int(value)
+        return ir.Constant(self._of_kind(kind), [one] * self.vectors.lanes)
+
+    def _of_kind(self, kind: ir.Type) -> ir.Type:
+        return ir.VectorType(kind, self.vectors.lanes)
+
+    def converted(self, value: Any, kind: ir.Type) -> Lanes:
+        """Lanes of a kind: of floats the whole part, of whole numbers the floats that they are."""
+        if not isinstance(value, Lanes):
+            return Lanes(self, self.constant(value, kind))
+        own = value.value
+        if own.type.element == kind:
             return value
-        return Lanes(self, ir.Constant(self._vector, [float(np.float32(value))] * self.vectors.lanes))
+        convert = self.builder.fptosi if kind == WHOLE else self.builder.sitofp
+        return Lanes(self, convert(own, self._of_kind(kind)))
 
     def fma(self, a: Any, b: Any, c: Any) -> Lanes:
         """a b + c, rounded once."""
@@ -409,7 +751,10 @@ class Code:
 
     def select(self, chosen: Lanes, first: Any, second: Any) -> Lanes:
         """One number where something is true, another where it is not."""
-        values = self.number(first).value, self.number(second).value
+        known = next((value.kind for value in (first, second) if isinstance(value, Lanes)), FLOAT)
+        if known == TRUTH:
+            return (chosen & first) | (~chosen & second)
+        values = self.constant(first, known), self.constant(second, known)
         return Lanes(self, self.builder.select(chosen.value, *values))
 
     def maximum(self, first: Any, second: Any) -> Lanes:
@@ -459,6 +804,18 @@ class Code:
         angle = self.select(along > across, 0.5 * math.pi - angle, angle)
         angle = self.select(self.number(x) < 0, math.pi - angle, angle)
         return self.select(self.number(y) < 0, -angle, angle)
+
+    def sincos(self, angle: Any) -> tuple[Lanes, Lanes]:
+        """Sine and cosine of an angle of a few turns at the most."""
+        turns = self.round(angle * (1 / math.pi))
+        rest = self.fma(turns, -_PI[1], self.fma(turns, -_PI[0], angle))
+        odd = turns - 2 * self.floor(0.5 * turns) > 0.5
+        sign, square = self.select(odd, -1.0, 1.0), rest * rest
+        return sign * rest * self._polynomial(_sine(), square), sign * self._polynomial(_cosine(), square)
+
+    def asin(self, value: Any) -> Lanes:
+        """Arc sine of −1 to 1."""
+        return self.atan2(value, self.sqrt(self.maximum(self.fma(-value, value, 1), 0)))
 
     # Numbers of arrays.
 
@@ -514,6 +871,37 @@ def _exponential() -> tuple[float, ...]:
 def _arc_tangent() -> tuple[float, ...]:
     """Of atan(√t)/√t."""
     return _fitted(lambda t: np.arctan(np.sqrt(t)) / np.sqrt(t), 0.0, 1.0, _ARC_TANGENT_DEGREE)
+
+
+@cache
+def _sine() -> tuple[float, ...]:
+    """Of sin(√t)/√t, up to a right angle."""
+    return _fitted(lambda t: np.sinc(np.sqrt(t) / math.pi), 0.0, (0.5 * math.pi) ** 2, _SINE_DEGREE)
+
+
+@cache
+def _cosine() -> tuple[float, ...]:
+    """Of cos √t, up to a right angle."""
+    return _fitted(lambda t: np.cos(np.sqrt(t)), 0.0, (0.5 * math.pi) ** 2, _SINE_DEGREE)
+
+
+def leaves_of(tree: Any) -> list[Any]:
+    """The lanes, and numbers of Python's, of a tree of tuples, lists and dataclasses, one after another."""
+    if isinstance(tree, tuple | list):
+        return [leaf for part in tree for leaf in leaves_of(part)]
+    if is_dataclass(tree):
+        return [leaf for field in fields(tree) for leaf in leaves_of(getattr(tree, field.name))]
+    return [tree]
+
+
+def with_leaves(tree: Any, leaves: Iterator[Any]) -> Any:
+    """A tree like another one, of other lanes."""
+    if isinstance(tree, tuple | list):
+        return type(tree)(with_leaves(part, leaves) for part in tree)
+    if is_dataclass(tree):
+        kind: Any = type(tree)
+        return kind(*(with_leaves(getattr(tree, field.name), leaves) for field in fields(tree)))
+    return next(leaves)
 
 
 def _fitted(function: Callable[[Any], Any], low: float, high: float, degree: int) -> tuple[float, ...]:

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 import drjit as dr
 
 from loomlight.core.backend import array_types
+from loomlight.core.lane_code import Lanes
 
 State = TypeVar("State")
 
@@ -23,6 +24,9 @@ def changed_where(active: Any, value: State, change: Callable[[State], State], l
         change: takes such a tree and returns one of the same kind.
         label: names the loop in kernels.
     """
+    if isinstance(active, Lanes):
+        changed: State = active.code.changed_where(active, value, change)
+        return changed
     types = array_types(dr.float32_array_t(active))
 
     def turn(_: Any, held: State) -> tuple[Any, State]:

@@ -16,7 +16,8 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, array_types, channel_mean, larger
+from loomlight.core.arrays import array_types, detached, dot, select
+from loomlight.core.backend import ArrayTypes, channel_mean, larger
 from loomlight.core.lanes import changed_where
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
@@ -102,6 +103,45 @@ class DirectionSample:
     pdf: Any
     weight: Any
     passes: Any
+
+
+@dataclass
+class ShadowRay:
+    """The way of light to a yarn point, in the frame of the face that it falls on.
+
+    Attributes:
+        height: of the point, millimetres.
+        direction: unit vector [3] to the light.
+        back: Bool, which face that is.
+        searched: Bool, whether anything but the yarn itself could tell that no light arrives.
+    """
+
+    height: Any
+    direction: Any
+    back: Any
+    searched: Any
+
+
+def shadow_ray(surface: Surface, point: YarnPoint, light: Any) -> ShadowRay:
+    """The way of a light [3] to a yarn point.
+
+    Light from the other side reaches the yarn's other surface, so that face's horizon counts.
+    """
+    types = array_types(point.x)
+    facing = on_face(light, point.back)
+    beyond = facing.z < 0
+    # Whether light arrives is a Bool, so nothing is differentiated here.
+    own: tuple[Any, Any] = detached((point.normal, types.Float(point.height)))
+
+    def turned(_: tuple[Any, Any]) -> tuple[Any, Any]:
+        far = surface.surface(point.x, point.y, ~point.back)
+        return detached((far.normal, far.height))
+
+    normal, height = changed_where(beyond, own, turned, "cloth: other side")
+    direction = types.Vector3(facing.x, facing.y, abs(facing.z))
+    # The yarn hides from itself what lies below its tangent plane.
+    searched = ~point.hole & (dot(normal, direction) > 0)
+    return ShadowRay(height, direction, point.back ^ beyond, searched)
 
 
 class _FamilyParameters:
@@ -250,29 +290,15 @@ class PointModel:
         return Albedos(*varied)
 
     def visibility(self, point: YarnPoint, light: Any, active: Any = True) -> Any:
-        """Whether nothing of the cloth hides the light from the point: Bool.
-
-        Light from the other side reaches the yarn's other surface, so that face's horizon counts.
-        """
-        types = array_types(point.x)
-        facing = on_face(light, point.back)
-        beyond = facing.z < 0
-        side = point.back ^ beyond
-        # Whether light arrives is a Bool, so nothing is differentiated here.
-        own: tuple[Any, Any] = dr.detach((types.Vector3(point.normal), types.Float(point.height)))
-
-        def turned(_: tuple[Any, Any]) -> tuple[Any, Any]:
-            far = self.surface.surface(point.x, point.y, ~point.back)
-            return dr.detach(far.normal), dr.detach(far.height)
-
-        normal, height = changed_where(beyond, own, turned, "cloth: other side")
-        direction = types.Vector3(facing.x, facing.y, dr.abs(facing.z))
-        # The yarn hides from itself what lies below its tangent plane.
-        searched = types.Bool(active) & ~point.hole & (dr.dot(normal, direction) > 0)
+        """Whether nothing of the cloth hides the light from the point: Bool."""
+        ray = shadow_ray(self.surface, point, light)
+        searched = ray.searched & active
         if self.horizon is not None:
-            free = self.horizon.unoccluded(point.x, point.y, direction, side) & searched
+            free = self.horizon.unoccluded(point.x, point.y, ray.direction, ray.back) & searched
         else:
-            free = unoccluded(self.surface, point.x, point.y, height, direction, side, searched, self.quality)
+            free = unoccluded(
+                self.surface, point.x, point.y, ray.height, ray.direction, ray.back, searched, self.quality
+            )
         return free | point.hole
 
     def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
@@ -390,5 +416,5 @@ class PointModel:
 
 def on_face(direction: Any, back: Any) -> Any:
     """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
-    z = dr.select(back, -direction.z, direction.z)
+    z = select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)

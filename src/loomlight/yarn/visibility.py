@@ -10,13 +10,24 @@ which rays pass.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-import drjit as dr
-
-from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller
+from loomlight.core.arrays import (
+    array_types,
+    clipped,
+    fma,
+    larger,
+    opaque,
+    rcp,
+    select,
+    sincos,
+    smaller,
+    sqrt,
+    square,
+    while_loop,
+)
+from loomlight.core.backend import ArrayTypes
 from loomlight.core.lanes import changed_where
 from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 
@@ -119,20 +130,20 @@ class _Extent:
     def __init__(self, lengths: tuple[float, float, float, float], types: ArrayTypes) -> None:
         self.lengths = lengths
         fine_x, fine_y, low, high = lengths
-        self.low, self.high = dr.opaque(types.Float, low), dr.opaque(types.Float, high)
-        self.lift = dr.opaque(types.Float, _LIFT * min(fine_x, fine_y))
-        self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
-        self._per_relief = dr.opaque(types.Float, 1 / max(high - low, 1e-6))
+        self.low, self.high = opaque(types.Float, low), opaque(types.Float, high)
+        self.lift = opaque(types.Float, _LIFT * min(fine_x, fine_y))
+        self._per_x, self._per_y = opaque(types.Float, 1 / fine_x), opaque(types.Float, 1 / fine_y)
+        self._per_relief = opaque(types.Float, 1 / max(high - low, 1e-6))
 
     def threads(self, x: Any, y: Any) -> Any:
         """How many of the finest threads a length along x and y (millimetres, any sign) crosses at most."""
-        return larger(dr.abs(x) * self._per_x, dr.abs(y) * self._per_y)
+        return larger(abs(x) * self._per_x, abs(y) * self._per_y)
 
     def steps_per_length(self, quality: SearchQuality, direction: Any) -> Any:
         """Steps per millimetre of ray that the search takes along a unit direction [3]."""
         return larger(
             self.threads(direction.x, direction.y) * quality.steps_per_thread,
-            dr.abs(direction.z) * self._per_relief * quality.steps_per_relief,
+            abs(direction.z) * self._per_relief * quality.steps_per_relief,
         )
 
 
@@ -160,12 +171,12 @@ def _roof(surface: Surface, extent: _Extent, x: Any, y: Any, height: Any, direct
     roof = extent.high
     for radius, share in surface.roofs(x, y, back, direction.x > 0, direction.y > 0):
         reached = (roof - height) * threads <= radius
-        roof = dr.select(reached, smaller(roof, share * extent.high), roof)
+        roof = select(reached, smaller(roof, share * extent.high), roof)
     return roof
 
 
 @dataclass
-class _Trail:
+class Trail:
     """The last sample of a ray: its clearance (1e9 in a hole), the rate of that, and whether dips may follow.
 
     A cubic through it and the next sample finds where rays dip into a yarn's back between the two; without
@@ -183,17 +194,17 @@ class _Trail:
         falls = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
         fall, rise = self.rate * step, rate * step
         # The cubic stays between its ends and Bézier's two points, which few samples have below the yarn.
-        may_dip = falls & ((dr.fma(3, self.clearance, fall) < 0) | (dr.fma(3, clearance, -rise) < 0))
+        may_dip = falls & ((fma(3, self.clearance, fall) < 0) | (fma(3, clearance, -rise) < 0))
 
         def look(_: tuple[Any, Any]) -> tuple[Any, Any]:
             # Where the cubic's rate, a parabola over the step, turns from falling to rising.
             gain = clearance - self.clearance
-            square, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
-            root = dr.sqrt(larger(dr.fma(linear, linear, -4 * square * fall), 0))
+            bend, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
+            root = sqrt(larger(fma(linear, linear, -4 * bend * fall), 0))
             share = -2 * fall / larger(linear + root, 1e-20)
             rest = 1 - share
-            start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
-            end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
+            start = (self.clearance * fma(2, share, 1) + fall * share) * square(rest)
+            end = (clearance * fma(2, rest, 1) - rise * rest) * square(share)
             # A share of the interval that leads no further has been looked at.
             inside = (share > _NARROWEST) & (rest > _NARROWEST)
             return inside & (start + end < 0), rest * step
@@ -201,22 +212,22 @@ class _Trail:
         # The next sample would wait for a root and a quotient, a third of what one takes.
         return changed_where(may_dip, (types.Bool(False), types.Float(0)), look, "cloth: dip")
 
-    def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> _Trail:
+    def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> Trail:
         """The trail after a sample, or this one where it `stays`.
 
         Nothing comes between over leaps, which are too long for a cubic to tell.
         """
-        return _Trail(
-            dr.select(stays, self.clearance, dr.select(here.hole, 1e9, clearance)),
-            dr.select(stays, self.rate, rate),
-            dr.select(stays, self.yarn, here.yarn),
-            dr.select(stays, self.known, ~here.hole & ~leaps),
+        return Trail(
+            select(stays, self.clearance, select(here.hole, 1e9, clearance)),
+            select(stays, self.rate, rate),
+            select(stays, self.yarn, here.yarn),
+            select(stays, self.known, ~here.hole & ~leaps),
         )
 
 
-def _no_trail(types: ArrayTypes, like: Any) -> _Trail:
+def _no_trail(types: ArrayTypes, like: Any) -> Trail:
     zero = types.Float(0 * like)
-    return _Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
+    return Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
 
 
 class _Stride:
@@ -231,8 +242,8 @@ class _Stride:
     def __init__(self, direction: Any, step: Any) -> None:
         self.step = step
         self.hop = _HOP * step
-        self._per_x = dr.rcp(larger(dr.abs(direction.x), 1e-9))
-        self._per_y = dr.rcp(larger(dr.abs(direction.y), 1e-9))
+        self._per_x = rcp(larger(abs(direction.x), 1e-9))
+        self._per_y = rcp(larger(abs(direction.y), 1e-9))
         self.right, self.up = direction.x > 0, direction.y > 0
 
     def out(self, block: Block) -> Any:
@@ -247,8 +258,8 @@ class _Stride:
         meet it on the way stops short of the outline first, or it could leave unseen through its flank.
         """
         edge = smaller(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
-        sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
-        beside = dr.select(sinks, edge - self.hop, larger(edge, 0) + self.hop)
+        sinks = ~probe.hole & (fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
+        beside = select(sinks, edge - self.hop, larger(edge, 0) + self.hop)
         return smaller(self.step, beside)
 
 
@@ -292,46 +303,90 @@ def _rises_free(
     """`unoccluded`, where nothing on the ray's way is higher than the roof."""
     types = array_types(x)
     extent = _extent_of(surface, types)
-    back = types.Bool(back)
-    rate = quality.shadow_share * extent.steps_per_length(quality, direction)
-    step = dr.rcp(larger(rate, 1e-9))
-    stride = _Stride(direction, step)
+    step = rising_step(extent, direction, quality)
     start = types.Vector3(x, y, height + extent.lift)
-    distance = types.Float(0 * x)
-    free = types.Bool(active) & (direction.z > 0)
-    searching = types.Bool(free)
-    count = types.UInt32(0)
+    ray = RisingRay(surface, start, direction, step, types.Bool(back), roof, quality.steps)
+    state = ray.started(types.Bool(active) & (direction.z > 0))
+    return while_loop(
+        (state,), lambda state: state.searching, lambda state: (ray.advanced(state),), "cloth: unoccluded"
+    )[0].free
 
-    def is_searching(distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any) -> Any:
-        del distance, leap, free, count, trail
-        return searching
 
-    def advance(
-        distance: Any, leap: Any, free: Any, searching: Any, count: Any, trail: Any
-    ) -> tuple[Any, ...]:
-        point = start + direction * distance
-        here = surface.probe(point.x, point.y, back, stride.right, stride.up)
+def rising_step(extent: _Extent, direction: Any, quality: SearchQuality) -> Any:
+    """Length of ray from one sample to the next towards a light [3]."""
+    return rcp(larger(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
+
+
+@dataclass
+class Rising:
+    """How far the search along a ray to a light has come.
+
+    Attributes:
+        distance: from its start.
+        leap: from the sample before.
+        free: nothing has been met.
+        searching: the search goes on.
+        count: samples.
+        trail: of the sample before.
+    """
+
+    distance: Any
+    leap: Any
+    free: Any
+    searching: Any
+    count: Any
+    trail: Trail
+
+
+@dataclass
+class RisingRay:
+    """A ray to a light, on which yarn is looked for.
+
+    Attributes:
+        start: where it begins [3], right above the cloth.
+        direction: unit vector [3], z > 0.
+        step: length of ray between samples at the most.
+        back: Bool, the face heights count from.
+        roof: nothing on the way is higher.
+        samples: at most so many.
+    """
+
+    surface: Surface
+    start: Any
+    direction: Any
+    step: Any
+    back: Any
+    roof: Any
+    samples: Any
+
+    def started(self, active: Any) -> Rising:
+        """Before the first sample."""
+        types = array_types(self.step)
+        nothing = types.Float(0 * self.step)
+        searching = active & (self.start.z < self.roof)
+        return Rising(nothing, nothing, active, searching, types.UInt32(0), _no_trail(types, self.step))
+
+    def advanced(self, now: Rising) -> Rising:
+        """After one more sample."""
+        direction, stride = self.direction, _Stride(self.direction, self.step)
+        point = self.start + direction * now.distance
+        here = self.surface.probe(point.x, point.y, self.back, stride.right, stride.up)
         clearance = point.z - here.height
         rate = direction.z - here.slope_x * direction.x - here.slope_y * direction.y
-        met = searching & ~here.hole & (clearance < 0)
-        dips, way_back = trail.dip_before(clearance, rate, leap, here)
+        met = now.searching & ~here.hole & (clearance < 0)
+        dips, way_back = now.trail.dip_before(clearance, rate, now.leap, here)
         # The ray rises, so above the crest it stays above until it leaves the cell.
         clears = point.z > here.block.crest
-        trail = trail.followed_by(clearance, rate, here, clears, dips)
+        trail = now.trail.followed_by(clearance, rate, here, clears, dips)
         near = stride.onwards(here, clearance, rate)
-        onwards = dr.select(clears, larger(stride.out(here.block), step), near)
+        onwards = select(clears, larger(stride.out(here.block), self.step), near)
         # Where a dip is likely the next sample goes back to its lowest point.
-        distance = distance + dr.select(dips, -way_back, onwards)
-        leap = dr.select(dips, leap - way_back, onwards)
-        count = count + 1
-        searching = (
-            searching & ~met & (dr.fma(direction.z, distance, start.z) < roof) & (count < quality.steps)
-        )
-        return distance, leap, free & ~met, searching, count, trail
-
-    state = (distance, types.Float(distance), free, searching & (start.z < roof), count, _no_trail(types, x))
-    state = dr.while_loop(state, is_searching, advance, label="cloth: unoccluded")
-    return state[2]
+        distance = now.distance + select(dips, -way_back, onwards)
+        leap = select(dips, now.leap - way_back, onwards)
+        count = now.count + 1
+        below = fma(direction.z, distance, self.start.z) < self.roof
+        searching = now.searching & ~met & below & (count < self.samples)
+        return Rising(distance, leap, now.free & ~met, searching, count, trail)
 
 
 def first_hit(
@@ -355,176 +410,205 @@ def first_hit(
         back: Bool, which face is seen.
         passing: look whether rays pass through; if not, none is said to.
     """
+    ray = falling_ray(surface, x, y, view, back, quality)
+    active = array_types(x).Bool(active)
+    state = while_loop(
+        (ray.started(active),),
+        lambda state: state.searching,
+        lambda state: (ray.advanced(state),),
+        "cloth: first hit",
+    )[0]
+    height = ray.refined(state, quality.refinements)
+    hole = array_types(x).Bool(False)
+    if passing:
+        # What has met yarn above the plane does not pass it.
+        hole = passes_through(surface, x, y, view, ray.back, active & (height <= 0), quality)
+    return Hit(fma(ray.slope.x, height, x), fma(ray.slope.y, height, y), hole, height)
+
+
+def falling_ray(surface: Surface, x: Any, y: Any, view: Any, back: Any, quality: SearchQuality) -> FallingRay:
+    """The view ray that crosses the plane z = 0 at x, y; see `first_hit`."""
     types = array_types(x)
-    extent = _extent_of(surface, types)
-    low, high = extent.low, extent.high
-    back = types.Bool(back)
     vertical = larger(view.z, 1e-4)
     slope = types.Vector2(view.x / vertical, view.y / vertical)
     # The ray is followed by its height, which falls by `step` each time.
-    rate = extent.steps_per_length(quality, view) / vertical
-    step = dr.rcp(larger(rate, 1e-9))
-    active = types.Bool(active)
+    rate = _extent_of(surface, types).steps_per_length(quality, view) / vertical
+    return FallingRay(surface, x, y, slope, rcp(larger(rate, 1e-9)), types.Bool(back), quality.steps)
 
-    def fall(height: Any, falling: Any, count: Any) -> tuple[Any, ...]:
-        block = surface.block(
-            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
-        )
-        above, out = height - block.crest, stride.out(block)
-        return height - clipped(above, 0, out), falling & (above > out) & (count < quality.steps), count + 1
 
-    def ground(height: Any) -> tuple[Any, Any]:
-        here = surface.probe(
-            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
-        )
-        rate = dr.fma(here.slope_x, slope.x, dr.fma(here.slope_y, slope.y, -1))
-        return dr.select(here.hole, types.Float(-1e9), here.height), rate
+@dataclass
+class Falling:
+    """How far the search down a view ray has come.
 
-    floor = low - (high - low)
-    # Moving down, the ray runs against the view's slope.
-    stride = _Stride(-slope, step)
+    Attributes:
+        height: of the next sample, or of the last one, which lies below the cloth.
+        leap: how far it lies below the sample before.
+        depth: of the last sample, below the cloth.
+        rate: of clearance there, as the ray falls.
+        smooth: the yarn there is the one of the sample before, with no outline and no leap between.
+        searching: the search goes on.
+        count: samples.
+        trail: of the sample before.
+    """
 
-    def is_searching(height: Any, end: _End, leap: Any, searching: Any, count: Any, trail: Any) -> Any:
-        del height, end, leap, count, trail
-        return searching
+    height: Any
+    leap: Any
+    depth: Any
+    rate: Any
+    smooth: Any
+    searching: Any
+    count: Any
+    trail: Trail
 
-    def advance(height: Any, end: _End, leap: Any, searching: Any, count: Any, trail: Any) -> tuple[Any, ...]:
-        here = surface.probe(
-            dr.fma(slope.x, height, x), dr.fma(slope.y, height, y), back, stride.right, stride.up
-        )
-        clearance = height - here.height
+
+@dataclass
+class FallingRay:
+    """A view ray on its way down to the cloth.
+
+    Attributes:
+        x, y: where it crosses the plane z = 0, millimetres.
+        slope: how far it moves along x and y as it rises by a millimetre [2].
+        step: how far it falls between samples at the most.
+        back: Bool, which face is seen.
+        samples: at most so many.
+    """
+
+    surface: Surface
+    x: Any
+    y: Any
+    slope: Any
+    step: Any
+    back: Any
+    samples: Any
+
+    @property
+    def _stride(self) -> _Stride:
+        # Moving down, the ray runs against the view's slope.
+        return _Stride(-self.slope, self.step)
+
+    def _place(self, height: Any) -> tuple[Any, Any]:
+        return fma(self.slope.x, height, self.x), fma(self.slope.y, height, self.y)
+
+    def started(self, active: Any) -> Falling:
+        """Before the first sample, below what the ray passes high above."""
+        types = array_types(self.x)
+        top, stride = types.Float(self._roof()), self._stride
+
+        def fall(height: Any, falling: Any, count: Any) -> tuple[Any, ...]:
+            block = self.surface.block(*self._place(height), self.back, stride.right, stride.up)
+            above, out = height - block.crest, stride.out(block)
+            onwards = falling & (above > out) & (count < self.samples)
+            return height - clipped(above, 0, out), onwards, count + 1
+
+        # Cells that rays pass above ask little: most are passed here, before the search for yarn begins.
+        top = while_loop(
+            (top, active, types.UInt32(0)), lambda height, falling, count: falling, fall, "cloth: fall"
+        )[0]
+        nothing, hop = types.Float(0 * top), types.Float(stride.hop)
+        trail, no = _no_trail(types, top), types.Bool(False)
+        return Falling(top, hop, nothing, types.Float(nothing), no, active, types.UInt32(0), trail)
+
+    def _roof(self) -> Any:
+        types = array_types(self.x)
+        extent = _extent_of(self.surface, types)
+        upwards = types.Vector3(self.slope.x, self.slope.y, 1)
+        return _roof(self.surface, extent, self.x, self.y, 0, upwards, self.back)
+
+    def advanced(self, now: Falling) -> Falling:
+        """After one more sample, in lanes that are searched."""
+        extent, stride = _extent_of(self.surface, array_types(self.x)), self._stride
+        floor = extent.low - (extent.high - extent.low)
+        here = self.surface.probe(*self._place(now.height), self.back, stride.right, stride.up)
+        clearance = now.height - here.height
         met = ~here.hole & (clearance <= 0)
-        rate = dr.fma(here.slope_x, slope.x, dr.fma(here.slope_y, slope.y, -1))
-        dips, way_back = trail.dip_before(clearance, rate, leap, here)
-        smooth = trail.known & ~here.hole & (trail.yarn == here.yarn)
-        count = count + 1
-        onwards = searching & ~met & (height > floor) & (count < quality.steps)
+        rate = self._rate(here)
+        dips, way_back = now.trail.dip_before(clearance, rate, now.leap, here)
+        smooth = now.trail.known & ~here.hole & (now.trail.yarn == here.yarn)
+        count = now.count + 1
+        onwards = now.searching & ~met & (now.height > floor) & (count < self.samples)
         near = stride.onwards(here, clearance, rate)
         # Down to the crest the ray falls freely.
-        free = smaller(stride.out(here.block), height - here.block.crest)
-        trail = trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
+        free = smaller(stride.out(here.block), now.height - here.block.crest)
+        trail = now.trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
         farther = larger(free, near)
         # Where a dip is likely the next sample goes back to its lowest point.
-        return (
-            dr.select(onwards, height + dr.select(dips, way_back, -farther), height),
-            _End(dr.select(onwards & ~dips, height, end.previous), -clearance, rate, smooth),
-            dr.select(onwards, dr.select(dips, leap - way_back, farther), leap),
+        return Falling(
+            select(onwards, now.height + select(dips, way_back, -farther), now.height),
+            select(onwards, select(dips, now.leap - way_back, farther), now.leap),
+            -clearance,
+            rate,
+            smooth,
             onwards,
             count,
             trail,
         )
 
-    top = types.Float(_roof(surface, extent, x, y, 0, types.Vector3(slope.x, slope.y, 1), back))
-    # Cells that rays pass above ask little: most are passed here, before the search for yarn begins.
-    top = dr.while_loop(
-        (top, active, types.UInt32(0)),
-        lambda height, falling, count: falling,
-        fall,
-        label="cloth: fall",
-    )[0]
-    nothing = types.Float(0 * top)
-    start = _End(top + stride.hop, nothing, types.Float(nothing), types.Bool(False))
-    under, end, _, _, _, trail = dr.while_loop(
-        (top, start, types.Float(step), types.Bool(active), types.UInt32(0), _no_trail(types, x)),
-        is_searching,
-        advance,
-        label="cloth: first hit",
-    )
-    looks = quality.refinements + (0 if surface.tells_outlines else _LOOKS_FOR_OUTLINES)
-    under = _refined(ground, under, end, trail, high - low, looks)
-    hole = types.Bool(False)
-    if passing:
-        # What has met yarn above the plane does not pass it.
-        hole = passes_through(surface, x, y, view, back, active & (under <= 0), quality)
-    return Hit(dr.fma(slope.x, under, x), dr.fma(slope.y, under, y), hole, under)
+    def _rate(self, here: Probe) -> Any:
+        return fma(here.slope_x, self.slope.x, fma(here.slope_y, self.slope.y, -1))
 
+    def refined(self, end: Falling, refinements: Any) -> Any:
+        """Height at which the ray meets the cloth that lies below it at one sample and above it at the next.
 
-@dataclass
-class _End:
-    """Where a ray that falls has met the cloth, as the last sample has it.
+        On one yarn that is the root of the cubic through both, from which `refinements` steps of Newton's
+        lead on. Elsewhere the ray has passed an outline, right behind which it was sampled: looks come closer
+        to the last sample.
+        """
+        types = array_types(self.x)
+        extent, stride = _extent_of(self.surface, types), self._stride
+        relief, smooth, trail = extent.high - extent.low, end.smooth, end.trail
+        looks = refinements + (0 if self.surface.tells_outlines else _LOOKS_FOR_OUTLINES)
 
-    Attributes:
-        previous: height of the sample before, above the cloth.
-        depth: below the cloth.
-        rate: of clearance as the ray falls.
-        smooth: the yarn is the one of the sample before, with no outline and no leap between.
-    """
+        def refine(
+            index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any, middle: Any
+        ) -> tuple[Any, ...]:
+            here = self.surface.probe(*self._place(middle), self.back, stride.right, stride.up)
+            rate = self._rate(here)
+            gap = clipped(middle - select(here.hole, types.Float(-1e9), here.height), -relief, relief)
+            met = gap <= 0
+            above, under = select(met, above, middle), select(met, middle, under)
+            # Regula falsi: an end that stays twice counts half (the Illinois rule), so that both close in; at
+            # walls, where the gap jumps, this comes to halving.
+            above_gap = select(met, select(side > 0, 0.5 * above_gap, above_gap), gap)
+            under_gap = select(met, -gap, select(side < 0, 0.5 * under_gap, under_gap))
+            between = _between(above, under, above_gap, under_gap)
+            rooted = clipped(middle + gap / smaller(rate, -1e-6), under, above)
+            return (
+                index + 1,
+                above,
+                under,
+                above_gap,
+                under_gap,
+                select(met, types.Float(1), -1),
+                select(smooth, rooted, between),
+            )
 
-    previous: Any
-    depth: Any
-    rate: Any
-    smooth: Any
-
-
-def _refined(
-    ground: Callable[[Any], tuple[Any, Any]], under: Any, end: _End, trail: _Trail, relief: Any, count: Any
-) -> Any:
-    """Height at which a ray meets the cloth that lies below it at one sample and above it at the next.
-
-    On one yarn that is the root of the cubic through both, from which `count` steps of Newton's lead on.
-    Elsewhere the ray has passed an outline, right behind which it was sampled: looks come closer to the last
-    sample.
-
-    Args:
-        ground: height of the cloth where the ray has fallen to a height, and the rate of clearance there.
-        under: height of the last sample.
-        trail: of the sample before.
-    """
-    types = array_types(under)
-    smooth = end.smooth
-
-    def refine(
-        index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any, middle: Any
-    ) -> tuple[Any, ...]:
-        level, rate = ground(middle)
-        gap = clipped(middle - level, -relief, relief)
-        met = gap <= 0
-        above, under = dr.select(met, above, middle), dr.select(met, middle, under)
-        # Regula falsi: an end that stays twice counts half (the Illinois rule), so that both close in; at
-        # walls, where the gap jumps, this comes to halving.
-        above_gap = dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap)
-        under_gap = dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap))
-        between = _between(above, under, above_gap, under_gap)
-        rooted = clipped(middle + gap / smaller(rate, -1e-6), under, above)
-        return (
-            index + 1,
-            above,
-            under,
-            above_gap,
-            under_gap,
-            dr.select(met, types.Float(1), -1),
-            dr.select(smooth, rooted, between),
+        under, length = end.height, end.leap
+        above = under + length
+        above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(end.depth, 0, relief)
+        root = _cubic_root(above_gap, -under_gap, trail.rate * length, end.rate * length)
+        middle = select(smooth, fma(-root, length, above), _between(above, under, above_gap, under_gap))
+        start = (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle)
+        _, _, under, _, _, _, middle = while_loop(
+            start, lambda index, *rest: index < looks, refine, "cloth: refine"
         )
-
-    above = end.previous
-    above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(end.depth, 0, relief)
-    length = above - under
-    root = _cubic_root(above_gap, -under_gap, trail.rate * length, end.rate * length)
-    middle = dr.select(smooth, dr.fma(-root, length, above), _between(above, under, above_gap, under_gap))
-    _, _, under, _, _, _, middle = dr.while_loop(
-        (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle),
-        lambda index, *rest: index < count,
-        refine,
-        label="cloth: refine",
-    )
-    return dr.select(smooth, middle, under)
+        return select(smooth, middle, under)
 
 
 def _between(above: Any, under: Any, above_gap: Any, under_gap: Any) -> Any:
     """The height that a straight line suggests, kept off both ends, where gaps may jump."""
     share = clipped(above_gap / larger(above_gap + under_gap, 1e-20), 0.02, 0.98)
-    return dr.fma(share, under - above, above)
+    return fma(share, under - above, above)
 
 
 def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
     """Where in [0, 1] a cubic is 0 that starts above 0 and ends below; rates are of the whole interval."""
     gain = end - start
     cubic = start_rate + end_rate - 2 * gain
-    square = 3 * gain - 2 * start_rate - end_rate
-    share = start * dr.rcp(larger(-gain, 1e-20))
+    bend = 3 * gain - 2 * start_rate - end_rate
+    share = start * rcp(larger(-gain, 1e-20))
     for _ in range(_NEWTON_STEPS):
-        value = dr.fma(dr.fma(dr.fma(cubic, share, square), share, start_rate), share, start)
-        rate = dr.fma(dr.fma(3 * cubic, share, 2 * square), share, start_rate)
+        value = fma(fma(fma(cubic, share, bend), share, start_rate), share, start)
+        rate = fma(fma(3 * cubic, share, 2 * bend), share, start_rate)
         # Where the cubic is flat, steps stay short.
         share = clipped(share - value / smaller(rate, _FLATTEST * gain - 1e-20), 0, 1)
     return share
@@ -571,11 +655,11 @@ def horizon(
     Searched outwards until even the highest yarn could no longer raise it.
     """
     types = array_types(x)
-    outwards: tuple[Any, Any] = dr.sincos(azimuth)
+    outwards: tuple[Any, Any] = sincos(azimuth)
     sine, cosine = outwards
     extent = _extent_of(surface, types)
     high = extent.high
-    step = dr.rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
+    step = rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
     start = height + extent.lift
     back = types.Bool(back)
 
@@ -583,13 +667,13 @@ def horizon(
         return (high - start > steepest * distance) & (count < quality.steps)
 
     def advance(distance: Any, steepest: Any, count: Any) -> tuple[Any, ...]:
-        level, hole = surface.height(dr.fma(cosine, distance, x), dr.fma(sine, distance, y), back)
-        rise = dr.select(hole, types.Float(0), (level - start) / distance)
+        level, hole = surface.height(fma(cosine, distance, x), fma(sine, distance, y), back)
+        rise = select(hole, types.Float(0), (level - start) / distance)
         return distance + step, larger(steepest, rise), count + 1
 
     # The yarn itself hides what lies below its tangent plane. Without any rise the search would only end
     # with the budget; 1e-3 is a horizon of 0.06°.
     here = surface.probe(x, y, back, cosine > 0, sine > 0)
-    own = dr.fma(here.slope_x, cosine, here.slope_y * sine)
+    own = fma(here.slope_x, cosine, here.slope_y * sine)
     state = (types.Float(0.25 * step), larger(own, 1e-3), types.UInt32(0))
-    return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]
+    return while_loop(state, could_rise, advance, label="cloth: horizon")[1]
