@@ -15,7 +15,7 @@ macro normal alone decides and which goes on top afterwards, and without its pro
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 from loomlight.core.arrays import array_types, opaque, select
 from loomlight.scattering.appearance import Appearance
@@ -70,8 +70,20 @@ def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> Me
     return MetPoints(point, wall)
 
 
+class Scattering(Protocol):
+    """What decides about light beside the yarn point, as `Appearance` has it."""
+
+    @property
+    def diffuse_blend(self) -> Any:
+        """w, the share of the yarn normal in the diffuse term."""
+
+    @property
+    def optical_depth(self) -> Any:
+        """Tρ of the fibre layer."""
+
+
 def lobes(
-    appearance: Appearance, point: YarnPoint, light: Any, view: Any, transmits: bool | None = None
+    appearance: Scattering, point: YarnPoint, light: Any, view: Any, transmits: bool | None = None
 ) -> tuple[Any, Any]:
     """Diffuse and specular term of yarn points at albedo 1, cosine included, without shadows: Float, 1/sr.
 

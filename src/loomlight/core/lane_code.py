@@ -234,6 +234,51 @@ class LaneKind:
         return self.code.converted(value, self.element)
 
 
+class Pile:
+    """Lanes put aside with what belongs to each, on the stack: the last come first, without gaps.
+
+    What belongs to them is a tree of lanes, of the same kinds each time.
+    """
+
+    def __init__(self, code: Code, like: Any, room: int) -> None:
+        """For trees like one, of which there are never more than so many at once."""
+        self._code, self._like = code, like
+        self._kinds = [code.as_lanes(leaf).kind for leaf in leaves_of(like)]
+        # Whole vectors are read, though some of their lanes are not on the pile.
+        self._rows = [code.stack(room + code.vectors.lanes) for _ in self._kinds]
+        self._height = code.variable(INDEX)
+
+    def clear(self) -> None:
+        """Takes all away."""
+        self._code.builder.store(INDEX(0), self._height)
+
+    def is_left(self) -> ir.Value:
+        """Whether there is any."""
+        return self._code.builder.icmp_signed(">", self._code.builder.load(self._height), INDEX(0))
+
+    def put(self, tree: Any, chosen: Lanes) -> None:
+        """Puts chosen lanes on top."""
+        code, height = self._code, self._code.builder.load(self._height)
+        for leaf, row, kind in zip(leaves_of(tree), self._rows, self._kinds, strict=True):
+            code.compress(code.as_lanes(leaf, kind), chosen, code.element(row, height))
+        code.builder.store(code.builder.add(height, code.count_of(chosen)), self._height)
+
+    def take(self) -> tuple[Any, Lanes]:
+        """Takes the topmost lanes, at most a vector of them, and tells which there are."""
+        code, lanes = self._code, INDEX(self._code.vectors.lanes)
+        height = code.builder.load(self._height)
+        below = code.builder.sub(height, lanes)
+        enough = code.builder.icmp_signed(">", below, INDEX(0))
+        first = code.builder.select(enough, below, INDEX(0))
+        code.builder.store(first, self._height)
+        found = [
+            code.as_kind(code.load(code.element(row, first), align=4), kind)
+            for row, kind in zip(self._rows, self._kinds, strict=True)
+        ]
+        there = code.numbered(first) < code.in_all_lanes(height)
+        return with_leaves(self._like, iter(found)), there
+
+
 class SharedByQueries(Protocol):
     """What takes numbers and tables that all queries share, in the order in which they are put there."""
 
@@ -375,6 +420,18 @@ class Code:
         builder.position_at_end(done)
 
     @contextmanager
+    def as_long_as(self, condition: Callable[[], ir.Value]) -> Iterator[None]:
+        """Code that is run again and again, as long as a condition holds before it."""
+        head, inside, done = (self.builder.append_basic_block(name) for name in ("again", "turn", "done"))
+        self.builder.branch(head)
+        self.builder.position_at_end(head)
+        self.builder.cbranch(condition(), inside, done)
+        self.builder.position_at_end(inside)
+        yield
+        self.builder.branch(head)
+        self.builder.position_at_end(done)
+
+    @contextmanager
     def each_vector(self) -> Iterator[None]:
         """Code for each vector of the block."""
         with self.loop(self.vectors.of_block) as number:
@@ -429,6 +486,11 @@ class Code:
     def answer(self, number: Any, lanes: Any) -> None:
         """Puts the answers to the queries at hand into an array."""
         self.store(self.number(lanes), self.queries(number), align=4)
+
+    def variable(self, kind: ir.Type) -> ir.Value:
+        """Room for one number on the stack."""
+        with self.builder.goto_block(self._entry):
+            return self.builder.alloca(kind)
 
     def element(self, pointer: ir.Value, number: Any) -> ir.Value:
         """Where an element of an array lies."""
@@ -597,20 +659,21 @@ class Code:
             return floats > 0.5
         return Lanes(self, self.builder.bitcast(floats.value, self._of_kind(kind)))
 
-    def lanes_below(self, count: ir.Value) -> Lanes:
-        """The first so many lanes."""
-        numbers = self._lanes(list(range(self.vectors.lanes)))
-        whole = self.builder.trunc(count, WHOLE)
+    def in_all_lanes(self, number: ir.Value) -> Lanes:
+        """An index as a whole number in all lanes."""
         nowhere = ir.Constant(self._wholes, ir.Undefined)
-        one = self.builder.insert_element(nowhere, whole, WHOLE(0))
-        all_lanes = self.builder.shuffle_vector(one, nowhere, self._lanes([0] * self.vectors.lanes))
-        return Lanes(self, self.builder.icmp_signed("<", numbers, all_lanes))
+        one = self.builder.insert_element(nowhere, self.builder.trunc(number, WHOLE), WHOLE(0))
+        return Lanes(self, self.builder.shuffle_vector(one, nowhere, self._lanes([0] * self.vectors.lanes)))
+
+    def numbered(self, first: ir.Value) -> Lanes:
+        """Whole numbers from one on, lane by lane."""
+        return self.in_all_lanes(first) + Lanes(self, self._lanes(list(range(self.vectors.lanes))))
 
     # Work that goes on lane by lane, as Dr.Jit has it.
 
     def while_loop(self, state: Any, condition: Callable[..., Lanes], body: Callable[..., Any]) -> Any:
         """State, a tuple of trees of lanes, changed by `body` as long as a condition holds, lane by lane."""
-        leaves = [self._as_lanes(leaf) for leaf in leaves_of(state)]
+        leaves = [self.as_lanes(leaf) for leaf in leaves_of(state)]
         before = self.builder.block
         head, inside, done = (self.builder.append_basic_block(name) for name in ("while", "body", "left"))
         values = [leaf.value for leaf in leaves]
@@ -626,7 +689,7 @@ class Code:
         self.builder.cbranch(self.is_anywhere(active), inside, done)
         self.builder.position_at_end(inside)
         for phi, leaf, old in zip(held, leaves_of(body(*now)), leaves_of(now), strict=True):
-            kept = self._as_lanes(leaf, old.kind)
+            kept = self.as_lanes(leaf, old.kind)
             # Shared numbers are read here, not where they are asked for.
             phi.add_incoming(self.select(active, kept, old).value, self.builder.block)
         self.builder.branch(head)
@@ -635,13 +698,13 @@ class Code:
 
     def changed_where(self, active: Lanes, value: Any, change: Callable[[Any], Any]) -> Any:
         """`change(value)` in active lanes, `value` in others, and no time where there are none."""
-        leaves = [self._as_lanes(leaf) for leaf in leaves_of(value)]
+        leaves = [self.as_lanes(leaf) for leaf in leaves_of(value)]
         values, before = [leaf.value for leaf in leaves], self.builder.block
         inside, done = (self.builder.append_basic_block(name) for name in ("change", "changed"))
         self.builder.cbranch(self.is_anywhere(active), inside, done)
         self.builder.position_at_end(inside)
         changed = [
-            self.select(active, self._as_lanes(leaf, old.kind), old).value
+            self.select(active, self.as_lanes(leaf, old.kind), old).value
             for leaf, old in zip(leaves_of(change(value)), leaves, strict=True)
         ]
         last = self.builder.block
@@ -655,7 +718,8 @@ class Code:
             found.append(Lanes(self, phi))
         return with_leaves(value, iter(found))
 
-    def _as_lanes(self, leaf: Any, kind: ir.Type = FLOAT) -> Lanes:
+    def as_lanes(self, leaf: Any, kind: ir.Type = FLOAT) -> Lanes:
+        """Lanes; a number of Python's in all of them."""
         return leaf if isinstance(leaf, Lanes) else Lanes(self, self.constant(leaf, kind))
 
     def spread(self, value: ir.Value) -> Lanes:
@@ -673,9 +737,7 @@ class Code:
         found: ir.Value = ir.IntType(1)(0)
         for number in range(self.vectors.of_block):
             place = self.element(row.pointer, number * self.vectors.lanes)
-            above = self.load(place) > 0
-            bits = self.builder.bitcast(above.value, ir.IntType(self.vectors.lanes))
-            found = self.builder.or_(found, self.builder.icmp_unsigned("!=", bits, bits.type(0)))
+            found = self.builder.or_(found, self.is_anywhere(self.load(place) > 0))
         return found
 
     def transposed(self, lines: Sequence[Lanes]) -> list[Lanes]:

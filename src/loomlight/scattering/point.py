@@ -73,7 +73,7 @@ class YarnPoint:
         normal, tangent: of the yarn and its fibres [3].
         is_warp: the family.
         roughness: α.
-        albedos: of its thread.
+        albedos: of its thread; None where they are not asked for.
     """
 
     back: Any
@@ -85,7 +85,7 @@ class YarnPoint:
     tangent: Any
     is_warp: Any
     roughness: Any
-    albedos: Albedos
+    albedos: Any
 
 
 @dataclass

@@ -11,6 +11,7 @@ which rays pass.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Protocol
 
 from loomlight.core.arrays import (
@@ -284,9 +285,9 @@ def unoccluded(
         back: Bool, the face the height counts from.
         active: lanes to search; the others return False.
     """
-    extent = _extent_of(surface, array_types(x))
-    roof = _roof(surface, extent, x, y, height, direction, back)
-    return _rises_free(surface, x, y, height, direction, back, roof, active, quality)
+    ray = rising_ray(surface, x, y, height, direction, back, quality)
+    start = ray.started(array_types(x).Bool(active) & (direction.z > 0))
+    return _free(ray, start)
 
 
 def _rises_free(
@@ -301,20 +302,40 @@ def _rises_free(
     quality: SearchQuality,
 ) -> Any:
     """`unoccluded`, where nothing on the ray's way is higher than the roof."""
-    types = array_types(x)
-    extent = _extent_of(surface, types)
-    step = rising_step(extent, direction, quality)
-    start = types.Vector3(x, y, height + extent.lift)
-    ray = RisingRay(surface, start, direction, step, types.Bool(back), roof, quality.steps)
-    state = ray.started(types.Bool(active) & (direction.z > 0))
+    ray = _rising_ray(surface, x, y, height, direction, back, roof, quality)
+    return _free(ray, ray.started(array_types(x).Bool(active) & (direction.z > 0)))
+
+
+def _free(ray: RisingRay, start: Rising) -> Any:
+    """Whether nothing is met."""
     return while_loop(
-        (state,), lambda state: state.searching, lambda state: (ray.advanced(state),), "cloth: unoccluded"
+        (start,), lambda state: state.searching, lambda state: (ray.advanced(state),), "cloth: unoccluded"
     )[0].free
 
 
-def rising_step(extent: _Extent, direction: Any, quality: SearchQuality) -> Any:
-    """Length of ray from one sample to the next towards a light [3]."""
-    return rcp(larger(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
+def rising_ray(
+    surface: Surface, x: Any, y: Any, height: Any, direction: Any, back: Any, quality: SearchQuality
+) -> RisingRay:
+    """The ray from a point of the cloth along a direction; see `unoccluded`."""
+    roof = _roof(surface, _extent_of(surface, array_types(x)), x, y, height, direction, back)
+    return _rising_ray(surface, x, y, height, direction, back, roof, quality)
+
+
+def _rising_ray(
+    surface: Surface,
+    x: Any,
+    y: Any,
+    height: Any,
+    direction: Any,
+    back: Any,
+    roof: Any,
+    quality: SearchQuality,
+) -> RisingRay:
+    types = array_types(x)
+    extent = _extent_of(surface, types)
+    step = rcp(larger(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
+    start = types.Vector3(x, y, height + extent.lift)
+    return RisingRay(surface, start, direction, step, types.Bool(back), roof, quality.steps)
 
 
 @dataclass
@@ -359,6 +380,10 @@ class RisingRay:
     roof: Any
     samples: Any
 
+    @cached_property
+    def _stride(self) -> _Stride:
+        return _Stride(self.direction, self.step)
+
     def started(self, active: Any) -> Rising:
         """Before the first sample."""
         types = array_types(self.step)
@@ -368,7 +393,7 @@ class RisingRay:
 
     def advanced(self, now: Rising) -> Rising:
         """After one more sample."""
-        direction, stride = self.direction, _Stride(self.direction, self.step)
+        direction, stride = self.direction, self._stride
         point = self.start + direction * now.distance
         here = self.surface.probe(point.x, point.y, self.back, stride.right, stride.up)
         clearance = point.z - here.height
@@ -481,7 +506,7 @@ class FallingRay:
     back: Any
     samples: Any
 
-    @property
+    @cached_property
     def _stride(self) -> _Stride:
         # Moving down, the ray runs against the view's slope.
         return _Stride(-self.slope, self.step)

@@ -19,7 +19,8 @@ from typing import Any
 import drjit as dr
 
 from loomlight.aggregate.components import components
-from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller
+from loomlight.core.arrays import array_types, clipped, fma, larger, log2, smaller
+from loomlight.core.backend import ArrayTypes
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import Response
 from loomlight.scattering.point import PointModel, on_face
@@ -29,7 +30,7 @@ MOST_POINTS = 8
 # Points for every thread that a footprint is wide. With 16, footprints under a thread are 6 to 15 % nearer,
 # and rows of pixels from close up to far take a tenth longer.
 _POINTS_PER_THREAD = 12
-_PLACES = (
+PLACES = (
     (0.0, 0.0),
     (-0.2301, 0.3567),
     (0.3681, -0.2294),
@@ -58,23 +59,28 @@ def points_of(size: Any, far_share: Any, samples: Any) -> Any:
     return dr.select(far_share < 1, clipped(size * _POINTS_PER_THREAD, 1, most), 0)
 
 
-def searched_for(model: PointModel, size: Any) -> PointModel:
-    """The model, with yarns searched as finely as footprints of a side (in threads) need it."""
+def quality_of(size: Any) -> SearchQuality:
+    """How finely yarns are searched for footprints of a side, in threads."""
     types = array_types(size)
-    detail = (math.log2(_COARSEST) - dr.log2(larger(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
+    detail = (math.log2(_COARSEST) - log2(larger(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
     detail = clipped(detail, 0, 1)
 
     def between(coarse: float, fine: float) -> Any:
-        return dr.fma(fine - coarse, detail, coarse)
+        return fma(fine - coarse, detail, coarse)
 
     steps = between(_COARSE.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
-    searched = copy(model)
-    searched.quality = SearchQuality(
+    return SearchQuality(
         steps,
         steps,
         shadow_share=between(_COARSE.shadow_share, DEFAULT_QUALITY.shadow_share),
         refinements=types.UInt32(between(_COARSE.refinements, DEFAULT_QUALITY.refinements) + 0.5),
     )
+
+
+def searched_for(model: PointModel, size: Any) -> PointModel:
+    """The model, with yarns searched as footprints of a side (in threads) need it."""
+    searched = copy(model)
+    searched.quality = quality_of(size)
     return searched
 
 
@@ -114,8 +120,8 @@ def near_hole(model: PointModel, points: Any, view: Any, footprint: Footprint) -
 
 def _place(types: ArrayTypes, number: Any) -> tuple[Any, Any]:
     """Where a point lies, in shares of the footprint's edges from its middle."""
-    s, t = (types.Float(part) for part in _PLACES[0])
-    for other, (across, along) in enumerate(_PLACES[1:], 1):
+    s, t = (types.Float(part) for part in PLACES[0])
+    for other, (across, along) in enumerate(PLACES[1:], 1):
         s, t = dr.select(number == other, across, s), dr.select(number == other, along, t)
     return s, t
 
@@ -130,7 +136,7 @@ def _mean(
         place = footprint.at(*_place(types, number))
         share = smaller(points - types.Float(number), 1)
         found = measure(place.x, place.y)
-        return number + 1, *(dr.fma(share, part, total) for part, total in zip(found, sums, strict=True))
+        return number + 1, *(fma(share, part, total) for part, total in zip(found, sums, strict=True))
 
     start = (dr.zeros(types.UInt32, width), *(dr.zeros(types.Float, width) for _ in range(count)))
     total = dr.while_loop(

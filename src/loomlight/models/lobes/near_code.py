@@ -1,0 +1,315 @@
+"""Close-ups as code of `lane_code`: `near.py` for batches of queries, whose rays are searched in company.
+
+In a packet of lanes the longest search decides: of sixteen lanes seven idle on the way down to the cloth, ten
+on the way to the light. Here the rays of a block of queries take turns. What is still searching after a few
+samples is put on a pile, rays without those between that are done, and taken up again from its top, as many
+at once as there are lanes. What was met is piled up too and shaded together. The searches and the formulas
+are those of `yarn/visibility.py` and `scattering/`, written once.
+
+Queries and answers are arrays [n]. A query is what `estimate_code` says, then the number of points (0: none),
+side of the footprint in threads, and the share of what groups answer. Answers hold that, and are mixed with
+the means over the points.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from llvmlite import ir
+
+from loomlight.aggregate.components import lobes
+from loomlight.core.arrays import fma, larger, lerp, opaque, rcp, select, smaller, uploaded
+from loomlight.core.lane_code import FLOAT, INDEX, TRUTH, WHOLE, Code, Lanes, Pile, Vector, Vectors
+from loomlight.models.lobes.estimate_code import ANSWERS
+from loomlight.models.lobes.estimate_code import QUERY as FAR_QUERY
+from loomlight.models.lobes.near import MOST_POINTS, PLACES, quality_of
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.point import YarnPoint, on_face, shadow_ray
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.visibility import (
+    Falling,
+    FallingRay,
+    Rising,
+    RisingRay,
+    SearchQuality,
+    Trail,
+    falling_ray,
+    passes_through,
+    rising_ray,
+    upload_extent,
+)
+
+QUERY = FAR_QUERY + 3
+_POINTS, _THREADS, _FAR_SHARE = range(FAR_QUERY, QUERY)
+# Vectors of a block: the more, the fewer lanes are idle as the last rays of a block are searched.
+_VECTORS = 32
+# Samples before rays are sorted for the first time, and from then on.
+_FIRST_SAMPLES, _SAMPLES = 2, 2
+_CHANNELS = ANSWERS
+
+
+@dataclass(frozen=True)
+class _Cloth:
+    """What close-ups know of a fabric.
+
+    Attributes:
+        surface: where the threads lie.
+        roughness: of warp and weft.
+        diffuse_blend, optical_depth: see `Appearance`.
+        places: of points, in shares of the footprint's edges, one after another: a table.
+    """
+
+    surface: YarnGeometry
+    roughness: tuple[Any, Any]
+    diffuse_blend: Any
+    optical_depth: Any
+    places: Any
+
+
+def cloth_of(layout: ClothLayout, appearance: Appearance, types: Any) -> _Cloth:
+    """What close-ups read of a fabric, on code that is written or as the numbers that it is to read."""
+    # Of its own: what another geometry holds belongs to other code.
+    surface = YarnGeometry(layout)
+    surface.upload(types)
+    upload_extent(surface, types)
+    numbers = (
+        appearance.warp.roughness,
+        appearance.weft.roughness,
+        appearance.diffuse_blend,
+        appearance.optical_depth,
+    )
+    warp, weft, blend, depth = (opaque(types.Float, float(number)) for number in numbers)
+    return _Cloth(surface, (warp, weft), blend, depth, uploaded(types.Float, np.array(PLACES)))
+
+
+def near_code(layout: ClothLayout, appearance: Appearance, wide: Vectors) -> Code:
+    """Code for a fabric, and for all whose families' threads are alike, or not, as its are."""
+    code = Code("close_ups", replace(wide, of_block=_VECTORS))
+    code.shares(QUERY + ANSWERS)
+    writer = _Writer(code, cloth_of(layout, appearance, code.types))
+    with code.blocks():
+        writer.write()
+    return code
+
+
+@dataclass
+class _Sight:
+    """A view ray that is searched, or whose search is done.
+
+    Attributes:
+        query: its number in the block.
+        x, y, slope, step, back: see `FallingRay`.
+        search: how far it has come.
+    """
+
+    query: Any
+    x: Any
+    y: Any
+    slope: Any
+    step: Any
+    back: Any
+    search: Falling
+
+
+@dataclass
+class _Light:
+    """A ray to a light.
+
+    Attributes:
+        query: its number in the block.
+        start, direction, step, back, roof: see `RisingRay`.
+        is_warp: the yarn that it lights is of the warp.
+        diffuse, specular: what counts of it where it arrives.
+        search: how far it has come.
+    """
+
+    query: Any
+    start: Any
+    direction: Any
+    step: Any
+    back: Any
+    roof: Any
+    is_warp: Any
+    diffuse: Any
+    specular: Any
+    search: Rising
+
+
+class _Writer:
+    """Writes the code of a block."""
+
+    def __init__(self, code: Code, cloth: _Cloth) -> None:
+        self._code, self._cloth = code, cloth
+        self._block = code.vectors.block
+        self._sums = code.stack(_CHANNELS * self._block)
+        whole, number, no = (code.converted(0, kind) for kind in (WHOLE, FLOAT, TRUTH))
+        plane, space = Vector(number, number), Vector(number, number, number)
+        trail = Trail(number, number, whole, no)
+        falling = Falling(number, number, number, number, no, no, whole, trail)
+        sight = _Sight(whole, number, number, plane, number, no, falling)
+        rising = Rising(number, number, no, no, whole, trail)
+        light = _Light(whole, space, space, number, no, number, no, number, number, rising)
+        self._sights, self._met, self._lights = (
+            Pile(code, like, self._block) for like in (sight, sight, light)
+        )
+
+    def write(self) -> None:
+        """Answers a block."""
+        code = self._code
+        for channel in range(_CHANNELS):
+            with code.each_vector():
+                code.store(code.number(0), code.element(self._sum(channel), code.lane))
+        for pile in (self._sights, self._met, self._lights):
+            pile.clear()
+        with code.loop(MOST_POINTS) as number, code.builder.if_then(self._has_points(number)):
+            self._look(number)
+            with code.as_long_as(self._sights.is_left):
+                self._search()
+            with code.as_long_as(self._met.is_left):
+                self._shade(number)
+            with code.as_long_as(self._lights.is_left):
+                self._search_lights()
+        with code.each_vector():
+            self._answer()
+
+    def _sum(self, channel: int) -> ir.Value:
+        return self._code.element(self._sums, channel * self._block)
+
+    def _has_points(self, number: ir.Value) -> ir.Value:
+        """Whether any query has more points than so many."""
+        code = self._code
+        found = code.variable(TRUTH)
+        code.builder.store(TRUTH(0), found)
+        with code.each_vector():
+            more = code.is_anywhere(code.given(_POINTS) > code.counted(number))
+            code.builder.store(code.builder.or_(code.builder.load(found), more), found)
+        return code.builder.load(found)
+
+    # Views.
+
+    def _look(self, number: ir.Value) -> None:
+        """Starts the view rays through a point of each query."""
+        code = self._code
+        places = code.array(self._cloth.places.array)
+        s, t = (code.shared(places, code.builder.add(code.times(number, 2), INDEX(k))) for k in range(2))
+        with code.each_vector():
+            active = code.given(_POINTS) > code.counted(number)
+            with code.builder.if_then(code.is_anywhere(active)):
+                x, y, *edges = (code.given(k) for k in range(6))
+                x, y = (fma(s, edges[k], fma(t, edges[2 + k], middle)) for k, middle in enumerate((x, y)))
+                view, back = Vector(*(code.given(k) for k in (6, 7, 8))), code.given(9) > 0.5
+                ray = falling_ray(self._cloth.surface, x, y, view, back, quality_of(code.given(_THREADS)))
+                search = self._searched(ray, ray.started(active), _FIRST_SAMPLES)
+                sight = _Sight(code.numbered(code.lane), x, y, ray.slope, ray.step, ray.back, search)
+                self._sort(sight, active)
+
+    def _search(self) -> None:
+        """Goes on with view rays."""
+        sight, there = self._sights.take()
+        search = replace(sight.search, searching=there)
+        ray = FallingRay(
+            self._cloth.surface, sight.x, sight.y, sight.slope, sight.step, sight.back, SearchQuality().steps
+        )
+        self._sort(replace(sight, search=self._searched(ray, search, _SAMPLES)), there)
+
+    def _sort(self, sight: _Sight, there: Lanes) -> None:
+        self._sights.put(sight, sight.search.searching)
+        self._met.put(sight, there & ~sight.search.searching)
+
+    def _searched(self, ray: Any, search: Any, samples: int) -> Any:
+        """A search after so many samples."""
+        turns = self._code.converted(0, WHOLE)
+        return self._code.while_loop(
+            (search, turns),
+            lambda state, turn: state.searching & (turn < samples),
+            lambda state, turn: (ray.advanced(state), turn + 1),
+        )[0]
+
+    # What they meet.
+
+    def _of_queries(self, first: int, query: Lanes) -> Vector:
+        code = self._code
+        found = [code.gathered_from(code.queries(first + axis), query) for axis in range(3)]
+        return Vector(*found)
+
+    def _shade(self, number: ir.Value) -> None:
+        """What light does at the points that views meet, and whether it arrives."""
+        code, cloth = self._code, self._cloth
+        sight, there = self._met.take()
+        query = select(there, sight.query, 0)
+        view, light = self._of_queries(6, query), self._of_queries(10, query)
+        points, threads = (code.gathered_from(code.queries(k), query) for k in (_POINTS, _THREADS))
+        quality = quality_of(threads)
+        ray = FallingRay(cloth.surface, sight.x, sight.y, sight.slope, sight.step, sight.back, quality.steps)
+        height = ray.refined(sight.search, quality.refinements)
+        below = there & (height <= 0)
+        hole = passes_through(cloth.surface, sight.x, sight.y, view, sight.back, below, quality)
+        share = smaller(points - code.counted(number), 1)
+        self._add(ANSWERS - 1, query, share, hole)
+        x, y = fma(sight.slope.x, height, sight.x), fma(sight.slope.y, height, sight.y)
+        met = cloth.surface.surface(x, y, sight.back)
+        roughness = select(met.is_warp, *cloth.roughness)
+        point = YarnPoint(
+            sight.back, hole, x, y, met.height, met.normal, met.tangent, met.is_warp, roughness, None
+        )
+        light, view = on_face(light, sight.back), on_face(view, sight.back)
+        diffuse, specular = lobes(cloth, point, light, view)
+        shadow = shadow_ray(cloth.surface, point, light)
+        rising = rising_ray(cloth.surface, x, y, shadow.height, shadow.direction, shadow.back, quality)
+        search = rising.started(there & shadow.searched & (shadow.direction.z > 0))
+        found = _Light(
+            query,
+            rising.start,
+            rising.direction,
+            rising.step,
+            rising.back,
+            rising.roof,
+            met.is_warp,
+            diffuse * share,
+            specular * share,
+            self._searched(rising, search, _FIRST_SAMPLES),
+        )
+        self._light(found)
+
+    def _search_lights(self) -> None:
+        """Goes on with rays to lights."""
+        light, there = self._lights.take()
+        ray = RisingRay(
+            self._cloth.surface,
+            light.start,
+            light.direction,
+            light.step,
+            light.back,
+            light.roof,
+            SearchQuality().steps,
+        )
+        search = replace(light.search, searching=there, free=there)
+        self._light(replace(light, search=self._searched(ray, search, _SAMPLES)))
+
+    def _light(self, light: _Light) -> None:
+        """Adds what arrives, and puts aside what is not known yet."""
+        searching = light.search.searching
+        self._lights.put(light, searching)
+        arrives = light.search.free & ~searching
+        family = select(light.is_warp, self._code.converted(0, WHOLE), self._block)
+        self._add(0, light.query + family, light.diffuse, arrives)
+        self._add(2, light.query + family, light.specular, arrives)
+
+    def _add(self, channel: int, place: Lanes, value: Lanes, where: Lanes) -> None:
+        """Adds to sums, of which none is named twice."""
+        code, sums = self._code, self._sum(channel)
+        code.scatter_to(sums, place, code.gathered_from(sums, place) + value, where)
+
+    def _answer(self) -> None:
+        """Mixes means over points with what groups answer."""
+        code = self._code
+        points, far_share = code.given(_POINTS), code.given(_FAR_SHARE)
+        with code.builder.if_then(code.is_anywhere(points > 0)):
+            inverse = rcp(larger(points, 1))
+            for channel in range(_CHANNELS):
+                near = code.load(code.element(self._sum(channel), code.lane)) * inverse
+                far = code.given(QUERY + channel)
+                code.answer(QUERY + channel, select(points > 0, lerp(near, far, far_share), far))
