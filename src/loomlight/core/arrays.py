@@ -128,6 +128,16 @@ def gather(kind: Any, table: Any, index: Any) -> Any:
     return dr.gather(kind, table, index)
 
 
+def gather_one(kind: Any, table: Any, row: Any, first: Any, second: Any) -> Any:
+    """Of rows of four the number that two Bools tell, the first of which counts 1 and the second 2."""
+    if isinstance(kind, LaneKind):
+        number = select(first, kind(1), 0) + select(second, kind(2), 0)
+        return gather(kind, table, row * 4 + number)
+    # All four at once: Dr.Jit fetches 16 bytes in a row sooner than 4 by themselves.
+    four = dr.gather(backend.array_types(dr.float32_array_t(kind)).Index4, table, row)
+    return select(second, select(first, four[3], four[2]), select(first, four[1], four[0]))
+
+
 def while_loop(state: Any, condition: Callable[..., Any], body: Callable[..., Any], label: str) -> Any:
     """State, a tuple, changed by `body` as long as a condition of it holds, lane by lane."""
     code = _code_in(state)

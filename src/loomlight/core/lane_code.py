@@ -21,6 +21,8 @@ from numpy.polynomial import Chebyshev, Polynomial
 from numpy.typing import NDArray
 
 FLOAT, BYTE, WHOLE, INDEX, TRUTH = ir.FloatType(), *(ir.IntType(bits) for bits in (8, 32, 64, 1))
+# Functions that run side by side take about so many queries at a time.
+_QUERIES_AT_ONCE = 1024
 _BYTES = 64  # of a line of the cache, which rows begin with
 # Degrees that leave errors of single precision.
 _LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE, _ARC_TANGENT_DEGREE, _SINE_DEGREE = 9, 7, 9, 5
@@ -65,8 +67,8 @@ class Vectors:
 class Lanes:
     """A number for each lane, or a whole one, or what is true in which. Divisors must not be 0.
 
-    Whole numbers have 32 bits and a sign, but shifts to the right let zeros in. Numbers of Python's become of
-    the kind of what they meet.
+    Whole numbers have 32 bits. They have a sign where they become floats; comparisons and shifts know none.
+    Numbers of Python's become of the kind of what they meet.
     """
 
     __slots__ = ("_value", "code")
@@ -123,7 +125,7 @@ class Lanes:
         return self._with(other, {WHOLE: "udiv"})
 
     def __neg__(self) -> Lanes:
-        return 0 - self
+        return Lanes(self.code, self.code.builder.fneg(self.value)) if self.kind == FLOAT else 0 - self
 
     def __abs__(self) -> Lanes:
         return self.code.abs(self)
@@ -133,7 +135,8 @@ class Lanes:
         second = self.code.constant(other, own.type.element)
         if own.type.element == FLOAT:
             return Lanes(self.code, builder.fcmp_ordered(relation, own, second))
-        return Lanes(self.code, builder.icmp_signed(relation, own, second))
+        # What is below 0, or comes of no number at all, is larger than what bounds indices.
+        return Lanes(self.code, builder.icmp_unsigned(relation, own, second))
 
     def __lt__(self, other: Any) -> Lanes:
         return self._compared("<", other)
@@ -360,9 +363,9 @@ class Rows:
 class Code:
     """A function of blocks of queries that is being written.
 
-    It is given the blocks from which and before which it is to answer, and addresses of arrays of floats: a
-    query's numbers lie in the first arrays, its answers are put into others, and what all queries share is in
-    the rest.
+    It is given where blocks that are taken are counted, how many there are, and addresses of arrays of
+    floats: a query's numbers lie in the first arrays, its answers are put into others, and what all queries
+    share is in the rest.
 
     Attributes:
         vectors: of the processor.
@@ -377,11 +380,11 @@ class Code:
         self._vector = ir.VectorType(FLOAT, vectors.lanes)
         self._wholes = ir.VectorType(WHOLE, vectors.lanes)
         pointers = FLOAT.as_pointer().as_pointer()
-        kind = ir.FunctionType(ir.VoidType(), [INDEX, INDEX, pointers])
+        kind = ir.FunctionType(ir.VoidType(), [INDEX.as_pointer(), INDEX, pointers])
         self._function = ir.Function(self.module, kind, name)
         self._entry = self._function.append_basic_block("entry")
         self.builder = ir.IRBuilder(self._entry)
-        self._first, self._end, self._addresses = self._function.args
+        self._taken, self._end, self._addresses = self._function.args
         self.lane: Any = INDEX(0)
         self._block: Any = INDEX(0)
         self.types = LaneTypes(self)
@@ -391,12 +394,26 @@ class Code:
 
     @contextmanager
     def blocks(self) -> Iterator[None]:
-        """Code for each block; the function is finished afterwards."""
+        """Code for each block; the function is finished afterwards.
+
+        Functions that run side by side take blocks from one count, a few at a time, until none is left.
+        """
         start = self.builder.append_basic_block("blocks")
         self.builder.position_at_end(start)
-        with self.loop(self.builder.sub(self._end, self._first)) as number:
-            self._block = self.times(self.builder.add(self._first, number), self.vectors.block)
-            yield
+        some, last = self.variable(INDEX), INDEX(max(1, _QUERIES_AT_ONCE // self.vectors.block))
+
+        def is_more() -> ir.Value:
+            first = self.builder.atomic_rmw("add", self._taken, last, "monotonic")
+            self.builder.store(first, some)
+            return self.builder.icmp_signed("<", first, self._end)
+
+        with self.as_long_as(is_more):
+            first = self.builder.load(some)
+            rest = self.builder.sub(self._end, first)
+            fewer = self.builder.icmp_signed("<", rest, last)
+            with self.loop(self.builder.select(fewer, rest, last)) as number:
+                self._block = self.times(self.builder.add(first, number), self.vectors.block)
+                yield
         self.builder.ret_void()
         # All rows have been asked for.
         self.builder.position_at_end(self._entry)
@@ -468,7 +485,7 @@ class Code:
         """Room for so many floats on the stack."""
         with self.builder.goto_block(self._entry):
             room = self.builder.alloca(ir.ArrayType(FLOAT, count))
-            room.align = _BYTES
+            room.align = max(_BYTES, 4 * self.vectors.lanes)
             return self.builder.bitcast(room, FLOAT.as_pointer())
 
     def array(self, number: Any) -> ir.Value:
@@ -583,12 +600,24 @@ class Code:
 
     def gather(self, kind: LaneKind, table: Table, index: Lanes) -> Any:
         """Elements of a table; of a kind that is several numbers a row of them each, as a list."""
-        numbers = [index if kind.count == 1 else index * kind.count + k for k in range(kind.count)]
-        found = [self._gathered(self.array(table.array), number, kind.element) for number in numbers]
-        return found[0] if kind.count == 1 else found
+        pointer = self.array(table.array)
+        if kind.count == 1:
+            return self.gathered_from(pointer, index, kind.element)
+        pairs = [index if kind.count == 2 else index * (kind.count // 2) + k for k in range(kind.count // 2)]
+        return [half for pair in pairs for half in self._pair(pointer, pair, kind.element)]
 
-    def _gathered(self, pointer: ir.Value, index: Lanes, kind: ir.Type) -> Lanes:
-        return self.gathered_from(pointer, index, kind)
+    def _pair(self, pointer: ir.Value, index: Lanes, kind: ir.Type) -> list[Lanes]:
+        """Two neighbours, fetched as one: a number of 64 bits takes as long as one of 32."""
+        lanes = self.vectors.lanes
+        wide = ir.VectorType(INDEX, lanes)
+        places = self._places(self.builder.bitcast(pointer, INDEX.as_pointer()), index)
+        every, nothing = self.constant(True, TRUTH), ir.Constant(wide, ir.Undefined)
+        full = f"llvm.masked.gather.v{lanes}i64.v{lanes}p0"
+        function = self._declared(full, wide, [places.type, WHOLE, every.type, wide])
+        both = self.builder.call(function, [places, WHOLE(4), every, nothing])
+        upper = self.builder.lshr(both, ir.Constant(wide, [32] * lanes))
+        halves = [Lanes(self, self.builder.trunc(part, self._wholes)) for part in (both, upper)]
+        return [self.as_kind(self.as_floats(half), kind) for half in halves]
 
     def gathered_from(self, pointer: ir.Value, index: Lanes, kind: ir.Type = FLOAT) -> Lanes:
         """Elements of an array in memory."""
@@ -614,7 +643,7 @@ class Code:
         made = ir.instructions.GEPInstr(self.builder.block, pointer, [WHOLE(0)], False, "")
         made.operands = [pointer, index.value]
         made.indices = [index.value]
-        made.type = ir.VectorType(FLOAT.as_pointer(), self.vectors.lanes)
+        made.type = ir.VectorType(pointer.type, self.vectors.lanes)
         self.builder._insert(made)
         return made
 
@@ -651,12 +680,16 @@ class Code:
         """The bits of lanes, told to be floats; what is true becomes 1."""
         if lanes.kind == TRUTH:
             return self.select(lanes, 1.0, 0.0)
+        if lanes.kind == FLOAT:
+            return lanes
         return Lanes(self, self.builder.bitcast(lanes.value, self._vector))
 
     def as_kind(self, floats: Lanes, kind: ir.Type) -> Lanes:
         """What `as_floats` was told."""
         if kind == TRUTH:
             return floats > 0.5
+        if kind == FLOAT:
+            return floats
         return Lanes(self, self.builder.bitcast(floats.value, self._of_kind(kind)))
 
     def in_all_lanes(self, number: ir.Value) -> Lanes:

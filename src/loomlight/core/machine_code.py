@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 from loomlight.core.lane_code import Code, Vectors
 
 _SPEED = 2  # LLVM's level of optimisation
-# Parts of the work for each core: a core that others use as well should not be waited for.
-_PARTS = 8
 _LINE = 16  # floats of a line of the cache
 
 Floats = NDArray[np.float32]
@@ -58,7 +56,7 @@ class MachineCode:
     def __init__(self, code: Code) -> None:
         self._block = code.vectors.block
         self._engine = _compiled(code)
-        kind = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_int64, ctypes.c_void_p)
+        kind = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, ctypes.c_void_p)
         self._function = kind(self._engine.get_function_address(code.name))
 
     def run(
@@ -69,7 +67,7 @@ class MachineCode:
         Args:
             count: of queries.
             queries: the numbers that each is, arrays [count].
-            answers: arrays [count] to be filled.
+            answers: arrays [count] to be filled; code may read what they hold.
             shared: what all queries share, in memory one after another.
         """
         for array in (*queries, *answers):
@@ -82,20 +80,23 @@ class MachineCode:
         if done < count:
             # A block that is not full is answered aside.
             last = [_padded(array[done:], self._block) for array in queries]
-            found = [np.empty(self._block, np.float32) for _ in answers]
+            found = [_padded(array[done:], self._block) for array in answers]
             self._on_all_cores(1, [*last, *found, *shared])
             for array, some in zip(answers, found, strict=True):
                 array[done:] = some[: count - done]
 
     def _on_all_cores(self, blocks: int, arrays: Sequence[Floats]) -> None:
         addresses = np.array([array.ctypes.data for array in arrays], np.uint64)
-        at = addresses.ctypes.data
-        parts = min(blocks, cores() * _PARTS)
-        if cores() == 1 or parts < 2:
-            self._function(0, blocks, at)
-            return
-        bounds = [blocks * part // parts for part in range(parts + 1)]
-        list(_workers().map(lambda first, end: self._function(first, end, at), bounds[:-1], bounds[1:]))
+        taken = np.zeros(1, np.int64)
+
+        def take() -> None:
+            self._function(taken.ctypes.data, blocks, addresses.ctypes.data)
+
+        # A core that others use as well takes fewer blocks, and is not waited for.
+        beside = [_workers().submit(take) for _ in range(min(blocks, cores()) - 1)]
+        take()
+        for other in beside:
+            other.result()
 
 
 @cache

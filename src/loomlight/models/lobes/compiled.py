@@ -1,4 +1,4 @@
-"""The estimate compiled for this processor, from `estimate_code`, and what it reads of a fabric."""
+"""The estimate and close-ups compiled for this processor, and what they read of a fabric."""
 
 from __future__ import annotations
 
@@ -8,10 +8,13 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.lane_code import Vectors
+from loomlight.core.lane_code import SharedNumbers, Vectors
 from loomlight.core.machine_code import MachineCode, vectors
 from loomlight.models.lobes.estimate_code import estimate_code, shared_numbers
+from loomlight.models.lobes.near_code import cloth_of, near_code
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.scattering.appearance import Appearance
+from loomlight.yarn.layout import ClothLayout
 
 Floats = NDArray[np.float32]
 
@@ -44,6 +47,34 @@ class CompiledEstimate:
     def run(self, queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
         """Answers queries; see `estimate_code` for what both are."""
         _compiled(self._words, self._wide).run(len(answers[0]), queries, answers, self._shared)
+
+
+class CompiledCloseUps:
+    """Close-ups of one fabric, mixed with what groups answer."""
+
+    def __init__(self, layout: ClothLayout, appearance: Appearance, wide: Vectors | None = None) -> None:
+        """
+        Args:
+            wide: vectors to use; by default twice this processor's, as each sample waits for the one before.
+        """
+        own = vectors()
+        wide = wide or Vectors(2 * own.lanes, own.registers)
+        shared = SharedNumbers()
+        cloth = cloth_of(layout, appearance, shared.types)
+        self._shared = shared.arrays()
+        # Code knows how tables of threads are read, and nothing else of a fabric.
+        warp, weft = cloth.surface.families
+        kind = warp.uniform, weft.uniform, wide
+        if kind not in _close_ups:
+            _close_ups[kind] = MachineCode(near_code(layout, appearance, wide))
+        self._code = _close_ups[kind]
+
+    def run(self, queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
+        """Answers queries; see `near_code` for what both are."""
+        self._code.run(len(answers[0]), queries, answers, self._shared)
+
+
+_close_ups: dict[tuple[bool, bool, Vectors], MachineCode] = {}
 
 
 @cache

@@ -13,16 +13,17 @@ import drjit as dr
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.backend import ArrayTypes, array_types, clipped, larger
-from loomlight.core.compiled_queries import answered, answers_now
+from loomlight.core.compiled_queries import Floats, answered, answers_now
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.lanes import changed_where
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
-from loomlight.models.lobes.compiled import CompiledEstimate
+from loomlight.models.lobes.compiled import CompiledCloseUps, CompiledEstimate
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
 from loomlight.models.lobes.estimate_code import ANSWERS
+from loomlight.models.lobes.estimate_code import QUERY as GROUP_QUERY
 from loomlight.models.lobes.near import near_hole, near_responses, points_of, searched_for
 from loomlight.models.lobes.proposal import (
     SMALLEST_WEIGHT,
@@ -124,9 +125,12 @@ class LobesModel(Model):
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints.
 
-        On CPUs, outside of symbolic calls and without derivatives, what groups say is worked out at once, by
-        machine code; arrays that are asked about are evaluated for it.
+        On CPUs, outside of symbolic calls and without derivatives, machine code answers at once; arrays that
+        are asked about are evaluated for it.
         """
+        asked = light, view, footprint.centre, footprint.duv_dx, footprint.duv_dy
+        if answers_now(array_types(view.x).Float, asked):
+            return self._compiled(light, view, footprint)
         return self._answers([light], view, footprint, None)[0][0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
@@ -261,12 +265,7 @@ class LobesModel(Model):
     ) -> list[tuple[Response, Any]]:
         """The response to each light, and with shares the groups' part of its density."""
         far_share = self._far_share(footprint.spread_side)
-        asked = lights, view, footprint.centre, footprint.duv_dx, footprint.duv_dy
-        if shares is None and answers_now(array_types(view.x).Float, asked):
-            nothing = array_types(view.x).Float(0)
-            far = [(self._compiled(light, view, footprint, far_share > 0), nothing) for light in lights]
-        else:
-            far = self.far(lights, view, footprint, far_share > 0, shares)
+        far = self.far(lights, view, footprint, far_share > 0, shares)
         near = near_responses(*self._points(footprint, far_share), lights, view, footprint)
         return [
             (_mixed(close, response, far_share), of_groups)
@@ -275,9 +274,14 @@ class LobesModel(Model):
 
     def _points(self, footprint: Footprint, far_share: Any) -> tuple[PointModel, Any]:
         """The point model for close-ups of footprints, and how many points they take."""
+        threads, points = self._threads_and_points(footprint, far_share)
+        return searched_for(self.point_model, threads), points
+
+    def _threads_and_points(self, footprint: Footprint, far_share: Any) -> tuple[Any, Any]:
+        """Side of footprints in threads, and how many points close-ups take."""
         size = footprint.spread_side
         threads = size * self._scale(array_types(size))[0]
-        return searched_for(self.point_model, threads), points_of(threads, far_share, footprint.samples)
+        return threads, points_of(threads, far_share, footprint.samples)
 
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
@@ -354,25 +358,33 @@ class LobesModel(Model):
             answers.append((response, sums[first + 4]))
         return answers
 
-    def _compiled(self, light: Any, view: Any, footprint: Footprint, active: Any) -> Response:
-        """`far` by machine code; 0 where it is not asked for."""
+    def _compiled(self, light: Any, view: Any, footprint: Footprint) -> Response:
+        """`evaluate` by machine code."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
-        edges = footprint.duv_dx, footprint.duv_dy
-        asked = footprint.centre, *edges, on_face(view, back), back, on_face(light, back), types.Bool(active)
-        found = answered(types.Float, asked, ANSWERS, self._machine_code.run)
-        return Response(*found)
+        far_share = self._far_share(footprint.spread_side)
+        threads, points = self._threads_and_points(footprint, far_share)
+        places = footprint.centre, footprint.duv_dx, footprint.duv_dy
+        groups = *places, on_face(view, back), back, on_face(light, back), types.Bool(far_share > 0)
+        estimate, close_ups = self._machine_code
+
+        def run(queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
+            estimate.run(queries[:GROUP_QUERY], answers)
+            close_ups.run(queries, answers)
+
+        return Response(*answered(types.Float, (*groups, points, threads, far_share), ANSWERS, run))
 
     @cached_property
-    def _machine_code(self) -> CompiledEstimate:
+    def _machine_code(self) -> tuple[CompiledEstimate, CompiledCloseUps]:
         appearance = self.fabric.appearance()
-        return CompiledEstimate(
+        estimate = CompiledEstimate(
             self.tables,
             self.estimator(array_types(llvm_float())).pyramid(),
             self.fabric.layout().size,
             (appearance.warp.roughness, appearance.weft.roughness),
             appearance.optical_depth,
         )
+        return estimate, CompiledCloseUps(self.fabric.layout(), appearance)
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)

@@ -45,9 +45,9 @@ from loomlight.yarn.visibility import (
 QUERY = FAR_QUERY + 3
 _POINTS, _THREADS, _FAR_SHARE = range(FAR_QUERY, QUERY)
 # Vectors of a block: the more, the fewer lanes are idle as the last rays of a block are searched.
-_VECTORS = 32
+_VECTORS = 16
 # Samples before rays are sorted for the first time, and from then on.
-_FIRST_SAMPLES, _SAMPLES = 2, 2
+_FIRST_SAMPLES, _FIRST_TO_LIGHT, _SAMPLES = 2, 1, 2
 _CHANNELS = ANSWERS
 
 
@@ -115,6 +115,36 @@ class _Sight:
 
 
 @dataclass
+class _Met:
+    """What a view ray has met.
+
+    Attributes:
+        query: its number in the block.
+        x, y: where, millimetres.
+        back: which face is seen.
+    """
+
+    query: Any
+    x: Any
+    y: Any
+    back: Any
+
+
+@dataclass
+class _Gap:
+    """A view ray that may pass through the cloth.
+
+    Attributes:
+        x, y: where it crosses the plane z = 0, millimetres.
+        met: what it has met if it does not.
+    """
+
+    x: Any
+    y: Any
+    met: _Met
+
+
+@dataclass
 class _Light:
     """A ray to a light.
 
@@ -152,9 +182,10 @@ class _Writer:
         sight = _Sight(whole, number, number, plane, number, no, falling)
         rising = Rising(number, number, no, no, whole, trail)
         light = _Light(whole, space, space, number, no, number, no, number, number, rising)
-        self._sights, self._met, self._lights = (
-            Pile(code, like, self._block) for like in (sight, sight, light)
-        )
+        met = _Met(whole, number, number, no)
+        kinds = sight, sight, _Gap(number, number, met), met, light
+        piles = [Pile(code, like, self._block) for like in kinds]
+        self._sights, self._ends, self._gaps, self._met, self._lights = piles
 
     def write(self) -> None:
         """Answers a block."""
@@ -162,12 +193,16 @@ class _Writer:
         for channel in range(_CHANNELS):
             with code.each_vector():
                 code.store(code.number(0), code.element(self._sum(channel), code.lane))
-        for pile in (self._sights, self._met, self._lights):
+        for pile in (self._sights, self._ends, self._gaps, self._met, self._lights):
             pile.clear()
         with code.loop(MOST_POINTS) as number, code.builder.if_then(self._has_points(number)):
             self._look(number)
             with code.as_long_as(self._sights.is_left):
                 self._search()
+            with code.as_long_as(self._ends.is_left):
+                self._refine()
+            with code.as_long_as(self._gaps.is_left):
+                self._pass(number)
             with code.as_long_as(self._met.is_left):
                 self._shade(number)
             with code.as_long_as(self._lights.is_left):
@@ -217,7 +252,7 @@ class _Writer:
 
     def _sort(self, sight: _Sight, there: Lanes) -> None:
         self._sights.put(sight, sight.search.searching)
-        self._met.put(sight, there & ~sight.search.searching)
+        self._ends.put(sight, there & ~sight.search.searching)
 
     def _searched(self, ray: Any, search: Any, samples: int) -> Any:
         """A search after so many samples."""
@@ -235,27 +270,52 @@ class _Writer:
         found = [code.gathered_from(code.queries(first + axis), query) for axis in range(3)]
         return Vector(*found)
 
-    def _shade(self, number: ir.Value) -> None:
-        """What light does at the points that views meet, and whether it arrives."""
-        code, cloth = self._code, self._cloth
-        sight, there = self._met.take()
+    def _refine(self) -> None:
+        """Finds the points that views meet."""
+        cloth = self._cloth
+        sight, there = self._ends.take()
         query = select(there, sight.query, 0)
-        view, light = self._of_queries(6, query), self._of_queries(10, query)
-        points, threads = (code.gathered_from(code.queries(k), query) for k in (_POINTS, _THREADS))
-        quality = quality_of(threads)
+        quality = self._quality(query)
         ray = FallingRay(cloth.surface, sight.x, sight.y, sight.slope, sight.step, sight.back, quality.steps)
         height = ray.refined(sight.search, quality.refinements)
-        below = there & (height <= 0)
-        hole = passes_through(cloth.surface, sight.x, sight.y, view, sight.back, below, quality)
-        share = smaller(points - code.counted(number), 1)
-        self._add(ANSWERS - 1, query, share, hole)
         x, y = fma(sight.slope.x, height, sight.x), fma(sight.slope.y, height, sight.y)
-        met = cloth.surface.surface(x, y, sight.back)
+        found = _Met(query, x, y, sight.back)
+        # What has met yarn above the plane does not pass it.
+        in_gap = there & (height <= 0) & cloth.surface.height(sight.x, sight.y, sight.back)[1]
+        self._gaps.put(_Gap(sight.x, sight.y, found), in_gap)
+        self._met.put(found, there & ~in_gap)
+
+    def _pass(self, number: ir.Value) -> None:
+        """Which views pass through the cloth."""
+        gap, there = self._gaps.take()
+        query = select(there, gap.met.query, 0)
+        view, quality = self._of_queries(6, query), self._quality(query)
+        passes = passes_through(self._cloth.surface, gap.x, gap.y, view, gap.met.back, there, quality)
+        self._add(ANSWERS - 1, query, self._share(number, query), passes)
+        self._met.put(gap.met, there & ~passes)
+
+    def _share(self, number: ir.Value, query: Lanes) -> Lanes:
+        """How much a point counts."""
+        points = self._code.gathered_from(self._code.queries(_POINTS), query)
+        return smaller(points - self._code.counted(number), 1)
+
+    def _quality(self, query: Lanes) -> SearchQuality:
+        return quality_of(self._code.gathered_from(self._code.queries(_THREADS), query))
+
+    def _shade(self, number: ir.Value) -> None:
+        """What light does at the points that views meet, and whether it arrives."""
+        cloth = self._cloth
+        seen, there = self._met.take()
+        query = select(there, seen.query, 0)
+        view, light = self._of_queries(6, query), self._of_queries(10, query)
+        quality, share = self._quality(query), self._share(number, query)
+        x, y, back = seen.x, seen.y, seen.back
+        met = cloth.surface.surface(x, y, back)
         roughness = select(met.is_warp, *cloth.roughness)
         point = YarnPoint(
-            sight.back, hole, x, y, met.height, met.normal, met.tangent, met.is_warp, roughness, None
+            back, ~there, x, y, met.height, met.normal, met.tangent, met.is_warp, roughness, None
         )
-        light, view = on_face(light, sight.back), on_face(view, sight.back)
+        light, view = on_face(light, back), on_face(view, back)
         diffuse, specular = lobes(cloth, point, light, view)
         shadow = shadow_ray(cloth.surface, point, light)
         rising = rising_ray(cloth.surface, x, y, shadow.height, shadow.direction, shadow.back, quality)
@@ -270,7 +330,7 @@ class _Writer:
             met.is_warp,
             diffuse * share,
             specular * share,
-            self._searched(rising, search, _FIRST_SAMPLES),
+            self._searched(rising, search, _FIRST_TO_LIGHT),
         )
         self._light(found)
 
@@ -301,6 +361,8 @@ class _Writer:
     def _add(self, channel: int, place: Lanes, value: Lanes, where: Lanes) -> None:
         """Adds to sums, of which none is named twice."""
         code, sums = self._code, self._sum(channel)
+        # Lanes that are not there may name any place.
+        place = select(where, place, 0)
         code.scatter_to(sums, place, code.gathered_from(sums, place) + value, where)
 
     def _answer(self) -> None:
