@@ -97,21 +97,52 @@ def near_code(layout: ClothLayout, appearance: Appearance, wide: Vectors) -> Cod
 
 @dataclass
 class _Sight:
-    """A view ray that is searched, or whose search is done.
+    """A view ray that is searched.
 
     Attributes:
         query: its number in the block.
-        x, y, slope, step, back: see `FallingRay`.
-        search: how far it has come.
+        x, y, slope_x, slope_y, step, back: see `FallingRay`.
+        height, leap, count, trail: how far the search has come; see `Falling`.
     """
 
     query: Any
     x: Any
     y: Any
-    slope: Any
+    slope_x: Any
+    slope_y: Any
     step: Any
     back: Any
-    search: Falling
+    height: Any
+    leap: Any
+    count: Any
+    trail: Trail
+
+
+@dataclass
+class _End:
+    """A view ray whose search is done.
+
+    Attributes:
+        query: its number in the block.
+        x, y, slope_x, slope_y, step, back: see `FallingRay`.
+        height, leap, depth, rate, smooth: see `Falling`.
+        last_clearance, last_rate: of the sample before; see `Trail`.
+    """
+
+    query: Any
+    x: Any
+    y: Any
+    slope_x: Any
+    slope_y: Any
+    step: Any
+    back: Any
+    height: Any
+    leap: Any
+    depth: Any
+    rate: Any
+    smooth: Any
+    last_clearance: Any
+    last_rate: Any
 
 
 @dataclass
@@ -153,7 +184,7 @@ class _Light:
         start, direction, step, back, roof: see `RisingRay`.
         is_warp: the yarn that it lights is of the warp.
         diffuse, specular: what counts of it where it arrives.
-        search: how far it has come.
+        distance, leap, count, trail: how far the search has come; see `Rising`.
     """
 
     query: Any
@@ -165,7 +196,10 @@ class _Light:
     is_warp: Any
     diffuse: Any
     specular: Any
-    search: Rising
+    distance: Any
+    leap: Any
+    count: Any
+    trail: Trail
 
 
 class _Writer:
@@ -176,14 +210,16 @@ class _Writer:
         self._block = code.vectors.block
         self._sums = code.stack(_CHANNELS * self._block)
         whole, number, no = (code.converted(0, kind) for kind in (WHOLE, FLOAT, TRUTH))
-        plane, space = Vector(number, number), Vector(number, number, number)
-        trail = Trail(number, number, whole, no)
-        falling = Falling(number, number, number, number, no, no, whole, trail)
-        sight = _Sight(whole, number, number, plane, number, no, falling)
-        rising = Rising(number, number, no, no, whole, trail)
-        light = _Light(whole, space, space, number, no, number, no, number, number, rising)
+        space, trail = Vector(number, number, number), Trail(number, number, whole, no)
+        place = (number,) * 5
         met = _Met(whole, number, number, no)
-        kinds = sight, sight, _Gap(number, number, met), met, light
+        kinds = (
+            _Sight(whole, *place, no, number, number, whole, trail),
+            _End(whole, *place, no, *place[:4], no, number, number),
+            _Gap(number, number, met),
+            met,
+            _Light(whole, space, space, number, no, number, no, *place[:4], whole, trail),
+        )
         piles = [Pile(code, like, self._block) for like in kinds]
         self._sights, self._ends, self._gaps, self._met, self._lights = piles
 
@@ -238,21 +274,25 @@ class _Writer:
                 view, back = Vector(*(code.given(k) for k in (6, 7, 8))), code.given(9) > 0.5
                 ray = falling_ray(self._cloth.surface, x, y, view, back, quality_of(code.given(_THREADS)))
                 search = self._searched(ray, ray.started(active), _FIRST_SAMPLES)
-                sight = _Sight(code.numbered(code.lane), x, y, ray.slope, ray.step, ray.back, search)
-                self._sort(sight, active)
+                self._sort(code.numbered(code.lane), ray, search, active)
 
     def _search(self) -> None:
         """Goes on with view rays."""
         sight, there = self._sights.take()
-        search = replace(sight.search, searching=there)
-        ray = FallingRay(
-            self._cloth.surface, sight.x, sight.y, sight.slope, sight.step, sight.back, SearchQuality().steps
-        )
-        self._sort(replace(sight, search=self._searched(ray, search, _SAMPLES)), there)
+        nothing, no = self._code.number(0), self._code.converted(False, TRUTH)
+        search = Falling(sight.height, sight.leap, nothing, nothing, no, there, sight.count, sight.trail)
+        ray = self._falling(sight)
+        self._sort(sight.query, ray, self._searched(ray, search, _SAMPLES), there)
 
-    def _sort(self, sight: _Sight, there: Lanes) -> None:
-        self._sights.put(sight, sight.search.searching)
-        self._ends.put(sight, there & ~sight.search.searching)
+    def _falling(self, of: _Sight | _End) -> FallingRay:
+        slope = Vector(of.slope_x, of.slope_y)
+        return FallingRay(self._cloth.surface, of.x, of.y, slope, of.step, of.back, SearchQuality().steps)
+
+    def _sort(self, query: Lanes, ray: FallingRay, now: Falling, there: Lanes) -> None:
+        of_ray = query, ray.x, ray.y, ray.slope.x, ray.slope.y, ray.step, ray.back
+        self._sights.put(_Sight(*of_ray, now.height, now.leap, now.count, now.trail), now.searching)
+        end = now.height, now.leap, now.depth, now.rate, now.smooth, now.trail.clearance, now.trail.rate
+        self._ends.put(_End(*of_ray, *end), there & ~now.searching)
 
     def _searched(self, ray: Any, search: Any, samples: int) -> Any:
         """A search after so many samples."""
@@ -272,17 +312,17 @@ class _Writer:
 
     def _refine(self) -> None:
         """Finds the points that views meet."""
-        cloth = self._cloth
-        sight, there = self._ends.take()
-        query = select(there, sight.query, 0)
-        quality = self._quality(query)
-        ray = FallingRay(cloth.surface, sight.x, sight.y, sight.slope, sight.step, sight.back, quality.steps)
-        height = ray.refined(sight.search, quality.refinements)
-        x, y = fma(sight.slope.x, height, sight.x), fma(sight.slope.y, height, sight.y)
-        found = _Met(query, x, y, sight.back)
+        end, there = self._ends.take()
+        query = select(there, end.query, 0)
+        ray, no = self._falling(end), self._code.converted(False, TRUTH)
+        trail = Trail(end.last_clearance, end.last_rate, 0, no)
+        search = Falling(end.height, end.leap, end.depth, end.rate, end.smooth, no, 0, trail)
+        height = ray.refined(search, self._quality(query).refinements)
+        x, y = fma(ray.slope.x, height, ray.x), fma(ray.slope.y, height, ray.y)
+        found = _Met(query, x, y, ray.back)
         # What has met yarn above the plane does not pass it.
-        in_gap = there & (height <= 0) & cloth.surface.height(sight.x, sight.y, sight.back)[1]
-        self._gaps.put(_Gap(sight.x, sight.y, found), in_gap)
+        in_gap = there & (height <= 0) & self._cloth.surface.height(ray.x, ray.y, ray.back)[1]
+        self._gaps.put(_Gap(ray.x, ray.y, found), in_gap)
         self._met.put(found, there & ~in_gap)
 
     def _pass(self, number: ir.Value) -> None:
@@ -320,43 +360,34 @@ class _Writer:
         shadow = shadow_ray(cloth.surface, point, light)
         rising = rising_ray(cloth.surface, x, y, shadow.height, shadow.direction, shadow.back, quality)
         search = rising.started(there & shadow.searched & (shadow.direction.z > 0))
-        found = _Light(
-            query,
-            rising.start,
-            rising.direction,
-            rising.step,
-            rising.back,
-            rising.roof,
-            met.is_warp,
-            diffuse * share,
-            specular * share,
-            self._searched(rising, search, _FIRST_TO_LIGHT),
-        )
-        self._light(found)
+        scattered = met.is_warp, diffuse * share, specular * share
+        self._light(query, rising, scattered, self._searched(rising, search, _FIRST_TO_LIGHT))
 
     def _search_lights(self) -> None:
         """Goes on with rays to lights."""
         light, there = self._lights.take()
-        ray = RisingRay(
-            self._cloth.surface,
-            light.start,
-            light.direction,
-            light.step,
-            light.back,
-            light.roof,
-            SearchQuality().steps,
-        )
-        search = replace(light.search, searching=there, free=there)
-        self._light(replace(light, search=self._searched(ray, search, _SAMPLES)))
+        way = light.start, light.direction, light.step, light.back, light.roof
+        ray = RisingRay(self._cloth.surface, *way, SearchQuality().steps)
+        search = Rising(light.distance, light.leap, there, there, light.count, light.trail)
+        scattered = light.is_warp, light.diffuse, light.specular
+        self._light(light.query, ray, scattered, self._searched(ray, search, _SAMPLES))
 
-    def _light(self, light: _Light) -> None:
-        """Adds what arrives, and puts aside what is not known yet."""
-        searching = light.search.searching
-        self._lights.put(light, searching)
-        arrives = light.search.free & ~searching
-        family = select(light.is_warp, self._code.converted(0, WHOLE), self._block)
-        self._add(0, light.query + family, light.diffuse, arrives)
-        self._add(2, light.query + family, light.specular, arrives)
+    def _light(
+        self, query: Lanes, ray: RisingRay, scattered: tuple[Lanes, Lanes, Lanes], now: Rising
+    ) -> None:
+        """Adds what arrives, and puts aside what is not known yet.
+
+        Args:
+            scattered: whether off the warp, and how much of both kinds.
+        """
+        way = ray.start, ray.direction, ray.step, ray.back, ray.roof
+        so_far = now.distance, now.leap, now.count, now.trail
+        self._lights.put(_Light(query, *way, *scattered, *so_far), now.searching)
+        is_warp, diffuse, specular = scattered
+        arrives = now.free & ~now.searching
+        family = select(is_warp, self._code.converted(0, WHOLE), self._block)
+        self._add(0, query + family, diffuse, arrives)
+        self._add(2, query + family, specular, arrives)
 
     def _add(self, channel: int, place: Lanes, value: Lanes, where: Lanes) -> None:
         """Adds to sums, of which none is named twice."""
