@@ -247,8 +247,11 @@ class Pile:
         """For trees like one, of which there are never more than so many at once."""
         self._code, self._like = code, like
         self._kinds = [code.as_lanes(leaf).kind for leaf in leaves_of(like)]
-        # Whole vectors are read, though some of their lanes are not on the pile.
-        self._rows = [code.stack(room + code.vectors.lanes) for _ in self._kinds]
+        # What is true is kept as bits of one number. Whole vectors are read, though some of their lanes are
+        # not on the pile.
+        self._truths = self._kinds.count(TRUTH)
+        rows = len(self._kinds) - self._truths + (self._truths > 0)
+        self._rows = [code.stack(room + code.vectors.lanes) for _ in range(rows)]
         self._height = code.variable(INDEX)
 
     def clear(self) -> None:
@@ -262,8 +265,8 @@ class Pile:
     def put(self, tree: Any, chosen: Lanes) -> None:
         """Puts chosen lanes on top."""
         code, height = self._code, self._code.builder.load(self._height)
-        for leaf, row, kind in zip(leaves_of(tree), self._rows, self._kinds, strict=True):
-            code.compress(code.as_lanes(leaf, kind), chosen, code.element(row, height))
+        for leaf, row in zip(self._packed(tree), self._rows, strict=True):
+            code.compress(leaf, chosen, code.element(row, height))
         code.builder.store(code.builder.add(height, code.count_of(chosen)), self._height)
 
     def take(self) -> tuple[Any, Lanes]:
@@ -274,12 +277,28 @@ class Pile:
         enough = code.builder.icmp_signed(">", below, INDEX(0))
         first = code.builder.select(enough, below, INDEX(0))
         code.builder.store(first, self._height)
-        found = [
-            code.as_kind(code.load(code.element(row, first), align=4), kind)
-            for row, kind in zip(self._rows, self._kinds, strict=True)
-        ]
+        found = [code.load(code.element(row, first), align=4) for row in self._rows]
         there = code.numbered(first) < code.in_all_lanes(height)
-        return with_leaves(self._like, iter(found)), there
+        return self._unpacked(found), there
+
+    def _packed(self, tree: Any) -> list[Lanes]:
+        code = self._code
+        leaves = [code.as_lanes(leaf, kind) for leaf, kind in zip(leaves_of(tree), self._kinds, strict=True)]
+        packed = [code.as_floats(leaf) for leaf in leaves if leaf.kind != TRUTH]
+        bits: Any = 0
+        for number, leaf in enumerate(leaf for leaf in leaves if leaf.kind == TRUTH):
+            bits = code.select(leaf, code.converted(1 << number, WHOLE), 0) | bits
+        return [*packed, code.as_floats(bits)] if self._truths else packed
+
+    def _unpacked(self, rows: list[Lanes]) -> Any:
+        code, numbers, truths, leaves = self._code, iter(rows), 0, []
+        for kind in self._kinds:
+            if kind == TRUTH:
+                leaves.append((code.as_kind(rows[-1], WHOLE) & (1 << truths)) > 0)
+                truths += 1
+            else:
+                leaves.append(code.as_kind(next(numbers), kind))
+        return with_leaves(self._like, iter(leaves))
 
 
 class SharedByQueries(Protocol):
@@ -677,20 +696,14 @@ class Code:
         self.builder.call(function, [self.as_floats(lanes).value, pointer, chosen.value])
 
     def as_floats(self, lanes: Lanes) -> Lanes:
-        """The bits of lanes, told to be floats; what is true becomes 1."""
-        if lanes.kind == TRUTH:
-            return self.select(lanes, 1.0, 0.0)
-        if lanes.kind == FLOAT:
-            return lanes
-        return Lanes(self, self.builder.bitcast(lanes.value, self._vector))
+        """The bits of numbers, told to be floats."""
+        return lanes if lanes.kind == FLOAT else Lanes(self, self.builder.bitcast(lanes.value, self._vector))
 
     def as_kind(self, floats: Lanes, kind: ir.Type) -> Lanes:
         """What `as_floats` was told."""
-        if kind == TRUTH:
-            return floats > 0.5
-        if kind == FLOAT:
-            return floats
-        return Lanes(self, self.builder.bitcast(floats.value, self._of_kind(kind)))
+        return (
+            floats if kind == FLOAT else Lanes(self, self.builder.bitcast(floats.value, self._of_kind(kind)))
+        )
 
     def in_all_lanes(self, number: ir.Value) -> Lanes:
         """An index as a whole number in all lanes."""
