@@ -73,7 +73,7 @@ def shared_numbers(
 
     def rows(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> NDArray[np.float32]:
         parts = [np.pad(part.reshape(1, -1, 4 * words), beside) for part in (first, second)]
-        return np.ascontiguousarray(np.concatenate(parts, axis=2)).view(np.float32).ravel()
+        return aligned(np.concatenate(parts, axis=2).astype(np.float32).ravel())
 
     seen, lit = tables.seen, tables.lit
     groups = np.zeros((2, _ROWS, padded), np.float32)
@@ -267,8 +267,8 @@ class _Writer:
             weight = self._of_query(weights, tap, query)
             place = code.builder.add(code.whole_at(nodes.place(tap), query), first)
             for half in range(2):
-                value = code.sum_of_bytes(
-                    code.array(table), [code.builder.add(place, INDEX(half * self._padded))]
+                value = code.load(
+                    code.element(code.array(table), code.builder.add(place, INDEX(half * self._padded)))
                 )
                 found[half] = code.fma(weight, value, found[half])
         return found[0], found[1]
