@@ -11,7 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, fields, is_dataclass
+from copy import copy
+from dataclasses import dataclass, fields, is_dataclass, replace
 from functools import cache
 from typing import Any, Protocol
 
@@ -798,6 +799,27 @@ class Code:
                 for number, order in ((k, high if k % 2 else low) for k in range(lanes))
             ]
         return [Lanes(self, value) for value in found]
+
+    # Two vectors side by side, of which one is worked at while the other waits for a result.
+
+    def doubled(self) -> Code:
+        """This code, written with vectors of twice as many lanes."""
+        twice = copy(self)
+        twice.vectors = replace(self.vectors, lanes=2 * self.vectors.lanes)
+        twice._vector, twice._wholes = (twice._of_kind(kind) for kind in (FLOAT, WHOLE))
+        return twice
+
+    def joined(self, first: Lanes, second: Lanes) -> Lanes:
+        """Of two vectors of half as many lanes one."""
+        order = self._lanes(list(range(self.vectors.lanes)))
+        return Lanes(self, self.builder.shuffle_vector(first.value, second.value, order))
+
+    def halves(self, lanes: Lanes) -> list[Lanes]:
+        """The two vectors that were `joined` in a code of twice as many lanes."""
+        count = self.vectors.lanes
+        orders = (self._lanes(list(range(first, first + count))) for first in (0, count))
+        value = lanes.value
+        return [Lanes(self, self.builder.shuffle_vector(value, value, order)) for order in orders]
 
     # What may be done with numbers, as modules of arrays have it.
 

@@ -14,6 +14,7 @@ specular of warp and of weft, 1/sr, and the hole; all 0 where none was wanted.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -106,7 +107,7 @@ class _Writer:
     """Writes the code of a block, whose queries are as many as there are lanes."""
 
     def __init__(self, code: Code, words: int) -> None:
-        self._code, self._words = code, words
+        self._code, self._twice, self._words = code, code.doubled(), words
         self._padded = _padded_groups(words, code.vectors)
         self._parts = self._padded // code.vectors.lanes
         # Of each query: what `_find` puts down. Numbers of bytes, weights, directions.
@@ -126,8 +127,10 @@ class _Writer:
             code.answer(QUERY + answer, 0)
         with code.builder.if_then(code.anywhere(wanted)):
             self._find()
-            with code.loop(code.vectors.lanes) as query:
-                self._add_groups(query)
+            # One waits for what it has fetched or divided, the other goes on.
+            with code.loop(code.vectors.lanes // 2) as pair:
+                first = code.times(pair, 2)
+                self._add_groups([first, code.builder.add(first, INDEX(1))])
             self._answer(wanted[0] > 0)
 
     # Where queries lie in the tables.
@@ -196,44 +199,48 @@ class _Writer:
 
     # What groups do.
 
-    def _add_groups(self, query: ir.Value) -> None:
-        """Puts down the sums of a query, a lane for each group."""
+    def _add_groups(self, queries: Sequence[ir.Value]) -> None:
+        """Puts down the sums of two queries, a lane for each group."""
         if self._parts == 1:
-            self._keep(query, self._of_groups(query, INDEX(0)))
+            self._keep(queries, self._of_groups(queries, INDEX(0)))
             return
-        self._keep(query, [self._code.number(0)] * ANSWERS)
+        nothing = [self._twice.number(0)] * ANSWERS
+        self._keep(queries, nothing)
         with self._code.loop(self._parts) as part:
-            found = self._of_groups(query, self._code.times(part, self._code.vectors.lanes))
-            before = [self._code.load(self._line(sums, query)) for sums in self._sums]
-            self._keep(query, [a + b for a, b in zip(before, found, strict=True)])
+            found = self._of_groups(queries, self._code.times(part, self._code.vectors.lanes))
+            before = [self._before(sums, queries) for sums in self._sums]
+            self._keep(queries, [a + b for a, b in zip(before, found, strict=True)])
 
     def _line(self, sums: ir.Value, query: ir.Value) -> ir.Value:
         return self._code.element(sums, self._code.times(query, self._code.vectors.lanes))
 
-    def _keep(self, query: ir.Value, found: list[Lanes]) -> None:
-        for sums, value in zip(self._sums, found, strict=True):
-            self._code.store(value, self._line(sums, query))
+    def _before(self, sums: ir.Value, queries: Sequence[ir.Value]) -> Lanes:
+        return self._both(queries, lambda query: self._code.load(self._line(sums, query)))
 
-    def _of_groups(self, query: ir.Value, first: ir.Value) -> list[Lanes]:
+    def _keep(self, queries: Sequence[ir.Value], found: list[Lanes]) -> None:
+        for sums, values in zip(self._sums, found, strict=True):
+            for query, value in zip(queries, self._code.halves(values), strict=True):
+                self._code.store(value, self._line(sums, query))
+
+    def _both(self, queries: Sequence[ir.Value], of_query: Callable[[ir.Value], Lanes]) -> Lanes:
+        """Vectors of two queries side by side."""
+        return self._twice.joined(*(of_query(query) for query in queries))
+
+    def _of_groups(self, queries: Sequence[ir.Value], first: ir.Value) -> list[Lanes]:
         """Of as many groups as there are lanes, from one on: diffuse and specular by family, and weights."""
-        code = self._code
+        code = self._twice
         light, view, half = (
-            Vector(*(self._of_query(self._directions, 3 * vector + axis, query) for axis in range(3)))
+            Vector(*(self._of_queries(self._directions, 3 * vector + axis, queries) for axis in range(3)))
             for vector in range(3)
         )
         correlations = (
-            self._of_query(self._facts, _DIFFUSE, query),
-            self._of_query(self._facts, _SPECULAR, query),
+            self._of_queries(self._facts, _DIFFUSE, queries),
+            self._of_queries(self._facts, _SPECULAR, queries),
         )
-        start = code.builder.add(code.whole_at(self._facts.place(_FIRST_GROUP), query), first)
-        groups = [self._of_group(row, start) for row in range(_ROWS)]
-        places = [
-            code.builder.add(code.whole_at(self._places.place(number), query), first)
-            for number in range(len(PLACES))
-        ]
-        coverage = code.sum_of_bytes(code.array(_COVERAGE), places) * (1 / len(PLACES))
-        visible, from_view = self._interpolated(_SEEN, self._seen, self._seen_weights, query, first)
-        irradiance, reached = self._interpolated(_LIT, self._lit, self._lit_weights, query, first)
+        groups = [self._of_group(row, queries, first) for row in range(_ROWS)]
+        coverage = self._both(queries, lambda query: self._coverage(query, first)) * (1 / len(PLACES))
+        visible, from_view = self._interpolated(_SEEN, self._seen, self._seen_weights, queries, first)
+        irradiance, reached = self._interpolated(_LIT, self._lit, self._lit_weights, queries, first)
         x, y, z, unit, tx, ty, tz, xx, yy, xy, xz, yz, roughness, is_warp = groups
         tangent = Vector(tx, ty, tz)
         zz = 1 - (tx * tx + ty * ty + tz * tz) - xx - yy
@@ -241,37 +248,62 @@ class _Writer:
         weight = coverage * (visible * visible) * unit
         reached = reached * PER_BYTE
         more_diffuse, more = raised_by(correlations, reached, from_view * PER_BYTE, code)
-        value = layer_value(half, light, view, light.z < 0, lobe, self._number(_DEPTH), code)
+        depth = code.shared(code.array(_NUMBERS), _DEPTH)
+        value = layer_value(half, light, view, light.z < 0, lobe, depth, code)
         diffuse = weight * irradiance * more_diffuse
         specular = weight * value * (reached * more)
         is_weft = 1 - is_warp
         return [diffuse * is_warp, diffuse * is_weft, specular * is_warp, specular * is_weft, weight]
 
-    def _of_query(self, rows: Rows, channel: int, query: ir.Value) -> Lanes:
-        """A number of a query, in all lanes."""
-        return self._code.shared(rows.place(channel), query)
+    def _of_queries(self, rows: Rows, channel: int, queries: Sequence[ir.Value]) -> Lanes:
+        """A number of each query, in all its lanes."""
+        place = rows.place(channel)
+        return self._both(queries, lambda query: self._code.shared(place, query))
 
-    def _of_group(self, row: int, start: ir.Value) -> Lanes:
+    def _of_group(self, row: int, queries: Sequence[ir.Value], first: ir.Value) -> Lanes:
         """One of the numbers of groups."""
         code = self._code
-        place = code.builder.add(start, INDEX(_GROUPS + row * self._padded))
-        return code.load(code.element(code.array(_NUMBERS), place), align=4)
+
+        def load(query: ir.Value) -> Lanes:
+            start = code.builder.add(code.whole_at(self._facts.place(_FIRST_GROUP), query), first)
+            place = code.builder.add(start, INDEX(_GROUPS + row * self._padded))
+            return code.load(code.element(code.array(_NUMBERS), place), align=4)
+
+        return self._both(queries, load)
+
+    def _coverage(self, query: ir.Value, first: ir.Value) -> Lanes:
+        """Sums over the nodes of the footprint."""
+        code = self._code
+        places = [
+            code.builder.add(code.whole_at(self._places.place(number), query), first)
+            for number in range(len(PLACES))
+        ]
+        return code.sum_of_bytes(code.array(_COVERAGE), places)
 
     def _interpolated(
-        self, table: int, nodes: Rows, weights: Rows, query: ir.Value, first: ir.Value
+        self, table: int, nodes: Rows, weights: Rows, queries: Sequence[ir.Value], first: ir.Value
     ) -> tuple[Lanes, Lanes]:
         """Both halves of a table's rows."""
-        code = self._code
-        found = [code.number(0), code.number(0)]
+        found = [self._twice.number(0), self._twice.number(0)]
         for tap in range(_TAPS):
-            weight = self._of_query(weights, tap, query)
-            place = code.builder.add(code.whole_at(nodes.place(tap), query), first)
+            weight = self._of_queries(weights, tap, queries)
             for half in range(2):
-                value = code.load(
-                    code.element(code.array(table), code.builder.add(place, INDEX(half * self._padded)))
-                )
-                found[half] = code.fma(weight, value, found[half])
+                value = self._of_node(table, nodes.place(tap), half, queries, first)
+                found[half] = self._twice.fma(weight, value, found[half])
         return found[0], found[1]
+
+    def _of_node(
+        self, table: int, node: ir.Value, half: int, queries: Sequence[ir.Value], first: ir.Value
+    ) -> Lanes:
+        """Half of a row of a table."""
+        code = self._code
+
+        def load(query: ir.Value) -> Lanes:
+            place = code.builder.add(code.whole_at(node, query), first)
+            place = code.builder.add(place, INDEX(half * self._padded))
+            return code.load(code.element(code.array(table), place))
+
+        return self._both(queries, load)
 
     # Answers.
 
