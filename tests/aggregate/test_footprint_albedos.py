@@ -10,6 +10,7 @@ import pytest
 from drjit.llvm.ad import Array2f, Bool, Float
 from numpy.typing import NDArray
 
+from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.colour_sums import ALBEDOS, ColourSums
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.footprint import Box, Footprint, box_footprint
@@ -46,6 +47,19 @@ def shown(model: PointModel, x: NDArray[np.float64], y: NDArray[np.float64], bac
     warp = point.warp_thread.numpy().astype(np.int64) + 1
     weft = -1 - point.weft_thread.numpy().astype(np.int64)
     return np.where(point.hole.numpy(), 0, np.where(point.is_warp.numpy(), warp, weft))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_tables_of_large_drafts_say_the_same(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their entries are read one by one, those of others with their neighbours: the same whole numbers."""
+    rng = np.random.default_rng(2)
+    model = woven(name)
+    extent = np.array(model.surface.size)
+    asked = rng.uniform(-2, 3, (2000, 2)) * extent, rng.uniform(0.05, 2.5, (2000, 2)) * extent
+    found = means(model, *asked, back=False)
+    monkeypatch.setattr(footprint_albedos, "_MOST_PAIRED", 0)
+    # Sums of the same floats in an order that compilers choose.
+    np.testing.assert_allclose(means(model, *asked, back=False), found, rtol=1e-5, atol=1e-6)
 
 
 @pytest.mark.parametrize("back", [False, True])

@@ -20,7 +20,7 @@ crossing has 5000 units in a draft of 641 by 641 threads, 128 in the largest.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,6 +41,10 @@ _NUMBERS = 3 * len(_ALBEDOS)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
 # Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
 _MOST_ENTRIES = 1 << 26
+# Up to so many entries each is kept together with its neighbour, so that both are read at once: 32 MB.
+_MOST_PAIRED = 1 << 22
+# Numbers fetched at once.
+_WIDEST = 16
 # Principal axes that move no albedo by more than this are left out.
 _SMALLEST_AXIS = 1e-6
 # Boxes count as at least this share of a mean thread wide: below, float32 positions say nothing.
@@ -168,6 +172,11 @@ def _principal(
     return mean, coordinates, axes, float(error)
 
 
+def _padded_row(numbers: int) -> int:
+    """Numbers of a row that is read at once, or in whole reads of the widest kind."""
+    return -(-numbers // _WIDEST) * _WIDEST if numbers > _WIDEST else 1 << (numbers - 1).bit_length()
+
+
 def _padded(quantities: int) -> int:
     """Quantities a table entry holds: two, or whole reads of four."""
     return 2 if quantities == 2 else -(-quantities // 4) * 4
@@ -279,12 +288,17 @@ class _Colours:
         self._mean = _opaque(types, tables.mean)
         self._axes = [_opaque(types, axis) for axis in tables.axes]
         self._quantities = len(tables.axes) + 1
-        self._padded = tables.areas.shape[2]
-        self._pitch = dr.opaque(types.UInt32, tables.areas.shape[1])
         self._unit = dr.opaque(types.Float, tables.unit)
         self._crossing = dr.opaque(types.Float, tables.crossing)
-        self._threads = uploaded(types.Float, tables.threads.astype(np.float32))
-        self._areas = uploaded(types.UInt32, tables.areas)
+        self._row = _padded_row(3 * self._quantities)
+        rows = tables.threads.reshape(len(tables.threads), -1)
+        padded = np.pad(rows, ((0, 0), (0, self._row - rows.shape[1])))
+        self._threads = uploaded(types.Float, padded.astype(np.float32))
+        self._totals = _opaque(types, rows[-1])
+        areas = tables.areas
+        self._areas: _Entries = (
+            _PairedEntries(areas, types) if areas.size <= _MOST_PAIRED else _SingleEntries(areas, types)
+        )
 
     def mean_over(self, own: _Stretch, other: _Stretch, back: Any) -> Albedos:
         """Mean albedos over a box: `own` is its stretch across the family's threads."""
@@ -314,52 +328,115 @@ class _Colours:
 
     def _along(self, own: _Stretch) -> tuple[list[Any], list[Any]]:
         """Integrals of each quantity over visible widths and over cells, millimetres."""
-        axis, low, high = own
+        _, low, high = own
         turns = high.turns - low.turns
-        visible, cells = [], []
-        for number in range(self._quantities):
-
-            def read(kind: int, thread: Any, number: int = number) -> Any:
-                index = (thread * 3 + kind) * self._quantities + number
-                return dr.gather(self._types.Float, self._threads, index)
-
-            first, last = read(0, low.thread), read(0, high.thread)
-            between = [read(kind, high.thread) - read(kind, low.thread) for kind in (1, 2)]
-            whole = [turns * read(kind, axis.count) for kind in (1, 2)]
-            ends = last * high.visible * high.width - first * low.visible * low.width
-            visible.append(between[0] + ends + whole[0])
-            cells.append(between[1] + last * high.cell - first * low.cell + whole[1])
+        first, last = (self._of_thread(bound.thread) for bound in (low, high))
+        count, visible, cells = self._quantities, [], []
+        for number in range(count):
+            ends = last[number] * high.visible * high.width - first[number] * low.visible * low.width
+            place = count + number
+            visible.append(last[place] - first[place] + ends + turns * self._totals[place])
+            ends = last[number] * high.cell - first[number] * low.cell
+            place += count
+            cells.append(last[place] - first[place] + ends + turns * self._totals[place])
         return visible, cells
+
+    def _of_thread(self, thread: Any) -> list[Any]:
+        """A thread's row: its quantities, and their integrals over widths and over cells before it."""
+        types, step = self._types, min(self._row, _WIDEST)
+        reads = self._row // step
+        found: list[Any] = []
+        for part in range(reads):
+            index = thread * reads + part
+            found.extend(dr.gather(types.Vectors, self._threads, index, shape=(step, dr.width(thread))))
+        return found
 
     def _on_top(self, own: _Stretch, other: _Stretch) -> list[Any]:
         """Integrals of each quantity over crossings where the family is on top, square millimetres."""
         types = self._types
         columns, rows = _Steps.of(types, own), _Steps.of(types, other)
         found = []
-        for first, size in self._reads():
-            by_column = [
-                rows.differences([self._read(row, column, first, size) for row in rows.entries])
-                for column in columns.entries
-            ]
-            grid = [columns.differences(line) for line in zip(*by_column, strict=True)]
-            for number in range(size):
-                total = types.Float(0)
-                for row_weight, line in zip(rows.weights, grid, strict=True):
-                    # Only what is left of the entries' exact differences becomes a float.
-                    parts = [types.Float(types.Int32(entry[number])) for entry in line]
-                    across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
-                    total = dr.fma(row_weight, across, total)
-                found.append(total * self._unit)
+        for entries in self._areas.read(rows, columns):
+            grid = [rows.differences(column) for column in entries]
+            total = types.Float(0)
+            for row_weight, line in zip(rows.weights, zip(*grid, strict=True), strict=True):
+                # Only what is left of the entries' exact differences becomes a float.
+                parts = [types.Float(types.Int32(part)) for part in columns.differences(line)]
+                across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
+                total = dr.fma(row_weight, across, total)
+            found.append(total * self._unit)
         return found[: self._quantities]
 
-    def _reads(self) -> list[tuple[int, int]]:
-        size = min(self._padded, 4)
-        return [(first, size) for first in range(0, self._padded, size)]
 
-    def _read(self, row: Any, column: Any, first: int, size: int) -> Any:
+class _SingleEntries:
+    """The summed-area table of a large draft, read entry by entry."""
+
+    def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
+        self._types = types
+        self._padded = areas.shape[2]
+        self._pitch = dr.opaque(types.UInt32, areas.shape[1])
+        self._areas = uploaded(types.UInt32, areas)
+
+    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:
+        """Of each number of an entry a grid of entries: by column, then by row."""
+        size = min(self._padded, 4)
         kind = self._types.Index2 if size == 2 else self._types.Index4
-        index = (row * self._pitch + column) * (self._padded // size) + first // size
-        return dr.gather(kind, self._areas, index)
+        for part in range(self._padded // size):
+            found = []
+            for column in columns.entries:
+                starts = [(row * self._pitch + column) * (self._padded // size) for row in rows.entries]
+                found.append([dr.gather(kind, self._areas, start + part) for start in starts])
+            for number in range(size):
+                yield [[entry[number] for entry in line] for line in found]
+
+
+class _PairedEntries:
+    """The summed-area table of a draft that is not large: neighbours along its rows are read at once.
+
+    Beside the last column, of the whole repeat, is none: neighbours in it are its next rows'.
+    """
+
+    def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
+        self._types = types
+        self._size = min(areas.shape[2], 4)
+        self._parts = areas.shape[2] // self._size
+        self._pitch = dr.opaque(types.UInt32, areas.shape[1] - 1)
+        split = areas.reshape(*areas.shape[:2], self._parts, 1, self._size)
+        self._pairs = uploaded(types.UInt32, np.concatenate([split[:, :-1], split[:, 1:]], axis=3))
+        last = split[:, -1]
+        self._last = uploaded(types.UInt32, np.concatenate([last[:-1], last[1:]], axis=2))
+        self._all = [dr.opaque(types.UInt32, int(number)) for number in areas[-1, -1]]
+
+    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:
+        """Of each number of an entry a grid of entries: by column, then by row."""
+        size = self._size
+        for part in range(self._parts):
+            lines = [
+                [
+                    self._pair(self._pairs, row * self._pitch + columns.entries[first], part)
+                    for first in (0, 2)
+                ]
+                for row in rows.entries
+            ]
+            ends = [self._pair(self._last, rows.entries[first], part) for first in (0, 2)]
+            for number in range(size):
+                grid = [
+                    [line[pair][number + size * half] for line in lines]
+                    for pair in range(2)
+                    for half in range(2)
+                ]
+                last = [end[number + size * half] for end in ends for half in range(2)]
+                yield [*grid, [*last, self._all[part * size + number]]]
+
+    def _pair(self, table: Any, index: Any, part: int) -> Any:
+        """Two neighbours' numbers, one after the other."""
+        types, place = self._types, index * self._parts + part
+        if self._size == 2:
+            return dr.gather(types.Index4, table, place)
+        return dr.gather(types.Indices, table, place, shape=(2 * self._size, dr.width(place)))
+
+
+_Entries = _SingleEntries | _PairedEntries
 
 
 @dataclass

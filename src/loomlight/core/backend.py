@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 class ArrayTypes:
     """The array types of one backend and precision; `Color3` and `Vector3` hold three `Float`.
 
-    `Vectors` hold any number.
+    `Vectors` and `Indices` hold any number.
     """
 
     Float: Any
@@ -34,6 +34,7 @@ class ArrayTypes:
     Color3: Any
     Index2: Any
     Index4: Any
+    Indices: Any
     PCG32: Any
 
 
@@ -53,6 +54,7 @@ def _types_of(float_type: type) -> ArrayTypes:
         Color3=getattr(module, f"Array3{precision}"),
         Index2=module.Array2u,
         Index4=module.Array4u,
+        Indices=module.ArrayXu,
         PCG32=module.PCG32,
     )
 

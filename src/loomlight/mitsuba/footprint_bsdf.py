@@ -43,8 +43,12 @@ _SMALLEST_OPEN_AREA = 1e-3
 class SeenCloth(Protocol):
     """What a view sees of footprints, for any light; directions are unit vectors [3]."""
 
-    def response(self, light: Any) -> Response:
-        """Components towards the view, free of albedos."""
+    def response(self, light: Any, lit: Any = True) -> Response:
+        """Components towards the view, free of albedos.
+
+        Args:
+            lit: lanes where components count; what is left out elsewhere may be anything, but for the hole.
+        """
 
     def pdf(self, light: Any) -> Any:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
@@ -266,7 +270,8 @@ def footprint_bsdf_class() -> type:
         ) -> tuple[Any, Any]:
             """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
             seen, albedos = self._seen(si, active)
-            response = seen.response(plain(wo))
+            # In shadow the cloth is asked for its holes alone.
+            response = seen.response(plain(wo), active)
             through = self.model.straight_through(plain(si.wi), response.hole)
             value = self._value(response, albedos, si, wo, active)
             return value, mi.Spectrum(dr.select(entering, through, 0))

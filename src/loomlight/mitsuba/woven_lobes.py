@@ -87,8 +87,8 @@ class _SeenLobes:
     def _shares(self) -> Shares:
         return self.model.shares(self.albedos, self.view, self.footprint)
 
-    def response(self, light: Any) -> Response:
-        return self.model.evaluate(light, self.view, self.footprint)
+    def response(self, light: Any, lit: Any = True) -> Response:
+        return self.model.evaluate(light, self.view, self.footprint, lit)
 
     def pdf(self, light: Any) -> Any:
         return self.response_and_pdf(light)[1]

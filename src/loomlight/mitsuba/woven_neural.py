@@ -110,7 +110,7 @@ class _SeenByNetwork:
     albedos: FamilyAlbedos
     view: Any
 
-    def response(self, light: Any) -> Response:
+    def response(self, light: Any, lit: Any = True) -> Response:
         return self.model.lit(self.seen, light, self.view)
 
     def pdf(self, light: Any) -> Any:

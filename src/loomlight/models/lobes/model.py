@@ -122,8 +122,8 @@ class LobesModel(Model):
         loom.require_model(cls.name)
         return cls(loom.fabric, tables_of_loom(loom))
 
-    def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
-        """Components and hole of footprints.
+    def evaluate(self, light: Any, view: Any, footprint: Footprint, active: Any = True) -> Response:
+        """Components and hole of footprints; the hole alone where lanes are not active.
 
         On CPUs, outside of symbolic calls and without derivatives, machine code answers at once; arrays that
         are asked about are evaluated for it.
@@ -131,7 +131,7 @@ class LobesModel(Model):
         asked = light, view, footprint.centre, footprint.duv_dx, footprint.duv_dy
         if answers_now(array_types(view.x).Float, asked):
             return self._compiled(light, view, footprint)
-        return self._answers([light], view, footprint, None)[0][0]
+        return self._answers([light], view, footprint, None, active)[0][0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
         """Mean albedos of the threads; close up, of those around the point that the middle ray meets."""
@@ -261,11 +261,20 @@ class LobesModel(Model):
         return dr.lerp(near_hole(*self._points(footprint, far_share), view, footprint), far, far_share)
 
     def _answers(
-        self, lights: Sequence[Any], view: Any, footprint: Footprint, shares: Shares | None
+        self,
+        lights: Sequence[Any],
+        view: Any,
+        footprint: Footprint,
+        shares: Shares | None,
+        active: Any = True,
     ) -> list[tuple[Response, Any]]:
-        """The response to each light, and with shares the groups' part of its density."""
+        """The response to each light, and with shares the groups' part of its density.
+
+        Args:
+            active: lanes where more is wanted than the hole, which is all that may be left out.
+        """
         far_share = self._far_share(footprint.spread_side)
-        far = self.far(lights, view, footprint, far_share > 0, shares)
+        far = self.far(lights, view, footprint, (far_share > 0) & active, shares)
         near = near_responses(*self._points(footprint, far_share), lights, view, footprint)
         return [
             (_mixed(close, response, far_share), of_groups)
