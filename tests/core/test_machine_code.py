@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from llvmlite import ir
 from loomlight.core import machine_code
 from loomlight.core.arrays import gather, gather_one, opaque, uploaded
 from loomlight.core.dense_code import Packed, dense
+from loomlight.core.files import cache_folder
 from loomlight.core.lane_code import FLOAT, INDEX, TRUTH, WHOLE, Code, Pile, SharedNumbers, Vectors
 from loomlight.core.machine_code import MachineCode, aligned, vectors
 
@@ -594,3 +596,36 @@ def test_every_block_is_answered_once(cores: int, monkeypatch: pytest.MonkeyPatc
         found = np.zeros_like(x)
         compiled.run(count, [x], [found], [])
         np.testing.assert_array_equal(found, x)
+
+
+def squares_of(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers, and what code makes of them that no other test writes."""
+    given = np.arange(count, dtype=np.float32)
+    (found,) = computed(lambda code, lanes: [lanes[0] * lanes[0] + 0.71875], given)
+    return given * given + np.float32(0.71875), found
+
+
+def test_what_was_compiled_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    np.testing.assert_array_equal(*squares_of(100))
+    (kept,) = cache_folder("machine_code").iterdir()
+    whole = kept.read_bytes()
+    compiled = machine_code._optimised
+
+    def never(*_: object) -> bytes:
+        raise AssertionError("compiled anew")
+
+    monkeypatch.setattr(machine_code, "_optimised", never)
+    np.testing.assert_array_equal(*squares_of(100))
+    monkeypatch.setattr(machine_code, "_optimised", compiled)
+    # Half a file, or one with a wrong byte, is none.
+    for damaged in (whole[: len(whole) // 2], whole[:-1] + bytes([whole[-1] ^ 1]), b""):
+        kept.write_bytes(damaged)
+        np.testing.assert_array_equal(*squares_of(100))
+        assert kept.read_bytes() == whole
+
+
+def test_nothing_need_be_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").write_text("no folder")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    np.testing.assert_array_equal(*squares_of(100))

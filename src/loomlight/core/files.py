@@ -11,6 +11,11 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 
 
+def cache_folder(kind: str) -> Path:
+    """Where what can be worked out again is kept: loomlight/`kind` in $XDG_CACHE_HOME, or in ~/.cache."""
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / kind
+
+
 def require_file(path: str | os.PathLike[str]) -> None:
     """Returns if `path` is an ordinary file, or a link to one.
 

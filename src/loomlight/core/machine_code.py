@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 import ctypes
+import hashlib
 import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from typing import Any
 
+import llvmlite
 import llvmlite.binding as llvm
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.errors import LoomlightError
+from loomlight.core.files import cache_folder, replacing
 from loomlight.core.lane_code import Code, Vectors
 
 _SPEED = 2  # LLVM's level of optimisation
 _LINE = 16  # floats of a line of the cache
+# Where object files are kept, and bytes of the digest that each begins with.
+_FOLDER, _DIGEST = "machine_code", 32
 
 Floats = NDArray[np.float32]
 
@@ -123,19 +129,55 @@ def _compiled(code: Code) -> Any:
         features = llvm.get_host_cpu_features().flatten()
     except RuntimeError:
         features = ""
-    machine = target.create_target_machine(
-        cpu=llvm.get_host_cpu_name(), features=features, opt=_SPEED, jit=True
-    )
-    module = llvm.parse_assembly(str(code.module))
+    processor, text = llvm.get_host_cpu_name(), str(code.module)
+    machine = target.create_target_machine(cpu=processor, features=features, opt=_SPEED, jit=True)
+    told_by = [llvmlite.__version__, str(llvm.llvm_version_info), processor, features, str(_SPEED), text]
+    key = hashlib.sha256("\0".join(told_by).encode()).hexdigest()
+    found = _kept(key)
+    if found is None:
+        found = _optimised(text, machine)
+        _keep(key, found)
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+    engine.add_object_file(llvm.ObjectFileRef.from_data(found))
+    engine.finalize_object()
+    return engine
+
+
+def _optimised(text: str, machine: Any) -> bytes:
+    """An object file of LLVM's language."""
+    module = llvm.parse_assembly(text)
     module.verify()
     # Layers are loops already, as long as they should be.
     options = llvm.create_pipeline_tuning_options(speed_level=_SPEED)
     options.loop_unrolling = options.loop_vectorization = options.slp_vectorization = False
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(module, passes)
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return engine
+    written: bytes = machine.emit_object(module)
+    return written
+
+
+# Close-ups of cloth take two seconds to compile; what was compiled is kept.
+
+
+def _kept(key: str) -> bytes | None:
+    """What `_keep` kept, if all of it is still there."""
+    try:
+        held = (cache_folder(_FOLDER) / key).read_bytes()
+    except OSError:
+        return None
+    told, found = held[:_DIGEST], held[_DIGEST:]
+    return found if hashlib.sha256(found).digest() == told else None
+
+
+def _keep(key: str, found: bytes) -> None:
+    """Keeps an object file where that is possible; elsewhere it is compiled anew next time."""
+    folder = cache_folder(_FOLDER)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with replacing(folder / key) as temporary:
+            temporary.write_bytes(hashlib.sha256(found).digest() + found)
+    except (OSError, LoomlightError):
+        return
 
 
 def _padded(values: Floats, count: int) -> Floats:

@@ -20,7 +20,7 @@ from loomlight.aggregate.components import CHANNELS, COLOURS
 from loomlight.aggregate.queries import QuerySet, admits_transmission, fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import cache_folder, replacing
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.scattering.point import PointModel
@@ -52,7 +52,7 @@ def query_truth(
     Args:
         seed: of the queries.
         with_colours: adds red, green and blue with the threads' own albedos, [pairs, footprints, 8].
-        folder: where results are kept; None is `cache_folder()`.
+        folder: where results are kept; None is the cache.
         float_type: the Dr.Jit Float type to compute with; None is LLVM's.
 
     Returns:
@@ -61,7 +61,7 @@ def query_truth(
     Raises:
         InputError: no pairs or footprints, or a repeat too large for one slice (128 by 128 threads).
     """
-    kept = Path(cache_folder() if folder is None else folder)
+    kept = Path(cache_folder("truth") if folder is None else folder)
     file = kept / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
     found = _read(file, (pairs, footprints, len(CHANNELS) + len(COLOURS)))
     if found is None:
@@ -69,11 +69,6 @@ def query_truth(
         _keep(file, *found)
     queries, means = found
     return queries, means if with_colours else means[..., : len(CHANNELS)]
-
-
-def cache_folder() -> Path:
-    """Where truths are kept: loomlight/truth in $XDG_CACHE_HOME, or in ~/.cache."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / "truth"
 
 
 def reference_model(fabric: Fabric) -> PointModel:

@@ -13,9 +13,9 @@ import torch
 from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.files import cache_folder
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.woven import encoding
 from loomlight.models.woven.architecture import BUNDLES
 from loomlight.models.woven.encoding import clear_encodings, encode, encode_pair, shortest_repeat
 from loomlight.models.woven.losses import unmapped
@@ -116,7 +116,7 @@ def test_what_the_encoder_sees_is_encoded_anew(runs: list[str], tmp_path: Path) 
 def test_damaged_caches_are_made_again(runs: list[str], tmp_path: Path) -> None:
     weights, plain = weights_of(network("field"), tmp_path), fabric_from_text("plain")
     encode(plain, weights, Float)
-    (file,) = encoding.cache_folder().iterdir()
+    (file,) = cache_folder("woven").iterdir()
     file.write_bytes(file.read_bytes()[:100])
     clear_encodings()
     encode(plain, weights, Float)

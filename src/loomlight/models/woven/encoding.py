@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import hashlib
 import math
-import os
 import warnings
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,7 +17,7 @@ from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
 from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
-from loomlight.core.files import replacing
+from loomlight.core.files import cache_folder, replacing
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import FIELD_MAP, MOST_THREADS, VECTOR_MAP
@@ -171,11 +169,6 @@ def clear_encodings() -> None:
     _kept.clear()
 
 
-def cache_folder() -> Path:
-    """Where encodings are kept: loomlight/woven in $XDG_CACHE_HOME, or in ~/.cache."""
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / "woven"
-
-
 def trained_box(weights: Weights) -> ParameterBox:
     """What the network was trained for."""
     varied = weights.recipe.get("data", {}).get("layouts") == "varied"
@@ -325,7 +318,7 @@ def _read(
 ) -> EncodedFabric | None:
     """What is kept on disk; None where nothing is, or nothing that can be used."""
     try:
-        arrays = load_file(cache_folder() / f"{key}.safetensors")
+        arrays = load_file(cache_folder("woven") / f"{key}.safetensors")
     except (SafetensorError, OSError, ValueError):
         return None
     faces = [arrays.get(side) for side in ("front", "back")]
@@ -351,7 +344,7 @@ def _write(key: str, encoded: EncodedFabric) -> None:
     """Keeps latents on disk where that is possible; a full disk costs a run of the encoder next time."""
     if len(encoded.faces[0]) > _LARGEST_KEPT:
         return
-    folder = cache_folder()
+    folder = cache_folder("woven")
     file = folder / f"{key}.safetensors"
     if file.exists():
         return
