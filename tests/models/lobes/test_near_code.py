@@ -17,6 +17,7 @@ from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import FabricFile
 from loomlight.models.interface import Response
+from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.compiled import CompiledCloseUps
 from loomlight.models.lobes.model import LobesModel
 from loomlight.weave.draft import Draft, Threads
@@ -96,6 +97,12 @@ def fabric_of(name: str) -> Fabric:
     return cloth(name)
 
 
+@pytest.fixture(autouse=True)
+def compiled(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the processor: elsewhere it would not be faster, but no less right."""
+    monkeypatch.setattr(lobes_model, "close_ups_are_compiled", lambda: True)
+
+
 @cache
 def model_of(name: str) -> LobesModel:
     """A model whose groups, which are another test's, are few."""
@@ -105,7 +112,7 @@ def model_of(name: str) -> LobesModel:
 def with_close_ups(model: LobesModel, close_ups: Any) -> LobesModel:
     """The same tables with other close-ups."""
     found = LobesModel(model.fabric, model.tables)
-    found._machine_code = model._machine_code[0], close_ups
+    found._compiled_close_ups = close_ups
     return found
 
 
@@ -140,17 +147,21 @@ def by_drjit(name: str) -> Parts:
     return parts_of(model_of(name)._answers([asked.light], asked.view, asked.footprint, None)[0][0])
 
 
-@pytest.mark.parametrize(("name", "wide"), CASES, ids=str)
-def test_machine_code_says_what_drjit_does(name: str, wide: Vectors | None) -> None:
-    model, asked = model_of(name), asked_of(name)
-    close_ups = CompiledCloseUps(model.fabric.layout(), model.fabric.appearance(), wide)
-    found, wanted = by_machine(with_close_ups(model, close_ups), asked), by_drjit(name)
+def agree(found: Parts, wanted: Parts) -> None:
     for part, values in wanted.items():
         mean = values.mean(dtype=np.float64)
         assert mean > 0, part
         apart = ~np.isclose(found[part], values, rtol=RELATIVE, atol=RELATIVE * mean)
         assert apart.mean() <= APART, (part, apart.mean(), found[part][apart][:5], values[apart][:5])
         np.testing.assert_allclose(found[part].mean(dtype=np.float64), mean, rtol=MEANS, err_msg=part)
+
+
+@pytest.mark.parametrize(("name", "wide"), CASES, ids=str)
+def test_machine_code_says_what_drjit_does(name: str, wide: Vectors | None) -> None:
+    model, asked = model_of(name), asked_of(name)
+    close_ups = CompiledCloseUps(model.fabric.layout(), model.fabric.appearance(), wide)
+    found, wanted = by_machine(with_close_ups(model, close_ups), asked), by_drjit(name)
+    agree(found, wanted)
 
 
 def test_cloths_differ_in_what_is_written() -> None:
@@ -231,8 +242,19 @@ def test_close_ups_are_asked_for_once_per_evaluation(monkeypatch: pytest.MonkeyP
     assert counts == [100]
 
 
+def test_without_it_batches_are_answered_alike(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on processors whose lanes cannot be put together in memory."""
+
+    def never(*_: object) -> None:
+        raise AssertionError("close-ups were asked of machine code")
+
+    monkeypatch.setattr(CompiledCloseUps, "run", never)
+    monkeypatch.setattr(lobes_model, "close_ups_are_compiled", lambda: False)
+    agree(by_machine(model_of("varied"), asked_of("varied")), by_drjit("varied"))
+
+
 def test_fabrics_alike_share_their_code() -> None:
     """Numbers of a fabric are no part of it: another one is not compiled, and answers for itself."""
-    codes = [model_of(name)._machine_code[1]._code for name in ("open plain", "closed twill", "varied")]
+    codes = [model_of(name)._compiled_close_ups._code for name in ("open plain", "closed twill", "varied")]
     assert codes[0] is codes[1]
     assert codes[0] is not codes[2]

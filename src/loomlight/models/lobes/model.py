@@ -20,7 +20,7 @@ from loomlight.core.lanes import changed_where
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
-from loomlight.models.lobes.compiled import CompiledCloseUps, CompiledEstimate
+from loomlight.models.lobes.compiled import CompiledCloseUps, CompiledEstimate, close_ups_are_compiled
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
 from loomlight.models.lobes.estimate_code import ANSWERS
 from loomlight.models.lobes.estimate_code import QUERY as GROUP_QUERY
@@ -375,25 +375,32 @@ class LobesModel(Model):
         threads, points = self._threads_and_points(footprint, far_share)
         places = footprint.centre, footprint.duv_dx, footprint.duv_dy
         groups = *places, on_face(view, back), back, on_face(light, back), types.Bool(far_share > 0)
-        estimate, close_ups = self._machine_code
+        if close_ups_are_compiled():
 
-        def run(queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
-            estimate.run(queries[:GROUP_QUERY], answers)
-            close_ups.run(queries, answers)
+            def run(queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
+                self._compiled_estimate.run(queries[:GROUP_QUERY], answers)
+                self._compiled_close_ups.run(queries, answers)
 
-        return Response(*answered(types.Float, (*groups, points, threads, far_share), ANSWERS, run))
+            return Response(*answered(types.Float, (*groups, points, threads, far_share), ANSWERS, run))
+        far = Response(*answered(types.Float, groups, ANSWERS, self._compiled_estimate.run))
+        searched = searched_for(self.point_model, threads)
+        (near,) = near_responses(searched, points, [light], view, footprint)
+        return _mixed(near, far, far_share)
 
     @cached_property
-    def _machine_code(self) -> tuple[CompiledEstimate, CompiledCloseUps]:
+    def _compiled_estimate(self) -> CompiledEstimate:
         appearance = self.fabric.appearance()
-        estimate = CompiledEstimate(
+        return CompiledEstimate(
             self.tables,
             self.estimator(array_types(llvm_float())).pyramid(),
             self.fabric.layout().size,
             (appearance.warp.roughness, appearance.weft.roughness),
             appearance.optical_depth,
         )
-        return estimate, CompiledCloseUps(self.fabric.layout(), appearance)
+
+    @cached_property
+    def _compiled_close_ups(self) -> CompiledCloseUps:
+        return CompiledCloseUps(self.fabric.layout(), self.fabric.appearance())
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)
