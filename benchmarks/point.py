@@ -24,7 +24,8 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array3f, Bool, Float
 
-from loomlight.core.lane_code import Code, Lanes, Vectors
+from loomlight.core.lane_code import Code, Vectors
+from loomlight.core.lane_values import Lanes
 from loomlight.core.llvm import require_llvm
 from loomlight.core.machine_code import MachineCode, cores, vectors
 from loomlight.core.provenance import provenance

@@ -16,7 +16,9 @@ from loomlight.core import machine_code
 from loomlight.core.arrays import gather, gather_one, opaque, uploaded
 from loomlight.core.dense_code import Packed, dense
 from loomlight.core.files import cache_folder
-from loomlight.core.lane_code import FLOAT, INDEX, TRUTH, WHOLE, Code, Pile, SharedNumbers, Vectors
+from loomlight.core.lane_code import Code, Vectors
+from loomlight.core.lane_piles import Pile
+from loomlight.core.lane_values import FLOAT, INDEX, TRUTH, WHOLE, SharedNumbers
 from loomlight.core.machine_code import MachineCode, aligned, vectors
 
 # Of other processors: LLVM splits vectors that are too long, and code is right with few registers too.

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike
 
 from loomlight.core import backend
 from loomlight.core.backend import DRJIT
-from loomlight.core.lane_code import Code, LaneKind, Lanes, Vector, leaves_of
+from loomlight.core.lane_code import Code
+from loomlight.core.lane_values import LaneKind, Lanes, Vector, leaves_of
 
 State = TypeVar("State")
 

@@ -14,7 +14,8 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from loomlight.core.lane_code import FLOAT, INDEX, Code, Lanes, Rows, Vectors
+from loomlight.core.lane_code import Code, Rows, Vectors
+from loomlight.core.lane_values import FLOAT, INDEX, Lanes
 
 
 @dataclass(frozen=True)

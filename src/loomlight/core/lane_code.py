@@ -12,16 +12,30 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from copy import copy
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, replace
 from functools import cache
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from llvmlite import ir
 from numpy.polynomial import Chebyshev, Polynomial
 from numpy.typing import NDArray
 
-FLOAT, BYTE, WHOLE, INDEX, TRUTH = ir.FloatType(), *(ir.IntType(bits) for bits in (8, 32, 64, 1))
+from loomlight.core.lane_values import (
+    BYTE,
+    FLOAT,
+    INDEX,
+    TRUTH,
+    WHOLE,
+    LaneKind,
+    Lanes,
+    LaneTypes,
+    SharedNumber,
+    Table,
+    leaves_of,
+    with_leaves,
+)
+
 # Functions that run side by side take about so many queries at a time.
 _QUERIES_AT_ONCE = 1024
 _BYTES = 64  # of a line of the cache, which rows begin with
@@ -30,11 +44,6 @@ _LOGARITHM_DEGREE, _EXPONENTIAL_DEGREE, _ARC_TANGENT_DEGREE, _SINE_DEGREE = 9, 7
 # ln 2 as a number of few digits and a rest, so that a multiple of it can be taken away exactly.
 _LN2 = 0.693359375, math.log(2) - 0.693359375
 _PI = 3.140625, math.pi - 3.140625
-
-
-# What LLVM may do: fuse a product and a sum; for a quotient of finite numbers, take an estimate of the
-# reciprocal and one step of Newton's, off by a few last digits, where a division takes five times as long.
-_FREEDOMS = {"fdiv": ["arcp", "ninf"]}
 
 
 @dataclass(frozen=True)
@@ -63,299 +72,6 @@ class Vectors:
         layers' widths are multiples of one."""
         room = (self.registers - self.of_block - 1) // self.of_block
         return 1 << (room.bit_length() - 1)
-
-
-class Lanes:
-    """A number for each lane, or a whole one, or what is true in which. Divisors must not be 0.
-
-    Whole numbers have 32 bits. They have a sign where they become floats; comparisons and shifts know none.
-    Numbers of Python's become of the kind of what they meet.
-    """
-
-    __slots__ = ("_value", "code")
-
-    def __init__(self, code: Code, value: Any) -> None:
-        self.code, self._value = code, value
-
-    @property
-    def value(self) -> ir.Value:
-        """What LLVM has it as."""
-        return self._value
-
-    @property
-    def kind(self) -> ir.Type:
-        """FLOAT, WHOLE or TRUTH."""
-        return self.value.type.element
-
-    def _with(self, other: Any, operations: dict[ir.Type, str], turned: bool = False) -> Lanes:
-        own = self.value
-        kind = own.type.element
-        pair = own, self.code.constant(other, kind)
-        first, second = reversed(pair) if turned else pair
-        operation = operations[kind]
-        write = getattr(self.code.builder, operation)
-        if kind != FLOAT:
-            return Lanes(self.code, write(first, second))
-        return Lanes(self.code, write(first, second, flags=_FREEDOMS.get(operation, ["contract"])))
-
-    def __add__(self, other: Any) -> Lanes:
-        return self._with(other, {FLOAT: "fadd", WHOLE: "add"})
-
-    __radd__ = __add__
-
-    def __sub__(self, other: Any) -> Lanes:
-        return self._with(other, {FLOAT: "fsub", WHOLE: "sub"})
-
-    def __rsub__(self, other: Any) -> Lanes:
-        return self._with(other, {FLOAT: "fsub", WHOLE: "sub"}, turned=True)
-
-    def __mul__(self, other: Any) -> Any:
-        if isinstance(other, Vector):
-            return other * self
-        return self._with(other, {FLOAT: "fmul", WHOLE: "mul"})
-
-    __rmul__ = __mul__
-
-    def __truediv__(self, other: Any) -> Lanes:
-        return self._with(other, {FLOAT: "fdiv"})
-
-    def __rtruediv__(self, other: Any) -> Lanes:
-        return self._with(other, {FLOAT: "fdiv"}, turned=True)
-
-    def __floordiv__(self, other: Any) -> Lanes:
-        return self._with(other, {WHOLE: "udiv"})
-
-    def __neg__(self) -> Lanes:
-        return Lanes(self.code, self.code.builder.fneg(self.value)) if self.kind == FLOAT else 0 - self
-
-    def __abs__(self) -> Lanes:
-        return self.code.abs(self)
-
-    def _compared(self, relation: str, other: Any) -> Lanes:
-        own, builder = self.value, self.code.builder
-        second = self.code.constant(other, own.type.element)
-        if own.type.element == FLOAT:
-            return Lanes(self.code, builder.fcmp_ordered(relation, own, second))
-        # What is below 0, or comes of no number at all, is larger than what bounds indices.
-        return Lanes(self.code, builder.icmp_unsigned(relation, own, second))
-
-    def __lt__(self, other: Any) -> Lanes:
-        return self._compared("<", other)
-
-    def __le__(self, other: Any) -> Lanes:
-        return self._compared("<=", other)
-
-    def __gt__(self, other: Any) -> Lanes:
-        return self._compared(">", other)
-
-    def __ge__(self, other: Any) -> Lanes:
-        return self._compared(">=", other)
-
-    def __eq__(self, other: Any) -> Any:
-        return self._compared("==", other)
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def _bits(self, other: Any, operation: str) -> Lanes:
-        return self._with(other, {WHOLE: operation, TRUTH: operation})
-
-    def __and__(self, other: Any) -> Lanes:
-        return self._bits(other, "and_")
-
-    def __or__(self, other: Any) -> Lanes:
-        return self._bits(other, "or_")
-
-    def __xor__(self, other: Any) -> Lanes:
-        return self._bits(other, "xor")
-
-    __rand__, __ror__, __rxor__ = __and__, __or__, __xor__
-
-    def __invert__(self) -> Lanes:
-        return self ^ (True if self.kind == TRUTH else -1)
-
-    def __rshift__(self, other: Any) -> Lanes:
-        return self._with(other, {WHOLE: "lshr"})
-
-    def __lshift__(self, other: Any) -> Lanes:
-        return self._with(other, {WHOLE: "shl"})
-
-
-class _SharedNumber(Lanes):
-    """A number that all queries share, read where it is used: instructions take it from memory as it is."""
-
-    __slots__ = ()
-
-    @property
-    def value(self) -> ir.Value:
-        return self.code.shared(self.code.array(self._value[0]), self._value[1]).value
-
-
-@dataclass
-class Table:
-    """Numbers that all queries share and look up.
-
-    Attributes:
-        kind: FLOAT or WHOLE.
-        array: which of the code's arrays they are.
-    """
-
-    kind: ir.Type
-    array: int
-
-
-@dataclass
-class Vector:
-    """A vector of space, or of a plane with z = 0."""
-
-    x: Any
-    y: Any
-    z: Any = 0.0
-
-    def __add__(self, other: Vector) -> Vector:
-        return Vector(self.x + other.x, self.y + other.y, self.z + other.z)
-
-    def __sub__(self, other: Vector) -> Vector:
-        return Vector(self.x - other.x, self.y - other.y, self.z - other.z)
-
-    def __neg__(self) -> Vector:
-        return Vector(-self.x, -self.y, -self.z)
-
-    def __mul__(self, factor: Any) -> Vector:
-        return Vector(self.x * factor, self.y * factor, self.z * factor)
-
-    __rmul__ = __mul__
-
-
-@dataclass(frozen=True)
-class LaneKind:
-    """Makes lanes of a kind, and says what `Code.gather` looks up: so many neighbours at once."""
-
-    code: SharedByQueries
-    element: ir.Type
-    count: int = 1
-
-    def __call__(self, value: Any) -> Any:
-        return self.code.converted(value, self.element)
-
-
-class Pile:
-    """Lanes put aside with what belongs to each, on the stack: the last come first, without gaps.
-
-    What belongs to them is a tree of lanes, of the same kinds each time.
-    """
-
-    def __init__(self, code: Code, like: Any, room: int) -> None:
-        """For trees like one, of which there are never more than so many at once."""
-        self._code, self._like = code, like
-        self._kinds = [code.as_lanes(leaf).kind for leaf in leaves_of(like)]
-        # What is true is kept as bits of one number. Whole vectors are read, though some of their lanes are
-        # not on the pile.
-        self._truths = self._kinds.count(TRUTH)
-        rows = len(self._kinds) - self._truths + (self._truths > 0)
-        self._rows = [code.stack(room + code.vectors.lanes) for _ in range(rows)]
-        self._height = code.variable(INDEX)
-
-    def clear(self) -> None:
-        """Takes all away."""
-        self._code.builder.store(INDEX(0), self._height)
-
-    def is_left(self) -> ir.Value:
-        """Whether there is any."""
-        return self._code.builder.icmp_signed(">", self._code.builder.load(self._height), INDEX(0))
-
-    def put(self, tree: Any, chosen: Lanes) -> None:
-        """Puts chosen lanes on top."""
-        code, height = self._code, self._code.builder.load(self._height)
-        for leaf, row in zip(self._packed(tree), self._rows, strict=True):
-            code.compress(leaf, chosen, code.element(row, height))
-        code.builder.store(code.builder.add(height, code.count_of(chosen)), self._height)
-
-    def take(self) -> tuple[Any, Lanes]:
-        """Takes the topmost lanes, at most a vector of them, and tells which there are."""
-        code, lanes = self._code, INDEX(self._code.vectors.lanes)
-        height = code.builder.load(self._height)
-        below = code.builder.sub(height, lanes)
-        enough = code.builder.icmp_signed(">", below, INDEX(0))
-        first = code.builder.select(enough, below, INDEX(0))
-        code.builder.store(first, self._height)
-        found = [code.load(code.element(row, first), align=4) for row in self._rows]
-        there = code.numbered(first) < code.in_all_lanes(height)
-        return self._unpacked(found), there
-
-    def _packed(self, tree: Any) -> list[Lanes]:
-        code = self._code
-        leaves = [code.as_lanes(leaf, kind) for leaf, kind in zip(leaves_of(tree), self._kinds, strict=True)]
-        packed = [code.as_floats(leaf) for leaf in leaves if leaf.kind != TRUTH]
-        bits: Any = 0
-        for number, leaf in enumerate(leaf for leaf in leaves if leaf.kind == TRUTH):
-            bits = code.select(leaf, code.converted(1 << number, WHOLE), 0) | bits
-        return [*packed, code.as_floats(bits)] if self._truths else packed
-
-    def _unpacked(self, rows: list[Lanes]) -> Any:
-        code, numbers, truths, leaves = self._code, iter(rows), 0, []
-        for kind in self._kinds:
-            if kind == TRUTH:
-                leaves.append((code.as_kind(rows[-1], WHOLE) & (1 << truths)) > 0)
-                truths += 1
-            else:
-                leaves.append(code.as_kind(next(numbers), kind))
-        return with_leaves(self._like, iter(leaves))
-
-
-class SharedByQueries(Protocol):
-    """What takes numbers and tables that all queries share, in the order in which they are put there."""
-
-    def gather(self, kind: LaneKind, table: Any, index: Any) -> Any:
-        """Elements of a table."""
-
-    def shared_number(self, number: float) -> Any:
-        """The next number."""
-
-    def shared_table(self, values: NDArray[Any], kind: ir.Type) -> Any:
-        """The next table."""
-
-    def converted(self, value: Any, kind: ir.Type) -> Any:
-        """Lanes of a kind."""
-
-
-class LaneTypes:
-    """The kinds of lanes of some code, by the names that `core.backend.ArrayTypes` has for arrays."""
-
-    def __init__(self, code: SharedByQueries) -> None:
-        self.code = code
-        self.Float, self.Bool = LaneKind(code, FLOAT), LaneKind(code, TRUTH)
-        self.UInt32 = self.Int32 = LaneKind(code, WHOLE)
-        self.Vector4 = LaneKind(code, FLOAT, 4)
-        self.Index2, self.Index4 = LaneKind(code, WHOLE, 2), LaneKind(code, WHOLE, 4)
-        self.Vector2 = self.Vector3 = Vector
-
-
-class SharedNumbers:
-    """Numbers and tables that code reads, of one fabric: collected as the code was written."""
-
-    def __init__(self) -> None:
-        self.types = LaneTypes(self)
-        self._numbers: list[float] = []
-        self._tables: list[NDArray[np.float32]] = []
-
-    def shared_number(self, number: float) -> None:
-        """Takes the next number."""
-        self._numbers.append(number)
-
-    def shared_table(self, values: NDArray[Any], kind: ir.Type) -> None:
-        """Takes the next table."""
-        dtype = np.float32 if kind == FLOAT else np.uint32
-        self._tables.append(np.ascontiguousarray(values.ravel(), dtype).view(np.float32))
-
-    def converted(self, value: Any, kind: ir.Type) -> Any:
-        """There are no lanes here."""
-
-    def gather(self, kind: LaneKind, table: Any, index: Any) -> Any:
-        """There are no lanes here."""
-
-    def arrays(self) -> list[NDArray[np.float32]]:
-        """What code finds from its first shared array on."""
-        return [np.array(self._numbers, np.float32), *self._tables]
 
 
 class Rows:
@@ -610,7 +326,7 @@ class Code:
         """The next number, whatever it is."""
         del number
         self._numbers += 1
-        return _SharedNumber(self, (self._first_shared, self._numbers - 1))
+        return SharedNumber(self, (self._first_shared, self._numbers - 1))
 
     def shared_table(self, values: NDArray[Any], kind: ir.Type) -> Table:
         """The next table, whatever is in it."""
@@ -1014,25 +730,6 @@ def _sine() -> tuple[float, ...]:
 def _cosine() -> tuple[float, ...]:
     """Of cos √t, up to a right angle."""
     return _fitted(lambda t: np.cos(np.sqrt(t)), 0.0, (0.5 * math.pi) ** 2, _SINE_DEGREE)
-
-
-def leaves_of(tree: Any) -> list[Any]:
-    """The lanes, and numbers of Python's, of a tree of tuples, lists and dataclasses, one after another."""
-    if isinstance(tree, tuple | list):
-        return [leaf for part in tree for leaf in leaves_of(part)]
-    if is_dataclass(tree):
-        return [leaf for field in fields(tree) for leaf in leaves_of(getattr(tree, field.name))]
-    return [tree]
-
-
-def with_leaves(tree: Any, leaves: Iterator[Any]) -> Any:
-    """A tree like another one, of other lanes."""
-    if isinstance(tree, tuple | list):
-        return type(tree)(with_leaves(part, leaves) for part in tree)
-    if is_dataclass(tree):
-        kind: Any = type(tree)
-        return kind(*(with_leaves(getattr(tree, field.name), leaves) for field in fields(tree)))
-    return next(leaves)
 
 
 def _fitted(function: Callable[[Any], Any], low: float, high: float, degree: int) -> tuple[float, ...]:

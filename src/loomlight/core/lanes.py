@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 import drjit as dr
 
 from loomlight.core.backend import array_types
-from loomlight.core.lane_code import Lanes
+from loomlight.core.lane_values import Lanes
 
 State = TypeVar("State")
 

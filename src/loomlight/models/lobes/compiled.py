@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.lane_code import SharedNumbers, Vectors
+from loomlight.core.lane_code import Vectors
+from loomlight.core.lane_values import SharedNumbers
 from loomlight.core.machine_code import MachineCode, vectors
 from loomlight.models.lobes.estimate_code import estimate_code, shared_numbers
 from loomlight.models.lobes.near_code import cloth_of, near_code

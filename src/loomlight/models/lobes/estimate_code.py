@@ -21,7 +21,8 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from loomlight.core.lane_code import INDEX, Code, Lanes, Rows, Vector, Vectors
+from loomlight.core.lane_code import Code, Rows, Vectors
+from loomlight.core.lane_values import INDEX, Lanes, Vector
 from loomlight.core.machine_code import aligned
 from loomlight.models.lobes.bytes import UNITS
 from loomlight.models.lobes.coverage import PLACES, level_of, nodes_of

@@ -21,7 +21,9 @@ from llvmlite import ir
 
 from loomlight.aggregate.components import lobes
 from loomlight.core.arrays import fma, larger, lerp, opaque, rcp, select, smaller, uploaded
-from loomlight.core.lane_code import FLOAT, INDEX, TRUTH, WHOLE, Code, Lanes, Pile, Vector, Vectors
+from loomlight.core.lane_code import Code, Vectors
+from loomlight.core.lane_piles import Pile
+from loomlight.core.lane_values import FLOAT, INDEX, TRUTH, WHOLE, Lanes, Vector
 from loomlight.models.lobes.estimate_code import ANSWERS
 from loomlight.models.lobes.estimate_code import QUERY as FAR_QUERY
 from loomlight.models.lobes.near import MOST_POINTS, PLACES, quality_of

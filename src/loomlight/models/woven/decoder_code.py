@@ -25,7 +25,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.dense_code import Packed, dense
 from loomlight.core.footprint import SQUARES
-from loomlight.core.lane_code import INDEX, Code, Lanes, Rows
+from loomlight.core.lane_code import Code, Rows
+from loomlight.core.lane_values import INDEX, Lanes
 from loomlight.core.machine_code import vectors
 from loomlight.models.woven.architecture import BINS, BUNDLES, SLOPE, VIEW_FEATURES
 from loomlight.models.woven.codings import (
