@@ -405,6 +405,17 @@ class Code:
         bits = self.builder.bitcast(chosen.value, ir.IntType(self.vectors.lanes))
         return self.builder.icmp_unsigned("!=", bits, bits.type(0))
 
+    def total(self, lanes: Lanes) -> ir.Value:
+        """Sum over lanes: a float."""
+        name = f"llvm.vector.reduce.fadd.v{self.vectors.lanes}f32"
+        function = self._declared(name, FLOAT, [FLOAT, self._vector])
+        # In pairs, not one after another.
+        return self.builder.call(function, [FLOAT(0.0), lanes.value], fastmath=("reassoc",))
+
+    def first(self, lanes: Lanes) -> ir.Value:
+        """The number in the first lane: a float."""
+        return self.builder.extract_element(lanes.value, WHOLE(0))
+
     def compress(self, lanes: Lanes, chosen: Lanes, pointer: ir.Value) -> None:
         """Puts chosen lanes into memory, one after another."""
         full = f"llvm.masked.compressstore.v{self.vectors.lanes}f32"

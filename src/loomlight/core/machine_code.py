@@ -102,7 +102,9 @@ class MachineCode:
         beside = [_workers().submit(take) for _ in range(min(blocks, cores()) - 1)]
         take()
         for other in beside:
-            other.result()
+            # One that has not begun by now is not needed.
+            if not other.cancel():
+                other.result()
 
 
 @cache

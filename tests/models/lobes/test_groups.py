@@ -117,7 +117,7 @@ def test_groups_shared_out_are_narrower_than_halves() -> None:
 
     shared = spread(find_groups(points, seen, PER_FAMILY))
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "_shared_out", lambda halved, often, per_family: per_family)
+        patch.setattr(module, "_shared_out", lambda parting, face, often, per_family: per_family)
         halves = spread(find_groups(points, seen, PER_FAMILY))
     assert shared < 0.9 * halves
 
@@ -214,45 +214,6 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
         assert found[name].mean() == pytest.approx(wanted[name].mean(), rel=0.05), name
     back = asked.views[:, 2] < 0
     np.testing.assert_allclose(found["diffuse_weft"][back], wanted["diffuse_weft"][back], rtol=1e-6)
-
-
-@pytest.mark.parametrize("count", [1, 100, 2047])
-def test_fewer_different_points_than_groups(count: int) -> None:
-    """Flat threads of one direction: one point, eight groups of it, whatever its mean is rounded to."""
-    rng = np.random.default_rng(count)
-    for point in ([0, 0, 0.5, 1, 0, 0.0], *rng.uniform(-1, 1, (200, 6)).round(4)):
-        centres = module._centres(module._Halved(np.tile(point, (count, 1))), PER_FAMILY)
-        np.testing.assert_allclose(centres, np.tile(point, (PER_FAMILY, 1)), atol=1e-12)
-
-
-def test_halves_are_parted_where_points_part() -> None:
-    """Four heaps of different size: each is a group, whatever the order of the points."""
-    rng = np.random.default_rng(5)
-    heaps = np.zeros((4, 6))
-    heaps[:, :2] = [[0, 0], [1, 0.1], [0, 1.2], [1.1, 1]]
-    heap = rng.permutation(np.repeat(np.arange(4), [300, 100, 50, 550]))
-    features = heaps[heap] + 0.02 * rng.normal(size=(len(heap), 6))
-    for order in (np.arange(len(heap)), rng.permutation(len(heap))):
-        centres = module._centres(module._Halved(features[order]), 4)
-        for number in range(4):
-            distance = np.linalg.norm(centres - features[heap == number].mean(axis=0), axis=1)
-            # Coordinates are rounded to four digits.
-            assert distance.min() < 1e-4
-
-
-def test_groups_err_less_than_halves_alone_and_far_less_than_one() -> None:
-    """Steps of k-means only lower the sum of squared distances."""
-    rng = np.random.default_rng(6)
-    features = rng.normal(size=(1000, 6)) * [1, 0.5, 0.2, 0.6, 0.1, 0.1]
-
-    def error(centres: NDArray[np.float64]) -> float:
-        return float(np.square(features[:, None] - centres).sum(axis=2).min(axis=1).mean())
-
-    halved = module._Halved(features)
-    halves, found = halved.centres(8), module._centres(halved, 8)
-    assert error(found) < error(halves) < 0.5 * error(halved.centres(1))
-    # Until steps of k-means each point counts with its own half, near another's or not.
-    assert error(halves) <= halved.error(8) * (1 + 1e-9)
 
 
 @pytest.mark.parametrize("name", TEXTS)

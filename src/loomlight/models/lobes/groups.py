@@ -17,24 +17,19 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types, uploaded
 from loomlight.core.recorded import Held, Recorded
+from loomlight.models.lobes.parting import LEARNT_FROM, Parting
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.visibility import upload_extent
 
 # What a group is measured by: this much of the normal beside the fibre direction, in which highlights are
 # narrow.
 _NORMAL_SHARE = 0.5
-# Points of a face's plan that areas are counted over, and points of a family and face that its
-# groups are learnt from.
+# Points of a face's plan that areas are counted over.
 _POINTS = 1 << 13
-_LEARNT_FROM = 1 << 11
 # Fewer points of a family that views meet say less than its plan.
 _FEWEST_SEEN = 64
 # A covariance of fewer says nothing.
 _FEWEST_MET = 8
-_ITERATIONS = 2
-_HALVINGS = 4
-# Points that agree in so many are one to k-means, as those of a straight flat yarn are.
-_DIGITS = 4
 # Groups are shared out by so many, as they lie in memory.
 _SHARED_OUT = 4
 # Parts of fibre directions whose products are summed, and all that is summed of a group; see `as_met`.
@@ -252,26 +247,27 @@ def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups
             yarns is a large part of the plan, and seldom seen.
     """
     shown, met = points.of_families(), seen.of_families()
-    halved = [
-        _Halved(_some(seen.features(some) if len(some) >= _FEWEST_SEEN else points.features(family)))
-        if len(family)
-        else None
-        for family, some in zip(shown, met, strict=True)
+    learnt = [
+        seen.features(_some(views))
+        if len(plan) and len(views) >= _FEWEST_SEEN
+        else points.features(_some(plan))
+        for plan, views in zip(shown, met, strict=True)
     ]
-    centres = np.empty((2, 2 * per_family, 6), np.float32)
-    of_warp = np.empty(2, np.intp)
-    for face in range(2):
-        own = halved[2 * face : 2 * face + 2]
-        first = _shared_out(own, [len(some) for some in met[2 * face : 2 * face + 2]], per_family)
-        centres[face, :first] = _centres(own[0], first)
-        centres[face, first:] = _centres(own[1], 2 * per_family - first)
-        of_warp[face] = first
+    parting = Parting(learnt, max(per_family, 2 * per_family - _SHARED_OUT))
+    of_warp = [_shared_out(parting, face, [len(own) for own in met], per_family) for face in range(2)]
+    counts = [count for first in of_warp for count in (first, 2 * per_family - first)]
+    found = [
+        # So that nothing is divided by 0.
+        part if len(own) else np.tile([0, 0, _NORMAL_SHARE, 0, 1, 0], (len(part), 1))
+        for part, own in zip(parting.centres(counts), learnt, strict=True)
+    ]
+    centres = np.concatenate(found).reshape(2, 2 * per_family, 6).astype(np.float32)
     # Until views tell more: fibres about the centre, as far from it in all directions.
     tangent = centres[..., 3:].astype(np.float64)
     left = np.maximum(1 - np.square(tangent).sum(axis=-1), 0)
     return Groups(
         per_family,
-        of_warp,
+        np.array(of_warp, np.intp),
         centres,
         np.full(2, len(points.gaps) / _POINTS),
         centres[..., :3].astype(np.float64) / _NORMAL_SHARE,
@@ -280,31 +276,31 @@ def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups
     )
 
 
-def _shared_out(halved: Sequence[_Halved | None], seen: Sequence[int], per_family: int) -> int:
+def _shared_out(parting: Parting, face: int, seen: Sequence[int], per_family: int) -> int:
     """How many of a face's 2 `per_family` groups the warp has: so that points are nearest to their groups.
 
     Args:
-        halved: points of warp and weft.
+        parting: points of the front's warp and weft and of the back's.
         seen: how often views meet them.
     """
-    total = 2 * per_family
-    if total % (2 * _SHARED_OUT) or None in halved:
+    total, families = 2 * per_family, (2 * face, 2 * face + 1)
+    if total % (2 * _SHARED_OUT) or not all(parting.points_of(family) for family in families):
         return per_family
     choices = range(_SHARED_OUT, total, _SHARED_OUT)
 
     def error(first: int) -> float:
-        parts = zip(halved, seen, (first, total - first), strict=True)
-        return sum(part.error(count) * often for part, often, count in parts if part is not None)
+        counts = zip(families, (first, total - first), strict=True)
+        return sum(parting.error(family, count) * seen[family] for family, count in counts)
 
     # In doubt, halves.
     return min(choices, key=lambda first: (error(first), abs(first - per_family)))
 
 
-def _some(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-    """`_LEARNT_FROM` of them at the most, at random: every k-th would favour some places."""
-    if len(rows) <= _LEARNT_FROM:
-        return rows
-    return rows[np.random.default_rng(0).choice(len(rows), _LEARNT_FROM, replace=False)]
+def _some(points: NDArray[np.intp]) -> NDArray[np.intp]:
+    """As many as groups are learnt from at the most, at random: every k-th would favour some places."""
+    if len(points) <= LEARNT_FROM:
+        return points
+    return points[np.random.default_rng(0).choice(len(points), LEARNT_FROM, replace=False)]
 
 
 def sums_of(normal: Any, tangent: Any) -> list[Any]:
@@ -335,113 +331,3 @@ def as_met(groups: Groups, sums: NDArray[np.float64]) -> Groups:
         tangent=np.where(few, groups.tangent, tangent),
         spread=np.where(few[..., None], groups.spread, spread),
     )
-
-
-def _centres(halved: _Halved | None, count: int) -> NDArray[np.float64]:
-    """Means of `count` groups of points [count, features]: a few steps of k-means from halves.
-
-    Where fewer points differ some groups are one; where a group loses all its points it keeps its place.
-    Groups of no points face the eye, so that nothing is divided by 0.
-    """
-    if halved is None:
-        return np.tile([0, 0, _NORMAL_SHARE, 0, 1, 0], (count, 1))
-    centres, learnt = halved.centres(count), halved.points
-    # With ones beside them, one product each gives distances, and sums together with numbers of points.
-    with_ones = np.concatenate([learnt, np.ones((len(learnt), 1))], axis=1)
-    turned = np.ascontiguousarray(with_ones.T)
-    for _ in range(_ITERATIONS):
-        squares = np.square(centres).sum(axis=1)[:, None]
-        distance = np.concatenate([-2 * centres, squares], axis=1) @ turned
-        # A point between two groups counts for both.
-        member = distance == distance.min(axis=0)
-        sums = member.astype(np.float64) @ with_ones
-        points = sums[:, -1:]
-        centres = np.where(points > 0, sums[:, :-1] / np.maximum(points, 1), centres)
-    return centres
-
-
-@dataclass(eq=False)
-class _Part:
-    """Points of one group to be.
-
-    Attributes:
-        centre: their mean [features].
-        offsets: from it [features, n].
-        products: sums of products of offsets [features, features].
-        error: sum of their squares.
-    """
-
-    centre: NDArray[np.float64]
-    offsets: NDArray[np.float64]
-    products: NDArray[np.float64]
-    error: float
-
-    @classmethod
-    def of(cls, points: NDArray[np.float64], origin: NDArray[np.float64]) -> _Part:
-        """The part of points [features, n], seen from an origin."""
-        mean = points.sum(axis=1) * (1 / points.shape[1])
-        offsets = points - mean[:, None]
-        # Of two different arrays: a matrix with itself is another routine, which takes longer.
-        products = np.dot(points, offsets.T)
-        return cls(origin + mean, offsets, products, float(products.trace()))
-
-
-class _Halved:
-    """Points, and groups that come of halving the widest, again and again.
-
-    Widest is whose points have the largest sum of squared distances from their mean. It is parted across its
-    longest axis, where both halves are nearest to their means. No step is left to chance: groups found from
-    centres drawn at random make pictures of the same cloth that err up to a third more or less.
-
-    Rays are traced meanwhile, and a matrix library's threads would fight theirs: these products are too small
-    for it to start any.
-
-    Attributes:
-        points: as far as they are told apart [n, features].
-    """
-
-    def __init__(self, features: NDArray[np.float64]) -> None:
-        self.points = features.round(_DIGITS)
-        turned = np.ascontiguousarray(self.points.T)
-        # The parts there are of any number of groups.
-        self._steps = [[_Part.of(turned, np.zeros(len(turned)))]]
-
-    def centres(self, count: int) -> NDArray[np.float64]:
-        """Means of so many groups [count, features]; where fewer points differ some are one."""
-        found = np.array([part.centre for part in self._parts(count)])
-        return np.concatenate([found, np.repeat(found[:1], count - len(found), axis=0)])
-
-    def error(self, count: int) -> float:
-        """Mean squared distance of points from the middle of their one of so many groups."""
-        return sum(part.error for part in self._parts(count)) / len(self.points)
-
-    def _parts(self, count: int) -> list[_Part]:
-        """Parts of so many groups, or fewer where no more points differ."""
-        while len(self._steps) < count:
-            parts = self._steps[-1]
-            part = max(parts, key=lambda part: part.error)
-            axis = np.linalg.eigh(part.products)[1][:, -1]
-            along = np.einsum("in,i->n", part.offsets, axis)
-            beyond = along > _between(along)
-            halves = [side.nonzero()[0] for side in (~beyond, beyond)]
-            if not all(map(len, halves)):
-                # All points are one.
-                return parts
-            near, far = (_Part.of(part.offsets.take(half, axis=1), part.centre) for half in halves)
-            self._steps.append([near if other is part else other for other in parts] + [far])
-        return self._steps[count - 1]
-
-
-def _between(along: NDArray[np.float64]) -> float:
-    """Where to part points on a line [n], whose mean is 0: halfway between the means of both halves."""
-    at, before = 0.0, 0
-    for _ in range(_HALVINGS):
-        beyond = along > at
-        there = int(np.count_nonzero(beyond))
-        here = len(along) - there
-        if not (here and there) or there == before:
-            break
-        before = there
-        # Both sums cancel.
-        at = 0.5 * float(np.dot(along, beyond)) * (1 / there - 1 / here)
-    return at
