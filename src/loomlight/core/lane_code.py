@@ -232,6 +232,10 @@ class Code:
         """Where the numbers of the vector at hand lie in an array of queries or answers."""
         return self.element(self.array(number), self.builder.add(self._block, self.lane))
 
+    def first_query(self) -> ir.Value:
+        """The number of the block's first query: an index."""
+        return self._block
+
     def given(self, number: Any) -> Lanes:
         """What an array holds for the queries at hand."""
         return self.load(self.queries(number), align=4)

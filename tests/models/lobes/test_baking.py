@@ -33,8 +33,6 @@ RECORDED: list[Recorded] = [
     reach._pass,
     reach._to_eyes,
     reach._through_gaps,
-    reach._seen_sums,
-    reach._lit_sums,
     coverage._counted,
 ]
 

@@ -12,7 +12,6 @@ from drjit.llvm.ad import Array3f, Bool, Float
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.core.recorded import Held
 from loomlight.models.lobes.groups import (
     SUMS,
     GroupFinder,
@@ -53,8 +52,7 @@ def sorted_rays(name: str) -> tuple[YarnGeometry, SortedRays]:
     cloth = cloth_of(geometry, Float)
     points = plan_points(cloth)
     groups = find_groups(points, seen_points(first_looks(cloth)), PER_FAMILY)
-    finder = Held(GroupFinder(groups, array_types(Float)))
-    return geometry, sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, finder, BLEND)
+    return geometry, sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, BLEND)
 
 
 @cache

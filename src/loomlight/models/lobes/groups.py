@@ -23,7 +23,7 @@ from loomlight.yarn.visibility import upload_extent
 
 # What a group is measured by: this much of the normal beside the fibre direction, in which highlights are
 # narrow.
-_NORMAL_SHARE = 0.5
+NORMAL_SHARE = 0.5
 # Points of a face's plan that areas are counted over.
 _POINTS = 1 << 13
 # Fewer points of a family that views meet say less than its plan.
@@ -59,7 +59,7 @@ class FacePoints:
 
     def features(self, chosen: NDArray[np.intp]) -> NDArray[np.float64]:
         """What groups of some points are parted by [n, 6]."""
-        return np.concatenate([_NORMAL_SHARE * self.normal[chosen], self.tangent[chosen]], axis=1)
+        return np.concatenate([NORMAL_SHARE * self.normal[chosen], self.tangent[chosen]], axis=1)
 
     def of_families(self) -> list[NDArray[np.intp]]:
         """Points of the front's warp and weft and of the back's, holes left out."""
@@ -140,7 +140,7 @@ class GroupFinder:
             return dr.select(back, behind, front)
 
         start, pairs = of_family(self._starts), of_family(self._pairs)
-        features = *(_NORMAL_SHARE * normal), *tangent
+        features = *(NORMAL_SHARE * normal), *tangent
 
         def compare(step: Any, least: Any, best: Any) -> tuple[Any, Any, Any]:
             row = dr.gather(types.Vectors, self._centres, start + step, shape=(_ROW, dr.width(start)))
@@ -258,7 +258,7 @@ def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups
     counts = [count for first in of_warp for count in (first, 2 * per_family - first)]
     found = [
         # So that nothing is divided by 0.
-        part if len(own) else np.tile([0, 0, _NORMAL_SHARE, 0, 1, 0], (len(part), 1))
+        part if len(own) else np.tile([0, 0, NORMAL_SHARE, 0, 1, 0], (len(part), 1))
         for part, own in zip(parting.centres(counts), learnt, strict=True)
     ]
     centres = np.concatenate(found).reshape(2, 2 * per_family, 6).astype(np.float32)
@@ -270,7 +270,7 @@ def find_groups(points: PlanPoints, seen: FacePoints, per_family: int) -> Groups
         np.array(of_warp, np.intp),
         centres,
         np.full(2, len(points.gaps) / _POINTS),
-        centres[..., :3].astype(np.float64) / _NORMAL_SHARE,
+        centres[..., :3].astype(np.float64) / NORMAL_SHARE,
         tangent,
         left[..., None, None] / 3 * np.eye(3),
     )

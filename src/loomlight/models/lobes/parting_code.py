@@ -12,8 +12,9 @@ from dataclasses import replace
 
 from llvmlite import ir
 
-from loomlight.core.lane_code import Code, Rows, Vectors
+from loomlight.core.lane_code import Code, Vectors
 from loomlight.core.lane_values import FLOAT, INDEX, Lanes
+from loomlight.models.lobes.lane_sums import LaneSums
 
 FEATURES = 6
 # Points of a family, at the most, and numbers of a row about each group: a block has room for so many rows.
@@ -66,26 +67,6 @@ def _wanted(code: Code) -> ir.Value:
     return code.whole(code.builder.load(code.queries(_WANTED)))
 
 
-class _Sums:
-    """Numbers that are added up over vectors, then over lanes."""
-
-    def __init__(self, code: Code, count: int) -> None:
-        self._code = code
-        self._places = [code.stack(code.vectors.lanes) for _ in range(count)]
-
-    def clear(self) -> None:
-        for place in self._places:
-            self._code.store(self._code.number(0), place)
-
-    def add(self, number: int, factor: Lanes, value: Lanes | float) -> None:
-        """Adds a product."""
-        place = self._places[number]
-        self._code.store(self._code.fma(factor, value, self._code.load(place)), place)
-
-    def totals(self) -> list[ir.Value]:
-        return [self._code.total(self._code.load(place)) for place in self._places]
-
-
 class _Halving:
     """Writes what halves one family."""
 
@@ -93,7 +74,7 @@ class _Halving:
         self._code = code
         self._part, self._along = code.rows(1), code.rows(1)
         self._parts = code.stack(_SUMS * (MOST_GROUPS + 1))
-        self._sums, self._beyond = _Sums(code, _ERROR), _Sums(code, 2)
+        self._sums, self._beyond = LaneSums(code, 1, _ERROR), LaneSums(code, 1, 2)
         self._matrix = code.stack(len(_PRODUCTS) * code.vectors.lanes)
         self._at = code.stack(code.vectors.lanes)
         self._widest, self._most = code.variable(INDEX), code.variable(FLOAT)
@@ -119,18 +100,13 @@ class _Halving:
     def _measure(self, part: ir.Value) -> None:
         """Adds up a part's points."""
         code, sums = self._code, self._sums
-        sums.clear()
+        sums.clear(1)
         with code.each_vector():
             own = code.select(self._part[0] == code.counted(part), code.number(1), 0)
             point = [code.given(k) for k in range(FEATURES)]
-            inside = [own * coordinate for coordinate in point]
-            sums.add(0, own, 1.0)
-            for number, coordinate in enumerate(inside, 1):
-                sums.add(number, coordinate, 1.0)
-            for number, (i, j) in enumerate(_PRODUCTS, _FIRST_PRODUCT):
-                sums.add(number, inside[i], point[j])
+            sums.add(0, own, [1.0, *point, *(point[i] * point[j] for i, j in _PRODUCTS)])
         place = self._sums_of(part)
-        for number, total in enumerate(sums.totals()):
+        for number, total in enumerate(sums.totals(0)):
             code.builder.store(total, code.element(place, number))
         squares = [products[0] for products in self._about_mean(part).values()]
         code.builder.store(code.first(sum(squares, code.number(0))), code.element(place, _ERROR))
@@ -170,12 +146,11 @@ class _Halving:
         code.store(code.number(0), self._at)
         count = code.shared(self._sums_of(part), 0)
         with code.loop(_HALVINGS):
-            self._beyond.clear()
+            self._beyond.clear(1)
             with code.each_vector():
                 beyond = code.select(self._is_beyond(part), code.number(1), 0)
-                self._beyond.add(0, beyond, 1.0)
-                self._beyond.add(1, beyond, self._along[0])
-            there, along = (code.spread(total) for total in self._beyond.totals())
+                self._beyond.add(0, beyond, [1.0, self._along[0]])
+            there, along = (code.spread(total) for total in self._beyond.totals(0))
             here = count - there
             # Halfway between both means; both sums cancel.
             halfway = 0.5 * along * (1.0 / code.maximum(there, 1) - 1.0 / code.maximum(here, 1))
@@ -236,16 +211,14 @@ class _Means:
 
     def __init__(self, code: Code) -> None:
         self._code = code
-        self._sums = Rows(code, code.stack((1 + FEATURES) * MOST_GROUPS * code.vectors.lanes))
+        self._sums = LaneSums(code, MOST_GROUPS, 1 + FEATURES)
         self._least = code.stack(code.vectors.lanes)
 
     def write(self) -> None:
         code = self._code
         count = _wanted(code)
         with code.loop(_ITERATIONS):
-            with code.loop(count) as group:
-                for place in self._sums_of(group):
-                    code.store(code.number(0), place)
+            self._sums.clear(count)
             with code.each_vector():
                 self._add(count)
             with code.loop(count) as group:
@@ -258,11 +231,6 @@ class _Means:
         place = code.element(code.queries(_ROWS), code.times(group, ROW))
         code.lane = lane
         return place
-
-    def _sums_of(self, group: ir.Value) -> list[ir.Value]:
-        code, lanes = self._code, self._code.vectors.lanes
-        first = code.element(self._sums.pointer, code.times(group, (1 + FEATURES) * lanes))
-        return [code.element(first, number * lanes) for number in range(1 + FEATURES)]
 
     def _distance(self, group: ir.Value) -> Lanes:
         """Squared distance from a centre: of the same bits each time, as it is compared with itself."""
@@ -281,14 +249,12 @@ class _Means:
         with code.loop(count) as group:
             nearest = self._distance(group) <= code.load(self._least)
             own = code.select(nearest, code.given(_IS_POINT), 0)
-            values: list[Lanes | float] = [1.0, *(code.given(number) for number in range(FEATURES))]
-            for place, value in zip(self._sums_of(group), values, strict=True):
-                code.store(code.fma(own, value, code.load(place)), place)
+            self._sums.add(group, own, [1.0, *(code.given(number) for number in range(FEATURES))])
 
     def _move(self, group: ir.Value) -> None:
         """Moves a centre to the mean of its points."""
         code, row = self._code, self._row(group)
-        points, *sums = (code.spread(code.total(code.load(place))) for place in self._sums_of(group))
+        points, *sums = (code.spread(total) for total in self._sums.totals(group))
         for number, total in enumerate(sums):
             mean = code.select(points > 0, total / code.maximum(points, 1), code.shared(row, number))
             code.builder.store(code.first(mean), code.element(row, number))

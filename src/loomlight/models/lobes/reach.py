@@ -14,26 +14,21 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, larger, uploaded
+from loomlight.core.backend import uploaded
+from loomlight.core.machine_code import MachineCode, vectors
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.divider import Divider
-from loomlight.models.lobes.groups import (
-    SUMS,
-    Cloth,
-    FacePoints,
-    GroupFinder,
-    Groups,
-    PlanPoints,
-    as_met,
-    sums_of,
-)
+from loomlight.models.lobes.groups import SUMS, Cloth, FacePoints, Groups, PlanPoints, as_met
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
+from loomlight.models.lobes.parting_code import FEATURES
+from loomlight.models.lobes.sorting_code import CENTRE, DIRECTION, LIT_SUMS, ROW, lit_code, seen_code
 from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
 
 # Rays a node and face, at least, and for each group of a family. With four times as many, estimates are
@@ -43,10 +38,6 @@ _FEWEST_RAYS, _RAYS_PER_GROUP = 256, 32
 _GAP_RAYS = 128
 # Rays of each node and face that groups are learnt from.
 _FIRST_RAYS = 32
-# Moments are those of every so many views.
-_MOMENTS_FROM = 4
-# Of a diffuse term, as a whole number: sums of 2¹⁶ of them stay below 2³².
-_UNITS = 1 << 15
 # Finer steps gain nothing in the query test; without refinement hits cost 6 % of its error.
 _QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=0.95, refinements=1)
 
@@ -228,145 +219,95 @@ def _through_gaps(cloth: Cloth, directions: Any, starts: Any, count: int) -> Any
     return passes_through(cloth.geometry, x, y, towards, lane < 0, True, _QUALITY)
 
 
-@dataclass
+@dataclass(frozen=True, eq=False)
 class SortedRays:
-    """What rays met, added up by group. Work may go on.
+    """What rays met, added up by group.
 
     Attributes:
         rays: what was cast.
         groups: the groups.
-        views: that meet a group: UInt32 [2 faces, nodes, groups].
-        moments: of what every so many views meet, as whole numbers: UInt32 [2 faces, groups, SUMS].
-        points: of plan points, how many there are and, 16 bits above, how many light from the side seen
-            reaches; how many that from the other side does; and π times the diffuse terms of either, in units
-            of 1/_UNITS: UInt32 [2 faces, nodes, groups, 4].
+        views: sums of what views meet, see `sums_of` [2 faces, nodes, groups, SUMS].
+        points: of plan points, see `LIT_SUMS` [2 faces, nodes, groups, 5].
     """
 
     rays: CastRays
     groups: Groups
-    views: Any
-    moments: Any
-    points: Any
+    views: NDArray[np.float32]
+    points: NDArray[np.float32]
 
 
-def sort_rays(rays: CastRays, groups: Groups, finder: Held[GroupFinder], diffuse_blend: float) -> SortedRays:
-    """Finds the groups of what rays met, and does not wait for it.
+def sort_rays(rays: CastRays, groups: Groups, diffuse_blend: float) -> SortedRays:
+    """Finds the groups of what rays met, which it waits for.
 
     Args:
         diffuse_blend: w, the share of the yarn normal in the diffuse term.
     """
-    blend = dr.opaque(dr.value_t(type(rays.towards)), float(diffuse_blend))
-    passing = [] if rays.pass_cloth is None else [rays.pass_cloth]
-    views, moments = _seen_sums(finder, rays.hits, passing, rays.rays, groups.count)
-    points = _lit_sums(finder, rays.points, rays.towards, rays.free, blend, rays.rays, groups.count)
-    return SortedRays(rays, groups, views, moments, points)
-
-
-@Recorded
-def _seen_sums(finder: GroupFinder, met: Met, passing: list[Any], rays: int, groups: int) -> tuple[Any, Any]:
-    """Numbers of views, and moments.
-
-    Args:
-        passing: which views pass through the cloth, if any do.
-    """
-    types = array_types(met.normal)
-    found = _sorted(finder, met, rays, groups)
-    known = ~met.hole
-    for passes in passing:
-        known &= ~passes
-    views = dr.zeros(types.UInt32, 2 * NODES * groups)
-    dr.scatter_add(views, types.UInt32(1), found.bins, known)
-    moments = dr.zeros(types.UInt32, 2 * groups * SUMS)
-    place = SUMS * dr.select(found.back, found.group + dr.opaque(types.UInt32, groups), found.group)
-    counts = known & (found.lane % _MOMENTS_FROM == 0)
-    dr.scatter_add(moments, types.UInt32(1), place, counts)
-    for number, value in enumerate(sums_of(met.normal, met.tangent), 1):
-        # Of both signs: whole numbers wrap around as they add up.
-        whole = types.Int32(dr.round(value * _moment_units(rays)))
-        dr.scatter_add(moments, types.UInt32(whole), place + number, counts)
-    return views, moments
-
-
-def _moment_units(rays: int) -> int:
-    """What whole numbers of moments count in, so that sums over all views of a face stay below 2³¹."""
-    return (1 << 30) // (NODES * rays // _MOMENTS_FROM)
-
-
-@Recorded
-def _lit_sums(
-    finder: GroupFinder, met: Met, towards: Any, free: Any, blend: Any, rays: int, groups: int
-) -> Any:
-    """Sums over plan points."""
-    types = array_types(towards)
-    found = _sorted(finder, met, rays, groups)
-    # The other side's light comes from below: its cosine with the normal is that of (x, y, −z), negated. It
-    # falls on the other face, whose rays start at the same places.
-    other = dr.select(found.back, found.lane - found.half, found.lane + found.half)
-    normal = met.normal
-    across = normal.x * towards.x + normal.y * towards.y
-    cosines = normal.z * towards.z + across, normal.z * towards.z - across
-    reaches = free, dr.gather(types.Bool, free, other)
-    terms = (
-        dr.select(frees, types.UInt32(dr.lerp(towards.z, larger(cosine, 0), blend) * _UNITS + 0.5), 0)
-        for frees, cosine in zip(reaches, cosines, strict=True)
+    centres = np.zeros((2, groups.count, CENTRE), np.float32)
+    centres[..., :FEATURES] = groups.centres
+    centres[..., FEATURES] = np.arange(groups.count) < groups.of_warp[:, None]
+    directions = np.zeros((NODES, DIRECTION), np.float32)
+    directions[:, :3] = node_directions()
+    shared = [centres, directions, np.array([groups.count, diffuse_blend], np.float32)]
+    lit = [*_numbers_of(rays.points), rays.free.numpy().astype(np.float32)]
+    seen = _numbers_of(rays.hits)
+    if rays.pass_cloth is not None:
+        seen[0][rays.pass_cloth.numpy()] = -1
+    return SortedRays(
+        rays,
+        groups,
+        _added_up(_seen_code(rays.rays), seen, shared, groups.count)[..., :SUMS],
+        _added_up(_lit_code(rays.rays), lit, shared, groups.count)[..., :LIT_SUMS],
     )
-    numbers = 1 + (types.UInt32(reaches[0]) << 16), types.UInt32(reaches[1]), *terms
-    sums = dr.zeros(types.UInt32, len(numbers) * 2 * NODES * groups)
-    for place, number in enumerate(numbers):
-        dr.scatter_add(sums, number, len(numbers) * found.bins + place, ~met.hole)
-    return sums
 
 
-@dataclass
-class _Sorted:
-    """Rays by group.
-
-    Attributes:
-        lane, half: UInt32; from lane `half` on rays are those of the back, where `back` is true.
-        group: of the face.
-        bins: a face, a node and a group have one.
-    """
-
-    lane: Any
-    half: Any
-    back: Any
-    group: Any
-    bins: Any
+def _numbers_of(met: Met) -> list[NDArray[np.float32]]:
+    """What `sorting_code` is given of points."""
+    family = met.is_warp.numpy().astype(np.float32)
+    family[met.hole.numpy()] = -1
+    return [family, *(part.numpy() for part in (*met.normal, *met.tangent))]
 
 
-def _sorted(finder: GroupFinder, met: Met, rays: int, groups: int) -> _Sorted:
-    types = array_types(met.normal)
-    lane = dr.arange(types.UInt32, 2 * NODES * rays)
-    half, row = (dr.opaque(types.UInt32, count) for count in (NODES * rays, groups))
-    back = lane >= half
-    group = finder.group(back, met.is_warp, met.hole, met.normal, met.tangent)
-    return _Sorted(lane, half, back, group, Divider(rays, types).divide(lane)[0] * row + group)
+def _added_up(
+    code: MachineCode, rays: list[NDArray[np.float32]], shared: list[NDArray[np.float32]], groups: int
+) -> NDArray[np.float32]:
+    """Rows of sums [2, nodes, groups, 16]."""
+    count = len(rays[0])
+    found = np.empty(count, np.float32)
+    code.run(count, rays, [found], shared)
+    return found.reshape(2, NODES, -1, ROW)[:, :, :groups]
+
+
+@cache
+def _seen_code(rays: int) -> MachineCode:
+    return MachineCode(seen_code(rays, vectors()))
+
+
+@cache
+def _lit_code(rays: int) -> MachineCode:
+    return MachineCode(lit_code(rays, vectors()))
 
 
 def measure_reach(found: SortedRays) -> Reach:
     """Means by face, node and group of what the rays met."""
-    shape = 2, NODES, found.groups.count
-    hits = found.views.numpy().reshape(shape)
+    hits = found.views[..., 0].astype(np.float64)
     # Rays that meet yarn are all that do not pass.
     met_yarn = hits.sum(axis=2)
     passes = found.rays.passes
     passing = np.zeros((2, NODES)) if passes is None else _both_faces(passes.numpy())
     passing = np.where(met_yarn > 0, found.groups.hole[:, None] * passing, 1)
     shares = hits * ((1 - passing) / np.maximum(met_yarn, 1))[..., None]
-    first, beyond, *terms = np.moveaxis(found.points.numpy().reshape(*shape, 4), -1, 0)
-    free, points = first >> 16, np.maximum(first & 0xFFFF, 1)
+    points, *means = np.moveaxis(found.points.astype(np.float64), -1, 0)
+    free, beyond, *terms = (part / np.maximum(points, 1) for part in means)
     return Reach(
         np.concatenate([shares, passing[..., None]], axis=2),
-        np.stack([free / points, beyond / points], axis=1),
-        np.stack([term * (1 / (_UNITS * math.pi)) / points for term in terms], axis=1),
+        np.stack([free, beyond], axis=1),
+        np.stack(terms, axis=1) / math.pi,
     )
 
 
 def groups_met(found: SortedRays) -> Groups:
     """The groups with moments of what views from all sides meet."""
-    sums = found.moments.numpy().view(np.int32).reshape(2, found.groups.count, SUMS).astype(np.float64)
-    sums[..., 1:] *= 1 / _moment_units(found.rays.rays)
-    return as_met(found.groups, sums)
+    return as_met(found.groups, found.views.sum(axis=1, dtype=np.float64))
 
 
 def _both_faces(passes: NDArray[np.bool_]) -> NDArray[np.float64]:

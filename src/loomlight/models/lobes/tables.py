@@ -94,7 +94,7 @@ def bake_tables(
     groups = find_groups(points, met, per_family)
     finder = Held(GroupFinder(groups, cloth.value.types))
     cells = count_cells(cloth, finder, per_family)
-    found = sort_rays(rays, groups, finder, diffuse_blend)
+    found = sort_rays(rays, groups, diffuse_blend)
     coverage = measure_coverage(cells)
     reach = measure_reach(found)
     seen, seen_scale = _seen(reach, per_family)
