@@ -39,7 +39,7 @@ from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
-ROWS, ACROSS, REPEATS = 512, 1024, 15
+ROWS, ACROSS, REPEATS = 512, 1024, 60
 
 
 def memory_bandwidth() -> float:

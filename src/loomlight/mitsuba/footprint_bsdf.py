@@ -182,7 +182,8 @@ def footprint_bsdf_class() -> type:
             anew = bool(edits) or any(key in self.own_parameters for key in keys)
             if anew:
                 self.model = self.assembled()
-            self._recolour()
+            if self._may_colour(keys):
+                self._recolour()
             if any(key.startswith("albedo") for key in keys):
                 self._refilter()
             self._settle(self.symbolic and anew)
@@ -192,6 +193,12 @@ def footprint_bsdf_class() -> type:
             values = {name: number_of(value) for name, value in self._numbers.items()}
             # In single precision, and radians to degrees and back, the last digits move.
             return {name: value for name, value in values.items() if abs(value - self._held[name]) > 1e-6}
+
+        def _may_colour(self, keys: Any) -> bool:
+            """Whether an edit of some scene parameters, all where none is named, may be one of colours."""
+            return not keys or any(
+                f"{family}.{name}" in keys for family, colours in self._colours.items() for name in colours
+            )
 
         def _settle(self, with_model: bool) -> None:
             """Uploads what calls use: what is uploaded at first use must not meet a symbolic call."""
