@@ -196,9 +196,9 @@ def footprint_bsdf_class() -> type:
 
         def _may_colour(self, keys: Any) -> bool:
             """Whether an edit of some scene parameters, all where none is named, may be one of colours."""
-            return not keys or any(
-                f"{family}.{name}" in keys for family, colours in self._colours.items() for name in colours
-            )
+            # Mitsuba names what lies deeper by the last part of its name.
+            colours = {name for family in self._colours.values() for name in family}
+            return not keys or any(key.rpartition(".")[2] in colours for key in keys)
 
         def _settle(self, with_model: bool) -> None:
             """Uploads what calls use: what is uploaded at first use must not meet a symbolic call."""

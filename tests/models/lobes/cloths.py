@@ -19,7 +19,7 @@ from loomlight.fabric.file import FabricFile
 from loomlight.models.interface import Response
 from loomlight.models.lobes.groups import Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.reach import first_looks, seen_points
+from loomlight.models.lobes.reach import cast_views, seen_points
 from loomlight.models.lobes.twin import LobesTwin
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
@@ -180,4 +180,4 @@ def floats(values: NDArray[Any]) -> Float:
 def groups_of(geometry: YarnGeometry, per_family: int) -> Groups:
     """The groups that tables are made of."""
     cloth = cloth_of(geometry, Float)
-    return find_groups(plan_points(cloth), seen_points(first_looks(cloth)), per_family)
+    return find_groups(plan_points(cloth), seen_points(cast_views(cloth, per_family)), per_family)

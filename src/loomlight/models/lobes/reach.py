@@ -36,8 +36,8 @@ from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, 
 _FEWEST_RAYS, _RAYS_PER_GROUP = 256, 32
 # Rays through gaps, at most so many a node and face.
 _GAP_RAYS = 128
-# Rays of each node and face that groups are learnt from.
-_FIRST_RAYS = 32
+# Views of each node and face that groups are learnt from.
+_LEARNT_RAYS = 32
 # Finer steps gain nothing in the query test; without refinement hits cost 6 % of its error.
 _QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=0.95, refinements=1)
 
@@ -78,76 +78,88 @@ class Met:
 
 
 @dataclass
+class CastViews:
+    """What views from every node meet, before groups are known. Work may go on.
+
+    Attributes:
+        rays: of each node and face.
+        directions: unit vectors of all nodes, uploaded: Float [4 NODES].
+        hits: what is met, whatever of those that pass through the cloth.
+        below: that lies below the plane z = 0: Bool.
+        in_gaps: no yarn is where the view goes through that plane: Bool.
+    """
+
+    rays: int
+    directions: Any
+    hits: Met
+    below: Any
+    in_gaps: Any
+
+
+@dataclass
 class CastRays:
     """What rays met, before groups are known. Work may go on.
 
     Attributes:
-        rays: of each node and face.
-        hits: what views meet, but for those that pass through the cloth.
-        pass_cloth: which views do: Bool; None where none can.
+        views: what views meet.
+        pass_cloth: which of these pass through the cloth: Bool; None where none can.
         points: the plan points that light goes to.
-        towards: unit vectors [3] to the light.
         free: light reaches the point: Bool.
         passes: views through gaps that pass through the cloth, of the front's nodes: Bool; None without gaps.
     """
 
-    rays: int
-    hits: Met
+    views: CastViews
     pass_cloth: Any | None
     points: Met
-    towards: Any
     free: Any
     passes: Any | None
 
 
-def first_looks(cloth: Held[Cloth]) -> Met:
-    """What a few views from every node meet; does not wait for it."""
-    return _first_looks(cloth, _directions(cloth))
+def cast_views(cloth: Held[Cloth], per_family: int) -> CastViews:
+    """Casts the view rays of both faces and of all nodes, and does not wait for them.
 
-
-@Recorded
-def _first_looks(cloth: Cloth, directions: Any) -> Met:
-    lane = dr.arange(cloth.types.UInt32, 2 * NODES * _FIRST_RAYS)
-    back, x, y, view = _rays(cloth, directions, _FIRST_RAYS, lane)
-    hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY)
-    met = cloth.geometry.surface(hit.x, hit.y, back)
-    return Met(met.is_warp, hit.hole | met.hole, met.normal, met.tangent)
-
-
-def seen_points(met: Met) -> FacePoints:
-    """What `first_looks` found."""
-    normal, tangent = (part.numpy().T.astype(np.float64) for part in (met.normal, met.tangent))
-    back = np.arange(len(normal)) >= len(normal) // 2
-    return FacePoints(back, met.is_warp.numpy(), met.hole.numpy(), normal, tangent)
-
-
-def _directions(cloth: Held[Cloth]) -> Any:
-    """Unit vectors of all nodes, uploaded: Float [4 NODES]."""
+    Args:
+        per_family: groups of each family that rays shall tell of, on average.
+    """
+    rays = rays_of(per_family)
     rows = np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32)
-    return uploaded(cloth.value.types.Float, rows)
+    directions = uploaded(cloth.value.types.Float, rows)
+    hits, below = _to_eyes(cloth, directions, rays)
+    return CastViews(rays, directions, hits, below, _start_in_gaps(cloth, rays))
 
 
-def cast_rays(cloth: Held[Cloth], points: PlanPoints, per_family: int) -> CastRays:
-    """Casts the rays of both faces and of all nodes to eye and light, and does not wait for them.
+def seen_points(views: CastViews) -> FacePoints:
+    """What a few views from every node meet; those that may pass through a gap count as holes."""
+    some = (np.arange(2 * NODES)[:, None] * views.rays + np.arange(_LEARNT_RAYS)).ravel()
+    hits = views.hits
+    normal, tangent = (
+        np.stack([part.numpy()[some] for part in vector], axis=1).astype(np.float64)
+        for vector in (hits.normal, hits.tangent)
+    )
+    hole, below, in_gaps, is_warp = (
+        part.numpy()[some] for part in (hits.hole, views.below, views.in_gaps, hits.is_warp)
+    )
+    return FacePoints(some >= NODES * views.rays, is_warp, hole | (below & in_gaps), normal, tangent)
+
+
+def cast_rays(cloth: Held[Cloth], points: PlanPoints, views: CastViews) -> CastRays:
+    """Casts rays to light and through gaps, and does not wait for them.
 
     Args:
         points: of the plan, whose gaps rays go through.
-        per_family: groups of each family that rays shall tell of, on average.
     """
     Float, UInt32 = cloth.value.types.Float, cloth.value.types.UInt32
-    rays = rays_of(per_family)
+    rays, directions = views.rays, views.directions
     # Few views start in gaps, but one among every sixteen that are followed at once: apart they take less.
-    from_gaps = np.flatnonzero(_start_in_gaps(cloth, rays).numpy())
-    lanes = uploaded(UInt32, from_gaps.astype(np.uint32))
-    directions = _directions(cloth)
+    from_gaps = np.flatnonzero(views.in_gaps.numpy())
     # Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
     gaps = points.gaps[:: max(1, len(points.gaps) // _GAP_RAYS)][:_GAP_RAYS]
-    starts = uploaded(Float, gaps)
-    lit, towards, free = _to_lights(cloth, directions, rays)
+    # Uploads wait for work that goes on.
+    lanes, starts = uploaded(UInt32, from_gaps.astype(np.uint32)), uploaded(Float, gaps)
+    lit, free = _to_lights(cloth, directions, rays)
     passes = _through_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
-    hits, below = _to_eyes(cloth, directions, rays)
-    pass_cloth = _pass(cloth, directions, rays, lanes, below) if len(from_gaps) else None
-    return CastRays(rays, hits, pass_cloth, lit, towards, free, passes)
+    pass_cloth = _pass(cloth, directions, rays, lanes, views.below) if len(from_gaps) else None
+    return CastRays(views, pass_cloth, lit, free, passes)
 
 
 @Recorded
@@ -158,13 +170,13 @@ def _start_in_gaps(cloth: Cloth, rays: int) -> Any:
 
 
 @Recorded
-def _to_lights(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any, Any]:
-    """Plan points, the directions of lights, and whether these reach them."""
+def _to_lights(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
+    """Plan points, and whether light reaches them."""
     back, x, y, towards = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
     point = cloth.geometry.surface(x, y, back)
     awake = ~point.hole & (dr.dot(point.normal, towards) > 0)
     free = unoccluded(cloth.geometry, x, y, point.height, towards, back, awake, _QUALITY)
-    return Met(point.is_warp, point.hole, point.normal, point.tangent), towards, free
+    return Met(point.is_warp, point.hole, point.normal, point.tangent), free
 
 
 @Recorded
@@ -249,14 +261,14 @@ def sort_rays(rays: CastRays, groups: Groups, diffuse_blend: float) -> SortedRay
     directions[:, :3] = node_directions()
     shared = [centres, directions, np.array([groups.count, diffuse_blend], np.float32)]
     lit = [*_numbers_of(rays.points), rays.free.numpy().astype(np.float32)]
-    seen = _numbers_of(rays.hits)
+    seen = _numbers_of(rays.views.hits)
     if rays.pass_cloth is not None:
         seen[0][rays.pass_cloth.numpy()] = -1
     return SortedRays(
         rays,
         groups,
-        _added_up(_seen_code(rays.rays), seen, shared, groups.count)[..., :SUMS],
-        _added_up(_lit_code(rays.rays), lit, shared, groups.count)[..., :LIT_SUMS],
+        _added_up(_seen_code(rays.views.rays), seen, shared, groups.count)[..., :SUMS],
+        _added_up(_lit_code(rays.views.rays), lit, shared, groups.count)[..., :LIT_SUMS],
     )
 
 

@@ -21,7 +21,7 @@ from loomlight.models.lobes.hemisphere import NODES
 from loomlight.models.lobes.reach import (
     Reach,
     cast_rays,
-    first_looks,
+    cast_views,
     groups_met,
     measure_reach,
     seen_points,
@@ -87,10 +87,10 @@ def bake_tables(
         float_type: the Dr.Jit Float type to compute with.
     """
     cloth = cloth_of(geometry, float_type)
-    looks = first_looks(cloth)
-    points, met = plan_points(cloth), seen_points(looks)
-    # Rays are on their way while groups are found, and are sorted while the pyramid is made.
-    rays = cast_rays(cloth, points, per_family)
+    views = cast_views(cloth, per_family)
+    points, met = plan_points(cloth), seen_points(views)
+    # Rays are on their way while groups are found.
+    rays = cast_rays(cloth, points, views)
     groups = find_groups(points, met, per_family)
     finder = Held(GroupFinder(groups, cloth.value.types))
     cells = count_cells(cloth, finder, per_family)
