@@ -194,8 +194,8 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
         return replace(
             points,
             is_warp=points.is_warp[taken],
-            normal=points.normal[taken],
-            tangent=points.tangent[taken],
+            normal=points.normal[:, taken],
+            tangent=points.tangent[:, taken],
         )
 
     monkeypatch.setattr(tables, "plan_points", without_weft)

@@ -37,8 +37,10 @@ _PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
 SUMS = 13
 # Numbers of two centres in memory, and coordinates that are far from all points.
 _ROW, _NOWHERE = 16, 1e3
-# Multiples of these shares fill the unit cube of four dimensions evenly: powers of the root of x⁵ = x + 1
-# (Roberts 2018), in units of 2⁻³²: products wrap around as fractions do.
+# Multiples of the golden ratio fill the unit interval evenly, and those of four shares the unit cube of four
+# dimensions: powers of the root of x⁵ = x + 1 (Roberts 2018). All are in units of 2⁻³²: products wrap around
+# as fractions do.
+_GOLDEN = 0x9E3779B9
 _EVEN_IN_FOUR = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
 
 
@@ -48,18 +50,19 @@ class FacePoints:
 
     Attributes:
         back, is_warp, hole: Booleans [n].
-        normal, tangent: unit vectors [n, 3] in the frame of the face.
+        normal, tangent: unit vectors [3, n] in the frame of the face.
     """
 
     back: NDArray[np.bool_]
     is_warp: NDArray[np.bool_]
     hole: NDArray[np.bool_]
-    normal: NDArray[np.float64]
-    tangent: NDArray[np.float64]
+    normal: NDArray[np.float32]
+    tangent: NDArray[np.float32]
 
-    def features(self, chosen: NDArray[np.intp]) -> NDArray[np.float64]:
+    def features(self, chosen: NDArray[np.intp]) -> NDArray[np.float32]:
         """What groups of some points are parted by [n, 6]."""
-        return np.concatenate([NORMAL_SHARE * self.normal[chosen], self.tangent[chosen]], axis=1)
+        normal, tangent = (np.take(part, chosen, axis=1) for part in (self.normal, self.tangent))
+        return np.concatenate([np.float32(NORMAL_SHARE) * normal, tangent]).T
 
     def of_families(self) -> list[NDArray[np.intp]]:
         """Points of the front's warp and weft and of the back's, holes left out."""
@@ -222,7 +225,6 @@ def plan_points(cloth: Held[Cloth]) -> PlanPoints:
     x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _plan(cloth))
     # A gap is one seen from both faces.
     gaps = np.stack([part[:_POINTS][hole[:_POINTS]] for part in (x, y)], axis=1)
-    normal, tangent = (part.T.astype(np.float64) for part in (normal, tangent))
     return PlanPoints(np.arange(2 * _POINTS) >= _POINTS, is_warp, hole, normal, tangent, gaps)
 
 
@@ -297,10 +299,12 @@ def _shared_out(parting: Parting, face: int, seen: Sequence[int], per_family: in
 
 
 def _some(points: NDArray[np.intp]) -> NDArray[np.intp]:
-    """As many as groups are learnt from at the most, at random: every k-th would favour some places."""
+    """As many as groups are learnt from at the most, evenly: but every k-th would favour some places."""
     if len(points) <= LEARNT_FROM:
         return points
-    return points[np.random.default_rng(0).choice(len(points), LEARNT_FROM, replace=False)]
+    # Shares of multiples of the golden ratio.
+    shares = np.arange(LEARNT_FROM, dtype=np.uint64) * np.uint64(_GOLDEN) & np.uint64(0xFFFFFFFF)
+    return points[(shares * np.uint64(len(points)) >> np.uint64(32)).astype(np.intp)]
 
 
 def sums_of(normal: Any, tangent: Any) -> list[Any]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -23,12 +24,15 @@ NODES = AZIMUTHS * RINGS
 LOWEST = 0.03
 
 
+@cache
 def node_directions() -> NDArray[np.float64]:
-    """Unit vectors of all nodes [NODES, 3], azimuth by azimuth, z > 0."""
+    """Unit vectors of all nodes [NODES, 3], azimuth by azimuth, z > 0: not to be written to."""
     azimuth = np.repeat(np.arange(AZIMUTHS) * (2 * math.pi / AZIMUTHS), RINGS)
     z = np.tile(1 - (1 - LOWEST) * (np.arange(RINGS) / (RINGS - 1)) ** (4 / 3), AZIMUTHS)
     radius = np.sqrt(1 - z * z)
-    return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
+    directions = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
+    directions.flags.writeable = False
+    return directions
 
 
 @dataclass

@@ -130,16 +130,15 @@ def cast_views(cloth: Held[Cloth], per_family: int) -> CastViews:
 
 def seen_points(views: CastViews) -> FacePoints:
     """What a few views from every node meet; those that may pass through a gap count as holes."""
-    some = (np.arange(2 * NODES)[:, None] * views.rays + np.arange(_LEARNT_RAYS)).ravel()
+
+    def some(values: Any) -> NDArray[Any]:
+        return np.asarray(values.numpy().reshape(2 * NODES, views.rays)[:, :_LEARNT_RAYS].ravel())
+
     hits = views.hits
-    normal, tangent = (
-        np.stack([part.numpy()[some] for part in vector], axis=1).astype(np.float64)
-        for vector in (hits.normal, hits.tangent)
-    )
-    hole, below, in_gaps, is_warp = (
-        part.numpy()[some] for part in (hits.hole, views.below, views.in_gaps, hits.is_warp)
-    )
-    return FacePoints(some >= NODES * views.rays, is_warp, hole | (below & in_gaps), normal, tangent)
+    hole = some(hits.hole) | (some(views.below) & some(views.in_gaps))
+    back = np.arange(len(hole)) >= len(hole) // 2
+    normal, tangent = (np.stack([some(part) for part in vector]) for vector in (hits.normal, hits.tangent))
+    return FacePoints(back, some(hits.is_warp), hole, normal, tangent)
 
 
 def cast_rays(cloth: Held[Cloth], points: PlanPoints, views: CastViews) -> CastRays:
