@@ -39,7 +39,7 @@ from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import REFERENCE_QUALITY
+from loomlight.yarn.search import REFERENCE_QUALITY
 
 WEAVES = ("plain", "twill 2/2", "twill 3/1", "twill 4/4", "satin 5/2", "satin 8/3", "basket 2/2")
 WEIGHTS = np.array([0.4, 0.4, 0.6, 0.6])

@@ -41,7 +41,7 @@ from loomlight.models.woven.config import DataTable
 from loomlight.models.woven.pool import pool_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import SearchQuality
+from loomlight.yarn.search import SearchQuality
 
 PAIRS, POINTS, SEED = 400, 4096, 77
 TERMS = "diffuse", "specular"

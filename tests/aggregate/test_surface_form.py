@@ -10,7 +10,7 @@ from loomlight.aggregate.grid import fabric_grid
 from loomlight.aggregate.surface_form import surface_form, surface_samples
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import PointModel
-from loomlight.yarn.visibility import REFERENCE_QUALITY
+from loomlight.yarn.search import REFERENCE_QUALITY
 
 from .fabrics import NAMES, directions, woven
 

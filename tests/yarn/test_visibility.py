@@ -13,16 +13,8 @@ from loomlight.core.llvm import require_llvm
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import HorizonMap
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.visibility import (
-    DEFAULT_QUALITY,
-    REFERENCE_QUALITY,
-    Hit,
-    SearchQuality,
-    first_hit,
-    horizon,
-    passes_through,
-    unoccluded,
-)
+from loomlight.yarn.search import DEFAULT_QUALITY, REFERENCE_QUALITY, SearchQuality
+from loomlight.yarn.visibility import Hit, first_hit, horizon, passes_through, unoccluded
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout
 

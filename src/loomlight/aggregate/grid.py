@@ -10,7 +10,7 @@ import drjit as dr
 
 from loomlight.core.backend import ArrayTypes, smaller
 from loomlight.core.errors import InputError
-from loomlight.yarn.visibility import Surface
+from loomlight.yarn.search import Surface
 
 TEXELS_PER_THREAD = 32
 # Five float64 tables of so many texels take 640 MB.

@@ -43,7 +43,8 @@ from loomlight.scattering.sheen import (
 from loomlight.scattering.variation import vary_albedos
 from loomlight.yarn.geometry import SurfacePoint
 from loomlight.yarn.horizon import HorizonMap
-from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, Surface, first_hit, unoccluded
+from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface
+from loomlight.yarn.visibility import first_hit, unoccluded
 
 # Size of the cells of fibre noise: this many fibres side by side in a yarn, each cell so many times as long.
 _FIBRES_ACROSS = 30

@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import ArrayTypes, array_types, smaller
 from loomlight.core.errors import InputError
-from loomlight.yarn.visibility import SearchQuality, Surface, horizon
+from loomlight.yarn.search import SearchQuality, Surface
+from loomlight.yarn.visibility import horizon
 
 # Azimuths a texel: more than 16 change the light that cloth reflects by less than 0.5 %.
 AZIMUTHS = 16

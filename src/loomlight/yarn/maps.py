@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_channels, write_png
-from loomlight.yarn.visibility import Surface
+from loomlight.yarn.search import Surface
 
 MAXIMUM_MAP_SIZE = 16384
 _CHANNELS = {

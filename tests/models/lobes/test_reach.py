@@ -35,7 +35,8 @@ from loomlight.models.lobes.reach import (
     sort_rays,
 )
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import REFERENCE_QUALITY, first_hit, unoccluded
+from loomlight.yarn.search import REFERENCE_QUALITY
+from loomlight.yarn.visibility import first_hit, unoccluded
 
 from .cloths import TEXTS, directions, floats, geometry_of
 

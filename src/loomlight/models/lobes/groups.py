@@ -19,7 +19,7 @@ from loomlight.core.backend import ArrayTypes, array_types, uploaded
 from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.parting import LEARNT_FROM, Parting
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import upload_extent
+from loomlight.yarn.search import upload_extent
 
 # What a group is measured by: this much of the normal beside the fibre direction, in which highlights are
 # narrow.

@@ -39,7 +39,8 @@ from loomlight.models.lobes.proposal import (
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.visibility import first_hit, upload_extent
+from loomlight.yarn.search import upload_extent
+from loomlight.yarn.visibility import first_hit
 
 DEFAULT_GROUPS = 8
 MOST_GROUPS = 64

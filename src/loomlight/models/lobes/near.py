@@ -24,7 +24,8 @@ from loomlight.core.backend import ArrayTypes
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import Response
 from loomlight.scattering.point import PointModel, on_face
-from loomlight.yarn.visibility import DEFAULT_QUALITY, SearchQuality, passes_through
+from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
+from loomlight.yarn.visibility import passes_through
 
 MOST_POINTS = 8
 # Points for every thread that a footprint is wide. With 16, footprints under a thread are 6 to 15 % nearer,

@@ -31,18 +31,9 @@ from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import YarnPoint, on_face, shadow_ray
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.visibility import (
-    Falling,
-    FallingRay,
-    Rising,
-    RisingRay,
-    SearchQuality,
-    Trail,
-    falling_ray,
-    passes_through,
-    rising_ray,
-    upload_extent,
-)
+from loomlight.yarn.rays import Falling, FallingRay, Rising, RisingRay, falling_ray, rising_ray
+from loomlight.yarn.search import SearchQuality, Trail, upload_extent
+from loomlight.yarn.visibility import passes_through
 
 QUERY = FAR_QUERY + 3
 _POINTS, _THREADS, _FAR_SHARE = range(FAR_QUERY, QUERY)
@@ -98,22 +89,28 @@ def near_code(layout: ClothLayout, appearance: Appearance, wide: Vectors) -> Cod
 
 
 @dataclass
-class _Sight:
-    """A view ray that is searched.
+class _Ray:
+    """A view ray; see `FallingRay`."""
 
-    Attributes:
-        query: its number in the block.
-        x, y, slope_x, slope_y, step, back: see `FallingRay`.
-        height, leap, count, trail: how far the search has come; see `Falling`.
-    """
-
-    query: Any
     x: Any
     y: Any
     slope_x: Any
     slope_y: Any
     step: Any
     back: Any
+
+
+@dataclass
+class _Sight:
+    """A view ray that is searched.
+
+    Attributes:
+        query: its number in the block.
+        height, leap, count, trail: how far the search has come; see `Falling`.
+    """
+
+    query: Any
+    ray: _Ray
     height: Any
     leap: Any
     count: Any
@@ -126,18 +123,12 @@ class _End:
 
     Attributes:
         query: its number in the block.
-        x, y, slope_x, slope_y, step, back: see `FallingRay`.
         height, leap, depth, rate, smooth: see `Falling`.
         last_clearance, last_rate: of the sample before; see `Trail`.
     """
 
     query: Any
-    x: Any
-    y: Any
-    slope_x: Any
-    slope_y: Any
-    step: Any
-    back: Any
+    ray: _Ray
     height: Any
     leap: Any
     depth: Any
@@ -213,14 +204,14 @@ class _Writer:
         self._sums = code.stack(_CHANNELS * self._block)
         whole, number, no = (code.converted(0, kind) for kind in (WHOLE, FLOAT, TRUTH))
         space, trail = Vector(number, number, number), Trail(number, number, whole, no)
-        place = (number,) * 5
+        place, ray = (number,) * 4, _Ray(*(number,) * 5, no)
         met = _Met(whole, number, number, no)
         kinds = (
-            _Sight(whole, *place, no, number, number, whole, trail),
-            _End(whole, *place, no, *place[:4], no, number, number),
+            _Sight(whole, ray, number, number, whole, trail),
+            _End(whole, ray, *place, no, number, number),
             _Gap(number, number, met),
             met,
-            _Light(whole, space, space, number, no, number, no, *place[:4], whole, trail),
+            _Light(whole, space, space, number, no, number, no, *place, whole, trail),
         )
         piles = [Pile(code, like, self._block) for like in kinds]
         self._sights, self._ends, self._gaps, self._met, self._lights = piles
@@ -283,18 +274,18 @@ class _Writer:
         sight, there = self._sights.take()
         nothing, no = self._code.number(0), self._code.converted(False, TRUTH)
         search = Falling(sight.height, sight.leap, nothing, nothing, no, there, sight.count, sight.trail)
-        ray = self._falling(sight)
+        ray = self._falling(sight.ray)
         self._sort(sight.query, ray, self._searched(ray, search, _SAMPLES), there)
 
-    def _falling(self, of: _Sight | _End) -> FallingRay:
+    def _falling(self, of: _Ray) -> FallingRay:
         slope = Vector(of.slope_x, of.slope_y)
         return FallingRay(self._cloth.surface, of.x, of.y, slope, of.step, of.back, SearchQuality().steps)
 
     def _sort(self, query: Lanes, ray: FallingRay, now: Falling, there: Lanes) -> None:
-        of_ray = query, ray.x, ray.y, ray.slope.x, ray.slope.y, ray.step, ray.back
-        self._sights.put(_Sight(*of_ray, now.height, now.leap, now.count, now.trail), now.searching)
+        of_ray = _Ray(ray.x, ray.y, ray.slope.x, ray.slope.y, ray.step, ray.back)
+        self._sights.put(_Sight(query, of_ray, now.height, now.leap, now.count, now.trail), now.searching)
         end = now.height, now.leap, now.depth, now.rate, now.smooth, now.trail.clearance, now.trail.rate
-        self._ends.put(_End(*of_ray, *end), there & ~now.searching)
+        self._ends.put(_End(query, of_ray, *end), there & ~now.searching)
 
     def _searched(self, ray: Any, search: Any, samples: int) -> Any:
         """A search after so many samples."""
@@ -316,7 +307,7 @@ class _Writer:
         """Finds the points that views meet."""
         end, there = self._ends.take()
         query = select(there, end.query, 0)
-        ray, no = self._falling(end), self._code.converted(False, TRUTH)
+        ray, no = self._falling(end.ray), self._code.converted(False, TRUTH)
         trail = Trail(end.last_clearance, end.last_rate, 0, no)
         search = Falling(end.height, end.leap, end.depth, end.rate, end.smooth, no, 0, trail)
         height = ray.refined(search, self._quality(query).refinements)

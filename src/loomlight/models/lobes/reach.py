@@ -29,7 +29,8 @@ from loomlight.models.lobes.groups import SUMS, Cloth, FacePoints, Groups, PlanP
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.models.lobes.parting_code import FEATURES
 from loomlight.models.lobes.sorting_code import CENTRE, DIRECTION, LIT_SUMS, ROW, lit_code, seen_code
-from loomlight.yarn.visibility import SearchQuality, first_hit, passes_through, unoccluded
+from loomlight.yarn.search import SearchQuality
+from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 
 # Rays a node and face, at least, and for each group of a family. With four times as many, estimates are
 # better by 2 % of their error; 32 groups a family with as few as 8 were worse by 12 %.
