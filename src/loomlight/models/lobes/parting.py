@@ -97,11 +97,7 @@ class Parting:
 
 
 class _Halvings:
-    """What became of one family, halving by halving.
-
-    Attributes:
-        parts: means [6] of the parts there are of any number of groups, by which part was halved.
-    """
+    """What became of one family, halving by halving: means and error of the parts that there were."""
 
     def __init__(self, rows: NDArray[np.float32], points: int) -> None:
         """Reads rows of `halving_code`."""

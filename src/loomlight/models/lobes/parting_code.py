@@ -24,7 +24,6 @@ MOST_GROUPS = POINTS // ROW
 # What blocks are given: coordinates, where there are points, and how many groups are wanted in the first of
 # its lanes. What they answer: rows of groups.
 _IS_POINT, _WANTED, _ROWS = range(FEATURES, FEATURES + 3)
-QUERY = FEATURES + 2
 # Of a row of halving: which part was halved; of what is near and of what is far along its axis, how many
 # points there are, and the sum of their squared distances from their mean; both means. The first row holds
 # all points, as what is near.
@@ -42,24 +41,21 @@ _TINY, _FAR = 1e-30, 1e30
 
 def halving_code(wide: Vectors) -> Code:
     """Code that halves parts."""
-    code = Code("halving", _of_families(wide))
-    halving = _Halving(code)
-    with code.blocks():
-        halving.write()
-    return code
+    return _of_families("halving", _Halving, wide)
 
 
 def means_code(wide: Vectors) -> Code:
     """Code for steps of k-means: a point between two groups counts for both; what has none stays."""
-    code = Code("means", _of_families(wide))
-    means = _Means(code)
+    return _of_families("means", _Means, wide)
+
+
+def _of_families(name: str, writer: type[_Halving | _Means], wide: Vectors) -> Code:
+    """Code whose blocks are families."""
+    code = Code(name, replace(wide, of_block=POINTS // wide.lanes))
+    writing = writer(code)
     with code.blocks():
-        means.write()
+        writing.write()
     return code
-
-
-def _of_families(wide: Vectors) -> Vectors:
-    return replace(wide, of_block=POINTS // wide.lanes)
 
 
 def _wanted(code: Code) -> ir.Value:
