@@ -81,15 +81,15 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
     if kind == 0:
         albedos = albedos_from_colour(np.ones((count, 3)), within(rng, 0, 1), within(rng, 0, 1), depth)
     else:
-        larger = np.ones(rows) if rng.random() < 0.2 else rng.random(rows)
-        smaller = larger * within(rng, 0, 1)
+        maximum = np.ones(rows) if rng.random() < 0.2 else rng.random(rows)
+        minimum = maximum * within(rng, 0, 1)
         reflects = kind == 1
-        diffuse = 1 - layer_albedo_bound(depth) * larger
+        diffuse = 1 - layer_albedo_bound(depth) * maximum
         share = within(rng, 0, 1)
         values = (
             diffuse * share,
             diffuse * (1 - share),
-            *((larger, smaller) if reflects else (smaller, larger)),
+            *((maximum, minimum) if reflects else (minimum, maximum)),
         )
         albedos = Albedos(*(np.broadcast_to(value, (count, 3)).copy() for value in values))
     check_albedos(albedos, "warp or weft", depth)

@@ -8,7 +8,7 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array3f, Float, UInt32
 
-from loomlight.core.backend import clipped, larger, smaller
+from loomlight.core.backend import clip, maximum, minimum
 from loomlight.core.llvm import require_llvm
 
 require_llvm()
@@ -19,26 +19,26 @@ def test_bounds_are_dr_jits() -> None:
     values, bounds = (Float(rng.normal(size=1000).astype(np.float32)) for _ in range(2))
     counts = UInt32(rng.integers(0, 9, 1000, np.uint32))
     for second in (bounds, 0.25, -1):
-        assert dr.all(larger(values, second) == dr.maximum(values, second))
-        assert dr.all(smaller(values, second) == dr.minimum(values, second))
-        assert dr.all(larger(second, values) == dr.maximum(second, values))
-    assert dr.all(clipped(values, -0.5, 0.5) == dr.clip(values, -0.5, 0.5))
-    assert type(smaller(counts, 5)) is UInt32
-    assert dr.all(smaller(counts, 5) == dr.minimum(counts, 5))
+        assert dr.all(maximum(values, second) == dr.maximum(values, second))
+        assert dr.all(minimum(values, second) == dr.minimum(values, second))
+        assert dr.all(maximum(second, values) == dr.maximum(second, values))
+    assert dr.all(clip(values, -0.5, 0.5) == dr.clip(values, -0.5, 0.5))
+    assert type(minimum(counts, 5)) is UInt32
+    assert dr.all(minimum(counts, 5) == dr.minimum(counts, 5))
     vector = Array3f(values, bounds, -values)
-    assert dr.all(larger(vector, 0) == dr.maximum(vector, 0), axis=None)
+    assert dr.all(maximum(vector, 0) == dr.maximum(vector, 0), axis=None)
 
 
 def test_no_number_passes() -> None:
     nothing = Float([math.nan, math.nan])
-    assert list(larger(nothing, 2)) == [2, 2]
-    assert list(smaller(nothing, 2)) == [2, 2]
-    assert list(clipped(nothing, 0, 1)) == [0, 0]
+    assert list(maximum(nothing, 2)) == [2, 2]
+    assert list(minimum(nothing, 2)) == [2, 2]
+    assert list(clip(nothing, 0, 1)) == [0, 0]
 
 
 def test_derivatives_are_dr_jits() -> None:
     gradients = []
-    for bound in (larger, dr.maximum):
+    for bound in (maximum, dr.maximum):
         value = Float([-1, 0, 2])
         dr.enable_grad(value)
         dr.backward(dr.sum(3 * bound(value, 0)))

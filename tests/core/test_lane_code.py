@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from loomlight.core.arrays import gather, gather_one, opaque, uploaded
 from loomlight.core.lane_code import Code, Vectors
-from loomlight.core.lane_values import FLOAT, INDEX, TRUTH, WHOLE, SharedNumbers
+from loomlight.core.lane_values import FLOAT, INDEX, TRUTH, WHOLE
 from loomlight.core.machine_code import MachineCode
 
 from .lanes import WIDTHS, as_floats, computed, truth
@@ -226,58 +225,6 @@ def test_sines_and_roots(wide: Vectors) -> None:
 
 
 @pytest.mark.parametrize("wide", WIDTHS, ids=str)
-def test_numbers_of_a_fabric_are_read_in_order(wide: Vectors) -> None:
-    """Single ones, and elements, pairs and rows of four of tables; code does not know them."""
-    rng = np.random.default_rng(8)
-    floats = rng.normal(size=(25, 4)).astype(np.float32)
-    wholes = rng.integers(0, 2**32, (25, 4), dtype=np.uint32)
-
-    def numbers_of(types: Any, factor: float) -> list[Any]:
-        """What is asked for as code is written, and once more for each fabric."""
-        return [
-            opaque(types.Float, 0.25 * factor),
-            uploaded(types.Float, factor * floats),
-            opaque(types.Float, -3.0 * factor),
-            uploaded(types.UInt32, wholes),
-            opaque(types.UInt32, 7),
-        ]
-
-    code = Code("fabric", wide)
-    code.shares(1 + 17)
-    first, table, second, bits, whole = numbers_of(code.types, 0.0)
-    with code.blocks(), code.each_vector():
-        row, types = code.converted(code.given(0), WHOLE), code.types
-        found = [first, second, code.converted(whole, WHOLE)]
-        found += [gather(types.Float, table, row * 4 + 3), *gather(types.Vector4, table, row)]
-        found += [gather(types.UInt32, bits, row * 4 + 2), *gather(types.Index4, bits, row)]
-        found += gather(types.Index2, bits, row * 2 + 1)
-        found += [gather_one(types.UInt32, bits, row, row > 12, row < 5), types.Float(0.5)]
-        assert len(found) == 17
-        for number, lanes in enumerate(found):
-            code.answer(1 + number, code.as_floats(lanes))
-    compiled, rows = MachineCode(code), rng.integers(0, 25, 1003)
-    # Another fabric has other numbers for the same code.
-    for factor in (1.0, 2.0):
-        shared = SharedNumbers()
-        numbers_of(shared.types, factor)
-        answers = [np.full(len(rows), np.nan, np.float32) for _ in range(17)]
-        compiled.run(len(rows), [rows.astype(np.float32)], answers, shared.arrays())
-        np.testing.assert_array_equal(answers[0], 0.25 * factor)
-        np.testing.assert_array_equal(answers[1], -3 * factor)
-        # As shared numbers are floats.
-        np.testing.assert_array_equal(answers[2].view(np.uint32), 7)
-        np.testing.assert_array_equal(answers[3], factor * floats[rows, 3])
-        np.testing.assert_array_equal(np.stack(answers[4:8], 1), factor * floats[rows])
-        of_bits = [answer.view(np.uint32) for answer in answers[8:16]]
-        np.testing.assert_array_equal(of_bits[0], wholes[rows, 2])
-        np.testing.assert_array_equal(np.stack(of_bits[1:5], 1), wholes[rows])
-        np.testing.assert_array_equal(np.stack(of_bits[5:7], 1), wholes[rows, 2:])
-        column = (rows > 12) + 2 * (rows < 5)
-        np.testing.assert_array_equal(of_bits[7], wholes[rows, column])
-        np.testing.assert_array_equal(answers[16], 0.5)
-
-
-@pytest.mark.parametrize("wide", WIDTHS, ids=str)
 def test_loops_stop_lane_by_lane(wide: Vectors) -> None:
     limits, x = np.random.default_rng(11).integers(0, 20, 1003), np.linspace(-1, 1, 1003, dtype=np.float32)
     # Vectors of which no lane begins.
@@ -320,7 +267,7 @@ def test_changes_happen_where_they_are_told(wide: Vectors) -> None:
 
         value = code.given(0)
         start = value, code.converted(5, WHOLE), value > 0
-        found = code.changed_where(code.given(1) > 0, start, change)
+        found = code.masked_branch(code.given(1) > 0, start, change)
         lanes = found[0], code.converted(found[1], FLOAT), truth(code, found[2])
         # Five arrays: two given, and of four answers the last by the change itself.
         for number, one in zip((2, 3, 5), lanes, strict=True):

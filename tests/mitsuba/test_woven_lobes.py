@@ -14,7 +14,7 @@ from drjit.llvm.ad import Array2f, Array3f, Float
 
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.core.held_arrays import named_arrays
+from loomlight.core.pytree import named_leaves
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, fabric_bsdf, render
 from loomlight.models.bake import bake
@@ -106,14 +106,14 @@ def test_nothing_is_uploaded_at_first_use() -> None:
     varied = fabric_from_text('weave = "houndstooth"\ngap = 0.3')
     for change in (lambda: None, lambda: edited(bsdf, "warp.height_scale", 0.4), lambda: bsdf.weave(varied)):
         change()
-        held = named_arrays(bsdf).keys()
+        held = named_leaves(bsdf).keys()
         context, si = mi.BSDFContext(), dr.zeros(mi.SurfaceInteraction3f)
         si.wi = mi.Vector3f(0, 0, 1)
         bsdf.eval_pdf_sample(context, si, si.wi, mi.Float(0.5), mi.Point2f(0.5, 0.5))
         bsdf.sample(context, si, mi.Float(0.5), mi.Point2f(0.5, 0.5))
         bsdf.eval_diffuse_reflectance(si)
         bsdf.eval_null_transmission(si)
-        assert named_arrays(bsdf).keys() == held
+        assert named_leaves(bsdf).keys() == held
     assert any("_areas" in name for name in held)
 
 

@@ -17,7 +17,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from loomlight.core.arrays import array_types, opaque, select
+import drjit as dr
+
+from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
@@ -66,7 +68,7 @@ def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> Me
     hit = first_hit(model.surface, x, y, on_face(view, back), back, active, model.quality)
     point = model.at(hit.x, hit.y, back, hit.hole)
     depth = point.height - hit.height
-    wall = ~hit.hole & (depth > opaque(types.Float, _WALL * min(model.surface.finest)))
+    wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
     return MetPoints(point, wall)
 
 
@@ -97,9 +99,9 @@ def lobes(
     blend = types.Float(appearance.diffuse_blend)
     beyond = types.Bool(facing.z < 0)
     # Diffuse transmission is diffuse reflection of the opposite direction.
-    diffuse = diffuse_reflection(select(beyond, -facing, facing), point.normal, blend)
+    diffuse = diffuse_reflection(dr.select(beyond, -facing, facing), point.normal, blend)
     if transmits is None:
-        specular = select(beyond, transmission(facing, seen, *frame), reflection(facing, seen, *frame))
+        specular = dr.select(beyond, transmission(facing, seen, *frame), reflection(facing, seen, *frame))
     else:
         specular = (transmission if transmits else reflection)(facing, seen, *frame)
     return diffuse, specular
@@ -123,10 +125,10 @@ def components(
     lit = visible & ~point.hole
     warp, weft = lit & point.is_warp, lit & ~point.is_warp
     return (
-        select(warp, diffuse, 0),
-        select(weft, diffuse, 0),
-        select(warp, specular, 0),
-        select(weft, specular, 0),
+        dr.select(warp, diffuse, 0),
+        dr.select(weft, diffuse, 0),
+        dr.select(warp, specular, 0),
+        dr.select(weft, specular, 0),
     )
 
 
@@ -147,5 +149,5 @@ def colours(
     near = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
     far = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
     beyond = on_face(light, point.back).z < 0
-    value = select(beyond, far, near) if transmits is None else far if transmits else near
-    return select(visible & ~point.hole, value, 0)
+    value = dr.select(beyond, far, near) if transmits is None else far if transmits else near
+    return dr.select(visible & ~point.hole, value, 0)

@@ -28,7 +28,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, clipped, larger, smaller, uploaded
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.point import Albedos
@@ -215,13 +215,13 @@ class _Axis:
         self.count = dr.opaque(types.UInt32, tables.lower.size)
         lengths = np.stack([2 * tables.half_width, tables.upper - tables.lower], axis=1)
         before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
-        self._before = uploaded(types.Float, before.astype(np.float32))
+        self._before = upload(types.Float, before.astype(np.float32))
         self._visible, self._cells = (dr.opaque(types.Float, float(total)) for total in before[-1])
 
     def bounds(self, centre: Any, size: Any) -> tuple[_Bound, _Bound]:
         """Lower and upper bound of a stretch of the axis, the centre moved into the first repeat."""
         local = centre - dr.floor((centre - self._start) / self._period) * self._period
-        half = larger(size, self._smallest) * 0.5
+        half = maximum(size, self._smallest) * 0.5
         return self._bound(local - half), self._bound(local + half)
 
     def _bound(self, position: Any) -> _Bound:
@@ -231,9 +231,9 @@ class _Axis:
         # Rounding decides between neighbouring cells, so the repeat follows from the cell that was found.
         turns = dr.round((position - self._start - before.y - found.below) / self._period)
         width = 2 * found.half_width
-        visible = clipped((found.across + found.half_width) / width, 0, 1)
+        visible = clip((found.across + found.half_width) / width, 0, 1)
         ahead = found.below - found.across - found.half_width
-        gap = smaller(found.below, ahead) + larger(found.across - found.half_width, 0)
+        gap = minimum(found.below, ahead) + maximum(found.across - found.half_width, 0)
         return _Bound(found.thread, turns, found.below, visible, width, gap)
 
     def lengths(self, low: _Bound, high: _Bound) -> tuple[Any, Any, Any]:
@@ -293,7 +293,7 @@ class _Colours:
         self._row = _padded_row(3 * self._quantities)
         rows = tables.threads.reshape(len(tables.threads), -1)
         padded = np.pad(rows, ((0, 0), (0, self._row - rows.shape[1])))
-        self._threads = uploaded(types.Float, padded.astype(np.float32))
+        self._threads = upload(types.Float, padded.astype(np.float32))
         self._totals = _opaque(types, rows[-1])
         areas = tables.areas
         self._areas: _Entries = (
@@ -311,19 +311,19 @@ class _Colours:
             for part, on_top in zip(visible, self._on_top(own, other), strict=True)
         ]
         area = visible[0] * crossing
-        noise = _NOISE_UNITS * self._unit * smaller(area / self._crossing, 1) + _NOISE_SHARE * area
+        noise = _NOISE_UNITS * self._unit * minimum(area / self._crossing, 1) + _NOISE_SHARE * area
         sums = [
             part * gaps + dr.select(above[0] > noise, shown, 0) + _HIDDEN * length * cell
             for part, shown, cell in zip(visible, above, cells, strict=True)
         ]
-        weight = dr.rcp(larger(sums[0], 1e-20))
+        weight = dr.rcp(maximum(sums[0], 1e-20))
         ratios = [total * weight for total in sums[1:]]
         numbers = []
         for index in range(_NUMBERS):
             number = self._mean[index]
             for ratio, axis in zip(ratios, self._axes, strict=True):
                 number = dr.fma(ratio, axis[index], number)
-            numbers.append(clipped(number, 0, 1))
+            numbers.append(clip(number, 0, 1))
         return _albedos(self._types, numbers)
 
     def _along(self, own: _Stretch) -> tuple[list[Any], list[Any]]:
@@ -375,7 +375,7 @@ class _SingleEntries:
         self._types = types
         self._padded = areas.shape[2]
         self._pitch = dr.opaque(types.UInt32, areas.shape[1])
-        self._areas = uploaded(types.UInt32, areas)
+        self._areas = upload(types.UInt32, areas)
 
     def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:
         """Of each number of an entry a grid of entries: by column, then by row."""
@@ -402,9 +402,9 @@ class _PairedEntries:
         self._parts = areas.shape[2] // self._size
         self._pitch = dr.opaque(types.UInt32, areas.shape[1] - 1)
         split = areas.reshape(*areas.shape[:2], self._parts, 1, self._size)
-        self._pairs = uploaded(types.UInt32, np.concatenate([split[:, :-1], split[:, 1:]], axis=3))
+        self._pairs = upload(types.UInt32, np.concatenate([split[:, :-1], split[:, 1:]], axis=3))
         last = split[:, -1]
-        self._last = uploaded(types.UInt32, np.concatenate([last[:-1], last[1:]], axis=2))
+        self._last = upload(types.UInt32, np.concatenate([last[:-1], last[1:]], axis=2))
         self._all = [dr.opaque(types.UInt32, int(number)) for number in areas[-1, -1]]
 
     def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:

@@ -8,7 +8,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import ArrayTypes, smaller
+from loomlight.core.backend import ArrayTypes, minimum
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import Surface
 
@@ -87,7 +87,7 @@ def _around(types: ArrayTypes, position: Any, start: float, period: float, count
     turns = (position - dr.opaque(types.Float, start)) * dr.opaque(types.Float, 1 / period)
     share = turns - dr.floor(turns)
     # Rounding may make the share 1.
-    return smaller(types.UInt32(share * dr.opaque(types.Float, count)), dr.opaque(types.UInt32, count - 1))
+    return minimum(types.UInt32(share * dr.opaque(types.Float, count)), dr.opaque(types.UInt32, count - 1))
 
 
 def fabric_grid(

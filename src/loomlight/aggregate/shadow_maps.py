@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
-from loomlight.core.backend import ArrayTypes, array_types, uploaded
+from loomlight.core.backend import ArrayTypes, array_types, upload
 from loomlight.scattering.point import PointModel, on_face
 from loomlight.yarn.visibility import unoccluded
 
@@ -62,4 +62,4 @@ class ShadowMaps:
 
 def uploaded_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Any:
     """Vectors [n, 3] as a Vector3 of n lanes, axis by axis: one array would compile n into the kernels."""
-    return types.Vector3(*(uploaded(types.Float, axis.astype(np.float32)) for axis in directions.T))
+    return types.Vector3(*(upload(types.Float, axis.astype(np.float32)) for axis in directions.T))

@@ -28,7 +28,7 @@ from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps, uploaded_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
-from loomlight.core.backend import array_types, larger, uploaded
+from loomlight.core.backend import array_types, maximum, upload
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
 
@@ -198,7 +198,7 @@ class FabricSlices:
     def _read(self, batch: SliceBatch, slot: Any, boxes: TexelBoxes) -> NDArray[np.float32]:
         """Means over boxes of the batch's slices number `slot`, channel by channel for each box."""
         types = self._types
-        view = dr.gather(types.UInt32, uploaded(types.UInt32, batch.hole_of.astype(np.uint32)), slot)
+        view = dr.gather(types.UInt32, upload(types.UInt32, batch.hole_of.astype(np.uint32)), slot)
         channels = [(channel, slot) for channel in batch.channels]
         channels.insert(4, (batch.holes, view))
         entries = dr.opaque(types.UInt32, (self.grid.rows + 1) * (self.grid.columns + 1))
@@ -245,8 +245,8 @@ class FabricSlices:
         met = self._met(seen, len(used), maps)
 
         pair, texel = divided(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
-        of_view = dr.gather(types.UInt32, uploaded(types.UInt32, hole_of.astype(np.uint32)), pair)
-        of_light = dr.gather(types.UInt32, uploaded(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
+        of_view = dr.gather(types.UInt32, upload(types.UInt32, hole_of.astype(np.uint32)), pair)
+        of_light = dr.gather(types.UInt32, upload(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
         place = of_view * dr.opaque(types.UInt32, grid.texels) + texel
         point = _taken(met.point, place)
         light = dr.gather(types.Vector3, self._vectors(lights), of_light)
@@ -293,7 +293,7 @@ def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
     below, in its shade. One texel further the way the ray goes is on the yarn for certain.
     """
     types = array_types(met.point.x)
-    length = dr.rsqrt(larger(dr.square(view.x) + dr.square(view.y), 1e-12))
+    length = dr.rsqrt(maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
     step_x, step_y = (dr.opaque(types.Float, step) for step in maps.grid.step)
     further = dr.select(met.wall, types.Float(1), 0) * length
     return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)

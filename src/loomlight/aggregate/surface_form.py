@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
 from loomlight.aggregate.grid import Grid
-from loomlight.core.backend import ArrayTypes, array_types, larger
+from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.scattering.point import PointModel, YarnPoint, on_face
 from loomlight.yarn.visibility import passes_through, unoccluded
 
@@ -83,11 +83,11 @@ def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
         view: unit vectors [3].
     """
     seen = on_face(view, point.back)
-    facing = larger(dr.dot(seen, point.normal), 0) / larger(point.normal.z, 1e-6)
+    facing = maximum(dr.dot(seen, point.normal), 0) / maximum(point.normal.z, 1e-6)
     worth = (facing > 0) & ~point.hole
     surface, quality = model.surface, model.quality
     free = unoccluded(surface, point.x, point.y, point.height, seen, point.back, worth, quality)
-    rise = point.height / larger(seen.z, 1e-4)
+    rise = point.height / maximum(seen.z, 1e-4)
     through = passes_through(
         surface, point.x - seen.x * rise, point.y - seen.y * rise, seen, point.back, free & worth, quality
     )

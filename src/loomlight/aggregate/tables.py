@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
-from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
+from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
 
 # Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
@@ -93,17 +93,17 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
         _require_inside(grid, centres, sizes)
     types = array_types(dr.float64_array_t(float_type))
     lane = dr.arange(types.UInt32, len(centres))
-    middle, whole = (dr.gather(types.Vector2, uploaded(types.Float, pair), lane) for pair in (centres, sizes))
+    middle, whole = (dr.gather(types.Vector2, upload(types.Float, pair), lane) for pair in (centres, sizes))
     bounds = []
     for axis, (start, step, count) in enumerate(
         zip((grid.left, grid.bottom), grid.step, (grid.columns, grid.rows), strict=True)
     ):
         per_texel = dr.opaque(types.Float, 1 / step)
-        half = 0.5 * larger(whole[axis] * per_texel, _SMALLEST_BOX)
+        half = 0.5 * maximum(whole[axis] * per_texel, _SMALLEST_BOX)
         place = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
         low, high = place - half, place + half
         if not grid.periodic:
-            low, high = clipped(low, 0, count), clipped(high, 0, count)
+            low, high = clip(low, 0, count), clip(high, 0, count)
         bounds += [low, high]
     return TexelBoxes(*bounds)
 
@@ -132,8 +132,8 @@ def _bound(position: Any, count: int) -> _Bound:
     types = array_types(position)
     whole = dr.opaque(types.Float, count)
     turns = dr.floor(position * dr.opaque(types.Float, 1 / count))
-    local = clipped(position - turns * whole, 0, whole)
-    entry = smaller(types.UInt32(local), dr.opaque(types.UInt32, count - 1))
+    local = clip(position - turns * whole, 0, whole)
+    entry = minimum(types.UInt32(local), dr.opaque(types.UInt32, count - 1))
     return _Bound(entry, local - types.Float(entry), turns)
 
 

@@ -67,7 +67,7 @@ def array_types(example: Any) -> ArrayTypes:
     return _types_of(kind)
 
 
-def larger(first: Any, second: Any) -> Any:
+def maximum(first: Any, second: Any) -> Any:
     """The larger one of two Dr.Jit numbers or arrays, lane by lane; the second where either is no number.
 
     `dr.maximum` lets what is no number pass and tells +0 from −0. On x86 that takes LLVM five instructions
@@ -76,14 +76,14 @@ def larger(first: Any, second: Any) -> Any:
     return dr.select(first > second, first, second) if _compares(first, second) else dr.maximum(first, second)
 
 
-def smaller(first: Any, second: Any) -> Any:
-    """The smaller one of two Dr.Jit numbers or arrays; see `larger`."""
+def minimum(first: Any, second: Any) -> Any:
+    """The smaller one of two Dr.Jit numbers or arrays; see `maximum`."""
     return dr.select(first < second, first, second) if _compares(first, second) else dr.minimum(first, second)
 
 
-def clipped(value: Any, low: Any, high: Any) -> Any:
+def clip(value: Any, low: Any, high: Any) -> Any:
     """A Dr.Jit number or array brought into the range from `low` to `high`; `low` where it is no number."""
-    return smaller(larger(value, low), high)
+    return minimum(maximum(value, low), high)
 
 
 def _compares(first: Any, second: Any) -> bool:
@@ -97,13 +97,13 @@ DRJIT: Any = SimpleNamespace(
     abs=dr.abs,
     asin=dr.asin,
     atan2=dr.atan2,
-    clip=clipped,
+    clip=clip,
     exp=dr.exp,
     floor=dr.floor,
     fma=dr.fma,
     log2=dr.log2,
-    maximum=larger,
-    minimum=smaller,
+    maximum=maximum,
+    minimum=minimum,
     rcp=dr.rcp,
     rsqrt=dr.rsqrt,
     select=dr.select,
@@ -121,7 +121,7 @@ def channel_mean(colour: Any) -> Any:
     return dr.sum(colour) * (1 / len(colour))
 
 
-def uploaded(kind: Any, values: ArrayLike) -> Any:
+def upload(kind: Any, values: ArrayLike) -> Any:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 
     On the CPU Dr.Jit would use numpy's memory as it is: it compiles kernels anew when its alignment differs,

@@ -17,7 +17,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, larger, smaller
+from loomlight.core.backend import array_types, maximum, minimum
 
 # Squares of a row, and up to which ratio of squared length to squared width one square does as well.
 SQUARES = 4
@@ -87,14 +87,14 @@ class Footprint:
         half, mean = 0.5 * (across - along), 0.5 * (across + along)
         root = dr.sqrt(dr.square(half) + dr.square(both))
         # Squares of length and width; twelve times the variances along the axes.
-        long, wide = mean + root, larger(mean - root, 0)
-        apart = larger(long - _ALIKE * wide, 0)
-        square = larger(mean - 0.5 * apart, long * (1 / SQUARES**2))
+        long, wide = mean + root, maximum(mean - root, 0)
+        apart = maximum(long - _ALIKE * wide, 0)
+        square = maximum(mean - 0.5 * apart, long * (1 / SQUARES**2))
         # Middles a step apart have this variance; the squares' own comes to it.
-        step = dr.sqrt(larger(smaller(apart, long - square), 0) * (1 / (SQUARES**2 - 1)))
-        double = half / larger(root, 1e-30)
-        x = dr.sqrt(larger(0.5 * (1 + double), 0))
-        y = dr.copysign(dr.sqrt(larger(0.5 * (1 - double), 0)), both)
+        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (SQUARES**2 - 1)))
+        double = half / maximum(root, 1e-30)
+        x = dr.sqrt(maximum(0.5 * (1 + double), 0))
+        y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - double), 0)), both)
         return dr.sqrt(square), types.Vector2(step * x, step * y)
 
     @property
@@ -122,7 +122,7 @@ class Footprint:
         """
         box = self.box().size
         covariance = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
-        return covariance / larger(box.x * box.y, 1e-30)
+        return covariance / maximum(box.x * box.y, 1e-30)
 
     def shrunk(self, samples: int) -> Footprint:
         """The footprint of each of `samples` samples of a pixel: both edges times 1/sqrt(samples)."""

@@ -474,7 +474,7 @@ class Code:
         self.builder.position_at_end(done)
         return now
 
-    def changed_where(self, active: Lanes, value: Any, change: Callable[[Any], Any]) -> Any:
+    def masked_branch(self, active: Lanes, value: Any, change: Callable[[Any], Any]) -> Any:
         """`change(value)` in active lanes, `value` in others, and no time where there are none."""
         leaves = [self.as_lanes(leaf) for leaf in leaves_of(value)]
         values, before = [leaf.value for leaf in leaves], self.builder.block

@@ -10,7 +10,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import clipped, larger, smaller
+from loomlight.core.backend import clip, maximum, minimum
 
 # Texels of the finest level, each side; the texture itself is read where footprints are smaller.
 _SIDE = 1024
@@ -47,12 +47,12 @@ class FilteredTexture:
         """
         area = dr.abs(duv_dx.x * duv_dy.y - duv_dx.y * duv_dy.x)
         # Levels above the finest.
-        level = 0.5 * dr.log2(larger(area, 1e-20)) + dr.log2(mi.Float(_SIDE))
-        place = clipped(level, 0, mi.Float(self._levels))
-        lower = smaller(mi.UInt32(place), self._levels - 1)
+        level = 0.5 * dr.log2(maximum(area, 1e-20)) + dr.log2(mi.Float(_SIDE))
+        place = clip(level, 0, mi.Float(self._levels))
+        lower = minimum(mi.UInt32(place), self._levels - 1)
         filtered = dr.lerp(self._at(lower, si.uv), self._at(lower + 1, si.uv), place - mi.Float(lower))
         # Between a point and the finest level's mean there is no further level.
-        share = clipped(level + 1, 0, 1)
+        share = clip(level + 1, 0, 1)
         return dr.lerp(mi.Color3f(self._texture.eval(si, active)), filtered, share)
 
     def _at(self, level: Any, uv: Any) -> Any:

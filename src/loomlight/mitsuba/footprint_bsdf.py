@@ -12,9 +12,9 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
-from loomlight.core.backend import clipped
+from loomlight.core.backend import clip
 from loomlight.core.footprint import Footprint
-from loomlight.core.held_arrays import arrays_of
+from loomlight.core.pytree import leaves
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
@@ -209,7 +209,7 @@ def footprint_bsdf_class() -> type:
             self._means.upload(variant_types())
             # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
             self.arrays = []
-            self.arrays = arrays_of(self)
+            self.arrays = leaves(self)
             appearance = self.fabric.appearance()
             sheen = appearance.sheen
             self.lets_light_through = self.fabric.layout().open_area > _SMALLEST_OPEN_AREA
@@ -238,7 +238,7 @@ def footprint_bsdf_class() -> type:
             albedos = self.mean_albedos(self._means, view, footprint)
             if self._texture is not None:
                 edges = uv_footprint(si, self.pixel_angle)
-                tint = plain(clipped(self._texture.over(si, *edges, active), 0, 1))
+                tint = plain(clip(self._texture.over(si, *edges, active), 0, 1))
                 albedos = FamilyAlbedos(_tinted(albedos.warp, tint), _tinted(albedos.weft, tint))
             return albedos
 

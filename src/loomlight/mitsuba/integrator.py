@@ -27,8 +27,8 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import channel_mean, larger, smaller
-from loomlight.core.recorded import collecting_later
+from loomlight.core.backend import channel_mean, maximum, minimum
+from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.cloth_samples import tell_pixel_samples
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
 from loomlight.mitsuba.woven_neural import runs_network
@@ -114,7 +114,7 @@ def footprint_path_class() -> type:
             evaluate: bool = True,
         ) -> Any:
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            with collecting_later(), calls_for(scene):
+            with gc_paused(), calls_for(scene):
                 if self.without_film and develop and samples_are_pixels(camera, spp):
                     return self._samples_alone(scene, camera, seed)
                 return super().render(scene, camera, seed, spp, develop, evaluate)
@@ -269,7 +269,7 @@ def footprint_path_class() -> type:
                 η *= bs.eta
                 β_max = dr.max(β)
                 active_next &= β_max != 0
-                survival = smaller(β_max * dr.square(η), 0.95)
+                survival = minimum(β_max * dr.square(η), 0.95)
                 roulette = bounced & (depth >= self.rr_depth)
                 β[roulette] *= dr.rcp(survival)
                 active_next &= ~roulette | (sampler.next_1d() < survival)
@@ -353,7 +353,7 @@ def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, 
     chance = channel_mean(through)
     passes = active & (choice < chance)
     bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
-    return bs, dr.select(passes, through * dr.rcp(larger(chance, 1e-8)), 0)
+    return bs, dr.select(passes, through * dr.rcp(maximum(chance, 1e-8)), 0)
 
 
 # Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew

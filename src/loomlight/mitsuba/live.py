@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.core.held_arrays import arrays_of
-from loomlight.core.recorded import collecting_later, frozen
+from loomlight.core.frozen import frozen, gc_paused
+from loomlight.core.pytree import leaves
 from loomlight.mitsuba.cloth_samples import CLOTHS
 from loomlight.mitsuba.integrator import footprint_integrator, has_networks, leaving_film_out
 
@@ -69,7 +69,7 @@ class LivePicture:
             seed: any 32-bit number.
         """
         try:
-            with collecting_later():
+            with gc_paused():
                 shown = self._launch(self._scene, self._integrator, mi.UInt32(seed), _held())
             return np.array(shown, dtype=np.float32)
         except RuntimeError:
@@ -90,4 +90,4 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
     """Arrays of every cloth that there is, which Dr.Jit does not find by itself, and its literals."""
-    return [(arrays_of(cloth), getattr(cloth, "literals", ())) for cloth in CLOTHS]
+    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in CLOTHS]

@@ -11,7 +11,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import larger, smaller
+from loomlight.core.backend import maximum, minimum
 
 # A footprint seen at a grazing angle is stretched at most this much; beyond, the plane leaves the object.
 _LARGEST_STRETCH = 20.0
@@ -33,8 +33,8 @@ def opening(pdf: Any, samples: int) -> Any:
 
     One of `samples` samples stands for the solid angle 1/(samples·pdf); delta events do not open it.
     """
-    angle = dr.rsqrt(larger(pdf * samples, 1e-6))
-    return smaller(angle, _LARGEST_OPENING)
+    angle = dr.rsqrt(maximum(pdf * samples, 1e-6))
+    return minimum(angle, _LARGEST_OPENING)
 
 
 def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
@@ -46,9 +46,9 @@ def cone_partials(si: Any, direction: Any, width: Any) -> tuple[Any, Any]:
     along = direction - cosine * si.n
     length = dr.norm(along)
     fallback, _ = mi.coordinate_system(si.n)
-    along = dr.select(length > 1e-4, along / larger(length, 1e-4), fallback)
+    along = dr.select(length > 1e-4, along / maximum(length, 1e-4), fallback)
     across = dr.cross(si.n, along)
-    stretch = smaller(dr.rcp(larger(dr.abs(cosine), 1e-3)), _LARGEST_STRETCH)
+    stretch = minimum(dr.rcp(maximum(dr.abs(cosine), 1e-3)), _LARGEST_STRETCH)
     return _to_uv(si, along * (width * stretch)), _to_uv(si, across * width)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import clipped
+from loomlight.core.backend import clip
 from loomlight.mitsuba.cloth_samples import bsdf_sample, declare_lobes, plain, variant_types
 from loomlight.mitsuba.cloth_uv import draft_position
 from loomlight.mitsuba.fabric_props import fabric_of, uv_size_of
@@ -94,7 +94,7 @@ def woven_point_class() -> type:
                 hit = self.model.locate(x, y, plain(si.wi), active)
             point = self.model.at(hit.x, hit.y, hit.back, hit.hole)
             if self.albedo is not None:
-                tint = plain(clipped(self.albedo.eval(si, active), 0, 1))
+                tint = plain(clip(self.albedo.eval(si, active), 0, 1))
                 point.albedos.diffuse_reflect = point.albedos.diffuse_reflect * tint
                 point.albedos.diffuse_transmit = point.albedos.diffuse_transmit * tint
             return point

@@ -14,7 +14,7 @@ from typing import Any, final
 import drjit as dr
 
 from loomlight.aggregate.components import components
-from loomlight.core.backend import array_types, clipped, larger, smaller
+from loomlight.core.backend import array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
@@ -75,9 +75,9 @@ class SampledModel(Model):
         """A light direction at one of the points, straight through holes in proportion to them."""
         types = array_types(view.x)
         scaled = choice * self.points
-        number = smaller(types.UInt32(scaled), self.points - 1)
+        number = minimum(types.UInt32(scaled), self.points - 1)
         # What is left of the number after the choice of a point is uniform again.
-        rest = clipped(scaled - types.Float(number), 0, dr.one_minus_epsilon(types.Float))
+        rest = clip(scaled - types.Float(number), 0, dr.one_minus_epsilon(types.Float))
         point = self._point(number, view, footprint)
         # Directions alone are wanted: an inactive lane searches no shadow for its weight.
         drawn = self.point_model.sample(point, view, rest, u, active=False)
@@ -87,7 +87,7 @@ class SampledModel(Model):
         through = self.straight_through(view, sums.response.hole)
         pdf = dr.select(drawn.passes, through, sums.density)
         # A ray goes straight through with the very share of light that does.
-        weight = dr.select(drawn.passes, 1, dr.select(pdf > 0, value / larger(pdf, 1e-30), 0))
+        weight = dr.select(drawn.passes, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=drawn.light, pdf=pdf, weight=weight, passes=drawn.passes)
 
     @final
@@ -144,7 +144,7 @@ def _shown(point: YarnPoint) -> tuple[_FamilySums, _FamilySums]:
 
 
 def _mean(sums: _FamilySums) -> Albedos:
-    share = dr.select(sums.points > 0, dr.rcp(larger(sums.points, 1e-6)), 0)
+    share = dr.select(sums.points > 0, dr.rcp(maximum(sums.points, 1e-6)), 0)
     return _combined(lambda part: part * share, sums.albedos)
 
 

@@ -11,13 +11,13 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import array_types, dot, larger, lerp, select, smaller
+from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.scattering.directions import cosine_about
 
 
 def diffuse_reflection(light: Any, normal: Any, blend: Any) -> Any:
     """(w⟨light·n_p⟩ + (1 − w)⟨light·n_s⟩)/π for light above the cloth, else 0; Float, 1/sr."""
-    return select(light.z > 0, diffuse_pdf(light, normal, blend), 0)
+    return dr.select(light.z > 0, diffuse_pdf(light, normal, blend), 0)
 
 
 def diffuse_transmission(light: Any, normal: Any, blend: Any) -> Any:
@@ -37,15 +37,15 @@ def sample_diffuse(normal: Any, blend: Any, u: Any) -> Any:
     types = array_types(u)
     about_yarn = u.x < blend
     # The number that chose is stretched back to [0, 1) and used again.
-    start = select(about_yarn, 0, blend)
-    width = select(about_yarn, blend, 1 - blend)
-    stretched = smaller((u.x - start) / larger(width, 1e-7), dr.one_minus_epsilon(types.Float))
-    axis = select(about_yarn, normal, types.Vector3(0, 0, 1))
+    start = dr.select(about_yarn, 0, blend)
+    width = dr.select(about_yarn, blend, 1 - blend)
+    stretched = minimum((u.x - start) / maximum(width, 1e-7), dr.one_minus_epsilon(types.Float))
+    axis = dr.select(about_yarn, normal, types.Vector3(0, 0, 1))
     return cosine_about(axis, types.Vector2(stretched, u.y))
 
 
 def diffuse_pdf(light: Any, normal: Any, blend: Any) -> Any:
     """Density of `sample_diffuse`, 1/sr: both cosines clamped at zero, blended, over π."""
-    about_yarn = larger(dot(light, normal), 0)
-    about_cloth = larger(light.z, 0)
-    return dr.inv_pi * lerp(about_cloth, about_yarn, blend)
+    about_yarn = maximum(dr.dot(light, normal), 0)
+    about_cloth = maximum(light.z, 0)
+    return dr.inv_pi * dr.lerp(about_cloth, about_yarn, blend)

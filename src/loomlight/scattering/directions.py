@@ -6,7 +6,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, larger
+from loomlight.core.backend import array_types, maximum
 
 # Below this squared length a vector has no direction left in float32; dividing by it must stay finite.
 SMALLEST_SQUARED_LENGTH = 1e-20
@@ -24,7 +24,7 @@ def uniform_on_sphere(u: Any) -> Any:
     types = array_types(u)
     z = 1 - 2 * u.x
     # 1 − z² in the form that stays non-negative in floating point.
-    radius = 2 * dr.sqrt(larger(u.x * (1 - u.x), 0))
+    radius = 2 * dr.sqrt(maximum(u.x * (1 - u.x), 0))
     sin, cos = dr.sincos(dr.two_pi * u.y)
     return types.Vector3(radius * cos, radius * sin, z)
 
@@ -40,4 +40,4 @@ def cosine_about(axis: Any, u: Any) -> Any:
         u: Vector2 of uniform numbers in [0, 1).
     """
     towards = axis + uniform_on_sphere(u)
-    return towards * dr.rsqrt(larger(dr.squared_norm(towards), SMALLEST_SQUARED_LENGTH))
+    return towards * dr.rsqrt(maximum(dr.squared_norm(towards), SMALLEST_SQUARED_LENGTH))

@@ -12,7 +12,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.arrays import dot, exp, fma, larger, rcp, rsqrt, select, smaller, sqrt, squared_norm
+from loomlight.core.backend import maximum, minimum
 from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_sphere
 
 # Cosines are kept above this before something is divided by them. Optical depths then reach 1e6 and their
@@ -30,15 +30,15 @@ _TYPICAL_DEPTH = 1.4
 
 def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
     """σ(ω): area of the fibres seen from `direction`, per volume and density; α to 1 (chen2024 eq. 2)."""
-    along = dot(direction, tangent)
+    along = dr.dot(direction, tangent)
     # Not below α² but for rounding, so the root and its derivative stay finite.
-    squared = fma((roughness + 1) * (roughness - 1), along * along, 1)
-    return sqrt(larger(squared, roughness * roughness))
+    squared = dr.fma((roughness + 1) * (roughness - 1), along * along, 1)
+    return dr.sqrt(maximum(squared, roughness * roughness))
 
 
 def density(half: Any, tangent: Any, roughness: Any) -> Any:
     """D(h): density of fibre normals in direction `half`, 1/sr, both signs of h alike (chen2024 eq. 2)."""
-    along = dot(half, tangent)
+    along = dr.dot(half, tangent)
     return _density(along * along, roughness)
 
 
@@ -48,8 +48,8 @@ def _density(squared_along: Any, roughness: Any) -> Any:
     With q = p/α², p = α² + (h·t)²(1 − α²): α³/(π p²) never forms the large 1/α² of q.
     """
     squared_roughness = roughness * roughness
-    p = fma(squared_along, 1 - squared_roughness, squared_roughness)
-    return dr.inv_pi * squared_roughness * roughness * rcp(p * p)
+    p = dr.fma(squared_along, 1 - squared_roughness, squared_roughness)
+    return dr.inv_pi * squared_roughness * roughness * dr.rcp(p * p)
 
 
 def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
@@ -59,10 +59,10 @@ def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any
     be perpendicular to the fibre, which gives the largest of the limits, 1/(πα), and a zero derivative.
     """
     total = light + view
-    along = dot(total, tangent)
-    squared_along = along * along * rcp(larger(squared_norm(total), _SMALLEST_SQUARED_SUM))
+    along = dr.dot(total, tangent)
+    squared_along = along * along * dr.rcp(maximum(dr.squared_norm(total), _SMALLEST_SQUARED_SUM))
     # (h·t)² ≤ 1 but for rounding.
-    return _density(smaller(squared_along, 1), roughness)
+    return _density(minimum(squared_along, 1), roughness)
 
 
 def _mean_attenuation(depth: Any) -> Any:
@@ -70,9 +70,9 @@ def _mean_attenuation(depth: Any) -> Any:
 
     The series takes over below 0.1, where the difference would lose digits; there it is off by 1e-8.
     """
-    series = fma(depth, fma(depth, fma(depth, fma(depth, 1 / 120, -1 / 24), 1 / 6), -0.5), 1)
-    large = larger(depth, 0.1)
-    return select(depth < 0.1, series, (1 - exp(-large)) * rcp(large))
+    series = dr.fma(depth, dr.fma(depth, dr.fma(depth, dr.fma(depth, 1 / 120, -1 / 24), 1 / 6), -0.5), 1)
+    large = maximum(depth, 0.1)
+    return dr.select(depth < 0.1, series, (1 - dr.exp(-large)) * dr.rcp(large))
 
 
 def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
@@ -81,17 +81,17 @@ def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any,
     D G_r/(4 cos_view), in the form −expm1(−Tρ(Λ_i + Λ_o))/(σ_i cos_o + σ_o cos_i) that has no pole at
     grazing angles. Zero unless light and view are both on the side of `normal`.
     """
-    cos_light, cos_view = dot(light, normal), dot(view, normal)
+    cos_light, cos_view = dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    cos_light = larger(cos_light, _SMALLEST_COSINE)
-    cos_view = larger(cos_view, _SMALLEST_COSINE)
+    cos_light = maximum(cos_light, _SMALLEST_COSINE)
+    cos_view = maximum(cos_view, _SMALLEST_COSINE)
     area_light = projected_area(light, tangent, roughness)
     area_view = projected_area(view, tangent, roughness)
-    crossed = fma(area_light, cos_view, area_view * cos_light)
-    depth = optical_depth * crossed * rcp(cos_light * cos_view)
+    crossed = dr.fma(area_light, cos_view, area_view * cos_light)
+    depth = optical_depth * crossed * dr.rcp(cos_light * cos_view)
     scattered = depth * _mean_attenuation(depth)
-    value = 0.25 * _density_between(light, view, tangent, roughness) * scattered * cos_light * rcp(crossed)
-    return select(visible, value, 0)
+    value = 0.25 * _density_between(light, view, tangent, roughness) * scattered * cos_light * dr.rcp(crossed)
+    return dr.select(visible, value, 0)
 
 
 def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
@@ -100,15 +100,15 @@ def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: An
     D G_t/(4 cos_view) with G_t = e^{−Tρ min(Λ_i, Λ_o)} (1 − e^{−Tρ|Δ|})/|Δ|, Δ = Λ_i − Λ_o. Zero unless
     view is on the side of `normal` and light on the other; cos_light = −light·normal.
     """
-    cos_light, cos_view = -dot(light, normal), dot(view, normal)
+    cos_light, cos_view = -dr.dot(light, normal), dr.dot(view, normal)
     visible = (cos_light > 0) & (cos_view > 0)
-    per_cos_view = rcp(larger(cos_view, _SMALLEST_COSINE))
-    slope_light = projected_area(light, tangent, roughness) * rcp(larger(cos_light, _SMALLEST_COSINE))
+    per_cos_view = dr.rcp(maximum(cos_view, _SMALLEST_COSINE))
+    slope_light = projected_area(light, tangent, roughness) * dr.rcp(maximum(cos_light, _SMALLEST_COSINE))
     slope_view = projected_area(view, tangent, roughness) * per_cos_view
-    passed = exp(-optical_depth * smaller(slope_light, slope_view))
+    passed = dr.exp(-optical_depth * minimum(slope_light, slope_view))
     mean = _mean_attenuation(optical_depth * abs(slope_light - slope_view))
     lengths = 0.25 * optical_depth * passed * mean * per_cos_view
-    return select(visible, _density_between(light, view, tangent, roughness) * lengths, 0)
+    return dr.select(visible, _density_between(light, view, tangent, roughness) * lengths, 0)
 
 
 def layer_albedo_estimate(
@@ -119,14 +119,14 @@ def layer_albedo_estimate(
     Every light direction is given the depth of one at 45°, and each side its mean share. Averaged over views
     they are within a quarter of the truth. Both are positive wherever their lobe is.
     """
-    cos_view = larger(abs(dot(view, normal)), _SMALLEST_COSINE)
-    slope = projected_area(view, tangent, roughness) * rcp(cos_view)
-    turned = slope * rcp(slope + _TYPICAL_DEPTH) * (1 - exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
-    passed = exp(-optical_depth * smaller(slope, _TYPICAL_DEPTH))
+    cos_view = maximum(abs(dr.dot(view, normal)), _SMALLEST_COSINE)
+    slope = projected_area(view, tangent, roughness) * dr.rcp(cos_view)
+    turned = slope * dr.rcp(slope + _TYPICAL_DEPTH) * (1 - dr.exp(-optical_depth * (slope + _TYPICAL_DEPTH)))
+    passed = dr.exp(-optical_depth * minimum(slope, _TYPICAL_DEPTH))
     through = optical_depth * slope * passed * _mean_attenuation(optical_depth * abs(slope - _TYPICAL_DEPTH))
     return (
-        fma(_SHARE_TURNED[1], roughness, _SHARE_TURNED[0]) * turned,
-        fma(_SHARE_THROUGH[1], roughness, _SHARE_THROUGH[0]) * through,
+        dr.fma(_SHARE_TURNED[1], roughness, _SHARE_TURNED[0]) * turned,
+        dr.fma(_SHARE_THROUGH[1], roughness, _SHARE_THROUGH[0]) * through,
     )
 
 
@@ -141,17 +141,17 @@ def sample_specular(view: Any, tangent: Any, roughness: Any, u: Any) -> Any:
         u: Vector2 of uniform numbers in [0, 1).
     """
     squeeze = 1 - roughness
-    seen = fma(-squeeze * dot(view, tangent), tangent, view)
-    axis = seen * rsqrt(larger(squared_norm(seen), SMALLEST_SQUARED_LENGTH))
+    seen = dr.fma(-squeeze * dr.dot(view, tangent), tangent, view)
+    axis = seen * dr.rsqrt(maximum(dr.squared_norm(seen), SMALLEST_SQUARED_LENGTH))
     point = axis + uniform_on_sphere(u)
-    half = fma(-squeeze * dot(point, tangent), tangent, point)
+    half = dr.fma(-squeeze * dr.dot(point, tangent), tangent, point)
     # h is normalised within the reflection: light = 2 (view·h) h/|h|² − view.
-    scale = 2 * dot(view, half) * rcp(larger(squared_norm(half), SMALLEST_SQUARED_LENGTH))
-    light = fma(scale, half, -view)
-    return light * rsqrt(larger(squared_norm(light), SMALLEST_SQUARED_LENGTH))
+    scale = 2 * dr.dot(view, half) * dr.rcp(maximum(dr.squared_norm(half), SMALLEST_SQUARED_LENGTH))
+    light = dr.fma(scale, half, -view)
+    return light * dr.rsqrt(maximum(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
 
 
 def pdf_specular(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
     """Density of `sample_specular` over the whole sphere, 1/sr: D(h)/(4 σ(view)) (Heitz et al. 2015)."""
     area = projected_area(view, tangent, roughness)
-    return 0.25 * _density_between(light, view, tangent, roughness) * rcp(area)
+    return 0.25 * _density_between(light, view, tangent, roughness) * dr.rcp(area)

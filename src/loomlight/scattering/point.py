@@ -16,9 +16,8 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.arrays import array_types, detached, dot, select
-from loomlight.core.backend import ArrayTypes, channel_mean, larger
-from loomlight.core.lanes import changed_where
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
+from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
 from loomlight.scattering.diffuse import (
@@ -132,16 +131,16 @@ def shadow_ray(surface: Surface, point: YarnPoint, light: Any) -> ShadowRay:
     facing = on_face(light, point.back)
     beyond = facing.z < 0
     # Whether light arrives is a Bool, so nothing is differentiated here.
-    own: tuple[Any, Any] = detached((point.normal, types.Float(point.height)))
+    own: tuple[Any, Any] = dr.detach((point.normal, types.Float(point.height)))
 
     def turned(_: tuple[Any, Any]) -> tuple[Any, Any]:
         far = surface.surface(point.x, point.y, ~point.back)
-        return detached((far.normal, far.height))
+        return dr.detach((far.normal, far.height))
 
-    normal, height = changed_where(beyond, own, turned, "cloth: other side")
+    normal, height = masked_branch(beyond, own, turned, "cloth: other side")
     direction = types.Vector3(facing.x, facing.y, abs(facing.z))
     # The yarn hides from itself what lies below its tangent plane.
-    searched = ~point.hole & (dot(normal, direction) > 0)
+    searched = ~point.hole & (dr.dot(normal, direction) > 0)
     return ShadowRay(height, direction, point.back ^ beyond, searched)
 
 
@@ -343,7 +342,7 @@ class PointModel:
         light = on_face(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
         worth &= self.visibility(point, light, worth & ~passes) | passes
-        weight = dr.select(worth, value / larger(pdf, 1e-30), 0)
+        weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
         return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
 
     def straight_through(self, point: YarnPoint, view: Any) -> Any:
@@ -393,9 +392,9 @@ class PointModel:
         else:
             transmittance = sheen_transmittance(view, *self.sheen)
             sheen = dr.select(
-                point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(larger(transmittance, 1e-3))
+                point.hole, 1 - transmittance, (1 - transmittance) * dr.rcp(maximum(transmittance, 1e-3))
             )
-        total = larger(specular + reflect + transmit + sheen, 1e-20)
+        total = maximum(specular + reflect + transmit + sheen, 1e-20)
         scale = dr.select(point.hole, 0, dr.rcp(total))
         passing = dr.select(point.hole, 1 - sheen, 0)
         sheen = dr.select(point.hole, sheen, sheen * scale)
@@ -417,5 +416,5 @@ class PointModel:
 
 def on_face(direction: Any, back: Any) -> Any:
     """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
-    z = select(back, -direction.z, direction.z)
+    z = dr.select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)

@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, clipped, larger
+from loomlight.core.backend import array_types, clip, maximum
 from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, cosine_about
 from loomlight.scattering.sheen_coefficients import CEILING, REFLECTANCE, SCALE, SHEAR
 
@@ -46,14 +46,14 @@ def _polynomial(coefficients: Sequence[Sequence[float]], x: Any, y_powers: Seque
 def sheen_lobe(cos_view: Any, roughness: Any) -> tuple[Any, Any, Any]:
     """(a, b, R) of the lobe: a in 0.01 to 1, b in −0.25 to 0, R in 0 to 0.8; Floats."""
     types = array_types(cos_view)
-    cos_view = clipped(cos_view, _SMALLEST, 1)
+    cos_view = clip(cos_view, _SMALLEST, 1)
     x = dr.fma(2, dr.sqrt(cos_view), -1)
-    y = dr.fma(3, dr.sqrt(dr.sqrt(clipped(types.Float(roughness), _SMALLEST, 1))), -2)
+    y = dr.fma(3, dr.sqrt(dr.sqrt(clip(types.Float(roughness), _SMALLEST, 1))), -2)
     y_powers = _powers(y, 5)
-    scale = clipped(_polynomial(SCALE, x, y_powers), _SMALLEST_SCALE, 1)
-    shear = clipped((1 - cos_view) * _polynomial(SHEAR, x, y_powers), _LARGEST_SHEAR, 0)
+    scale = clip(_polynomial(SCALE, x, y_powers), _SMALLEST_SCALE, 1)
+    shear = clip((1 - cos_view) * _polynomial(SHEAR, x, y_powers), _LARGEST_SHEAR, 0)
     # Beyond ±60 the logistic is 0 or 1 in float32, and e^60 is still finite.
-    exponent = clipped(-_polynomial(REFLECTANCE, x, y_powers), -60, 60)
+    exponent = clip(-_polynomial(REFLECTANCE, x, y_powers), -60, 60)
     return scale, shear, CEILING * dr.rcp(1 + dr.exp(exponent))
 
 
@@ -73,7 +73,7 @@ def _transformed_cosine(light: Any, view: Any, scale: Any, shear: Any) -> Any:
     x = dr.fma(scale, towards, shear * light.z)
     y = scale * across
     squared = dr.fma(x, x, dr.fma(y, y, light.z * light.z))
-    value = dr.inv_pi * scale * scale * light.z * dr.rcp(larger(squared * squared, 1e-20))
+    value = dr.inv_pi * scale * scale * light.z * dr.rcp(maximum(squared * squared, 1e-20))
     return dr.select((light.z > 0) & (view.z > 0), value, 0)
 
 
@@ -109,7 +109,7 @@ def sample_sheen(view: Any, roughness: Any, u: Any) -> Any:
     across = cosine.y
     up = scale * cosine.z
     inverse = dr.rsqrt(
-        larger(dr.fma(towards, towards, dr.fma(across, across, up * up)), SMALLEST_SQUARED_LENGTH)
+        maximum(dr.fma(towards, towards, dr.fma(across, across, up * up)), SMALLEST_SQUARED_LENGTH)
     )
     cos_azimuth, sin_azimuth = _azimuth(view)
     x = dr.fma(towards, cos_azimuth, -across * sin_azimuth)

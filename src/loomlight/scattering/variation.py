@@ -11,7 +11,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, larger, smaller
+from loomlight.core.backend import array_types, maximum, minimum
 
 # Jin et al. clamp the exponential noise here; one fibre in 22 000 is brighter.
 _LARGEST_FIBRE_GAIN = 10.0
@@ -47,7 +47,7 @@ def fibre_gain(thread: Any, cell: Any, amount: Any, seed: Any) -> Any:
     """
     types = array_types(dr.float32_array_t(type(thread)))
     number = uniform_hash(thread, cell, types.UInt32(seed) ^ _FIBRE_STREAM)
-    return dr.fma(amount, smaller(-dr.log(number), _LARGEST_FIBRE_GAIN) - 1, 1)
+    return dr.fma(amount, minimum(-dr.log(number), _LARGEST_FIBRE_GAIN) - 1, 1)
 
 
 def thread_gain(thread: Any, amount: Any, seed: Any) -> Any:
@@ -76,11 +76,11 @@ def vary_albedos(
         layer_bound: κ of `albedo.layer_albedo_bound`.
     """
     diffuse_reflect, diffuse_transmit, specular_reflect, specular_transmit = albedos
-    highlight = larger(specular_reflect, specular_transmit)
+    highlight = maximum(specular_reflect, specular_transmit)
     diffuse = diffuse_reflect + diffuse_transmit
     colour = bounded_gain(thread_gain(thread, colour_noise, seed), diffuse, 1 - layer_bound * highlight)
     # A single-scattering albedo is at most 1, whatever the room.
-    room = smaller((1 - colour * diffuse) * (1 / layer_bound), 1)
+    room = minimum((1 - colour * diffuse) * (1 / layer_bound), 1)
     fibre = bounded_gain(fibre_gain(thread, cell, fibre_noise, seed), highlight, room)
     return (
         colour * diffuse_reflect,
@@ -98,5 +98,5 @@ def bounded_gain(gain: Any, albedo: Any, room: Any) -> Any:
         albedo: Color3, what it is going to multiply.
         room: Color3 ≥ 0, the largest allowed product. Where it is below the albedo, the gain falls below 1.
     """
-    ratio = room * dr.rcp(larger(albedo, 1e-6))
-    return smaller(gain, larger(smaller(smaller(ratio.x, ratio.y), ratio.z), 0))
+    ratio = room * dr.rcp(maximum(albedo, 1e-6))
+    return minimum(gain, maximum(minimum(minimum(ratio.x, ratio.y), ratio.z), 0))

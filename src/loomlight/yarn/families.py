@@ -10,10 +10,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+import drjit as dr
 import numpy as np
 
-from loomlight.core.arrays import array_types, clipped, floor, fma, gather, opaque, select, smaller, uploaded
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, array_types, clip, minimum, upload
 from loomlight.yarn.threads import FamilyTables
 
 
@@ -41,28 +41,28 @@ class Count:
     """A number of threads or texels to count around with: opaque, so that kernels do not depend on it."""
 
     def __init__(self, number: int, types: ArrayTypes) -> None:
-        self._number = opaque(types.Float, number)
-        self._inverse = opaque(types.Float, 1 / number)
-        self._half_inverse = opaque(types.Float, 0.5 / number)
+        self._number = dr.opaque(types.Float, number)
+        self._inverse = dr.opaque(types.Float, 1 / number)
+        self._half_inverse = dr.opaque(types.Float, 0.5 / number)
 
     def divide(self, index: Any) -> tuple[Any, Any]:
         """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
 
         Exact up to 4 million, where coordinates in single precision tell threads apart no longer.
         """
-        turns = floor(fma(index, self._inverse, self._half_inverse))
-        return turns, fma(-turns, self._number, index)
+        turns = dr.floor(dr.fma(index, self._inverse, self._half_inverse))
+        return turns, dr.fma(-turns, self._number, index)
 
 
 def select_cell(first_one: Any, first: Cell, second: Cell) -> Cell:
     """`first` where `first_one`, else `second`."""
     return Cell(
-        select(first_one, first.thread, second.thread),
-        select(first_one, first.number, second.number),
-        select(first_one, first.across, second.across),
-        select(first_one, first.half_width, second.half_width),
-        select(first_one, first.below, second.below),
-        select(first_one, first.above, second.above),
+        dr.select(first_one, first.thread, second.thread),
+        dr.select(first_one, first.number, second.number),
+        dr.select(first_one, first.across, second.across),
+        dr.select(first_one, first.half_width, second.half_width),
+        dr.select(first_one, first.below, second.below),
+        dr.select(first_one, first.above, second.above),
     )
 
 
@@ -71,25 +71,25 @@ class UniformFamily:
 
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
         self.count = Count(tables.lower.size, types)
-        self._last = opaque(types.Float, tables.lower.size - 1)
+        self._last = dr.opaque(types.Float, tables.lower.size - 1)
         size = float(tables.upper[0] - tables.lower[0])
-        self.size = opaque(types.Float, size)
-        self.inverse_size = opaque(types.Float, 1 / size)
-        self.half_width = opaque(types.Float, float(tables.half_width[0]))
-        self.arc = opaque(types.Float, float(tables.arc[0]))
-        self.drop = opaque(types.Float, float(tables.edge_drop[0]))
+        self.size = dr.opaque(types.Float, size)
+        self.inverse_size = dr.opaque(types.Float, 1 / size)
+        self.half_width = dr.opaque(types.Float, float(tables.half_width[0]))
+        self.arc = dr.opaque(types.Float, float(tables.arc[0]))
+        self.drop = dr.opaque(types.Float, float(tables.edge_drop[0]))
         inclination = float(tables.inclination[0])
-        self.sine = opaque(types.Float, math.sin(inclination))
-        self.half_tangent = opaque(types.Float, math.tan(inclination / 2))
+        self.sine = dr.opaque(types.Float, math.sin(inclination))
+        self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
         self._types = types
 
     def locate(self, position: Any) -> Cell:
         """The cell of a position in millimetres, any number of repeats away."""
         cells = position * self.inverse_size
-        whole = floor(cells)
-        below = fma(-whole, self.size, position)
+        whole = dr.floor(cells)
+        below = dr.fma(-whole, self.size, position)
         # Whatever comes in, there is such a thread: positions that are no number would read any memory.
-        number = clipped(self.count.divide(whole)[1], 0, self._last)
+        number = clip(self.count.divide(whole)[1], 0, self._last)
         return Cell(
             self._types.UInt32(number),
             number,
@@ -120,43 +120,43 @@ class VariedFamily:
 
     def __init__(self, tables: FamilyTables, types: ArrayTypes) -> None:
         self.count = Count(tables.lower.size, types)
-        self._last = opaque(types.UInt32, tables.lower.size - 1)
+        self._last = dr.opaque(types.UInt32, tables.lower.size - 1)
         self._types = types
-        self.start = opaque(types.Float, float(tables.lower[0]))
-        self.period = opaque(types.Float, tables.period)
-        self.inverse_period = opaque(types.Float, 1 / tables.period)
+        self.start = dr.opaque(types.Float, float(tables.lower[0]))
+        self.period = dr.opaque(types.Float, tables.period)
+        self.inverse_period = dr.opaque(types.Float, 1 / tables.period)
         lower = tables.lower - tables.lower[0]
         upper = tables.upper - tables.lower[0]
         bins = math.ceil(tables.period / tables.finest) + 1
         edges = np.arange(bins) * (tables.period / bins)
         first = np.searchsorted(lower, edges, side="right") - 1
-        self.bins = opaque(types.Float, bins)
-        self._last_bin = opaque(types.UInt32, bins - 1)
-        self._first = uploaded(types.UInt32, first.astype(np.uint32))
+        self.bins = dr.opaque(types.Float, bins)
+        self._last_bin = dr.opaque(types.UInt32, bins - 1)
+        self._first = upload(types.UInt32, first.astype(np.uint32))
         centre = tables.centre - tables.lower[0]
         place = np.stack([lower, upper, centre, tables.half_width], axis=1)
-        self._place = uploaded(types.Float, place)
+        self._place = upload(types.Float, place)
         bend = [
             np.sin(tables.inclination),
             np.tan(tables.inclination / 2),
             tables.arc,
             tables.edge_drop,
         ]
-        self._bend = uploaded(types.Float, np.stack(bend, axis=1))
+        self._bend = upload(types.Float, np.stack(bend, axis=1))
 
     def _row(self, table: Any, thread: Any) -> Any:
-        return gather(self._types.Vector4, table, thread)
+        return dr.gather(self._types.Vector4, table, thread)
 
     def locate(self, position: Any) -> Cell:
         UInt32 = self._types.UInt32
         turns = (position - self.start) * self.inverse_period
-        turns -= floor(turns)
+        turns -= dr.floor(turns)
         local = turns * self.period
-        slot = smaller(UInt32(turns * self.bins), self._last_bin)
-        thread = gather(UInt32, self._first, slot)
-        upper = gather(self._types.Float, self._place, thread * 4 + 1)
+        slot = minimum(UInt32(turns * self.bins), self._last_bin)
+        thread = dr.gather(UInt32, self._first, slot)
+        upper = dr.gather(self._types.Float, self._place, thread * 4 + 1)
         # A bin is no wider than the smallest cell, so it meets two cells at most; rounding may add one.
-        thread = smaller(thread + select(local >= upper, UInt32(1), UInt32(0)), self._last)
+        thread = minimum(thread + dr.select(local >= upper, UInt32(1), UInt32(0)), self._last)
         lower, upper, centre, half_width = self._row(self._place, thread)
         return Cell(
             thread, self._types.Float(thread), local - centre, half_width, local - lower, upper - local
@@ -167,8 +167,8 @@ class VariedFamily:
 
     def _boundary(self, thread: Any, step: Any) -> Any:
         turns, inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))
-        lower = gather(self._types.Float, self._place, self._types.UInt32(inside) * 4)
-        return fma(turns, self.period, lower)
+        lower = dr.gather(self._types.Float, self._place, self._types.UInt32(inside) * 4)
+        return dr.fma(turns, self.period, lower)
 
     def bend(self, thread: Any) -> tuple[Any, Any, Any]:
         row = self._row(self._bend, thread)
@@ -176,7 +176,7 @@ class VariedFamily:
 
     def edge_drop(self, thread: Any, step: Any) -> Any:
         inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))[1]
-        return gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
+        return dr.gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
 
 
 Family = UniformFamily | VariedFamily
@@ -189,10 +189,10 @@ def span_along(is_warp: Any, thread: Any, warp: Family, weft: Family) -> Callabl
         thread: the crossing that is counted from.
     """
     if isinstance(warp, UniformFamily) and isinstance(weft, UniformFamily):
-        size = select(is_warp, weft.size, warp.size)
-        return lambda length, first, last: fma(array_types(size).Float(last - first), size, length)
+        size = dr.select(is_warp, weft.size, warp.size)
+        return lambda length, first, last: dr.fma(array_types(size).Float(last - first), size, length)
     return lambda length, first, last: (
-        length + select(is_warp, weft.span(thread, first, last), warp.span(thread, first, last))
+        length + dr.select(is_warp, weft.span(thread, first, last), warp.span(thread, first, last))
     )
 
 

@@ -16,7 +16,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, larger, smaller
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
 
 PARAMETERS = 7  # z-axis (2, as a projection), rotation of x about it (2), ln λ, ln μ, ln c
@@ -101,8 +101,8 @@ class GaussianVisibility:
         """
         types = array_types(x)
         columns, rows = self.resolution
-        column = smaller(types.UInt32(_fraction(x / self.size[0]) * columns), columns - 1)
-        row = smaller(types.UInt32(_fraction(y / self.size[1]) * rows), rows - 1)
+        column = minimum(types.UInt32(_fraction(x / self.size[0]) * columns), columns - 1)
+        row = minimum(types.UInt32(_fraction(y / self.size[1]) * rows), rows - 1)
         face = dr.select(types.Bool(back), types.UInt32(rows * columns), types.UInt32(0))
         texel = (face + row * columns + column) * PARAMETERS
         table = types.Float(self.lobes.ravel())
@@ -123,8 +123,8 @@ def lobe_value(types: ArrayTypes, values: list[Any], direction: Any, saturates: 
     exponent = dr.exp(log_first) * dr.square(dr.dot(direction, turned)) + dr.exp(log_second) * dr.square(
         dr.dot(direction, across)
     )
-    value = dr.exp(log_amplitude - exponent) * larger(dr.dot(direction, axis), 0)
-    return smaller(value, 1) if saturates else value
+    value = dr.exp(log_amplitude - exponent) * maximum(dr.dot(direction, axis), 0)
+    return minimum(value, 1) if saturates else value
 
 
 def _start(types: ArrayTypes, sines: NDArray[np.uint8]) -> list[Any]:

@@ -12,7 +12,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, smaller
+from loomlight.core.backend import ArrayTypes, array_types, minimum
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import SearchQuality, Surface
 from loomlight.yarn.visibility import horizon
@@ -111,4 +111,4 @@ class HorizonMap:
 
 def _texel(types: ArrayTypes, turns: Any, count: int) -> Any:
     share = turns - dr.floor(turns)
-    return smaller(types.UInt32(share * count), count - 1)
+    return minimum(types.UInt32(share * count), count - 1)

@@ -12,7 +12,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from loomlight.core.arrays import array_types, clipped, fma, larger, rcp, select, smaller, while_loop
+import drjit as dr
+
+from loomlight.core.backend import array_types, clip, maximum, minimum
 from loomlight.yarn.geometry import Probe
 from loomlight.yarn.search import SearchQuality, Stride, Surface, Trail, extent_of, no_trail, roof_along
 
@@ -44,7 +46,7 @@ def rising_below(
     """The same, where nothing on the ray's way is higher than the roof."""
     types = array_types(x)
     extent = extent_of(surface, types)
-    step = rcp(larger(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
+    step = dr.rcp(maximum(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
     start = types.Vector3(x, y, height + extent.lift)
     return RisingRay(surface, start, direction, step, types.Bool(back), roof, quality.steps)
 
@@ -115,12 +117,12 @@ class RisingRay:
         clears = point.z > here.block.crest
         trail = now.trail.followed_by(clearance, rate, here, clears, dips)
         near = stride.onwards(here, clearance, rate)
-        onwards = select(clears, larger(stride.out(here.block), self.step), near)
+        onwards = dr.select(clears, maximum(stride.out(here.block), self.step), near)
         # Where a dip is likely the next sample goes back to its lowest point.
-        distance = now.distance + select(dips, -way_back, onwards)
-        leap = select(dips, now.leap - way_back, onwards)
+        distance = now.distance + dr.select(dips, -way_back, onwards)
+        leap = dr.select(dips, now.leap - way_back, onwards)
         count = now.count + 1
-        below = fma(direction.z, distance, self.start.z) < self.roof
+        below = dr.fma(direction.z, distance, self.start.z) < self.roof
         searching = now.searching & ~met & below & (count < self.samples)
         return Rising(distance, leap, now.free & ~met, searching, count, trail)
 
@@ -128,11 +130,11 @@ class RisingRay:
 def falling_ray(surface: Surface, x: Any, y: Any, view: Any, back: Any, quality: SearchQuality) -> FallingRay:
     """The view ray that crosses the plane z = 0 at x, y; see `first_hit`."""
     types = array_types(x)
-    vertical = larger(view.z, 1e-4)
+    vertical = maximum(view.z, 1e-4)
     slope = types.Vector2(view.x / vertical, view.y / vertical)
     # The ray is followed by its height, which falls by `step` each time.
     rate = extent_of(surface, types).steps_per_length(quality, view) / vertical
-    return FallingRay(surface, x, y, slope, rcp(larger(rate, 1e-9)), types.Bool(back), quality.steps)
+    return FallingRay(surface, x, y, slope, dr.rcp(maximum(rate, 1e-9)), types.Bool(back), quality.steps)
 
 
 @dataclass
@@ -186,7 +188,7 @@ class FallingRay:
         return Stride(-self.slope, self.step)
 
     def _place(self, height: Any) -> tuple[Any, Any]:
-        return fma(self.slope.x, height, self.x), fma(self.slope.y, height, self.y)
+        return dr.fma(self.slope.x, height, self.x), dr.fma(self.slope.y, height, self.y)
 
     def started(self, active: Any) -> Falling:
         """Before the first sample, below what the ray passes high above."""
@@ -197,11 +199,11 @@ class FallingRay:
             block = self.surface.block(*self._place(height), self.back, stride.right, stride.up)
             above, out = height - block.crest, stride.out(block)
             onwards = falling & (above > out) & (count < self.samples)
-            return height - clipped(above, 0, out), onwards, count + 1
+            return height - clip(above, 0, out), onwards, count + 1
 
         # Cells that rays pass above ask little: most are passed here, before the search for yarn begins.
-        top = while_loop(
-            (top, active, types.UInt32(0)), lambda height, falling, count: falling, fall, "cloth: fall"
+        top = dr.while_loop(
+            (top, active, types.UInt32(0)), lambda height, falling, count: falling, fall, label="cloth: fall"
         )[0]
         nothing, hop = types.Float(0 * top), types.Float(stride.hop)
         trail, no = no_trail(types, top), types.Bool(False)
@@ -227,13 +229,13 @@ class FallingRay:
         onwards = now.searching & ~met & (now.height > floor) & (count < self.samples)
         near = stride.onwards(here, clearance, rate)
         # Down to the crest the ray falls freely.
-        free = smaller(stride.out(here.block), now.height - here.block.crest)
+        free = minimum(stride.out(here.block), now.height - here.block.crest)
         trail = now.trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
-        farther = larger(free, near)
+        farther = maximum(free, near)
         # Where a dip is likely the next sample goes back to its lowest point.
         return Falling(
-            select(onwards, now.height + select(dips, way_back, -farther), now.height),
-            select(onwards, select(dips, now.leap - way_back, farther), now.leap),
+            dr.select(onwards, now.height + dr.select(dips, way_back, -farther), now.height),
+            dr.select(onwards, dr.select(dips, now.leap - way_back, farther), now.leap),
             -clearance,
             rate,
             smooth,
@@ -243,7 +245,7 @@ class FallingRay:
         )
 
     def _rate(self, here: Probe) -> Any:
-        return fma(here.slope_x, self.slope.x, fma(here.slope_y, self.slope.y, -1))
+        return dr.fma(here.slope_x, self.slope.x, dr.fma(here.slope_y, self.slope.y, -1))
 
     def refined(self, end: Falling, refinements: Any) -> Any:
         """Height at which the ray meets the cloth that lies below it at one sample and above it at the next.
@@ -262,41 +264,41 @@ class FallingRay:
         ) -> tuple[Any, ...]:
             here = self.surface.probe(*self._place(middle), self.back, stride.right, stride.up)
             rate = self._rate(here)
-            gap = clipped(middle - select(here.hole, types.Float(-1e9), here.height), -relief, relief)
+            gap = clip(middle - dr.select(here.hole, types.Float(-1e9), here.height), -relief, relief)
             met = gap <= 0
-            above, under = select(met, above, middle), select(met, middle, under)
+            above, under = dr.select(met, above, middle), dr.select(met, middle, under)
             # Regula falsi: an end that stays twice counts half (the Illinois rule), so that both close in; at
             # walls, where the gap jumps, this comes to halving.
-            above_gap = select(met, select(side > 0, 0.5 * above_gap, above_gap), gap)
-            under_gap = select(met, -gap, select(side < 0, 0.5 * under_gap, under_gap))
+            above_gap = dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap)
+            under_gap = dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap))
             between = _between(above, under, above_gap, under_gap)
-            rooted = clipped(middle + gap / smaller(rate, -1e-6), under, above)
+            rooted = clip(middle + gap / minimum(rate, -1e-6), under, above)
             return (
                 index + 1,
                 above,
                 under,
                 above_gap,
                 under_gap,
-                select(met, types.Float(1), -1),
-                select(smooth, rooted, between),
+                dr.select(met, types.Float(1), -1),
+                dr.select(smooth, rooted, between),
             )
 
         under, length = end.height, end.leap
         above = under + length
-        above_gap, under_gap = clipped(trail.clearance, 0, relief), clipped(end.depth, 0, relief)
+        above_gap, under_gap = clip(trail.clearance, 0, relief), clip(end.depth, 0, relief)
         root = _cubic_root(above_gap, -under_gap, trail.rate * length, end.rate * length)
-        middle = select(smooth, fma(-root, length, above), _between(above, under, above_gap, under_gap))
+        middle = dr.select(smooth, dr.fma(-root, length, above), _between(above, under, above_gap, under_gap))
         start = (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle)
-        _, _, under, _, _, _, middle = while_loop(
-            start, lambda index, *rest: index < looks, refine, "cloth: refine"
+        _, _, under, _, _, _, middle = dr.while_loop(
+            start, lambda index, *rest: index < looks, refine, label="cloth: refine"
         )
-        return select(smooth, middle, under)
+        return dr.select(smooth, middle, under)
 
 
 def _between(above: Any, under: Any, above_gap: Any, under_gap: Any) -> Any:
     """The height that a straight line suggests, kept off both ends, where gaps may jump."""
-    share = clipped(above_gap / larger(above_gap + under_gap, 1e-20), 0.02, 0.98)
-    return fma(share, under - above, above)
+    share = clip(above_gap / maximum(above_gap + under_gap, 1e-20), 0.02, 0.98)
+    return dr.fma(share, under - above, above)
 
 
 def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
@@ -304,10 +306,10 @@ def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
     gain = end - start
     cubic = start_rate + end_rate - 2 * gain
     bend = 3 * gain - 2 * start_rate - end_rate
-    share = start * rcp(larger(-gain, 1e-20))
+    share = start * dr.rcp(maximum(-gain, 1e-20))
     for _ in range(_NEWTON_STEPS):
-        value = fma(fma(fma(cubic, share, bend), share, start_rate), share, start)
-        rate = fma(fma(3 * cubic, share, 2 * bend), share, start_rate)
+        value = dr.fma(dr.fma(dr.fma(cubic, share, bend), share, start_rate), share, start)
+        rate = dr.fma(dr.fma(3 * cubic, share, 2 * bend), share, start_rate)
         # Where the cubic is flat, steps stay short.
-        share = clipped(share - value / smaller(rate, _FLATTEST * gain - 1e-20), 0, 1)
+        share = clip(share - value / minimum(rate, _FLATTEST * gain - 1e-20), 0, 1)
     return share

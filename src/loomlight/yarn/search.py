@@ -5,19 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from loomlight.core.arrays import (
-    array_types,
-    fma,
-    larger,
-    opaque,
-    rcp,
-    select,
-    smaller,
-    sqrt,
-    square,
-)
-from loomlight.core.backend import ArrayTypes
-from loomlight.core.lanes import changed_where
+import drjit as dr
+
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
+from loomlight.core.masked_branch import masked_branch
 from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 
 # A ray starts this share of the finest thread above its surface, or rounding would shadow it.
@@ -98,18 +89,18 @@ class Extent:
     def __init__(self, lengths: tuple[float, float, float, float], types: ArrayTypes) -> None:
         self.lengths = lengths
         fine_x, fine_y, low, high = lengths
-        self.low, self.high = opaque(types.Float, low), opaque(types.Float, high)
-        self.lift = opaque(types.Float, _LIFT * min(fine_x, fine_y))
-        self._per_x, self._per_y = opaque(types.Float, 1 / fine_x), opaque(types.Float, 1 / fine_y)
-        self._per_relief = opaque(types.Float, 1 / max(high - low, 1e-6))
+        self.low, self.high = dr.opaque(types.Float, low), dr.opaque(types.Float, high)
+        self.lift = dr.opaque(types.Float, _LIFT * min(fine_x, fine_y))
+        self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
+        self._per_relief = dr.opaque(types.Float, 1 / max(high - low, 1e-6))
 
     def threads(self, x: Any, y: Any) -> Any:
         """How many of the finest threads a length along x and y (millimetres, any sign) crosses at most."""
-        return larger(abs(x) * self._per_x, abs(y) * self._per_y)
+        return maximum(abs(x) * self._per_x, abs(y) * self._per_y)
 
     def steps_per_length(self, quality: SearchQuality, direction: Any) -> Any:
         """Steps per millimetre of ray that the search takes along a unit direction [3]."""
-        return larger(
+        return maximum(
             self.threads(direction.x, direction.y) * quality.steps_per_thread,
             abs(direction.z) * self._per_relief * quality.steps_per_relief,
         )
@@ -141,7 +132,7 @@ def roof_along(
     roof = extent.high
     for radius, share in surface.roofs(x, y, back, direction.x > 0, direction.y > 0):
         reached = (roof - height) * threads <= radius
-        roof = select(reached, smaller(roof, share * extent.high), roof)
+        roof = dr.select(reached, minimum(roof, share * extent.high), roof)
     return roof
 
 
@@ -164,23 +155,23 @@ class Trail:
         falls = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
         fall, rise = self.rate * step, rate * step
         # The cubic stays between its ends and Bézier's two points, which few samples have below the yarn.
-        may_dip = falls & ((fma(3, self.clearance, fall) < 0) | (fma(3, clearance, -rise) < 0))
+        may_dip = falls & ((dr.fma(3, self.clearance, fall) < 0) | (dr.fma(3, clearance, -rise) < 0))
 
         def look(_: tuple[Any, Any]) -> tuple[Any, Any]:
             # Where the cubic's rate, a parabola over the step, turns from falling to rising.
             gain = clearance - self.clearance
             bend, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
-            root = sqrt(larger(fma(linear, linear, -4 * bend * fall), 0))
-            share = -2 * fall / larger(linear + root, 1e-20)
+            root = dr.sqrt(maximum(dr.fma(linear, linear, -4 * bend * fall), 0))
+            share = -2 * fall / maximum(linear + root, 1e-20)
             rest = 1 - share
-            start = (self.clearance * fma(2, share, 1) + fall * share) * square(rest)
-            end = (clearance * fma(2, rest, 1) - rise * rest) * square(share)
+            start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
+            end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
             # A share of the interval that leads no further has been looked at.
             inside = (share > _NARROWEST) & (rest > _NARROWEST)
             return inside & (start + end < 0), rest * step
 
         # The next sample would wait for a root and a quotient, a third of what one takes.
-        return changed_where(may_dip, (types.Bool(False), types.Float(0)), look, "cloth: dip")
+        return masked_branch(may_dip, (types.Bool(False), types.Float(0)), look, "cloth: dip")
 
     def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> Trail:
         """The trail after a sample, or this one where it `stays`.
@@ -188,10 +179,10 @@ class Trail:
         Nothing comes between over leaps, which are too long for a cubic to tell.
         """
         return Trail(
-            select(stays, self.clearance, select(here.hole, 1e9, clearance)),
-            select(stays, self.rate, rate),
-            select(stays, self.yarn, here.yarn),
-            select(stays, self.known, ~here.hole & ~leaps),
+            dr.select(stays, self.clearance, dr.select(here.hole, 1e9, clearance)),
+            dr.select(stays, self.rate, rate),
+            dr.select(stays, self.yarn, here.yarn),
+            dr.select(stays, self.known, ~here.hole & ~leaps),
         )
 
 
@@ -212,13 +203,13 @@ class Stride:
     def __init__(self, direction: Any, step: Any) -> None:
         self.step = step
         self.hop = _HOP * step
-        self._per_x = rcp(larger(abs(direction.x), 1e-9))
-        self._per_y = rcp(larger(abs(direction.y), 1e-9))
+        self._per_x = dr.rcp(maximum(abs(direction.x), 1e-9))
+        self._per_y = dr.rcp(maximum(abs(direction.y), 1e-9))
         self.right, self.up = direction.x > 0, direction.y > 0
 
     def out(self, block: Block) -> Any:
         """Length of ray out of the cell."""
-        return larger(smaller(block.side_x * self._per_x, block.side_y * self._per_y), 0) + self.hop
+        return maximum(minimum(block.side_x * self._per_x, block.side_y * self._per_y), 0) + self.hop
 
     def onwards(self, probe: Probe, clearance: Any, rate: Any) -> Any:
         """Length of ray to the next sample.
@@ -227,7 +218,7 @@ class Stride:
         be a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to
         meet it on the way stops short of the outline first, or it could leave unseen through its flank.
         """
-        edge = smaller(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
-        sinks = ~probe.hole & (fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
-        beside = select(sinks, edge - self.hop, larger(edge, 0) + self.hop)
-        return smaller(self.step, beside)
+        edge = minimum(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
+        sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
+        beside = dr.select(sinks, edge - self.hop, maximum(edge, 0) + self.hop)
+        return minimum(self.step, beside)

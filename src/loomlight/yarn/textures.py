@@ -7,7 +7,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
-from loomlight.core.backend import ArrayTypes, array_types, larger
+from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.yarn.families import Count
 from loomlight.yarn.geometry import Block, Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
@@ -110,7 +110,7 @@ class TextureSurface:
             dr.select(to_right, corners[1][1].w, corners[0][1].w),
         )
         is_warp = (code == 1) | (code == 3)
-        normal = dr.normalize(types.Vector3(blended[0].x, blended[0].y, larger(blended[0].z, 1e-3)))
+        normal = dr.normalize(types.Vector3(blended[0].x, blended[0].y, maximum(blended[0].z, 1e-3)))
         fibre = types.Vector3(blended[1].x, blended[1].y, blended[1].z)
         # Interpolated vectors are brought back into the tangent plane.
         fibre -= normal * dr.dot(normal, fibre)

@@ -10,7 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from loomlight.core.arrays import array_types, fma, larger, rcp, select, sincos, while_loop
+import drjit as dr
+
+from loomlight.core.backend import array_types, maximum
 from loomlight.yarn.rays import RisingRay, falling_ray, rising_below, rising_ray
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface, extent_of
 
@@ -59,8 +61,11 @@ def unoccluded(
 def _rises_free(ray: RisingRay, active: Any) -> Any:
     """Whether nothing is met on the way up."""
     start = ray.started(active & (ray.direction.z > 0))
-    return while_loop(
-        (start,), lambda state: state.searching, lambda state: (ray.advanced(state),), "cloth: unoccluded"
+    return dr.while_loop(
+        (start,),
+        lambda state: state.searching,
+        lambda state: (ray.advanced(state),),
+        label="cloth: unoccluded",
     )[0].free
 
 
@@ -87,18 +92,18 @@ def first_hit(
     """
     ray = falling_ray(surface, x, y, view, back, quality)
     active = array_types(x).Bool(active)
-    state = while_loop(
+    state = dr.while_loop(
         (ray.started(active),),
         lambda state: state.searching,
         lambda state: (ray.advanced(state),),
-        "cloth: first hit",
+        label="cloth: first hit",
     )[0]
     height = ray.refined(state, quality.refinements)
     hole = array_types(x).Bool(False)
     if passing:
         # What has met yarn above the plane does not pass it.
         hole = passes_through(surface, x, y, view, ray.back, active & (height <= 0), quality)
-    return Hit(fma(ray.slope.x, height, x), fma(ray.slope.y, height, y), hole, height)
+    return Hit(dr.fma(ray.slope.x, height, x), dr.fma(ray.slope.y, height, y), hole, height)
 
 
 def passes_through(
@@ -142,11 +147,11 @@ def horizon(
     Searched outwards until even the highest yarn could no longer raise it.
     """
     types = array_types(x)
-    outwards: tuple[Any, Any] = sincos(azimuth)
+    outwards: tuple[Any, Any] = dr.sincos(azimuth)
     sine, cosine = outwards
     extent = extent_of(surface, types)
     high = extent.high
-    step = rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
+    step = dr.rcp(extent.threads(cosine, sine) * quality.steps_per_thread)
     start = height + extent.lift
     back = types.Bool(back)
 
@@ -154,13 +159,13 @@ def horizon(
         return (high - start > steepest * distance) & (count < quality.steps)
 
     def advance(distance: Any, steepest: Any, count: Any) -> tuple[Any, ...]:
-        level, hole = surface.height(fma(cosine, distance, x), fma(sine, distance, y), back)
-        rise = select(hole, types.Float(0), (level - start) / distance)
-        return distance + step, larger(steepest, rise), count + 1
+        level, hole = surface.height(dr.fma(cosine, distance, x), dr.fma(sine, distance, y), back)
+        rise = dr.select(hole, types.Float(0), (level - start) / distance)
+        return distance + step, maximum(steepest, rise), count + 1
 
     # The yarn itself hides what lies below its tangent plane. Without any rise the search would only end
     # with the budget; 1e-3 is a horizon of 0.06°.
     here = surface.probe(x, y, back, cosine > 0, sine > 0)
-    own = fma(here.slope_x, cosine, here.slope_y * sine)
-    state = (types.Float(0.25 * step), larger(own, 1e-3), types.UInt32(0))
-    return while_loop(state, could_rise, advance, label="cloth: horizon")[1]
+    own = dr.fma(here.slope_x, cosine, here.slope_y * sine)
+    state = (types.Float(0.25 * step), maximum(own, 1e-3), types.UInt32(0))
+    return dr.while_loop(state, could_rise, advance, label="cloth: horizon")[1]

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from loomlight.core.recorded import Held, Recorded
+from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.lobes import coverage, groups, reach
 from loomlight.models.lobes.model import tables_of
@@ -26,7 +26,7 @@ STEPS = [
     ("houndstooth", 0.4, 8),
     ("twill 3/1", 0.3, 8),
 ]
-RECORDED: list[Recorded] = [
+RECORDED: list[FrozenFunction] = [
     groups._plan,
     reach._start_in_gaps,
     reach._to_lights,
@@ -45,11 +45,11 @@ def fabric_of(weave: str, scale: float) -> Fabric:
 def traced(fabric: Fabric, per_family: int, monkeypatch: pytest.MonkeyPatch) -> LobeTables:
     """The tables of a fabric, baked without recordings."""
 
-    def call(recorded: Recorded, *arguments: Any) -> Any:
-        return recorded.traced(*(part.value if isinstance(part, Held) else part for part in arguments))
+    def call(recorded: FrozenFunction, *arguments: Any) -> Any:
+        return recorded.traced(*(part.value if isinstance(part, FrozenArg) else part for part in arguments))
 
     with monkeypatch.context() as patched:
-        patched.setattr(Recorded, "__call__", call)
+        patched.setattr(FrozenFunction, "__call__", call)
         return tables_of(fabric, per_family)
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
-from loomlight.core.recorded import Held
+from loomlight.core.frozen import FrozenArg
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.coverage import (
     Coverage,
@@ -50,7 +50,7 @@ def measured(geometry: YarnGeometry) -> tuple[Groups, Coverage]:
     """The groups of a geometry and their pyramid."""
     cloth = cloth_of(geometry, Float)
     groups = find_groups(plan_points(cloth), seen_points(cast_views(cloth, PER_FAMILY)), PER_FAMILY)
-    cells = count_cells(cloth, Held(GroupFinder(groups, TYPES)), PER_FAMILY)
+    cells = count_cells(cloth, FrozenArg(GroupFinder(groups, TYPES)), PER_FAMILY)
     return groups, measure_coverage(cells)
 
 

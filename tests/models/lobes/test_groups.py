@@ -12,7 +12,7 @@ from drjit.llvm.ad import Bool, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types
-from loomlight.core.recorded import Held
+from loomlight.core.frozen import FrozenArg
 from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes import groups as module
 from loomlight.models.lobes import tables
@@ -185,7 +185,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     asked = asked_of(fabric, whole.tables.size, 500, seed=3)
     wanted = far_parts(whole, asked)
 
-    def without_weft(cloth: Held[Cloth]) -> PlanPoints:
+    def without_weft(cloth: FrozenArg[Cloth]) -> PlanPoints:
         points = plan_points(cloth)
         shown = ~points.back & ~points.hole
         weft, warp = (np.flatnonzero(shown & (points.is_warp == wanted)) for wanted in (False, True))

@@ -20,9 +20,9 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import DRJIT, ArrayTypes, smaller, uploaded
+from loomlight.core.backend import DRJIT, ArrayTypes, minimum, upload
 from loomlight.core.footprint import Footprint
-from loomlight.core.recorded import Held, Recorded
+from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.models.lobes.bytes import mean_bytes
 from loomlight.models.lobes.divider import Divider
 from loomlight.models.lobes.groups import Cloth, GroupFinder
@@ -309,7 +309,7 @@ class _Texels:
         dr.scatter_add(counts, UInt32(1) << (number * self._bits), node * row_words + word)
 
 
-def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) -> CellCounts:
+def count_cells(cloth: FrozenArg[Cloth], finder: FrozenArg[GroupFinder], per_family: int) -> CellCounts:
     """Looks which group shows at every texel of the plan, and does not wait for it where texels are few."""
     types, geometry = cloth.value.types, cloth.value.geometry
     spacing = spacing_of(geometry, per_family)
@@ -321,7 +321,7 @@ def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) 
     )
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
     if texels.lanes <= _BATCH:
-        counts = _counted(cloth, finder, Held(texels), texels.lanes, texels.words)
+        counts = _counted(cloth, finder, FrozenArg(texels), texels.lanes, texels.words)
     else:
         counts = dr.zeros(types.UInt32, texels.words)
         for start in range(0, texels.lanes, _BATCH):
@@ -332,7 +332,7 @@ def count_cells(cloth: Held[Cloth], finder: Held[GroupFinder], per_family: int) 
     return CellCounts(geometry.size, spacing, shape, across * along, counts)
 
 
-@Recorded
+@FrozenFunction
 def _counted(cloth: Cloth, finder: GroupFinder, texels: _Texels, lanes: int, words: int) -> Any:
     """Counts of all texels; their number and that of the words are part of a recording."""
     counts = dr.zeros(cloth.types.UInt32, words)
@@ -435,22 +435,22 @@ class CoverageTable:
         self._face = dr.opaque(types.UInt32, table.shape[1])
         padded = np.pad(levels, ((0, 0), (0, 1))).astype(np.float32)
         # Node numbers stay below 2^24, which float32 holds exactly.
-        self._levels = uploaded(types.Float, padded)
+        self._levels = upload(types.Float, padded)
         self.pairs = (table.shape[2] - 4) // 8
         self._row = dr.opaque(types.UInt32, self.pairs)
         # Machine code reads on to the end of a vector.
         groups = np.zeros(2 * table.shape[1] * (table.shape[2] - 4) + _BEHIND, np.uint8)
         groups[:-_BEHIND].reshape(*table.shape[:2], -1)[:] = table[..., :-4]
-        self._groups = uploaded(types.UInt32, groups.view("<u4"))
+        self._groups = upload(types.UInt32, groups.view("<u4"))
         holes = table[..., -4].ravel()
-        self._holes = uploaded(types.UInt32, np.pad(holes, (0, -holes.size % 8)).view("<u4"))
+        self._holes = upload(types.UInt32, np.pad(holes, (0, -holes.size % 8)).view("<u4"))
 
     def taps(self, footprint: Footprint, back: Any) -> CoverageTaps:
         """Nodes that stand for a footprint, millimetres, of the face that is seen."""
         types = self._types
         lower, coarser, apart = level_of(footprint, self._inverse_size, self._top, DRJIT)
         both = [
-            dr.gather(types.Vector4, self._levels, types.UInt32(smaller(lower + more, self._top)))
+            dr.gather(types.Vector4, self._levels, types.UInt32(minimum(lower + more, self._top)))
             for more in (0, 1)
         ]
         start = dr.select(back, self._face, 0)

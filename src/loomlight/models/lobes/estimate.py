@@ -21,7 +21,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import DRJIT, ArrayTypes, smaller, uploaded
+from loomlight.core.backend import DRJIT, ArrayTypes, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -95,10 +95,10 @@ class Estimator:
         self._words = dr.opaque(types.UInt32, words)
         self._warp_words = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_words]
         seen, lit = tables.seen.view("<u4"), tables.lit.view("<u4")
-        self._seen = uploaded(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
-        self._holes = uploaded(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
-        self._lit = uploaded(types.UInt32, _in_pairs(lit[..., :words], lit[..., words:]))
-        self._moments = uploaded(types.Float, tables.moments)
+        self._seen = upload(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
+        self._holes = upload(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
+        self._lit = upload(types.UInt32, _in_pairs(lit[..., :words], lit[..., words:]))
+        self._moments = upload(types.Float, tables.moments)
         self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
@@ -120,7 +120,7 @@ class Estimator:
         words = [dr.gather(self._types.Index2, self._holes, node).x for node in place.view_nodes.nodes]
         seen = place.view_nodes.weights.interpolated(words)[0]
         weight = holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
-        return smaller(weight, 1)
+        return minimum(weight, 1)
 
     def seen(self, place: Place, pair: Any) -> list[Seen]:
         """The groups of two words."""

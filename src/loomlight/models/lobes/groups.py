@@ -15,8 +15,8 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, uploaded
-from loomlight.core.recorded import Held, Recorded
+from loomlight.core.backend import ArrayTypes, array_types, upload
+from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.models.lobes.parting import LEARNT_FROM, Parting
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
@@ -126,7 +126,7 @@ class GroupFinder:
         starts = np.cumsum([0, *pairs[:-1]])
         for part, start in zip(families, starts, strict=True):
             rows.reshape(-1, _ROW // 2)[2 * start : 2 * start + len(part), :6] = part
-        self._centres = uploaded(types.Float, rows)
+        self._centres = upload(types.Float, rows)
         self._starts, self._pairs = (
             [dr.opaque(types.UInt32, int(number)) for number in numbers] for numbers in (starts, pairs)
         )
@@ -215,12 +215,12 @@ class Cloth:
         self.types = types
 
 
-def cloth_of(geometry: YarnGeometry, float_type: type) -> Held[Cloth]:
+def cloth_of(geometry: YarnGeometry, float_type: type) -> FrozenArg[Cloth]:
     """A cloth on the backend of a Dr.Jit Float type, for functions that are recorded."""
-    return Held(Cloth(geometry, array_types(float_type)))
+    return FrozenArg(Cloth(geometry, array_types(float_type)))
 
 
-def plan_points(cloth: Held[Cloth]) -> PlanPoints:
+def plan_points(cloth: FrozenArg[Cloth]) -> PlanPoints:
     """Looks at the plan of both faces."""
     x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _plan(cloth))
     # A gap is one seen from both faces.
@@ -228,7 +228,7 @@ def plan_points(cloth: Held[Cloth]) -> PlanPoints:
     return PlanPoints(np.arange(2 * _POINTS) >= _POINTS, is_warp, hole, normal, tangent, gaps)
 
 
-@Recorded
+@FrozenFunction
 def _plan(cloth: Cloth) -> tuple[Any, ...]:
     """x, y, whether it is the warp that shows, or a hole, normal and fibre direction of the plan's points."""
     lane = dr.arange(cloth.types.UInt32, 2 * _POINTS)

@@ -12,18 +12,14 @@ import drjit as dr
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import ArrayTypes, array_types, clipped, larger
-from loomlight.core.compiled_queries import Floats, answered, answers_now
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.core.lanes import changed_where
 from loomlight.core.llvm import llvm_float
+from loomlight.core.masked_branch import masked_branch
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
-from loomlight.models.lobes.compiled import CompiledCloseUps, CompiledEstimate, close_ups_are_compiled
 from loomlight.models.lobes.estimate import Estimator, Place, half_vector
-from loomlight.models.lobes.estimate_code import ANSWERS
-from loomlight.models.lobes.estimate_code import QUERY as GROUP_QUERY
 from loomlight.models.lobes.near import near_hole, near_responses, points_of, searched_for
 from loomlight.models.lobes.proposal import (
     SMALLEST_WEIGHT,
@@ -124,14 +120,7 @@ class LobesModel(Model):
         return cls(loom.fabric, tables_of_loom(loom))
 
     def evaluate(self, light: Any, view: Any, footprint: Footprint, active: Any = True) -> Response:
-        """Components and hole of footprints; the hole alone where lanes are not active.
-
-        On CPUs, outside of symbolic calls and without derivatives, machine code answers at once; arrays that
-        are asked about are evaluated for it.
-        """
-        asked = light, view, footprint.centre, footprint.duv_dx, footprint.duv_dy
-        if answers_now(array_types(view.x).Float, asked):
-            return self._compiled(light, view, footprint)
+        """Components and hole of footprints; the hole alone where lanes are not active."""
         return self._answers([light], view, footprint, None, active)[0][0]
 
     def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
@@ -163,7 +152,7 @@ class LobesModel(Model):
 
         close = 1 - self._far_share(footprint.spread_side)
         start = middle.x, middle.y, types.Float(close)
-        x, y, share = changed_where(close > 0, start, meet, "lobes: middle ray")
+        x, y, share = masked_branch(close > 0, start, meet, "lobes: middle ray")
         moved = types.Vector2(dr.lerp(middle.x, x, share), dr.lerp(middle.y, y, share))
         mean = means.over(replace(footprint, centre=moved), back)
         if not varies:
@@ -177,7 +166,7 @@ class LobesModel(Model):
             )
             return warp, weft
 
-        warp, weft = changed_where(share > 0, mean, vary, "lobes: variation")
+        warp, weft = masked_branch(share > 0, mean, vary, "lobes: variation")
         return FamilyAlbedos(warp, weft)
 
     def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
@@ -230,7 +219,7 @@ class LobesModel(Model):
         pdf = dr.select(passes, shares.through, self._density(shares, of_groups, light, view))
         value = self.composed(response, albedos, light, view)
         # A ray goes straight through with the very share of light that does.
-        weight = dr.select(passes, 1, dr.select(pdf > 0, value / larger(pdf, 1e-30), 0))
+        weight = dr.select(passes, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
 
     def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
@@ -296,8 +285,8 @@ class LobesModel(Model):
     def _far_share(self, size: Any) -> Any:
         """How much the groups count, 0 to 1, smooth in the logarithm of the footprint's side."""
         low, high = (math.log2(bound) for bound in _HAND_OVER)
-        level = dr.log2(larger(size, _NEAREST)) - self._scale(array_types(size))[1]
-        share = clipped((level - low) * (1 / (high - low)), 0, 1)
+        level = dr.log2(maximum(size, _NEAREST)) - self._scale(array_types(size))[1]
+        share = clip((level - low) * (1 / (high - low)), 0, 1)
         return dr.square(share) * dr.fma(-2, share, 3)
 
     def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
@@ -358,7 +347,7 @@ class LobesModel(Model):
             start, lambda pair, *rest: active & (pair < estimator.pairs), add, label="lobes: groups"
         )
         hole = estimator.hole(place)
-        share = (1 - hole) * dr.rcp(larger(total, SMALLEST_WEIGHT))
+        share = (1 - hole) * dr.rcp(maximum(total, SMALLEST_WEIGHT))
         answers = []
         for first in range(0, len(sums), 5):
             diffuse_warp, diffuse_weft, specular_warp, specular_weft = (
@@ -367,41 +356,6 @@ class LobesModel(Model):
             response = Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole)
             answers.append((response, sums[first + 4]))
         return answers
-
-    def _compiled(self, light: Any, view: Any, footprint: Footprint) -> Response:
-        """`evaluate` by machine code."""
-        types = array_types(view.x)
-        back = types.Bool(view.z < 0)
-        far_share = self._far_share(footprint.spread_side)
-        threads, points = self._threads_and_points(footprint, far_share)
-        places = footprint.centre, footprint.duv_dx, footprint.duv_dy
-        groups = *places, on_face(view, back), back, on_face(light, back), types.Bool(far_share > 0)
-        if close_ups_are_compiled():
-
-            def run(queries: Sequence[Floats], answers: Sequence[Floats]) -> None:
-                self._compiled_estimate.run(queries[:GROUP_QUERY], answers)
-                self._compiled_close_ups.run(queries, answers)
-
-            return Response(*answered(types.Float, (*groups, points, threads, far_share), ANSWERS, run))
-        far = Response(*answered(types.Float, groups, ANSWERS, self._compiled_estimate.run))
-        searched = searched_for(self.point_model, threads)
-        (near,) = near_responses(searched, points, [light], view, footprint)
-        return _mixed(near, far, far_share)
-
-    @cached_property
-    def _compiled_estimate(self) -> CompiledEstimate:
-        appearance = self.fabric.appearance()
-        return CompiledEstimate(
-            self.tables,
-            self.estimator(array_types(llvm_float())).pyramid(),
-            self.fabric.layout().size,
-            (appearance.warp.roughness, appearance.weft.roughness),
-            appearance.optical_depth,
-        )
-
-    @cached_property
-    def _compiled_close_ups(self) -> CompiledCloseUps:
-        return CompiledCloseUps(self.fabric.layout(), self.fabric.appearance())
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)

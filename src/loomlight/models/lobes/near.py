@@ -19,8 +19,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.aggregate.components import components
-from loomlight.core.arrays import array_types, clipped, fma, larger, log2, smaller
-from loomlight.core.backend import ArrayTypes
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.interface import Response
 from loomlight.scattering.point import PointModel, on_face
@@ -55,19 +54,19 @@ def points_of(size: Any, far_share: Any, samples: Any) -> Any:
         far_share: how much the groups count; what they leave needs fewer points.
         samples: footprints that share a pixel share its points.
     """
-    most = larger(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
+    most = maximum(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
     most = dr.lerp(most, 1, far_share)
-    return dr.select(far_share < 1, clipped(size * _POINTS_PER_THREAD, 1, most), 0)
+    return dr.select(far_share < 1, clip(size * _POINTS_PER_THREAD, 1, most), 0)
 
 
 def quality_of(size: Any) -> SearchQuality:
     """How finely yarns are searched for footprints of a side, in threads."""
     types = array_types(size)
-    detail = (math.log2(_COARSEST) - log2(larger(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
-    detail = clipped(detail, 0, 1)
+    detail = (math.log2(_COARSEST) - dr.log2(maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
+    detail = clip(detail, 0, 1)
 
     def between(coarse: float, fine: float) -> Any:
-        return fma(fine - coarse, detail, coarse)
+        return dr.fma(fine - coarse, detail, coarse)
 
     steps = between(_COARSE.steps_per_thread, DEFAULT_QUALITY.steps_per_thread)
     return SearchQuality(
@@ -135,13 +134,13 @@ def _mean(
 
     def add(number: Any, *sums: Any) -> tuple[Any, ...]:
         place = footprint.at(*_place(types, number))
-        share = smaller(points - types.Float(number), 1)
+        share = minimum(points - types.Float(number), 1)
         found = measure(place.x, place.y)
-        return number + 1, *(fma(share, part, total) for part, total in zip(found, sums, strict=True))
+        return number + 1, *(dr.fma(share, part, total) for part, total in zip(found, sums, strict=True))
 
     start = (dr.zeros(types.UInt32, width), *(dr.zeros(types.Float, width) for _ in range(count)))
     total = dr.while_loop(
         start, lambda number, *sums: types.Float(number) < points, add, label="lobes: points"
     )[1:]
-    inverse = dr.rcp(larger(points, 1))
+    inverse = dr.rcp(maximum(points, 1))
     return [part * inverse for part in total]

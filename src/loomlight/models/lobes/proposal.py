@@ -13,7 +13,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.core.backend import array_types, channel_mean, larger, smaller
+from loomlight.core.backend import array_types, channel_mean, maximum, minimum
 from loomlight.models.interface import FamilyAlbedos
 from loomlight.models.lobes.density import GroupLobe
 from loomlight.models.lobes.estimate import Estimator, Place
@@ -111,7 +111,7 @@ def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sh
         from_sheen = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _LEAST_ENERGY)
     cosine = dr.select(total > _LEAST_ENERGY, types.Float(_COSINE_SHARE), 1)
     transmit = dr.select(warp.transmit + weft.transmit > 0, types.Float(0.5), 0)
-    return Shares(through, from_sheen, cosine, transmit, warp, weft, larger(total, _LEAST_ENERGY))
+    return Shares(through, from_sheen, cosine, transmit, warp, weft, maximum(total, _LEAST_ENERGY))
 
 
 def energies_where(is_warp: Any, shares: Shares) -> Energies:
@@ -158,11 +158,11 @@ def draw(
     types = array_types(place.view.x)
     view = place.view
     passes = types.Bool(choice < shares.through)
-    rest = (choice - shares.through) * dr.rcp(larger(1 - shares.through, 1e-6))
+    rest = (choice - shares.through) * dr.rcp(maximum(1 - shares.through, 1e-6))
     from_sheen = rest < shares.sheen
-    rest = (rest - shares.sheen) * dr.rcp(larger(1 - shares.sheen, 1e-6))
+    rest = (rest - shares.sheen) * dr.rcp(maximum(1 - shares.sheen, 1e-6))
     by_cosine = rest < shares.cosine
-    rest = (rest - shares.cosine) * dr.rcp(larger(1 - shares.cosine, 1e-6))
+    rest = (rest - shares.cosine) * dr.rcp(maximum(1 - shares.cosine, 1e-6))
     aim = rest * shares.total
     lobe, tangent, roughness, normal = _drawn_group(estimator, place, shares, aim)
     light = sample_specular(view, tangent, roughness, u)
@@ -170,8 +170,8 @@ def draw(
     light = dr.select(lobe == _SPECULAR, light, dr.select(lobe == _REFLECT, diffuse, -diffuse))
     cosine = sample_diffuse(types.Vector3(0, 0, 1), types.Float(0), u)
     # What chose the cosine is uniform again on its share, and chooses the side.
-    far = (rest + shares.cosine * dr.rcp(larger(1 - shares.cosine, 1e-6))) * (
-        larger(1 - shares.cosine, 1e-6) * dr.rcp(shares.cosine)
+    far = (rest + shares.cosine * dr.rcp(maximum(1 - shares.cosine, 1e-6))) * (
+        maximum(1 - shares.cosine, 1e-6) * dr.rcp(shares.cosine)
     ) < shares.transmit
     light = dr.select(by_cosine, dr.select(far, -cosine, cosine), light)
     if sheen.strength > 0:
@@ -227,6 +227,6 @@ def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -
 def _frame(lobe: GroupLobe) -> tuple[Any, Any, Any]:
     """Unit fibre direction, roughness of the group as a whole, and unit normal."""
     variance = 0.5 * (lobe.xx + lobe.yy + lobe.zz)
-    width = dr.sqrt(larger(variance, 0))
-    roughness = smaller(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
+    width = dr.sqrt(maximum(variance, 0))
+    roughness = minimum(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
     return dr.normalize(lobe.tangent), roughness, dr.normalize(lobe.normal)

@@ -21,9 +21,9 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import uploaded
+from loomlight.core.backend import upload
+from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.core.machine_code import MachineCode, vectors
-from loomlight.core.recorded import Held, Recorded
 from loomlight.models.lobes.divider import Divider
 from loomlight.models.lobes.groups import SUMS, Cloth, FacePoints, Groups, PlanPoints, as_met
 from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
@@ -116,7 +116,7 @@ class CastRays:
     passes: Any | None
 
 
-def cast_views(cloth: Held[Cloth], per_family: int) -> CastViews:
+def cast_views(cloth: FrozenArg[Cloth], per_family: int) -> CastViews:
     """Casts the view rays of both faces and of all nodes, and does not wait for them.
 
     Args:
@@ -124,7 +124,7 @@ def cast_views(cloth: Held[Cloth], per_family: int) -> CastViews:
     """
     rays = rays_of(per_family)
     rows = np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32)
-    directions = uploaded(cloth.value.types.Float, rows)
+    directions = upload(cloth.value.types.Float, rows)
     hits, below = _to_eyes(cloth, directions, rays)
     return CastViews(rays, directions, hits, below, _start_in_gaps(cloth, rays))
 
@@ -142,7 +142,7 @@ def seen_points(views: CastViews) -> FacePoints:
     return FacePoints(back, some(hits.is_warp), hole, normal, tangent)
 
 
-def cast_rays(cloth: Held[Cloth], points: PlanPoints, views: CastViews) -> CastRays:
+def cast_rays(cloth: FrozenArg[Cloth], points: PlanPoints, views: CastViews) -> CastRays:
     """Casts rays to light and through gaps, and does not wait for them.
 
     Args:
@@ -155,21 +155,21 @@ def cast_rays(cloth: Held[Cloth], points: PlanPoints, views: CastViews) -> CastR
     # Gaps are a few per cent of the cloth, so rays over all of it would know them by a handful of hits.
     gaps = points.gaps[:: max(1, len(points.gaps) // _GAP_RAYS)][:_GAP_RAYS]
     # Uploads wait for work that goes on.
-    lanes, starts = uploaded(UInt32, from_gaps.astype(np.uint32)), uploaded(Float, gaps)
+    lanes, starts = upload(UInt32, from_gaps.astype(np.uint32)), upload(Float, gaps)
     lit, free = _to_lights(cloth, directions, rays)
     passes = _through_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
     pass_cloth = _pass(cloth, directions, rays, lanes, views.below) if len(from_gaps) else None
     return CastRays(views, pass_cloth, lit, free, passes)
 
 
-@Recorded
+@FrozenFunction
 def _start_in_gaps(cloth: Cloth, rays: int) -> Any:
     """Which views go through the plane z = 0 where no yarn is."""
     back, x, y = _places(cloth, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))[:3]
     return cloth.geometry.height(x, y, back)[1]
 
 
-@Recorded
+@FrozenFunction
 def _to_lights(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
     """Plan points, and whether light reaches them."""
     back, x, y, towards = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
@@ -179,7 +179,7 @@ def _to_lights(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
     return Met(point.is_warp, point.hole, point.normal, point.tangent), free
 
 
-@Recorded
+@FrozenFunction
 def _to_eyes(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
     """What views meet that do not pass through, and whether it lies below the plane."""
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
@@ -188,7 +188,7 @@ def _to_eyes(cloth: Cloth, directions: Any, rays: int) -> tuple[Met, Any]:
     return Met(met.is_warp, met.hole, met.normal, met.tangent), hit.height <= 0
 
 
-@Recorded
+@FrozenFunction
 def _pass(cloth: Cloth, directions: Any, rays: int, lanes: Any, below: Any) -> Any:
     """Which views pass through the cloth, of which none but some lanes may: Bool of all."""
     back, x, y, view = _rays(cloth, directions, rays, lanes)
@@ -220,7 +220,7 @@ def _direction(cloth: Cloth, directions: Any, node: Any) -> Any:
     return cloth.types.Vector3(found.x, found.y, found.z)
 
 
-@Recorded
+@FrozenFunction
 def _through_gaps(cloth: Cloth, directions: Any, starts: Any, count: int) -> Any:
     """Which view rays through so many places pass through the cloth."""
     types = cloth.types

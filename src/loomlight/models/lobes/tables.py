@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LoomFile
 from loomlight.core.errors import InputError
-from loomlight.core.recorded import Held
+from loomlight.core.frozen import FrozenArg
 from loomlight.models.lobes.coverage import Coverage, count_cells, measure_coverage, padded_group, words_of
 from loomlight.models.lobes.groups import GroupFinder, Groups, cloth_of, find_groups, plan_points
 from loomlight.models.lobes.hemisphere import NODES
@@ -92,7 +92,7 @@ def bake_tables(
     # Rays are on their way while groups are found.
     rays = cast_rays(cloth, points, views)
     groups = find_groups(points, met, per_family)
-    finder = Held(GroupFinder(groups, cloth.value.types))
+    finder = FrozenArg(GroupFinder(groups, cloth.value.types))
     cells = count_cells(cloth, finder, per_family)
     found = sort_rays(rays, groups, diffuse_blend)
     coverage = measure_coverage(cells)

@@ -21,7 +21,7 @@ import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, clipped, larger, smaller, uploaded
+from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.compiled_queries import answered, answers_now, reads
 from loomlight.core.footprint import SQUARES
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
@@ -80,9 +80,9 @@ class LatentTable:
         self.channels, self.texels = rows.channels, rows.texels
         self._types = types = array_types(float_type)
         self._padded = rows.values.shape[1]
-        self._values = uploaded(types.Float, rows.values)
+        self._values = upload(types.Float, rows.values)
         self._last = len(rows.levels) - 1
-        self._levels = uploaded(types.Float, rows.levels)
+        self._levels = upload(types.Float, rows.levels)
         self._width = dr.opaque(types.UInt32, self.texels)
         self._extent = dr.opaque(types.Float, float(self.ends)), dr.opaque(types.Float, float(self.picks))
         self._top = dr.opaque(types.UInt32, self._last)
@@ -98,7 +98,7 @@ class LatentTable:
         if encoded.correction is not None:
             weight, bias = encoded.correction[:, :-1], encoded.correction[:, -1]
             self._correction = tuple(
-                uploaded(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
+                upload(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
             )
         self.numbers: FabricNumbers | None = None
         if reads(types.Float):
@@ -138,8 +138,8 @@ class LatentTable:
         if self.texels == 1:
             packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
             return [value for packet in packets for value in packet][: self.channels]
-        place = clipped(dr.log2(larger(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
-        lower = smaller(types.UInt32(place), self._top - 1)
+        place = clip(dr.log2(maximum(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
+        lower = minimum(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
         steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(SQUARES), 1)
 
@@ -290,7 +290,7 @@ class Decoder:
             layers.product("hole view", [view.x, view.y]),
         )
         (share,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
-        return clipped(share, 0, 1)
+        return clip(share, 0, 1)
 
     def _components(self, seen: Seen, light: Any) -> list[Any]:
         layers, table, weights = self._layers, seen.table, self.weights

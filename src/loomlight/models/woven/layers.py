@@ -13,7 +13,7 @@ import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import larger
+from loomlight.core.backend import maximum
 from loomlight.models.woven.architecture import SLOPE
 
 Matrices = dict[str, NDArray[np.float32]]
@@ -40,7 +40,7 @@ class CooperativeLayers:
 
     def leaky(self, vector: Any) -> Any:
         """Leaky ReLU of a vector."""
-        return larger(vector, vector * SLOPE)
+        return maximum(vector, vector * SLOPE)
 
 
 def _cooperative(vector: Any) -> Any:

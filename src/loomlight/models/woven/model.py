@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import array_types, channel_mean, larger
+from loomlight.core.backend import array_types, channel_mean, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
@@ -170,7 +170,7 @@ class WovenModel(Model):
         pdf = dr.select(passes, through, _density(through, reflected, light, view))
         value = self.composed(self.lit(seen, light, view), albedos, light, view)
         # A ray goes straight through with the very share of light that does.
-        weight = dr.select(passes, 1, dr.select(pdf > 0, value / larger(pdf, 1e-30), 0))
+        weight = dr.select(passes, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
 
     def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
@@ -204,7 +204,7 @@ class WovenModel(Model):
         types = array_types(view.x)
         radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
         sine, cosine = dr.sincos(angle)
-        height = dr.sqrt(larger(1 - u.x, 1e-12))
+        height = dr.sqrt(maximum(1 - u.x, 1e-12))
         near = choice < through + (1 - through) * reflected
         up = dr.select(near ^ (view.z < 0), height, -height)
         return types.Vector3(radius * cosine, radius * sine, up)

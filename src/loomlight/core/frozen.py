@@ -1,8 +1,8 @@
-"""Functions of Dr.Jit code that are traced once, and then only launched.
+"""Frozen Dr.Jit functions of objects: traced once, then replayed.
 
-Tracing the physics takes Python milliseconds, whatever the number of lanes. Dr.Jit's frozen functions keep
-what was launched, and launch it again on other arrays; but they look for arrays in plain containers alone,
-and know objects by their identity. Here objects are known by the arrays that they hold.
+Tracing the physics takes Python milliseconds, whatever the number of lanes. `dr.freeze` records the kernels
+and replays them on other arrays, but it looks for arrays in plain containers only and tells objects apart by
+identity. Here an object stands for the arrays that it holds.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, Generic, TypeVar
 
 import drjit as dr
 
-from loomlight.core.held_arrays import named_arrays
+from loomlight.core.pytree import named_leaves
 
 # Recordings of one function: those used longest ago are dropped beyond.
 _MOST_RECORDINGS = 8
@@ -25,8 +25,8 @@ _Value = TypeVar("_Value")
 
 
 @contextmanager
-def collecting_later() -> Iterator[None]:
-    """Without Python's garbage collector: BSDFs that it frees while Dr.Jit traces calls end the process."""
+def gc_paused() -> Iterator[None]:
+    """Pauses garbage collection: a BSDF that is freed while Dr.Jit traces a call ends the process."""
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -41,22 +41,22 @@ def frozen(function: Callable[..., Any], *, enabled: bool = True) -> Any:
     return dr.freeze(function, auto_opaque=False, limit=_MOST_RECORDINGS, warn_after=_NEVER, enabled=enabled)
 
 
-class Held(Generic[_Value]):
-    """An object of this project as an argument of recorded functions.
+class FrozenArg(Generic[_Value]):
+    """An object of this project as the argument of a `FrozenFunction`.
 
-    What a function reads of it has to be evaluated arrays that it holds by now, or the same for all objects
-    whose arrays lie in the same places: numbers of Python's become part of the recording.
+    What the function reads of it must be evaluated arrays that it already holds, or be equal for all objects
+    with the same pytree structure: Python numbers become part of the recording.
     """
 
     def __init__(self, value: _Value) -> None:
         self.value = value
-        self.arrays = named_arrays(value)
+        self.arrays = named_leaves(value)
 
 
 class _Unseen:
     """What a function is traced with and not told apart by: equal to any other."""
 
-    def __init__(self, holders: list[Held[Any] | None]) -> None:
+    def __init__(self, holders: list[FrozenArg[Any] | None]) -> None:
         self.holders = holders
 
     def __eq__(self, other: object) -> bool:
@@ -66,13 +66,13 @@ class _Unseen:
         return 0
 
 
-class Recorded:
-    """A function that launches what it launched before where its arguments are of the same kind.
+class FrozenFunction:
+    """A frozen Dr.Jit function: replays recorded kernels if the arguments' structure and sizes match.
 
-    Its arguments are `Held` objects, of which it gets the values, containers of Dr.Jit arrays, and numbers of
-    Python's. It is recorded anew where such numbers are others, where objects hold arrays in other places or
-    within other classes, and where other arrays are of one size, or of size 1. Sizes that Python's numbers
-    decide have to be among its arguments. It returns containers of arrays, and must not read any.
+    Arguments are `FrozenArg` objects, whose values the function gets, containers of Dr.Jit arrays, and Python
+    numbers. It is traced again where Python numbers differ, where objects hold arrays at other places or in
+    other classes, and where other arrays share a size or have size 1. Sizes that depend on Python numbers
+    must have those numbers among the arguments. The function returns containers of arrays and reads none.
 
     Attributes:
         traced: the function itself.
@@ -109,18 +109,18 @@ class Recorded:
             RuntimeError: an object came to hold other arrays while the function was traced: the recording
                 would go on reading the ones of today.
         """
-        unseen = _Unseen([given if isinstance(given, Held) else None for given in arguments])
-        inputs = [given.arrays if isinstance(given, Held) else given for given in arguments]
+        unseen = _Unseen([given if isinstance(given, FrozenArg) else None for given in arguments])
+        inputs = [given.arrays if isinstance(given, FrozenArg) else given for given in arguments]
         before = self.recordings
         try:
-            with collecting_later():
+            with gc_paused():
                 result = self._launch(unseen, inputs)
         finally:
             # Recordings keep their first arguments.
             held, unseen.holders = unseen.holders, []
         if self.recordings != before:
             for holder in held:
-                if holder is not None and named_arrays(holder.value).keys() != holder.arrays.keys():
+                if holder is not None and named_leaves(holder.value).keys() != holder.arrays.keys():
                     self._launch.clear()
                     raise RuntimeError(f"{type(holder.value).__name__} was uploaded while it was recorded.")
         return result

@@ -1,4 +1,4 @@
-"""The Dr.Jit arrays that objects of this project hold: frozen functions have to be told of them."""
+"""Pytree leaves: Dr.Jit arrays that objects of this project hold; frozen functions must be given them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def is_ours(value: Any) -> bool:
     return type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__")
 
 
-def arrays_of(holder: Any) -> list[Any]:
+def leaves(holder: Any) -> list[Any]:
     """Every Dr.Jit array that an object of this project holds, however deep, each once, in a fixed order."""
     found: list[Any] = []
     seen: set[int] = set()
@@ -35,7 +35,7 @@ def arrays_of(holder: Any) -> list[Any]:
     return found
 
 
-def named_arrays(holder: Any) -> dict[str, Any]:
+def named_leaves(holder: Any) -> dict[str, Any]:
     """The same by where they lie, which tells the classes on the way: sorted, whenever each came to be.
 
     An array that lies in several places is there several times.

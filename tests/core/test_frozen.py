@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Float
 
-from loomlight.core.held_arrays import named_arrays
+from loomlight.core.frozen import FrozenArg, FrozenFunction, gc_paused
 from loomlight.core.llvm import require_llvm
-from loomlight.core.recorded import Held, Recorded, collecting_later
+from loomlight.core.pytree import named_leaves
 
 require_llvm()
 
@@ -47,15 +47,15 @@ for kind in (Line, Parabola, Late):
     kind.__module__ = "loomlight.tests"
 
 
-def recorded() -> Recorded:
-    return Recorded(lambda line, x, power: line.at(x) ** power)
+def recorded() -> FrozenFunction:
+    return FrozenFunction(lambda line, x, power: line.at(x) ** power)
 
 
 X = np.arange(1, 6, dtype=np.float32)
 
 
-def values(function: Recorded, line: Line, power: int, x: Any = X) -> list[float]:
-    return list(function(Held(line), Float(x), power).numpy())
+def values(function: FrozenFunction, line: Line, power: int, x: Any = X) -> list[float]:
+    return list(function(FrozenArg(line), Float(x), power).numpy())
 
 
 def test_other_numbers_in_the_same_places_need_no_trace() -> None:
@@ -90,7 +90,7 @@ def test_what_is_uploaded_too_late_is_refused() -> None:
     function = recorded()
     line = Late(1, 2)
     with pytest.raises(RuntimeError, match="Late was uploaded while it was recorded"):
-        function(Held(line), Float(X), 1)
+        function(FrozenArg(line), Float(X), 1)
     assert function.kept == 0
     assert values(function, line, 1) == list(X + 3)
 
@@ -99,19 +99,19 @@ def test_recordings_keep_no_object() -> None:
     function = recorded()
     line = Line(1, 2)
     values(function, line, 1)
-    assert not [holder for holder in gc.get_referrers(line) if isinstance(holder, Held)]
+    assert not [holder for holder in gc.get_referrers(line) if isinstance(holder, FrozenArg)]
 
 
 def test_names_tell_places_and_classes_in_whatever_order_arrays_came() -> None:
     first, second = Line(1, 2), Line(1, 2)
     second.slope = second.__dict__.pop("slope")
-    assert list(named_arrays(first)) == list(named_arrays(second)) == ["Line.rise:Float", "Line.slope:Float"]
-    assert not named_arrays(Parabola(1, 2)).keys() & named_arrays(first).keys()
+    assert list(named_leaves(first)) == list(named_leaves(second)) == ["Line.rise:Float", "Line.slope:Float"]
+    assert not named_leaves(Parabola(1, 2)).keys() & named_leaves(first).keys()
 
 
 def test_collecting_is_put_off_and_taken_up_again() -> None:
     def fail() -> None:
-        with collecting_later():
+        with gc_paused():
             assert not gc.isenabled()
             raise KeyError
 

@@ -1,4 +1,4 @@
-"""Work that few lanes need."""
+"""A branch that few lanes take."""
 
 from __future__ import annotations
 
@@ -8,12 +8,11 @@ from typing import Any, TypeVar
 import drjit as dr
 
 from loomlight.core.backend import array_types
-from loomlight.core.lane_values import Lanes
 
 State = TypeVar("State")
 
 
-def changed_where(active: Any, value: State, change: Callable[[State], State], label: str) -> State:
+def masked_branch(active: Any, value: State, change: Callable[[State], State], label: str) -> State:
     """`change(value)` in active lanes, `value` in others, and no time where a packet of lanes has none.
 
     It is a loop of one turn: of Dr.Jit's branches the CPU runs both sides.
@@ -24,9 +23,6 @@ def changed_where(active: Any, value: State, change: Callable[[State], State], l
         change: takes such a tree and returns one of the same kind.
         label: names the loop in kernels.
     """
-    if isinstance(active, Lanes):
-        changed: State = active.code.changed_where(active, value, change)
-        return changed
     types = array_types(dr.float32_array_t(active))
 
     def turn(_: Any, held: State) -> tuple[Any, State]:
