@@ -24,10 +24,11 @@ from typing import Any
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float, UInt32
+from loomlight.models.lobes.estimate import half_vector
 from point import fma_peak, operations_of, timed
 
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.load import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
@@ -35,7 +36,6 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.predictions import query_arrays
 from loomlight.evaluation.table import write_json
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
@@ -124,7 +124,7 @@ SETTINGS = {
 def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[str, Any]:
     """Figures of one fabric."""
     fabric = fabric_of_path(text)
-    model = LobesModel.for_fabric(fabric)
+    model = LobesModel.for_source(fabric)
     found, usual, ratios = {}, {}, {}
     for name, setting in SETTINGS.items():
         own, other = (rows_of_pixels(chosen.fabric, *setting) for chosen in (model, plain))
@@ -163,7 +163,7 @@ def main() -> None:
     require_llvm()
     named = ["--drafts", *(Path(text).name for text in arguments.drafts)] if arguments.drafts else []
     peak, bandwidth = fma_peak(), memory_bandwidth()
-    plain = LobesModel.for_fabric(fabric_of_path("plain"))
+    plain = LobesModel.for_source(fabric_of_path("plain"))
     result: dict[str, Any] = {
         **provenance(" ".join(["python benchmarks/lobes.py", *named]).strip(), Path(__file__).parent),
         "fma_peak_gflops": round(peak / 1e9, 1),

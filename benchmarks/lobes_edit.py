@@ -28,7 +28,7 @@ import numpy as np
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
 from loomlight.models.lobes import model as lobes_model
@@ -46,7 +46,7 @@ class Bench:
     def __init__(self, side: int) -> None:
         """Shows a twill, and takes its first pictures."""
         self.shown = build_scene(
-            "flat", fabric_bsdf(fabric_from_text("twill 3/1")), size=(side, side), **SHOWN
+            "flat", material_bsdf(fabric_from_text("twill 3/1")), size=(side, side), **SHOWN
         )
         self.live = LivePicture(self.shown.scene, integrator=self.shown.integrator)
         self.edits = SceneEdits(self.shown.scene)
@@ -65,7 +65,7 @@ class Bench:
     def _weave(self, weave: str) -> None:
         for shape in self.shown.scene.shapes():
             if type(shape.bsdf()).__name__ == "WovenLobes":
-                shape.bsdf().weave(fabric_from_text(weave))
+                shape.bsdf().set_source(fabric_from_text(weave))
 
     def off(self) -> float:
         """Largest difference between the live picture and one traced anew."""

@@ -35,7 +35,7 @@ from loomlight.core.machine_code import cores
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.models.woven.batch import decode
 from loomlight.models.woven.decoder import Decoder, decoder_cost
 from loomlight.models.woven.encoding import encoder_session, shortest_repeat
@@ -123,7 +123,9 @@ def beside_peak(measure: Callable[[], Measured]) -> tuple[Measured, float]:
 def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
     """Seconds of a picture, share of them in the network, and operations a second in it."""
     choose_variant("llvm_ad_rgb")
-    shown = build_scene("flat", fabric_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4)
+    shown = build_scene(
+        "flat", material_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4
+    )
 
     def run() -> None:
         render(shown.scene, spp=1, integrator=shown.integrator)
@@ -155,7 +157,7 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=None)
     arguments = parser.parse_args()
     require_llvm()
-    model = WovenModel.for_fabric(fabric_from_text(FABRIC))
+    model = WovenModel.for_source(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
     cost = decoder_cost(model.weights, corrected)
     seen, light, fetch = 2 * cost.seen, 2 * cost.lit, cost.bytes_fetched // 4

@@ -36,7 +36,7 @@ def run(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int, li
     sizes: dict[int, list[int]] = {count: [] for count in groups}
 
     def made(fabric: Fabric, count: int) -> LobesModel:
-        model = LobesModel.for_fabric(fabric, count)
+        model = LobesModel.for_source(fabric, count)
         sizes[count].append(model.tables.nbytes)
         return model
 

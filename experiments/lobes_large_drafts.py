@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.load import fabric_of_path
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.metrics import Classes, sums_by_class
@@ -66,9 +66,9 @@ def main() -> None:
     }
     for text in arguments.drafts:
         fabric = fabric_of_path(text)
-        LobesModel.for_fabric(fabric)
+        LobesModel.for_source(fabric)
         start = time.perf_counter()
-        model = LobesModel.for_fabric(fabric)
+        model = LobesModel.for_source(fabric)
         seconds = time.perf_counter() - start
         picks, ends = fabric.layout().warp_on_top.shape
         result["drafts"][Path(text).name] = {

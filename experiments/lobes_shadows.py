@@ -19,15 +19,6 @@ from typing import Any
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float, UInt32
-from numpy.typing import NDArray
-
-from loomlight.aggregate.components import lobes
-from loomlight.core.backend import array_types
-from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
-from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.twin import (
     LobesTwin,
     Parallelogram,
@@ -37,6 +28,15 @@ from loomlight.models.lobes.twin import (
     on_seen_face,
     shadow_correlation,
 )
+from numpy.typing import NDArray
+
+from loomlight.aggregate.components import lobes
+from loomlight.core.backend import array_types
+from loomlight.core.llvm import require_llvm
+from loomlight.core.provenance import provenance
+from loomlight.evaluation.table import write_json
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.lobes.model import LobesModel
 from loomlight.models.woven.config import DataTable
 from loomlight.models.woven.pool import pool_fabric
 from loomlight.scattering.point import PointModel
@@ -115,7 +115,7 @@ def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
     views, lights = directions(rng), directions(rng)
     if through:
         lights[:, 2] *= -1
-    tables = LobesModel.for_fabric(fabric).tables
+    tables = LobesModel.for_source(fabric).tables
     appearance, size = fabric.appearance(), fabric.layout().size
     roughness = appearance.warp.roughness, appearance.weft.roughness
     twin = LobesTwin(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)

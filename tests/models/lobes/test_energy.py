@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric import Fabric
-from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.separable import Components
 from loomlight.models.woven.box import PAPER_WEAVES, TRAINING_BOX, paper_draft, random_fabric
 from loomlight.scattering.albedo import layer_albedo_bound
 
-from .cloths import Asked, far_parts
+from .cloths import Asked, prefiltered_parts
 
 FABRICS = 40
 # Heights of the views; half of them see the back.
@@ -46,10 +46,10 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     asked = Asked(
         towards.reshape(-1, 3), *(np.repeat(part, lights, axis=0) for part in (views, centres, sizes))
     )
-    model = LobesModel.for_fabric(fabric)
-    parts = far_parts(model, asked)
+    model = LobesModel.for_source(fabric)
+    parts = prefiltered_parts(model, asked)
     beyond = (asked.lights[:, 2] * asked.views[:, 2] < 0).reshape(count, lights)
-    names = [part.name for part in fields(Response)][:4]
+    names = [part.name for part in fields(Components)]
     values = np.stack([parts[name].reshape(count, lights) for name in names], axis=-1).astype(np.float64)
     sums = [(values * side[..., None]).mean(axis=1) * 4 * np.pi for side in (~beyond, beyond)]
     holes = parts["hole"].reshape(count, lights)[:, 0]

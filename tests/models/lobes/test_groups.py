@@ -30,7 +30,7 @@ from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.reach import cast_rays, cast_views, seen_points
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 
-from .cloths import TEXTS, asked_of, far_parts, floats, geometry_of, groups_of
+from .cloths import TEXTS, asked_of, floats, geometry_of, groups_of, prefiltered_parts
 
 PER_FAMILY = 8
 # Texels of an independent plan, a side.
@@ -181,9 +181,9 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     fabric = fabric_from_text(
         'weave = "satin 8/3"\n[warp]\ngap = 0.02\n[weft]\ngap = 0.5\ntranslucency = 0.5'
     )
-    whole = LobesModel.for_fabric(fabric, per_family)
+    whole = LobesModel.for_source(fabric, per_family)
     asked = asked_of(fabric, whole.tables.size, 500, seed=3)
-    wanted = far_parts(whole, asked)
+    wanted = prefiltered_parts(whole, asked)
 
     def without_weft(cloth: FrozenArg[Cloth]) -> PlanPoints:
         points = plan_points(cloth)
@@ -205,7 +205,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     assert (groups.centres[1, per_family:] != [0, 0, 0.5, 0, 1, 0]).any(axis=1).all()
     for part in fields(Groups):
         assert np.isfinite(getattr(groups, part.name)).all(), part.name
-    found = far_parts(LobesModel.for_fabric(fabric, per_family), asked)
+    found = prefiltered_parts(LobesModel.for_source(fabric, per_family), asked)
     for name, values in found.items():
         assert np.isfinite(values).all(), name
         assert (values >= 0).all(), name

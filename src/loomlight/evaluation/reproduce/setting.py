@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import fabric_bsdf
+from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 
@@ -53,8 +53,8 @@ class Setting:
 
 
 def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: Any) -> BsdfFactory:
-    """`fabric_bsdf` with the network of a weights file, and with other properties of the BSDF."""
-    plain = fabric_bsdf(fabric, model)
+    """`material_bsdf` with the network of a weights file, and with other properties of the BSDF."""
+    plain = material_bsdf(fabric, model)
     more = dict(properties)
     if weights is not None and model == WOVEN:
         more["weights"] = str(weights)
