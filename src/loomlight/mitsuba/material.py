@@ -13,7 +13,11 @@ from loomlight.models.registry import model_of
 
 
 def material_bsdf(
-    material: Source | Model | str | os.PathLike[str], model: str | None = None
+    material: Source | Model | str | os.PathLike[str],
+    model: str | None = None,
+    *,
+    albedo: dict[str, Any] | None = None,
+    **options: Any,
 ) -> Callable[[tuple[float, float]], Any]:
     """A function from (mm per unit of u, mm per unit of v) to a Mitsuba BSDF; a variant must be set.
 
@@ -24,14 +28,16 @@ def material_bsdf(
             for a single BSDF.
         model: a name of `loomlight.models.registry.model_names`; by default the one that a `.loom` holds,
             else "lobes".
+        albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+        options: of the model; see `Model.options`.
 
     Raises:
         InputError: an unknown model, or a material that cannot be read or that the model does not take.
     """
-    first = [model_of(material, model)]
+    first = [model_of(material, model, **options)]
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:
-        made = first.pop() if first else model_of(material, model)
-        return make_bsdf(made, uv_size_mm)
+        made = first.pop() if first else model_of(material, model, **options)
+        return make_bsdf(made, uv_size_mm, albedo, options)
 
     return to_scale

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import drjit as dr
@@ -22,6 +23,21 @@ from loomlight.models.registry import MODELS
 # Surfaces with less open area than this cast the shadow of one without: a thousandth of the light, which is
 # three steps of 8-bit sRGB on white cloth where nothing else brightens the shadow.
 _SMALLEST_OPEN_AREA = 1e-3
+
+
+@dataclass(frozen=True)
+class GivenModel:
+    """What a BSDF is made of.
+
+    Attributes:
+        model: what answers.
+        uv_size_mm: millimetres per unit of u and of v.
+        options: that the model was made with, and that it has for other sources too.
+    """
+
+    model: Model
+    uv_size_mm: tuple[float, float]
+    options: Mapping[str, Any]
 
 
 def model_bsdf_class() -> type:
@@ -51,23 +67,18 @@ def model_bsdf_class() -> type:
             literals: numbers of the model that kernels hold: where they change, they are compiled anew.
         """
 
-        def __init__(
-            self,
-            props: Any,
-            name: str,
-            model: Model | None = None,
-            uv_size: tuple[float, float] | None = None,
-        ) -> None:
+        def __init__(self, props: Any, name: str, given: GivenModel | None = None) -> None:
             """
             Args:
                 name: of the model.
-                model, uv_size: what properties would describe, where they are at hand.
+                given: what properties would describe, where it is at hand.
             """
             super().__init__(props)
-            self._options: dict[str, Any] = {}
-            if model is None:
-                model, self._options = model_of_props(props, name)
-            self.uv_size = mi.Vector2f(uv_size or uv_size_of(props, model.source))
+            if given is None:
+                model, options = model_of_props(props, name)
+                given = GivenModel(model, uv_size_of(props, model.source), options)
+            self._options = dict(given.options)
+            self.uv_size = mi.Vector2f(given.uv_size_mm)
             self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
             radians = "an angle in radians, such as 0.001"
             self.pixel_angle = number_of_props(props, "pixel_angle", 0.0, radians, least=0.0)
@@ -76,9 +87,9 @@ def model_bsdf_class() -> type:
             self.pixel_samples = dr.opaque(mi.Float, 1)
             self.arrays: list[Any] = []
             self._texture: FilteredTexture | None = None
-            self._set_model(model)
+            self._set_model(given.model)
             self._filter_albedo()
-            declare_lobes(self, model.has_holes)
+            declare_lobes(self, self.model.has_holes)
 
         def set_source(self, source: Source) -> None:
             """Becomes the BSDF of another source; `mi.traverse` has to be called again.

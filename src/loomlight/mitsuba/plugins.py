@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache, partial
 from threading import RLock
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import mitsuba as mi
 
 from loomlight.mitsuba.integrator import footprint_path_class
-from loomlight.mitsuba.model_bsdf import model_bsdf_class
+from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
 from loomlight.mitsuba.variants import is_supported, require_backend
 from loomlight.models.interface import Model
 from loomlight.models.registry import MODELS
@@ -27,13 +27,24 @@ def register_plugins() -> None:
         _on_variant(None, mi.variant())
 
 
-def make_bsdf(model: Model, uv_size_mm: tuple[float, float]) -> Any:
+def make_bsdf(
+    model: Model,
+    uv_size_mm: tuple[float, float],
+    albedo: dict[str, Any] | None = None,
+    options: Mapping[str, Any] | None = None,
+) -> Any:
     """The BSDF of a model that is at hand.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v.
+        albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+        options: that the model was made with.
     """
-    return _bsdf_class(mi.variant())(mi.Properties(), model.name, model, uv_size_mm)
+    props = mi.Properties()
+    if albedo is not None:
+        props["albedo"] = mi.load_dict(albedo)
+    given = GivenModel(model, uv_size_mm, options or {})
+    return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)
 
 
 def _on_variant(_previous: str | None, variant: str | None) -> None:

@@ -109,12 +109,15 @@ def model_from_loom(path: str | os.PathLike[str]) -> Model:
     return model_of_loom(read_loom(path))
 
 
-def model_of(material: Source | Model | str | os.PathLike[str], name: str | None = None) -> Model:
+def model_of(
+    material: Source | Model | str | os.PathLike[str], name: str | None = None, **options: Any
+) -> Model:
     """The model of a material, which is baked unless a `.loom` holds it.
 
     Args:
         material: a model; a source; or a path: a `.loom`, or what the model's sources are read from.
         name: of the model; by default the one that a `.loom` holds, else `DEFAULT_MODEL`.
+        options: of the model; with any, it is baked even where a `.loom` holds it.
 
     Raises:
         InputError: no such model, or a material that cannot be read or that the model does not take.
@@ -122,11 +125,11 @@ def model_of(material: Source | Model | str | os.PathLike[str], name: str | None
     if isinstance(material, Model):
         return material
     if not isinstance(material, str | os.PathLike):
-        return make_model(name or DEFAULT_MODEL, material)
+        return make_model(name or DEFAULT_MODEL, material, **options)
     if is_loom(material):
         loom = read_loom(material)
-        if name is None or name == loom.model:
+        if name in (None, loom.model) and not options:
             return model_of_loom(loom)
-        return make_model(name, loom.source)
+        return make_model(name or loom.model, loom.source, **options)
     kind = model_class(name or DEFAULT_MODEL).source_kind
-    return make_model(name or DEFAULT_MODEL, load_source(material, kind))
+    return make_model(name or DEFAULT_MODEL, load_source(material, kind), **options)

@@ -27,7 +27,7 @@ def damaged(name: str, change: Callable[[Tensor], Tensor]) -> LoomFile:
     """A file of which one tensor is changed."""
     loom = model_of("open plain").to_loom()
     tensors = {key: values.copy() for key, values in loom.tensors.items()}
-    return replace(loom, tensors={**tensors, name: change(tensors[name])}, source="cloth.loom")
+    return replace(loom, tensors={**tensors, name: change(tensors[name])}, file="cloth.loom")
 
 
 def refused(loom: LoomFile, *words: str) -> None:

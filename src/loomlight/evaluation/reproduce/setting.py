@@ -53,9 +53,7 @@ class Setting:
 
 
 def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: Any) -> BsdfFactory:
-    """`material_bsdf` with the network of a weights file, and with other properties of the BSDF."""
-    plain = material_bsdf(fabric, model)
-    more = dict(properties)
+    """`material_bsdf` with the network of a weights file, and with other options of the model."""
     if weights is not None and model == WOVEN:
-        more["weights"] = str(weights)
-    return lambda uv_size_mm: plain(uv_size_mm) | more
+        properties["weights"] = str(weights)
+    return material_bsdf(fabric, model, **properties)

@@ -120,24 +120,24 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
     moments = loom.tensor("moments", (2, None, MOMENTS), np.float32)
     if moments.shape[1] % 8 or not moments.size:
         raise InputError(
-            f"{loom.source}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
+            f"{loom.file}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
             "whole words of four, and an even number of them."
         )
     words = moments.shape[1] // 4
     warp_words = loom.tensor("warp_words", (2,), np.int64)
     if not ((warp_words >= 0) & (warp_words <= words)).all():
         raise InputError(
-            f"{loom.source}: the tensor model.warp_words is {warp_words.tolist()}: it should be 0 to "
+            f"{loom.file}: the tensor model.warp_words is {warp_words.tolist()}: it should be 0 to "
             f"{words} each, the words of four groups that there are."
         )
     levels = loom.tensor("levels", (None, 3), np.int64)
     sizes = levels[:, 1] * levels[:, 2]
     consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
     if not (consistent and (levels[1:, 0] == np.cumsum(sizes)[:-1]).all()):
-        raise InputError(f"{loom.source}: the tensor model.levels is no pyramid: bake it again.")
+        raise InputError(f"{loom.file}: the tensor model.levels is no pyramid: bake it again.")
     size = loom.setting("size", float)
     if not 0 < size < math.inf:
-        raise InputError(f"{loom.source}: the setting size is {size:g}: it should be above 0 mm.")
+        raise InputError(f"{loom.file}: the setting size is {size:g}: it should be above 0 mm.")
     return LobeTables(
         size,
         levels,
