@@ -70,7 +70,7 @@ def record(figures: Figures) -> Figures:
 
 
 def command(module: str, arguments: Sequence[str]) -> str:
-    """The command line for these figures, without `--output`; of files outside the repository, names alone."""
+    """The command line for these figures, without `--output`; files outside the repository by name alone."""
     words, rest = [], iter(arguments)
     for word in rest:
         if word == "--output":
