@@ -17,15 +17,15 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, NoReturn, TypeVar
+from typing import NoReturn, TypeVar
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
-from loomlight.assets.fabric_record import FabricRecord, fabric_from_record, fabric_record
+from loomlight.assets.fabric_record import FabricRecord, Tensor, fabric_from_record, fabric_record
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
 from loomlight.fabric.fabric import Fabric
@@ -72,12 +72,12 @@ class LoomFile:
 
     model: str
     fabric: Fabric
-    tensors: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    tensors: Mapping[str, Tensor] = field(default_factory=dict)
     settings: Mapping[str, Setting] = field(default_factory=dict)
     networks: Mapping[str, str] = field(default_factory=dict)
     source: str = "the .loom file"
 
-    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> NDArray[Any]:
+    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> Tensor:
         """The tensor `name`; None in `shape` stands for any extent.
 
         Raises:
@@ -207,7 +207,7 @@ def read_loom(path: str | os.PathLike[str]) -> LoomFile:
     )
 
 
-def checksum(material: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]]) -> str:
+def checksum(material: Mapping[str, object], tensors: Mapping[str, Tensor]) -> str:
     """SHA-256 of the header's material and of all tensors, as hexadecimal text."""
     digest = hashlib.sha256(json.dumps(material, sort_keys=True).encode())
     for name in sorted(tensors):
@@ -223,7 +223,7 @@ def file_sha256(path: str | os.PathLike[str]) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
+def _plain(name: str, values: Tensor) -> Tensor:
     """Contiguous and little-endian, as safetensors writes arrays without asking."""
     if values.dtype.newbyteorder("=") not in {np.dtype(kind) for kind in _KINDS.values()}:
         raise ValueError(f"the tensor {name} is {values.dtype}, which a .loom file cannot hold")
@@ -232,7 +232,7 @@ def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
     return np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
 
 
-def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
+def _opened(path: str) -> tuple[str, dict[str, Tensor]]:
     """The header's text and all tensors."""
     try:
         with safe_open(path, framework="numpy") as file:
@@ -252,7 +252,7 @@ def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
         raise InputError("it is no .loom file, or damaged: `loomlight bake` writes one.") from error
 
 
-def _parsed(header: str, tensors: Mapping[str, NDArray[Any]]) -> _Material:
+def _parsed(header: str, tensors: Mapping[str, Tensor]) -> _Material:
     damaged = "its header is damaged: bake the file again"
     try:
         content = json.loads(header, parse_constant=_refuse_constant)
@@ -293,5 +293,5 @@ def _place(error: Exception) -> str:
     return f" at {'.'.join(str(part) for part in fault['loc'])}: {fault['msg']}"
 
 
-def _those_named(tensors: Mapping[str, NDArray[Any]], prefix: str) -> dict[str, NDArray[Any]]:
+def _those_named(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:
     return {name[len(prefix) :]: values for name, values in tensors.items() if name.startswith(prefix)}

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,7 +41,7 @@ class _Edit:
     """
 
     label: str
-    values: dict[str, Any]
+    values: dict[str, object]
 
 
 EDITS = (

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.predictions import Predictor, model_predictor
@@ -56,7 +55,7 @@ class Setting:
             self.progress(done, total)
 
 
-def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: Any) -> BsdfFactory:
+def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: object) -> BsdfFactory:
     """`fabric_bsdf` with the network of a weights file, and with other properties of the BSDF."""
     plain = fabric_bsdf(fabric, model)
     more = dict(properties)
