@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import statistics
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -57,7 +58,7 @@ def operations(model: LobesModel, arrays: Any) -> int:
                 words, estimator.components(words, place, nodes, number, light, half), strict=True
             ):
                 total = total + diffuse + specular + sum(seen.weights)
-        kernels = launched_kernels(lambda total=total: dr.eval(total))
+        kernels = launched_kernels(partial(dr.eval, total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
     return int(counts[0] + (model.tables.words // 2 - 1) * (counts[1] - counts[0]))
 
@@ -121,7 +122,7 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
         for _ in range(REPEATS):
             pair = []
             for chosen, arrays in ((model, own), (plain, other)):
-                pair.append(timed(lambda chosen=chosen, arrays=arrays: evaluated(chosen, arrays))[1])
+                pair.append(timed(partial(evaluated, chosen, arrays))[1])
             seconds.append((pair[0], pair[1]))
         # The first two compile and warm up.
         found[name] = ROWS * ACROSS / min(first for first, _ in seconds[2:])

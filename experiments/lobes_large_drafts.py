@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -61,7 +62,7 @@ def measure(options: Namespace) -> Figures:
     for text in options.drafts:
         fabric = fabric_of_path(text)
         LobesModel.for_fabric(fabric)
-        model, seconds = timed(lambda fabric=fabric: LobesModel.for_fabric(fabric))
+        model, seconds = timed(partial(LobesModel.for_fabric, fabric))
         picks, ends = fabric.layout().warp_on_top.shape
         drafts[Path(text).name] = {
             "ends": ends,
