@@ -15,13 +15,19 @@ SOURCE = ROOT / "src" / "loomlight"
 FOLDERS = ("src", "tests", "benchmarks", "experiments", "tools")
 MOST_LINES, MOST_LINES_OF_A_FUNCTION = 500, 100
 # Of the parameters that have an annotation, at most this share may say `Any` in it.
-MOST_ANY = 0.31
+MOST_ANY = 0.301
 
 # Work in progress; to be emptied. Sources without a test of their name and without a "Covers:" line, by the
 # beginning of their path below src/loomlight:
-PENDING_TESTS: tuple[str, ...] = ()
+PENDING_TESTS = ("core/compiled_queries.py", "core/lane_values.py", "models/lobes/", "models/woven/")
 # Files and functions over the limits, by their path below the repository:
-PENDING_LENGTH: tuple[str, ...] = ()
+PENDING_LENGTH = (
+    "src/loomlight/core/lane_code.py",
+    "src/loomlight/mitsuba/integrator.py",
+    "src/loomlight/mitsuba/integrator.py:sample",
+    "src/loomlight/models/lobes/coverage.py",
+    "src/loomlight/yarn/geometry.py",
+)
 
 _COVERS = re.compile(r"^(?:# )?Covers: (.+)$", re.MULTILINE)
 

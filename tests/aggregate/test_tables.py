@@ -1,4 +1,7 @@
-"""Means over boxes from summed-area tables, against sums written out."""
+"""Means over boxes from summed-area tables, against sums written out.
+
+Covers: aggregate/grid.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The draft that an argument stands for: a file of any kind, or a weave's name."""
+"""The draft that an argument stands for: a file of any kind, or a weave's name.
+
+Covers: weave/load.py
+"""
 
 from __future__ import annotations
 

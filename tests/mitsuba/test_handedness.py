@@ -1,4 +1,7 @@
-"""A Z twill is a Z twill in the picture, whatever file the cloth comes from and whichever way its uv runs."""
+"""A Z twill is a Z twill in the picture, whatever file the cloth comes from and whichever way its uv runs.
+
+Covers: mitsuba/cloth_uv.py
+"""
 
 from __future__ import annotations
 
