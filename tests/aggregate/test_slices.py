@@ -1,6 +1,6 @@
 """Slices against brute force on the same grid points, and what their grids leave out.
 
-Covers: aggregate/reference.py, aggregate/shadow_maps.py
+Covers: aggregate/grid.py, aggregate/reference.py, aggregate/shadow_maps.py
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Means over boxes from summed-area tables, against sums written out.
-
-Covers: aggregate/grid.py
-"""
+"""Means over boxes from summed-area tables, against sums written out."""
 
 from __future__ import annotations
 

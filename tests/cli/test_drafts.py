@@ -1,7 +1,4 @@
-"""The draft that an argument stands for: a file of any kind, or a weave's name.
-
-Covers: weave/load.py
-"""
+"""The draft that an argument stands for: a file of any kind, or a weave's name."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """What a fabric file says reaches the layout and the appearance, in their units.
 
 Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
-Covers: fabric/load.py, fabric/spacing.py, fabric/writing.py
+Covers: fabric/load.py, fabric/spacing.py
 """
 
 from __future__ import annotations

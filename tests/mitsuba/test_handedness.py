@@ -1,7 +1,4 @@
-"""A Z twill is a Z twill in the picture, whatever file the cloth comes from and whichever way its uv runs.
-
-Covers: mitsuba/cloth_uv.py
-"""
+"""A Z twill is a Z twill in the picture, whatever file the cloth comes from and whichever way its uv runs."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The network as a BSDF: the same numbers as torch, what it samples, and what editing costs.
 
-Covers: mitsuba/filtered_texture.py
+Covers: mitsuba/cloth_uv.py, mitsuba/filtered_texture.py
 """
 
 from __future__ import annotations
