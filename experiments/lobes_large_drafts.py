@@ -1,32 +1,41 @@
 """The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking.
 
-    python experiments/lobes_large_drafts.py DRAFT.wif … --output experiments/results/lobes_large_drafts.json
+    python -m experiments.lobes_large_drafts DRAFT.wif … --output experiments/results/lobes_large_drafts.json
 
 A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
 samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
-bands and metric are those of the query test. benchmarks/lobes.py has the cost of a query.
+bands and metric are those of the query test. `benchmarks.lobes` has the cost of a query.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
-import time
+from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.assets.load import fabric_of_path
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.metrics import Classes, sums_by_class
-from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor
+from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_test import grey_value
-from loomlight.evaluation.table import write_json
+from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 
 PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
+
+
+def grey_means(found: Prediction) -> NDArray[np.float64]:
+    """Grey f·cos of what a model that keeps albedos apart predicts."""
+    assert found.means is not None
+    return grey_value(found.means)
 
 
 def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
@@ -34,7 +43,7 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     scale = fabric_scale(fabric.layout())
     queries = query_set(scale, PAIRS, FOOTPRINTS, 0, transmits=admits_transmission(fabric.appearance()))
     near = queries.lights[queries.pairs[:, 0], 2] * queries.views[queries.pairs[:, 1], 2] > 0
-    truth = grey_value(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries).means)[near]
+    truth = grey_means(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries))[near]
     rows = {
         "lobes": model_predictor(lambda _: model),
         "3 samples": monte_carlo_predictor(3),
@@ -44,44 +53,36 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     bands = [Classes(BANDS, scale.bands(queries.sizes)[near])]
     found = {}
     for name, predict in rows.items():
-        guess = grey_value(predict(fabric, queries).means)[near]
+        guess = grey_means(predict(fabric, queries))[near]
         sums = sums_by_class(guess, truth, bands)
         found[name] = {part: round(total.nmae, 4) for part, total in sums.items() if total.count}
     return found
 
 
-def main() -> None:
-    """Runs the experiment and prints it."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+def add_options(parser: ArgumentParser) -> None:
+    """Which drafts."""
     parser.add_argument("drafts", nargs="+")
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+
+
+def measure(options: Namespace) -> Figures:
+    """Size, baking and errors of each draft, as they come."""
     require_llvm()
-    names = " ".join(Path(text).name for text in arguments.drafts)
-    result: dict[str, Any] = {
-        **provenance(f"python experiments/lobes_large_drafts.py {names}", Path(__file__).parent),
-        "drafts": {},
-    }
-    for text in arguments.drafts:
+    drafts: dict[str, dict[str, Any]] = {}
+    for text in options.drafts:
         fabric = fabric_of_path(text)
         LobesModel.for_source(fabric)
-        start = time.perf_counter()
-        model = LobesModel.for_source(fabric)
-        seconds = time.perf_counter() - start
+        model, seconds = timed(partial(LobesModel.for_source, fabric))
         picks, ends = fabric.layout().warp_on_top.shape
-        result["drafts"][Path(text).name] = {
+        drafts[Path(text).name] = {
             "ends": ends,
             "picks": picks,
             "baking_seconds": round(seconds, 3),
             "table_megabytes": round(model.tables.nbytes / 1e6, 2),
             "nmae_of_reflection": errors(fabric, model),
         }
-        print(json.dumps(result["drafts"][Path(text).name], indent=2), flush=True)
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
+        print(json.dumps(drafts[Path(text).name], indent=2), flush=True)
+    return {"drafts": drafts}
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options, prints=False)

@@ -1,4 +1,7 @@
-"""`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence."""
+"""`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence.
+
+Covers: assets/fabric_record.py, assets/fabrics.py
+"""
 
 from __future__ import annotations
 

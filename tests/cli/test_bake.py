@@ -1,4 +1,7 @@
-"""`loomlight bake`, and pictures of what it writes."""
+"""`loomlight bake`, and pictures of what it writes.
+
+Covers: models/bake.py
+"""
 
 from __future__ import annotations
 

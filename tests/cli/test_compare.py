@@ -1,4 +1,7 @@
-"""`loomlight compare`: a page, a table and pictures; bad input ends in one sentence."""
+"""`loomlight compare`: a page, a table and pictures; bad input ends in one sentence.
+
+Covers: evaluation/compare.py, evaluation/report.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Pictures from the command line: whole, reproducible, of the size asked for."""
+"""Pictures from the command line: whole, reproducible, of the size asked for.
+
+Covers: cli/bake_maps.py, cli/demo.py
+"""
 
 from __future__ import annotations
 

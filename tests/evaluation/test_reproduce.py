@@ -1,4 +1,11 @@
-"""The papers' figures: what is drawn where, what is written down, and what is refused."""
+"""The papers' figures: what is drawn where, what is written down, and what is refused.
+
+Covers: cli/reproduce.py, evaluation/reproduce/catalogue.py
+Covers: evaluation/reproduce/comparison.py, evaluation/reproduce/components.py
+Covers: evaluation/reproduce/evidence.py, evaluation/reproduce/fabrics.py
+Covers: evaluation/reproduce/renders.py, evaluation/reproduce/reproduce.py
+Covers: evaluation/reproduce/setting.py, evaluation/reproduce/sheet.py, evaluation/reproduce/shots.py
+"""
 
 from __future__ import annotations
 

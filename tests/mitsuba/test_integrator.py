@@ -1,4 +1,7 @@
-"""The integrator against Mitsuba's own, and the footprints that it hands to BSDFs."""
+"""The integrator against Mitsuba's own, and the footprints that it hands to BSDFs.
+
+Covers: mitsuba/ray_cone.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Rendering in passes, and plugins that follow the variant."""
+"""Rendering in passes, and plugins that follow the variant.
+
+Covers: mitsuba/plugins.py, mitsuba/variants.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures."""
+"""Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures.
+
+Covers: mitsuba/fabric_props.py, mitsuba/footprint_bsdf.py
+"""
 
 from __future__ import annotations
 

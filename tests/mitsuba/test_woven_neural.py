@@ -1,4 +1,7 @@
-"""The network as a BSDF: the same numbers as torch, what it samples, and what editing costs."""
+"""The network as a BSDF: the same numbers as torch, what it samples, and what editing costs.
+
+Covers: mitsuba/cloth_uv.py, mitsuba/filtered_texture.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh."""
+"""The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh.
+
+Covers: mitsuba/material_bsdf.py, mitsuba/held_surface.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""What is exact of the models that look at points: the point model itself, its mean, and both faces."""
+"""What is exact of the models that look at points: the point model itself, its mean, and both faces.
+
+Covers: models/point.py, models/samples.py
+"""
 
 from __future__ import annotations
 

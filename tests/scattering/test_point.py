@@ -1,4 +1,7 @@
-"""The point model as a whole: its sampler, its energy, its faces, for fabrics from the whole box."""
+"""The point model as a whole: its sampler, its energy, its faces, for fabrics from the whole box.
+
+Covers: scattering/appearance.py
+"""
 
 from __future__ import annotations
 

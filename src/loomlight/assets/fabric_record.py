@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import PurePath
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ from loomlight.fabric.file import FabricFile
 from loomlight.fabric.reading import parse_fabric_file
 from loomlight.fabric.writing import fabric_toml
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
+
+Tensor: TypeAlias = NDArray[Any]
+"""An array of any type that a `.loom` can hold."""
 
 _FAMILIES = ("warp", "weft")
 _LENGTHS_MM = (1e-6, 1e6)
@@ -43,10 +46,10 @@ class _FabricRecord(BaseModel):
     toml: str
 
 
-def fabric_record(fabric: Fabric) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+def fabric_record(fabric: Fabric) -> tuple[dict[str, Any], dict[str, Tensor]]:
     """The record of a fabric, as JSON, and the tensors beside it."""
     draft = fabric.named_draft
-    tensors: dict[str, NDArray[Any]] = {"drawdown": np.asarray(draft.drawdown, np.bool_)}
+    tensors: dict[str, Tensor] = {"drawdown": np.asarray(draft.drawdown, np.bool_)}
     for family in _FAMILIES:
         threads: Threads = getattr(draft, family)
         for field in _RANGES:
@@ -65,7 +68,7 @@ def _without_folders(fields: FabricFile) -> FabricFile:
     return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
 
 
-def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]], folder: str) -> Fabric:
+def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Fabric:
     """The fabric of a record and its tensors; nothing else is read.
 
     Args:
@@ -91,7 +94,7 @@ def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, NDArray[
     return make_fabric(fields, draft, held.name, folder)
 
 
-def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Threads:
+def _threads(family: str, tensors: Mapping[str, Tensor], count: int) -> Threads:
     values: dict[str, Any] = {
         field: _checked(f"{family}.{field}", tensors[f"{family}.{field}"], count, bounds)
         for field, bounds in _RANGES.items()
@@ -108,7 +111,7 @@ def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Th
     return Threads(**values)
 
 
-def _checked(name: str, values: NDArray[Any], count: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
+def _checked(name: str, values: Tensor, count: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
     shape = (count, 3) if name.endswith("colors") else (count,)
     low, high = bounds
     good = values.dtype == np.float64 and values.shape == shape

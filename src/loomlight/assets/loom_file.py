@@ -22,11 +22,12 @@ from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
+from loomlight.assets.fabric_record import Tensor
 from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
@@ -76,13 +77,13 @@ class LoomFile:
 
     model: str
     source: Source
-    tensors: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    tensors: Mapping[str, Tensor] = field(default_factory=dict)
     settings: Mapping[str, Setting] = field(default_factory=dict)
     networks: Mapping[str, str] = field(default_factory=dict)
     file: str = "the .loom file"
     schema: int = SCHEMA
 
-    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> NDArray[Any]:
+    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> Tensor:
         """The tensor `name`; None in `shape` stands for any extent.
 
         Raises:
@@ -214,7 +215,7 @@ def read_loom(path: str | os.PathLike[str]) -> LoomFile:
     )
 
 
-def _source(record: dict[str, Any], tensors: Mapping[str, NDArray[Any]], folder: str) -> Source:
+def _source(record: dict[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Source:
     content = dict(record)
     kind = content.pop("kind", None)
     if not isinstance(kind, str) or kind not in SOURCE_KINDS:
@@ -228,7 +229,7 @@ def _source(record: dict[str, Any], tensors: Mapping[str, NDArray[Any]], folder:
     return source
 
 
-def checksum(material: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]]) -> str:
+def checksum(material: Mapping[str, object], tensors: Mapping[str, Tensor]) -> str:
     """SHA-256 of the header's material and of all tensors, as hexadecimal text."""
     digest = hashlib.sha256(json.dumps(material, sort_keys=True).encode())
     for name in sorted(tensors):
@@ -244,7 +245,7 @@ def file_sha256(path: str | os.PathLike[str]) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
+def _plain(name: str, values: Tensor) -> Tensor:
     """Contiguous and little-endian, as safetensors writes arrays without asking."""
     if values.dtype.newbyteorder("=") not in {np.dtype(kind) for kind in _KINDS.values()}:
         raise ValueError(f"the tensor {name} is {values.dtype}, which a .loom file cannot hold")
@@ -253,7 +254,7 @@ def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
     return np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
 
 
-def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
+def _opened(path: str) -> tuple[str, dict[str, Tensor]]:
     """The header's text and all tensors."""
     try:
         with safe_open(path, framework="numpy") as file:
@@ -273,7 +274,7 @@ def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
         raise InputError("it is no .loom file, or damaged: `loomlight bake` writes one.") from error
 
 
-def _parsed(header: str, tensors: dict[str, NDArray[Any]]) -> tuple[_Material, dict[str, NDArray[Any]], int]:
+def _parsed(header: str, tensors: dict[str, Tensor]) -> tuple[_Material, dict[str, Tensor], int]:
     """The header and the tensors as of today's schema, and the schema of the file."""
     try:
         content = json.loads(header, parse_constant=_refuse_constant)
@@ -306,8 +307,8 @@ def _parsed(header: str, tensors: dict[str, NDArray[Any]]) -> tuple[_Material, d
 
 
 def _of_first_schema(
-    raw: dict[str, Any], tensors: dict[str, NDArray[Any]]
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    raw: dict[str, Any], tensors: dict[str, Tensor]
+) -> tuple[dict[str, Any], dict[str, Tensor]]:
     """A material of schema 1 as one of today's: its source was a fabric and bore that name."""
     fabric = raw.get("fabric")
     today = {name: value for name, value in raw.items() if name != "fabric"}
@@ -332,5 +333,5 @@ def _place(error: Exception, within: str = "") -> str:
     return f" at {within}{'.'.join(str(part) for part in fault['loc'])}: {fault['msg']}"
 
 
-def _those_named(tensors: Mapping[str, NDArray[Any]], prefix: str) -> dict[str, NDArray[Any]]:
+def _those_named(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:
     return {name[len(prefix) :]: values for name, values in tensors.items() if name.startswith(prefix)}

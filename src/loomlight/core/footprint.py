@@ -13,10 +13,10 @@ is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. What stands for it elsewhere:
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Vec2
 from loomlight.core.backend import array_types, maximum, minimum
 
 # Squares of a row, and up to which ratio of squared length to squared width one square does as well.
@@ -33,8 +33,8 @@ class Box:
         size: width and height [2].
     """
 
-    centre: Any
-    size: Any
+    centre: Vec2
+    size: Vec2
 
 
 @dataclass
@@ -48,23 +48,23 @@ class Footprint:
             points of a footprint look at fewer then.
     """
 
-    centre: Any
-    duv_dx: Any
-    duv_dy: Any
-    samples: Any = 1
+    centre: Vec2
+    duv_dx: Vec2
+    duv_dy: Vec2
+    samples: Float = 1
 
     @property
-    def area(self) -> Any:
+    def area(self) -> Float:
         """Square millimetres, ≥ 0."""
         return dr.abs(self.duv_dx.x * self.duv_dy.y - self.duv_dx.y * self.duv_dy.x)
 
     @property
-    def square_side(self) -> Any:
+    def square_side(self) -> Float:
         """Side of the square of the same area, millimetres."""
         return dr.sqrt(self.area)
 
     @property
-    def spread_side(self) -> Any:
+    def spread_side(self) -> Float:
         """Side of the square whose variances have the same sum, millimetres.
 
         It is that of the same area or larger. For filters that know squares alone: where footprints are long,
@@ -73,7 +73,7 @@ class Footprint:
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
 
-    def row_of_squares(self) -> tuple[Any, Any]:
+    def row_of_squares(self) -> tuple[Float, Vec2]:
         """A row of `SQUARES` squares whose mean stands for a long footprint, as grazing views make them.
 
         Their side, millimetres, and the step [2] from one to the next. The row has the footprint's sum of
@@ -98,7 +98,7 @@ class Footprint:
         return dr.sqrt(square), types.Vector2(step * x, step * y)
 
     @property
-    def gaussian_sigma(self) -> Any:
+    def gaussian_sigma(self) -> Float:
         """Standard deviation of the Gaussian that stands for it, sqrt(area/12), millimetres."""
         return dr.sqrt(self.area * (1 / 12))
 
@@ -114,7 +114,7 @@ class Footprint:
         height = dr.sqrt(dr.square(self.duv_dx.y) + dr.square(self.duv_dy.y))
         return Box(self.centre, types.Vector2(width, height))
 
-    def box_correlation(self) -> Any:
+    def box_correlation(self) -> Float:
         """Correlation r of x and y over the footprint, −1 to 1, which `box` sets to 0.
 
         The box is larger than the footprint by 1/sqrt(1 − r²). At r = 0 the box has the footprint's area and
@@ -129,7 +129,7 @@ class Footprint:
         scale = samples**-0.5
         return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale, self.samples * samples)
 
-    def at(self, s: Any, t: Any) -> Any:
+    def at(self, s: Float, t: Float) -> Vec2:
         """The point centre + s·duv_dx + t·duv_dy [2]; s and t from −1/2 to 1/2 reach all of it."""
         return self.centre + s * self.duv_dx + t * self.duv_dy
 

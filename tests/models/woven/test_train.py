@@ -1,4 +1,7 @@
-"""Training: learns, is the same after kill −9 at any moment, refuses what is not its own."""
+"""Training: learns, is the same after kill −9 at any moment, refuses what is not its own.
+
+Covers: cli/train.py
+"""
 
 import os
 import signal
