@@ -32,6 +32,7 @@ PACKAGES = (
     "onnx",
     "onnxruntime",
     "llvmlite",
+    "numba",
     "zarr",
     "flip-evaluator",
 )
