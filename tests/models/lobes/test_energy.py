@@ -13,7 +13,7 @@ from loomlight.models.separable import Components
 from loomlight.models.woven.box import PAPER_WEAVES, TRAINING_BOX, paper_draft, random_fabric
 from loomlight.scattering.albedo import layer_albedo_bound
 
-from .cloths import Asked, prefiltered_parts
+from .cloths import FootprintQueries, prefiltered_parts
 
 FABRICS = 40
 # Heights of the views; half of them see the back.
@@ -43,7 +43,7 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     turn = 2 * np.pi * (column + rng.random((count, lights))) / COLUMNS
     across = np.sqrt(1 - height**2)
     towards = np.stack([across * np.cos(turn), across * np.sin(turn), height], axis=2)
-    asked = Asked(
+    asked = FootprintQueries(
         towards.reshape(-1, 3), *(np.repeat(part, lights, axis=0) for part in (views, centres, sizes))
     )
     model = LobesModel.for_source(fabric)

@@ -58,10 +58,10 @@ class LobesModel(FilteredFabricModel):
         self._geometry = YarnGeometry(fabric.layout())
         self.point_model = PointModel(self._geometry, fabric.appearance())
         self._uploaded: dict[type, tuple[PrefilteredLobes, RegimeScale]] = {}
-        words = tables.words
-        self.multiply_adds = _MULTIPLY_ADDS * 4 * words
+        packs = tables.packs
+        self.multiply_adds = _MULTIPLY_ADDS * 4 * packs
         # Nine nodes of the pyramid, four of the view, four of the light.
-        self.bytes_fetched = 4 * (9 * (words + 1) + 4 * (2 * words + 1) + 4 * 2 * words)
+        self.bytes_fetched = 4 * (9 * (packs + 1) + 4 * (2 * packs + 1) + 4 * 2 * packs)
 
     @classmethod
     def for_source(cls, source: Source, groups: int = DEFAULT_GROUPS) -> Self:
@@ -85,7 +85,7 @@ class LobesModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"size": self.tables.size},
+            settings={"base_size": self.tables.base_size},
         )
 
     @classmethod
@@ -121,7 +121,7 @@ class LobesModel(FilteredFabricModel):
             roughness = appearance.warp.roughness, appearance.weft.roughness
             self._uploaded[types.Float] = (
                 PrefilteredLobes(self.tables, layout.size, roughness, appearance.optical_depth, types),
-                RegimeScale(layout, self.tables.size, types),
+                RegimeScale(layout, self.tables.base_size, types),
             )
         return self._uploaded[types.Float]
 

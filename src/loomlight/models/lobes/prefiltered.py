@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
-from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
+from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
@@ -88,15 +88,18 @@ class PrefilteredLobes:
         types: ArrayTypes,
     ) -> None:
         self._types = types
-        self._coverage = CoverageTable(tables.size, tables.levels, tables.coverage, repeat, types)
-        words = tables.words
-        self.pairs = dr.opaque(types.UInt32, words // 2)
-        self._words = dr.opaque(types.UInt32, words)
-        self._warp_words = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_words]
-        seen, lit = tables.seen.view("<u4"), tables.lit.view("<u4")
-        self._seen = upload(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
-        self._holes = upload(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
-        self._lit = upload(types.UInt32, _in_pairs(lit[..., :words], lit[..., words:]))
+        self._coverage = CoverageLookup(tables.base_size, tables.levels, tables.coverage, repeat, types)
+        packs = tables.packs
+        self.pairs = dr.opaque(types.UInt32, packs // 2)
+        self._packs = dr.opaque(types.UInt32, packs)
+        self._warp_packs = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_packs]
+        area, visibility, irradiance = (
+            part.view("<u4") for part in (tables.projected_area, tables.light_visibility, tables.irradiance)
+        )
+        # Light from the view's direction comes from the side that is seen.
+        self._seen = upload(types.UInt32, _in_pairs(area[..., :packs], visibility[:, 0]))
+        self._holes = upload(types.UInt32, np.pad(area[..., packs, None], ((0, 0), (0, 0), (0, 1))))
+        self._lit = upload(types.UInt32, _in_pairs(irradiance, visibility))
         self._moments = upload(types.Float, tables.moments)
         self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
@@ -113,7 +116,7 @@ class PrefilteredLobes:
         """Share of the view rays that pass through holes: 0 to 1."""
         holes = self._coverage.holes(at.coverage)
         words = [dr.gather(self._types.Index2, self._holes, node).x for node in at.view_nodes.nodes]
-        seen = at.view_nodes.weights.interpolated(words)[0]
+        seen = at.view_nodes.weights.interpolate(words)[0]
         weight = holes * dr.square(seen) * dr.select(at.back, self._hole_weight[1], self._hole_weight[0])
         return minimum(weight, 1)
 
@@ -135,9 +138,9 @@ class PrefilteredLobes:
         visibility: list[Float],
     ) -> SeenWord:
         types = self._types
-        is_warp = word < dr.select(at.back, self._warp_words[1], self._warp_words[0])
+        is_warp = word < dr.select(at.back, self._warp_packs[1], self._warp_packs[0])
         roughness = dr.select(is_warp, *self._roughness)
-        row = (dr.select(at.back, self._words, 0) + word) * (4 * MOMENTS // _PACKET)
+        row = (dr.select(at.back, self._packs, 0) + word) * (4 * MOMENTS // _PACKET)
         numbers: list[Float] = []
         for part in range(4 * MOMENTS // _PACKET):
             shape = _PACKET, dr.width(row)
@@ -195,7 +198,7 @@ class PrefilteredLobes:
     def _read(self, table: UInt, nodes: NodeTaps, pair: UInt) -> tuple[list[list[Float]], list[list[Float]]]:
         """The bytes of two words in both halves of a table of `_in_pairs`: twice four Floats each."""
         rows = [dr.gather(self._types.Index4, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
-        read = [nodes.weights.interpolated([row[word] for row in rows]) for word in range(4)]
+        read = [nodes.weights.interpolate([row[word] for row in rows]) for word in range(4)]
         return read[:2], read[2:]
 
 
