@@ -33,8 +33,8 @@ from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
 from loomlight.core.provenance import provenance
 from loomlight.fabric import Fabric
-from loomlight.models.woven.materials import MATERIALS, paper_material
-from loomlight.models.woven.queries import answers, material_queries
+from loomlight.models.woven.training.materials import MATERIALS, paper_material
+from loomlight.models.woven.training.queries import answers, material_queries
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

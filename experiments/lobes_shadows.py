@@ -37,8 +37,8 @@ from loomlight.models.lobes.twin import (
     on_seen_face,
     shadow_correlation,
 )
-from loomlight.models.woven.config import DataTable
-from loomlight.models.woven.pool import pool_fabric
+from loomlight.models.woven.training.config import DataTable
+from loomlight.models.woven.training.dataset import pool_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality

@@ -28,9 +28,9 @@ from loomlight.evaluation.table import write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
-from loomlight.models.woven.box import LAYOUT_BOX, PARAMETER_BOX
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.parameter_ranges import LAYOUT_BOX, PARAMETER_BOX
 from loomlight.models.woven.weights import Weights, read_weights
 
 

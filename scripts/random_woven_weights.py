@@ -11,8 +11,8 @@ from pathlib import Path
 import torch
 
 from loomlight.core.provenance import provenance
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.architecture import NetworkTable
+from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import write_weights
 
 

@@ -8,8 +8,8 @@ import pytest
 from loomlight.aggregate.queries import admits_transmission
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft
-from loomlight.models.woven.weaves import HELD_OUT_WEAVES
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
 
 
 @pytest.fixture(scope="module")

@@ -1,8 +1,8 @@
 """The 24 held-out fabrics of the query test: drawn once by a fixed seed, in no training set.
 
 Half are weaves that no training set holds, half the paper's seven weaves with parameters of their own. Every
-second one lets light through, a quarter have threads of several colours. Parameters are drawn from the
-parameter box (`models/woven/box.py`) independently for each family, but for one: the roughness of the
+second one lets light through, a quarter have threads of several colours. Parameters are drawn from the ranges
+of `models/woven/parameter_ranges.py` independently for each family, but for one: the roughness of the
 smoother family is drawn uniformly within its class (under 0.15, to 0.4, above), six to nine fabrics each, and
 the other family's uniformly between that and the box's largest.
 """
@@ -17,7 +17,9 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import YarnTable
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, ParameterBox, paper_draft, random_fabric
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX, ParameterBox
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 
 _SEED = 20240727

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from loomlight.fabric import Fabric
 from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.woven.box import PAPER_WEAVES, TRAINING_BOX, paper_draft, random_fabric
+from loomlight.models.woven.parameter_ranges import TRAINING_BOX
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
 
 from .cloths import Asked, far_parts

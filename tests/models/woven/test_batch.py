@@ -12,13 +12,14 @@ from drjit.llvm.ad import Float
 from loomlight.core.llvm import require_llvm
 from loomlight.core.machine_code import vectors
 from loomlight.fabric import fabric_from_text
+from loomlight.models.woven.architecture import NetworkTable
 from loomlight.models.woven.batch import decode, fabric_numbers
 from loomlight.models.woven.compiled import compiled_decoder
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.encoding import EncodedFabric, encode
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.network import WovenNetwork
 from loomlight.models.woven.pyramid import levels_of, taps
+from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import Weights
 
 from .networks import TABLES, network, unit_vectors, weights_of

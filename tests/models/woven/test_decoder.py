@@ -23,7 +23,7 @@ from loomlight.models.woven.compiled import _compiled, compiled_decoder
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.pool import places_of
+from loomlight.models.woven.places import places_of
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -43,7 +43,7 @@ def test_small_footprints_read_the_finest_level_where_they_lie() -> None:
 @pytest.mark.parametrize("window", [2, 4, 8])
 def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
     """What the encoder pools and what a footprint reads agree about where a mean stands."""
-    from loomlight.models.woven.network import _wider
+    from loomlight.models.woven.training.network import _wider
 
     ends = 16
     thread = np.arange(ends)

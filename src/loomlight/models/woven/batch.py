@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.woven.compiled import FabricNumbers, compiled_decoder
-from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.weights import Weights
 

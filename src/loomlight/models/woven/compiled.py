@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from loomlight.core.dense_code import Packed
 from loomlight.core.machine_code import MachineCode, vectors
-from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.architecture import NetworkTable
 from loomlight.models.woven.decoder_code import Question, decoder_code, packed_layers
-from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.weights import Weights
 

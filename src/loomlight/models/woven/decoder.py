@@ -35,7 +35,7 @@ from loomlight.models.woven.codings import (
 )
 from loomlight.models.woven.compiled import FabricNumbers, compiled_decoder
 from loomlight.models.woven.decoder_code import Question
-from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.latents import PACKET, LatentRows
 from loomlight.models.woven.layers import CooperativeLayers
 from loomlight.models.woven.places import Squares, own_share, place_of

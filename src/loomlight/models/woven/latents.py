@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.machine_code import aligned
-from loomlight.models.woven.encoding import EncodedFabric
+from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.weights import Weights
 
 # Numbers of a texel that are fetched at once: a line of the cache.

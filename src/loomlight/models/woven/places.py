@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import SQUARES
-from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.architecture import NetworkTable
 from loomlight.models.woven.pyramid import size_share
+from loomlight.yarn.layout import ClothLayout
 
 # Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
 # `_LONGEST` threads. They are those of the query test.
@@ -89,3 +90,21 @@ def network_places(
 ) -> NDArray[np.float32]:
     """`place_of` of footprints [n, 3], position x and y and side, in threads."""
     return np.stack(place_of(table, picks, ends, *footprints.T), -1).astype(np.float32)
+
+
+def places_of(
+    layout: ClothLayout, centres: NDArray[np.float64], sizes: NDArray[np.float64]
+) -> NDArray[np.float32]:
+    """Footprints [..., 3] in threads of centres [..., 2] and sides [...] in millimetres."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    return np.stack(
+        [centres[..., 0] * (ends / width), centres[..., 1] * (picks / height), sizes / mean_pitch(layout)], -1
+    ).astype(np.float32)
+
+
+def mean_pitch(layout: ClothLayout) -> float:
+    """Geometric mean of the spacings of both families, millimetres: the unit of footprints."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    return math.sqrt(width / ends * height / picks)

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.models.woven.box import PARAMETER_BOX
-from loomlight.models.woven.materials import MATERIALS, paper_material
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.training.materials import MATERIALS, paper_material
 
 # Ends and picks of one repeat that the paper names (its "5×10" is read as 5 ends by 10 picks).
 REPEATS = {

@@ -21,7 +21,7 @@ from loomlight.aggregate.queries import LOWEST_COSINE, FabricScale, fabric_scale
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.materials import paper_material
+from loomlight.models.woven.training.materials import paper_material
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -17,14 +17,15 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.box import PARAMETER_BOX, TRAINING_BOX, random_fabric
-from loomlight.models.woven.config import DataTable
+from loomlight.models.woven.encoder_inputs import fabric_parameters, face_maps
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.maps import face_maps, mean_pitch
-from loomlight.models.woven.weaves import training_draft
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX, TRAINING_BOX
+from loomlight.models.woven.places import places_of
+from loomlight.models.woven.training.config import DataTable
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import training_draft
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
-from loomlight.yarn.layout import ClothLayout
 
 # Crossings of a repeat that gets all its pairs, and the fewest pairs of a larger one.
 _FULL_REPEAT = 32
@@ -67,31 +68,6 @@ def pool_fabric(table: DataTable, number: int) -> Fabric:
     draft = training_draft(rng, table.weaves)
     varied = table.layouts == "varied" and rng.random() < _VARIED_SHARE
     return random_fabric(rng, draft, box=TRAINING_BOX if varied else PARAMETER_BOX)
-
-
-def fabric_parameters(fabric: Fabric) -> NDArray[np.float32]:
-    """α of warp and weft, β of warp and weft [4]."""
-    layout, appearance = fabric.layout(), fabric.appearance()
-    return np.array(
-        [
-            appearance.warp.roughness,
-            appearance.weft.roughness,
-            layout.warp.height_scale,
-            layout.weft.height_scale,
-        ],
-        np.float32,
-    )
-
-
-def places_of(
-    layout: ClothLayout, centres: NDArray[np.float64], sizes: NDArray[np.float64]
-) -> NDArray[np.float32]:
-    """Footprints [..., 3] in threads of centres [..., 2] and sides [...] in millimetres."""
-    width, height = layout.size
-    picks, ends = layout.warp_on_top.shape
-    return np.stack(
-        [centres[..., 0] * (ends / width), centres[..., 1] * (picks / height), sizes / mean_pitch(layout)], -1
-    ).astype(np.float32)
 
 
 def pool_faces(

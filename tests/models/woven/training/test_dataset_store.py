@@ -15,10 +15,10 @@ import pytest
 from drjit.llvm.ad import Float
 
 from loomlight.core.errors import InputError, LoomlightWarning
-from loomlight.models.woven import store as store_module
-from loomlight.models.woven.materials import paper_material
-from loomlight.models.woven.queries import answers, material_queries
-from loomlight.models.woven.store import BYTES_A_QUERY, QueryStore, StoreSettings, make_store
+from loomlight.models.woven.training import dataset_store as store_module
+from loomlight.models.woven.training.dataset_store import BYTES_A_QUERY, QueryStore, StoreSettings, make_store
+from loomlight.models.woven.training.materials import paper_material
+from loomlight.models.woven.training.queries import answers, material_queries
 
 SETTINGS = StoreSettings(seed=3, queries=4096)
 NUMBERS = (79, 80, 81)
@@ -97,7 +97,8 @@ def test_materials_that_are_finished_are_left_alone(copied, monkeypatch):
 def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_path):
     path = tmp_path / "killed.zarr"
     code = (
-        "import sys; from drjit.llvm.ad import Float; from loomlight.models.woven.store import *;"
+        "import sys; from drjit.llvm.ad import Float;"
+        "from loomlight.models.woven.training.dataset_store import *;"
         f"make_store(sys.argv[1], {NUMBERS}, StoreSettings(3, 4096), Float, 'killed')"
     )
     # The first is killed once a material is there, the second at once when it begins to write one.

@@ -23,8 +23,8 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
 from loomlight.models.woven.batch import columns, fabric_numbers, one_square
 from loomlight.models.woven.compiled import compiled_decoder
-from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.pool import places_of
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.places import places_of
 from loomlight.models.woven.weights import Weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry

@@ -2,8 +2,15 @@
 
 import numpy as np
 
-from loomlight.models.woven.box import LAYOUT_BOX, PAPER_WEAVES, PARAMETER_BOX, paper_draft, random_fabric
-from loomlight.models.woven.weaves import HELD_OUT_WEAVES, _class_of, training_draft
+from loomlight.models.woven.parameter_ranges import LAYOUT_BOX, PARAMETER_BOX
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import (
+    HELD_OUT_WEAVES,
+    PAPER_WEAVES,
+    _class_of,
+    paper_draft,
+    training_draft,
+)
 from loomlight.weave.named import named_weave
 
 

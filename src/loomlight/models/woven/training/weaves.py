@@ -10,9 +10,20 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.woven.box import PAPER_WEAVES, paper_draft
 from loomlight.weave.draft import Draft
 from loomlight.weave.named import named_weave
+
+# The seven weaves of chen2024 5.1 as drafts: ends × picks of one repeat.
+PAPER_WEAVES = {
+    "plain": "plain",
+    "twill 3×3": "twill 2/1",
+    "twill 5×5": "twill 3/2",
+    "twill 8×8": "twill 5/3",
+    "satin 5×5": "satin 5/2",
+    "satin 8×8": "satin 8/3",
+    "satin 5×10": "satin 5×10",
+}
+
 
 # Weaves of the query test (evaluation) that no training may see.
 HELD_OUT_WEAVES = (
@@ -31,6 +42,14 @@ HELD_OUT_WEAVES = (
 )
 # Repeats that are drawn: an encoder's cost grows with their area.
 _LARGEST_RANDOM = 12
+
+
+def paper_draft(name: str) -> Draft:
+    """One of `PAPER_WEAVES` as a draft."""
+    if name != "satin 5×10":
+        return named_weave(PAPER_WEAVES[name])
+    # Two picks a shed: the five-end satin on ten picks.
+    return Draft(np.repeat(named_weave("satin 5/2").drawdown, 2, axis=0))
 
 
 def training_draft(rng: np.random.Generator, weaves: str) -> Draft:

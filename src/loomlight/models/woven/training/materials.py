@@ -18,7 +18,8 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile, YarnTable
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 
 # Cells along one side of (ψ, U) and of (log α, β).
 _PLAIN_SETS = (3, 3)

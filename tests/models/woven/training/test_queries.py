@@ -8,8 +8,8 @@ from loomlight.aggregate.queries import fabric_scale
 from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.models.woven.materials import paper_material
-from loomlight.models.woven.queries import FULL_QUERIES, answers, fabric_queries, material_queries
+from loomlight.models.woven.training.materials import paper_material
+from loomlight.models.woven.training.queries import FULL_QUERIES, answers, fabric_queries, material_queries
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -15,14 +15,14 @@ from safetensors.numpy import load_file
 torch = pytest.importorskip("torch")
 
 from loomlight.core.errors import InputError  # noqa: E402
-from loomlight.models.woven.batches import Batches, _draw  # noqa: E402
-from loomlight.models.woven.config import TrainingConfig, read_config  # noqa: E402
-from loomlight.models.woven.losses import LOSSES, mapped, unmapped  # noqa: E402
-from loomlight.models.woven.pool import read_faces  # noqa: E402
-from loomlight.models.woven.train import rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.training.batches import Batches, _draw  # noqa: E402
+from loomlight.models.woven.training.config import TrainingConfig, read_config  # noqa: E402
+from loomlight.models.woven.training.dataset import read_faces  # noqa: E402
+from loomlight.models.woven.training.losses import LOSSES, mapped, unmapped  # noqa: E402
+from loomlight.models.woven.training.train import rate_share, train_woven  # noqa: E402
 from loomlight.models.woven.weights import read_weights  # noqa: E402
 
-from .networks import network  # noqa: E402
+from ..networks import network  # noqa: E402
 
 TINY = """
 [network]
@@ -159,8 +159,8 @@ def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
 _COMMAND = """
 import sys
 from pathlib import Path
-from loomlight.models.woven.config import read_config
-from loomlight.models.woven.train import train_woven
+from loomlight.models.woven.training.config import read_config
+from loomlight.models.woven.training.train import train_woven
 train_woven(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0)
 """
 

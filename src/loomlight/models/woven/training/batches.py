@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.woven.config import TrainingConfig
-from loomlight.models.woven.losses import LOSSES
-from loomlight.models.woven.network import FieldEncoder, WovenNetwork
 from loomlight.models.woven.places import network_places
-from loomlight.models.woven.pool import Face
 from loomlight.models.woven.pyramid import levels_of, taps
+from loomlight.models.woven.training.config import TrainingConfig
+from loomlight.models.woven.training.dataset import Face
+from loomlight.models.woven.training.losses import LOSSES
+from loomlight.models.woven.training.network import FieldEncoder, WovenNetwork
 from loomlight.training.side_by_side import SideBySide
 
 _Floats = NDArray[np.float32]

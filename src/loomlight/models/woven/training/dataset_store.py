@@ -35,9 +35,9 @@ from zarr.codecs import BloscCodec, Crc32cCodec
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.provenance import provenance
-from loomlight.models.woven.box import PARAMETER_BOX
-from loomlight.models.woven.materials import MATERIALS, paper_material
-from loomlight.models.woven.queries import (
+from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.training.materials import MATERIALS, paper_material
+from loomlight.models.woven.training.queries import (
     FEWEST_QUERIES,
     FULL_QUERIES,
     MaterialQueries,

@@ -40,12 +40,12 @@ from loomlight.models.woven.architecture import (
     SLOPE,
     VECTOR_MAP,
     VIEW_FEATURES,
+    NetworkTable,
 )
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.losses import gain
-from loomlight.models.woven.maps import CHANNELS
+from loomlight.models.woven.encoder_inputs import CHANNELS
 from loomlight.models.woven.places import own_share
 from loomlight.models.woven.pyramid import FINEST, Level, levels_of
+from loomlight.models.woven.training.losses import gain
 
 PARAMETERS = 4
 ANGLES = 5
@@ -173,12 +173,7 @@ class FieldEncoder(nn.Module):
             maps: [7, 16·picks, 16·ends].
             parameters: [4].
         """
-        stages = self.trunk(maps[None])
-        found = [self.sideways[-1](stages[-1])]
-        for number in range(FINEST - 1, -1, -1):
-            coarser = functional.interpolate(found[0], scale_factor=2, mode="nearest")
-            joined = functional.relu(self.sideways[number](stages[number]) + coarser)
-            found.insert(0, self.smooth[number - 1](joined) if number else joined)
+        found = self.pyramid(maps[None])
         picks, ends = found[-1].shape[-2:]
         levels = levels_of(picks, ends)
         while len(found) < len(levels) - 1:
@@ -190,6 +185,16 @@ class FieldEncoder(nn.Module):
             rows.append(functional.pad(flat, (0, 1), value=number / 8))
         texels = torch.cat(rows)
         return self.join(texels, parameters.expand(len(texels), -1)), levels
+
+    def pyramid(self, maps: Tensor) -> list[Tensor]:
+        """Features of 8, 4, 2 and 1 texels a thread [1, latent_size, rows, columns] of maps [1, 7, …]."""
+        stages = self.trunk(maps)
+        found = [self.sideways[-1](stages[-1])]
+        for number in range(FINEST - 1, -1, -1):
+            coarser = functional.interpolate(found[0], scale_factor=2, mode="nearest")
+            joined = functional.relu(self.sideways[number](stages[number]) + coarser)
+            found.insert(0, self.smooth[number - 1](joined) if number else joined)
+        return found
 
 
 def _wider(means: Tensor, window: int) -> Tensor:

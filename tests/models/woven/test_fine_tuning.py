@@ -14,9 +14,11 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.batch import decode
-from loomlight.models.woven.encoding import EncodedFabric, clear_encodings, encode, encode_pair
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.encoding import encode, encode_pair
+from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.pool import places_of
+from loomlight.models.woven.places import places_of
 from loomlight.models.woven.weights import shipped_weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -32,7 +34,7 @@ SATIN = (
 @pytest.fixture
 def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
     """Names of the fabrics that were fitted, with empty caches."""
-    return counted_runs(monkeypatch, tmp_path / "cache", "_refined")
+    return counted_runs(monkeypatch, tmp_path / "cache", "_fine_tuned")
 
 
 def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:

@@ -13,11 +13,12 @@ import torch
 
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
-from loomlight.models.woven.batches import Batches
-from loomlight.models.woven.config import TrainingConfig, TrainingTable
-from loomlight.models.woven.losses import is_published
-from loomlight.models.woven.network import Decoder, WovenNetwork
-from loomlight.models.woven.pool import Face, pool_faces, read_faces, write_faces
+from loomlight.models.woven.training.batches import Batches
+from loomlight.models.woven.training.config import TrainingConfig, TrainingTable
+from loomlight.models.woven.training.dataset import Face, pool_faces, read_faces, write_faces
+from loomlight.models.woven.training.export import export_encoder
+from loomlight.models.woven.training.losses import is_published
+from loomlight.models.woven.training.network import Decoder, WovenNetwork
 from loomlight.models.woven.weights import write_weights
 from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.soap import Soap
@@ -37,7 +38,7 @@ def train_woven(
     device: str = "cpu",
     keep_every: float = 60.0,
 ) -> Path:
-    """Trains a network and writes `woven.safetensors`, which it names.
+    """Trains a network and writes `woven.safetensors`, which it returns, and its encoder `woven.onnx`.
 
     Args:
         folder: holds the pool (`pool/`) and the checkpoint; made if need be, and used again to go on.
@@ -96,6 +97,7 @@ def train_woven(
         recipe=config.model_dump(),
         provenance={**provenance("loomlight train woven", Path(__file__).parent), "steps": steps},
     )
+    export_encoder(weights)
     return weights
 
 

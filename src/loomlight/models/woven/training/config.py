@@ -7,58 +7,17 @@ import tomllib
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
-from loomlight.models.woven.architecture import BUNDLES
+from loomlight.models.woven.architecture import ConfigTable, Count, NetworkTable
 
-Count = Annotated[int, Field(ge=1)]
 Positive = Annotated[float, Field(gt=0)]
 Share = Annotated[float, Field(ge=0, le=1)]
 
 
-class _Table(BaseModel):
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
-
-
-class NetworkTable(_Table):
-    """[network]: its shape.
-
-    Attributes:
-        latent: "vector" is one vector a fabric, as published; "field" is one vector a place and a size.
-        width: channels of the encoder's first stage; ResNet-18 has 64.
-        latent_size: channels of the latent.
-        position: "one_blob", as published, or "plain" numbers (the ablation).
-        fusion: whether latent and footprint are fused before directions join, as published; without it the
-            directions join at once and the angular decoder has two layers more (the ablation).
-        fibres: whether directions are given along the fibres too; the published decoder has to find these.
-        bundles: whether specular components are mixed of the densities of bundles of fibres, whose shares the
-            decoder puts out; the published decoder puts out the components themselves.
-        hidden: width of the decoder's layers.
-    """
-
-    latent: Literal["vector", "field"] = "field"
-    width: Count = 32
-    latent_size: Count = 64
-    position: Literal["one_blob", "plain"] = "one_blob"
-    fusion: bool = True
-    fibres: bool = True
-    bundles: bool = False
-    hidden: Count = 64
-
-    @property
-    def outputs(self) -> int:
-        """Numbers that the angular layers put out: components, or diffuse ones and one for each bundle."""
-        return 2 + 2 * BUNDLES if self.bundles else 4
-
-    @property
-    def corrected_shape(self) -> tuple[int, int]:
-        """Of what is added to the last layer of a network that mixes bundles; see `EncodedFabric`."""
-        return 2 * BUNDLES, self.hidden + 1
-
-
-class DataTable(_Table):
+class DataTable(ConfigTable):
     """[data]: the pool of fabrics that queries are drawn from.
 
     Attributes:
@@ -82,7 +41,7 @@ class DataTable(_Table):
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
 
 
-class TrainingTable(_Table):
+class TrainingTable(ConfigTable):
     """[training]: the recipe.
 
     Attributes:
@@ -104,7 +63,7 @@ class TrainingTable(_Table):
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
             warms up over the first hundredth and falls to 0.
         regularisation: weight of the sum of squares of all weights (decoupled with Adam).
-        loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.woven.losses`.
+        loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.woven.training.losses`.
         small_footprints: share of the queries of footprints far below a thread that are learnt from; all from
             two threads on. Their sharp edges are beyond a small network, so most of what they say is noise.
         seed: of initial weights and batches.
@@ -129,7 +88,7 @@ class TrainingTable(_Table):
     seed: Annotated[int, Field(ge=0, le=2**31)] = 0
 
 
-class TrainingConfig(_Table):
+class TrainingConfig(ConfigTable):
     """A whole configuration."""
 
     network: NetworkTable = NetworkTable()
