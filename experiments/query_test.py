@@ -30,7 +30,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.registry import make_model
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.parameter_ranges import LAYOUT_BOX, PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.woven.weights import Weights, read_weights
 
 
@@ -62,7 +62,7 @@ def main() -> None:
     names = [name for name in arguments.models.split(",") if name]
     result = run_query_test(
         predictors(names, arguments.weights),
-        held_out_fabrics(arguments.fabrics, LAYOUT_BOX if arguments.varied_layouts else PARAMETER_BOX),
+        held_out_fabrics(arguments.fabrics, LAYOUT_RANGES if arguments.varied_layouts else PARAMETER_RANGES),
         pairs=arguments.pairs,
         footprints=arguments.footprints,
         seed=arguments.seed,

@@ -11,7 +11,7 @@ from importlib.resources import files
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.weaves import PAPER_WEAVES
 
 # The one pattern of the paper that is no named weave.
@@ -82,6 +82,6 @@ def fabric_of(name: str, weave: str, look: Look) -> Fabric:
     ]
     text = (
         f'name = "{name}"\n{source}\n'
-        f"diffuse_blend = {PARAMETER_BOX.diffuse_blend}\noptical_depth = {PARAMETER_BOX.optical_depth}\n"
+        f"diffuse_blend = {PARAMETER_RANGES.diffuse_blend}\noptical_depth = {PARAMETER_RANGES.optical_depth}\n"
     )
     return fabric_from_text(text + "".join(tables), str(files("loomlight.evaluation.reproduce")))

@@ -31,7 +31,7 @@ BUNDLE_SLOPES, BUNDLE_PLACES = 8, 3
 BUNDLES = BUNDLE_SLOPES * BUNDLE_PLACES + 1
 # What the network puts out for a bundle is of the order of 1 where its share of the light, 1/sr, is this.
 BUNDLE_UNIT = 0.02
-# Half the span of ln α over the parameter box.
+# Half the span of ln α over the ranges of parameters.
 LOG_ROUGHNESS = 1.15
 # Side of the maps of a repeat for "vector", and maps a thread for "field".
 VECTOR_MAP = 128

@@ -1,11 +1,11 @@
-"""The parameter box: which fabrics the universal network is trained for and judged on.
+"""Ranges of parameters: which fabrics the universal network is trained for and judged on.
 
 chen2024's Table 2, which gives the distributions, is missing from its text. The ranges here cover the usual
 suggestions (plain 22°/16°, twill 24° with a twist of 30°, satin 60°/35°) and α and β of at least 0.2 to 0.8.
 Gap, blend of the diffuse term and optical depth are the paper's, one value each, and both families are set
 alike. Cloth is not: denim has hardly a gap between its ends and wide ones between its picks, organza is half
-holes, a satin has two ends a pick. `LAYOUT_BOX` is the same box with such layouts in it. `TRAINING_BOX` is
-wider, as what lies in a corner of what was seen is learnt worst: silk, smooth and dense, shows it.
+holes, a satin has two ends a pick. `LAYOUT_RANGES` are the same with such layouts. `TRAINING_RANGES` are
+wider, as a network errs most at the ends of its ranges: silk, smooth and dense, shows it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _ROUNDING = 1e-3
 
 
 @dataclass(frozen=True)
-class ParameterBox:
+class ParameterRanges:
     """Ranges of the parameters of each yarn family, drawn independently: uniformly, α in its logarithm.
 
     Attributes:
@@ -53,10 +53,10 @@ class ParameterBox:
     optical_depth: float = 2.0
 
 
-PARAMETER_BOX = ParameterBox()
-LAYOUT_BOX = replace(PARAMETER_BOX, gap=(0.0, 0.7), sett_ratio=(0.4, 2.5))
-TRAINING_BOX = replace(
-    LAYOUT_BOX,
+PARAMETER_RANGES = ParameterRanges()
+LAYOUT_RANGES = replace(PARAMETER_RANGES, gap=(0.0, 0.7), sett_ratio=(0.4, 2.5))
+TRAINING_RANGES = replace(
+    LAYOUT_RANGES,
     inclination_deg=(5.0, 40.0),
     satin_inclination_deg=(5.0, 60.0),
     roughness=(0.07, 1.0),
@@ -64,36 +64,36 @@ TRAINING_BOX = replace(
 )
 
 
-def trained_ranges(weights: Weights) -> ParameterBox:
+def trained_ranges(weights: Weights) -> ParameterRanges:
     """What the network was trained for."""
     varied = weights.recipe.get("data", {}).get("layouts") == "varied"
-    return TRAINING_BOX if varied else PARAMETER_BOX
+    return TRAINING_RANGES if varied else PARAMETER_RANGES
 
 
-def warn_outside_ranges(fabric: Fabric, box: ParameterBox) -> None:
+def warn_outside_ranges(fabric: Fabric, ranges: ParameterRanges) -> None:
     """Warns, naming the fields, of a fabric that lies outside what the network was trained for."""
     layout, appearance = fabric.layout(), fabric.appearance()
     satin = structure_of(fabric.draft.drawdown) is Structure.SATIN
     fields: list[tuple[str, float, tuple[float, float]]] = [
-        ("diffuse_blend", appearance.diffuse_blend, (box.diffuse_blend,) * 2),
-        ("optical_depth", appearance.optical_depth, (box.optical_depth,) * 2),
+        ("diffuse_blend", appearance.diffuse_blend, (ranges.diffuse_blend,) * 2),
+        ("optical_depth", appearance.optical_depth, (ranges.optical_depth,) * 2),
     ]
     for family in ("warp", "weft"):
         yarn, lobes = getattr(layout, family), getattr(appearance, family)
         gaps = 1 - yarn.width / yarn.spacing
         fields += [
-            (f"{family}.roughness", lobes.roughness, box.roughness),
-            (f"{family}.height_scale", yarn.height_scale, box.height_scale),
+            (f"{family}.roughness", lobes.roughness, ranges.roughness),
+            (f"{family}.height_scale", yarn.height_scale, ranges.height_scale),
             (
                 f"{family}.inclination_deg",
                 math.degrees(yarn.inclination),
-                box.satin_inclination_deg if satin else box.inclination_deg,
+                ranges.satin_inclination_deg if satin else ranges.inclination_deg,
             ),
-            (f"{family}.twist_deg", math.degrees(yarn.twist), box.twist_deg),
-            (f"{family}.gap", _farthest(gaps, box.gap), box.gap),
+            (f"{family}.twist_deg", math.degrees(yarn.twist), ranges.twist_deg),
+            (f"{family}.gap", _farthest(gaps, ranges.gap), ranges.gap),
         ]
     ratio = float(np.mean(layout.weft.spacing) / np.mean(layout.warp.spacing))
-    fields.append(("ends per pick", ratio, box.sett_ratio))
+    fields.append(("ends per pick", ratio, ranges.sett_ratio))
     outside = [
         f"{name} = {value:.4g} ({low:g}{f' to {high:g}' if high > low else ''})"
         for name, value, (low, high) in fields

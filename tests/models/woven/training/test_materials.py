@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
 
 # Ends and picks of one repeat that the paper names (its "5×10" is read as 5 ends by 10 picks).
@@ -56,18 +56,18 @@ def test_a_fifth_of_the_spacing_is_open():
     np.testing.assert_allclose(layout.weft.width / layout.weft.spacing, 0.8)
 
 
-def test_parameters_fill_the_box():
-    box = PARAMETER_BOX
+def test_parameters_fill_the_ranges():
+    ranges = PARAMETER_RANGES
     satin = np.asarray([material.weave.startswith("satin") for material in MATERIALS])
-    ranges = [box.twist_deg, None, box.roughness, box.height_scale]
-    for column, bounds in enumerate(ranges):
+    columns = [ranges.twist_deg, None, ranges.roughness, ranges.height_scale]
+    for column, bounds in enumerate(columns):
         if bounds is not None:
             values = ALL[..., column]
             assert values.min() >= bounds[0]
             assert values.max() <= bounds[1]
-    assert ALL[~satin][..., 1].max() <= box.inclination_deg[1]
-    assert ALL[..., 1].min() >= box.inclination_deg[0]
-    assert box.inclination_deg[1] < ALL[satin][..., 1].max() <= box.satin_inclination_deg[1]
+    assert ALL[~satin][..., 1].max() <= ranges.inclination_deg[1]
+    assert ALL[..., 1].min() >= ranges.inclination_deg[0]
+    assert ranges.inclination_deg[1] < ALL[satin][..., 1].max() <= ranges.satin_inclination_deg[1]
     # The paper's range of α and β spans at least 0.2 to 0.8.
     assert (ALL[..., 2:].min(axis=(0, 1)) < 0.25).all()
     assert (ALL[..., 2:].max(axis=(0, 1)) > 0.8).all()
@@ -75,12 +75,12 @@ def test_parameters_fill_the_box():
 
 def test_each_set_covers_its_cells():
     """The 9 or 16 sets of one shape have a warp in every cell of (log α, β), and a weft."""
-    box = PARAMETER_BOX
-    low, high = np.log(box.roughness)
+    ranges = PARAMETER_RANGES
+    low, high = np.log(ranges.roughness)
     for first, side in ((0, 3), (81, 4)):
         part = ALL[first : first + side * side]
         roughness = (np.log(part[..., 2]) - low) / (high - low)
-        height = (part[..., 3] - box.height_scale[0]) / (box.height_scale[1] - box.height_scale[0])
+        height = (part[..., 3] - ranges.height_scale[0]) / (ranges.height_scale[1] - ranges.height_scale[0])
         cells = np.floor(roughness * side) * side + np.floor(height * side)
         for family in (0, 1):
             assert len(set(cells[:, family])) == side * side

@@ -1,8 +1,8 @@
-"""What is drawn for training: inside the box, never a held-out weave."""
+"""What is drawn for training: inside the ranges, never a held-out weave."""
 
 import numpy as np
 
-from loomlight.models.woven.parameter_ranges import LAYOUT_BOX, PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.woven.training.random_fabrics import random_fabric
 from loomlight.models.woven.training.weaves import (
     HELD_OUT_WEAVES,
@@ -44,12 +44,15 @@ def test_held_out_weaves_are_never_drawn() -> None:
     assert len({drawdown.tobytes() for drawdown in drawn}) > 50
 
 
-def test_random_fabrics_fill_the_box() -> None:
+def test_random_fabrics_fill_the_ranges() -> None:
     rng = np.random.default_rng(1)
     fabrics = [random_fabric(rng, paper_draft("satin 5×5")) for _ in range(300)]
     roughness = np.array([fabric.appearance().warp.roughness for fabric in fabrics])
     scale = np.array([fabric.layout().weft.height_scale for fabric in fabrics])
-    for values, (low, high) in ((roughness, PARAMETER_BOX.roughness), (scale, PARAMETER_BOX.height_scale)):
+    for values, (low, high) in (
+        (roughness, PARAMETER_RANGES.roughness),
+        (scale, PARAMETER_RANGES.height_scale),
+    ):
         assert values.min() >= low
         assert values.max() <= high
         # Of 300 uniform numbers the extremes lie within 3 % of the ends but in e^-9 of cases.
@@ -60,8 +63,8 @@ def test_random_fabrics_fill_the_box() -> None:
 def test_layouts_vary_and_leave_the_yarns_as_they_are() -> None:
     draft = paper_draft("plain")
     kept, varied = (
-        [random_fabric(np.random.default_rng(k), draft, box=box) for k in range(200)]
-        for box in (PARAMETER_BOX, LAYOUT_BOX)
+        [random_fabric(np.random.default_rng(k), draft, ranges=ranges) for k in range(200)]
+        for ranges in (PARAMETER_RANGES, LAYOUT_RANGES)
     )
     for one, other in zip(kept, varied, strict=True):
         assert one.appearance().warp.roughness == other.appearance().warp.roughness

@@ -19,7 +19,7 @@ from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.encoder_inputs import fabric_parameters, face_maps
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX, TRAINING_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, TRAINING_RANGES
 from loomlight.models.woven.places import places_of
 from loomlight.models.woven.training.config import DataTable
 from loomlight.models.woven.training.random_fabrics import random_fabric
@@ -67,7 +67,7 @@ def pool_fabric(table: DataTable, number: int) -> Fabric:
     rng = np.random.default_rng([table.seed, number])
     draft = training_draft(rng, table.weaves)
     varied = table.layouts == "varied" and rng.random() < _VARIED_SHARE
-    return random_fabric(rng, draft, box=TRAINING_BOX if varied else PARAMETER_BOX)
+    return random_fabric(rng, draft, ranges=TRAINING_RANGES if varied else PARAMETER_RANGES)
 
 
 def pool_faces(

@@ -35,7 +35,7 @@ from zarr.codecs import BloscCodec, Crc32cCodec
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.provenance import provenance
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
 from loomlight.models.woven.training.queries import (
     FEWEST_QUERIES,
@@ -76,7 +76,9 @@ class StoreSettings:
             "channels": list(CHANNELS),
             "units": {"components": "1/sr", "centres": "mm", "sizes": "mm"},
             # As JSON gives them back: lists for tuples.
-            "ranges": {k: list(v) if isinstance(v, tuple) else v for k, v in asdict(PARAMETER_BOX).items()},
+            "ranges": {
+                k: list(v) if isinstance(v, tuple) else v for k, v in asdict(PARAMETER_RANGES).items()
+            },
         }
 
 

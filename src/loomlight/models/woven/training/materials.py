@@ -2,7 +2,7 @@
 
 The paper samples 9 sets of twist ψ and inclination U for plain weave and 4 for the six others, and 9 or 16
 sets of roughness α and height scale β for each: 81 + 192 + 192 materials. Its Table 2 of distributions is
-missing; the ranges are those of `PARAMETER_BOX`. Sets are stratified: k×k cells of (ψ, U) and of (log α, β),
+missing; the ranges are those of `PARAMETER_RANGES`. Sets are stratified: k×k cells of (ψ, U) and of (log α, β),
 a draw in each, where the weft takes the cells in another order than the warp. Any material can be made on
 its own.
 """
@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile, YarnTable
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 
 # Cells along one side of (ψ, U) and of (log α, β).
@@ -71,15 +71,15 @@ def paper_material(number: int, seed: int = 0) -> Fabric:
     place = list(PAPER_WEAVES).index(material.weave)
     shapes, appearances = _sets(material.weave)
     satin = structure_of(draft.drawdown) is Structure.SATIN
-    box = PARAMETER_BOX
+    ranges = PARAMETER_RANGES
     shape = _stratified(
         np.random.default_rng([seed, place]),
         shapes,
-        (box.twist_deg, box.satin_inclination_deg if satin else box.inclination_deg),
+        (ranges.twist_deg, ranges.satin_inclination_deg if satin else ranges.inclination_deg),
     )[:, material.shape]
-    low, high = np.log(box.roughness)
+    low, high = np.log(ranges.roughness)
     appearance = _stratified(
-        np.random.default_rng([seed, place, material.shape]), appearances, ((low, high), box.height_scale)
+        np.random.default_rng([seed, place, material.shape]), appearances, ((low, high), ranges.height_scale)
     )[:, material.appearance]
     tables = [
         YarnTable(
@@ -91,9 +91,9 @@ def paper_material(number: int, seed: int = 0) -> Fabric:
         for (twist, inclination), (roughness, height_scale) in zip(shape, appearance, strict=True)
     ]
     fields = FabricFile(
-        gap=box.gap[0],
-        diffuse_blend=box.diffuse_blend,
-        optical_depth=box.optical_depth,
+        gap=ranges.gap[0],
+        diffuse_blend=ranges.diffuse_blend,
+        optical_depth=ranges.optical_depth,
         warp=tables[0],
         weft=tables[1],
     )

@@ -9,7 +9,7 @@ import numpy as np
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile, YarnTable
-from loomlight.models.woven.parameter_ranges import PARAMETER_BOX, ParameterBox
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, ParameterRanges
 from loomlight.weave.draft import Draft
 from loomlight.weave.textile import DEFAULT_SETT_PER_CM
 
@@ -18,28 +18,28 @@ def random_fabric(
     rng: np.random.Generator,
     draft: Draft,
     translucency: float | None = None,
-    box: ParameterBox = PARAMETER_BOX,
+    ranges: ParameterRanges = PARAMETER_RANGES,
 ) -> Fabric:
-    """A fabric of a draft with parameters drawn from a box.
+    """A fabric of a draft with parameters drawn from ranges.
 
     Args:
         translucency: of both families, 0 to 1; None is the default of fabric files.
     """
     satin = structure_of(draft.drawdown) is Structure.SATIN
-    low, high = box.satin_inclination_deg if satin else box.inclination_deg
+    low, high = ranges.satin_inclination_deg if satin else ranges.inclination_deg
     tables = [
         YarnTable(
             inclination_deg=float(rng.uniform(low, high)),
-            twist_deg=float(rng.uniform(*box.twist_deg)),
-            roughness=float(np.exp(rng.uniform(*np.log(box.roughness)))),
-            height_scale=float(rng.uniform(*box.height_scale)),
+            twist_deg=float(rng.uniform(*ranges.twist_deg)),
+            roughness=float(np.exp(rng.uniform(*np.log(ranges.roughness)))),
+            height_scale=float(rng.uniform(*ranges.height_scale)),
             translucency=translucency,
         )
         for _ in range(2)
     ]
     # Drawn last and only where there is a choice: the same yarns whatever the layouts.
-    gaps = [_squared(rng, *box.gap) for _ in tables]
-    ratio = math.exp(_uniform(rng, *np.log(box.sett_ratio)))
+    gaps = [_squared(rng, *ranges.gap) for _ in tables]
+    ratio = math.exp(_uniform(rng, *np.log(ranges.sett_ratio)))
     fields = FabricFile(
         ends_per_cm=DEFAULT_SETT_PER_CM * math.sqrt(ratio),
         picks_per_cm=DEFAULT_SETT_PER_CM / math.sqrt(ratio),
