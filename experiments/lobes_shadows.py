@@ -38,7 +38,7 @@ from loomlight.models.lobes.twin import (
     shadow_correlation,
 )
 from loomlight.models.woven.training.config import DataTable
-from loomlight.models.woven.training.dataset import pool_fabric
+from loomlight.models.woven.training.dataset import dataset_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality
@@ -178,7 +178,7 @@ def main() -> None:
     table = DataTable(seed=SEED)
     found: dict[str, list[Pairs]] = {side: [] for side in SIDES}
     for number in range(arguments.fabrics):
-        fabric = pool_fabric(table, number)
+        fabric = dataset_fabric(table, number)
         for through, side in enumerate(SIDES):
             found[side].append(measured(fabric, bool(through), number))
     command = f"python experiments/lobes_shadows.py --fabrics {arguments.fabrics}"

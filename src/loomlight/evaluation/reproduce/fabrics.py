@@ -82,6 +82,7 @@ def fabric_of(name: str, weave: str, look: Look) -> Fabric:
     ]
     text = (
         f'name = "{name}"\n{source}\n'
-        f"diffuse_blend = {PARAMETER_RANGES.diffuse_blend}\noptical_depth = {PARAMETER_RANGES.optical_depth}\n"
+        f"diffuse_blend = {PARAMETER_RANGES.diffuse_blend}\n"
+        f"optical_depth = {PARAMETER_RANGES.optical_depth}\n"
     )
     return fabric_from_text(text + "".join(tables), str(files("loomlight.evaluation.reproduce")))

@@ -27,7 +27,7 @@ def decode(
 
     Args:
         lights, views: unit vectors [n, 3]; z < 0 is behind the cloth.
-        footprints: position x and y and side [n, 3], in threads; see `pool.places_of`.
+        footprints: position x and y and side [n, 3], in threads; see `places.places_of`.
     """
     light, view, footprint = (columns(rows) for rows in (lights, views, footprints))
     back = view[2] < 0

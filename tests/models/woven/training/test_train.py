@@ -49,9 +49,9 @@ optimiser = "{optimiser}"
 
 
 @pytest.fixture(scope="module")
-def pool(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with the pool that all trainings here share."""
-    folder = tmp_path_factory.mktemp("pool")
+def dataset(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the dataset that all trainings here share."""
+    folder = tmp_path_factory.mktemp("dataset")
     train_woven(_config(folder, 1), folder)
     return folder
 
@@ -68,36 +68,36 @@ def _config(
     return read_config(path)
 
 
-def _with_pool(pool: Path, folder: Path) -> Path:
+def _with_dataset(dataset: Path, folder: Path) -> Path:
     folder.mkdir()
-    for made in pool.glob("pool-*"):
+    for made in dataset.glob("pool-*"):
         (folder / made.name).symlink_to(made)
     return folder
 
 
 @pytest.mark.parametrize("optimiser", ["adam", "soap"])
-def test_training_learns(pool: Path, tmp_path: Path, optimiser: str) -> None:
+def test_training_learns(dataset: Path, tmp_path: Path, optimiser: str) -> None:
     losses: list[float] = []
     train_woven(
         _config(tmp_path, 60, optimiser=optimiser),
-        _with_pool(pool, tmp_path / "run"),
+        _with_dataset(dataset, tmp_path / "run"),
         report=lambda done, total, loss: losses.append(loss),
     )
     assert losses[-1] < 0.9 * losses[0]
 
 
-def test_the_decoder_alone_is_trained_last(pool: Path, tmp_path: Path) -> None:
+def test_the_decoder_alone_is_trained_last(dataset: Path, tmp_path: Path) -> None:
     short, longer = (
-        load_file(train_woven(_config(tmp_path, 5, more), _with_pool(pool, tmp_path / f"run {more}")))
+        load_file(train_woven(_config(tmp_path, 5, more), _with_dataset(dataset, tmp_path / f"run {more}")))
         for more in (0, 5)
     )
     for name, values in short.items():
         assert np.array_equal(values, longer[name]) == (not name.startswith("decoder")), name
 
 
-def test_a_decoder_made_anew_is_written_as_such(pool: Path, tmp_path: Path) -> None:
+def test_a_decoder_made_anew_is_written_as_such(dataset: Path, tmp_path: Path) -> None:
     config = _config(tmp_path, 2, 3, decoder_hidden=24)
-    weights = read_weights(train_woven(config, _with_pool(pool, tmp_path / "run")))
+    weights = read_weights(train_woven(config, _with_dataset(dataset, tmp_path / "run")))
     assert (weights.table.hidden, weights.table.bundles) == (24, True)
     assert not weights.recipe["network"]["bundles"]
     assert weights.tensor("decoder.angular.1.weight").shape == (24, 24)
@@ -115,11 +115,13 @@ def test_half_precision_is_for_processors_that_compute_with_it(
 
 
 @pytest.mark.parametrize("optimiser", ["adam", "soap"])
-def test_interrupted_training_ends_with_the_same_weights(pool: Path, tmp_path: Path, optimiser: str) -> None:
+def test_interrupted_training_ends_with_the_same_weights(
+    dataset: Path, tmp_path: Path, optimiser: str
+) -> None:
     """Stopped by an exception after any step, and gone on with: bit for bit the same."""
     config = _config(tmp_path, 12, decoder_steps=6, optimiser=optimiser, decoder_hidden=24)
-    whole = load_file(train_woven(config, _with_pool(pool, tmp_path / "whole")))
-    folder = _with_pool(pool, tmp_path / "stopped")
+    whole = load_file(train_woven(config, _with_dataset(dataset, tmp_path / "whole")))
+    folder = _with_dataset(dataset, tmp_path / "stopped")
     for stop in (3, 7, 14):
         with pytest.raises(KeyboardInterrupt):
             train_woven(config, folder, report=_stop_at(stop), keep_every=0)
@@ -138,12 +140,12 @@ def _stop_at(step: int):
     return report
 
 
-def test_killed_training_goes_on(pool: Path, tmp_path: Path) -> None:
+def test_killed_training_goes_on(dataset: Path, tmp_path: Path) -> None:
     """kill −9 twice at moments that differ from run to run, by the command line; ten times: experiments/."""
     config = tmp_path / "tiny.toml"
     config.write_text(TINY.format(steps=60, decoder_steps=60, decoder_hidden=24, optimiser="soap"))
-    whole = load_file(train_woven(read_config(config), _with_pool(pool, tmp_path / "whole")))
-    folder = _with_pool(pool, tmp_path / "killed")
+    whole = load_file(train_woven(read_config(config), _with_dataset(dataset, tmp_path / "whole")))
+    folder = _with_dataset(dataset, tmp_path / "killed")
     command = [sys.executable, "-c", _COMMAND, str(config), str(folder)]
     for seconds in (0.3, 0.6):
         process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
@@ -173,8 +175,8 @@ def _wait_for(path: Path) -> None:
     raise AssertionError(f"{path} was not written in a minute")
 
 
-def test_checkpoint_of_another_configuration_is_refused(pool: Path, tmp_path: Path) -> None:
-    folder = _with_pool(pool, tmp_path / "run")
+def test_checkpoint_of_another_configuration_is_refused(dataset: Path, tmp_path: Path) -> None:
+    folder = _with_dataset(dataset, tmp_path / "run")
     train_woven(_config(tmp_path, 1), folder)
     with pytest.raises(InputError, match="another configuration"):
         train_woven(_config(tmp_path, 2), folder)
@@ -243,8 +245,8 @@ def test_faint_highlights_count_by_shares() -> None:
         assert (output.grad[:, 2:] < 0).all()
 
 
-def test_small_footprints_are_drawn_less_often(pool: Path) -> None:
-    face = read_faces(next(pool.glob("pool-*/*.safetensors")))[0]
+def test_small_footprints_are_drawn_less_often(dataset: Path) -> None:
+    face = read_faces(next(dataset.glob("pool-*/*.safetensors")))[0]
     count, small = 40000, 0.25
     places, lights, views, truth = _draw(face, np.random.default_rng(3), count, small)
     assert len(places) == len(lights) == len(views) == len(truth) == count

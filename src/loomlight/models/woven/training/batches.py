@@ -24,7 +24,7 @@ from loomlight.training.side_by_side import SideBySide
 _Floats = NDArray[np.float32]
 _LARGE = 2.0  # threads; footprints from here on are all learnt from
 _DECODER_FACES = 4  # times as many faces in a step of the decoder alone, of that part of the queries each
-# They keep the random numbers of batches apart from those of the pool.
+# They keep the random numbers of batches apart from those of the dataset.
 _STREAM, _DECODER_STREAM = 7, 11
 # Parts of a batch on CPUs: a number that no machine changes, as the weights depend on it.
 _PARTS = 2

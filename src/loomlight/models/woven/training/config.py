@@ -18,7 +18,7 @@ Share = Annotated[float, Field(ge=0, le=1)]
 
 
 class DataTable(ConfigTable):
-    """[data]: the pool of fabrics that queries are drawn from.
+    """[data]: the fabrics that queries are drawn from.
 
     Attributes:
         fabrics: how many; each face is a material of its own.

@@ -1,6 +1,6 @@
-"""The pool of a training: fabrics with queries and their truth, made as they are needed and kept on disk.
+"""The dataset of a training: fabrics with queries and their truth, made as they are needed and kept on disk.
 
-A fabric depends on the seed and its number alone, so a training that was stopped makes the same pool.
+A fabric depends on the seed and its number alone, so a training that was stopped makes the same dataset.
 """
 
 from __future__ import annotations
@@ -62,15 +62,15 @@ class Face:
     truth: NDArray[np.float16]
 
 
-def pool_fabric(table: DataTable, number: int) -> Fabric:
-    """Fabric `number` of the pool."""
+def dataset_fabric(table: DataTable, number: int) -> Fabric:
+    """Fabric `number` of the dataset."""
     rng = np.random.default_rng([table.seed, number])
     draft = training_draft(rng, table.weaves)
     varied = table.layouts == "varied" and rng.random() < _VARIED_SHARE
     return random_fabric(rng, draft, ranges=TRAINING_RANGES if varied else PARAMETER_RANGES)
 
 
-def pool_faces(
+def dataset_faces(
     table: DataTable, number: int, map_side: int, per_thread: bool, float_type: type
 ) -> list[Face]:
     """Front and back of fabric `number`.
@@ -78,7 +78,7 @@ def pool_faces(
     Args:
         map_side: texels of the maps, of each side of the repeat or of each thread (`per_thread`).
     """
-    fabric = pool_fabric(table, number)
+    fabric = dataset_fabric(table, number)
     layout = fabric.layout()
     geometry = YarnGeometry(layout)
     # A pair costs as many texels as the repeat has, so large repeats get fewer.

@@ -2,9 +2,9 @@
 
 The paper samples 9 sets of twist ψ and inclination U for plain weave and 4 for the six others, and 9 or 16
 sets of roughness α and height scale β for each: 81 + 192 + 192 materials. Its Table 2 of distributions is
-missing; the ranges are those of `PARAMETER_RANGES`. Sets are stratified: k×k cells of (ψ, U) and of (log α, β),
-a draw in each, where the weft takes the cells in another order than the warp. Any material can be made on
-its own.
+missing; `PARAMETER_RANGES` stands in for it. Sets are stratified: k×k cells of (ψ, U) and of (log α, β), a
+draw in each, where the weft takes the cells in another order than the warp. Any material can be made on its
+own.
 """
 
 from __future__ import annotations

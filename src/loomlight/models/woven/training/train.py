@@ -15,7 +15,7 @@ from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.training.batches import Batches
 from loomlight.models.woven.training.config import TrainingConfig, TrainingTable
-from loomlight.models.woven.training.dataset import Face, pool_faces, read_faces, write_faces
+from loomlight.models.woven.training.dataset import Face, dataset_faces, read_faces, write_faces
 from loomlight.models.woven.training.export import export_encoder
 from loomlight.models.woven.training.losses import is_published
 from loomlight.models.woven.training.network import Decoder, WovenNetwork
@@ -24,16 +24,16 @@ from loomlight.training.loop import Report, Schedule, train
 from loomlight.training.soap import Soap
 
 # Called with (fabrics made, fabrics in all).
-PoolReport = Callable[[int, int], None]
+DatasetReport = Callable[[int, int], None]
 _WARM_UP = 0.01
-# Of what the pool's files hold: a folder of another version is left alone.
-_POOL_VERSION = 4
+# Of what the dataset's files hold: a folder of another version is left alone.
+_DATASET_VERSION = 4
 
 
 def train_woven(
     config: TrainingConfig,
     folder: Path,
-    pool_report: PoolReport | None = None,
+    dataset_report: DatasetReport | None = None,
     report: Report | None = None,
     device: str = "cpu",
     keep_every: float = 60.0,
@@ -41,17 +41,17 @@ def train_woven(
     """Trains a network and writes `woven.safetensors`, which it returns, and its encoder `woven.onnx`.
 
     Args:
-        folder: holds the pool (`pool/`) and the checkpoint; made if need be, and used again to go on.
+        folder: holds the dataset (`pool-…/`) and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
 
     Raises:
         InputError: the folder belongs to another configuration, or a file in it is damaged.
     """
-    faces = make_pool(
+    faces = make_dataset(
         config,
-        folder / f"pool-{_identity(_POOL_VERSION, config.data, config.network.latent)[:8]}",
-        pool_report,
+        folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}",
+        dataset_report,
     )
     torch.manual_seed(config.training.seed)
     network = WovenNetwork(config.network).to(device)
@@ -114,8 +114,8 @@ def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
     return Decoder(wanted)
 
 
-def make_pool(config: TrainingConfig, folder: Path, report: PoolReport | None = None) -> list[Face]:
-    """The faces of all fabrics of the pool; what the folder has is not made again."""
+def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | None = None) -> list[Face]:
+    """The faces of all fabrics of the dataset; what the folder has is not made again."""
     from drjit.llvm.ad import Float
 
     from loomlight.core.llvm import require_llvm
@@ -128,7 +128,7 @@ def make_pool(config: TrainingConfig, folder: Path, report: PoolReport | None = 
     for number in range(config.data.fabrics):
         path = folder / f"{number:06d}.safetensors"
         if not path.exists():
-            write_faces(path, pool_faces(config.data, number, side, per_thread, Float))
+            write_faces(path, dataset_faces(config.data, number, side, per_thread, Float))
         faces += read_faces(path)
         if report is not None:
             report(number + 1, config.data.fabrics)
