@@ -16,6 +16,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.batch import decode
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoding import encode, encode_pair
+from loomlight.models.woven.fine_tuning import _solution
 from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.places import places_of
@@ -107,3 +108,14 @@ def test_long_repeats_are_fitted_too() -> None:
     fabric = fabric_from_text("satin 33/10")
     encoded = encode(fabric, shipped_weights(), Float, refined=True)
     assert np.isfinite(encoded.correction).all()
+
+
+@pytest.mark.parametrize("count", [1, 63, 64, 65, 300])
+def test_systems_are_solved_as_numpy_solves_them(count: int) -> None:
+    rng = np.random.default_rng(count)
+    root = rng.normal(size=(count, 50))
+    matrix = root @ root.T + 0.1 * np.eye(count)
+    right = rng.normal(size=count)
+    wanted = np.linalg.solve(matrix, right)
+    # Rounding of 2e-16 times the condition number, 2e4 at most.
+    np.testing.assert_allclose(_solution(matrix, right), wanted, atol=1e-11 * np.abs(wanted).max())

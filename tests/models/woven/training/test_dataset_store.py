@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Float
 
-from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
 from loomlight.models.woven.training import dataset_store as store_module
 from loomlight.models.woven.training.dataset_store import BYTES_A_QUERY, QueryStore, StoreSettings, make_store
 from loomlight.models.woven.training.materials import paper_material
@@ -248,4 +248,15 @@ def test_two_programs_may_finish_the_same_material(copied, monkeypatch):
 def test_settings_out_of_range_are_refused(tmp_path, settings, number, sentence):
     with pytest.raises(InputError, match=sentence):
         make_store(tmp_path / "a.zarr", [number], settings, Float, "test")
+    assert not (tmp_path / "a.zarr").exists()
+
+
+def test_without_zarr_a_sentence_names_the_extra(made, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "zarr", None)
+    for use in (
+        lambda: QueryStore(made),
+        lambda: make_store(tmp_path / "a.zarr", [0], SETTINGS, Float, "test"),
+    ):
+        with pytest.raises(MissingDependencyError, match=r"zarr: pip install 'loomlight\[data\]'\.$"):
+            use()
     assert not (tmp_path / "a.zarr").exists()

@@ -28,12 +28,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import zarr
 from numpy.typing import NDArray
-from zarr.codecs import BloscCodec, Crc32cCodec
 
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
-from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
@@ -118,6 +116,7 @@ class QueryStore:
 
         Raises:
             InputError: there is none, it is not of this format, of another version, or damaged.
+            MissingDependencyError: zarr is not installed.
         """
         self.path = Path(path)
         attributes = _read_attributes(self.path)
@@ -142,7 +141,7 @@ class QueryStore:
                 f"`loomlight data woven --materials {number}` adds it."
             )
         try:
-            group = zarr.open_group(str(folder), mode="r")
+            group = _zarr().open_group(str(folder), mode="r")
             arrays = {name: np.asarray(_member(group, name)[:]) for name in _LAYOUT}
             _check(arrays)
         # What Zarr and its codecs raise on damaged files has no common base.
@@ -175,8 +174,10 @@ def make_store(
     Raises:
         InputError: `path` is something else or has other settings, a number that does not exist, or the disk
             is full; what is finished stays.
+        MissingDependencyError: zarr is not installed.
     """
     store = Path(path)
+    _zarr()
     settings_fit(settings)
     for number in numbers:
         if not 0 <= number < len(MATERIALS):
@@ -243,7 +244,7 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
             raise InputError(f"{store} is a folder with other files in it; give the name of a new one.")
         partial = store / ".partial-root"
         attributes = settings.attributes() | {"made_with": provenance(command, Path(__file__).parent)}
-        zarr.open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
+        _zarr().open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
         (partial / "zarr.json").replace(root)
         shutil.rmtree(partial)
         return
@@ -259,6 +260,7 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
 def _read_attributes(store: Path) -> dict[str, Any]:
     if not store.is_dir():
         raise InputError(f"{store} is no folder; a store of queries is one, made by `loomlight data woven`.")
+    zarr = _zarr()
     try:
         attributes = dict(zarr.open_group(str(store), mode="r", zarr_format=3).attrs)
     # What Zarr raises on foreign and damaged metadata has no common base.
@@ -296,7 +298,7 @@ def _write_material(store: Path, number: int, settings: StoreSettings, float_typ
             for family in ("warp", "weft")
         }
         attributes = {"weave": MATERIALS[number].weave, **yarns}
-        group = zarr.open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
+        group = _zarr().open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
         for name, array in arrays.items():
             _write_array(group, name, array)
         _flush(partial)
@@ -310,6 +312,8 @@ def _write_material(store: Path, number: int, settings: StoreSettings, float_typ
 
 
 def _write_array(group: Any, name: str, array: NDArray[Any]) -> None:
+    from zarr.codecs import BloscCodec, Crc32cCodec
+
     # Shuffled bytes compress to two thirds; checksums tell when a chunk is damaged.
     codecs = [
         BloscCodec(cname="zstd", clevel=3, shuffle="shuffle", typesize=array.dtype.itemsize),
@@ -328,6 +332,21 @@ def _flush(folder: Path) -> None:
         if file.is_file():
             with file.open("rb") as handle:
                 os.fsync(handle.fileno())
+
+
+def _zarr() -> Any:
+    """The package zarr, which only stored data sets need.
+
+    Raises:
+        MissingDependencyError: it is not installed.
+    """
+    try:
+        import zarr
+    except ModuleNotFoundError as error:
+        raise MissingDependencyError(
+            "Stored data sets need the package zarr: pip install 'loomlight[data]'."
+        ) from error
+    return zarr
 
 
 def _member(group: Any, name: str) -> Any:
