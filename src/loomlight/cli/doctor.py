@@ -19,7 +19,6 @@ PACKAGES = (
     "drjit",
     "mitsuba",
     "numpy",
-    "scipy",
     "threadpoolctl",
     "pillow",
     "OpenEXR",
@@ -29,12 +28,16 @@ PACKAGES = (
     "rich",
     "trimesh",
     "safetensors",
-    "onnx",
-    "onnxruntime",
     "llvmlite",
-    "zarr",
+    "numba",
     "flip-evaluator",
 )
+# By package: the extra that installs it, and what it is for.
+EXTRAS = {
+    "onnxruntime": ("woven", "to encode fabrics for the network"),
+    "zarr": ("data", "to write data sets"),
+    "torch": ("train", "to train the network"),
+}
 
 # In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
 _TRY_KERNEL = """
@@ -89,6 +92,8 @@ def findings() -> Iterator[Finding]:
         finding = _package(name)
         missing = missing or finding.remedy is not None
         yield finding
+    for name, (extra, purpose) in EXTRAS.items():
+        yield _extra(name, extra, purpose)
     if missing:
         return
     llvm = _llvm()
@@ -110,6 +115,14 @@ def _package(name: str) -> Finding:
         return Finding(name, version(name))
     except PackageNotFoundError:
         return Finding(name, "not installed", f"python -m pip install {name}")
+
+
+def _extra(name: str, extra: str, purpose: str) -> Finding:
+    try:
+        return Finding(name, version(name))
+    except PackageNotFoundError:
+        remedy = f"needed {purpose}: python -m pip install 'loomlight[{extra}]'"
+        return Finding(name, "not installed", remedy, needed=False)
 
 
 def _llvm() -> Finding:

@@ -17,6 +17,7 @@ from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
 from loomlight.core.errors import InputError, LoomlightError, LoomlightWarning
+from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder, replacing
 from loomlight.fabric.defaults import Structure, structure_of
 from loomlight.fabric.fabric import Fabric
@@ -287,8 +288,7 @@ def _refined(fabric: Fabric, weights: Weights, float_type: type, repeats: tuple[
 def encoder_session(weights: Weights) -> Any:
     """ONNX Runtime's session of the encoder."""
     # Not needed where latents are at hand, and slow to import.
-    import onnxruntime
-
+    onnxruntime = import_extra("onnxruntime", "woven", "Encoding a fabric for the network")
     from loomlight.models.woven.onnx_encoder import encoder_graph
 
     options = onnxruntime.SessionOptions()

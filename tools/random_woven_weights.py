@@ -1,6 +1,6 @@
 """A weights file of the universal network with random numbers in it, to try the machinery without training.
 
-python scripts/random_woven_weights.py woven.safetensors [--latent field] [--width 32]
+python -m tools.random_woven_weights woven.safetensors [--latent field] [--width 32]
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def main() -> None:
         {name: values.numpy() for name, values in network.state_dict().items()},
         linear_diffuse=False,
         recipe={},
-        provenance=provenance("python scripts/random_woven_weights.py", Path(__file__).parent),
+        provenance=provenance("python -m tools.random_woven_weights", Path(__file__).parent),
         trained=False,
     )
 
