@@ -29,7 +29,7 @@ from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.machine_code import cores
+from loomlight.core.simd import core_count
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
@@ -101,7 +101,7 @@ def in_onnx_runtime(model: WovenModel) -> float:
     inputs = {given.name: rng.random(given.shape, np.float32) for given in session.get_inputs()}
 
     def layers() -> None:
-        with ThreadPoolExecutor(cores()) as pool:
+        with ThreadPoolExecutor(core_count()) as pool:
             list(pool.map(lambda _: session.run(None, inputs), range(COUNT // QUERIES_A_RUN)))
 
     return COUNT / median_seconds(layers)
