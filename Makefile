@@ -12,8 +12,8 @@ test: lint
 	$(RUN)/python -m pytest -n 2
 
 lint: setup
-	$(RUN)/ruff check src tests scripts benchmarks experiments
-	$(RUN)/ruff format --check src tests scripts benchmarks experiments
+	$(RUN)/ruff check src tests tools benchmarks experiments
+	$(RUN)/ruff format --check src tests tools benchmarks experiments
 	$(RUN)/mypy
 	$(RUN)/lint-imports
 
@@ -24,7 +24,7 @@ $(VENV)/.installed: pyproject.toml constraints.txt scripts/setup.sh
 	touch $@
 
 benchmark: setup
-	$(RUN)/python benchmarks/point.py
+	$(RUN)/python -m benchmarks.point
 
 clean:
 	rm -rf $(VENV) .pytest_cache .mypy_cache .ruff_cache demo.png

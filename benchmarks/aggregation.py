@@ -1,6 +1,6 @@
 """How right the truth is: slices against brute force, their grids, boxes for parallelograms, surface form.
 
-    python benchmarks/aggregation.py [--output benchmarks/results/aggregation.json]
+    python -m benchmarks.aggregation [--output benchmarks/results/aggregation.json]
 
 - `scores`: z-scores of random queries over all weaves, bands and both sides, slices against `brute_force` on
   the same rays; standard normal if both compute the same mean.
@@ -13,10 +13,8 @@
 
 from __future__ import annotations
 
-import argparse
-import json
+from argparse import Namespace
 from itertools import pairwise
-from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -25,6 +23,7 @@ from drjit.llvm.ad import Array2f64, Float, UInt32
 from numpy.typing import NDArray
 from scipy import stats
 
+from benchmarks.harness import Figures, run
 from loomlight.aggregate.components import meet, without_extras
 from loomlight.aggregate.queries import BANDS, FabricScale, fabric_scale, query_set
 from loomlight.aggregate.reference import brute_force, reference
@@ -34,8 +33,6 @@ from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
 from loomlight.fabric import fabric_from_text
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -242,23 +239,16 @@ def _parted(
     return np.stack([scale.bands(sizes), form * continuous, truth, form * all_shown, with_walls], axis=1)
 
 
-def main() -> None:
-    """Runs everything and prints it."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+def measure(_: Namespace) -> Figures:
+    """Everything."""
     require_llvm()
-    result: dict[str, Any] = {
-        **provenance("python benchmarks/aggregation.py", Path(__file__).parent),
+    return {
         "scores": scores(40, 50),
         "grid": grid(32),
         "boxes": boxes(1500),
         "surface_form": parted(12),
     }
-    print(json.dumps(result, indent=2))
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure)

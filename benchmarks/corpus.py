@@ -1,6 +1,6 @@
 """Every draft of the outside corpus through `loomlight render`: seconds a picture, faults in one sentence.
 
-    LOOMLIGHT_DATA=folder python benchmarks/corpus.py [--output benchmarks/results/corpus.json]
+    LOOMLIGHT_DATA=folder python -m benchmarks.corpus [--output benchmarks/results/corpus.json]
 
 The folder holds wif/good, wif/bad and wif/warn. Each file is one process, from its start to its end, so
 imports and the compiler are in the figure. Bars: good files are silent and take at most 30 s; bad ones end
@@ -9,18 +9,17 @@ with exit code 2, one sentence that names section, key and value, and no picture
 
 from __future__ import annotations
 
-import argparse
 import os
 import re
 import subprocess
 import sys
 import tempfile
-import time
+from argparse import Namespace
 from pathlib import Path
 from typing import Any
 
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
+from benchmarks.harness import Figures, outside_data, run
+from loomlight.evaluation.timing import timed
 
 OPTIONS = ["--size", "256x256", "--spp", "32"]
 MOST_SECONDS = 30.0
@@ -33,9 +32,9 @@ def rendered(draft: Path) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder, "picture.png")
         command = [sys.executable, "-m", "loomlight.cli.main", "render", str(draft), "-o", str(picture)]
-        start = time.perf_counter()
-        done = subprocess.run([*command, *OPTIONS], capture_output=True, text=True, check=False)
-        seconds = time.perf_counter() - start
+        done, seconds = timed(
+            lambda: subprocess.run([*command, *OPTIONS], capture_output=True, text=True, check=False)
+        )
         return {
             "exit_code": done.returncode,
             "seconds": round(seconds, 2),
@@ -59,38 +58,31 @@ def passes(kind: str, run: dict[str, Any]) -> bool:
     return done and len(says) >= 1 and all(line.startswith("loomlight: warning: ") for line in says)
 
 
-def main() -> None:
-    """Runs the benchmark, prints it, and exits with 1 if a bar is missed."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
-    data = os.environ.get("LOOMLIGHT_DATA")
-    if data is None:
-        sys.exit("LOOMLIGHT_DATA does not name the folder of outside drafts.")
+def measure(_: Namespace) -> Figures:
+    """Every file, as it comes, and which of them miss their bar."""
     runs: dict[str, dict[str, Any]] = {}
     for kind in ("good", "bad", "warn"):
         runs[kind] = {}
-        for draft in sorted(Path(data, "wif", kind).glob("*.wif")):
-            run = rendered(draft)
-            runs[kind][draft.name] = {**run, "passes": passes(kind, run)}
+        for draft in sorted(outside_data("wif", kind).glob("*.wif")):
+            found = rendered(draft)
+            runs[kind][draft.name] = {**found, "passes": passes(kind, found)}
             print(
-                f"{kind:5}{draft.name:52}{run['seconds']:7.2f} s  {' '.join(run['says'])[:120]}", flush=True
+                f"{kind:5}{draft.name:52}{found['seconds']:7.2f} s  {' '.join(found['says'])[:120]}",
+                flush=True,
             )
-    every = [run for kind in runs.values() for run in kind.values()]
-    result = {
-        **provenance("python benchmarks/corpus.py", Path(__file__).parent),
+    every = {f"{kind}/{name}": found for kind, part in runs.items() for name, found in part.items()}
+    slowest = max(found["seconds"] for found in runs["good"].values())
+    missed = [name for name, found in every.items() if not found["passes"]]
+    print(f"{len(every)} files, {len(missed)} failed, slowest {slowest} s")
+    return {
         "options": " ".join(OPTIONS),
-        "slowest_seconds": max(run["seconds"] for run in runs["good"].values()),
+        "slowest_seconds": slowest,
         "bar_seconds": MOST_SECONDS,
         "files": len(every),
-        "failed": sum(not run["passes"] for run in every),
+        "missed": missed,
         "runs": runs,
     }
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
-    print(f"{len(every)} files, {result['failed']} failed, slowest {result['slowest_seconds']} s")
-    sys.exit(1 if result["failed"] else 0)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, prints=False)

@@ -1,6 +1,6 @@
 """Seconds a material of chen2024: 3.2 million queries, from the material's number to their answers.
 
-    python benchmarks/data_rate.py [--output benchmarks/results/data_rate.json]
+    python -m benchmarks.data_rate [--output benchmarks/results/data_rate.json]
 
 One material of each of the paper's seven weaves, of a seed of its own, with the queries of one side (BRDF):
 50 × 50 pairs of directions over 1 280 footprints; visibility and compiling are in the figures. The mean
@@ -13,25 +13,22 @@ one texel of one slice in the kernel that evaluates the lobes.
 
 from __future__ import annotations
 
-import argparse
-import json
 import statistics
 import time
+from argparse import ArgumentParser, Namespace
 from collections import Counter
 from dataclasses import replace
-from pathlib import Path
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float
-from point import fma_peak, operations_of
 
+from benchmarks.harness import Figures, run
+from benchmarks.machine import fma_peak, operations_of
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
-from loomlight.core.files import replacing
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
+from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
 from loomlight.models.woven.training.queries import answers, material_queries
@@ -43,7 +40,7 @@ TEXELS = 128  # a side of the repeat, in the small case
 SMALL_PAIRS, SMALL_FOOTPRINTS, SMALL_DIRECTIONS = 256, 256, 32
 
 
-def run(number: int, seed: int) -> tuple[float, float]:
+def material(number: int, seed: int) -> tuple[float, float]:
     """Seconds, and processor seconds of all threads, for 3.2 million queries of one material."""
     start, processor = time.perf_counter(), time.process_time()
     fabric = paper_material(number, seed)
@@ -54,9 +51,8 @@ def run(number: int, seed: int) -> tuple[float, float]:
     return (time.perf_counter() - start) * share, (time.process_time() - processor) * share
 
 
-def run_small(fabric: Fabric, seed: int) -> float:
-    """Seconds for 65 536 queries of a fabric, both sides of the cloth."""
-    start = time.perf_counter()
+def answer_few(fabric: Fabric, seed: int) -> None:
+    """Answers 65 536 queries of a fabric, both sides of the cloth."""
     layout = fabric.layout()
     directions = {"lights": SMALL_DIRECTIONS, "views": SMALL_DIRECTIONS}
     queries = query_set(
@@ -65,7 +61,6 @@ def run_small(fabric: Fabric, seed: int) -> float:
     model = PointModel(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, Float, TEXELS / max(layout.warp_on_top.shape), shadows="mapped")
     slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
-    return time.perf_counter() - start
 
 
 def operations() -> int:
@@ -74,10 +69,8 @@ def operations() -> int:
     model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
     slices = FabricSlices(model, Float, shadows="mapped")
     light, view = [[0.3, 0.2, 0.9]], [[-0.4, 0.1, 0.8]]
-    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-        dr.kernel_history_clear()
-        next(slices.batches(light, view, [[0, 0]]))
-        texts = [entry["ir"].read() for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+    kernels = launched_kernels(lambda: next(slices.batches(light, view, [[0, 0]])))
+    texts = [kernel["ir"].read() for kernel in kernels]
     lobes = [text for text in texts if "_cond:" not in text]
     return max((operations_of(text) for text in lobes), default=0)
 
@@ -86,9 +79,7 @@ def stages(number: int, seed: int) -> dict[str, float]:
     """Seconds of kernels of one material by what they do, and of compiling them."""
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         dr.kernel_history_clear()
-        start = time.perf_counter()
-        run(number, seed)
-        total = time.perf_counter() - start
+        _, total = timed(lambda: material(number, seed))
         history = dr.kernel_history()
     seconds = dict.fromkeys(("compiling", "searching", "lobes", "summing", "reading"), 0.0)
     for entry in history:
@@ -104,27 +95,27 @@ def stages(number: int, seed: int) -> dict[str, float]:
     return {name: round(value, 2) for name, value in {"total": total, **seconds}.items()}
 
 
-def main() -> None:
-    """Runs the benchmark and prints it."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    # Materials of its own in every run, though kernels that Dr.Jit keeps on disk serve them all.
+def add_options(parser: ArgumentParser) -> None:
+    """Materials of its own in every run, though kernels that Dr.Jit keeps on disk serve them all."""
     parser.add_argument("--seed", type=int, default=int(time.time()))
-    arguments = parser.parse_args()
+
+
+def measure(options: Namespace) -> Figures:
+    """Seconds of all weaves, of the small case, and where they go."""
     require_llvm()
-    seed = arguments.seed
+    seed = options.seed
     counts = Counter(material.weave for material in MATERIALS)
     numbers = {weave: [m.weave for m in MATERIALS].index(weave) for weave in counts}
     peaks = [fma_peak()]
-    small = [run_small(paper_material(37 * index, seed), seed) for index in range(12)]
-    timings = {weave: run(number, seed) for weave, number in numbers.items()}
+    few = [paper_material(37 * index, seed) for index in range(12)]
+    small = [timed(lambda fabric=fabric: answer_few(fabric, seed))[1] for fabric in few]
+    timings = {weave: material(number, seed) for weave, number in numbers.items()}
     peaks.append(fma_peak())
     mean, processor = (
         sum(timings[weave][kind] * count for weave, count in counts.items()) / len(MATERIALS)
         for kind in (0, 1)
     )
-    result: dict[str, Any] = {
-        **provenance("python benchmarks/data_rate.py", Path(__file__).parent),
+    return {
         "fma_peak_gflops_before_and_after": [round(peak / 1e9, 1) for peak in peaks],
         "seed": seed,
         "queries": int(FULL),
@@ -138,12 +129,7 @@ def main() -> None:
         "small_seconds_following": round(statistics.median(small[1:]), 3),
         "operations_a_texel": operations(),
     }
-    text = json.dumps(result, indent=2, ensure_ascii=False)
-    print(text)
-    if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options)

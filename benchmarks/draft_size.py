@@ -1,6 +1,6 @@
 """What the size of a draft costs: large ones against a plain weave of the same sett, and one of 4096 × 4096.
 
-    LOOMLIGHT_DATA=folder python benchmarks/draft_size.py [--output benchmarks/results/draft_size.json]
+    LOOMLIGHT_DATA=folder python -m benchmarks.draft_size [--output benchmarks/results/draft_size.json]
 
 Seconds are those of rendering alone, after a first picture that compiles; the two fabrics take turns
 (A B A B …) in one process, so that both see the same machine, and the figure is the median of the ratios of
@@ -9,23 +9,21 @@ neighbours. Memory is the peak of a whole process that renders one picture. Bars
 
 from __future__ import annotations
 
-import argparse
-import os
 import resource
 import statistics
 import subprocess
 import sys
 import tempfile
-import time
+from argparse import Namespace
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from benchmarks.harness import REPOSITORY, Figures, outside_data, run
 from loomlight.core.images import write_png
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
+from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 
@@ -33,6 +31,7 @@ SIDE, SAMPLES, TURNS = 256, 16, 15
 LARGE = ("multi-byte-liftplan.wif", "multi-byte-multi-treadled.wif", "multi-byte-single-treadled.wif")
 MOST_TIMES, MOST_BYTES = 1.3, 2e9
 HUGE = 4096
+_ONCE = "import sys; from benchmarks.draft_size import render_once; render_once(sys.argv[1])"
 
 
 def plain_like(fabric: Fabric) -> Fabric:
@@ -52,13 +51,7 @@ def plain_like(fabric: Fabric) -> Fabric:
 def picture_of(fabric: Fabric, scene: str) -> Callable[[], float]:
     """A function that renders `fabric` once and returns the seconds that this took."""
     shown = build_scene(scene, fabric_bsdf(fabric, "point"), size=(SIDE, SIDE))
-
-    def run() -> float:
-        start = time.perf_counter()
-        render(shown.scene, integrator=shown.integrator, spp=SAMPLES)
-        return time.perf_counter() - start
-
-    return run
+    return lambda: timed(lambda: render(shown.scene, integrator=shown.integrator, spp=SAMPLES))[1]
 
 
 def ratio(large: Fabric, small: Fabric, scene: str) -> dict[str, Any]:
@@ -76,15 +69,16 @@ def ratio(large: Fabric, small: Fabric, scene: str) -> dict[str, Any]:
 
 def whole_process(fabric: str) -> dict[str, float]:
     """Seconds and peak memory, megabytes, of a process that renders `fabric` once."""
-    command = [sys.executable, __file__, "--once", fabric]
-    start = time.perf_counter()
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    seconds = time.perf_counter() - start
+    command = [sys.executable, "-c", _ONCE, fabric]
+    done, seconds = timed(
+        lambda: subprocess.run(command, capture_output=True, text=True, check=True, cwd=REPOSITORY)
+    )
     return {"process_seconds": round(seconds, 2), "peak_megabytes": round(int(done.stdout) / 1e6, 1)}
 
 
 def render_once(fabric: str) -> None:
     """Renders `fabric` and prints the peak memory of this process, bytes."""
+    choose_variant()
     picture_of(load_fabric(fabric), "drape")()
     kilobytes = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     print(kilobytes * 1024)
@@ -100,22 +94,12 @@ def huge_draft(path: Path) -> None:
     write_png(path, np.where(warp_up, 0, 255).astype(np.uint8))
 
 
-def main() -> None:
-    """Runs the benchmark, prints it, and exits with 1 if a bar is missed."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    parser.add_argument("--once", default=None, help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
+def measure(_: Namespace) -> Figures:
+    """Ratios and memory of large drafts, and of a huge one."""
     choose_variant()
-    if arguments.once is not None:
-        render_once(arguments.once)
-        return
-    data = os.environ.get("LOOMLIGHT_DATA")
-    if data is None:
-        sys.exit("LOOMLIGHT_DATA does not name the folder of outside drafts.")
     runs: dict[str, dict[str, Any]] = {}
     for name in LARGE:
-        draft = Path(data, "wif", "good", name)
+        draft = outside_data("wif", "good", name).resolve()
         fabric = load_fabric(draft)
         plain = plain_like(fabric)
         scenes = [ratio(fabric, plain, "drape")]
@@ -133,20 +117,19 @@ def main() -> None:
     measured = [run for name, run in runs.items() if name in LARGE]
     largest = max(scene["ratio"] for run in measured for scene in run["scenes"])
     peak = max(run["peak_megabytes"] for run in measured)
-    result = {
-        **provenance("python benchmarks/draft_size.py", Path(__file__).parent),
+    bars = {"ratio": largest > MOST_TIMES, "memory": peak * 1e6 >= MOST_BYTES}
+    missed = [name for name, misses in bars.items() if misses]
+    print(f"ratio {largest}, peak {peak} MB")
+    return {
         "picture": f"{SIDE} × {SIDE}, {SAMPLES} samples a pixel, {TURNS} turns",
         "largest_ratio": largest,
         "bar_ratio": MOST_TIMES,
         "peak_megabytes": peak,
         "bar_megabytes": MOST_BYTES / 1e6,
+        "missed": missed,
         "runs": runs,
     }
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
-    print(f"ratio {largest}, peak {peak} MB")
-    sys.exit(0 if largest <= MOST_TIMES and peak * 1e6 < MOST_BYTES else 1)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, prints=False)

@@ -1,6 +1,6 @@
 """Evaluations of the prefiltered lobes a second, fetches included, against the machine.
 
-    python benchmarks/lobes.py [--output benchmarks/results/lobes.json]
+    python -m benchmarks.lobes [--output benchmarks/results/lobes.json]
 
 "far" are footprints that the groups alone answer, 4 to 100 threads wide; "as in pictures" are rows of
 adjacent footprints, each row of one size from 1/20 to 100 threads; "far at random" and "at random" are the
@@ -14,44 +14,30 @@ ratios are medians.
 
 from __future__ import annotations
 
-import argparse
-import json
 import statistics
-import time
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
 
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float, UInt32
-from point import fma_peak, operations_of, timed
 
+from benchmarks.harness import Figures, run
+from benchmarks.machine import fma_peak, memory_bandwidth, operations_of
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.predictions import query_arrays
-from loomlight.evaluation.table import write_json
+from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
 ROWS, ACROSS, REPEATS = 512, 1024, 60
-
-
-def memory_bandwidth() -> float:
-    """Bytes a second of reading and writing arrays far larger than the caches."""
-    count = 1 << 26
-    values = dr.arange(Float, count)
-    dr.eval(values)
-
-    def run() -> None:
-        dr.eval(values + 1)
-
-    return 8 * count / timed(run)
 
 
 def operations(model: LobesModel, arrays: Any) -> int:
@@ -71,10 +57,7 @@ def operations(model: LobesModel, arrays: Any) -> int:
                 words, estimator.components(words, place, nodes, number, light, half), strict=True
             ):
                 total = total + diffuse + specular + sum(seen.weights)
-        with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-            dr.kernel_history_clear()
-            dr.eval(total)
-            kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
+        kernels = launched_kernels(lambda total=total: dr.eval(total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
     return int(counts[0] + (model.tables.words // 2 - 1) * (counts[1] - counts[0]))
 
@@ -121,6 +104,12 @@ SETTINGS = {
 }
 
 
+def evaluated(model: LobesModel, arrays: Any) -> None:
+    """Answers all queries and waits for the answers."""
+    dr.eval(model.evaluate(*arrays))
+    dr.sync_thread()
+
+
 def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[str, Any]:
     """Figures of one fabric."""
     fabric = fabric_of_path(text)
@@ -132,10 +121,7 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
         for _ in range(REPEATS):
             pair = []
             for chosen, arrays in ((model, own), (plain, other)):
-                start = time.perf_counter()
-                dr.eval(chosen.evaluate(*arrays))
-                dr.sync_thread()
-                pair.append(time.perf_counter() - start)
+                pair.append(timed(lambda chosen=chosen, arrays=arrays: evaluated(chosen, arrays))[1])
             seconds.append((pair[0], pair[1]))
         # The first two compile and warm up.
         found[name] = ROWS * ACROSS / min(first for first, _ in seconds[2:])
@@ -154,29 +140,25 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
     }
 
 
-def main() -> None:
-    """Runs the benchmark and prints it."""
-    parser = argparse.ArgumentParser(description=__doc__)
+def add_options(parser: ArgumentParser) -> None:
+    """Which drafts are measured beside the named weaves."""
     parser.add_argument("--drafts", nargs="*", default=[], help="further drafts or fabric files")
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+
+
+def measure(options: Namespace) -> Figures:
+    """Rates of all fabrics against the machine's peak."""
     require_llvm()
-    named = ["--drafts", *(Path(text).name for text in arguments.drafts)] if arguments.drafts else []
     peak, bandwidth = fma_peak(), memory_bandwidth()
     plain = LobesModel.for_fabric(fabric_of_path("plain"))
-    result: dict[str, Any] = {
-        **provenance(" ".join(["python benchmarks/lobes.py", *named]).strip(), Path(__file__).parent),
+    return {
         "fma_peak_gflops": round(peak / 1e9, 1),
         "bandwidth_gigabytes_per_second": round(bandwidth / 1e9, 1),
         "fabrics": {
-            Path(text).name if text in arguments.drafts else text: rates(text, plain, peak, bandwidth)
-            for text in (*FABRICS, *arguments.drafts)
+            Path(text).name if text in options.drafts else text: rates(text, plain, peak, bandwidth)
+            for text in (*FABRICS, *options.drafts)
         },
     }
-    print(json.dumps(result, indent=2))
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options)

@@ -1,6 +1,6 @@
 """Seconds from an edit of a fabric to a picture that shows it, with lobes, in a live picture.
 
-    python benchmarks/lobes_edit.py [--output benchmarks/results/lobes_edit.json]
+    python -m benchmarks.lobes_edit [--output benchmarks/results/lobes_edit.json]
 
 A flat piece is shown with one sample a pixel, at 16 × 16 pixels, what a first pixel takes, and at 256 × 256.
 An edit is a scene parameter set and updated, or for the weave another fabric given to the BSDF; then the
@@ -11,22 +11,19 @@ is traced anew. Bars, to the first pixel: 30 ms for colour, roughness and height
 
 from __future__ import annotations
 
-import argparse
 import json
 import statistics
-import sys
-import time
+from argparse import Namespace
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any
 from unittest.mock import patch
 
 import mitsuba as mi
 import numpy as np
 
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
+from benchmarks.harness import Figures, run
+from loomlight.evaluation.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf
 from loomlight.mitsuba.live import LivePicture
@@ -67,6 +64,11 @@ class Bench:
             if type(shape.bsdf()).__name__ == "WovenLobes":
                 shape.bsdf().weave(fabric_from_text(weave))
 
+    def edited(self, name: str, number: int) -> None:
+        """An edit and the picture that shows it."""
+        self.edit(name, number)
+        self.live.take(number)
+
     def off(self) -> float:
         """Largest difference between the live picture and one traced anew."""
         fresh = mi.render(self.shown.scene, integrator=self.shown.integrator, spp=1, seed=3)
@@ -79,13 +81,12 @@ def baking_times() -> Iterator[list[float]]:
     taken: list[float] = []
     bake_tables = lobes_model.bake_tables
 
-    def timed(*arguments: Any) -> Any:
-        start = time.perf_counter()
-        tables = bake_tables(*arguments)
-        taken.append(time.perf_counter() - start)
+    def baked(*arguments: Any) -> Any:
+        tables, seconds = timed(lambda: bake_tables(*arguments))
+        taken.append(seconds)
         return tables
 
-    with patch.object(lobes_model, "bake_tables", timed):
+    with patch.object(lobes_model, "bake_tables", baked):
         yield taken
 
 
@@ -97,10 +98,7 @@ def milliseconds(bench: Bench, name: str) -> dict[str, float]:
             # The first two are those of kernels that no earlier edit compiled.
             if number == 2:
                 bakings.clear()
-            start = time.perf_counter()
-            bench.edit(name, number)
-            bench.live.take(number)
-            whole.append(1e3 * (time.perf_counter() - start))
+            whole.append(1e3 * timed(lambda number=number: bench.edited(name, number))[1])
     baked = 1e3 * statistics.median(bakings) if bakings else 0.0
     return {
         "median_ms": round(statistics.median(whole[2:]), 2),
@@ -111,11 +109,8 @@ def milliseconds(bench: Bench, name: str) -> dict[str, float]:
     }
 
 
-def main() -> None:
-    """Runs the benchmark, prints it, and exits with 1 if a bar is missed."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+def measure(_: Namespace) -> Figures:
+    """Milliseconds of every kind of edit at both sizes, and which bars they miss."""
     choose_variant()
     runs: dict[str, dict[str, Any]] = {}
     for side in SIDES:
@@ -124,17 +119,8 @@ def main() -> None:
         print(side, json.dumps(runs[f"{side} × {side}"]), flush=True)
     first = runs[f"{SIDES[0]} × {SIDES[0]}"]
     missed = [name for name, bar in BARS_MS.items() if first[name]["median_ms"] > bar]
-    result = {
-        **provenance("python benchmarks/lobes_edit.py", Path(__file__).parent),
-        "bars_ms": BARS_MS,
-        "missed": missed,
-        "runs": runs,
-    }
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
-    print("missed:", ", ".join(missed) or "none")
-    sys.exit(1 if missed else 0)
+    return {"bars_ms": BARS_MS, "missed": missed, "runs": runs}
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, prints=False)

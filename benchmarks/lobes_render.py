@@ -1,6 +1,6 @@
 """How long the point model takes to be as near to the truth as lobes are with one sample a pixel, from afar.
 
-    python benchmarks/lobes_render.py [--size 960x540] [--output benchmarks/results/lobes_render.json]
+    python -m benchmarks.lobes_render [--size 960x540] [--output benchmarks/results/lobes_render.json]
 
 The scene is that of the image test where a pixel of draped cloth covers four yarns a side, the reference the
 point model with 1 024 samples a pixel. Lobes look at the pixel's footprint through its middle. Errors are
@@ -12,21 +12,18 @@ off between 1 sample and the next larger picture than it needs. Bar: 20 times.
 
 from __future__ import annotations
 
-import argparse
-import sys
-import time
+from argparse import ArgumentParser, Namespace
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from loomlight.core.provenance import provenance
+from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.evaluation.pictures import PictureError, picture_error
-from loomlight.evaluation.table import write_json
+from loomlight.evaluation.reproduce.renders import one_picture
+from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, load_fabric
-from loomlight.mitsuba import choose_variant, render
+from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.measured_scenes import MeasuredScene, measured_scene
 
@@ -34,26 +31,14 @@ SCENE, SIZE, REFERENCE_SAMPLES = "drape far", (960, 540), 1024
 POINT_SAMPLES = (1, 4, 16, 64, 256)
 TURNS = 7
 BAR = 20.0
-EXAMPLES = Path(__file__).parents[1] / "examples"
+EXAMPLES = REPOSITORY / "examples"
 FABRICS = ("denim", "silk-satin", "wool-houndstooth")
-_REFERENCE_SEED, _SEED = 1000, 1
-
-
-def picture_of(scene: MeasuredScene, samples: int, seed: int = _SEED) -> NDArray[np.float32]:
-    """The scene with so many samples a pixel."""
-    return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator)
+_REFERENCE_SEED = 1000
 
 
 def seconds_of(runs: list[Callable[[], Any]]) -> list[float]:
     """Least seconds of each run; they take turns."""
-    taken = []
-    for _ in range(TURNS):
-        row = []
-        for run in runs:
-            start = time.perf_counter()
-            run()
-            row.append(time.perf_counter() - start)
-        taken.append(row)
+    taken = [[timed(each)[1] for each in runs] for _ in range(TURNS)]
     return [float(value) for value in np.min(taken, axis=0)]
 
 
@@ -74,10 +59,10 @@ def measured(fabric: Fabric, size: tuple[int, int]) -> dict[str, Any]:
     """Errors, seconds and their ratio for one fabric."""
     point = measured_scene(SCENE, [fabric], "point", size)
     lobes = measured_scene(SCENE, [fabric], "lobes", size, pixel_centres=True)
-    reference = picture_of(point, REFERENCE_SAMPLES, _REFERENCE_SEED)
+    reference = one_picture(point, REFERENCE_SAMPLES, _REFERENCE_SEED)
 
     def judged(scene: MeasuredScene, samples: int) -> PictureError:
-        return picture_error(picture_of(scene, samples), reference, scene.counted)
+        return picture_error(one_picture(scene, samples), reference, scene.counted)
 
     ours = judged(lobes, 1)
     theirs = {samples: judged(point, samples) for samples in POINT_SAMPLES}
@@ -100,32 +85,30 @@ def measured(fabric: Fabric, size: tuple[int, int]) -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Runs the benchmark, prints it, and exits with 1 if the bar is missed."""
-    parser = argparse.ArgumentParser(description=__doc__)
+def add_options(parser: ArgumentParser) -> None:
+    """Which pictures are compared."""
     parser.add_argument("--size", default="x".join(map(str, SIZE)))
-    parser.add_argument("--fabrics", default=",".join(FABRICS), help="Names of examples.")
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
-    width, height = (int(side) for side in arguments.size.split("x"))
+    parser.add_argument("--fabrics", default=",".join(FABRICS), help="names of examples")
+
+
+def measure(options: Namespace) -> Figures:
+    """Every fabric, and whether the least of them misses the bar."""
+    width, height = (int(side) for side in options.size.split("x"))
     choose_variant()
     runs = {}
-    for name in arguments.fabrics.split(","):
+    for name in options.fabrics.split(","):
         runs[name] = measured(load_fabric(EXAMPLES / f"{name}.toml"), (width, height))
         print(name, runs[name], flush=True)
-    least = min(run["times_faster"] for run in runs.values())
-    result = {
-        **provenance("python benchmarks/lobes_render.py", Path(__file__).parent),
+    least = min(found["times_faster"] for found in runs.values())
+    print(f"{least} times faster")
+    return {
         "picture": f"{SCENE}, {width} × {height}, reference {REFERENCE_SAMPLES} samples a pixel",
         "least_times_faster": least,
         "bar_times_faster": BAR,
+        "missed": [name for name, found in runs.items() if found["times_faster"] < BAR],
         "runs": runs,
     }
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
-    print(f"{least} times faster")
-    sys.exit(0 if least >= BAR else 1)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options, prints=False)

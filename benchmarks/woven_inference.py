@@ -1,6 +1,6 @@
 """Evaluations of the universal network a second, fetches and codings included, against the machine.
 
-    python benchmarks/woven_inference.py [--output benchmarks/results/woven_inference.json]
+    python -m benchmarks.woven_inference [--output benchmarks/results/woven_inference.json]
 
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
@@ -12,23 +12,20 @@ with independent chains of multiply-adds, so that shares hold on busy machines.
 
 from __future__ import annotations
 
-import argparse
-import json
 import time
+from argparse import Namespace
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any, TypeVar
 from unittest.mock import patch
 
 import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float
-from point import fma_peak, timed
 
-from loomlight.core.files import replacing
+from benchmarks.harness import Figures, run
+from benchmarks.machine import fma_peak, median_seconds
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
@@ -66,7 +63,7 @@ def in_batch(model: WovenModel) -> float:
     light, view, side = Array3f(lights), Array3f(views), Float(sides)
     footprint = Footprint(Array2f(centres), Array2f(side, 0), Array2f(0, side))
     dr.eval(light, view, footprint)
-    return COUNT / timed(lambda: dr.eval(model.evaluate(light, view, footprint)))
+    return COUNT / median_seconds(lambda: dr.eval(model.evaluate(light, view, footprint)))
 
 
 def by_cooperative_vectors(model: WovenModel) -> float:
@@ -80,16 +77,16 @@ def in_numpy(model: WovenModel) -> float:
     lights, views, centres, sides = queries(model, COUNT)
     footprints = places_of(model.fabric.layout(), centres.T, sides)
     directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
-    return COUNT / timed(lambda: decode(model.weights, model.encoded, *directions, footprints))
+    return COUNT / median_seconds(lambda: decode(model.weights, model.encoded, *directions, footprints))
 
 
 Measured = TypeVar("Measured")
 
 
-def beside_peak(measure: Callable[[], Measured]) -> tuple[Measured, float]:
+def beside_peak(rate: Callable[[], Measured]) -> tuple[Measured, float]:
     """What is measured, and the peak at that time."""
     before = fma_peak()
-    found = measure()
+    found = rate()
     return found, 0.5 * (before + fma_peak())
 
 
@@ -98,11 +95,11 @@ def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
     choose_variant("llvm_ad_rgb")
     shown = build_scene("flat", fabric_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4)
 
-    def run() -> None:
+    def picture() -> None:
         render(shown.scene, spp=1, integrator=shown.integrator)
 
-    run()
-    found = min((network_time(run) for _ in range(3)), key=lambda found: found.seconds)
+    picture()
+    found = min((network_time(picture) for _ in range(3)), key=lambda found: found.seconds)
     rate = PICTURE**2 * operations_a_pixel / found.network
     return found.seconds, found.network / found.seconds, rate
 
@@ -113,20 +110,19 @@ def encoder_seconds(model: WovenModel) -> float:
     picks, ends = layout.warp_on_top.shape
     maps = face_maps(YarnGeometry(layout), False, 16 * picks, 16 * ends, Float)[None]
     session, parameters = encoder_session(model.weights), fabric_parameters(model.fabric)
-    return timed(lambda: session.run(None, {"maps": maps, "parameters": parameters}))
+    return median_seconds(lambda: session.run(None, {"maps": maps, "parameters": parameters}))
 
 
 def correction_seconds(model: WovenModel) -> float:
     """Seconds of the correction of the last layer for both faces."""
     layout = shortest_repeat(model.fabric.layout())
-    return timed(lambda: fitted_correction(model.fabric, layout, model.encoded, model.weights, Float))
+    return median_seconds(
+        lambda: fitted_correction(model.fabric, layout, model.encoded, model.weights, Float)
+    )
 
 
-def main() -> None:
-    """Runs the benchmark and prints it."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+def measure(_: Namespace) -> Figures:
+    """Every way of running the network, each against the peak beside it."""
     require_llvm()
     model = WovenModel.for_fabric(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
@@ -138,8 +134,7 @@ def main() -> None:
     numpy, numpy_peak = beside_peak(lambda: in_numpy(model))
     (seconds, share, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
     encoder = encoder_seconds(model)
-    result = {
-        **provenance("python benchmarks/woven_inference.py", Path(__file__).parent),
+    return {
         "fabric": FABRIC,
         "fma_peak_gflops": round(peak / 1e9, 1),
         "operations_seen": seen,
@@ -157,11 +152,6 @@ def main() -> None:
         "correction_seconds": round(correction_seconds(model), 2),
         "seconds": round(time.perf_counter() - start, 1),
     }
-    text = json.dumps(result, indent=2)
-    print(text)
-    if arguments.output is not None:
-        with replacing(arguments.output) as temporary:
-            temporary.write_text(text + "\n")
 
 
 def entry(rate: float, count: int, peak: float) -> dict[str, float]:
@@ -173,4 +163,4 @@ def entry(rate: float, count: int, peak: float) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    main()
+    run(measure)

@@ -1,6 +1,6 @@
 """Cloth from afar: does it converge to an even tone, and does silk satin gleam across its threads?
 
-    python experiments/far_view.py [--output experiments/results/far_view.json]
+    python -m experiments.far_view [--output experiments/results/far_view.json]
 
 A flat piece at 16 threads a pixel and 512 samples a pixel: what is left of differences between pixels is
 compared with the noise that two pictures of different seeds show, and the strongest frequency of the
@@ -11,20 +11,17 @@ two directions of the cloth.
 
 from __future__ import annotations
 
-import argparse
-import json
-from pathlib import Path
+from argparse import Namespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
+from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.fabric import load_fabric
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
 
-EXAMPLES = Path(__file__).parent.parent / "examples"
+EXAMPLES = REPOSITORY / "examples"
 THREADS_PER_PIXEL, SAMPLES, SEEDS = 16, 512, 4
 FLAT_METRES = 0.1
 DEGREE, SMOOTH_CYCLES = 5, 3
@@ -87,23 +84,16 @@ def highlight() -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Renders, measures and prints."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+def measure(_: Namespace) -> Figures:
+    """Both tones and the highlight."""
     choose_variant(None)
-    result: dict[str, Any] = {
-        **provenance("python experiments/far_view.py", Path(__file__).parent),
+    return {
         "threads_per_pixel": THREADS_PER_PIXEL,
         "samples_per_pixel": SAMPLES,
         "even_tone": {name: evenness(f"{name}.toml") for name in ("silk-satin", "denim")},
         "highlight_on_satin": highlight(),
     }
-    print(json.dumps(result, indent=2))
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
 
 
 if __name__ == "__main__":
-    main()
+    run(measure)

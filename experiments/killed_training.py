@@ -1,25 +1,23 @@
 """Kills a training with signal 9 at random moments, the data's making included, and lets it go on each time.
 
-python experiments/killed_training.py [--kills 10] [--output experiments/results/killed_training.json]
+    python -m experiments.killed_training [--kills 10] [--output experiments/results/killed_training.json]
 
 The weights at the end must be those of an undisturbed run, bit for bit. A few minutes on two cores.
 """
 
 from __future__ import annotations
 
-import argparse
-import json
 import subprocess
 import sys
 import tempfile
 import time
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
 import numpy as np
 from safetensors.numpy import load_file
 
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
+from benchmarks.harness import Figures, run
 
 CONFIG = """
 [network]
@@ -41,31 +39,28 @@ queries = 512
 _MOMENTS = 5.0, 12.0
 
 
-def main() -> None:
-    """Runs it and writes what was found."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+def add_options(parser: ArgumentParser) -> None:
+    """How often it is killed, and when."""
     parser.add_argument("--kills", type=int, default=10)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--output", type=Path)
-    arguments = parser.parse_args()
-    rng = np.random.default_rng(arguments.seed)
+
+
+def measure(options: Namespace) -> Figures:
+    """An undisturbed training and one that is killed, and whether they end in the same weights."""
+    rng = np.random.default_rng(options.seed)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         config = folder / "config.toml"
         config.write_text(CONFIG)
         whole = _trained(config, folder / "whole")
         kills = []
-        while len(kills) < arguments.kills:
+        while len(kills) < options.kills:
             kills.append(_killed(config, folder / "killed", float(rng.uniform(*_MOMENTS))))
             print(f"killed: {kills[-1]}", file=sys.stderr, flush=True)
         resumed = _trained(config, folder / "killed")
-        same = whole.keys() == resumed.keys() and all(np.array_equal(whole[k], resumed[k]) for k in whole)
-    result = {"kills": kills, "same_weights": same, "config": CONFIG.strip()}
-    result["provenance"] = provenance(f"python experiments/{Path(__file__).name}", Path(__file__).parent)
-    print(json.dumps(result, indent=1))
-    if arguments.output is not None:
-        write_json(arguments.output, result)
-    sys.exit(0 if same else 1)
+    same = whole.keys() == resumed.keys() and all(np.array_equal(whole[k], resumed[k]) for k in whole)
+    missed = [] if same else ["the same weights"]
+    return {"kills": kills, "same_weights": same, "missed": missed, "config": CONFIG.strip()}
 
 
 # What `loomlight train woven` runs, with a checkpoint twice a second in place of one a minute.
@@ -103,4 +98,4 @@ def _killed(config: Path, folder: Path, seconds: float) -> dict[str, float | int
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options)

@@ -1,37 +1,36 @@
 """How many groups does the lobes model need? Its error in the query test against groups a family.
 
-    python experiments/lobes_groups.py --output experiments/results/lobes_groups.json
-    python experiments/lobes_groups.py --fabrics 8                                          (a check)
+    python -m experiments.lobes_groups --output experiments/results/lobes_groups.json
+    python -m experiments.lobes_groups --fabrics 8                                          (a check)
 
 For each number of groups: nMAE of grey reflection overall and by size of the footprint (b0 is below a quarter
 yarn, b3 above a repeat), of transmission and of colour, bytes that a query fetches from the tables, and their
 size. Close up the model looks at single points, so b0 does not depend on groups. The protocol is that of
-`experiments/query_test.py`, which keeps the truths on disk; with them it takes some minutes.
+`experiments.query_test`, which keeps the truths on disk; with them it takes some minutes.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
-from pathlib import Path
+from argparse import ArgumentParser, Namespace
 from typing import Any
 
 import numpy as np
 
+from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.metrics import OVERALL
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_test import QueryTest, run_query_test
-from loomlight.evaluation.table import Table, write_json
+from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 
 GROUPS = (1, 2, 4, 8, 16, 32)
 
 
-def run(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int, list[int]]]:
+def tested(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int, list[int]]]:
     """The query test of each number of groups, and the sizes of the tables of all fabrics, bytes."""
     sizes: dict[int, list[int]] = {count: [] for count in groups}
 
@@ -67,15 +66,16 @@ def figures(result: QueryTest, name: str, sizes: list[int]) -> dict[str, Any]:
     }
 
 
-def main() -> None:
-    """Runs all and prints a table."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+def add_options(parser: ArgumentParser) -> None:
+    """Which numbers of groups, on how many fabrics."""
     parser.add_argument("--groups", default=",".join(map(str, GROUPS)), help="numbers, with commas between")
     parser.add_argument("--fabrics", type=int, default=None, help="only so many, of every kind")
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
-    groups = [int(count) for count in arguments.groups.split(",")]
-    result, sizes = run(groups, arguments.fabrics)
+
+
+def measure(options: Namespace) -> Figures:
+    """The curve of errors against groups, printed as a table."""
+    groups = [int(count) for count in options.groups.split(",")]
+    result, sizes = tested(groups, options.fabrics)
     curve = [figures(result, str(count), sizes[count]) for count in groups]
     columns = [OVERALL, *BANDS, "transmission", "colour", "bytes fetched", "median table, bytes"]
     table = Table("nMAE by groups of each family", columns, note=f"{len(result.fabrics)} fabrics.")
@@ -88,11 +88,8 @@ def main() -> None:
             point["table_bytes"]["median"],
         ]
     print(table.to_markdown())
-    if arguments.output is not None:
-        command = "python experiments/lobes_groups.py " + " ".join(sys.argv[1:])
-        found = {"fabrics": result.fabrics, "queries_per_fabric": result.queries, "curve": curve}
-        write_json(arguments.output, {**provenance(command, Path(__file__).parent), **found})
+    return {"fabrics": result.fabrics, "queries_per_fabric": result.queries, "curve": curve}
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options, prints=False)

@@ -1,28 +1,27 @@
 """The prefiltered lobes on drafts of hundreds of threads: error by band, table, baking.
 
-    python experiments/lobes_large_drafts.py DRAFT.wif … --output experiments/results/lobes_large_drafts.json
+    python -m experiments.lobes_large_drafts DRAFT.wif … --output experiments/results/lobes_large_drafts.json
 
 A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
 samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
-bands and metric are those of the query test. benchmarks/lobes.py has the cost of a query.
+bands and metric are those of the query test. `benchmarks.lobes` has the cost of a query.
 """
 
 from __future__ import annotations
 
-import argparse
 import json
-import time
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
 
+from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
 from loomlight.assets.fabrics import fabric_of_path
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.metrics import Classes, sums_by_class
 from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_test import grey_value
-from loomlight.evaluation.table import write_json
+from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 
@@ -50,38 +49,30 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     return found
 
 
-def main() -> None:
-    """Runs the experiment and prints it."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+def add_options(parser: ArgumentParser) -> None:
+    """Which drafts."""
     parser.add_argument("drafts", nargs="+")
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+
+
+def measure(options: Namespace) -> Figures:
+    """Size, baking and errors of each draft, as they come."""
     require_llvm()
-    names = " ".join(Path(text).name for text in arguments.drafts)
-    result: dict[str, Any] = {
-        **provenance(f"python experiments/lobes_large_drafts.py {names}", Path(__file__).parent),
-        "drafts": {},
-    }
-    for text in arguments.drafts:
+    drafts: dict[str, dict[str, Any]] = {}
+    for text in options.drafts:
         fabric = fabric_of_path(text)
         LobesModel.for_fabric(fabric)
-        start = time.perf_counter()
-        model = LobesModel.for_fabric(fabric)
-        seconds = time.perf_counter() - start
+        model, seconds = timed(lambda fabric=fabric: LobesModel.for_fabric(fabric))
         picks, ends = fabric.layout().warp_on_top.shape
-        result["drafts"][Path(text).name] = {
+        drafts[Path(text).name] = {
             "ends": ends,
             "picks": picks,
             "baking_seconds": round(seconds, 3),
             "table_megabytes": round(model.tables.nbytes / 1e6, 2),
             "nmae_of_reflection": errors(fabric, model),
         }
-        print(json.dumps(result["drafts"][Path(text).name], indent=2), flush=True)
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
+        print(json.dumps(drafts[Path(text).name], indent=2), flush=True)
+    return {"drafts": drafts}
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options, prints=False)

@@ -1,6 +1,6 @@
 """White furnace over the whole parameter box: does a point of any admitted fabric return more than it gets?
 
-    python experiments/white_furnace.py [--fabrics N] [--seed N] [--output FILE.json]
+    python -m experiments.white_furnace [--fabrics N] [--seed N] [--output FILE.json]
 
 Each fabric is drawn at random from everything that a fabric file admits, limits included; warp and weft
 differ in all of it, threads are white or use the energy bound up. Places all over both faces are lit from
@@ -14,10 +14,9 @@ The output is written every 25 fabrics, and a run with the same seed goes on whe
 
 from __future__ import annotations
 
-import argparse
 import json
 import math
-import time
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
 from typing import Any
 
@@ -26,10 +25,11 @@ import numpy as np
 from drjit.llvm import Array2f, Array3f, Bool, Float, UInt32
 from numpy.typing import NDArray
 
+from benchmarks.harness import REPOSITORY, Figures, record, run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
 from loomlight.evaluation.table import write_json
+from loomlight.evaluation.timing import timed
 from loomlight.scattering.albedo import Albedos, albedos_from_colour, check_albedos, layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
 from loomlight.scattering.point import PointModel, YarnPoint
@@ -153,7 +153,7 @@ def albedos(
     return weight.mean(axis=2), weight.std(axis=2) / math.sqrt(each), hole.numpy()[::each]
 
 
-def measure(seed: int, number: int) -> dict[str, float]:
+def measured(seed: int, number: int) -> dict[str, float]:
     """The largest albedo of fabric `number`, its error, and both measured again where it is largest."""
     rng = np.random.default_rng([seed, number])
     model = fabric(rng)
@@ -173,32 +173,39 @@ def measure(seed: int, number: int) -> dict[str, float]:
     }
 
 
-def main() -> None:
-    """Runs the experiment and writes what it found."""
-    parser = argparse.ArgumentParser(description=__doc__)
+def add_options(parser: ArgumentParser) -> None:
+    """How many fabrics, and which."""
     parser.add_argument("--fabrics", type=int, default=1200)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--output", type=Path, default=Path("experiments/results/white_furnace.json"))
-    arguments = parser.parse_args()
+    parser.set_defaults(output=REPOSITORY / "experiments/results/white_furnace.json")
+
+
+def measure(options: Namespace) -> Figures:
+    """What was found of all fabrics, earlier runs included."""
     require_llvm()
-    result = started(arguments.output, arguments.seed)
-    while result["fabrics"] < arguments.fabrics:
-        start = time.perf_counter()
-        for number in range(result["fabrics"], min(result["fabrics"] + SAVE_EVERY, arguments.fabrics)):
-            absorb(result, measure(arguments.seed, number))
-        result["seconds"] = round(result["seconds"] + time.perf_counter() - start, 1)
-        write_json(arguments.output, result, digits=None)
+    result = started(options.output, options.seed)
+    while result["fabrics"] < options.fabrics:
+        end = min(result["fabrics"] + SAVE_EVERY, options.fabrics)
+        _, seconds = timed(lambda end=end: take_in(result, options.seed, end))
+        result["seconds"] = round(result["seconds"] + seconds, 1)
+        write_json(options.output, record(result), digits=None)
         print(f"{result['fabrics']} fabrics, {result['seconds']} s, largest {result['largest']}", flush=True)
+    return result
 
 
-def started(output: Path, seed: int) -> dict[str, Any]:
+def take_in(result: Figures, seed: int, end: int) -> None:
+    """Measures fabrics up to number `end` and takes them into the running result."""
+    for number in range(result["fabrics"], end):
+        absorb(result, measured(seed, number))
+
+
+def started(output: Path, seed: int) -> Figures:
     """What an earlier run with `seed` left, or a fresh start."""
     if output.is_file():
-        earlier: dict[str, Any] = json.loads(output.read_text())
+        earlier: Figures = json.loads(output.read_text())
         if earlier["seed"] == seed:
             return earlier
     return {
-        **provenance("python experiments/white_furnace.py", Path(__file__).parent),
         "seed": seed,
         "places": f"{PLACES} a fabric, {SAMPLES} samples each; the brightest again with {AGAIN}",
         "bar": f"none above 1 + {SIGMAS} standard errors + {ROUNDING}",
@@ -211,7 +218,7 @@ def started(output: Path, seed: int) -> dict[str, Any]:
     }
 
 
-def absorb(result: dict[str, Any], found: dict[str, float]) -> None:
+def absorb(result: Figures, found: dict[str, float]) -> None:
     """Takes one fabric into the running result."""
     done = result["fabrics"]
     result["mean_albedo"] = (result["mean_albedo"] * done + found.pop("mean_albedo")) / (done + 1)
@@ -226,4 +233,4 @@ def absorb(result: dict[str, Any], found: dict[str, float]) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options, prints=False, digits=None)

@@ -13,6 +13,7 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.mitsuba import SCENES, build_scene, render
 from loomlight.mitsuba.camera import framing
+from loomlight.mitsuba.mesh_arrays import arrays_of
 
 DATA = os.environ.get("LOOMLIGHT_DATA")
 WHITE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.8}}
@@ -223,9 +224,8 @@ def test_no_ray_slips_through_between_two_triangles() -> None:
     """Rays from all around to points of the edges of the draped mesh, which two triangles share."""
     shown = build_scene("drape", WHITE, size=(16, 16))
     (cloth,) = (shape for shape in shown.scene.shapes() if shape.id() == "cloth")
-    params = mi.traverse(cloth)
-    positions = np.array(params["vertex_positions"], np.float64).reshape(-1, 3)
-    faces = np.array(params["faces"]).reshape(-1, 3)
+    mesh = arrays_of(cloth)
+    positions, faces = mesh.positions, mesh.triangles
     normals = np.cross(
         positions[faces[:, 1]] - positions[faces[:, 0]], positions[faces[:, 2]] - positions[faces[:, 0]]
     )

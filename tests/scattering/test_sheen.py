@@ -1,9 +1,6 @@
-"""The sheen: its lobe against the published tables, its energy, its sampler."""
+"""The sheen: its energy and its sampler; its lobe is held to the published tables in tests/tools/fits."""
 
 from __future__ import annotations
-
-import os
-from pathlib import Path
 
 import drjit as dr
 import drjit.llvm.ad as jit
@@ -22,76 +19,6 @@ from loomlight.scattering.sheen import (
 )
 
 LOBES = [(0.02, 0.3), (0.3, 0.05), (0.3, 0.4), (0.7, 0.4), (0.999, 1.0), (0.1, 1.0)]
-
-
-def published() -> np.ndarray:
-    """(a, b, R) by [cos θ_view, roughness]."""
-    folder = os.environ.get("LOOMLIGHT_DATA")
-    if folder is None:
-        pytest.skip("LOOMLIGHT_DATA does not name the folder with the published sheen tables")
-    table = np.load(Path(folder) / "validation/ltc_table_sheen_volume.npy")
-    reflectance = np.load(Path(folder) / "validation/reflectance_sheen_volume.npy")
-    np.testing.assert_array_equal(table[..., 2], reflectance)
-    return table
-
-
-def at_nodes() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    axis = np.linspace(0, 1, 32)
-    cos_view, roughness = (grid.ravel().astype(np.float32) for grid in np.meshgrid(axis, axis, indexing="ij"))
-    return tuple(v.numpy().reshape(32, 32) for v in sheen_lobe(jit.Float(cos_view), jit.Float(roughness)))
-
-
-def test_table_rows_are_cosines() -> None:
-    """A lobe seen from straight above has no azimuth, so b must vanish in the row of cos θ = 1."""
-    table = published()
-    assert np.abs(table[31, :, 1]).max() < 0.005
-    # So does it for isotropic flakes, in the last column; but those return most at grazing angles.
-    assert np.all(np.diff(table[1:, 31, 2]) < 0)
-
-
-def test_reflectance_is_the_published_one() -> None:
-    error = np.abs(at_nodes()[2] - published()[..., 2])
-    # The bar is 0.01, at every entry; the fit says 0.005.
-    assert error.max() < 0.006
-    assert error.mean() < 0.002
-
-
-def test_reflectance_between_entries_is_the_published_one() -> None:
-    """Bilinear reading, as published, at the centres of the cells in which it describes a smooth function.
-
-    It does not in the first row of cells, whose lower entries were computed at cos θ = 0.01 and are read at
-    0, nor where cosine and roughness are both below 4/31 and R rises by up to 0.3 within a cell.
-    """
-    reflectance = published()[..., 2]
-    corners = np.stack([reflectance[i : i + 31, j : j + 31] for i in (0, 1) for j in (0, 1)])
-    centre = ((np.arange(31) + 0.5) / 31).astype(np.float32)
-    cos_view, roughness = (grid.ravel() for grid in np.meshgrid(centre, centre, indexing="ij"))
-    mine = sheen_lobe(jit.Float(cos_view), jit.Float(roughness))[2].numpy().reshape(31, 31)
-    regular = np.ones((31, 31), dtype=bool)
-    regular[0] = regular[:4, :4] = False
-    assert np.abs(mine - corners.mean(0))[regular].max() < 0.01
-
-
-def test_lobe_is_close_to_the_published_one() -> None:
-    table = published()
-    a, b, reflectance = at_nodes()
-    # Squeezed towards the horizon, where lobes of small a have their peak.
-    z, azimuth = np.meshgrid(
-        ((np.arange(96) + 0.5) / 96) ** 2, (np.arange(64) + 0.5) * np.pi / 64, indexing="ij"
-    )
-    solid_angle = 2 * np.sqrt(z) / 96 * 2 * np.pi / 64
-    x, y = np.sqrt(1 - z**2) * np.cos(azimuth), np.sqrt(1 - z**2) * np.sin(azimuth)
-
-    def lobe(scale: float, shear: float) -> np.ndarray:
-        return scale**2 * z / np.pi / ((scale * x + shear * z) ** 2 + (scale * y) ** 2 + z**2) ** 2
-
-    errors = []
-    for i, j in np.argwhere(table[..., 0] > 0):
-        theirs = table[i, j, 2] * lobe(*table[i, j, :2])
-        errors.append(np.sum(np.abs(reflectance[i, j] * lobe(a[i, j], b[i, j]) - theirs) * solid_angle))
-    # Of all incident light; what scripts/fit_sheen.py reports, a little rounded up.
-    assert np.mean(errors) < 0.003
-    assert np.max(errors) < 0.03
 
 
 def view_at(cos_view: float, azimuth: float = 2.1) -> jit.Array3f:

@@ -11,9 +11,8 @@ import math
 from typing import Any
 
 import numpy as np
+from numpy import fft
 from numpy.typing import NDArray
-from scipy import fft
-from scipy.special import erf
 
 from loomlight.aggregate.grid import Grid
 
@@ -23,6 +22,7 @@ _REACH = 7.2
 _EVEN = 1.5
 _SMALLEST_SIGMA = 1e-6
 _BATCH = 1 << 24
+_erf = np.vectorize(math.erf, otypes=[np.float64])
 
 
 def texel_weights(
@@ -40,7 +40,7 @@ def texel_weights(
     bounds = np.arange(texels + 1)
     for turn in range(-repeats, repeats + 1):
         reached = (bounds + turn * texels - centres[:, None]) / (math.sqrt(2) * widths[:, None])
-        weights += np.diff(erf(reached), axis=1) / 2
+        weights += np.diff(_erf(reached), axis=1) / 2
     return weights / weights.sum(axis=1, keepdims=True)
 
 

@@ -19,7 +19,6 @@ PACKAGES = (
     "drjit",
     "mitsuba",
     "numpy",
-    "scipy",
     "threadpoolctl",
     "pillow",
     "OpenEXR",
@@ -29,12 +28,16 @@ PACKAGES = (
     "rich",
     "trimesh",
     "safetensors",
-    "onnx",
-    "onnxruntime",
     "llvmlite",
-    "zarr",
+    "numba",
     "flip-evaluator",
 )
+# By package: the extra that installs it, and what it is for.
+EXTRAS = {
+    "onnxruntime": ("woven", "to encode fabrics for the network"),
+    "zarr": ("data", "to write data sets"),
+    "torch": ("train", "to train the network"),
+}
 
 # In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
 _TRY_KERNEL = """
@@ -89,11 +92,13 @@ def findings() -> Iterator[Finding]:
         finding = _package(name)
         missing = missing or finding.remedy is not None
         yield finding
+    for name, (extra, purpose) in EXTRAS.items():
+        yield _extra(name, extra, purpose)
     if missing:
         return
     llvm = _llvm()
     yield llvm
-    yield _machine_code()
+    yield _kernels()
     yield _cuda()
     if llvm.remedy is None:
         yield _variant()
@@ -112,6 +117,14 @@ def _package(name: str) -> Finding:
         return Finding(name, "not installed", f"python -m pip install {name}")
 
 
+def _extra(name: str, extra: str, purpose: str) -> Finding:
+    try:
+        return Finding(name, version(name))
+    except PackageNotFoundError:
+        remedy = f"needed {purpose}: python -m pip install 'loomlight[{extra}]'"
+        return Finding(name, "not installed", remedy, needed=False)
+
+
 def _llvm() -> Finding:
     from loomlight.core.llvm import llvm_version
 
@@ -126,21 +139,12 @@ def _llvm() -> Finding:
     return Finding("LLVM", shown)
 
 
-def _machine_code() -> Finding:
-    import numpy as np
+def _kernels() -> Finding:
+    from loomlight.core.simd import host_target, kernels_work
 
-    from loomlight.core.lane_code import Code
-    from loomlight.core.machine_code import MachineCode, vectors
-
-    code = Code("next", vectors())
-    with code.blocks(), code.each_vector():
-        code.answer(1, code.given(0) + 1)
-    numbers = np.arange(100, dtype=np.float32)
-    found = np.zeros_like(numbers)
-    MachineCode(code).run(len(numbers), [numbers], [found], [])
-    if not (found == numbers + 1).all():
-        return Finding("machine code", "counts wrongly", "python -m pip install --upgrade llvmlite")
-    return Finding("machine code", f"{vectors().lanes} numbers at once")
+    if not kernels_work():
+        return Finding("SIMD kernels", "compute wrongly", "python -m pip install --upgrade llvmlite")
+    return Finding("SIMD kernels", f"{host_target().width} lanes")
 
 
 def _cuda() -> Finding:

@@ -21,7 +21,7 @@ CYLINDER_LENGTH = 0.12
 CURTAIN_SIZE = (0.2, 0.12)
 CURTAIN_FOLDS = 4
 CURTAIN_SLOPE = 0.8
-# The ball under the draped cloth; scripts/make_drape.py drapes over the same one.
+# The ball under the draped cloth; tools/make_drape.py drapes over the same one.
 DRAPE_BALL_RADIUS = 0.115
 
 
@@ -86,7 +86,7 @@ def curtain() -> ClothMesh:
 
 
 def drape() -> ClothMesh:
-    """A square of 0.6 m draped over a ball on the ground, made by scripts/make_drape.py."""
+    """A square of 0.6 m draped over a ball on the ground, made by tools/make_drape.py."""
     return read_mesh(str(files("loomlight.mitsuba").joinpath("data/drape.ply")))
 
 

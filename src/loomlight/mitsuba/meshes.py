@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.mitsuba.faults import reason_of
+from loomlight.mitsuba.mesh_arrays import MeshArrays, arrays_of, make_shape
 
 SUFFIXES = (".obj", ".ply", ".gltf", ".glb")
 
@@ -83,43 +84,21 @@ def uv_size(mesh: ClothMesh, metres_per_unit: float = 1.0) -> tuple[float, float
     )
 
 
-def to_shape(mesh: ClothMesh, bsdf: Any) -> Any:
+def to_shape(mesh: ClothMesh, bsdf: mi.BSDF | dict[str, object]) -> mi.Mesh:
     """The mesh as a Mitsuba shape with the BSDF object or dictionary `bsdf`."""
-    props = mi.Properties()
-    props["bsdf"] = mi.load_dict(bsdf) if isinstance(bsdf, dict) else bsdf
-    shape = mi.Mesh(
-        Path(mesh.name).stem,
-        vertex_count=len(mesh.positions),
-        face_count=len(mesh.triangles),
-        props=props,
-        has_vertex_normals=True,
-        has_vertex_texcoords=True,
-    )
-    params = mi.traverse(shape)
-    params["vertex_positions"] = mesh.positions.astype(np.float32).ravel()
-    params["vertex_normals"] = mesh.normals.astype(np.float32).ravel()
-    params["vertex_texcoords"] = mesh.uv.astype(np.float32).ravel()
-    params["faces"] = mesh.triangles.astype(np.uint32).ravel()
-    params.update()
-    return shape
+    made = mi.load_dict(bsdf) if isinstance(bsdf, dict) else bsdf
+    arrays = MeshArrays(mesh.positions, mesh.normals, mesh.uv, mesh.triangles)
+    return make_shape(Path(mesh.name).stem, arrays, made)
 
 
-def from_shape(shape: Any, name: str) -> ClothMesh:
+def from_shape(shape: mi.Mesh, name: str) -> ClothMesh:
     """The triangles of a Mitsuba mesh.
 
     Raises:
         InputError: no usable uv.
     """
-
-    def rows(values: Any, width: int) -> NDArray[np.float64]:
-        return np.array(values, dtype=np.float64).reshape(-1, width)
-
-    # Not as scene parameters: a rectangle is a mesh that has none of these.
-    positions = rows(shape.vertex_positions_buffer(), 3)
-    triangles = np.array(shape.faces_buffer(), dtype=np.int64).reshape(-1, 3)
-    uv = rows(shape.vertex_texcoords_buffer(), 2) if shape.has_vertex_texcoords() else np.zeros((0, 2))
-    normals = rows(shape.vertex_normals_buffer(), 3) if shape.has_vertex_normals() else np.zeros((0, 3))
-    return _checked(ClothMesh(positions, normals, uv, triangles, name))
+    arrays = arrays_of(shape)
+    return _checked(ClothMesh(arrays.positions, arrays.normals, arrays.uv, arrays.triangles, name))
 
 
 def joined(parts: list[ClothMesh]) -> ClothMesh:

@@ -2,7 +2,7 @@
 
 The lobe is a linearly transformed cosine (Zeltner, Burley and Chiang 2022) with M⁻¹ = [[a, 0, b], [0, a, 0],
 [0, 0, 1]] in the frame about n_s = (0, 0, 1) where the view has azimuth 0. Its a, b and reflectance R come
-from a closed form of the sheen roughness and cos θ_view, fitted by `scripts/fit_sheen.py`. Strength C and
+from a closed form of the sheen roughness and cos θ_view, fitted by `tools/fits/sheen.py`. Strength C and
 roughness lie in 0 to 1. Light and view are both above the cloth, else the lobe is zero.
 """
 

@@ -1,4 +1,4 @@
-"""Coefficients of the sheen lobe, written by `scripts/fit_sheen.py`; see there for the data.
+"""Coefficients of the sheen lobe, written by `tools/fits/sheen.py`; see there for the data.
 
 Rows are powers of 2 cos^½ − 1, columns powers of 3 roughness^¼ − 2, both rising.
 """

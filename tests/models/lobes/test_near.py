@@ -25,7 +25,7 @@ def test_the_first_point_is_the_middle_and_all_lie_within() -> None:
     assert len(np.unique(found, axis=0)) == MOST_POINTS
 
 
-# Errors of `experiments/near_points.py`, a tenth added; points by chance have 0.2, 0.14 and 0.1.
+# Errors of `tools/fits/near_points.py`, a tenth added; points by chance have 0.2, 0.14 and 0.1.
 @pytest.mark.parametrize(("count", "largest"), [(3, 0.11), (5, 0.055), (8, 0.031)])
 def test_few_points_know_the_share_beyond_a_line(count: int, largest: float) -> None:
     rng = np.random.default_rng(0)

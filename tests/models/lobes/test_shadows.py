@@ -63,7 +63,7 @@ def test_correlated_shadows_are_nearer_to_rays_than_independent_ones(
     monkeypatch.setattr(estimate, "shadow_correlation", lambda *_: (Float(0), Float(0)))
     independent = errors(through)
     # Over 40 random fabrics it is 0.55 and 0.77 on one side, 0.77 and 0.97 through the cloth
-    # (`experiments/lobes_shadows.py`); these are four fabrics.
+    # (`tools/fits/lobes_shadows.py`); these are four fabrics.
     diffuse, specular = shipped / independent
     assert diffuse < (0.82 if through else 0.72)
     assert specular < (1.0 if through else 0.82)

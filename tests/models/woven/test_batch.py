@@ -10,7 +10,7 @@ import pytest
 from drjit.llvm.ad import Float
 
 from loomlight.core.llvm import require_llvm
-from loomlight.core.machine_code import vectors
+from loomlight.core.simd import host_target
 from loomlight.fabric import fabric_from_text
 from loomlight.models.woven.architecture import NetworkTable
 from loomlight.models.woven.batch import decode, fabric_numbers
@@ -121,7 +121,7 @@ def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> N
     encoded = encode(fabric_from_text("twill 2/1"), weights, Float)
     rng = np.random.default_rng(5)
     # More than one block for each part of two cores' work, and a last one that is not full.
-    block = vectors().block
+    block = host_target().block_size
     count = 50 * block + 3
     lights, views = unit_vectors(rng, count), unit_vectors(rng, count)
     footprints = rng.uniform(0.1, 5, (count, 3)).astype(np.float32)

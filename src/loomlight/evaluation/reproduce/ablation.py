@@ -8,20 +8,16 @@ from __future__ import annotations
 from pathlib import Path
 
 from loomlight.core.errors import InputError
-from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.pictures import picture_error
-from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.evaluation.query_test import run_query_test
 from loomlight.evaluation.reproduce.evidence import Evidence, on_display
 from loomlight.evaluation.reproduce.fabrics import paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
-from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf, woven_predictor
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import CLOSE, CYLINDER, DRAPE
 from loomlight.evaluation.table import Table
-from loomlight.models.woven.encoding import encode
-from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights
 
 # By heading: the configuration in experiments/.
@@ -71,7 +67,7 @@ def ablated(setting: Setting) -> Evidence:
         tables[1].rows[label] = [error.flip for error in errors.values()]
         setting.step(number + 1, len(_SCENES) + 1)
     test = run_query_test(
-        {name: _predictor(network) for name, network in networks.items()},
+        {name: woven_predictor(network) for name, network in networks.items()},
         held_out_fabrics(_FABRICS),
         pairs=_PAIRS,
         footprints=_FOOTPRINTS,
@@ -107,10 +103,6 @@ def weights_files(runs: Path) -> dict[str, Path]:
             f"chen2024/fig7 shows trainings that are not in the folder {runs}: make them with {commands}."
         )
     return files
-
-
-def _predictor(network: Weights) -> Predictor:
-    return model_predictor(lambda fabric: WovenModel(fabric, encode(fabric, network, llvm_float()), network))
 
 
 def _budget(networks: dict[str, Weights]) -> str:

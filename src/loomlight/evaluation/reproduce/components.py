@@ -11,17 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.queries import QuerySet
-from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.metrics import error_sums
-from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
+from loomlight.evaluation.predictions import Prediction, monte_carlo_predictor
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
-from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.reproduce.setting import Setting, woven_predictor
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.encoding import encode
-from loomlight.models.woven.model import WovenModel
 
 _WHITE = Look(roughness=(0.3, 0.3), height_scale=(0.6, 0.6), translucency=0.5)
 _PATCH = 0.4
@@ -35,9 +32,8 @@ _COLUMNS = ("BSDF", "diffuse, warp", "diffuse, weft", "specular, warp", "specula
 def separated(setting: Setting) -> Evidence:
     """Figure 2: the BSDF of plain white cloth and its four components, reflection and transmission."""
     fabric = paper_fabric("plain", _WHITE)
-    network = setting.network()
     truth = monte_carlo_predictor(setting.samples)
-    woven = model_predictor(lambda cloth: WovenModel(cloth, encode(cloth, network, llvm_float()), network))
+    woven = woven_predictor(setting.network())
     grid = max(4, round(setting.size[1] * _SIDE_OF_HEIGHT))
     rows: list[Row] = []
     pictures: dict[str, Pixels] = {}

@@ -8,12 +8,9 @@ pixels.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-
-import drjit as dr
 
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.reproduce.cache import without_cached_latents
@@ -21,9 +18,10 @@ from loomlight.evaluation.reproduce.evidence import Evidence, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric, unseen_fabrics
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
 from loomlight.evaluation.reproduce.setting import Setting
-from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.sheet import Tile, contact_sheet, in_two_rows
 from loomlight.evaluation.reproduce.shots import BACKLIT, BALL, CYLINDER, DRAPE
 from loomlight.evaluation.table import Table
+from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredShot
 from loomlight.models.woven.compiled import CompiledDecoder
@@ -54,13 +52,13 @@ class NetworkTime:
 
 def network_time(run: Callable[[], object]) -> NetworkTime:
     """Runs a picture of a scene with networks, and takes its time apart; compile it beforehand."""
-    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
-        dr.kernel_history_clear()
-        before, start = CompiledDecoder.seconds, time.perf_counter()
-        run()
-        seconds = time.perf_counter() - start
-        kernels = [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]
-    others = sum(kernel["execution_time"] for kernel in kernels) / 1e3
+    before, seconds = CompiledDecoder.seconds, 0.0
+
+    def picture() -> None:
+        nonlocal seconds
+        _, seconds = timed(run)
+
+    others = sum(kernel["execution_time"] for kernel in launched_kernels(picture)) / 1e3
     return NetworkTime(seconds, CompiledDecoder.seconds - before, others)
 
 
@@ -92,8 +90,7 @@ def split(setting: Setting) -> Evidence:
         tiles.append(Tile(picture, f"{name}: {caption}"))
         pictures[name] = picture
         setting.step(number + 1, len(scenes))
-    rows = [Row("", tiles[:2]), Row("", tiles[2:])]
-    sheet = contact_sheet("chen2024 table 3: where the time goes", [], rows, table.note)
+    sheet = contact_sheet("chen2024 table 3: where the time goes", [], in_two_rows(tiles), table.note)
     return Evidence(sheet, pictures, [table])
 
 
@@ -112,7 +109,5 @@ def _encoder_seconds(setting: Setting, fabric: Fabric) -> float:
     network, seconds = setting.network(), []
     for _ in range(_TIMES):
         with without_cached_latents():
-            start = time.perf_counter()
-            encode(fabric, network, llvm_float())
-            seconds.append(time.perf_counter() - start)
+            seconds.append(timed(lambda: encode(fabric, network, llvm_float()))[1])
     return min(seconds)

@@ -6,7 +6,6 @@ pattern is another fabric. The cache of latents is empty, so that every run is a
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -17,11 +16,13 @@ from numpy.typing import NDArray
 from loomlight.evaluation.reproduce.cache import without_cached_latents
 from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric
-from loomlight.evaluation.reproduce.renders import Stage, one_picture, timed
+from loomlight.evaluation.reproduce.renders import Stage, fastest_picture, one_picture
 from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf
-from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
+from loomlight.evaluation.reproduce.sheet import Tile, contact_sheet, in_two_rows
 from loomlight.evaluation.reproduce.shots import DRAPE
 from loomlight.evaluation.table import Table
+from loomlight.evaluation.timing import timed
+from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba.measured_scenes import MeasuredScene
 from loomlight.mitsuba.scene_edits import SceneEdits, bitmap_texture
 
@@ -82,44 +83,39 @@ def edited(setting: Setting) -> Evidence:
         Tile(found.picture, f"{found.label}: {1e3 * found.edit:.0f} ms, picture {found.following:.2f} s")
         for found in shown
     ]
-    half = -(-len(tiles) // 2)
     note = (
         "Each from the first by one edit. Milliseconds are of the edit itself, with the encoder where it is "
         "needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
     )
-    rows = [Row("", tiles[:half]), Row("", tiles[half:])]
-    sheet = contact_sheet("chen2024 figure 9: editing", [], rows, note)
+    sheet = contact_sheet("chen2024 figure 9: editing", [], in_two_rows(tiles), note)
     return Evidence(sheet, {found.label: found.picture for found in shown}, [table])
 
 
 def _strip(setting: Setting) -> Iterator[_Shown]:
-    fabric = paper_fabric(_PATTERN, _LOOK)
-    start = time.perf_counter()
-    stage = Stage(setting, DRAPE, fabric)
-    scene = stage.woven_scene()
-    yield _pictured("the fabric, encoded", scene, time.perf_counter() - start)
+    fabric, other = paper_fabric(_PATTERN, _LOOK), paper_fabric(_OTHER_PATTERN, _LOOK)
+    scene, seconds = timed(lambda: Stage(setting, DRAPE, fabric).woven_scene())
+    yield _pictured("the fabric, encoded", scene, seconds)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
-        start = time.perf_counter()
-        before = edits.apply(edit.values)
-        yield _pictured(edit.label, scene, time.perf_counter() - start)
+        before, seconds = timed(lambda edit=edit: edits.apply(edit.values))  # type: ignore[misc]
+        yield _pictured(edit.label, scene, seconds)
         edits.apply(before)
-    other = paper_fabric(_OTHER_PATTERN, _LOOK)
-    start = time.perf_counter()
-    scene = Stage(setting, DRAPE, other).woven_scene()
-    yield _pictured(f"pattern {_OTHER_PATTERN}", scene, time.perf_counter() - start)
-    start = time.perf_counter()
-    scene = stage.woven_scene(
-        cloth_bsdf(fabric, WOVEN, setting.weights, albedo=bitmap_texture(albedo_map(_MAP_SIDE)))
-    )
-    yield _pictured("albedo map", scene, time.perf_counter() - start)
+    scene, seconds = timed(lambda: Stage(setting, DRAPE, other).woven_scene())
+    yield _pictured(f"pattern {_OTHER_PATTERN}", scene, seconds)
+    scene, seconds = timed(lambda: _mapped_scene(setting, fabric))
+    yield _pictured("albedo map", scene, seconds)
+
+
+def _mapped_scene(setting: Setting, fabric: Fabric) -> MeasuredScene:
+    """The fabric with the colours of a map."""
+    albedo = bitmap_texture(albedo_map(_MAP_SIDE))
+    bsdf = cloth_bsdf(fabric, WOVEN, setting.weights, albedo=albedo)
+    return Stage(setting, DRAPE, fabric).woven_scene(bsdf)
 
 
 def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
-    start = time.perf_counter()
-    one_picture(scene, 1)
-    first = time.perf_counter() - start
-    following = timed(scene, 1)
+    _, first = timed(lambda: one_picture(scene, 1))
+    following = fastest_picture(scene, 1)
     return _Shown(label, on_display(following.linear), edit, first, following.seconds)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.evaluation.reproduce.setting import POINT, WOVEN, Setting, cloth_bsdf
+from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MeasuredScene, MeasuredShot, shot_counted, shot_scene
@@ -56,13 +56,13 @@ class Stage:
     def reference(self) -> Rendered:
         """The point model with many samples a pixel."""
         scene = self._point_scene()
-        start = time.perf_counter()
-        linear = one_picture(scene, self.setting.samples, 0)
-        return Rendered(linear, self.setting.samples, time.perf_counter() - start)
+        samples = self.setting.samples
+        linear, seconds = timed(lambda: one_picture(scene, samples, 0))
+        return Rendered(linear, samples, seconds)
 
     def point(self, samples: int) -> Rendered:
         """The point model with a few samples a pixel."""
-        return timed(self._point_scene(), samples)
+        return fastest_picture(self._point_scene(), samples)
 
     def equal_time(self) -> tuple[Rendered, Rendered]:
         """The network, and the point model with as many samples as take as long, from 1 to 64.
@@ -71,16 +71,16 @@ class Stage:
         comes and goes.
         """
         network, scene = self.woven_scene(), self._point_scene()
-        few, some = (timed(scene, samples).seconds for samples in (_FEW, _SOME))
+        few, some = (fastest_picture(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
-        woven = timed(network, 1)
-        pairs = [(woven, timed(scene, grid_near(_FEW + (woven.seconds - few) / slope)))]
+        woven = fastest_picture(network, 1)
+        pairs = [(woven, fastest_picture(scene, grid_near(_FEW + (woven.seconds - few) / slope)))]
         for _ in range(_CORRECTIONS):
             woven, point = pairs[-1]
             better = grid_near(point.samples * woven.seconds / point.seconds)
             if better == point.samples:
                 break
-            pairs.append((timed(network, 1), timed(scene, better)))
+            pairs.append((fastest_picture(network, 1), fastest_picture(scene, better)))
         return min(pairs, key=lambda pair: abs(math.log(pair[0].seconds / pair[1].seconds)))
 
     def woven_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
@@ -102,17 +102,11 @@ def grid_near(samples: float) -> int:
     return min(counts, key=lambda count: abs(count - samples))
 
 
-def timed(scene: MeasuredScene, samples: int) -> Rendered:
+def fastest_picture(scene: MeasuredScene, samples: int) -> Rendered:
     """A picture and the seconds of it: the first compiles, the fastest of three others counts."""
     one_picture(scene, samples, 2)
-    seconds = []
-    linear = None
-    for _ in range(_TIMES):
-        start = time.perf_counter()
-        linear = one_picture(scene, samples, 1)
-        seconds.append(time.perf_counter() - start)
-    assert linear is not None
-    return Rendered(linear, samples, min(seconds))
+    taken = [timed(lambda: one_picture(scene, samples, 1)) for _ in range(_TIMES)]
+    return Rendered(taken[-1][0], samples, min(seconds for _, seconds in taken))
 
 
 def one_picture(scene: MeasuredScene, samples: int, seed: int = 1) -> NDArray[np.float32]:

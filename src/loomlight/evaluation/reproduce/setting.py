@@ -7,9 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from loomlight.core.llvm import llvm_float
+from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import fabric_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
+from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 
 SIZE, SAMPLES = (384, 216), 256
@@ -59,3 +63,8 @@ def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **proper
     if weights is not None and model == WOVEN:
         more["weights"] = str(weights)
     return lambda uv_size_mm: plain(uv_size_mm) | more
+
+
+def woven_predictor(weights: Weights) -> Predictor:
+    """What the network of these weights says to the queries of a fabric, encoded anew for each."""
+    return model_predictor(lambda fabric: WovenModel(fabric, encode(fabric, weights, llvm_float()), weights))

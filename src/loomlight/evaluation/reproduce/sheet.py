@@ -69,6 +69,12 @@ def contact_sheet(title: str, columns: Sequence[str], rows: Sequence[Row], note:
     return np.asarray(sheet)
 
 
+def in_two_rows(tiles: Sequence[Tile]) -> list[Row]:
+    """Tiles without headings in two rows, the first no shorter than the second."""
+    half = -(-len(tiles) // 2)
+    return [Row("", tiles[:half]), Row("", tiles[half:])]
+
+
 def _cells(columns: Sequence[str], rows: Sequence[Row]) -> tuple[list[int], list[int]]:
     """Widths of columns, which hold all that stands in them, and heights of pictures by row."""
     widths = [_length(heading, _HEADING) for heading in columns]

@@ -9,7 +9,7 @@ same as can be, of what is seen a share min(1, V(light)/V(view)) would be lit; w
 A share κ of the first is taken and 1 − κ of the second. Of diffuse terms κ is the larger the nearer the
 azimuths; of specular ones, which are bright where light and view mirror each other, it is the same all
 around. Light from the other side reaches what the view does not, and κ < 0. The numbers are fits to rays
-(`experiments/lobes_shadows.py`).
+(`tools/fits/lobes_shadows.py`).
 """
 
 from __future__ import annotations

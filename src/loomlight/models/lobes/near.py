@@ -5,7 +5,7 @@ middle, and their number grows with the footprint.
 
 What jumps within a footprint does so along a line. Points lie where the first n of them, for any n and the
 last counting by a share, err least about which part of a square lies on one side of a line
-(`experiments/near_points.py`): by half of what those of the plastic number do (Roberts 2018), a third at
+(`tools/fits/near_points.py`): by half of what those of the plastic number do (Roberts 2018), a third at
 eight.
 """
 

@@ -1,4 +1,4 @@
-"""The decoder compiled for this processor, from `decoder_code`, and what it reads of a fabric."""
+"""The decoder compiled for this processor, from `decoder_kernel`, and the uniform buffers of a fabric."""
 
 from __future__ import annotations
 
@@ -8,76 +8,84 @@ from functools import cache
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from loomlight.core.dense_code import Packed
-from loomlight.core.machine_code import MachineCode, vectors
+from loomlight.core.simd import CompiledKernel, Floats, host_target
 from loomlight.models.woven.architecture import NetworkTable
-from loomlight.models.woven.decoder_code import Question, decoder_code, packed_layers
+from loomlight.models.woven.decoder_kernel import (
+    EntryPoint,
+    correction_layers,
+    decoder_kernel,
+    packed_layers,
+)
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.latents import LatentRows
 from loomlight.models.woven.weights import Weights
 
-Floats = NDArray[np.float32]
-
 
 class FabricNumbers:
-    """What machine code reads of a fabric.
+    """What kernels read of a fabric.
 
     Attributes:
-        corrected: whether the fabric has a correction of its own.
-        repeat: picks and ends, if code depends on them.
-        shared: see `decoder_code.SHARED`, all but the layers.
+        has_correction: whether the fabric has a correction of its own.
+        repeat: picks and ends, if code depends on them; else 0 and 0.
+        uniforms: the uniform buffers of `decoder_kernel` after the packed layers.
     """
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, rows: LatentRows) -> None:
-        self.corrected = encoded.correction is not None
+        self.has_correction = encoded.correction is not None
         self.repeat = (0, 0) if weights.table.latent == "field" else (encoded.picks, encoded.ends)
         bundles = encoded.fibres.bundles(False) if weights.table.bundles else np.zeros(0)
         counts = [encoded.ends, encoded.picks, rows.texels, len(rows.levels)]
-        numbers = np.concatenate([counts, encoded.fibres.face(False).ravel(), bundles.ravel()])
+        parameters = np.concatenate([counts, encoded.fibres.face(False).ravel(), bundles.ravel()])
         correction = np.zeros(1, np.float32)
         if encoded.correction is not None:
-            packed = Packed(vectors())
-            packed.add("correction", encoded.correction[:, :-1], encoded.correction[:, -1])
-            correction = packed.numbers()
-        self.shared = [rows.values, rows.levels, numbers.astype(np.float32), correction]
+            correction = correction_layers(encoded.correction, host_target()).weights()
+        self.uniforms = [rows.values, rows.levels, parameters.astype(np.float32), correction]
 
 
 class CompiledDecoder:
     """The decoder of some weights on this processor; all fabrics share its code.
 
     Attributes:
-        seconds: that all decoders have spent on answers so far, compiling apart.
+        seconds: that all decoders have spent on queries so far, without compiling.
     """
 
     seconds: ClassVar[float] = 0.0
 
     def __init__(self, weights: Weights) -> None:
         self._weights = weights
-        self._numbers = packed_layers(weights).numbers()
+        self._layers = packed_layers(weights, host_target()).weights()
 
     def run(
-        self, question: Question, fabric: FabricNumbers, queries: Sequence[Floats], answers: Sequence[Floats]
+        self,
+        entry_point: EntryPoint,
+        fabric: FabricNumbers,
+        inputs: Sequence[Floats],
+        outputs: Sequence[Floats],
     ) -> None:
-        """Answers queries; see `decoder_code` for what both are."""
+        """Computes outputs of queries; `decoder_kernel` says what both are for each entry point."""
         weights = self._weights
-        code = _compiled(
-            question, weights.table, weights.linear_diffuse, fabric.corrected, fabric.repeat, _Of(weights)
+        kernel = _compiled(
+            entry_point,
+            weights.table,
+            weights.linear_diffuse,
+            fabric.has_correction,
+            fabric.repeat,
+            _Shape(weights),
         )
         start = time.perf_counter()
-        code.run(len(answers[0]), queries, answers, [self._numbers, *fabric.shared])
+        kernel.launch(len(outputs[0]), inputs, outputs, [self._layers, *fabric.uniforms])
         CompiledDecoder.seconds += time.perf_counter() - start
 
 
-class _Of:
-    """Weights as an argument that is not told apart by: code depends on their shape alone."""
+class _Shape:
+    """Weights as a cache key that ignores their values: code depends on the shape, which the table says."""
 
     def __init__(self, weights: Weights) -> None:
         self.weights = weights
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Of)
+        return isinstance(other, _Shape)
 
     def __hash__(self) -> int:
         return 0
@@ -85,14 +93,15 @@ class _Of:
 
 @cache
 def _compiled(
-    question: Question,
+    entry_point: EntryPoint,
     _table: NetworkTable,
     _linear_diffuse: bool,
-    corrected: bool,
+    has_correction: bool,
     repeat: tuple[int, int],
-    of: _Of,
-) -> MachineCode:
-    return MachineCode(decoder_code(question, of.weights, corrected, repeat))
+    shape: _Shape,
+) -> CompiledKernel:
+    kernel = decoder_kernel(entry_point, shape.weights, has_correction, repeat, host_target())
+    return CompiledKernel(kernel)
 
 
 @cache

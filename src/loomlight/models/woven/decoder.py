@@ -22,8 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
-from loomlight.core.compiled_queries import answered, answers_now, reads
 from loomlight.core.footprint import SQUARES
+from loomlight.core.simd import call_kernel, can_use_kernel, is_host_type
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.woven.codings import (
     DIFFUSE,
@@ -34,7 +34,7 @@ from loomlight.models.woven.codings import (
     unmapped,
 )
 from loomlight.models.woven.compiled import FabricNumbers, compiled_decoder
-from loomlight.models.woven.decoder_code import Question
+from loomlight.models.woven.decoder_kernel import EntryPoint
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.latents import PACKET, LatentRows
 from loomlight.models.woven.layers import CooperativeLayers
@@ -101,7 +101,7 @@ class LatentTable:
                 upload(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
             )
         self.numbers: FabricNumbers | None = None
-        if reads(types.Float):
+        if is_host_type(types.Float):
             # Of the same memory.
             dr.sync_thread()
             values = self._values.numpy().reshape(rows.values.shape)
@@ -251,14 +251,14 @@ class Decoder:
 
     def compiles(self, asked: Sequence[Any]) -> bool:
         """Whether queries are answered by machine code."""
-        return answers_now(self._types.Float, asked)
+        return can_use_kernel(self._types.Float, asked)
 
-    def _compiled(self, question: Question, table: LatentTable, asked: Any, answers: int) -> list[Any]:
+    def _compiled(self, question: EntryPoint, table: LatentTable, asked: Any, answers: int) -> list[Any]:
         """What machine code answers."""
         numbers = table.numbers
         assert numbers is not None
         decoder = compiled_decoder(self.weights)
-        return answered(
+        return call_kernel(
             self._types.Float,
             asked,
             answers,

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from loomlight.core.errors import InputError
+from loomlight.core.extras import import_extra
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
 from loomlight.models.woven.encoded_fabric import EncodedFabric
@@ -54,8 +55,7 @@ def encoder_session(weights: Weights) -> Any:
     [texels, latent_size] in the order of `pyramid.levels_of` ("field"), or [1, latent_size] ("vector").
     """
     # Not needed where latents are at hand, and slow to import.
-    import onnxruntime
-
+    onnxruntime = import_extra("onnxruntime", "woven", "Encoding a fabric for the network")
     options = onnxruntime.SessionOptions()
     options.log_severity_level = 3
     try:

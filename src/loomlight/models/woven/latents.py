@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.machine_code import aligned
+from loomlight.core.simd import aligned
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.weights import Weights
 

@@ -257,6 +257,8 @@ def test_without_zarr_a_sentence_names_the_extra(made, tmp_path, monkeypatch):
         lambda: QueryStore(made),
         lambda: make_store(tmp_path / "a.zarr", [0], SETTINGS, Float, "test"),
     ):
-        with pytest.raises(MissingDependencyError, match=r"zarr: pip install 'loomlight\[data\]'\.$"):
+        with pytest.raises(
+            MissingDependencyError, match=r"A stored data set needs zarr: pip install 'loomlight\[data\]'\.$"
+        ):
             use()
     assert not (tmp_path / "a.zarr").exists()

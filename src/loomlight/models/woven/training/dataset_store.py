@@ -31,7 +31,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
-from loomlight.core.errors import InputError, LoomlightWarning, MissingDependencyError
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.core.extras import import_extra
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
@@ -340,13 +341,7 @@ def _zarr() -> Any:
     Raises:
         MissingDependencyError: it is not installed.
     """
-    try:
-        import zarr
-    except ModuleNotFoundError as error:
-        raise MissingDependencyError(
-            "Stored data sets need the package zarr: pip install 'loomlight[data]'."
-        ) from error
-    return zarr
+    return import_extra("zarr", "data", "A stored data set")
 
 
 def _member(group: Any, name: str) -> Any:

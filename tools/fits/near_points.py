@@ -1,21 +1,23 @@
 """Where the points of `models/lobes/near.py` lie: one after another, they stand for a square that lines cut.
 
-    python experiments/near_points.py [--seconds 100] [--seed 1]
+    python -m tools.fits.near_points [--seconds 100] [--seed 1]
 
 For each of many lines the share of the square on one side is estimated by the first points, for numbers of
 points from 1 to 8 in quarters, the last point counting by its share. What is made small is the mean, over
 these numbers, of the root mean square error, in units of that of points of the plastic number (Roberts 2018).
-Lines are a little soft, so that gradients lead somewhere. The best of many starts is printed.
+Lines are a little soft, so that gradients lead somewhere. The best of many starts is kept.
 """
 
 from __future__ import annotations
 
-import argparse
 import time
+from argparse import ArgumentParser, Namespace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import minimize
+
+from benchmarks.harness import Figures, run
 
 COUNT, LINES, SOFTNESS = 8, 1500, 0.04
 NUMBERS = np.arange(1, COUNT + 0.01, 0.25)
@@ -53,13 +55,15 @@ def plastic() -> Floats:
     return (shares + 0.5) % 1 - 0.5
 
 
-def main() -> None:
-    """Prints the best places found."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+def add_options(parser: ArgumentParser) -> None:
+    """How long it looks, and from where."""
     parser.add_argument("--seconds", type=float, default=100.0)
     parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    lines, rng = Lines(np.random.default_rng(0)), np.random.default_rng(arguments.seed)
+
+
+def measure(options: Namespace) -> Figures:
+    """The best places found, and their errors by the number of points."""
+    lines, rng = Lines(np.random.default_rng(0)), np.random.default_rng(options.seed)
     usual = lines.errors(plastic())
 
     def points_of(numbers: Floats) -> Floats:
@@ -69,18 +73,20 @@ def main() -> None:
         return float((lines.errors(points_of(numbers)) / usual).mean())
 
     best, least = plastic(), 1.0
-    end = time.monotonic() + arguments.seconds
+    end = time.monotonic() + options.seconds
     while time.monotonic() < end:
         start = rng.uniform(-0.45, 0.45, 2 * (COUNT - 1))
         bounds = [(-0.5, 0.5)] * start.size
         found = minimize(ratio, start, method="L-BFGS-B", bounds=bounds, options={"maxiter": _TURNS})
         if found.fun < least:
             best, least = points_of(found.x), found.fun
-    print(f"{least:.3f} of the error of the plastic number's")
-    print("places", best.round(4).tolist())
-    print("errors", dict(zip(NUMBERS.tolist(), lines.errors(best).round(4).tolist(), strict=True)))
-    print("usual ", dict(zip(NUMBERS.tolist(), usual.round(4).tolist(), strict=True)))
+    return {
+        "share_of_the_plastic_numbers_error": round(float(least), 3),
+        "places": best.round(4).tolist(),
+        "errors": dict(zip(NUMBERS.tolist(), lines.errors(best).round(4).tolist(), strict=True)),
+        "errors_of_the_plastic_number": dict(zip(NUMBERS.tolist(), usual.round(4).tolist(), strict=True)),
+    }
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options)

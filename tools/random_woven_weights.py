@@ -1,6 +1,6 @@
 """A weights file of the universal network with random numbers in it, to try the machinery without training.
 
-python scripts/random_woven_weights.py woven.safetensors [--latent field] [--width 32]
+python -m tools.random_woven_weights woven.safetensors [--latent field] [--width 32]
 """
 
 from __future__ import annotations
@@ -12,12 +12,13 @@ import torch
 
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.architecture import NetworkTable
+from loomlight.models.woven.training.export import export_encoder
 from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import write_weights
 
 
 def main() -> None:
-    """Writes the file."""
+    """Writes the file, and its encoder beside it."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("output", type=Path)
     parser.add_argument("--latent", choices=("field", "vector"), default="field")
@@ -32,9 +33,10 @@ def main() -> None:
         {name: values.numpy() for name, values in network.state_dict().items()},
         linear_diffuse=False,
         recipe={},
-        provenance=provenance("python scripts/random_woven_weights.py", Path(__file__).parent),
+        provenance=provenance("python -m tools.random_woven_weights", Path(__file__).parent),
         trained=False,
     )
+    export_encoder(arguments.output)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Feeds mutilated weaving information files to the reader: each must be read, or refused in a sentence.
 
-    python scripts/fuzz_wif.py [--count 10000] [--seed 0] [--folder FOLDER]
+    python -m tools.fuzz_wif [--count 10000] [--seed 0] [--folder FOLDER]
 
 A run fails on an error other than InputError, on a message of more than one line, on a draft that does not
 survive being written and read again, and on more than two seconds. What failed is printed with its seed
@@ -26,7 +26,7 @@ from loomlight.weave.wif_reader import draft_of
 from loomlight.weave.wif_text import decode_wif, parse_wif_text
 from loomlight.weave.wif_writer import wif_text_of
 
-FIXTURES = Path(__file__).resolve().parent.parent / "tests" / "weave" / "fixtures"
+FIXTURES = Path(__file__).resolve().parents[1] / "tests" / "weave" / "fixtures"
 SLOWEST_S = 2.0
 # Larger files would only repeat in more time what smaller ones show.
 LARGEST_BYTES = 30_000

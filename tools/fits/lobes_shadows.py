@@ -1,6 +1,6 @@
 """How far what light reaches of a group is what the view reaches: the numbers of `models/lobes/estimate.py`.
 
-    python experiments/lobes_shadows.py [--fabrics 40] [--output experiments/results/lobes_shadows.json]
+    python -m tools.fits.lobes_shadows [--fabrics 40] [--output tools/fits/results/lobes_shadows.json]
 
 Of fabrics drawn at random (as `woven` is trained on, with another seed) and random pairs of directions,
 rays tell the components over a whole repeat; groups say a + κ b, a where light and view reach points
@@ -11,9 +11,8 @@ fit of κ = k₀ + k₁ cos Δφ, by itself and after a factor for all; each fab
 
 from __future__ import annotations
 
-import argparse
+from argparse import ArgumentParser, Namespace
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import drjit as dr
@@ -21,11 +20,10 @@ import numpy as np
 from drjit.llvm.ad import Float, UInt32
 from numpy.typing import NDArray
 
+from benchmarks.harness import Figures, run
 from loomlight.aggregate.components import lobes
 from loomlight.core.backend import array_types
 from loomlight.core.llvm import require_llvm
-from loomlight.core.provenance import provenance
-from loomlight.evaluation.table import write_json
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.twin import (
@@ -168,33 +166,31 @@ def errors(found: list[Pairs], term: int, shipped: bool) -> dict[str, float]:
     return {"nmae": round(float(nmae), 4), "bias": round(float(bias), 4)}
 
 
-def main() -> None:
-    """Measures, fits and prints."""
-    parser = argparse.ArgumentParser(description=__doc__)
+def add_options(parser: ArgumentParser) -> None:
+    """How many fabrics."""
     parser.add_argument("--fabrics", type=int, default=40)
-    parser.add_argument("--output", type=Path, default=None)
-    arguments = parser.parse_args()
+
+
+def measure(options: Namespace) -> Figures:
+    """Errors and fits of each term on each side."""
     require_llvm()
     table = DataTable(seed=SEED)
     found: dict[str, list[Pairs]] = {side: [] for side in SIDES}
-    for number in range(arguments.fabrics):
+    for number in range(options.fabrics):
         fabric = dataset_fabric(table, number)
         for through, side in enumerate(SIDES):
             found[side].append(measured(fabric, bool(through), number))
-    command = f"python experiments/lobes_shadows.py --fabrics {arguments.fabrics}"
-    result: dict[str, Any] = dict(provenance(command, Path(__file__).parent))
-    for side in SIDES:
-        for number, term in enumerate(TERMS):
-            result[f"{term} {side}"] = {
-                "independent": errors(found[side], number, shipped=False),
-                "shipped": errors(found[side], number, shipped=True),
-                "fit": fitted(found[side], number, with_factor=False),
-                "fit_after_factor": fitted(found[side], number, with_factor=True),
-            }
-            print(f"{term} {side}", result[f"{term} {side}"], flush=True)
-    if arguments.output is not None:
-        write_json(arguments.output, result, digits=None)
+    return {
+        f"{term} {side}": {
+            "independent": errors(found[side], number, shipped=False),
+            "shipped": errors(found[side], number, shipped=True),
+            "fit": fitted(found[side], number, with_factor=False),
+            "fit_after_factor": fitted(found[side], number, with_factor=True),
+        }
+        for side in SIDES
+        for number, term in enumerate(TERMS)
+    }
 
 
 if __name__ == "__main__":
-    main()
+    run(measure, add_options)

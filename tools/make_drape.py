@@ -3,7 +3,7 @@
 Extended position-based dynamics (Macklin et al. 2016, small steps: Macklin et al. 2019) on a regular grid:
 stretch along the threads, soft shear along the diagonals, bending as second differences, contact and friction
 with the ball, the ground and the cloth itself. The settled grid is resampled by a bicubic spline, which gives
-its normals as well, so that close-ups show no facets. Run: python scripts/make_drape.py
+its normals as well, so that close-ups show no facets. Run: python -m tools.make_drape
 """
 
 from __future__ import annotations

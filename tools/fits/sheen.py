@@ -1,6 +1,6 @@
 """Fits the closed form of the sheen lobe to the published tables and writes its coefficients.
 
-    LOOMLIGHT_DATA=<folder with validation/*.npy> python scripts/fit_sheen.py [--check]
+    LOOMLIGHT_DATA=<folder with validation/*.npy> python -m tools.fits.sheen [--check]
 
 The tables are those of Zeltner, Burley and Chiang 2022, "Practical Multiple-Scattering Sheen Using Linearly
 Transformed Cosines": `ltc_table_sheen_volume.npy` holds (a, b, R) and `reflectance_sheen_volume.npy` R.
@@ -13,17 +13,17 @@ Rows are cos θ_view and columns the sheen roughness, both from 0 to 1 in 32 ste
 from __future__ import annotations
 
 import argparse
-import os
-import sys
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
+from benchmarks.harness import REPOSITORY, outside_data
+from loomlight.scattering import sheen_coefficients
+
 Array = NDArray[np.float64]
 
-TARGET = Path(__file__).parents[1] / "src/loomlight/scattering/sheen_coefficients.py"
+TARGET = REPOSITORY / "src/loomlight/scattering/sheen_coefficients.py"
 # R never exceeds 0.75; the logistic's ceiling lies a little above.
 CEILING = 0.8
 DEGREES = {"REFLECTANCE": (4, 5), "SCALE": (5, 5), "SHEAR": (4, 5)}
@@ -47,6 +47,7 @@ def basis(cos_view: Array, roughness: Array, degrees: tuple[int, int]) -> Array:
 
 
 def logistic(value: Array) -> Array:
+    """1/(1 + e^−x)."""
     return 1 / (1 + np.exp(-np.clip(value, -60, 60)))
 
 
@@ -189,7 +190,7 @@ def between_nodes(coefficients: dict[str, Array], table: Array) -> Array:
 def source(coefficients: dict[str, Array]) -> str:
     """The Python module that holds the coefficients."""
     lines = [
-        '"""Coefficients of the sheen lobe, written by `scripts/fit_sheen.py`; see there for the data.',
+        '"""Coefficients of the sheen lobe, written by `tools/fits/sheen.py`; see there for the data.',
         "",
         "Rows are powers of 2 cos^½ − 1, columns powers of 3 roughness^¼ − 2, both rising.",
         '"""',
@@ -205,16 +206,14 @@ def source(coefficients: dict[str, Array]) -> str:
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description="Fit the sheen's closed form to the published tables.")
+    """Fits and writes, or checks; prints the errors."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--check", action="store_true", help="only print the errors of what is committed")
     arguments = parser.parse_args()
-    folder = os.environ.get("LOOMLIGHT_DATA")
-    if folder is None:
-        sys.exit("Name the folder with the published tables in the variable LOOMLIGHT_DATA.")
-    table = np.load(Path(folder) / "validation/ltc_table_sheen_volume.npy")
+    table = np.load(outside_data("validation", "ltc_table_sheen_volume.npy"))
     if arguments.check:
-        from loomlight.scattering import sheen_coefficients
-
         found = {name: np.asarray(getattr(sheen_coefficients, name)) for name in DEGREES}
     else:
         found = fit(table)

@@ -1,0 +1,32 @@
+"""How long something takes, and which kernels of Dr.Jit's it launched."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import drjit as dr
+
+Made = TypeVar("Made")
+
+
+def timed(run: Callable[[], Made]) -> tuple[Made, float]:
+    """What `run` returns, and its wall-clock time, seconds.
+
+    Kernels that it launched and did not wait for are not in the time: evaluate and synchronize within it.
+    """
+    start = time.perf_counter()
+    made = run()
+    return made, time.perf_counter() - start
+
+
+def launched_kernels(run: Callable[[], object]) -> list[dict[str, Any]]:
+    """The compiled kernels that `run` launched, as entries of `dr.kernel_history()`.
+
+    Times in them are milliseconds; `entry["ir"].read()` is the kernel's text in LLVM IR or PTX.
+    """
+    with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
+        dr.kernel_history_clear()
+        run()
+        return [entry for entry in dr.kernel_history() if entry["type"] == dr.KernelType.JIT]

@@ -1,0 +1,29 @@
+"""Times and the kernels behind them."""
+
+from __future__ import annotations
+
+import time
+
+import drjit as dr
+from drjit.llvm import Float
+
+from loomlight.evaluation.timing import launched_kernels, timed
+
+
+def test_what_was_made_comes_with_its_time() -> None:
+    made, seconds = timed(lambda: time.sleep(0.01) or "made")
+    assert made == "made"
+    assert 0.01 <= seconds < 5
+
+
+def test_kernels_of_the_run_alone_are_listed() -> None:
+    before, values = dr.opaque(Float, 2, 1000), dr.opaque(Float, 3, 1000)
+    dr.eval(before + 1)
+
+    def run() -> None:
+        dr.eval(dr.sqrt(values))
+
+    (kernel,) = launched_kernels(run)
+    assert "llvm.sqrt" in kernel["ir"].read()
+    assert kernel["execution_time"] >= 0
+    assert launched_kernels(lambda: None) == []

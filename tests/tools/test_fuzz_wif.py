@@ -1,0 +1,28 @@
+"""The fuzzer of drafts for a short while; and that it would notice a fault."""
+
+import pytest
+
+from tools import fuzz_wif as fuzzer
+
+
+def test_mutilated_files_are_read_or_refused() -> None:
+    originals = fuzzer.originals_in(fuzzer.FIXTURES)
+    assert len(originals) >= 3
+    faults = {
+        seed: fault
+        for seed in range(300)
+        if (fault := fuzzer.fault_of(fuzzer.mutated(seed, originals))) is not None
+    }
+    assert faults == {}
+
+
+def test_the_fuzzer_notices_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
+    def crash(content: bytes) -> None:
+        raise ZeroDivisionError(len(content))
+
+    monkeypatch.setattr(fuzzer, "_read", crash)
+    assert "ZeroDivisionError" in (fuzzer.fault_of(b"[WIF]") or "")
+
+
+def test_originals_are_read_whole() -> None:
+    assert [fuzzer.fault_of(content) for content in fuzzer.originals_in(fuzzer.FIXTURES)] == [None] * 3
