@@ -5,7 +5,7 @@
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
 queries, fetch, coding and layers; "by cooperative vectors" is the same without machine code; "in numpy" is
-`batch.decode`, numpy arrays in and out; "in the renderer" is the network's part of a picture, which decodes
+`compiled.decode`, arrays in and out; "in the renderer" is the network's part of a picture, which decodes
 each pixel for two lights. All use all cores. Each share is of the FMA peak measured right before and after,
 with independent chains of multiply-adds, so that shares hold on busy machines.
 """
@@ -29,13 +29,12 @@ from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
-from loomlight.models.woven.batch import decode
+from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.decoder import Decoder, decoder_cost
-from loomlight.models.woven.encoder import encoder_session
-from loomlight.models.woven.encoder_inputs import fabric_parameters, face_maps, shortest_repeat
+from loomlight.models.woven.encoder import encoder_session, fabric_parameters, face_maps, shortest_repeat
 from loomlight.models.woven.fine_tuning import fitted_correction
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.places import places_of
 from loomlight.yarn.geometry import YarnGeometry
 
 FABRIC = "satin 8/3"

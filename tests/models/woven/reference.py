@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.places import network_places, places_of
-from loomlight.models.woven.pyramid import taps
+from loomlight.models.woven.footprint_coding import network_places, places_of, taps
 from loomlight.models.woven.training.losses import unmapped
 from loomlight.models.woven.training.network import WovenNetwork
 

@@ -1,4 +1,7 @@
-"""What is encoded, refused, and laid on a common repeat."""
+"""What is encoded, refused, and laid on a common repeat.
+
+Of models/woven: encoding.py and encoded_fabric.py.
+"""
 
 from __future__ import annotations
 

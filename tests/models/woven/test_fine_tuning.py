@@ -13,13 +13,13 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.batch import decode
+from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fine_tuning import _solution
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.places import places_of
 from loomlight.models.woven.weights import shipped_weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry

@@ -84,6 +84,11 @@ class NetworkTable(ConfigTable):
         return 2 + 2 * BUNDLES if self.bundles else 4
 
     @property
+    def fetched_channels(self) -> int:
+        """Numbers that are fetched of one texel: the first layer's outputs where there is fusion."""
+        return self.hidden if self.fusion else self.latent_size
+
+    @property
     def corrected_shape(self) -> tuple[int, int]:
         """Of what is added to the last layer of a network that mixes bundles; see `EncodedFabric`."""
         return 2 * BUNDLES, self.hidden + 1

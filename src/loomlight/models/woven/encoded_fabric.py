@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.pyramid import Level, levels_of
+from loomlight.models.woven.footprint_coding import Level, levels_of
 
 
 @dataclass(frozen=True, eq=False)

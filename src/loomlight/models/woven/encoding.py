@@ -9,8 +9,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import MOST_THREADS
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.encoder import run_encoder
-from loomlight.models.woven.encoder_inputs import repeat_threads, shortest_repeat
+from loomlight.models.woven.encoder import repeat_threads, run_encoder, shortest_repeat
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.fine_tuning import fitted_correction
 from loomlight.models.woven.latent_cache import cache_key, read_latents, store_latents

@@ -20,10 +20,9 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
-from loomlight.models.woven.batch import columns, fabric_numbers, one_square
-from loomlight.models.woven.compiled import compiled_decoder
+from loomlight.models.woven.compiled import columns, compiled_decoder, kernel_table, one_square
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.places import places_of
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.weights import Weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -191,5 +190,5 @@ def _hidden(
     behind = np.full(len(light), back, np.float32)
     queries = [*one_square(columns(footprints)), *columns(view), behind, *columns(light)]
     found = np.empty((weights.table.hidden, len(light)), np.float32)
-    compiled_decoder(weights).run("hidden", fabric_numbers(weights, encoded), queries, [*found])
+    compiled_decoder(weights).run("hidden", kernel_table(weights, encoded), queries, [*found])
     return found.T.astype(np.float64)

@@ -19,9 +19,9 @@ from loomlight.core.errors import LoomlightError
 from loomlight.core.files import cache_folder, replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.encoder_inputs import fabric_parameters, shortest_repeat
+from loomlight.models.woven.encoder import fabric_parameters, shortest_repeat
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.footprint_coding import levels_of
 from loomlight.models.woven.weights import Weights
 
 # Part of every key: to be raised when maps of the same layout change.

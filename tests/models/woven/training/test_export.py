@@ -1,4 +1,7 @@
-"""The exported encoder is torch's for every shape, and what ships is what the shipped weights export."""
+"""The exported encoder is torch's for every shape, and what ships is what the shipped weights export.
+
+Of models/woven/training: export.py and network.py, whose decoder test_decoder.py compares.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ import pytest
 import torch
 
 from loomlight.models.woven.encoder import encoder_session
-from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.footprint_coding import levels_of
 from loomlight.models.woven.training.export import encoder_model, export_encoder
 from loomlight.models.woven.weights import encoder_path, read_weights, shipped_weights
 

@@ -1,4 +1,7 @@
-"""Training: learns, is the same after kill −9 at any moment, refuses what is not its own."""
+"""Training learns, is the same after kill −9 at any moment, and refuses what is not its own.
+
+Of models/woven/training: train.py, batches.py, config.py, dataset.py and losses.py.
+"""
 
 import os
 import signal

@@ -1,4 +1,7 @@
-"""What is drawn for training: inside the ranges, never a held-out weave."""
+"""What is drawn for training lies inside the ranges, and is never a held-out weave.
+
+Of models/woven/training: weaves.py and random_fabrics.py.
+"""
 
 import numpy as np
 

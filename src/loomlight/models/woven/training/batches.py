@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.woven.places import network_places
-from loomlight.models.woven.pyramid import levels_of, taps
+from loomlight.models.woven.footprint_coding import levels_of, network_places, taps
 from loomlight.models.woven.training.config import TrainingConfig
 from loomlight.models.woven.training.dataset import Face
 from loomlight.models.woven.training.losses import LOSSES

@@ -17,10 +17,10 @@ from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.encoder_inputs import fabric_parameters, face_maps
+from loomlight.models.woven.encoder import fabric_parameters, face_maps
 from loomlight.models.woven.fibres import Fibres
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, TRAINING_RANGES
-from loomlight.models.woven.places import places_of
 from loomlight.models.woven.training.config import DataTable
 from loomlight.models.woven.training.random_fabrics import random_fabric
 from loomlight.models.woven.training.weaves import training_draft

@@ -24,8 +24,8 @@ from torch.nn import functional
 from torch.nn.utils import parametrize
 
 from loomlight.models.woven.architecture import FIELD_MAP, MOST_THREADS, SLOPE, VECTOR_MAP
-from loomlight.models.woven.encoder_inputs import CHANNELS
-from loomlight.models.woven.pyramid import FINEST, WHOLE_REPEATS
+from loomlight.models.woven.encoder import CHANNELS
+from loomlight.models.woven.footprint_coding import FINEST, WHOLE_REPEATS
 from loomlight.models.woven.training.network import (
     PARAMETERS,
     FieldEncoder,

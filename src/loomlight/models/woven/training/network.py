@@ -42,9 +42,8 @@ from loomlight.models.woven.architecture import (
     VIEW_FEATURES,
     NetworkTable,
 )
-from loomlight.models.woven.encoder_inputs import CHANNELS
-from loomlight.models.woven.places import own_share
-from loomlight.models.woven.pyramid import FINEST, Level, levels_of
+from loomlight.models.woven.encoder import CHANNELS
+from loomlight.models.woven.footprint_coding import FINEST, Level, levels_of, own_share
 from loomlight.models.woven.training.losses import gain
 
 PARAMETERS = 4

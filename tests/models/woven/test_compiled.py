@@ -1,4 +1,7 @@
-"""Batches of queries: what machine code fetches, and that their number does not matter."""
+"""Queries in numpy arrays: what kernels fetch, and that the number of queries does not matter.
+
+Of models/woven: compiled.py and latent_table.py.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +16,11 @@ from loomlight.core.llvm import require_llvm
 from loomlight.core.simd import host_target
 from loomlight.fabric import fabric_from_text
 from loomlight.models.woven.architecture import NetworkTable
-from loomlight.models.woven.batch import decode, fabric_numbers
-from loomlight.models.woven.compiled import compiled_decoder
+from loomlight.models.woven.compiled import compiled_decoder, decode, kernel_table
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.pyramid import levels_of, taps
+from loomlight.models.woven.footprint_coding import levels_of, taps
 from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import Weights
 
@@ -53,7 +55,7 @@ def _fetched(
     found = np.empty((weights.table.hidden + 2, len(x)), np.float32)
     steps = np.zeros((2, len(x)), np.float32) if step is None else step
     queries = [x, y, size, *steps, *view, back.astype(np.float32)]
-    compiled_decoder(weights).run("seen", fabric_numbers(weights, encoded), queries, [*found])
+    compiled_decoder(weights).run("seen", kernel_table(weights, encoded), queries, [*found])
     return found[: weights.table.hidden].T
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from loomlight.models.woven.pyramid import FINEST, levels_of, taps
+from loomlight.models.woven.footprint_coding import FINEST, levels_of, taps
 
 torch = pytest.importorskip("torch")
 

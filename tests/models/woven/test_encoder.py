@@ -1,4 +1,4 @@
-"""The repeat that the encoder is given."""
+"""What the encoder is given; training/test_export.py compares what it gives."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.woven.encoder_inputs import shortest_repeat
+from loomlight.models.woven.encoder import shortest_repeat
 
 require_llvm()
 
