@@ -10,9 +10,14 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float
 
-from loomlight.core.lane_code import Code, Vectors
-from loomlight.core.lane_values import Lanes
-from loomlight.core.machine_code import MachineCode, cores, vectors
+from loomlight.core.simd import (
+    CompiledKernel,
+    KernelBuilder,
+    SimdTarget,
+    SimdValue,
+    core_count,
+    host_target,
+)
 from loomlight.evaluation.timing import timed
 
 REPEATS = 9
@@ -72,36 +77,36 @@ def memory_bandwidth() -> float:
 def fma_peak() -> float:
     """Floating-point operations a second of independent multiply-add chains on all cores.
 
-    They are machine code, a short loop. Kernels of Dr.Jit's in their place, long lines of multiply-adds,
+    They are a SIMD kernel, a short loop. Kernels of Dr.Jit's in their place, long lines of multiply-adds,
     reached two thirds of it on a Xeon.
     """
-    code, blocks = _chains(), 32 * cores()
-    queries = blocks * code.vectors.block
-    compiled, start = MachineCode(code), np.zeros(queries, np.float32)
+    kernel, blocks = _chains(), 32 * core_count()
+    target, queries = kernel.target, blocks * kernel.target.block_size
+    compiled, start = CompiledKernel(kernel), np.zeros(queries, np.float32)
     found = np.empty_like(start)
-    seconds = least_seconds(lambda: compiled.run(queries, [start], [found], []))
-    return 2 * _chain_count(code.vectors) * TURNS * code.vectors.lanes * blocks / seconds
+    seconds = least_seconds(lambda: compiled.launch(queries, [start], [found], []))
+    return 2 * _chain_count(target) * TURNS * target.width * blocks / seconds
 
 
-def _chain_count(of: Vectors) -> int:
+def _chain_count(target: SimdTarget) -> int:
     """As many chains as registers hold with room to spare: fewer wait for each other on some processors."""
-    return of.registers * 3 // 4
+    return target.registers * 3 // 4
 
 
-def _chains() -> Code:
-    code = Code("chains", vectors())
-    with code.blocks():
-        first = [code.given(0) + number for number in range(_chain_count(code.vectors))]
-        before = code.builder.block
-        with code.loop(TURNS):
-            values = [code.builder.phi(chain.value.type) for chain in first]
+def _chains() -> KernelBuilder:
+    kernel = KernelBuilder("chains", host_target(), inputs=1, outputs=1)
+    with kernel.each_block():
+        first = [kernel.load_input(0) + number for number in range(_chain_count(kernel.target))]
+        before = kernel.ir.block
+        with kernel.loop(TURNS):
+            values = [kernel.ir.phi(chain.value.type) for chain in first]
             for value, chain in zip(values, first, strict=True):
                 value.add_incoming(chain.value, before)
-            following = [code.fma(Lanes(code, value), 0.999, 0.001) for value in values]
+            following = [kernel.math.fma(SimdValue(kernel, value), 0.999, 0.001) for value in values]
             for value, chain in zip(values, following, strict=True):
-                value.add_incoming(chain.value, code.builder.block)
+                value.add_incoming(chain.value, kernel.ir.block)
         total = following[0]
         for chain in following[1:]:
             total = total + chain
-        code.answer(1, total)
-    return code
+        kernel.store_output(0, total)
+    return kernel

@@ -129,7 +129,7 @@ def test_the_doctor_finds_this_machine_usable() -> None:
     done = in_a_process("-m", "loomlight.cli.main", "doctor")
     assert done.stderr == ""
     assert done.returncode == 0, done.stdout
-    for subject in ("Python", "mitsuba", "LLVM", "machine code", "CUDA"):
+    for subject in ("Python", "mitsuba", "LLVM", "SIMD kernels", "CUDA"):
         assert subject in done.stdout
     for name in PACKAGES:
         assert f" {name} " in done.stdout

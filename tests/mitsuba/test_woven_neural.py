@@ -19,6 +19,7 @@ from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.integrator import symbolic_mode
 from loomlight.models.woven import encoding
 from loomlight.models.woven import model as woven_model
+from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.weights import Weights
 
 from ..models.woven.networks import network, weights_of
@@ -57,15 +58,15 @@ def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> l
     """Names of the fabrics that the encoder was run for, with empty caches."""
     monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    encoding.clear_encodings()
+    clear_encodings()
     found: list[str] = []
-    run = encoding._run
+    run = encoding.run_encoder
 
     def counted(fabric: Any, *arguments: Any) -> Any:
         found.append(fabric.name)
         return run(fabric, *arguments)
 
-    monkeypatch.setattr(encoding, "_run", counted)
+    monkeypatch.setattr(encoding, "run_encoder", counted)
     return found
 
 

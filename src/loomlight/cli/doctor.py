@@ -98,7 +98,7 @@ def findings() -> Iterator[Finding]:
         return
     llvm = _llvm()
     yield llvm
-    yield _machine_code()
+    yield _kernels()
     yield _cuda()
     if llvm.remedy is None:
         yield _variant()
@@ -139,21 +139,12 @@ def _llvm() -> Finding:
     return Finding("LLVM", shown)
 
 
-def _machine_code() -> Finding:
-    import numpy as np
+def _kernels() -> Finding:
+    from loomlight.core.simd import host_target, kernels_work
 
-    from loomlight.core.lane_code import Code
-    from loomlight.core.machine_code import MachineCode, vectors
-
-    code = Code("next", vectors())
-    with code.blocks(), code.each_vector():
-        code.answer(1, code.given(0) + 1)
-    numbers = np.arange(100, dtype=np.float32)
-    found = np.zeros_like(numbers)
-    MachineCode(code).run(len(numbers), [numbers], [found], [])
-    if not (found == numbers + 1).all():
-        return Finding("machine code", "counts wrongly", "python -m pip install --upgrade llvmlite")
-    return Finding("machine code", f"{vectors().lanes} numbers at once")
+    if not kernels_work():
+        return Finding("SIMD kernels", "compute wrongly", "python -m pip install --upgrade llvmlite")
+    return Finding("SIMD kernels", f"{host_target().width} lanes")
 
 
 def _cuda() -> Finding:

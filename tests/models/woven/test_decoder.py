@@ -14,16 +14,15 @@ from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Footprint
-from loomlight.core.lane_code import Vectors
 from loomlight.core.llvm import require_llvm
+from loomlight.core.simd import SimdTarget
 from loomlight.fabric import fabric_from_text
-from loomlight.models.woven import compiled, decoder_code
-from loomlight.models.woven.batch import decode, fabric_numbers
-from loomlight.models.woven.compiled import _compiled, compiled_decoder
+from loomlight.models.woven import compiled, latent_table
+from loomlight.models.woven.compiled import _compiled, compiled_decoder, decode, kernel_table
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.pool import places_of
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -71,9 +70,9 @@ def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> N
         assert error.max() < 1e-3
 
 
-@pytest.mark.parametrize("wide", [Vectors(4, 16), Vectors(8, 16), Vectors(4, 32)], ids=str)
+@pytest.mark.parametrize("target", [SimdTarget(4, 16), SimdTarget(8, 16), SimdTarget(4, 32)], ids=str)
 def test_other_processors_answer_alike(
-    wide: Vectors, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    target: SimdTarget, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text(CLOTH)
     correction = np.random.default_rng(3).normal(size=weights.table.corrected_shape).astype(np.float32)
@@ -81,9 +80,9 @@ def test_other_processors_answer_alike(
     rng = np.random.default_rng(9)
     queries = unit_vectors(rng, 500), unit_vectors(rng, 500), rng.uniform(0.01, 20, (500, 3))
     wanted = decode(weights, encoded, *queries)
-    caches = _compiled, compiled_decoder, fabric_numbers
-    for module in (compiled, decoder_code):
-        monkeypatch.setattr(module, "vectors", lambda: wide)
+    caches = _compiled, compiled_decoder, kernel_table
+    for module in (compiled, latent_table):
+        monkeypatch.setattr(module, "host_target", lambda: target)
     try:
         for cached in caches:
             cached.cache_clear()

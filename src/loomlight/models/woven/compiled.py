@@ -1,83 +1,70 @@
-"""The decoder compiled for this processor, from `decoder_code`, and what it reads of a fabric."""
+"""The decoder compiled for this processor from `decoder_kernel`, for numpy arrays of queries."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.dense_code import Packed
-from loomlight.core.machine_code import MachineCode, vectors
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.decoder_code import Question, decoder_code, packed_layers
-from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.latents import LatentRows
+from loomlight.core.simd import CompiledKernel, Floats, host_target
+from loomlight.models.woven.architecture import NetworkTable
+from loomlight.models.woven.decoder_kernel import (
+    EntryPoint,
+    decoder_kernel,
+    packed_layers,
+)
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.weights import Weights
-
-Floats = NDArray[np.float32]
-
-
-class FabricNumbers:
-    """What machine code reads of a fabric.
-
-    Attributes:
-        corrected: whether the fabric has a correction of its own.
-        repeat: picks and ends, if code depends on them.
-        shared: see `decoder_code.SHARED`, all but the layers.
-    """
-
-    def __init__(self, weights: Weights, encoded: EncodedFabric, rows: LatentRows) -> None:
-        self.corrected = encoded.correction is not None
-        self.repeat = (0, 0) if weights.table.latent == "field" else (encoded.picks, encoded.ends)
-        bundles = encoded.fibres.bundles(False) if weights.table.bundles else np.zeros(0)
-        counts = [encoded.ends, encoded.picks, rows.texels, len(rows.levels)]
-        numbers = np.concatenate([counts, encoded.fibres.face(False).ravel(), bundles.ravel()])
-        correction = np.zeros(1, np.float32)
-        if encoded.correction is not None:
-            packed = Packed(vectors())
-            packed.add("correction", encoded.correction[:, :-1], encoded.correction[:, -1])
-            correction = packed.numbers()
-        self.shared = [rows.values, rows.levels, numbers.astype(np.float32), correction]
 
 
 class CompiledDecoder:
     """The decoder of some weights on this processor; all fabrics share its code.
 
     Attributes:
-        seconds: that all decoders have spent on answers so far, compiling apart.
+        seconds: that all decoders have spent on queries so far, without compiling.
     """
 
     seconds: ClassVar[float] = 0.0
 
     def __init__(self, weights: Weights) -> None:
         self._weights = weights
-        self._numbers = packed_layers(weights).numbers()
+        self._layers = packed_layers(weights, host_target()).weights()
 
     def run(
-        self, question: Question, fabric: FabricNumbers, queries: Sequence[Floats], answers: Sequence[Floats]
+        self,
+        entry_point: EntryPoint,
+        fabric: LatentTable,
+        inputs: Sequence[Floats],
+        outputs: Sequence[Floats],
     ) -> None:
-        """Answers queries; see `decoder_code` for what both are."""
+        """Computes outputs of queries; `decoder_kernel` says what both are for each entry point."""
         weights = self._weights
-        code = _compiled(
-            question, weights.table, weights.linear_diffuse, fabric.corrected, fabric.repeat, _Of(weights)
+        kernel = _compiled(
+            entry_point,
+            weights.table,
+            weights.linear_diffuse,
+            fabric.has_correction,
+            fabric.repeat,
+            _Shape(weights),
         )
         start = time.perf_counter()
-        code.run(len(answers[0]), queries, answers, [self._numbers, *fabric.shared])
+        kernel.launch(len(outputs[0]), inputs, outputs, [self._layers, *fabric.uniforms])
         CompiledDecoder.seconds += time.perf_counter() - start
 
 
-class _Of:
-    """Weights as an argument that is not told apart by: code depends on their shape alone."""
+class _Shape:
+    """Weights as a cache key that ignores their values: code depends on the shape, which the table says."""
 
     def __init__(self, weights: Weights) -> None:
         self.weights = weights
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Of)
+        return isinstance(other, _Shape)
 
     def __hash__(self) -> int:
         return 0
@@ -85,17 +72,64 @@ class _Of:
 
 @cache
 def _compiled(
-    question: Question,
+    entry_point: EntryPoint,
     _table: NetworkTable,
     _linear_diffuse: bool,
-    corrected: bool,
+    has_correction: bool,
     repeat: tuple[int, int],
-    of: _Of,
-) -> MachineCode:
-    return MachineCode(decoder_code(question, of.weights, corrected, repeat))
+    shape: _Shape,
+) -> CompiledKernel:
+    kernel = decoder_kernel(entry_point, shape.weights, has_correction, repeat, host_target())
+    return CompiledKernel(kernel)
 
 
 @cache
 def compiled_decoder(weights: Weights) -> CompiledDecoder:
     """The decoder of some weights."""
     return CompiledDecoder(weights)
+
+
+# Fabrics whose latents are kept as they are fetched.
+_KEPT = 2
+
+
+def decode(
+    weights: Weights,
+    encoded: EncodedFabric,
+    lights: NDArray[np.float32],
+    views: NDArray[np.float32],
+    footprints: NDArray[np.float32],
+) -> NDArray[np.float32]:
+    """Components, 1/sr, and hole fraction [n, 5] of n queries, on all cores.
+
+    Args:
+        lights, views: unit vectors [n, 3]; z < 0 is behind the cloth.
+        footprints: position x and y and side [n, 3], in threads; see `footprint_coding.places_of`.
+    """
+    light, view, footprint = (columns(rows) for rows in (lights, views, footprints))
+    back = view[2] < 0
+    turn = np.where(back, np.float32(-1), np.float32(1))
+    light[2] *= turn
+    view[2] *= turn
+    found = np.empty((5, len(lights)), np.float32)
+    table = kernel_table(weights, encoded)
+    queries = [*one_square(footprint), *view, back.astype(np.float32), *light]
+    compiled_decoder(weights).run("answers", table, queries, [*found])
+    return found.T
+
+
+def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
+    """The numbers of `Squares` of footprints [3, n], position x and y and side."""
+    still = np.zeros(footprints.shape[1], np.float32)
+    return [*footprints, still, still]
+
+
+def columns(rows: NDArray[np.floating]) -> NDArray[np.float32]:
+    """Rows [n, k] as arrays of their own [k, n]."""
+    return rows.T.astype(np.float32, order="C")
+
+
+@lru_cache(_KEPT)
+def kernel_table(weights: Weights, encoded: EncodedFabric) -> LatentTable:
+    """The tables of a fabric for kernels alone."""
+    return LatentTable(weights, encoded)

@@ -23,12 +23,13 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Option, Parameter, Values
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
-from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_cost, decoder_of
-from loomlight.models.woven.encoding import EncodedFabric, encode, encode_pair, repeat_threads
+from loomlight.models.woven.decoder import Decoder, Seen, decoder_cost, decoder_of
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.encoder import repeat_threads
+from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.maps import mean_pitch
-from loomlight.models.woven.places import Squares
-from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.footprint_coding import Squares, levels_of, mean_pitch
+from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.point import DirectionSample, on_face
