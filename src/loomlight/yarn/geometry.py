@@ -21,19 +21,18 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import drjit as dr
 import numpy as np
-from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
-from loomlight.yarn.families import Cell, select_cell, span_along, upload_family
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
+from loomlight.yarn.families import Cell, select_cell, span_along
+from loomlight.yarn.geometry_tables import DeviceTables, prepare_layout
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS, pack_max_heights
-from loomlight.yarn.runs import CELL_MAX_LEVELS, pack_runs, with_cell_maxima
-from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
+from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS
+from loomlight.yarn.runs import CELL_MAX_LEVELS
+from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables
 
 
 @dataclass
@@ -122,44 +121,6 @@ class _Crossing:
     warp_above: Mask  # the warp is on top here, whether or not its yarn covers the point
 
 
-_Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
-# What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
-# 4096 by 4096 threads takes seconds. An edit of heights or twist makes a layout whose threads lie as before.
-_known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
-
-
-def _prepared(layout: ClothLayout) -> _Prepared:
-    """Tables of warp and weft, words of both at each crossing [picks, ends, 2], max-height pyramid."""
-    found = _known.get(layout)
-    if found is None:
-        alike = (known for other, known in list(_known.items()) if _lie_alike(layout, other))
-        found = _known[layout] = next(alike, None) or _worked_out(layout)
-    return found
-
-
-def _lie_alike(first: ClothLayout, second: ClothLayout) -> bool:
-    """Whether two layouts differ in height scales and twist at the most."""
-    families = (first.warp, second.warp), (first.weft, second.weft)
-    return np.array_equal(first.warp_on_top, second.warp_on_top) and all(
-        a.inclination == b.inclination
-        and np.array_equal(a.spacing, b.spacing)
-        and np.array_equal(a.width, b.width)
-        for a, b in families
-    )
-
-
-def _worked_out(layout: ClothLayout) -> _Prepared:
-    warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-    weft_words = pack_runs(~layout.warp_on_top)
-    warp = prepare_family(layout.warp, layout.weft, warp_words)
-    weft = prepare_family(layout.weft, layout.warp, weft_words)
-    words = np.stack(
-        [with_cell_maxima(warp_words, warp.cell_maxima).T, with_cell_maxima(weft_words, weft.cell_maxima)],
-        axis=2,
-    )
-    return warp, weft, words, pack_max_heights(words)
-
-
 class YarnGeometry:
     """Analytic geometry of one layout of cloth, for any Dr.Jit backend.
 
@@ -178,8 +139,8 @@ class YarnGeometry:
         self.size = layout.size
         self.height_scale: tuple[Float, Float] = (layout.warp.height_scale, layout.weft.height_scale)
         self.twist: tuple[Float, Float] = (layout.warp.twist, layout.weft.twist)
-        self._warp, self._weft, self._words, self._max_heights = _prepared(layout)
-        self._uploaded: dict[type, _Uploaded] = {}
+        self._warp, self._weft, self._words, self._max_heights = prepare_layout(layout)
+        self._uploaded: dict[type, DeviceTables] = {}
         self.extents: dict[FloatType, Any] = {}
 
     @property
@@ -202,9 +163,9 @@ class YarnGeometry:
         lowest = min(f.lowest * s for f, s in zip(families, scales, strict=True))
         return lowest - dive, highest
 
-    def _tables(self, types: ArrayTypes) -> _Uploaded:
+    def _tables(self, types: ArrayTypes) -> DeviceTables:
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = _Uploaded(
+            self._uploaded[types.Float] = DeviceTables(
                 self._warp, self._weft, self._words, self._max_heights, types
             )
         return self._uploaded[types.Float]
@@ -213,8 +174,8 @@ class YarnGeometry:
         """Puts all that points and probes read on a backend, which otherwise happens at first use."""
         self._numbers(self._tables(types))
 
-    def _numbers(self, tables: _Uploaded) -> dict[str, Float]:
-        """Numbers of the fabric by name, as `_Uploaded.scalar` has them."""
+    def _numbers(self, tables: DeviceTables) -> dict[str, Float]:
+        """Numbers of the fabric by name, as `DeviceTables.scalar` has them."""
         numbers = {
             "warp scale": self.height_scale[0],
             "weft scale": self.height_scale[1],
@@ -375,36 +336,6 @@ class YarnGeometry:
         return point, shown, run, (slope_x, slope_y)
 
 
-class _Uploaded:
-    """The tables on one backend. Numbers are opaque, so that all fabrics share their kernels."""
-
-    def __init__(
-        self,
-        warp: FamilyTables,
-        weft: FamilyTables,
-        words: NDArray[np.uint32],
-        max_heights: NDArray[np.uint32],
-        types: ArrayTypes,
-    ) -> None:
-        self.warp: Any = upload_family(warp, types)
-        self.weft: Any = upload_family(weft, types)
-        self.words = upload(types.UInt32, words)
-        self.ends = dr.opaque(types.Float, words.shape[1])
-        self.max_heights = upload(types.UInt32, max_heights)
-        self.max_height_columns = dr.opaque(types.UInt32, max_heights.shape[1])
-        self._float = types.Float
-        self._scalars: dict[str, tuple[float, Float]] = {}
-
-    def scalar(self, name: str, value: Float) -> Float:
-        """A number of the fabric as an opaque Float; a Dr.Jit scalar as it is."""
-        if not isinstance(value, int | float):
-            return self._float(value)
-        # By name: two numbers that happen to be one would be one in the kernels, which then are others.
-        if name not in self._scalars or self._scalars[name][0] != value:
-            self._scalars[name] = value, dr.opaque(self._float, value)
-        return self._scalars[name][1]
-
-
 @dataclass
 class _Section:
     """The cross-section of a thread at a place in its cell."""
@@ -439,7 +370,7 @@ class _Run:
     last_crossing: UInt
 
 
-def _show(tables: _Uploaded, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Shown:
+def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Shown:
     crossing = _cross(tables, types, x, y, back)
     warp, weft = crossing.warp, crossing.weft
     in_warp = abs(warp.across) < warp.half_width
@@ -450,7 +381,7 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Float, y: Float, back: Mask) 
     return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, crossing)
 
 
-def _cross(tables: _Uploaded, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Crossing:
+def _cross(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Crossing:
     warp, weft = tables.warp.locate(x), tables.weft.locate(y)
     # At most 4096 by 4096 words: single precision tells them apart, and is faster.
     word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
@@ -458,7 +389,7 @@ def _cross(tables: _Uploaded, types: ArrayTypes, x: Float, y: Float, back: Mask)
     return _Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
 
 
-def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
+def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
     word = shown.word
     behind = types.Int32((word >> 1) & 127)
     ahead = types.Int32((word >> 8) & 127)
@@ -516,7 +447,7 @@ def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask
 
 
 def _dive(
-    types: ArrayTypes, tables: _Uploaded, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
+    types: ArrayTypes, tables: DeviceTables, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
 ) -> tuple[Float, Float]:
     """How far the thread is pushed down here, and the slope of that along the thread's axis."""
     low_side = crossed.below < crossed.above
