@@ -23,7 +23,7 @@ from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
@@ -65,7 +65,7 @@ def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> Me
     """
     types = array_types(x)
     back = types.Bool(view.z < 0)
-    hit = first_hit(model.surface, x, y, on_face(view, back), back, active, model.quality)
+    hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, active, model.quality)
     point = model.at(hit.x, hit.y, back, hit.hole)
     depth = point.height - hit.height
     wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
@@ -94,7 +94,7 @@ def lobes(
         transmits: whether light and view lie on different sides in all lanes; None decides lane by lane.
     """
     types = array_types(point.x)
-    seen, facing = on_face(view, point.back), on_face(light, point.back)
+    seen, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
     frame = (point.normal, point.tangent, point.roughness, types.Float(appearance.optical_depth))
     blend = types.Float(appearance.diffuse_blend)
     beyond = types.Bool(facing.z < 0)
@@ -148,6 +148,6 @@ def colours(
     albedos = point.albedos
     near = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
     far = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
-    beyond = on_face(light, point.back).z < 0
+    beyond = to_face_frame(light, point.back).z < 0
     value = dr.select(beyond, far, near) if transmits is None else far if transmits else near
     return dr.select(visible & ~point.hole, value, 0)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
 from loomlight.core.backend import ArrayTypes, array_types, upload
-from loomlight.scattering.point import PointModel, on_face
+from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.visibility import unoccluded
 
 _BATCH = 1 << 22
@@ -43,7 +43,7 @@ class ShadowMaps:
             x, y = grid.points(types, texel)
             back = light.z < 0
             point = model.surface.surface(x, y, back)
-            facing = on_face(light, back)
+            facing = to_face_frame(light, back)
             # The yarn hides from itself what lies below its tangent plane.
             rises = dr.dot(point.normal, facing) > 0
             free = unoccluded(model.surface, x, y, point.height, facing, back, rises, model.quality)

@@ -29,7 +29,7 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
 from loomlight.aggregate.grid import Grid
 from loomlight.core.backend import ArrayTypes, array_types, maximum
-from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
 
 
@@ -82,7 +82,7 @@ def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
         point: from `PointModel.at` on the face that the view sees.
         view: unit vectors [3].
     """
-    seen = on_face(view, point.back)
+    seen = to_face_frame(view, point.back)
     facing = maximum(dr.dot(seen, point.normal), 0) / maximum(point.normal.z, 1e-6)
     worth = (facing > 0) & ~point.hole
     surface, quality = model.surface, model.quality

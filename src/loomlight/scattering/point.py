@@ -128,7 +128,7 @@ def shadow_ray(surface: Surface, point: YarnPoint, light: Any) -> ShadowRay:
     Light from the other side reaches the yarn's other surface, so that face's horizon counts.
     """
     types = array_types(point.x)
-    facing = on_face(light, point.back)
+    facing = to_face_frame(light, point.back)
     beyond = facing.z < 0
     # Whether light arrives is a Bool, so nothing is differentiated here.
     own: tuple[Any, Any] = dr.detach((point.normal, types.Float(point.height)))
@@ -213,7 +213,7 @@ class PointModel:
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
-        seen = on_face(view, back)
+        seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
         return self.at(hit.x, hit.y, back, hit.hole)
 
@@ -303,13 +303,13 @@ class PointModel:
 
     def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
         """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
-        value = self._scattered(point, on_face(light, point.back), on_face(view, point.back))
+        value = self._scattered(point, to_face_frame(light, point.back), to_face_frame(view, point.back))
         worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
         return dr.select(self.visibility(point, light, worth) & worth, value, 0)
 
     def pdf(self, point: YarnPoint, light: Any, view: Any) -> Any:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
-        seen, facing = on_face(view, point.back), on_face(light, point.back)
+        seen, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
         lobes = self._lobe_shares(point, seen)
         return self._pdf(point, facing, seen, lobes)
 
@@ -321,7 +321,7 @@ class PointModel:
             u: Vector2 of uniform numbers in [0, 1).
         """
         types = array_types(point.x)
-        seen = on_face(view, point.back)
+        seen = to_face_frame(view, point.back)
         lobes = self._lobe_shares(point, seen)
         specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
@@ -339,7 +339,7 @@ class PointModel:
         pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
         through = types.Color3(self._straight_through(point, seen))
         value = dr.select(passes, through, self._scattered(point, facing, seen))
-        light = on_face(facing, point.back)
+        light = to_face_frame(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
         worth &= self.visibility(point, light, worth & ~passes) | passes
         weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
@@ -347,7 +347,7 @@ class PointModel:
 
     def straight_through(self, point: YarnPoint, view: Any) -> Any:
         """Share of light that passes straight through: 1 in a hole, less under sheen, else 0. Float."""
-        return self._straight_through(point, on_face(view, point.back))
+        return self._straight_through(point, to_face_frame(view, point.back))
 
     def _straight_through(self, point: YarnPoint, view: Any) -> Any:
         types = array_types(point.x)
@@ -414,7 +414,7 @@ class PointModel:
         return density
 
 
-def on_face(direction: Any, back: Any) -> Any:
+def to_face_frame(direction: Any, back: Any) -> Any:
     """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
     z = dr.select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)

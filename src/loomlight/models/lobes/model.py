@@ -33,7 +33,7 @@ from loomlight.models.lobes.proposal import (
     shares_of,
 )
 from loomlight.models.lobes.tables import LobeTables, bake_tables, tables_of_loom
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
 from loomlight.yarn.visibility import first_hit
@@ -145,7 +145,7 @@ class LobesModel(Model):
         surface, middle = self.point_model.surface, footprint.centre
 
         def meet(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
-            seen = on_face(view, back)
+            seen = to_face_frame(view, back)
             hit = first_hit(surface, middle.x, middle.y, seen, back, True, self.point_model.quality)
             counts = dr.select(hit.hole, 0, close)
             return dr.select(hit.hole, middle.x, hit.x), dr.select(hit.hole, middle.y, hit.y), counts
@@ -204,7 +204,7 @@ class LobesModel(Model):
         types = array_types(view.x)
         place = self._place(footprint, view)
         facing, passes = draw(self.estimator(types), place, shares, self._sheen, self._blend, choice, u)
-        return on_face(facing, types.Bool(view.z < 0)), passes
+        return to_face_frame(facing, types.Bool(view.z < 0)), passes
 
     def _weighed(
         self,
@@ -301,7 +301,7 @@ class LobesModel(Model):
     def _place(self, footprint: Footprint, view: Any) -> Place:
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
-        return self.estimator(types).place(footprint, on_face(view, back), back)
+        return self.estimator(types).place(footprint, to_face_frame(view, back), back)
 
     def far(
         self, lights: Sequence[Any], view: Any, footprint: Footprint, active: Any, shares: Shares | None
@@ -314,7 +314,7 @@ class LobesModel(Model):
         types = array_types(view.x)
         estimator, place = self.estimator(types), self._place(footprint, view)
         seen = place.view
-        facing = [on_face(light, place.back) for light in lights]
+        facing = [to_face_frame(light, place.back) for light in lights]
         nodes = [estimator.light_nodes(place, light) for light in facing]
         halves = [half_vector(light, seen) for light in facing]
         active = types.Bool(active) if shares is None else types.Bool(True)
@@ -359,7 +359,7 @@ class LobesModel(Model):
 
     def _density(self, shares: Shares, of_groups: Any, light: Any, view: Any) -> Any:
         back = array_types(view.x).Bool(view.z < 0)
-        return density(shares, of_groups, on_face(light, back), on_face(view, back), self._sheen)
+        return density(shares, of_groups, to_face_frame(light, back), to_face_frame(view, back), self._sheen)
 
     def estimator(self, types: ArrayTypes) -> Estimator:
         """The tables on one backend, uploaded once."""

@@ -25,7 +25,7 @@ from loomlight.models.woven.places import Squares
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import Weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.point import DirectionSample, on_face
+from loomlight.scattering.point import DirectionSample, to_face_frame
 from loomlight.yarn.geometry import YarnGeometry
 
 _NETWORK = "woven"
@@ -116,7 +116,7 @@ class WovenModel(Model):
     def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
         """Components and hole of footprints."""
         types = array_types(view.x)
-        facing = on_face(light, types.Bool(view.z < 0))
+        facing = to_face_frame(light, types.Bool(view.z < 0))
         decoder, table = self._decoder(types.Float), self._table(types.Float)
         found = decoder.answers(table, facing, *self._asked(view, footprint))
         return Response(*found)
@@ -143,12 +143,12 @@ class WovenModel(Model):
         x, y = footprint.centre.x * across, footprint.centre.y * along
         side, step = footprint.row_of_squares()
         squares = Squares(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
-        return squares, on_face(view, back), back
+        return squares, to_face_frame(view, back), back
 
     def lit(self, seen: Seen, light: Any, view: Any) -> Response:
         """The response to one light of what is seen."""
         types = array_types(view.x)
-        facing = on_face(light, types.Bool(view.z < 0))
+        facing = to_face_frame(light, types.Bool(view.z < 0))
         diffuse_warp, diffuse_weft, specular_warp, specular_weft = self._decoder(types.Float).components(
             seen, facing
         )
