@@ -20,7 +20,7 @@ import drjit as dr
 from loomlight.core.backend import array_types, maximum, minimum
 
 # Squares of a row, and up to which ratio of squared length to squared width one square does as well.
-SQUARES = 4
+ANISOTROPIC_TAPS = 4
 _ALIKE = 1.5
 
 
@@ -73,7 +73,7 @@ class Footprint:
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
 
-    def row_of_squares(self) -> tuple[Any, Any]:
+    def anisotropic_taps(self) -> tuple[Any, Any]:
         """A row of `SQUARES` squares whose mean stands for a long footprint, as grazing views make them.
 
         Their side, millimetres, and the step [2] from one to the next. The row has the footprint's sum of
@@ -89,9 +89,9 @@ class Footprint:
         # Squares of length and width; twelve times the variances along the axes.
         long, wide = mean + root, maximum(mean - root, 0)
         apart = maximum(long - _ALIKE * wide, 0)
-        square = maximum(mean - 0.5 * apart, long * (1 / SQUARES**2))
+        square = maximum(mean - 0.5 * apart, long * (1 / ANISOTROPIC_TAPS**2))
         # Middles a step apart have this variance; the squares' own comes to it.
-        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (SQUARES**2 - 1)))
+        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (ANISOTROPIC_TAPS**2 - 1)))
         double = half / maximum(root, 1e-30)
         x = dr.sqrt(maximum(0.5 * (1 + double), 0))
         y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - double), 0)), both)

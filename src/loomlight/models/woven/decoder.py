@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
-from loomlight.core.footprint import SQUARES
+from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.core.simd import call_kernel, can_use_kernel, is_host_type
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.woven.codings import (
@@ -38,7 +38,7 @@ from loomlight.models.woven.decoder_kernel import EntryPoint
 from loomlight.models.woven.encoding import EncodedFabric
 from loomlight.models.woven.latents import PACKET, LatentRows
 from loomlight.models.woven.layers import CooperativeLayers
-from loomlight.models.woven.places import Squares, own_share, place_of
+from loomlight.models.woven.places import AnisotropicTaps, own_share, place_of
 from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
@@ -131,7 +131,7 @@ class LatentTable:
         added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
         return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
 
-    def at(self, squares: Squares, back: Any) -> list[Any]:
+    def at(self, squares: AnisotropicTaps, back: Any) -> list[Any]:
         """Means of interpolated values over rows of squares: `channels` Floats."""
         types = self._types
         face = dr.select(back, self._width, 0)
@@ -141,7 +141,7 @@ class LatentTable:
         place = clip(dr.log2(maximum(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
         lower = minimum(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
-        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(SQUARES), 1)
+        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1)
 
         def added(number: Any, total: list[Any]) -> tuple[Any, list[Any]]:
             place = types.Float(number) - 0.5 * (types.Float(steps) - 1)
@@ -167,7 +167,7 @@ class LatentTable:
             added,
             label="squares",
             mode="symbolic",
-            max_iterations=SQUARES,
+            max_iterations=ANISOTROPIC_TAPS,
         )
         return list(total[: self.channels])
 
@@ -208,7 +208,7 @@ class Decoder:
         self._count = weights.layers("decoder.angular")
         self._layers = CooperativeLayers(_matrices(weights), float_type)
 
-    def seen(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Seen:
+    def seen(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
 
         Args:
@@ -226,7 +226,7 @@ class Decoder:
         coded_size = self._place(table, squares)[2]
         return Seen([*angular], self._hole(spatial, view), own_share(coded_size, dr), view, back, table)
 
-    def hole(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Any:
+    def hole(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
         asked = *squares.numbers(), view, back
         if self.compiles(asked):
@@ -241,7 +241,9 @@ class Decoder:
             return self._compiled("components", seen.table, asked, DIFFUSE + 2)
         return self._components(seen, light)
 
-    def answers(self, table: LatentTable, light: Any, squares: Squares, view: Any, back: Any) -> list[Any]:
+    def answers(
+        self, table: LatentTable, light: Any, squares: AnisotropicTaps, view: Any, back: Any
+    ) -> list[Any]:
         """The four components for one light, and the hole: `components` of `seen` at once."""
         asked = *squares.numbers(), view, back, light
         if self.compiles(asked):
@@ -265,7 +267,7 @@ class Decoder:
             lambda queries, found: decoder.run(question, numbers, queries, found),
         )
 
-    def _place(self, table: LatentTable, squares: Squares) -> tuple[Any, Any, Any]:
+    def _place(self, table: LatentTable, squares: AnisotropicTaps) -> tuple[Any, Any, Any]:
         size = squares.size(dr)
         return place_of(self.weights.table, table.picks, table.ends, squares.x, squares.y, size, dr)
 
@@ -273,7 +275,7 @@ class Decoder:
         fibres = table.fibres(back) if self.weights.table.fibres else ()
         return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _spatial(self, table: LatentTable, squares: Squares, back: Any) -> Any:
+    def _spatial(self, table: LatentTable, squares: AnisotropicTaps, back: Any) -> Any:
         """Latent and footprint, fused."""
         place = self._place(table, squares)
         coded = one_blob(place, dr) if self.weights.table.position == "one_blob" else list(place)

@@ -21,7 +21,7 @@ from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_c
 from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.maps import mean_pitch
-from loomlight.models.woven.places import Squares
+from loomlight.models.woven.places import AnisotropicTaps
 from loomlight.models.woven.pyramid import levels_of
 from loomlight.models.woven.weights import Weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -141,8 +141,8 @@ class WovenModel(Model):
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        side, step = footprint.row_of_squares()
-        squares = Squares(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        side, step = footprint.anisotropic_taps()
+        squares = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
         return squares, to_face_frame(view, back), back
 
     def lit(self, seen: Seen, light: Any, view: Any) -> Response:

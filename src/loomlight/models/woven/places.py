@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.footprint import SQUARES
+from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.models.woven.config import NetworkTable
 from loomlight.models.woven.pyramid import size_share
 
@@ -23,8 +23,8 @@ _LONGEST = 8.0
 
 
 @dataclass
-class Squares:
-    """A footprint as a row of `SQUARES` squares, in threads; see `Footprint.row_of_squares`.
+class AnisotropicTaps:
+    """Anisotropic taps of a footprint, in threads; see `Footprint.anisotropic_taps`.
 
     Attributes:
         x, y: the middle of the row.
@@ -49,7 +49,7 @@ class Squares:
             arrays: the module of the arrays' functions, drjit or code that is being written.
         """
         step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
-        length = arrays.sqrt(arrays.fma(step, SQUARES**2 - 1.0, arrays.square(self.side)))
+        length = arrays.sqrt(arrays.fma(step, ANISOTROPIC_TAPS**2 - 1.0, arrays.square(self.side)))
         return arrays.sqrt(self.side * length)
 
 
