@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.aggregate.components import meet, without_extras
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, fabric_grid
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.scattering.point import PointModel
 
@@ -44,7 +45,7 @@ class ColourSums:
         self,
         model: PointModel,
         view: ArrayLike,
-        float_type: type,
+        float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,
     ) -> None:

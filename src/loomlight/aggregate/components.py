@@ -15,10 +15,11 @@ macro normal alone decides and which goes on top afterwards, and without its pro
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import drjit as dr
 
+from loomlight.core.arrays import Color3, Float, Mask, Vec3
 from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
@@ -44,7 +45,7 @@ class MetPoints:
     """
 
     point: YarnPoint
-    wall: Any
+    wall: Mask
 
 
 def without_extras(model: PointModel) -> PointModel:
@@ -56,7 +57,7 @@ def without_extras(model: PointModel) -> PointModel:
     return PointModel(model.surface, appearance, model.quality, model.horizon)
 
 
-def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> MetPoints:
+def meet(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> MetPoints:
     """The points that the view rays through x, y on the plane z = 0 meet, with exact parallax.
 
     Args:
@@ -76,17 +77,17 @@ class Scattering(Protocol):
     """What decides about light beside the yarn point, as `Appearance` has it."""
 
     @property
-    def diffuse_blend(self) -> Any:
+    def diffuse_blend(self) -> Float:
         """w, the share of the yarn normal in the diffuse term."""
 
     @property
-    def optical_depth(self) -> Any:
+    def optical_depth(self) -> Float:
         """Tρ of the fibre layer."""
 
 
 def lobes(
-    appearance: Scattering, point: YarnPoint, light: Any, view: Any, transmits: bool | None = None
-) -> tuple[Any, Any]:
+    appearance: Scattering, point: YarnPoint, light: Vec3, view: Vec3, transmits: bool | None = None
+) -> tuple[Float, Float]:
     """Diffuse and specular term of yarn points at albedo 1, cosine included, without shadows: Float, 1/sr.
 
     Args:
@@ -110,11 +111,11 @@ def lobes(
 def components(
     appearance: Appearance,
     point: YarnPoint,
-    light: Any,
-    view: Any,
-    visible: Any,
+    light: Vec3,
+    view: Vec3,
+    visible: Mask,
     transmits: bool | None = None,
-) -> tuple[Any, ...]:
+) -> tuple[Float, ...]:
     """The channels C_warp, C_weft, S_warp, S_weft of yarn points: four Float, 1/sr; zero in holes.
 
     Args:
@@ -135,11 +136,11 @@ def components(
 def colours(
     appearance: Appearance,
     point: YarnPoint,
-    light: Any,
-    view: Any,
-    visible: Any,
+    light: Vec3,
+    view: Vec3,
+    visible: Mask,
     transmits: bool | None = None,
-) -> Any:
+) -> Color3:
     """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes and shadow.
 
     Exact where threads of one family differ in colour, which no mean albedo is.

@@ -8,6 +8,7 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, UInt
 from loomlight.core.backend import ArrayTypes, minimum
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import Surface
@@ -52,7 +53,7 @@ class Grid:
         """Size of a texel, millimetres."""
         return self.width / self.columns, self.height / self.rows
 
-    def points(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
+    def points(self, types: ArrayTypes, texel: UInt) -> tuple[Float, Float]:
         """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
         row, column = divided(texel, self.columns)
         # 24 bits of the product are what float32 holds.
@@ -64,14 +65,14 @@ class Grid:
             types.Float(row) + share_y, step_y, bottom
         )
 
-    def nearest(self, types: ArrayTypes, x: Any, y: Any) -> Any:
+    def nearest(self, types: ArrayTypes, x: Float, y: Float) -> UInt:
         """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""
         column = _around(types, x, self.left, self.width, self.columns)
         row = _around(types, y, self.bottom, self.height, self.rows)
         return row * dr.opaque(types.UInt32, self.columns) + column
 
 
-def divided(index: Any, count: int) -> tuple[Any, Any]:
+def divided(index: UInt, count: int) -> tuple[UInt, UInt]:
     """Quotient and remainder of UInt32 by a number that the kernel is not compiled for: UInt32 each.
 
     Processors divide whole numbers slowly; in double precision it is one product, exact for all 32 bits.
@@ -82,7 +83,7 @@ def divided(index: Any, count: int) -> tuple[Any, Any]:
     return quotient, index - quotient * dr.opaque(UInt32, count)
 
 
-def _around(types: ArrayTypes, position: Any, start: float, period: float, count: int) -> Any:
+def _around(types: ArrayTypes, position: Float, start: float, period: float, count: int) -> UInt:
     """The texel of a coordinate among `count` that repeat with the period (millimetres): UInt32."""
     turns = (position - dr.opaque(types.Float, start)) * dr.opaque(types.Float, 1 / period)
     share = turns - dr.floor(turns)

@@ -7,13 +7,12 @@ of their nearest texel. Shadow edges move by up to half a texel, to either side.
 
 from __future__ import annotations
 
-from typing import Any
-
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, upload
 from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.visibility import unoccluded
@@ -29,7 +28,9 @@ class ShadowMaps:
         visible: Bool, one map a light after another, texels row by row.
     """
 
-    def __init__(self, model: PointModel, grid: Grid, lights: NDArray[np.float64], float_type: type) -> None:
+    def __init__(
+        self, model: PointModel, grid: Grid, lights: NDArray[np.float64], float_type: FloatType
+    ) -> None:
         """Searches the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
         types = array_types(float_type)
         self.grid = grid
@@ -50,16 +51,16 @@ class ShadowMaps:
             dr.scatter(self.visible, free, lane)
         dr.eval(self.visible)
 
-    def texel(self, x: Any, y: Any) -> Any:
+    def texel(self, x: Float, y: Float) -> UInt:
         """The texel of draft coordinates, millimetres: UInt32."""
         return self.grid.nearest(array_types(x), x, y)
 
-    def at(self, light: Any, texel: Any) -> Any:
+    def at(self, light: Vec3, texel: UInt) -> Mask:
         """Whether light number `light` (UInt32) reaches a texel: Bool."""
         texels = dr.opaque(type(texel), self.grid.texels)
         return dr.gather(type(self.visible), self.visible, light * texels + texel)
 
 
-def uploaded_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Any:
+def uploaded_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Vec3:
     """Vectors [n, 3] as a Vector3 of n lanes, axis by axis: one array would compile n into the kernels."""
     return types.Vector3(*(upload(types.Float, axis.astype(np.float32)) for axis in directions.T))

@@ -28,6 +28,7 @@ from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps, uploaded_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import array_types, maximum, upload
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
@@ -49,8 +50,8 @@ class Slice:
     grid: Grid
     channels: tuple[str, ...]
     values: NDArray[np.float32]
-    _table: Any
-    _float_type: type
+    _table: Float
+    _float_type: FloatType
 
     def box_means(self, centres: ArrayLike, sizes: ArrayLike) -> NDArray[np.float64]:
         """Means over axis-aligned boxes [n, channels], exact for the slice's texels.
@@ -109,8 +110,8 @@ class SliceBatch:
     """
 
     pairs: NDArray[np.intp]
-    channels: list[Any]
-    holes: Any
+    channels: list[Float]
+    holes: Mask
     hole_of: NDArray[np.intp]
 
 
@@ -126,7 +127,7 @@ class FabricSlices:
     def __init__(
         self,
         model: PointModel,
-        float_type: type,
+        float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,
         shadows: Literal["searched", "mapped"] = "searched",
@@ -195,7 +196,7 @@ class FabricSlices:
             result[batch.pairs] = self._read(batch, slot, boxes).reshape(-1, *result.shape[1:])
         return result
 
-    def _read(self, batch: SliceBatch, slot: Any, boxes: TexelBoxes) -> NDArray[np.float32]:
+    def _read(self, batch: SliceBatch, slot: UInt, boxes: TexelBoxes) -> NDArray[np.float32]:
         """Means over boxes of the batch's slices number `slot`, channel by channel for each box."""
         types = self._types
         view = dr.gather(types.UInt32, upload(types.UInt32, batch.hole_of.astype(np.uint32)), slot)
@@ -264,7 +265,7 @@ class FabricSlices:
         dr.eval(channels, holes)
         return SliceBatch(part, channels, holes, hole_of)
 
-    def _met(self, views: Any, count: int, maps: ShadowMaps | None) -> _MetField:
+    def _met(self, views: Vec3, count: int, maps: ShadowMaps | None) -> _MetField:
         types, grid = self._types, self.grid
         number, texel = divided(dr.arange(types.UInt32, count * grid.texels), grid.texels)
         x, y = grid.points(types, texel)
@@ -274,7 +275,7 @@ class FabricSlices:
         dr.eval(met.point, shadow_texel)
         return _MetField(met.point, shadow_texel)
 
-    def _vectors(self, directions: NDArray[np.float64]) -> Any:
+    def _vectors(self, directions: NDArray[np.float64]) -> Vec3:
         return uploaded_vectors(directions, self._types)
 
 
@@ -283,10 +284,10 @@ class _MetField:
     """What the rays of some views meet, one view after another."""
 
     point: YarnPoint
-    shadow_texel: Any
+    shadow_texel: UInt
 
 
-def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
+def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Vec3) -> UInt:
     """Texels of the shadow maps for yarn points.
 
     A ray that met a wall ends on the very edge of a yarn, and half of the texels around it lie on the yarn
@@ -319,7 +320,7 @@ def _alike(
             yield chosen, side
 
 
-def _taken(point: YarnPoint, index: Any) -> YarnPoint:
+def _taken(point: YarnPoint, index: UInt) -> YarnPoint:
     """The yarn points at `index`; what is not used later is never read."""
 
     def take(value: Any) -> Any:

@@ -20,7 +20,6 @@ the two see different points, since a ray that crosses the plane in a footprint 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -28,6 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
 from loomlight.aggregate.grid import Grid
+from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
@@ -75,7 +75,7 @@ class SurfaceSamples:
     area: NDArray[np.float64]
 
 
-def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
+def projected_area(model: PointModel, point: YarnPoint, view: Vec3) -> Float:
     """A(p, view) of points of the surface (chen2024 eq. 4): Float, ≥ 0; zero in holes.
 
     Args:
@@ -94,7 +94,9 @@ def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
     return dr.select(free & worth & ~through, facing, 0)
 
 
-def surface_samples(model: PointModel, x: Any, y: Any, light: ArrayLike, view: ArrayLike) -> SurfaceSamples:
+def surface_samples(
+    model: PointModel, x: Float, y: Float, light: ArrayLike, view: ArrayLike
+) -> SurfaceSamples:
     """Both kinds of samples at places x, y (draft millimetres) of the plane z = 0.
 
     Args:
@@ -119,7 +121,7 @@ def surface_samples(model: PointModel, x: Any, y: Any, light: ArrayLike, view: A
 
 
 def surface_form(
-    model: PointModel, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: type
+    model: PointModel, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: FloatType
 ) -> SurfaceForm:
     """Both averages of the four components over the points of a grid.
 
@@ -144,13 +146,13 @@ def surface_form(
     )
 
 
-def _shaded(model: PointModel, point: YarnPoint, light: Any, view: Any) -> NDArray[np.float64]:
+def _shaded(model: PointModel, point: YarnPoint, light: Vec3, view: Vec3) -> NDArray[np.float64]:
     visible = model.visibility(point, light)
     parts = components(model.appearance, point, light, view, visible)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in parts])
 
 
-def _everywhere(types: ArrayTypes, direction: ArrayLike, count: int) -> Any:
+def _everywhere(types: ArrayTypes, direction: ArrayLike, count: int) -> Vec3:
     # Opaque, so that one kernel serves every direction.
     parts = (dr.opaque(types.Float, float(part)) for part in np.asarray(direction, np.float64))
     return types.Vector3(*parts) + dr.zeros(types.Vector3, count)

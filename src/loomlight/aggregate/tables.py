@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid, divided
+from loomlight.core.arrays import Float, FloatType, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
 
@@ -28,7 +29,7 @@ from loomlight.core.errors import InputError
 _SMALLEST_BOX = 1e-2
 
 
-def summed_areas(values: Any, columns: int, rows: int) -> Any:
+def summed_areas(values: Float, columns: int, rows: int) -> Float:
     """Tables of slices, one after another, (rows + 1)·(columns + 1) entries each: Float64.
 
     Args:
@@ -49,7 +50,7 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
     entry = number * entries + column
     dr.scatter(table, types.Float(0), entry)
 
-    def add_row(row: Any, total: Any) -> tuple[Any, Any]:
+    def add_row(row: UInt, total: Float) -> tuple[Float, Float]:
         total = total + types.Float(dr.gather(type(values), values, texel + row * width, inside))
         dr.scatter(table, total, entry + (row + 1) * pitch)
         return row + 1, total
@@ -73,13 +74,13 @@ class TexelBoxes:
     bottom: Any
     top: Any
 
-    def at(self, index: Any) -> TexelBoxes:
+    def at(self, index: UInt) -> TexelBoxes:
         """The boxes of these numbers, UInt32."""
         bounds = (self.left, self.right, self.bottom, self.top)
         return TexelBoxes(*(dr.gather(type(bound), bound, index) for bound in bounds))
 
 
-def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: type) -> TexelBoxes:
+def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: FloatType) -> TexelBoxes:
     """Boxes on the grid from centres and sizes [n, 2] in millimetres, not evaluated yet.
 
     Args:
@@ -123,12 +124,12 @@ def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.
 class _Bound:
     """One side of a box: the entries of the table around it, and how many repeats it lies away."""
 
-    entry: Any
-    share: Any
-    turns: Any
+    entry: UInt
+    share: Float
+    turns: UInt
 
 
-def _bound(position: Any, count: int) -> _Bound:
+def _bound(position: Float, count: int) -> _Bound:
     types = array_types(position)
     whole = dr.opaque(types.Float, count)
     turns = dr.floor(position * dr.opaque(types.Float, 1 / count))
@@ -137,7 +138,7 @@ def _bound(position: Any, count: int) -> _Bound:
     return _Bound(entry, local - types.Float(entry), turns)
 
 
-def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
+def box_means(table: Float, first: UInt, grid: Grid, boxes: TexelBoxes) -> Float:
     """Mean of a slice over boxes: Float64 [n].
 
     Args:
@@ -150,18 +151,18 @@ def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
     pitch = dr.opaque(types.UInt32, grid.columns + 1)
     columns, rows = dr.opaque(types.UInt32, grid.columns), dr.opaque(types.UInt32, grid.rows)
 
-    def read(row: Any, column: Any) -> Any:
+    def read(row: UInt, column: UInt) -> Float:
         return dr.gather(types.Float, table, first + row * pitch + column)
 
-    def in_row(row: Any, bound: _Bound) -> Any:
+    def in_row(row: UInt, bound: _Bound) -> Float:
         return dr.lerp(read(row, bound.entry), read(row, bound.entry + 1), bound.share)
 
-    def strip(row: Any) -> Any:
+    def strip(row: UInt) -> Float:
         """Sum of a row of the table between the left and right bounds."""
         whole = (across[1].turns - across[0].turns) * read(row, columns)
         return in_row(row, across[1]) - in_row(row, across[0]) + whole
 
-    def below(bound: _Bound) -> Any:
+    def below(bound: _Bound) -> Float:
         return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.share)
 
     total = below(along[1]) - below(along[0])

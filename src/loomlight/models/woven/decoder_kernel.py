@@ -5,8 +5,8 @@ activations stay in the nearest cache. Code depends on the network's shape alone
 a fabric, are uniform buffers.
 
 A kernel has one of five entry points. Inputs and outputs are arrays [n]. A footprint is the numbers of
-`AnisotropicTaps`; a view is x, y, z of a unit vector in the frame of the face that is seen, z > 0, and 1 where
-that face is the back, else 0; a light is x, y, z in the same frame.
+`AnisotropicTaps`; a view is x, y, z of a unit vector in the frame of the face that is seen, z > 0, and 1
+where that face is the back, else 0; a light is x, y, z in the same frame.
 
 - "answers": footprint, view, light → four components, 1/sr, and the hole fraction.
 - "hole": footprint, view → the hole fraction alone.
