@@ -36,7 +36,7 @@ _WALL = 1e-3
 
 
 @dataclass
-class MetPoints:
+class ViewHits:
     """What parallel view rays meet.
 
     Attributes:
@@ -48,7 +48,7 @@ class MetPoints:
     wall: Mask
 
 
-def without_extras(model: PointModel) -> PointModel:
+def without_sheen_and_variation(model: PointModel) -> PointModel:
     """The model without sheen and without procedural variation: what components and colours describe."""
     old = model.appearance
     appearance = Appearance(
@@ -57,7 +57,7 @@ def without_extras(model: PointModel) -> PointModel:
     return PointModel(model.surface, appearance, model.quality, model.horizon)
 
 
-def meet(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> MetPoints:
+def trace_views(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:
     """The points that the view rays through x, y on the plane z = 0 meet, with exact parallax.
 
     Args:
@@ -70,7 +70,7 @@ def meet(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True)
     point = model.at(hit.x, hit.y, back, hit.hole)
     depth = point.height - hit.height
     wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
-    return MetPoints(point, wall)
+    return ViewHits(point, wall)
 
 
 class Scattering(Protocol):

@@ -55,7 +55,7 @@ class Grid:
 
     def points(self, types: ArrayTypes, texel: UInt) -> tuple[Float, Float]:
         """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
-        row, column = divided(texel, self.columns)
+        row, column = divide(texel, self.columns)
         # 24 bits of the product are what float32 holds.
         share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
         share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
@@ -72,7 +72,7 @@ class Grid:
         return row * dr.opaque(types.UInt32, self.columns) + column
 
 
-def divided(index: UInt, count: int) -> tuple[UInt, UInt]:
+def divide(index: UInt, count: int) -> tuple[UInt, UInt]:
     """Quotient and remainder of UInt32 by a number that the kernel is not compiled for: UInt32 each.
 
     Processors divide whole numbers slowly; in double precision it is one product, exact for all 32 bits.

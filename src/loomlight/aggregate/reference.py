@@ -14,7 +14,14 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    colours,
+    components,
+    trace_views,
+    without_sheen_and_variation,
+)
 from loomlight.aggregate.grid import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
@@ -72,7 +79,7 @@ def reference(
         samples: uniform points in each parallelogram, at least 2.
         seed: of the points; the same for any batching.
     """
-    plain = without_extras(model)
+    plain = without_sheen_and_variation(model)
     types = array_types(footprint.area)
     rng = np.random.default_rng(seed)
     count = max(dr.width(footprint.centre), dr.width(footprint.duv_dx), dr.width(footprint.duv_dy))
@@ -93,7 +100,7 @@ def reference(
         )
         place = chosen.at(_uniform(types, s), _uniform(types, t))
         towards, eye = dr.gather(types.Vector3, light, index), dr.gather(types.Vector3, view, index)
-        point = meet(plain, place.x, place.y, eye).point
+        point = trace_views(plain, place.x, place.y, eye).point
         visible = plain.visibility(point, towards)
         appearance = plain.appearance
         channels = [

@@ -11,7 +11,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid, divided
+from loomlight.aggregate.grid import Grid, divide
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, upload
 from loomlight.scattering.point import PointModel, to_face_frame
@@ -34,12 +34,12 @@ class ShadowMaps:
         """Searches the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
         types = array_types(float_type)
         self.grid = grid
-        directions = uploaded_vectors(lights, types)
+        directions = upload_vectors(lights, types)
         total = len(lights) * grid.texels
         self.visible = dr.empty(types.Bool, total)
         for first in range(0, total, _BATCH):
             lane = dr.arange(types.UInt32, first, min(first + _BATCH, total))
-            index, texel = divided(lane, grid.texels)
+            index, texel = divide(lane, grid.texels)
             light = dr.gather(types.Vector3, directions, index)
             x, y = grid.points(types, texel)
             back = light.z < 0
@@ -61,6 +61,6 @@ class ShadowMaps:
         return dr.gather(type(self.visible), self.visible, light * texels + texel)
 
 
-def uploaded_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Vec3:
+def upload_vectors(directions: NDArray[np.float64], types: ArrayTypes) -> Vec3:
     """Vectors [n, 3] as a Vector3 of n lanes, axis by axis: one array would compile n into the kernels."""
     return types.Vector3(*(upload(types.Float, axis.astype(np.float32)) for axis in directions.T))

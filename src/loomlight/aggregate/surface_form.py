@@ -25,7 +25,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
+from loomlight.aggregate.components import COMPONENTS, components, trace_views, without_sheen_and_variation
 from loomlight.aggregate.grid import Grid
 from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
@@ -103,9 +103,9 @@ def surface_samples(
         light, view: unit vectors [3]; z < 0 is the back.
     """
     types = array_types(x)
-    plain = without_extras(model)
+    plain = without_sheen_and_variation(model)
     towards, eye = (_everywhere(types, direction, dr.width(x)) for direction in (light, view))
-    met = meet(plain, x, y, eye)
+    met = trace_views(plain, x, y, eye)
     back = types.Bool(eye.z < 0)
     _, hole = plain.surface.height(x, y, back)
     below = plain.at(x, y, back, hole)

@@ -19,7 +19,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid, divided
+from loomlight.aggregate.grid import Grid, divide
 from loomlight.core.arrays import Float, FloatType, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
@@ -44,7 +44,7 @@ def summed_areas(values: Float, columns: int, rows: int) -> Float:
     entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
     # Up the columns: a lane a column, so that lanes side by side read side by side. The first holds zeros.
-    number, column = divided(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
+    number, column = divide(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
     inside = column > 0
     texel = number * texels + column - 1
     entry = number * entries + column

@@ -12,7 +12,14 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    colours,
+    components,
+    trace_views,
+    without_sheen_and_variation,
+)
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
@@ -148,8 +155,8 @@ def _sampled(
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
     s, t = (types.Float(part.astype(np.float32)) for part in (places - 0.5).reshape(-1, 2).T.copy())
     place = footprint.at(s, t)
-    plain = without_extras(model)
-    point = meet(plain, place.x, place.y, view).point
+    plain = without_sheen_and_variation(model)
+    point = trace_views(plain, place.x, place.y, view).point
     visible = plain.visibility(point, light)
     channels = [
         *components(plain.appearance, point, light, view, visible),
