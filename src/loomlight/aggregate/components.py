@@ -1,6 +1,6 @@
-"""The integrand at yarn points, free of albedos: what light does at the points that parallel view rays meet.
+"""The integrand at yarn points, at albedo 1, for parallel view rays.
 
-Per point and pair of directions there are five channels (chen2024 eq. 7 and the hole of its 6.5):
+Each point and pair of directions has five channels (chen2024 eq. 7 and the hole of its 6.5):
 
     C_warp, C_weft   blended diffuse term of the family that shows, cosine included, 1/sr
     S_warp, S_weft   fibre layer of the family that shows, cosine included, 1/sr
@@ -30,18 +30,18 @@ from loomlight.yarn.visibility import first_hit
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
 COMPONENTS = CHANNELS[:4]
 COLOURS = ("red", "green", "blue")
-# A ray that ends this share of the finest thread below the surface has met a wall. On continuous yarn the
-# search leaves less than that, and of the rays that meet walls 1 in 100 ends so close to the upper edge.
+# A ray that ends deeper below the surface than this fraction of the finest thread has hit a wall. The error
+# of the search on continuous yarn is smaller; of rays that hit walls, 1 in 100 ends closer to the upper edge.
 _WALL = 1e-3
 
 
 @dataclass
 class ViewHits:
-    """What parallel view rays meet.
+    """Intersections of parallel view rays with the cloth.
 
     Attributes:
-        point: the yarn points, shaded on walls with the frame of the nearest edge.
-        wall: the ray ended at the vertical side of a yarn.
+        point: the yarn points; on walls, with the frame of the nearest edge.
+        wall: the ray has hit the vertical side of a yarn.
     """
 
     point: YarnPoint
@@ -49,7 +49,7 @@ class ViewHits:
 
 
 def without_sheen_and_variation(model: PointModel) -> PointModel:
-    """The model without sheen and without procedural variation: what components and colours describe."""
+    """The model without sheen and procedural variation, which components and colours leave out."""
     old = model.appearance
     appearance = Appearance(
         old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
@@ -58,7 +58,7 @@ def without_sheen_and_variation(model: PointModel) -> PointModel:
 
 
 def trace_views(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:
-    """The points that the view rays through x, y on the plane z = 0 meet, with exact parallax.
+    """Intersections of the view rays through x, y on the plane z = 0, with exact parallax.
 
     Args:
         x, y: draft coordinates, millimetres.
@@ -74,7 +74,7 @@ def trace_views(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask 
 
 
 class Scattering(Protocol):
-    """What decides about light beside the yarn point, as `Appearance` has it."""
+    """Parameters of scattering beside those of the yarn point; an `Appearance` is one."""
 
     @property
     def diffuse_blend(self) -> Float:

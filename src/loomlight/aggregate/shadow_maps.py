@@ -1,8 +1,8 @@
-"""Which points of the cloth each light reaches, tabulated once a light and shared by all views.
+"""Shadow maps: visibility of points of the cloth, tabulated once per light for all views.
 
-The search towards the light is what a slice costs most. With directions drawn in shared strata it is done
-once for every light on a grid of points of the face that the light falls on; yarn points then take the value
-of their nearest texel. Shadow edges move by up to half a texel, to either side.
+The search along shadow rays is the largest cost of a slice. Where directions are drawn in shared strata it is
+done once per light, on a grid of points of the face that the light falls on. Yarn points take the value of
+their nearest texel, which moves shadow edges by up to half a texel.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ class ShadowMaps:
 
     Attributes:
         grid: of the points, periodic.
-        visible: Bool, one map a light after another, texels row by row.
+        visible: Bool, [lights, rows, columns] flattened.
     """
 
     def __init__(
         self, model: PointModel, grid: Grid, lights: NDArray[np.float64], float_type: FloatType
     ) -> None:
-        """Searches the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
+        """Computes the maps of unit vectors `lights` [n, 3], z < 0 from behind."""
         types = array_types(float_type)
         self.grid = grid
         directions = upload_vectors(lights, types)
@@ -45,7 +45,7 @@ class ShadowMaps:
             back = light.z < 0
             point = model.surface.surface(x, y, back)
             facing = to_face_frame(light, back)
-            # The yarn hides from itself what lies below its tangent plane.
+            # The yarn itself occludes lights below its tangent plane.
             rises = dr.dot(point.normal, facing) > 0
             free = unoccluded(model.surface, x, y, point.height, facing, back, rises, model.quality)
             dr.scatter(self.visible, free, lane)

@@ -1,8 +1,8 @@
 """Slices: the integrand of one pair of light and view over a whole repeat, evaluated once.
 
-Its summed-area tables then give the exact mean over any box, and its Fourier transform over any Gaussian, so
-one slice serves thousands of queries without noise. What views share (which point each ray meets, its frame)
-is computed once a view; what lights share (shadows) once a light, where shadows are mapped.
+Its summed-area tables give the exact mean over any box, its Fourier transform the mean over any Gaussian, so
+one slice serves thousands of queries without noise. Intersections are computed once per view, and shadows
+once per light where they are mapped.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divide, fabric_grid
 from loomlight.aggregate.shadow_maps import ShadowMaps, upload_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
-from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
+from loomlight.core.arrays import Float, FloatType, UInt, Vec3
 from loomlight.core.backend import array_types, maximum, upload
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
@@ -111,7 +111,7 @@ class SliceBatch:
 
     pairs: NDArray[np.intp]
     channels: list[Float]
-    holes: Mask
+    holes: Float
     hole_of: NDArray[np.intp]
 
 

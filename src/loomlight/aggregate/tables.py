@@ -7,7 +7,7 @@ origin to (c + a·C, r + b·R) is
 
     G = T[r, c] + a·T[r, C] + b·T[R, c] + a·b·T[R, C]
 
-with whole a and b, so boxes of many repeats cost what small ones do: the mean of a box is four reads of G.
+with whole a and b, so the cost of a box does not depend on its size: its mean takes four evaluations of G.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from loomlight.core.arrays import Float, FloatType, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
 
-# Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
-# float64 sums of 10⁷ texels stays below 1e-4 of the slice's mean.
+# Smallest width and height of a box, in texels. Rounding of the difference of four float64 sums of 10⁷ texels
+# then stays below 1e-4 of the slice's mean.
 _SMALLEST_BOX = 1e-2
 
 
@@ -43,14 +43,14 @@ def summed_areas(values: Float, columns: int, rows: int) -> Float:
     texels = dr.opaque(types.UInt32, columns * rows)
     entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
-    # Up the columns: a lane a column, so that lanes side by side read side by side. The first holds zeros.
+    # Sums along columns, a lane per column, so that neighbouring lanes read neighbouring texels; column 0 is 0.
     number, column = divide(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
     inside = column > 0
     texel = number * texels + column - 1
     entry = number * entries + column
     dr.scatter(table, types.Float(0), entry)
 
-    def add_row(row: UInt, total: Float) -> tuple[Float, Float]:
+    def add_row(row: UInt, total: Float) -> tuple[UInt, Float]:
         total = total + types.Float(dr.gather(type(values), values, texel + row * width, inside))
         dr.scatter(table, total, entry + (row + 1) * pitch)
         return row + 1, total
@@ -59,7 +59,7 @@ def summed_areas(values: Float, columns: int, rows: int) -> Float:
     dr.while_loop(start, lambda row, total: row < height, add_row, label="summed areas: columns")
     dr.eval(table)
 
-    # Then along the rows.
+    # Prefix sums along rows.
     table = dr.block_prefix_sum(table, columns + 1, exclusive=False)
     dr.eval(table)
     return table
@@ -67,15 +67,15 @@ def summed_areas(values: Float, columns: int, rows: int) -> Float:
 
 @dataclass
 class TexelBoxes:
-    """Boxes in texels from the corner of the grid: lower and upper bounds, Float64 each."""
+    """Lower and upper bounds of boxes in texels from the corner of the grid, in double precision."""
 
-    left: Any
-    right: Any
-    bottom: Any
-    top: Any
+    left: Float
+    right: Float
+    bottom: Float
+    top: Float
 
     def at(self, index: UInt) -> TexelBoxes:
-        """The boxes of these numbers, UInt32."""
+        """The boxes of these indices."""
         bounds = (self.left, self.right, self.bottom, self.top)
         return TexelBoxes(*(dr.gather(type(bound), bound, index) for bound in bounds))
 
@@ -122,11 +122,11 @@ def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.
 
 @dataclass
 class _Bound:
-    """One side of a box: the entries of the table around it, and how many repeats it lies away."""
+    """One side of a box: table entry, fraction to the next entry, and number of whole repeats."""
 
     entry: UInt
     share: Float
-    turns: UInt
+    turns: Float
 
 
 def _bound(position: Float, count: int) -> _Bound:
