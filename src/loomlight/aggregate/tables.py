@@ -43,7 +43,7 @@ def summed_areas(values: Float, columns: int, rows: int) -> Float:
     texels = dr.opaque(types.UInt32, columns * rows)
     entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
-    # Sums along columns, a lane per column, so that neighbouring lanes read neighbouring texels; column 0 is 0.
+    # Sums along columns, a lane per column: neighbouring lanes read neighbouring texels. Column 0 is 0.
     number, column = divide(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
     inside = column > 0
     texel = number * texels + column - 1
