@@ -30,8 +30,8 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric import Fabric
-from loomlight.models.woven.materials import MATERIALS, paper_material
-from loomlight.models.woven.queries import answers, material_queries
+from loomlight.models.woven.training.materials import MATERIALS, paper_material
+from loomlight.models.woven.training.queries import answers, material_queries
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -5,10 +5,9 @@
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
 queries, fetch, coding and layers; "by cooperative vectors" is the same without machine code; "in numpy" is
-`batch.decode`, numpy arrays in and out; "in ONNX Runtime" is the exported decoder, latents fetched
-beforehand; "in the renderer" is the network's part of a picture, which decodes each pixel for two lights. All
-use all cores. Each share is of the FMA peak measured right before and after, with independent chains of
-multiply-adds, so that shares hold on busy machines.
+`compiled.decode`, arrays in and out; "in the renderer" is the network's part of a picture, which decodes
+each pixel for two lights. All use all cores. Each share is of the FMA peak measured right before and after,
+with independent chains of multiply-adds, so that shares hold on busy machines.
 """
 
 from __future__ import annotations
@@ -16,38 +15,31 @@ from __future__ import annotations
 import time
 from argparse import Namespace
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from typing import Any, TypeVar
 from unittest.mock import patch
 
 import drjit as dr
 import numpy as np
-import onnxruntime
 from drjit.llvm.ad import Array2f, Array3f, Float
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
-from loomlight.core.simd import core_count
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
-from loomlight.models.woven.batch import decode
+from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.decoder import Decoder, decoder_cost
-from loomlight.models.woven.encoding import encoder_session, shortest_repeat
-from loomlight.models.woven.maps import face_maps
+from loomlight.models.woven.encoder import encoder_session, fabric_parameters, face_maps, shortest_repeat
+from loomlight.models.woven.fine_tuning import fitted_correction
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.onnx_decoder import decoder_graph
-from loomlight.models.woven.pool import fabric_parameters, places_of
-from loomlight.models.woven.refinement import fitted_correction
 from loomlight.yarn.geometry import YarnGeometry
 
 FABRIC = "satin 8/3"
 COUNT = 1 << 18
 PICTURE = 512
-# Of one session of ONNX Runtime, whose activations stay near a core.
-QUERIES_A_RUN = 2048
 
 
 def queries(model: WovenModel, count: int) -> tuple[Any, ...]:
@@ -85,26 +77,6 @@ def in_numpy(model: WovenModel) -> float:
     footprints = places_of(model.fabric.layout(), centres.T, sides)
     directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
     return COUNT / median_seconds(lambda: decode(model.weights, model.encoded, *directions, footprints))
-
-
-def in_onnx_runtime(model: WovenModel) -> float:
-    """Queries a second of the exported decoder on all cores, latents fetched beforehand."""
-    onnx = decoder_graph(model.weights)
-    options = onnxruntime.SessionOptions()
-    options.intra_op_num_threads = options.inter_op_num_threads = 1
-    for size, count in (("n", QUERIES_A_RUN), ("m", 1)):
-        options.add_free_dimension_override_by_name(size, count)
-    session = onnxruntime.InferenceSession(
-        onnx.SerializeToString(), options, providers=["CPUExecutionProvider"]
-    )
-    rng = np.random.default_rng(1)
-    inputs = {given.name: rng.random(given.shape, np.float32) for given in session.get_inputs()}
-
-    def layers() -> None:
-        with ThreadPoolExecutor(core_count()) as pool:
-            list(pool.map(lambda _: session.run(None, inputs), range(COUNT // QUERIES_A_RUN)))
-
-    return COUNT / median_seconds(layers)
 
 
 Measured = TypeVar("Measured")
@@ -154,12 +126,11 @@ def measure(_: Namespace) -> Figures:
     model = WovenModel.for_fabric(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
     cost = decoder_cost(model.weights, corrected)
-    seen, light, fetch = 2 * cost.seen, 2 * cost.lit, cost.bytes_fetched // 4
+    seen, light = 2 * cost.seen, 2 * cost.lit
     start = time.perf_counter()
     batch, batch_peak = beside_peak(lambda: in_batch(model))
     vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model))
     numpy, numpy_peak = beside_peak(lambda: in_numpy(model))
-    onnx, onnx_peak = beside_peak(lambda: in_onnx_runtime(model))
     (seconds, share, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
     encoder = encoder_seconds(model)
     return {
@@ -170,7 +141,6 @@ def measure(_: Namespace) -> Figures:
         "in_batch": entry(batch, seen + light, batch_peak),
         "by_cooperative_vectors": entry(vectors, seen + light, vectors_peak),
         "in_numpy": entry(numpy, seen + light, numpy_peak),
-        "in_onnx_runtime": entry(onnx, seen + light - 2 * fetch, onnx_peak),
         "in_renderer": {
             "picture": f"flat, {PICTURE}², 1 sample, direct light",
             "seconds": round(seconds, 3),

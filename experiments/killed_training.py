@@ -67,8 +67,8 @@ def measure(options: Namespace) -> Figures:
 _TRAINING = """
 import sys
 from pathlib import Path
-from loomlight.models.woven.config import read_config
-from loomlight.models.woven.train import train_woven
+from loomlight.models.woven.training.config import read_config
+from loomlight.models.woven.training.train import train_woven
 train_woven(read_config(sys.argv[1]), Path(sys.argv[2]), keep_every=0.5)
 """
 

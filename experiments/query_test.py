@@ -26,7 +26,7 @@ from loomlight.evaluation.query_test import SEED, run_query_test
 from loomlight.evaluation.reproduce.setting import woven_predictor
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.models.registry import make_model
-from loomlight.models.woven.box import LAYOUT_BOX, PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import LAYOUT_RANGES, PARAMETER_RANGES
 from loomlight.models.woven.weights import read_weights
 
 
@@ -54,7 +54,7 @@ def measure(options: Namespace) -> Figures:
     names = [name for name in options.models.split(",") if name]
     result = run_query_test(
         predictors(names, options.weights),
-        held_out_fabrics(options.fabrics, LAYOUT_BOX if options.varied_layouts else PARAMETER_BOX),
+        held_out_fabrics(options.fabrics, LAYOUT_RANGES if options.varied_layouts else PARAMETER_RANGES),
         pairs=options.pairs,
         footprints=options.footprints,
         seed=options.seed,

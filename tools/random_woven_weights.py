@@ -11,13 +11,14 @@ from pathlib import Path
 import torch
 
 from loomlight.core.provenance import provenance
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.architecture import NetworkTable
+from loomlight.models.woven.training.export import export_encoder
+from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import write_weights
 
 
 def main() -> None:
-    """Writes the file."""
+    """Writes the file, and its encoder beside it."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("output", type=Path)
     parser.add_argument("--latent", choices=("field", "vector"), default="field")
@@ -35,6 +36,7 @@ def main() -> None:
         provenance=provenance("python -m tools.random_woven_weights", Path(__file__).parent),
         trained=False,
     )
+    export_encoder(arguments.output)
 
 
 if __name__ == "__main__":

@@ -4,8 +4,8 @@ import pytest
 
 from loomlight.cli.data import MATERIALS as OFFERED
 from loomlight.cli.main import run
-from loomlight.models.woven.materials import MATERIALS
-from loomlight.models.woven.store import QueryStore
+from loomlight.models.woven.training.dataset_store import QueryStore
+from loomlight.models.woven.training.materials import MATERIALS
 
 
 def test_writes_a_store_and_goes_on_with_it(tmp_path, capsys):

@@ -8,8 +8,8 @@ import pytest
 from loomlight.aggregate.queries import admits_transmission
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, paper_draft
-from loomlight.models.woven.weaves import HELD_OUT_WEAVES
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.woven.training.weaves import HELD_OUT_WEAVES, PAPER_WEAVES, paper_draft
 
 
 @pytest.fixture(scope="module")
@@ -53,7 +53,7 @@ def test_unseen_weaves_are_unlike_the_papers(fabrics: list[HeldOut]) -> None:
 
 
 def test_parameters_lie_in_the_box_and_colours_differ(fabrics: list[HeldOut]) -> None:
-    box = PARAMETER_BOX
+    box = PARAMETER_RANGES
     for cloth in fabrics:
         layout, appearance = cloth.fabric.layout(), cloth.fabric.appearance()
         for lies, scatters in ((layout.warp, appearance.warp), (layout.weft, appearance.weft)):

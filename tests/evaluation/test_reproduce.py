@@ -25,9 +25,8 @@ from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
 from loomlight.evaluation.reproduce.shots import DRAPE
 from loomlight.mitsuba import choose_variant
 from loomlight.mitsuba.scene_edits import SceneEdits
-from loomlight.models.woven.box import paper_draft
-from loomlight.models.woven.config import read_config
-from loomlight.models.woven.weaves import HELD_OUT_WEAVES
+from loomlight.models.woven.training.config import read_config
+from loomlight.models.woven.training.weaves import HELD_OUT_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 
 from ..models.woven.networks import network, written

@@ -15,6 +15,7 @@ from loomlight.mitsuba import build_scene, fabric_bsdf, render, woven_neural
 from loomlight.mitsuba.filtered_texture import FilteredTexture
 from loomlight.mitsuba.integrator import calls_for
 from loomlight.models.woven import encoding
+from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.weights import Weights
 
 from ..models.woven.networks import network, weights_of
@@ -53,15 +54,15 @@ def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> l
     """Names of the fabrics that the encoder was run for, with empty caches."""
     monkeypatch.setattr(woven_neural, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
-    encoding.clear_encodings()
+    clear_encodings()
     found: list[str] = []
-    run = encoding._run
+    run = encoding.run_encoder
 
     def counted(fabric: Any, *arguments: Any) -> Any:
         found.append(fabric.name)
         return run(fabric, *arguments)
 
-    monkeypatch.setattr(encoding, "_run", counted)
+    monkeypatch.setattr(encoding, "run_encoder", counted)
     return found
 
 

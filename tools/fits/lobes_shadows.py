@@ -35,8 +35,8 @@ from loomlight.models.lobes.twin import (
     on_seen_face,
     shadow_correlation,
 )
-from loomlight.models.woven.config import DataTable
-from loomlight.models.woven.pool import pool_fabric
+from loomlight.models.woven.training.config import DataTable
+from loomlight.models.woven.training.dataset import dataset_fabric
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import SearchQuality
@@ -177,7 +177,7 @@ def measure(options: Namespace) -> Figures:
     table = DataTable(seed=SEED)
     found: dict[str, list[Pairs]] = {side: [] for side in SIDES}
     for number in range(options.fabrics):
-        fabric = pool_fabric(table, number)
+        fabric = dataset_fabric(table, number)
         for through, side in enumerate(SIDES):
             found[side].append(measured(fabric, bool(through), number))
     return {

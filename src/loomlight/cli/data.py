@@ -57,7 +57,7 @@ def woven(
     require_llvm()
     from drjit.llvm.ad import Float
 
-    from loomlight.models.woven.store import StoreSettings, make_store
+    from loomlight.models.woven.training.dataset_store import StoreSettings, make_store
 
     settings = StoreSettings(seed, wanted)
     command = shlex.join(["loomlight", "data", "woven", "--queries", str(wanted), "--seed", str(seed)])
@@ -79,7 +79,7 @@ def _range_of(text: str) -> tuple[int, int]:
 
 
 def _queries_of(text: str) -> int:
-    from loomlight.models.woven.queries import FEWEST_QUERIES, FULL_QUERIES
+    from loomlight.models.woven.training.queries import FEWEST_QUERIES, FULL_QUERIES
 
     if text.strip() == "full":
         return FULL_QUERIES

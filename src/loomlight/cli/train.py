@@ -33,13 +33,13 @@ def woven(
     device: Annotated[str, typer.Option(help="cpu or cuda.")] = "cpu",
 ) -> None:
     """Trains the universal network from nothing, data included; run again, it goes on from where it was."""
-    from loomlight.models.woven.config import read_config
+    from loomlight.models.woven.training.config import read_config
 
     recipe = read_config(config)
     # On shared cores threads that spin while they wait make small batches many times slower.
     os.environ.setdefault("OMP_WAIT_POLICY", "passive")
     try:
-        from loomlight.models.woven.train import train_woven
+        from loomlight.models.woven.training.train import train_woven
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output

@@ -1,8 +1,8 @@
 """The 24 held-out fabrics of the query test: drawn once by a fixed seed, in no training set.
 
 Half are weaves that no training set holds, half the paper's seven weaves with parameters of their own. Every
-second one lets light through, a quarter have threads of several colours. Parameters are drawn from the
-parameter box (`models/woven/box.py`) independently for each family, but for one: the roughness of the
+second one lets light through, a quarter have threads of several colours. Parameters are drawn from the ranges
+of `models/woven/parameter_ranges.py` independently for each family, but for one: the roughness of the
 smoother family is drawn uniformly within its class (under 0.15, to 0.4, above), six to nine fabrics each, and
 the other family's uniformly between that and the box's largest.
 """
@@ -17,7 +17,9 @@ import numpy as np
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import YarnTable
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX, ParameterBox, paper_draft, random_fabric
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, ParameterRanges
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.weave.named import named_weave
 
 _SEED = 20240727
@@ -90,11 +92,11 @@ _PAPER = (
 )
 
 
-def held_out_fabrics(count: int | None = None, box: ParameterBox = PARAMETER_BOX) -> list[HeldOut]:
+def held_out_fabrics(count: int | None = None, box: ParameterRanges = PARAMETER_RANGES) -> list[HeldOut]:
     """The fabrics; with `count` the first so many, unseen weaves and the paper's in turn.
 
     Args:
-        box: where parameters are drawn from; with `LAYOUT_BOX` gaps and setts differ from cloth to cloth.
+        box: where parameters are drawn from; with `LAYOUT_RANGES` gaps and setts differ from cloth to cloth.
 
     Raises:
         InputError: `count` is not from 1 to 24.
@@ -106,7 +108,7 @@ def held_out_fabrics(count: int | None = None, box: ParameterBox = PARAMETER_BOX
     return [_drawn(number, plans[number], box) for number in range(len(plans) if count is None else count)]
 
 
-def _drawn(number: int, plan: _Plan, box: ParameterBox) -> HeldOut:
+def _drawn(number: int, plan: _Plan, box: ParameterRanges) -> HeldOut:
     rng = np.random.default_rng([_SEED, number])
     # Pairs of the paper's and an unseen weave take turns.
     translucency = float(rng.uniform(*_TRANSLUCENCY)) if number // 2 % 2 == number % 2 else 0.0
@@ -130,7 +132,7 @@ def _drawn(number: int, plan: _Plan, box: ParameterBox) -> HeldOut:
 
 def _uniform(rng: np.random.Generator, low: float, high: float) -> float:
     """A roughness between both that the box holds."""
-    smallest, largest = PARAMETER_BOX.roughness
+    smallest, largest = PARAMETER_RANGES.roughness
     return float(rng.uniform(max(low, smallest), min(high, largest)))
 
 

@@ -21,7 +21,8 @@ from loomlight.mitsuba.fabric_props import number_of_props, other_fabric_of, tru
 from loomlight.mitsuba.footprint_bsdf import SeenCloth, footprint_bsdf_class, number_of
 from loomlight.models.interface import FamilyAlbedos, Response
 from loomlight.models.woven.decoder import Seen
-from loomlight.models.woven.encoding import EncodedFabric, encode, encode_pair
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.point import DirectionSample

@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 from loomlight.fabric import Fabric
 from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.woven.box import PAPER_WEAVES, TRAINING_BOX, paper_draft, random_fabric
+from loomlight.models.woven.parameter_ranges import TRAINING_RANGES
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
 
 from .cloths import Asked, far_parts
@@ -69,12 +71,12 @@ def largest_albedo(integrals: NDArray[np.float64], optical_depth: float) -> NDAr
     return total
 
 
-def test_no_fabric_of_the_box_makes_light() -> None:
+def test_no_fabric_of_the_ranges_makes_light() -> None:
     drafts = [paper_draft(name) for name in PAPER_WEAVES]
     albedos = []
     for number in range(FABRICS):
         rng = np.random.default_rng([number, 5])
-        fabric = random_fabric(rng, drafts[number % len(drafts)], 0.5, TRAINING_BOX)
+        fabric = random_fabric(rng, drafts[number % len(drafts)], 0.5, TRAINING_RANGES)
         integrals = furnace(fabric, number)
         albedos.append(largest_albedo(integrals, fabric.appearance().optical_depth))
     worst = np.max(albedos, axis=1)

@@ -11,9 +11,10 @@ import torch
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven import encoding
-from loomlight.models.woven.config import NetworkTable
-from loomlight.models.woven.encoding import clear_encodings
-from loomlight.models.woven.network import WovenNetwork
+from loomlight.models.woven.architecture import NetworkTable
+from loomlight.models.woven.latent_cache import clear_encodings
+from loomlight.models.woven.training.export import export_encoder
+from loomlight.models.woven.training.network import WovenNetwork
 from loomlight.models.woven.weights import Weights, read_weights, write_weights
 
 # The shapes that are trained: what ships, what was published, and the ablations.
@@ -42,10 +43,11 @@ def network(name: str, hidden: int = 32) -> WovenNetwork:
 
 
 def written(made: WovenNetwork, path: Path, half: bool = False, **changes: Any) -> Path:
-    """The network as a weights file."""
+    """The network as a weights file, and its encoder beside it."""
     given: dict[str, Any] = {"linear_diffuse": linear_diffuse(made), "recipe": {}, "provenance": {}}
     state = {name: values.numpy() for name, values in made.state_dict().items()}
     write_weights(path, made.table, state, half=half, **(given | changes))
+    export_encoder(path)
     return path
 
 

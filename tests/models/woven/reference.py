@@ -7,12 +7,10 @@ import torch
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.losses import unmapped
-from loomlight.models.woven.network import WovenNetwork
-from loomlight.models.woven.places import network_places
-from loomlight.models.woven.pool import places_of
-from loomlight.models.woven.pyramid import taps
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.footprint_coding import network_places, places_of, taps
+from loomlight.models.woven.training.losses import unmapped
+from loomlight.models.woven.training.network import WovenNetwork
 
 from .networks import linear_diffuse
 

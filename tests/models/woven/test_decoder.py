@@ -17,13 +17,12 @@ from loomlight.core.llvm import require_llvm
 from loomlight.core.simd import SimdTarget
 from loomlight.fabric import fabric_from_text
 from loomlight.models.interface import Response
-from loomlight.models.woven import compiled
-from loomlight.models.woven.batch import decode, fabric_numbers
-from loomlight.models.woven.compiled import _compiled, compiled_decoder
+from loomlight.models.woven import compiled, latent_table
+from loomlight.models.woven.compiled import _compiled, compiled_decoder, decode, kernel_table
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.footprint_coding import places_of
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.pool import places_of
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -81,8 +80,9 @@ def test_other_processors_answer_alike(
     rng = np.random.default_rng(9)
     queries = unit_vectors(rng, 500), unit_vectors(rng, 500), rng.uniform(0.01, 20, (500, 3))
     wanted = decode(weights, encoded, *queries)
-    caches = _compiled, compiled_decoder, fabric_numbers
-    monkeypatch.setattr(compiled, "host_target", lambda: target)
+    caches = _compiled, compiled_decoder, kernel_table
+    for module in (compiled, latent_table):
+        monkeypatch.setattr(module, "host_target", lambda: target)
     try:
         for cached in caches:
             cached.cache_clear()

@@ -16,7 +16,7 @@ from loomlight.models.woven.architecture import BUNDLE_PLACES, BUNDLES, DENSITY_
 from loomlight.models.woven.codings import _mirrored
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.model import WovenModel
-from loomlight.models.woven.network import fibre_features
+from loomlight.models.woven.training.network import fibre_features
 from loomlight.scattering.fibre import density
 from loomlight.yarn.geometry import YarnGeometry
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from importlib.resources import files
 from pathlib import Path
 
@@ -12,7 +13,14 @@ from safetensors.numpy import load_file, save_file
 from safetensors.torch import load_file as load_torch
 
 from loomlight.core.errors import InputError
-from loomlight.models.woven.weights import SCHEMA, decoder_shapes, read_weights, shipped_weights
+from loomlight.models.woven.weights import (
+    SCHEMA,
+    decoder_shapes,
+    encoder_path,
+    read_weights,
+    shipped_weights,
+    write_weights,
+)
 
 from .networks import TABLES, network, written
 
@@ -79,8 +87,9 @@ def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
     rewritten(file, tmp_path / "newer", {"schema": SCHEMA + 1})
     rewritten(file, tmp_path / "other shape", {"shape": {"hidden": 7}})
     other = network("plain, not fused")
-    other.table = network("field").table
-    written(other, tmp_path / "other tensors")
+    state = {name: values.numpy() for name, values in other.state_dict().items()}
+    given = {"linear_diffuse": False, "recipe": {}, "provenance": {}}
+    write_weights(tmp_path / "other tensors", network("field").table, state, **given)
     expected = {
         "cut": "damaged",
         "flipped": "checksum",
@@ -100,6 +109,35 @@ def test_unusable_files_are_one_sentence(file: Path, tmp_path: Path) -> None:
         assert "\n" not in str(caught.value)
 
 
+def test_weights_need_their_encoder_beside_them(file: Path, tmp_path: Path) -> None:
+    path = Path(shutil.copy(file, tmp_path / "a.safetensors"))
+    good = encoder_path(file).read_bytes()
+    other = encoder_path(written(network("vector, published"), tmp_path / "other.safetensors")).read_bytes()
+    flipped = bytearray(good)
+    flipped[len(good) // 2] ^= 0x40
+    unsealed = bytearray(good)
+    unsealed[-5] ^= 0x40
+    expected = {
+        "is not beside it": None,
+        "exported from other weights": other,
+        "no exported encoder, or damaged": bytes(flipped),
+        "or damaged: ": good[: len(good) // 2],
+        "encoder, or damaged": bytes(unsealed),
+        "it is no exported": b"",
+    }
+    for part, data in expected.items():
+        if data is not None:
+            encoder_path(path).write_bytes(data)
+        with pytest.raises(InputError, match=part) as caught:
+            read_weights(path)
+        said = str(caught.value)
+        assert said.startswith(str(tmp_path))
+        assert f"`python -m loomlight.models.woven.training.export {path}` writes it" in said
+        assert "\n" not in said
+    encoder_path(path).write_bytes(good)
+    assert read_weights(path).encoder == good
+
+
 def test_weights_beyond_half_precision_are_refused(tmp_path: Path) -> None:
     made = network("field")
     made.decoder.hole[1].bias.data.fill_(1e6)
@@ -109,6 +147,6 @@ def test_weights_beyond_half_precision_are_refused(tmp_path: Path) -> None:
 
 
 def test_the_package_ships_a_network_of_at_most_six_megabytes() -> None:
-    path = files("loomlight.models.woven") / "weights" / "woven.safetensors"
-    assert 1e5 < len(path.read_bytes()) <= 6e6
+    folder = files("loomlight.models.woven") / "weights"
+    assert 1e5 < sum(len(path.read_bytes()) for path in folder.iterdir()) <= 6e6
     assert shipped_weights().table.latent in ("field", "vector")

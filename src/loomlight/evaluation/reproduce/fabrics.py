@@ -11,7 +11,8 @@ from importlib.resources import files
 
 from loomlight.fabric import fabric_from_text
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.box import PAPER_WEAVES, PARAMETER_BOX
+from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
+from loomlight.models.woven.training.weaves import PAPER_WEAVES
 
 # The one pattern of the paper that is no named weave.
 _DRAFTS = {"satin 5×10": "satin-5x10.wif"}
@@ -81,6 +82,7 @@ def fabric_of(name: str, weave: str, look: Look) -> Fabric:
     ]
     text = (
         f'name = "{name}"\n{source}\n'
-        f"diffuse_blend = {PARAMETER_BOX.diffuse_blend}\noptical_depth = {PARAMETER_BOX.optical_depth}\n"
+        f"diffuse_blend = {PARAMETER_RANGES.diffuse_blend}\n"
+        f"optical_depth = {PARAMETER_RANGES.optical_depth}\n"
     )
     return fabric_from_text(text + "".join(tables), str(files("loomlight.evaluation.reproduce")))

@@ -1,46 +1,25 @@
-"""The decoder compiled for this processor, from `decoder_kernel`, and the uniform buffers of a fabric."""
+"""The decoder compiled for this processor from `decoder_kernel`, for numpy arrays of queries."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.core.simd import CompiledKernel, Floats, host_target
-from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.architecture import NetworkTable
 from loomlight.models.woven.decoder_kernel import (
     EntryPoint,
-    correction_layers,
     decoder_kernel,
     packed_layers,
 )
-from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.latents import LatentRows
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.weights import Weights
-
-
-class FabricNumbers:
-    """What kernels read of a fabric.
-
-    Attributes:
-        has_correction: whether the fabric has a correction of its own.
-        repeat: picks and ends, if code depends on them; else 0 and 0.
-        uniforms: the uniform buffers of `decoder_kernel` after the packed layers.
-    """
-
-    def __init__(self, weights: Weights, encoded: EncodedFabric, rows: LatentRows) -> None:
-        self.has_correction = encoded.correction is not None
-        self.repeat = (0, 0) if weights.table.latent == "field" else (encoded.picks, encoded.ends)
-        bundles = encoded.fibres.bundles(False) if weights.table.bundles else np.zeros(0)
-        counts = [encoded.ends, encoded.picks, rows.texels, len(rows.levels)]
-        parameters = np.concatenate([counts, encoded.fibres.face(False).ravel(), bundles.ravel()])
-        correction = np.zeros(1, np.float32)
-        if encoded.correction is not None:
-            correction = correction_layers(encoded.correction, host_target()).weights()
-        self.uniforms = [rows.values, rows.levels, parameters.astype(np.float32), correction]
 
 
 class CompiledDecoder:
@@ -59,7 +38,7 @@ class CompiledDecoder:
     def run(
         self,
         entry_point: EntryPoint,
-        fabric: FabricNumbers,
+        fabric: LatentTable,
         inputs: Sequence[Floats],
         outputs: Sequence[Floats],
     ) -> None:
@@ -108,3 +87,49 @@ def _compiled(
 def compiled_decoder(weights: Weights) -> CompiledDecoder:
     """The decoder of some weights."""
     return CompiledDecoder(weights)
+
+
+# Fabrics whose latents are kept as they are fetched.
+_KEPT = 2
+
+
+def decode(
+    weights: Weights,
+    encoded: EncodedFabric,
+    lights: NDArray[np.float32],
+    views: NDArray[np.float32],
+    footprints: NDArray[np.float32],
+) -> NDArray[np.float32]:
+    """Components, 1/sr, and hole fraction [n, 5] of n queries, on all cores.
+
+    Args:
+        lights, views: unit vectors [n, 3]; z < 0 is behind the cloth.
+        footprints: position x and y and side [n, 3], in threads; see `footprint_coding.places_of`.
+    """
+    light, view, footprint = (columns(rows) for rows in (lights, views, footprints))
+    back = view[2] < 0
+    turn = np.where(back, np.float32(-1), np.float32(1))
+    light[2] *= turn
+    view[2] *= turn
+    found = np.empty((5, len(lights)), np.float32)
+    table = kernel_table(weights, encoded)
+    queries = [*one_square(footprint), *view, back.astype(np.float32), *light]
+    compiled_decoder(weights).run("answers", table, queries, [*found])
+    return found.T
+
+
+def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
+    """The numbers of `AnisotropicTaps` of footprints [3, n], position x and y and side."""
+    still = np.zeros(footprints.shape[1], np.float32)
+    return [*footprints, still, still]
+
+
+def columns(rows: NDArray[np.floating]) -> NDArray[np.float32]:
+    """Rows [n, k] as arrays of their own [k, n]."""
+    return rows.T.astype(np.float32, order="C")
+
+
+@lru_cache(_KEPT)
+def kernel_table(weights: Weights, encoded: EncodedFabric) -> LatentTable:
+    """The tables of a fabric for kernels alone."""
+    return LatentTable(weights, encoded)

@@ -12,34 +12,29 @@ Dr.Jit then hands them their weights lane by lane: call it outside.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
 import drjit as dr
-import drjit.nn as nn
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import array_types, clip, maximum, minimum, upload
-from loomlight.core.footprint import ANISOTROPIC_TAPS
-from loomlight.core.simd import call_kernel, can_use_kernel, is_host_type
+from loomlight.core.backend import array_types, clip
+from loomlight.core.simd import call_kernel, can_use_kernel
 from loomlight.models.woven.architecture import BUNDLES, VIEW_FEATURES
 from loomlight.models.woven.codings import (
     DIFFUSE,
-    Fibre,
     fibre_features,
     mixed_bundles,
     one_blob,
     unmapped,
 )
-from loomlight.models.woven.compiled import FabricNumbers, compiled_decoder
+from loomlight.models.woven.compiled import compiled_decoder
 from loomlight.models.woven.decoder_kernel import EntryPoint
-from loomlight.models.woven.encoding import EncodedFabric
-from loomlight.models.woven.latents import PACKET, LatentRows
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, own_share, place_of
+from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.layers import CooperativeLayers
-from loomlight.models.woven.places import AnisotropicTaps, own_share, place_of
-from loomlight.models.woven.pyramid import FINEST
 from loomlight.models.woven.weights import Weights
 
 
@@ -62,141 +57,6 @@ class Seen:
     view: Any
     back: Any
     table: LatentTable
-
-
-class LatentTable:
-    """Latents of both faces on one backend, multiplied by the first layer where there is fusion.
-
-    Attributes:
-        picks, ends: of the repeat.
-        channels: numbers a texel.
-        bundles: of the front, b and a of each, for both families; see `Fibres.bundles`.
-        numbers: what machine code reads, where there may be such.
-    """
-
-    def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: type) -> None:
-        self.picks, self.ends = encoded.picks, encoded.ends
-        rows = LatentRows.of(weights, encoded)
-        self.channels, self.texels = rows.channels, rows.texels
-        self._types = types = array_types(float_type)
-        self._padded = rows.values.shape[1]
-        self._values = upload(types.Float, rows.values)
-        self._last = len(rows.levels) - 1
-        self._levels = upload(types.Float, rows.levels)
-        self._width = dr.opaque(types.UInt32, self.texels)
-        self._extent = dr.opaque(types.Float, float(self.ends)), dr.opaque(types.Float, float(self.picks))
-        self._top = dr.opaque(types.UInt32, self._last)
-        numbers_of_fibres = encoded.fibres.face(False).tolist()
-        self._fibres = [[dr.opaque(types.Float, number) for number in row] for row in numbers_of_fibres]
-        # Of the front, for each family.
-        self.bundles = [
-            [tuple(dr.opaque(types.Float, number) for number in bundle) for bundle in family]
-            for family in (encoded.fibres.bundles(False).tolist() if weights.table.bundles else [])
-        ]
-        # Of the last layer: weights, then biases.
-        self._correction: tuple[Any, Any] | None = None
-        if encoded.correction is not None:
-            weight, bias = encoded.correction[:, :-1], encoded.correction[:, -1]
-            self._correction = tuple(
-                upload(types.Float, np.ascontiguousarray(part)) for part in (weight, bias)
-            )
-        self.numbers: FabricNumbers | None = None
-        if is_host_type(types.Float):
-            # Of the same memory.
-            dr.sync_thread()
-            values = self._values.numpy().reshape(rows.values.shape)
-            self.numbers = FabricNumbers(weights, encoded, replace(rows, values=values))
-
-    def fibres(self, back: Any) -> tuple[Fibre, Fibre]:
-        """The fibres of both families in the frame of the face that is seen; see `Fibres.face`."""
-        (warp_x, warp_y, warp_roughness), (weft_x, weft_y, weft_roughness) = self._fibres
-        return (
-            Fibre(dr.select(back, -warp_x, warp_x), warp_y, warp_roughness),
-            Fibre(weft_x, dr.select(back, -weft_y, weft_y), weft_roughness),
-        )
-
-    def corrected(self, shares: list[Any], hidden: list[Any], own: Any) -> list[Any]:
-        """What is put out for bundles, with the fabric's own correction.
-
-        Args:
-            hidden: what the last layer takes.
-            own: how much of the correction counts, 0 to 1.
-        """
-        if self._correction is None:
-            return shares
-        tensor: Any = dr.tensor_t(self._types.Float)
-        weight, bias = self._correction
-        outputs = len(shares)
-        matrix: Any = nn.view(tensor(weight, (outputs, dr.width(weight) // outputs)))
-        added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
-        return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
-
-    def at(self, squares: AnisotropicTaps, back: Any) -> list[Any]:
-        """Means of interpolated values over rows of squares: `channels` Floats."""
-        types = self._types
-        face = dr.select(back, self._width, 0)
-        if self.texels == 1:
-            packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
-            return [value for packet in packets for value in packet][: self.channels]
-        place = clip(dr.log2(maximum(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
-        lower = minimum(types.UInt32(place), self._top - 1)
-        blend = place - types.Float(lower)
-        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1)
-
-        def added(number: Any, total: list[Any]) -> tuple[Any, list[Any]]:
-            place = types.Float(number) - 0.5 * (types.Float(steps) - 1)
-            x, y = dr.fma(place, squares.step_x, squares.x), dr.fma(place, squares.step_y, squares.y)
-            taps = [
-                (face + texel, share * weight / types.Float(steps))
-                for level, share in ((lower, 1 - blend), (lower + 1, blend))
-                for texel, weight in self._taps(level, *self._near_origin(x, y))
-            ]
-            for packet in range(self._padded // PACKET):
-                part = slice(packet * PACKET, (packet + 1) * PACKET)
-                for texel, weight in taps:
-                    row = self._packet(texel, packet)
-                    total[part] = [
-                        dr.fma(weight, value, sum_) for value, sum_ in zip(row, total[part], strict=True)
-                    ]
-            return number + 1, total
-
-        nothing = [dr.zeros(types.Float, dr.width(squares.numbers())) for _ in range(self._padded)]
-        _, total = dr.while_loop(
-            (dr.zeros(types.UInt32, dr.width(steps)), nothing),
-            lambda number, _: number < steps,
-            added,
-            label="squares",
-            mode="symbolic",
-            max_iterations=ANISOTROPIC_TAPS,
-        )
-        return list(total[: self.channels])
-
-    def _near_origin(self, x: Any, y: Any) -> tuple[Any, Any]:
-        """Places in the repeat, where float32 is finest."""
-        ends, picks = self._extent
-        return x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
-
-    def _taps(self, level: Any, x: Any, y: Any) -> list[tuple[Any, Any]]:
-        """Texels and bilinear weights of one level; see `pyramid.taps`."""
-        types = self._types
-        numbers = dr.gather(types.Vector4, self._levels, level)
-        first, columns, rows, per_thread = (numbers[k] for k in range(4))
-        corner = dr.select((level > FINEST) & (level < self._top), types.Float(1), 0.5)
-        u, v = dr.fma(x, per_thread, -corner), dr.fma(y, per_thread, -corner)
-        column, row = dr.floor(u), dr.floor(v)
-        right, up = u - column, v - row
-        left_column, right_column = _wrapped(column, columns), _wrapped(column + 1, columns)
-        lower_row, upper_row = _wrapped(row, rows), _wrapped(row + 1, rows)
-        return [
-            (types.UInt32(dr.fma(r, columns, first + c)), across * along)
-            for r, along in ((lower_row, 1 - up), (upper_row, up))
-            for c, across in ((left_column, 1 - right), (right_column, right))
-        ]
-
-    def _packet(self, texel: Any, number: int) -> Any:
-        """Some of the numbers of texels."""
-        index = texel * (self._padded // PACKET) + number
-        return dr.gather(self._types.Vectors, self._values, index, shape=(PACKET, dr.width(texel)))
 
 
 class Decoder:
@@ -257,14 +117,12 @@ class Decoder:
 
     def _compiled(self, question: EntryPoint, table: LatentTable, asked: Any, answers: int) -> list[Any]:
         """What machine code answers."""
-        numbers = table.numbers
-        assert numbers is not None
         decoder = compiled_decoder(self.weights)
         return call_kernel(
             self._types.Float,
             asked,
             answers,
-            lambda queries, found: decoder.run(question, numbers, queries, found),
+            lambda queries, found: decoder.run(question, table, queries, found),
         )
 
     def _place(self, table: LatentTable, squares: AnisotropicTaps) -> tuple[Any, Any, Any]:
@@ -391,8 +249,3 @@ def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
 def decoder_of(weights: Weights, float_type: type) -> Decoder:
     """The decoder of some weights on one backend; all fabrics share it."""
     return Decoder(weights, float_type)
-
-
-def _wrapped(index: Any, count: Any) -> Any:
-    """An index from −1 to count, brought to 0 to count − 1."""
-    return dr.select(index < 0, index + count, dr.select(index >= count, index - count, index))

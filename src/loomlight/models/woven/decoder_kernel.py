@@ -45,13 +45,11 @@ from loomlight.models.woven.codings import (
     one_blob,
     unmapped,
 )
-from loomlight.models.woven.latents import PACKET, fetched_channels
-from loomlight.models.woven.places import AnisotropicTaps, own_share, place_of
-from loomlight.models.woven.pyramid import FINEST
+from loomlight.models.woven.footprint_coding import FINEST, PACKET, AnisotropicTaps, own_share, place_of
 from loomlight.models.woven.weights import Weights
 
 EntryPoint = Literal["answers", "hole", "seen", "components", "hidden"]
-# Uniform buffers: packed layers, values and levels of `LatentRows`, parameters of the fabric, and its packed
+# Uniform buffers: packed layers, values and levels of `LatentTable`, parameters of the fabric, and its packed
 # correction of the last layer.
 _LAYERS, _TEXELS, _LEVELS, _FABRIC, _CORRECTION = range(5)
 # Where parameters of the fabric begin.
@@ -72,7 +70,7 @@ def packed_layers(weights: Weights, target: SimdTarget) -> PackedLayers:
         return weights.tensor(f"decoder.{name}.weight"), weights.tensor(f"decoder.{name}.bias")
 
     if table.fusion:
-        # `LatentRows` holds the product of this layer with the latent, and its bias.
+        # `LatentTable` holds the product of this layer with the latent, and its bias.
         packed.add("place", weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :])
         packed.add("fusion", *tensors("fusion.1"))
     packed.add("hole", *tensors("hole.0"))
@@ -123,7 +121,7 @@ class _DecoderEmitter:
         self._linear_diffuse = weights.linear_diffuse
         self._layers = packed_layers(weights, target).layers
         self._layer_count = weights.layers("decoder.angular")
-        self._channels = fetched_channels(weights)
+        self._channels = table.fetched_channels
         self._padded_channels = -(-self._channels // PACKET) * PACKET
         self._hidden, self._has_correction = table.hidden, has_correction
         self._spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
@@ -260,7 +258,7 @@ class _DecoderEmitter:
             kernel.store_output(output, kernel.math.clip(share[0], 0, 1))
 
     def _emit_taps(self, taps: BlockBuffer, number: SimdValue, count: SimdValue) -> None:
-        """Texels, then weights, of one of `count` squares for the current vector; see `pyramid.taps`."""
+        """Texels, then weights, of one of `count` squares for the current vector; see `taps`."""
         math = self.kernel.math
         _, back = self._load_view()
         face = math.select(back, self._fabric[_TEXEL_COUNT], 0)

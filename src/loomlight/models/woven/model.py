@@ -17,12 +17,13 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.interface import FamilyAlbedos, Model, Response
-from loomlight.models.woven.decoder import Decoder, LatentTable, Seen, decoder_cost, decoder_of
-from loomlight.models.woven.encoding import EncodedFabric, encode, repeat_threads
+from loomlight.models.woven.decoder import Decoder, Seen, decoder_cost, decoder_of
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.encoder import repeat_threads
+from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.maps import mean_pitch
-from loomlight.models.woven.places import AnisotropicTaps
-from loomlight.models.woven.pyramid import levels_of
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
+from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.weights import Weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.point import DirectionSample, to_face_frame

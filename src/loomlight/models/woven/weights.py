@@ -1,22 +1,29 @@
-"""The weights file of the universal network: tensors, the network's shape, how it was trained, a checksum.
+"""The weights file of the universal network, and the exported encoder beside it.
+
+The weights file holds tensors, the network's shape, how it was trained, and a checksum.
 
 It is one safetensors file. The metadata has one entry, `woven`, whose JSON is
 
     {"checksum": SHA-256 of the rest, "network": {"schema", "shape", "linear_diffuse", "trained", "recipe",
                                                   "provenance"}}
 
-Tensors have the names of the torch module's (`network.py`) and lie in half precision; reading needs no torch.
+Tensors have the names of the torch module's (`training/network.py`) and lie in half precision; reading needs
+no torch. The encoder is an ONNX model of the same name with the suffix .onnx, exported by torch
+(`training/export.py`). Two metadata entries end it: `weights`, the checksum of the weights that it was
+exported from, and `checksum`, SHA-256 of all bytes before them.
 """
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib.resources import as_file, files
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -28,8 +35,7 @@ from safetensors.numpy import save
 from loomlight.assets.loom_file import checksum
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
-from loomlight.models.woven.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES
-from loomlight.models.woven.config import NetworkTable
+from loomlight.models.woven.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES, NetworkTable
 
 # 2: roughness enters the encoder as its logarithm. 3: directions are given along the fibres too. 4: specular
 # components may be mixed of bundles.
@@ -61,6 +67,7 @@ class Weights:
         provenance: when and on what it was trained.
         sha256: of all that is stored, hexadecimal; what materials name the network by.
         source: what messages call the file.
+        encoder: the exported encoder, an ONNX model.
     """
 
     table: NetworkTable
@@ -71,6 +78,7 @@ class Weights:
     provenance: Mapping[str, Any]
     sha256: str
     source: str
+    encoder: bytes = b""
 
     def layers(self, name: str) -> int:
         """How many layers the list of layers `name` has."""
@@ -134,8 +142,71 @@ def write_weights(
         temporary.write_bytes(save(kept, {_ENTRY: entry}))
 
 
+def write_encoder(weights_path: str | os.PathLike[str], model: bytes, sha256: str) -> Path:
+    """Writes an exported encoder beside its weights, whole or not at all; returns its path.
+
+    Args:
+        model: the ONNX model.
+        sha256: of the weights that it was exported from; see `Weights`.
+
+    Raises:
+        InputError: a place that cannot be written to.
+    """
+    path = encoder_path(weights_path)
+    with replacing(path) as temporary:
+        temporary.write_bytes(model + _encoder_metadata(model, sha256))
+    return path
+
+
+def encoder_path(weights_path: str | os.PathLike[str]) -> Path:
+    """The file of the encoder beside a weights file."""
+    return Path(weights_path).with_suffix(".onnx")
+
+
 def read_weights(path: str | os.PathLike[str]) -> Weights:
-    """The network in a weights file.
+    """The network in a weights file and the exported encoder beside it.
+
+    Raises:
+        InputError: see `read_weights_alone`; no encoder beside it, one of other weights, or one that is
+            damaged.
+    """
+    weights = read_weights_alone(path)
+    return replace(weights, encoder=_read_encoder(path, weights.sha256))
+
+
+def _read_encoder(weights_path: str | os.PathLike[str], sha256: str) -> bytes:
+    path = encoder_path(weights_path)
+    remedy = f"`python -m loomlight.models.woven.training.export {weights_path}` writes it"
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{weights_path}: its encoder {path.name} is not beside it: {remedy}.") from error
+    model = data[: -len(_encoder_metadata(b"", sha256))]
+    metadata = data[len(model) :]
+    if metadata == _encoder_metadata(model, sha256):
+        return data
+    if metadata.endswith(_metadata_entry("checksum", hashlib.sha256(model).hexdigest())):
+        raise InputError(f"{path}: it was exported from other weights than {weights_path}: {remedy} again.")
+    raise InputError(f"{path}: it is no exported encoder, or damaged: {remedy} again.")
+
+
+def _encoder_metadata(model: bytes, sha256: str) -> bytes:
+    """The metadata entries that end the file of an encoder."""
+    entries = {"weights": sha256, "checksum": hashlib.sha256(model).hexdigest()}
+    return b"".join(_metadata_entry(key, value) for key, value in entries.items())
+
+
+def _metadata_entry(key: str, value: str) -> bytes:
+    """An entry of `metadata_props` as protobuf, which may be appended to an ONNX model as it is.
+
+    Field 14 of ModelProto, of the fields 1, key, and 2, value; all are shorter than 128 bytes.
+    """
+    entry = b"".join(bytes([tag, len(text)]) + text.encode() for tag, text in ((0x0A, key), (0x12, value)))
+    return bytes([0x72, len(entry)]) + entry
+
+
+def read_weights_alone(path: str | os.PathLike[str]) -> Weights:
+    """The network in a weights file without the encoder beside it, which is to be exported.
 
     Raises:
         InputError: no such file, no weights file, one of another version, or one that is damaged or whose

@@ -1,0 +1,194 @@
+"""Fine-tuning of the network's last layer for one fabric: seconds of linear algebra in place of training.
+
+Latents of fabrics that were never seen are a little wrong, and highlights of smooth fibres show it. The last
+layer puts out shares of bundles, in which specular components are linear where shares are above 0. So it is
+fitted to exact means of the fabric over whole repeats: least squares of the errors, weighted between absolute
+and relative ones, and of the change of the layer, by Gauss–Newton steps with a kernel, as there are fewer
+queries than weights. The correction counts in reflection alone, and less the smaller a footprint is, not at
+all below a thread: of what lies in those the fit knows nothing.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
+
+from loomlight.aggregate.queries import fabric_scale, query_set
+from loomlight.aggregate.slices import FabricSlices
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
+from loomlight.models.woven.compiled import columns, compiled_decoder, kernel_table, one_square
+from loomlight.models.woven.encoded_fabric import EncodedFabric
+from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.weights import Weights
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
+
+# Pairs of directions; of longer repeats, of which each costs more, down to a quarter as many.
+_PAIRS = 1024
+_LEAST_SHARE = 0.25
+# Crossings of a repeat up to which slices have the first number of texels a thread, beyond it the second.
+_SMALL_REPEAT = 256
+_TEXELS = 8, 4
+# The side of footprints, in repeats, whose means are those of a whole repeat.
+_SIDE = 5.0
+# Errors count by the power of what they are errors of, to which a share of its mean is added.
+_POWER, _DARK = -0.7, 0.15
+# What a change of the layer costs, as a share of the mean square of what it moves.
+_CHANGE = 0.003
+_STEPS = 8
+# Rows of a block of the factorisation: the fastest of 48, 64, 96 and 128 for 1024 rows.
+_BLOCK = 64
+_SHARES_OF_A_STEP = 1.0, 0.5, 0.25, 0.1, 0.03
+
+
+def fitted_correction(
+    fabric: Fabric, layout: ClothLayout, encoded: EncodedFabric, weights: Weights, float_type: type
+) -> NDArray[np.float32]:
+    """What is added to the last layer's rows for bundles [2 · `BUNDLES`, hidden + 1]; see `EncodedFabric`.
+
+    Args:
+        layout: the fabric's shortest repeat, without its colours.
+        encoded: its latents.
+        float_type: the Dr.Jit Float type to compute means with.
+    """
+    hidden, densities, truth = _answered(fabric, layout, encoded, weights, float_type)
+    inputs = np.concatenate([hidden, np.ones((len(hidden), 1))], axis=1)
+    name = f"decoder.angular.{weights.layers('decoder.angular') - 1}"
+    layer = np.concatenate(
+        [weights.tensor(f"{name}.weight"), weights.tensor(f"{name}.bias")[:, None]], axis=1
+    )
+    heads = np.split(layer[-2 * BUNDLES :].astype(np.float64), 2)
+
+    def own(family: int) -> NDArray[np.float64]:
+        return _fitted(heads[family], inputs, BUNDLE_UNIT * densities[:, family], truth[:, 2 + family])
+
+    # A core each: threads within a small factorisation wait for each other longer than they compute, and
+    # fifty times as long where others use a core too.
+    with threadpool_limits(1, "blas"), ThreadPoolExecutor(2) as pool:
+        fitted = pool.map(own, (0, 1))
+        correction = [rows - head for rows, head in zip(fitted, heads, strict=True)]
+    return np.concatenate(correction).astype(np.float32)
+
+
+def _fitted(
+    head: NDArray[np.float64],
+    inputs: NDArray[np.float64],
+    densities: NDArray[np.float64],
+    truth: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Rows of the last layer [bundles, k] after the steps.
+
+    Args:
+        inputs: of the layer [n, k].
+        densities: of bundles towards the half vectors [n, bundles].
+        truth: the component [n].
+    """
+    mean = float(truth.mean())
+    if mean <= 0:
+        return head
+    importance = (truth + _DARK * mean) ** _POWER
+    likeness = inputs @ inputs.T
+    scale = np.mean(np.diagonal(likeness))
+    likeness /= scale
+
+    def errors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
+        shares = inputs @ rows.T
+        lit = np.einsum("nb,nb->n", densities, np.where(shares > 0, shares, SLOPE * shares))
+        return (truth - lit) * importance
+
+    error = errors(head)
+    for _ in range(_STEPS):
+        slopes = densities * np.where(inputs @ head.T > 0, 1, SLOPE) * importance[:, None]
+        kernel = slopes @ slopes.T
+        kernel *= likeness
+        kernel[np.diag_indices_from(kernel)] += _CHANGE * np.trace(kernel) / len(kernel)
+        change = (slopes * _solution(kernel, error)[:, None]).T @ inputs / scale
+        # What was linear may not be so far: the best of some shares of the step.
+        tried = [head + share * change for share in _SHARES_OF_A_STEP]
+        found = [errors(rows) for rows in tried]
+        best = min(range(len(tried)), key=lambda number: float(np.square(found[number]).sum()))
+        if np.square(found[best]).sum() >= np.square(error).sum():
+            break
+        head, error = tried[best], found[best]
+    return head
+
+
+def _solution(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The solution [n] of a symmetric positive definite system [n, n].
+
+    A blocked Cholesky factorisation, products of matrices but for the diagonal blocks: as fast as LAPACK's,
+    where that of numpy, which copies the matrix, takes half as long again and solves no triangles.
+    """
+    count = len(matrix)
+    factor, solution = np.empty_like(matrix), np.empty_like(right)
+    starts, inverses = range(0, count, _BLOCK), []
+    for first in starts:
+        block = slice(first, first + _BLOCK)
+        panel = matrix[first:, block] - factor[first:, :first] @ factor[block, :first].T
+        inverse = np.linalg.inv(np.linalg.cholesky(panel[:_BLOCK]))
+        factor[first:, block] = panel @ inverse.T
+        solution[block] = inverse @ (right[block] - factor[block, :first] @ solution[:first])
+        inverses.append(inverse)
+    for first, inverse in zip(reversed(starts), reversed(inverses), strict=True):
+        block, after = slice(first, first + _BLOCK), slice(first + _BLOCK, count)
+        solution[block] = inverse.T @ (solution[block] - factor[after, block].T @ solution[after])
+    return solution
+
+
+def _answered(
+    fabric: Fabric, layout: ClothLayout, encoded: EncodedFabric, weights: Weights, float_type: type
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Of queries: inputs of the last layer [n, hidden], densities [n, 2, bundles] and components [n, 4]."""
+    per_thread = _TEXELS[layout.warp_on_top.size > _SMALL_REPEAT]
+    model = PointModel(YarnGeometry(layout), fabric.appearance())
+    slices = FabricSlices(model, float_type, per_thread, shadows="mapped")
+    scale = fabric_scale(layout)
+    pairs = round(_PAIRS * max(_LEAST_SHARE, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))
+    queries = query_set(scale, pairs, 1, seed=0, lights=pairs // 4, views=pairs // 4)
+    sides = np.full((pairs, 1), _SIDE * scale.repeat)
+    # Of a box as large as the repeat, whose mean is exact.
+    boxes = np.broadcast_to(np.array(layout.size), (pairs, 1, 2))
+    truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, boxes)[:, 0, :4]
+    lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
+    footprints = places_of(layout, queries.centres, sides)[:, 0]
+    parts = []
+    for back in (False, True):
+        seen = (views[:, 2] < 0) == back
+        turn = np.array([1, 1, -1 if back else 1])
+        light, view = ((part[seen] * turn).astype(np.float32) for part in (lights, views))
+        hidden = _hidden(encoded, weights, back, light, view, footprints[seen])
+        parts.append((hidden, _densities(encoded, back, light, view), truth[seen].astype(np.float64)))
+    found = [np.concatenate(arrays) for arrays in zip(*parts, strict=True)]
+    return found[0], found[1], found[2]
+
+
+def _densities(
+    encoded: EncodedFabric, back: bool, light: NDArray[np.float32], view: NDArray[np.float32]
+) -> NDArray[np.float64]:
+    """Densities of bundles towards half vectors [n, 2, bundles], 1/sr."""
+    bundles = encoded.fibres.bundles(back).astype(np.float64)
+    total = (light + view).astype(np.float64)
+    inverse = 1 / (np.einsum("nc,nc->n", total, total) + OPPOSITE)
+    cosines = np.einsum("nc,fbc->nfb", total, bundles[..., :3])
+    return 1 / np.square(bundles[..., 3] + np.square(cosines) * inverse[:, None, None])
+
+
+def _hidden(
+    encoded: EncodedFabric,
+    weights: Weights,
+    back: bool,
+    light: NDArray[np.float32],
+    view: NDArray[np.float32],
+    footprints: NDArray[np.float32],
+) -> NDArray[np.float64]:
+    """Inputs of the last layer [n, hidden] in the frame of one face."""
+    behind = np.full(len(light), back, np.float32)
+    queries = [*one_square(columns(footprints)), *columns(view), behind, *columns(light)]
+    found = np.empty((weights.table.hidden, len(light)), np.float32)
+    compiled_decoder(weights).run("hidden", kernel_table(weights, encoded), queries, [*found])
+    return found.T.astype(np.float64)

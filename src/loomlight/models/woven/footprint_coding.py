@@ -1,0 +1,200 @@
+"""What the decoder is told of a footprint: which latents it reads, where it lies in the repeat, and its size.
+
+Lengths are in threads. Levels 0 to 3 of the latent field have 8, 4, 2 and 1 texels a thread; the next hold
+running means over 2, 4, 8 … threads, a texel a thread; the last is the mean of the repeat, one texel. A
+footprint reads two levels, bilinearly each. Functions of queries serve numpy, Dr.Jit and kernels alike.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import ANISOTROPIC_TAPS
+from loomlight.models.woven.architecture import NetworkTable
+from loomlight.yarn.layout import ClothLayout
+
+FINEST = 3  # levels finer than one texel a thread
+PACKET = 16  # numbers of a texel that are fetched at once: a line of the cache
+# Footprints of so many repeats are means of the repeat to within what is left of a box's last repeat.
+WHOLE_REPEATS = 4
+
+
+@dataclass(frozen=True)
+class Level:
+    """One level.
+
+    Attributes:
+        first: its first texel in the table of all.
+        columns, rows: its texels.
+        window: threads that a texel stands for; 0 for the whole repeat.
+        per_thread: texels a thread.
+    """
+
+    first: int
+    columns: int
+    rows: int
+    window: float
+    per_thread: int
+
+
+def levels_of(picks: int, ends: int) -> list[Level]:
+    """The levels of a repeat."""
+    levels: list[Any] = []
+    first = 0
+    for finer in range(FINEST, -1, -1):
+        per_thread = 1 << finer
+        levels.append(Level(first, ends * per_thread, picks * per_thread, 1 / per_thread, per_thread))
+        first += ends * picks * per_thread**2
+    window = 2
+    while window <= WHOLE_REPEATS * max(picks, ends):
+        levels.append(Level(first, ends, picks, window, 1))
+        first += ends * picks
+        window *= 2
+    levels.append(Level(first, 1, 1, 0, 0))
+    return levels
+
+
+def taps(
+    levels: list[Level], x: NDArray[np.float32], y: NDArray[np.float32], size: NDArray[np.float32]
+) -> tuple[NDArray[np.int64], NDArray[np.float32]]:
+    """Texels and weights [n, 8] of footprints at x, y of a side `size` [n], in threads."""
+    first = np.array([level.first for level in levels])
+    columns = np.array([level.columns for level in levels])
+    rows = np.array([level.rows for level in levels])
+    per_thread = np.array([level.per_thread for level in levels], np.float32)
+    # A texel of a running mean stands around its upper corner, other texels around their middle.
+    corner = np.array([1.0 if level.window > 1 else 0.5 for level in levels], np.float32)
+    place = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST, 0, len(levels) - 1).astype(np.float32)
+    lower = np.minimum(place.astype(np.int64), len(levels) - 2)
+    blend = place - lower
+    index = np.empty((len(x), 8), np.int64)
+    weight = np.empty((len(x), 8), np.float32)
+    for side in range(2):
+        level = lower + side
+        u = x * per_thread[level] - corner[level]
+        v = y * per_thread[level] - corner[level]
+        column, row = np.floor(u), np.floor(v)
+        right, up = u - column, v - row
+        share = blend if side else 1 - blend
+        lines = []
+        for number, count in ((column.astype(np.int64), columns[level]), (row.astype(np.int64), rows[level])):
+            one = number % count
+            other = one + 1
+            # A remainder takes longer than all else here.
+            lines.append((one, np.where(other == count, 0, other)))
+        for tap in range(4):
+            index[:, 4 * side + tap] = first[level] + lines[1][tap // 2] * columns[level] + lines[0][tap % 2]
+            across = right if tap % 2 else 1 - right
+            along = up if tap // 2 else 1 - up
+            weight[:, 4 * side + tap] = share * across * along
+    return index, weight
+
+
+def size_share(size: Any, smallest: float, largest: float, arrays: Any = np) -> Any:
+    """Place of a size between two others by its logarithm, 0 to 1.
+
+    Args:
+        arrays: the module of the array's functions, numpy or drjit.
+    """
+    return arrays.clip(arrays.log(size / smallest) / math.log(largest / smallest), 0, 1)
+
+
+# Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
+# `_LONGEST` threads. They are those of the query test.
+_FIELD_SIZES = 1 / 64, 80.0
+_REPEATS = 1 / 128, 5.0
+# A fabric's own correction counts from the first size on, in threads, and wholly from the second.
+_CORRECTED = 1.0, 4.0
+_LONGEST = 8.0
+
+
+@dataclass
+class AnisotropicTaps:
+    """Anisotropic taps of a footprint, in threads; see `Footprint.anisotropic_taps`.
+
+    Attributes:
+        x, y: the middle of the row.
+        side: of a square.
+        step_x, step_y: from one square to the next; 0 and 0 where the footprint is one square.
+    """
+
+    x: Any
+    y: Any
+    side: Any
+    step_x: Any
+    step_y: Any
+
+    def numbers(self) -> tuple[Any, ...]:
+        """All five."""
+        return self.x, self.y, self.side, self.step_x, self.step_y
+
+    def size(self, arrays: Any) -> Any:
+        """The side of a square of the row's area, which the decoder is told.
+
+        Args:
+            arrays: the module of the arrays' functions, drjit or code that is being written.
+        """
+        step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
+        length = arrays.sqrt(arrays.fma(step, ANISOTROPIC_TAPS**2 - 1.0, arrays.square(self.side)))
+        return arrays.sqrt(self.side * length)
+
+
+def place_of(
+    table: NetworkTable, picks: int, ends: int, x: Any, y: Any, size: Any, arrays: Any = np
+) -> tuple[Any, Any, Any]:
+    """Position x, y and size of footprints for the decoder, each 0 to 1.
+
+    "field" counts positions within a thread, as the latent knows which one it is, "vector" within the repeat.
+
+    Args:
+        picks, ends: of the repeat.
+        x, y, size: centre and side of footprints, in threads.
+        arrays: the module of the arrays' functions, numpy or drjit.
+    """
+    size = arrays.maximum(size, 1e-6)
+    if table.latent == "field":
+        return x - arrays.floor(x), y - arrays.floor(y), size_share(size, *_FIELD_SIZES, arrays)
+    repeat = math.sqrt(picks * ends)
+    smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
+    u, v = x / ends, y / picks
+    return u - arrays.floor(u), v - arrays.floor(v), size_share(size, smallest, largest, arrays)
+
+
+def own_share(size: Any, arrays: Any = np) -> Any:
+    """How much a fabric's own correction of the last layer counts, 0 to 1, for coded sizes of "field".
+
+    Args:
+        size: the last of what `place_of` gives.
+    """
+    first, full = (float(size_share(threads, *_FIELD_SIZES)) for threads in _CORRECTED)
+    return arrays.clip((size - first) * (1 / (full - first)), 0, 1)
+
+
+def network_places(
+    table: NetworkTable, picks: int, ends: int, footprints: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    """`place_of` of footprints [n, 3], position x and y and side, in threads."""
+    return np.stack(place_of(table, picks, ends, *footprints.T), -1).astype(np.float32)
+
+
+def places_of(
+    layout: ClothLayout, centres: NDArray[np.float64], sizes: NDArray[np.float64]
+) -> NDArray[np.float32]:
+    """Footprints [..., 3] in threads of centres [..., 2] and sides [...] in millimetres."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    return np.stack(
+        [centres[..., 0] * (ends / width), centres[..., 1] * (picks / height), sizes / mean_pitch(layout)], -1
+    ).astype(np.float32)
+
+
+def mean_pitch(layout: ClothLayout) -> float:
+    """Geometric mean of the spacings of both families, millimetres: the unit of footprints."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    return math.sqrt(width / ends * height / picks)

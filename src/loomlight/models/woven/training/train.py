@@ -1,0 +1,159 @@
+"""Training of the universal network from a configuration, data included; it goes on where it was stopped."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import torch
+
+from loomlight.core.provenance import provenance
+from loomlight.models.woven.architecture import FIELD_MAP, VECTOR_MAP
+from loomlight.models.woven.training.batches import Batches
+from loomlight.models.woven.training.config import TrainingConfig, TrainingTable
+from loomlight.models.woven.training.dataset import Face, dataset_faces, read_faces, write_faces
+from loomlight.models.woven.training.export import export_encoder
+from loomlight.models.woven.training.losses import is_published
+from loomlight.models.woven.training.network import Decoder, WovenNetwork
+from loomlight.models.woven.weights import write_weights
+from loomlight.training.loop import Report, Schedule, train
+from loomlight.training.soap import Soap
+
+# Called with (fabrics made, fabrics in all).
+DatasetReport = Callable[[int, int], None]
+_WARM_UP = 0.01
+# Of what the dataset's files hold: a folder of another version is left alone.
+_DATASET_VERSION = 4
+
+
+def train_woven(
+    config: TrainingConfig,
+    folder: Path,
+    dataset_report: DatasetReport | None = None,
+    report: Report | None = None,
+    device: str = "cpu",
+    keep_every: float = 60.0,
+) -> Path:
+    """Trains a network and writes `woven.safetensors`, which it returns, and its encoder `woven.onnx`.
+
+    Args:
+        folder: holds the dataset (`pool-…/`) and the checkpoint; made if need be, and used again to go on.
+        device: of torch, "cpu" or "cuda".
+        keep_every: seconds between checkpoints.
+
+    Raises:
+        InputError: the folder belongs to another configuration, or a file in it is damaged.
+    """
+    faces = make_dataset(
+        config,
+        folder / f"pool-{_identity(_DATASET_VERSION, config.data, config.network.latent)[:8]}",
+        dataset_report,
+    )
+    torch.manual_seed(config.training.seed)
+    network = WovenNetwork(config.network).to(device)
+    training = config.training
+    schedule = Schedule(
+        steps=training.steps,
+        rate=lambda share: training.rate * rate_share(training, share),
+        seconds=60 * training.minutes,
+        keep_every=keep_every,
+    )
+    batches = Batches(config, faces, network, torch.device(device))
+    steps = train(
+        network,
+        _optimiser(network, training),
+        batches.losses,
+        schedule,
+        folder / "checkpoint.safetensors",
+        _identity(config),
+        report,
+    )
+    if training.decoder_steps:
+        batches.keep_latents()
+        network.decoder = last_decoder(config, network.decoder).to(device)
+        steps += train(
+            network.decoder,
+            _optimiser(network.decoder, training),
+            batches.decoder_losses,
+            Schedule(
+                steps=training.decoder_steps,
+                rate=lambda share: training.decoder_rate * rate_share(training, share),
+                keep_every=keep_every,
+            ),
+            folder / "decoder.safetensors",
+            _identity(config),
+            report,
+        )
+    weights = folder / "woven.safetensors"
+    write_weights(
+        weights,
+        network.decoder.table,
+        {name: tensor.cpu().numpy() for name, tensor in network.state_dict().items()},
+        linear_diffuse=is_published(training),
+        recipe=config.model_dump(),
+        provenance={**provenance("loomlight train woven", Path(__file__).parent), "steps": steps},
+    )
+    export_encoder(weights)
+    return weights
+
+
+def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
+    """The decoder that is trained alone: that of the training before, or a new one."""
+    training, table = config.training, config.network
+    changes: dict[str, Any] = {"hidden": training.decoder_hidden or table.hidden}
+    if training.decoder_bundles:
+        changes["bundles"] = True
+    wanted = table.model_copy(update=changes)
+    if wanted == table:
+        return before
+    torch.manual_seed(training.seed)
+    return Decoder(wanted)
+
+
+def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | None = None) -> list[Face]:
+    """The faces of all fabrics of the dataset; what the folder has is not made again."""
+    from drjit.llvm.ad import Float
+
+    from loomlight.core.llvm import require_llvm
+
+    require_llvm()
+    folder.mkdir(parents=True, exist_ok=True)
+    per_thread = config.network.latent == "field"
+    side = FIELD_MAP if per_thread else VECTOR_MAP
+    faces: list[Face] = []
+    for number in range(config.data.fabrics):
+        path = folder / f"{number:06d}.safetensors"
+        if not path.exists():
+            write_faces(path, dataset_faces(config.data, number, side, per_thread, Float))
+        faces += read_faces(path)
+        if report is not None:
+            report(number + 1, config.data.fabrics)
+    return faces
+
+
+def rate_share(training: TrainingTable, share: float) -> float:
+    """The learning rate as a share of the largest, after a share of the training."""
+    if training.schedule == "steps":
+        return 0.2 ** sum(share >= drop for drop in (0.6, 0.9))
+    return min(1.0, (share + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * share))
+
+
+def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim.Optimizer:
+    parameters = network.parameters()
+    if training.optimiser == "sgd":
+        return torch.optim.SGD(parameters, training.rate, weight_decay=training.regularisation)
+    if training.optimiser == "soap":
+        return Soap(parameters, training.rate, training.regularisation)
+    return torch.optim.AdamW(
+        parameters, training.rate, betas=(0.9, 0.99), weight_decay=training.regularisation
+    )
+
+
+def _identity(*parts: Any) -> str:
+    """A hash of tables of a configuration."""
+    dumped = [part.model_dump() if hasattr(part, "model_dump") else part for part in parts]
+    return hashlib.sha256(json.dumps(dumped, sort_keys=True).encode()).hexdigest()

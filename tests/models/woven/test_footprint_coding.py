@@ -1,0 +1,64 @@
+"""Levels of the latent field: weights add up, ramps are interpolated, means stand where they should."""
+
+import numpy as np
+import pytest
+
+from loomlight.models.woven.footprint_coding import FINEST, levels_of, taps
+
+torch = pytest.importorskip("torch")
+
+
+def _fetched(table: np.ndarray, picks: int, ends: int, *footprint: np.ndarray) -> np.ndarray:
+    index, weight = taps(levels_of(picks, ends), *(np.asarray(part, np.float32) for part in footprint))
+    return (table[index] * weight).sum(1)
+
+
+@pytest.mark.parametrize(("picks", "ends"), [(2, 2), (5, 8), (10, 5)])
+def test_weights_add_up_and_texels_exist(picks: int, ends: int) -> None:
+    rng = np.random.default_rng(picks)
+    x, y = rng.uniform(-20, 40, (2, 500))
+    size = np.exp(rng.uniform(np.log(0.005), np.log(200), 500))
+    levels = levels_of(picks, ends)
+    index, weight = taps(levels, *(part.astype(np.float32) for part in (x, y, size)))
+    last = levels[-1].first + levels[-1].columns * levels[-1].rows
+    assert index.min() >= 0
+    assert index.max() < last
+    # float32 coordinates up to 40·8 texels have 2e-5 of a texel.
+    np.testing.assert_allclose(weight.sum(1), 1, atol=1e-5)
+    assert weight.min() >= -1e-5
+
+
+def test_small_footprints_read_the_finest_level_where_they_lie() -> None:
+    picks, ends = 4, 6
+    levels = levels_of(picks, ends)
+    finest = levels[0]
+    table = np.zeros(levels[-1].first + 1, np.float32)
+    column = np.arange(finest.columns)
+    table[: finest.columns * finest.rows] = np.tile((column + 0.5) / finest.per_thread, finest.rows)
+    x = np.linspace(0.5, 5.5, 40)
+    found = _fetched(table, picks, ends, x, np.full(40, 1.3), np.full(40, 0.01))
+    np.testing.assert_allclose(found, x, atol=1e-5)
+
+
+@pytest.mark.parametrize("window", [2, 4, 8])
+def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
+    """What the encoder pools and what a footprint reads agree about where a mean stands."""
+    from loomlight.models.woven.training.network import _wider
+
+    ends = 16
+    thread = np.arange(ends)
+    wave = np.cos(2 * np.pi * (thread + 0.5) / ends).astype(np.float32)
+    means = torch.from_numpy(np.tile(wave, (4, 1)))[None, None]
+    wide = 2
+    while wide <= window:
+        means = _wider(means, wide)
+        wide *= 2
+    levels = levels_of(4, ends)
+    level = levels[FINEST + window.bit_length() - 1]
+    assert level.window == window
+    table = np.zeros(levels[-1].first + 1, np.float32)
+    table[level.first : level.first + level.columns * level.rows] = means.numpy().ravel()
+    x = thread.astype(np.float64)
+    found = _fetched(table, 4, ends, x, np.full(ends, 1.0), np.full(ends, float(window)))
+    index = (thread[:, None] + np.arange(-window // 2, window // 2)) % ends
+    np.testing.assert_allclose(found, wave[index].mean(1), atol=1e-5)
