@@ -59,7 +59,7 @@ def operations(model: LobesModel, arrays: Any) -> int:
                 total = total + diffuse + specular + sum(seen.weights)
         kernels = launched_kernels(lambda total=total: dr.eval(total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
-    return int(counts[0] + (model.tables.words // 2 - 1) * (counts[1] - counts[0]))
+    return int(counts[0] + (model.tables.packs // 2 - 1) * (counts[1] - counts[0]))
 
 
 def rows_of_pixels(fabric: Fabric, low: float, high: float, shuffled: bool) -> Any:

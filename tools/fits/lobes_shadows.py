@@ -123,8 +123,9 @@ def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
     for given_light, given_view in zip(lights, views, strict=True):
         back, light, view = on_seen_face(given_light, given_view)
         groups, weights = twin.groups(back), twin.weights(view, everything, back)
-        row = direction_nodes(light).of(tables.lit[int(back), int(through)]) * _PER_BYTE
-        irradiance, reached = np.split(row, 2)
+        nodes, side = direction_nodes(light), (int(back), int(through))
+        irradiance = nodes.of(tables.irradiance[side]) * _PER_BYTE
+        reached = nodes.of(tables.light_visibility[side]) * _PER_BYTE
         shares = weights.groups / weights.groups.sum() * (1 - weights.hole)
         value = layer_value(half_vector(light, view), light, view, groups, appearance.optical_depth)
         apart.append([shares * irradiance / np.pi, shares * reached * value])

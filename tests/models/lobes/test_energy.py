@@ -15,7 +15,7 @@ from loomlight.models.woven.training.random_fabrics import random_fabric
 from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
 
-from .cloths import Asked, far_parts
+from .cloths import FootprintQueries, far_parts
 
 FABRICS = 40
 # Heights of the views; half of them see the back.
@@ -45,7 +45,7 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     turn = 2 * np.pi * (column + rng.random((count, lights))) / COLUMNS
     across = np.sqrt(1 - height**2)
     towards = np.stack([across * np.cos(turn), across * np.sin(turn), height], axis=2)
-    asked = Asked(
+    asked = FootprintQueries(
         towards.reshape(-1, 3), *(np.repeat(part, lights, axis=0) for part in (views, centres, sizes))
     )
     model = LobesModel.for_fabric(fabric)

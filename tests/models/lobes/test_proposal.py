@@ -77,7 +77,7 @@ def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
     view = np.array(
         [math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)]
     )
-    return Case(model, view, size * model.tables.size, 0.37 * np.asarray(model.fabric.repeat_mm))
+    return Case(model, view, size * model.tables.base_size, 0.37 * np.asarray(model.fabric.repeat_mm))
 
 
 def compared(case: Case, seed: int, label: str) -> float:
@@ -136,7 +136,7 @@ def test_the_density_of_another_footprint_is_found_out(
     found = case.drawn(0)
     counts = cell_counts(found.light.numpy().T[~found.passes.numpy()].astype(np.float64))
     other = case_of(name, (view[0], view[1] + turned), wider)
-    other = replace(other, centre=case.centre + away * case.model.tables.size)
+    other = replace(other, centre=case.centre + away * case.model.tables.base_size)
     for density, passes in ((case.density, True), (other.density, False)):
         shares = cell_shares(density)
         value = p_value(counts, shares / shares.sum() * counts.sum())

@@ -12,21 +12,23 @@ from loomlight.aggregate.components import lobes
 from loomlight.models.lobes import estimate
 from loomlight.scattering.point import PointModel
 
-from .cloths import TEXTS, Asked, cloth, directions, far_parts, geometry_of, model_of
+from .cloths import TEXTS, FootprintQueries, cloth, directions, far_parts, geometry_of, model_of
 
 PAIRS, POINTS = 250, 2048
 
 
-def asked(name: str, through: bool) -> Asked:
+def asked(name: str, through: bool) -> FootprintQueries:
     """Pairs on one side of the cloth or through it, and footprints of many repeats."""
     rng = np.random.default_rng(4)
     lights, views = (directions(rng, PAIRS, lowest=0.1) for _ in range(2))
     same = lights[:, 2] * views[:, 2] > 0
     lights[:, 2] *= np.where(same == through, -1, 1)
-    return Asked(lights, views, np.zeros((PAIRS, 2)), np.full(PAIRS, 100.0 * max(cloth(name).repeat_mm)))
+    return FootprintQueries(
+        lights, views, np.zeros((PAIRS, 2)), np.full(PAIRS, 100.0 * max(cloth(name).repeat_mm))
+    )
 
 
-def traced(name: str, queries: Asked) -> NDArray[np.float64]:
+def traced(name: str, queries: FootprintQueries) -> NDArray[np.float64]:
     """Diffuse and specular means over the repeat [2, pairs]."""
     model = PointModel(geometry_of(name), cloth(name).appearance())
     lane = dr.arange(UInt32, PAIRS * POINTS)

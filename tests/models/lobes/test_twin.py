@@ -13,7 +13,7 @@ from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.proposal import Energies
 from loomlight.models.lobes.twin import LobesTwin, Parallelogram
 
-from .cloths import TEXTS, Asked, asked_of, far_parts, model_of, twin_of
+from .cloths import TEXTS, FootprintQueries, far_parts, model_of, random_queries, twin_of
 
 QUERIES = 250
 # Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where
@@ -24,8 +24,8 @@ RELATIVE, ABSOLUTE = 1e-4, 1e-6
 FLIPPED, UNIT = 0.01, 1e-2
 
 
-def asked(model: LobesModel, seed: int) -> Asked:
-    return asked_of(model.fabric, model.tables.size, QUERIES, seed)
+def asked(model: LobesModel, seed: int) -> FootprintQueries:
+    return random_queries(model.fabric, model.tables.base_size, QUERIES, seed)
 
 
 def agree(found: NDArray[np.float32], wanted: NDArray[np.float64], name: str) -> None:
@@ -34,12 +34,12 @@ def agree(found: NDArray[np.float32], wanted: NDArray[np.float64], name: str) ->
     assert apart.mean() <= FLIPPED, (name, found[apart][:5], wanted[apart][:5])
 
 
-def parallelogram(queries: Asked, lane: int) -> Parallelogram:
+def parallelogram(queries: FootprintQueries, lane: int) -> Parallelogram:
     """One footprint."""
     return Parallelogram(queries.centres[lane], *queries.edges[lane])
 
 
-def says(twin: LobesTwin, queries: Asked) -> dict[str, NDArray[np.float64]]:
+def says(twin: LobesTwin, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
     """What the twin says of queries, by name [n]."""
     found = [
         twin.response(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
@@ -56,7 +56,7 @@ def test_twins_agree_on_components_and_holes(name: str) -> None:
     assert {(v > 0, lit > 0) for v, lit in zip(queries.views[:, 2], queries.lights[:, 2], strict=True)} == {
         (a, b) for a in (False, True) for b in (False, True)
     }
-    level = np.log2(np.maximum(queries.sizes / model.tables.size, 1)).astype(int)
+    level = np.log2(np.maximum(queries.sizes / model.tables.base_size, 1)).astype(int)
     assert set(level) >= set(range(len(model.tables.levels) - 1))
     found, wanted = far_parts(model, queries), says(twin_of(model), queries)
     for part, values in wanted.items():
@@ -106,9 +106,9 @@ def test_a_twin_of_other_bytes_disagrees() -> None:
     found = far_parts(model, queries)
     tables = model.tables
     damaged = tables.coverage.copy()
-    damaged[:, tables.levels[-3, 0] :, : 2 * tables.words] //= 2
+    damaged[:, tables.levels[-3, 0] :, : 2 * tables.packs] //= 2
     twin = twin_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
     wanted = says(twin, queries)["specular_warp"]
-    large = queries.sizes > 16 * tables.size
+    large = queries.sizes > 16 * tables.base_size
     assert large.any()
     assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=UNIT, atol=1e-4)

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.backend import DRJIT, ArrayTypes, minimum, upload
 from loomlight.core.footprint import Footprint
-from loomlight.models.lobes.coverage import CoverageTable, CoverageTaps
+from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
 from loomlight.models.lobes.hemisphere import NODES, NodeTaps, node_taps
 from loomlight.models.lobes.tables import MOMENTS, LobeTables
@@ -89,23 +89,22 @@ class Estimator:
         types: ArrayTypes,
     ) -> None:
         self._types = types
-        self._coverage = CoverageTable(tables.size, tables.levels, tables.coverage, repeat, types)
-        words = tables.words
-        self.pairs = dr.opaque(types.UInt32, words // 2)
-        self._words = dr.opaque(types.UInt32, words)
-        self._warp_words = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_words]
-        seen, lit = tables.seen.view("<u4"), tables.lit.view("<u4")
-        self._seen = upload(types.UInt32, _in_pairs(seen[..., :words], seen[..., words + 1 :]))
-        self._holes = upload(types.UInt32, np.pad(seen[..., words, None], ((0, 0), (0, 0), (0, 1))))
-        self._lit = upload(types.UInt32, _in_pairs(lit[..., :words], lit[..., words:]))
+        self._coverage = CoverageLookup(tables.base_size, tables.levels, tables.coverage, repeat, types)
+        packs = tables.packs
+        self.pairs = dr.opaque(types.UInt32, packs // 2)
+        self._packs = dr.opaque(types.UInt32, packs)
+        self._warp_packs = [dr.opaque(types.UInt32, int(number)) for number in tables.warp_packs]
+        area, visibility, irradiance = (
+            part.view("<u4") for part in (tables.projected_area, tables.light_visibility, tables.irradiance)
+        )
+        # Light from the view's direction comes from the side that is seen.
+        self._seen = upload(types.UInt32, _in_pairs(area[..., :packs], visibility[:, 0]))
+        self._holes = upload(types.UInt32, np.pad(area[..., packs, None], ((0, 0), (0, 0), (0, 1))))
+        self._lit = upload(types.UInt32, _in_pairs(irradiance, visibility))
         self._moments = upload(types.Float, tables.moments)
         self._hole_weight = [dr.opaque(types.Float, float(weight)) for weight in tables.hole_weight]
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
-
-    def pyramid(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
-        """Words of groups and of holes by node of the pyramid, where they lie in this machine's memory."""
-        return self._coverage.memory()
 
     def place(self, footprint: Footprint, view: Any, back: Any) -> Place:
         """Where a footprint, millimetres, and a view [3] of the face seen lie in the tables."""
@@ -118,7 +117,7 @@ class Estimator:
         """Share of the view rays that pass through holes: Float, 0 to 1."""
         holes = self._coverage.holes(place.coverage)
         words = [dr.gather(self._types.Index2, self._holes, node).x for node in place.view_nodes.nodes]
-        seen = place.view_nodes.weights.interpolated(words)[0]
+        seen = place.view_nodes.weights.interpolate(words)[0]
         weight = holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
         return minimum(weight, 1)
 
@@ -135,9 +134,9 @@ class Estimator:
         self, place: Place, word: Any, coverage: list[Any], visible: list[Any], reached: list[Any]
     ) -> Seen:
         types = self._types
-        is_warp = word < dr.select(place.back, self._warp_words[1], self._warp_words[0])
+        is_warp = word < dr.select(place.back, self._warp_packs[1], self._warp_packs[0])
         roughness = dr.select(is_warp, *self._roughness)
-        row = (dr.select(place.back, self._words, 0) + word) * (4 * MOMENTS // _PACKET)
+        row = (dr.select(place.back, self._packs, 0) + word) * (4 * MOMENTS // _PACKET)
         numbers: list[Any] = []
         for part in range(4 * MOMENTS // _PACKET):
             shape = _PACKET, dr.width(row)
@@ -193,7 +192,7 @@ class Estimator:
     def _read(self, table: Any, nodes: NodeTaps, pair: Any) -> tuple[list[Any], list[Any]]:
         """The bytes of two words in both halves of a table of `_in_pairs`: twice four Floats each."""
         rows = [dr.gather(self._types.Index4, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
-        read = [nodes.weights.interpolated([row[word] for row in rows]) for word in range(4)]
+        read = [nodes.weights.interpolate([row[word] for row in rows]) for word in range(4)]
         return read[:2], read[2:]
 
 

@@ -79,9 +79,9 @@ class LobesModel(Model):
         width, height = fabric.layout().size
         self._thread = math.sqrt(width / ends * height / picks)
         self._scales: dict[type, tuple[Any, Any]] = {}
-        self.multiply_adds = _MULTIPLY_ADDS * 4 * tables.words
+        self.multiply_adds = _MULTIPLY_ADDS * 4 * tables.packs
         # Nine nodes of the pyramid, four of the view, four of the light.
-        self.bytes_fetched = 4 * (9 * (tables.words + 1) + 4 * (2 * tables.words + 1) + 4 * 2 * tables.words)
+        self.bytes_fetched = 4 * (9 * (tables.packs + 1) + 4 * (2 * tables.packs + 1) + 4 * 2 * tables.packs)
 
     @classmethod
     def for_fabric(cls, fabric: Fabric, groups: int = DEFAULT_GROUPS) -> Self:
@@ -106,7 +106,7 @@ class LobesModel(Model):
             model=self.name,
             fabric=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"size": self.tables.size},
+            settings={"base_size": self.tables.base_size},
         )
 
     @classmethod
@@ -292,7 +292,7 @@ class LobesModel(Model):
     def _scale(self, types: ArrayTypes) -> tuple[Any, Any]:
         """Threads a millimetre, and log2 of the length that the hand-over is measured by: opaque."""
         if types.Float not in self._scales:
-            unit = max(self._thread, _SQUARE_SHARE * self.tables.size)
+            unit = max(self._thread, _SQUARE_SHARE * self.tables.base_size)
             numbers = 1 / self._thread, math.log2(unit)
             per_thread, level = (dr.opaque(types.Float, number) for number in numbers)
             self._scales[types.Float] = per_thread, level

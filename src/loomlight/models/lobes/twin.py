@@ -22,8 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.interface import Response
-from loomlight.models.lobes.bytes import UNITS
-from loomlight.models.lobes.coverage import CLOSEST, PLACES, SQUARE_SHARE, TENT
+from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
 from loomlight.models.lobes.density import (
     LESS_BY_SPREAD,
     NARROWEST,
@@ -36,7 +35,8 @@ from loomlight.models.lobes.estimate import (
     SPECULAR_CORRELATION,
     THROUGH_CORRELATION,
 )
-from loomlight.models.lobes.hemisphere import AZIMUTHS, LOWEST, RINGS
+from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
+from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
 from loomlight.models.lobes.tables import LobeTables
 
@@ -60,7 +60,7 @@ class Nodes:
 
     def of(self, table: NDArray[np.uint8]) -> Numbers:
         """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Shares are rounded to whole units."""
-        units = np.floor(self.shares * UNITS + 0.5)
+        units = np.floor(self.shares * WEIGHT_SUM + 0.5)
         return np.asarray(units @ table[self.numbers] / units.sum())
 
 
@@ -90,7 +90,7 @@ class GroupMoments:
     Attributes:
         normal, tangent: means [G, 3], shorter than 1.
         covariance: of the fibre direction [G, 3, 3].
-        unit: what (coverage byte)·(seen byte)² is multiplied with [G].
+        unit: what (coverage byte)·(projected area byte)² is multiplied with [G].
         roughness: α of each group's family [G].
     """
 
@@ -140,7 +140,7 @@ class LobesTwin:
         self.optical_depth = optical_depth
         self.diffuse_blend = diffuse_blend
         # Of each face [2, G].
-        self.is_warp = np.arange(4 * tables.words) < 4 * tables.warp_words[:, None]
+        self.is_warp = np.arange(4 * tables.packs) < 4 * tables.warp_packs[:, None]
         self.roughness = np.where(self.is_warp, *roughness)
 
     def response(self, light: Numbers, view: Numbers, footprint: Parallelogram) -> Response:
@@ -155,8 +155,9 @@ class LobesTwin:
         groups = self.groups(back)
         weights = self.weights(view, footprint, back)
 
-        row = direction_nodes(light).of(self.tables.lit[int(back), int(beyond)])
-        irradiance, reached = np.split(row * _PER_BYTE, 2)
+        nodes, side = direction_nodes(light), (int(back), int(beyond))
+        irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
+        reached = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
         correlations = shadow_correlation(light, view, beyond)
         # V + κ(min(1, V/V_view) − V), divided by V.
         most = np.maximum(np.maximum(reached, weights.reached), _PER_BYTE)
@@ -218,11 +219,12 @@ class LobesTwin:
 
     def weights(self, view: Numbers, footprint: Parallelogram, back: bool) -> Weights:
         """What a view [3], in the frame of the face it sees, sees of groups and holes in a footprint."""
-        face, count = int(back), 4 * self.tables.words
+        face, count = int(back), 4 * self.tables.packs
         coverage = self.coverage_nodes(footprint).of(self.tables.coverage[face])
-        row = direction_nodes(view).of(self.tables.seen[face])
-        # Coverage and seen hold a word for the holes after the groups, of which the first byte counts.
-        seen, reached = row[: count + 4], row[count + 4 :] * _PER_BYTE
+        nodes = direction_nodes(view)
+        # Coverage and projected area hold a pack for the holes after the groups: its first byte.
+        seen = nodes.of(self.tables.projected_area[face])
+        reached = nodes.of(self.tables.light_visibility[face, 0]) * _PER_BYTE
         unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
         found = coverage[: count + 1] * seen[: count + 1] ** 2 * unit
         return Weights(found[:count], min(float(found[count]), 1.0), reached)
@@ -240,21 +242,21 @@ class LobesTwin:
     def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
         """Nine nodes that count alike, three along each edge of a footprint.
 
-        Level m holds means over squares of side s_m = s_0·2^m. Squares have about `SQUARE_SHARE` of the
+        Level m holds means over squares of side s_m = s_0·2^m. Squares have about `TAP_SIZE` of the
         footprint's side; sizes between two levels take some of either.
         """
         top = len(self.tables.levels) - 1
-        relative = footprint.side / self.tables.size
-        level = min(math.log2(max(SQUARE_SHARE * relative, 1.0)), top)
+        relative = footprint.side / self.tables.base_size
+        level = min(math.log2(max(TAP_SIZE * relative, 1.0)), top)
         # Squares nearly as large as the footprint stand closer to its middle.
-        apart = math.sqrt(min(max(TENT * (1 - relative**-2), 0.0), 1.0))
-        apart = min(max(apart, CLOSEST / relative), 1.0)
+        apart = math.sqrt(min(max(TENT_VARIANCE * (1 - relative**-2), 0.0), 1.0))
+        apart = min(max(apart, MIN_TAP_SPACING / relative), 1.0)
         numbers = []
-        for place, (s, t) in enumerate(PLACES):
-            wide = level % 1.0 > 1 - (place + 0.5) / len(PLACES)
+        for place, (s, t) in enumerate(TAP_OFFSETS):
+            wide = level % 1.0 > 1 - (place + 0.5) / len(TAP_OFFSETS)
             x, y = footprint.centre + apart * (s * footprint.along_x + t * footprint.along_y)
             numbers.append(self._node(min(int(level) + wide, top), x, y))
-        return Nodes(np.array(numbers), np.full(len(PLACES), 1 / len(PLACES)))
+        return Nodes(np.array(numbers), np.full(len(TAP_OFFSETS), 1 / len(TAP_OFFSETS)))
 
     def _node(self, level: int, x: float, y: float) -> int:
         """The node of a level nearest to a place, millimetres; nodes lie in the middle of their cells."""
@@ -274,9 +276,9 @@ def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]
 def direction_nodes(direction: Numbers) -> Nodes:
     """Four nodes around a direction, by azimuth and |z|.
 
-    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `LOWEST`.
+    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `MIN_COSINE`.
     """
-    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - LOWEST), 1.0) ** 0.75
+    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - MIN_COSINE), 1.0) ** 0.75
     inner = min(int(ring), RINGS - 2)
     out = ring - inner
     turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
