@@ -18,8 +18,8 @@ from loomlight.aggregate.components import (
     COMPONENTS,
     colours,
     components,
-    meet,
-    without_extras,
+    trace_views,
+    without_sheen_and_variation,
 )
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.backend import ArrayTypes, array_types
@@ -156,8 +156,8 @@ def _sampled(
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
     s, t = (types.Float(part.astype(np.float32)) for part in (places - 0.5).reshape(-1, 2).T.copy())
     place = footprint.at(s, t)
-    plain = without_extras(model)
-    point = meet(plain, place.x, place.y, view).point
+    plain = without_sheen_and_variation(model)
+    point = trace_views(plain, place.x, place.y, view).point
     visible = plain.visibility(point, light)
     channels = [
         *components(plain.appearance, point, light, view, visible),

@@ -17,7 +17,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import ALBEDOS, FAMILIES, FabricModel, fabric_in_loom, fabric_source
 from loomlight.models.interface import Parameter, Values
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, on_face
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.detached_surface import DetachedSurface
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.search import upload_extent
@@ -39,7 +39,7 @@ class PointBsdf(SeparableBsdf):
         # Derivatives of where a ray meets yarn would be wrong as well as dear.
         with dr.suspend_grad():
             hit = first_hit(
-                model.surface, centre.x, centre.y, on_face(view, back), back, active, model.quality
+                model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
             )
         self.point = model.at(hit.x, hit.y, back, hit.hole)
         if tint is not None:

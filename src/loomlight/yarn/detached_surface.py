@@ -10,13 +10,13 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.yarn.geometry import Block, Probe, SurfacePoint, YarnGeometry
+from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint, YarnGeometry
 
 
 class DetachedSurface:
     """Analytic geometry as a `Surface` whose heights carry no derivatives."""
 
-    tells_outlines = YarnGeometry.tells_outlines
+    has_outline_distances = YarnGeometry.has_outline_distances
 
     def __init__(self, geometry: YarnGeometry) -> None:
         self.geometry = geometry
@@ -35,17 +35,17 @@ class DetachedSurface:
         with dr.suspend_grad():
             return self.geometry.height(x, y, back)
 
-    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
+    def max_heights(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
         with dr.suspend_grad():
-            return self.geometry.roofs(x, y, back, right, up)
+            return self.geometry.max_heights(x, y, back, right, up)
 
     def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
         with dr.suspend_grad():
             return self.geometry.probe(x, y, back, right, up)
 
-    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
+    def cell_bounds(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> CellBounds:
         with dr.suspend_grad():
-            return self.geometry.block(x, y, back, right, up)
+            return self.geometry.cell_bounds(x, y, back, right, up)
 
     def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
         point = self.geometry.surface(x, y, back)

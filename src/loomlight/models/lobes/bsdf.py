@@ -23,7 +23,7 @@ from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, ha
 from loomlight.models.lobes.proposal import Mixture, density, draw, energy_of, mixture_of, words_density
 from loomlight.models.lobes.regimes import Regime
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
-from loomlight.scattering.point import Albedos, DirectionSample, PointModel, on_face
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
 # Of all groups together; a view that sees none sees holes alone.
@@ -73,7 +73,7 @@ class LobesBsdf(SeparableBsdf):
 
     @cached_property
     def _at(self) -> TableLookup:
-        return self._lobes.lookup(self.footprint, on_face(self.view, self._back), self._back)
+        return self._lobes.lookup(self.footprint, to_face_frame(self.view, self._back), self._back)
 
     @cached_property
     def _sampled_model(self) -> PointModel:
@@ -107,7 +107,7 @@ class LobesBsdf(SeparableBsdf):
         types, surface, middle = array_types(self.view.x), model.surface, footprint.centre
 
         def meet(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
-            seen = on_face(self.view, back)
+            seen = to_face_frame(self.view, back)
             hit = first_hit(surface, middle.x, middle.y, seen, back, True, model.quality)
             counts = dr.select(hit.hole, 0, close)
             return dr.select(hit.hole, middle.x, hit.x), dr.select(hit.hole, middle.y, hit.y), counts
@@ -162,7 +162,7 @@ class LobesBsdf(SeparableBsdf):
     def _draw(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
         """A light direction, and whether it passes straight through."""
         facing, is_null = draw(self._lobes, self._at, self.mixture, self.sheen, choice, u)
-        return on_face(facing, self._back), is_null
+        return to_face_frame(facing, self._back), is_null
 
     def _weighed(self, light: Vec3, is_null: Mask, answer: GroupAnswer) -> DirectionSample:
         pdf = dr.select(is_null, self.mixture.null, self._density(self.mixture, answer, light))
@@ -172,7 +172,7 @@ class LobesBsdf(SeparableBsdf):
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
     def _density(self, mixture: Mixture, answer: GroupAnswer, light: Vec3) -> Float:
-        facing = on_face(light, self._back)
+        facing = to_face_frame(light, self._back)
         return density(mixture, answer.groups, answer.energy, facing, self._at.view, self.sheen)
 
     def _answers(
@@ -206,7 +206,7 @@ class LobesBsdf(SeparableBsdf):
         """
         types = array_types(self.view.x)
         lobes, at = self._lobes, self._at
-        facing = [on_face(light, self._back) for light in lights]
+        facing = [to_face_frame(light, self._back) for light in lights]
         nodes = [lobes.light_nodes(at, light) for light in facing]
         halves = [half_vector(light, at.view) for light in facing]
         active = types.Bool(active) if mixture is None else types.Bool(True)

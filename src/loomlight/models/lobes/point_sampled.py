@@ -22,7 +22,7 @@ from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
 from loomlight.models.separable import Components
-from loomlight.scattering.point import PointModel, on_face
+from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
 
@@ -107,7 +107,7 @@ def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: 
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
         back = types.Bool(view.z < 0)
-        passes = passes_through(model.surface, x, y, on_face(view, back), back, True, model.quality)
+        passes = passes_through(model.surface, x, y, to_face_frame(view, back), back, True, model.quality)
         return (dr.select(passes, types.Float(1), 0),)
 
     width = dr.width(view, footprint.centre, points)

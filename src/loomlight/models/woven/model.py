@@ -28,11 +28,11 @@ from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoder import repeat_threads
 from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.footprint_coding import Squares, levels_of, mean_pitch
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.point import DirectionSample, on_face
+from loomlight.scattering.point import DirectionSample, to_face_frame
 
 _NETWORK = "woven"
 # Scene parameters of a family that the encoder sees.
@@ -70,7 +70,7 @@ class WovenBsdf(SeparableBsdf):
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light."""
-        return Components(*self._decoder.components(self._seen, on_face(light, self._back)))
+        return Components(*self._decoder.components(self._seen, to_face_frame(light, self._back)))
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -290,15 +290,15 @@ class WovenModel(FilteredFabricModel):
         del active
         return WovenBsdf(self, view, footprint, tint)
 
-    def query(self, view: Vec3, footprint: Footprint) -> tuple[Squares, Vec3, Mask]:
+    def query(self, view: Vec3, footprint: Footprint) -> tuple[AnisotropicTaps, Vec3, Mask]:
         """Squares in threads, the view in the frame of the face that it sees, and which that is."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        side, step = footprint.row_of_squares()
-        squares = Squares(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
-        return squares, on_face(view, back), back
+        side, step = footprint.anisotropic_taps()
+        squares = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        return squares, to_face_frame(view, back), back
 
     def decoder(self, float_type: type) -> Decoder:
         """The network on one backend; all fabrics share it."""
