@@ -14,7 +14,7 @@ import pytest
 from PIL import Image
 
 import loomlight
-from loomlight.cli.doctor import PACKAGES
+from loomlight.cli.doctor import EXTRAS, PACKAGES
 from loomlight.cli.main import run
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
@@ -131,7 +131,7 @@ def test_the_doctor_finds_this_machine_usable() -> None:
     assert done.returncode == 0, done.stdout
     for subject in ("Python", "mitsuba", "LLVM", "SIMD kernels", "CUDA"):
         assert subject in done.stdout
-    for name in PACKAGES:
+    for name in (*PACKAGES, *EXTRAS):
         assert f" {name} " in done.stdout
 
 
