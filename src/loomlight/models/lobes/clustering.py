@@ -75,31 +75,30 @@ def _bisect(points: Doubles, means: Doubles, errors: Doubles) -> int:
         errors: [k]: sum of squared distances of all points from the means of k clusters.
     """
     most = len(errors)
-    ends = np.zeros((most, 2), np.int64)
+    starts, stops = np.zeros(most, np.int64), np.zeros(most, np.int64)
     squares = np.zeros(most)
     covariance = np.zeros((most, FEATURES, FEATURES))
     scratch = np.zeros((FEATURES, FEATURES))
     along = np.zeros(points.shape[1])
-    ends[0, 1] = points.shape[1]
-    squares[0] = _measure(points, 0, ends[0, 1], means[0, 0], covariance[0])
+    stops[0] = points.shape[1]
+    squares[0] = _measure(points, 0, stops[0], means[0, 0], covariance[0])
     errors[0] = squares[0]
     for new in range(1, most):
         widest = 0
         for cluster in range(new):
             if squares[cluster] > squares[widest]:
                 widest = cluster
-        start, stop = ends[widest]
+        start, stop = starts[widest], stops[widest]
         axis = _principal_axis(covariance[widest], scratch)
         middle = _split(points, start, stop, means[new - 1, widest], axis, along)
-        if middle in (start, stop):
+        if not start < middle < stop:
             return new
-        ends[new, 0], ends[new, 1], ends[widest, 1] = middle, stop, middle
+        starts[new], stops[new], stops[widest] = middle, stop, middle
         for cluster in range(new):
             for k in range(FEATURES):
                 means[new, cluster, k] = means[new - 1, cluster, k]
-        for cluster in (widest, new):
-            first, last = ends[cluster]
-            squares[cluster] = _measure(points, first, last, means[new, cluster], covariance[cluster])
+        squares[widest] = _measure(points, start, middle, means[new, widest], covariance[widest])
+        squares[new] = _measure(points, middle, stop, means[new, new], covariance[new])
         for cluster in range(new + 1):
             errors[new] += squares[cluster]
     return most

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, upload
+from loomlight.core.parallel_map import parallel_map
 from loomlight.models.lobes.cloth_samples import FaceSamples, TopDownSamples
 
 if TYPE_CHECKING:
@@ -117,14 +118,16 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
     # Imported here as Numba takes tenths of a second to load, and only baking needs it.
     from loomlight.models.lobes.clustering import BisectingClusters
 
-    hits = [len(family) for family in from_views.by_family()]
-    learnt = [
-        _features(from_views, views)
-        if len(below) and len(views) >= _MIN_VIEW_SAMPLES
-        else _features(top_down, below)
-        for below, views in zip(top_down.by_family(), from_views.by_family(), strict=True)
+    top_down_families, view_families = top_down.by_family(), from_views.by_family()
+    hits = [len(family) for family in view_families]
+    points_of_family = [
+        _features(from_views, hit)
+        if len(shown) and len(hit) >= _MIN_VIEW_SAMPLES
+        else _features(top_down, shown)
+        for shown, hit in zip(top_down_families, view_families, strict=True)
     ]
-    clusters = [BisectingClusters(points, max(per_family, 2 * per_family - _PACK)) for points in learnt]
+    max_clusters = max(per_family, 2 * per_family - _PACK)
+    clusters = parallel_map(lambda points: BisectingClusters(points, max_clusters), points_of_family)
     warp_count = [
         _best_warp_count(clusters[face : face + 2], hits[face : face + 2], per_family) for face in (0, 2)
     ]
