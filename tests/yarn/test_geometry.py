@@ -1,6 +1,8 @@
 """The analytic surface: normals against differences of heights, continuity, periodicity, no steps upwards.
 
 Double precision where the truth is a difference: in single precision it would be rounding.
+
+Covers: yarn/families.py, yarn/layout.py, yarn/threads.py
 """
 
 from __future__ import annotations

@@ -97,13 +97,13 @@ class DirectionSample:
         light: unit direction [3].
         pdf: density per solid angle, or the probability of passing straight through.
         weight: evaluate / pdf, Color3.
-        passes: the direction goes straight through a hole (delta).
+        is_null: the direction goes straight through a hole (delta).
     """
 
     light: Vec3
     pdf: Float
     weight: Color3
-    passes: Any
+    is_null: Mask
 
 
 @dataclass
@@ -339,16 +339,16 @@ class PointModel:
             from_sheen = choice >= specular + reflect + transmit
             facing = dr.select(from_sheen, sample_sheen(seen, self.sheen[1], u), facing)
         # Compared from the end: a choice of almost 1 must not fall past lobes that add up to less.
-        passes = point.hole & (choice >= sheen)
-        facing = dr.select(passes, -seen, facing)
-        pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
+        is_null = point.hole & (choice >= sheen)
+        facing = dr.select(is_null, -seen, facing)
+        pdf = dr.select(is_null, passing, self._pdf(point, facing, seen, lobes))
         through = types.Color3(self._straight_through(point, seen))
-        value = dr.select(passes, through, self._scattered(point, facing, seen))
+        value = dr.select(is_null, through, self._scattered(point, facing, seen))
         light = to_face_frame(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
-        worth &= self.visibility(point, light, worth & ~passes) | passes
+        worth &= self.visibility(point, light, worth & ~is_null) | is_null
         weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
-        return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
+        return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, is_null=is_null)
 
     def straight_through(self, point: YarnPoint, view: Vec3) -> Float:
         """Share of light that passes straight through: 1 in a hole, less under sheen, else 0. Float."""

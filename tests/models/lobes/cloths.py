@@ -18,13 +18,13 @@ from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import FabricFile
-from loomlight.models.interface import Response
 from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
 from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
 from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.twin import LobesTwin
+from loomlight.models.lobes.reference import LobesReference
 from loomlight.models.lobes.visibility_rays import launch_views, view_samples
+from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -116,7 +116,7 @@ def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:
 @cache
 def model_of(name: str, groups: int = 8) -> LobesModel:
     """Its model."""
-    return LobesModel.for_fabric(cloth(name), groups)
+    return LobesModel.for_source(cloth(name), groups)
 
 
 def geometry_of(name: str) -> YarnGeometry:
@@ -124,10 +124,10 @@ def geometry_of(name: str) -> YarnGeometry:
     return YarnGeometry(cloth(name).layout())
 
 
-def twin_of(model: LobesModel) -> LobesTwin:
-    """The twin in NumPy of the same tables."""
+def reference_of(model: LobesModel) -> LobesReference:
+    """The reference in NumPy of the same tables."""
     appearance = model.fabric.appearance()
-    return LobesTwin(
+    return LobesReference(
         model.tables,
         model.fabric.layout().size,
         (appearance.warp.roughness, appearance.weft.roughness),
@@ -163,17 +163,13 @@ def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     return edges / np.sqrt(0.5 * (edges**2).sum(axis=(1, 2)))[:, None, None]
 
 
-def far_response(model: LobesModel, light: Any, view: Any, footprint: Footprint) -> Response:
-    """What the groups alone say, at every size."""
-    found = model.far([light], view, footprint, Bool(True), None)[0][0]
-    dr.eval(found)
-    return found
-
-
-def far_parts(model: LobesModel, asked: FootprintQueries) -> dict[str, NDArray[np.float32]]:
-    """The parts of it by name [n]."""
-    found = far_response(model, asked.light, asked.view, asked.footprint)
-    return {part.name: getattr(found, part.name).numpy() for part in fields(Response)}
+def prefiltered_parts(model: LobesModel, asked: FootprintQueries) -> dict[str, NDArray[np.float32]]:
+    """What the groups alone say, at every size: components and hole by name [n]."""
+    at = model.at(asked.view, asked.footprint)
+    hole, (answer,) = at.prefiltered([asked.light], None, Bool(True))
+    parts = {part.name: getattr(answer.components, part.name) for part in fields(Components)}
+    dr.eval(parts, hole)
+    return {name: values.numpy() for name, values in {**parts, "hole": hole}.items()}
 
 
 def floats(values: NDArray[Any]) -> Float:

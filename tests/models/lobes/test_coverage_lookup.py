@@ -22,7 +22,7 @@ from .cloths import TEXTS, askew, floats, geometry_of, pyramid_of
 
 TYPES = array_types(Float)
 PER_FAMILY = 8
-SQUARES = 150
+ANISOTROPIC_TAPS = 150
 # Points along each side of a square that is counted out.
 POINTS = 48
 # Largest mean error by size in units of s_0, half the sum over groups of |error|. Close, tents stand for
@@ -82,8 +82,8 @@ def _by_counting(
 def _squares(name: str, relative: float, seed: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Centres anywhere [n, 2], and sides of one size [n], millimetres."""
     geometry, _, coverage = _made(name)
-    centres = np.random.default_rng(seed).uniform(-1, 2, (SQUARES, 2)) * geometry.size
-    return centres, np.full(SQUARES, relative * coverage.base_size)
+    centres = np.random.default_rng(seed).uniform(-1, 2, (ANISOTROPIC_TAPS, 2)) * geometry.size
+    return centres, np.full(ANISOTROPIC_TAPS, relative * coverage.base_size)
 
 
 @pytest.mark.parametrize("relative", ERRORS)

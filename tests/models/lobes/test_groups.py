@@ -28,7 +28,7 @@ from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.visibility_rays import launch_views, view_samples
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 
-from .cloths import TEXTS, far_parts, floats, geometry_of, groups_of, random_queries
+from .cloths import TEXTS, floats, geometry_of, groups_of, prefiltered_parts, random_queries
 
 PER_FAMILY = 8
 # Texels of an independent plan, a side.
@@ -162,9 +162,9 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     fabric = fabric_from_text(
         'weave = "satin 8/3"\n[warp]\ngap = 0.02\n[weft]\ngap = 0.5\ntranslucency = 0.5'
     )
-    whole = LobesModel.for_fabric(fabric, per_family)
+    whole = LobesModel.for_source(fabric, per_family)
     queries = random_queries(fabric, whole.tables.base_size, 500, seed=3)
-    wanted = far_parts(whole, queries)
+    wanted = prefiltered_parts(whole, queries)
 
     def without_weft(cloth: FrozenArg[UploadedCloth]) -> TopDownSamples:
         points = top_down_samples(cloth)
@@ -186,7 +186,7 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     assert (groups.centroids[1, per_family:] != [0, 0, 0.5, 0, 1, 0]).any(axis=1).all()
     for part in fields(Groups):
         assert np.isfinite(getattr(groups, part.name)).all(), part.name
-    found = far_parts(LobesModel.for_fabric(fabric, per_family), queries)
+    found = prefiltered_parts(LobesModel.for_source(fabric, per_family), queries)
     for name, values in found.items():
         assert np.isfinite(values).all(), name
         assert (values >= 0).all(), name

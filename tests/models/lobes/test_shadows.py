@@ -9,10 +9,10 @@ from drjit.llvm.ad import Array3f, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.aggregate.components import lobes
-from loomlight.models.lobes import estimate
+from loomlight.models.lobes import prefiltered
 from loomlight.scattering.point import PointModel
 
-from .cloths import TEXTS, FootprintQueries, cloth, directions, far_parts, geometry_of, model_of
+from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, model_of, prefiltered_parts
 
 PAIRS, POINTS = 250, 2048
 
@@ -51,7 +51,7 @@ def errors(through: bool) -> NDArray[np.float64]:
     rows = []
     for name in TEXTS:
         queries = asked(name, through)
-        found, wanted = far_parts(model_of(name), queries), traced(name, queries)
+        found, wanted = prefiltered_parts(model_of(name), queries), traced(name, queries)
         sums = [found[f"{term}_warp"] + found[f"{term}_weft"] for term in ("diffuse", "specular")]
         rows.append(np.abs(np.stack(sums) - wanted).sum(axis=1) / wanted.sum(axis=1))
     return np.asarray(np.mean(rows, axis=0))
@@ -62,7 +62,7 @@ def test_correlated_shadows_are_nearer_to_rays_than_independent_ones(
     through: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shipped = errors(through)
-    monkeypatch.setattr(estimate, "shadow_correlation", lambda *_: (Float(0), Float(0)))
+    monkeypatch.setattr(prefiltered, "shadow_correlation", lambda *_: (Float(0), Float(0)))
     independent = errors(through)
     # Over 40 random fabrics it is 0.55 and 0.77 on one side, 0.77 and 0.97 through the cloth
     # (`tools/fits/lobes_shadows.py`); these are four fabrics.

@@ -18,7 +18,7 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import MOST_GROUPS, LobesModel
 from loomlight.models.registry import model_from_loom
 
-from .cloths import TEXTS, cloth, far_parts, model_of, random_queries
+from .cloths import TEXTS, cloth, model_of, prefiltered_parts, random_queries
 
 Tensor = NDArray[Any]
 
@@ -27,7 +27,7 @@ def _damaged(name: str, change: Callable[[Tensor], Tensor]) -> LoomFile:
     """A file of which one tensor is changed."""
     loom = model_of("open plain").to_loom()
     tensors = {key: values.copy() for key, values in loom.tensors.items()}
-    return replace(loom, tensors={**tensors, name: change(tensors[name])}, source="cloth.loom")
+    return replace(loom, tensors={**tensors, name: change(tensors[name])}, file="cloth.loom")
 
 
 def _refused(loom: LoomFile, *words: str) -> None:
@@ -44,7 +44,7 @@ def _refused(loom: LoomFile, *words: str) -> None:
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_baking_twice_gives_the_same_bytes(name: str) -> None:
-    first, second = model_of(name).tables, LobesModel.for_fabric(cloth(name)).tables
+    first, second = model_of(name).tables, LobesModel.for_source(cloth(name)).tables
     assert first.base_size == second.base_size
     for key, values in first.arrays().items():
         assert values.tobytes() == second.arrays()[key].tobytes(), key
@@ -53,14 +53,14 @@ def test_baking_twice_gives_the_same_bytes(name: str) -> None:
 def test_colours_and_roughness_are_not_baked() -> None:
     """So that edits of them bake nothing: the tables are the same, and the model's answers are not."""
     base = TEXTS["open plain"]
-    plain = LobesModel.for_fabric(fabric_from_text(base))
-    edited = LobesModel.for_fabric(
+    plain = LobesModel.for_source(fabric_from_text(base))
+    edited = LobesModel.for_source(
         fabric_from_text(base + '\n[warp]\nroughness = 0.9\ncolor = "#aa2211"\n[sheen]\nstrength = 0.5')
     )
     for key, values in plain.tables.arrays().items():
         assert np.array_equal(values, edited.tables.arrays()[key]), key
     queries = random_queries(plain.fabric, plain.tables.base_size, 100, seed=1)
-    found, other = (far_parts(model, queries)["specular_warp"] for model in (plain, edited))
+    found, other = (prefiltered_parts(model, queries)["specular_warp"] for model in (plain, edited))
     assert not np.allclose(found, other, rtol=0.05)
 
 
@@ -74,7 +74,7 @@ def test_tables_say_how_large_they_are() -> None:
 def test_only_so_many_groups() -> None:
     for groups in (0, MOST_GROUPS + 1):
         with pytest.raises(InputError, match=f"groups = {groups} is out of range"):
-            LobesModel.for_fabric(cloth("open plain"), groups)
+            LobesModel.for_source(cloth("open plain"), groups)
 
 
 def test_a_file_gives_the_tables_back() -> None:

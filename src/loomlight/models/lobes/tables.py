@@ -114,24 +114,24 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
     moments = loom.tensor("moments", (2, None, MOMENTS), np.float32)
     if moments.shape[1] % 8 or not moments.size:
         raise InputError(
-            f"{loom.source}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
+            f"{loom.file}: the tensor model.moments has {moments.shape[1]} groups a face: it should have "
             "whole packs of four, and an even number of them."
         )
     packs = moments.shape[1] // 4
     warp_packs = loom.tensor("warp_packs", (2,), np.int64)
     if not ((warp_packs >= 0) & (warp_packs <= packs)).all():
         raise InputError(
-            f"{loom.source}: the tensor model.warp_packs is {warp_packs.tolist()}: it should be 0 to "
+            f"{loom.file}: the tensor model.warp_packs is {warp_packs.tolist()}: it should be 0 to "
             f"{packs} each, the packs of four groups that there are."
         )
     levels = loom.tensor("levels", (None, 3), np.int64)
     sizes = levels[:, 1] * levels[:, 2]
     consistent = len(levels) > 0 and (levels[:, 1:] > 0).all() and levels[0, 0] == 0
     if not (consistent and (levels[1:, 0] == np.cumsum(sizes)[:-1]).all()):
-        raise InputError(f"{loom.source}: the tensor model.levels is no pyramid: bake it again.")
+        raise InputError(f"{loom.file}: the tensor model.levels is no pyramid: bake it again.")
     base_size = loom.setting("base_size", float)
     if not 0 < base_size < math.inf:
-        raise InputError(f"{loom.source}: the setting base_size is {base_size:g}: it should be above 0 mm.")
+        raise InputError(f"{loom.file}: the setting base_size is {base_size:g}: it should be above 0 mm.")
     return LobeTables(
         base_size=base_size,
         levels=levels,

@@ -1,4 +1,4 @@
-"""Cloth geometry whose shadows and outlines are held fixed when derivatives are taken.
+"""Cloth geometry whose shadows and outlines carry no derivatives.
 
 Searches along rays are loops with discontinuous results: their derivatives would be wrong as well as dear.
 Normals and tangents keep theirs.
@@ -13,8 +13,8 @@ import drjit as dr
 from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint, YarnGeometry
 
 
-class HeldSurface:
-    """A `loomlight.yarn.visibility.Surface` around analytic geometry; heights carry no derivatives."""
+class DetachedSurface:
+    """Analytic geometry as a `Surface` whose heights carry no derivatives."""
 
     has_outline_distances = YarnGeometry.has_outline_distances
 

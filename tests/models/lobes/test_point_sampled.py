@@ -7,7 +7,7 @@ import pytest
 from drjit.llvm.ad import Float, UInt32
 
 from loomlight.core.backend import array_types
-from loomlight.models.lobes.near import MOST_POINTS, _place
+from loomlight.models.lobes.point_sampled import MOST_POINTS, _place
 
 LINES = 4000
 

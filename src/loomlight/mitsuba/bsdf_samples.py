@@ -1,4 +1,4 @@
-"""What every BSDF of cloth tells Mitsuba of its lobes, and its samples in Mitsuba's terms."""
+"""What BSDFs of models declare to Mitsuba, and their samples and vectors in Mitsuba's terms."""
 
 from __future__ import annotations
 
@@ -13,37 +13,40 @@ from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
-# Every BSDF of cloth that there is: Dr.Jit traces them all, whichever scene they belong to.
-CLOTHS: WeakSet[Any] = WeakSet()
+# Every BSDF of a model that there is: Dr.Jit traces them all, whichever scene they belong to.
+MODEL_BSDFS: WeakSet[Any] = WeakSet()
 
 
-def declare_lobes(bsdf: Any) -> None:
+def declare_lobes(bsdf: Any, has_holes: bool) -> None:
     """Sets components and flags: reflection and transmission, diffuse and glossy, and holes; both faces.
 
-    The BSDF is one of `CLOTHS` from then on.
+    The BSDF is one of `MODEL_BSDFS` from then on.
     """
-    CLOTHS.add(bsdf)
+    MODEL_BSDFS.add(bsdf)
     flags: Any = mi.BSDFFlags
     both = flags.FrontSide | flags.BackSide | flags.SpatiallyVarying | flags.Anisotropic
-    bsdf.m_components = [
+    components = [
         flags.DiffuseReflection | both,
         flags.GlossyReflection | both,
         flags.DiffuseTransmission | both,
         flags.GlossyTransmission | both,
-        flags.Null | flags.FrontSide | flags.BackSide | flags.SpatiallyVarying,
     ]
-    bsdf.m_flags = bsdf.m_components[0]
-    for component in bsdf.m_components[1:]:
+    if has_holes:
+        components.append(flags.Null | flags.FrontSide | flags.BackSide | flags.SpatiallyVarying)
+    # Assigned whole: what Mitsuba hands out is a copy.
+    bsdf.m_components = components
+    bsdf.m_flags = components[0]
+    for component in components[1:]:
         bsdf.m_flags = bsdf.m_flags | component
 
 
-def tell_pixel_samples(samples: int) -> None:
-    """Tells every cloth that averages over footprints how many samples share a pixel."""
-    for cloth in CLOTHS:
+def set_samples_per_pixel(samples: int) -> None:
+    """Sets how many samples share a pixel, for all BSDFs of models."""
+    for bsdf in MODEL_BSDFS:
         # The number is kept beside the array: while a frozen function records, arrays cannot be read.
-        if getattr(cloth, "pixel_samples_told", samples) != samples:
-            cloth.pixel_samples_told = samples
-            cloth.pixel_samples = dr.opaque(type(cloth.pixel_samples), samples)
+        if bsdf.samples_per_pixel != samples:
+            bsdf.samples_per_pixel = samples
+            bsdf.pixel_samples = dr.opaque(type(bsdf.pixel_samples), samples)
 
 
 def bsdf_sample(drawn: DirectionSample, si: Any, active: Any) -> tuple[Any, Any]:
@@ -57,9 +60,9 @@ def bsdf_sample(drawn: DirectionSample, si: Any, active: Any) -> tuple[Any, Any]
     scattered = dr.select(
         same_side, mi.UInt32(+flags.DiffuseReflection), mi.UInt32(+flags.DiffuseTransmission)
     )
-    bs.sampled_type = dr.select(drawn.passes, mi.UInt32(+flags.Null), scattered)
+    bs.sampled_type = dr.select(drawn.is_null, mi.UInt32(+flags.Null), scattered)
     lobe = dr.select(same_side, mi.UInt32(_REFLECTION), mi.UInt32(_TRANSMISSION))
-    bs.sampled_component = dr.select(drawn.passes, mi.UInt32(_NULL), lobe)
+    bs.sampled_component = dr.select(drawn.is_null, mi.UInt32(_NULL), lobe)
     return bs, mi.Spectrum(dr.select(active, drawn.weight, 0))
 
 

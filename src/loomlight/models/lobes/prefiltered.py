@@ -1,27 +1,26 @@
-"""The analytic estimate: what groups of a footprint do to light, and what directions their lobes suggest.
+"""The prefiltered regime: what groups of a footprint do to light, and what a view sees of them.
 
 A group's weight is what views see of it: how much of it the footprint holds times the share of the view rays
 that meet it. The weight of holes is their share; groups have the rest by their weights. Diffuse terms are the
 group's irradiance, specular ones its lobe times the share of it that light reaches.
 
-What light and view reach of a group is much the same: what stands high both reach. Were it as much the
-same as can be, of what is seen a share min(1, V(light)/V(view)) would be lit; were it independent, V(light).
-A share κ of the first is taken and 1 − κ of the second. Of diffuse terms κ is the larger the nearer the
-azimuths; of specular ones, which are bright where light and view mirror each other, it is the same all
-around. Light from the other side reaches what the view does not, and κ < 0. The numbers are fits to rays
-(`tools/fits/lobes_shadows.py`).
+Within a group, visibility from light and view are correlated: P(lit given seen) lies between V(light)
+(independent) and min(1, V(light)/V(view)) (fully correlated). κ interpolates. For diffuse terms κ grows as
+the azimuths come together; for specular ones, which are bright where light and view mirror each other, it is
+one number. In transmission κ < 0: light from the other side reaches what the view does not see. The numbers
+are fits to rays (`tools/fits/lobes_shadows.py`).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.backend import DRJIT, ArrayTypes, minimum, upload
+from loomlight.core.arrays import Float, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -32,46 +31,46 @@ PER_BYTE = 1 / 255
 # κ: of terms that depend on the angle Δφ between azimuths, what there is at 90° and what cos Δφ adds.
 DIFFUSE_CORRELATION = 0.5, 0.7
 SPECULAR_CORRELATION = 0.9
-THROUGH_CORRELATION = -0.35, -0.2
+TRANSMISSION_CORRELATION = -0.35, -0.2
 # Numbers fetched at once; what a word's four groups have is three times as many.
 _PACKET = 16
 
 
 @dataclass
-class Place:
+class TableLookup:
     """Where a footprint and a view lie in the tables: what no light changes.
 
     Attributes:
         coverage: nodes of the pyramid.
         view_nodes: nodes of the hemisphere around the view, of the face seen.
         view: unit vector [3] in the frame of the face seen.
-        back: Bool, the back is seen.
+        back: the back is seen.
     """
 
     coverage: CoverageTaps
     view_nodes: NodeTaps
-    view: Any
-    back: Any
+    view: Vec3
+    back: Mask
 
 
 @dataclass
-class Seen:
-    """A word of four groups as a view sees them.
+class SeenWord:
+    """Four groups, a word of the tables, as a view sees them.
 
     Attributes:
         is_warp: they are of the warp, all four.
         weights: of the groups, not divided by their sum yet: four Floats.
         lobes: of the groups.
-        reached: share of each that light from the view's side and direction would reach: four Floats.
+        visibility: share of each group's plan that light from the view's direction reaches: four Floats.
     """
 
-    is_warp: Any
-    weights: list[Any]
+    is_warp: Mask
+    weights: list[Float]
     lobes: list[GroupLobe]
-    reached: list[Any]
+    visibility: list[Float]
 
 
-class Estimator:
+class PrefilteredLobes:
     """The tables of one fabric on one backend.
 
     Groups come in pairs of words, eight at a time, the warp's first: what is fetched for them lies in a row.
@@ -106,55 +105,60 @@ class Estimator:
         self._roughness = [dr.opaque(types.Float, float(value)) for value in roughness]
         self._optical_depth = dr.opaque(types.Float, float(optical_depth))
 
-    def place(self, footprint: Footprint, view: Any, back: Any) -> Place:
+    def lookup(self, footprint: Footprint, view: Vec3, back: Mask) -> TableLookup:
         """Where a footprint, millimetres, and a view [3] of the face seen lie in the tables."""
         taps = node_taps(view)
         face = dr.select(back, self._types.UInt32(NODES), self._types.UInt32(0))
         around = NodeTaps(tuple(face + node for node in taps.nodes), taps.weights)
-        return Place(self._coverage.taps(footprint, back), around, view, back)
+        return TableLookup(self._coverage.taps(footprint, back), around, view, back)
 
-    def hole(self, place: Place) -> Any:
-        """Share of the view rays that pass through holes: Float, 0 to 1."""
-        holes = self._coverage.holes(place.coverage)
-        words = [dr.gather(self._types.Index2, self._holes, node).x for node in place.view_nodes.nodes]
-        seen = place.view_nodes.weights.interpolate(words)[0]
-        weight = holes * dr.square(seen) * dr.select(place.back, self._hole_weight[1], self._hole_weight[0])
+    def hole(self, at: TableLookup) -> Float:
+        """Share of the view rays that pass through holes: 0 to 1."""
+        holes = self._coverage.holes(at.coverage)
+        words = [dr.gather(self._types.Index2, self._holes, node).x for node in at.view_nodes.nodes]
+        seen = at.view_nodes.weights.interpolate(words)[0]
+        weight = holes * dr.square(seen) * dr.select(at.back, self._hole_weight[1], self._hole_weight[0])
         return minimum(weight, 1)
 
-    def seen(self, place: Place, pair: Any) -> list[Seen]:
+    def seen(self, at: TableLookup, pair: UInt) -> list[SeenWord]:
         """The groups of two words."""
-        coverage = self._coverage.groups(place.coverage, pair)
-        visible, reached = self._read(self._seen, place.view_nodes, pair)
+        coverage = self._coverage.groups(at.coverage, pair)
+        projected, visibility = self._read(self._seen, at.view_nodes, pair)
         return [
-            self._seen_word(place, 2 * pair + half, coverage[half], visible[half], reached[half])
+            self._seen_word(at, 2 * pair + half, coverage[half], projected[half], visibility[half])
             for half in range(2)
         ]
 
     def _seen_word(
-        self, place: Place, word: Any, coverage: list[Any], visible: list[Any], reached: list[Any]
-    ) -> Seen:
+        self,
+        at: TableLookup,
+        word: UInt,
+        coverage: list[Float],
+        projected: list[Float],
+        visibility: list[Float],
+    ) -> SeenWord:
         types = self._types
-        is_warp = word < dr.select(place.back, self._warp_packs[1], self._warp_packs[0])
+        is_warp = word < dr.select(at.back, self._warp_packs[1], self._warp_packs[0])
         roughness = dr.select(is_warp, *self._roughness)
-        row = (dr.select(place.back, self._packs, 0) + word) * (4 * MOMENTS // _PACKET)
-        numbers: list[Any] = []
+        row = (dr.select(at.back, self._packs, 0) + word) * (4 * MOMENTS // _PACKET)
+        numbers: list[Float] = []
         for part in range(4 * MOMENTS // _PACKET):
             shape = _PACKET, dr.width(row)
             numbers.extend(dr.gather(types.Vectors, self._moments, row + part, shape=shape))
         weights, lobes = [], []
         for group in range(4):
             x, y, z, unit, *moments = numbers[MOMENTS * group : MOMENTS * (group + 1)]
-            weights.append(coverage[group] * dr.square(visible[group]) * unit)
+            weights.append(coverage[group] * dr.square(projected[group]) * unit)
             tangent = types.Vector3(moments[0], moments[1], moments[2])
             xx, yy, xy, xz, yz = moments[3:]
             zz = 1 - dr.squared_norm(tangent) - xx - yy
             lobes.append(GroupLobe(types.Vector3(x, y, z), tangent, xx, yy, zz, xy, xz, yz, roughness))
-        return Seen(is_warp, weights, lobes, [part * PER_BYTE for part in reached])
+        return SeenWord(is_warp, weights, lobes, [part * PER_BYTE for part in visibility])
 
-    def light_nodes(self, place: Place, light: Any) -> NodeTaps:
+    def light_nodes(self, at: TableLookup, light: Vec3) -> NodeTaps:
         """Nodes around a light [3] in the frame of the face seen, in the tables of its side."""
         types = self._types
-        side = dr.select(place.back, types.UInt32(2), types.UInt32(0)) + dr.select(
+        side = dr.select(at.back, types.UInt32(2), types.UInt32(0)) + dr.select(
             light.z < 0, types.UInt32(1), types.UInt32(0)
         )
         taps = node_taps(light)
@@ -162,9 +166,9 @@ class Estimator:
         return NodeTaps(tuple(start + node for node in taps.nodes), taps.weights)
 
     def components(
-        self, seen: list[Seen], place: Place, nodes: NodeTaps, pair: Any, light: Any, half: Any
-    ) -> list[tuple[Any, Any]]:
-        """Sums over each word's four groups of weight times diffuse and specular component: Float each.
+        self, seen: list[SeenWord], at: TableLookup, nodes: NodeTaps, pair: UInt, light: Vec3, half: Vec3
+    ) -> list[tuple[Float, Float]]:
+        """Sums over each word's four groups of weight times diffuse and specular component.
 
         Args:
             seen: the pair's words.
@@ -172,24 +176,26 @@ class Estimator:
             light: unit vector [3] in the frame of the face seen.
             half: half vector [3] of light and view.
         """
-        beyond = light.z < 0
-        irradiance, lit = self._read(self._lit, nodes, pair)
-        correlations = shadow_correlation(light, place.view, beyond)
+        is_transmission = light.z < 0
+        irradiance, visibility = self._read(self._lit, nodes, pair)
+        correlations = shadow_correlation(light, at.view, is_transmission)
         found = []
         for number, word in enumerate(seen):
-            diffuse: Any = 0
-            specular: Any = 0
+            diffuse: Float = 0
+            specular: Float = 0
             for group in range(4):
-                reached = lit[number][group] * PER_BYTE
-                more_diffuse, more = raised_by(correlations, reached, word.reached[group], DRJIT)
+                from_light = visibility[number][group] * PER_BYTE
+                diffuse_gain, gain = visibility_gain(correlations, from_light, word.visibility[group])
                 weight = word.weights[group]
-                diffuse += weight * irradiance[number][group] * more_diffuse
-                value = layer_value(half, light, place.view, beyond, word.lobes[group], self._optical_depth)
-                specular += weight * value * (reached * more)
+                diffuse += weight * irradiance[number][group] * diffuse_gain
+                value = layer_value(
+                    half, light, at.view, is_transmission, word.lobes[group], self._optical_depth
+                )
+                specular += weight * value * (from_light * gain)
             found.append((diffuse * (PER_BYTE * dr.inv_pi), specular))
         return found
 
-    def _read(self, table: Any, nodes: NodeTaps, pair: Any) -> tuple[list[Any], list[Any]]:
+    def _read(self, table: UInt, nodes: NodeTaps, pair: UInt) -> tuple[list[list[Float]], list[list[Float]]]:
         """The bytes of two words in both halves of a table of `_in_pairs`: twice four Floats each."""
         rows = [dr.gather(self._types.Index4, table, dr.fma(node, self.pairs, pair)) for node in nodes.nodes]
         read = [nodes.weights.interpolate([row[word] for row in rows]) for word in range(4)]
@@ -202,41 +208,43 @@ def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[
     return np.concatenate(parts, axis=-1)
 
 
-# Formulas for Dr.Jit's arrays and for machine code: `arrays` is `backend.DRJIT`, or a `Code` being written.
-
-
-def shadow_correlation(light: Any, view: Any, beyond: Any, arrays: Any = DRJIT) -> tuple[Any, Any]:
-    """κ of diffuse and of specular terms: how far what light and view reach is the same; −0.55 to 1.
+def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> tuple[Float, Float]:
+    """κ of diffuse and of specular terms: how far visibility from light and view agree; −0.55 to 1.
 
     Args:
         light, view: unit vectors [3].
-        beyond: Bool, they lie on different sides of the cloth.
+        is_transmission: they lie on different sides of the cloth.
     """
-    together = arrays.fma(light.x, view.x, light.y * view.y)
-    squares = [arrays.fma(side.x, side.x, side.y * side.y) for side in (light, view)]
-    # 0 where one has no azimuth; from there nearly all is reached, and κ hardly counts.
-    cosine = together * arrays.rcp(arrays.maximum(arrays.sqrt(squares[0] * squares[1]), 1e-6))
-    through = arrays.fma(THROUGH_CORRELATION[1], cosine, THROUGH_CORRELATION[0])
-    diffuse = arrays.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
+    together = dr.fma(light.x, view.x, light.y * view.y)
+    squares = [dr.fma(side.x, side.x, side.y * side.y) for side in (light, view)]
+    # 0 where one has no azimuth; from there nearly all is visible, and κ hardly counts.
+    cosine = together * dr.rcp(maximum(dr.sqrt(squares[0] * squares[1]), 1e-6))
+    transmission = dr.fma(TRANSMISSION_CORRELATION[1], cosine, TRANSMISSION_CORRELATION[0])
+    diffuse = dr.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
     return (
-        arrays.select(beyond, through, arrays.minimum(diffuse, 1)),
-        arrays.select(beyond, through, SPECULAR_CORRELATION),
+        dr.select(is_transmission, transmission, minimum(diffuse, 1)),
+        dr.select(is_transmission, transmission, SPECULAR_CORRELATION),
     )
 
 
-def raised_by(
-    correlations: tuple[Any, Any], reached: Any, reached_from_view: Any, arrays: Any
-) -> tuple[Any, Any]:
-    """(V + κ(min(1, V/V_view) − V))/V, ≥ 0, of shares that light, and light from the view, would reach."""
-    most = arrays.maximum(arrays.maximum(reached, reached_from_view), PER_BYTE)
-    less_one = arrays.rcp(most) - 1
-    diffuse, specular = (arrays.maximum(arrays.fma(part, less_one, 1), 0) for part in correlations)
+def visibility_gain(
+    correlations: tuple[Float, Float], from_light: Float, from_view: Float
+) -> tuple[Float, Float]:
+    """P(lit given seen) over V(light), ≥ 0, of diffuse and of specular terms, by their κ.
+
+    Args:
+        from_light: V(light), the share of a group's plan that light reaches.
+        from_view: the same for light from the view's direction.
+    """
+    most = maximum(maximum(from_light, from_view), PER_BYTE)
+    less_one = dr.rcp(most) - 1
+    diffuse, specular = (maximum(dr.fma(part, less_one, 1), 0) for part in correlations)
     return diffuse, specular
 
 
-def half_vector(light: Any, view: Any, arrays: Any = DRJIT) -> Any:
+def half_vector(light: Vec3, view: Vec3) -> Vec3:
     """Unit half vector [3]; where light = −view any vector of at most that length."""
     x, y, z = light.x + view.x, light.y + view.y, light.z + view.z
-    squared = arrays.fma(x, x, arrays.fma(y, y, z * z))
-    scale = arrays.rsqrt(arrays.maximum(squared, 1e-12))
+    squared = dr.fma(x, x, dr.fma(y, y, z * z))
+    scale = dr.rsqrt(maximum(squared, 1e-12))
     return type(light)(x * scale, y * scale, z * scale)

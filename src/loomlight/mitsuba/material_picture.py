@@ -8,10 +8,9 @@ from typing import Unpack
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
-from loomlight.fabric import Fabric
-from loomlight.mitsuba.fabric_bsdf import DEFAULT_MODEL, fabric_bsdf
+from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.rendering import Progress, render
 from loomlight.mitsuba.scenes import SceneOptions, build_scene
 from loomlight.mitsuba.variants import choose_variant
@@ -20,10 +19,10 @@ _LARGEST_EXPOSURE = 30
 
 
 def render_fabric(
-    fabric: Fabric | str | os.PathLike[str],
+    fabric: Source | str | os.PathLike[str],
     scene: str | os.PathLike[str] = "drape",
     *,
-    model: str = DEFAULT_MODEL,
+    model: str | None = None,
     spp: int = 64,
     seed: int = 0,
     exposure: float = 0.0,
@@ -34,11 +33,12 @@ def render_fabric(
     """Linear RGB [height, width, 3] of a fabric on a piece of cloth, a mesh, or the marked shapes of a scene.
 
     Args:
-        fabric: a fabric; or the path of a fabric file, a draft or a `.loom`; or a weave's name, such as
-            "twill 3/1".
+        fabric: a fabric or another source; or the path of a fabric file, a draft or a `.loom`; or a weave's
+            name, such as "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
         model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
-            or "woven", the network that averages over footprints.
+            "woven", the network that averages over footprints; by default the one that a `.loom` holds, else
+            "lobes".
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
@@ -56,9 +56,8 @@ def render_fabric(
             f"exposure = {exposure:g} is out of range: it lies between -{_LARGEST_EXPOSURE} and "
             f"{_LARGEST_EXPOSURE} stops."
         )
-    cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
     choose_variant(variant)
-    shown = build_scene(scene, fabric_bsdf(cloth, model), **setting)
+    shown = build_scene(scene, material_bsdf(fabric, model), **setting)
     return render(
         shown.scene,
         spp=spp,

@@ -1,8 +1,8 @@
-"""The estimate again in plain NumPy, one query at a time: to read, to port, and to hold the rest against.
+"""The prefiltered regime in plain NumPy, one query at a time: to read, to port, and to test the rest against.
 
-What counts is the groups' part alone, from the tables' bytes; the points that the model looks at close up and
-the hand-over to them are left out. All vectors are of one query, [3] or [2]; arrays of groups are [G], as the
-groups lie among the bytes: the warp's first, each family padded to words of four. Everything is float64.
+The point-sampled regime and the blend to it are left out. All vectors are of one query, [3] or [2]; arrays of
+groups are [G], as the groups lie among the bytes: the warp's first, each family padded to words of four.
+Everything is float64.
 
 For a view v, a light l, their half vector h and a footprint, with bytes interpolated between `Nodes`:
 
@@ -21,7 +21,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.models.interface import Response
 from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
 from loomlight.models.lobes.density import (
     LESS_BY_SPREAD,
@@ -30,15 +29,16 @@ from loomlight.models.lobes.density import (
     SMALLEST_PATH,
     SMALLEST_STEEPNESS,
 )
-from loomlight.models.lobes.estimate import (
-    DIFFUSE_CORRELATION,
-    SPECULAR_CORRELATION,
-    THROUGH_CORRELATION,
-)
 from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
 from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
+from loomlight.models.lobes.prefiltered import (
+    DIFFUSE_CORRELATION,
+    SPECULAR_CORRELATION,
+    TRANSMISSION_CORRELATION,
+)
 from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.separable import Components
 
 Numbers = NDArray[np.float64]
 """Float64 of any shape: of groups [G], or a vector [2] or [3]."""
@@ -116,7 +116,7 @@ class Weights:
     reached: Numbers
 
 
-class LobesTwin:
+class LobesReference:
     """The groups' estimate of one fabric."""
 
     def __init__(
@@ -143,8 +143,10 @@ class LobesTwin:
         self.is_warp = np.arange(4 * tables.packs) < 4 * tables.warp_packs[:, None]
         self.roughness = np.where(self.is_warp, *roughness)
 
-    def response(self, light: Numbers, view: Numbers, footprint: Parallelogram) -> Response:
-        """Components, 1/sr, and hole: floats.
+    def components_and_hole(
+        self, light: Numbers, view: Numbers, footprint: Parallelogram
+    ) -> tuple[Components, float]:
+        """Components, 1/sr, and the hole: floats.
 
         Args:
             light, view: unit vectors [3]; z < 0 on the back.
@@ -172,13 +174,13 @@ class LobesTwin:
         )
         is_warp = self.is_warp[int(back)]
         total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
-        return Response(
+        components = Components(
             diffuse_warp=float(diffuse[is_warp].sum() / total),
             diffuse_weft=float(diffuse[~is_warp].sum() / total),
             specular_warp=float(specular[is_warp].sum() / total),
             specular_weft=float(specular[~is_warp].sum() / total),
-            hole=weights.hole,
         )
+        return components, weights.hole
 
     def group_density(
         self,
@@ -190,7 +192,7 @@ class LobesTwin:
         """Density of the mixture of groups that directions are drawn from, 1/sr, without cosine and sheen.
 
         Args:
-            light, view, footprint: as in `response`.
+            light, view, footprint: as in `components_and_hole`.
             energies: what (warp, weft) send on by each lobe; floats.
         """
         back, light, view = on_seen_face(light, view)
@@ -294,7 +296,7 @@ def shadow_correlation(light: Numbers, view: Numbers, beyond: bool) -> tuple[flo
     lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
     cosine = float(light[:2] @ view[:2]) / max(lengths, 1e-6)
     if beyond:
-        through = THROUGH_CORRELATION[0] + THROUGH_CORRELATION[1] * cosine
+        through = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
         return through, through
     diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
     return min(diffuse, 1.0), SPECULAR_CORRELATION

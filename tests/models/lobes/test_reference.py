@@ -1,4 +1,4 @@
-"""The estimate in Dr.Jit against its twin in NumPy: the same formulas, written twice."""
+"""The prefiltered regime in Dr.Jit against its reference in NumPy: the same formulas, written twice."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.proposal import Energies
-from loomlight.models.lobes.twin import LobesTwin, Parallelogram
+from loomlight.models.lobes.reference import LobesReference, Parallelogram
+from loomlight.models.separable import Components
 
-from .cloths import TEXTS, FootprintQueries, far_parts, model_of, random_queries, twin_of
+from .cloths import TEXTS, FootprintQueries, model_of, prefiltered_parts, random_queries, reference_of
 
 QUERIES = 250
 # Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where
@@ -39,17 +39,20 @@ def parallelogram(queries: FootprintQueries, lane: int) -> Parallelogram:
     return Parallelogram(queries.centres[lane], *queries.edges[lane])
 
 
-def says(twin: LobesTwin, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
-    """What the twin says of queries, by name [n]."""
+def says(reference: LobesReference, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
+    """What the reference says of queries, by name [n]."""
     found = [
-        twin.response(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
+        reference.components_and_hole(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
         for lane in range(QUERIES)
     ]
-    return {part.name: np.array([getattr(one, part.name) for one in found]) for part in fields(Response)}
+    parts = {
+        part.name: np.array([getattr(one, part.name) for one, _ in found]) for part in fields(Components)
+    }
+    return parts | {"hole": np.array([hole for _, hole in found])}
 
 
 @pytest.mark.parametrize("name", TEXTS)
-def test_twins_agree_on_components_and_holes(name: str) -> None:
+def test_both_agree_on_components_and_holes(name: str) -> None:
     model = model_of(name)
     queries = asked(model, seed=1)
     # Both faces, both sides of light, all levels.
@@ -58,37 +61,37 @@ def test_twins_agree_on_components_and_holes(name: str) -> None:
     }
     level = np.log2(np.maximum(queries.sizes / model.tables.base_size, 1)).astype(int)
     assert set(level) >= set(range(len(model.tables.levels) - 1))
-    found, wanted = far_parts(model, queries), says(twin_of(model), queries)
+    found, wanted = prefiltered_parts(model, queries), says(reference_of(model), queries)
     for part, values in wanted.items():
         agree(found[part], values, part)
     assert all(values.max() > 0.02 for values in wanted.values())
 
 
 @pytest.mark.parametrize("groups", [1, 5, 16])
-def test_twins_agree_on_any_number_of_groups(groups: int) -> None:
+def test_both_agree_on_any_number_of_groups(groups: int) -> None:
     """Five leave bytes of padding in each family's last word."""
     model = model_of("translucent twill", groups)
     queries = asked(model, seed=2)
-    found, wanted = far_parts(model, queries), says(twin_of(model), queries)
+    found, wanted = prefiltered_parts(model, queries), says(reference_of(model), queries)
     for part, values in wanted.items():
         agree(found[part], values, part)
 
 
 @pytest.mark.parametrize("name", ["smooth satin", "translucent twill"])
-def test_twins_agree_on_the_density(name: str) -> None:
+def test_both_agree_on_the_density(name: str) -> None:
     model = model_of(name)
     queries = asked(model, seed=3)
-    light, view, footprint = queries.light, queries.view, queries.footprint
-    shares = model.shares(model.albedos(view, footprint), view, footprint)
-    of_groups = model.far([light], view, footprint, True, shares)[0][1]
-    found = (of_groups / shares.total).numpy()
+    at = model.at(queries.view, queries.footprint)
+    mixture = at.mixture
+    _, (answer,) = at.prefiltered([queries.light], mixture, True)
+    found = (answer.groups / answer.energy).numpy()
     energies = [
         [np.broadcast_to(getattr(family, part.name).numpy(), QUERIES) for part in fields(Energies)]
-        for family in (shares.warp, shares.weft)
+        for family in (mixture.warp, mixture.weft)
     ]
-    twin = twin_of(model)
+    reference = reference_of(model)
     wanted = [
-        twin.group_density(
+        reference.group_density(
             queries.lights[lane],
             queries.views[lane],
             parallelogram(queries, lane),
@@ -99,16 +102,16 @@ def test_twins_agree_on_the_density(name: str) -> None:
     agree(found, np.array(wanted), name)
 
 
-def test_a_twin_of_other_bytes_disagrees() -> None:
+def test_a_reference_of_other_bytes_disagrees() -> None:
     """The tables decide: the warp's bytes of the levels that large footprints read show."""
     model = model_of("smooth satin")
     queries = asked(model, seed=4)
-    found = far_parts(model, queries)
+    found = prefiltered_parts(model, queries)
     tables = model.tables
     damaged = tables.coverage.copy()
     damaged[:, tables.levels[-3, 0] :, : 2 * tables.packs] //= 2
-    twin = twin_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
-    wanted = says(twin, queries)["specular_warp"]
+    reference = reference_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
+    wanted = says(reference, queries)["specular_warp"]
     large = queries.sizes > 16 * tables.base_size
     assert large.any()
     assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=UNIT, atol=1e-4)

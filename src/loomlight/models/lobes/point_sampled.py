@@ -1,7 +1,6 @@
-"""Close up: the mean of the point model over a few points of the footprint.
+"""The point-sampled regime: the mean of the point model over a few points of the footprint.
 
-Below a yarn, shadows and outlines decide, which no moments know. Points are spread evenly, the first in the
-middle, and their number grows with the footprint.
+Points are spread evenly, the first in the middle, and their number grows with the footprint.
 
 What jumps within a footprint does so along a line. Points lie where the first n of them, for any n and the
 last counting by a share, err least about which part of a square lies on one side of a line
@@ -19,9 +18,10 @@ from typing import Any
 import drjit as dr
 
 from loomlight.aggregate.components import components
+from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
-from loomlight.models.interface import Response
+from loomlight.models.separable import Components
 from loomlight.scattering.point import PointModel, to_face_frame
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
@@ -46,20 +46,20 @@ _FINEST, _COARSEST = 1 / 32, 1 / 8
 _COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=1)
 
 
-def points_of(size: Any, far_share: Any, samples: Any) -> Any:
-    """How many points stand for a footprint: a Float, whose last point counts by its fraction; 0 is none.
+def points_of(threads: Float, prefiltered: Float, samples: Float) -> Float:
+    """How many points stand for a footprint; the last one counts by its fraction; 0 is none.
 
     Args:
-        size: side of the footprint, in threads.
-        far_share: how much the groups count; what they leave needs fewer points.
+        threads: side of the footprint, in threads.
+        prefiltered: weight of the groups; what they leave needs fewer points.
         samples: footprints that share a pixel share its points.
     """
-    most = maximum(MOST_POINTS * dr.rcp(array_types(size).Float(samples)), 1)
-    most = dr.lerp(most, 1, far_share)
-    return dr.select(far_share < 1, clip(size * _POINTS_PER_THREAD, 1, most), 0)
+    most = maximum(MOST_POINTS * dr.rcp(array_types(threads).Float(samples)), 1)
+    most = dr.lerp(most, 1, prefiltered)
+    return dr.select(prefiltered < 1, clip(threads * _POINTS_PER_THREAD, 1, most), 0)
 
 
-def quality_of(size: Any) -> SearchQuality:
+def quality_of(size: Float) -> SearchQuality:
     """How finely yarns are searched for footprints of a side, in threads."""
     types = array_types(size)
     detail = (math.log2(_COARSEST) - dr.log2(maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
@@ -77,17 +77,17 @@ def quality_of(size: Any) -> SearchQuality:
     )
 
 
-def searched_for(model: PointModel, size: Any) -> PointModel:
+def with_search_quality(model: PointModel, size: Float) -> PointModel:
     """The model, with yarns searched as footprints of a side (in threads) need it."""
     searched = copy(model)
     searched.quality = quality_of(size)
     return searched
 
 
-def near_responses(
-    model: PointModel, points: Any, lights: Sequence[Any], view: Any, footprint: Footprint
-) -> list[Response]:
-    """Mean responses of so many points (Float a lane) to each light; 0 where there are none."""
+def point_sampled_components(
+    model: PointModel, points: Float, lights: Sequence[Vec3], view: Vec3, footprint: Footprint
+) -> tuple[Float, list[Components]]:
+    """Share of holes, and mean components for each light, of so many points; 0 where there are none."""
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
         point = model.locate(x, y, view)
@@ -98,15 +98,11 @@ def near_responses(
 
     width = dr.width(view, list(lights), footprint.centre, points)
     hole, *means = _mean(measure, 1 + 4 * len(lights), footprint, points, width)
-    answers = []
-    for first in range(0, len(means), 4):
-        diffuse_warp, diffuse_weft, specular_warp, specular_weft = means[first : first + 4]
-        answers.append(Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, hole))
-    return answers
+    return hole, [Components(*means[first : first + 4]) for first in range(0, len(means), 4)]
 
 
-def near_hole(model: PointModel, points: Any, view: Any, footprint: Footprint) -> Any:
-    """Share of so many points (Float a lane) that are holes; 0 where there are none."""
+def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: Footprint) -> Float:
+    """Share of so many points that are holes; 0 where there are none."""
     types = array_types(view.x)
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
