@@ -4,7 +4,7 @@
 
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
-queries, fetch, coding and layers; "by cooperative vectors" is the same without machine code; "in numpy" is
+queries, fetch, coding and layers; "by cooperative vectors" is the same without SIMD kernels; "in numpy" is
 `compiled.decode`, arrays in and out; "in the renderer" is the network's part of a picture, which decodes
 each pixel for two lights. All use all cores. Each share is of the FMA peak measured right before and after,
 with independent chains of multiply-adds, so that shares hold on busy machines.
@@ -66,7 +66,7 @@ def in_batch(model: WovenModel) -> float:
 
 
 def by_cooperative_vectors(model: WovenModel) -> float:
-    """The same without machine code."""
+    """The same without SIMD kernels."""
     with patch.object(Decoder, "compiles", lambda decoder, asked: False):
         return in_batch(model)
 

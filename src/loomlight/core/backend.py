@@ -94,7 +94,7 @@ def _compares(first: Float, second: Float) -> bool:
     return on_cpu and not dr.grad_enabled(first, second)
 
 
-# What formulas that are machine code too (`lane_code.Code`) call functions of Dr.Jit's arrays by.
+# Functions of Dr.Jit arrays, for formulas that take the module of array functions as an argument.
 DRJIT: Any = SimpleNamespace(
     abs=dr.abs,
     asin=dr.asin,

@@ -1,4 +1,4 @@
-"""The decoder in machine code and by cooperative vectors against torch, on one set of queries."""
+"""The decoder by SIMD kernels and by cooperative vectors against torch, on one set of queries."""
 
 from __future__ import annotations
 
@@ -129,10 +129,10 @@ def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, t
     def answer() -> np.ndarray:
         return np.stack([part.numpy() for part in parts_of(model, light, view, footprint)])
 
-    by_machine_code = answer()
+    by_kernel = answer()
     monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
     wanted = answer()
-    error = np.abs(by_machine_code - wanted) / wanted.max(axis=1, keepdims=True)
+    error = np.abs(by_kernel - wanted) / wanted.max(axis=1, keepdims=True)
     # Positions of squares in float32 are off by 1e-6 of a repeat, as above.
     assert np.percentile(error, 99.5) < 1e-5
     assert error.max() < 1e-3
@@ -205,7 +205,7 @@ def test_new_fabrics_need_no_new_code(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("count", [1, 1000])
-def test_machine_code_takes_what_all_lanes_share(
+def test_kernels_take_inputs_of_width_one(
     count: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
@@ -220,11 +220,11 @@ def test_machine_code_takes_what_all_lanes_share(
         assert dr.width(found) == count
         return np.stack(np.broadcast_arrays(*(part.numpy() for part in found)))
 
-    by_machine_code = answer()
+    by_kernel = answer()
     monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
-    assert by_machine_code[:4].max() > 1e-3
+    assert by_kernel[:4].max() > 1e-3
     # Sums of the same terms in much the same order.
-    np.testing.assert_allclose(by_machine_code, answer(), rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(by_kernel, answer(), rtol=1e-4, atol=1e-6)
 
 
 def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
