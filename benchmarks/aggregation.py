@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from benchmarks.harness import Figures, run
-from loomlight.aggregate.components import meet, without_extras
+from loomlight.aggregate.components import trace_views, without_sheen_and_variation
 from loomlight.aggregate.queries import BANDS, FabricScale, fabric_scale, query_set
 from loomlight.aggregate.reference import brute_force, reference
 from loomlight.aggregate.slices import FabricSlices
@@ -202,8 +202,11 @@ def _parted(
     types, rays = array_types(Float), slices.grid
     x, y = rays.points(types, dr.arange(types.UInt32, rays.texels))
     samples = surface_samples(model, x, y, light, view)
-    met = meet(
-        without_extras(model), x, y, types.Vector3(*view.tolist()) + dr.zeros(types.Vector3, rays.texels)
+    met = trace_views(
+        without_sheen_and_variation(model),
+        x,
+        y,
+        types.Vector3(*view.tolist()) + dr.zeros(types.Vector3, rays.texels),
     )
     shown = ~samples.hole
     columns = [

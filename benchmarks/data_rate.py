@@ -18,6 +18,7 @@ import time
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from dataclasses import replace
+from functools import partial
 
 import drjit as dr
 import numpy as np
@@ -54,9 +55,14 @@ def material(number: int, seed: int) -> tuple[float, float]:
 def answer_few(fabric: Fabric, seed: int) -> None:
     """Answers 65 536 queries of a fabric, both sides of the cloth."""
     layout = fabric.layout()
-    directions = {"lights": SMALL_DIRECTIONS, "views": SMALL_DIRECTIONS}
     queries = query_set(
-        fabric_scale(layout), SMALL_PAIRS, SMALL_FOOTPRINTS, seed, transmits=True, **directions
+        fabric_scale(layout),
+        SMALL_PAIRS,
+        SMALL_FOOTPRINTS,
+        seed,
+        transmits=True,
+        lights=SMALL_DIRECTIONS,
+        views=SMALL_DIRECTIONS,
     )
     model = PointModel(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, Float, TEXELS / max(layout.warp_on_top.shape), shadows="mapped")
@@ -108,7 +114,7 @@ def measure(options: Namespace) -> Figures:
     numbers = {weave: [m.weave for m in MATERIALS].index(weave) for weave in counts}
     peaks = [fma_peak()]
     few = [paper_material(37 * index, seed) for index in range(12)]
-    small = [timed(lambda fabric=fabric: answer_few(fabric, seed))[1] for fabric in few]
+    small = [timed(partial(answer_few, fabric, seed))[1] for fabric in few]
     timings = {weave: material(number, seed) for weave, number in numbers.items()}
     peaks.append(fma_peak())
     mean, processor = (

@@ -25,7 +25,7 @@ from benchmarks.harness import REPOSITORY, Figures, outside_data, run
 from loomlight.core.images import write_png
 from loomlight.evaluation.timing import timed
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 
 SIDE, SAMPLES, TURNS = 256, 16, 15
 LARGE = ("multi-byte-liftplan.wif", "multi-byte-multi-treadled.wif", "multi-byte-single-treadled.wif")
@@ -50,7 +50,7 @@ def plain_like(fabric: Fabric) -> Fabric:
 
 def picture_of(fabric: Fabric, scene: str) -> Callable[[], float]:
     """A function that renders `fabric` once and returns the seconds that this took."""
-    shown = build_scene(scene, fabric_bsdf(fabric, "point"), size=(SIDE, SIDE))
+    shown = build_scene(scene, material_bsdf(fabric, "point"), size=(SIDE, SIDE))
     return lambda: timed(lambda: render(shown.scene, integrator=shown.integrator, spp=SAMPLES))[1]
 
 

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import statistics
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -26,15 +27,15 @@ from drjit.llvm.ad import Float, UInt32
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, memory_bandwidth, operations_of
 from loomlight.aggregate.queries import QuerySet, fabric_scale, query_set
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.load import fabric_of_path
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.predictions import query_arrays
 from loomlight.evaluation.timing import launched_kernels, timed
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.lobes.estimate import half_vector
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.lobes.prefiltered import half_vector
 
 FABRICS = ("plain", "twill 3/1", "satin 8/3")
 ROWS, ACROSS, REPEATS = 512, 1024, 60
@@ -44,22 +45,22 @@ def operations(model: LobesModel, arrays: Any) -> int:
     """Floating-point operations of a query far away."""
     light, view, footprint = arrays
     types = array_types(Float)
-    estimator = model.estimator(types)
+    lobes, _ = model.on_backend(types)
     counts = []
     for pairs in (1, 2):
-        place = estimator.place(footprint, view, view.z < 0)
-        nodes, half = estimator.light_nodes(place, light), half_vector(light, view)
+        at = lobes.lookup(footprint, view, view.z < 0)
+        nodes, half = lobes.light_nodes(at, light), half_vector(light, view)
         total: Any = 0
         for pair in range(pairs):
             number = dr.opaque(UInt32, pair)
-            words = estimator.seen(place, number)
+            words = lobes.seen(at, number)
             for seen, (diffuse, specular) in zip(
-                words, estimator.components(words, place, nodes, number, light, half), strict=True
+                words, lobes.components(words, at, nodes, number, light, half), strict=True
             ):
                 total = total + diffuse + specular + sum(seen.weights)
-        kernels = launched_kernels(lambda total=total: dr.eval(total))
+        kernels = launched_kernels(partial(dr.eval, total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
-    return int(counts[0] + (model.tables.words // 2 - 1) * (counts[1] - counts[0]))
+    return int(counts[0] + (model.tables.packs // 2 - 1) * (counts[1] - counts[0]))
 
 
 def rows_of_pixels(fabric: Fabric, low: float, high: float, shuffled: bool) -> Any:
@@ -106,14 +107,15 @@ SETTINGS = {
 
 def evaluated(model: LobesModel, arrays: Any) -> None:
     """Answers all queries and waits for the answers."""
-    dr.eval(model.evaluate(*arrays))
+    light, view, footprint = arrays
+    dr.eval(model.at(view, footprint).value(light))
     dr.sync_thread()
 
 
 def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[str, Any]:
     """Figures of one fabric."""
     fabric = fabric_of_path(text)
-    model = LobesModel.for_fabric(fabric)
+    model = LobesModel.for_source(fabric)
     found, usual, ratios = {}, {}, {}
     for name, setting in SETTINGS.items():
         own, other = (rows_of_pixels(chosen.fabric, *setting) for chosen in (model, plain))
@@ -121,7 +123,7 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
         for _ in range(REPEATS):
             pair = []
             for chosen, arrays in ((model, own), (plain, other)):
-                pair.append(timed(lambda chosen=chosen, arrays=arrays: evaluated(chosen, arrays))[1])
+                pair.append(timed(partial(evaluated, chosen, arrays))[1])
             seconds.append((pair[0], pair[1]))
         # The first two compile and warm up.
         found[name] = ROWS * ACROSS / min(first for first, _ in seconds[2:])
@@ -149,7 +151,7 @@ def measure(options: Namespace) -> Figures:
     """Rates of all fabrics against the machine's peak."""
     require_llvm()
     peak, bandwidth = fma_peak(), memory_bandwidth()
-    plain = LobesModel.for_fabric(fabric_of_path("plain"))
+    plain = LobesModel.for_source(fabric_of_path("plain"))
     return {
         "fma_peak_gflops": round(peak / 1e9, 1),
         "bandwidth_gigabytes_per_second": round(bandwidth / 1e9, 1),

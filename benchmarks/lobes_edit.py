@@ -16,6 +16,7 @@ import statistics
 from argparse import Namespace
 from collections.abc import Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 from unittest.mock import patch
 
@@ -25,14 +26,13 @@ import numpy as np
 from benchmarks.harness import Figures, run
 from loomlight.evaluation.timing import timed
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
 from loomlight.models.lobes import model as lobes_model
 
 SIDES = (16, 256)
 EDITS = 9
-SHOWN = {"light": "directional", "max_depth": 2}
 WEAVES = ("satin 5/2", "twill 2/1", "houndstooth", "basket 2/2", "satin 8/3", "twill 3/1", "plain")
 BARS_MS = {"colour": 30.0, "roughness": 30.0, "height scale": 30.0, "weave": 150.0}
 
@@ -43,7 +43,11 @@ class Bench:
     def __init__(self, side: int) -> None:
         """Shows a twill, and takes its first pictures."""
         self.shown = build_scene(
-            "flat", fabric_bsdf(fabric_from_text("twill 3/1")), size=(side, side), **SHOWN
+            "flat",
+            material_bsdf(fabric_from_text("twill 3/1")),
+            size=(side, side),
+            light="directional",
+            max_depth=2,
         )
         self.live = LivePicture(self.shown.scene, integrator=self.shown.integrator)
         self.edits = SceneEdits(self.shown.scene)
@@ -62,7 +66,7 @@ class Bench:
     def _weave(self, weave: str) -> None:
         for shape in self.shown.scene.shapes():
             if type(shape.bsdf()).__name__ == "WovenLobes":
-                shape.bsdf().weave(fabric_from_text(weave))
+                shape.bsdf().set_source(fabric_from_text(weave))
 
     def edited(self, name: str, number: int) -> None:
         """An edit and the picture that shows it."""
@@ -98,7 +102,7 @@ def milliseconds(bench: Bench, name: str) -> dict[str, float]:
             # The first two are those of kernels that no earlier edit compiled.
             if number == 2:
                 bakings.clear()
-            whole.append(1e3 * timed(lambda number=number: bench.edited(name, number))[1])
+            whole.append(1e3 * timed(partial(bench.edited, name, number))[1])
     baked = 1e3 * statistics.median(bakings) if bakings else 0.0
     return {
         "median_ms": round(statistics.median(whole[2:]), 2),

@@ -70,7 +70,7 @@ def measure(_: Namespace) -> Figures:
         geometry = YarnGeometry(layout)
         table = HorizonMap(geometry, (256, 256), Float)
         rate, operations = evaluations(PointModel(geometry, appearance, horizon=table), searched=False)
-        exact, _ = evaluations(PointModel(geometry, appearance), searched=True)
+        exact = evaluations(PointModel(geometry, appearance), searched=True)[0]
         assert operations is not None
         fabrics[text] = {
             "tabulated_millions_per_second": round(rate / 1e6, 2),

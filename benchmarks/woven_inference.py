@@ -4,7 +4,7 @@
 
 Floating-point operations are those of the layers as they are computed (a multiply-add is two) and of eight
 bilinear fetches; codings and activations are not counted. "in batch" is `WovenModel.evaluate` of many
-queries, fetch, coding and layers; "by cooperative vectors" is the same without machine code; "in numpy" is
+queries, fetch, coding and layers; "by cooperative vectors" is the same without SIMD kernels; "in numpy" is
 `compiled.decode`, arrays in and out; "in the renderer" is the network's part of a picture, which decodes
 each pixel for two lights. All use all cores. Each share is of the FMA peak measured right before and after,
 with independent chains of multiply-adds, so that shares hold on busy machines.
@@ -28,7 +28,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.reproduce.cost import network_time
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.decoder import Decoder, decoder_cost
 from loomlight.models.woven.encoder import encoder_session, fabric_parameters, face_maps, shortest_repeat
@@ -62,11 +62,11 @@ def in_batch(model: WovenModel) -> float:
     light, view, side = Array3f(lights), Array3f(views), Float(sides)
     footprint = Footprint(Array2f(centres), Array2f(side, 0), Array2f(0, side))
     dr.eval(light, view, footprint)
-    return COUNT / median_seconds(lambda: dr.eval(model.evaluate(light, view, footprint)))
+    return COUNT / median_seconds(lambda: dr.eval(model.at(view, footprint).components(light)))
 
 
 def by_cooperative_vectors(model: WovenModel) -> float:
-    """The same without machine code."""
+    """The same without SIMD kernels."""
     with patch.object(Decoder, "compiles", lambda decoder, asked: False):
         return in_batch(model)
 
@@ -92,7 +92,9 @@ def beside_peak(rate: Callable[[], Measured]) -> tuple[Measured, float]:
 def in_renderer(operations_a_pixel: int) -> tuple[float, float, float]:
     """Seconds of a picture, share of them in the network, and operations a second in it."""
     choose_variant("llvm_ad_rgb")
-    shown = build_scene("flat", fabric_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4)
+    shown = build_scene(
+        "flat", material_bsdf(FABRIC, "woven"), size=(PICTURE, PICTURE), max_depth=2, zoom=2.4
+    )
 
     def picture() -> None:
         render(shown.scene, spp=1, integrator=shown.integrator)
@@ -123,7 +125,7 @@ def correction_seconds(model: WovenModel) -> float:
 def measure(_: Namespace) -> Figures:
     """Every way of running the network, each against the peak beside it."""
     require_llvm()
-    model = WovenModel.for_fabric(fabric_from_text(FABRIC))
+    model = WovenModel.for_source(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
     cost = decoder_cost(model.weights, corrected)
     seen, light = 2 * cost.seen, 2 * cost.lit

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from benchmarks.harness import REPOSITORY, Figures, run
 from loomlight.fabric import load_fabric
-from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 
 EXAMPLES = REPOSITORY / "examples"
 THREADS_PER_PIXEL, SAMPLES, SEEDS = 16, 512, 4
@@ -29,7 +29,7 @@ DEGREE, SMOOTH_CYCLES = 5, 3
 
 def pictures(fabric_file: str, scene: str, size: int) -> NDArray[np.float64]:
     """Luminance [seeds, rows, columns] of one fabric, the same view with different seeds."""
-    cloth = fabric_bsdf(load_fabric(EXAMPLES / fabric_file), "point")
+    cloth = material_bsdf(load_fabric(EXAMPLES / fabric_file), "point")
     shown = build_scene(scene, cloth, size=(size, size))
     frames = [render(shown.scene, integrator=shown.integrator, spp=SAMPLES, seed=s) for s in range(SEEDS)]
     return np.stack(frames).astype(np.float64) @ np.array([0.2126, 0.7152, 0.0722])

@@ -53,7 +53,7 @@ def measure(options: Namespace) -> Figures:
         config = folder / "config.toml"
         config.write_text(CONFIG)
         whole = _trained(config, folder / "whole")
-        kills = []
+        kills: list[dict[str, float | int | bool]] = []
         while len(kills) < options.kills:
             kills.append(_killed(config, folder / "killed", float(rng.uniform(*_MOMENTS))))
             print(f"killed: {kills[-1]}", file=sys.stderr, flush=True)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import sys
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -34,13 +35,13 @@ def tested(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int,
     """The query test of each number of groups, and the sizes of the tables of all fabrics, bytes."""
     sizes: dict[int, list[int]] = {count: [] for count in groups}
 
-    def made(fabric: Fabric, count: int) -> LobesModel:
-        model = LobesModel.for_fabric(fabric, count)
+    def made(count: int, fabric: Fabric) -> LobesModel:
+        model = LobesModel.for_source(fabric, count)
         sizes[count].append(model.tables.nbytes)
         return model
 
     result = run_query_test(
-        {str(count): model_predictor(lambda fabric, count=count: made(fabric, count)) for count in groups},
+        {str(count): model_predictor(partial(made, count)) for count in groups},
         held_out_fabrics(fabrics),
         monte_carlo=(),
         progress=lambda done, total: print(f"{done}/{total} fabrics", file=sys.stderr),

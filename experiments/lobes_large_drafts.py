@@ -11,15 +11,19 @@ from __future__ import annotations
 
 import json
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from benchmarks.harness import Figures, run
 from loomlight.aggregate.queries import BANDS, admits_transmission, fabric_scale, query_set
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.load import fabric_of_path
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.metrics import Classes, sums_by_class
-from loomlight.evaluation.predictions import model_predictor, monte_carlo_predictor
+from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
 from loomlight.evaluation.query_test import grey_value
 from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
@@ -28,12 +32,18 @@ from loomlight.models.lobes.model import LobesModel
 PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
 
 
+def grey_means(found: Prediction) -> NDArray[np.float64]:
+    """Grey f·cos of what a model that keeps albedos apart predicts."""
+    assert found.means is not None
+    return grey_value(found.means)
+
+
 def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     """NMAE of grey f·cos in reflection by band, of the lobes and of a few samples."""
     scale = fabric_scale(fabric.layout())
     queries = query_set(scale, PAIRS, FOOTPRINTS, 0, transmits=admits_transmission(fabric.appearance()))
     near = queries.lights[queries.pairs[:, 0], 2] * queries.views[queries.pairs[:, 1], 2] > 0
-    truth = grey_value(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries).means)[near]
+    truth = grey_means(monte_carlo_predictor(SAMPLES, seed=1)(fabric, queries))[near]
     rows = {
         "lobes": model_predictor(lambda _: model),
         "3 samples": monte_carlo_predictor(3),
@@ -43,7 +53,7 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
     bands = [Classes(BANDS, scale.bands(queries.sizes)[near])]
     found = {}
     for name, predict in rows.items():
-        guess = grey_value(predict(fabric, queries).means)[near]
+        guess = grey_means(predict(fabric, queries))[near]
         sums = sums_by_class(guess, truth, bands)
         found[name] = {part: round(total.nmae, 4) for part, total in sums.items() if total.count}
     return found
@@ -60,8 +70,8 @@ def measure(options: Namespace) -> Figures:
     drafts: dict[str, dict[str, Any]] = {}
     for text in options.drafts:
         fabric = fabric_of_path(text)
-        LobesModel.for_fabric(fabric)
-        model, seconds = timed(lambda fabric=fabric: LobesModel.for_fabric(fabric))
+        LobesModel.for_source(fabric)
+        model, seconds = timed(partial(LobesModel.for_source, fabric))
         picks, ends = fabric.layout().warp_on_top.shape
         drafts[Path(text).name] = {
             "ends": ends,

@@ -17,6 +17,7 @@ from __future__ import annotations
 import json
 import math
 from argparse import ArgumentParser, Namespace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -186,7 +187,7 @@ def measure(options: Namespace) -> Figures:
     result = started(options.output, options.seed)
     while result["fabrics"] < options.fabrics:
         end = min(result["fabrics"] + SAVE_EVERY, options.fabrics)
-        _, seconds = timed(lambda end=end: take_in(result, options.seed, end))
+        _, seconds = timed(partial(take_in, result, options.seed, end))
         result["seconds"] = round(result["seconds"] + seconds, 1)
         write_json(options.output, record(result), digits=None)
         print(f"{result['fabrics']} fabrics, {result['seconds']} s, largest {result['largest']}", flush=True)

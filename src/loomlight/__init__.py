@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from loomlight.evaluation.compare import compare
     from loomlight.fabric.fabric import Fabric
     from loomlight.fabric.load import fabric_from_text, load_fabric
-    from loomlight.mitsuba.fabric_picture import render_fabric
+    from loomlight.mitsuba.material_picture import render_fabric
     from loomlight.models.bake import bake
     from loomlight.models.registry import make_model, model_from_loom
     from loomlight.scattering.appearance import Appearance
@@ -50,7 +50,7 @@ _HOMES = {
     "model_from_loom": "loomlight.models.registry",
     "named_weave": "loomlight.weave.named",
     "read_wif": "loomlight.weave.wif_reader",
-    "render_fabric": "loomlight.mitsuba.fabric_picture",
+    "render_fabric": "loomlight.mitsuba.material_picture",
     "weave_names": "loomlight.weave.named",
     "write_wif": "loomlight.weave.wif_writer",
 }

@@ -9,7 +9,13 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f64, Array3f, Bool, Float
 
-from loomlight.aggregate.components import colours, components, lobes, meet, without_extras
+from loomlight.aggregate.components import (
+    colours,
+    components,
+    lobes,
+    trace_views,
+    without_sheen_and_variation,
+)
 from loomlight.aggregate.reference import reference
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
@@ -34,9 +40,9 @@ def _places(model: PointModel, rng: np.random.Generator, count: int) -> tuple[Fl
 @pytest.mark.parametrize("name", NAMES)
 def test_colours_are_the_point_models_values(name: str) -> None:
     rng = np.random.default_rng(0)
-    model = without_extras(woven(name, (0.2, 0.5), sheen=0.5))
+    model = without_sheen_and_variation(woven(name, (0.2, 0.5), sheen=0.5))
     light, view = _vectors(directions(rng, COUNT)), _vectors(directions(rng, COUNT))
-    point = meet(model, *_places(model, rng, COUNT), view).point
+    point = trace_views(model, *_places(model, rng, COUNT), view).point
     visible = model.visibility(point, light)
     ours = colours(model.appearance, point, light, view, visible).numpy()
     np.testing.assert_allclose(ours, model.evaluate(point, light, view).numpy(), rtol=1e-5, atol=1e-7)
@@ -47,7 +53,7 @@ def test_components_with_the_albedos_are_the_colours(name: str) -> None:
     rng = np.random.default_rng(1)
     model = woven(name, (0.2, 0.5))
     light, view = _vectors(directions(rng, COUNT)), _vectors(directions(rng, COUNT))
-    point = meet(model, *_places(model, rng, COUNT), view).point
+    point = trace_views(model, *_places(model, rng, COUNT), view).point
     visible = model.visibility(point, light)
     parts = [part.numpy() for part in components(model.appearance, point, light, view, visible)]
     reflects = (light.z * view.z > 0).numpy()
@@ -70,7 +76,7 @@ def test_lobes_of_a_known_side_are_the_same(transmits: bool) -> None:
     lights = directions(rng, COUNT)
     lights[:, 2] = np.copysign(lights[:, 2], -views[:, 2] if transmits else views[:, 2])
     light, view = _vectors(lights), _vectors(views)
-    point = meet(model, *_places(model, rng, COUNT), view).point
+    point = trace_views(model, *_places(model, rng, COUNT), view).point
     known = lobes(model.appearance, point, light, view, transmits)
     for one, other in zip(known, lobes(model.appearance, point, light, view), strict=True):
         np.testing.assert_array_equal(one.numpy(), other.numpy())
@@ -88,7 +94,7 @@ def test_walls_are_rare_from_above_and_stand_below_the_surface() -> None:
         view = Array3f(0.8 * math.sin(angle), 0.6 * math.sin(angle), math.cos(angle)) + dr.zeros(
             Array3f, COUNT
         )
-        met = meet(model, *_places(model, rng, COUNT), view)
+        met = trace_views(model, *_places(model, rng, COUNT), view)
         share = met.wall.numpy().mean()
         assert low <= share <= high
         assert not (met.wall & met.point.hole).numpy().any()
@@ -107,7 +113,7 @@ def test_no_view_gets_more_light_than_there_is(name: str, back: bool) -> None:
     radius = np.sqrt(1 - z**2)
     light = np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
     eye, towards = _vectors(view), _vectors(light)
-    point = meet(model, *_places(model, rng, count), eye).point
+    point = trace_views(model, *_places(model, rng, count), eye).point
     parts = components(model.appearance, point, towards, eye, Bool(True))
     values = sum(part.numpy() for part in (*parts[:2],)), sum(part.numpy() for part in (*parts[2:],))
     hole = point.hole.numpy().reshape(12, -1).mean(axis=1)
@@ -131,7 +137,7 @@ def test_the_reference_is_the_mean_of_the_point_model_over_the_parallelogram() -
     footprint = Footprint(centre, duv_dx, duv_dy)
     lights, views = directions(rng, count), directions(rng, count)
     estimate = reference(model, footprint, lights, views, samples, seed=1)
-    plain = without_extras(model)
+    plain = without_sheen_and_variation(model)
     s, t = rng.random((2, count, samples)) - 0.5
     places = (
         footprint.centre.numpy()[..., None] + s * duv_dx.numpy()[..., None] + t * duv_dy.numpy()[..., None]

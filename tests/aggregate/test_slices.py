@@ -1,4 +1,7 @@
-"""Slices against brute force on the same grid points, and what their grids leave out."""
+"""Slices against brute force on the same grid points, and what their grids leave out.
+
+Covers: aggregate/grid.py, aggregate/reference.py, aggregate/shadow_maps.py
+"""
 
 from __future__ import annotations
 

@@ -1,8 +1,12 @@
-"""`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence."""
+"""`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence.
+
+Covers: assets/fabric_record.py, assets/fabrics.py
+"""
 
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -14,7 +18,7 @@ from numpy.typing import NDArray
 from safetensors import safe_open
 from safetensors.numpy import save, save_file
 
-from loomlight.assets.fabrics import fabric_of_path
+from loomlight.assets.load import fabric_of_path
 from loomlight.assets.loom_file import (
     UNITS,
     LoomFile,
@@ -28,6 +32,8 @@ from loomlight.core.errors import InputError
 from loomlight.core.images import write_png
 from loomlight.fabric import Fabric, fabric_from_text, load_fabric
 from loomlight.fabric.load import edited_fabric
+from loomlight.models.bake import bake
+from loomlight.models.registry import model_from_loom
 from loomlight.weave import Draft, Threads, draw_drawdown, named_weave, write_wif
 
 HOUNDSTOOTH = """
@@ -128,11 +134,10 @@ def test_no_folder_of_the_author_is_in_the_file(tmp_path: Path) -> None:
 def test_fields_can_be_edited_without_the_drafts_file(tmp_path: Path) -> None:
     fabric = wif_fabric(tmp_path)
     write_loom(tmp_path / "cloth.loom", LoomFile("point", fabric))
-    text = fabric.to_toml().replace("#808080", "#ff0000")
-    (tmp_path / "red.toml").write_text(text)
+    (tmp_path / "red.toml").write_text(fabric.to_toml().replace("#808080", "#ff0000"))
     expected = load_fabric(tmp_path / "red.toml")
     (tmp_path / "uneven.wif").unlink()
-    found = edited_fabric(read_loom(tmp_path / "cloth.loom").fabric, text)
+    found = edited_fabric(fabric_of_path(tmp_path / "cloth.loom"), {"weft.color": "#ff0000"})
     same(found.layout(), expected.layout())
     same(found.appearance(), expected.appearance())
 
@@ -146,7 +151,7 @@ def test_what_a_model_stores_comes_back(tmp_path: Path) -> None:
     assert found.model == "woven"
     assert found.settings == settings
     assert found.networks == {"encoder": "ab" * 32}
-    assert found.source == str(path)
+    assert found.file == str(path)
     assert set(found.tensors) == set(TENSORS)
     for name, values in TENSORS.items():
         assert np.array_equal(found.tensor(name, values.shape, values.dtype), values)
@@ -185,7 +190,7 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> Non
 
 
 def test_asking_for_what_is_not_there() -> None:
-    loom = LoomFile("m", fabric_from_text("plain"), TENSORS, {"points": 16, "fine": True}, source="a.loom")
+    loom = LoomFile("m", fabric_from_text("plain"), TENSORS, {"points": 16, "fine": True}, file="a.loom")
     asked: list[tuple[Callable[[], Any], str]] = [
         (
             lambda: loom.tensor("other", (3,), np.float32),
@@ -207,7 +212,7 @@ def test_asking_for_what_is_not_there() -> None:
 def test_another_network_than_the_installed_one(tmp_path: Path) -> None:
     (tmp_path / "network").write_bytes(b"weights")
     made_with = file_sha256(tmp_path / "network")
-    loom = LoomFile("m", fabric_from_text("plain"), networks={"encoder": made_with}, source="a.loom")
+    loom = LoomFile("m", fabric_from_text("plain"), networks={"encoder": made_with}, file="a.loom")
     loom.require_network("encoder", made_with)
     (tmp_path / "network").write_bytes(b"weightz")
     with pytest.raises(InputError, match=rf"a\.loom: the network encoder .* {made_with[:12]}.*bake it again"):
@@ -250,36 +255,38 @@ FAULTS: dict[str, tuple[Change, str]] = {
     "no schema": (lambda m, t: m.pop("schema"), "schema is None"),
     "schema of another kind": (lambda m, t: m.update(schema="1"), 'schema is "1"'),
     "schema true": (lambda m, t: m.update(schema=True), "schema is true"),
-    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 1"),
-    "newer": (lambda m, t: m.update(schema=2), "schema is 2, and this loomlight reads up to 1"),
+    "schema 0": (lambda m, t: m.update(schema=0), "from 1 to 2"),
+    "newer": (lambda m, t: m.update(schema=3), "schema is 3, and this loomlight reads up to 2"),
     "no model": (lambda m, t: m.pop("model"), "model: Field required"),
     "an empty model": (lambda m, t: m.update(model=""), "model"),
     "a list of settings": (lambda m, t: m["settings"].update(points=[1]), "settings.points"),
     "unknown entries": (lambda m, t: m.update(more=1), "more"),
-    "no fabric": (lambda m, t: m.pop("fabric"), "fabric: Field required"),
-    "no fields": (lambda m, t: m["fabric"].pop("toml"), "fabric.toml"),
-    "bad fields": (lambda m, t: m["fabric"].update(toml='weave = "plain"\ngap = 2'), "gap = 2"),
-    "no TOML": (lambda m, t: m["fabric"].update(toml="weave ="), "no valid TOML"),
+    "no source": (lambda m, t: m.pop("source"), "source: Field required"),
+    "no kind": (lambda m, t: m["source"].pop("kind"), "of the kind None"),
+    "an unknown kind": (lambda m, t: m["source"].update(kind="marble"), '"marble", which does not'),
+    "no fields": (lambda m, t: m["source"].pop("toml"), "source.toml"),
+    "bad fields": (lambda m, t: m["source"].update(toml='weave = "plain"\ngap = 2'), "gap = 2"),
+    "no TOML": (lambda m, t: m["source"].update(toml="weave ="), "no valid TOML"),
     "other units": (lambda m, t: m.update(units=UNITS | {"length": "inch"}), '"length": "inch"'),
-    "no drawdown": (lambda m, t: t.pop("fabric.drawdown"), "fabric.drawdown is missing"),
+    "no drawdown": (lambda m, t: t.pop("source.drawdown"), "source.drawdown is missing"),
     "a drawdown of numbers": (
-        lambda m, t: t.update({"fabric.drawdown": t["fabric.drawdown"].astype(np.int64)}),
+        lambda m, t: t.update({"source.drawdown": t["source.drawdown"].astype(np.int64)}),
         "true and false",
     ),
-    "an empty drawdown": (lambda m, t: t.update({"fabric.drawdown": np.zeros((0, 3), bool)}), "fabric.w"),
+    "an empty drawdown": (lambda m, t: t.update({"source.drawdown": np.zeros((0, 3), bool)}), "source.w"),
     "a drawdown turned": (
-        lambda m, t: t.update({"fabric.drawdown": np.ascontiguousarray(t["fabric.drawdown"].T)}),
-        "fabric.warp.colors must hold [7, 3] float64 numbers from 0 to 1",
+        lambda m, t: t.update({"source.drawdown": np.ascontiguousarray(t["source.drawdown"].T)}),
+        "source.warp.colors must hold [7, 3] float64 numbers from 0 to 1",
     ),
     "single precision": (
-        lambda m, t: t.update({"fabric.warp.spacing_mm": t["fabric.warp.spacing_mm"].astype(np.float32)}),
-        "fabric.warp.spacing_mm must hold [5] float64",
+        lambda m, t: t.update({"source.warp.spacing_mm": t["source.warp.spacing_mm"].astype(np.float32)}),
+        "source.warp.spacing_mm must hold [5] float64",
     ),
-    "a negative spacing": (with_value("fabric.warp.spacing_mm", 2, -0.1), "fabric.warp.spacing_mm must hold"),
-    "a colour above 1": (with_value("fabric.warp.colors", 2, 1.5), "fabric.warp.colors must hold"),
-    "no thickness": (with_value("fabric.weft.thickness_mm", 0, 0.0), "fabric.weft.thickness_mm must"),
-    "a wrong index": (with_value("fabric.warp.color_index", 0, -1), "fabric.warp.color_index must"),
-    "NaN in the fabric": (with_value("fabric.warp.colors", 2, np.nan), "fabric.warp.colors holds NaN"),
+    "a negative spacing": (with_value("source.warp.spacing_mm", 2, -0.1), "source.warp.spacing_mm must hold"),
+    "a colour above 1": (with_value("source.warp.colors", 2, 1.5), "source.warp.colors must hold"),
+    "no thickness": (with_value("source.weft.thickness_mm", 0, 0.0), "source.weft.thickness_mm must"),
+    "a wrong index": (with_value("source.warp.color_index", 0, -1), "source.warp.color_index must"),
+    "NaN in the source": (with_value("source.warp.colors", 2, np.nan), "source.warp.colors holds NaN"),
     "NaN in the model": (with_value("model.latents", 5, np.nan), "model.latents holds NaN or infinity"),
     "infinity": (with_value("model.latents", 5, np.inf), "model.latents holds NaN or infinity"),
     "a stranger": (lambda m, t: t.update({"x": np.zeros(2)}), '"x" is neither'),
@@ -326,8 +333,8 @@ def test_headers_that_are_none(good: Path) -> None:
 
 def test_truth_values_other_than_0_and_1(good: Path) -> None:
     header, tensors = parts(good)
-    tensors["fabric.drawdown"] = tensors["fabric.drawdown"].copy()
-    tensors["fabric.drawdown"].view(np.uint8)[0, 0] = 7
+    tensors["source.drawdown"] = tensors["source.drawdown"].copy()
+    tensors["source.drawdown"].view(np.uint8)[0, 0] = 7
     put(good, header, tensors)
     assert "true and false" in refused(good)
 
@@ -390,8 +397,8 @@ def test_flipped_bits(good: Path) -> None:
             assert found.isprintable()
             continue
         assert found.model == expected.model
-        same(found.fabric.layout(), expected.fabric.layout())
-        same(found.fabric.appearance(), expected.fabric.appearance())
+        same(found.source.layout(), expected.source.layout())
+        same(found.source.appearance(), expected.source.appearance())
         for name, values in expected.tensors.items():
             assert np.array_equal(found.tensors[name], values)
 
@@ -409,9 +416,9 @@ def test_nonsense_behind_a_valid_checksum(good: Path) -> None:
             for place in rng.integers(0, max(values.size, 1), min(values.size, 3)):
                 values[place] ^= 1 << rng.integers(0, 8)
         else:
-            text = list(changed["material"]["fabric"]["toml"])
+            text = list(changed["material"]["source"]["toml"])
             text[rng.integers(0, len(text))] = chr(rng.choice([0, 34, 45, 48, 57, 91, 101, 955, 0x1F600]))
-            changed["material"]["fabric"]["toml"] = "".join(text)
+            changed["material"]["source"]["toml"] = "".join(text)
         put(good, changed, arrays)
         found = read_or_sentence(good)
         if isinstance(found, str):
@@ -419,6 +426,35 @@ def test_nonsense_behind_a_valid_checksum(good: Path) -> None:
             assert found.isprintable()
             refusals += 1
     assert 100 < refusals < 400
+
+
+def of_first_schema(path: Path) -> None:
+    """Rewrites a file as the first schema had it: the source was a fabric, and named so."""
+    header, tensors = parts(path)
+    material = header["material"]
+    material["schema"] = 1
+    source = material.pop("source")
+    assert source.pop("kind") == "fabric"
+    material["fabric"] = source
+    put(path, header, {name.replace("source.", "fabric."): values for name, values in tensors.items()})
+
+
+def test_the_fabric_of_the_first_schema_is_read(good: Path) -> None:
+    expected = fabric_of_path(good)
+    of_first_schema(good)
+    found = read_loom(good)
+    assert found.schema == 1
+    same(fabric_of_path(good).layout(), expected.layout())
+    same(fabric_of_path(good).appearance(), expected.appearance())
+
+
+def test_a_model_of_the_first_schema_says_how_to_bake_it_again(good: Path) -> None:
+    of_first_schema(good)
+    again = re.escape(f"`loomlight bake {good} --model point -o {good}`")
+    with pytest.raises(InputError, match=again):
+        model_from_loom(good)
+    bake(good, "point", good)
+    assert model_from_loom(good).name == "point"
 
 
 def test_material_files_are_known_by_their_suffix() -> None:

@@ -1,4 +1,7 @@
-"""`loomlight bake`, and pictures of what it writes."""
+"""`loomlight bake`, and pictures of what it writes.
+
+Covers: models/bake.py
+"""
 
 from __future__ import annotations
 
@@ -34,13 +37,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert model_from_loom("cloth.loom").name == "samples"
     picture = ["--scene", "flat", "--size", "24x16", "--spp", "4", "--zoom", "30"]
-    assert run(["render", "cloth.toml", "-o", "before.exr", *picture]) == 0
+    assert run(["render", "cloth.toml", "--model", "samples", "-o", "before.exr", *picture]) == 0
     (folder / "hound.wif").unlink()
     (folder / "cloth.toml").unlink()
     assert run(["render", "cloth.loom", "-o", "after.exr", *picture]) == 0
     before, after = (np.array(mi.Bitmap(name)) for name in ("before.exr", "after.exr"))
     assert before.std() > 0.01
-    # The same samples, in whatever order threads add them up.
+    # A picture of a material is one by the model that it holds: the same samples, in whatever order threads
+    # add them up.
     np.testing.assert_allclose(after, before, rtol=1e-4, atol=1e-6)
     # A material can be baked for another model, too.
     capsys.readouterr()
@@ -53,13 +57,13 @@ def test_scenes_take_materials_and_edit_them(folder: Path) -> None:
     expected = load_fabric("cloth.toml")
     (folder / "hound.wif").unlink()
     plain = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom"})
-    assert np.array_equal(plain.fabric.draft.drawdown, expected.draft.drawdown)
+    assert np.array_equal(plain.model.source.draft.drawdown, expected.draft.drawdown)
     edited = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "warp_roughness": 0.7})
-    assert edited.fabric.appearance().warp.roughness == 0.7
-    assert edited.fabric.appearance().weft.roughness == 0.2
-    assert np.array_equal(edited.fabric.layout().warp.spacing, expected.layout().warp.spacing)
+    assert edited.model.source.appearance().warp.roughness == 0.7
+    assert edited.model.source.appearance().weft.roughness == 0.2
+    assert np.array_equal(edited.model.source.layout().warp.spacing, expected.layout().warp.spacing)
     other = mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "weave": "plain"})
-    assert other.fabric.layout().warp_on_top.shape == (2, 2)
+    assert other.model.source.layout().warp_on_top.shape == (2, 2)
     with pytest.raises((RuntimeError, InputError), match="roughness"):
         mi.load_dict({"type": "woven_point", "fabric": "cloth.loom", "warp_roughness": 7.0})
 

@@ -1,4 +1,7 @@
-"""What the commands do, and how little they load for it."""
+"""What the commands do, and how little they load for it.
+
+Covers: cli/doctor.py, cli/main.py, cli/weave.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""`loomlight compare`: a page, a table and pictures; bad input ends in one sentence."""
+"""`loomlight compare`: a page, a table and pictures; bad input ends in one sentence.
+
+Covers: evaluation/compare.py, evaluation/report.py
+"""
 
 from __future__ import annotations
 
@@ -57,7 +60,7 @@ def test_the_page_shows_every_picture(report: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "expected"),
     [
-        (["plain", "--models", "wovne"], 'model = "wovne"'),
+        (["plain", "--models", "wovne"], 'model "wovne" does not exist: did you mean woven?'),
         (["plain", "--models", ","], "No model is given"),
         (["plain", "--models", "point", "--scenes", "moon"], 'scene = "moon"'),
         (["plain", "--models", "point", "--size", "big"], "960x540"),

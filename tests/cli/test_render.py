@@ -1,4 +1,7 @@
-"""Pictures from the command line: whole, reproducible, of the size asked for."""
+"""Pictures from the command line: whole, reproducible, of the size asked for.
+
+Covers: cli/bake_maps.py, cli/demo.py
+"""
 
 from __future__ import annotations
 
@@ -9,8 +12,6 @@ import OpenEXR
 import pytest
 from PIL import Image
 
-from loomlight import mitsuba
-from loomlight.cli import render
 from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
 
@@ -107,10 +108,10 @@ def test_a_rectangle_of_a_scene_file_is_a_mesh(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("parameters", "expected"),
     [
-        ('<string name="groups" value="a"/>', 'groups = "a" is no whole number: give one from 1 to 64.'),
-        ('<float name="groups" value="2.5"/>', "groups = 2.5 is no whole number"),
-        ('<boolean name="groups" value="true"/>', "groups = true is no whole number"),
-        ('<integer name="groups" value="0"/>', "cannot be loaded: groups = 0 is out of range"),
+        ('<string name="groups" value="a"/>', 'groups = "a" is wrong: give a whole number from 1 to 64.'),
+        ('<float name="groups" value="2.5"/>', "groups = 2.5 is wrong: give a whole number"),
+        ('<boolean name="groups" value="true"/>', "groups = true is wrong: give a whole number"),
+        ('<integer name="groups" value="0"/>', "cannot be loaded: groups = 0 is wrong: give a whole number"),
         ('<integer name="gruops" value="8"/>', 'unreferenced property in bsdf plugin of type "woven_lobes"'),
         ('<integer name="gruops" value="8"/>', 'integer "gruops": 8'),
         ('<string name="pixel_angle" value="x"/>', 'pixel_angle = "x" is wrong: give an angle in radians'),
@@ -167,8 +168,3 @@ def test_the_demo_is_composed_of_a_frame_an_inset_and_a_mark() -> None:
     middle = picture[picture.shape[0] // 2]
     assert (middle == 1).all(axis=1).sum() >= 4  # frame and mark, left and right
     assert (whole == 0.25).all()
-
-
-def test_the_models_of_the_help_are_those_that_exist() -> None:
-    # The command line lists them without importing a renderer.
-    assert tuple(render.MODELS) == tuple(mitsuba.MODELS)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f64, Float64
 
-from loomlight.core.footprint import SQUARES, Box, Footprint, box_footprint
+from loomlight.core.footprint import ANISOTROPIC_TAPS, Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
 
 require_llvm()
@@ -91,18 +91,18 @@ def test_rows_of_squares_have_the_footprints_variances() -> None:
     rng, count = np.random.default_rng(11), 4000
     first, second = rng.normal(size=(2, 2, count))
     second *= np.exp(rng.uniform(-4, 0, count))
-    side, step = Footprint(Array2f64(0), Array2f64(first), Array2f64(second)).row_of_squares()
+    side, step = Footprint(Array2f64(0), Array2f64(first), Array2f64(second)).anisotropic_taps()
     side, step = side.numpy(), step.numpy()
     outer = "in,jn->nij"
     # Twelve times the covariances; middles of four squares a step apart have 15 times its square.
     wanted = np.einsum(outer, first, first) + np.einsum(outer, second, second)
-    found = side[:, None, None] ** 2 * np.eye(2) + (SQUARES**2 - 1) * np.einsum(outer, step, step)
+    found = side[:, None, None] ** 2 * np.eye(2) + (ANISOTROPIC_TAPS**2 - 1) * np.einsum(outer, step, step)
     short, long = np.linalg.eigvalsh(wanted).T
     ratio = np.sqrt(long / np.maximum(short, 1e-12))
     alike = ratio < 1.2
     assert alike.any()
     np.testing.assert_array_equal(step[:, alike], 0)
     # What the row leaves to width is a quarter of the squared width; beyond four times as long squares grow.
-    reached = ratio < SQUARES
+    reached = ratio < ANISOTROPIC_TAPS
     np.testing.assert_allclose(np.trace(found[reached], axis1=1, axis2=2), (short + long)[reached], rtol=1e-5)
     assert (np.abs(found - wanted).max((1, 2)) < 0.28 * short + 0.08 * long).all()

@@ -1,4 +1,7 @@
-"""The image test: which pixels count, how many yarns they cover, and what is made of known pictures."""
+"""The image test: which pixels count, how many yarns they cover, and what is made of known pictures.
+
+Covers: evaluation/pictures.py, mitsuba/measured_scenes.py
+"""
 
 from __future__ import annotations
 

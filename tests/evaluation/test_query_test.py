@@ -1,4 +1,7 @@
-"""The query test: its truth against brute force, its rows, and what it makes of known predictions."""
+"""The query test: its truth against brute force, its rows, and what it makes of known predictions.
+
+Covers: evaluation/predictions.py, evaluation/truth.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Drafts and pictures as fabrics: their own colours and spacing, paths beside the fabric file."""
+"""Drafts and pictures as fabrics: their own colours and spacing, paths beside the fabric file.
+
+Covers: fabric/writing.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Whatever is wrong with a fabric ends in one clear sentence."""
+"""Whatever is wrong with a fabric ends in one clear sentence.
+
+Covers: fabric/reading.py, fabric/sentences.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,8 @@
-"""What a fabric file says reaches the layout and the appearance, in their units."""
+"""What a fabric file says reaches the layout and the appearance, in their units.
+
+Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
+Covers: fabric/load.py, fabric/spacing.py
+"""
 
 from __future__ import annotations
 

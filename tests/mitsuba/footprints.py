@@ -9,7 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.mitsuba import render
-from loomlight.mitsuba.integrator import has_networks
+from loomlight.mitsuba.integrator import is_symbolic
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:
@@ -91,7 +91,7 @@ def assert_threads_have_colours_to_edit(bsdf: Any) -> None:
     """For a cloth of three warp ends, each of another colour. Leaves them black."""
     params = mi.traverse(bsdf)
     albedos = np.array(params["warp.albedos"]).reshape(3, 4, 3)
-    np.testing.assert_allclose(albedos[:, 0], bsdf.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
+    np.testing.assert_allclose(albedos[:, 0], bsdf.model.fabric.appearance().warp.diffuse_reflect, atol=1e-6)
     before = mean_value(bsdf)
     params["warp.albedos"] = mi.Float(np.zeros(36, np.float32))
     params.update()
@@ -160,16 +160,16 @@ def assert_all_at_once_is_each_alone(bsdf: Any, rtol: float) -> None:
     assert np.array(through).max() > 0
 
 
-def assert_each_shows_its_own(first: dict[str, Any], second: dict[str, Any], *, networks: bool) -> None:
+def assert_each_shows_its_own(first: dict[str, Any], second: dict[str, Any], *, symbolic: bool) -> None:
     """Two cloths side by side, which differ, show what each shows alone.
 
     Args:
-        networks: whether these are scenes with networks, in which calls are not symbolic.
+        symbolic: whether calls are symbolic in these scenes.
     """
 
     def picture(*shown: dict[str, Any]) -> np.ndarray:
         scene = side_by_side(*shown)
-        assert has_networks(scene) == networks, f"has networks: {not networks}"
+        assert is_symbolic(scene) == symbolic
         return render(scene, spp=1, seed=7)
 
     both, alone = picture(first, second), [picture(cloth, cloth) for cloth in (first, second)]

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, material_bsdf, render
 
 # A square of 8 mm that faces +z, x to the right and y up.
 CORNERS = np.array([[0, 0, 0], [8, 0, 0], [8, 8, 0], [0, 8, 0]]) * 1e-3
@@ -69,7 +69,9 @@ def rising(mesh: Path | None, hand: str) -> float:
     fabric += '[weft]\ncolor = "#f0f0f0"\ntwist_deg = 0\n'
     zoom = 1.0 if mesh is not None else 12.0
     path = {"light": "directional", "light_from": (0.0, 45.0), "size": (SIZE, SIZE), "max_depth": 2}
-    scene = build_scene("flat", fabric_bsdf(fabric_from_text(fabric), "point"), mesh=mesh, zoom=zoom, **path)
+    scene = build_scene(
+        "flat", material_bsdf(fabric_from_text(fabric), "point"), mesh=mesh, zoom=zoom, **path
+    )
     picture = render(scene.scene, spp=8).mean(axis=2)[12:-12, 12:-12]
     centred = picture - picture.mean()
     shift = 3  # pixels: about a thread

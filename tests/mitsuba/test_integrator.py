@@ -1,4 +1,7 @@
-"""The integrator against Mitsuba's own, and the footprints that it hands to BSDFs."""
+"""The integrator against Mitsuba's own, and the footprints that it hands to BSDFs.
+
+Covers: mitsuba/ray_cone.py
+"""
 
 from __future__ import annotations
 
@@ -10,9 +13,9 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
 from loomlight.mitsuba.integrator import has_holes, has_porous_shadows
 from loomlight.mitsuba.live import LivePicture
+from loomlight.mitsuba.material import material_bsdf
 
 DIFFUSE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.7}}
 ROUGH = {"type": "twosided", "inner": {"type": "roughconductor", "alpha": 0.15}}
@@ -322,7 +325,7 @@ def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> 
     fabric = fabric_from_text(f'weave = "satin 8/3"\ngap = {gap}')
     light = {"type": "directional", "direction": [0, -1, 0], "irradiance": 1.0}
     lit, shaded = (
-        table(bsdf, light) for bsdf in ({"type": "null"}, fabric_bsdf(fabric, "lobes")((2000.0, 2000.0)))
+        table(bsdf, light) for bsdf in ({"type": "null"}, material_bsdf(fabric, "lobes")((2000.0, 2000.0)))
     )
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
     assert has_porous_shadows(shaded) == (gap > 0.03)
@@ -342,14 +345,14 @@ def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:
     texts = ('weave = "plain"\ngap = 0.02', 'weave = "plain"\ngap = 0.5')
     dense, open_ = (fabric_from_text(text) for text in texts)
     light = {"type": "directional", "direction": [0, -1, 0], "irradiance": 1.0}
-    scene = table(fabric_bsdf(dense, "lobes")((2000.0, 2000.0)), light)
-    (bsdf,) = (shape.bsdf() for shape in scene.shapes() if hasattr(shape.bsdf(), "weave"))
+    scene = table(material_bsdf(dense, "lobes")((2000.0, 2000.0)), light)
+    (bsdf,) = (shape.bsdf() for shape in scene.shapes() if hasattr(shape.bsdf(), "set_source"))
     picture = LivePicture(scene, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2}))
     before = picture.take()
-    bsdf.weave(open_)
+    bsdf.set_source(open_)
     after = picture.take()
     assert has_porous_shadows(scene)
-    anew = table(fabric_bsdf(open_, "lobes")((2000.0, 2000.0)), light)
+    anew = table(material_bsdf(open_, "lobes")((2000.0, 2000.0)), light)
     wanted = LivePicture(anew, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2})).take()
     assert not np.allclose(before, wanted, atol=1e-3)
     np.testing.assert_allclose(after, wanted, atol=1e-5)

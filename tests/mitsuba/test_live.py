@@ -1,4 +1,7 @@
-"""Live pictures: edits show at once, as they would in a picture that is traced anew."""
+"""Live pictures: edits show at once, as they would in a picture that is traced anew.
+
+Covers: mitsuba/cloth_samples.py, mitsuba/scene_edits.py
+"""
 
 from __future__ import annotations
 
@@ -13,8 +16,8 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, fabric_bsdf
-from loomlight.mitsuba.cloth_samples import CLOTHS
+from loomlight.mitsuba import build_scene, material_bsdf
+from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
 from loomlight.mitsuba.integrator import samples_are_pixels
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
@@ -41,7 +44,7 @@ records = pytest.mark.parametrize("recorded", [False, True])
 @pytest.mark.parametrize("model", ["lobes", "point"])
 def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: bool) -> None:
     cloth = fabric_from_text(SHEEN)
-    shown = build_scene("flat", fabric_bsdf(cloth, model), **SHOWN)
+    shown = build_scene("flat", material_bsdf(cloth, model), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
     edits = SceneEdits(shown.scene)
     before = live.take(1)
@@ -52,27 +55,28 @@ def test_edits_show_as_if_the_picture_were_traced_anew(model: str, recorded: boo
         for value in values:
             kept.append(edits.apply({name: value}))
             now = live.take(1)
-            # Threads add samples up in an order of their own.
-            np.testing.assert_allclose(now, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
             assert np.abs(now - before).max() > 1e-4
             before = now
+        # After the last value: a picture that shows an earlier one is wrong by now.
+        # Threads add samples up in an order of their own.
+        np.testing.assert_allclose(before, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
     # Pictures traced anew every time would pass all of the above.
     assert live.recorded == recorded
 
 
 @records
 def test_another_weave_shows(recorded: bool) -> None:
-    shown = build_scene("flat", fabric_bsdf("twill 2/1"), **SHOWN)
+    shown = build_scene("flat", material_bsdf("twill 2/1"), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
-    (cloth,) = (s.bsdf() for s in shown.scene.shapes() if type(s.bsdf()).__name__ == "WovenLobes")
+    (cloth,) = (s.bsdf() for s in shown.scene.shapes() if s.bsdf() in MODEL_BSDFS)
     before = live.take(1)
     for weave in ("satin 5/2", "plain"):
-        cloth.weave(fabric_from_text(weave))
+        cloth.set_source(fabric_from_text(weave))
         now = live.take(1)
         np.testing.assert_allclose(now, traced_anew(shown, 1), rtol=1e-4, atol=1e-6)
         assert np.abs(now - before).max() > 1e-2
         before = now
-    other = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
+    other = build_scene("flat", material_bsdf("plain"), **SHOWN)
     np.testing.assert_allclose(before, traced_anew(other, 1), rtol=1e-3, atol=1e-4)
 
 
@@ -89,8 +93,8 @@ def test_nothing_refers_to_itself() -> None:
     gc.collect()
     gc.disable()
     try:
-        shown = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
-        cloths = {weakref.ref(s.bsdf()) for s in shown.scene.shapes() if s.bsdf() in CLOTHS}
+        shown = build_scene("flat", material_bsdf("plain"), **SHOWN)
+        cloths = {weakref.ref(s.bsdf()) for s in shown.scene.shapes() if s.bsdf() in MODEL_BSDFS}
         live = LivePicture(shown.scene, integrator=shown.integrator)
         SceneEdits(shown.scene).apply({"weft.roughness": 0.3})
         live.take(1)
@@ -103,9 +107,9 @@ def test_nothing_refers_to_itself() -> None:
 
 @records
 def test_nothing_is_collected_while_calls_are_traced(recorded: bool) -> None:
-    shown = build_scene("flat", fabric_bsdf("plain"), **SHOWN)
+    shown = build_scene("flat", material_bsdf("plain"), **SHOWN)
     live = LivePicture(shown.scene, integrator=shown.integrator, records=recorded)
-    shown.scene.shapes()[0].bsdf().weave(fabric_from_text(SHEEN))
+    shown.scene.shapes()[0].bsdf().set_source(fabric_from_text(SHEEN))
     seen: list[str] = []
 
     def look(phase: str, facts: dict[str, int]) -> None:
@@ -142,7 +146,7 @@ def filmed(film: dict[str, Any]) -> Any:
         "to_world": mi.ScalarTransform4f().look_at([0, 0, 6], [0.2, 0.1, 0], [0, 1, 0]),
         "film": {"type": "hdrfilm", "width": 12, "height": 10, **film},
     }
-    ball = {"type": "sphere", "bsdf": fabric_bsdf("twill 2/1", "lobes")((200.0, 200.0))}
+    ball = {"type": "sphere", "bsdf": material_bsdf("twill 2/1", "lobes")((200.0, 200.0))}
     light = {"type": "directional", "direction": [-0.3, -0.4, -1.0]}
     return mi.load_dict({"type": "scene", "ball": ball, "sun": light, "sensor": camera})
 

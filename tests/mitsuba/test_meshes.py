@@ -1,4 +1,7 @@
-"""Meshes: every format gives the same cloth, and damaged files end in a sentence."""
+"""Meshes: every format gives the same cloth, and damaged files end in a sentence.
+
+Covers: mitsuba/cloth_shapes.py, mitsuba/faults.py
+"""
 
 from __future__ import annotations
 

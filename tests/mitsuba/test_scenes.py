@@ -1,4 +1,7 @@
-"""Scenes: framing, zoom, scale, replacement in scene files, and faults."""
+"""Scenes: framing, zoom, scale, replacement in scene files, and faults.
+
+Covers: mitsuba/camera.py, mitsuba/lights.py
+"""
 
 from __future__ import annotations
 

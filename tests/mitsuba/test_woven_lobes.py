@@ -1,4 +1,7 @@
-"""Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures."""
+"""Lobes as a BSDF: the model's own numbers, what it samples, what editing costs, and pictures.
+
+Covers: mitsuba/fabric_props.py, mitsuba/footprint_bsdf.py
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.pytree import named_leaves
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba import build_scene, fabric_bsdf, render
+from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.models.bake import bake
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
@@ -72,15 +75,16 @@ def test_values_and_densities_are_those_of_the_model() -> None:
     through = bsdf.eval_null_transmission(si)
     dr.eval(value, pdf, through)
 
-    model = LobesModel.for_fabric(bsdf.fabric, GROUPS)
+    model = LobesModel.for_source(bsdf.model.fabric, GROUPS)
     light, view = (Array3f(np.ascontiguousarray(part.T)) for part in (lights, views))
     side = Float((4 * sides).astype(np.float32))
     centre = Array2f(np.ascontiguousarray(4 * uv.T, np.float32))
     footprint = Footprint(centre, Array2f(side, 0), Array2f(0, side))
     # The same arithmetic, in kernels that are put together differently.
     close = {"rtol": 2e-3, "atol": 1e-5}
-    hole = model.straight_through(view, model.hole(view, footprint))
-    wanted, density = model.value(light, view, footprint), model.pdf(light, view, footprint)
+    at = model.at(view, footprint)
+    wanted, density = at.value_and_pdf(light)
+    hole = at.null_transmission
     dr.eval(hole, wanted, density)
     np.testing.assert_allclose(value, wanted, **close)
     np.testing.assert_allclose(pdf, density, **close)
@@ -104,7 +108,11 @@ def test_nothing_is_uploaded_at_first_use() -> None:
     bsdf = woven(sheen_strength=0.4, gap=0.3)
     # Albedos of threads that differ are read from tables.
     varied = fabric_from_text('weave = "houndstooth"\ngap = 0.3')
-    for change in (lambda: None, lambda: edited(bsdf, "warp.height_scale", 0.4), lambda: bsdf.weave(varied)):
+    for change in (
+        lambda: None,
+        lambda: edited(bsdf, "warp.height_scale", 0.4),
+        lambda: bsdf.set_source(varied),
+    ):
         change()
         held = named_leaves(bsdf).keys()
         context, si = mi.BSDFContext(), dr.zeros(mi.SurfaceInteraction3f)
@@ -174,7 +182,7 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
     bake("twill 2/1", "lobes", file)
     assert len(baked) == 1
     direct = mi.load_dict({"type": "woven_lobes", "fabric": str(file), "uv_size": "4,4"})
-    built = mi.load_dict(fabric_bsdf(file, "lobes")((4.0, 4.0)))
+    built = material_bsdf(file, "lobes")((4.0, 4.0))
     assert len(baked) == 1
     np.testing.assert_allclose(mean_value(built), mean_value(direct), rtol=1e-4)
     np.testing.assert_allclose(
@@ -184,7 +192,7 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
     )
     # Another fabric than the file's, and other groups than the file's, are baked.
     changed = mi.load_dict({"type": "woven_lobes", "fabric": str(file), "warp_height_scale": 0.5})
-    assert changed.fabric.layout().warp.height_scale == 0.5
+    assert changed.model.fabric.layout().warp.height_scale == 0.5
     mi.load_dict({"type": "woven_lobes", "fabric": str(file), "groups": 2})
     assert baked[2:] == [DEFAULT_GROUPS, 2]
 
@@ -192,7 +200,7 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
 def test_two_fabrics_in_one_picture_are_each_its_own() -> None:
     """Side by side, in symbolic calls, both show what each shows alone."""
     other = TWILL | {"weave": "plain", "warp_color": "#ffffff", "weft_height_scale": 0.3}
-    assert_each_shows_its_own(TWILL, other, networks=False)
+    assert_each_shows_its_own(TWILL, other, symbolic=True)
 
 
 @pytest.mark.parametrize("zoom", [1.0, 30.0])
@@ -204,7 +212,7 @@ def test_white_cloth_in_a_white_world(zoom: float) -> None:
 
     def blocks(model: str) -> np.ndarray:
         """Means of 16 pixels each of a white ball in a white world, 1024 paths."""
-        ball = {"type": "sphere", "bsdf": fabric_bsdf(white, model)((200.0, 200.0))}
+        ball = {"type": "sphere", "bsdf": material_bsdf(white, model)((200.0, 200.0))}
         camera = {
             "type": "perspective",
             "fov": 20 / zoom,
@@ -232,7 +240,7 @@ def test_from_afar_a_few_samples_are_the_point_models_many() -> None:
     shot = {"size": (64, 64), "max_depth": 2, "light": "directional"}
     pictures = {}
     for model, samples in (("lobes", 4), ("point", 4), ("point", 256)):
-        shown = build_scene("sphere", fabric_bsdf(denim, model), **shot)
+        shown = build_scene("sphere", material_bsdf(denim, model), **shot)
         pictures[model, samples] = render(shown.scene, spp=samples, integrator=shown.integrator, seed=samples)
     reference = pictures["point", 256]
     lit = reference.mean(axis=2) > 0.05

@@ -1,4 +1,7 @@
-"""The network as a BSDF: the same numbers as torch, what it samples, and what editing costs."""
+"""The network as a BSDF: the same numbers as torch, what it samples, and what editing costs.
+
+Covers: mitsuba/cloth_uv.py, mitsuba/filtered_texture.py
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,11 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba import build_scene, fabric_bsdf, render, woven_neural
+from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.mitsuba.filtered_texture import FilteredTexture
-from loomlight.mitsuba.integrator import calls_for
+from loomlight.mitsuba.integrator import symbolic_mode
 from loomlight.models.woven import encoding
+from loomlight.models.woven import model as woven_model
 from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.weights import Weights
 
@@ -52,7 +56,7 @@ def weights(tmp_path_factory: pytest.TempPathFactory) -> Weights:
 @pytest.fixture(autouse=True)
 def runs(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, weights: Weights) -> list[str]:
     """Names of the fabrics that the encoder was run for, with empty caches."""
-    monkeypatch.setattr(woven_neural, "shipped_weights", lambda: weights)
+    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     clear_encodings()
     found: list[str] = []
@@ -75,9 +79,8 @@ def test_values_are_those_of_torch() -> None:
     si, uv, views, sides = random_interactions(count)
     lights = unit(np.random.default_rng(1), count)
     found = np.array(bsdf.eval(mi.BSDFContext(), si, vectors(lights)))
-    (encoded,) = bsdf._encoded
-    parts = responses(made, encoded, bsdf.fabric, lights, views, 4.0 * uv, 4.0 * sides)
-    appearance = bsdf.fabric.appearance()
+    parts = responses(made, bsdf.model.encoded, bsdf.model.fabric, lights, views, 4.0 * uv, 4.0 * sides)
+    appearance = bsdf.model.fabric.appearance()
     side = np.where(lights[:, 2] * views[:, 2] < 0, "transmit", "reflect")
     wanted = np.zeros((3, count))
     for number, (term, family) in enumerate(
@@ -226,30 +229,30 @@ def test_xml_and_inline_are_the_same() -> None:
              <string name="uv_size" value="4,4"/></bsdf>"""
     )
     np.testing.assert_allclose(mean_value(xml), mean_value(woven()), rtol=1e-5)
-    assert "WovenNeural" in str(xml)
+    assert "woven_neural" in str(xml)
     assert "twill 2/1" in str(xml)
 
 
 def test_many_fabrics_in_one_picture_are_each_its_own() -> None:
     """Two fabrics side by side show what each shows alone, without symbolic calls."""
     other = TWILL | {"weave": "plain", "warp_color": "#ffffff"}
-    assert_each_shows_its_own(TWILL, other, networks=True)
+    assert_each_shows_its_own(TWILL, other, symbolic=False)
 
 
 def test_flags_are_left_as_they_were() -> None:
     networks = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle", "bsdf": TWILL}})
     others = mi.load_dict({"type": "scene", "cloth": {"type": "rectangle"}})
     assert dr.flag(dr.JitFlag.SymbolicCalls)
-    with calls_for(others):
+    with symbolic_mode(others):
         assert dr.flag(dr.JitFlag.SymbolicCalls)
-    with calls_for(networks):
+    with symbolic_mode(networks):
         assert not dr.flag(dr.JitFlag.SymbolicCalls)
         assert not dr.flag(dr.JitFlag.SymbolicLoops)
     assert dr.flag(dr.JitFlag.SymbolicCalls)
 
 
 def test_a_scene_of_loomlight_renders_with_it() -> None:
-    scene = build_scene("flat", fabric_bsdf("twill 2/1", "woven"), size=(24, 24), max_depth=2)
+    scene = build_scene("flat", material_bsdf("twill 2/1", "woven"), size=(24, 24), max_depth=2)
     picture = render(scene.scene, spp=1, integrator=scene.integrator)
     assert np.isfinite(picture).all()
     assert picture.mean() > 0

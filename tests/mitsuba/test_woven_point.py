@@ -1,4 +1,7 @@
-"""The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh."""
+"""The BSDF plugin: what it samples, what it is told, and that cloth looks the same on every mesh.
+
+Covers: mitsuba/material_bsdf.py, mitsuba/held_surface.py
+"""
 
 from __future__ import annotations
 
@@ -12,7 +15,7 @@ import pytest
 
 from loomlight.core.errors import InputError
 from loomlight.fabric import load_fabric
-from loomlight.mitsuba import build_scene, fabric_bsdf, render, to_shape
+from loomlight.mitsuba import build_scene, material_bsdf, render, to_shape
 from loomlight.mitsuba.meshes import ClothMesh
 
 GREY = {"type": "woven_point", "weave": "twill 3/1", "warp_color": "#888888", "weft_color": "#888888"}
@@ -196,7 +199,7 @@ def test_inline_parameters_are_those_of_a_file(tmp_path: Path) -> None:
     xml = mi.load_string(
         f"""<bsdf version="3.0.0" type="woven_point"><string name="fabric" value="{file}"/></bsdf>"""
     )
-    factory = mi.load_dict(fabric_bsdf(load_fabric(file), "point")((100.0, 100.0)))
+    factory = material_bsdf(load_fabric(file), "point")((100.0, 100.0))
     si, wo = interactions(500, (0.2, 0.1, 1)), dr.normalize(mi.Vector3f(-0.3, 0.4, 0.8))
     expected = np.array(inline.eval(mi.BSDFContext(), si, wo))
     assert expected.max() > 0
@@ -210,9 +213,9 @@ def test_inline_parameters_replace_those_of_a_file(tmp_path: Path) -> None:
     bsdf = mi.load_dict(
         {"type": "woven_point", "fabric": str(file), "weave": "plain", "ends_per_cm": 10.0, "weft_gap": 0.4}
     )
-    assert bsdf.fabric.layout().warp_on_top.shape == (2, 2)
-    np.testing.assert_allclose(bsdf.fabric.layout().warp.spacing, 1.0)
-    np.testing.assert_allclose(bsdf.fabric.appearance().warp.diffuse_reflect[0][1:], 0, atol=1e-6)
+    assert bsdf.model.fabric.layout().warp_on_top.shape == (2, 2)
+    np.testing.assert_allclose(bsdf.model.fabric.layout().warp.spacing, 1.0)
+    np.testing.assert_allclose(bsdf.model.fabric.appearance().warp.diffuse_reflect[0][1:], 0, atol=1e-6)
 
 
 def test_files_are_found_by_the_file_resolver(tmp_path: Path) -> None:
@@ -222,7 +225,7 @@ def test_files_are_found_by_the_file_resolver(tmp_path: Path) -> None:
              <bsdf type="woven_point"><string name="fabric" value="mine.toml"/></bsdf></shape></scene>"""
     )
     scene = mi.load_file(str(tmp_path / "scene.xml"))
-    assert scene.shapes()[0].bsdf().fabric.layout().warp_on_top.shape == (5, 5)
+    assert scene.shapes()[0].bsdf().model.fabric.layout().warp_on_top.shape == (5, 5)
 
 
 def test_colours_as_rgb_values_in_xml() -> None:
@@ -231,13 +234,13 @@ def test_colours_as_rgb_values_in_xml() -> None:
              <rgb name="warp_color" value="0.5,0.2,0.1"/>
              <rgb name="warp_specular_tint" value="1,0,0"/></bsdf>"""
     )
-    albedo = bsdf.fabric.appearance().warp
+    albedo = bsdf.model.fabric.appearance().warp
     assert albedo.diffuse_reflect[0][0] > albedo.diffuse_reflect[0][1] > albedo.diffuse_reflect[0][2] > 0
     np.testing.assert_allclose(albedo.specular_reflect[0][1:], 0, atol=1e-9)
 
 
 def test_uv_size_and_uv_scale_agree() -> None:
-    width, height = woven().fabric.repeat_mm
+    width, height = woven().model.fabric.repeat_mm
     sized = woven(uv_size=f"{3 * width},{5 * height}")
     scaled = woven(uv_scale=mi.ScalarPoint2f(3, 5))
     np.testing.assert_allclose(sized.uv_size, scaled.uv_size, rtol=1e-6)
@@ -313,11 +316,11 @@ def test_parameters_are_shown_set_and_differentiable() -> None:
 def test_threads_of_their_own_colours_are_one_array() -> None:
     bsdf = woven(warp_color="#ff0000,#00ff00")
     params = mi.traverse(bsdf)
-    assert dr.width(params["warp.albedos"]) == bsdf.fabric.layout().warp.spacing.size * 16
+    assert dr.width(params["warp.albedos"]) == bsdf.model.fabric.layout().warp.spacing.size * 16
 
 
 def test_cloth_renders_with_stock_integrators_too() -> None:
-    scene = build_scene("flat", fabric_bsdf("plain", "point"), size=(16, 16), light="directional").scene
+    scene = build_scene("flat", material_bsdf("plain", "point"), size=(16, 16), light="directional").scene
     ours = render(scene, spp=64)
     theirs = render(scene, spp=64, integrator=mi.load_dict({"type": "path", "max_depth": 8}), seed=1)
     # One directional light and nothing behind the cloth: holes show black either way.
@@ -327,7 +330,7 @@ def test_cloth_renders_with_stock_integrators_too() -> None:
 def test_diffuse_reflectance_is_the_dye() -> None:
     bsdf = woven(warp_specular=0.0, weft_specular=0.0, gap=0.0)
     albedo = np.array(bsdf.eval_diffuse_reflectance(interactions(200, (0, 0, 1))))
-    families = bsdf.fabric.appearance()
+    families = bsdf.model.fabric.appearance()
     dyes = np.array([family.diffuse_reflect[0][0] for family in (families.warp, families.weft)])
     away = np.abs(albedo[0][:, None] - dyes).min(axis=1)
     assert (np.minimum(away, albedo[0]) < 1e-5).all()

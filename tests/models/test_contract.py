@@ -2,6 +2,8 @@
 
 A model that is added to the registry is tried here without a line of its own. What a model claims of itself
 (`filters`, `conserves_energy`) is held against it; everything else holds for all.
+
+Covers: models/interface.py
 """
 
 from __future__ import annotations
@@ -22,8 +24,9 @@ from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.interface import FamilyAlbedos, Model, Response
+from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -48,7 +51,8 @@ def built(name: str, cloth: str) -> Model:
 class Answers:
     """All that a model says of queries, computed at once: one kernel serves most of these tests."""
 
-    response: Response
+    components: Components
+    hole: Any
     albedos: FamilyAlbedos
     value: Any
     pdf: Any
@@ -56,28 +60,26 @@ class Answers:
 
     @property
     def parts(self) -> dict[str, NDArray[np.float32]]:
-        """The parts of the response by name."""
-        return {part.name: getattr(self.response, part.name).numpy() for part in fields(Response)}
+        """Components and the hole by name."""
+        parts = {part.name: getattr(self.components, part.name).numpy() for part in fields(Components)}
+        return parts | {"hole": self.hole.numpy()}
 
 
 def answers(model: Model, asked: Queries, light: Any = None) -> Answers:
     """What `model` says of the queries, or of another light."""
     light = asked.light if light is None else light
-    at = light, asked.view, asked.footprint
-    response, albedos = model.evaluate(*at), model.albedos(asked.view, asked.footprint)
-    found = Answers(
-        response,
-        albedos,
-        model.composed(response, albedos, light, asked.view),
-        model.pdf(*at),
-        model.straight_through(asked.view, response.hole),
-    )
+    at = model.at(asked.view, asked.footprint)
+    assert isinstance(at, SeparableBsdf)
+    components = at.components(light)
+    value, pdf = at.value_and_pdf(light)
+    found = Answers(components, at.hole, at.albedos, value, pdf, at.null_transmission)
     dr.eval(found)
     return found
 
 
 def drawn(model: Model, asked: Queries, seed: int) -> DirectionSample:
-    found = model.sample(asked.view, asked.footprint, *numbers(np.random.default_rng(seed), len(asked)))
+    at = model.at(asked.view, asked.footprint)
+    found = at.sample(*numbers(np.random.default_rng(seed), len(asked)))
     dr.eval(found)
     return found
 
@@ -103,7 +105,7 @@ def test_a_model_says_what_it_is(name: str) -> None:
     assert kind.name == name
     assert isinstance(kind.filters, bool)
     assert isinstance(kind.conserves_energy, bool)
-    assert built(name, "plain").fabric.name == "plain"
+    assert built(name, "plain").source.name == "plain"
 
 
 @every_fabric
@@ -148,7 +150,7 @@ def test_value_is_made_of_components_and_albedos(name: str) -> None:
             )
             expected += np.where(far, beyond, near) * found.parts[f"{term}_{family}"]
     assert 0.3 < far.mean() < 0.7
-    value = built(name, "translucent satin").value(asked.light, asked.view, asked.footprint)
+    value = built(name, "translucent satin").at(asked.view, asked.footprint).value(asked.light)
     close(value.numpy(), expected)
     close(found.value.numpy(), expected)
 
@@ -197,12 +199,12 @@ def test_a_lane_does_not_know_its_neighbours(name: str) -> None:
 def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None:
     """Averaged over positions, components and holes are those of the whole repeat, front and back."""
     model = built(name, cloth)
-    point_model = PointModel(YarnGeometry(model.fabric.layout()), model.fabric.appearance())
+    point_model = PointModel(YarnGeometry(model.source.layout()), model.source.appearance())
     signs = [(1, 1), (1, -1), (-1, -1), (-1, 1)]
     lights = np.array([[0.4 * s, 0.3, 0.86 * s] for s, _ in signs])
     views = np.array([[-0.3, 0.5, 0.81 * s] for _, s in signs])
     lights, views = (v / np.linalg.norm(v, axis=1, keepdims=True) for v in (lights, views))
-    extent = np.asarray(model.fabric.repeat_mm)
+    extent = np.asarray(model.source.repeat_mm)
     size = 2.5 * extent
     slices = FabricSlices(point_model, Float)
 
@@ -237,7 +239,7 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
 def test_weight_is_value_over_density(name: str, cloth: str) -> None:
     model, asked = built(name, cloth), queries(fabric(cloth), 1500, seed=7)
     found = drawn(model, asked, seed=8)
-    passes, pdf, weight = found.passes.numpy(), found.pdf.numpy(), found.weight.numpy()
+    passes, pdf, weight = found.is_null.numpy(), found.pdf.numpy(), found.weight.numpy()
     np.testing.assert_allclose(np.linalg.norm(found.light.numpy(), axis=0), 1, atol=1e-4)
     assert np.isfinite(weight).all()
     assert (weight >= 0).all()
@@ -255,7 +257,7 @@ def test_weight_is_value_over_density(name: str, cloth: str) -> None:
 
 def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int) -> Queries:
     """One footprint, looked at `count` times from one direction."""
-    extent = np.asarray(model.fabric.repeat_mm)
+    extent = np.asarray(model.source.repeat_mm)
     edges = size * np.array([[1.0, 0.2], [-0.1, 0.8]]) * extent.min()
     one = Queries(np.array([[0.0, 0.0, 1.0]]), view[None], 0.37 * extent[None], edges[None])
     return one[np.zeros(count, int)]
@@ -273,11 +275,11 @@ def test_directions_are_distributed_by_their_density(
 
     def density(lights: NDArray[np.float64]) -> NDArray[np.float64]:
         asked = spread_over(model, view, size, len(lights))
-        return model.pdf(vectors(lights), asked.view, asked.footprint).numpy().astype(np.float64)
+        return model.at(asked.view, asked.footprint).pdf(vectors(lights)).numpy().astype(np.float64)
 
     shares = cell_shares(density)
     found = drawn(model, spread_over(model, view, size, count), seed=9)
-    passes, chance = found.passes.numpy(), found.pdf.numpy()
+    passes, chance = found.is_null.numpy(), found.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
     # The rule's error at the edge of a lobe is a few thousandths of a cell.
     assert abs(shares.sum() + through - 1) < 5e-3
@@ -295,7 +297,7 @@ def test_no_light_is_made(name: str) -> None:
         pytest.skip("does not claim it")
     rng = np.random.default_rng(10)
     places, each = 64, 512
-    asked = queries(model.fabric, places, seed=11)[np.repeat(np.arange(places), each)]
+    asked = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]
     weight = drawn(model, asked, seed=12).weight.numpy()[0].reshape(places, each)
     mean, error = weight.mean(axis=1), weight.std(axis=1) / math.sqrt(each)
     # 64 means of 512 weights, none of which may pass 5 deviations.

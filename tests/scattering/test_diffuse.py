@@ -1,4 +1,7 @@
-"""The blended diffuse term: its energy, its sides, its sampler."""
+"""The blended diffuse term: its energy, its sides, its sampler.
+
+Covers: scattering/directions.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""The point model as a whole: its sampler, its energy, its faces, for fabrics from the whole box."""
+"""The point model as a whole: its sampler, its energy, its faces, for fabrics from the whole box.
+
+Covers: scattering/appearance.py
+"""
 
 from __future__ import annotations
 
@@ -150,7 +153,7 @@ def test_weight_is_value_over_density(seed: int) -> None:
         dr.eval(drawn)
         value = model.evaluate(point, drawn.light, view).numpy()
         density = model.pdf(point, drawn.light, view).numpy()
-        smooth = ~drawn.passes.numpy() & (density > 0)
+        smooth = ~drawn.is_null.numpy() & (density > 0)
         weight = drawn.weight.numpy()
         expected = value[:, smooth] / density[smooth]
         # Two kernels round differently; a light direction in a shadow's edge may then change its mind.
@@ -198,7 +201,7 @@ def test_sampling_and_uniform_directions_agree_on_the_albedo() -> None:
             point, view = _points(model, _view(degrees, 1.0), count, seed)
             numbers = [mi.Float(rng.random(count)) for _ in range(5)]
             drawn = model.sample(point, view, numbers[0], mi.Vector2f(numbers[1], numbers[2]))
-            sampled = np.where(drawn.passes.numpy(), 0, drawn.weight.numpy())
+            sampled = np.where(drawn.is_null.numpy(), 0, drawn.weight.numpy())
             light = mi.warp.square_to_uniform_sphere(mi.Point2f(numbers[3], numbers[4]))
             uniform = model.evaluate(point, light, view).numpy() * 4 * math.pi
             difference = sampled.mean(axis=1) - uniform.mean(axis=1)
@@ -217,7 +220,7 @@ def test_holes_pass_light_straight_through() -> None:
     point, view = _points(model, [0.0, 0.0, 1.0], 100_000, 1)
     numbers = [mi.Float(rng.random(100_000)) for _ in range(3)]
     drawn = model.sample(point, view, numbers[0], mi.Vector2f(numbers[1], numbers[2]))
-    passes = drawn.passes.numpy()
+    passes = drawn.is_null.numpy()
     assert (passes == point.hole.numpy()).all()
     assert abs(passes.mean() - 0.25) < 4 * math.sqrt(0.25 * 0.75 / 100_000)
     assert np.allclose(drawn.light.numpy()[:, passes], -np.array([[0], [0], [1]]))

@@ -1,4 +1,7 @@
-"""Gradients of parts on threads of their own are those of the whole batch."""
+"""Gradients of parts on threads of their own are those of the whole batch.
+
+Covers: training/loop.py
+"""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,4 +1,7 @@
-"""SOAP: its axes are those of the gradients, and its state is all that it depends on."""
+"""SOAP: its axes are those of the gradients, and its state is all that it depends on.
+
+Covers: training/checkpoint.py
+"""
 
 import pytest
 

@@ -1,4 +1,7 @@
-"""Figured cloth: the motif shows, and nothing floats too far."""
+"""Figured cloth: the motif shows, and nothing floats too far.
+
+Covers: weave/motifs.py
+"""
 
 import numpy as np
 import pytest

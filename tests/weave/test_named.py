@@ -1,4 +1,7 @@
-"""Named weaves: the structures they make, and what they say to names that make none."""
+"""Named weaves: the structures they make, and what they say to names that make none.
+
+Covers: weave/effects.py, weave/structures.py
+"""
 
 from math import gcd
 

@@ -1,4 +1,7 @@
-"""Drawdowns from pictures, and drafts from files."""
+"""Drawdowns from pictures, and drafts from files.
+
+Covers: weave/load.py
+"""
 
 from pathlib import Path
 

@@ -1,13 +1,13 @@
 """The analytic surface: normals against differences of heights, continuity, periodicity, no steps upwards.
 
 Double precision where the truth is a difference: in single precision it would be rounding.
+
+Covers: yarn/families.py, yarn/layout.py, yarn/threads.py
 """
 
 from __future__ import annotations
 
-import gc
 import math
-import weakref
 
 import drjit as dr
 import numpy as np
@@ -17,7 +17,6 @@ from drjit.llvm.ad import Bool, Float, Float64
 from loomlight.core.errors import InputError
 from loomlight.yarn.geometry import SurfacePoint, YarnGeometry
 from loomlight.yarn.layout import SMALLEST_GAP, ClothLayout, FamilyLayout
-from loomlight.yarn.runs import pack_runs
 
 from .layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
 
@@ -210,28 +209,6 @@ def test_a_family_out_of_range_is_refused(field: str, value: float) -> None:
     fields = {"inclination": 0.3, "twist": 0.0, "height_scale": 1.0, field: value}
     with pytest.raises(InputError, match=field):
         FamilyLayout(np.ones(2), np.ones(2), **fields)
-
-
-def test_geometries_of_one_layout_are_worked_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    packed: list[tuple[int, ...]] = []
-
-    def counted(on_top: np.ndarray) -> np.ndarray:
-        packed.append(on_top.shape)
-        return pack_runs(on_top)
-
-    monkeypatch.setattr("loomlight.yarn.geometry.pack_runs", counted)
-    layout = even_layout(TWILL)
-    first, second = YarnGeometry(layout), YarnGeometry(layout)
-    assert len(packed) == 2  # warp and weft
-    first.height_scale = (0.1, 0.1)
-    assert second.height_scale == (layout.warp.height_scale, layout.weft.height_scale)
-    YarnGeometry(even_layout(TWILL, gap=0.4))
-    assert len(packed) == 4
-    del first, second
-    gone = weakref.ref(layout)
-    del layout
-    gc.collect()
-    assert gone() is None
 
 
 @pytest.mark.parametrize("seed", range(4))

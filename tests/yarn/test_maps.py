@@ -1,4 +1,7 @@
-"""Baked maps and textures as a second source of geometry."""
+"""Baked maps and textures as a second source of geometry.
+
+Covers: yarn/textures.py
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Shadows, parallax, holes and horizons against Mitsuba's ray casts on tessellated cloth."""
+"""Shadows, parallax, holes and horizons against Mitsuba's ray casts on tessellated cloth.
+
+Covers: yarn/horizon.py, yarn/rays.py, yarn/search.py
+"""
 
 from __future__ import annotations
 

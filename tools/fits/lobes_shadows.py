@@ -1,4 +1,4 @@
-"""How far what light reaches of a group is what the view reaches: the numbers of `models/lobes/estimate.py`.
+"""How far what light reaches of a group is what the view reaches: numbers of `models/lobes/prefiltered.py`.
 
     python -m tools.fits.lobes_shadows [--fabrics 40] [--output tools/fits/results/lobes_shadows.json]
 
@@ -26,8 +26,8 @@ from loomlight.core.backend import array_types
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.twin import (
-    LobesTwin,
+from loomlight.models.lobes.reference import (
+    LobesReference,
     Parallelogram,
     direction_nodes,
     half_vector,
@@ -113,18 +113,19 @@ def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
     views, lights = directions(rng), directions(rng)
     if through:
         lights[:, 2] *= -1
-    tables = LobesModel.for_fabric(fabric).tables
+    tables = LobesModel.for_source(fabric).tables
     appearance, size = fabric.appearance(), fabric.layout().size
     roughness = appearance.warp.roughness, appearance.weft.roughness
-    twin = LobesTwin(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)
+    reference = LobesReference(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)
     # So large that the whole repeat counts alike.
     everything = Parallelogram(np.zeros(2), np.array([100 * size[0], 0]), np.array([0, 100 * size[1]]))
     apart, more, cosine, shipped = [], [], [], []
     for given_light, given_view in zip(lights, views, strict=True):
         back, light, view = on_seen_face(given_light, given_view)
-        groups, weights = twin.groups(back), twin.weights(view, everything, back)
-        row = direction_nodes(light).of(tables.lit[int(back), int(through)]) * _PER_BYTE
-        irradiance, reached = np.split(row, 2)
+        groups, weights = reference.groups(back), reference.weights(view, everything, back)
+        nodes, side = direction_nodes(light), (int(back), int(through))
+        irradiance = nodes.of(tables.irradiance[side]) * _PER_BYTE
+        reached = nodes.of(tables.light_visibility[side]) * _PER_BYTE
         shares = weights.groups / weights.groups.sum() * (1 - weights.hole)
         value = layer_value(half_vector(light, view), light, view, groups, appearance.optical_depth)
         apart.append([shares * irradiance / np.pi, shares * reached * value])

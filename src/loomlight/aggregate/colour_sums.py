@@ -15,9 +15,10 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import meet, without_extras
+from loomlight.aggregate.components import trace_views, without_sheen_and_variation
 from loomlight.aggregate.grid import TEXELS_PER_THREAD, fabric_grid
 from loomlight.aggregate.tables import box_means, summed_areas, texel_boxes
+from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.scattering.point import PointModel
 
@@ -44,7 +45,7 @@ class ColourSums:
         self,
         model: PointModel,
         view: ArrayLike,
-        float_type: type,
+        float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,
     ) -> None:
@@ -58,7 +59,9 @@ class ColourSums:
         self._float_type = float_type
         x, y = self.grid.points(types, dr.arange(types.UInt32, self.grid.texels))
         eye = types.Vector3(*(dr.opaque(types.Float, float(part)) for part in np.asarray(view, np.float64)))
-        point = meet(without_extras(model), x, y, eye + dr.zeros(types.Vector3, self.grid.texels)).point
+        point = trace_views(
+            without_sheen_and_variation(model), x, y, eye + dr.zeros(types.Vector3, self.grid.texels)
+        ).point
         self._tables: list[list[Any]] = []
         for shows in (point.is_warp & ~point.hole, ~point.is_warp & ~point.hole):
             planes = [types.Float(1)]

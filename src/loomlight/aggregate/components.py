@@ -1,6 +1,6 @@
-"""The integrand at yarn points, free of albedos: what light does at the points that parallel view rays meet.
+"""The integrand at yarn points, at albedo 1, for parallel view rays.
 
-Per point and pair of directions there are five channels (chen2024 eq. 7 and the hole of its 6.5):
+Each point and pair of directions has five channels (chen2024 eq. 7 and the hole of its 6.5):
 
     C_warp, C_weft   blended diffuse term of the family that shows, cosine included, 1/sr
     S_warp, S_weft   fibre layer of the family that shows, cosine included, 1/sr
@@ -15,40 +15,41 @@ macro normal alone decides and which goes on top afterwards, and without its pro
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import drjit as dr
 
+from loomlight.core.arrays import Color3, Float, Mask, Vec3
 from loomlight.core.backend import array_types
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
-from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
 COMPONENTS = CHANNELS[:4]
 COLOURS = ("red", "green", "blue")
-# A ray that ends this share of the finest thread below the surface has met a wall. On continuous yarn the
-# search leaves less than that, and of the rays that meet walls 1 in 100 ends so close to the upper edge.
+# A ray that ends deeper below the surface than this fraction of the finest thread has hit a wall. The error
+# of the search on continuous yarn is smaller; of rays that hit walls, 1 in 100 ends closer to the upper edge.
 _WALL = 1e-3
 
 
 @dataclass
-class MetPoints:
-    """What parallel view rays meet.
+class ViewHits:
+    """Intersections of parallel view rays with the cloth.
 
     Attributes:
-        point: the yarn points, shaded on walls with the frame of the nearest edge.
-        wall: the ray ended at the vertical side of a yarn.
+        point: the yarn points; on walls, with the frame of the nearest edge.
+        wall: the ray has hit the vertical side of a yarn.
     """
 
     point: YarnPoint
-    wall: Any
+    wall: Mask
 
 
-def without_extras(model: PointModel) -> PointModel:
-    """The model without sheen and without procedural variation: what components and colours describe."""
+def without_sheen_and_variation(model: PointModel) -> PointModel:
+    """The model without sheen and procedural variation, which components and colours leave out."""
     old = model.appearance
     appearance = Appearance(
         old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
@@ -56,8 +57,8 @@ def without_extras(model: PointModel) -> PointModel:
     return PointModel(model.surface, appearance, model.quality, model.horizon)
 
 
-def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> MetPoints:
-    """The points that the view rays through x, y on the plane z = 0 meet, with exact parallax.
+def trace_views(model: PointModel, x: Float, y: Float, view: Vec3, active: Mask = True) -> ViewHits:
+    """Intersections of the view rays through x, y on the plane z = 0, with exact parallax.
 
     Args:
         x, y: draft coordinates, millimetres.
@@ -65,28 +66,28 @@ def meet(model: PointModel, x: Any, y: Any, view: Any, active: Any = True) -> Me
     """
     types = array_types(x)
     back = types.Bool(view.z < 0)
-    hit = first_hit(model.surface, x, y, on_face(view, back), back, active, model.quality)
+    hit = first_hit(model.surface, x, y, to_face_frame(view, back), back, active, model.quality)
     point = model.at(hit.x, hit.y, back, hit.hole)
     depth = point.height - hit.height
     wall = ~hit.hole & (depth > dr.opaque(types.Float, _WALL * min(model.surface.finest)))
-    return MetPoints(point, wall)
+    return ViewHits(point, wall)
 
 
 class Scattering(Protocol):
-    """What decides about light beside the yarn point, as `Appearance` has it."""
+    """Parameters of scattering beside those of the yarn point; an `Appearance` is one."""
 
     @property
-    def diffuse_blend(self) -> Any:
+    def diffuse_blend(self) -> Float:
         """w, the share of the yarn normal in the diffuse term."""
 
     @property
-    def optical_depth(self) -> Any:
+    def optical_depth(self) -> Float:
         """Tρ of the fibre layer."""
 
 
 def lobes(
-    appearance: Scattering, point: YarnPoint, light: Any, view: Any, transmits: bool | None = None
-) -> tuple[Any, Any]:
+    appearance: Scattering, point: YarnPoint, light: Vec3, view: Vec3, transmits: bool | None = None
+) -> tuple[Float, Float]:
     """Diffuse and specular term of yarn points at albedo 1, cosine included, without shadows: Float, 1/sr.
 
     Args:
@@ -94,7 +95,7 @@ def lobes(
         transmits: whether light and view lie on different sides in all lanes; None decides lane by lane.
     """
     types = array_types(point.x)
-    seen, facing = on_face(view, point.back), on_face(light, point.back)
+    seen, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
     frame = (point.normal, point.tangent, point.roughness, types.Float(appearance.optical_depth))
     blend = types.Float(appearance.diffuse_blend)
     beyond = types.Bool(facing.z < 0)
@@ -110,11 +111,11 @@ def lobes(
 def components(
     appearance: Appearance,
     point: YarnPoint,
-    light: Any,
-    view: Any,
-    visible: Any,
+    light: Vec3,
+    view: Vec3,
+    visible: Mask,
     transmits: bool | None = None,
-) -> tuple[Any, ...]:
+) -> tuple[Float, ...]:
     """The channels C_warp, C_weft, S_warp, S_weft of yarn points: four Float, 1/sr; zero in holes.
 
     Args:
@@ -135,11 +136,11 @@ def components(
 def colours(
     appearance: Appearance,
     point: YarnPoint,
-    light: Any,
-    view: Any,
-    visible: Any,
+    light: Vec3,
+    view: Vec3,
+    visible: Mask,
     transmits: bool | None = None,
-) -> Any:
+) -> Color3:
     """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes and shadow.
 
     Exact where threads of one family differ in colour, which no mean albedo is.
@@ -148,6 +149,6 @@ def colours(
     albedos = point.albedos
     near = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
     far = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
-    beyond = on_face(light, point.back).z < 0
+    beyond = to_face_frame(light, point.back).z < 0
     value = dr.select(beyond, far, near) if transmits is None else far if transmits else near
     return dr.select(visible & ~point.hole, value, 0)

@@ -28,6 +28,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import Float, Mask, UInt, Vec2
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
@@ -89,7 +90,7 @@ class FootprintAlbedos:
         """Largest error of any thread's albedo from principal axes that were left out."""
         return max(tables.truncation for tables in self._tables)
 
-    def over(self, footprint: Footprint, back: Any) -> tuple[Albedos, Albedos]:
+    def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         """Mean albedos of (warp, weft) over footprints, as their axis-aligned boxes: Color3 each, 0 to 1.
 
         Args:
@@ -195,12 +196,12 @@ class _Bound:
         gap: length of the cell before the bound that the thread leaves open, millimetres.
     """
 
-    thread: Any
-    turns: Any
-    cell: Any
-    visible: Any
-    width: Any
-    gap: Any
+    thread: UInt
+    turns: Float
+    cell: Float
+    visible: Float
+    width: Float
+    gap: Float
 
 
 class _Axis:
@@ -218,13 +219,13 @@ class _Axis:
         self._before = upload(types.Float, before.astype(np.float32))
         self._visible, self._cells = (dr.opaque(types.Float, float(total)) for total in before[-1])
 
-    def bounds(self, centre: Any, size: Any) -> tuple[_Bound, _Bound]:
+    def bounds(self, centre: Vec2, size: Vec2) -> tuple[_Bound, _Bound]:
         """Lower and upper bound of a stretch of the axis, the centre moved into the first repeat."""
         local = centre - dr.floor((centre - self._start) / self._period) * self._period
         half = maximum(size, self._smallest) * 0.5
         return self._bound(local - half), self._bound(local + half)
 
-    def _bound(self, position: Any) -> _Bound:
+    def _bound(self, position: Float) -> _Bound:
         types = self._types
         found: Cell = self._family.locate(position)
         before = dr.gather(types.Vector2, self._before, found.thread)
@@ -236,7 +237,7 @@ class _Axis:
         gap = minimum(found.below, ahead) + maximum(found.across - found.half_width, 0)
         return _Bound(found.thread, turns, found.below, visible, width, gap)
 
-    def lengths(self, low: _Bound, high: _Bound) -> tuple[Any, Any, Any]:
+    def lengths(self, low: _Bound, high: _Bound) -> tuple[Float, Float, Float]:
         """Millimetres between two bounds: of visible threads, of gaps, and in all."""
         types = self._types
         first, last = (dr.gather(types.Vector2, self._before, bound.thread) for bound in (low, high))
@@ -259,7 +260,7 @@ class _Uploaded:
         self._axes = tuple(_Axis(family, types) for family in families)
         self._colours = tuple(_Colours(table, types) for table in tables)
 
-    def over(self, footprint: Footprint, back: Any) -> tuple[Albedos, Albedos]:
+    def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         warp, weft = self._colours
         if warp.alike and weft.alike:
             return warp.shared, weft.shared
@@ -300,7 +301,7 @@ class _Colours:
             _PairedEntries(areas, types) if areas.size <= _MOST_PAIRED else _SingleEntries(areas, types)
         )
 
-    def mean_over(self, own: _Stretch, other: _Stretch, back: Any) -> Albedos:
+    def mean_over(self, own: _Stretch, other: _Stretch, back: Mask) -> Albedos:
         """Mean albedos over a box: `own` is its stretch across the family's threads."""
         if self.alike:
             return self.shared
@@ -326,7 +327,7 @@ class _Colours:
             numbers.append(clip(number, 0, 1))
         return _albedos(self._types, numbers)
 
-    def _along(self, own: _Stretch) -> tuple[list[Any], list[Any]]:
+    def _along(self, own: _Stretch) -> tuple[list[Float], list[Float]]:
         """Integrals of each quantity over visible widths and over cells, millimetres."""
         _, low, high = own
         turns = high.turns - low.turns
@@ -341,17 +342,17 @@ class _Colours:
             cells.append(last[place] - first[place] + ends + turns * self._totals[place])
         return visible, cells
 
-    def _of_thread(self, thread: Any) -> list[Any]:
+    def _of_thread(self, thread: UInt) -> list[Float]:
         """A thread's row: its quantities, and their integrals over widths and over cells before it."""
         types, step = self._types, min(self._row, _WIDEST)
         reads = self._row // step
-        found: list[Any] = []
+        found: list[Float] = []
         for part in range(reads):
             index = thread * reads + part
             found.extend(dr.gather(types.Vectors, self._threads, index, shape=(step, dr.width(thread))))
         return found
 
-    def _on_top(self, own: _Stretch, other: _Stretch) -> list[Any]:
+    def _on_top(self, own: _Stretch, other: _Stretch) -> list[Float]:
         """Integrals of each quantity over crossings where the family is on top, square millimetres."""
         types = self._types
         columns, rows = _Steps.of(types, own), _Steps.of(types, other)
@@ -377,7 +378,7 @@ class _SingleEntries:
         self._pitch = dr.opaque(types.UInt32, areas.shape[1])
         self._areas = upload(types.UInt32, areas)
 
-    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:
+    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
         """Of each number of an entry a grid of entries: by column, then by row."""
         size = min(self._padded, 4)
         kind = self._types.Index2 if size == 2 else self._types.Index4
@@ -407,7 +408,7 @@ class _PairedEntries:
         self._last = upload(types.UInt32, np.concatenate([last[:-1], last[1:]], axis=2))
         self._all = [dr.opaque(types.UInt32, int(number)) for number in areas[-1, -1]]
 
-    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Any]]]:
+    def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
         """Of each number of an entry a grid of entries: by column, then by row."""
         size = self._size
         for part in range(self._parts):
@@ -428,7 +429,7 @@ class _PairedEntries:
                 last = [end[number + size * half] for end in ends for half in range(2)]
                 yield [*grid, [*last, self._all[part * size + number]]]
 
-    def _pair(self, table: Any, index: Any, part: int) -> Any:
+    def _pair(self, table: Float, index: UInt, part: int) -> Float:
         """Two neighbours' numbers, one after the other."""
         types, place = self._types, index * self._parts + part
         if self._size == 2:
@@ -449,8 +450,8 @@ class _Steps:
         wraps: the upper bound lies in a thread before that of the lower one, so in a later repeat.
     """
 
-    entries: list[Any]
-    weights: list[Any]
+    entries: list[Float]
+    weights: list[Float]
     wraps: Any
 
     @classmethod
@@ -461,17 +462,17 @@ class _Steps:
         entries = [low.thread, low.thread + 1, high.thread, high.thread + 1, axis.count]
         return cls(entries, [1, high.visible, -low.visible, turns], wraps)
 
-    def differences(self, found: Sequence[Any]) -> list[Any]:
+    def differences(self, found: Sequence[Float]) -> list[Float]:
         """Threads between the bounds, then those of the upper and the lower bound, then all of a repeat."""
         low, after_low, high, after_high, whole = found
         between = high - low + dr.select(self.wraps, whole, 0)
         return [between, after_high - high, after_low - low, whole]
 
 
-def _opaque(types: ArrayTypes, numbers: NDArray[np.float64]) -> list[Any]:
+def _opaque(types: ArrayTypes, numbers: NDArray[np.float64]) -> list[Float]:
     return [dr.opaque(types.Float, float(number)) for number in numbers]
 
 
-def _albedos(types: ArrayTypes, numbers: list[Any]) -> Albedos:
+def _albedos(types: ArrayTypes, numbers: list[Float]) -> Albedos:
     """Twelve numbers in the order of `_ALBEDOS`."""
     return Albedos(*(types.Color3(*numbers[first : first + 3]) for first in range(0, _NUMBERS, 3)))

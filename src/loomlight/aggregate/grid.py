@@ -8,6 +8,7 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, UInt
 from loomlight.core.backend import ArrayTypes, minimum
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import Surface
@@ -24,9 +25,9 @@ _START = 0x80000000
 class Grid:
     """Texels over a rectangle of the plane z = 0; row 0 lies at its lower edge, column 0 at its left.
 
-    One ray goes through each texel: across it at a share that advances by the golden ratio from row to row,
-    up it at a share that advances so from column to column. Rays through the middles would all fall on one
-    side of an edge along the threads, and yarns 25.6 texels wide be 26 everywhere.
+    One ray goes through each texel, at an offset in x that advances by the golden ratio from row to row, and
+    in y from column to column. Rays through the middles of texels would alias along the threads: yarns 25.6
+    texels wide would be 26 wide everywhere.
 
     Attributes:
         left, bottom, width, height: the rectangle in draft coordinates, millimetres.
@@ -44,7 +45,7 @@ class Grid:
 
     @property
     def texels(self) -> int:
-        """How many there are."""
+        """Number of texels."""
         return self.columns * self.rows
 
     @property
@@ -52,10 +53,10 @@ class Grid:
         """Size of a texel, millimetres."""
         return self.width / self.columns, self.height / self.rows
 
-    def points(self, types: ArrayTypes, texel: Any) -> tuple[Any, Any]:
+    def points(self, types: ArrayTypes, texel: UInt) -> tuple[Float, Float]:
         """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
-        row, column = divided(texel, self.columns)
-        # 24 bits of the product are what float32 holds.
+        row, column = divide(texel, self.columns)
+        # float32 holds 24 bits of the product.
         share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
         share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
         step_x, step_y = (dr.opaque(types.Float, step) for step in self.step)
@@ -64,17 +65,17 @@ class Grid:
             types.Float(row) + share_y, step_y, bottom
         )
 
-    def nearest(self, types: ArrayTypes, x: Any, y: Any) -> Any:
+    def nearest(self, types: ArrayTypes, x: Float, y: Float) -> UInt:
         """The texel around draft coordinates (millimetres) of a periodic grid: UInt32."""
         column = _around(types, x, self.left, self.width, self.columns)
         row = _around(types, y, self.bottom, self.height, self.rows)
         return row * dr.opaque(types.UInt32, self.columns) + column
 
 
-def divided(index: Any, count: int) -> tuple[Any, Any]:
-    """Quotient and remainder of UInt32 by a number that the kernel is not compiled for: UInt32 each.
+def divide(index: UInt, count: int) -> tuple[UInt, UInt]:
+    """Quotient and remainder of UInt32 by a number that is opaque to Dr.Jit: UInt32 each.
 
-    Processors divide whole numbers slowly; in double precision it is one product, exact for all 32 bits.
+    One product in double precision, exact for all 32 bits and faster than integer division.
     """
     UInt32 = type(index)
     double: Any = dr.float64_array_t(UInt32)
@@ -82,7 +83,7 @@ def divided(index: Any, count: int) -> tuple[Any, Any]:
     return quotient, index - quotient * dr.opaque(UInt32, count)
 
 
-def _around(types: ArrayTypes, position: Any, start: float, period: float, count: int) -> Any:
+def _around(types: ArrayTypes, position: Float, start: float, period: float, count: int) -> UInt:
     """The texel of a coordinate among `count` that repeat with the period (millimetres): UInt32."""
     turns = (position - dr.opaque(types.Float, start)) * dr.opaque(types.Float, 1 / period)
     share = turns - dr.floor(turns)

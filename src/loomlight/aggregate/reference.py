@@ -14,8 +14,16 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    colours,
+    components,
+    trace_views,
+    without_sheen_and_variation,
+)
 from loomlight.aggregate.grid import Grid
+from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
@@ -71,7 +79,7 @@ def reference(
         samples: uniform points in each parallelogram, at least 2.
         seed: of the points; the same for any batching.
     """
-    plain = without_extras(model)
+    plain = without_sheen_and_variation(model)
     types = array_types(footprint.area)
     rng = np.random.default_rng(seed)
     count = max(dr.width(footprint.centre), dr.width(footprint.duv_dx), dr.width(footprint.duv_dy))
@@ -92,7 +100,7 @@ def reference(
         )
         place = chosen.at(_uniform(types, s), _uniform(types, t))
         towards, eye = dr.gather(types.Vector3, light, index), dr.gather(types.Vector3, view, index)
-        point = meet(plain, place.x, place.y, eye).point
+        point = trace_views(plain, place.x, place.y, eye).point
         visible = plain.visibility(point, towards)
         appearance = plain.appearance
         channels = [
@@ -114,7 +122,7 @@ def brute_force(
     sizes: ArrayLike,
     samples: int,
     seed: int,
-    float_type: type,
+    float_type: FloatType,
 ) -> Estimate:
     """Means of the five channels over boxes, by Monte Carlo over the rays of a grid's texels only.
 
@@ -189,7 +197,7 @@ class _Sums:
         self._mean = np.zeros((count, channels))
         self._squares = np.zeros((count, channels))
 
-    def add(self, first: int, number: int, channels: list[Any]) -> None:
+    def add(self, first: int, number: int, channels: list[Float]) -> None:
         """Takes the samples of `number` footprints from `first` on."""
         dr.eval(channels)
         for index, channel in enumerate(channels):
@@ -203,7 +211,7 @@ class _Sums:
         return self._mean, self._squares / (samples * max(samples - 1, 1))
 
 
-def _directions(types: ArrayTypes, directions: ArrayLike, count: int) -> Any:
+def _directions(types: ArrayTypes, directions: ArrayLike, count: int) -> Vec3:
     vectors = np.broadcast_to(np.asarray(directions, np.float64), (count, 3))
     return types.Vector3(np.ascontiguousarray(vectors.T, dtype=np.float32))
 
@@ -213,6 +221,6 @@ def _uniform(types: ArrayTypes, numbers: NDArray[np.float32]) -> Any:
     return types.Float(np.ascontiguousarray(numbers)) - 0.5
 
 
-def _spread(types: ArrayTypes, vector: Any, count: int) -> Any:
+def _spread(types: ArrayTypes, vector: Vec3, count: int) -> Vec3:
     """A vector given once, held `count` times."""
     return types.Vector2(*(part + dr.zeros(types.Float, count) for part in (vector.x, vector.y)))

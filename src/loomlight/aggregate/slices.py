@@ -1,8 +1,8 @@
 """Slices: the integrand of one pair of light and view over a whole repeat, evaluated once.
 
-Its summed-area tables then give the exact mean over any box, and its Fourier transform over any Gaussian, so
-one slice serves thousands of queries without noise. What views share (which point each ray meets, its frame)
-is computed once a view; what lights share (shadows) once a light, where shadows are mapped.
+Its summed-area tables give the exact mean over any box, its Fourier transform the mean over any Gaussian, so
+one slice serves thousands of queries without noise. Intersections are computed once per view, and shadows
+once per light where they are mapped.
 """
 
 from __future__ import annotations
@@ -18,16 +18,17 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.aggregate.components import (
     CHANNELS,
     COLOURS,
-    MetPoints,
+    ViewHits,
     colours,
     components,
-    meet,
-    without_extras,
+    trace_views,
+    without_sheen_and_variation,
 )
 from loomlight.aggregate.gaussian import gaussian_field, gaussian_means
-from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divided, fabric_grid
-from loomlight.aggregate.shadow_maps import ShadowMaps, uploaded_vectors
+from loomlight.aggregate.grid import TEXELS_PER_THREAD, Grid, divide, fabric_grid
+from loomlight.aggregate.shadow_maps import ShadowMaps, upload_vectors
 from loomlight.aggregate.tables import TexelBoxes, box_means, summed_areas, texel_boxes
+from loomlight.core.arrays import Float, FloatType, UInt, Vec3
 from loomlight.core.backend import array_types, maximum, upload
 from loomlight.core.errors import InputError
 from loomlight.scattering.point import Albedos, PointModel, YarnPoint
@@ -49,8 +50,8 @@ class Slice:
     grid: Grid
     channels: tuple[str, ...]
     values: NDArray[np.float32]
-    _table: Any
-    _float_type: type
+    _table: Float
+    _float_type: FloatType
 
     def box_means(self, centres: ArrayLike, sizes: ArrayLike) -> NDArray[np.float64]:
         """Means over axis-aligned boxes [n, channels], exact for the slice's texels.
@@ -109,8 +110,8 @@ class SliceBatch:
     """
 
     pairs: NDArray[np.intp]
-    channels: list[Any]
-    holes: Any
+    channels: list[Float]
+    holes: Float
     hole_of: NDArray[np.intp]
 
 
@@ -126,7 +127,7 @@ class FabricSlices:
     def __init__(
         self,
         model: PointModel,
-        float_type: type,
+        float_type: FloatType,
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,
         shadows: Literal["searched", "mapped"] = "searched",
@@ -145,7 +146,7 @@ class FabricSlices:
         Raises:
             InputError: a window without extent, more than 16 million texels, or mapped shadows of a window.
         """
-        self.model = without_extras(model)
+        self.model = without_sheen_and_variation(model)
         self.grid = fabric_grid(model.surface, texels_per_thread, window)
         if shadows == "mapped" and not self.grid.periodic:
             raise InputError("Shadows are mapped over whole repeats only; search those of a window.")
@@ -186,7 +187,7 @@ class FabricSlices:
         result = np.empty((count, boxes_each, len(self.channels)), np.float32)
         for batch in self.batches(lights, views, pairs):
             lanes = len(batch.pairs) * boxes_each
-            slot, number = divided(dr.arange(self._types.UInt32, lanes), boxes_each)
+            slot, number = divide(dr.arange(self._types.UInt32, lanes), boxes_each)
             if shared is not None:
                 boxes = shared.at(number)
             else:
@@ -195,7 +196,7 @@ class FabricSlices:
             result[batch.pairs] = self._read(batch, slot, boxes).reshape(-1, *result.shape[1:])
         return result
 
-    def _read(self, batch: SliceBatch, slot: Any, boxes: TexelBoxes) -> NDArray[np.float32]:
+    def _read(self, batch: SliceBatch, slot: UInt, boxes: TexelBoxes) -> NDArray[np.float32]:
         """Means over boxes of the batch's slices number `slot`, channel by channel for each box."""
         types = self._types
         view = dr.gather(types.UInt32, upload(types.UInt32, batch.hole_of.astype(np.uint32)), slot)
@@ -244,7 +245,7 @@ class FabricSlices:
         seen = self._vectors(views[used])
         met = self._met(seen, len(used), maps)
 
-        pair, texel = divided(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
+        pair, texel = divide(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
         of_view = dr.gather(types.UInt32, upload(types.UInt32, hole_of.astype(np.uint32)), pair)
         of_light = dr.gather(types.UInt32, upload(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
         place = of_view * dr.opaque(types.UInt32, grid.texels) + texel
@@ -264,29 +265,29 @@ class FabricSlices:
         dr.eval(channels, holes)
         return SliceBatch(part, channels, holes, hole_of)
 
-    def _met(self, views: Any, count: int, maps: ShadowMaps | None) -> _MetField:
+    def _met(self, views: Vec3, count: int, maps: ShadowMaps | None) -> _HitField:
         types, grid = self._types, self.grid
-        number, texel = divided(dr.arange(types.UInt32, count * grid.texels), grid.texels)
+        number, texel = divide(dr.arange(types.UInt32, count * grid.texels), grid.texels)
         x, y = grid.points(types, texel)
         view = dr.gather(types.Vector3, views, number)
-        met = meet(self.model, x, y, view)
+        met = trace_views(self.model, x, y, view)
         shadow_texel = None if maps is None else _shadow_texel(maps, met, view)
         dr.eval(met.point, shadow_texel)
-        return _MetField(met.point, shadow_texel)
+        return _HitField(met.point, shadow_texel)
 
-    def _vectors(self, directions: NDArray[np.float64]) -> Any:
-        return uploaded_vectors(directions, self._types)
+    def _vectors(self, directions: NDArray[np.float64]) -> Vec3:
+        return upload_vectors(directions, self._types)
 
 
 @dataclass
-class _MetField:
+class _HitField:
     """What the rays of some views meet, one view after another."""
 
     point: YarnPoint
-    shadow_texel: Any
+    shadow_texel: UInt
 
 
-def _shadow_texel(maps: ShadowMaps, met: MetPoints, view: Any) -> Any:
+def _shadow_texel(maps: ShadowMaps, met: ViewHits, view: Vec3) -> UInt:
     """Texels of the shadow maps for yarn points.
 
     A ray that met a wall ends on the very edge of a yarn, and half of the texels around it lie on the yarn
@@ -319,7 +320,7 @@ def _alike(
             yield chosen, side
 
 
-def _taken(point: YarnPoint, index: Any) -> YarnPoint:
+def _taken(point: YarnPoint, index: UInt) -> YarnPoint:
     """The yarn points at `index`; what is not used later is never read."""
 
     def take(value: Any) -> Any:

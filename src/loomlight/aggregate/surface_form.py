@@ -20,16 +20,16 @@ the two see different points, since a ray that crosses the plane in a footprint 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from loomlight.aggregate.components import COMPONENTS, components, meet, without_extras
+from loomlight.aggregate.components import COMPONENTS, components, trace_views, without_sheen_and_variation
 from loomlight.aggregate.grid import Grid
+from loomlight.core.arrays import Float, FloatType, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
-from loomlight.scattering.point import PointModel, YarnPoint, on_face
+from loomlight.scattering.point import PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.visibility import passes_through, unoccluded
 
 
@@ -75,14 +75,14 @@ class SurfaceSamples:
     area: NDArray[np.float64]
 
 
-def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
+def projected_area(model: PointModel, point: YarnPoint, view: Vec3) -> Float:
     """A(p, view) of points of the surface (chen2024 eq. 4): Float, ≥ 0; zero in holes.
 
     Args:
         point: from `PointModel.at` on the face that the view sees.
         view: unit vectors [3].
     """
-    seen = on_face(view, point.back)
+    seen = to_face_frame(view, point.back)
     facing = maximum(dr.dot(seen, point.normal), 0) / maximum(point.normal.z, 1e-6)
     worth = (facing > 0) & ~point.hole
     surface, quality = model.surface, model.quality
@@ -94,16 +94,18 @@ def projected_area(model: PointModel, point: YarnPoint, view: Any) -> Any:
     return dr.select(free & worth & ~through, facing, 0)
 
 
-def surface_samples(model: PointModel, x: Any, y: Any, light: ArrayLike, view: ArrayLike) -> SurfaceSamples:
+def surface_samples(
+    model: PointModel, x: Float, y: Float, light: ArrayLike, view: ArrayLike
+) -> SurfaceSamples:
     """Both kinds of samples at places x, y (draft millimetres) of the plane z = 0.
 
     Args:
         light, view: unit vectors [3]; z < 0 is the back.
     """
     types = array_types(x)
-    plain = without_extras(model)
+    plain = without_sheen_and_variation(model)
     towards, eye = (_everywhere(types, direction, dr.width(x)) for direction in (light, view))
-    met = meet(plain, x, y, eye)
+    met = trace_views(plain, x, y, eye)
     back = types.Bool(eye.z < 0)
     _, hole = plain.surface.height(x, y, back)
     below = plain.at(x, y, back, hole)
@@ -119,7 +121,7 @@ def surface_samples(model: PointModel, x: Any, y: Any, light: ArrayLike, view: A
 
 
 def surface_form(
-    model: PointModel, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: type
+    model: PointModel, grid: Grid, light: ArrayLike, view: ArrayLike, float_type: FloatType
 ) -> SurfaceForm:
     """Both averages of the four components over the points of a grid.
 
@@ -144,13 +146,13 @@ def surface_form(
     )
 
 
-def _shaded(model: PointModel, point: YarnPoint, light: Any, view: Any) -> NDArray[np.float64]:
+def _shaded(model: PointModel, point: YarnPoint, light: Vec3, view: Vec3) -> NDArray[np.float64]:
     visible = model.visibility(point, light)
     parts = components(model.appearance, point, light, view, visible)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in parts])
 
 
-def _everywhere(types: ArrayTypes, direction: ArrayLike, count: int) -> Any:
+def _everywhere(types: ArrayTypes, direction: ArrayLike, count: int) -> Vec3:
     # Opaque, so that one kernel serves every direction.
     parts = (dr.opaque(types.Float, float(part)) for part in np.asarray(direction, np.float64))
     return types.Vector3(*parts) + dr.zeros(types.Vector3, count)

@@ -7,7 +7,7 @@ origin to (c + a·C, r + b·R) is
 
     G = T[r, c] + a·T[r, C] + b·T[R, c] + a·b·T[R, C]
 
-with whole a and b, so boxes of many repeats cost what small ones do: the mean of a box is four reads of G.
+with whole a and b, so the cost of a box does not depend on its size: its mean takes four evaluations of G.
 """
 
 from __future__ import annotations
@@ -19,16 +19,17 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.grid import Grid, divided
+from loomlight.aggregate.grid import Grid, divide
+from loomlight.core.arrays import Float, FloatType, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
 from loomlight.core.errors import InputError
 
-# Boxes count as at least this share of a texel wide and high: what rounding adds to the difference of four
-# float64 sums of 10⁷ texels stays below 1e-4 of the slice's mean.
+# Smallest width and height of a box, in texels. Rounding of the difference of four float64 sums of 10⁷ texels
+# then stays below 1e-4 of the slice's mean.
 _SMALLEST_BOX = 1e-2
 
 
-def summed_areas(values: Any, columns: int, rows: int) -> Any:
+def summed_areas(values: Float, columns: int, rows: int) -> Float:
     """Tables of slices, one after another, (rows + 1)·(columns + 1) entries each: Float64.
 
     Args:
@@ -42,14 +43,14 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
     texels = dr.opaque(types.UInt32, columns * rows)
     entries = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 
-    # Up the columns: a lane a column, so that lanes side by side read side by side. The first holds zeros.
-    number, column = divided(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
+    # Sums along columns, a lane per column: neighbouring lanes read neighbouring texels. Column 0 is 0.
+    number, column = divide(dr.arange(types.UInt32, slices * (columns + 1)), columns + 1)
     inside = column > 0
     texel = number * texels + column - 1
     entry = number * entries + column
     dr.scatter(table, types.Float(0), entry)
 
-    def add_row(row: Any, total: Any) -> tuple[Any, Any]:
+    def add_row(row: UInt, total: Float) -> tuple[UInt, Float]:
         total = total + types.Float(dr.gather(type(values), values, texel + row * width, inside))
         dr.scatter(table, total, entry + (row + 1) * pitch)
         return row + 1, total
@@ -58,7 +59,7 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
     dr.while_loop(start, lambda row, total: row < height, add_row, label="summed areas: columns")
     dr.eval(table)
 
-    # Then along the rows.
+    # Prefix sums along rows.
     table = dr.block_prefix_sum(table, columns + 1, exclusive=False)
     dr.eval(table)
     return table
@@ -66,20 +67,20 @@ def summed_areas(values: Any, columns: int, rows: int) -> Any:
 
 @dataclass
 class TexelBoxes:
-    """Boxes in texels from the corner of the grid: lower and upper bounds, Float64 each."""
+    """Lower and upper bounds of boxes in texels from the corner of the grid, in double precision."""
 
-    left: Any
-    right: Any
-    bottom: Any
-    top: Any
+    left: Float
+    right: Float
+    bottom: Float
+    top: Float
 
-    def at(self, index: Any) -> TexelBoxes:
-        """The boxes of these numbers, UInt32."""
+    def at(self, index: UInt) -> TexelBoxes:
+        """The boxes of these indices."""
         bounds = (self.left, self.right, self.bottom, self.top)
         return TexelBoxes(*(dr.gather(type(bound), bound, index) for bound in bounds))
 
 
-def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: type) -> TexelBoxes:
+def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_type: FloatType) -> TexelBoxes:
     """Boxes on the grid from centres and sizes [n, 2] in millimetres, not evaluated yet.
 
     Args:
@@ -121,14 +122,14 @@ def _require_inside(grid: Grid, centres: NDArray[np.float64], sizes: NDArray[np.
 
 @dataclass
 class _Bound:
-    """One side of a box: the entries of the table around it, and how many repeats it lies away."""
+    """One side of a box: table entry, fraction to the next entry, and number of whole repeats."""
 
-    entry: Any
-    share: Any
-    turns: Any
+    entry: UInt
+    share: Float
+    turns: Float
 
 
-def _bound(position: Any, count: int) -> _Bound:
+def _bound(position: Float, count: int) -> _Bound:
     types = array_types(position)
     whole = dr.opaque(types.Float, count)
     turns = dr.floor(position * dr.opaque(types.Float, 1 / count))
@@ -137,7 +138,7 @@ def _bound(position: Any, count: int) -> _Bound:
     return _Bound(entry, local - types.Float(entry), turns)
 
 
-def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
+def box_means(table: Float, first: UInt, grid: Grid, boxes: TexelBoxes) -> Float:
     """Mean of a slice over boxes: Float64 [n].
 
     Args:
@@ -150,18 +151,18 @@ def box_means(table: Any, first: Any, grid: Grid, boxes: TexelBoxes) -> Any:
     pitch = dr.opaque(types.UInt32, grid.columns + 1)
     columns, rows = dr.opaque(types.UInt32, grid.columns), dr.opaque(types.UInt32, grid.rows)
 
-    def read(row: Any, column: Any) -> Any:
+    def read(row: UInt, column: UInt) -> Float:
         return dr.gather(types.Float, table, first + row * pitch + column)
 
-    def in_row(row: Any, bound: _Bound) -> Any:
+    def in_row(row: UInt, bound: _Bound) -> Float:
         return dr.lerp(read(row, bound.entry), read(row, bound.entry + 1), bound.share)
 
-    def strip(row: Any) -> Any:
+    def strip(row: UInt) -> Float:
         """Sum of a row of the table between the left and right bounds."""
         whole = (across[1].turns - across[0].turns) * read(row, columns)
         return in_row(row, across[1]) - in_row(row, across[0]) + whole
 
-    def below(bound: _Bound) -> Any:
+    def below(bound: _Bound) -> Float:
         return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.share)
 
     total = below(along[1]) - below(along[0])

@@ -1,4 +1,4 @@
-"""A fabric as a record that needs no other file: its fields as text, its draft as tensors.
+"""A fabric as a source of a `.loom`, which needs no other file: its fields as text, its draft as tensors.
 
 A fabric file names a draft, and the draft may be a file of its own. The record holds what that draft says
 about cloth: the drawdown, and colours, spacing and thickness of every thread, in float64, so that the fabric
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import PurePath
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,13 +22,16 @@ from loomlight.fabric.reading import parse_fabric_file
 from loomlight.fabric.writing import fabric_toml
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
 
+Tensor: TypeAlias = NDArray[Any]
+"""An array of any type that a `.loom` can hold."""
+
 _FAMILIES = ("warp", "weft")
 _LENGTHS_MM = (1e-6, 1e6)
 _RANGES = {"colors": (0.0, 1.0), "spacing_mm": _LENGTHS_MM, "thickness_mm": _LENGTHS_MM}
 
 
-class FabricRecord(BaseModel):
-    """What a `.loom` file's header says of its fabric; the draft is in the tensors.
+class _FabricRecord(BaseModel):
+    """What a `.loom` file's header says of a fabric; the draft is in the tensors.
 
     Attributes:
         name: of the fabric.
@@ -43,10 +46,10 @@ class FabricRecord(BaseModel):
     toml: str
 
 
-def fabric_record(fabric: Fabric) -> tuple[FabricRecord, dict[str, NDArray[Any]]]:
-    """The record of a fabric and the tensors beside it."""
+def fabric_record(fabric: Fabric) -> tuple[dict[str, Any], dict[str, Tensor]]:
+    """The record of a fabric, as JSON, and the tensors beside it."""
     draft = fabric.named_draft
-    tensors: dict[str, NDArray[Any]] = {"drawdown": np.asarray(draft.drawdown, np.bool_)}
+    tensors: dict[str, Tensor] = {"drawdown": np.asarray(draft.drawdown, np.bool_)}
     for family in _FAMILIES:
         threads: Threads = getattr(draft, family)
         for field in _RANGES:
@@ -56,7 +59,7 @@ def fabric_record(fabric: Fabric) -> tuple[FabricRecord, dict[str, NDArray[Any]]
         if threads.color_index is not None:
             tensors[f"{family}.color_index"] = np.asarray(threads.color_index, np.int64)
     toml = fabric_toml(_without_folders(fabric.fields), fabric.folder, fabric.folder)
-    return FabricRecord(name=fabric.name, title=draft.title, toml=toml), tensors
+    return _FabricRecord(name=fabric.name, title=draft.title, toml=toml).model_dump(), tensors
 
 
 def _without_folders(fields: FabricFile) -> FabricFile:
@@ -65,31 +68,33 @@ def _without_folders(fields: FabricFile) -> FabricFile:
     return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
 
 
-def fabric_from_record(record: FabricRecord, tensors: Mapping[str, NDArray[Any]], file: str) -> Fabric:
+def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Fabric:
     """The fabric of a record and its tensors; nothing else is read.
 
     Args:
-        file: the `.loom`; it is the folder of the fabric, as its draft lies inside.
+        folder: where the `.loom` lies.
 
     Raises:
+        ValidationError: another record than `fabric_record` makes.
         InputError: fields or tensors that make no fabric; the message names the one at fault.
     """
+    held = _FabricRecord.model_validate(record)
     if "drawdown" not in tensors:
-        raise InputError("the tensor fabric.drawdown is missing: without it there is no fabric.")
+        raise InputError("the tensor source.drawdown is missing: without it there is no fabric.")
     drawdown = tensors["drawdown"]
     if drawdown.dtype != np.bool_ or drawdown.ndim != 2 or (drawdown.view(np.uint8) > 1).any():
-        raise InputError("the tensor fabric.drawdown must hold true and false [picks, ends].")
+        raise InputError("the tensor source.drawdown must hold true and false [picks, ends].")
     picks, ends = drawdown.shape
     threads = {
         family: _threads(family, tensors, count)
         for family, count in zip(_FAMILIES, (ends, picks), strict=True)
     }
-    fields = parse_fabric_file(record.toml)
-    draft = Draft(drawdown, threads["warp"], threads["weft"], title=record.title)
-    return make_fabric(fields, draft, record.name, file)
+    fields = parse_fabric_file(held.toml)
+    draft = Draft(drawdown, threads["warp"], threads["weft"], title=held.title)
+    return make_fabric(fields, draft, held.name, folder)
 
 
-def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Threads:
+def _threads(family: str, tensors: Mapping[str, Tensor], count: int) -> Threads:
     values: dict[str, Any] = {
         field: _checked(f"{family}.{field}", tensors[f"{family}.{field}"], count, bounds)
         for field, bounds in _RANGES.items()
@@ -100,18 +105,18 @@ def _threads(family: str, tensors: Mapping[str, NDArray[Any]], count: int) -> Th
         fits = index.dtype == np.int64 and index.shape == (count,)
         if not fits or not ((index >= 0) & (index < 2 * MAXIMUM_THREADS)).all():
             raise InputError(
-                f"the tensor fabric.{family}.color_index must hold {count} rows of a palette, int64."
+                f"the tensor source.{family}.color_index must hold {count} rows of a palette, int64."
             )
         values["color_index"] = index.astype(np.intp)
     return Threads(**values)
 
 
-def _checked(name: str, values: NDArray[Any], count: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
+def _checked(name: str, values: Tensor, count: int, bounds: tuple[float, float]) -> NDArray[np.float64]:
     shape = (count, 3) if name.endswith("colors") else (count,)
     low, high = bounds
     good = values.dtype == np.float64 and values.shape == shape
     if not good or not ((values >= low) & (values <= high)).all():
         raise InputError(
-            f"the tensor fabric.{name} must hold {list(shape)} float64 numbers from {low:g} to {high:g}."
+            f"the tensor source.{name} must hold {list(shape)} float64 numbers from {low:g} to {high:g}."
         )
     return values

@@ -1,12 +1,14 @@
-"""The material file, `.loom`: a fabric together with what a model baked or trained for it.
+"""The material file, `.loom`: a source, such as a fabric, and what a model baked or trained for it.
 
 It is one safetensors file. The metadata has one entry, `loom`, whose JSON is
 
     {"checksum": SHA-256 of the rest, "material": {"schema", "model", "units", "settings", "networks",
-                                                   "fabric": {"name", "title", "toml"}}}
+                                                   "source": {"kind", …}}}
 
-Tensors named `fabric.…` are the draft (`fabric_record.py`), those named `model.…` the model's own. Nothing
-else is needed to read the fabric; networks that many materials share are named by their SHA-256 instead.
+Tensors named `source.…` belong to the source (`sources.py`), those named `model.…` to the model. Nothing else
+is needed to read the source; networks that many materials share are named by their SHA-256 instead.
+
+Of files of schema 1, whose source was always a fabric, the source is still read; models must be baked again.
 """
 
 from __future__ import annotations
@@ -20,23 +22,23 @@ from pathlib import Path
 from typing import Any, NoReturn, TypeVar
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from safetensors import SafetensorError, safe_open
 from safetensors.numpy import save
 
-from loomlight.assets.fabric_record import FabricRecord, fabric_from_record, fabric_record
+from loomlight.assets.fabric_record import Tensor
+from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
-from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import shown
 
-SCHEMA = 1
+SCHEMA = 2
 LOOM_SUFFIX = ".loom"
 UNITS = {"length": "mm", "angle": "rad", "colour": "linear RGB", "value": "1/sr"}
 _ENTRY = "loom"
-_FABRIC, _MODEL = "fabric.", "model."
+_SOURCE, _MODEL = "source.", "model."
 # safetensors' names of what a `.loom` may hold; numpy has no bfloat16 and no 8-bit floats.
 _KINDS = {
     "BOOL": np.bool_,
@@ -53,6 +55,8 @@ _KINDS = {
     "F64": np.float64,
 }
 
+_DAMAGED = "its header is damaged: bake the file again"
+
 Setting = bool | int | float | str
 _Kind = TypeVar("_Kind", bool, int, float, str)
 
@@ -63,21 +67,23 @@ class LoomFile:
 
     Attributes:
         model: name of the model, as `loomlight bake --model` calls it.
-        fabric: what it is a material of.
+        source: what it is a material of.
         tensors: the model's arrays by name, in the layout and units that the model states.
         settings: the model's single values by name.
         networks: SHA-256, as hexadecimal text, of networks that it needs and does not hold, by name.
-        source: what messages call the file.
+        file: what messages call the file.
+        schema: of the file.
     """
 
     model: str
-    fabric: Fabric
-    tensors: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    source: Source
+    tensors: Mapping[str, Tensor] = field(default_factory=dict)
     settings: Mapping[str, Setting] = field(default_factory=dict)
     networks: Mapping[str, str] = field(default_factory=dict)
-    source: str = "the .loom file"
+    file: str = "the .loom file"
+    schema: int = SCHEMA
 
-    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> NDArray[Any]:
+    def tensor(self, name: str, shape: tuple[int | None, ...], dtype: DTypeLike) -> Tensor:
         """The tensor `name`; None in `shape` stands for any extent.
 
         Raises:
@@ -135,7 +141,7 @@ class LoomFile:
             self._refuse(f'it holds the model "{shown(self.model)[1:-1]}", not "{name}": bake it with that')
 
     def _refuse(self, reason: str) -> NoReturn:
-        raise InputError(f"{self.source}: {reason}.")
+        raise InputError(f"{self.file}: {reason}.")
 
 
 class _Material(BaseModel):
@@ -148,7 +154,7 @@ class _Material(BaseModel):
     units: dict[str, str]
     settings: dict[str, Setting]
     networks: dict[str, str]
-    fabric: FabricRecord
+    source: dict[str, Any]
 
 
 def is_loom(path: str | os.PathLike[str]) -> bool:
@@ -165,8 +171,9 @@ def write_loom(path: str | os.PathLike[str], loom: LoomFile) -> None:
     """
     if not is_loom(path):
         raise InputError(f"{path}: a material file ends in {LOOM_SUFFIX}.")
-    record, fabric_tensors = fabric_record(loom.fabric)
-    tensors = {_FABRIC + name: _plain(name, values) for name, values in fabric_tensors.items()}
+    kind = kind_of_source(loom.source)
+    record, source_tensors = SOURCE_KINDS[kind].record(loom.source)
+    tensors = {_SOURCE + name: _plain(name, values) for name, values in source_tensors.items()}
     tensors |= {_MODEL + name: _plain(name, values) for name, values in loom.tensors.items()}
     material = _Material(
         schema=SCHEMA,
@@ -174,7 +181,7 @@ def write_loom(path: str | os.PathLike[str], loom: LoomFile) -> None:
         units=UNITS,
         settings=dict(loom.settings),
         networks=dict(loom.networks),
-        fabric=record,
+        source={"kind": kind, **record},
     ).model_dump(by_alias=True)
     header = {"checksum": checksum(material, tensors), "material": material}
     data = save(tensors, {_ENTRY: json.dumps(header, sort_keys=True)})
@@ -189,25 +196,40 @@ def read_loom(path: str | os.PathLike[str]) -> LoomFile:
         InputError: no such file, no `.loom`, a newer one, or one that is damaged.
     """
     require_file(path)
-    source = str(path)
-    with speaking_of(source):
-        header, tensors = _opened(source)
-        material = _parsed(header, tensors)
+    file = str(path)
+    with speaking_of(file):
+        header, tensors = _opened(file)
+        material, tensors, schema = _parsed(header, tensors)
         for name, values in tensors.items():
             if values.dtype.kind == "f" and not np.isfinite(values).all():
                 raise InputError(f"the tensor {name} holds NaN or infinity: bake the file again.")
-        fabric = fabric_from_record(material.fabric, _those_named(tensors, _FABRIC), source)
+        source = _source(material.source, _those_named(tensors, _SOURCE), str(Path(file).parent))
     return LoomFile(
         model=material.model,
-        fabric=fabric,
+        source=source,
         tensors=_those_named(tensors, _MODEL),
         settings=material.settings,
         networks=material.networks,
-        source=source,
+        file=file,
+        schema=schema,
     )
 
 
-def checksum(material: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]]) -> str:
+def _source(record: dict[str, Any], tensors: Mapping[str, Tensor], folder: str) -> Source:
+    content = dict(record)
+    kind = content.pop("kind", None)
+    if not isinstance(kind, str) or kind not in SOURCE_KINDS:
+        raise InputError(
+            f"its source is of the kind {shown(kind)}, which does not exist here: install a newer loomlight."
+        )
+    try:
+        source: Source = SOURCE_KINDS[kind].from_record(content, tensors, folder)
+    except ValidationError as error:
+        raise InputError(f"{_DAMAGED}{_place(error, 'source.')}.") from error
+    return source
+
+
+def checksum(material: Mapping[str, object], tensors: Mapping[str, Tensor]) -> str:
     """SHA-256 of the header's material and of all tensors, as hexadecimal text."""
     digest = hashlib.sha256(json.dumps(material, sort_keys=True).encode())
     for name in sorted(tensors):
@@ -223,7 +245,7 @@ def file_sha256(path: str | os.PathLike[str]) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
+def _plain(name: str, values: Tensor) -> Tensor:
     """Contiguous and little-endian, as safetensors writes arrays without asking."""
     if values.dtype.newbyteorder("=") not in {np.dtype(kind) for kind in _KINDS.values()}:
         raise ValueError(f"the tensor {name} is {values.dtype}, which a .loom file cannot hold")
@@ -232,7 +254,7 @@ def _plain(name: str, values: NDArray[Any]) -> NDArray[Any]:
     return np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
 
 
-def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
+def _opened(path: str) -> tuple[str, dict[str, Tensor]]:
     """The header's text and all tensors."""
     try:
         with safe_open(path, framework="numpy") as file:
@@ -252,15 +274,15 @@ def _opened(path: str) -> tuple[str, dict[str, NDArray[Any]]]:
         raise InputError("it is no .loom file, or damaged: `loomlight bake` writes one.") from error
 
 
-def _parsed(header: str, tensors: Mapping[str, NDArray[Any]]) -> _Material:
-    damaged = "its header is damaged: bake the file again"
+def _parsed(header: str, tensors: dict[str, Tensor]) -> tuple[_Material, dict[str, Tensor], int]:
+    """The header and the tensors as of today's schema, and the schema of the file."""
     try:
         content = json.loads(header, parse_constant=_refuse_constant)
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{damaged}.") from error
+        raise InputError(f"{_DAMAGED}.") from error
     raw = content.get("material") if isinstance(content, dict) else None
     if not isinstance(raw, dict):
-        raise InputError(f"{damaged}: it holds no material.")
+        raise InputError(f"{_DAMAGED}: it holds no material.")
     schema = raw.get("schema")
     if not isinstance(schema, int) or isinstance(schema, bool) or schema < 1:
         raise InputError(f"its schema is {shown(schema)}: a whole number from 1 to {SCHEMA} is right.")
@@ -270,28 +292,46 @@ def _parsed(header: str, tensors: Mapping[str, NDArray[Any]]) -> _Material:
         )
     if content.get("checksum") != checksum(raw, tensors):
         raise InputError("its content does not fit its checksum, so it is damaged: bake the file again.")
+    if schema == 1:
+        raw, tensors = _of_first_schema(raw, tensors)
     try:
         material = _Material.model_validate(raw)
     except (ValidationError, RecursionError) as error:
-        raise InputError(f"{damaged}{_place(error)}.") from error
+        raise InputError(f"{_DAMAGED}{_place(error)}.") from error
     if material.units != UNITS:
         raise InputError(f"its units are {shown(json.dumps(material.units))}: they must be {UNITS}.")
-    strangers = [name for name in tensors if not name.startswith((_FABRIC, _MODEL))]
+    strangers = [name for name in tensors if not name.startswith((_SOURCE, _MODEL))]
     if strangers:
-        raise InputError(f"the tensor {shown(strangers[0])} is neither the fabric's nor the model's.")
-    return material
+        raise InputError(f"the tensor {shown(strangers[0])} is neither the source's nor the model's.")
+    return material, tensors, schema
+
+
+def _of_first_schema(
+    raw: dict[str, Any], tensors: dict[str, Tensor]
+) -> tuple[dict[str, Any], dict[str, Tensor]]:
+    """A material of schema 1 as one of today's: its source was a fabric and bore that name."""
+    fabric = raw.get("fabric")
+    today = {name: value for name, value in raw.items() if name != "fabric"}
+    if isinstance(fabric, dict):
+        today["source"] = {"kind": "fabric", **fabric}
+    old = "fabric."
+    renamed = {
+        _SOURCE + name.removeprefix(old) if name.startswith(old) else name: values
+        for name, values in tensors.items()
+    }
+    return today, renamed
 
 
 def _refuse_constant(name: str) -> NoReturn:
     raise ValueError(f"{name} is no JSON")
 
 
-def _place(error: Exception) -> str:
+def _place(error: Exception, within: str = "") -> str:
     if not isinstance(error, ValidationError):
         return ""
     fault = error.errors(include_url=False)[0]
-    return f" at {'.'.join(str(part) for part in fault['loc'])}: {fault['msg']}"
+    return f" at {within}{'.'.join(str(part) for part in fault['loc'])}: {fault['msg']}"
 
 
-def _those_named(tensors: Mapping[str, NDArray[Any]], prefix: str) -> dict[str, NDArray[Any]]:
+def _those_named(tensors: Mapping[str, Tensor], prefix: str) -> dict[str, Tensor]:
     return {name[len(prefix) :]: values for name, values in tensors.items() if name.startswith(prefix)}

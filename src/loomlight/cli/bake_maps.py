@@ -45,7 +45,7 @@ def bake_maps(
             require_within("--window", number, -LARGEST_WINDOW, LARGEST_WINDOW)
         corner = (left, bottom, width, height)
 
-    from loomlight.assets.fabrics import fabric_of_path
+    from loomlight.assets.load import fabric_of_path
     from loomlight.core.llvm import require_llvm
 
     cloth = fabric_of_path(fabric)

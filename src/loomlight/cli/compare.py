@@ -40,7 +40,7 @@ def compare(
     require_within("--spp", 1 if samples is None else samples, 1, 1_000_000)
     names = _listed(models)
 
-    from loomlight.assets.fabrics import fabric_of_path
+    from loomlight.assets.load import fabric_of_path
 
     cloth = fabric_of_path(fabric)
 

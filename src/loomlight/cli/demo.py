@@ -55,7 +55,7 @@ def demo(
 
     from loomlight.core.images import write_image
     from loomlight.fabric.load import fabric_from_text
-    from loomlight.mitsuba import build_scene, choose_variant, fabric_bsdf, render
+    from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 
     choose_variant()
     # The point model: at so many samples a pixel it is faster, and it shows how the dye varies.
@@ -63,14 +63,14 @@ def demo(
     near = 2 * samples
     work = samples * SIZE[0] * SIZE[1], near * INSET * INSET
     with progress(f"{cloth.name}, draped") as report:
-        far = build_scene("drape", fabric_bsdf(cloth, "point"), size=SIZE)
+        far = build_scene("drape", material_bsdf(cloth, "point"), size=SIZE)
         whole = render(
             far.scene,
             spp=samples,
             exposure=EXPOSURE,
             progress=lambda done, total: report(work[0] * done // total, sum(work)),
         )
-        close = build_scene("drape", fabric_bsdf(cloth, "point"), size=(INSET, INSET), zoom=ZOOM)
+        close = build_scene("drape", material_bsdf(cloth, "point"), size=(INSET, INSET), zoom=ZOOM)
         inset = render(
             close.scene,
             spp=near,

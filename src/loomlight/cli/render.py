@@ -10,12 +10,8 @@ import typer
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_numbers, parse_size, require_within
-from loomlight.core.errors import InputError
 
 EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
-
-MODELS = ("lobes", "point", "woven")
-DEFAULT_MODEL = "lobes"
 
 
 def render(
@@ -26,8 +22,9 @@ def render(
         Path, typer.Option("--output", "-o", help="The picture to write: .png (sRGB) or .exr (linear).")
     ],
     model: Annotated[
-        str, typer.Option(help=f"How the cloth is computed: {', '.join(MODELS)}.")
-    ] = DEFAULT_MODEL,
+        str | None,
+        typer.Option(help="How the cloth is computed; by default what a .loom holds, else lobes."),
+    ] = None,
     scene: Annotated[
         str, typer.Option(help="flat, sphere, cylinder, drape, or a Mitsuba scene FILE.xml.")
     ] = "drape",
@@ -67,8 +64,10 @@ def render(
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
 ) -> None:
     """Renders a fabric on a piece of cloth, a mesh, or the marked shapes of a scene file."""
-    if model not in MODELS:
-        raise InputError(f'--model "{model}" does not exist: use {", ".join(MODELS)}.')
+    if model is not None:
+        from loomlight.models.registry import require_model_name
+
+        require_model_name(model)
     check_output(output, (".png", ".exr"))
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
@@ -82,16 +81,12 @@ def render(
         azimuth, elevation = parse_numbers("--light-from", light_from, 2, "-40,35")
         towards_light = (azimuth, elevation)
 
-    from loomlight.assets.fabrics import fabric_of_path
-
-    cloth = fabric_of_path(fabric)
-
     from loomlight.core.images import write_image
     from loomlight.mitsuba import render_fabric
 
-    with progress(f"{cloth.name}, {scene if mesh is None else mesh.name}") as report:
+    with progress(f"{fabric}, {scene if mesh is None else mesh.name}") as report:
         picture = render_fabric(
-            cloth,
+            fabric,
             scene,
             model=model,
             mesh=mesh,

@@ -29,5 +29,8 @@ Vec3: TypeAlias = Any
 Color3: TypeAlias = Any
 """Three Floats: linear RGB."""
 
+Array: TypeAlias = Any
+"""A Dr.Jit array of any type and shape."""
+
 FloatType: TypeAlias = Any
 """The class of a Float, which names backend and precision."""

@@ -15,6 +15,8 @@ import drjit as dr
 import numpy as np
 from numpy.typing import ArrayLike
 
+from loomlight.core.arrays import Array, Color3, Float, FloatType
+
 
 @dataclass(frozen=True)
 class ArrayTypes:
@@ -59,7 +61,7 @@ def _types_of(float_type: type) -> ArrayTypes:
     )
 
 
-def array_types(example: Any) -> ArrayTypes:
+def array_types(example: Array | FloatType) -> ArrayTypes:
     """The types that go with `example`, a float array or a vector of floats of any Dr.Jit backend."""
     kind = example if isinstance(example, type) else type(example)
     while dr.depth_v(kind) > 1:
@@ -67,7 +69,7 @@ def array_types(example: Any) -> ArrayTypes:
     return _types_of(kind)
 
 
-def maximum(first: Any, second: Any) -> Any:
+def maximum(first: Float, second: Float) -> Float:
     """The larger one of two Dr.Jit numbers or arrays, lane by lane; the second where either is no number.
 
     `dr.maximum` lets what is no number pass and tells +0 from −0. On x86 that takes LLVM five instructions
@@ -76,23 +78,23 @@ def maximum(first: Any, second: Any) -> Any:
     return dr.select(first > second, first, second) if _compares(first, second) else dr.maximum(first, second)
 
 
-def minimum(first: Any, second: Any) -> Any:
+def minimum(first: Float, second: Float) -> Float:
     """The smaller one of two Dr.Jit numbers or arrays; see `maximum`."""
     return dr.select(first < second, first, second) if _compares(first, second) else dr.minimum(first, second)
 
 
-def clip(value: Any, low: Any, high: Any) -> Any:
+def clip(value: Float, low: Float, high: Float) -> Float:
     """A Dr.Jit number or array brought into the range from `low` to `high`; `low` where it is no number."""
     return minimum(maximum(value, low), high)
 
 
-def _compares(first: Any, second: Any) -> bool:
+def _compares(first: Float, second: Float) -> bool:
     # Of two literals a comparison leaves one, and derivatives would lose their way.
     on_cpu = dr.JitBackend.LLVM in (dr.backend_v(first), dr.backend_v(second))
     return on_cpu and not dr.grad_enabled(first, second)
 
 
-# What formulas that are machine code too (`lane_code.Code`) call functions of Dr.Jit's arrays by.
+# Functions of Dr.Jit arrays, for formulas that take the module of array functions as an argument.
 DRJIT: Any = SimpleNamespace(
     abs=dr.abs,
     asin=dr.asin,
@@ -113,7 +115,7 @@ DRJIT: Any = SimpleNamespace(
 )
 
 
-def channel_mean(colour: Any) -> Any:
+def channel_mean(colour: Color3) -> Float:
     """Mean of the channels of a Dr.Jit colour or spectrum: Float.
 
     `dr.mean` would make the number of lanes a literal, and every other number compile kernels anew.
@@ -121,7 +123,7 @@ def channel_mean(colour: Any) -> Any:
     return dr.sum(colour) * (1 / len(colour))
 
 
-def upload(kind: Any, values: ArrayLike) -> Any:
+def upload(kind: FloatType, values: ArrayLike) -> Array:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 
     On the CPU Dr.Jit would use numpy's memory as it is: it compiles kernels anew when its alignment differs,
@@ -130,7 +132,7 @@ def upload(kind: Any, values: ArrayLike) -> Any:
     flat = np.ravel(np.asarray(values))
     if dr.backend_v(kind) != dr.JitBackend.LLVM or flat.size == 0:
         return kind(np.ascontiguousarray(flat))
-    array: Any = dr.empty(kind, flat.size)
+    array: Array = dr.empty(kind, flat.size)
     # Kernels that still run may read memory that was given back before.
     dr.sync_thread()
     array.numpy()[:] = flat

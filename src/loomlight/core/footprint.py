@@ -1,8 +1,8 @@
-"""Footprints: how much of the cloth a pixel sees, and the forms that models take it in.
+"""Footprints: the part of the cloth that a pixel sees, and its approximations that models take.
 
-One place for the conversions. A footprint is the parallelogram that a pixel covers on the plane of the
+A footprint is the parallelogram that a pixel covers on the plane of the
 cloth. Its points are centre + s·duv_dx + t·duv_dy with s and t uniform in [−1/2, 1/2], so their covariance
-is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. What stands for it elsewhere:
+is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its approximations:
 
 - a square of the same area, for models that take one size;
 - a Gaussian of σ = sqrt(area/12), the deviation of that square along each axis (kuznetsov2021);
@@ -13,14 +13,14 @@ is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. What stands for it elsewhere:
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Vec2
 from loomlight.core.backend import array_types, maximum, minimum
 
-# Squares of a row, and up to which ratio of squared length to squared width one square does as well.
-SQUARES = 4
+# Most anisotropic taps; and the ratio of squared length to squared width up to which one tap is enough.
+ANISOTROPIC_TAPS = 4
 _ALIKE = 1.5
 
 
@@ -33,38 +33,38 @@ class Box:
         size: width and height [2].
     """
 
-    centre: Any
-    size: Any
+    centre: Vec2
+    size: Vec2
 
 
 @dataclass
 class Footprint:
-    """What a pixel sees of the cloth, in draft coordinates, millimetres: Vector2 of any backend.
+    """The part of the cloth that a pixel sees, in draft coordinates, millimetres.
 
     Attributes:
         centre: middle of the parallelogram [2].
         duv_dx, duv_dy: its edges [2], the steps on the cloth to the next pixel along x and along y.
-        samples: of how many footprints a mean is taken anyway, as of a pixel's samples. Models that look at
-            points of a footprint look at fewer then.
+        samples: how many footprints are averaged by the caller, as the samples of a pixel. Models that sample
+            points of a footprint take fewer then.
     """
 
-    centre: Any
-    duv_dx: Any
-    duv_dy: Any
-    samples: Any = 1
+    centre: Vec2
+    duv_dx: Vec2
+    duv_dy: Vec2
+    samples: Float = 1
 
     @property
-    def area(self) -> Any:
+    def area(self) -> Float:
         """Square millimetres, ≥ 0."""
         return dr.abs(self.duv_dx.x * self.duv_dy.y - self.duv_dx.y * self.duv_dy.x)
 
     @property
-    def square_side(self) -> Any:
+    def square_side(self) -> Float:
         """Side of the square of the same area, millimetres."""
         return dr.sqrt(self.area)
 
     @property
-    def spread_side(self) -> Any:
+    def spread_side(self) -> Float:
         """Side of the square whose variances have the same sum, millimetres.
 
         It is that of the same area or larger. For filters that know squares alone: where footprints are long,
@@ -73,12 +73,15 @@ class Footprint:
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
 
-    def row_of_squares(self) -> tuple[Any, Any]:
-        """A row of `SQUARES` squares whose mean stands for a long footprint, as grazing views make them.
+    def anisotropic_taps(self) -> tuple[Float, Vec2]:
+        """A row of `ANISOTROPIC_TAPS` square taps whose mean filters a long footprint, as of a grazing view.
 
-        Their side, millimetres, and the step [2] from one to the next. The row has the footprint's sum of
-        variances, and nearly its variances, up to as long as the squares reach; beyond they are larger.
-        Where a footprint is hardly longer than wide the step is 0, and it is one square of `spread_side`.
+        Like anisotropic texture filtering. The row has the footprint's sum of variances. It has nearly its
+        variances too for footprints up to `ANISOTROPIC_TAPS` times as long as wide; taps of longer ones are
+        wider. A footprint that is hardly longer than wide is one tap of `spread_side`.
+
+        Returns:
+            side of a tap, millimetres, and the step [2] from one tap to the next, 0 for a single tap.
         """
         types = array_types(self.duv_dx.x)
         across = dr.square(self.duv_dx.x) + dr.square(self.duv_dy.x)
@@ -86,19 +89,19 @@ class Footprint:
         both = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
         half, mean = 0.5 * (across - along), 0.5 * (across + along)
         root = dr.sqrt(dr.square(half) + dr.square(both))
-        # Squares of length and width; twelve times the variances along the axes.
+        # Squared length and width: twelve times the variances along the axes of the ellipse.
         long, wide = mean + root, maximum(mean - root, 0)
         apart = maximum(long - _ALIKE * wide, 0)
-        square = maximum(mean - 0.5 * apart, long * (1 / SQUARES**2))
-        # Middles a step apart have this variance; the squares' own comes to it.
-        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (SQUARES**2 - 1)))
+        square = maximum(mean - 0.5 * apart, long * (1 / ANISOTROPIC_TAPS**2))
+        # The variance of the taps' centres and that of a tap add up.
+        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (ANISOTROPIC_TAPS**2 - 1)))
         double = half / maximum(root, 1e-30)
         x = dr.sqrt(maximum(0.5 * (1 + double), 0))
         y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - double), 0)), both)
         return dr.sqrt(square), types.Vector2(step * x, step * y)
 
     @property
-    def gaussian_sigma(self) -> Any:
+    def gaussian_sigma(self) -> Float:
         """Standard deviation of the Gaussian that stands for it, sqrt(area/12), millimetres."""
         return dr.sqrt(self.area * (1 / 12))
 
@@ -114,7 +117,7 @@ class Footprint:
         height = dr.sqrt(dr.square(self.duv_dx.y) + dr.square(self.duv_dy.y))
         return Box(self.centre, types.Vector2(width, height))
 
-    def box_correlation(self) -> Any:
+    def box_correlation(self) -> Float:
         """Correlation r of x and y over the footprint, −1 to 1, which `box` sets to 0.
 
         The box is larger than the footprint by 1/sqrt(1 − r²). At r = 0 the box has the footprint's area and
@@ -129,7 +132,7 @@ class Footprint:
         scale = samples**-0.5
         return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale, self.samples * samples)
 
-    def at(self, s: Any, t: Any) -> Any:
+    def at(self, s: Float, t: Float) -> Vec2:
         """The point centre + s·duv_dx + t·duv_dy [2]; s and t from −1/2 to 1/2 reach all of it."""
         return self.centre + s * self.duv_dx + t * self.duv_dy
 

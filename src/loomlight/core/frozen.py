@@ -15,6 +15,7 @@ from typing import Any, Generic, TypeVar
 
 import drjit as dr
 
+from loomlight.core.arrays import Array
 from loomlight.core.pytree import named_leaves
 
 # Recordings of one function: those used longest ago are dropped beyond.
@@ -36,7 +37,7 @@ def gc_paused() -> Iterator[None]:
             gc.enable()
 
 
-def frozen(function: Callable[..., Any], *, enabled: bool = True) -> Any:
+def frozen(function: Callable[..., object], *, enabled: bool = True) -> Any:
     """Dr.Jit's frozen function, of which so many recordings are kept."""
     return dr.freeze(function, auto_opaque=False, limit=_MOST_RECORDINGS, warn_after=_NEVER, enabled=enabled)
 
@@ -56,7 +57,7 @@ class FrozenArg(Generic[_Value]):
 class _Unseen:
     """What a function is traced with and not told apart by: equal to any other."""
 
-    def __init__(self, holders: list[FrozenArg[Any] | None]) -> None:
+    def __init__(self, holders: list[FrozenArg[object] | None]) -> None:
         self.holders = holders
 
     def __eq__(self, other: object) -> bool:
@@ -78,11 +79,11 @@ class FrozenFunction:
         traced: the function itself.
     """
 
-    def __init__(self, function: Callable[..., Any]) -> None:
+    def __init__(self, function: Callable[..., Array]) -> None:
         functools.update_wrapper(self, function)
         self.traced = function
 
-        def launched(unseen: _Unseen, inputs: list[Any]) -> Any:
+        def launched(unseen: _Unseen, inputs: list[Array]) -> Array:
             return function(
                 *(
                     given if holder is None else holder.value
@@ -102,7 +103,7 @@ class FrozenFunction:
         """How many recordings are kept."""
         return int(self._launch.n_cached_recordings)
 
-    def __call__(self, *arguments: Any) -> Any:
+    def __call__(self, *arguments: object) -> Any:
         """What the function returns, evaluated.
 
         Raises:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 import OpenEXR
@@ -14,6 +14,8 @@ from PIL import Image, UnidentifiedImageError
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.core.files import replacing
+
+_Kind = TypeVar("_Kind", bound=np.generic)
 
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
@@ -54,7 +56,7 @@ def _write_exr(path: str | os.PathLike[str], channels: dict[str, NDArray[np.floa
             raise InputError(f"{path} cannot be written: is the disk full?") from error
 
 
-def _without_single_channel(pixels: NDArray[Any]) -> NDArray[Any]:
+def _without_single_channel(pixels: NDArray[_Kind]) -> NDArray[_Kind]:
     """[height, width] of [height, width, 1]; a side of one pixel stays a side."""
     return pixels[..., 0] if pixels.ndim == 3 and pixels.shape[2] == 1 else pixels
 

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import drjit as dr
 
+from loomlight.core.arrays import Mask
 from loomlight.core.backend import array_types
 
 State = TypeVar("State")
 
 
-def masked_branch(active: Any, value: State, change: Callable[[State], State], label: str) -> State:
+def masked_branch(active: Mask, value: State, change: Callable[[State], State], label: str) -> State:
     """`change(value)` in active lanes, `value` in others, and no time where a packet of lanes has none.
 
     It is a loop of one turn: of Dr.Jit's branches the CPU runs both sides.
@@ -25,7 +26,7 @@ def masked_branch(active: Any, value: State, change: Callable[[State], State], l
     """
     types = array_types(dr.float32_array_t(active))
 
-    def turn(_: Any, held: State) -> tuple[Any, State]:
+    def turn(_: Mask, held: State) -> tuple[Mask, State]:
         return types.Bool(False), change(held)
 
     return dr.while_loop((types.Bool(active), value), lambda pending, _: pending, turn, label=label)[1]

@@ -6,19 +6,21 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Array
+
 _OURS = "loomlight."
 
 
-def is_ours(value: Any) -> bool:
+def is_ours(value: object) -> bool:
     """Whether an object is of a class of this project that has attributes."""
     return type(value).__module__.startswith(_OURS) and hasattr(value, "__dict__")
 
 
-def leaves(holder: Any) -> list[Any]:
+def leaves(holder: object) -> list[Array]:
     """Every Dr.Jit array that an object of this project holds, however deep, each once, in a fixed order."""
-    found: list[Any] = []
+    found: list[Array] = []
     seen: set[int] = set()
-    waiting = [holder]
+    waiting: list[Any] = [holder]
     while waiting:
         value = waiting.pop()
         if id(value) in seen or isinstance(value, type):
@@ -35,12 +37,12 @@ def leaves(holder: Any) -> list[Any]:
     return found
 
 
-def named_leaves(holder: Any) -> dict[str, Any]:
+def named_leaves(holder: object) -> dict[str, Array]:
     """The same by where they lie, which tells the classes on the way: sorted, whenever each came to be.
 
     An array that lies in several places is there several times.
     """
-    found: dict[str, Any] = {}
+    found: dict[str, Array] = {}
     waiting: list[tuple[str, Any]] = [(type(holder).__name__, holder)]
     while waiting:
         path, value = waiting.pop()

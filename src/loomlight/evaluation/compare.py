@@ -32,9 +32,8 @@ from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import fabric_from_text, load_fabric
-from loomlight.mitsuba import MODELS
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
-from loomlight.models.registry import make_model
+from loomlight.models.registry import make_model, model_names, require_model_name
 
 QUICK_SIZE, QUICK_SAMPLES = (400, 225), 64
 _QUICK_PAIRS, _QUICK_FOOTPRINTS = 40, 40
@@ -91,7 +90,7 @@ def compare(
         InputError: an unknown model or scene, a fabric that cannot be read, a folder that cannot be written.
     """
     chosen = list(dict.fromkeys(models))
-    require_renderable(chosen)
+    require_models(chosen)
     require_scenes(scenes)
     cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
     target = prepared_folder(folder)
@@ -121,17 +120,12 @@ def compare(
     return found
 
 
-def require_renderable(models: Sequence[str]) -> None:
-    """Returns if pictures can be made with every model.
-
-    Raises:
-        InputError: none is given, or one is unknown.
-    """
+def require_models(models: Sequence[str]) -> None:
+    """Raises InputError unless at least one model is named and all exist."""
     if not models:
-        raise InputError(f"No model is given: name some of {', '.join(MODELS)}.")
+        raise InputError(f"No model is given: name some of {', '.join(model_names())}.")
     for name in models:
-        if name not in MODELS:
-            raise InputError(f'model = "{name}" makes no pictures: use some of {", ".join(MODELS)}.')
+        require_model_name(name)
 
 
 def prepared_folder(folder: str | os.PathLike[str]) -> Path:

@@ -21,10 +21,9 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, Dolly, MeasuredScene, measured_scene
-from loomlight.models.registry import model_class, require_model_name
+from loomlight.models.registry import REFERENCE_MODEL, model_class, require_model_name
 
 SIZE, REFERENCE_SAMPLES = (960, 540), 1024
-POINT = "point"
 POINT_SAMPLES = (1, 3)
 # Below so many yarns a pixel, comparisons with a few Monte Carlo samples do not count.
 COUNTED_FROM_YARNS = 2.0
@@ -94,8 +93,8 @@ def shots_of(models: Sequence[str]) -> list[Shot]:
     """
     for name in models:
         require_model_name(name)
-    others = [Shot(name, 1) for name in dict.fromkeys(models) if name != POINT]
-    return [*(Shot(POINT, samples) for samples in POINT_SAMPLES), *others]
+    others = [Shot(name, 1) for name in dict.fromkeys(models) if name != REFERENCE_MODEL]
+    return [*(Shot(REFERENCE_MODEL, samples) for samples in POINT_SAMPLES), *others]
 
 
 def image_test(
@@ -142,7 +141,7 @@ def _scene(
     seed: int,
     progress: Progress,
 ) -> SceneResult:
-    scene = measured_scene(name, fabrics, POINT, size)
+    scene = measured_scene(name, fabrics, REFERENCE_MODEL, size)
     start = time.perf_counter()
     reference = _rendered(scene, reference_samples, seed, progress)
     seconds = time.perf_counter() - start
@@ -151,7 +150,7 @@ def _scene(
     for shot in shots:
         try:
             seen = scene
-            if shot.model != POINT:
+            if shot.model != REFERENCE_MODEL:
                 seen = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
             # The first picture compiles the kernels; it is of another seed, the next is the one judged.
             _rendered(seen, shot.samples, seed + 2)
@@ -233,7 +232,7 @@ def dolly_test(
         InputError: an unknown model, or one that does not take the fabric.
     """
     choose_variant()
-    reference = Shot(POINT, reference_samples)
+    reference = Shot(REFERENCE_MODEL, reference_samples)
     rows: list[tuple[str, Shot]] = [("reference", reference)]
     rows += [(shot.name, shot) for shot in shots_of(models)]
     everything = np.ones((side, side), bool)

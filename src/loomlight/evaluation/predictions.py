@@ -12,13 +12,22 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.components import CHANNELS, COLOURS, colours, components, meet, without_extras
+from loomlight.aggregate.components import (
+    CHANNELS,
+    COLOURS,
+    COMPONENTS,
+    colours,
+    components,
+    trace_views,
+    without_sheen_and_variation,
+)
 from loomlight.aggregate.queries import QuerySet
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.interface import Model, Response, shade
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.separable import SeparableBsdf, shade
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -46,13 +55,14 @@ class Prediction:
     """What is predicted for n pairs of directions and m footprints.
 
     Attributes:
-        means: in the order of `CHANNELS` [n, m, 5], 1/sr and a share.
+        means: in the order of `CHANNELS` [n, m, 5], 1/sr and a share; None of models that keep no albedos
+            apart.
         colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
         rate: queries a second on this machine, whatever the model fetches included; None if not measured.
         cost: of one query; None where the model does not say.
     """
 
-    means: NDArray[np.float64]
+    means: NDArray[np.float64] | None
     colours: NDArray[np.float64]
     rate: float | None = None
     cost: Cost | None = None
@@ -71,15 +81,13 @@ def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = N
         types = array_types(float_type or llvm_float())
         model = make(fabric)
         light, view, footprint = query_arrays(types, queries)
-        response = model.evaluate(light, view, footprint)
-        colour = shade(response, model.albedos(view, footprint), light.z * view.z < 0)
-        count = dr.width(light)
-        shape = queries.sizes.shape
-        means = np.stack([_numbers(part, count) for part in _parts(response)], axis=-1)
-        shown = np.stack([_numbers(part, count) for part in colour], axis=-1)
+        count, shape = dr.width(light), queries.sizes.shape
+        parts = _answers(model.at(view, footprint), light)
+        numbers = np.stack([_numbers(part, count) for part in parts], axis=-1).reshape(*shape, -1)
+        means, colours = np.split(numbers, [numbers.shape[-1] - len(COLOURS)], axis=-1)
         return Prediction(
-            means.reshape(*shape, -1),
-            shown.reshape(*shape, -1),
+            means if means.shape[-1] else None,
+            colours,
             _rate(types, model, queries),
             model if isinstance(model, Cost) else None,
         )
@@ -148,8 +156,8 @@ def _sampled(
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
     s, t = (types.Float(part.astype(np.float32)) for part in (places - 0.5).reshape(-1, 2).T.copy())
     place = footprint.at(s, t)
-    plain = without_extras(model)
-    point = meet(plain, place.x, place.y, view).point
+    plain = without_sheen_and_variation(model)
+    point = trace_views(plain, place.x, place.y, view).point
     visible = plain.visibility(point, light)
     channels = [
         *components(plain.appearance, point, light, view, visible),
@@ -183,8 +191,13 @@ def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tu
     )
 
 
-def _parts(response: Response) -> list[Any]:
-    return [getattr(response, name) for name in CHANNELS]
+def _answers(at: FootprintBsdf, light: Any) -> list[Any]:
+    """The channels, where the model keeps albedos apart, and f·cos with albedos, without sheen."""
+    if not isinstance(at, SeparableBsdf):
+        return list(at.value(light))
+    found = at.components(light)
+    colour = shade(found, at.albedos, light.z * at.view.z < 0)
+    return [*(getattr(found, name) for name in COMPONENTS), at.hole, *colour]
 
 
 def _numbers(value: Any, count: int) -> NDArray[np.float64]:
@@ -193,14 +206,14 @@ def _numbers(value: Any, count: int) -> NDArray[np.float64]:
 
 
 def _rate(types: ArrayTypes, model: Model, queries: QuerySet) -> float:
-    """Queries a second of `evaluate`, compiled beforehand."""
+    """Queries of `value` a second, compiled beforehand."""
     repeats = -(-_TIMED // queries.sizes.size)
-    arrays = _arrays(types, queries, np.tile(np.arange(queries.sizes.size), repeats)[:_TIMED])
-    dr.eval(arrays)
+    light, view, footprint = _arrays(types, queries, np.tile(np.arange(queries.sizes.size), repeats)[:_TIMED])
+    dr.eval(light, view, footprint)
     seconds = []
     for _ in range(3):
         start = time.perf_counter()
-        dr.eval(_parts(model.evaluate(*arrays)))
+        dr.eval(model.at(view, footprint).value(light))
         dr.sync_thread()
         seconds.append(time.perf_counter() - start)
     return _TIMED / min(seconds)

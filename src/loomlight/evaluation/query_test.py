@@ -203,15 +203,19 @@ def _judge(
     parts = query_classes(cloth.fabric, queries, cloth.unseen_weave)
     light, view = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
     crosses = light[:, 2] * view[:, 2] < 0
-    guess, right = grey_value(predicted.means), grey_value(truth)
+    if predicted.means is None:
+        guess, right = predicted.colours.mean(axis=-1), truth[..., len(CHANNELS) :].mean(axis=-1)
+    else:
+        guess, right = grey_value(predicted.means), grey_value(truth)
     for name, pairs in (("reflection", ~crosses), ("transmission", crosses)):
         if pairs.any():
             chosen = [Classes(part.names, part.codes[pairs]) for part in parts]
             row.add(name, sums_by_class(guess[pairs], right[pairs], chosen))
     if cloth.coloured:
         row.add("colour", sums_by_class(predicted.colours, truth[..., len(CHANNELS) :], parts))
-    for index, name in enumerate(CHANNELS):
-        row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
+    if predicted.means is not None:
+        for index, name in enumerate(CHANNELS):
+            row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
     row.fabrics[cloth.name] = sums_by_class(guess, right, [])[OVERALL].nmae
     if predicted.cost is not None:
         row.cost = (predicted.cost.multiply_adds, predicted.cost.bytes_fetched)

@@ -30,7 +30,7 @@ class Fabric:
             colours repeats later than the weave does.
         named_draft: the draft as `fields` name it, before they colour and repeat it.
         fields: what the fabric file says, and no more.
-        folder: the folder that paths in `fields` are relative to; or the `.loom` file that holds the draft.
+        folder: the folder that paths in `fields` are relative to.
     """
 
     name: str
@@ -48,6 +48,11 @@ class Fabric:
     def appearance(self) -> Appearance:
         """What scatters: albedos of every thread (linear RGB), roughness, sheen, variation."""
         return self._appearance
+
+    @property
+    def default_uv_size_mm(self) -> tuple[float, float]:
+        """Millimetres per unit of u and of v where nobody says so: 100, whatever the repeat."""
+        return 100.0, 100.0
 
     @property
     def repeat_mm(self) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError
 FIELD = "\0"
 
 
-def _colour(value: Any) -> Any:
+def _colour(value: object) -> object:
     try:
         parse_colour(value, FIELD)
     except InputError as error:
@@ -26,15 +26,15 @@ def _colour(value: Any) -> Any:
     return value
 
 
-def is_one_colour(value: Any) -> bool:
+def is_one_colour(value: object) -> bool:
     """Whether `value` is written as one colour ("#rrggbb" or three numbers), not as a list of colours."""
     if not isinstance(value, list):
         return True
     return len(value) > 0 and all(isinstance(part, int | float) for part in value)
 
 
-def _colours(value: Any) -> Any:
-    if is_one_colour(value):
+def _colours(value: object) -> object:
+    if not isinstance(value, list) or is_one_colour(value):
         return _colour(value)
     if not value:
         text = f'{FIELD} = [] holds no colour: write "#rrggbb", a linear RGB triple, or a list of these.'

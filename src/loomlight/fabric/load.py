@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -11,11 +13,20 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.drafts import draft_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
-from loomlight.fabric.reading import one_line, parse_fabric_file, read_text, speaking_of
+from loomlight.fabric.reading import (
+    one_line,
+    parse_fabric_file,
+    read_text,
+    speaking_of,
+    validate_fields,
+)
 from loomlight.fabric.sentences import sentence_of
 from loomlight.weave.load import DRAFT_SUFFIXES
 
 FABRIC_SUFFIX = ".toml"
+# A fabric has one of these, so a new one replaces what there was; the same holds for a density's two units.
+_DRAFTS = ("weave", "draft", "image")
+_SAME_DENSITY = {"ends_per_cm": "epi", "epi": "ends_per_cm", "picks_per_cm": "ppi", "ppi": "picks_per_cm"}
 
 
 def load_fabric(path: str | os.PathLike[str]) -> Fabric:
@@ -67,18 +78,48 @@ def fabric_from_text(text: str, folder: str | os.PathLike[str] = ".") -> Fabric:
     return _made(fields, os.fspath(folder), "fabric", "the fabric")
 
 
-def edited_fabric(fabric: Fabric, text: str) -> Fabric:
-    """The fabric with other fields, on the draft that it has: no draft is read again.
+def fabric_from_fields(fields: Mapping[str, Any], folder: str | os.PathLike[str] = ".") -> Fabric:
+    """The fabric of fields by their dotted names: "weave", "warp.roughness", "sheen.strength".
 
     Args:
-        text: of a fabric file; where the draft came from, if it says so, is taken as a remark.
+        folder: the folder that paths among the fields are relative to.
 
     Raises:
-        InputError: a text that is no fabric file, or fields that contradict the draft.
+        InputError: an unknown field, or values that make no fabric; the message names the field.
     """
     with speaking_of("the fabric"):
-        fields = parse_fabric_file(text)
-        return make_fabric(fields, fabric.named_draft, fields.name or fabric.name, fabric.folder)
+        valid = validate_fields(_merged({}, fields))
+    return _made(valid, os.fspath(folder), "fabric", "the fabric")
+
+
+def edited_fabric(fabric: Fabric, fields: Mapping[str, Any]) -> Fabric:
+    """The fabric with other values of some fields, by their dotted names; see `fabric_from_fields`.
+
+    No draft is read again unless another weave, draft or image is among the fields.
+
+    Raises:
+        InputError: an unknown field, or values that contradict the draft; the message names the field.
+    """
+    with speaking_of("the fabric"):
+        valid = validate_fields(_merged(fabric.fields.model_dump(exclude_none=True), fields))
+        if any(name in fields for name in _DRAFTS):
+            return _made(valid, fabric.folder, "fabric", "the fabric")
+        return make_fabric(valid, fabric.named_draft, valid.name or fabric.name, fabric.folder)
+
+
+def _merged(values: Mapping[str, Any], fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Values of a fabric file, tables as dictionaries, with fields by dotted name put in."""
+    merged = dict(values)
+    if any(name in fields for name in _DRAFTS):
+        merged = {name: value for name, value in merged.items() if name not in _DRAFTS}
+    for name, value in fields.items():
+        merged.pop(_SAME_DENSITY.get(name, ""), None)
+        table, _, field = name.rpartition(".")
+        if table:
+            merged[table] = {**merged.get(table, {}), field: value}
+        else:
+            merged[name] = value
+    return merged
 
 
 def _only(**field: str) -> FabricFile:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -75,6 +76,15 @@ def parse_fabric_file(text: str) -> FabricFile:
         raise InputError("it is no fabric file: its values are nested too deeply.") from error
     except ValueError as error:  # an integer of thousands of digits, a month 13
         raise InputError(f"it is no valid TOML: {_reason(error)}.") from error
+    return validate_fields(values)
+
+
+def validate_fields(values: Mapping[str, Any]) -> FabricFile:
+    """The fields of a fabric from plain values, tables as mappings.
+
+    Raises:
+        InputError: an unknown field, a value of another type or range, contradicting fields.
+    """
     try:
         fields = FabricFile.model_validate(values)
     except ValidationError as error:

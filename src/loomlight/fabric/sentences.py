@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable, Mapping
-from typing import Any, get_args
+from typing import get_args
 
 from annotated_types import Ge, Le
 from pydantic import BaseModel, ValidationError
@@ -41,7 +41,7 @@ def closest(word: str, known: Iterable[str]) -> str:
     return "known are " + ", ".join(choices) + "."
 
 
-def shown(value: Any, most: int = 60) -> str:
+def shown(value: object, most: int = 60) -> str:
     """`value` as a file writes it, shortened to at most `most` characters."""
     try:
         text = f'"{value}"' if isinstance(value, str) else _plain(value)
@@ -51,7 +51,7 @@ def shown(value: Any, most: int = 60) -> str:
     return text if len(text) <= most else text[: most - 1] + "…"
 
 
-def _plain(value: Any) -> str:
+def _plain(value: object) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):
@@ -113,16 +113,16 @@ def _expected(field: FieldInfo) -> str:
     return "write text in quotes" if str in kinds else "write a value of another kind"
 
 
-def _number(bound: Any) -> str:
+def _number(bound: object) -> str:
     return str(bound) if isinstance(bound, int) else f"{bound:g}"
 
 
-def _kinds_and_bounds(annotation: Any) -> tuple[set[Any], list[Any]]:
+def _kinds_and_bounds(annotation: object) -> tuple[set[type], list[object]]:
     """The plain types and the bounds anywhere inside an annotation such as Annotated[float, …] | None."""
     if isinstance(annotation, type):
         return {annotation}, []
-    kinds: set[Any] = set()
-    bounds: list[Any] = []
+    kinds: set[type] = set()
+    bounds: list[object] = []
     for part in get_args(annotation):
         if isinstance(part, FieldInfo):
             bounds += part.metadata

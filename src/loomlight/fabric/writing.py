@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from typing import Any
 
 from loomlight.fabric.file import FabricFile
 
@@ -34,7 +33,7 @@ def _moved(path: str, read_from: str, written_to: str | os.PathLike[str]) -> str
     return relative.replace(os.sep, "/")
 
 
-def _literal(value: Any) -> str:
+def _literal(value: object) -> str:
     if isinstance(value, str):
         return _quoted(value)
     if isinstance(value, list | tuple):

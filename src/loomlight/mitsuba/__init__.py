@@ -6,25 +6,24 @@ as soon as one is set; it never sets one.
 
 from __future__ import annotations
 
-from loomlight.mitsuba.fabric_bsdf import MODELS, fabric_bsdf
-from loomlight.mitsuba.fabric_picture import render_fabric
 from loomlight.mitsuba.lights import LIGHTS
+from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba.material_picture import render_fabric
 from loomlight.mitsuba.meshes import ClothMesh, read_mesh, to_shape, uv_size
-from loomlight.mitsuba.plugins import follow_variants
+from loomlight.mitsuba.plugins import register_plugins
 from loomlight.mitsuba.rendering import render
 from loomlight.mitsuba.scenes import SCENES, ClothScene, build_scene
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, choose_variant
 
 __all__ = [
     "LIGHTS",
-    "MODELS",
     "SCENES",
     "SUPPORTED_VARIANTS",
     "ClothMesh",
     "ClothScene",
     "build_scene",
     "choose_variant",
-    "fabric_bsdf",
+    "material_bsdf",
     "read_mesh",
     "render",
     "render_fabric",
@@ -32,4 +31,4 @@ __all__ = [
     "uv_size",
 ]
 
-follow_variants()
+register_plugins()

@@ -29,9 +29,8 @@ import mitsuba as mi
 
 from loomlight.core.backend import channel_mean, maximum, minimum
 from loomlight.core.frozen import gc_paused
-from loomlight.mitsuba.cloth_samples import tell_pixel_samples
+from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
 from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
-from loomlight.mitsuba.woven_neural import runs_network
 
 # A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
 MOST_PASSES = 64
@@ -66,7 +65,7 @@ def footprint_path_class() -> type:
             self.passes, self.pass_number = 1, 0
             self.pixel_centres: bool = props.get("pixel_centres", False)
             # Whether nobody asks the film afterwards: it may be left out then.
-            self.without_film = False
+            self.skip_film = False
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
@@ -97,7 +96,7 @@ def footprint_path_class() -> type:
             return sampler, spp
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            tell_pixel_samples(self._samples(sampler))
+            set_samples_per_pixel(self._samples(sampler))
             of_pass = sampler.sample_count() // self.passes
             places = _CameraSampler(sampler, of_pass, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
@@ -114,12 +113,12 @@ def footprint_path_class() -> type:
             evaluate: bool = True,
         ) -> Any:
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            with gc_paused(), calls_for(scene):
-                if self.without_film and develop and samples_are_pixels(camera, spp):
-                    return self._samples_alone(scene, camera, seed)
+            with gc_paused(), symbolic_mode(scene):
+                if self.skip_film and develop and samples_are_pixels(camera, spp):
+                    return self._pixels_of_samples(scene, camera, seed)
                 return super().render(scene, camera, seed, spp, develop, evaluate)
 
-        def _samples_alone(self, scene: Any, camera: Any, seed: Any) -> Any:
+        def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any) -> Any:
             """A picture of one sample a pixel, as the film would develop it."""
             film = camera.film()
             with dr.suspend_grad():
@@ -161,8 +160,8 @@ def footprint_path_class() -> type:
             samples = self._samples(sampler)
             holes, porous_shadows = has_holes(scene), has_porous_shadows(scene)
             # Lights that no direction drawn by chance can meet leave nothing to find after the last bounce.
-            met = has_lights_to_meet(scene)
-            lit_only = not met and self.max_depth <= 2
+            met = has_hittable_emitters(scene)
+            direct_only = not met and self.max_depth <= 2
 
             camera = ray
             width, spread = pixel_cone(ray)
@@ -195,7 +194,7 @@ def footprint_path_class() -> type:
                 # ---- Footprint
                 width = dr.fma(spread, dr.select(valid, si.t, 0), width)
                 si.compute_uv_partials(camera)
-                if dr.hint(not lit_only, mode="scalar"):
+                if dr.hint(not direct_only, mode="scalar"):
                     duv_dx, duv_dy = cone_partials(si, ray.d, width)
                     si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
                     si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
@@ -232,17 +231,21 @@ def footprint_path_class() -> type:
                 if dr.hint(holes, mode="scalar"):
                     enters |= valid & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null)
                 lobe, square = sampler.next_1d(), sampler.next_2d()
-                if dr.hint(primal and lit_only, mode="scalar"):
-                    value, through = _lit_and_passed(bsdf, context, si, to_light, lit, holes, enters)
-                    bs, weight = _straight_on(si, through, lobe, enters)
+                if dr.hint(primal and direct_only, mode="scalar"):
+                    value, through = _value_and_null_transmission(
+                        bsdf, context, si, to_light, lit, holes, enters
+                    )
+                    bs, weight = _null_sample(si, through, lobe, enters)
                     pdf = mi.Float(0)
                 elif dr.hint(primal, mode="scalar"):
-                    value, pdf, bs, weight = _both(bsdf, context, si, to_light, lobe, square, enters)
+                    value, pdf, bs, weight = _value_pdf_and_sample(
+                        bsdf, context, si, to_light, lobe, square, enters
+                    )
                     value = dr.select(lit, value, 0)
                 else:
-                    if dr.hint(lit_only, mode="scalar"):
+                    if dr.hint(direct_only, mode="scalar"):
                         through = bsdf.eval_null_transmission(si, enters)
-                        bs, weight = _straight_on(si, through, lobe, enters)
+                        bs, weight = _null_sample(si, through, lobe, enters)
                     else:
                         bs, weight = bsdf.sample(context, si, lobe, square, enters)
                     with dr.resume_grad():
@@ -293,7 +296,7 @@ def footprint_path_class() -> type:
 
                 # Straight on through holes rays are as alike as before.
                 pi = scene.ray_intersect_preliminary(
-                    ray_next, coherent=lit_only, reorder=False, active=active_next
+                    ray_next, coherent=direct_only, reorder=False, active=active_next
                 )
                 ray = ray_next
                 active = active_next
@@ -342,7 +345,7 @@ def footprint_path_class() -> type:
     return FootprintPath
 
 
-def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
+def _null_sample(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
     """A BSDF sample and its weight where only passing through holes leads to anything.
 
     Args:
@@ -360,7 +363,7 @@ def _straight_on(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, 
 # what the cloth looks like from here. Within one call both come of the same.
 
 
-def _both(
+def _value_pdf_and_sample(
     bsdf: Any, context: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any
 ) -> tuple[Any, Any, Any, Any]:
     """`eval_pdf_sample` of BSDFs, their own where they have one."""
@@ -374,7 +377,7 @@ def _both(
     return found
 
 
-def _lit_and_passed(
+def _value_and_null_transmission(
     bsdf: Any, context: Any, si: Any, to_light: Any, lit: Any, holes: bool, enters: Any
 ) -> tuple[Any, Any]:
     """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
@@ -436,23 +439,23 @@ def footprint_integrator(scene: Any) -> Any:
 
 
 @contextmanager
-def leaving_film_out(integrator: Any) -> Iterator[None]:
+def bypass_film(integrator: Any) -> Iterator[None]:
     """While nobody asks the film for what an integrator has rendered; of `footprint_path` alone."""
-    before = getattr(integrator, "without_film", None)
+    before = getattr(integrator, "skip_film", None)
     if before is None:
         yield
         return
-    integrator.without_film = True
+    integrator.skip_film = True
     try:
         yield
     finally:
-        integrator.without_film = before
+        integrator.skip_film = before
 
 
 @contextmanager
-def calls_for(scene: Any) -> Iterator[None]:
-    """Without symbolic calls and loops where a surface evaluates a network, which they make slow."""
-    symbolic = not has_networks(scene)
+def symbolic_mode(scene: Any) -> Iterator[None]:
+    """Symbolic calls and loops, unless a surface must not be traced in them; see `Model.symbolic`."""
+    symbolic = is_symbolic(scene)
     with (
         dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, symbolic and dr.flag(dr.JitFlag.SymbolicCalls)),
         dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),
@@ -460,12 +463,14 @@ def calls_for(scene: Any) -> Iterator[None]:
         yield
 
 
-def has_networks(scene: Any) -> bool:
-    """Whether any surface of the scene evaluates a network."""
-    return any(shape.bsdf() is not None and runs_network(shape.bsdf()) for shape in scene.shapes())
+def is_symbolic(scene: Any) -> bool:
+    """Whether Dr.Jit may trace every surface of the scene in symbolic calls."""
+    return all(
+        shape.bsdf() is None or getattr(shape.bsdf(), "symbolic_calls", True) for shape in scene.shapes()
+    )
 
 
-def has_lights_to_meet(scene: Any) -> bool:
+def has_hittable_emitters(scene: Any) -> bool:
     """Whether the scene has lights that a ray can meet: of an extent, or all around."""
     return any(not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters())
 

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused
 from loomlight.core.pytree import leaves
-from loomlight.mitsuba.cloth_samples import CLOTHS
-from loomlight.mitsuba.integrator import footprint_integrator, has_networks, leaving_film_out
+from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
+from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_symbolic
 
 
 class LivePicture:
@@ -49,7 +49,7 @@ class LivePicture:
         self._integrator = integrator or footprint_integrator(scene)
         # Not a bound method: what refers to itself is freed by the garbage collector, whenever that runs.
         self._rendered = _renderer(sensor, spp)
-        enabled = records and not has_networks(scene)
+        enabled = records and is_symbolic(scene)
         self._launch = frozen(self._rendered, enabled=enabled)
         # Once without freezing: whatever is uploaded when it is first used must be there beforehand.
         dr.eval(self._rendered(scene, self._integrator, mi.UInt32(0), []))
@@ -82,7 +82,7 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
     def rendered(scene: Any, integrator: Any, seed: Any, held: list[Any]) -> Any:
         del held
-        with leaving_film_out(integrator):
+        with bypass_film(integrator):
             return mi.render(scene, sensor=camera, integrator=integrator, spp=samples, seed=seed)
 
     return rendered
@@ -90,4 +90,4 @@ def _renderer(camera: int, samples: int) -> Callable[[Any, Any, Any, list[Any]],
 
 def _held() -> list[tuple[list[Any], tuple[float, ...]]]:
     """Arrays of every cloth that there is, which Dr.Jit does not find by itself, and its literals."""
-    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in CLOTHS]
+    return [(leaves(cloth), getattr(cloth, "literals", ())) for cloth in MODEL_BSDFS]

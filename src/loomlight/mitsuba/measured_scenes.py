@@ -22,10 +22,10 @@ from loomlight.core.errors import InputError
 from loomlight.fabric import Fabric
 from loomlight.mitsuba import cloth_shapes
 from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size
-from loomlight.mitsuba.fabric_bsdf import fabric_bsdf
 from loomlight.mitsuba.lights import light_dicts
+from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
-from loomlight.mitsuba.scenes import BsdfFactory, empty_scene
+from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
 
 # Direct light alone: camera to cloth to light.
 _DEPTH = 2
@@ -116,7 +116,7 @@ def measured_scene(
 
     Args:
         fabrics: of its pieces; "two fabrics" takes two, the others the first.
-        model: as `fabric_bsdf` takes it.
+        model: as `material_bsdf` takes it.
         size: width and height in pixels.
         pixel_centres: rays go through the middle of pixels, for one sample of models that filter.
 
@@ -126,7 +126,9 @@ def measured_scene(
     shot = _shot(name)
     if len(fabrics) < len(shot.pieces):
         raise InputError(f'The scene "{name}" shows {len(shot.pieces)} fabrics, and {len(fabrics)} is given.')
-    return shot_scene(shot, [(fabric, fabric_bsdf(fabric, model)) for fabric in fabrics], size, pixel_centres)
+    return shot_scene(
+        shot, [(fabric, material_bsdf(fabric, model)) for fabric in fabrics], size, pixel_centres
+    )
 
 
 def shot_scene(
@@ -173,7 +175,7 @@ class Dolly:
         first, last = _DOLLY_YARNS
         thread = fabric_scale(fabric.layout()).thread
         scale = first * thread / _measured(_DOLLY, size).side_mm[0]
-        self.scene = mi.load_dict(_parts(_DOLLY, size, [fabric_bsdf(fabric, model)], [scale]))
+        self.scene = mi.load_dict(_parts(_DOLLY, size, [material_bsdf(fabric, model)], [scale]))
         self.integrator = _integrator(pixel_centres)
         self._view = _view(_DOLLY, size)
         self._zooms = np.geomspace(1.0, first / last, frames)
@@ -226,7 +228,7 @@ def _parts(
     parts: dict[str, Any] = {**empty_scene(), "sensor": sensor}
     for number, (piece, bsdf) in enumerate(zip(pieces, bsdfs, strict=False)):
         across, along = uv_size(piece)
-        material = mi.load_dict(bsdf((across * scale[number], along * scale[number])))
+        material = loaded_bsdf(bsdf((across * scale[number], along * scale[number])))
         parts[f"cloth{number}"] = to_shape(piece, material)
     first = pieces[0].positions
     centre = (first.min(axis=0) + first.max(axis=0)) / 2

@@ -2,49 +2,68 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from threading import RLock
 from typing import Any
 
 import mitsuba as mi
 
 from loomlight.mitsuba.integrator import footprint_path_class
+from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
 from loomlight.mitsuba.variants import is_supported, require_backend
-from loomlight.mitsuba.woven_lobes import woven_lobes_class
-from loomlight.mitsuba.woven_neural import woven_neural_class
-from loomlight.mitsuba.woven_point import woven_point_class
-
-# Mitsuba's base classes differ from variant to variant, so a plugin is a function that makes its class.
-_INTEGRATORS: dict[str, Callable[[], type]] = {"footprint_path": footprint_path_class}
-_BSDFS: dict[str, Callable[[], type]] = {
-    "woven_point": woven_point_class,
-    "woven_lobes": woven_lobes_class,
-    "woven_neural": woven_neural_class,
-}
+from loomlight.models.interface import Model
+from loomlight.models.registry import MODELS
 
 # Mitsuba makes the parts of a scene on several threads, and Dr.Jit's recordings are not made for that: a test
 # hung within Dr.Jit. A thread that waits for a kernel may begin the next part: it may enter the lock again.
 _MAKING = RLock()
 
 
-def follow_variants() -> None:
+def register_plugins() -> None:
     """Registers the plugins now if a supported variant is set, and again whenever the variant changes."""
     mi.detail.add_variant_callback(_on_variant)
     if mi.variant() is not None:
         _on_variant(None, mi.variant())
 
 
+def make_bsdf(
+    model: Model,
+    uv_size_mm: tuple[float, float],
+    albedo: dict[str, Any] | None = None,
+    options: Mapping[str, Any] | None = None,
+) -> Any:
+    """The BSDF of a model that is at hand.
+
+    Args:
+        uv_size_mm: millimetres per unit of u and of v.
+        albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+        options: that the model was made with.
+    """
+    props = mi.Properties()
+    if albedo is not None:
+        props["albedo"] = mi.load_dict(albedo)
+    given = GivenModel(model, uv_size_mm, options or {})
+    return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)
+
+
 def _on_variant(_previous: str | None, variant: str | None) -> None:
     if variant is None or not is_supported(variant):
         return
     require_backend(variant)
-    for name, make_class in _INTEGRATORS.items():
-        mi.register_integrator(name, _constructor(make_class()))
-    for name, make_class in _BSDFS.items():
-        mi.register_bsdf(name, _constructor(make_class()))
+    mi.register_integrator("footprint_path", _constructor(footprint_path_class()))
+    # Mitsuba's base classes differ from variant to variant, and so do the plugins' classes.
+    for name, entry in MODELS.items():
+        mi.register_bsdf(entry.plugin, _constructor(partial(_bsdf_class(variant), name=name)))
 
 
-def _constructor(plugin: type) -> Callable[[Any], Any]:
+@cache
+def _bsdf_class(variant: str) -> type:
+    del variant
+    return model_bsdf_class()
+
+
+def _constructor(plugin: Callable[[Any], Any]) -> Callable[[Any], Any]:
     def make(props: Any) -> Any:
         with _MAKING:
             return plugin(props)

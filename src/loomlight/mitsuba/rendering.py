@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.integrator import footprint_integrator, has_networks, leaving_film_out
+from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_symbolic
 from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
 _SPREAD_OVER_PASSES = "MultijitterSampler"
-# Networks are evaluated outside of symbolic loops, which keeps every path's state in memory.
-_NETWORK_SHARE = 8
+# Outside of symbolic loops, where networks are evaluated, every path's state lies in memory.
+_EVALUATED_SHARE = 8
 
 Progress = Callable[[int, int], None]
 
@@ -55,11 +55,11 @@ def render(
     sensor = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
-    passes = _passes(spp, width * height, has_networks(scene))
+    passes = _passes(spp, width * height, is_symbolic(scene))
     total: NDArray[np.float64] | float = 0.0
     done = 0
     for number, samples in enumerate(passes):
-        with _one_of(integrator, sensor, spp, passes, number) as own_seed, leaving_film_out(integrator):
+        with _one_of(integrator, sensor, spp, passes, number) as own_seed, bypass_film(integrator):
             of_pass = _pass_seed(seed, number) if own_seed else seed
             picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=samples, seed=of_pass)
         total = total + samples * np.array(picture, dtype=np.float64)
@@ -92,9 +92,9 @@ def _one_of(integrator: Any, sensor: Any, spp: int, passes: list[int], number: i
             setattr(integrator, name, value)
 
 
-def _passes(spp: int, pixels: int, networks: bool) -> list[int]:
+def _passes(spp: int, pixels: int, symbolic: bool) -> list[int]:
     """Samples of each pass: passes that fit, all alike, of a grid of at least `spp` samples."""
-    wavefront = WAVEFRONT[choose_variant()] // (_NETWORK_SHARE if networks else 1)
+    wavefront = WAVEFRONT[choose_variant()] // (1 if symbolic else _EVALUATED_SHARE)
     largest = max(1, wavefront // pixels)
     whole = filling_grid(spp)
     if whole <= largest:

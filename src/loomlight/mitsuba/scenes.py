@@ -27,7 +27,8 @@ DEFAULT_DEPTH = 8
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
 SMALLEST_RADIUS, LARGEST_RADIUS = 1e-5, 1e4
 
-BsdfFactory = Callable[[tuple[float, float]], dict[str, Any]]
+# From (mm per unit of u, mm per unit of v) to a BSDF, or to the dictionary of one.
+BsdfFactory = Callable[[tuple[float, float]], Any]
 
 
 class SceneOptions(TypedDict, total=False):
@@ -104,8 +105,8 @@ def build_scene(
     Args:
         name: flat (0.1 m), sphere (radius 0.1 m), cylinder (radius 0.04 m), drape (0.6 m), or the path of a
             Mitsuba scene, FILE.xml, in which every mesh whose BSDF has the id "fabric" is given the cloth.
-        bsdf: a function from (mm per unit of u, mm per unit of v) of a piece of cloth to the dictionary of
-            its BSDF; or the dictionary itself.
+        bsdf: a function from (mm per unit of u, mm per unit of v) of a piece of cloth to its BSDF, or the
+            dictionary of it, such as `material_bsdf` gives; or the dictionary itself.
         mesh: an OBJ, PLY, glTF or GLB file to show in place of the named scene's cloth, on the ground.
         metres_per_unit: the length of one unit of the mesh, or of the scene file.
         environment: a latitude-longitude picture that lights a built-in scene in place of its light.
@@ -161,7 +162,7 @@ def build_scene(
     parts: dict[str, Any] = {
         **empty_scene(),
         "integrator": integrator,
-        "cloth": to_shape(cloth, _loaded(factory(millimetres))),
+        "cloth": to_shape(cloth, loaded_bsdf(factory(millimetres))),
     }
     if environment is not None:
         parts["environment"] = environment_dict(environment, environment_turn)
@@ -196,6 +197,15 @@ def empty_scene() -> dict[str, Any]:
 
 def _always(bsdf: dict[str, Any]) -> BsdfFactory:
     return lambda _millimetres: bsdf
+
+
+def loaded_bsdf(bsdf: Any) -> Any:
+    """A BSDF, made of its dictionary where it is one.
+
+    Raises:
+        InputError: a dictionary that makes no BSDF.
+    """
+    return _loaded(bsdf) if isinstance(bsdf, dict) else bsdf
 
 
 def _loaded(parts: dict[str, Any]) -> Any:
@@ -284,7 +294,7 @@ def _from_file(
         if not shape.is_mesh():
             raise InputError(f"{file}: the shape {shape.id()} is no mesh; only meshes can be woven.")
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
-        shape.set_bsdf(_loaded(factory(uv_size(mesh))))
+        shape.set_bsdf(loaded_bsdf(factory(uv_size(mesh))))
         meshes.append(mesh)
     point = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)

@@ -1,103 +1,164 @@
-"""The one interface of all models: what a footprint of cloth does to light.
+"""The one interface of all models: a BSDF is made once a view and footprint, and answers lights.
 
-Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (Vector3, z < 0 on the back), and
-a `Footprint` in draft millimetres. A light on the other side than the view asks for transmission. Values are
-f(light, view)·|cos θ_light|, linear RGB, 1/sr, without delta transmission, which `hole` describes.
+    at = model.at(view, footprint)
+    at.hole                                   share of the view rays that pass straight through
+    at.value(light)                           f(light, view)·|cos θ_light|, linear RGB, 1/sr
+    at.pdf(light), at.value_and_pdf(light)
+    at.sample(choice, u)
+    at.value_pdf_and_sample(light, choice, u)
+
+Arguments are Dr.Jit arrays of any backend: `light` and `view` unit vectors (z < 0 on the back), and a
+`Footprint` in millimetres of the source. A light on the other side than the view asks for transmission.
+Values leave out delta transmission, which `null_transmission` describes.
+
+What a model stands for is its source: a fabric, or any other surface that repeats (`assets/sources.py`).
+Models whose answers separate albedos from the rest give a `SeparableBsdf` (`separable.py`).
 """
 
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar, Self, final
+from typing import Any, ClassVar, Self
 
 import drjit as dr
 
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import array_types
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
-from loomlight.fabric.fabric import Fabric
-from loomlight.scattering.point import Albedos, DirectionSample
-from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
+from loomlight.scattering.point import DirectionSample
+
+# What names a parameter of a scene and holds its value: a Dr.Jit array, changed in place by edits.
+Values = Mapping[str, "Parameter"]
 
 
-@dataclass
-class Response:
-    """What a footprint does to light, free of albedos (chen2024 eq. 7): Float each, on the view's side.
+@dataclass(frozen=True)
+class Parameter:
+    """A number, colour or table of a model that scenes show and set.
 
     Attributes:
-        diffuse_warp, diffuse_weft, specular_warp, specular_weft: means over the view rays through the
-            footprint, holes counted as 0, cosine and shadows included, 1/sr; of reflection or of transmission
-            by the side of the light.
-        hole: share of the view rays that pass through, 0 to 1.
+        value: a Dr.Jit array, which edits change in place.
+        differentiable: whether values of the model carry its derivatives.
     """
 
-    diffuse_warp: Any
-    diffuse_weft: Any
-    specular_warp: Any
-    specular_weft: Any
-    hole: Any
+    value: Any
+    differentiable: bool = False
+
+
+@dataclass(frozen=True)
+class Option:
+    """A choice that is made when a model is baked, beside its source.
+
+    Attributes:
+        name: as plugins and files call it.
+        type: bool, int, float, str (a path), or Source (the path of a second source).
+        such_as: what is right, the end of a sentence: "a whole number from 1 to 64".
+        low, high: bounds of a number, both allowed.
+    """
+
+    name: str
+    type: type
+    such_as: str
+    low: float = -float("inf")
+    high: float = float("inf")
+
+
+class FootprintBsdf(ABC):
+    """What one view sees of footprints: whatever no light changes is computed once.
+
+    Attributes:
+        view: unit vectors [3].
+        footprint: millimetres of the source.
+    """
+
+    def __init__(self, view: Vec3, footprint: Footprint) -> None:
+        self.view = view
+        self.footprint = footprint
 
     @property
-    def coverage(self) -> Any:
-        """Share of the view rays that meet yarn: 1 − hole."""
-        return 1 - self.hole
+    def hole(self) -> Float:
+        """Share of the view rays that pass straight through, 0 to 1; 0 for surfaces without holes."""
+        return array_types(self.view.x).Float(0)
 
+    @property
+    def null_transmission(self) -> Float:
+        """Share of light that passes straight through: the hole, less what lies over it."""
+        return self.hole
 
-@dataclass
-class FamilyAlbedos:
-    """Mean albedos of the threads that a footprint shows, a family each, linear RGB."""
+    @property
+    @abstractmethod
+    def diffuse_reflectance(self) -> Color3:
+        """Mean diffuse albedo over the footprint, holes counted as 0."""
 
-    warp: Albedos
-    weft: Albedos
+    @abstractmethod
+    def value(self, light: Vec3, active: Mask = True) -> Color3:
+        """f·cos, 1/sr; anything in lanes that are not active."""
 
+    @abstractmethod
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample` per solid angle, without delta, 1/sr."""
 
-def shade(response: Response, albedos: FamilyAlbedos, transmits: Any) -> Any:
-    """f·cos of components and albedos (chen2024 eq. 8): Color3, 1/sr, without sheen.
+    @abstractmethod
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """A light direction; straight through holes in proportion to `null_transmission`.
 
-    Args:
-        transmits: Bool, light and view lie on different sides.
-    """
-    warp, weft = albedos.warp, albedos.weft
-    near = (
-        warp.diffuse_reflect * response.diffuse_warp
-        + weft.diffuse_reflect * response.diffuse_weft
-        + warp.specular_reflect * response.specular_warp
-        + weft.specular_reflect * response.specular_weft
-    )
-    far = (
-        warp.diffuse_transmit * response.diffuse_warp
-        + weft.diffuse_transmit * response.diffuse_weft
-        + warp.specular_transmit * response.specular_warp
-        + weft.specular_transmit * response.specular_weft
-    )
-    return dr.select(transmits, far, near)
+        Args:
+            choice: uniform number in [0, 1) that chooses the lobe.
+            u: uniform numbers in [0, 1).
+        """
+
+    def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both; models for which that costs less than each alone override it."""
+        return self.value(light, active), self.pdf(light)
+
+    def value_pdf_and_sample(
+        self, light: Vec3, choice: Float, u: Vec2
+    ) -> tuple[Color3, Float, DirectionSample]:
+        """`value_and_pdf` of a light, and a sample; models for which that costs less override it."""
+        return *self.value_and_pdf(light), self.sample(choice, u)
+
+    def to_seen_face(self, direction: Vec3) -> Vec3:
+        """A direction in the frame of the face that the view sees: z is positive on its side."""
+        types = array_types(self.view.x)
+        z = dr.select(self.view.z < 0, -direction.z, direction.z)
+        return types.Vector3(direction.x, direction.y, z)
 
 
 class Model(ABC):
-    """A multi-scale model of one fabric.
+    """A multi-scale model of one source.
 
     Every model passes `tests/models/test_contract.py`, which holds it to what it claims here.
 
     Attributes:
         name: as the command line and assets call it.
+        source_kind: of the sources that it takes, a name of `SOURCE_KINDS`.
         filters: whether it averages over the footprint; otherwise it looks at one point of it.
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
-        fabric: what it is a model of.
+        symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
+        has_holes: whether light passes straight through some of its sources.
+        options: what may be chosen beside the source.
+        source: what it is a model of.
     """
 
     name: ClassVar[str]
+    source_kind: ClassVar[str] = "fabric"
     filters: ClassVar[bool]
     conserves_energy: ClassVar[bool]
-    fabric: Fabric
+    symbolic: ClassVar[bool] = True
+    has_holes: ClassVar[bool] = False
+    options: ClassVar[tuple[Option, ...]] = ()
+    source: Source
 
     @classmethod
     @abstractmethod
-    def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model baked for a fabric, with its usual settings.
+    def for_source(cls, source: Source, *values: Any, **options: Any) -> Self:
+        """The model baked for a source, with its usual settings where `options` leave them open.
 
         Raises:
-            InputError: a fabric that this model cannot handle; the message says why.
+            InputError: a source or an option that this model cannot handle; the message says why.
         """
 
     @abstractmethod
@@ -115,59 +176,51 @@ class Model(ABC):
         """
 
     @abstractmethod
-    def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
-        """Components and hole of footprints."""
-
-    @abstractmethod
-    def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
-        """Mean albedos of each family over footprints, as the view shows them."""
-
-    @abstractmethod
-    def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
-        """A light direction, straight through the holes in proportion to them.
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> FootprintBsdf:
+        """The BSDF of footprints as views see them.
 
         Args:
-            choice: uniform number in [0, 1) that chooses the lobe.
-            u: Vector2 of uniform numbers in [0, 1).
+            view: unit vectors [3] away from the surface; z < 0 sees the back.
+            footprint: millimetres of the source.
+            tint: what diffuse albedos are multiplied with, 0 to 1; None for 1. Models that keep no albedos
+                apart ignore it.
+            active: lanes that are asked about; answers in others may be anything.
         """
 
-    @abstractmethod
-    def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
-        """Density of `sample` per solid angle, without delta: Float, 1/sr."""
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts all tables on a backend: symbolic calls may not upload any."""
+        del types
 
-    @final
-    def value(self, light: Any, view: Any, footprint: Footprint) -> Any:
-        """f·cos with the fabric's albedos and its sheen: Color3, 1/sr."""
-        return self.composed(
-            self.evaluate(light, view, footprint), self.albedos(view, footprint), light, view
-        )
+    @property
+    def open_area(self) -> float:
+        """Share of the source that is holes, 0 to 1."""
+        return 0.0
 
-    @final
-    def composed(self, response: Response, albedos: FamilyAlbedos, light: Any, view: Any) -> Any:
-        """`value` of a response and albedos that are at hand already: Color3, 1/sr."""
-        return self._under_sheen(shade(response, albedos, light.z * view.z < 0), light, view)
+    def parameters(self, types: ArrayTypes) -> Values:
+        """What scenes show and set, by name, on one backend."""
+        del types
+        return {}
 
-    @final
-    def straight_through(self, view: Any, hole: Any) -> Any:
-        """Share of light that passes straight through holes, less what sheen takes: Float."""
-        sheen = self.fabric.appearance().sheen
-        if sheen.strength <= 0:
-            return hole
-        return hole * sheen_transmittance(_upright(view, view), sheen.strength, sheen.roughness)
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The model after an edit, baked anew as far as the edit asks for it.
 
-    @final
-    def _under_sheen(self, body: Any, light: Any, view: Any) -> Any:
-        sheen = self.fabric.appearance().sheen
-        if sheen.strength <= 0:
-            return body
-        # The macro normal alone decides the sheen, so it is the same over any footprint.
-        lobe, transmittance = sheen_with_transmittance(
-            _upright(light, view), _upright(view, view), sheen.strength, sheen.roughness
-        )
-        return transmittance * body + lobe
+        Args:
+            values: from `parameters`, edited in place.
+            changed: names of what may have changed; empty if anything may have.
 
+        Raises:
+            InputError: a value that cannot be; the message names it.
+        """
+        del values, changed
+        return self
 
-def _upright(direction: Any, view: Any) -> Any:
-    """A direction in the frame of the face that `view` sees."""
-    types = array_types(direction.x)
-    return types.Vector3(direction.x, direction.y, dr.select(view.z < 0, -direction.z, direction.z))
+    def literals(self) -> tuple[float, ...]:
+        """Numbers that kernels hold as literals: where they change, kernels are compiled anew."""
+        return ()
+
+    def facts(self) -> dict[str, str]:
+        """What to tell a reader of the scene about it, by name."""
+        width, height = self.source.repeat_mm
+        return {"source": f'"{self.source.name}"', "repeat": f"{width:.4g} × {height:.4g} mm"}

@@ -2,34 +2,134 @@
 
 from __future__ import annotations
 
-from typing import Self, final
+from functools import cached_property
+from typing import Any, Self, final
 
+import drjit as dr
+
+from loomlight.aggregate.components import components
 from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.sampled import SampledModel
+from loomlight.models.fabric_model import ALBEDOS, FAMILIES, FabricModel, fabric_in_loom, fabric_source
+from loomlight.models.interface import Parameter, Values
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
+from loomlight.yarn.detached_surface import DetachedSurface
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import upload_extent
+from loomlight.yarn.visibility import first_hit
+
+_BENDS = ("height_scale", "twist")
 
 
 @final
-class PointFootprint(SampledModel):
-    """One sample of the footprint, at its centre: exact there, aliased where threads are small."""
+class PointBsdf(SeparableBsdf):
+    """The yarn points that view rays through the centres of footprints meet."""
+
+    def __init__(
+        self, model: PointModel, view: Vec3, footprint: Footprint, tint: Color3 | None, active: Mask
+    ) -> None:
+        super().__init__(view, footprint, model.appearance.sheen)
+        self._model = model
+        centre, back = footprint.centre, array_types(view.x).Bool(view.z < 0)
+        # Derivatives of where a ray meets yarn would be wrong as well as dear.
+        with dr.suspend_grad():
+            hit = first_hit(
+                model.surface, centre.x, centre.y, to_face_frame(view, back), back, active, model.quality
+            )
+        self.point = model.at(hit.x, hit.y, back, hit.hole)
+        if tint is not None:
+            albedos = self.point.albedos
+            albedos.diffuse_reflect = albedos.diffuse_reflect * tint
+            albedos.diffuse_transmit = albedos.diffuse_transmit * tint
+
+    @cached_property
+    def hole(self) -> Float:
+        """1 where the ray passes through, else 0."""
+        return dr.select(self.point.hole, array_types(self.view.x).Float(1), 0)
+
+    @property
+    def null_transmission(self) -> Float:
+        """1 in a hole, less under sheen, else 0."""
+        return self._model.straight_through(self.point, self.view)
+
+    @property
+    def diffuse_reflectance(self) -> Color3:
+        """The diffuse albedo of the yarn that shows."""
+        return dr.select(self.point.hole, 0, self.point.albedos.diffuse_reflect)
+
+    @property
+    def albedos(self) -> FamilyAlbedos:
+        """Albedos of the thread that shows; 0 for the other family."""
+        return families_of(self.point)
+
+    def components(self, light: Vec3, active: Mask = True) -> Components:
+        """Components of the yarn point, of one family."""
+        visible = self._model.visibility(self.point, light, active)
+        return Components(*components(self._model.appearance, self.point, light, self.view, visible))
+
+    def value(self, light: Vec3, active: Mask = True) -> Color3:
+        """f·cos with derivatives, 1/sr; 0 in lanes that are not active."""
+        return self._model.evaluate(self.point, light, self.view, active)
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample` per solid angle, without delta, 1/sr."""
+        return self._model.pdf(self.point, light, self.view)
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """A light direction by one of the yarn's lobes, straight through in holes."""
+        return self._model.sample(self.point, self.view, choice, u)
+
+
+def families_of(point: YarnPoint) -> FamilyAlbedos:
+    """Albedos of the thread that a point shows for its family, 0 for the other; 0 in holes."""
+    types = array_types(point.x)
+
+    def family(shows: Mask) -> Albedos:
+        share = dr.select(shows & ~point.hole, types.Float(1), 0)
+        return Albedos(*(getattr(point.albedos, name) * share for name in ALBEDOS))
+
+    return FamilyAlbedos(family(point.is_warp), family(~point.is_warp))
+
+
+@final
+class PointFootprint(FabricModel):
+    """One sample of the footprint, at its centre: exact there, aliased where threads are small.
+
+    Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.twist`` (radians) and the albedos
+    ``warp.diffuse_reflect`` …, the same of ``weft``; ``sheen.strength`` and ``sheen.roughness`` where there
+    is sheen. Albedos of families whose threads differ are one array ``warp.albedos``: a row a thread, four
+    albedos a row, four numbers an albedo of which the last is unused. All are differentiable; shadows and
+    holes are held fixed.
+    """
 
     name = "point"
     filters = False
     conserves_energy = True
 
-    @classmethod
-    def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model of a fabric; nothing is baked."""
-        return cls(fabric)
+    def __init__(self, fabric: Fabric) -> None:
+        super().__init__(fabric)
+        self._geometry = YarnGeometry(fabric.layout())
+        self.point_model = PointModel(DetachedSurface(self._geometry), fabric.appearance())
+        self._bends: dict[str, list[Any]] = {}
+        self._sheen: list[Any] | None = None
 
-    @property
-    def points(self) -> int:
-        """The centre alone."""
-        return 1
+    @classmethod
+    def for_source(cls, source: Source) -> Self:
+        """The model of a fabric; nothing is baked.
+
+        Raises:
+            InputError: no fabric.
+        """
+        return cls(fabric_source(source, cls.name))
 
     def to_loom(self) -> LoomFile:
         """The fabric."""
-        return LoomFile(model=self.name, fabric=self.fabric)
+        return LoomFile(model=self.name, source=self.fabric)
 
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:
@@ -38,5 +138,56 @@ class PointFootprint(SampledModel):
         Raises:
             InputError: another model's file.
         """
-        loom.require_model(cls.name)
-        return cls(loom.fabric)
+        return cls(fabric_in_loom(loom, cls.name))
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> PointBsdf:
+        """The yarn points at the centres of footprints as views see them."""
+        return PointBsdf(self.point_model, view, footprint, tint, active)
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts the yarns and their parameters on a backend."""
+        self._geometry.upload(types)
+        upload_extent(self.point_model.surface, types)
+        self.point_model.parameters(types)
+
+    def parameters(self, types: ArrayTypes) -> Values:
+        """The model's own arrays: what is assigned to them shows at once, with derivatives."""
+        if not self._bends:
+            self._bends = {
+                name: [dr.opaque(types.Float, float(getattr(self._geometry, name)[k])) for k in (0, 1)]
+                for name in _BENDS
+            }
+            sheen = self.point_model.sheen
+            # Literals until they are edited: the sheen's closed form is cheaper with a literal roughness.
+            self._sheen = None if sheen is None else [types.Float(float(value)) for value in sheen]
+            self._link()
+        found: dict[str, Any] = {}
+        families = self.point_model.parameters(types)
+        for number, (name, family) in enumerate(zip(FAMILIES, families, strict=True)):
+            found[f"{name}.roughness"] = family.roughness
+            found |= {f"{name}.{bend}": values[number] for bend, values in self._bends.items()}
+            if family.table is not None:
+                found[f"{name}.albedos"] = family.table
+            else:
+                found |= {f"{name}.{part}": value for part, value in zip(ALBEDOS, family.shared, strict=True)}
+        if self._sheen is not None:
+            found["sheen.strength"], found["sheen.roughness"] = self._sheen
+        return {name: Parameter(value, differentiable=True) for name, value in found.items()}
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """This model: its arrays were edited in place."""
+        del values, changed
+        self._link()
+        return self
+
+    def _link(self) -> None:
+        """Lets geometry and sheen read the parameters, whose derivatives may have been switched on."""
+        warp, weft = self._bends["height_scale"]
+        self._geometry.height_scale = (warp, weft)
+        warp, weft = self._bends["twist"]
+        self._geometry.twist = (warp, weft)
+        if self._sheen is not None:
+            strength, roughness = self._sheen
+            self.point_model.sheen = (strength, roughness)

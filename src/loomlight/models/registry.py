@@ -1,39 +1,59 @@
-"""Models by name, each imported when it is first asked for."""
+"""Models by name, each imported when it is first asked for. This is the one list of them.
+
+An entry here is all that a model needs to become a name of the command line, a material file, a BSDF of
+Mitsuba and a row of the query benchmark; it must pass tests/models/test_contract.py.
+"""
 
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from importlib import import_module
+from typing import Any
 
-from loomlight.assets.loom_file import LoomFile, read_loom
+from loomlight.assets.load import load_source
+from loomlight.assets.loom_file import SCHEMA, LoomFile, is_loom, read_loom
+from loomlight.assets.sources import Source
 from loomlight.core.errors import InputError
-from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.reading import speaking_of
 from loomlight.fabric.sentences import closest, shown
 from loomlight.models.interface import Model
 
-# Module and class; a model that is listed here must pass tests/models/test_contract.py.
-_HOMES = {
-    "lobes": ("loomlight.models.lobes.model", "LobesModel"),
-    "point": ("loomlight.models.point", "PointFootprint"),
-    "samples": ("loomlight.models.samples", "FootprintSamples"),
-    "woven": ("loomlight.models.woven.model", "WovenModel"),
+
+@dataclass(frozen=True)
+class ModelEntry:
+    """Where a model is found.
+
+    Attributes:
+        module, class_name: its class.
+        plugin: name of its BSDF in Mitsuba.
+    """
+
+    module: str
+    class_name: str
+    plugin: str
+
+
+MODELS: dict[str, ModelEntry] = {
+    "lobes": ModelEntry("loomlight.models.lobes.model", "LobesModel", "woven_lobes"),
+    "point": ModelEntry("loomlight.models.point", "PointFootprint", "woven_point"),
+    "samples": ModelEntry("loomlight.models.samples", "FootprintSamples", "woven_samples"),
+    "woven": ModelEntry("loomlight.models.woven.model", "WovenModel", "woven_neural"),
 }
+DEFAULT_MODEL = "lobes"
+# What pictures of other models are judged by.
+REFERENCE_MODEL = "point"
 
 
 def model_names() -> tuple[str, ...]:
     """Names of all models."""
-    return tuple(_HOMES)
+    return tuple(MODELS)
 
 
 def require_model_name(name: str) -> None:
-    """Returns if there is a model of that name.
-
-    Raises:
-        InputError: there is none; the message names one like it.
-    """
-    if name not in _HOMES:
-        raise InputError(f"model {shown(name)} does not exist: {closest(name, _HOMES)}")
+    """Raises InputError unless there is a model of that name; the message names one like it."""
+    if name not in MODELS:
+        raise InputError(f"model {shown(name)} does not exist: {closest(name, MODELS)}")
 
 
 def model_class(name: str) -> type[Model]:
@@ -43,18 +63,21 @@ def model_class(name: str) -> type[Model]:
         InputError: there is none of that name.
     """
     require_model_name(name)
-    module, class_name = _HOMES[name]
-    found: type[Model] = getattr(import_module(module), class_name)
+    entry = MODELS[name]
+    found: type[Model] = getattr(import_module(entry.module), entry.class_name)
     return found
 
 
-def make_model(name: str, fabric: Fabric) -> Model:
-    """The model `name`, baked for a fabric.
+def make_model(name: str, source: Source, **options: Any) -> Model:
+    """The model `name`, baked for a source.
+
+    Args:
+        options: see the model's `options`.
 
     Raises:
-        InputError: there is none of that name, or it cannot handle this fabric.
+        InputError: there is none of that name, or it cannot handle this source or option.
     """
-    return model_class(name).for_fabric(fabric)
+    return model_class(name).for_source(source, **options)
 
 
 def model_of_loom(loom: LoomFile) -> Model:
@@ -63,12 +86,17 @@ def model_of_loom(loom: LoomFile) -> Model:
     Raises:
         InputError: a model that does not exist here, or contents that are not what it needs.
     """
-    if loom.model not in _HOMES:
+    if loom.model not in MODELS:
         raise InputError(
-            f"{loom.source}: its model {shown(loom.model)} does not exist here: install a newer loomlight, "
-            f"or bake it again with one of {', '.join(_HOMES)}."
+            f"{loom.file}: its model {shown(loom.model)} does not exist here: install a newer loomlight, "
+            f"or bake it again with one of {', '.join(MODELS)}."
         )
-    with speaking_of(loom.source):
+    if loom.schema < SCHEMA:
+        raise InputError(
+            f"{loom.file} was baked by an older loomlight: bake it again, with "
+            f"`loomlight bake {loom.file} --model {loom.model} -o {loom.file}`."
+        )
+    with speaking_of(loom.file):
         return model_class(loom.model).from_loom(loom)
 
 
@@ -79,3 +107,29 @@ def model_from_loom(path: str | os.PathLike[str]) -> Model:
         InputError: no such file, no `.loom`, or one that this installation cannot use.
     """
     return model_of_loom(read_loom(path))
+
+
+def model_of(
+    material: Source | Model | str | os.PathLike[str], name: str | None = None, **options: Any
+) -> Model:
+    """The model of a material, which is baked unless a `.loom` holds it.
+
+    Args:
+        material: a model; a source; or a path: a `.loom`, or what the model's sources are read from.
+        name: of the model; by default the one that a `.loom` holds, else `DEFAULT_MODEL`.
+        options: of the model; with any, it is baked even where a `.loom` holds it.
+
+    Raises:
+        InputError: no such model, or a material that cannot be read or that the model does not take.
+    """
+    if isinstance(material, Model):
+        return material
+    if not isinstance(material, str | os.PathLike):
+        return make_model(name or DEFAULT_MODEL, material, **options)
+    if is_loom(material):
+        loom = read_loom(material)
+        if name in (None, loom.model) and not options:
+            return model_of_loom(loom)
+        return make_model(name or loom.model, loom.source, **options)
+    kind = model_class(name or DEFAULT_MODEL).source_kind
+    return make_model(name or DEFAULT_MODEL, load_source(material, kind), **options)

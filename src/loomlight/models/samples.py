@@ -1,25 +1,186 @@
-"""The mean of the point model over many points of the footprint: slow, and right in the limit."""
+"""The mean of the point model over many points of the footprint: slow, and right in the limit.
+
+Each point's view ray is followed with exact parallax, its shadows are searched. A direction is drawn at one
+of the points; its density is the mean of all points' densities, and its weight value over that.
+"""
 
 from __future__ import annotations
 
-from typing import Self, final
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import cached_property
+from typing import Any, Self, final
 
+import drjit as dr
+
+from loomlight.aggregate.components import components
 from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.sampled import SampledModel
+from loomlight.models.fabric_model import FabricModel, fabric_in_loom, fabric_source
+from loomlight.models.interface import Option
+from loomlight.models.point import families_of
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
+from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import upload_extent
 
 DEFAULT_POINTS = 32
-MAXIMUM_POINTS = 1 << 16
+MOST_POINTS = 1 << 16
+# The plastic number's powers: points at multiples of these shares fill a square evenly (Roberts 2018).
+_ACROSS, _ALONG = 0.7548776662466927, 0.5698402909980532
+
+
+@dataclass
+class _Shown:
+    """What points show, whatever the light: means over the points.
+
+    Attributes:
+        hole: share of points that are holes.
+        warp_share, weft_share: shares of points that show each family.
+        albedos: sums over each family's points, over the number of all points.
+    """
+
+    hole: Float
+    warp_share: Float
+    weft_share: Float
+    albedos: FamilyAlbedos
 
 
 @final
-class FootprintSamples(SampledModel):
+class SamplesBsdf(SeparableBsdf):
+    """Means over so many points of footprints."""
+
+    def __init__(
+        self, model: PointModel, points: int, view: Vec3, footprint: Footprint, tint: Color3 | None
+    ) -> None:
+        super().__init__(view, footprint, model.appearance.sheen)
+        self._model = model
+        self._points = points
+        self._tint = tint
+
+    @cached_property
+    def _shown(self) -> _Shown:
+        def measure(point: YarnPoint) -> _Shown:
+            one = array_types(point.x).Float(1)
+            return _Shown(
+                dr.select(point.hole, one, 0),
+                dr.select(point.is_warp & ~point.hole, one, 0),
+                dr.select(~point.is_warp & ~point.hole, one, 0),
+                families_of(point),
+            )
+
+        found: _Shown = self._mean(measure)
+        return found
+
+    @property
+    def hole(self) -> Float:
+        """Share of the points that are holes."""
+        return self._shown.hole
+
+    @cached_property
+    def albedos(self) -> FamilyAlbedos:
+        """Mean albedos of the points that show each family; 0 where none does."""
+        shown = self._shown
+
+        def of_family(sums: Albedos, points: Float) -> Albedos:
+            scale = dr.select(points > 0, dr.rcp(maximum(points, 1e-9)), 0)
+            found: Albedos = _combined(lambda part: part * scale, sums)
+            return found
+
+        return tinted(
+            FamilyAlbedos(
+                of_family(shown.albedos.warp, shown.warp_share),
+                of_family(shown.albedos.weft, shown.weft_share),
+            ),
+            self._tint,
+        )
+
+    def components(self, light: Vec3, active: Mask = True) -> Components:
+        """Mean components over the points."""
+        found: Components = self._mean(lambda point: self._components(point, light, active))
+        return found
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample` per solid angle, without delta, 1/sr."""
+        return self._mean(lambda point: self._model.pdf(point, light, self.view))
+
+    def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
+        """Both in one pass over the points."""
+        found, pdf = self._mean(
+            lambda point: (
+                self._components(point, light, active),
+                self._model.pdf(point, light, self.view),
+            )
+        )
+        return self.composed(found, light), pdf
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """A light direction at one of the points, straight through holes in proportion to them."""
+        types = array_types(self.view.x)
+        scaled = choice * self._points
+        number = minimum(types.UInt32(scaled), self._points - 1)
+        # What is left of the number after the choice of a point is uniform again.
+        rest = clip(scaled - types.Float(number), 0, dr.one_minus_epsilon(types.Float))
+        # Directions alone are wanted: an inactive lane searches no shadow for its weight.
+        drawn = self._model.sample(self._point(number), self.view, rest, u, active=False)
+        value, density = self.value_and_pdf(drawn.light)
+        pdf = dr.select(drawn.is_null, self.null_transmission, density)
+        # A ray goes straight through with the very share of light that does.
+        weight = dr.select(drawn.is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
+        return DirectionSample(light=drawn.light, pdf=pdf, weight=weight, is_null=drawn.is_null)
+
+    def _components(self, point: YarnPoint, light: Vec3, active: Mask) -> Components:
+        visible = self._model.visibility(point, light, active)
+        return Components(*components(self._model.appearance, point, light, self.view, visible))
+
+    def _point(self, number: UInt) -> YarnPoint:
+        types = array_types(self.view.x)
+        place = self.footprint.centre
+        if self._points > 1:
+            s, t = (types.Float(number) * share + 0.5 for share in (_ACROSS, _ALONG))
+            place = self.footprint.at(s - dr.floor(s) - 0.5, t - dr.floor(t) - 0.5)
+        return self._model.locate(place.x, place.y, self.view)
+
+    def _mean(self, measure: Callable[[YarnPoint], Any]) -> Any:
+        """Mean over the points of what `measure` finds: Floats, or dataclasses and tuples of them."""
+        types = array_types(self.view.x)
+        first = measure(self._point(types.UInt32(0)))
+        if self._points == 1:
+            return first
+
+        def add(number: UInt, total: Any) -> tuple[Any, Any]:
+            return number + 1, _combined(lambda a, b: a + b, total, measure(self._point(number)))
+
+        start = types.UInt32(1), first
+        _, total = dr.while_loop(start, lambda number, total: number < self._points, add)
+        return _combined(lambda part: part * (1 / self._points), total)
+
+
+def _combined(operation: Callable[..., Any], *trees: Any) -> Any:
+    """`operation` on the arrays of equal dataclasses and tuples, leaf by leaf."""
+    if isinstance(trees[0], tuple):
+        return tuple(_combined(operation, *parts) for parts in zip(*trees, strict=True))
+    if hasattr(trees[0], "__dataclass_fields__"):
+        names = [part.name for part in fields(trees[0])]
+        return type(trees[0])(
+            **{name: _combined(operation, *(getattr(tree, name) for tree in trees)) for name in names}
+        )
+    return operation(*trees)
+
+
+@final
+class FootprintSamples(FabricModel):
     """So many points, spread evenly over the footprint in a pattern that is the same for all."""
 
     name = "samples"
     filters = True
     conserves_energy = True
+    options = (Option("points", int, f"a whole number from 1 to {MOST_POINTS}", 1, MOST_POINTS),)
 
     def __init__(self, fabric: Fabric, points: int = DEFAULT_POINTS) -> None:
         """A model of `points` points, 1 to 65536.
@@ -28,23 +189,23 @@ class FootprintSamples(SampledModel):
             InputError: fewer or more points.
         """
         super().__init__(fabric)
-        if not 1 <= points <= MAXIMUM_POINTS:
-            raise InputError(f"points = {points} is out of range: use 1 to {MAXIMUM_POINTS}.")
-        self._points = points
+        if not 1 <= points <= MOST_POINTS:
+            raise InputError(f"points = {points} is out of range: use 1 to {MOST_POINTS}.")
+        self.points = points
+        self.point_model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance())
 
     @classmethod
-    def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model of a fabric with 32 points; nothing is baked."""
-        return cls(fabric)
+    def for_source(cls, source: Source, points: int = DEFAULT_POINTS) -> Self:
+        """The model of a fabric with so many points, 32 by default; nothing is baked.
 
-    @property
-    def points(self) -> int:
-        """How many points of a footprint are looked at."""
-        return self._points
+        Raises:
+            InputError: no fabric, or fewer or more points than 1 to 65536.
+        """
+        return cls(fabric_source(source, cls.name), points)
 
     def to_loom(self) -> LoomFile:
         """The fabric and the number of points."""
-        return LoomFile(model=self.name, fabric=self.fabric, settings={"points": self._points})
+        return LoomFile(model=self.name, source=self.fabric, settings={"points": self.points})
 
     @classmethod
     def from_loom(cls, loom: LoomFile) -> Self:
@@ -53,5 +214,19 @@ class FootprintSamples(SampledModel):
         Raises:
             InputError: another model's file, or a number of points that cannot be.
         """
-        loom.require_model(cls.name)
-        return cls(loom.fabric, loom.setting("points", int))
+        return cls(fabric_in_loom(loom, cls.name), loom.setting("points", int))
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> SamplesBsdf:
+        """The points of footprints as views see them."""
+        del active
+        return SamplesBsdf(self.point_model, self.points, view, footprint, tint)
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts the yarns and their albedos on a backend."""
+        surface = self.point_model.surface
+        assert isinstance(surface, YarnGeometry)
+        surface.upload(types)
+        upload_extent(surface, types)
+        self.point_model.parameters(types)

@@ -7,25 +7,24 @@ is the same in −light.
 
 from __future__ import annotations
 
-from typing import Any
-
 import drjit as dr
 
+from loomlight.core.arrays import Float, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum, minimum
 from loomlight.scattering.directions import cosine_about
 
 
-def diffuse_reflection(light: Any, normal: Any, blend: Any) -> Any:
+def diffuse_reflection(light: Vec3, normal: Vec3, blend: Float) -> Float:
     """(w⟨light·n_p⟩ + (1 − w)⟨light·n_s⟩)/π for light above the cloth, else 0; Float, 1/sr."""
     return dr.select(light.z > 0, diffuse_pdf(light, normal, blend), 0)
 
 
-def diffuse_transmission(light: Any, normal: Any, blend: Any) -> Any:
+def diffuse_transmission(light: Vec3, normal: Vec3, blend: Float) -> Float:
     """The same for light below the cloth, with the cosines to −n_p and −n_s; Float, 1/sr."""
     return diffuse_reflection(-light, normal, blend)
 
 
-def sample_diffuse(normal: Any, blend: Any, u: Any) -> Any:
+def sample_diffuse(normal: Vec3, blend: Float, u: Vec2) -> Vec3:
     """A light direction for reflection; the negated one serves for transmission.
 
     Cosine-weighted about n_p in a share w of the cases, else about n_s. Some directions of the first kind
@@ -44,7 +43,7 @@ def sample_diffuse(normal: Any, blend: Any, u: Any) -> Any:
     return cosine_about(axis, types.Vector2(stretched, u.y))
 
 
-def diffuse_pdf(light: Any, normal: Any, blend: Any) -> Any:
+def diffuse_pdf(light: Vec3, normal: Vec3, blend: Float) -> Float:
     """Density of `sample_diffuse`, 1/sr: both cosines clamped at zero, blended, over π."""
     about_yarn = maximum(dr.dot(light, normal), 0)
     about_cloth = maximum(light.z, 0)

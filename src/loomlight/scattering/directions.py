@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import drjit as dr
 
+from loomlight.core.arrays import Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 
 # Below this squared length a vector has no direction left in float32; dividing by it must stay finite.
 SMALLEST_SQUARED_LENGTH = 1e-20
 
 
-def uniform_on_sphere(u: Any) -> Any:
+def uniform_on_sphere(u: Vec2) -> Vec3:
     """A direction uniform on the sphere.
 
     Args:
@@ -29,7 +28,7 @@ def uniform_on_sphere(u: Any) -> Any:
     return types.Vector3(radius * cos, radius * sin, z)
 
 
-def cosine_about(axis: Any, u: Any) -> Any:
+def cosine_about(axis: Vec3, u: Vec2) -> Vec3:
     """A direction whose density is its cosine with `axis` over π.
 
     A point of the unit sphere around the tip of `axis`, seen from the origin, has exactly that density, so

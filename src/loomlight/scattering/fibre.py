@@ -8,10 +8,9 @@ free of the albedo and hold the light's cosine. Directions and `normal` are Vect
 
 from __future__ import annotations
 
-from typing import Any
-
 import drjit as dr
 
+from loomlight.core.arrays import Float, Vec2, Vec3
 from loomlight.core.backend import maximum, minimum
 from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, uniform_on_sphere
 
@@ -28,7 +27,7 @@ _SHARE_THROUGH = (0.27, 0.045)
 _TYPICAL_DEPTH = 1.4
 
 
-def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
+def projected_area(direction: Vec3, tangent: Vec3, roughness: Float) -> Float:
     """σ(ω): area of the fibres seen from `direction`, per volume and density; α to 1 (chen2024 eq. 2)."""
     along = dr.dot(direction, tangent)
     # Not below α² but for rounding, so the root and its derivative stay finite.
@@ -36,13 +35,13 @@ def projected_area(direction: Any, tangent: Any, roughness: Any) -> Any:
     return dr.sqrt(maximum(squared, roughness * roughness))
 
 
-def density(half: Any, tangent: Any, roughness: Any) -> Any:
+def density(half: Vec3, tangent: Vec3, roughness: Float) -> Float:
     """D(h): density of fibre normals in direction `half`, 1/sr, both signs of h alike (chen2024 eq. 2)."""
     along = dr.dot(half, tangent)
     return _density(along * along, roughness)
 
 
-def _density(squared_along: Any, roughness: Any) -> Any:
+def _density(squared_along: Float, roughness: Float) -> Float:
     """D of the squared cosine between half vector and tangent.
 
     With q = p/α², p = α² + (h·t)²(1 − α²): α³/(π p²) never forms the large 1/α² of q.
@@ -52,7 +51,7 @@ def _density(squared_along: Any, roughness: Any) -> Any:
     return dr.inv_pi * squared_roughness * roughness * dr.rcp(p * p)
 
 
-def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
+def _density_between(light: Vec3, view: Vec3, tangent: Vec3, roughness: Float) -> Float:
     """D at the half vector of two directions, from light + view without normalising it.
 
     Where light = −view the half vector is 0/0 and its limit depends on the approach; there it is taken to
@@ -65,7 +64,7 @@ def _density_between(light: Any, view: Any, tangent: Any, roughness: Any) -> Any
     return _density(minimum(squared_along, 1), roughness)
 
 
-def _mean_attenuation(depth: Any) -> Any:
+def _mean_attenuation(depth: Float) -> Float:
     """(1 − e^{−x})/x, the mean of e^{−s} over 0 < s < x, for x ≥ 0.
 
     The series takes over below 0.1, where the difference would lose digits; there it is off by 1e-8.
@@ -75,7 +74,9 @@ def _mean_attenuation(depth: Any) -> Any:
     return dr.select(depth < 0.1, series, (1 - dr.exp(-large)) * dr.rcp(large))
 
 
-def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
+def reflection(
+    light: Vec3, view: Vec3, normal: Vec3, tangent: Vec3, roughness: Float, optical_depth: Float
+) -> Float:
     """Light scattered once and back out of the layer: f·cos_light at albedo 1, 1/sr (chen2024 eq. 1–2).
 
     D G_r/(4 cos_view), in the form −expm1(−Tρ(Λ_i + Λ_o))/(σ_i cos_o + σ_o cos_i) that has no pole at
@@ -94,7 +95,9 @@ def reflection(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any,
     return dr.select(visible, value, 0)
 
 
-def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any) -> Any:
+def transmission(
+    light: Vec3, view: Vec3, normal: Vec3, tangent: Vec3, roughness: Float, optical_depth: Float
+) -> Float:
     """Light scattered once and out on the other side: f·cos_light at albedo 1, 1/sr (Wang et al. 2022).
 
     D G_t/(4 cos_view) with G_t = e^{−Tρ min(Λ_i, Λ_o)} (1 − e^{−Tρ|Δ|})/|Δ|, Δ = Λ_i − Λ_o. Zero unless
@@ -112,8 +115,8 @@ def transmission(light: Any, view: Any, normal: Any, tangent: Any, roughness: An
 
 
 def layer_albedo_estimate(
-    view: Any, normal: Any, tangent: Any, roughness: Any, optical_depth: Any
-) -> tuple[Any, Any]:
+    view: Vec3, normal: Vec3, tangent: Vec3, roughness: Float, optical_depth: Float
+) -> tuple[Float, Float]:
     """Rough directional albedos of the layer in reflection and in transmission, for choosing a lobe.
 
     Every light direction is given the depth of one at 45°, and each side its mean share. Averaged over views
@@ -130,7 +133,7 @@ def layer_albedo_estimate(
     )
 
 
-def sample_specular(view: Any, tangent: Any, roughness: Any, u: Any) -> Any:
+def sample_specular(view: Vec3, tangent: Vec3, roughness: Float, u: Vec2) -> Vec3:
     """A light direction by reflection off a fibre normal visible from `view`: the whole sphere, both lobes.
 
     Visible normals of an ellipsoid (Heitz et al. 2015): with M = I − (1 − α) t tᵀ, so M M = S, the sphere
@@ -151,7 +154,7 @@ def sample_specular(view: Any, tangent: Any, roughness: Any, u: Any) -> Any:
     return light * dr.rsqrt(maximum(dr.squared_norm(light), SMALLEST_SQUARED_LENGTH))
 
 
-def pdf_specular(light: Any, view: Any, tangent: Any, roughness: Any) -> Any:
+def pdf_specular(light: Vec3, view: Vec3, tangent: Vec3, roughness: Float) -> Float:
     """Density of `sample_specular` over the whole sphere, 1/sr: D(h)/(4 σ(view)) (Heitz et al. 2015)."""
     area = projected_area(view, tangent, roughness)
     return 0.25 * _density_between(light, view, tangent, roughness) * dr.rcp(area)

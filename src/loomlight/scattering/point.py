@@ -16,6 +16,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
+from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
 from loomlight.core.masked_branch import masked_branch
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -56,10 +57,10 @@ _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular
 class Albedos:
     """The four albedos of a point, Color3 each."""
 
-    diffuse_reflect: Any
-    diffuse_transmit: Any
-    specular_reflect: Any
-    specular_transmit: Any
+    diffuse_reflect: Color3
+    diffuse_transmit: Color3
+    specular_reflect: Color3
+    specular_transmit: Color3
 
 
 @dataclass
@@ -76,15 +77,15 @@ class YarnPoint:
         albedos: of its thread; None where they are not asked for.
     """
 
-    back: Any
-    hole: Any
-    x: Any
-    y: Any
-    height: Any
-    normal: Any
-    tangent: Any
-    is_warp: Any
-    roughness: Any
+    back: Mask
+    hole: Mask
+    x: Float
+    y: Float
+    height: Float
+    normal: Vec3
+    tangent: Vec3
+    is_warp: Mask
+    roughness: Float
     albedos: Any
 
 
@@ -96,52 +97,52 @@ class DirectionSample:
         light: unit direction [3].
         pdf: density per solid angle, or the probability of passing straight through.
         weight: evaluate / pdf, Color3.
-        passes: the direction goes straight through a hole (delta).
+        is_null: the direction goes straight through a hole (delta).
     """
 
-    light: Any
-    pdf: Any
-    weight: Any
-    passes: Any
+    light: Vec3
+    pdf: Float
+    weight: Color3
+    is_null: Mask
 
 
 @dataclass
-class ShadowRay:
-    """The way of light to a yarn point, in the frame of the face that it falls on.
+class ShadowQuery:
+    """The visibility query of a yarn point and a light, in the frame of the face that the light falls on.
 
     Attributes:
         height: of the point, millimetres.
         direction: unit vector [3] to the light.
-        back: Bool, which face that is.
-        searched: Bool, whether anything but the yarn itself could tell that no light arrives.
+        back: which face that is.
+        searched: whether a search is needed; False where the yarn shadows itself, and in holes.
     """
 
-    height: Any
-    direction: Any
-    back: Any
-    searched: Any
+    height: Float
+    direction: Vec3
+    back: Mask
+    searched: Mask
 
 
-def shadow_ray(surface: Surface, point: YarnPoint, light: Any) -> ShadowRay:
-    """The way of a light [3] to a yarn point.
+def shadow_query(surface: Surface, point: YarnPoint, light: Vec3) -> ShadowQuery:
+    """The visibility query of a yarn point and a light, unit vector [3].
 
-    Light from the other side reaches the yarn's other surface, so that face's horizon counts.
+    Light from the other side falls on the yarn's other surface, so the geometry of that face occludes it.
     """
     types = array_types(point.x)
-    facing = on_face(light, point.back)
+    facing = to_face_frame(light, point.back)
     beyond = facing.z < 0
-    # Whether light arrives is a Bool, so nothing is differentiated here.
-    own: tuple[Any, Any] = dr.detach((point.normal, types.Float(point.height)))
+    # Visibility is a Mask, so no derivatives are needed.
+    own: tuple[Vec3, Float] = dr.detach((point.normal, types.Float(point.height)))
 
-    def turned(_: tuple[Any, Any]) -> tuple[Any, Any]:
+    def turned(_: tuple[Vec3, Float]) -> tuple[Vec3, Float]:
         far = surface.surface(point.x, point.y, ~point.back)
         return dr.detach((far.normal, far.height))
 
     normal, height = masked_branch(beyond, own, turned, "cloth: other side")
     direction = types.Vector3(facing.x, facing.y, abs(facing.z))
-    # The yarn hides from itself what lies below its tangent plane.
+    # The yarn itself occludes lights below its tangent plane.
     searched = ~point.hole & (dr.dot(normal, direction) > 0)
-    return ShadowRay(height, direction, point.back ^ beyond, searched)
+    return ShadowQuery(height, direction, point.back ^ beyond, searched)
 
 
 class _FamilyParameters:
@@ -160,7 +161,7 @@ class _FamilyParameters:
         self.table = None if self.alike else types.Float(padded.ravel())
         self._types = types
 
-    def albedo(self, number: int, thread: Any) -> Any:
+    def albedo(self, number: int, thread: UInt) -> Color3:
         """Albedo `number` (in the order of `_ALBEDOS`) of a thread, Color3."""
         if self.table is None:
             return self.shared[number]
@@ -192,7 +193,9 @@ class PointModel:
         self.horizon = horizon
         sheen = appearance.sheen
         # None without sheen, so that it costs nothing then.
-        self.sheen: tuple[Any, Any] | None = (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
+        self.sheen: tuple[Float, Float] | None = (
+            (sheen.strength, sheen.roughness) if sheen.strength > 0 else None
+        )
         self._uploaded: dict[type, tuple[_FamilyParameters, _FamilyParameters]] = {}
 
     def parameters(self, types: ArrayTypes) -> tuple[_FamilyParameters, _FamilyParameters]:
@@ -204,7 +207,7 @@ class PointModel:
             )
         return self._uploaded[types.Float]
 
-    def locate(self, x: Any, y: Any, view: Any, active: Any = True) -> YarnPoint:
+    def locate(self, x: Float, y: Float, view: Vec3, active: Mask = True) -> YarnPoint:
         """The yarn point that the view ray through x, y on the plane z = 0 meets.
 
         Args:
@@ -213,11 +216,11 @@ class PointModel:
         """
         types = array_types(x)
         back = types.Bool(view.z < 0)
-        seen = on_face(view, back)
+        seen = to_face_frame(view, back)
         hit = first_hit(self.surface, x, y, seen, back, active, self.quality)
         return self.at(hit.x, hit.y, back, hit.hole)
 
-    def at(self, x: Any, y: Any, back: Any, hole: Any) -> YarnPoint:
+    def at(self, x: Float, y: Float, back: Mask, hole: Mask) -> YarnPoint:
         """The yarn point at draft coordinates x, y (millimetres) of one face, without parallax."""
         types = array_types(x)
         point = self.surface.surface(x, y, back)
@@ -252,7 +255,7 @@ class PointModel:
         """Whether fibres or threads vary by chance."""
         return self.appearance.variation.fibre_noise > 0 or self.appearance.variation.colour_noise > 0
 
-    def varied(self, point: SurfacePoint, albedos: Albedos, x: Any, y: Any) -> Albedos:
+    def varied(self, point: SurfacePoint, albedos: Albedos, x: Float, y: Float) -> Albedos:
         """Albedos of the thread at draft coordinates x, y (millimetres), varied as its fibres there are."""
         types = array_types(x)
         variation = self.appearance.variation
@@ -289,9 +292,9 @@ class PointModel:
         )
         return Albedos(*varied)
 
-    def visibility(self, point: YarnPoint, light: Any, active: Any = True) -> Any:
+    def visibility(self, point: YarnPoint, light: Vec3, active: Mask = True) -> Mask:
         """Whether nothing of the cloth hides the light from the point: Bool."""
-        ray = shadow_ray(self.surface, point, light)
+        ray = shadow_query(self.surface, point, light)
         searched = ray.searched & active
         if self.horizon is not None:
             free = self.horizon.unoccluded(point.x, point.y, ray.direction, ray.back) & searched
@@ -301,19 +304,21 @@ class PointModel:
             )
         return free | point.hole
 
-    def evaluate(self, point: YarnPoint, light: Any, view: Any, active: Any = True) -> Any:
+    def evaluate(self, point: YarnPoint, light: Vec3, view: Vec3, active: Mask = True) -> Color3:
         """f(light, view)·|cos θ_light| of a yarn point, shadows included, without delta: Color3, 1/sr."""
-        value = self._scattered(point, on_face(light, point.back), on_face(view, point.back))
+        value = self._scattered(point, to_face_frame(light, point.back), to_face_frame(view, point.back))
         worth = array_types(point.x).Bool(active) & (dr.max(value) > 0)
         return dr.select(self.visibility(point, light, worth) & worth, value, 0)
 
-    def pdf(self, point: YarnPoint, light: Any, view: Any) -> Any:
+    def pdf(self, point: YarnPoint, light: Vec3, view: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta: Float, 1/sr."""
-        seen, facing = on_face(view, point.back), on_face(light, point.back)
+        seen, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
         lobes = self._lobe_shares(point, seen)
         return self._pdf(point, facing, seen, lobes)
 
-    def sample(self, point: YarnPoint, view: Any, choice: Any, u: Any, active: Any = True) -> DirectionSample:
+    def sample(
+        self, point: YarnPoint, view: Vec3, choice: Float, u: Vec2, active: Mask = True
+    ) -> DirectionSample:
         """A light direction, by lobe in proportion to the lobes' attenuated energy (zhu2024 5.1).
 
         Args:
@@ -321,7 +326,7 @@ class PointModel:
             u: Vector2 of uniform numbers in [0, 1).
         """
         types = array_types(point.x)
-        seen = on_face(view, point.back)
+        seen = to_face_frame(view, point.back)
         lobes = self._lobe_shares(point, seen)
         specular, reflect, transmit, sheen, passing = lobes
         facing = sample_specular(seen, point.tangent, point.roughness, u)
@@ -334,29 +339,29 @@ class PointModel:
             from_sheen = choice >= specular + reflect + transmit
             facing = dr.select(from_sheen, sample_sheen(seen, self.sheen[1], u), facing)
         # Compared from the end: a choice of almost 1 must not fall past lobes that add up to less.
-        passes = point.hole & (choice >= sheen)
-        facing = dr.select(passes, -seen, facing)
-        pdf = dr.select(passes, passing, self._pdf(point, facing, seen, lobes))
+        is_null = point.hole & (choice >= sheen)
+        facing = dr.select(is_null, -seen, facing)
+        pdf = dr.select(is_null, passing, self._pdf(point, facing, seen, lobes))
         through = types.Color3(self._straight_through(point, seen))
-        value = dr.select(passes, through, self._scattered(point, facing, seen))
-        light = on_face(facing, point.back)
+        value = dr.select(is_null, through, self._scattered(point, facing, seen))
+        light = to_face_frame(facing, point.back)
         worth = types.Bool(active) & (dr.max(value) > 0) & (pdf > 0)
-        worth &= self.visibility(point, light, worth & ~passes) | passes
+        worth &= self.visibility(point, light, worth & ~is_null) | is_null
         weight = dr.select(worth, value / maximum(pdf, 1e-30), 0)
-        return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, passes=passes)
+        return DirectionSample(light=light, pdf=dr.select(active, pdf, 0), weight=weight, is_null=is_null)
 
-    def straight_through(self, point: YarnPoint, view: Any) -> Any:
+    def straight_through(self, point: YarnPoint, view: Vec3) -> Float:
         """Share of light that passes straight through: 1 in a hole, less under sheen, else 0. Float."""
-        return self._straight_through(point, on_face(view, point.back))
+        return self._straight_through(point, to_face_frame(view, point.back))
 
-    def _straight_through(self, point: YarnPoint, view: Any) -> Any:
+    def _straight_through(self, point: YarnPoint, view: Vec3) -> Float:
         types = array_types(point.x)
         through = types.Float(1)
         if self.sheen is not None:
             through = sheen_transmittance(view, *self.sheen)
         return dr.select(point.hole, through, 0)
 
-    def _scattered(self, point: YarnPoint, light: Any, view: Any) -> Any:
+    def _scattered(self, point: YarnPoint, light: Vec3, view: Vec3) -> Color3:
         types = array_types(point.x)
         blend = types.Float(self.appearance.diffuse_blend)
         depth = types.Float(self.appearance.optical_depth)
@@ -375,7 +380,7 @@ class PointModel:
             value = transmittance * value + sheen
         return value
 
-    def _lobe_shares(self, point: YarnPoint, view: Any) -> tuple[Any, Any, Any, Any, Any]:
+    def _lobe_shares(self, point: YarnPoint, view: Vec3) -> tuple[Float, Float, Float, Float, Float]:
         """Probabilities of specular, diffuse reflection, diffuse transmission, sheen and passing; sum 1."""
         types = array_types(point.x)
         depth = types.Float(self.appearance.optical_depth)
@@ -400,7 +405,9 @@ class PointModel:
         sheen = dr.select(point.hole, sheen, sheen * scale)
         return specular * scale, reflect * scale, transmit * scale, sheen, passing
 
-    def _pdf(self, point: YarnPoint, light: Any, view: Any, lobes: tuple[Any, Any, Any, Any, Any]) -> Any:
+    def _pdf(
+        self, point: YarnPoint, light: Vec3, view: Vec3, lobes: tuple[Float, Float, Float, Float, Float]
+    ) -> Float:
         types = array_types(point.x)
         specular, reflect, transmit, sheen, _ = lobes
         blend = types.Float(self.appearance.diffuse_blend)
@@ -414,7 +421,7 @@ class PointModel:
         return density
 
 
-def on_face(direction: Any, back: Any) -> Any:
-    """A direction in the frame of the face that is seen: z negated behind. Its own inverse."""
+def to_face_frame(direction: Vec3, back: Mask) -> Vec3:
+    """A direction in the frame of a face: z is negated for the back. It is its own inverse."""
     z = dr.select(back, -direction.z, direction.z)
     return type(direction)(direction.x, direction.y, z)

@@ -9,10 +9,10 @@ roughness lie in 0 to 1. Light and view are both above the cloth, else the lobe 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum
 from loomlight.scattering.directions import SMALLEST_SQUARED_LENGTH, cosine_about
 from loomlight.scattering.sheen_coefficients import CEILING, REFLECTANCE, SCALE, SHEAR
@@ -25,25 +25,25 @@ _SMALLEST_SCALE = 0.01
 _LARGEST_SHEAR = -0.25
 
 
-def _powers(base: Any, largest: int) -> list[Any]:
+def _powers(base: Float, largest: int) -> list[Float]:
     powers = [base]
     while len(powers) < largest:
         powers.append(powers[-1] * base)
     return powers
 
 
-def _polynomial(coefficients: Sequence[Sequence[float]], x: Any, y_powers: Sequence[Any]) -> Any:
+def _polynomial(coefficients: Sequence[Sequence[float]], x: Float, y_powers: Sequence[Float]) -> Float:
     """Horner in x of polynomials in y: the latter cost nothing where the roughness is one literal."""
-    value: Any = 0
+    value: Float = 0
     for row in reversed(coefficients):
-        term: Any = row[0]
+        term: Float = row[0]
         for coefficient, power in zip(row[1:], y_powers, strict=False):
             term = dr.fma(coefficient, power, term)
         value = dr.fma(value, x, term)
     return value
 
 
-def sheen_lobe(cos_view: Any, roughness: Any) -> tuple[Any, Any, Any]:
+def sheen_lobe(cos_view: Float, roughness: Float) -> tuple[Float, Float, Float]:
     """(a, b, R) of the lobe: a in 0.01 to 1, b in −0.25 to 0, R in 0 to 0.8; Floats."""
     types = array_types(cos_view)
     cos_view = clip(cos_view, _SMALLEST, 1)
@@ -57,7 +57,7 @@ def sheen_lobe(cos_view: Any, roughness: Any) -> tuple[Any, Any, Any]:
     return scale, shear, CEILING * dr.rcp(1 + dr.exp(exponent))
 
 
-def _azimuth(view: Any) -> tuple[Any, Any]:
+def _azimuth(view: Vec3) -> tuple[Float, Float]:
     """cos and sin of the view's azimuth; (1, 0) where it has none."""
     squared = dr.fma(view.x, view.x, view.y * view.y)
     has_azimuth = squared > SMALLEST_SQUARED_LENGTH
@@ -65,7 +65,7 @@ def _azimuth(view: Any) -> tuple[Any, Any]:
     return dr.select(has_azimuth, view.x * inverse, 1), dr.select(has_azimuth, view.y * inverse, 0)
 
 
-def _transformed_cosine(light: Any, view: Any, scale: Any, shear: Any) -> Any:
+def _transformed_cosine(light: Vec3, view: Vec3, scale: Float, shear: Float) -> Float:
     """Density of the lobe, 1/sr: a² cos_light/(π ‖M⁻¹ light‖⁴), zero below the cloth."""
     cos_azimuth, sin_azimuth = _azimuth(view)
     towards = dr.fma(light.x, cos_azimuth, light.y * sin_azimuth)
@@ -77,25 +77,27 @@ def _transformed_cosine(light: Any, view: Any, scale: Any, shear: Any) -> Any:
     return dr.select((light.z > 0) & (view.z > 0), value, 0)
 
 
-def sheen(light: Any, view: Any, strength: Any, roughness: Any) -> Any:
+def sheen(light: Vec3, view: Vec3, strength: Float, roughness: Float) -> Float:
     """f·cos_light of the sheen: C R times its density; Float, 1/sr."""
     scale, shear, reflectance = sheen_lobe(view.z, roughness)
     return strength * reflectance * _transformed_cosine(light, view, scale, shear)
 
 
-def sheen_transmittance(view: Any, strength: Any, roughness: Any) -> Any:
+def sheen_transmittance(view: Vec3, strength: Float, roughness: Float) -> Float:
     """1 − C R(view), what is left for the cloth below; 0.2 to 1 (Float)."""
     return 1 - strength * sheen_lobe(view.z, roughness)[2]
 
 
-def sheen_with_transmittance(light: Any, view: Any, strength: Any, roughness: Any) -> tuple[Any, Any]:
+def sheen_with_transmittance(
+    light: Vec3, view: Vec3, strength: Float, roughness: Float
+) -> tuple[Float, Float]:
     """`sheen` and `sheen_transmittance` at the cost of one."""
     scale, shear, reflectance = sheen_lobe(view.z, roughness)
     weight = strength * reflectance
     return weight * _transformed_cosine(light, view, scale, shear), 1 - weight
 
 
-def sample_sheen(view: Any, roughness: Any, u: Any) -> Any:
+def sample_sheen(view: Vec3, roughness: Float, u: Vec2) -> Vec3:
     """A light direction with exactly the density of the lobe; above the cloth but for rounding.
 
     Args:
@@ -117,7 +119,7 @@ def sample_sheen(view: Any, roughness: Any, u: Any) -> Any:
     return types.Vector3(x * inverse, y * inverse, up * inverse)
 
 
-def sheen_pdf(light: Any, view: Any, roughness: Any) -> Any:
+def sheen_pdf(light: Vec3, view: Vec3, roughness: Float) -> Float:
     """Density of `sample_sheen`, 1/sr."""
     scale, shear, _ = sheen_lobe(view.z, roughness)
     return _transformed_cosine(light, view, scale, shear)

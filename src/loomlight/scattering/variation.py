@@ -7,10 +7,9 @@ the room that the energy bound leaves.
 
 from __future__ import annotations
 
-from typing import Any
-
 import drjit as dr
 
+from loomlight.core.arrays import Color3, Float, UInt
 from loomlight.core.backend import array_types, maximum, minimum
 
 # Jin et al. clamp the exponential noise here; one fibre in 22 000 is brighter.
@@ -20,14 +19,14 @@ _FIBRE_STREAM = 0x9E3779B9
 _THREAD_STREAM = 0x7F4A7C15
 
 
-def _scramble(value: Any) -> Any:
+def _scramble(value: UInt) -> UInt:
     """PCG output permutation of one congruential step (Jarzynski and Olano 2020), UInt32 to UInt32."""
     state = value * 747796405 + 2891336453
     word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737
     return (word >> 22) ^ word
 
 
-def uniform_hash(thread: Any, cell: Any, stream: Any) -> Any:
+def uniform_hash(thread: UInt, cell: UInt, stream: UInt) -> Float:
     """A number in (0, 1) that depends on three integers (UInt32) and on nothing else; Float."""
     types = array_types(dr.float32_array_t(type(thread)))
     # Nested, not added: sums of multiples would make (thread, cell) pairs collide along lines.
@@ -36,7 +35,7 @@ def uniform_hash(thread: Any, cell: Any, stream: Any) -> Any:
     return (types.Float(bits >> 9) + 0.5) * 2**-23
 
 
-def fibre_gain(thread: Any, cell: Any, amount: Any, seed: Any) -> Any:
+def fibre_gain(thread: UInt, cell: UInt, amount: Float, seed: UInt) -> Float:
     """Gain of the specular albedo of one fibre: 1 blended with min(−ln ξ, 10) by `amount` (mean 1).
 
     Args:
@@ -50,7 +49,7 @@ def fibre_gain(thread: Any, cell: Any, amount: Any, seed: Any) -> Any:
     return dr.fma(amount, minimum(-dr.log(number), _LARGEST_FIBRE_GAIN) - 1, 1)
 
 
-def thread_gain(thread: Any, amount: Any, seed: Any) -> Any:
+def thread_gain(thread: UInt, amount: Float, seed: UInt) -> Float:
     """Gain of one thread's albedo: uniform in 1 ± `amount` (`Variation.colour_noise`), mean 1; Float."""
     types = array_types(dr.float32_array_t(type(thread)))
     number = uniform_hash(thread, types.UInt32(0), types.UInt32(seed) ^ _THREAD_STREAM)
@@ -58,14 +57,14 @@ def thread_gain(thread: Any, amount: Any, seed: Any) -> Any:
 
 
 def vary_albedos(
-    albedos: tuple[Any, Any, Any, Any],
-    thread: Any,
-    cell: Any,
-    fibre_noise: Any,
-    colour_noise: Any,
-    seed: Any,
+    albedos: tuple[Color3, Color3, Color3, Color3],
+    thread: UInt,
+    cell: UInt,
+    fibre_noise: Float,
+    colour_noise: Float,
+    seed: UInt,
     layer_bound: float,
-) -> tuple[Any, Any, Any, Any]:
+) -> tuple[Color3, Color3, Color3, Color3]:
     """The four albedos of one point varied by fibre and thread, still inside the energy bound.
 
     The thread's gain applies to the diffuse terms first; the fibre's gain then has the room they leave.
@@ -90,7 +89,7 @@ def vary_albedos(
     )
 
 
-def bounded_gain(gain: Any, albedo: Any, room: Any) -> Any:
+def bounded_gain(gain: Float, albedo: Color3, room: Float) -> Float:
     """`gain`, lowered to where gain·albedo ≤ room in every channel; one number, so the hue stays.
 
     Args:

@@ -13,6 +13,7 @@ from typing import Any
 import drjit as dr
 import numpy as np
 
+from loomlight.core.arrays import Float, Int, Mask, UInt
 from loomlight.core.backend import ArrayTypes, array_types, clip, minimum, upload
 from loomlight.yarn.threads import FamilyTables
 
@@ -29,12 +30,12 @@ class Cell:
         below, above: distances to the ends of the cell.
     """
 
-    thread: Any
-    number: Any
-    across: Any
-    half_width: Any
-    below: Any
-    above: Any
+    thread: UInt
+    number: Float
+    across: Float
+    half_width: Float
+    below: Float
+    above: Float
 
 
 class Count:
@@ -45,7 +46,7 @@ class Count:
         self._inverse = dr.opaque(types.Float, 1 / number)
         self._half_inverse = dr.opaque(types.Float, 0.5 / number)
 
-    def divide(self, index: Any) -> tuple[Any, Any]:
+    def divide(self, index: UInt) -> tuple[Float, Float]:
         """Whole turns, rounded down, and the remainder ≥ 0 of whole numbers of any sign: Float each.
 
         Exact up to 4 million, where coordinates in single precision tell threads apart no longer.
@@ -54,7 +55,7 @@ class Count:
         return turns, dr.fma(-turns, self._number, index)
 
 
-def select_cell(first_one: Any, first: Cell, second: Cell) -> Cell:
+def select_cell(first_one: Mask, first: Cell, second: Cell) -> Cell:
     """`first` where `first_one`, else `second`."""
     return Cell(
         dr.select(first_one, first.thread, second.thread),
@@ -83,7 +84,7 @@ class UniformFamily:
         self.half_tangent = dr.opaque(types.Float, math.tan(inclination / 2))
         self._types = types
 
-    def locate(self, position: Any) -> Cell:
+    def locate(self, position: Float) -> Cell:
         """The cell of a position in millimetres, any number of repeats away."""
         cells = position * self.inverse_size
         whole = dr.floor(cells)
@@ -99,17 +100,17 @@ class UniformFamily:
             self.size - below,
         )
 
-    def span(self, thread: Any, first: Any, last: Any) -> Any:
+    def span(self, thread: UInt, first: Int, last: Int) -> Float:
         """Length from the lower boundary of cell thread + first to that of thread + last."""
         del thread
         return self._types.Float(last - first) * self.size
 
-    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+    def bend(self, thread: UInt) -> tuple[Float, Float, Float]:
         """Sine of the inclination, tangent of half of it, and the arc's half-length."""
         del thread
         return self.sine, self.half_tangent, self.arc
 
-    def edge_drop(self, thread: Any, step: Any) -> Any:
+    def edge_drop(self, thread: UInt, step: Int) -> Float:
         """Edge drop of thread + step, step in −1..1."""
         del thread, step
         return self.drop
@@ -144,10 +145,10 @@ class VariedFamily:
         ]
         self._bend = upload(types.Float, np.stack(bend, axis=1))
 
-    def _row(self, table: Any, thread: Any) -> Any:
+    def _row(self, table: Float, thread: UInt) -> Any:
         return dr.gather(self._types.Vector4, table, thread)
 
-    def locate(self, position: Any) -> Cell:
+    def locate(self, position: Float) -> Cell:
         UInt32 = self._types.UInt32
         turns = (position - self.start) * self.inverse_period
         turns -= dr.floor(turns)
@@ -162,19 +163,19 @@ class VariedFamily:
             thread, self._types.Float(thread), local - centre, half_width, local - lower, upper - local
         )
 
-    def span(self, thread: Any, first: Any, last: Any) -> Any:
+    def span(self, thread: UInt, first: Int, last: Int) -> Float:
         return self._boundary(thread, last) - self._boundary(thread, first)
 
-    def _boundary(self, thread: Any, step: Any) -> Any:
+    def _boundary(self, thread: UInt, step: Int) -> Float:
         turns, inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))
         lower = dr.gather(self._types.Float, self._place, self._types.UInt32(inside) * 4)
         return dr.fma(turns, self.period, lower)
 
-    def bend(self, thread: Any) -> tuple[Any, Any, Any]:
+    def bend(self, thread: UInt) -> tuple[Float, Float, Float]:
         row = self._row(self._bend, thread)
         return row[0], row[1], row[2]
 
-    def edge_drop(self, thread: Any, step: Any) -> Any:
+    def edge_drop(self, thread: UInt, step: Int) -> Float:
         inside = self.count.divide(self._types.Float(self._types.Int32(thread) + step))[1]
         return dr.gather(self._types.Float, self._bend, self._types.UInt32(inside) * 4 + 3)
 
@@ -182,7 +183,7 @@ class VariedFamily:
 Family = UniformFamily | VariedFamily
 
 
-def span_along(is_warp: Any, thread: Any, warp: Family, weft: Family) -> Callable[[Any, Any, Any], Any]:
+def span_along(is_warp: Mask, thread: UInt, warp: Family, weft: Family) -> Callable[[Float, Int, Int], Float]:
     """A length (millimetres) plus `span` of the family that a thread of warp (else weft) crosses.
 
     Args:

@@ -10,12 +10,12 @@ a `HorizonMap` by gradient descent on the squared difference over the hemisphere
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import Float, FloatType, Mask, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
 
@@ -33,7 +33,7 @@ class GaussianVisibility:
         error: mean absolute difference from the horizons over texels and the hemisphere, by face.
     """
 
-    def __init__(self, table: HorizonMap, float_type: type, saturates: bool = True) -> None:
+    def __init__(self, table: HorizonMap, float_type: FloatType, saturates: bool = True) -> None:
         """Fits the lobes; `saturates` False leaves the minimum with 1 out, as a comparison."""
         self.size = table.size
         self.resolution = table.resolution
@@ -71,17 +71,18 @@ class GaussianVisibility:
         for _ in range(8):
             lights = _stratified(rng, _DIRECTIONS)
             difference = self._difference(types, values, horizon, lights)
-            error += float(dr.mean(sum(dr.abs(part) for part in difference)).numpy().item())
+            total: Float = sum(dr.abs(part) for part in difference)
+            error += float(dr.mean(total).numpy().item())
         return np.stack([value.numpy() for value in values], axis=1), error / (8 * _DIRECTIONS)
 
     def _squared_difference(
-        self, types: ArrayTypes, values: list[Any], horizon: list[Any], lights: NDArray[np.float64]
-    ) -> Any:
+        self, types: ArrayTypes, values: list[Float], horizon: list[Float], lights: NDArray[np.float64]
+    ) -> Float:
         return sum(part * part for part in self._difference(types, values, horizon, lights))
 
     def _difference(
-        self, types: ArrayTypes, values: list[Any], horizon: list[Any], lights: NDArray[np.float64]
-    ) -> list[Any]:
+        self, types: ArrayTypes, values: list[Float], horizon: list[Float], lights: NDArray[np.float64]
+    ) -> list[Float]:
         parts = []
         for index, light in enumerate(lights):
             before = _azimuth_bin(index)
@@ -93,7 +94,7 @@ class GaussianVisibility:
             parts.append(lobe_value(types, values, direction, self._saturates) - visible)
         return parts
 
-    def unoccluded(self, x: Any, y: Any, direction: Any, back: Any) -> Any:
+    def unoccluded(self, x: Float, y: Float, direction: Vec3, back: Mask) -> Float:
         """Share of light from `direction` that reaches draft coordinates x, y (millimetres), 0 to 1: Float.
 
         Args:
@@ -110,7 +111,7 @@ class GaussianVisibility:
         return dr.select(direction.z > 0, lobe_value(types, values, direction, self._saturates), 0)
 
 
-def lobe_value(types: ArrayTypes, values: list[Any], direction: Any, saturates: bool = True) -> Any:
+def lobe_value(types: ArrayTypes, values: list[Float], direction: Vec3, saturates: bool = True) -> Float:
     """The lobe of seven parameters towards a direction [3]."""
     tilt_x, tilt_y, turn_x, turn_y, log_first, log_second, log_amplitude = values
     axis = dr.normalize(types.Vector3(tilt_x, tilt_y, 1))
@@ -127,7 +128,7 @@ def lobe_value(types: ArrayTypes, values: list[Any], direction: Any, saturates: 
     return minimum(value, 1) if saturates else value
 
 
-def _start(types: ArrayTypes, sines: NDArray[np.uint8]) -> list[Any]:
+def _start(types: ArrayTypes, sines: NDArray[np.uint8]) -> list[Float]:
     """Wide lobes about the mean free direction."""
     azimuth = 2 * math.pi * np.arange(AZIMUTHS) / AZIMUTHS
     free = 1 - sines.astype(np.float64) / 255
@@ -152,5 +153,5 @@ def _stratified(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
 
 
-def _fraction(turns: Any) -> Any:
+def _fraction(turns: Float) -> Float:
     return turns - dr.floor(turns)

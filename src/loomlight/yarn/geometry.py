@@ -21,18 +21,18 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import drjit as dr
 import numpy as np
-from numpy.typing import NDArray
 
-from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum, upload
-from loomlight.yarn.families import Cell, select_cell, span_along, upload_family
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
+from loomlight.yarn.families import Cell, select_cell, span_along
+from loomlight.yarn.geometry_tables import DeviceTables, prepare_layout
 from loomlight.yarn.layout import ClothLayout
-from loomlight.yarn.roofs import ROOF_BLOCK, ROOF_RADII, pack_roofs
-from loomlight.yarn.runs import CREST_LEVELS, pack_runs, with_crests
-from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables, prepare_family
+from loomlight.yarn.max_heights import PYRAMID_RADII, TILE_CELLS
+from loomlight.yarn.runs import CELL_MAX_LEVELS
+from loomlight.yarn.threads import SECTION_ANGLE, FamilyTables
 
 
 @dataclass
@@ -51,63 +51,63 @@ class SurfacePoint:
             are straight there, millimetres.
     """
 
-    hole: Any
-    is_warp: Any
-    warp_thread: Any
-    weft_thread: Any
-    height: Any
-    normal: Any
-    tangent: Any
-    across: Any
-    fibre_across: Any
-    fibre_along: Any
+    hole: Mask
+    is_warp: Mask
+    warp_thread: UInt
+    weft_thread: UInt
+    height: Float
+    normal: Vec3
+    tangent: Vec3
+    across: Float
+    fibre_across: Float
+    fibre_along: Float
 
 
 @dataclass
-class Block:
-    """The cell around a place, as rays see it that pass above.
+class CellBounds:
+    """Bounds of the cell of a position, for rays that pass above it.
 
     Attributes:
-        crest: nothing in the cell is higher, millimetres.
-        side_x, side_y: distances to its sides along x and y, the way the search goes, ≥ 0.
+        cell_max: bound of heights in the cell, millimetres.
+        side_x, side_y: distances to its sides along x and y in the direction of the search, ≥ 0, millimetres.
     """
 
-    crest: Any
-    side_x: Any
-    side_y: Any
+    cell_max: Float
+    side_x: Float
+    side_y: Float
 
 
 @dataclass
 class Probe:
-    """What a search along a ray asks of the cloth at one place.
+    """The surface at one sample of a search along a ray.
 
     Attributes:
         height, hole: see `SurfacePoint`.
-        slope_x, slope_y: of the height along x and y.
-        block: the cell around this place.
-        edge_x, edge_y: the same to the next place where another thread may show, or where this one begins to
-            dive or is halfway down.
+        slope_x, slope_y: derivatives of the height along x and y.
         yarn: a number that differs between neighbouring yarns: within one, heights are smooth.
+        cell_bounds: the cell of the sample.
+        edge_x, edge_y: distances in the direction of the search, millimetres, to the next outline: where
+            another thread may show, or where this one begins to dive or is halfway down.
     """
 
-    height: Any
-    hole: Any
-    slope_x: Any
-    slope_y: Any
-    yarn: Any
-    block: Block
-    edge_x: Any
-    edge_y: Any
+    height: Float
+    hole: Mask
+    slope_x: Float
+    slope_y: Float
+    yarn: UInt
+    cell_bounds: CellBounds
+    edge_x: Float
+    edge_y: Float
 
 
 @dataclass
 class _Shown:
     """The thread that shows at a point, and the facts of its run that shape it there."""
 
-    is_warp: Any
-    hole: Any
-    on_top: Any
-    word: Any
+    is_warp: Mask
+    hole: Mask
+    on_top: Mask
+    word: UInt
     crossing: _Crossing
 
 
@@ -117,43 +117,8 @@ class _Crossing:
 
     warp: Cell
     weft: Cell
-    words: Any
-    warp_above: Any  # the warp is on top here, whether or not its yarn covers the point
-
-
-_Prepared = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
-# What was worked out of layouts that are still there: the models of a fabric share its layout, and a draft of
-# 4096 by 4096 threads takes seconds. An edit of heights or twist makes a layout whose threads lie as before.
-_known: WeakKeyDictionary[ClothLayout, _Prepared] = WeakKeyDictionary()
-
-
-def _prepared(layout: ClothLayout) -> _Prepared:
-    """Tables of warp and weft, the words of both families at each crossing [picks, ends, 2], and roofs."""
-    found = _known.get(layout)
-    if found is None:
-        alike = (known for other, known in list(_known.items()) if _lie_alike(layout, other))
-        found = _known[layout] = next(alike, None) or _worked_out(layout)
-    return found
-
-
-def _lie_alike(first: ClothLayout, second: ClothLayout) -> bool:
-    """Whether two layouts differ in height scales and twist at the most."""
-    families = (first.warp, second.warp), (first.weft, second.weft)
-    return np.array_equal(first.warp_on_top, second.warp_on_top) and all(
-        a.inclination == b.inclination
-        and np.array_equal(a.spacing, b.spacing)
-        and np.array_equal(a.width, b.width)
-        for a, b in families
-    )
-
-
-def _worked_out(layout: ClothLayout) -> _Prepared:
-    warp_words = pack_runs(np.ascontiguousarray(layout.warp_on_top.T))
-    weft_words = pack_runs(~layout.warp_on_top)
-    warp = prepare_family(layout.warp, layout.weft, warp_words)
-    weft = prepare_family(layout.weft, layout.warp, weft_words)
-    words = np.stack([with_crests(warp_words, warp.crests).T, with_crests(weft_words, weft.crests)], axis=2)
-    return warp, weft, words, pack_roofs(words)
+    words: UInt
+    warp_above: Mask  # the warp is on top here, whether or not its yarn covers the point
 
 
 class YarnGeometry:
@@ -164,19 +129,19 @@ class YarnGeometry:
         size: width and height of the repeat, millimetres.
         height_scale: β of (warp, weft); numbers, or Dr.Jit scalars when gradients are wanted.
         twist: ψ of (warp, weft), radians; likewise.
-        tells_outlines: as searches ask for it.
+        has_outline_distances: see `search.Surface`.
     """
 
-    tells_outlines = True
+    has_outline_distances = True
 
     def __init__(self, layout: ClothLayout) -> None:
         self.layout = layout
         self.size = layout.size
-        self.height_scale: tuple[Any, Any] = (layout.warp.height_scale, layout.weft.height_scale)
-        self.twist: tuple[Any, Any] = (layout.warp.twist, layout.weft.twist)
-        self._warp, self._weft, self._words, self._roofs = _prepared(layout)
-        self._uploaded: dict[type, _Uploaded] = {}
-        self.extents: dict[type, Any] = {}
+        self.height_scale: tuple[Float, Float] = (layout.warp.height_scale, layout.weft.height_scale)
+        self.twist: tuple[Float, Float] = (layout.warp.twist, layout.weft.twist)
+        self._warp, self._weft, self._words, self._max_heights = prepare_layout(layout)
+        self._uploaded: dict[type, DeviceTables] = {}
+        self.extents: dict[FloatType, Any] = {}
 
     @property
     def families(self) -> tuple[FamilyTables, FamilyTables]:
@@ -198,28 +163,30 @@ class YarnGeometry:
         lowest = min(f.lowest * s for f, s in zip(families, scales, strict=True))
         return lowest - dive, highest
 
-    def _tables(self, types: ArrayTypes) -> _Uploaded:
+    def _tables(self, types: ArrayTypes) -> DeviceTables:
         if types.Float not in self._uploaded:
-            self._uploaded[types.Float] = _Uploaded(self._warp, self._weft, self._words, self._roofs, types)
+            self._uploaded[types.Float] = DeviceTables(
+                self._warp, self._weft, self._words, self._max_heights, types
+            )
         return self._uploaded[types.Float]
 
     def upload(self, types: ArrayTypes) -> None:
         """Puts all that points and probes read on a backend, which otherwise happens at first use."""
         self._numbers(self._tables(types))
 
-    def _numbers(self, tables: _Uploaded) -> dict[str, Any]:
-        """Numbers of the fabric by name, as `_Uploaded.scalar` has them."""
+    def _numbers(self, tables: DeviceTables) -> dict[str, Float]:
+        """Numbers of the fabric by name, as `DeviceTables.scalar` has them."""
         numbers = {
             "warp scale": self.height_scale[0],
             "weft scale": self.height_scale[1],
             "warp twist": self.twist[0],
             "weft twist": self.twist[1],
-            "warp level": self._warp.highest / CREST_LEVELS,
-            "weft level": self._weft.highest / CREST_LEVELS,
+            "warp level": self._warp.highest / CELL_MAX_LEVELS,
+            "weft level": self._weft.highest / CELL_MAX_LEVELS,
         }
         return {name: tables.scalar(name, number) for name, number in numbers.items()}
 
-    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+    def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
         """Height of the cloth and whether there is a hole, at draft coordinates x, y in millimetres.
 
         Args:
@@ -228,35 +195,23 @@ class YarnGeometry:
         point = self.surface(x, y, back)
         return point.height, point.hole
 
-    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
-        """What nothing ahead of draft coordinates x, y (millimetres) is higher than, the widest first.
-
-        Args:
-            right, up: Bool, whether the search goes up the x and the y axis.
-
-        Returns:
-            distances along x and y, in units of the `finest` extents, and within them bounds of heights as a
-            share of the upper one of `height_bounds`.
-        """
+    def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
+        """Bounds of heights ahead of draft coordinates x, y (millimetres); see `search.Surface`."""
         types = array_types(x)
         tables = self._tables(types)
         column, row = (family.locate(place).thread for family, place in ((tables.warp, x), (tables.weft, y)))
-        block = row // ROOF_BLOCK * tables.roof_columns + column // ROOF_BLOCK
+        tile = row // TILE_CELLS * tables.max_height_columns + column // TILE_CELLS
         # All four at once: Dr.Jit fetches 16 bytes in a row sooner than 4 by themselves.
-        words = dr.gather(types.Index4, tables.roofs, block)
+        words = dr.gather(types.Index4, tables.max_heights, tile)
         word = dr.select(up, dr.select(right, words[3], words[2]), dr.select(right, words[1], words[0]))
         word = word >> dr.select(back, types.UInt32(4), types.UInt32(0))
         return [
-            (float(radius), types.Float((word >> 8 * number) & 15) * (1 / CREST_LEVELS))
-            for number, radius in reversed(list(enumerate(ROOF_RADII)))
+            (float(radius), types.Float((word >> 8 * number) & 15) * (1 / CELL_MAX_LEVELS))
+            for number, radius in reversed(list(enumerate(PYRAMID_RADII)))
         ]
 
-    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
-        """What searches along rays need at draft coordinates x, y (millimetres) of one face.
-
-        Args:
-            right, up: Bool, whether the search goes up the x and the y axis.
-        """
+    def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
+        """The surface at draft coordinates x, y (millimetres) for a search; see `search.Surface.probe`."""
         types = array_types(x)
         point, shown, run, (slope_x, slope_y) = self._surface(x, y, back)
         crossing = shown.crossing
@@ -268,17 +223,17 @@ class YarnGeometry:
             yarn=dr.select(
                 point.is_warp, types.UInt32(point.warp_thread) * 2 + 1, types.UInt32(point.weft_thread) * 2
             ),
-            block=self._block(crossing, types, right, up),
+            cell_bounds=self._cell_bounds(crossing, types, right, up),
             edge_x=_edge(crossing.warp, shown, run, ~shown.is_warp, right),
             edge_y=_edge(crossing.weft, shown, run, shown.is_warp, up),
         )
 
-    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
-        """`probe`'s part that rays need which pass above the cell around x, y: a sixth of its work."""
+    def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
+        """The part of `probe` that rays above the cell need, a sixth of its cost."""
         types = array_types(x)
-        return self._block(_cross(self._tables(types), types, x, y, back), types, right, up)
+        return self._cell_bounds(_cross(self._tables(types), types, x, y, back), types, right, up)
 
-    def _block(self, crossing: _Crossing, types: ArrayTypes, right: Any, up: Any) -> Block:
+    def _cell_bounds(self, crossing: _Crossing, types: ArrayTypes, right: Mask, up: Mask) -> CellBounds:
         numbers = self._numbers(self._tables(types))
         levels = dr.select(
             crossing.warp_above,
@@ -286,13 +241,13 @@ class YarnGeometry:
             numbers["weft scale"] * numbers["weft level"],
         )
         word = dr.select(crossing.warp_above, crossing.words[0], crossing.words[1])
-        return Block(
-            crest=types.Float(word >> 28) * levels,
+        return CellBounds(
+            cell_max=types.Float(word >> 28) * levels,
             side_x=dr.select(right, crossing.warp.above, crossing.warp.below),
             side_y=dr.select(up, crossing.weft.above, crossing.weft.below),
         )
 
-    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
+    def surface(self, x: Float, y: Float, back: Mask) -> SurfacePoint:
         """The point of the cloth above draft coordinates x, y (millimetres, any number of repeats).
 
         Args:
@@ -301,7 +256,9 @@ class YarnGeometry:
         """
         return self._surface(x, y, back)[0]
 
-    def _surface(self, x: Any, y: Any, back: Any) -> tuple[SurfacePoint, _Shown, _Run, tuple[Any, Any]]:
+    def _surface(
+        self, x: Float, y: Float, back: Mask
+    ) -> tuple[SurfacePoint, _Shown, _Run, tuple[Float, Float]]:
         types = array_types(x)
         tables = self._tables(types)
         shown = _show(tables, types, x, y, back)
@@ -379,43 +336,13 @@ class YarnGeometry:
         return point, shown, run, (slope_x, slope_y)
 
 
-class _Uploaded:
-    """The tables on one backend. Numbers are opaque, so that all fabrics share their kernels."""
-
-    def __init__(
-        self,
-        warp: FamilyTables,
-        weft: FamilyTables,
-        words: NDArray[np.uint32],
-        roofs: NDArray[np.uint32],
-        types: ArrayTypes,
-    ) -> None:
-        self.warp: Any = upload_family(warp, types)
-        self.weft: Any = upload_family(weft, types)
-        self.words = upload(types.UInt32, words)
-        self.ends = dr.opaque(types.Float, words.shape[1])
-        self.roofs = upload(types.UInt32, roofs)
-        self.roof_columns = dr.opaque(types.UInt32, roofs.shape[1])
-        self._float = types.Float
-        self._scalars: dict[str, tuple[float, Any]] = {}
-
-    def scalar(self, name: str, value: Any) -> Any:
-        """A number of the fabric as an opaque Float; a Dr.Jit scalar as it is."""
-        if not isinstance(value, int | float):
-            return self._float(value)
-        # By name: two numbers that happen to be one would be one in the kernels, which then are others.
-        if name not in self._scalars or self._scalars[name][0] != value:
-            self._scalars[name] = value, dr.opaque(self._float, value)
-        return self._scalars[name][1]
-
-
 @dataclass
 class _Section:
     """The cross-section of a thread at a place in its cell."""
 
-    across: Any  # distance from its middle, at most half its width, signed
-    drop: Any  # below the crown
-    slope: Any
+    across: Float  # distance from its middle, at most half its width, signed
+    drop: Float  # below the crown
+    slope: Float
 
 
 def _section(cell: Cell) -> _Section:
@@ -430,20 +357,20 @@ def _section(cell: Cell) -> _Section:
 class _Run:
     """The run of the shown thread, unpacked."""
 
-    distance: Any  # from the nearer end of the run
-    near_start: Any
-    from_start: Any
-    to_end: Any
-    reach: Any  # half-length of this run's bent ends
-    other_reach: Any  # the same of the run beyond the nearer end
-    sine: Any
-    half_tangent: Any
-    straight: Any
-    first_crossing: Any
-    last_crossing: Any
+    distance: Float  # from the nearer end of the run
+    near_start: Mask
+    from_start: Float
+    to_end: Float
+    reach: Float  # half-length of this run's bent ends
+    other_reach: Float  # the same of the run beyond the nearer end
+    sine: Float
+    half_tangent: Float
+    straight: Mask
+    first_crossing: UInt
+    last_crossing: UInt
 
 
-def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _Shown:
+def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Shown:
     crossing = _cross(tables, types, x, y, back)
     warp, weft = crossing.warp, crossing.weft
     in_warp = abs(warp.across) < warp.half_width
@@ -454,7 +381,7 @@ def _show(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _S
     return _Shown(is_warp, ~in_warp & ~in_weft, on_top, word, crossing)
 
 
-def _cross(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _Crossing:
+def _cross(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Crossing:
     warp, weft = tables.warp.locate(x), tables.weft.locate(y)
     # At most 4096 by 4096 words: single precision tells them apart, and is faster.
     word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
@@ -462,7 +389,7 @@ def _cross(tables: _Uploaded, types: ArrayTypes, x: Any, y: Any, back: Any) -> _
     return _Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
 
 
-def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
+def _unpack(types: ArrayTypes, tables: DeviceTables, shown: _Shown, own: Cell, crossed: Cell) -> _Run:
     word = shown.word
     behind = types.Int32((word >> 1) & 127)
     ahead = types.Int32((word >> 8) & 127)
@@ -494,7 +421,7 @@ def _unpack(types: ArrayTypes, tables: _Uploaded, shown: _Shown, own: Cell, cros
     )
 
 
-def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Any, forwards: Any) -> Any:
+def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Mask, forwards: Mask) -> Float:
     """Distance along one axis to where another thread may show, or the shown one begins or ceases to dive.
 
     Args:
@@ -520,8 +447,8 @@ def _edge(cell: Cell, shown: _Shown, run: _Run, lengthwise: Any, forwards: Any) 
 
 
 def _dive(
-    types: ArrayTypes, tables: _Uploaded, shown: _Shown, run: _Run, crossed: Cell, other_beta: Any
-) -> tuple[Any, Any]:
+    types: ArrayTypes, tables: DeviceTables, shown: _Shown, run: _Run, crossed: Cell, other_beta: Float
+) -> tuple[Float, Float]:
     """How far the thread is pushed down here, and the slope of that along the thread's axis."""
     low_side = crossed.below < crossed.above
     distance = minimum(crossed.below, crossed.above)
@@ -533,7 +460,7 @@ def _dive(
     step = dr.select(low_side, types.Int32(-1), types.Int32(1))
     turns_over = dr.select(low_side, run.first_crossing, run.last_crossing)
 
-    def drop(offset: Any) -> Any:
+    def drop(offset: Float) -> Float:
         thread = crossed.thread
         return other_beta * dr.select(
             shown.is_warp, tables.weft.edge_drop(thread, offset), tables.warp.edge_drop(thread, offset)
@@ -550,7 +477,7 @@ def _dive(
     return depth, slope
 
 
-def _fibre_direction(across_slope: Any, along_slope: Any, twist: Any) -> tuple[Any, Any]:
+def _fibre_direction(across_slope: Float, along_slope: Float, twist: Float) -> tuple[Float, Float]:
     """Horizontal part, across and along, of the fibre direction t = cos ψ e_u − sin ψ e_v."""
     sine, cosine = dr.sincos(twist)
     lengthwise = dr.square(along_slope) + 1

@@ -12,6 +12,7 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, minimum
 from loomlight.core.errors import InputError
 from loomlight.yarn.search import SearchQuality, Surface
@@ -33,7 +34,7 @@ class HorizonMap:
         self,
         surface: Surface,
         resolution: tuple[int, int],
-        float_type: type,
+        float_type: FloatType,
         quality: SearchQuality = _QUALITY,
     ) -> None:
         """Searches the horizons.
@@ -55,7 +56,7 @@ class HorizonMap:
         self.sine: NDArray[np.uint8] = np.stack(
             [self._search(surface, array_types(float_type), back, quality) for back in (False, True)]
         )
-        self._uploaded: dict[type, Any] = {}
+        self._uploaded: dict[FloatType, Any] = {}
 
     def _search(
         self, surface: Surface, types: ArrayTypes, back: bool, quality: SearchQuality
@@ -77,7 +78,7 @@ class HorizonMap:
             parts.append(np.rint(np.clip(sine.numpy(), 0, 1) * 255).astype(np.uint8))
         return np.concatenate(parts).reshape(rows, columns, AZIMUTHS)
 
-    def unoccluded(self, x: Any, y: Any, direction: Any, back: Any) -> Any:
+    def unoccluded(self, x: Float, y: Float, direction: Vec3, back: Mask) -> Mask:
         """Whether the cloth leaves the direction free at draft coordinates (millimetres): Bool.
 
         Args:
@@ -96,7 +97,7 @@ class HorizonMap:
         texel = (face + row * columns + column) * (AZIMUTHS // 4)
         table = self._table(types)
 
-        def sine_at(azimuth: Any) -> Any:
+        def sine_at(azimuth: Float) -> Float:
             word = dr.gather(types.UInt32, table, texel + (azimuth >> 2))
             return types.Float((word >> ((azimuth & 3) << 3)) & 255) * (1 / 255)
 
@@ -109,6 +110,6 @@ class HorizonMap:
         return self._uploaded[types.Float]
 
 
-def _texel(types: ArrayTypes, turns: Any, count: int) -> Any:
+def _texel(types: ArrayTypes, turns: Float, count: int) -> UInt:
     share = turns - dr.floor(turns)
     return minimum(types.UInt32(share * count), count - 1)

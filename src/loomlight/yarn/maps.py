@@ -15,6 +15,7 @@ import numpy as np
 import OpenEXR
 from numpy.typing import NDArray
 
+from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
 from loomlight.core.images import write_channels, write_png
@@ -55,7 +56,7 @@ class SurfaceMaps:
 def bake_maps(
     surface: Surface,
     resolution: tuple[int, int],
-    float_type: type,
+    float_type: FloatType,
     window: tuple[float, float, float, float] | None = None,
     back: bool = False,
 ) -> SurfaceMaps:
@@ -98,7 +99,7 @@ def bake_maps(
 
 def _sample(
     surface: Surface,
-    float_type: type,
+    float_type: FloatType,
     columns: int,
     rows: int,
     first: int,

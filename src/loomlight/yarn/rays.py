@@ -1,9 +1,9 @@
-"""Rays that are searched for yarn sample by sample: down to the cloth, and up to a light.
+"""Ray marching through the height field of the cloth: shadow rays up to a light, view rays down to the cloth.
 
-They pass by cells that they stay above, and elsewhere advance in steps that neither cross more than a
-fraction of a thread nor fall by more than a fraction of the cloth's relief. The sides of the yarns are walls:
-a ray that enters a thread's outline below its surface has hit it. How long a search goes on is for the caller
-to say, so that rays may also take turns (`models/lobes/near_code.py`).
+Rays skip cells whose maximum they stay above. Elsewhere a step crosses at most a fraction of a thread and
+falls by at most a fraction of the cloth's relief. The sides of the yarns are walls: a ray that enters a
+thread's outline below its surface has hit it. A ray holds what does not change, its state what a step
+changes; the loop is the caller's (`visibility.py`).
 """
 
 from __future__ import annotations
@@ -14,261 +14,284 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, clip, maximum, minimum
 from loomlight.yarn.geometry import Probe
-from loomlight.yarn.search import SearchQuality, Stride, Surface, Trail, extent_of, no_trail, roof_along
+from loomlight.yarn.search import (
+    PreviousSample,
+    SearchQuality,
+    StepControl,
+    Surface,
+    extent_of,
+    max_height_along,
+    no_previous_sample,
+)
 
-# Of the cubic that tells where a ray meets a yarn, and the least of its rate, as a share of the mean.
+# Newton steps on the cubic whose root is the intersection, and the least slope they divide by, as a share of
+# the cubic's mean slope.
 _NEWTON_STEPS = 3
 _FLATTEST = 0.1
-# Further looks where samples do not stand right behind outlines.
-_LOOKS_FOR_OUTLINES = 3
+# Further bisections where the surface cannot tell where its outlines are.
+_OUTLINE_BISECTIONS = 3
 
 
-def rising_ray(
-    surface: Surface, x: Any, y: Any, height: Any, direction: Any, back: Any, quality: SearchQuality
-) -> RisingRay:
-    """The ray from a point of the cloth along a direction; see `unoccluded`."""
-    roof = roof_along(surface, extent_of(surface, array_types(x)), x, y, height, direction, back)
-    return rising_below(surface, x, y, height, direction, back, roof, quality)
+def shadow_ray(
+    surface: Surface, x: Float, y: Float, height: Float, direction: Vec3, back: Mask, quality: SearchQuality
+) -> ShadowRay:
+    """The shadow ray from a point of the cloth along a direction; see `visibility.unoccluded`."""
+    max_height = max_height_along(surface, extent_of(surface, array_types(x)), x, y, height, direction, back)
+    return shadow_ray_below(surface, x, y, height, direction, back, max_height, quality)
 
 
-def rising_below(
+def shadow_ray_below(
     surface: Surface,
-    x: Any,
-    y: Any,
-    height: Any,
-    direction: Any,
-    back: Any,
-    roof: Any,
+    x: Float,
+    y: Float,
+    height: Float,
+    direction: Vec3,
+    back: Mask,
+    max_height: Float,
     quality: SearchQuality,
-) -> RisingRay:
-    """The same, where nothing on the ray's way is higher than the roof."""
+) -> ShadowRay:
+    """`shadow_ray` with a known bound of all heights along the ray, `max_height` (millimetres)."""
     types = array_types(x)
     extent = extent_of(surface, types)
     step = dr.rcp(maximum(quality.shadow_share * extent.steps_per_length(quality, direction), 1e-9))
     start = types.Vector3(x, y, height + extent.lift)
-    return RisingRay(surface, start, direction, step, types.Bool(back), roof, quality.steps)
+    return ShadowRay(surface, start, direction, step, types.Bool(back), max_height, quality.steps)
 
 
 @dataclass
-class Rising:
-    """How far the search along a ray to a light has come.
+class ShadowRayState:
+    """State of the search along a shadow ray.
 
     Attributes:
-        distance: from its start.
-        leap: from the sample before.
-        free: nothing has been met.
+        distance: of the next sample from the start, millimetres.
+        last_step: length from the previous sample to the next one, millimetres.
+        free: nothing has been hit.
         searching: the search goes on.
-        count: samples.
-        trail: of the sample before.
+        count: samples so far.
+        previous: the previous sample.
     """
 
-    distance: Any
-    leap: Any
-    free: Any
-    searching: Any
-    count: Any
-    trail: Trail
+    distance: Float
+    last_step: Float
+    free: Mask
+    searching: Mask
+    count: UInt
+    previous: PreviousSample
 
 
 @dataclass
-class RisingRay:
-    """A ray to a light, on which yarn is looked for.
+class ShadowRay:
+    """A ray from the cloth to a light.
 
     Attributes:
-        start: where it begins [3], right above the cloth.
+        start: origin [3], a small distance above the cloth, millimetres.
         direction: unit vector [3], z > 0.
-        step: length of ray between samples at the most.
-        back: Bool, the face heights count from.
-        roof: nothing on the way is higher.
-        samples: at most so many.
+        step: longest distance between samples, millimetres.
+        back: the face that heights are measured from.
+        max_height: bound of all heights along the ray, millimetres.
+        samples: most samples to take.
     """
 
     surface: Surface
-    start: Any
-    direction: Any
-    step: Any
-    back: Any
-    roof: Any
-    samples: Any
+    start: Float
+    direction: Vec3
+    step: Float
+    back: Mask
+    max_height: Float
+    samples: UInt
 
     @cached_property
-    def _stride(self) -> Stride:
-        return Stride(self.direction, self.step)
+    def _steps(self) -> StepControl:
+        return StepControl(self.direction, self.step)
 
-    def started(self, active: Any) -> Rising:
-        """Before the first sample."""
+    def initial_state(self, active: Mask) -> ShadowRayState:
+        """The state before the first sample."""
         types = array_types(self.step)
         nothing = types.Float(0 * self.step)
-        searching = active & (self.start.z < self.roof)
-        return Rising(nothing, nothing, active, searching, types.UInt32(0), no_trail(types, self.step))
+        searching = active & (self.start.z < self.max_height)
+        return ShadowRayState(
+            nothing, nothing, active, searching, types.UInt32(0), no_previous_sample(types, self.step)
+        )
 
-    def advanced(self, now: Rising) -> Rising:
-        """After one more sample."""
-        direction, stride = self.direction, self._stride
+    def next_state(self, now: ShadowRayState) -> ShadowRayState:
+        """The state after one more sample."""
+        direction, steps = self.direction, self._steps
         point = self.start + direction * now.distance
-        here = self.surface.probe(point.x, point.y, self.back, stride.right, stride.up)
+        here = self.surface.probe(point.x, point.y, self.back, steps.right, steps.up)
         clearance = point.z - here.height
         rate = direction.z - here.slope_x * direction.x - here.slope_y * direction.y
         met = now.searching & ~here.hole & (clearance < 0)
-        dips, way_back = now.trail.dip_before(clearance, rate, now.leap, here)
-        # The ray rises, so above the crest it stays above until it leaves the cell.
-        clears = point.z > here.block.crest
-        trail = now.trail.followed_by(clearance, rate, here, clears, dips)
-        near = stride.onwards(here, clearance, rate)
-        onwards = dr.select(clears, maximum(stride.out(here.block), self.step), near)
-        # Where a dip is likely the next sample goes back to its lowest point.
-        distance = now.distance + dr.select(dips, -way_back, onwards)
-        leap = dr.select(dips, now.leap - way_back, onwards)
+        dips, way_back = now.previous.dip_before(clearance, rate, now.last_step, here)
+        # The ray rises: once above the cell's maximum, it stays above until it leaves the cell.
+        clears = point.z > here.cell_bounds.cell_max
+        previous = now.previous.after_sample(clearance, rate, here, clears, dips)
+        near = steps.to_next_sample(here, clearance, rate)
+        ahead = dr.select(clears, maximum(steps.to_cell_exit(here.cell_bounds), self.step), near)
+        # Where the cubic dips below the yarn, the next sample goes back to its lowest point.
+        distance = now.distance + dr.select(dips, -way_back, ahead)
+        last_step = dr.select(dips, now.last_step - way_back, ahead)
         count = now.count + 1
-        below = dr.fma(direction.z, distance, self.start.z) < self.roof
+        below = dr.fma(direction.z, distance, self.start.z) < self.max_height
         searching = now.searching & ~met & below & (count < self.samples)
-        return Rising(distance, leap, now.free & ~met, searching, count, trail)
+        return ShadowRayState(distance, last_step, now.free & ~met, searching, count, previous)
 
 
-def falling_ray(surface: Surface, x: Any, y: Any, view: Any, back: Any, quality: SearchQuality) -> FallingRay:
-    """The view ray that crosses the plane z = 0 at x, y; see `first_hit`."""
+def view_ray(surface: Surface, x: Float, y: Float, view: Vec3, back: Mask, quality: SearchQuality) -> ViewRay:
+    """The view ray that crosses the plane z = 0 at x, y; see `visibility.first_hit`."""
     types = array_types(x)
     vertical = maximum(view.z, 1e-4)
     slope = types.Vector2(view.x / vertical, view.y / vertical)
-    # The ray is followed by its height, which falls by `step` each time.
+    # The parameter of the ray is its height, which falls by `step` at most.
     rate = extent_of(surface, types).steps_per_length(quality, view) / vertical
-    return FallingRay(surface, x, y, slope, dr.rcp(maximum(rate, 1e-9)), types.Bool(back), quality.steps)
+    return ViewRay(surface, x, y, slope, dr.rcp(maximum(rate, 1e-9)), types.Bool(back), quality.steps)
 
 
 @dataclass
-class Falling:
-    """How far the search down a view ray has come.
+class ViewRayState:
+    """State of the search down a view ray.
 
     Attributes:
-        height: of the next sample, or of the last one, which lies below the cloth.
-        leap: how far it lies below the sample before.
-        depth: of the last sample, below the cloth.
-        rate: of clearance there, as the ray falls.
-        smooth: the yarn there is the one of the sample before, with no outline and no leap between.
+        height: of the next sample; after the search, of the last sample, below the cloth; millimetres.
+        last_step: by how much that is below the previous sample.
+        depth: of the last sample below the cloth, millimetres.
+        rate: derivative of clearance there, as the ray falls.
+        smooth: the last two samples are on one yarn, with no outline and no skipped cell between them.
         searching: the search goes on.
-        count: samples.
-        trail: of the sample before.
+        count: samples so far.
+        previous: the previous sample.
     """
 
-    height: Any
-    leap: Any
-    depth: Any
-    rate: Any
-    smooth: Any
-    searching: Any
-    count: Any
-    trail: Trail
+    height: Float
+    last_step: Float
+    depth: Float
+    rate: Float
+    smooth: Mask
+    searching: Mask
+    count: UInt
+    previous: PreviousSample
 
 
 @dataclass
-class FallingRay:
-    """A view ray on its way down to the cloth.
+class ViewRay:
+    """A ray from the eye down to the cloth.
 
     Attributes:
         x, y: where it crosses the plane z = 0, millimetres.
-        slope: how far it moves along x and y as it rises by a millimetre [2].
-        step: how far it falls between samples at the most.
-        back: Bool, which face is seen.
-        samples: at most so many.
+        slope: dx/dz and dy/dz along the ray [2].
+        step: largest fall between samples, millimetres.
+        back: the face that is seen.
+        samples: most samples to take.
     """
 
     surface: Surface
-    x: Any
-    y: Any
-    slope: Any
-    step: Any
-    back: Any
-    samples: Any
+    x: Float
+    y: Float
+    slope: Vec2
+    step: Float
+    back: Mask
+    samples: UInt
 
     @cached_property
-    def _stride(self) -> Stride:
-        # Moving down, the ray runs against the view's slope.
-        return Stride(-self.slope, self.step)
+    def _steps(self) -> StepControl:
+        # The ray goes down, against the slope.
+        return StepControl(-self.slope, self.step)
 
-    def _place(self, height: Any) -> tuple[Any, Any]:
+    def _place(self, height: Float) -> tuple[Float, Float]:
         return dr.fma(self.slope.x, height, self.x), dr.fma(self.slope.y, height, self.y)
 
-    def started(self, active: Any) -> Falling:
-        """Before the first sample, below what the ray passes high above."""
+    def initial_state(self, active: Mask) -> ViewRayState:
+        """The state before the first sample, below all cells that the ray passes far above."""
         types = array_types(self.x)
-        top, stride = types.Float(self._roof_height()), self._stride
+        top, steps = types.Float(self._max_height()), self._steps
 
-        def fall(height: Any, falling: Any, count: Any) -> tuple[Any, ...]:
-            block = self.surface.block(*self._place(height), self.back, stride.right, stride.up)
-            above, out = height - block.crest, stride.out(block)
-            onwards = falling & (above > out) & (count < self.samples)
-            return height - clip(above, 0, out), onwards, count + 1
+        def fall(height: Float, searching: Mask, count: UInt) -> tuple[Any, ...]:
+            bounds = self.surface.cell_bounds(*self._place(height), self.back, steps.right, steps.up)
+            above, exit_step = height - bounds.cell_max, steps.to_cell_exit(bounds)
+            goes_on = searching & (above > exit_step) & (count < self.samples)
+            return height - clip(above, 0, exit_step), goes_on, count + 1
 
-        # Cells that rays pass above ask little: most are passed here, before the search for yarn begins.
+        # Bounds of cells are cheap: most cells are skipped here, before the surface is evaluated.
         top = dr.while_loop(
-            (top, active, types.UInt32(0)), lambda height, falling, count: falling, fall, label="cloth: fall"
+            (top, active, types.UInt32(0)),
+            lambda height, searching, count: searching,
+            fall,
+            label="cloth: fall",
         )[0]
-        nothing, hop = types.Float(0 * top), types.Float(stride.hop)
-        trail, no = no_trail(types, top), types.Bool(False)
-        return Falling(top, hop, nothing, types.Float(nothing), no, active, types.UInt32(0), trail)
+        nothing, epsilon = types.Float(0 * top), types.Float(steps.epsilon)
+        previous, no = no_previous_sample(types, top), types.Bool(False)
+        return ViewRayState(
+            top, epsilon, nothing, types.Float(nothing), no, active, types.UInt32(0), previous
+        )
 
-    def _roof_height(self) -> Any:
+    def _max_height(self) -> Float:
         types = array_types(self.x)
         extent = extent_of(self.surface, types)
         upwards = types.Vector3(self.slope.x, self.slope.y, 1)
-        return roof_along(self.surface, extent, self.x, self.y, 0, upwards, self.back)
+        return max_height_along(self.surface, extent, self.x, self.y, 0, upwards, self.back)
 
-    def advanced(self, now: Falling) -> Falling:
-        """After one more sample, in lanes that are searched."""
-        extent, stride = extent_of(self.surface, array_types(self.x)), self._stride
+    def next_state(self, now: ViewRayState) -> ViewRayState:
+        """The state after one more sample."""
+        extent, steps = extent_of(self.surface, array_types(self.x)), self._steps
         floor = extent.low - (extent.high - extent.low)
-        here = self.surface.probe(*self._place(now.height), self.back, stride.right, stride.up)
+        here = self.surface.probe(*self._place(now.height), self.back, steps.right, steps.up)
         clearance = now.height - here.height
         met = ~here.hole & (clearance <= 0)
         rate = self._rate(here)
-        dips, way_back = now.trail.dip_before(clearance, rate, now.leap, here)
-        smooth = now.trail.known & ~here.hole & (now.trail.yarn == here.yarn)
+        dips, way_back = now.previous.dip_before(clearance, rate, now.last_step, here)
+        smooth = now.previous.known & ~here.hole & (now.previous.yarn == here.yarn)
         count = now.count + 1
-        onwards = now.searching & ~met & (now.height > floor) & (count < self.samples)
-        near = stride.onwards(here, clearance, rate)
-        # Down to the crest the ray falls freely.
-        free = minimum(stride.out(here.block), now.height - here.block.crest)
-        trail = now.trail.followed_by(clearance, rate, here, free > near, dips | ~onwards)
+        goes_on = now.searching & ~met & (now.height > floor) & (count < self.samples)
+        near = steps.to_next_sample(here, clearance, rate)
+        # Down to the cell's maximum nothing can be hit.
+        free = minimum(steps.to_cell_exit(here.cell_bounds), now.height - here.cell_bounds.cell_max)
+        previous = now.previous.after_sample(clearance, rate, here, free > near, dips | ~goes_on)
         farther = maximum(free, near)
-        # Where a dip is likely the next sample goes back to its lowest point.
-        return Falling(
-            dr.select(onwards, now.height + dr.select(dips, way_back, -farther), now.height),
-            dr.select(onwards, dr.select(dips, now.leap - way_back, farther), now.leap),
+        # Where the cubic dips below the yarn, the next sample goes back to its lowest point.
+        return ViewRayState(
+            dr.select(goes_on, now.height + dr.select(dips, way_back, -farther), now.height),
+            dr.select(goes_on, dr.select(dips, now.last_step - way_back, farther), now.last_step),
             -clearance,
             rate,
             smooth,
-            onwards,
+            goes_on,
             count,
-            trail,
+            previous,
         )
 
-    def _rate(self, here: Probe) -> Any:
+    def _rate(self, here: Probe) -> Float:
         return dr.fma(here.slope_x, self.slope.x, dr.fma(here.slope_y, self.slope.y, -1))
 
-    def refined(self, end: Falling, refinements: Any) -> Any:
-        """Height at which the ray meets the cloth that lies below it at one sample and above it at the next.
+    def refined_height(self, end: ViewRayState, refinements: UInt) -> Float:
+        """Height of the intersection between the last two samples, above the cloth and below; millimetres.
 
-        On one yarn that is the root of the cubic through both, from which `refinements` steps of Newton's
-        lead on. Elsewhere the ray has passed an outline, right behind which it was sampled: looks come closer
-        to the last sample.
+        On one yarn it is the root of the cubic through both samples, polished by `refinements` Newton steps.
+        Elsewhere the ray has crossed an outline, right behind which the last sample lies: regula falsi
+            narrows the interval.
         """
         types = array_types(self.x)
-        extent, stride = extent_of(self.surface, types), self._stride
-        relief, smooth, trail = extent.high - extent.low, end.smooth, end.trail
-        looks = refinements + (0 if self.surface.tells_outlines else _LOOKS_FOR_OUTLINES)
+        extent, steps = extent_of(self.surface, types), self._steps
+        relief, smooth, previous = extent.high - extent.low, end.smooth, end.previous
+        iterations = refinements + (0 if self.surface.has_outline_distances else _OUTLINE_BISECTIONS)
 
         def refine(
-            index: Any, above: Any, under: Any, above_gap: Any, under_gap: Any, side: Any, middle: Any
+            index: UInt,
+            above: Float,
+            under: Float,
+            above_gap: Float,
+            under_gap: Float,
+            side: Float,
+            middle: Float,
         ) -> tuple[Any, ...]:
-            here = self.surface.probe(*self._place(middle), self.back, stride.right, stride.up)
+            here = self.surface.probe(*self._place(middle), self.back, steps.right, steps.up)
             rate = self._rate(here)
             gap = clip(middle - dr.select(here.hole, types.Float(-1e9), here.height), -relief, relief)
             met = gap <= 0
             above, under = dr.select(met, above, middle), dr.select(met, middle, under)
-            # Regula falsi: an end that stays twice counts half (the Illinois rule), so that both close in; at
-            # walls, where the gap jumps, this comes to halving.
+            # The Illinois rule halves the weight of an end that stays twice, so that both ends close in. At
+            # walls, where the gap jumps, this is bisection.
             above_gap = dr.select(met, dr.select(side > 0, 0.5 * above_gap, above_gap), gap)
             under_gap = dr.select(met, -gap, dr.select(side < 0, 0.5 * under_gap, under_gap))
             between = _between(above, under, above_gap, under_gap)
@@ -283,26 +306,26 @@ class FallingRay:
                 dr.select(smooth, rooted, between),
             )
 
-        under, length = end.height, end.leap
+        under, length = end.height, end.last_step
         above = under + length
-        above_gap, under_gap = clip(trail.clearance, 0, relief), clip(end.depth, 0, relief)
-        root = _cubic_root(above_gap, -under_gap, trail.rate * length, end.rate * length)
+        above_gap, under_gap = clip(previous.clearance, 0, relief), clip(end.depth, 0, relief)
+        root = _cubic_root(above_gap, -under_gap, previous.rate * length, end.rate * length)
         middle = dr.select(smooth, dr.fma(-root, length, above), _between(above, under, above_gap, under_gap))
         start = (types.UInt32(0), above, under, above_gap, under_gap, types.Float(0 * above), middle)
         _, _, under, _, _, _, middle = dr.while_loop(
-            start, lambda index, *rest: index < looks, refine, label="cloth: refine"
+            start, lambda index, *rest: index < iterations, refine, label="cloth: refine"
         )
         return dr.select(smooth, middle, under)
 
 
-def _between(above: Any, under: Any, above_gap: Any, under_gap: Any) -> Any:
-    """The height that a straight line suggests, kept off both ends, where gaps may jump."""
+def _between(above: Float, under: Float, above_gap: Float, under_gap: Float) -> Float:
+    """The root of the line through both ends, kept away from them, as gaps may jump there."""
     share = clip(above_gap / maximum(above_gap + under_gap, 1e-20), 0.02, 0.98)
     return dr.fma(share, under - above, above)
 
 
-def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
-    """Where in [0, 1] a cubic is 0 that starts above 0 and ends below; rates are of the whole interval."""
+def _cubic_root(start: Float, end: Float, start_rate: Float, end_rate: Float) -> Float:
+    """Root in [0, 1] of the cubic Hermite interpolant of `start` > 0 and `end` < 0 with these slopes."""
     gain = end - start
     cubic = start_rate + end_rate - 2 * gain
     bend = 3 * gain - 2 * start_rate - end_rate
@@ -310,6 +333,6 @@ def _cubic_root(start: Any, end: Any, start_rate: Any, end_rate: Any) -> Any:
     for _ in range(_NEWTON_STEPS):
         value = dr.fma(dr.fma(dr.fma(cubic, share, bend), share, start_rate), share, start)
         rate = dr.fma(dr.fma(3 * cubic, share, 2 * bend), share, start_rate)
-        # Where the cubic is flat, steps stay short.
+        # The bound keeps steps short where the cubic is flat.
         share = clip(share - value / minimum(rate, _FLATTEST * gain - 1e-20), 0, 1)
     return share

@@ -10,7 +10,7 @@ draft of thousands of threads costs what a plain weave costs:
     bits 15–20   length of the run before, in crossings                (63: that many or more)
     bits 21–26   length of the run after                               (63: that many or more)
     bit  27      the thread never interlaces
-    bits 28–31   how high the thread rises in this cell, in 15ths of its family's highest (see `with_crests`)
+    bits 28–31   the cell's maximum height, in 15ths of the family's highest (see `with_cell_maxima`)
 
 Counts saturate far beyond `LONGEST_ARC`, behind which a float is straight, so nothing is lost.
 """
@@ -24,7 +24,7 @@ LONGEST_OFFSET = 127
 LONGEST_NEIGHBOUR = 63
 # Crossings that one bent end of a float may take up at most; see the saturation above.
 LONGEST_ARC = 28
-CREST_LEVELS = 15
+CELL_MAX_LEVELS = 15
 
 
 # Threads packed at once: keeps the temporary arrays of a 4096 by 4096 draft below 50 MB.
@@ -80,6 +80,6 @@ def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
     return np.where(interlaces[:, None], word, straight)
 
 
-def with_crests(words: NDArray[np.uint32], crests: NDArray[np.uint8]) -> NDArray[np.uint32]:
-    """The words with the crest levels [threads, crossings], 0 to 15, in their last four bits."""
-    return words | crests.astype(np.uint32) << np.uint32(28)
+def with_cell_maxima(words: NDArray[np.uint32], cell_maxima: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """The words with cell maxima [threads, crossings], levels 0 to 15, in their last four bits."""
+    return words | cell_maxima.astype(np.uint32) << np.uint32(28)

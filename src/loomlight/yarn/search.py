@@ -1,4 +1,4 @@
-"""What searches along rays share: what they ask of the cloth, how finely, and how far they may step."""
+"""What searches along rays share: the surface they evaluate, their quality, and control of their steps."""
 
 from __future__ import annotations
 
@@ -7,24 +7,25 @@ from typing import Any, Protocol
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.masked_branch import masked_branch
-from loomlight.yarn.geometry import Block, Probe, SurfacePoint
+from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint
 
-# A ray starts this share of the finest thread above its surface, or rounding would shadow it.
+# Rays start above the surface by this fraction of the finest thread, so that rounding does not shadow it.
 _LIFT = 2e-3
-# Dips are looked for down to this share of the interval between two samples.
+# A dip closer to a sample than this fraction of the step is that sample.
 _NARROWEST = 0.02
-# How far past an outline the next sample lies, in steps.
-_HOP = 5e-3
+# How far behind an outline the next sample is placed, in steps.
+_EPSILON = 5e-3
 
 
 class Surface(Protocol):
     """A source of cloth geometry: analytic, or textures of one repeat."""
 
     size: tuple[float, float]
-    extents: dict[type, Any]  # what searches keep of it
-    tells_outlines: bool  # probes know the distance to the next outline, else it is as far as can be
+    extents: dict[FloatType, Any]  # cache of `extent_of`
+    has_outline_distances: bool  # probes know the distance to the next outline; else it is 1e9
 
     @property
     def finest(self) -> tuple[float, float]:
@@ -34,42 +35,46 @@ class Surface(Protocol):
     def height_bounds(self) -> tuple[float, float]:
         """Bounds of all heights on either face, millimetres."""
 
-    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+    def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
         """Height and hole at draft coordinates, millimetres."""
 
-    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
-        """Distances along x and y in units of `finest`, and bounds of heights within them, the widest first.
+    def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
+        """Bounds of heights ahead of a position, the widest window first: (distance, bound).
 
-        They hold for searches that go up the x and the y axis or down. Bounds are shares of the upper one of
-        `height_bounds`.
+        Args:
+            right, up: whether the search goes towards larger x and larger y.
+
+        Returns:
+            distances along x and y in units of `finest`, and bounds as fractions of the upper one of
+            `height_bounds`.
         """
 
-    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
-        """What searches need at draft coordinates, millimetres, that go up the x and the y axis or down."""
+    def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
+        """The surface at draft coordinates (millimetres), for a search; `right` and `up` as above."""
 
-    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
-        """`probe`'s part that rays need which pass above."""
+    def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
+        """The part of `probe` that rays above the cell need."""
 
-    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
-        """Everything known of the point at draft coordinates, millimetres."""
+    def surface(self, x: Float, y: Float, back: Mask) -> SurfacePoint:
+        """The point at draft coordinates, millimetres."""
 
 
 @dataclass(frozen=True)
 class SearchQuality:
-    """How finely rays are searched; all but `steps` may be Dr.Jit arrays, a number a lane.
+    """Resolution of ray searches. All fields but `steps` may be Dr.Jit arrays.
 
     Attributes:
         steps_per_thread: steps while crossing the finest thread.
         steps_per_relief: steps while falling through the whole relief of the cloth.
-        shadow_share: shadow rays take this share of the steps.
-        refinements: looks at the cloth around a hit beyond the two samples that found it.
-        steps: at most so many; a ray still undecided then counts as free.
+        shadow_share: fraction of these steps that shadow rays take.
+        refinements: evaluations of the surface after a hit is bracketed.
+        steps: most samples of a ray; one that has hit nothing by then is free.
     """
 
-    steps_per_thread: Any = 5.0
-    steps_per_relief: Any = 8.0
-    shadow_share: Any = 1.0
-    refinements: Any = 2
+    steps_per_thread: Float = 5.0
+    steps_per_relief: Float = 8.0
+    shadow_share: Float = 1.0
+    refinements: UInt = 2
     steps: int = 1024
 
 
@@ -78,12 +83,12 @@ REFERENCE_QUALITY = SearchQuality(48, 48, refinements=20, steps=16384)
 
 
 class Extent:
-    """The lengths of a surface that searches are measured by, opaque: fabrics share the kernels.
+    """Lengths that steps are measured by, opaque to Dr.Jit so that all fabrics share kernels.
 
     Attributes:
         lengths: the finest extents along x and y, and bounds of heights, as numbers.
         low, high: bounds of all heights, millimetres.
-        lift: how far above its surface a ray starts.
+        lift: distance of a ray's origin above the surface, millimetres.
     """
 
     def __init__(self, lengths: tuple[float, float, float, float], types: ArrayTypes) -> None:
@@ -94,12 +99,12 @@ class Extent:
         self._per_x, self._per_y = dr.opaque(types.Float, 1 / fine_x), dr.opaque(types.Float, 1 / fine_y)
         self._per_relief = dr.opaque(types.Float, 1 / max(high - low, 1e-6))
 
-    def threads(self, x: Any, y: Any) -> Any:
-        """How many of the finest threads a length along x and y (millimetres, any sign) crosses at most."""
+    def threads(self, x: Float, y: Float) -> Float:
+        """Upper bound of the threads that a path of lengths x and y (millimetres, any sign) crosses."""
         return maximum(abs(x) * self._per_x, abs(y) * self._per_y)
 
-    def steps_per_length(self, quality: SearchQuality, direction: Any) -> Any:
-        """Steps per millimetre of ray that the search takes along a unit direction [3]."""
+    def steps_per_length(self, quality: SearchQuality, direction: Vec3) -> Float:
+        """Steps per millimetre of ray along a unit direction [3]."""
         return maximum(
             self.threads(direction.x, direction.y) * quality.steps_per_thread,
             abs(direction.z) * self._per_relief * quality.steps_per_relief,
@@ -107,7 +112,7 @@ class Extent:
 
 
 def extent_of(surface: Surface, types: ArrayTypes) -> Extent:
-    """The extent of a surface, uploaded once, until its heights are edited."""
+    """The extent of a surface, uploaded at first use and after an edit of its heights."""
     lengths = *surface.finest, *surface.height_bounds
     kept: Extent | None = surface.extents.get(types.Float)
     if kept is None or kept.lengths != lengths:
@@ -116,49 +121,55 @@ def extent_of(surface: Surface, types: ArrayTypes) -> Extent:
 
 
 def upload_extent(surface: Surface, types: ArrayTypes) -> None:
-    """Puts what searches keep of a surface on a backend, which otherwise happens at first use."""
+    """Uploads the extent now; see `extent_of`."""
     extent_of(surface, types)
 
 
-def roof_along(
-    surface: Surface, extent: Extent, x: Any, y: Any, height: Any, direction: Any, back: Any
-) -> Any:
-    """A height that the cloth stays below along a ray, as far as the ray itself is above x, y, `height`.
+def max_height_along(
+    surface: Surface, extent: Extent, x: Float, y: Float, height: Float, direction: Vec3, back: Mask
+) -> Float:
+    """Bound of heights (millimetres) that a ray from x, y, `height` meets before it is above that bound.
 
     Args:
-        direction: along the ray [3], z > 0; of any length.
+        direction: of the ray [3], z > 0; of any length.
     """
     threads = extent.threads(direction.x, direction.y) / direction.z
-    roof = extent.high
-    for radius, share in surface.roofs(x, y, back, direction.x > 0, direction.y > 0):
-        reached = (roof - height) * threads <= radius
-        roof = dr.select(reached, minimum(roof, share * extent.high), roof)
-    return roof
+    max_height = extent.high
+    for radius, share in surface.max_heights(x, y, back, direction.x > 0, direction.y > 0):
+        reached = (max_height - height) * threads <= radius
+        max_height = dr.select(reached, minimum(max_height, share * extent.high), max_height)
+    return max_height
 
 
 @dataclass
-class Trail:
-    """The last sample of a ray: its clearance (1e9 in a hole), the rate of that, and whether dips may follow.
+class PreviousSample:
+    """The previous sample of a ray.
 
-    A cubic through it and the next sample finds where rays dip into a yarn's back between the two; without
-    it the shadows and outlines of smooth yarns would be scalloped.
+    The cubic Hermite interpolant to the next sample finds rays that graze a yarn between the two; without it
+    shadows and outlines of smooth yarns would be scalloped.
+
+    Attributes:
+        clearance: height of the ray above the cloth, millimetres; 1e9 in a hole.
+        rate: derivative of clearance along the ray.
+        yarn: number of the yarn; see `Probe`.
+        known: whether the interpolant is valid.
     """
 
-    clearance: Any
-    rate: Any
-    yarn: Any
-    known: Any
+    clearance: Float
+    rate: Float
+    yarn: UInt
+    known: Mask
 
-    def dip_before(self, clearance: Any, rate: Any, step: Any, here: Probe) -> tuple[Any, Any]:
-        """Whether the cubic to this sample, `step` after the last, dips below the yarn, and how far back."""
+    def dip_before(self, clearance: Float, rate: Float, step: Float, here: Probe) -> tuple[Mask, Float]:
+        """Whether the cubic to the sample `step` ahead dips below the yarn, and how far before the sample."""
         types = array_types(clearance)
         falls = self.known & ~here.hole & (self.yarn == here.yarn) & (self.rate < 0) & (rate > 0)
         fall, rise = self.rate * step, rate * step
-        # The cubic stays between its ends and Bézier's two points, which few samples have below the yarn.
+        # The cubic lies in the convex hull of its Bézier points, and few samples have one below the yarn.
         may_dip = falls & ((dr.fma(3, self.clearance, fall) < 0) | (dr.fma(3, clearance, -rise) < 0))
 
-        def look(_: tuple[Any, Any]) -> tuple[Any, Any]:
-            # Where the cubic's rate, a parabola over the step, turns from falling to rising.
+        def look(_: tuple[Mask, Float]) -> tuple[Mask, Float]:
+            # The minimum of the cubic: the upward zero crossing of its derivative, a parabola.
             gain = clearance - self.clearance
             bend, linear = 3 * (fall + rise - 2 * gain), 6 * gain - 4 * fall - 2 * rise
             root = dr.sqrt(maximum(dr.fma(linear, linear, -4 * bend * fall), 0))
@@ -166,59 +177,61 @@ class Trail:
             rest = 1 - share
             start = (self.clearance * dr.fma(2, share, 1) + fall * share) * dr.square(rest)
             end = (clearance * dr.fma(2, rest, 1) - rise * rest) * dr.square(share)
-            # A share of the interval that leads no further has been looked at.
+            # A minimum at an end of the step is a sample that was taken.
             inside = (share > _NARROWEST) & (rest > _NARROWEST)
             return inside & (start + end < 0), rest * step
 
-        # The next sample would wait for a root and a quotient, a third of what one takes.
+        # The branch skips a root and a quotient, a third of the cost of a sample.
         return masked_branch(may_dip, (types.Bool(False), types.Float(0)), look, "cloth: dip")
 
-    def followed_by(self, clearance: Any, rate: Any, here: Probe, leaps: Any, stays: Any) -> Trail:
-        """The trail after a sample, or this one where it `stays`.
+    def after_sample(
+        self, clearance: Float, rate: Float, here: Probe, is_cell_exit: Mask, stays: Mask
+    ) -> PreviousSample:
+        """The sample that was just taken, or this one where it `stays`.
 
-        Nothing comes between over leaps, which are too long for a cubic to tell.
+        Steps over whole cells are too long for the interpolant, so it is not known after them.
         """
-        return Trail(
+        return PreviousSample(
             dr.select(stays, self.clearance, dr.select(here.hole, 1e9, clearance)),
             dr.select(stays, self.rate, rate),
             dr.select(stays, self.yarn, here.yarn),
-            dr.select(stays, self.known, ~here.hole & ~leaps),
+            dr.select(stays, self.known, ~here.hole & ~is_cell_exit),
         )
 
 
-def no_trail(types: ArrayTypes, like: Any) -> Trail:
+def no_previous_sample(types: ArrayTypes, like: Float) -> PreviousSample:
     zero = types.Float(0 * like)
-    return Trail(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
+    return PreviousSample(zero, types.Float(zero), types.UInt32(0), types.Bool(False))
 
 
-class Stride:
-    """How far a ray may go from one sample to the next: one step, or less.
+class StepControl:
+    """Step size control: how far a ray goes from one sample to the next.
 
     Attributes:
-        step: length of ray, along a direction [3] that need not be of length 1.
-        right, up: whether it goes up the x and the y axis.
-        hop: how far behind an outline the ray lands, despite rounding.
+        step: longest step, in units of the direction [3], which need not be a unit vector.
+        right, up: whether the ray goes towards larger x and larger y.
+        epsilon: distance behind an outline at which the next sample is placed.
     """
 
-    def __init__(self, direction: Any, step: Any) -> None:
+    def __init__(self, direction: Vec3, step: Float) -> None:
         self.step = step
-        self.hop = _HOP * step
+        self.epsilon = _EPSILON * step
         self._per_x = dr.rcp(maximum(abs(direction.x), 1e-9))
         self._per_y = dr.rcp(maximum(abs(direction.y), 1e-9))
         self.right, self.up = direction.x > 0, direction.y > 0
 
-    def out(self, block: Block) -> Any:
-        """Length of ray out of the cell."""
-        return maximum(minimum(block.side_x * self._per_x, block.side_y * self._per_y), 0) + self.hop
+    def to_cell_exit(self, bounds: CellBounds) -> Float:
+        """Length of ray to just behind the cell's boundary."""
+        return maximum(minimum(bounds.side_x * self._per_x, bounds.side_y * self._per_y), 0) + self.epsilon
 
-    def onwards(self, probe: Probe, clearance: Any, rate: Any) -> Any:
+    def to_next_sample(self, probe: Probe, clearance: Float, rate: Float) -> Float:
         """Length of ray to the next sample.
 
-        It is one step ahead, or less where that would pass an outline: what stands behind it may
-        be a wall. A ray that sinks towards its yarn (`clearance` above it, changing at `rate`) fast enough to
-        meet it on the way stops short of the outline first, or it could leave unseen through its flank.
+        A step ends right behind the next outline, where a wall may stand. A ray whose `clearance`, changing
+        at `rate`, would be negative by then stops just before the outline first; it could leave the yarn
+        through its flank otherwise.
         """
         edge = minimum(probe.edge_x * self._per_x, probe.edge_y * self._per_y)
-        sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.hop)
-        beside = dr.select(sinks, edge - self.hop, maximum(edge, 0) + self.hop)
+        sinks = ~probe.hole & (dr.fma(rate, edge, clearance) < 0) & (edge > 2 * self.epsilon)
+        beside = dr.select(sinks, edge - self.epsilon, maximum(edge, 0) + self.epsilon)
         return minimum(self.step, beside)

@@ -6,10 +6,12 @@ from typing import Any
 
 import drjit as dr
 import numpy as np
+from numpy.typing import NDArray
 
+from loomlight.core.arrays import Float, FloatType, Mask
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.yarn.families import Count
-from loomlight.yarn.geometry import Block, Probe, SurfacePoint
+from loomlight.yarn.geometry import CellBounds, Probe, SurfacePoint
 from loomlight.yarn.maps import SurfaceMaps
 
 _ROW = 8  # floats a texel: normal and height, then tangent and a code for warp and hole
@@ -23,7 +25,7 @@ class TextureSurface:
     change sign.
     """
 
-    tells_outlines = False
+    has_outline_distances = False
 
     def __init__(self, front: SurfaceMaps, back: SurfaceMaps | None = None) -> None:
         self.size = front.size
@@ -33,8 +35,8 @@ class TextureSurface:
         heights = np.concatenate([front.height.ravel(), behind.height.ravel()])
         self._bounds = (float(heights.min()) - 1e-3, float(heights.max()) + 1e-3)
         self._texels = np.stack([_pack(front), _pack(behind)])
-        self._uploaded: dict[type, Any] = {}
-        self.extents: dict[type, Any] = {}
+        self._uploaded: dict[FloatType, Any] = {}
+        self.extents: dict[FloatType, Any] = {}
 
     @property
     def finest(self) -> tuple[float, float]:
@@ -47,33 +49,33 @@ class TextureSurface:
         """Bounds of all heights on either face, millimetres."""
         return self._bounds
 
-    def height(self, x: Any, y: Any, back: Any) -> tuple[Any, Any]:
+    def height(self, x: Float, y: Float, back: Mask) -> tuple[Float, Mask]:
         """Height and hole at draft coordinates, millimetres."""
         point = self.surface(x, y, back)
         return point.height, point.hole
 
-    def roofs(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> list[tuple[float, Any]]:
-        """Nothing is known of how high the maps rise here or there."""
+    def max_heights(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> list[tuple[float, Float]]:
+        """No pyramid: maps are evaluated sample by sample."""
         return []
 
-    def probe(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Probe:
-        """What searches along rays need."""
+    def probe(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> Probe:
+        """See `search.Surface.probe`."""
         point = self.surface(x, y, back)
         types = array_types(x)
         far = types.Float(1e9)
         slope_x, slope_y = -point.normal.x / point.normal.z, -point.normal.y / point.normal.z
         yarn = dr.select(point.is_warp, types.UInt32(1), types.UInt32(0))
-        block = self.block(x, y, back, right, up)
-        return Probe(point.height, point.hole, slope_x, slope_y, yarn, block, far, far)
+        bounds = self.cell_bounds(x, y, back, right, up)
+        return Probe(point.height, point.hole, slope_x, slope_y, yarn, bounds, far, far)
 
-    def block(self, x: Any, y: Any, back: Any, right: Any, up: Any) -> Block:
-        """One cell of unbounded size, so no part is passed by."""
+    def cell_bounds(self, x: Float, y: Float, back: Mask, right: Mask, up: Mask) -> CellBounds:
+        """One cell of unbounded size, so that none is skipped."""
         del y, back, right, up
         types = array_types(x)
         far = types.Float(1e9)
-        return Block(types.Float(self._bounds[1]), far, far)
+        return CellBounds(types.Float(self._bounds[1]), far, far)
 
-    def surface(self, x: Any, y: Any, back: Any) -> SurfacePoint:
+    def surface(self, x: Float, y: Float, back: Mask) -> SurfacePoint:
         """The point at draft coordinates x, y (millimetres, any number of repeats) of one face."""
         types = array_types(x)
         table = self._table(types)
@@ -87,7 +89,7 @@ class TextureSurface:
         lower, upper = (types.UInt32(upwards.divide(row + k)[1]) for k in (0, 1))
         face = dr.select(types.Bool(back), types.UInt32(rows * columns), types.UInt32(0))
 
-        def texel(column: Any, row: Any) -> tuple[Any, Any]:
+        def texel(column: Any, row: Any) -> tuple[Float, Float]:
             index = (face + row * columns + column) * 2
             return (
                 dr.gather(types.Vector4, table, index),
@@ -137,7 +139,7 @@ class TextureSurface:
         return self._uploaded[types.Float]
 
 
-def _pack(maps: SurfaceMaps) -> Any:
+def _pack(maps: SurfaceMaps) -> NDArray[np.float32]:
     code = maps.warp.astype(np.float32) + 2 * maps.hole.astype(np.float32)
     parts = [maps.normal, maps.height[..., None], maps.tangent, code[..., None]]
     return np.concatenate(parts, axis=-1).reshape(-1, _ROW)

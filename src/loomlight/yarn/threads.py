@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
-from loomlight.yarn.runs import CREST_LEVELS, LONGEST_ARC, LONGEST_NEIGHBOUR, LONGEST_OFFSET
+from loomlight.yarn.runs import CELL_MAX_LEVELS, LONGEST_ARC, LONGEST_NEIGHBOUR, LONGEST_OFFSET
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -38,7 +38,7 @@ class FamilyTables:
         inclination: U after clamping for the thread's shortest run.
         arc: longest half-length of a bent end.
         edge_drop: how far below the crown line at a float's boundary its lowest visible edge lies, ≥ 0.
-        crests: how high each thread rises in the cell of each crossing [n, crossings], rounded up to
+        cell_maxima: how high each thread rises in the cell of each crossing [n, crossings], rounded up to
             15ths of `highest`: rays above pass the cell by.
         period: size of the repeat across this family.
         highest, lowest: bounds of the height of any thread, before β and without dives.
@@ -51,7 +51,7 @@ class FamilyTables:
     inclination: NDArray[np.float64]
     arc: NDArray[np.float64]
     edge_drop: NDArray[np.float64]
-    crests: NDArray[np.uint8]
+    cell_maxima: NDArray[np.uint8]
     period: float
     highest: float
     lowest: float
@@ -139,11 +139,11 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
             )
             depth = np.where(is_end, depth / section[rows, None], 0.0)
             lowest_edge = max(lowest_edge, float(depth.max()))
-    crests = np.empty(words.shape, dtype=np.uint8)
+    cell_maxima = np.empty(words.shape, dtype=np.uint8)
     for rows in _blocks(lower.size):
         ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
-        crest = _crest(ends, arc[rows, None], inclination[rows, None])
-        crests[rows] = np.ceil(np.minimum(crest / max(highest, 1e-30) + 1e-6, 1) * CREST_LEVELS)
+        cell_max = _cell_max(ends, arc[rows, None], inclination[rows, None])
+        cell_maxima[rows] = np.ceil(np.minimum(cell_max / max(highest, 1e-30) + 1e-6, 1) * CELL_MAX_LEVELS)
     # Only a thread that interlaces ends low; the drop at the middle of a run is less than at its ends.
     lowest = -(highest + float(2 * section.max()))
     return FamilyTables(
@@ -155,7 +155,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
         arc,
         # One share for the family, so that threads alike in all else stay alike.
         lowest_edge * section,
-        crests,
+        cell_maxima,
         float(family.spacing.sum()),
         highest,
         lowest,
@@ -205,7 +205,9 @@ def _run_ends(
     )
 
 
-def _crest(ends: _RunEnds, arc: NDArray[np.float64], inclination: NDArray[np.float64]) -> NDArray[np.float64]:
+def _cell_max(
+    ends: _RunEnds, arc: NDArray[np.float64], inclination: NDArray[np.float64]
+) -> NDArray[np.float64]:
     """Highest point of each thread's crown in each cell; 0 for threads that never interlace."""
     finite = np.where(np.isfinite(ends.length), ends.length, 0.0)
     reach = np.minimum(finite / 2, arc)

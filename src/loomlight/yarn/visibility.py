@@ -1,4 +1,4 @@
-"""What light and eye can reach: exact searches along rays over the analytic height field.
+"""Visibility from light and eye: searches along rays over the analytic height field.
 
 A hit is bracketed and refined, so results hold at any zoom and the cost does not grow with the draft. A ray
 passes through a *hole* when it meets nothing above the plane z = 0 from the front and nothing below it from
@@ -12,8 +12,9 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Mask, UInt, Vec3
 from loomlight.core.backend import array_types, maximum
-from loomlight.yarn.rays import RisingRay, falling_ray, rising_below, rising_ray
+from loomlight.yarn.rays import ShadowRay, shadow_ray, shadow_ray_below, view_ray
 from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality, Surface, extent_of
 
 
@@ -27,22 +28,22 @@ class Hit:
         height: where the ray ends. On continuous yarn that is the surface; on a wall, below its upper edge.
     """
 
-    x: Any
-    y: Any
-    hole: Any
-    height: Any
+    x: Float
+    y: Float
+    hole: Mask
+    height: Float
 
 
 def unoccluded(
     surface: Surface,
-    x: Any,
-    y: Any,
-    height: Any,
-    direction: Any,
-    back: Any,
-    active: Any = True,
+    x: Float,
+    y: Float,
+    height: Float,
+    direction: Vec3,
+    back: Mask,
+    active: Mask = True,
     quality: SearchQuality = DEFAULT_QUALITY,
-) -> Any:
+) -> Mask:
     """Whether nothing stands between a point of the cloth and a direction: Bool.
 
     What lies below the tangent plane of the point is for the caller to leave out.
@@ -55,27 +56,27 @@ def unoccluded(
         active: lanes to search; the others return False.
     """
     active = array_types(x).Bool(active)
-    return _rises_free(rising_ray(surface, x, y, height, direction, back, quality), active)
+    return _is_free(shadow_ray(surface, x, y, height, direction, back, quality), active)
 
 
-def _rises_free(ray: RisingRay, active: Any) -> Any:
-    """Whether nothing is met on the way up."""
-    start = ray.started(active & (ray.direction.z > 0))
+def _is_free(ray: ShadowRay, active: Mask) -> Mask:
+    """True where the shadow ray hits nothing."""
+    start = ray.initial_state(active & (ray.direction.z > 0))
     return dr.while_loop(
         (start,),
         lambda state: state.searching,
-        lambda state: (ray.advanced(state),),
+        lambda state: (ray.next_state(state),),
         label="cloth: unoccluded",
     )[0].free
 
 
 def first_hit(
     surface: Surface,
-    x: Any,
-    y: Any,
-    view: Any,
-    back: Any,
-    active: Any = True,
+    x: Float,
+    y: Float,
+    view: Vec3,
+    back: Mask,
+    active: Mask = True,
     quality: SearchQuality = DEFAULT_QUALITY,
     passing: bool = True,
 ) -> Hit:
@@ -90,15 +91,15 @@ def first_hit(
         back: Bool, which face is seen.
         passing: look whether rays pass through; if not, none is said to.
     """
-    ray = falling_ray(surface, x, y, view, back, quality)
+    ray = view_ray(surface, x, y, view, back, quality)
     active = array_types(x).Bool(active)
     state = dr.while_loop(
-        (ray.started(active),),
+        (ray.initial_state(active),),
         lambda state: state.searching,
-        lambda state: (ray.advanced(state),),
+        lambda state: (ray.next_state(state),),
         label="cloth: first hit",
     )[0]
-    height = ray.refined(state, quality.refinements)
+    height = ray.refined_height(state, quality.refinements)
     hole = array_types(x).Bool(False)
     if passing:
         # What has met yarn above the plane does not pass it.
@@ -108,13 +109,13 @@ def first_hit(
 
 def passes_through(
     surface: Surface,
-    x: Any,
-    y: Any,
-    view: Any,
-    back: Any,
-    active: Any = True,
+    x: Float,
+    y: Float,
+    view: Vec3,
+    back: Mask,
+    active: Mask = True,
     quality: SearchQuality = DEFAULT_QUALITY,
-) -> Any:
+) -> Mask:
     """Whether the line through x, y on the plane z = 0 along `view` meets no yarn at all: Bool.
 
     The same for a direction and its opposite seen from the other face, so delta transmission is reciprocal.
@@ -126,28 +127,28 @@ def passes_through(
     # Unlifted again: the ray starts on the plane.
     extent = extent_of(surface, types)
     zero, high = -extent.lift, extent.high
-    in_front = _rises_free(rising_below(surface, x, y, zero, view, back, high, quality), candidate)
+    in_front = _is_free(shadow_ray_below(surface, x, y, zero, view, back, high, quality), candidate)
     # Seen from the other face the line goes on along (−x, −y, +z) of its mirrored frame.
-    onwards = types.Vector3(-view.x, -view.y, view.z)
+    beyond = types.Vector3(-view.x, -view.y, view.z)
     passed = candidate & in_front
-    return passed & _rises_free(rising_below(surface, x, y, zero, onwards, ~back, high, quality), passed)
+    return passed & _is_free(shadow_ray_below(surface, x, y, zero, beyond, ~back, high, quality), passed)
 
 
 def horizon(
     surface: Surface,
-    x: Any,
-    y: Any,
-    height: Any,
-    azimuth: Any,
-    back: Any,
+    x: Float,
+    y: Float,
+    height: Float,
+    azimuth: Float,
+    back: Mask,
     quality: SearchQuality = DEFAULT_QUALITY,
-) -> Any:
+) -> Float:
     """Tangent of the elevation below which the cloth hides the sky along an azimuth (radians), ≥ 0.
 
     Searched outwards until even the highest yarn could no longer raise it.
     """
     types = array_types(x)
-    outwards: tuple[Any, Any] = dr.sincos(azimuth)
+    outwards: tuple[Float, Float] = dr.sincos(azimuth)
     sine, cosine = outwards
     extent = extent_of(surface, types)
     high = extent.high
@@ -155,10 +156,10 @@ def horizon(
     start = height + extent.lift
     back = types.Bool(back)
 
-    def could_rise(distance: Any, steepest: Any, count: Any) -> Any:
+    def could_rise(distance: Float, steepest: Float, count: UInt) -> Mask:
         return (high - start > steepest * distance) & (count < quality.steps)
 
-    def advance(distance: Any, steepest: Any, count: Any) -> tuple[Any, ...]:
+    def advance(distance: Float, steepest: Float, count: UInt) -> tuple[Any, ...]:
         level, hole = surface.height(dr.fma(cosine, distance, x), dr.fma(sine, distance, y), back)
         rise = dr.select(hole, types.Float(0), (level - start) / distance)
         return distance + step, maximum(steepest, rise), count + 1

@@ -11,16 +11,20 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Bool, Float
 from numpy.typing import NDArray
 
+from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
+from loomlight.core.frozen import FrozenArg
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.fabric.fabric import make_fabric
 from loomlight.fabric.file import FabricFile
-from loomlight.models.interface import Response
-from loomlight.models.lobes.groups import Groups, cloth_of, find_groups, plan_points
+from loomlight.models.lobes.cloth_samples import top_down_samples, upload_cloth
+from loomlight.models.lobes.coverage_pyramid import CoveragePyramid, build_pyramid, count_cells
+from loomlight.models.lobes.groups import Groups, NearestGroup, find_groups
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.reach import cast_views, seen_points
-from loomlight.models.lobes.twin import LobesTwin
+from loomlight.models.lobes.reference import LobesReference
+from loomlight.models.lobes.visibility_rays import launch_views, view_samples
+from loomlight.models.separable import Components
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -57,7 +61,7 @@ TEXTS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Asked:
+class FootprintQueries:
     """n queries of footprints.
 
     Attributes:
@@ -112,7 +116,7 @@ def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:
 @cache
 def model_of(name: str, groups: int = 8) -> LobesModel:
     """Its model."""
-    return LobesModel.for_fabric(cloth(name), groups)
+    return LobesModel.for_source(cloth(name), groups)
 
 
 def geometry_of(name: str) -> YarnGeometry:
@@ -120,10 +124,10 @@ def geometry_of(name: str) -> YarnGeometry:
     return YarnGeometry(cloth(name).layout())
 
 
-def twin_of(model: LobesModel) -> LobesTwin:
-    """The twin in NumPy of the same tables."""
+def reference_of(model: LobesModel) -> LobesReference:
+    """The reference in NumPy of the same tables."""
     appearance = model.fabric.appearance()
-    return LobesTwin(
+    return LobesReference(
         model.tables,
         model.fabric.layout().size,
         (appearance.warp.roughness, appearance.weft.roughness),
@@ -140,13 +144,13 @@ def directions(rng: np.random.Generator, count: int, lowest: float = 0.02) -> ND
     return np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1)
 
 
-def asked_of(fabric: Fabric, smallest: float, count: int, seed: int) -> Asked:
+def random_queries(fabric: Fabric, smallest: float, count: int, seed: int) -> FootprintQueries:
     """Queries anywhere, from half of `smallest` to three repeats wide, askew and up to thrice as long."""
     rng = np.random.default_rng(seed)
     extent = np.asarray(fabric.repeat_mm)
     sizes = np.exp(rng.uniform(np.log(0.5 * smallest), np.log(3 * extent.max()), count))
     centres = rng.uniform(-1, 2, (count, 2)) * extent
-    return Asked(directions(rng, count), directions(rng, count), centres, sizes, askew(rng, count))
+    return FootprintQueries(directions(rng, count), directions(rng, count), centres, sizes, askew(rng, count))
 
 
 def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
@@ -159,17 +163,13 @@ def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     return edges / np.sqrt(0.5 * (edges**2).sum(axis=(1, 2)))[:, None, None]
 
 
-def far_response(model: LobesModel, light: Any, view: Any, footprint: Footprint) -> Response:
-    """What the groups alone say, at every size."""
-    found = model.far([light], view, footprint, Bool(True), None)[0][0]
-    dr.eval(found)
-    return found
-
-
-def far_parts(model: LobesModel, asked: Asked) -> dict[str, NDArray[np.float32]]:
-    """The parts of it by name [n]."""
-    found = far_response(model, asked.light, asked.view, asked.footprint)
-    return {part.name: getattr(found, part.name).numpy() for part in fields(Response)}
+def prefiltered_parts(model: LobesModel, asked: FootprintQueries) -> dict[str, NDArray[np.float32]]:
+    """What the groups alone say, at every size: components and hole by name [n]."""
+    at = model.at(asked.view, asked.footprint)
+    hole, (answer,) = at.prefiltered([asked.light], None, Bool(True))
+    parts = {part.name: getattr(answer.components, part.name) for part in fields(Components)}
+    dr.eval(parts, hole)
+    return {name: values.numpy() for name, values in {**parts, "hole": hole}.items()}
 
 
 def floats(values: NDArray[Any]) -> Float:
@@ -179,5 +179,12 @@ def floats(values: NDArray[Any]) -> Float:
 
 def groups_of(geometry: YarnGeometry, per_family: int) -> Groups:
     """The groups that tables are made of."""
-    cloth = cloth_of(geometry, Float)
-    return find_groups(plan_points(cloth), seen_points(cast_views(cloth, per_family)), per_family)
+    cloth = upload_cloth(geometry, Float)
+    return find_groups(top_down_samples(cloth), view_samples(launch_views(cloth, per_family)), per_family)
+
+
+def pyramid_of(geometry: YarnGeometry, per_family: int) -> tuple[Groups, CoveragePyramid]:
+    """The groups that tables are made of, and their pyramid."""
+    groups = groups_of(geometry, per_family)
+    nearest = FrozenArg(NearestGroup(groups, array_types(Float)))
+    return groups, build_pyramid(count_cells(upload_cloth(geometry, Float), nearest, per_family))

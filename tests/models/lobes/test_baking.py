@@ -9,7 +9,7 @@ import pytest
 
 from loomlight.core.frozen import FrozenArg, FrozenFunction
 from loomlight.fabric import Fabric, fabric_from_text
-from loomlight.models.lobes import coverage, groups, reach
+from loomlight.models.lobes import cloth_samples, coverage_pyramid, visibility_rays
 from loomlight.models.lobes.model import tables_of
 from loomlight.models.lobes.tables import LobeTables
 
@@ -27,22 +27,22 @@ STEPS = [
     ("twill 3/1", 0.3, 8),
 ]
 RECORDED: list[FrozenFunction] = [
-    groups._plan,
-    reach._start_in_gaps,
-    reach._to_lights,
-    reach._pass,
-    reach._to_eyes,
-    reach._through_gaps,
-    coverage._counted,
+    cloth_samples._sample_top_down,
+    visibility_rays._start_in_gaps,
+    visibility_rays._trace_shadows,
+    visibility_rays._trace_views,
+    visibility_rays._trace_null,
+    visibility_rays._trace_gaps,
+    coverage_pyramid._count_all,
 ]
 
 
-def fabric_of(weave: str, scale: float) -> Fabric:
+def _fabric_of(weave: str, scale: float) -> Fabric:
     """A weave whose warp is so much higher than wide."""
     return fabric_from_text(f'weave = "{weave}"\n[warp]\nheight_scale = {scale}\n')
 
 
-def traced(fabric: Fabric, per_family: int, monkeypatch: pytest.MonkeyPatch) -> LobeTables:
+def _traced(fabric: Fabric, per_family: int, monkeypatch: pytest.MonkeyPatch) -> LobeTables:
     """The tables of a fabric, baked without recordings."""
 
     def call(recorded: FrozenFunction, *arguments: Any) -> Any:
@@ -53,37 +53,37 @@ def traced(fabric: Fabric, per_family: int, monkeypatch: pytest.MonkeyPatch) -> 
         return tables_of(fabric, per_family)
 
 
-def assert_same(found: LobeTables, wanted: LobeTables) -> None:
-    assert found.size == wanted.size
+def _assert_same(found: LobeTables, wanted: LobeTables) -> None:
+    assert found.base_size == wanted.base_size
     for name, values in wanted.arrays().items():
         assert found.arrays()[name].tobytes() == values.tobytes(), name
 
 
 def test_recordings_give_the_bytes_of_traces(monkeypatch: pytest.MonkeyPatch) -> None:
     for weave, scale, per_family in STEPS:
-        fabric = fabric_of(weave, scale)
-        assert_same(tables_of(fabric, per_family), traced(fabric, per_family, monkeypatch))
+        fabric = _fabric_of(weave, scale)
+        _assert_same(tables_of(fabric, per_family), _traced(fabric, per_family, monkeypatch))
 
 
 @pytest.mark.parametrize(("ends", "uneven"), [(12, True), (12, False), (641, True)])
 def test_uneven_and_large_drafts(ends: int, uneven: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     """Threads that differ are read from tables, and texels of large drafts are counted in batches."""
     cloth = random_cloth(ends, ends, uneven)
-    assert_same(tables_of(cloth, 2), traced(cloth, 2, monkeypatch))
+    _assert_same(tables_of(cloth, 2), _traced(cloth, 2, monkeypatch))
 
 
 def test_edits_of_heights_are_launched_from_recordings() -> None:
     """Otherwise they would be no faster than tracing."""
-    tables_of(fabric_of("twill 3/1", 0.5), 8)
+    tables_of(_fabric_of("twill 3/1", 0.5), 8)
     before = [function.recordings for function in RECORDED]
     for number in range(3):
-        tables_of(fabric_of("twill 3/1", 0.6 + 0.1 * number), 8)
+        tables_of(_fabric_of("twill 3/1", 0.6 + 0.1 * number), 8)
     assert [function.recordings for function in RECORDED] == before
 
 
 def test_recordings_are_bounded() -> None:
     for per_family in range(1, 12):
-        tables_of(fabric_of("plain", 0.5), per_family)
+        tables_of(_fabric_of("plain", 0.5), per_family)
     for function in RECORDED:
         assert 1 <= function.kept <= 8, function
 
@@ -91,11 +91,11 @@ def test_recordings_are_bounded() -> None:
 def test_collecting_garbage_at_every_turn_does_no_harm() -> None:
     """Arrays and cloths that are freed at any time: what was baked before and after is the same."""
     threshold = gc.get_threshold()
-    wanted = [tables_of(fabric_of(weave, scale), per_family) for weave, scale, per_family in STEPS]
+    wanted = [tables_of(_fabric_of(weave, scale), per_family) for weave, scale, per_family in STEPS]
     gc.set_threshold(1)
     try:
         for _ in range(3):
             for (weave, scale, per_family), tables in zip(STEPS, wanted, strict=True):
-                assert_same(tables_of(fabric_of(weave, scale), per_family), tables)
+                _assert_same(tables_of(_fabric_of(weave, scale), per_family), tables)
     finally:
         gc.set_threshold(*threshold)

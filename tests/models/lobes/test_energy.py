@@ -8,14 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric import Fabric
-from loomlight.models.interface import Response
 from loomlight.models.lobes.model import LobesModel
+from loomlight.models.separable import Components
 from loomlight.models.woven.parameter_ranges import TRAINING_RANGES
 from loomlight.models.woven.training.random_fabrics import random_fabric
 from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
 from loomlight.scattering.albedo import layer_albedo_bound
 
-from .cloths import Asked, far_parts
+from .cloths import FootprintQueries, prefiltered_parts
 
 FABRICS = 40
 # Heights of the views; half of them see the back.
@@ -45,13 +45,13 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     turn = 2 * np.pi * (column + rng.random((count, lights))) / COLUMNS
     across = np.sqrt(1 - height**2)
     towards = np.stack([across * np.cos(turn), across * np.sin(turn), height], axis=2)
-    asked = Asked(
+    asked = FootprintQueries(
         towards.reshape(-1, 3), *(np.repeat(part, lights, axis=0) for part in (views, centres, sizes))
     )
-    model = LobesModel.for_fabric(fabric)
-    parts = far_parts(model, asked)
+    model = LobesModel.for_source(fabric)
+    parts = prefiltered_parts(model, asked)
     beyond = (asked.lights[:, 2] * asked.views[:, 2] < 0).reshape(count, lights)
-    names = [part.name for part in fields(Response)][:4]
+    names = [part.name for part in fields(Components)]
     values = np.stack([parts[name].reshape(count, lights) for name in names], axis=-1).astype(np.float64)
     sums = [(values * side[..., None]).mean(axis=1) * 4 * np.pi for side in (~beyond, beyond)]
     holes = parts["hole"].reshape(count, lights)[:, 0]

@@ -50,25 +50,24 @@ class Case:
         return Array3f(*filled(*self.view)), Footprint(Array2f(*filled(*self.centre)), *edges)
 
     def density(self, lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        """1/sr, of unit vectors [n, 3]: what `pdf` says, with what no light changes computed once."""
+        """1/sr, of unit vectors [n, 3]: what `pdf` says of one view."""
         view, footprint = self.query(1)
-        shares = self.model.shares(self.model.albedos(view, footprint), view, footprint)
-        dr.eval(shares)
-        light = Array3f(np.ascontiguousarray(lights.T, np.float32))
-        found = self.model.response_and_pdf(shares, light, view, footprint)[1]
+        at = self.model.at(view, footprint)
+        dr.eval(at.mixture)
+        found = at.pdf(Array3f(np.ascontiguousarray(lights.T, np.float32)))
         return found.numpy().astype(np.float64)
 
     def drawn(self, seed: int) -> DirectionSample:
         rng = np.random.default_rng(seed)
         choice, u = Float(rng.random(DRAWN, np.float32)), Array2f(rng.random((2, DRAWN), np.float32))
-        found = self.model.sample(*self.query(DRAWN), choice, u)
+        found = self.model.at(*self.query(DRAWN)).sample(choice, u)
         dr.eval(found)
         return found
 
 
 @cache
 def built(name: str) -> LobesModel:
-    return LobesModel.for_fabric(fabric_from_text(WHITE)) if name == "white with sheen" else model_of(name)
+    return LobesModel.for_source(fabric_from_text(WHITE)) if name == "white with sheen" else model_of(name)
 
 
 def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
@@ -77,27 +76,27 @@ def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
     view = np.array(
         [math.sin(polar) * math.cos(azimuth), math.sin(polar) * math.sin(azimuth), math.cos(polar)]
     )
-    return Case(model, view, size * model.tables.size, 0.37 * np.asarray(model.fabric.repeat_mm))
+    return Case(model, view, size * model.tables.base_size, 0.37 * np.asarray(model.fabric.repeat_mm))
 
 
 def compared(case: Case, seed: int, label: str) -> float:
     """The p-value of directions drawn with `seed`; the rest of what holds of them is asserted."""
     shares = cell_shares(case.density)
     found = case.drawn(seed)
-    passes, chance = found.passes.numpy(), found.pdf.numpy()
+    passes, chance = found.is_null.numpy(), found.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
     # The rule's error in the cells that a narrow highlight lies in is a few thousandths.
     assert abs(shares.sum() + through - 1) < 5e-3, label
     assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-3) / DRAWN), label
     weight = found.weight.numpy()
     density = np.where(passes, 1, chance)
-    again = case.model.value(found.light, *case.query(DRAWN)).numpy() / np.maximum(density, 1e-30)
+    again = case.model.at(*case.query(DRAWN)).value(found.light).numpy() / np.maximum(density, 1e-30)
     smooth = ~passes & (chance > 0)
     close = np.isclose(weight, again, rtol=2e-3, atol=1e-5).all(axis=0)
     # Two kernels round differently, and in a shadow's edge that decides.
     assert close[smooth].mean() > 0.995, label
     assert (weight[:, passes] == 1).all(), label
-    pdf = case.model.pdf(found.light, *case.query(DRAWN)).numpy()
+    pdf = case.model.at(*case.query(DRAWN)).pdf(found.light).numpy()
     assert np.isclose(pdf, chance, rtol=2e-3)[smooth].mean() > 0.995, label
     counts = cell_counts(found.light.numpy().T[~passes].astype(np.float64))
     return p_value(counts, shares * DRAWN)
@@ -134,9 +133,9 @@ def test_the_density_of_another_footprint_is_found_out(
     """What the test above says of a density that is wrong by a little."""
     case = case_of(name, view, 1.0)
     found = case.drawn(0)
-    counts = cell_counts(found.light.numpy().T[~found.passes.numpy()].astype(np.float64))
+    counts = cell_counts(found.light.numpy().T[~found.is_null.numpy()].astype(np.float64))
     other = case_of(name, (view[0], view[1] + turned), wider)
-    other = replace(other, centre=case.centre + away * case.model.tables.size)
+    other = replace(other, centre=case.centre + away * case.model.tables.base_size)
     for density, passes in ((case.density, True), (other.density, False)):
         shares = cell_shares(density)
         value = p_value(counts, shares / shares.sum() * counts.sum())

@@ -9,24 +9,26 @@ from drjit.llvm.ad import Array3f, Float, UInt32
 from numpy.typing import NDArray
 
 from loomlight.aggregate.components import lobes
-from loomlight.models.lobes import estimate
+from loomlight.models.lobes import prefiltered
 from loomlight.scattering.point import PointModel
 
-from .cloths import TEXTS, Asked, cloth, directions, far_parts, geometry_of, model_of
+from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, model_of, prefiltered_parts
 
 PAIRS, POINTS = 250, 2048
 
 
-def asked(name: str, through: bool) -> Asked:
+def asked(name: str, through: bool) -> FootprintQueries:
     """Pairs on one side of the cloth or through it, and footprints of many repeats."""
     rng = np.random.default_rng(4)
     lights, views = (directions(rng, PAIRS, lowest=0.1) for _ in range(2))
     same = lights[:, 2] * views[:, 2] > 0
     lights[:, 2] *= np.where(same == through, -1, 1)
-    return Asked(lights, views, np.zeros((PAIRS, 2)), np.full(PAIRS, 100.0 * max(cloth(name).repeat_mm)))
+    return FootprintQueries(
+        lights, views, np.zeros((PAIRS, 2)), np.full(PAIRS, 100.0 * max(cloth(name).repeat_mm))
+    )
 
 
-def traced(name: str, queries: Asked) -> NDArray[np.float64]:
+def traced(name: str, queries: FootprintQueries) -> NDArray[np.float64]:
     """Diffuse and specular means over the repeat [2, pairs]."""
     model = PointModel(geometry_of(name), cloth(name).appearance())
     lane = dr.arange(UInt32, PAIRS * POINTS)
@@ -49,7 +51,7 @@ def errors(through: bool) -> NDArray[np.float64]:
     rows = []
     for name in TEXTS:
         queries = asked(name, through)
-        found, wanted = far_parts(model_of(name), queries), traced(name, queries)
+        found, wanted = prefiltered_parts(model_of(name), queries), traced(name, queries)
         sums = [found[f"{term}_warp"] + found[f"{term}_weft"] for term in ("diffuse", "specular")]
         rows.append(np.abs(np.stack(sums) - wanted).sum(axis=1) / wanted.sum(axis=1))
     return np.asarray(np.mean(rows, axis=0))
@@ -60,7 +62,7 @@ def test_correlated_shadows_are_nearer_to_rays_than_independent_ones(
     through: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shipped = errors(through)
-    monkeypatch.setattr(estimate, "shadow_correlation", lambda *_: (Float(0), Float(0)))
+    monkeypatch.setattr(prefiltered, "shadow_correlation", lambda *_: (Float(0), Float(0)))
     independent = errors(through)
     # Over 40 random fabrics it is 0.55 and 0.77 on one side, 0.77 and 0.97 through the cloth
     # (`tools/fits/lobes_shadows.py`); these are four fabrics.

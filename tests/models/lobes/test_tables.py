@@ -18,19 +18,19 @@ from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.model import MOST_GROUPS, LobesModel
 from loomlight.models.registry import model_from_loom
 
-from .cloths import TEXTS, asked_of, cloth, far_parts, model_of
+from .cloths import TEXTS, cloth, model_of, prefiltered_parts, random_queries
 
 Tensor = NDArray[Any]
 
 
-def damaged(name: str, change: Callable[[Tensor], Tensor]) -> LoomFile:
+def _damaged(name: str, change: Callable[[Tensor], Tensor]) -> LoomFile:
     """A file of which one tensor is changed."""
     loom = model_of("open plain").to_loom()
     tensors = {key: values.copy() for key, values in loom.tensors.items()}
-    return replace(loom, tensors={**tensors, name: change(tensors[name])}, source="cloth.loom")
+    return replace(loom, tensors={**tensors, name: change(tensors[name])}, file="cloth.loom")
 
 
-def refused(loom: LoomFile, *words: str) -> None:
+def _refused(loom: LoomFile, *words: str) -> None:
     with pytest.raises(InputError) as caught:
         LobesModel.from_loom(loom)
     message = str(caught.value)
@@ -44,8 +44,8 @@ def refused(loom: LoomFile, *words: str) -> None:
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_baking_twice_gives_the_same_bytes(name: str) -> None:
-    first, second = model_of(name).tables, LobesModel.for_fabric(cloth(name)).tables
-    assert first.size == second.size
+    first, second = model_of(name).tables, LobesModel.for_source(cloth(name)).tables
+    assert first.base_size == second.base_size
     for key, values in first.arrays().items():
         assert values.tobytes() == second.arrays()[key].tobytes(), key
 
@@ -53,34 +53,34 @@ def test_baking_twice_gives_the_same_bytes(name: str) -> None:
 def test_colours_and_roughness_are_not_baked() -> None:
     """So that edits of them bake nothing: the tables are the same, and the model's answers are not."""
     base = TEXTS["open plain"]
-    plain = LobesModel.for_fabric(fabric_from_text(base))
-    edited = LobesModel.for_fabric(
+    plain = LobesModel.for_source(fabric_from_text(base))
+    edited = LobesModel.for_source(
         fabric_from_text(base + '\n[warp]\nroughness = 0.9\ncolor = "#aa2211"\n[sheen]\nstrength = 0.5')
     )
     for key, values in plain.tables.arrays().items():
         assert np.array_equal(values, edited.tables.arrays()[key]), key
-    asked = asked_of(plain.fabric, plain.tables.size, 100, seed=1)
-    found, other = (far_parts(model, asked)["specular_warp"] for model in (plain, edited))
+    queries = random_queries(plain.fabric, plain.tables.base_size, 100, seed=1)
+    found, other = (prefiltered_parts(model, queries)["specular_warp"] for model in (plain, edited))
     assert not np.allclose(found, other, rtol=0.05)
 
 
 def test_tables_say_how_large_they_are() -> None:
     tables = model_of("open plain").tables
     assert tables.nbytes == sum(values.nbytes for values in tables.arrays().values())
-    assert tables.words == tables.moments.shape[1] // 4
+    assert tables.packs == tables.moments.shape[1] // 4
     assert 10_000 < tables.nbytes < 200_000
 
 
 def test_only_so_many_groups() -> None:
     for groups in (0, MOST_GROUPS + 1):
         with pytest.raises(InputError, match=f"groups = {groups} is out of range"):
-            LobesModel.for_fabric(cloth("open plain"), groups)
+            LobesModel.for_source(cloth("open plain"), groups)
 
 
 def test_a_file_gives_the_tables_back() -> None:
     model = model_of("long rib")
     again = LobesModel.from_loom(model.to_loom())
-    assert again.tables.size == model.tables.size
+    assert again.tables.base_size == model.tables.base_size
     for key, values in model.tables.arrays().items():
         assert np.array_equal(values, again.tables.arrays()[key]), key
 
@@ -91,32 +91,44 @@ def test_a_file_gives_the_tables_back() -> None:
         ("coverage", lambda values: values[:, 1:]),
         ("coverage", lambda values: values[:, :, 4:]),
         ("coverage", lambda values: values.astype(np.int16)),
-        ("seen", lambda values: values[:, 1:]),
-        ("seen", lambda values: values[:1]),
-        ("lit", lambda values: values[..., :4]),
+        ("projected_area", lambda values: values[:, 1:]),
+        ("projected_area", lambda values: values[:1]),
+        ("light_visibility", lambda values: values[..., :4]),
+        ("light_visibility", lambda values: values[:, 0]),
+        ("irradiance", lambda values: values.astype(np.float32)),
         ("moments", lambda values: values[..., :11]),
         ("moments", lambda values: values.astype(np.float64)),
         ("hole_weight", lambda values: values[:1]),
-        ("warp_words", lambda values: values[:1]),
-        ("warp_words", lambda values: values + 100),
+        ("warp_packs", lambda values: values[:1]),
+        ("warp_packs", lambda values: values + 100),
         ("levels", lambda values: values.astype(np.int32)),
         ("levels", lambda values: values[:, :2]),
     ],
 )
 def test_tensors_of_another_shape_or_type(name: str, change: Callable[[Tensor], Tensor]) -> None:
-    refused(damaged(name, change), f"tensor model.{name} is ", "it should be ")
+    _refused(_damaged(name, change), f"tensor model.{name} is ", "it should be ")
 
 
 @pytest.mark.parametrize(
-    "name", ["coverage", "seen", "lit", "moments", "hole_weight", "levels", "warp_words"]
+    "name",
+    [
+        "coverage",
+        "projected_area",
+        "light_visibility",
+        "irradiance",
+        "moments",
+        "hole_weight",
+        "levels",
+        "warp_packs",
+    ],
 )
 def test_tensors_that_are_missing(name: str) -> None:
-    loom = damaged(name, lambda values: values)
+    loom = _damaged(name, lambda values: values)
     rest = {key: values for key, values in loom.tensors.items() if key != name}
-    refused(replace(loom, tensors=rest), f"tensor model.{name} is missing")
+    _refused(replace(loom, tensors=rest), f"tensor model.{name} is missing")
 
 
-def with_level(row: int, *numbers: int) -> Callable[[Tensor], Tensor]:
+def _with_level(row: int, *numbers: int) -> Callable[[Tensor], Tensor]:
     def change(levels: Tensor) -> Tensor:
         levels[row] = numbers
         return levels
@@ -132,43 +144,45 @@ def with_level(row: int, *numbers: int) -> Callable[[Tensor], Tensor]:
         lambda levels: levels + np.array([1, 0, 0]),
         lambda levels: levels * np.array([1, 0, 1]),
         lambda levels: levels * np.array([1, -1, -1]),
-        with_level(1, 7, 3, 3),
-        with_level(0, 0, 1 << 40, 1 << 40),
+        _with_level(1, 7, 3, 3),
+        _with_level(0, 0, 1 << 40, 1 << 40),
     ],
 )
 def test_levels_that_are_no_pyramid(change: Callable[[Tensor], Tensor]) -> None:
-    refused(damaged("levels", change), "model.levels is no pyramid", "bake it again")
+    _refused(_damaged("levels", change), "model.levels is no pyramid", "bake it again")
 
 
 @pytest.mark.parametrize("groups", [0, 4, 12])
-def test_groups_that_fill_no_words_of_both_families(groups: int) -> None:
-    loom = damaged("moments", lambda values: np.resize(values, (2, groups, values.shape[2])))
-    words = groups // 4
-    tensors = {
-        **loom.tensors,
-        "coverage": np.resize(
-            loom.tensors["coverage"], (*loom.tensors["coverage"].shape[:2], 4 * (words + 1))
-        ),
-        "seen": np.resize(loom.tensors["seen"], (*loom.tensors["seen"].shape[:2], 4 * (2 * words + 1))),
-        "lit": np.resize(loom.tensors["lit"], (*loom.tensors["lit"].shape[:3], 8 * words)),
+def test_groups_that_fill_no_packs_of_both_families(groups: int) -> None:
+    loom = _damaged("moments", lambda values: np.resize(values, (2, groups, values.shape[2])))
+    widths = {
+        "coverage": groups + 4,
+        "projected_area": groups + 4,
+        "light_visibility": groups,
+        "irradiance": groups,
     }
-    refused(replace(loom, tensors=tensors), f"model.moments has {groups} groups", "words of four")
+    resized = {
+        name: np.resize(loom.tensors[name], (*loom.tensors[name].shape[:-1], width))
+        for name, width in widths.items()
+    }
+    tensors = {**loom.tensors, **resized}
+    _refused(replace(loom, tensors=tensors), f"model.moments has {groups} groups", "packs of four")
 
 
 @pytest.mark.parametrize("size", [0.0, -1.0, float("nan"), float("inf")])
 def test_sizes_that_are_none(size: float) -> None:
-    loom = damaged("moments", lambda values: values)
-    refused(replace(loom, settings={"size": size}), "setting size is ", "above 0 mm")
+    loom = _damaged("moments", lambda values: values)
+    _refused(replace(loom, settings={"base_size": size}), "setting base_size is ", "above 0 mm")
 
 
-@pytest.mark.parametrize("settings", [{}, {"size": 1}, {"size": "small"}])
+@pytest.mark.parametrize("settings", [{}, {"base_size": 1}, {"base_size": "small"}])
 def test_sizes_of_another_kind(settings: dict[str, Any]) -> None:
-    loom = damaged("moments", lambda values: values)
-    refused(replace(loom, settings=settings), "setting size is ", "float")
+    loom = _damaged("moments", lambda values: values)
+    _refused(replace(loom, settings=settings), "setting base_size is ", "float")
 
 
 def test_another_models_file() -> None:
-    refused(replace(damaged("moments", lambda values: values), model="point"), '"point"', '"lobes"')
+    _refused(replace(_damaged("moments", lambda values: values), model="point"), '"point"', '"lobes"')
 
 
 @pytest.mark.parametrize("name", ["moments", "hole_weight"])
@@ -179,7 +193,7 @@ def test_moments_that_are_no_numbers(name: str, tmp_path: Path, monkeypatch: pyt
         values.ravel()[3 % values.size] = np.nan
         return values
 
-    loom = damaged(name, spoilt)
+    loom = _damaged(name, spoilt)
     path = tmp_path / "cloth.loom"
     with pytest.raises(ValueError, match="NaN"):
         write_loom(path, loom)

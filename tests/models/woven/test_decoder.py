@@ -1,9 +1,10 @@
-"""The decoder in machine code and by cooperative vectors against torch, on one set of queries."""
+"""The decoder by SIMD kernels and by cooperative vectors against torch, on one set of queries."""
 
 from __future__ import annotations
 
-from dataclasses import astuple, replace
+from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 import drjit as dr
 import numpy as np
@@ -16,7 +17,6 @@ from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.core.simd import SimdTarget
 from loomlight.fabric import fabric_from_text
-from loomlight.models.interface import Response
 from loomlight.models.woven import compiled, latent_table
 from loomlight.models.woven.compiled import _compiled, compiled_decoder, decode, kernel_table
 from loomlight.models.woven.decoder import Decoder
@@ -97,18 +97,25 @@ def test_other_processors_answer_alike(
 def answered(
     model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
 ) -> list[np.ndarray]:
-    response = asked(model, lights, views, centres, sides)
-    dr.eval(response)
-    return [part.numpy() for part in astuple(response)]
+    found = asked(model, lights, views, centres, sides)
+    dr.eval(found)
+    return [part.numpy() for part in found]
 
 
 def asked(
     model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
-) -> Response:
+) -> list[Any]:
     light, view = (Array3f(np.ascontiguousarray(part.T, np.float32)) for part in (lights, views))
     centre = Array2f(np.ascontiguousarray(centres.T, np.float32))
     side = Float(sides.astype(np.float32))
-    return model.evaluate(light, view, Footprint(centre, Array2f(side, 0), Array2f(0, side)))
+    return parts_of(model, light, view, Footprint(centre, Array2f(side, 0), Array2f(0, side)))
+
+
+def parts_of(model: WovenModel, light: Any, view: Any, footprint: Footprint) -> list[Any]:
+    """The four components and the hole."""
+    at = model.at(view, footprint)
+    components = at.components(light)
+    return [*(getattr(components, part.name) for part in fields(components)), at.hole]
 
 
 def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -120,12 +127,12 @@ def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, t
     footprint = Footprint(Array2f(rng.uniform(-3, 5, (2, count))), *(Array2f(edge) for edge in edges))
 
     def answer() -> np.ndarray:
-        return np.stack([part.numpy() for part in astuple(model.evaluate(light, view, footprint))])
+        return np.stack([part.numpy() for part in parts_of(model, light, view, footprint)])
 
-    by_machine_code = answer()
+    by_kernel = answer()
     monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
     wanted = answer()
-    error = np.abs(by_machine_code - wanted) / wanted.max(axis=1, keepdims=True)
+    error = np.abs(by_kernel - wanted) / wanted.max(axis=1, keepdims=True)
     # Positions of squares in float32 are off by 1e-6 of a repeat, as above.
     assert np.percentile(error, 99.5) < 1e-5
     assert error.max() < 1e-3
@@ -135,7 +142,7 @@ def test_long_footprints_of_twill_err_less_in_rows_of_squares(monkeypatch: pytes
     """Where squares of the same sum of variances show moiré: rows of a diagonal that are nearly as far apart
     as a footprint is long."""
     fabric = fabric_from_text("twill 4/4")
-    layout, model = fabric.layout(), WovenModel.for_fabric(fabric)
+    layout, model = fabric.layout(), WovenModel.for_source(fabric)
     queries = query_set(fabric_scale(layout), 60, 16, seed=5, transmits=False, lights=16, views=16)
     pitch = np.array(layout.size) / layout.warp_on_top.shape[::-1]
     # 2.5 threads wide, 7.5 long, along either family.
@@ -151,12 +158,14 @@ def test_long_footprints_of_twill_err_less_in_rows_of_squares(monkeypatch: pytes
     footprint = Footprint(centre, Array2f(size.x, 0), Array2f(0, size.y))
 
     def error() -> float:
-        found = np.stack([part.numpy() for part in astuple(model.evaluate(lights, views, footprint))[:4]], 1)
+        found = np.stack([part.numpy() for part in parts_of(model, lights, views, footprint)[:4]], 1)
         wanted = truth.reshape(-1, 5)[:, :4]
         return float(np.abs(found - wanted).sum() / wanted.sum())
 
     rows = error()
-    monkeypatch.setattr(Footprint, "row_of_squares", lambda footprint: (footprint.spread_side, Array2f(0, 0)))
+    monkeypatch.setattr(
+        Footprint, "anisotropic_taps", lambda footprint: (footprint.spread_side, Array2f(0, 0))
+    )
     # 0.69 when it was written.
     assert rows < 0.85 * error()
 
@@ -174,7 +183,7 @@ def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
     )
 
     def step(number: UInt32, total: Float) -> tuple[UInt32, Float]:
-        return number + 1, total + asked(model, *queries).diffuse_warp
+        return number + 1, total + asked(model, *queries)[0]
 
     _, total = dr.while_loop(
         (UInt32(0), dr.zeros(Float, 200)), lambda number, total: number < 2, step, mode="symbolic"
@@ -196,7 +205,7 @@ def test_new_fabrics_need_no_new_code(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("count", [1, 1000])
-def test_machine_code_takes_what_all_lanes_share(
+def test_kernels_take_inputs_of_width_one(
     count: int, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     weights, fabric = weights_of(network("field"), tmp_path), fabric_from_text("plain")
@@ -207,19 +216,15 @@ def test_machine_code_takes_what_all_lanes_share(
         # One footprint and view, of which parts are literals, for many lights.
         centre, edge = Array2f(0.1, dr.opaque(Float, 0.2)), dr.opaque(Float, 0.3)
         footprint = Footprint(centre, Array2f(edge, 0), Array2f(0, edge))
-        response = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint)
-        seen = model.seen(Array3f(0.6, 0, 0.8), footprint)
-        again = model.lit(seen, light, Array3f(0.6, 0, 0.8))
-        # At once or in two parts: the same operations.
-        np.testing.assert_allclose(again.specular_warp, response.specular_warp, rtol=1e-5)
-        assert dr.width(response) == count
-        return np.stack(np.broadcast_arrays(*(part.numpy() for part in astuple(response))))
+        found = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)
+        assert dr.width(found) == count
+        return np.stack(np.broadcast_arrays(*(part.numpy() for part in found)))
 
-    by_machine_code = answer()
+    by_kernel = answer()
     monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
-    assert by_machine_code[:4].max() > 1e-3
+    assert by_kernel[:4].max() > 1e-3
     # Sums of the same terms in much the same order.
-    np.testing.assert_allclose(by_machine_code, answer(), rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(by_kernel, answer(), rtol=1e-4, atol=1e-6)
 
 
 def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
@@ -228,14 +233,14 @@ def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
     rng, count = np.random.default_rng(8), 1 << 18
     light = Array3f(np.ascontiguousarray(unit_vectors(rng, count).T))
     footprint = Footprint(Array2f(0.1, 0.2), Array2f(0.3, 0), Array2f(0, 0.3))
-    wanted = model.evaluate(light, Array3f(0.6, 0, 0.8), footprint).diffuse_warp.numpy()
+    wanted = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)[0].numpy()
     # Launched, and far from done, when the answers are asked for.
     slow = light.x
     for _ in range(200):
         slow = dr.sin(slow)
     dr.eval(slow)
     turned = Array3f(light.x + 0 * slow, light.y, light.z)
-    found = model.evaluate(turned, Array3f(0.6, 0, 0.8), footprint).diffuse_warp
+    found = parts_of(model, turned, Array3f(0.6, 0, 0.8), footprint)[0]
     later = found + 0
     dr.eval(later)
     np.testing.assert_array_equal(later.numpy(), wanted)
@@ -248,10 +253,12 @@ def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:
     view = Array3f(np.ascontiguousarray(unit_vectors(rng, 500).T))
     side = Float(rng.uniform(0.05, 0.5, 500).astype(np.float32))
     footprint = Footprint(Array2f(side, 0.1), Array2f(side, 0), Array2f(0, side))
-    holes = model.hole(view, footprint).numpy()
+    holes = model.at(view, footprint).hole.numpy()
     assert holes.std() > 1e-3
     # The same operations, among others.
-    np.testing.assert_allclose(holes, model.seen(view, footprint).hole.numpy(), rtol=0, atol=1e-6)
+    at = model.at(view, footprint)
+    at.components(view)
+    np.testing.assert_allclose(holes, at.hole.numpy(), rtol=0, atol=1e-6)
 
 
 def test_derivatives_go_by_cooperative_vectors(tmp_path: Path) -> None:
@@ -261,5 +268,5 @@ def test_derivatives_go_by_cooperative_vectors(tmp_path: Path) -> None:
     dr.enable_grad(x)
     light = dr.normalize(Array3f(x, 0.2, 1))
     footprint = Footprint(Array2f(0.1, 0.2), Array2f(0.3, 0), Array2f(0, 0.3))
-    dr.backward(model.evaluate(light, Array3f(0, 0, 1), footprint).diffuse_warp)
+    dr.backward(parts_of(model, light, Array3f(0, 0, 1), footprint)[0])
     assert (dr.grad(x).numpy() != 0).all()

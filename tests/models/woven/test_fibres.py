@@ -132,8 +132,8 @@ def test_mixed_fibres_lie_between() -> None:
 
 
 def test_a_material_with_impossible_fibres_is_one_sentence() -> None:
-    loom = WovenModel.for_fabric(fabric_from_text("plain")).to_loom()
-    assert WovenModel.from_loom(loom).encoded.fibres == WovenModel.for_fabric(loom.fabric).encoded.fibres
+    loom = WovenModel.for_source(fabric_from_text("plain")).to_loom()
+    assert WovenModel.from_loom(loom).encoded.fibres == WovenModel.for_source(loom.source).encoded.fibres
     for row, name, wrong in (
         (1, "roughness", 0.0),
         (1, "roughness", 1.5),

@@ -81,7 +81,7 @@ def test_it_is_fitted_once_and_the_same_again(runs: list[str]) -> None:
 
 
 def test_a_material_holds_it() -> None:
-    model = WovenModel.for_fabric(fabric_from_text(SATIN, folder="."))
+    model = WovenModel.for_source(fabric_from_text(SATIN, folder="."))
     again = WovenModel.from_loom(model.to_loom())
     np.testing.assert_array_equal(again.encoded.correction, model.encoded.correction)
 

@@ -11,7 +11,7 @@ from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.pictures import picture_error
 from loomlight.evaluation.query_test import run_query_test
-from loomlight.evaluation.reproduce.evidence import Evidence, on_display
+from loomlight.evaluation.reproduce.evidence import Evidence, error_caption, on_display
 from loomlight.evaluation.reproduce.fabrics import paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
 from loomlight.evaluation.reproduce.setting import WOVEN, Setting, cloth_bsdf, woven_predictor
@@ -54,10 +54,7 @@ def ablated(setting: Setting) -> Evidence:
             for name, file in files.items()
         }
         errors = {name: picture_error(picture, reference, stage.counted) for name, picture in shown.items()}
-        tiles = [
-            Tile(on_display(picture), f"MSE {errors[name].mse:.1e}, FLIP {errors[name].flip:.3f}")
-            for name, picture in shown.items()
-        ]
+        tiles = [Tile(on_display(picture), error_caption(errors[name])) for name, picture in shown.items()]
         tiles.append(Tile(on_display(reference), f"{setting.samples} spp"))
         rows += [Row(label, tiles), Row("", [Tile(error.flip_picture) for error in errors.values()])]
         for column, tile in zip(columns, tiles, strict=True):

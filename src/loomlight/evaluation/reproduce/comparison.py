@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from loomlight.evaluation.pictures import PictureError, picture_error
-from loomlight.evaluation.reproduce.evidence import Evidence, on_display
+from loomlight.evaluation.reproduce.evidence import Evidence, error_caption, on_display
 from loomlight.evaluation.reproduce.fabrics import Look, paper_fabric, seen_fabrics, unseen_fabrics
 from loomlight.evaluation.reproduce.renders import Rendered, Stage
 from loomlight.evaluation.reproduce.setting import Setting
@@ -38,22 +38,17 @@ def many(setting: Setting) -> Evidence:
 
 def seen(setting: Setting) -> Evidence:
     """Figure 4: the seven patterns of the training set."""
-    return compared(
-        "chen2024 figure 4: patterns of the training set",
-        setting,
-        DRAPE,
-        [(fabric.name, [fabric]) for fabric in seen_fabrics()],
-    )
+    return _one_by_one("chen2024 figure 4: patterns of the training set", setting, seen_fabrics())
 
 
 def unseen(setting: Setting) -> Evidence:
     """Figure 5: a twill that no training has seen."""
-    return compared(
-        "chen2024 figure 5: a pattern that no training has seen",
-        setting,
-        DRAPE,
-        [(fabric.name, [fabric]) for fabric in unseen_fabrics()],
-    )
+    return _one_by_one("chen2024 figure 5: a pattern that no training has seen", setting, unseen_fabrics())
+
+
+def _one_by_one(title: str, setting: Setting, fabrics: Sequence[Fabric]) -> Evidence:
+    """Each fabric draped, a picture of its own."""
+    return compared(title, setting, DRAPE, [(fabric.name, [fabric]) for fabric in fabrics])
 
 
 def backlit(setting: Setting) -> Evidence:
@@ -130,4 +125,4 @@ def _caption(found: _Judged) -> str:
     made = f"{found.picture.samples} spp, {found.picture.seconds:.2f} s"
     if found.error is None:
         return made
-    return f"MSE {found.error.mse:.1e}, FLIP {found.error.flip:.3f}, {made}"
+    return f"{error_caption(found.error)}, {made}"

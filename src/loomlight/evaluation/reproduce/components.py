@@ -77,6 +77,7 @@ def direction_grid(fabric: Fabric, grid: int, side: float) -> QuerySet:
 
 def _matrices(found: Prediction, count: int) -> NDArray[np.float64]:
     """Values by pair of directions [5 columns, views, lights], 1/sr."""
+    assert found.means is not None
     # White threads: any channel is the BSDF.
     values = np.concatenate([found.colours[:, 0, :1], found.means[:, 0, :4]], axis=1)
     return values.T.reshape(len(_COLUMNS), count, count)

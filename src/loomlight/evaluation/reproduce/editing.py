@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,7 +42,7 @@ class _Edit:
     """
 
     label: str
-    values: dict[str, Any]
+    values: dict[str, object]
 
 
 EDITS = (
@@ -97,7 +97,7 @@ def _strip(setting: Setting) -> Iterator[_Shown]:
     yield _pictured("the fabric, encoded", scene, seconds)
     edits = SceneEdits(scene.scene)
     for edit in EDITS:
-        before, seconds = timed(lambda edit=edit: edits.apply(edit.values))  # type: ignore[misc]
+        before, seconds = timed(partial(edits.apply, edit.values))
         yield _pictured(edit.label, scene, seconds)
         edits.apply(before)
     scene, seconds = timed(lambda: Stage(setting, DRAPE, other).woven_scene())

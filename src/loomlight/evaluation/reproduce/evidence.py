@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb
+from loomlight.evaluation.pictures import PictureError
 from loomlight.evaluation.reproduce.setting import Setting
 from loomlight.evaluation.table import Table
 
@@ -53,3 +54,8 @@ class Item:
 def on_display(linear: NDArray[np.float32]) -> Pixels:
     """Linear RGB [height, width, 3] as 8-bit sRGB, exposure 0."""
     return np.rint(255 * linear_to_srgb(np.clip(np.nan_to_num(linear), 0, 1))).astype(np.uint8)
+
+
+def error_caption(error: PictureError) -> str:
+    """What stands below a picture of its error."""
+    return f"MSE {error.mse:.1e}, FLIP {error.flip:.3f}"

@@ -6,10 +6,8 @@ as the weight; above stands what the encoder makes of the same parameter.
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,11 +113,7 @@ def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
     """Pictures of one scene whose parameter `blend` moves."""
     (first,), second = stage.fabrics, parameter.fabric(_SECOND)
-    with tempfile.TemporaryDirectory() as folder:
-        other = Path(folder) / "other.toml"
-        other.write_text(second.to_toml(folder), encoding="utf-8")
-        bsdf = cloth_bsdf(first, WOVEN, stage.setting.weights, other=str(other), blend=0.0)
-        scene = stage.woven_scene(bsdf)
+    scene = stage.woven_scene(cloth_bsdf(first, WOVEN, stage.setting.weights, other=second, blend=0.0))
     edits = SceneEdits(scene.scene)
     pictures = []
     for value in _VALUES:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,14 +56,14 @@ class Stage:
 
     def reference(self) -> Rendered:
         """The point model with many samples a pixel."""
-        scene = self._point_scene()
+        scene = self._point_scene
         samples = self.setting.samples
         linear, seconds = timed(lambda: one_picture(scene, samples, 0))
         return Rendered(linear, samples, seconds)
 
     def point(self, samples: int) -> Rendered:
         """The point model with a few samples a pixel."""
-        return fastest_picture(self._point_scene(), samples)
+        return fastest_picture(self._point_scene, samples)
 
     def equal_time(self) -> tuple[Rendered, Rendered]:
         """The network, and the point model with as many samples as take as long, from 1 to 64.
@@ -70,7 +71,7 @@ class Stage:
         Both are timed one after the other and again with a better count, since other work on the machine
         comes and goes.
         """
-        network, scene = self.woven_scene(), self._point_scene()
+        network, scene = self.woven_scene(), self._point_scene
         few, some = (fastest_picture(scene, samples).seconds for samples in (_FEW, _SOME))
         slope = max((some - few) / (_SOME - _FEW), 1e-6)
         woven = fastest_picture(network, 1)
@@ -88,6 +89,7 @@ class Stage:
         weights = self.setting.weights
         return self._scene(bsdfs or [cloth_bsdf(fabric, WOVEN, weights) for fabric in self.fabrics], True)
 
+    @cached_property
     def _point_scene(self) -> MeasuredScene:
         return self._scene([cloth_bsdf(fabric, POINT) for fabric in self.fabrics], False)
 

@@ -10,7 +10,7 @@ from typing import Any
 from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.predictions import Predictor, model_predictor
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import fabric_bsdf
+from loomlight.mitsuba import material_bsdf
 from loomlight.mitsuba.scenes import BsdfFactory
 from loomlight.models.woven.encoding import encode
 from loomlight.models.woven.model import WovenModel
@@ -56,13 +56,11 @@ class Setting:
             self.progress(done, total)
 
 
-def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **properties: Any) -> BsdfFactory:
-    """`fabric_bsdf` with the network of a weights file, and with other properties of the BSDF."""
-    plain = fabric_bsdf(fabric, model)
-    more = dict(properties)
+def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **options: Any) -> BsdfFactory:
+    """`material_bsdf` with the network of a weights file, and with other options of the model."""
     if weights is not None and model == WOVEN:
-        more["weights"] = str(weights)
-    return lambda uv_size_mm: plain(uv_size_mm) | more
+        options["weights"] = str(weights)
+    return material_bsdf(fabric, model, **options)
 
 
 def woven_predictor(weights: Weights) -> Predictor:

@@ -13,10 +13,11 @@ from typing import Any
 
 import drjit as dr
 
+from loomlight.core.arrays import Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, maximum, minimum
-from loomlight.models.interface import FamilyAlbedos
 from loomlight.models.lobes.density import GroupLobe
-from loomlight.models.lobes.estimate import Estimator, Place
+from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenWord, TableLookup
+from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, sample_specular
@@ -27,206 +28,246 @@ _LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
 # Kept for what lobes miss; black cloth draws by it alone.
 _COSINE_SHARE = 0.05
 _LEAST_ENERGY = 1e-6
-# Of all groups together; a view that sees none sees holes alone.
-SMALLEST_WEIGHT = 1e-12
 # A box of half-width √3 s beside a lobe of width α.
 SPREAD_WIDTH = 1.7
 
 
 @dataclass
 class Energies:
-    """What one family sends on by each lobe, Float each."""
+    """What one family sends on by each lobe."""
 
-    specular: Any
-    reflect: Any
-    transmit: Any
+    specular: Float
+    reflect: Float
+    transmit: Float
 
     @property
-    def total(self) -> Any:
+    def total(self) -> Float:
         """Of all three."""
         return self.specular + self.reflect + self.transmit
 
 
 @dataclass
-class Shares:
-    """Probabilities that no light direction changes: Float each.
+class Mixture:
+    """Probabilities of lobes that depend on neither the light nor the groups.
 
     Attributes:
-        through: of passing straight through.
+        null: of passing straight through.
         sheen: of the sheen's lobe, of what does not pass.
-        cosine: of the cosine, of what is left.
-        transmit: of the other side, by the cosine.
+        transmit: of the other side, of what is drawn by the cosine.
         warp, weft: energies of the families.
-        total: sum over groups of weight times energy.
+        blend: w of the diffuse lobes.
     """
 
-    through: Any
-    sheen: Any
-    cosine: Any
-    transmit: Any
+    null: Float
+    sheen: Float
+    transmit: Float
     warp: Energies
     weft: Energies
-    total: Any
+    blend: float
+
+    def family(self, is_warp: Mask) -> Energies:
+        """Energies of the warp where `is_warp`, else of the weft."""
+        return Energies(
+            *(
+                dr.select(is_warp, getattr(self.warp, name), getattr(self.weft, name))
+                for name in ("specular", "reflect", "transmit")
+            )
+        )
 
 
-def energies_of(albedos: FamilyAlbedos) -> tuple[Energies, Energies]:
-    """Energies of (warp, weft)."""
+def mixture_of(albedos: FamilyAlbedos, null: Float, view: Vec3, sheen: Sheen, blend: float) -> Mixture:
+    """The mixture of a footprint and a view.
 
-    def of(family: Any) -> Energies:
+    Args:
+        null: share of light that passes straight through, by which passing is drawn.
+        view: unit vector [3] in the frame of the face seen.
+        blend: w, the share of the yarn normal in the diffuse term.
+    """
+    types = array_types(view.x)
+
+    def energies(family: Any) -> Energies:
         specular = _LAYER_REFLECTS * channel_mean(family.specular_reflect)
         specular += _LAYER_TRANSMITS * channel_mean(family.specular_transmit)
         return Energies(specular, channel_mean(family.diffuse_reflect), channel_mean(family.diffuse_transmit))
 
-    return of(albedos.warp), of(albedos.weft)
-
-
-def energy_of(estimator: Estimator, place: Place, families: tuple[Energies, Energies]) -> Any:
-    """Sum over groups of weight times the energy of their family: Float."""
-    types = array_types(place.view.x)
-    warp, weft = (family.total for family in families)
-
-    def add(pair: Any, energy: Any) -> tuple[Any, Any]:
-        for seen in estimator.seen(place, pair):
-            own = dr.select(seen.is_warp, types.Float(warp), weft)
-            energy = dr.fma(sum(seen.weights), own, energy)
-        return pair + 1, energy
-
-    width = dr.width(place.view, place.coverage.nodes, types.Float(warp), types.Float(weft))
-    start = dr.zeros(types.UInt32, width), dr.zeros(types.Float, width)
-    return dr.while_loop(start, lambda pair, energy: pair < estimator.pairs, add, label="lobes: energy")[1]
-
-
-def shares_of(place: Place, albedos: FamilyAlbedos, total: Any, through: Any, sheen: Sheen) -> Shares:
-    """Shares of a footprint and a view.
-
-    Args:
-        total: sum over groups of weight times energy.
-        through: share of light that passes straight through, by which passing is drawn.
-    """
-    types = array_types(place.view.x)
-    warp, weft = energies_of(albedos)
+    warp, weft = energies(albedos.warp), energies(albedos.weft)
     from_sheen = types.Float(0)
     if sheen.strength > 0:
-        reflected = 1 - sheen_transmittance(place.view, sheen.strength, sheen.roughness)
+        reflected = 1 - sheen_transmittance(view, sheen.strength, sheen.roughness)
         from_sheen = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _LEAST_ENERGY)
-    cosine = dr.select(total > _LEAST_ENERGY, types.Float(_COSINE_SHARE), 1)
     transmit = dr.select(warp.transmit + weft.transmit > 0, types.Float(0.5), 0)
-    return Shares(through, from_sheen, cosine, transmit, warp, weft, maximum(total, _LEAST_ENERGY))
+    return Mixture(null, from_sheen, transmit, warp, weft, blend)
 
 
-def energies_where(is_warp: Any, shares: Shares) -> Energies:
-    """Energies of the warp where `is_warp`, else of the weft."""
-    return Energies(
-        *(
-            dr.select(is_warp, getattr(shares.warp, name), getattr(shares.weft, name))
-            for name in ("specular", "reflect", "transmit")
-        )
-    )
+def energy_of(words: list[SeenWord], mixture: Mixture) -> Float:
+    """Sum over the groups of words of weight times the energy of their family."""
+    total: Float = 0
+    for word in words:
+        total = total + sum(word.weights) * mixture.family(word.is_warp).total
+    return total
 
 
-def group_density(weight: Any, lobe: GroupLobe, energies: Energies, light: Any, view: Any, blend: Any) -> Any:
-    """What one group adds to the density, not divided by the total: Float, 1/sr."""
-    tangent, roughness, normal = _frame(lobe)
-    found = energies.specular * pdf_specular(light, view, tangent, roughness)
-    found += energies.reflect * diffuse_pdf(light, normal, blend)
-    found += energies.transmit * diffuse_pdf(-light, normal, blend)
-    return weight * found
+def words_density(words: list[SeenWord], mixture: Mixture, light: Vec3, view: Vec3) -> list[Float]:
+    """What each word's groups add to the density, not divided by the energy of all: 1/sr."""
+    found = []
+    for word in words:
+        energies = mixture.family(word.is_warp)
+        total: Float = 0
+        for weight, lobe in zip(word.weights, word.lobes, strict=True):
+            tangent, roughness, normal = _frame(_GroupFrame.of(lobe))
+            part = energies.specular * pdf_specular(light, view, tangent, roughness)
+            part += energies.reflect * diffuse_pdf(light, normal, mixture.blend)
+            part += energies.transmit * diffuse_pdf(-light, normal, mixture.blend)
+            total = total + weight * part
+        found.append(total)
+    return found
 
 
-def density(shares: Shares, of_groups: Any, light: Any, view: Any, sheen: Sheen) -> Any:
-    """Density of the whole mixture without delta: Float, 1/sr.
+def density(mixture: Mixture, groups: Float, energy: Float, light: Vec3, view: Vec3, sheen: Sheen) -> Float:
+    """Density of the whole mixture without delta, 1/sr.
 
     Args:
-        of_groups: sum of `group_density`.
+        groups: sum of `words_density`.
+        energy: sum of `energy_of`.
+        light, view: unit vectors [3] in the frame of the face seen.
     """
-    side = dr.select(light.z > 0, 1 - shares.transmit, shares.transmit)
-    found = dr.lerp(of_groups * dr.rcp(shares.total), side * dr.abs(light.z) * dr.inv_pi, shares.cosine)
+    side = dr.select(light.z > 0, 1 - mixture.transmit, mixture.transmit)
+    by_cosine = side * dr.abs(light.z) * dr.inv_pi
+    found = dr.lerp(groups * dr.rcp(maximum(energy, _LEAST_ENERGY)), by_cosine, _cosine_share(energy))
     if sheen.strength > 0:
-        found = dr.lerp(found, sheen_pdf(light, view, sheen.roughness), shares.sheen)
-    return (1 - shares.through) * found
+        found = dr.lerp(found, sheen_pdf(light, view, sheen.roughness), mixture.sheen)
+    return (1 - mixture.null) * found
 
 
 def draw(
-    estimator: Estimator, place: Place, shares: Shares, sheen: Sheen, blend: Any, choice: Any, u: Any
-) -> tuple[Any, Any]:
+    lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, sheen: Sheen, choice: Float, u: Vec2
+) -> tuple[Vec3, Mask]:
     """A light direction [3] in the frame of the face seen, and whether it passes straight through.
 
     Args:
         choice: uniform number in [0, 1) that chooses group and lobe.
-        u: Vector2 of uniform numbers in [0, 1).
+        u: uniform numbers in [0, 1).
     """
-    types = array_types(place.view.x)
-    view = place.view
-    passes = types.Bool(choice < shares.through)
-    rest = (choice - shares.through) * dr.rcp(maximum(1 - shares.through, 1e-6))
-    from_sheen = rest < shares.sheen
-    rest = (rest - shares.sheen) * dr.rcp(maximum(1 - shares.sheen, 1e-6))
-    by_cosine = rest < shares.cosine
-    rest = (rest - shares.cosine) * dr.rcp(maximum(1 - shares.cosine, 1e-6))
-    aim = rest * shares.total
-    lobe, tangent, roughness, normal = _drawn_group(estimator, place, shares, aim)
+    types = array_types(at.view.x)
+    view = at.view
+    is_null = types.Bool(choice < mixture.null)
+    rest = (choice - mixture.null) * dr.rcp(maximum(1 - mixture.null, 1e-6))
+    from_sheen = rest < mixture.sheen
+    rest = (rest - mixture.sheen) * dr.rcp(maximum(1 - mixture.sheen, 1e-6))
+    # As though lobes had energy: the cosine is all there is where they have none.
+    by_cosine = rest < _COSINE_SHARE
+    to_groups = (rest - _COSINE_SHARE) / (1 - _COSINE_SHARE)
+    drawn = _draw_group(lobes, at, mixture, to_groups)
+    has_energy = drawn.energy > _LEAST_ENERGY
+    tangent, roughness, normal = _frame(drawn.frame)
+    energies = mixture.family(drawn.is_warp)
+    aim = drawn.rest * energies.total
     light = sample_specular(view, tangent, roughness, u)
-    diffuse = sample_diffuse(normal, types.Float(blend), u)
-    light = dr.select(lobe == _SPECULAR, light, dr.select(lobe == _REFLECT, diffuse, -diffuse))
+    diffuse = sample_diffuse(normal, types.Float(mixture.blend), u)
+    reflects = aim < energies.specular + energies.reflect
+    light = dr.select(aim < energies.specular, light, dr.select(reflects, diffuse, -diffuse))
     cosine = sample_diffuse(types.Vector3(0, 0, 1), types.Float(0), u)
     # What chose the cosine is uniform again on its share, and chooses the side.
-    far = (rest + shares.cosine * dr.rcp(maximum(1 - shares.cosine, 1e-6))) * (
-        maximum(1 - shares.cosine, 1e-6) * dr.rcp(shares.cosine)
-    ) < shares.transmit
-    light = dr.select(by_cosine, dr.select(far, -cosine, cosine), light)
+    side = dr.select(has_energy, rest * (1 / _COSINE_SHARE), rest)
+    light = dr.select(by_cosine | ~has_energy, dr.select(side < mixture.transmit, -cosine, cosine), light)
     if sheen.strength > 0:
         light = dr.select(from_sheen, sample_sheen(view, sheen.roughness, u), light)
-    return dr.select(passes, -view, light), passes
+    return dr.select(is_null, -view, light), is_null
 
 
-_SPECULAR, _REFLECT, _TRANSMIT = 0, 1, 2
+def _cosine_share(energy: Float) -> Float:
+    """Share of directions that are drawn by the cosine: all where groups have no energy."""
+    return dr.select(energy > _LEAST_ENERGY, array_types(energy).Float(_COSINE_SHARE), 1)
 
 
-def _drawn_group(estimator: Estimator, place: Place, shares: Shares, aim: Any) -> tuple[Any, Any, Any, Any]:
-    """Lobe, mean fibre direction, roughness and mean normal of the group where the running sum is `aim`."""
-    types = array_types(place.view.x)
+@dataclass
+class _GroupFrame:
+    """What is kept of a group while groups are drawn from: moments that frame its lobes.
 
-    def search(pair: Any, left: Any, lobe: Any, tangent: Any, roughness: Any, normal: Any) -> tuple[Any, ...]:
-        groups = [
-            (weight, found, energies_where(seen.is_warp, shares))
-            for seen in estimator.seen(place, pair)
-            for weight, found in zip(seen.weights, seen.lobes, strict=True)
-        ]
-        for weight, found, energies in groups:
-            own_tangent, own_roughness, own_normal = _frame(found)
-            here = (left >= 0) & (weight > 0)
-            tangent = dr.select(here, own_tangent, tangent)
-            roughness = dr.select(here, own_roughness, roughness)
-            normal = dr.select(here, own_normal, normal)
-            inside = left
-            third = dr.select(inside < weight * (energies.specular + energies.reflect), _REFLECT, _TRANSMIT)
-            lobe = dr.select(
-                here, dr.select(inside < weight * energies.specular, types.UInt32(_SPECULAR), third), lobe
-            )
-            left = dr.select(left >= 0, left - weight * energies.total, left)
-        return pair + 1, left, lobe, tangent, roughness, normal
+    Attributes:
+        tangent, normal: means over the group [3].
+        variance: of the fibre direction, along all axes together.
+        roughness: α of its family.
+    """
 
-    width = dr.width(aim, place.view, place.coverage.nodes)
+    tangent: Vec3
+    normal: Vec3
+    variance: Float
+    roughness: Float
+
+    @classmethod
+    def of(cls, lobe: GroupLobe) -> _GroupFrame:
+        return cls(lobe.tangent, lobe.normal, lobe.xx + lobe.yy + lobe.zz, lobe.roughness)
+
+
+@dataclass
+class _DrawnGroup:
+    """A group that was drawn.
+
+    Attributes:
+        energy: of all groups.
+        rest: uniform number in [0, 1) that is left of the choice.
+    """
+
+    frame: _GroupFrame
+    is_warp: Mask
+    energy: Float
+    rest: Float
+
+
+def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choice: Float) -> _DrawnGroup:
+    """Draws a group by its energy in one pass over all: weighted reservoir sampling with one number.
+
+    A group replaces the one kept with the probability of its energy among all so far; either outcome maps
+    the number that decided back to [0, 1) (Chao 1982).
+    """
+    types = array_types(at.view.x)
+
+    def visit(pair: Any, rest: Float, energy: Float, *kept: Any) -> tuple[Any, ...]:
+        is_warp, *frame = kept
+        for word in lobes.seen(at, pair):
+            of_family = mixture.family(word.is_warp).total
+            for weight, lobe in zip(word.weights, word.lobes, strict=True):
+                own = weight * of_family
+                energy = energy + own
+                aim = rest * energy
+                takes = aim < own
+                # Where a group has all the energy so far, or none, nothing is left to divide by.
+                quotient = dr.select(takes, aim, aim - own) * dr.rcp(
+                    maximum(dr.select(takes, own, energy - own), 1e-30)
+                )
+                rest = dr.select(own > 0, minimum(quotient, dr.one_minus_epsilon(types.Float)), rest)
+                is_warp = dr.select(takes, word.is_warp, is_warp)
+                candidate = _GroupFrame.of(lobe)
+                frame = [
+                    dr.select(takes, mine, theirs)
+                    for mine, theirs in zip(
+                        (candidate.tangent, candidate.normal, candidate.variance, candidate.roughness),
+                        frame,
+                        strict=True,
+                    )
+                ]
+        return pair + 1, rest, energy, is_warp, *frame
+
+    width = dr.width(choice, at.view, at.coverage.nodes)
     start = (
         dr.zeros(types.UInt32, width),
-        types.Float(aim),
-        dr.full(types.UInt32, _REFLECT, width),
+        types.Float(choice),
+        dr.zeros(types.Float, width),
+        dr.full(types.Bool, False, width),
         types.Vector3(0, 1, 0),
-        dr.full(types.Float, 1, width),
         types.Vector3(0, 0, 1),
+        dr.full(types.Float, 0, width),
+        dr.full(types.Float, 1, width),
     )
-    found = dr.while_loop(
-        start,
-        lambda pair, left, *rest: (pair < estimator.pairs) & (left >= 0),
-        search,
-        label="lobes: draw a group",
+    _, rest, energy, is_warp, *frame = dr.while_loop(
+        start, lambda pair, *kept: pair < lobes.pairs, visit, label="lobes: draw a group"
     )
-    return found[2], found[3], found[4], found[5]
+    return _DrawnGroup(_GroupFrame(*frame), is_warp, energy, rest)
 
 
-def _frame(lobe: GroupLobe) -> tuple[Any, Any, Any]:
+def _frame(group: _GroupFrame) -> tuple[Vec3, Float, Vec3]:
     """Unit fibre direction, roughness of the group as a whole, and unit normal."""
-    variance = 0.5 * (lobe.xx + lobe.yy + lobe.zz)
-    width = dr.sqrt(maximum(variance, 0))
-    roughness = minimum(dr.fma(SPREAD_WIDTH, width, lobe.roughness), 1)
-    return dr.normalize(lobe.tangent), roughness, dr.normalize(lobe.normal)
+    width = dr.sqrt(maximum(0.5 * group.variance, 0))
+    roughness = minimum(dr.fma(SPREAD_WIDTH, width, group.roughness), 1)
+    return dr.normalize(group.tangent), roughness, dr.normalize(group.normal)

@@ -119,7 +119,7 @@ def decode(
 
 
 def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
-    """The numbers of `Squares` of footprints [3, n], position x and y and side."""
+    """The numbers of `AnisotropicTaps` of footprints [3, n], position x and y and side."""
     still = np.zeros(footprints.shape[1], np.float32)
     return [*footprints, still, still]
 

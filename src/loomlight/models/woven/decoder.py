@@ -32,7 +32,7 @@ from loomlight.models.woven.codings import (
 )
 from loomlight.models.woven.compiled import compiled_decoder
 from loomlight.models.woven.decoder_kernel import EntryPoint
-from loomlight.models.woven.footprint_coding import Squares, own_share, place_of
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, own_share, place_of
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.layers import CooperativeLayers
 from loomlight.models.woven.weights import Weights
@@ -68,7 +68,7 @@ class Decoder:
         self._count = weights.layers("decoder.angular")
         self._layers = CooperativeLayers(_matrices(weights), float_type)
 
-    def seen(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Seen:
+    def seen(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Seen:
         """What a view sees of footprints.
 
         Args:
@@ -86,7 +86,7 @@ class Decoder:
         coded_size = self._place(table, squares)[2]
         return Seen([*angular], self._hole(spatial, view), own_share(coded_size, dr), view, back, table)
 
-    def hole(self, table: LatentTable, squares: Squares, view: Any, back: Any) -> Any:
+    def hole(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Any:
         """The hole alone of `seen`."""
         asked = *squares.numbers(), view, back
         if self.compiles(asked):
@@ -101,7 +101,9 @@ class Decoder:
             return self._compiled("components", seen.table, asked, DIFFUSE + 2)
         return self._components(seen, light)
 
-    def answers(self, table: LatentTable, light: Any, squares: Squares, view: Any, back: Any) -> list[Any]:
+    def answers(
+        self, table: LatentTable, light: Any, squares: AnisotropicTaps, view: Any, back: Any
+    ) -> list[Any]:
         """The four components for one light, and the hole: `components` of `seen` at once."""
         asked = *squares.numbers(), view, back, light
         if self.compiles(asked):
@@ -123,7 +125,7 @@ class Decoder:
             lambda queries, found: decoder.run(question, table, queries, found),
         )
 
-    def _place(self, table: LatentTable, squares: Squares) -> tuple[Any, Any, Any]:
+    def _place(self, table: LatentTable, squares: AnisotropicTaps) -> tuple[Any, Any, Any]:
         size = squares.size(dr)
         return place_of(self.weights.table, table.picks, table.ends, squares.x, squares.y, size, dr)
 
@@ -131,7 +133,7 @@ class Decoder:
         fibres = table.fibres(back) if self.weights.table.fibres else ()
         return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _spatial(self, table: LatentTable, squares: Squares, back: Any) -> Any:
+    def _spatial(self, table: LatentTable, squares: AnisotropicTaps, back: Any) -> Any:
         """Latent and footprint, fused."""
         place = self._place(table, squares)
         coded = one_blob(place, dr) if self.weights.table.position == "one_blob" else list(place)

@@ -5,8 +5,8 @@ activations stay in the nearest cache. Code depends on the network's shape alone
 a fabric, are uniform buffers.
 
 A kernel has one of five entry points. Inputs and outputs are arrays [n]. A footprint is the numbers of
-`Squares`; a view is x, y, z of a unit vector in the frame of the face that is seen, z > 0, and 1 where that
-face is the back, else 0; a light is x, y, z in the same frame.
+`AnisotropicTaps`; a view is x, y, z of a unit vector in the frame of the face that is seen, z > 0, and 1
+where that face is the back, else 0; a light is x, y, z in the same frame.
 
 - "answers": footprint, view, light → four components, 1/sr, and the hole fraction.
 - "hole": footprint, view → the hole fraction alone.
@@ -24,7 +24,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from loomlight.core.footprint import SQUARES
+from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.core.simd import (
     BlockBuffer,
     KernelBuilder,
@@ -45,7 +45,7 @@ from loomlight.models.woven.codings import (
     one_blob,
     unmapped,
 )
-from loomlight.models.woven.footprint_coding import FINEST, PACKET, Squares, own_share, place_of
+from loomlight.models.woven.footprint_coding import FINEST, PACKET, AnisotropicTaps, own_share, place_of
 from loomlight.models.woven.weights import Weights
 
 EntryPoint = Literal["answers", "hole", "seen", "components", "hidden"]
@@ -169,8 +169,8 @@ class _DecoderEmitter:
         first = self._first_view_input + _VIEW
         return Direction(*(self.kernel.load_input(first + k) for k in range(_LIGHT)))
 
-    def _load_squares(self) -> Squares:
-        return Squares(*(self.kernel.load_input(k) for k in range(_FOOTPRINT)))
+    def _load_squares(self) -> AnisotropicTaps:
+        return AnisotropicTaps(*(self.kernel.load_input(k) for k in range(_FOOTPRINT)))
 
     def _fibres(self, back: SimdValue) -> tuple[Fibre, Fibre]:
         """See `LatentTable.fibres`."""
@@ -318,7 +318,7 @@ class _DecoderEmitter:
         with kernel.loop(block * padded // width) as number:
             kernel.store(0, kernel.element_pointer(sums, kernel.multiply(number, width)))
         any_long = kernel.any_positive(is_long)
-        count = kernel.ir.select(any_long, kernel.index(SQUARES), kernel.index(1))
+        count = kernel.ir.select(any_long, kernel.index(ANISOTROPIC_TAPS), kernel.index(1))
         with kernel.loop(count) as number:
             with kernel.each_vector():
                 self._emit_taps(taps, kernel.broadcast_index(number), kernel.broadcast_index(count))

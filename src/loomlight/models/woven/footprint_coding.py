@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.footprint import SQUARES
+from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.models.woven.architecture import NetworkTable
 from loomlight.yarn.layout import ClothLayout
 
@@ -114,8 +114,8 @@ _LONGEST = 8.0
 
 
 @dataclass
-class Squares:
-    """A footprint as a row of `SQUARES` squares, in threads; see `Footprint.row_of_squares`.
+class AnisotropicTaps:
+    """Anisotropic taps of a footprint, in threads; see `Footprint.anisotropic_taps`.
 
     Attributes:
         x, y: the middle of the row.
@@ -140,7 +140,7 @@ class Squares:
             arrays: the module of the arrays' functions, drjit or code that is being written.
         """
         step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
-        length = arrays.sqrt(arrays.fma(step, SQUARES**2 - 1.0, arrays.square(self.side)))
+        length = arrays.sqrt(arrays.fma(step, ANISOTROPIC_TAPS**2 - 1.0, arrays.square(self.side)))
         return arrays.sqrt(self.side * length)
 
 

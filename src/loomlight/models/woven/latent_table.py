@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt
 from loomlight.core.backend import array_types, clip, maximum, minimum, upload
-from loomlight.core.footprint import SQUARES
+from loomlight.core.footprint import ANISOTROPIC_TAPS
 from loomlight.core.simd import aligned, host_target, is_host_type
 from loomlight.models.woven.codings import Fibre
 from loomlight.models.woven.decoder_kernel import correction_layers
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.footprint_coding import FINEST, PACKET, Squares
+from loomlight.models.woven.footprint_coding import FINEST, PACKET, AnisotropicTaps
 from loomlight.models.woven.weights import Weights
 
 
@@ -122,7 +122,7 @@ class LatentTable:
         added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
         return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
 
-    def at(self, squares: Squares, back: Mask) -> list[Float]:
+    def at(self, squares: AnisotropicTaps, back: Mask) -> list[Float]:
         """Means of interpolated values over rows of squares: `channels` Floats."""
         types = self._types
         face = dr.select(back, self._width, 0)
@@ -132,7 +132,7 @@ class LatentTable:
         place = clip(dr.log2(maximum(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
         lower = minimum(types.UInt32(place), self._top - 1)
         blend = place - types.Float(lower)
-        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(SQUARES), 1)
+        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1)
 
         def added(number: UInt, total: list[Float]) -> tuple[UInt, list[Float]]:
             place = types.Float(number) - 0.5 * (types.Float(steps) - 1)
@@ -158,7 +158,7 @@ class LatentTable:
             added,
             label="squares",
             mode="symbolic",
-            max_iterations=SQUARES,
+            max_iterations=ANISOTROPIC_TAPS,
         )
         return list(total[: self.channels])
 

@@ -3,75 +3,244 @@
 from __future__ import annotations
 
 import math
+import os
+from functools import cache, cached_property
 from typing import Any, Self, final
 
 import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.assets.loom_file import LoomFile
-from loomlight.core.backend import array_types, channel_mean, maximum
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
 from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.interface import FamilyAlbedos, Model, Response
+from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
+from loomlight.models.interface import Option, Parameter, Values
+from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
 from loomlight.models.woven.decoder import Decoder, Seen, decoder_cost, decoder_of
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoder import repeat_threads
-from loomlight.models.woven.encoding import encode
+from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.footprint_coding import Squares, levels_of, mean_pitch
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
 from loomlight.models.woven.latent_table import LatentTable
-from loomlight.models.woven.weights import Weights, shipped_weights
+from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
-from loomlight.scattering.point import DirectionSample, on_face
-from loomlight.yarn.geometry import YarnGeometry
+from loomlight.scattering.point import DirectionSample, to_face_frame
 
 _NETWORK = "woven"
+# Scene parameters of a family that the encoder sees.
+_ENCODED = ("roughness", "height_scale", "inclination", "twist")
 
 
 @final
-class WovenModel(Model):
+class WovenBsdf(SeparableBsdf):
+    """Footprints of one fabric as views see them: the part of the decoder that no light changes."""
+
+    def __init__(self, model: WovenModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
+        super().__init__(view, footprint, model.fabric.appearance().sheen)
+        self._model = model
+        self._tint = tint
+        types = array_types(view.x)
+        self._back = types.Bool(view.z < 0)
+        self._decoder = decoder_of(model.weights, types.Float)
+        self._query = model.query(view, footprint)
+
+    @cached_property
+    def _seen(self) -> Seen:
+        return self._decoder.seen(self._model.table(array_types(self.view.x).Float), *self._query)
+
+    @cached_property
+    def hole(self) -> Float:
+        """Share of the view rays that pass through."""
+        if "_seen" in self.__dict__:
+            return self._seen.hole
+        return self._decoder.hole(self._model.table(array_types(self.view.x).Float), *self._query)
+
+    @cached_property
+    def albedos(self) -> FamilyAlbedos:
+        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
+        return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
+
+    def components(self, light: Vec3, active: Mask = True) -> Components:
+        """Components for a light."""
+        return Components(*self._decoder.components(self._seen, to_face_frame(light, self._back)))
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample` per solid angle, without delta, 1/sr."""
+        null, reflected = self._probabilities
+        side = dr.select(light.z * self.view.z > 0, reflected, 1 - reflected)
+        return (1 - null) * side * dr.abs(light.z) * dr.inv_pi
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """Straight through the holes, else by the cosine to either side in proportion to albedos."""
+        types = array_types(self.view.x)
+        null, reflected = self._probabilities
+        is_null = types.Bool(choice < null)
+        radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
+        sine, cosine = dr.sincos(angle)
+        height = dr.sqrt(maximum(1 - u.x, 1e-12))
+        is_reflection = choice < null + (1 - null) * reflected
+        up = dr.select(is_reflection ^ self._back, height, -height)
+        light = dr.select(is_null, -self.view, types.Vector3(radius * cosine, radius * sine, up))
+        pdf = dr.select(is_null, null, self.pdf(light))
+        value = self.value(light)
+        # A ray goes straight through with the very share of light that does.
+        weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
+        return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
+
+    @cached_property
+    def _probabilities(self) -> tuple[Float, Float]:
+        """Probability of passing straight through, and of reflection among all else."""
+        # What is seen tells the hole, and is wanted anyway.
+        self.__dict__.setdefault("hole", self._seen.hole)
+        highlight = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
+        families = self.albedos.warp, self.albedos.weft
+
+        def energy(side: str) -> Float:
+            diffuse, specular = (
+                sum(channel_mean(getattr(family, f"{term}_{side}")) for family in families)
+                for term in ("diffuse", "specular")
+            )
+            return diffuse + highlight * specular
+
+        reflected, transmitted = energy("reflect") + self.sheen.strength, energy("transmit")
+        # Black cloth reflects nothing, but some direction has to be drawn.
+        return self.null_transmission, (reflected + 1e-6) / (reflected + transmitted + 1e-6)
+
+
+@final
+class WovenModel(FilteredFabricModel):
     """chen2024: an encoder once a fabric, a small decoder a query.
+
+    A change of a family's threads costs one run of the encoder, and one fit where it is refined; one of
+    anything else neither. Of two fabrics ``blend`` is a scene parameter too.
 
     Attributes:
         weights: the shared network.
-        encoded: latents of both faces.
+        encoded: latents of both faces, of this fabric and of the one that it is mixed with.
         multiply_adds: of one query.
         bytes_fetched: by one query.
     """
 
     name = "woven"
-    filters = True
     conserves_energy = False
+    symbolic = False
+    options = (
+        # Whether the last layer is fitted to the fabric: most of a second, and highlights twice as exact.
+        Option("refined", bool, "true or false"),
+        # A weights file that `loomlight train woven` wrote; by default that of the package.
+        Option("weights", str, "the path of a weights file"),
+        # A second fabric, whose latents this one's are mixed with; colours stay this one's.
+        Option("other", Source, "the path of a second fabric, or a weave's name"),
+        # How much of the other one: 0 is this one, 1 the other; beyond, extrapolated.
+        Option("blend", float, "a number, such as 0.5"),
+    )
 
-    def __init__(self, fabric: Fabric, encoded: EncodedFabric, weights: Weights) -> None:
-        """A model of latents that are at hand; see `for_fabric`."""
-        self.fabric = fabric
+    def __init__(
+        self,
+        fabric: Fabric,
+        encoded: EncodedFabric,
+        weights: Weights,
+        *,
+        refined: bool = True,
+        other: Fabric | None = None,
+        blend: float = 0.0,
+        ends: tuple[EncodedFabric, EncodedFabric] | None = None,
+    ) -> None:
+        """A model of latents that are at hand; see `for_source`.
+
+        Args:
+            other, blend: what the latents were mixed with, and how much of it.
+            ends: latents of this fabric and of the other one, unmixed.
+        """
+        super().__init__(fabric)
         self.encoded = encoded
         self.weights = weights
+        self._refined, self._other, self._blend, self._ends = refined, other, blend, ends
         layout = fabric.layout()
-        picks, ends = layout.warp_on_top.shape
+        picks, count = layout.warp_on_top.shape
         width, height = layout.size
-        self._threads_per_mm = ends / width, picks / height
+        self._threads_per_mm = count / width, picks / height
         self._pitch = mean_pitch(layout)
-        self._albedos = FootprintAlbedos(YarnGeometry(layout), fabric.appearance())
         self._tables: dict[type, LatentTable] = {}
         cost = decoder_cost(weights, encoded.correction is not None)
         self.multiply_adds = cost.seen + cost.lit
         self.bytes_fetched = cost.bytes_fetched
 
     @classmethod
-    def for_fabric(cls, fabric: Fabric) -> Self:
-        """The model of a fabric by the weights of the package, refined, or what the cache has of it.
+    def for_source(
+        cls,
+        source: Source,
+        refined: bool = True,
+        weights: str | os.PathLike[str] | Weights | None = None,
+        other: Source | None = None,
+        blend: float = 0.0,
+    ) -> Self:
+        """The model of a fabric, refined, or what the cache has of it; see `options`.
 
         Raises:
-            InputError: a repeat of more than 64 threads a side.
+            InputError: no fabric, a repeat of more than 64 threads a side, or weights that cannot be read.
         """
-        weights = shipped_weights()
-        return cls(fabric, encode(fabric, weights, llvm_float(), refined=True), weights)
+        fabric = fabric_source(source, cls.name)
+        network = weights if isinstance(weights, Weights) else _network(weights)
+        if other is None:
+            encoded = encode(fabric, network, llvm_float(), refined=refined)
+            return cls(fabric, encoded, network, refined=refined)
+        second = fabric_source(other, cls.name)
+        ends = encode_pair(fabric, second, network, llvm_float(), refined)
+        mixed = ends[0].mixed(ends[1], blend)
+        return cls(fabric, mixed, network, refined=refined, other=second, blend=blend, ends=ends)
+
+    def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
+        """The model of an edited fabric; the encoder runs where it sees a change."""
+        if any(name.endswith(_ENCODED) for name in edits):
+            return type(self).for_source(fabric, self._refined, self.weights, self._other, self._blend)
+        return type(self)(
+            fabric,
+            self.encoded,
+            self.weights,
+            refined=self._refined,
+            other=self._other,
+            blend=self._blend,
+            ends=self._ends,
+        )
+
+    def parameters(self, types: ArrayTypes) -> Values:
+        """Numbers and albedos of the fabric, and ``blend`` where it is mixed with another."""
+        found = dict(super().parameters(types))
+        if self._other is not None:
+            found["blend"] = Parameter(types.Float(self._blend))
+        return found
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The model after an edit."""
+        model = super().updated(values, changed)
+        if model._ends is None or number_of(values["blend"]) == model._blend:
+            return model
+        blend = number_of(values["blend"])
+        mixed = type(self)(
+            model.fabric,
+            model._ends[0].mixed(model._ends[1], blend),
+            model.weights,
+            refined=model._refined,
+            other=model._other,
+            blend=blend,
+            ends=model._ends,
+        )
+        mixed.means = model.means
+        return mixed
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts albedos and latents on a backend."""
+        super().upload(types)
+        self.table(types.Float)
 
     def to_loom(self) -> LoomFile:
         """Latents, fibres and correction, and the checksum of the network that decodes them."""
@@ -85,7 +254,7 @@ class WovenModel(Model):
             tensors["correction"] = self.encoded.correction
         return LoomFile(
             model=self.name,
-            fabric=self.fabric,
+            source=self.fabric,
             tensors=tensors,
             networks={_NETWORK: self.weights.sha256},
         )
@@ -97,10 +266,10 @@ class WovenModel(Model):
         Raises:
             InputError: another model's file, another network's latents, or latents of another fabric.
         """
-        loom.require_model(cls.name)
+        fabric = fabric_in_loom(loom, cls.name)
         weights = shipped_weights()
         loom.require_network(_NETWORK, weights.sha256)
-        picks, ends = repeat_threads(loom.fabric)
+        picks, ends = repeat_threads(fabric)
         texels = levels_of(picks, ends)[-1].first + 1 if weights.table.latent == "field" else 1
         front, back = (
             loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
@@ -108,117 +277,52 @@ class WovenModel(Model):
         fibres = Fibres.from_array(loom.tensor("fibres", (4, 2), np.float32))
         flaw = fibres.flaw()
         if flaw is not None:
-            raise InputError(f"{loom.source}: of the tensor model.fibres the {flaw}. Bake it again.")
+            raise InputError(f"{loom.file}: of the tensor model.fibres the {flaw}. Bake it again.")
         correction = None
         if "correction" in loom.tensors:
             correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
-        return cls(loom.fabric, EncodedFabric(picks, ends, (front, back), fibres, correction), weights)
+        return cls(fabric, EncodedFabric(picks, ends, (front, back), fibres, correction), weights)
 
-    def evaluate(self, light: Any, view: Any, footprint: Footprint) -> Response:
-        """Components and hole of footprints."""
-        types = array_types(view.x)
-        facing = on_face(light, types.Bool(view.z < 0))
-        decoder, table = self._decoder(types.Float), self._table(types.Float)
-        found = decoder.answers(table, facing, *self._asked(view, footprint))
-        return Response(*found)
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> WovenBsdf:
+        """The decoder of footprints as views see them."""
+        del active
+        return WovenBsdf(self, view, footprint, tint)
 
-    def albedos(self, view: Any, footprint: Footprint) -> FamilyAlbedos:
-        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
-        return FamilyAlbedos(*self._albedos.over(footprint, view.z < 0))
-
-    def seen(self, view: Any, footprint: Footprint) -> Seen:
-        """What no light changes, to be computed once for several lights."""
-        float_type = array_types(view.x).Float
-        return self._decoder(float_type).seen(self._table(float_type), *self._asked(view, footprint))
-
-    def hole(self, view: Any, footprint: Footprint) -> Any:
-        """Share of the view rays that pass through footprints: Float."""
-        float_type = array_types(view.x).Float
-        return self._decoder(float_type).hole(self._table(float_type), *self._asked(view, footprint))
-
-    def _asked(self, view: Any, footprint: Footprint) -> tuple[Any, ...]:
+    def query(self, view: Vec3, footprint: Footprint) -> tuple[AnisotropicTaps, Vec3, Mask]:
         """Squares in threads, the view in the frame of the face that it sees, and which that is."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        side, step = footprint.row_of_squares()
-        squares = Squares(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
-        return squares, on_face(view, back), back
+        side, step = footprint.anisotropic_taps()
+        squares = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        return squares, to_face_frame(view, back), back
 
-    def lit(self, seen: Seen, light: Any, view: Any) -> Response:
-        """The response to one light of what is seen."""
-        types = array_types(view.x)
-        facing = on_face(light, types.Bool(view.z < 0))
-        diffuse_warp, diffuse_weft, specular_warp, specular_weft = self._decoder(types.Float).components(
-            seen, facing
-        )
-        return Response(diffuse_warp, diffuse_weft, specular_warp, specular_weft, seen.hole)
-
-    def sample(self, view: Any, footprint: Footprint, choice: Any, u: Any) -> DirectionSample:
-        """Straight through the holes, else by the cosine to either side in proportion to albedos."""
-        return self.sample_seen(self.seen(view, footprint), self.albedos(view, footprint), view, choice, u)
-
-    def sample_seen(
-        self, seen: Seen, albedos: FamilyAlbedos, view: Any, choice: Any, u: Any
-    ) -> DirectionSample:
-        """`sample` of what is at hand already."""
-        types = array_types(view.x)
-        through, reflected = self._shares(seen.hole, albedos, view)
-        light = self._drawn(through, reflected, view, choice, u)
-        passes = types.Bool(choice < through)
-        light = dr.select(passes, -view, light)
-        pdf = dr.select(passes, through, _density(through, reflected, light, view))
-        value = self.composed(self.lit(seen, light, view), albedos, light, view)
-        # A ray goes straight through with the very share of light that does.
-        weight = dr.select(passes, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
-        return DirectionSample(light=light, pdf=pdf, weight=weight, passes=passes)
-
-    def pdf(self, light: Any, view: Any, footprint: Footprint) -> Any:
-        """Density of `sample` per solid angle, without delta: Float, 1/sr."""
-        return self.pdf_seen(self.seen(view, footprint), self.albedos(view, footprint), light, view)
-
-    def pdf_seen(self, seen: Seen, albedos: FamilyAlbedos, light: Any, view: Any) -> Any:
-        """`pdf` of what is at hand already."""
-        return _density(*self._shares(seen.hole, albedos, view), light, view)
-
-    def _shares(self, hole: Any, albedos: FamilyAlbedos, view: Any) -> tuple[Any, Any]:
-        """Probability of passing straight through, and of reflection among all else."""
-        through = self.straight_through(view, hole)
-        highlight = layer_albedo_bound(self.fabric.appearance().optical_depth)
-
-        def energy(side: str) -> Any:
-            diffuse, specular = (
-                sum(
-                    channel_mean(getattr(family, f"{term}_{side}")) for family in (albedos.warp, albedos.weft)
-                )
-                for term in ("diffuse", "specular")
-            )
-            return diffuse + highlight * specular
-
-        sheen = self.fabric.appearance().sheen.strength
-        reflected, transmitted = energy("reflect") + sheen, energy("transmit")
-        # Black cloth reflects nothing, but some direction has to be drawn.
-        return through, (reflected + 1e-6) / (reflected + transmitted + 1e-6)
-
-    def _drawn(self, through: Any, reflected: Any, view: Any, choice: Any, u: Any) -> Any:
-        types = array_types(view.x)
-        radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
-        sine, cosine = dr.sincos(angle)
-        height = dr.sqrt(maximum(1 - u.x, 1e-12))
-        near = choice < through + (1 - through) * reflected
-        up = dr.select(near ^ (view.z < 0), height, -height)
-        return types.Vector3(radius * cosine, radius * sine, up)
-
-    def _decoder(self, float_type: type) -> Decoder:
+    def decoder(self, float_type: type) -> Decoder:
+        """The network on one backend; all fabrics share it."""
         return decoder_of(self.weights, float_type)
 
-    def _table(self, float_type: type) -> LatentTable:
+    def table(self, float_type: type) -> LatentTable:
+        """The latents on one backend, uploaded once."""
         if float_type not in self._tables:
             self._tables[float_type] = LatentTable(self.weights, self.encoded, float_type)
         return self._tables[float_type]
 
+    def own_facts(self) -> dict[str, str]:
+        """The fabric that it is mixed with."""
+        return {"other": "none" if self._other is None else f'"{self._other.name}", blend = {self._blend:g}'}
 
-def _density(through: Any, reflected: Any, light: Any, view: Any) -> Any:
-    side = dr.select(light.z * view.z > 0, reflected, 1 - reflected)
-    return (1 - through) * side * dr.abs(light.z) * dr.inv_pi
+
+def _network(path: str | os.PathLike[str] | None) -> Weights:
+    """The network in a file, or that of the package: one object a file, so that fabrics share its kernels."""
+    if path is None:
+        return shipped_weights()
+    require_file(path)
+    return _read_once(str(path), os.stat(path).st_mtime_ns)
+
+
+@cache
+def _read_once(path: str, _modified: int) -> Weights:
+    return read_weights(path)

@@ -1,6 +1,6 @@
 """Training learns, is the same after kill −9 at any moment, and refuses what is not its own.
 
-Of models/woven/training: train.py, batches.py, config.py, dataset.py and losses.py.
+Covers: cli/train.py, models/woven/training: batches.py, config.py, dataset.py and losses.py.
 """
 
 import os

@@ -1,0 +1,34 @@
+"""The source or the fabric that a path stands for, wherever one is asked for."""
+
+from __future__ import annotations
+
+import os
+
+from loomlight.assets.loom_file import is_loom, read_loom
+from loomlight.assets.sources import SOURCE_KINDS, Source
+from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import Fabric
+
+
+def load_source(path: str | os.PathLike[str], kind: str = "fabric") -> Source:
+    """The source in a `.loom`, or the one of a kind that another path or a name stands for.
+
+    Raises:
+        InputError: no such file, no source of that kind, or values that cannot be.
+    """
+    if is_loom(path):
+        return read_loom(path).source
+    source: Source = SOURCE_KINDS[kind].load(path)
+    return source
+
+
+def fabric_of_path(path: str | os.PathLike[str]) -> Fabric:
+    """The fabric of a `.loom`, or of all that `load_fabric` takes: a fabric file, a draft, a weave's name.
+
+    Raises:
+        InputError: no such file, no fabric, or values that cannot be; the message names file and field.
+    """
+    source = load_source(path)
+    if not isinstance(source, Fabric):
+        raise InputError(f"{path}: it holds {source.name}, which is no fabric.")
+    return source

@@ -1,0 +1,207 @@
+"""Every model as a Mitsuba BSDF: one plugin class, which knows models by their interface alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Mask
+from loomlight.core.backend import clip
+from loomlight.core.pytree import leaves
+from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, plain, variant_types
+from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
+from loomlight.mitsuba.filtered_texture import FilteredTexture
+from loomlight.mitsuba.model_props import model_of_props, number_of_props, uv_size_of
+from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.registry import MODELS
+
+# Surfaces with less open area than this cast the shadow of one without: a thousandth of the light, which is
+# three steps of 8-bit sRGB on white cloth where nothing else brightens the shadow.
+_SMALLEST_OPEN_AREA = 1e-3
+
+
+@dataclass(frozen=True)
+class GivenModel:
+    """What a BSDF is made of.
+
+    Attributes:
+        model: what answers.
+        uv_size_mm: millimetres per unit of u and of v.
+        options: that the model was made with, and that it has for other sources too.
+    """
+
+    model: Model
+    uv_size_mm: tuple[float, float]
+    options: Mapping[str, Any]
+
+
+def model_bsdf_class() -> type:
+    """The plugin's class in the current variant."""
+    base: Any = mi.BSDF
+
+    class ModelBsdf(base):
+        """A surface whose scattering a multi-scale model describes; `footprint_path` hands it footprints.
+
+        Parameters (see `model_props` for the model's own):
+            uv_size: millimetres per unit of u and of v, "x,y" or a 2-vector; of fabrics 100 mm.
+            uv_scale: the same in repeats of the source.
+            albedo: a texture over the mesh's uv, averaged over footprints; the diffuse albedos are multiplied
+                by it, clipped to [0, 1].
+            pixel_angle: angle of a pixel seen from the camera, radians, for integrators that hand over no
+                footprint; 0 (default).
+
+        Scene parameters are the model's (`Model.parameters`), ``uv_size`` and those of ``albedo``.
+
+        Attributes:
+            model: what answers.
+            uv_size: millimetres per unit of u and of v.
+            symbolic_calls: whether Dr.Jit may trace it symbolically; all tables are on the device already.
+            samples_per_pixel, pixel_samples: how many samples share a pixel, as a number and as an array.
+            lets_light_through: whether as much goes straight through holes that it would be seen in a shadow.
+            arrays: all arrays that it holds, for frozen functions.
+            literals: numbers of the model that kernels hold: where they change, they are compiled anew.
+        """
+
+        def __init__(self, props: Any, name: str, given: GivenModel | None = None) -> None:
+            """
+            Args:
+                name: of the model.
+                given: what properties would describe, where it is at hand.
+            """
+            super().__init__(props)
+            if given is None:
+                model, options = model_of_props(props, name)
+                given = GivenModel(model, uv_size_of(props, model.source), options)
+            self._options = dict(given.options)
+            self.uv_size = mi.Vector2f(given.uv_size_mm)
+            self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
+            radians = "an angle in radians, such as 0.001"
+            self.pixel_angle = number_of_props(props, "pixel_angle", 0.0, radians, least=0.0)
+            dr.make_opaque(self.uv_size)
+            self.samples_per_pixel = 1
+            self.pixel_samples = dr.opaque(mi.Float, 1)
+            self.arrays: list[Any] = []
+            self._texture: FilteredTexture | None = None
+            self._set_model(given.model)
+            self._filter_albedo()
+            declare_lobes(self, self.model.has_holes)
+
+        def set_source(self, source: Source) -> None:
+            """Becomes the BSDF of another source; `mi.traverse` has to be called again.
+
+            A BSDF put in its place would be another instance, for which kernels are compiled anew.
+
+            Raises:
+                InputError: a source that the model cannot handle.
+            """
+            self._set_model(type(self.model).for_source(source, **self._options))
+
+        def _set_model(self, model: Model) -> None:
+            self.model = model
+            self.symbolic_calls = model.symbolic
+            self._parameters = dict(model.parameters(variant_types()))
+            self._upload_parameters(model_changed=True)
+
+        def traverse(self, callback: Any) -> None:
+            fixed, free = mi.ParamFlags.NonDifferentiable, mi.ParamFlags.Differentiable
+            callback.put("uv_size", self.uv_size, fixed)
+            for name, parameter in self._parameters.items():
+                callback.put(name, parameter.value, free if parameter.differentiable else fixed)
+            if self.albedo is not None:
+                callback.put("albedo", self.albedo, fixed if self.model.filters else free)
+
+        def parameters_changed(self, keys: Any) -> None:
+            # Mitsuba names what lies deeper by the last part of its name.
+            ends = {key.rpartition(".")[2] for key in keys}
+            changed = frozenset(name for name in self._parameters if name.rpartition(".")[2] in ends)
+            before = self.model
+            if changed or not keys:
+                self.model = self.model.updated(self._parameters, changed)
+            if any(key.startswith("albedo") and key not in changed for key in keys):
+                self._filter_albedo()
+            self._upload_parameters(model_changed=self.model is not before)
+
+        def _upload_parameters(self, model_changed: bool) -> None:
+            """Puts what calls use on the device: symbolic calls may not upload anything."""
+            # Equal literals are one variable until one is edited, which frozen functions would notice.
+            fixed = [value for value in self._parameters.values() if not value.differentiable]
+            dr.make_opaque([parameter.value for parameter in fixed])
+            if model_changed:
+                self.model.upload(variant_types())
+            # Dr.Jit looks for arrays in the attributes of BSDFs, and no deeper.
+            self.arrays = []
+            self.arrays = leaves(self)
+            self.lets_light_through = not self.model.filters or self.model.open_area > _SMALLEST_OPEN_AREA
+            self.literals = (*self.model.literals(), float(self.lets_light_through))
+
+        def _filter_albedo(self) -> None:
+            filters = self.albedo is not None and self.model.filters
+            self._texture = FilteredTexture(self.albedo) if filters else None
+
+        def _at(self, si: Any, active: Mask) -> FootprintBsdf:
+            """What the view sees: everything but the light."""
+            edges = uv_footprint(si, self.pixel_angle)
+            footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
+            return self.model.at(plain(si.wi), footprint, self._tint(si, edges, active), active)
+
+        def _tint(self, si: Any, edges: tuple[Any, Any], active: Mask) -> Color3 | None:
+            if self.albedo is None:
+                return None
+            if self._texture is not None:
+                return plain(clip(self._texture.over(si, *edges, active), 0, 1))
+            return plain(clip(self.albedo.eval(si, active), 0, 1))
+
+        def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            return self._value(self._at(si, active), wo, active)
+
+        def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            return dr.select(active, self._at(si, active).pdf(plain(wo)), 0)
+
+        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            value, pdf = self._at(si, active).value_and_pdf(plain(wo), active)
+            return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
+
+        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
+            drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
+            return bsdf_sample(drawn, si, active)
+
+        def eval_pdf_sample(
+            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
+        ) -> Any:
+            u = variant_types().Vector2(sample2)
+            value, pdf, drawn = self._at(si, active).value_pdf_and_sample(plain(wo), sample1, u)
+            value = mi.Spectrum(dr.select(active, value, 0))
+            return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
+
+        def eval_and_null_transmission(
+            self, ctx: Any, si: Any, wo: Any, active: Mask = True, entering: Mask = True
+        ) -> tuple[Any, Any]:
+            """`eval` of active lanes and `eval_null_transmission` of entering ones, for less than both."""
+            at = self._at(si, active | entering)
+            value = self._value(at, wo, active)
+            return value, mi.Spectrum(dr.select(entering, at.null_transmission, 0))
+
+        def eval_null_transmission(self, si: Any, active: Mask = True) -> Any:
+            return mi.Spectrum(dr.select(active, self._at(si, active).null_transmission, 0))
+
+        def eval_diffuse_reflectance(self, si: Any, active: Mask = True) -> Any:
+            return mi.Spectrum(dr.select(active, self._at(si, active).diffuse_reflectance, 0))
+
+        def _value(self, at: FootprintBsdf, wo: Any, active: Mask) -> Any:
+            return mi.Spectrum(dr.select(active, at.value(plain(wo), active), 0))
+
+        def to_string(self) -> str:
+            facts = {
+                **self.model.facts(),
+                "uv_size": f"{self.uv_size.x[0]:.6g} × {self.uv_size.y[0]:.6g} mm",
+                "albedo": "none" if self.albedo is None else self.albedo.class_name(),
+            }
+            lines = ",\n".join(f"  {name} = {fact}" for name, fact in facts.items())
+            return f"{MODELS[self.model.name].plugin}[\n{lines}\n]"
+
+    return ModelBsdf

@@ -1,0 +1,187 @@
+"""The model of a BSDF plugin: a material or a source, options, and a fabric's fields inline.
+
+- ``fabric`` or ``source``: path of what the model is made of, found through Mitsuba's file resolver: for
+  models of fabrics a fabric file, a draft or a weave's name; or a ``.loom``, whose model is used as it is if
+  it is this one and nothing else is given.
+- the model's options by name (`Model.options`), such as ``groups`` of ``woven_lobes``.
+- of models of fabrics every field of the fabric file by its name, those of its tables with the table's name
+  in front: ``weave``, ``ends_per_cm``, ``warp_color``, ``weft_roughness``, ``sheen_strength`` … Inline values
+  replace those of the file. Colours are "#rrggbb", several with commas between them, or an rgb value.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import mitsuba as mi
+import numpy as np
+
+from loomlight.assets.load import load_source
+from loomlight.assets.loom_file import is_loom, read_loom
+from loomlight.assets.sources import Source
+from loomlight.core.errors import InputError
+from loomlight.fabric import Fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.fabric.load import edited_fabric, fabric_from_fields
+from loomlight.fabric.sentences import shown
+from loomlight.models.interface import Model, Option
+from loomlight.models.registry import model_class, model_of_loom
+
+_TABLES = ("warp", "weft", "sheen", "variation")
+_TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
+_SOURCES = ("fabric", "source")
+_DRAFTS = ("weave", "draft", "image")
+_DEFAULT_WEAVE = "plain"
+
+
+def model_of_props(props: Any, name: str) -> tuple[Model, dict[str, Any]]:
+    """The model `name` that the properties of a plugin describe, and the options that it was made with.
+
+    Raises:
+        InputError: no such file, a field or an option that cannot be; the message names it.
+    """
+    kind = model_class(name)
+    options = {
+        option.name: _option(props, option, kind.source_kind)
+        for option in kind.options
+        if option.name in props
+    }
+    given = [key for key in _SOURCES if key in props]
+    if len(given) == 2:
+        raise InputError("fabric and source are both given: use one of them.")
+    path = _resolved(str(props[given[0]])) if given else None
+    inline = _inline(props) if kind.source_kind == "fabric" else {}
+    if path is not None and is_loom(path):
+        loom = read_loom(path)
+        if loom.model == name and not options and not inline:
+            return model_of_loom(loom), options
+        return kind.for_source(_edited(loom.source, inline), **options), options
+    if path is not None:
+        source = _edited(load_source(path, kind.source_kind), inline)
+    elif kind.source_kind == "fabric":
+        plain = {} if any(field in inline for field in _DRAFTS) else {"weave": _DEFAULT_WEAVE}
+        source = fabric_from_fields(plain | inline, _resolved("."))
+    else:
+        raise InputError(f"source is missing: give what the model {name} is made of.")
+    return kind.for_source(source, **options), options
+
+
+def _edited(source: Source, inline: dict[str, Any]) -> Source:
+    """The source with inline fields of a fabric."""
+    return edited_fabric(source, inline) if inline and isinstance(source, Fabric) else source
+
+
+def uv_size_of(props: Any, source: Source) -> tuple[float, float]:
+    """Millimetres per unit of u and of v: ``uv_size`` (mm), or ``uv_scale`` (repeats); else the source's own.
+
+    Raises:
+        InputError: both are given, or one is no pair of positive numbers.
+    """
+    given = [name for name in ("uv_size", "uv_scale") if name in props]
+    if len(given) == 2:
+        raise InputError("uv_size and uv_scale are both given: use one of them.")
+    if not given:
+        return source.default_uv_size_mm
+    u, v = _pair(given[0], props[given[0]])
+    width, height = source.repeat_mm
+    return (u, v) if given[0] == "uv_size" else (u * width, v * height)
+
+
+def number_of_props(props: Any, name: str, default: float, such_as: str, least: float = -math.inf) -> float:
+    """A single number of a plugin: a property that may be left out.
+
+    Args:
+        such_as: what would be right, the end of a sentence: "an angle in radians, such as 0.001".
+
+    Raises:
+        InputError: what is given is no finite number of `least` and more.
+    """
+    value = props.get(name, default)
+    if not _is_number(value) or not math.isfinite(value) or value < least:
+        raise InputError(f"{name} = {shown(value)} is wrong: give {such_as}.")
+    return float(value)
+
+
+def _option(props: Any, option: Option, source_kind: str) -> Any:
+    """The value of an option that is given.
+
+    Raises:
+        InputError: a value of another type, or out of range.
+    """
+    value = props[option.name]
+    wrong = f"{option.name} = {shown(value)} is wrong: give {option.such_as}."
+    if option.type is bool:
+        if not isinstance(value, bool):
+            raise InputError(wrong)
+        return value
+    if option.type in (int, float):
+        if not _is_number(value) or not option.low <= value <= option.high or not math.isfinite(value):
+            raise InputError(wrong)
+        if option.type is int and not float(value).is_integer():
+            raise InputError(wrong)
+        return option.type(value)
+    path = _resolved(str(value))
+    return load_source(path, source_kind) if option.type is Source else path
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _resolved(name: str) -> str:
+    """A path through Mitsuba's file resolver; what is no file stays as written: the name of a weave, say."""
+    find: Any = mi.file_resolver
+    found = str(find().resolve(name))
+    return found if name == "." or Path(found).is_file() else name
+
+
+def _inline(props: Any) -> dict[str, Any]:
+    """Fields by dotted name, in the order given."""
+    found = {}
+    for key in props.keys():  # noqa: SIM118 (Properties is no mapping)
+        name = _field(key)
+        if name is not None:
+            found[name] = _value(name, props[key])
+    return found
+
+
+def _field(key: str) -> str | None:
+    if key in _TOP:
+        return key
+    for table in _TABLES:
+        model = FabricFile.model_fields[table].annotation
+        field = key.removeprefix(f"{table}_")
+        if field != key and field in getattr(model, "model_fields", {}):
+            return f"{table}.{field}"
+    return None
+
+
+def _value(name: str, value: Any) -> Any:
+    if isinstance(value, bool | int | float):
+        return value
+    if isinstance(value, str):
+        # One colour is for every thread; commas make a list in thread order.
+        parts = [part.strip() for part in value.split(",")]
+        return parts if len(parts) > 1 and name.endswith(".color") else value
+    try:
+        return [float(part) for part in np.array(value, dtype=np.float64).ravel()]
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} is a {type(value).__name__}: give a number or a colour.") from error
+
+
+def _pair(name: str, value: Any) -> tuple[float, float]:
+    wrong = f'{name} = {value} is wrong: give two numbers above 0, such as "100,100".'
+    try:
+        if isinstance(value, str):
+            numbers = [float(part) for part in value.split(",")]
+        else:
+            numbers = [float(part) for part in np.array(value, dtype=np.float64).ravel()]
+    except (TypeError, ValueError) as error:
+        raise InputError(wrong) from error
+    if len(numbers) == 1:
+        numbers *= 2
+    if len(numbers) != 2 or not all(np.isfinite(number) and number > 0 for number in numbers):
+        raise InputError(wrong)
+    return numbers[0], numbers[1]

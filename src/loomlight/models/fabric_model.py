@@ -1,0 +1,204 @@
+"""Models of fabrics: what they share, and a fabric's numbers and colours as parameters of a scene."""
+
+from __future__ import annotations
+
+import math
+from abc import abstractmethod
+from collections.abc import Mapping
+from copy import copy
+from functools import cached_property
+from typing import Any, Self, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.backend import ArrayTypes
+from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import Fabric
+from loomlight.fabric.load import edited_fabric
+from loomlight.models.interface import Model, Parameter, Values
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.yarn.geometry import YarnGeometry
+
+FAMILIES = ("warp", "weft")
+ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+_YARN_NUMBERS = ("height_scale", "inclination", "twist")
+# In single precision, and radians to degrees and back, the last digits move.
+_SAME = 1e-6
+
+
+class FabricModel(Model):
+    """A model whose source is a fabric.
+
+    Attributes:
+        fabric: the source.
+    """
+
+    has_holes = True
+
+    def __init__(self, fabric: Fabric) -> None:
+        self.fabric = fabric
+        self.source = fabric
+
+    @property
+    @final
+    def open_area(self) -> float:
+        """Share of the cloth that is gaps, 0 to 1."""
+        return self.fabric.layout().open_area
+
+    @final
+    def facts(self) -> dict[str, str]:
+        """The fabric, its draft and its repeat, and `own_facts`."""
+        width, height = self.fabric.repeat_mm
+        picks, ends = self.fabric.layout().warp_on_top.shape
+        return {
+            "fabric": f'"{self.fabric.name}"',
+            "draft": f"{ends} ends × {picks} picks",
+            "repeat": f"{width:.4g} × {height:.4g} mm",
+            **self.own_facts(),
+        }
+
+    def own_facts(self) -> dict[str, str]:
+        """What to tell of this model beside its fabric."""
+        return {}
+
+
+class FilteredFabricModel(FabricModel):
+    """A model of a fabric that averages over footprints: numbers of yarns and albedos are edited live.
+
+    Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.inclination`` and ``warp.twist``
+    (radians), the same of ``weft``; the albedos ``warp.diffuse_reflect`` …; ``sheen.strength`` and
+    ``sheen.roughness`` where there is sheen. Albedos of families whose threads differ are one array
+    ``warp.albedos``: a row a thread, four albedos a row, three numbers an albedo. None is differentiable.
+    """
+
+    filters = True
+
+    @cached_property
+    def means(self) -> FootprintAlbedos:
+        """Mean albedos of threads over footprints."""
+        return FootprintAlbedos(YarnGeometry(self.fabric.layout()), self.fabric.appearance())
+
+    @abstractmethod
+    def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
+        """The model of a fabric that differs in the parameters named `edits`: "warp.twist", …"""
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts albedos on a backend; derived classes put theirs too."""
+        self.means.upload(types)
+
+    def literals(self) -> tuple[float, ...]:
+        """Sheen and the share of the yarn normal in diffuse terms."""
+        appearance = self.fabric.appearance()
+        return appearance.sheen.strength, appearance.sheen.roughness, appearance.diffuse_blend
+
+    def parameters(self, types: ArrayTypes) -> Values:
+        """Numbers and albedos of the fabric."""
+        found = {name: Parameter(types.Float(value)) for name, value in _numbers_of(self.fabric).items()}
+        appearance = self.fabric.appearance()
+        for family in FAMILIES:
+            for name, value in _albedo_values(getattr(appearance, family), types).items():
+                found[f"{family}.{name}"] = Parameter(value)
+        return found
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The model after an edit: what a change of colours leaves alone is kept."""
+        held = _numbers_of(self.fabric)
+        edits = {
+            name: number
+            for name, number in ((name, number_of(values[name])) for name in held)
+            if abs(number - held[name]) > _SAME
+        }
+        model = self
+        if edits:
+            fabric = edited_fabric(self.fabric, dict(_field(*edit) for edit in edits.items()))
+            model = self.with_fabric(fabric, frozenset(edits))
+            model.means = self.means
+        if any(_is_albedo(name) for name in changed) or not changed:
+            # Tables of this model know nothing of albedos, so a copy may share them.
+            model = copy(model)
+            model.means = _means_of(model.fabric, values)
+        return model
+
+
+def fabric_source(source: Source, model: str) -> Fabric:
+    """The source as a fabric.
+
+    Raises:
+        InputError: it is none.
+    """
+    if not isinstance(source, Fabric):
+        raise InputError(f"{source.name} is no fabric, and the model {model} takes nothing else.")
+    return source
+
+
+def fabric_in_loom(loom: LoomFile, model: str) -> Fabric:
+    """The fabric of a `.loom` of a model.
+
+    Raises:
+        InputError: another model's file, or one whose source is no fabric.
+    """
+    loom.require_model(model)
+    return fabric_source(loom.source, model)
+
+
+def number_of(value: Any) -> float:
+    """The number that a Dr.Jit array of one holds, or that a parameter of one does."""
+    array = value.value if isinstance(value, Parameter) else value
+    return float(array[0])
+
+
+def _numbers_of(fabric: Fabric) -> dict[str, float]:
+    """Scene parameters that are fields of the fabric."""
+    layout, appearance = fabric.layout(), fabric.appearance()
+    found = {}
+    for family in FAMILIES:
+        found[f"{family}.roughness"] = getattr(appearance, family).roughness
+        for name in _YARN_NUMBERS:
+            found[f"{family}.{name}"] = getattr(getattr(layout, family), name)
+    if appearance.sheen.strength > 0:
+        found["sheen.strength"] = appearance.sheen.strength
+        found["sheen.roughness"] = appearance.sheen.roughness
+    return {name: float(value) for name, value in found.items()}
+
+
+def _field(name: str, value: float) -> tuple[str, float]:
+    """The field of the fabric file that a scene parameter is, and its value there."""
+    if name.endswith((".inclination", ".twist")):
+        return f"{name}_deg", math.degrees(value)
+    return name, value
+
+
+def _albedo_values(family: FamilyAppearance, types: ArrayTypes) -> dict[str, Any]:
+    """Albedos as scene parameters: a colour each, or one array where threads differ."""
+    rows = np.stack([np.asarray(getattr(family, name), np.float64) for name in ALBEDOS], axis=1)
+    if np.allclose(rows, rows[:1], rtol=0, atol=1e-12):
+        return {name: types.Color3(*row.tolist()) for name, row in zip(ALBEDOS, rows[0], strict=True)}
+    return {"albedos": types.Float(rows.astype(np.float32).ravel())}
+
+
+def _is_albedo(name: str) -> bool:
+    return name.rpartition(".")[2] in (*ALBEDOS, "albedos")
+
+
+def _means_of(fabric: Fabric, values: Values) -> FootprintAlbedos:
+    """Mean albedos of a fabric with the albedos of its scene parameters."""
+    held = fabric.appearance()
+    warp, weft = (_with_albedos(getattr(held, family), family, values) for family in FAMILIES)
+    return FootprintAlbedos(YarnGeometry(fabric.layout()), Appearance(warp, weft))
+
+
+def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> FamilyAppearance:
+    threads = len(family.diffuse_reflect)
+    if f"{name}.albedos" in values:
+        rows = np.array(values[f"{name}.albedos"].value, np.float64).reshape(threads, len(ALBEDOS), 3)
+    else:
+        shared = [np.array(values[f"{name}.{albedo}"].value, np.float64).reshape(3) for albedo in ALBEDOS]
+        rows = np.tile(np.stack(shared), (threads, 1, 1))
+    named: Mapping[str, NDArray[np.float64]] = {
+        albedo: rows[:, number] for number, albedo in enumerate(ALBEDOS)
+    }
+    return FamilyAppearance(**named, roughness=family.roughness)

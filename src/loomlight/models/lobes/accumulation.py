@@ -1,0 +1,207 @@
+"""Assigns ray hits to groups, and accumulates by face, node of the hemisphere and group.
+
+A hit belongs to the group of its own family whose centroid is nearest, as in `groups.NearestGroup`. Hits are
+in the order of `visibility_rays`: by face, then node, then ray. The rays of one node on one face are a block.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.numba_kernel import numba_kernel
+from loomlight.core.parallel_map import core_count, parallel_map
+from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
+from loomlight.models.lobes.hemisphere import NODES, node_directions
+from loomlight.models.lobes.visibility_rays import SurfaceHits
+
+# Sums over the views that hit a group: 1, normal, fibre direction t, and t tᵀ as xx, xy, xz, yy, yz, zz.
+VIEW_SUMS = 13
+# Sums over the top-down samples of a group: 1; visibility of light on the side seen, and on the other side;
+# the blended diffuse term times π under either light.
+LIGHT_SUMS = 5
+_BLOCKS = 2 * NODES
+_NORMAL_WEIGHT = np.float32(NORMAL_WEIGHT)
+_ZERO = np.float32(0)
+
+
+class HitArrays(NamedTuple):
+    """Hits of n rays, in the frame of the face they belong to.
+
+    Attributes:
+        is_warp: the warp was hit [n].
+        is_skipped: no yarn was hit [n].
+        normal, tangent: components x, y, z of unit vectors [n] each.
+    """
+
+    is_warp: NDArray[np.bool_]
+    is_skipped: NDArray[np.bool_]
+    normal: tuple[NDArray[np.float32], ...]
+    tangent: tuple[NDArray[np.float32], ...]
+
+
+def hit_arrays(hits: SurfaceHits, is_skipped: NDArray[np.bool_]) -> HitArrays:
+    """Hits where NumPy and Numba can read them; waits for the rays."""
+    normal, tangent = (tuple(part.numpy() for part in vector) for vector in (hits.normal, hits.tangent))
+    return HitArrays(hits.is_warp.numpy(), is_skipped, normal, tangent)
+
+
+def accumulate_views(hits: HitArrays, groups: Groups) -> NDArray[np.float32]:
+    """Sums over the hits of view rays [2 faces, nodes, groups, VIEW_SUMS]."""
+    sums = np.zeros((_BLOCKS, groups.count, VIEW_SUMS), np.float32)
+    centroids, warp_count = groups.centroids, groups.warp_count
+
+    def accumulate(blocks: range) -> None:
+        _accumulate_views(blocks.start, blocks.stop, hits, centroids, warp_count, sums)
+
+    parallel_map(accumulate, _shares_of_blocks())
+    return sums.reshape(2, NODES, groups.count, VIEW_SUMS)
+
+
+def accumulate_light(
+    samples: HitArrays, is_lit: NDArray[np.bool_], groups: Groups, diffuse_blend: float
+) -> NDArray[np.float32]:
+    """Sums over top-down samples [2 faces, nodes, groups, LIGHT_SUMS].
+
+    Args:
+        is_lit: light from the node reaches the sample [n].
+        diffuse_blend: w, the share of the yarn normal in the diffuse term.
+    """
+    sums = np.zeros((_BLOCKS, groups.count, LIGHT_SUMS), np.float32)
+    centroids, warp_count = groups.centroids, groups.warp_count
+    lights, blend = node_directions().astype(np.float32), np.float32(diffuse_blend)
+
+    def accumulate(blocks: range) -> None:
+        start, stop = blocks.start, blocks.stop
+        _accumulate_light(start, stop, samples, is_lit, centroids, warp_count, lights, blend, sums)
+
+    parallel_map(accumulate, _shares_of_blocks())
+    return sums.reshape(2, NODES, groups.count, LIGHT_SUMS)
+
+
+def _shares_of_blocks() -> list[range]:
+    """All blocks, two shares a core: other work may hold up one of them."""
+    shares = 2 * core_count()
+    return [range(_BLOCKS * share // shares, _BLOCKS * (share + 1) // shares) for share in range(shares)]
+
+
+@numba_kernel()
+def _assign(
+    hits: HitArrays,
+    first: int,
+    centroids: NDArray[np.float32],
+    warp_count: int,
+    group_of: NDArray[np.int32],
+    least: NDArray[np.float32],
+) -> None:
+    """Fills `group_of` [n] with the nearest group of hits `first` to `first + n`; −1 where they are skipped.
+
+    Args:
+        centroids: of one face [groups, 6], the first `warp_count` of the warp.
+        least: scratch memory [n].
+    """
+    own = slice(first, first + len(group_of))
+    is_warp, is_skipped = hits.is_warp[own], hits.is_skipped[own]
+    nx, ny, nz = hits.normal[0][own], hits.normal[1][own], hits.normal[2][own]
+    tx, ty, tz = hits.tangent[0][own], hits.tangent[1][own], hits.tangent[2][own]
+    group_of[:] = -1
+    least[:] = np.inf
+    for group in range(len(centroids)):
+        is_warp_group = group < warp_count
+        a, b, c = centroids[group, 0], centroids[group, 1], centroids[group, 2]
+        d, e, f = centroids[group, 3], centroids[group, 4], centroids[group, 5]
+        # This loop is vectorized: no branch, and contiguous arrays.
+        for ray in range(len(group_of)):
+            distance = (
+                (_NORMAL_WEIGHT * nx[ray] - a) ** 2
+                + (_NORMAL_WEIGHT * ny[ray] - b) ** 2
+                + (_NORMAL_WEIGHT * nz[ray] - c) ** 2
+                + (tx[ray] - d) ** 2
+                + (ty[ray] - e) ** 2
+                + (tz[ray] - f) ** 2
+            )
+            is_member = (is_warp[ray] == is_warp_group) & (not is_skipped[ray])
+            is_closer = is_member & (distance < least[ray])
+            group_of[ray] = group if is_closer else group_of[ray]
+            least[ray] = distance if is_closer else least[ray]
+
+
+@numba_kernel()
+def _accumulate_views(
+    start: int,
+    stop: int,
+    hits: HitArrays,
+    centroids: NDArray[np.float32],
+    warp_count: NDArray[np.intp],
+    sums: NDArray[np.float32],
+) -> None:
+    """Adds the hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
+    rays = len(hits.is_warp) // _BLOCKS
+    group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
+    nx, ny, nz = hits.normal
+    tx, ty, tz = hits.tangent
+    for block in range(start, stop):
+        first, face = block * rays, block // NODES
+        _assign(hits, first, centroids[face], warp_count[face], group_of, least)
+        for ray in range(rays):
+            if group_of[ray] >= 0:
+                total = sums[block, group_of[ray]]
+                hit = first + ray
+                x, y, z = tx[hit], ty[hit], tz[hit]
+                total[0] += 1
+                total[1] += nx[hit]
+                total[2] += ny[hit]
+                total[3] += nz[hit]
+                total[4] += x
+                total[5] += y
+                total[6] += z
+                total[7] += x * x
+                total[8] += x * y
+                total[9] += x * z
+                total[10] += y * y
+                total[11] += y * z
+                total[12] += z * z
+
+
+@numba_kernel()
+def _accumulate_light(
+    start: int,
+    stop: int,
+    samples: HitArrays,
+    is_lit: NDArray[np.bool_],
+    centroids: NDArray[np.float32],
+    warp_count: NDArray[np.intp],
+    lights: NDArray[np.float32],
+    blend: np.float32,
+    sums: NDArray[np.float32],
+) -> None:
+    """Adds the samples of blocks `start` to `stop` to sums [blocks, groups, LIGHT_SUMS].
+
+    Args:
+        lights: unit vectors by node [nodes, 3].
+        blend: w, the share of the yarn normal in the diffuse term.
+    """
+    rays = len(samples.is_warp) // _BLOCKS
+    group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
+    nx, ny, nz = samples.normal
+    for block in range(start, stop):
+        first, face = block * rays, block // NODES
+        _assign(samples, first, centroids[face], warp_count[face], group_of, least)
+        # On the other face, rays go through the same positions.
+        opposite = (block + NODES) % _BLOCKS * rays
+        x, y, z = lights[block % NODES]
+        for ray in range(rays):
+            if group_of[ray] >= 0:
+                total = sums[block, group_of[ray]]
+                sample = first + ray
+                # Light from the other side comes from (x, y, −z), and lights the side of −n. Factors stand in
+                # place of branches, which would be taken at random.
+                across, up = nx[sample] * x + ny[sample] * y, nz[sample] * z
+                lit, lit_behind = np.float32(is_lit[sample]), np.float32(is_lit[opposite + ray])
+                total[0] += 1
+                total[1] += lit
+                total[2] += lit_behind
+                total[3] += lit * (z + blend * (max(up + across, _ZERO) - z))
+                total[4] += lit_behind * (z + blend * (max(up - across, _ZERO) - z))

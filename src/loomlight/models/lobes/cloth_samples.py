@@ -1,0 +1,133 @@
+"""Samples of the cloth's surface that tables are baked from, at low-discrepancy positions over the repeat."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.frozen import FrozenArg, FrozenFunction
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import upload_extent
+
+# Top-down samples of each face.
+TOP_DOWN_SAMPLES = 1 << 13
+# The additive recurrence of Roberts (2018, "The Unreasonable Effectiveness of Quasirandom Sequences") in four
+# dimensions: powers of 1/φ₄, the root of x⁵ = x + 1, in units of 2⁻³², where products wrap around as
+# fractions.
+_RECURRENCE = [round(2**32 * 1.1673039782614187**-power) for power in range(1, 5)]
+
+
+@dataclass(frozen=True, eq=False)
+class FaceSamples:
+    """Samples of both faces, in the frame of the face that shows them.
+
+    Attributes:
+        back, is_warp, hole: which face, which family, and whether neither family is there [n].
+        normal, tangent: unit normal and unit fibre direction [3, n].
+    """
+
+    back: NDArray[np.bool_]
+    is_warp: NDArray[np.bool_]
+    hole: NDArray[np.bool_]
+    normal: NDArray[np.float32]
+    tangent: NDArray[np.float32]
+
+    def by_family(self) -> list[NDArray[np.intp]]:
+        """Indices of samples by family, without holes: the front's warp and weft, then the back's."""
+        family_of = 2 * self.back + ~self.is_warp
+        return [np.flatnonzero((family_of == family) & ~self.hole) for family in range(4)]
+
+
+@dataclass(frozen=True, eq=False)
+class TopDownSamples(FaceSamples):
+    """Samples of what shows at right angles, evenly spread over the repeat; those of the front come first.
+
+    Attributes:
+        gaps: positions of the holes among them [m, 2], millimetres.
+    """
+
+    gaps: NDArray[np.float32]
+
+    @property
+    def hole_fraction(self) -> float:
+        """Share of the repeat where neither family is, 0 to 1: the same from both faces."""
+        return len(self.gaps) / TOP_DOWN_SAMPLES
+
+
+class SamplePositions:
+    """Low-discrepancy point sets over the repeat, the same every time."""
+
+    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+        self._types = types
+        picks, ends = geometry.layout.warp_on_top.shape
+        # Of either axis: how many threads there are, and millimetres a thread.
+        self._axes = [
+            (dr.opaque(types.Float, threads), dr.opaque(types.Float, side / threads))
+            for threads, side in zip((ends, picks), geometry.size, strict=True)
+        ]
+
+    def at(self, index: UInt, sequence: UInt) -> tuple[Float, Float]:
+        """Positions x, y, millimetres.
+
+        Two dimensions choose the crossing and two the position within it: points that are even over the
+        repeat alone may hit a gap of a few per cent too often, as threads repeat.
+
+        Args:
+            index: of the point in its sequence, from 0.
+            sequence: which one of many shifted sequences.
+        """
+        unit = [
+            self._types.Float((index * factor + factor // 2 + sequence * shift) >> 8) * 2**-24
+            for factor, shift in zip(_RECURRENCE, _RECURRENCE[::-1], strict=True)
+        ]
+        x, y = (
+            (dr.floor(crossing * threads) + within) * spacing
+            for within, crossing, (threads, spacing) in zip(unit[:2], unit[2:], self._axes, strict=True)
+        )
+        return x, y
+
+
+class UploadedCloth:
+    """The yarns of one fabric on one backend.
+
+    Attributes:
+        geometry: the yarns, uploaded.
+        positions: point sets over their repeat.
+        types: of the backend.
+    """
+
+    def __init__(self, geometry: YarnGeometry, types: ArrayTypes) -> None:
+        geometry.upload(types)
+        upload_extent(geometry, types)
+        self.geometry = geometry
+        self.positions = SamplePositions(geometry, types)
+        self.types = types
+
+
+def upload_cloth(geometry: YarnGeometry, float_type: FloatType) -> FrozenArg[UploadedCloth]:
+    """The yarns on the backend of a Dr.Jit Float type, as an argument of frozen functions."""
+    return FrozenArg(UploadedCloth(geometry, array_types(float_type)))
+
+
+def top_down_samples(cloth: FrozenArg[UploadedCloth]) -> TopDownSamples:
+    """Samples what shows on both faces at right angles."""
+    x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _sample_top_down(cloth))
+    front = slice(TOP_DOWN_SAMPLES)
+    gaps = np.stack([part[front][hole[front]] for part in (x, y)], axis=1)
+    back = np.arange(2 * TOP_DOWN_SAMPLES) >= TOP_DOWN_SAMPLES
+    return TopDownSamples(back, is_warp, hole, normal, tangent, gaps)
+
+
+@FrozenFunction
+def _sample_top_down(cloth: UploadedCloth) -> tuple[Float, Float, Mask, Mask, Vec3, Vec3]:
+    """Position x, y, is_warp, hole, normal and fibre direction of all samples."""
+    lane = dr.arange(cloth.types.UInt32, 2 * TOP_DOWN_SAMPLES)
+    back = lane >= TOP_DOWN_SAMPLES
+    x, y = cloth.positions.at(lane & (TOP_DOWN_SAMPLES - 1), cloth.types.UInt32(0))
+    point = cloth.geometry.surface(x, y, back)
+    return x, y, point.is_warp, point.hole, point.normal, point.tangent

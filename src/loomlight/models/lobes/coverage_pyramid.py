@@ -1,0 +1,382 @@
+"""Coverage: how much of each group a square of the cloth holds, as a pyramid of uint8 over the repeat.
+
+Level m holds means over squares of side s_m = s_0·2^m around nodes s_m/3 apart; levels end where a square
+holds the whole repeat. The squares are tent filters: a sharp square resonates with the weave's period more
+than pixels do. Memory is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import UInt
+from loomlight.core.backend import ArrayTypes
+from loomlight.core.frozen import FrozenArg, FrozenFunction
+from loomlight.core.parallel_map import parallel_map
+from loomlight.models.lobes.cloth_samples import UploadedCloth
+from loomlight.models.lobes.coverage_lookup import TENT_VARIANCE
+from loomlight.models.lobes.groups import NearestGroup
+from loomlight.models.lobes.invariant_divider import InvariantDivider
+from loomlight.models.lobes.packed_uint8 import pack_count
+from loomlight.yarn.geometry import YarnGeometry
+
+# Blur steps that make tents of cells: what each neighbour gives to a cell, at most (no weight may be
+# negative), and how many there may be. Repeats that need more have three nodes at most, and are uniform by
+# then.
+_MAX_BLUR, _MAX_BLUR_STEPS = 0.4, 8
+# Nodes along a square's side, and where the table would grow too large: estimates are 1 % worse then.
+_NODES_PER_SIDE, _FEWER_NODES = 3, 2
+# Texels between two nodes along each axis, and for each thread, at least: so many points a mean is of.
+_TEXELS_PER_NODE = 4
+_TEXELS_PER_THREAD = 3
+# Texels evaluated at once.
+_BATCH = 1 << 23
+# Numbers of the pyramid that are worked on at once, so that caches hold them, and how many make threads pay.
+_BLOCK, _LARGE = 1 << 17, 1 << 22
+# Large levels are rounded up to even numbers of nodes, so that halving them is slicing.
+_EVEN_FROM, _EVEN_STEP = 64, 16
+# Bytes of all levels of both faces; a third of it is levels beyond the first.
+_MAX_BYTES = 56 << 20
+_LARGEST = 255.0
+# Powers of the plastic number in units of 2⁻³²: products wrap around as fractions do (Roberts 2018).
+_ACROSS, _ALONG = 0xC13FA9A9, 0x91E10DA5
+
+
+@dataclass(frozen=True, eq=False)
+class CoveragePyramid:
+    """The pyramid of both faces.
+
+    Attributes:
+        base_size: s_0, millimetres.
+        levels: first node, columns and rows of each level [levels, 3].
+        scale: share of the area that a byte of 255 stands for [2 faces, 4·(packs + 1)].
+        mean: shares of the whole repeat [2, 4·(packs + 1)].
+        bytes: [2 faces, nodes of all levels, 4·(packs + 1)]: packed groups, then holes in the first byte of
+            the last pack.
+    """
+
+    base_size: float
+    levels: NDArray[np.int64]
+    scale: NDArray[np.float64]
+    mean: NDArray[np.float64]
+    bytes: NDArray[np.uint8]
+
+
+@dataclass(frozen=True)
+class Spacing:
+    """Size of the first level's squares, and how densely its nodes lie.
+
+    Attributes:
+        base_size: s_0, millimetres.
+        nodes: along a square's side.
+    """
+
+    base_size: float
+    nodes: int
+
+    @property
+    def far_weight(self) -> float:
+        """Weight a of the nodes one and a half spacings away in a level made from the one below.
+
+        The rest goes to those half a spacing away. Squares twice as wide have four times the variance; with v
+        that of a first-level tent in spacings, v + (1 − a)/4 + 9a/4 = 4v.
+        """
+        return ((self.nodes**2 - 2) / 4 - 1 / 4) / 2
+
+
+def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
+    """Squares of one thread, or as small as the bound on memory allows."""
+    width, height = geometry.size
+    picks, ends = geometry.layout.warp_on_top.shape
+    thread = math.sqrt(width / ends * height / picks)
+    row = 2 * 4 * (pack_count(per_family) + 1)
+    for nodes in (_NODES_PER_SIDE, _FEWER_NODES):
+        smallest = nodes * math.sqrt(width * height * row * 4 / 3 / _MAX_BYTES)
+        if smallest <= thread:
+            return Spacing(thread, nodes)
+    return Spacing(smallest, nodes)
+
+
+@dataclass
+class CellCounts:
+    """How many texels of each cell around the first level's nodes show which group.
+
+    Attributes:
+        repeat: width and height of the repeat, millimetres.
+        spacing: of the nodes.
+        shape: faces, rows, columns, 4·(packs + 1).
+        texels: of a cell.
+        packed: counts of 8 or 16 bits in 32-bit words; the device may still count.
+    """
+
+    repeat: tuple[float, float]
+    spacing: Spacing
+    shape: tuple[int, int, int, int]
+    texels: int
+    packed: UInt
+
+    def counts(self) -> NDArray[np.unsignedinteger]:
+        """The counts [2, rows, columns, 4·(packs + 1)]."""
+        kind = np.uint8 if _counts_per_word(self.texels) == 4 else np.uint16
+        return np.asarray(self.packed.numpy().view(kind).reshape(self.shape))
+
+
+def _counts_per_word(texels: int) -> int:
+    """How many counts up to `texels` a 32-bit word holds: 4 or 2."""
+    return 4 if texels < 1 << 8 else 2
+
+
+def count_cells(
+    cloth: FrozenArg[UploadedCloth], nearest: FrozenArg[NearestGroup], per_family: int
+) -> CellCounts:
+    """Counts which group shows at every texel of the repeat; does not wait where texels are few."""
+    types, geometry = cloth.value.types, cloth.value.geometry
+    spacing = spacing_of(geometry, per_family)
+    columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
+    picks, ends = geometry.layout.warp_on_top.shape
+    across, along = (
+        max(_TEXELS_PER_NODE, math.ceil(_TEXELS_PER_THREAD * threads / count))
+        for threads, count in ((ends, columns), (picks, rows))
+    )
+    texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
+    if texels.count <= _BATCH:
+        packed = _count_all(cloth, nearest, FrozenArg(texels), texels.count, texels.words)
+    else:
+        packed = dr.zeros(types.UInt32, texels.words)
+        for start in range(0, texels.count, _BATCH):
+            lane = dr.arange(types.UInt32, min(_BATCH, texels.count - start))
+            texels.add(cloth.value, nearest.value, lane + dr.opaque(types.UInt32, start), packed)
+            dr.eval(packed)
+    shape = 2, rows, columns, 4 * (pack_count(per_family) + 1)
+    return CellCounts(geometry.size, spacing, shape, across * along, packed)
+
+
+def _nodes_along(side: float, spacing: Spacing) -> int:
+    """Nodes of the first level along one side of the repeat."""
+    count = max(1, math.ceil(spacing.nodes * side / spacing.base_size - 1e-6))
+    return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
+
+
+class _Texels:
+    """The texels of the repeat, cell by cell, and where the table counts them: opaque numbers.
+
+    Several counts share a word, so that large tables are written to memory once.
+
+    Attributes:
+        count: texels of both faces.
+        words: 32-bit words of the table of counts.
+    """
+
+    def __init__(
+        self,
+        types: ArrayTypes,
+        repeat: tuple[float, float],
+        cells: tuple[int, int],
+        texels: tuple[int, int],
+        per_family: int,
+    ) -> None:
+        """
+        Args:
+            repeat: width and height, millimetres.
+            cells: along either side of the repeat.
+            texels: along either side of a cell.
+        """
+        self._types = types
+        (columns, rows), (across, along) = cells, texels
+        counts_per_word = _counts_per_word(across * along)
+        row = 4 * (pack_count(per_family) + 1) // counts_per_word
+        wide, high = columns * across, rows * along
+        self.count, self.words = 2 * wide * high, 2 * columns * rows * row
+        sizes = wide * high, columns, columns * rows, row, per_family
+        self._sizes = [dr.opaque(types.UInt32, size) for size in sizes]
+        self._wide, self._across, self._along = (
+            InvariantDivider(size, types) for size in (wide, across, along)
+        )
+        self._counts_per_word = InvariantDivider(counts_per_word, types)
+        self._bits = dr.opaque(types.UInt32, 32 // counts_per_word)
+        self._bytes_of_family = dr.opaque(types.UInt32, 4 * pack_count(per_family) // 2)
+        self._steps = [
+            dr.opaque(types.Float, side / size) for side, size in zip(repeat, (wide, high), strict=True)
+        ]
+
+    def add(self, cloth: UploadedCloth, nearest: NearestGroup, lane: UInt, packed: UInt) -> None:
+        """Adds 1 to the count of the cell and group of each of some texels."""
+        Float, UInt32 = self._types.Float, self._types.UInt32
+        face_size, columns, face_nodes, row_words, per_family = self._sizes
+        back = lane >= face_size
+        texel = dr.select(back, lane - face_size, lane)
+        row, column = self._wide.divide(texel)
+        jitter_x = Float((texel * _ACROSS) >> 8) * 2**-24
+        jitter_y = Float((texel * _ALONG) >> 8) * 2**-24
+        point = cloth.geometry.surface(
+            (Float(column) + jitter_x) * self._steps[0], (Float(row) + jitter_y) * self._steps[1], back
+        )
+        group = nearest.find(back, point.is_warp, point.hole, point.normal, point.tangent)
+        byte = dr.select(group < per_family, group, group - per_family + self._bytes_of_family)
+        byte = dr.select(group == nearest.hole_index, 2 * self._bytes_of_family, byte)
+        node = self._along.divide(row)[0] * columns + self._across.divide(column)[0]
+        node += dr.select(back, face_nodes, 0)
+        word, position = self._counts_per_word.divide(byte)
+        # Integers: their sum does not depend on the order in which threads add them.
+        dr.scatter_add(packed, UInt32(1) << (position * self._bits), node * row_words + word)
+
+
+@FrozenFunction
+def _count_all(cloth: UploadedCloth, nearest: NearestGroup, texels: _Texels, count: int, words: int) -> UInt:
+    """Counts all texels at once; their number and that of the words are part of a recording."""
+    packed = dr.zeros(cloth.types.UInt32, words)
+    texels.add(cloth, nearest, dr.arange(cloth.types.UInt32, count), packed)
+    return packed
+
+
+def build_pyramid(cells: CellCounts) -> CoveragePyramid:
+    """The pyramid over the cells; waits for their counts."""
+    counts = cells.counts()
+    if counts.size < _LARGE:
+        levels, *parts = _levels(cells, counts)
+    else:
+        # One face a thread: numpy's loops release Python's lock.
+        faces = parallel_map(lambda face: _levels(cells, face), (counts[:1], counts[1:]))
+        levels = faces[0][0]
+        parts = [np.concatenate(pair) for pair in zip(*(face[1:] for face in faces), strict=True)]
+    scale, mean, packed = parts
+    return CoveragePyramid(cells.spacing.base_size, levels, scale, mean, packed)
+
+
+def _levels(cells: CellCounts, counts: NDArray[np.unsignedinteger]) -> tuple[NDArray[Any], ...]:
+    """Levels, scale, mean and bytes, as in `CoveragePyramid`, of some faces' counts."""
+    means, mean, largest = _first_level(cells, counts)
+    # The first level holds the extremes of all: the others are means of it.
+    scale = np.maximum(largest, 1e-9).astype(np.float64)
+    per_share = (_LARGEST / scale).astype(np.float32)[:, None]
+    levels: list[tuple[int, int, int]] = []
+    parts: list[NDArray[np.uint8]] = []
+    first = 0
+    while True:
+        rows, columns = means.shape[1:3]
+        levels.append((first, columns, rows))
+        parts.append(_quantized(means, per_share))
+        first += columns * rows
+        if columns * rows == 1:
+            return np.array(levels, np.int64), scale, mean, np.concatenate(parts, axis=1)
+        means = _downsampled(means, cells.spacing.far_weight)
+
+
+def _first_level(
+    cells: CellCounts, counts: NDArray[np.unsignedinteger]
+) -> tuple[NDArray[np.float32], NDArray[np.float64], NDArray[np.float32]]:
+    """Tents over the cells of some faces, means of the repeat, and the largest value of any tent."""
+    faces, rows, columns, groups = counts.shape
+    sides = zip((rows, columns), cells.repeat[::-1], strict=True)
+    steps = [_blur_steps(cells.spacing.base_size * count / side) for count, side in sides]
+    across = np.arange(-len(steps[1]), columns + len(steps[1])) % columns
+    means = np.empty(counts.shape, np.float32)
+    totals = np.zeros((faces, columns, groups))
+    largest = np.zeros((faces, groups), np.float32)
+    for start, stop in _blocks(rows, columns * groups):
+        along = np.arange(start - len(steps[0]), stop + len(steps[0])) % rows
+        part = counts.take(along, axis=1).take(across, axis=2).astype(np.float32)
+        # Integers, which single precision holds.
+        inner = (slice(None), *(slice(len(step), -len(step)) for step in steps))
+        totals += part[inner].sum(axis=1)
+        part *= np.float32(1 / cells.texels)
+        for axis, weights in enumerate(steps, 1):
+            for weight in weights:
+                part = _blurred(part, axis, weight)
+        means[:, start:stop] = part
+        largest = np.maximum(largest, part.max(axis=1).max(axis=1))
+    return means, totals.sum(axis=1) * (1 / (rows * columns * cells.texels)), largest
+
+
+def _blur_steps(cells: float) -> list[np.float32]:
+    """What each neighbour gives to a cell, step by step, so that cells become tents.
+
+    With w of each neighbour a cell's variance of 1/12 becomes 1/12 + 2w, and interpolation adds 1/6. Wide
+    squares, of repeats that are narrow or whose nodes were rounded up, take several such steps.
+
+    Args:
+        cells: along the square's side.
+    """
+    missing = (TENT_VARIANCE * cells**2 - 3) / 12
+    steps = min(max(1, math.ceil(missing / (2 * _MAX_BLUR))), _MAX_BLUR_STEPS)
+    return [np.float32(min(missing / (2 * steps), _MAX_BLUR))] * steps
+
+
+def _blurred(means: NDArray[np.float32], axis: int, weight: np.float32) -> NDArray[np.float32]:
+    """One step of `_blur_steps` along an axis, which loses a cell at either end."""
+    before, middle, after = (
+        means[(slice(None),) * axis + (slice(start, stop),)] for start, stop in ((0, -2), (1, -1), (2, None))
+    )
+    total: NDArray[np.float32] = before + after
+    total *= weight
+    total += (1 - 2 * weight) * middle
+    return total
+
+
+def _quantized(means: NDArray[np.float32], per_share: NDArray[np.float32]) -> NDArray[np.uint8]:
+    """Means as bytes [faces, nodes, groups]."""
+    flat = means.reshape(means.shape[0], -1, means.shape[-1])
+    quantized = np.empty(flat.shape, np.uint8)
+    for start, stop in _blocks(flat.shape[1], flat.shape[2]):
+        part = flat[:, start:stop] * per_share
+        part += np.float32(0.5)
+        quantized[:, start:stop] = part
+    return quantized
+
+
+def _downsampled(means: NDArray[np.float32], far_weight: float) -> NDArray[np.float32]:
+    """Means over squares twice as wide."""
+    faces, rows, columns, groups = means.shape
+    across, along = -(-columns // 2), -(-rows // 2)
+    if rows != 2 * along:
+        return _downsampled_along(_downsampled_along(means, along, 1, far_weight), across, 2, far_weight)
+    result = np.empty((faces, along, across, groups), np.float32)
+    for start, stop in _blocks(along, 4 * across * groups):
+        part = _from_pairs(means.take(np.arange(2 * start - 1, 2 * stop + 1) % rows, axis=1), 1, far_weight)
+        result[:, start:stop] = _downsampled_along(part, across, 2, far_weight)
+    return result
+
+
+def _downsampled_along(
+    means: NDArray[np.float32], count: int, axis: int, far_weight: float
+) -> NDArray[np.float32]:
+    """Means over squares twice as wide along one axis, at `count` nodes."""
+    before = means.shape[axis]
+    if before == 2 * count:
+        return _from_pairs(means.take(np.arange(-1, before + 1) % before, axis=axis), axis, far_weight)
+    middle = (np.arange(count) + 0.5) * (before / count) - 0.5
+    total = np.zeros((*means.shape[:axis], count, *means.shape[axis + 1 :]), np.float32)
+    shape = [1] * means.ndim
+    shape[axis] = count
+    for offset, weight in ((0.5, 0.5 * (1 - far_weight)), (1.5, 0.5 * far_weight)):
+        for position in (middle - offset, middle + offset):
+            lower = np.floor(position + 1e-9).astype(np.intp)
+            share = np.maximum(position - lower, 0)
+            for node, part in ((lower, 1 - share), (lower + 1, share)):
+                factor = (weight * part).astype(np.float32).reshape(shape)
+                total += factor * np.take(means, node % before, axis=axis)
+    return total
+
+
+def _from_pairs(means: NDArray[np.float32], axis: int, far_weight: float) -> NDArray[np.float32]:
+    """The same from pairs of nodes, with one more node at either end."""
+    last = means.shape[axis] - 2
+    before, even, odd, after = (
+        means[(slice(None),) * axis + (slice(start, start + last, 2),)] for start in range(4)
+    )
+    near: NDArray[np.float32] = np.float32(0.5 * (1 - far_weight)) * (even + odd)
+    return near + np.float32(0.5 * far_weight) * (before + after)
+
+
+def _blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
+    """First and last of consecutive rows, `size` numbers each, that the caches hold."""
+    step = max(2, _BLOCK // size)
+    for start in range(0, count, step):
+        yield start, min(start + step, count)

@@ -1,0 +1,368 @@
+"""The prefiltered regime in plain NumPy, one query at a time: to read, to port, and to test the rest against.
+
+The point-sampled regime and the blend to it are left out. All vectors are of one query, [3] or [2]; arrays of
+groups are [G], as the groups lie among the bytes: the warp's first, each family padded to words of four.
+Everything is float64.
+
+For a view v, a light l, their half vector h and a footprint, with bytes interpolated between `Nodes`:
+
+    weight of a group     w = coverage·seen²·unit
+    hole                  the same for holes, at most 1
+    lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ, at least 0
+    diffuse               (1 − hole)·Σ w·irradiance·V/reached / Σ w    with one κ
+    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w            with another; f: `layer_value`
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
+from loomlight.models.lobes.density import (
+    LESS_BY_SPREAD,
+    NARROWEST,
+    SMALLEST_COSINE,
+    SMALLEST_PATH,
+    SMALLEST_STEEPNESS,
+)
+from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
+from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
+from loomlight.models.lobes.prefiltered import (
+    DIFFUSE_CORRELATION,
+    SPECULAR_CORRELATION,
+    TRANSMISSION_CORRELATION,
+)
+from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
+from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.separable import Components
+
+Numbers = NDArray[np.float64]
+"""Float64 of any shape: of groups [G], or a vector [2] or [3]."""
+
+_PER_BYTE = 1 / 255
+
+
+@dataclass(frozen=True, eq=False)
+class Nodes:
+    """Rows of a table to interpolate between.
+
+    Attributes:
+        numbers: of the rows [n].
+        shares: of each [n]; sum 1.
+    """
+
+    numbers: NDArray[np.int64]
+    shares: Numbers
+
+    def of(self, table: NDArray[np.uint8]) -> Numbers:
+        """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Shares are rounded to whole units."""
+        units = np.floor(self.shares * WEIGHT_SUM + 0.5)
+        return np.asarray(units @ table[self.numbers] / units.sum())
+
+
+@dataclass(frozen=True, eq=False)
+class Parallelogram:
+    """A footprint on the cloth, millimetres.
+
+    Attributes:
+        centre: its middle [2].
+        along_x, along_y: its edges [2].
+    """
+
+    centre: Numbers
+    along_x: Numbers
+    along_y: Numbers
+
+    @property
+    def side(self) -> float:
+        """Side of the square whose variances have the same sum."""
+        return math.sqrt(0.5 * float(self.along_x @ self.along_x + self.along_y @ self.along_y))
+
+
+@dataclass(frozen=True, eq=False)
+class GroupMoments:
+    """The moments of the groups of one face.
+
+    Attributes:
+        normal, tangent: means [G, 3], shorter than 1.
+        covariance: of the fibre direction [G, 3, 3].
+        unit: what (coverage byte)·(projected area byte)² is multiplied with [G].
+        roughness: α of each group's family [G].
+    """
+
+    normal: Numbers
+    tangent: Numbers
+    covariance: Numbers
+    unit: Numbers
+    roughness: Numbers
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """What a view sees in a footprint.
+
+    Attributes:
+        groups: w of each group [G], not divided by the sum.
+        hole: share of the view rays that pass through holes.
+        reached: share of each group that light from the view's side and direction would reach [G].
+    """
+
+    groups: Numbers
+    hole: float
+    reached: Numbers
+
+
+class LobesReference:
+    """The groups' estimate of one fabric."""
+
+    def __init__(
+        self,
+        tables: LobeTables,
+        repeat: tuple[float, float],
+        roughness: tuple[float, float],
+        optical_depth: float,
+        diffuse_blend: float = 0.5,
+    ) -> None:
+        """A twin of tables.
+
+        Args:
+            repeat: width and height of the repeat, millimetres.
+            roughness: α of (warp, weft).
+            optical_depth: Tρ of the fibre layer.
+            diffuse_blend: w of the diffuse term; the density alone needs it.
+        """
+        self.tables = tables
+        self.repeat = repeat
+        self.optical_depth = optical_depth
+        self.diffuse_blend = diffuse_blend
+        # Of each face [2, G].
+        self.is_warp = np.arange(4 * tables.packs) < 4 * tables.warp_packs[:, None]
+        self.roughness = np.where(self.is_warp, *roughness)
+
+    def components_and_hole(
+        self, light: Numbers, view: Numbers, footprint: Parallelogram
+    ) -> tuple[Components, float]:
+        """Components, 1/sr, and the hole: floats.
+
+        Args:
+            light, view: unit vectors [3]; z < 0 on the back.
+            footprint: what a pixel sees of the cloth.
+        """
+        back, light, view = on_seen_face(light, view)
+        beyond = bool(light[2] < 0)
+        groups = self.groups(back)
+        weights = self.weights(view, footprint, back)
+
+        nodes, side = direction_nodes(light), (int(back), int(beyond))
+        irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
+        reached = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
+        correlations = shadow_correlation(light, view, beyond)
+        # V + κ(min(1, V/V_view) − V), divided by V.
+        most = np.maximum(np.maximum(reached, weights.reached), _PER_BYTE)
+        more_diffuse, more = (np.maximum(1 + part * (1 / most - 1), 0) for part in correlations)
+
+        diffuse = weights.groups * irradiance / math.pi * more_diffuse
+        specular = (
+            weights.groups
+            * reached
+            * more
+            * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
+        )
+        is_warp = self.is_warp[int(back)]
+        total = max(weights.groups.sum(), 1e-12) / (1 - weights.hole) if weights.hole < 1 else math.inf
+        components = Components(
+            diffuse_warp=float(diffuse[is_warp].sum() / total),
+            diffuse_weft=float(diffuse[~is_warp].sum() / total),
+            specular_warp=float(specular[is_warp].sum() / total),
+            specular_weft=float(specular[~is_warp].sum() / total),
+        )
+        return components, weights.hole
+
+    def group_density(
+        self,
+        light: Numbers,
+        view: Numbers,
+        footprint: Parallelogram,
+        energies: tuple[Energies, Energies],
+    ) -> float:
+        """Density of the mixture of groups that directions are drawn from, 1/sr, without cosine and sheen.
+
+        Args:
+            light, view, footprint: as in `components_and_hole`.
+            energies: what (warp, weft) send on by each lobe; floats.
+        """
+        back, light, view = on_seen_face(light, view)
+        groups = self.groups(back)
+        weights = self.weights(view, footprint, back)
+        specular, reflect, transmit = (
+            np.where(self.is_warp[int(back)], *(getattr(family, name) for family in energies))
+            for name in ("specular", "reflect", "transmit")
+        )
+        # The group as one fibre: along its mean direction, wider by its spread.
+        normal, tangent = _unit(groups.normal), _unit(groups.tangent)
+        spread = np.sqrt(0.5 * np.trace(groups.covariance, axis1=1, axis2=2))
+        width = np.minimum(groups.roughness + SPREAD_WIDTH * spread, 1)
+        along = tangent @ half_vector(light, view)
+        area = np.sqrt(1 - (1 - width**2) * (tangent @ view) ** 2)
+        lobe = fibre_density(along, width) / (4 * area)
+        blend = self.diffuse_blend
+
+        def diffuse(direction: Numbers) -> Numbers:
+            about_yarn, about_cloth = np.maximum(normal @ direction, 0), max(direction[2], 0)
+            return np.asarray((blend * about_yarn + (1 - blend) * about_cloth) / math.pi)
+
+        found = specular * lobe + reflect * diffuse(light) + transmit * diffuse(-light)
+        energy = specular + reflect + transmit
+        return float((weights.groups * found).sum() / (weights.groups * energy).sum())
+
+    def weights(self, view: Numbers, footprint: Parallelogram, back: bool) -> Weights:
+        """What a view [3], in the frame of the face it sees, sees of groups and holes in a footprint."""
+        face, count = int(back), 4 * self.tables.packs
+        coverage = self.coverage_nodes(footprint).of(self.tables.coverage[face])
+        nodes = direction_nodes(view)
+        # Coverage and projected area hold a pack for the holes after the groups: its first byte.
+        seen = nodes.of(self.tables.projected_area[face])
+        reached = nodes.of(self.tables.light_visibility[face, 0]) * _PER_BYTE
+        unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
+        found = coverage[: count + 1] * seen[: count + 1] ** 2 * unit
+        return Weights(found[:count], min(float(found[count]), 1.0), reached)
+
+    def groups(self, back: bool) -> GroupMoments:
+        """The groups of a face, from the twelve numbers of each."""
+        moments = self.tables.moments[int(back)].astype(np.float64)
+        normal, unit, tangent = moments[:, :3], moments[:, 3], moments[:, 4:7]
+        xx, yy, xy, xz, yz = moments[:, 7:].T
+        # Fibre directions are unit vectors: |mean|² and the trace of their covariance add up to 1.
+        zz = 1 - (tangent**2).sum(axis=1) - xx - yy
+        covariance = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]).transpose(2, 0, 1)
+        return GroupMoments(normal, tangent, covariance, unit, self.roughness[int(back)])
+
+    def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
+        """Nine nodes that count alike, three along each edge of a footprint.
+
+        Level m holds means over squares of side s_m = s_0·2^m. Squares have about `TAP_SIZE` of the
+        footprint's side; sizes between two levels take some of either.
+        """
+        top = len(self.tables.levels) - 1
+        relative = footprint.side / self.tables.base_size
+        level = min(math.log2(max(TAP_SIZE * relative, 1.0)), top)
+        # Squares nearly as large as the footprint stand closer to its middle.
+        apart = math.sqrt(min(max(TENT_VARIANCE * (1 - relative**-2), 0.0), 1.0))
+        apart = min(max(apart, MIN_TAP_SPACING / relative), 1.0)
+        numbers = []
+        for place, (s, t) in enumerate(TAP_OFFSETS):
+            wide = level % 1.0 > 1 - (place + 0.5) / len(TAP_OFFSETS)
+            x, y = footprint.centre + apart * (s * footprint.along_x + t * footprint.along_y)
+            numbers.append(self._node(min(int(level) + wide, top), x, y))
+        return Nodes(np.array(numbers), np.full(len(TAP_OFFSETS), 1 / len(TAP_OFFSETS)))
+
+    def _node(self, level: int, x: float, y: float) -> int:
+        """The node of a level nearest to a place, millimetres; nodes lie in the middle of their cells."""
+        first, columns, rows = (int(number) for number in self.tables.levels[level])
+        column = min(int(x / self.repeat[0] % 1.0 * columns), columns - 1)
+        row = min(int(y / self.repeat[1] % 1.0 * rows), rows - 1)
+        return first + row * columns + column
+
+
+def on_seen_face(light: Numbers, view: Numbers) -> tuple[bool, Numbers, Numbers]:
+    """Whether the back is seen, and both directions in the frame of the face that is."""
+    back = bool(view[2] < 0)
+    flip = np.array([1, 1, -1.0 if back else 1.0])
+    return back, light * flip, view * flip
+
+
+def direction_nodes(direction: Numbers) -> Nodes:
+    """Four nodes around a direction, by azimuth and |z|.
+
+    Nodes stand azimuth by azimuth; rings are even in (1 − z)^¾, the last at z = `MIN_COSINE`.
+    """
+    ring = (RINGS - 1) * min(max(1 - abs(float(direction[2])), 0.0) / (1 - MIN_COSINE), 1.0) ** 0.75
+    inner = min(int(ring), RINGS - 2)
+    out = ring - inner
+    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
+    column = math.floor(turns)
+    share = turns - column
+    columns = np.array([column, column + 1]) % AZIMUTHS
+    numbers = columns[:, None] * RINGS + np.array([inner, inner + 1])
+    return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - out, out]).ravel())
+
+
+def shadow_correlation(light: Numbers, view: Numbers, beyond: bool) -> tuple[float, float]:
+    """κ of diffuse and specular terms: how far what light and view reach is the same."""
+    lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
+    cosine = float(light[:2] @ view[:2]) / max(lengths, 1e-6)
+    if beyond:
+        through = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
+        return through, through
+    diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
+    return min(diffuse, 1.0), SPECULAR_CORRELATION
+
+
+def half_vector(light: Numbers, view: Numbers) -> Numbers:
+    """Unit half vector [3]."""
+    total = light + view
+    return total / math.sqrt(max(float(total @ total), 1e-12))
+
+
+def fibre_density(along: Numbers, roughness: Numbers) -> Numbers:
+    """D of x = h·t: 1/(πα(1 + k x²)²), k = 1/α² − 1 (chen2024 eq. 2), 1/sr."""
+    return np.asarray(1 / (math.pi * roughness * (1 + (1 / roughness**2 - 1) * along**2) ** 2))
+
+
+def mean_density(half: Numbers, groups: GroupMoments) -> Numbers:
+    """D̄: the mean of `fibre_density` over x uniform in m − w to m + w, 1/sr [G].
+
+    m and w = √3·deviation are those of h·t over the group.
+    """
+    roughness = groups.roughness
+    mean = groups.tangent @ half
+    deviation = np.sqrt(np.maximum(_variance(groups, half), 0))
+    width = np.maximum(math.sqrt(3) * deviation, NARROWEST * roughness + 1e-4)
+    steepness = np.maximum(np.sqrt(1 - roughness**2) / roughness, SMALLEST_STEEPNESS)
+    first, last = steepness * (mean - width), steepness * (mean + width)
+    product, span = first * last, last - first
+    rational = (1 - product) / ((1 + first**2) * (1 + last**2))
+    # arctan(last) − arctan(first) in one.
+    angle = np.arctan2(span, 1 + product)
+    return np.asarray((rational + angle / span) / (2 * math.pi * roughness))
+
+
+def mean_area(direction: Numbers, groups: GroupMoments) -> Numbers:
+    """Root of the mean σ² = 1 − (1 − α²)(ω·t)² over the group [G]."""
+    along = (groups.tangent @ direction) ** 2 + np.maximum(_variance(groups, direction), 0)
+    squared = groups.roughness**2
+    return np.sqrt(np.maximum(1 - (1 - squared) * along, squared))
+
+
+def layer_value(
+    half: Numbers, light: Numbers, view: Numbers, groups: GroupMoments, optical_depth: float
+) -> Numbers:
+    """f·cos of each group's fibre layer at albedo 1, without shadows [G], 1/sr (chen2024 eq. 1–2).
+
+    Reflection D G_r/(4 cos_v), or, where light comes from the other side, transmission D G_t/(4 cos_v).
+    """
+    beyond = light[2] < 0
+    cos_light = np.maximum(groups.normal @ (-light if beyond else light), SMALLEST_COSINE)
+    cos_view = np.maximum(groups.normal @ view, SMALLEST_COSINE)
+    slope_light = mean_area(light, groups) / cos_light
+    slope_view = mean_area(view, groups) / cos_view
+    # The layer's mean of e^{−s} along the path, e^{−Tρ min(Λ_l, Λ_v)}·(1 − e^{−Tρ|Δ|})/|Δ| in transmission.
+    path = np.abs(slope_light - slope_view) if beyond else slope_light + slope_view
+    path = np.maximum(path, SMALLEST_PATH)
+    passed = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if beyond else 1.0
+    attenuation = passed * -np.expm1(-optical_depth * path) / path
+    less = 0 if beyond else LESS_BY_SPREAD * (1 - (groups.normal**2).sum(axis=1))
+    return np.asarray(mean_density(half, groups) * attenuation * (1 - less) / (4 * cos_view))
+
+
+def _variance(groups: GroupMoments, direction: Numbers) -> Numbers:
+    """Variance of direction·t over each group [G]."""
+    return np.asarray(np.einsum("gij,i,j->g", groups.covariance, direction, direction))
+
+
+def _unit(vectors: Numbers) -> Numbers:
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))

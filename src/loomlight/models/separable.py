@@ -1,0 +1,127 @@
+"""BSDFs that keep albedos apart: components free of albedos, mean albedos, and their sum (chen2024 eq. 8)."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import dataclass
+from typing import final
+
+import drjit as dr
+
+from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.footprint import Footprint
+from loomlight.models.interface import FootprintBsdf
+from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.point import Albedos
+from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmittance
+
+
+@dataclass
+class Components:
+    """What a footprint does to light, free of albedos (chen2024 eq. 7): Float each, 1/sr.
+
+    Means over the view rays through the footprint, holes counted as 0, cosine and shadows included; of
+    reflection or of transmission by the side of the light.
+    """
+
+    diffuse_warp: Float
+    diffuse_weft: Float
+    specular_warp: Float
+    specular_weft: Float
+
+
+@dataclass
+class FamilyAlbedos:
+    """Mean albedos of the threads that a footprint shows, a family each, linear RGB."""
+
+    warp: Albedos
+    weft: Albedos
+
+
+class SeparableBsdf(FootprintBsdf):
+    """A BSDF of yarns of two families under a sheen.
+
+    Attributes:
+        sheen: of the fabric; strength 0 is none.
+    """
+
+    def __init__(self, view: Vec3, footprint: Footprint, sheen: Sheen) -> None:
+        super().__init__(view, footprint)
+        self.sheen = sheen
+
+    @property
+    @abstractmethod
+    def albedos(self) -> FamilyAlbedos:
+        """Mean albedos as the view shows them, tinted."""
+
+    @abstractmethod
+    def components(self, light: Vec3, active: Mask = True) -> Components:
+        """Components for a light; anything in lanes that are not active."""
+
+    @property
+    def null_transmission(self) -> Float:
+        """Share of light that passes straight through: the hole, less what sheen takes."""
+        if self.sheen.strength <= 0:
+            return self.hole
+        view = self.to_seen_face(self.view)
+        return self.hole * sheen_transmittance(view, self.sheen.strength, self.sheen.roughness)
+
+    @property
+    def diffuse_reflectance(self) -> Color3:
+        """Mean diffuse albedo of both families over the footprint, holes counted as 0."""
+        warp, weft = self.albedos.warp, self.albedos.weft
+        return 0.5 * (warp.diffuse_reflect + weft.diffuse_reflect) * (1 - self.hole)
+
+    def value(self, light: Vec3, active: Mask = True) -> Color3:
+        """f·cos with albedos and sheen, 1/sr; anything in lanes that are not active."""
+        return self.composed(self.components(light, active), light)
+
+    @final
+    def composed(self, components: Components, light: Vec3) -> Color3:
+        """`value` of components that are at hand, 1/sr."""
+        body = shade(components, self.albedos, light.z * self.view.z < 0)
+        if self.sheen.strength <= 0:
+            return body
+        # The macro normal alone decides the sheen, so it is the same over any footprint.
+        lobe, transmittance = sheen_with_transmittance(
+            self.to_seen_face(light), self.to_seen_face(self.view), self.sheen.strength, self.sheen.roughness
+        )
+        return transmittance * body + lobe
+
+
+def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask) -> Color3:
+    """f·cos of components and albedos (chen2024 eq. 8), 1/sr, without sheen.
+
+    Args:
+        is_transmission: light and view lie on different sides.
+    """
+    warp, weft = albedos.warp, albedos.weft
+    reflected = (
+        warp.diffuse_reflect * components.diffuse_warp
+        + weft.diffuse_reflect * components.diffuse_weft
+        + warp.specular_reflect * components.specular_warp
+        + weft.specular_reflect * components.specular_weft
+    )
+    transmitted = (
+        warp.diffuse_transmit * components.diffuse_warp
+        + weft.diffuse_transmit * components.diffuse_weft
+        + warp.specular_transmit * components.specular_warp
+        + weft.specular_transmit * components.specular_weft
+    )
+    return dr.select(is_transmission, transmitted, reflected)
+
+
+def tinted(albedos: FamilyAlbedos, tint: Color3 | None) -> FamilyAlbedos:
+    """Albedos whose diffuse terms are multiplied with a tint; None leaves them."""
+    if tint is None:
+        return albedos
+    return FamilyAlbedos(*(_tinted(family, tint) for family in (albedos.warp, albedos.weft)))
+
+
+def _tinted(albedos: Albedos, tint: Color3) -> Albedos:
+    return Albedos(
+        albedos.diffuse_reflect * tint,
+        albedos.diffuse_transmit * tint,
+        albedos.specular_reflect,
+        albedos.specular_transmit,
+    )

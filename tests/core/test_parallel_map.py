@@ -1,0 +1,48 @@
+"""Functions on all cores: results in order, from any thread, in forked processes."""
+
+from __future__ import annotations
+
+import os
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from loomlight.core.parallel_map import core_count, parallel_map
+
+
+def test_results_are_in_the_order_of_the_items() -> None:
+    assert parallel_map(lambda number: number**2, range(100)) == [number**2 for number in range(100)]
+    assert parallel_map(lambda number: number, []) == []
+
+
+def test_all_cores_take_part() -> None:
+    """Each call waits until as many are running as there are cores: without them it would time out."""
+    barrier = threading.Barrier(core_count())
+
+    def wait(_: int) -> int:
+        barrier.wait(timeout=60)
+        return threading.get_ident()
+
+    assert len(set(parallel_map(wait, range(core_count())))) == core_count()
+
+
+def test_calls_may_come_from_several_threads_and_be_nested() -> None:
+    def total(start: int) -> int:
+        return sum(parallel_map(lambda number: sum(parallel_map(abs, [start, -number])), range(20)))
+
+    with ThreadPoolExecutor(8) as threads:
+        assert list(threads.map(total, range(40))) == [20 * start + 190 for start in range(40)]
+
+
+def test_errors_are_raised() -> None:
+    with pytest.raises(ZeroDivisionError):
+        parallel_map(lambda number: 1 // number, [2, 1, 0])
+
+
+def test_a_forked_process_has_threads_of_its_own() -> None:
+    parallel_map(abs, range(10))
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if parallel_map(abs, [-1, -2]) == [1, 2] else 1)
+    assert os.waitpid(child, 0)[1] == 0

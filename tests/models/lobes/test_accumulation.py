@@ -1,0 +1,121 @@
+"""Sums over rays by group, by Numba, against numpy."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.lobes.accumulation import (
+    LIGHT_SUMS,
+    VIEW_SUMS,
+    HitArrays,
+    accumulate_light,
+    accumulate_views,
+)
+from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
+from loomlight.models.lobes.hemisphere import NODES, node_directions
+
+RAYS, PER_FAMILY, WARP_COUNT = 256, 6, (8, 4)
+GROUPS = 2 * PER_FAMILY
+BLEND = 0.7
+COUNT = 2 * NODES * RAYS
+# Sums of up to 256 numbers up to 1 in single precision.
+ROUNDING = 1e-4
+PRODUCTS = (0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)
+
+
+def _unit_vectors(rng: np.random.Generator, count: int) -> NDArray[np.float32]:
+    """Unit vectors [3, n]."""
+    vectors = rng.normal(size=(3, count))
+    return (vectors / np.linalg.norm(vectors, axis=0)).astype(np.float32)
+
+
+class _Rays:
+    """Random hits, and the group of each by numpy; −1 where nothing counts."""
+
+    def __init__(self, seed: int) -> None:
+        rng = np.random.default_rng(seed)
+        self.is_warp = rng.random(COUNT) < 0.6
+        self.is_skipped = rng.random(COUNT) < 0.1
+        self.normal, self.tangent = _unit_vectors(rng, COUNT), _unit_vectors(rng, COUNT)
+        self.is_lit = rng.random(COUNT) < 0.5
+        centroids = (0.6 * rng.normal(size=(2, GROUPS, 6))).astype(np.float32)
+        is_warp_group = np.arange(GROUPS) < np.array(WARP_COUNT)[:, None]
+        none = np.zeros(0)
+        self.groups = Groups(PER_FAMILY, np.array(WARP_COUNT), centroids, none, none, none, none)
+        features = np.concatenate([np.float32(NORMAL_WEIGHT) * self.normal, self.tangent]).T
+        self.group = np.full(COUNT, -1)
+        for face, rays in enumerate(np.split(np.arange(COUNT), 2)):
+            distance = np.square(features[rays, None] - centroids[face]).sum(axis=2)
+            distance[is_warp_group[face] != self.is_warp[rays, None]] = np.inf
+            self.group[rays] = np.where(self.is_skipped[rays], -1, distance.argmin(axis=1))
+
+    def hits(self) -> HitArrays:
+        return HitArrays(self.is_warp, self.is_skipped, tuple(self.normal), tuple(self.tangent))
+
+    def sums(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Sums of values [n] by face, node and group."""
+        block = np.arange(COUNT) // RAYS
+        counts = self.group >= 0
+        place = block[counts] * GROUPS + self.group[counts]
+        return np.bincount(place, values[counts], 2 * NODES * GROUPS).reshape(2, NODES, GROUPS)
+
+
+def test_views_are_summed_by_group() -> None:
+    rays = _Rays(1)
+    found = accumulate_views(rays.hits(), rays.groups)
+    normal, tangent = rays.normal.astype(float), rays.tangent.astype(float)
+    wanted = [np.ones(COUNT), *normal, *tangent, *(tangent[i] * tangent[j] for i, j in PRODUCTS)]
+    assert len(wanted) == VIEW_SUMS
+    np.testing.assert_array_equal(found[..., 0], rays.sums(wanted[0]))
+    for number, values in enumerate(wanted):
+        np.testing.assert_allclose(found[..., number], rays.sums(values), atol=ROUNDING)
+
+
+def test_light_is_summed_by_group() -> None:
+    """That from the other side falls on the other face, whose normals are mirrored, at the same positions."""
+    rays = _Rays(2)
+    found = accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND)
+    light = np.tile(np.repeat(node_directions().T, RAYS, axis=1), 2)
+    is_lit_behind = np.roll(rays.is_lit, COUNT // 2)
+    facing = (rays.normal * light).sum(axis=0)
+    opposite = -(rays.normal * light * [[1], [1], [-1]]).sum(axis=0)
+    wanted = [np.ones(COUNT), rays.is_lit.astype(float), is_lit_behind.astype(float)]
+    for is_lit, cosine in ((rays.is_lit, facing), (is_lit_behind, opposite)):
+        wanted.append(is_lit * (BLEND * np.maximum(cosine, 0) + (1 - BLEND) * light[2]))
+    assert len(wanted) == LIGHT_SUMS
+    for number, values in enumerate(wanted):
+        np.testing.assert_allclose(found[..., number], rays.sums(values), atol=ROUNDING)
+
+
+def test_the_same_bytes_every_time() -> None:
+    """However threads share the blocks: none is split."""
+    rays = _Rays(4)
+    first, second = (accumulate_views(rays.hits(), rays.groups).tobytes() for _ in range(2))
+    assert first == second
+    first, second = (
+        accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND).tobytes() for _ in range(2)
+    )
+    assert first == second
+
+
+def test_a_ray_counts_where_its_face_has_such_groups() -> None:
+    """Groups of the other family are left out, however near; a face's own are taken."""
+    rays = _Rays(3)
+    number = NODES * RAYS + 5
+    rays.is_warp[number] = rays.is_skipped[number] = False
+    # A centroid of the back's warp lies right there, and one of its weft hardly farther.
+    features = np.concatenate([NORMAL_WEIGHT * rays.normal[:, number], rays.tangent[:, number]])
+    rays.groups.centroids[1, 0] = features
+    rays.groups.centroids[1, 7] = features + 0.01
+    found = accumulate_views(rays.hits(), rays.groups)[..., 0]
+    others = rays.is_skipped.copy()
+    rays.is_skipped[:] = True
+    rays.is_skipped[number] = False
+    only = accumulate_views(rays.hits(), rays.groups)[..., 0]
+    assert only.sum() == 1
+    assert only[1, 0, 7] == 1
+    assert found[1, 0, 7] >= 1
+    assert math.isclose(found.sum(), (~others).sum())

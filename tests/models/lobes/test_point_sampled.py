@@ -1,0 +1,44 @@
+"""Points of close-ups lie where few of them stand for a footprint."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from drjit.llvm.ad import Float, UInt32
+
+from loomlight.core.backend import array_types
+from loomlight.models.lobes.point_sampled import MOST_POINTS, _place
+
+LINES = 4000
+
+
+def places() -> np.ndarray:
+    """All of them [n, 2], in shares of a footprint's edges."""
+    found = _place(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
+    return np.stack([part.numpy() for part in found], axis=1)
+
+
+def test_the_first_point_is_the_middle_and_all_lie_within() -> None:
+    found = places()
+    np.testing.assert_array_equal(found[0], [0, 0])
+    assert (np.abs(found) < 0.5).all()
+    assert len(np.unique(found, axis=0)) == MOST_POINTS
+
+
+# Errors of `tools/fits/near_points.py`, a tenth added; points by chance have 0.2, 0.14 and 0.1.
+@pytest.mark.parametrize(("count", "largest"), [(3, 0.11), (5, 0.055), (8, 0.031)])
+def test_few_points_know_the_share_beyond_a_line(count: int, largest: float) -> None:
+    rng = np.random.default_rng(0)
+    angle = rng.uniform(0, 2 * np.pi, LINES)
+    normal = np.stack([np.cos(angle), np.sin(angle)])
+    reach = 0.5 * np.abs(normal).sum(0)
+    offset = rng.uniform(-1, 1, LINES) * reach
+
+    def beyond(points: np.ndarray) -> np.ndarray:
+        """Softly, as pixels see edges: over a twelfth of the footprint or so."""
+        return np.asarray(1 / (1 + np.exp((offset - points @ normal) / 0.04)))
+
+    middles = (np.arange(64) + 0.5) / 64 - 0.5
+    grid = np.stack([axis.ravel() for axis in np.meshgrid(middles, middles)], axis=1)
+    error = beyond(places()[:count]).mean(0) - beyond(grid).mean(0)
+    assert np.sqrt(np.average(error**2, weights=reach)) < largest

@@ -1,0 +1,73 @@
+"""What is exact of the models that look at points: the point model itself, its mean, and both faces.
+
+Covers: models/point.py, models/samples.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import drjit as dr
+import numpy as np
+
+from loomlight.aggregate.reference import reference
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.interface import Model
+from loomlight.models.point import PointFootprint
+from loomlight.models.samples import FootprintSamples
+from loomlight.models.separable import Components, SeparableBsdf
+
+from .fabrics import Queries, fabric, queries
+
+require_llvm()
+
+
+def parts_of(model: Model, asked: Queries) -> dict[str, np.ndarray]:
+    """Components and the hole by name [n]."""
+    at = model.at(asked.view, asked.footprint)
+    assert isinstance(at, SeparableBsdf)
+    components, hole = at.components(asked.light), at.hole
+    dr.eval(components, hole)
+    parts = {part.name: getattr(components, part.name).numpy() for part in fields(Components)}
+    return parts | {"hole": hole.numpy()}
+
+
+def test_one_point_is_the_point_model_with_its_variation() -> None:
+    varied = fabric_from_text('weave = "twill 2/1"\n[variation]\nfibre_noise = 0.8\ncolour_noise = 0.3')
+    asked = queries(varied, 3000, seed=1)
+    model = PointFootprint.for_source(varied)
+    found = model.at(asked.view, asked.footprint).value(asked.light)
+    centre = asked.footprint.centre
+    point = model.point_model.locate(centre.x, centre.y, asked.view)
+    exact = model.point_model.evaluate(point, asked.light, asked.view)
+    dr.eval(found, exact)
+    # The same searches in two kernels: in 1 lane of 1000 rounding may decide about a shadow's edge.
+    near = np.isclose(found.numpy(), exact.numpy(), rtol=1e-3, atol=1e-6).all(axis=0)
+    assert near.mean() > 0.999
+    assert (exact.numpy().max(axis=0) > 0).mean() > 0.4
+
+
+def test_many_points_are_the_reference() -> None:
+    cloth = fabric("coloured twill")
+    asked = queries(cloth, 40, seed=2)
+    model = FootprintSamples(cloth, 1024)
+    found = np.stack(list(parts_of(model, asked).values()), axis=1)
+    exact = reference(model.point_model, asked.footprint, asked.lights, asked.views, 4096, seed=3)
+    # 200 means; even points scatter less than random ones, of which a quarter as many would scatter twice.
+    spread = 5 * np.sqrt(exact.variance[:, :5] * 5) + 1e-4
+    assert (np.abs(found - exact.mean[:, :5]) < spread).all()
+
+
+def test_plain_weave_from_behind_is_plain_weave_shifted_by_a_thread() -> None:
+    plain = fabric_from_text('weave = "plain"\ngap = 0.25\n[warp]\ntwist_deg = 0.0\n[weft]\ntwist_deg = 0.0')
+    model = PointFootprint.for_source(plain)
+    front = queries(plain, 3000, seed=4)
+    mirror = np.array([1, 1, -1])
+    shift = np.array([float(plain.layout().warp.spacing[0]), 0])
+    behind = Queries(front.lights * mirror, front.views * mirror, front.centres + shift, front.edges)
+    parts = [parts_of(model, one) for one in (front, behind)]
+    for name in parts[0]:
+        here, there = (part[name] for part in parts)
+        assert np.isclose(here, there, rtol=1e-2, atol=1e-5).mean() > 0.997, name
+        assert (here > 0).any()
