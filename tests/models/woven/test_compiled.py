@@ -1,6 +1,6 @@
 """Queries in numpy arrays: what kernels fetch, and that the number of queries does not matter.
 
-Of models/woven: compiled.py and latent_table.py.
+Covers: models/woven/latent_table.py
 """
 
 from __future__ import annotations

@@ -1,4 +1,8 @@
-"""The decoder by SIMD kernels and by cooperative vectors against torch, on one set of queries."""
+"""The decoder by SIMD kernels and by cooperative vectors against torch, on one set of queries.
+
+Covers: models/woven/architecture.py, models/woven/codings.py, models/woven/decoder_kernel.py
+Covers: models/woven/layers.py, models/woven/model.py
+"""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """What is encoded, refused, and laid on a common repeat.
 
-Of models/woven: encoding.py and encoded_fabric.py.
+Covers: models/woven/encoded_fabric.py
 """
 
 from __future__ import annotations

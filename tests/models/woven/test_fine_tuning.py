@@ -113,9 +113,11 @@ def test_long_repeats_are_fitted_too() -> None:
 @pytest.mark.parametrize("count", [1, 63, 64, 65, 300])
 def test_systems_are_solved_as_numpy_solves_them(count: int) -> None:
     rng = np.random.default_rng(count)
-    root = rng.normal(size=(count, 50))
-    matrix = root @ root.T + 0.1 * np.eye(count)
-    right = rng.normal(size=count)
-    wanted = np.linalg.solve(matrix, right)
-    # Rounding of 2e-16 times the condition number, 2e4 at most.
-    np.testing.assert_allclose(_solution(matrix, right), wanted, atol=1e-11 * np.abs(wanted).max())
+    slopes, inputs, errors = (rng.normal(size=shape) for shape in ((count, 5), (count, 9), count))
+    likeness = inputs @ inputs.T
+    kernel = slopes @ slopes.T * likeness
+    kernel += 0.003 * np.trace(kernel) / count * np.eye(count)
+    wanted = np.linalg.solve(kernel, errors)
+    found = _solution(slopes, likeness, errors, np.empty_like(likeness))
+    # Rounding of 2e-16 times the condition number, which is below count / 0.003.
+    np.testing.assert_allclose(found, wanted, atol=1e-10 * np.abs(wanted).max())

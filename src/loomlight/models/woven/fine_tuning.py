@@ -102,12 +102,10 @@ def _fitted(
         return (truth - lit) * importance
 
     error = errors(head)
+    factor = np.empty_like(likeness)
     for _ in range(_STEPS):
         slopes = densities * np.where(inputs @ head.T > 0, 1, SLOPE) * importance[:, None]
-        kernel = slopes @ slopes.T
-        kernel *= likeness
-        kernel[np.diag_indices_from(kernel)] += _CHANGE * np.trace(kernel) / len(kernel)
-        change = (slopes * _solution(kernel, error)[:, None]).T @ inputs / scale
+        change = (slopes * _solution(slopes, likeness, error, factor)[:, None]).T @ inputs / scale
         # What was linear may not be so far: the best of some shares of the step.
         tried = [head + share * change for share in _SHARES_OF_A_STEP]
         found = [errors(rows) for rows in tried]
@@ -118,21 +116,35 @@ def _fitted(
     return head
 
 
-def _solution(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The solution [n] of a symmetric positive definite system [n, n].
+def _solution(
+    slopes: NDArray[np.float64],
+    likeness: NDArray[np.float64],
+    errors: NDArray[np.float64],
+    factor: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """The solution x [n] of (K + λ I) x = errors with the kernel K = slopes·slopesᵀ ∘ likeness.
 
-    A blocked Cholesky factorisation, products of matrices but for the diagonal blocks: as fast as LAPACK's,
-    where that of numpy, which copies the matrix, takes half as long again and solves no triangles.
+    λ is `_CHANGE` of the kernel's mean diagonal. A blocked Cholesky factorisation in products of matrices,
+    which makes the kernel's lower triangle as it goes: as fast as LAPACK's.
+
+    Args:
+        slopes: of errors by bundles [n, bundles].
+        likeness: of inputs [n, n].
+        factor: memory for the factor [n, n].
     """
-    count = len(matrix)
-    factor, solution = np.empty_like(matrix), np.empty_like(right)
+    count = len(errors)
+    ridge = _CHANGE * float(np.square(slopes).sum(1) @ np.diagonal(likeness)) / count
+    solution = np.empty_like(errors)
     starts, inverses = range(0, count, _BLOCK), []
     for first in starts:
         block = slice(first, first + _BLOCK)
-        panel = matrix[first:, block] - factor[first:, :first] @ factor[block, :first].T
+        panel = slopes[first:] @ slopes[block].T
+        panel *= likeness[first:, block]
+        panel[np.diag_indices(panel.shape[1])] += ridge
+        panel -= factor[first:, :first] @ factor[block, :first].T
         inverse = np.linalg.inv(np.linalg.cholesky(panel[:_BLOCK]))
-        factor[first:, block] = panel @ inverse.T
-        solution[block] = inverse @ (right[block] - factor[block, :first] @ solution[:first])
+        np.matmul(panel, inverse.T, out=factor[first:, block])
+        solution[block] = inverse @ (errors[block] - factor[block, :first] @ solution[:first])
         inverses.append(inverse)
     for first, inverse in zip(reversed(starts), reversed(inverses), strict=True):
         block, after = slice(first, first + _BLOCK), slice(first + _BLOCK, count)

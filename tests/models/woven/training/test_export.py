@@ -1,6 +1,6 @@
 """The exported encoder is torch's for every shape, and what ships is what the shipped weights export.
 
-Of models/woven/training: export.py and network.py, whose decoder test_decoder.py compares.
+Covers: models/woven/training/network.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """Training learns, is the same after kill −9 at any moment, and refuses what is not its own.
 
-Covers: cli/train.py, models/woven/training: batches.py, config.py, dataset.py and losses.py.
+Covers: cli/train.py, models/woven/training/batches.py, models/woven/training/config.py
+Covers: models/woven/training/dataset.py, models/woven/training/losses.py
 """
 
 import os

@@ -1,6 +1,6 @@
 """What is drawn for training lies inside the ranges, and is never a held-out weave.
 
-Of models/woven/training: weaves.py and random_fabrics.py.
+Covers: models/woven/training/random_fabrics.py
 """
 
 import numpy as np
