@@ -1,6 +1,6 @@
 """`.loom` files: fabrics come back exactly, and whatever is wrong with a file is one sentence.
 
-Covers: assets/fabric_record.py, assets/fabrics.py
+Covers: assets/fabric_record.py, assets/load.py, assets/sources.py
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Live pictures: edits show at once, as they would in a picture that is traced anew.
 
-Covers: mitsuba/cloth_samples.py, mitsuba/scene_edits.py
+Covers: mitsuba/bsdf_samples.py, mitsuba/scene_edits.py
 """
 
 from __future__ import annotations

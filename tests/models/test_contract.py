@@ -3,7 +3,7 @@
 A model that is added to the registry is tried here without a line of its own. What a model claims of itself
 (`filters`, `conserves_energy`) is held against it; everything else holds for all.
 
-Covers: models/interface.py
+Covers: models/interface.py, models/separable.py
 """
 
 from __future__ import annotations

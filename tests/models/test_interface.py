@@ -1,6 +1,6 @@
 """A toy model enters by one entry of the registry: a `.loom`, a BSDF, a command, a row of a benchmark.
 
-Covers: models/interface.py, models/bake.py, assets/sources.py, assets/load.py, mitsuba/plugins.py.
+Covers: models/interface.py, models/bake.py, mitsuba/plugins.py
 """
 
 from __future__ import annotations

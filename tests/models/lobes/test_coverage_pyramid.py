@@ -32,13 +32,13 @@ def test_levels_are_a_pyramid() -> None:
 
 def test_repeats_of_sixteen_threads_are_small() -> None:
     for groups in (8, 64):
-        assert LobesModel.for_fabric(random_cloth(16, 16), groups).tables.nbytes < 2_000_000
+        assert LobesModel.for_source(random_cloth(16, 16), groups).tables.nbytes < 2_000_000
 
 
 def test_the_largest_drafts_stay_bounded() -> None:
     """641 × 641 crossings, all different."""
     cloth = random_cloth(641, 641)
-    assert LobesModel.for_fabric(cloth).tables.nbytes < 64_000_000
+    assert LobesModel.for_source(cloth).tables.nbytes < 64_000_000
     geometry = YarnGeometry(cloth.layout())
     assert spacing_of(geometry, PER_FAMILY).base_size < 3 * geometry.size[0] / 641
     # A small draft has the smallest squares there are.

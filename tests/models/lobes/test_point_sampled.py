@@ -1,13 +1,19 @@
-"""Points of close-ups lie where few of them stand for a footprint."""
+"""Points of close-ups lie where few of them stand for a footprint; regimes hand over smoothly.
+
+Covers: models/lobes/regimes.py
+"""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from drjit.llvm.ad import Float, UInt32
+from drjit.llvm.ad import Array2f, Float, UInt32
 
 from loomlight.core.backend import array_types
+from loomlight.core.footprint import Footprint
+from loomlight.fabric import fabric_from_text
 from loomlight.models.lobes.point_sampled import MOST_POINTS, _place
+from loomlight.models.lobes.regimes import RegimeScale
 
 LINES = 4000
 
@@ -42,3 +48,26 @@ def test_few_points_know_the_share_beyond_a_line(count: int, largest: float) -> 
     grid = np.stack([axis.ravel() for axis in np.meshgrid(middles, middles)], axis=1)
     error = beyond(places()[:count]).mean(0) - beyond(grid).mean(0)
     assert np.sqrt(np.average(error**2, weights=reach)) < largest
+
+
+def test_regimes_hand_over_smoothly() -> None:
+    """Points alone below 0.6 threads, groups alone above 1.6, both between."""
+    layout = fabric_from_text("plain").layout()
+    thread = float(layout.warp.spacing[0])
+    sides = thread * np.geomspace(0.02, 4, 200)
+    edge = Float(sides.astype(np.float32))
+    footprint = Footprint(Array2f(0, 0), Array2f(edge, 0), Array2f(0, edge))
+    regime = RegimeScale(layout, 0.1 * thread, array_types(Float)).of(footprint)
+    weight, points = regime.prefiltered.numpy(), regime.points.numpy()
+    np.testing.assert_allclose(regime.threads.numpy(), sides / thread, rtol=1e-5)
+    assert (weight[sides < 0.6 * thread] == 0).all()
+    assert (weight[sides > 1.6 * thread] == 1).all()
+    assert (np.diff(weight) >= 0).all()
+    # Two hundred sizes: no step of more than a few hundredths.
+    assert np.diff(weight).max() < 0.06
+    assert (points[weight == 1] == 0).all()
+    assert (points[weight < 1] >= 1).all()
+    assert points.max() <= MOST_POINTS
+    # Squares of the pyramid that are wider than a thread move the hand-over up with them.
+    coarse = RegimeScale(layout, 10 * thread, array_types(Float)).of(footprint)
+    assert (coarse.prefiltered.numpy() == 0).all()

@@ -1,4 +1,7 @@
-"""The prefiltered regime in Dr.Jit against its reference in NumPy: the same formulas, written twice."""
+"""The prefiltered regime in Dr.Jit against its reference in NumPy: the same formulas, written twice.
+
+Covers: models/lobes/prefiltered.py
+"""
 
 from __future__ import annotations
 
