@@ -15,18 +15,18 @@ from loomlight.core.files import replacing
 from loomlight.core.images import write_image, write_png
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.evaluation.image_test import (
+from loomlight.evaluation.image_benchmark import (
     DOLLY_FRAMES,
     DOLLY_SIDE,
     REFERENCE_SAMPLES,
     SIZE,
     SceneResult,
-    dolly_test,
     image_tables,
-    image_test,
+    run_dolly_benchmark,
+    run_image_benchmark,
 )
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_test import WEAVES, run_query_test
+from loomlight.evaluation.query_benchmark import WEAVES, run_query_benchmark
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
@@ -71,7 +71,7 @@ def compare(
     command: str = "loomlight.compare",
     progress: Progress | None = None,
 ) -> Comparison:
-    """Renders a fabric in the eight scenes of the image test with each model and judges what it sees.
+    """Renders a fabric in the eight scenes of the image benchmark with each model and judges what it sees.
 
     Writes `folder`/index.html, table.json and pictures/*.png; the folder is made where there is none. The
     point model with 1 and 3 samples a pixel is always among the rows.
@@ -79,8 +79,8 @@ def compare(
     Args:
         fabric: a fabric, or what `load_fabric` takes.
         models: names, such as "point" and "woven".
-        full: the whole protocol: 960×540 against 1 024 samples, the query test on the 24 held-out fabrics
-            besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
+        full: the whole protocol: 960×540 against 1 024 samples, the query benchmark on the 24 held-out
+            fabrics besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
         scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.
         size, reference_samples: of the pictures; by default 400×225 against 64, or the protocol's.
         command: what the record says that it was made by.
@@ -100,7 +100,7 @@ def compare(
     def step(what: str) -> Callable[[int, int], None]:
         return lambda done, total: progress(what, done, total) if progress is not None else None
 
-    shown = image_test(
+    shown = run_image_benchmark(
         chosen,
         [cloth, fabric_from_text(_PARTNER)],
         scenes=scenes,
@@ -114,7 +114,7 @@ def compare(
     able = [name for name in chosen if name not in found.refused]
     found.tables += _query_tables(cloth, able, full, step("queries"))
     if full:
-        dolly = dolly_test(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
+        dolly = run_dolly_benchmark(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
         found.tables.append(dolly.table())
     _write(found, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
     return found
@@ -152,21 +152,21 @@ def prepared_folder(folder: str | os.PathLike[str]) -> Path:
 def _query_tables(
     cloth: Fabric, models: Sequence[str], full: bool, progress: Callable[[int, int], None]
 ) -> list[Table]:
-    """The query test of this fabric, and of the held-out ones with the full protocol."""
+    """The query benchmark of this fabric, and of the held-out ones with the full protocol."""
     predictors = {name: model_predictor(partial(make_model, name)) for name in models}
     appearance = cloth.appearance()
     threads = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
     own = HeldOut(cloth.name, cloth, unseen_weave=True, coloured=len({tuple(row) for row in threads}) > 2)
     pairs, footprints = (PAIRS, FOOTPRINTS) if full else (_QUICK_PAIRS, _QUICK_FOOTPRINTS)
     try:
-        mine = run_query_test(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
+        mine = run_query_benchmark(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
     except InputError as error:
         # Long repeats are too large for slices; their pictures still tell.
-        tables = [Table("Query test", [], note=f"There is none of this fabric. {error}")]
+        tables = [Table("Query benchmark", [], note=f"There is none of this fabric. {error}")]
     else:
         tables = [_titled(table, f"{table.title}, {cloth.name}") for table in mine.tables()[:3]]
     if full:
-        tables += run_query_test(predictors, held_out_fabrics(), progress=progress).tables()
+        tables += run_query_benchmark(predictors, held_out_fabrics(), progress=progress).tables()
     return tables
 
 

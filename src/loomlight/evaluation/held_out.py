@@ -1,4 +1,4 @@
-"""The 24 held-out fabrics of the query test: drawn once by a fixed seed, in no training set.
+"""The 24 held-out fabrics of the query benchmark: drawn once by a fixed seed, in no training set.
 
 Half are weaves that no training set holds, half the paper's seven weaves with parameters of their own. Every
 second one lets light through, a quarter have threads of several colours. Parameters are drawn from the ranges

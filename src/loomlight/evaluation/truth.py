@@ -1,4 +1,4 @@
-"""The truth of the query test: slices on the reference plane, searched finely, kept on disk once computed.
+"""The truth of the query benchmark: slices on the reference plane, searched finely and cached on disk.
 
 The grid has 64 rays a thread (32 for repeats beyond 16 threads), so that its own error is 1 % of the mean
 below a quarter yarn and 0.15 % above (docs/aggregation.md).

@@ -1,4 +1,4 @@
-"""What the figures show the fabrics on: the pieces of the image test, framed as the paper's figures are."""
+"""Scenes of the figures: the pieces of cloth of the image benchmark, framed as the paper's figures are."""
 
 from __future__ import annotations
 

@@ -29,7 +29,7 @@ _MIN_RAYS, _RAYS_PER_GROUP = 256, 32
 _MAX_GAP_RAYS = 128
 # Views of each node and face that groups are found from.
 _SAMPLED_VIEWS = 32
-# Finer steps gain nothing in the query test; without refinement hits cost 6 % of its error.
+# Finer steps gain nothing in the query benchmark; without refinement hits cost 6 % of its error.
 _QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=0.95, refinements=1)
 
 

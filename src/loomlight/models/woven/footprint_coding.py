@@ -105,7 +105,7 @@ def size_share(size: Any, smallest: float, largest: float, arrays: Any = np) -> 
 
 
 # Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
-# `_LONGEST` threads. They are those of the query test.
+# `_LONGEST` threads. They are those of the query benchmark.
 _FIELD_SIZES = 1 / 64, 80.0
 _REPEATS = 1 / 128, 5.0
 # A fabric's own correction counts from the first size on, in threads, and wholly from the second.

@@ -11,7 +11,7 @@ from loomlight.models.woven.training.config import TrainingTable
 
 # λ of specular and diffuse terms (chen2024 eq. 11).
 _SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1
-# Weights of the two terms in a picture of cloth, as in the query test; and about their mean, 1/sr.
+# Weights of the two terms in a picture of cloth, as in the query benchmark; and about their mean, 1/sr.
 _ALBEDOS = (0.4, 0.4, 0.6, 0.6)
 _MEAN_VALUE = 0.06
 _LOGARITHMIC_SHARE = 0.1

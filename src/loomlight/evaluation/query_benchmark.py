@@ -1,4 +1,4 @@
-"""The query test: predictions for the footprints of held-out fabrics against the truth, by class.
+"""The query benchmark: predictions for the footprints of held-out fabrics against the truth, by class.
 
 What is judged (`QUANTITIES`), each overall and by band of footprint size, roughness and elevation:
 
@@ -71,8 +71,8 @@ class RowResult:
 
 
 @dataclass
-class QueryTest:
-    """Results of the query test.
+class QueryBenchmark:
+    """Results of the query benchmark.
 
     Attributes:
         rows: by name.
@@ -126,7 +126,7 @@ class QueryTest:
         return [by_class, others, quantities, fabrics]
 
 
-def run_query_test(
+def run_query_benchmark(
     predictors: Mapping[str, Predictor],
     fabrics: Iterable[HeldOut],
     *,
@@ -135,7 +135,7 @@ def run_query_test(
     seed: int = SEED,
     monte_carlo: Iterable[int] = MONTE_CARLO,
     progress: Progress | None = None,
-) -> QueryTest:
+) -> QueryBenchmark:
     """Judges predictors by name, and Monte Carlo of a few samples beside them, on the same queries.
 
     A fabric that a model refuses (InputError) is left out of every row's sums, so that all rows are of the
@@ -168,7 +168,7 @@ def run_query_test(
                 _judge(rows[name], cloth, queries, prediction, truth.astype(np.float64))
         if progress is not None:
             progress(number + 1, len(chosen))
-    return QueryTest(rows, used, pairs * footprints)
+    return QueryBenchmark(rows, used, pairs * footprints)
 
 
 def grey_value(means: NDArray[Any]) -> NDArray[np.float64]:

@@ -1,8 +1,8 @@
-"""The image test: eight scenes rendered by models with one sample a pixel, against the point model with many.
+"""The image benchmark: eight scenes rendered with one sample a pixel, against the point model with many.
 
-One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter get
-the pixel as their footprint, its middle as their place; models that look at a point are rendered with 1 and
-3 samples placed as Mitsuba's sampler places them.
+One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter are
+evaluated once a pixel, with the pixel as their footprint. Models of points are rendered with 1 and 3 samples
+a pixel from Mitsuba's sampler.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ def shots_of(models: Sequence[str]) -> list[Shot]:
     return [*(Shot(REFERENCE_MODEL, samples) for samples in POINT_SAMPLES), *others]
 
 
-def image_test(
+def run_image_benchmark(
     models: Sequence[str],
     fabrics: Sequence[Fabric],
     *,
@@ -107,7 +107,7 @@ def image_test(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> list[SceneResult]:
-    """Renders and judges.
+    """Renders every scene with every model and measures the errors of the pictures.
 
     Args:
         models: names; see `shots_of`.
@@ -217,7 +217,7 @@ class DollyResult:
         return table
 
 
-def dolly_test(
+def run_dolly_benchmark(
     models: Sequence[str],
     fabric: Fabric,
     *,
