@@ -25,7 +25,7 @@ from loomlight.models.woven import compiled, latent_table
 from loomlight.models.woven.compiled import _compiled, compiled_decoder, decode, kernel_table
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.model import WovenModel
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -66,7 +66,7 @@ def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> N
     scale = wanted.max(axis=0)
     assert (scale > 1e-3).all()
     # Positions in float32 are off by 1e-6 of a repeat, 1e-4 of the pyramid's finest texels at worst.
-    footprints = places_of(fabric.layout(), centres, sides)
+    footprints = footprints_in_threads(fabric.layout(), centres, sides)
     batch = decode(weights, encoded, lights, views, footprints)
     for answers in (found, batch):
         error = np.abs(answers - wanted) / scale
