@@ -39,9 +39,7 @@ class SideBySide:
         """
         parameters = [parameter for parameter in network.parameters() if parameter.requires_grad]
 
-        def gradients_of(
-            loss: Callable[[], Tensor], weight: float
-        ) -> tuple[Tensor, tuple[Tensor | None, ...]]:
+        def backward(loss: Callable[[], Tensor], weight: float) -> tuple[Tensor, tuple[Tensor | None, ...]]:
             value = weight * loss()
             return value.detach(), torch.autograd.grad(value, parameters, allow_unused=True)
 

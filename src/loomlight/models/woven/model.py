@@ -59,7 +59,7 @@ class WovenBsdf(SeparableBsdf):
     @cached_property
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
-        if "_seen" in self.__dict__:
+        if "_activations" in self.__dict__:
             return self._activations.hole
         return self._decoder.hole(self._model.table(array_types(self.view.x).Float), *self._query)
 
