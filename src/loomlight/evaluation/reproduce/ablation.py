@@ -103,10 +103,10 @@ def weights_files(runs: Path) -> dict[str, Path]:
 
 
 def _budget(networks: dict[str, Weights]) -> str:
-    """What each was trained for, as their recipes say."""
-    found = []
+    """Training time and steps of each network, from its recipe."""
+    facts = []
     for name, network in networks.items():
         minutes = network.recipe.get("training", {}).get("minutes", 0)
         steps = network.provenance.get("steps", "unknown")
-        found.append(f"{name}: {f'{minutes:g} minutes, ' if minutes else ''}{steps} steps")
-    return "; ".join(found)
+        facts.append(f"{name}: {f'{minutes:g} minutes, ' if minutes else ''}{steps} steps")
+    return "; ".join(facts)
