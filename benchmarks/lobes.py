@@ -42,7 +42,7 @@ ROWS, ACROSS, REPEATS = 512, 1024, 60
 
 
 def operations(model: LobesModel, arrays: Any) -> int:
-    """Floating-point operations of a query far away."""
+    """Floating-point operations of a prefiltered query."""
     light, view, footprint = arrays
     types = array_types(Float)
     lobes, _ = model.on_backend(types)
@@ -53,11 +53,11 @@ def operations(model: LobesModel, arrays: Any) -> int:
         total: Any = 0
         for pair in range(pairs):
             number = dr.opaque(UInt32, pair)
-            words = lobes.seen(at, number)
-            for seen, (diffuse, specular) in zip(
-                words, lobes.components(words, at, nodes, number, light, half), strict=True
+            packs = lobes.seen_packs(at, number)
+            for pack, (diffuse, specular) in zip(
+                packs, lobes.components(packs, at, nodes, number, light, half), strict=True
             ):
-                total = total + diffuse + specular + sum(seen.weights)
+                total = total + diffuse + specular + sum(pack.weights)
         kernels = launched_kernels(partial(dr.eval, total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
     return int(counts[0] + (model.tables.packs // 2 - 1) * (counts[1] - counts[0]))

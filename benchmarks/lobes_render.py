@@ -2,8 +2,8 @@
 
     python -m benchmarks.lobes_render [--size 960x540] [--output benchmarks/results/lobes_render.json]
 
-The scene is that of the image test where a pixel of draped cloth covers four yarns a side, the reference the
-point model with 1 024 samples a pixel. Lobes look at the pixel's footprint through its middle. Errors are
+The scene is the one of the image benchmark in which a pixel of draped cloth covers four yarns a side; the
+reference is the point model with 1 024 samples a pixel. Lobes take the pixel's footprint. Errors are
 over pixels wholly on cloth. The samples that the point model needs for the lobes' MSE are read off its errors
 at 1, 4, 16 … samples, on logarithmic scales. Seconds are those of pictures that are traced already
 (`LivePicture`), the least of several in turns, so that both see the same machine; the point model's are read

@@ -33,7 +33,7 @@ from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.decoder import Decoder, decoder_cost
 from loomlight.models.woven.encoder import encoder_session, fabric_parameters, face_maps, shortest_repeat
 from loomlight.models.woven.fine_tuning import fitted_correction
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.model import WovenModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -67,14 +67,14 @@ def in_batch(model: WovenModel) -> float:
 
 def by_cooperative_vectors(model: WovenModel) -> float:
     """The same without SIMD kernels."""
-    with patch.object(Decoder, "compiles", lambda decoder, asked: False):
+    with patch.object(Decoder, "uses_kernel", lambda decoder, inputs: False):
         return in_batch(model)
 
 
 def in_numpy(model: WovenModel) -> float:
     """Queries a second of numpy arrays, turned and copied included."""
     lights, views, centres, sides = queries(model, COUNT)
-    footprints = places_of(model.fabric.layout(), centres.T, sides)
+    footprints = footprints_in_threads(model.fabric.layout(), centres.T, sides)
     directions = np.ascontiguousarray(lights.T), np.ascontiguousarray(views.T)
     return COUNT / median_seconds(lambda: decode(model.weights, model.encoded, *directions, footprints))
 
@@ -128,7 +128,7 @@ def measure(_: Namespace) -> Figures:
     model = WovenModel.for_source(fabric_from_text(FABRIC))
     corrected = model.encoded.correction is not None
     cost = decoder_cost(model.weights, corrected)
-    seen, light = 2 * cost.seen, 2 * cost.lit
+    seen, light = 2 * cost.per_view, 2 * cost.per_light
     start = time.perf_counter()
     batch, batch_peak = beside_peak(lambda: in_batch(model))
     vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model))

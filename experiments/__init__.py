@@ -1,1 +1,1 @@
-"""How right, and why so: each module is a script, `python -m experiments.query_test`; training recipes."""
+"""Measurements of accuracy, each a script (`python -m experiments.query_benchmark`), and training recipes."""

@@ -1,4 +1,4 @@
-"""How many groups does the lobes model need? Its error in the query test against groups a family.
+"""How many groups does the lobes model need? Its error in the query benchmark against groups a family.
 
     python -m experiments.lobes_groups --output experiments/results/lobes_groups.json
     python -m experiments.lobes_groups --fabrics 8                                          (a check)
@@ -6,7 +6,7 @@
 For each number of groups: nMAE of grey reflection overall and by size of the footprint (b0 is below a quarter
 yarn, b3 above a repeat), of transmission and of colour, bytes that a query fetches from the tables, and their
 size. Close up the model looks at single points, so b0 does not depend on groups. The protocol is that of
-`experiments.query_test`, which keeps the truths on disk; with them it takes some minutes.
+`experiments.query_benchmark`, which keeps the truths on disk; with them it takes some minutes.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from loomlight.aggregate.queries import BANDS
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.metrics import OVERALL
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_test import QueryTest, run_query_test
+from loomlight.evaluation.query_benchmark import QueryBenchmark, run_query_benchmark
 from loomlight.evaluation.table import Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
@@ -31,8 +31,8 @@ from loomlight.models.lobes.model import LobesModel
 GROUPS = (1, 2, 4, 8, 16, 32)
 
 
-def tested(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int, list[int]]]:
-    """The query test of each number of groups, and the sizes of the tables of all fabrics, bytes."""
+def tested(groups: list[int], fabrics: int | None) -> tuple[QueryBenchmark, dict[int, list[int]]]:
+    """The query benchmark of each number of groups, and the sizes of the tables of all fabrics, bytes."""
     sizes: dict[int, list[int]] = {count: [] for count in groups}
 
     def made(count: int, fabric: Fabric) -> LobesModel:
@@ -40,7 +40,7 @@ def tested(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int,
         sizes[count].append(model.tables.nbytes)
         return model
 
-    result = run_query_test(
+    result = run_query_benchmark(
         {str(count): model_predictor(partial(made, count)) for count in groups},
         held_out_fabrics(fabrics),
         monte_carlo=(),
@@ -49,7 +49,7 @@ def tested(groups: list[int], fabrics: int | None) -> tuple[QueryTest, dict[int,
     return result, sizes
 
 
-def figures(result: QueryTest, name: str, sizes: list[int]) -> dict[str, Any]:
+def figures(result: QueryBenchmark, name: str, sizes: list[int]) -> dict[str, Any]:
     """Figures of one number of groups."""
     row = result.rows[name]
     multiply_adds, bytes_fetched = row.cost or (None, None)

@@ -4,7 +4,7 @@
 
 A repeat of 641 by 641 threads is too large for one slice, so the truth is the mean of 4096 multi-jittered
 samples a footprint (its own error, about 1 % of the mean, is part of what is reported); otherwise queries,
-bands and metric are those of the query test. `benchmarks.lobes` has the cost of a query.
+bands and metric are those of the query benchmark. `benchmarks.lobes` has the cost of a query.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from loomlight.assets.load import fabric_of_path
 from loomlight.core.llvm import require_llvm
 from loomlight.evaluation.metrics import Classes, sums_by_class
 from loomlight.evaluation.predictions import Prediction, model_predictor, monte_carlo_predictor
-from loomlight.evaluation.query_test import grey_value
+from loomlight.evaluation.query_benchmark import grey_value
 from loomlight.evaluation.timing import timed
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel

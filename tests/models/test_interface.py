@@ -20,7 +20,7 @@ from loomlight.assets.sources import SOURCE_KINDS, SourceKind
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_test import run_query_test
+from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf, render
 from loomlight.mitsuba.plugins import register_plugins
@@ -111,7 +111,7 @@ def test_pictures_of_it_are_those_of_mitsubas_diffuse() -> None:
 def test_it_is_a_row_of_the_query_benchmark() -> None:
     cloth = HeldOut("plain", fabric_from_text("plain"), unseen_weave=False, coloured=True)
     predictors = {"toy": model_predictor(partial(make_model, "toy of fabrics"))}
-    found = run_query_test(predictors, [cloth], pairs=6, footprints=4, monte_carlo=())
+    found = run_query_benchmark(predictors, [cloth], pairs=6, footprints=4, monte_carlo=())
     row = found.rows["toy"]
     assert set(row.sums) == {"reflection", "transmission", "colour"}
     # It keeps no light from the other side, and cloth is no Lambertian.

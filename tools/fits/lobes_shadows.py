@@ -119,23 +119,23 @@ def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
     reference = LobesReference(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)
     # So large that the whole repeat counts alike.
     everything = Parallelogram(np.zeros(2), np.array([100 * size[0], 0]), np.array([0, 100 * size[1]]))
-    apart, more, cosine, shipped = [], [], [], []
+    independent, more, cosine, shipped = [], [], [], []
     for given_light, given_view in zip(lights, views, strict=True):
         back, light, view = on_seen_face(given_light, given_view)
         groups, weights = reference.groups(back), reference.weights(view, everything, back)
         nodes, side = direction_nodes(light), (int(back), int(through))
         irradiance = nodes.of(tables.irradiance[side]) * _PER_BYTE
-        reached = nodes.of(tables.light_visibility[side]) * _PER_BYTE
-        shares = weights.groups / weights.groups.sum() * (1 - weights.hole)
+        visibility = nodes.of(tables.light_visibility[side]) * _PER_BYTE
+        fractions = weights.groups / weights.groups.sum() * (1 - weights.hole)
         value = layer_value(half_vector(light, view), light, view, groups, appearance.optical_depth)
-        apart.append([shares * irradiance / np.pi, shares * reached * value])
-        more.append(1 / np.maximum(np.maximum(reached, weights.reached), _PER_BYTE) - 1)
+        independent.append([fractions * irradiance / np.pi, fractions * visibility * value])
+        more.append(1 / np.maximum(np.maximum(visibility, weights.view_visibility), _PER_BYTE) - 1)
         lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
         cosine.append([float(light[:2] @ view[:2]) / max(lengths, 1e-6)])
         shipped.append(shadow_correlation(light, view, through))
     return Pairs(
         truth(fabric, lights, views),
-        np.array(apart).swapaxes(0, 1),
+        np.array(independent).swapaxes(0, 1),
         np.array(more),
         np.array(cosine),
         np.array(shipped).T[..., None],

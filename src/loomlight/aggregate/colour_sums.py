@@ -1,9 +1,9 @@
-"""Colours over a footprint: how much of it each family covers, and the mean albedos of its threads there.
+"""Colours over a footprint: the coverage of each family, and the mean albedos of its threads there.
 
-Models give components a family; thread colours correlate with the weave (stripes, houndstooth), so a
-component is multiplied by the mean of its family's albedos over the footprint, weighted by where the family
-shows, not by one mean colour. What a view shows of stripes shifts with parallax, so the sums belong to a
-view. Exact colours of coloured fabrics come from `FabricSlices(with_colours=True)`.
+Models give components by family; thread colours correlate with the weave (stripes, houndstooth), so a
+component is multiplied by the mean of its family's albedos over its visible parts in the footprint, not by
+one mean colour. Stripes shift with parallax, so the sums belong to a view. Exact colours of coloured fabrics
+come from `FabricSlices(with_colours=True)`.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class FootprintColours:
     """Means over n footprints.
 
     Attributes:
-        coverage: share of rays that meet warp and weft [n, 2]; what is left are holes.
+        coverage: fraction of rays that hit warp and weft [n, 2]; the rest are holes.
         albedos: mean over those rays [n, 2, 4, 3], in the order of `ALBEDOS`, linear RGB; 0 without rays.
     """
 
@@ -39,7 +39,7 @@ class FootprintColours:
 
 
 class ColourSums:
-    """Summed areas of coverage and of albedos as one view shows them."""
+    """Summed areas of coverage and of albedos for one view."""
 
     def __init__(
         self,
@@ -49,7 +49,7 @@ class ColourSums:
         texels_per_thread: float = TEXELS_PER_THREAD,
         window: tuple[float, float, float, float] | None = None,
     ) -> None:
-        """Follows the rays of unit vector `view` [3], z < 0 from behind; see `FabricSlices` for the rest.
+        """Traces the rays of unit vector `view` [3], z < 0 from behind; see `FabricSlices` for the rest.
 
         Raises:
             InputError: a window without extent, or more than 16 million texels.

@@ -2,14 +2,14 @@
 
 Each point and pair of directions has five channels (chen2024 eq. 7 and the hole of its 6.5):
 
-    C_warp, C_weft   blended diffuse term of the family that shows, cosine included, 1/sr
-    S_warp, S_weft   fibre layer of the family that shows, cosine included, 1/sr
+    C_warp, C_weft   blended diffuse term of the family that is hit, cosine included, 1/sr
+    S_warp, S_weft   fibre layer of the family that is hit, cosine included, 1/sr
     hole             the ray passes through the cloth
 
-The first four hold the visibility of the light. They are reflection where the light is on the side that is
-seen, transmission where it is on the other. With one albedo a family, f·cos = k_d^warp C_warp + k_d^weft
-C_weft + k_s^warp S_warp + k_s^weft S_weft is the point model's value (eq. 8), without its sheen, which the
-macro normal alone decides and which goes on top afterwards, and without its procedural variation.
+The first four include the visibility of the light. They are reflection where the light is on the side of the
+view, transmission where it is on the other. With one albedo a family, f·cos = k_d^warp C_warp + k_d^weft
+C_weft + k_s^warp S_warp + k_s^weft S_weft is the point model's value (eq. 8) without its sheen, which depends
+on the macro normal alone and is added afterwards, and without its procedural variation.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class ViewHits:
 
 
 def without_sheen_and_variation(model: PointModel) -> PointModel:
-    """The model without sheen and procedural variation, which components and colours leave out."""
+    """The model without sheen and procedural variation, which components and colours do not include."""
     old = model.appearance
     appearance = Appearance(
         old.warp, old.weft, diffuse_blend=old.diffuse_blend, optical_depth=old.optical_depth
@@ -78,7 +78,7 @@ class Scattering(Protocol):
 
     @property
     def diffuse_blend(self) -> Float:
-        """w, the share of the yarn normal in the diffuse term."""
+        """w, the weight of the yarn normal in the diffuse term."""
 
     @property
     def optical_depth(self) -> Float:
@@ -95,16 +95,20 @@ def lobes(
         transmits: whether light and view lie on different sides in all lanes; None decides lane by lane.
     """
     types = array_types(point.x)
-    seen, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
+    facing_view, facing = to_face_frame(view, point.back), to_face_frame(light, point.back)
     frame = (point.normal, point.tangent, point.roughness, types.Float(appearance.optical_depth))
     blend = types.Float(appearance.diffuse_blend)
-    beyond = types.Bool(facing.z < 0)
+    is_transmission = types.Bool(facing.z < 0)
     # Diffuse transmission is diffuse reflection of the opposite direction.
-    diffuse = diffuse_reflection(dr.select(beyond, -facing, facing), point.normal, blend)
+    diffuse = diffuse_reflection(dr.select(is_transmission, -facing, facing), point.normal, blend)
     if transmits is None:
-        specular = dr.select(beyond, transmission(facing, seen, *frame), reflection(facing, seen, *frame))
+        specular = dr.select(
+            is_transmission,
+            transmission(facing, facing_view, *frame),
+            reflection(facing, facing_view, *frame),
+        )
     else:
-        specular = (transmission if transmits else reflection)(facing, seen, *frame)
+        specular = (transmission if transmits else reflection)(facing, facing_view, *frame)
     return diffuse, specular
 
 
@@ -119,7 +123,7 @@ def components(
     """The channels C_warp, C_weft, S_warp, S_weft of yarn points: four Float, 1/sr; zero in holes.
 
     Args:
-        visible: whether the cloth leaves the light free at each point, `PointModel.visibility`.
+        visible: the light is not occluded at the point; see `PointModel.visibility`.
         transmits: see `lobes`.
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
@@ -143,12 +147,14 @@ def colours(
 ) -> Color3:
     """f·cos of yarn points with the albedos of their threads: Color3, 1/sr; zero in holes and shadow.
 
-    Exact where threads of one family differ in colour, which no mean albedo is.
+    Exact also where threads of one family differ in colour, unlike mean albedos.
     """
     diffuse, specular = lobes(appearance, point, light, view, transmits)
     albedos = point.albedos
-    near = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
-    far = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
-    beyond = to_face_frame(light, point.back).z < 0
-    value = dr.select(beyond, far, near) if transmits is None else far if transmits else near
+    reflected = albedos.diffuse_reflect * diffuse + albedos.specular_reflect * specular
+    transmitted = albedos.diffuse_transmit * diffuse + albedos.specular_transmit * specular
+    if transmits is None:
+        value = dr.select(to_face_frame(light, point.back).z < 0, transmitted, reflected)
+    else:
+        value = transmitted if transmits else reflected
     return dr.select(visible & ~point.hole, value, 0)

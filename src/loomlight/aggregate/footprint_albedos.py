@@ -1,19 +1,19 @@
 """Mean albedos of both families over footprints, inside a kernel: a few table reads, whatever the size.
 
-Models give components a family; a component is multiplied by the mean of its family's albedos over the
-footprint, weighted by where the family shows. From straight above that is known crossing by crossing. With
-A_i(x) = 1 on the visible width of warp thread i, B_j(y) = 1 on that of weft thread j, and W_ji = 1 where the
-warp is on top, the warp shows where
+Models give components by family; a component is multiplied by the mean of its family's albedos over the
+visible parts of the family in the footprint. Seen along the normal, visibility is constant on each crossing.
+With A_i(x) = 1 on the visible width of warp thread i, B_j(y) = 1 on that of weft thread j, and W_ji = 1 where
+the warp is on top, the warp is visible where
 
     A_i·((1 − B_j) + B_j·W_ji)        from the front, and from behind        A_i·((1 − B_j) + B_j·(1 − W_ji))
 
 so the integral of a quantity c_i of its threads over a box is one product of two sums along the axes, for the
 gaps, plus a box of the summed-area table of c_i·|A_i|·|B_j|·W_ji. The table has one entry a crossing: each
-crossing is a rectangle, so interpolation by the share of its width and height is exact. `ColourSums` follows
-the rays of oblique views instead, on a grid of texels, for one view at a time.
+crossing is a rectangle, so linear interpolation within it is exact. `ColourSums` traces the rays of oblique
+views instead, on a grid of texels, for one view at a time.
 
 The quantities are 1, whose integral is the weight, and the coordinates of the threads' twelve albedos in
-their own principal axes: k colours need k − 1, and albedos made from colours 6 at most. Entries are whole
+their principal axes: k colours need k − 1, and albedos made from colours 6 at most. Entries are integer
 multiples of 2⁻³¹ of the repeat, so that differences between them are exact and no float64 is needed: a
 crossing has 5000 units in a draft of 641 by 641 threads, 128 in the largest.
 """
@@ -42,30 +42,30 @@ _NUMBERS = 3 * len(_ALBEDOS)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
 # Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
 _MOST_ENTRIES = 1 << 26
-# Up to so many entries each is kept together with its neighbour, so that both are read at once: 32 MB.
+# Up to so many entries, each is stored together with its neighbour, so that both are read at once: 32 MB.
 _MOST_PAIRED = 1 << 22
 # Numbers fetched at once.
 _WIDEST = 16
-# Principal axes that move no albedo by more than this are left out.
+# Principal axes that change no albedo by more than this are dropped.
 _SMALLEST_AXIS = 1e-6
-# Boxes count as at least this share of a mean thread wide: below, float32 positions say nothing.
+# Least width of boxes in mean threads: float32 positions do not resolve less.
 _SMALLEST_BOX = 1 / 64
-# Where a family does not show at all, its threads beneath count with this weight: an oblique view may see
-# them. It moves no mean of threads that show by more than its share of what they cover.
+# Weight of hidden threads, which decides where no thread of a family is visible: an oblique view may see
+# them. It changes other means by at most this fraction.
 _HIDDEN = 2.0**-12
 # Units in which table entries are counted; differences must stay within a signed 32-bit number.
 _UNITS = 0.99 * 2**31
-# What shows is nothing but rounding below so many units, in proportion for boxes smaller than a crossing,
-# and below this share of what could show.
+# Visible areas below so many units, in proportion for boxes smaller than a crossing, and below this fraction
+# of the threads' area are rounding errors.
 _NOISE_UNITS = 16
-_NOISE_SHARE = 1e-5
+_NOISE_FRACTION = 1e-5
 
 
 class FootprintAlbedos:
     """Mean albedos of warp and weft over footprints of one fabric, for any backend."""
 
     def __init__(self, geometry: YarnGeometry, appearance: Appearance) -> None:
-        """Works out the tables; families whose threads are all alike need none."""
+        """Computes the tables; families whose threads are all the same need none."""
         warp, weft = geometry.families
         on_top = geometry.layout.warp_on_top
         self._tables = (
@@ -77,17 +77,17 @@ class FootprintAlbedos:
 
     @property
     def varied(self) -> bool:
-        """Whether threads of a family differ, so that it matters where a footprint lies."""
+        """Whether threads of a family differ, so that means depend on the position."""
         return any(len(tables.axes) > 0 for tables in self._tables)
 
     @property
     def bytes(self) -> int:
-        """What the tables take up on a device."""
+        """Size of the tables on a device."""
         return sum(tables.areas.nbytes + tables.threads.nbytes for tables in self._tables)
 
     @property
     def truncation(self) -> float:
-        """Largest error of any thread's albedo from principal axes that were left out."""
+        """Largest error of a thread's albedo, from principal axes that were dropped."""
         return max(tables.truncation for tables in self._tables)
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
@@ -101,14 +101,14 @@ class FootprintAlbedos:
         return self._uploaded[types.Float].over(footprint, types.Bool(back))
 
     def upload(self, types: ArrayTypes) -> None:
-        """Puts the tables on a backend, which otherwise happens at first use."""
+        """Uploads the tables to a backend, which otherwise happens at first use."""
         if types.Float not in self._uploaded:
             self._uploaded[types.Float] = _Uploaded(self._families, self._tables, types)
 
 
 @dataclass(frozen=True, eq=False)
 class _FamilyTables:
-    """One family's colours. Its quantities are 1 and r principal coordinates, none where threads are alike.
+    """One family's colours. Its quantities are 1 and r principal coordinates; r = 0 if all threads are equal.
 
     Attributes:
         mean: of the twelve albedos over the threads [12].
@@ -165,10 +165,10 @@ def _principal(
     left, sizes, right = np.linalg.svd(rows - mean, full_matrices=False)
     coordinates, axes = left * sizes, right
     largest = np.abs(coordinates).max(axis=0)
-    # Sorted by the sum of squares; in doubt an axis is kept.
-    kept = min(int((largest > _SMALLEST_AXIS).sum()), max(most, 0))
-    coordinates = coordinates[:, :kept] / largest[:kept]
-    axes = axes[:kept] * largest[:kept, None]
+    # Sorted by the sum of squares, so the first ones suffice.
+    rank = min(int((largest > _SMALLEST_AXIS).sum()), max(most, 0))
+    coordinates = coordinates[:, :rank] / largest[:rank]
+    axes = axes[:rank] * largest[:rank, None]
     error = np.abs(rows - mean - coordinates @ axes).max()
     return mean, coordinates, axes, float(error)
 
@@ -179,19 +179,19 @@ def _padded_row(numbers: int) -> int:
 
 
 def _padded(quantities: int) -> int:
-    """Quantities a table entry holds: two, or whole reads of four."""
+    """Quantities of a table entry: two, or whole reads of four."""
     return 2 if quantities == 2 else -(-quantities // 4) * 4
 
 
 @dataclass
 class _Bound:
-    """One side of a box: the thread whose cell it falls in, and how far.
+    """One side of a box: the thread whose cell it lies in, and its position there.
 
     Attributes:
         thread: its index.
         turns: whole repeats away, Float.
         cell: length of the thread's cell before the bound, millimetres.
-        visible: share of the thread's visible width before it, 0 to 1.
+        visible: fraction of the thread's visible width before it, 0 to 1.
         width: visible width of the thread, millimetres.
         gap: length of the cell before the bound that the thread leaves open, millimetres.
     """
@@ -220,22 +220,22 @@ class _Axis:
         self._visible, self._cells = (dr.opaque(types.Float, float(total)) for total in before[-1])
 
     def bounds(self, centre: Vec2, size: Vec2) -> tuple[_Bound, _Bound]:
-        """Lower and upper bound of a stretch of the axis, the centre moved into the first repeat."""
+        """Lower and upper bound of an interval of the axis, the centre moved into the first repeat."""
         local = centre - dr.floor((centre - self._start) / self._period) * self._period
         half = maximum(size, self._smallest) * 0.5
         return self._bound(local - half), self._bound(local + half)
 
     def _bound(self, position: Float) -> _Bound:
         types = self._types
-        found: Cell = self._family.locate(position)
-        before = dr.gather(types.Vector2, self._before, found.thread)
-        # Rounding decides between neighbouring cells, so the repeat follows from the cell that was found.
-        turns = dr.round((position - self._start - before.y - found.below) / self._period)
-        width = 2 * found.half_width
-        visible = clip((found.across + found.half_width) / width, 0, 1)
-        ahead = found.below - found.across - found.half_width
-        gap = minimum(found.below, ahead) + maximum(found.across - found.half_width, 0)
-        return _Bound(found.thread, turns, found.below, visible, width, gap)
+        cell: Cell = self._family.locate(position)
+        before = dr.gather(types.Vector2, self._before, cell.thread)
+        # Rounding decides between neighbouring cells, so the repeat follows from the chosen cell.
+        turns = dr.round((position - self._start - before.y - cell.below) / self._period)
+        width = 2 * cell.half_width
+        visible = clip((cell.across + cell.half_width) / width, 0, 1)
+        ahead = cell.below - cell.across - cell.half_width
+        gap = minimum(cell.below, ahead) + maximum(cell.across - cell.half_width, 0)
+        return _Bound(cell.thread, turns, cell.below, visible, width, gap)
 
     def lengths(self, low: _Bound, high: _Bound) -> tuple[Float, Float, Float]:
         """Millimetres between two bounds: of visible threads, of gaps, and in all."""
@@ -262,8 +262,8 @@ class _Uploaded:
 
     def over(self, footprint: Footprint, back: Mask) -> tuple[Albedos, Albedos]:
         warp, weft = self._colours
-        if warp.alike and weft.alike:
-            return warp.shared, weft.shared
+        if warp.is_uniform and weft.is_uniform:
+            return warp.uniform, weft.uniform
         box = footprint.box()
         across, along = self._axes
         columns = across.bounds(box.centre.x, box.size.x)
@@ -282,9 +282,9 @@ class _Colours:
 
     def __init__(self, tables: _FamilyTables, types: ArrayTypes) -> None:
         self._types = types
-        self.alike = len(tables.axes) == 0
-        self.shared = _albedos(types, _opaque(types, tables.mean))
-        if self.alike:
+        self.is_uniform = len(tables.axes) == 0
+        self.uniform = _albedos(types, _opaque(types, tables.mean))
+        if self.is_uniform:
             return
         self._mean = _opaque(types, tables.mean)
         self._axes = [_opaque(types, axis) for axis in tables.axes]
@@ -303,19 +303,19 @@ class _Colours:
 
     def mean_over(self, own: _Stretch, other: _Stretch, back: Mask) -> Albedos:
         """Mean albedos over a box: `own` is its stretch across the family's threads."""
-        if self.alike:
-            return self.shared
+        if self.is_uniform:
+            return self.uniform
         visible, cells = self._along(own)
         crossing, gaps, length = other[0].lengths(*other[1:])
-        above = [
+        exposed = [
             dr.select(back, part * crossing - on_top, on_top)
             for part, on_top in zip(visible, self._on_top(own, other), strict=True)
         ]
         area = visible[0] * crossing
-        noise = _NOISE_UNITS * self._unit * minimum(area / self._crossing, 1) + _NOISE_SHARE * area
+        noise = _NOISE_UNITS * self._unit * minimum(area / self._crossing, 1) + _NOISE_FRACTION * area
         sums = [
-            part * gaps + dr.select(above[0] > noise, shown, 0) + _HIDDEN * length * cell
-            for part, shown, cell in zip(visible, above, cells, strict=True)
+            part * gaps + dr.select(exposed[0] > noise, crossed, 0) + _HIDDEN * length * cell
+            for part, crossed, cell in zip(visible, exposed, cells, strict=True)
         ]
         weight = dr.rcp(maximum(sums[0], 1e-20))
         ratios = [total * weight for total in sums[1:]]
@@ -335,38 +335,38 @@ class _Colours:
         count, visible, cells = self._quantities, [], []
         for number in range(count):
             ends = last[number] * high.visible * high.width - first[number] * low.visible * low.width
-            place = count + number
-            visible.append(last[place] - first[place] + ends + turns * self._totals[place])
+            index = count + number
+            visible.append(last[index] - first[index] + ends + turns * self._totals[index])
             ends = last[number] * high.cell - first[number] * low.cell
-            place += count
-            cells.append(last[place] - first[place] + ends + turns * self._totals[place])
+            index += count
+            cells.append(last[index] - first[index] + ends + turns * self._totals[index])
         return visible, cells
 
     def _of_thread(self, thread: UInt) -> list[Float]:
         """A thread's row: its quantities, and their integrals over widths and over cells before it."""
         types, step = self._types, min(self._row, _WIDEST)
         reads = self._row // step
-        found: list[Float] = []
+        values: list[Float] = []
         for part in range(reads):
             index = thread * reads + part
-            found.extend(dr.gather(types.Vectors, self._threads, index, shape=(step, dr.width(thread))))
-        return found
+            values.extend(dr.gather(types.Vectors, self._threads, index, shape=(step, dr.width(thread))))
+        return values
 
     def _on_top(self, own: _Stretch, other: _Stretch) -> list[Float]:
         """Integrals of each quantity over crossings where the family is on top, square millimetres."""
         types = self._types
         columns, rows = _Steps.of(types, own), _Steps.of(types, other)
-        found = []
+        values = []
         for entries in self._areas.read(rows, columns):
             grid = [rows.differences(column) for column in entries]
             total = types.Float(0)
             for row_weight, line in zip(rows.weights, zip(*grid, strict=True), strict=True):
-                # Only what is left of the entries' exact differences becomes a float.
+                # Integer differences are exact; only they are converted to floats.
                 parts = [types.Float(types.Int32(part)) for part in columns.differences(line)]
                 across = sum(weight * part for weight, part in zip(columns.weights, parts, strict=True))
                 total = dr.fma(row_weight, across, total)
-            found.append(total * self._unit)
-        return found[: self._quantities]
+            values.append(total * self._unit)
+        return values[: self._quantities]
 
 
 class _SingleEntries:
@@ -379,22 +379,22 @@ class _SingleEntries:
         self._areas = upload(types.UInt32, areas)
 
     def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
-        """Of each number of an entry a grid of entries: by column, then by row."""
+        """For each number of an entry, a grid of entries: by column, then by row."""
         size = min(self._padded, 4)
         kind = self._types.Index2 if size == 2 else self._types.Index4
         for part in range(self._padded // size):
-            found = []
+            values = []
             for column in columns.entries:
                 starts = [(row * self._pitch + column) * (self._padded // size) for row in rows.entries]
-                found.append([dr.gather(kind, self._areas, start + part) for start in starts])
+                values.append([dr.gather(kind, self._areas, start + part) for start in starts])
             for number in range(size):
-                yield [[entry[number] for entry in line] for line in found]
+                yield [[entry[number] for entry in line] for line in values]
 
 
 class _PairedEntries:
-    """The summed-area table of a draft that is not large: neighbours along its rows are read at once.
+    """The summed-area table of a smaller draft: neighbours along its rows are read at once.
 
-    Beside the last column, of the whole repeat, is none: neighbours in it are its next rows'.
+    The last column, of the whole repeat, has no right neighbour: it is paired with its next row.
     """
 
     def __init__(self, areas: NDArray[np.uint32], types: ArrayTypes) -> None:
@@ -409,7 +409,7 @@ class _PairedEntries:
         self._all = [dr.opaque(types.UInt32, int(number)) for number in areas[-1, -1]]
 
     def read(self, rows: _Steps, columns: _Steps) -> Iterator[list[list[Float]]]:
-        """Of each number of an entry a grid of entries: by column, then by row."""
+        """For each number of an entry, a grid of entries: by column, then by row."""
         size = self._size
         for part in range(self._parts):
             lines = [
@@ -430,11 +430,11 @@ class _PairedEntries:
                 yield [*grid, [*last, self._all[part * size + number]]]
 
     def _pair(self, table: Float, index: UInt, part: int) -> Float:
-        """Two neighbours' numbers, one after the other."""
-        types, place = self._types, index * self._parts + part
+        """The numbers of two neighbours, concatenated."""
+        types, index = self._types, index * self._parts + part
         if self._size == 2:
-            return dr.gather(types.Index4, table, place)
-        return dr.gather(types.Indices, table, place, shape=(2 * self._size, dr.width(place)))
+            return dr.gather(types.Index4, table, index)
+        return dr.gather(types.Indices, table, index, shape=(2 * self._size, dr.width(index)))
 
 
 _Entries = _SingleEntries | _PairedEntries
@@ -442,11 +442,11 @@ _Entries = _SingleEntries | _PairedEntries
 
 @dataclass
 class _Steps:
-    """How the integral between two bounds of an axis is put together from entries of a summed-area table.
+    """The integral between two bounds of an axis as a weighted sum of entries of a summed-area table.
 
     Attributes:
-        entries: the table's entries before and after the thread of either bound, and of the whole repeat.
-        weights: of what `differences` makes of them.
+        entries: indices of the entries before and after the thread of either bound, and of the whole repeat.
+        weights: of the `differences` of these entries.
         wraps: the upper bound lies in a thread before that of the lower one, so in a later repeat.
     """
 
@@ -462,9 +462,9 @@ class _Steps:
         entries = [low.thread, low.thread + 1, high.thread, high.thread + 1, axis.count]
         return cls(entries, [1, high.visible, -low.visible, turns], wraps)
 
-    def differences(self, found: Sequence[Float]) -> list[Float]:
+    def differences(self, values: Sequence[Float]) -> list[Float]:
         """Threads between the bounds, then those of the upper and the lower bound, then all of a repeat."""
-        low, after_low, high, after_high, whole = found
+        low, after_low, high, after_high, whole = values
         between = high - low + dr.select(self.wraps, whole, 0)
         return [between, after_high - high, after_low - low, whole]
 

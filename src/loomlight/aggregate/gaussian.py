@@ -1,8 +1,8 @@
 """Gaussian footprints on a periodic grid, exact for values that are constant on each texel.
 
 The weight of a texel is the integral of the Gaussian over it, summed over all repeats: a product of two
-differences of error functions, one a direction. About the middles of all texels that is a circular
-convolution, done by Fourier transform; about any other centre the weights are applied as they are.
+differences of error functions, one a direction. For the centres of all texels that is a circular convolution,
+computed by Fourier transform; for other centres the weights are applied directly.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.grid import Grid
 
-# Beyond so many standard deviations a Gaussian holds 1e-12 of its weight.
-_REACH = 7.2
-# Beyond so many repeats of standard deviation the weights are even to 1e-17: exp(−2π²·1.5²).
-_EVEN = 1.5
+# Beyond so many standard deviations is 1e-12 of a Gaussian's weight.
+_RADIUS = 7.2
+# With a standard deviation of so many repeats, weights are uniform to 1e-17: exp(−2π²·1.5²).
+_UNIFORM_SIGMA = 1.5
 _SMALLEST_SIGMA = 1e-6
 _BATCH = 1 << 24
 _erf = np.vectorize(math.erf, otypes=[np.float64])
@@ -28,19 +28,19 @@ _erf = np.vectorize(math.erf, otypes=[np.float64])
 def texel_weights(
     centres: NDArray[np.float64], sigmas: NDArray[np.float64], texels: int
 ) -> NDArray[np.float64]:
-    """Share [n, texels] of periodic Gaussians in each texel of a row of `texels`.
+    """Weights [n, texels] of the texels of a row of `texels` for periodic Gaussians; sum 1.
 
     Args:
-        centres, sigmas: [n], in texels; the first texel reaches from 0 to 1.
+        centres, sigmas: [n], in texels; the first texel spans 0 to 1.
     """
     centres = centres % texels
-    widths = np.clip(sigmas, _SMALLEST_SIGMA, _EVEN * texels)
-    repeats = max(1, math.ceil(_REACH * float(widths.max(initial=0)) / texels))
+    widths = np.clip(sigmas, _SMALLEST_SIGMA, _UNIFORM_SIGMA * texels)
+    repeats = max(1, math.ceil(_RADIUS * float(widths.max(initial=0)) / texels))
     weights = np.zeros((len(centres), texels))
     bounds = np.arange(texels + 1)
     for turn in range(-repeats, repeats + 1):
-        reached = (bounds + turn * texels - centres[:, None]) / (math.sqrt(2) * widths[:, None])
-        weights += np.diff(_erf(reached), axis=1) / 2
+        offsets = (bounds + turn * texels - centres[:, None]) / (math.sqrt(2) * widths[:, None])
+        weights += np.diff(_erf(offsets), axis=1) / 2
     return weights / weights.sum(axis=1, keepdims=True)
 
 
@@ -69,7 +69,7 @@ def gaussian_means(
 
 
 def gaussian_field(grid: Grid, values: NDArray[np.floating[Any]], sigma: float) -> NDArray[np.float64]:
-    """Means about the middle of every texel [channels, rows, columns] of values of that shape.
+    """Means about the centre of every texel [channels, rows, columns] of values of that shape.
 
     Args:
         sigma: standard deviation, millimetres.
@@ -78,7 +78,7 @@ def gaussian_field(grid: Grid, values: NDArray[np.floating[Any]], sigma: float) 
     middle = np.array([0.5])
     across = texel_weights(middle, np.array([sigma / step_x]), grid.columns)[0]
     along = texel_weights(middle, np.array([sigma / step_y]), grid.rows)[0]
-    # The weights are even about the first texel, so the transforms are real.
+    # The weights are symmetric about the first texel, so the transforms are real.
     response = np.outer(fft.fft(along).real, fft.rfft(across).real)
     spectrum = fft.rfft2(np.asarray(values, np.float64), axes=(-2, -1))
     return np.asarray(fft.irfft2(spectrum * response, s=(grid.rows, grid.columns), axes=(-2, -1)))

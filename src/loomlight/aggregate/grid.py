@@ -26,7 +26,7 @@ class Grid:
     """Texels over a rectangle of the plane z = 0; row 0 lies at its lower edge, column 0 at its left.
 
     One ray goes through each texel, at an offset in x that advances by the golden ratio from row to row, and
-    in y from column to column. Rays through the middles of texels would alias along the threads: yarns 25.6
+    in y from column to column. Rays through the centres of texels would alias along the threads: yarns 25.6
     texels wide would be 26 wide everywhere.
 
     Attributes:
@@ -56,13 +56,13 @@ class Grid:
     def points(self, types: ArrayTypes, texel: UInt) -> tuple[Float, Float]:
         """Draft coordinates of the points of texels (UInt32, row by row), millimetres."""
         row, column = divide(texel, self.columns)
-        # float32 holds 24 bits of the product.
-        share_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
-        share_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
+        # float32 has 24 bits of precision.
+        fraction_x = types.Float((row * _TURN + _START) >> 8) * 2**-24
+        fraction_y = types.Float((column * _TURN + _START) >> 8) * 2**-24
         step_x, step_y = (dr.opaque(types.Float, step) for step in self.step)
         left, bottom = dr.opaque(types.Float, self.left), dr.opaque(types.Float, self.bottom)
-        return dr.fma(types.Float(column) + share_x, step_x, left), dr.fma(
-            types.Float(row) + share_y, step_y, bottom
+        return dr.fma(types.Float(column) + fraction_x, step_x, left), dr.fma(
+            types.Float(row) + fraction_y, step_y, bottom
         )
 
     def nearest(self, types: ArrayTypes, x: Float, y: Float) -> UInt:
@@ -86,9 +86,9 @@ def divide(index: UInt, count: int) -> tuple[UInt, UInt]:
 def _around(types: ArrayTypes, position: Float, start: float, period: float, count: int) -> UInt:
     """The texel of a coordinate among `count` that repeat with the period (millimetres): UInt32."""
     turns = (position - dr.opaque(types.Float, start)) * dr.opaque(types.Float, 1 / period)
-    share = turns - dr.floor(turns)
-    # Rounding may make the share 1.
-    return minimum(types.UInt32(share * dr.opaque(types.Float, count)), dr.opaque(types.UInt32, count - 1))
+    fraction = turns - dr.floor(turns)
+    # Rounding may make the fraction 1.
+    return minimum(types.UInt32(fraction * dr.opaque(types.Float, count)), dr.opaque(types.UInt32, count - 1))
 
 
 def fabric_grid(

@@ -1,4 +1,4 @@
-"""Query sets: which footprints, lights and views models are trained on and judged by.
+"""Query sets: footprints, lights and views that models are trained and evaluated on.
 
 Directions are stratified over the hemispheres that the fabric admits, uniform in solid angle; positions are
 uniform over the repeat, sizes log-uniform from 1/128 of the repeat (of 8 threads, for longer repeats) to 5
@@ -19,16 +19,16 @@ from loomlight.scattering.appearance import Appearance
 from loomlight.yarn.layout import ClothLayout
 
 BANDS = ("b0", "b1", "b2", "b3")
-# Below 2.9° of elevation a direction sees nothing but crests.
+# 2.9° of elevation: more grazing directions see crests alone.
 LOWEST_COSINE = 0.05
 _LONGEST_REPEAT = 8
-_SMALLEST_SHARE = 1 / 128
+_SMALLEST_FRACTION = 1 / 128
 _MOST_REPEATS = 5.0
 
 
 @dataclass(frozen=True)
 class FabricScale:
-    """The lengths that footprints are measured by, millimetres: means of both directions, geometric.
+    """Reference lengths of footprints, millimetres: geometric means of both directions.
 
     Attributes:
         thread: spacing of the threads.
@@ -43,7 +43,9 @@ class FabricScale:
     @property
     def size_range(self) -> tuple[float, float]:
         """Smallest and largest footprint of a query set."""
-        return _SMALLEST_SHARE * min(self.repeat, _LONGEST_REPEAT * self.thread), _MOST_REPEATS * self.repeat
+        return _SMALLEST_FRACTION * min(
+            self.repeat, _LONGEST_REPEAT * self.thread
+        ), _MOST_REPEATS * self.repeat
 
     def bands(self, sizes: NDArray[np.float64]) -> NDArray[np.intp]:
         """Index into `BANDS`: under a quarter yarn, to 2 yarns, to one repeat, above.
@@ -86,7 +88,7 @@ class QuerySet:
 
 
 def admits_transmission(appearance: Appearance) -> bool:
-    """Whether any thread lets light through by scattering."""
+    """Whether any thread transmits light by scattering."""
     families = (appearance.warp, appearance.weft)
     return any(bool(f.diffuse_transmit.any() or f.specular_transmit.any()) for f in families)
 
@@ -105,12 +107,12 @@ def query_set(
     """Draws a query set.
 
     Args:
-        pairs, footprints: how many pairs, and footprints for each.
-        seed, step: what the set depends on.
+        pairs, footprints: number of pairs, and of footprints for each.
+        seed, step: of the random numbers.
         transmits: half of the pairs have light and view on different sides.
         back: half of the views see the back.
-        lights, views: how many distinct directions; as many as pairs if None. Fewer are shared between
-            pairs, which is what makes slices cheap.
+        lights, views: number of distinct directions; None is one for each pair. Pairs that share directions
+            make slices cheap.
 
     Raises:
         InputError: no pairs or footprints, or too few directions to have one on every side.
@@ -126,7 +128,7 @@ def query_set(
     rng = np.random.default_rng([seed, step])
     light_vectors = _over_sides(rng, light_count, light_sides)
     view_vectors = _over_sides(rng, view_count, view_sides)
-    index = _dealt_pairs(rng, light_vectors, view_vectors, pairs, transmits)
+    index = _balanced_pairs(rng, light_vectors, view_vectors, pairs, transmits)
     centres = rng.random((pairs, footprints, 2)) * scale.extent
     low, high = np.log(scale.size_range)
     strata = rng.permuted(np.tile(np.arange(footprints), (pairs, 1)), axis=1)
@@ -154,31 +156,31 @@ def stratified_hemisphere(rng: np.random.Generator, count: int) -> NDArray[np.fl
 
 def _over_sides(rng: np.random.Generator, count: int, sides: int) -> NDArray[np.float64]:
     """Stratified vectors, the front's first; with two sides half of them are the back's."""
-    behind = count // 2 if sides == 2 else 0
-    parts = [stratified_hemisphere(rng, count - behind)]
-    if behind:
-        parts.append(stratified_hemisphere(rng, behind) * [1, 1, -1])
+    back_count = count // 2 if sides == 2 else 0
+    parts = [stratified_hemisphere(rng, count - back_count)]
+    if back_count:
+        parts.append(stratified_hemisphere(rng, back_count) * [1, 1, -1])
     return np.concatenate(parts)
 
 
-def _dealt_pairs(
+def _balanced_pairs(
     rng: np.random.Generator,
     lights: NDArray[np.float64],
     views: NDArray[np.float64],
     pairs: int,
     transmits: bool,
 ) -> NDArray[np.intp]:
-    """Views in turn, each with lights of the side it needs, dealt so that all are used alike."""
+    """Pairs [n, 2] of light and view, in which all views, and all lights of a side, occur equally often."""
     view = np.concatenate([rng.permutation(len(views)) for _ in range(math.ceil(pairs / len(views)))])[:pairs]
     crosses = np.zeros(pairs, bool)
     if transmits:
         for side in (False, True):
             chosen = np.flatnonzero((views[view, 2] < 0) == side)
             crosses[chosen[rng.permutation(len(chosen))[: len(chosen) // 2]]] = True
-    wanted = (views[view, 2] < 0) ^ crosses
+    light_is_back = (views[view, 2] < 0) ^ crosses
     light = np.empty(pairs, np.intp)
     for side in (False, True):
-        slots = np.flatnonzero(wanted == side)
+        slots = np.flatnonzero(light_is_back == side)
         deck = np.flatnonzero((lights[:, 2] < 0) == side)
         if len(slots):
             rounds = math.ceil(len(slots) / len(deck))

@@ -1,8 +1,8 @@
 """The Monte Carlo reference of a footprint: the exact point model at uniform points, with its variance.
 
-It draws points in the pixel's parallelogram, follows the view ray through each, searches the light, and
-averages: unbiased, at any roughness and any size of draft. `brute_force` does the same on the points of a
-slice's grid, through the point model as a renderer calls it: the independent check of slices.
+It draws points in the pixel's parallelogram, traces the view ray and the shadow ray of each, and averages:
+unbiased, at any roughness and any size of draft. `brute_force` averages over the points of a slice's grid,
+through the point model as a renderer calls it: the independent check of slices.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class Estimate:
     """Means over footprints.
 
     Attributes:
-        channels: names of the channels; components and colours in 1/sr, `hole` as a share.
+        channels: names of the channels; components and colours in 1/sr, `hole` as a fraction.
         mean: [n, channels].
         variance: of each mean, not of one sample [n, channels].
         samples: points in each footprint.
@@ -52,7 +52,7 @@ class Estimate:
 
     @property
     def hole(self) -> NDArray[np.float64]:
-        """Share of rays that pass through the cloth [n]."""
+        """Fraction of rays that pass through the cloth [n]."""
         return self.mean[:, self.channels.index("hole")]
 
     @property
@@ -93,14 +93,14 @@ def reference(
         number = min(at_once, count - first)
         lane = dr.arange(types.UInt32, number * samples)
         index = lane // samples + first
-        # Drawn one after another, so batches do not matter.
+        # One sequence over all batches, so results do not depend on their size.
         s, t = rng.random((number * samples, 2), np.float32).T
         chosen = Footprint(
             *(dr.gather(types.Vector2, part, index) for part in (whole.centre, whole.duv_dx, whole.duv_dy))
         )
-        place = chosen.at(_uniform(types, s), _uniform(types, t))
+        position = chosen.at(_uniform(types, s), _uniform(types, t))
         towards, eye = dr.gather(types.Vector3, light, index), dr.gather(types.Vector3, view, index)
-        point = trace_views(plain, place.x, place.y, eye).point
+        point = trace_views(plain, position.x, position.y, eye).point
         visible = plain.visibility(point, towards)
         appearance = plain.appearance
         channels = [
@@ -127,7 +127,7 @@ def brute_force(
     """Means of the five channels over boxes, by Monte Carlo over the rays of a grid's texels only.
 
     Points uniform in the box are moved to the ray of their texel, so the expectation is the exact mean of
-    the slice on that grid. The channels come out of the point model's own value for albedos of 0 and 1.
+    the slice on that grid. The channels are values of the point model for albedos of 0 and 1.
 
     Args:
         lights, views: unit vectors [n, 3].
@@ -149,9 +149,9 @@ def brute_force(
     at_once = max(1, _BATCH // samples)
     for first in range(0, count, at_once):
         part = slice(first, min(first + at_once, count))
-        shares = rng.random((part.stop - part.start, samples, 2)) - 0.5
-        places = centres[part, None] + shares * sizes[part, None]
-        column, row = np.moveaxis(np.floor((places - corner) / step) % [grid.columns, grid.rows], -1, 0)
+        offsets = rng.random((part.stop - part.start, samples, 2)) - 0.5
+        positions = centres[part, None] + offsets * sizes[part, None]
+        column, row = np.moveaxis(np.floor((positions - corner) / step) % [grid.columns, grid.rows], -1, 0)
         texel = (row * grid.columns + column).astype(np.uint32).ravel()
         x, y = grid.points(types, types.UInt32(texel))
         light, view = (
@@ -198,7 +198,7 @@ class _Sums:
         self._squares = np.zeros((count, channels))
 
     def add(self, first: int, number: int, channels: list[Float]) -> None:
-        """Takes the samples of `number` footprints from `first` on."""
+        """Adds the samples of `number` footprints from `first` on."""
         dr.eval(channels)
         for index, channel in enumerate(channels):
             samples = np.asarray(channel.numpy(), np.float64).reshape(number, -1)
@@ -222,5 +222,5 @@ def _uniform(types: ArrayTypes, numbers: NDArray[np.float32]) -> Any:
 
 
 def _spread(types: ArrayTypes, vector: Vec3, count: int) -> Vec3:
-    """A vector given once, held `count` times."""
+    """A vector of width 1 or `count`, broadcast to `count`."""
     return types.Vector2(*(part + dr.zeros(types.Float, count) for part in (vector.x, vector.y)))

@@ -1,8 +1,8 @@
 """Shadow maps: visibility of points of the cloth, tabulated once per light for all views.
 
-The search along shadow rays is the largest cost of a slice. Where directions are drawn in shared strata it is
-done once per light, on a grid of points of the face that the light falls on. Yarn points take the value of
-their nearest texel, which moves shadow edges by up to half a texel.
+The search along shadow rays is the largest cost of a slice. Where pairs share lights, it is done once a
+light, on a grid of points of the face that the light is on. Yarn points read their nearest texel, which moves
+shadow edges by up to half a texel.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ class ShadowMaps:
             facing = to_face_frame(light, back)
             # The yarn itself occludes lights below its tangent plane.
             rises = dr.dot(point.normal, facing) > 0
-            free = unoccluded(model.surface, x, y, point.height, facing, back, rises, model.quality)
-            dr.scatter(self.visible, free, lane)
+            visible = unoccluded(model.surface, x, y, point.height, facing, back, rises, model.quality)
+            dr.scatter(self.visible, visible, lane)
         dr.eval(self.visible)
 
     def texel(self, x: Float, y: Float) -> UInt:

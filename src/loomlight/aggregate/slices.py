@@ -43,7 +43,7 @@ class Slice:
 
     Attributes:
         grid: where its rays cross the plane z = 0.
-        channels: names, the five of `CHANNELS` and then red, green and blue if asked for.
+        channels: names, the five of `CHANNELS`, with colours followed by red, green and blue.
         values: [channels, rows, columns]; components and colours in 1/sr, the hole as 0 or 1.
     """
 
@@ -85,7 +85,7 @@ class Slice:
         return gaussian_means(self.grid, self.values, np.asarray(centres), np.asarray(sigmas))
 
     def gaussian_field(self, sigma: float) -> NDArray[np.float64]:
-        """The same about the middle of every texel [channels, rows, columns], by Fourier transform.
+        """Gaussian means about the centre of every texel [channels, rows, columns], by Fourier transform.
 
         Raises:
             InputError: the slice is no whole repeat.
@@ -103,10 +103,10 @@ class SliceBatch:
     """Slices evaluated together.
 
     Attributes:
-        pairs: which of the pairs that were asked for [n].
+        pairs: indices of the slices among the requested pairs [n].
         channels: an array a channel but the hole, n slices one after another, texels row by row: Float.
         holes: 0 or 1 for each view of the batch, likewise: Float.
-        hole_of: number of the view that each pair has in the batch [n].
+        hole_of: index of each pair's view among the views of the batch [n].
     """
 
     pairs: NDArray[np.intp]
@@ -139,8 +139,9 @@ class FabricSlices:
             float_type: the Dr.Jit Float type to compute with.
             texels_per_thread: at least so many across the finest thread of each family.
             window: left, bottom, width, height in millimetres; None is one repeat.
-            shadows: "searched" asks the model for every point and light (exact, or by the model's horizon
-                map); "mapped" searches each light once on the grid and takes the nearest texel.
+            shadows: "searched" evaluates the model's visibility for every point and light (exact, or by the
+                model's horizon map); "mapped" searches each light once on the grid, and points read the
+                nearest texel.
             with_colours: adds red, green and blue with the albedos of the threads.
 
         Raises:
@@ -171,7 +172,7 @@ class FabricSlices:
         """Means over many boxes of many slices [n, m, channels], each slice dropped after use.
 
         Args:
-            lights, views: unit vectors [l, 3] and [v, 3]; what they share is computed once.
+            lights, views: unit vectors [l, 3] and [v, 3]; pairs that share one share its computation.
             pairs: index of the light and of the view of each slice [n, 2].
             centres, sizes: boxes of each slice [n, m, 2], or those that all slices share [m, 2], millimetres.
 
@@ -204,16 +205,16 @@ class FabricSlices:
         channels.insert(4, (batch.holes, view))
         entries = dr.opaque(types.UInt32, (self.grid.rows + 1) * (self.grid.columns + 1))
         means = dr.empty(types.Float, dr.width(slot) * len(channels))
-        place = dr.arange(types.UInt32, dr.width(slot)) * len(channels)
+        first = dr.arange(types.UInt32, dr.width(slot)) * len(channels)
         for index, (values, number) in enumerate(channels):
             table = summed_areas(values, self.grid.columns, self.grid.rows)
             mean = types.Float(box_means(table, number * entries, self.grid, boxes))
-            dr.scatter(means, mean, place + dr.opaque(types.UInt32, index))
+            dr.scatter(means, mean, first + dr.opaque(types.UInt32, index))
             dr.eval(means)
         return means.numpy()
 
     def batches(self, lights: ArrayLike, views: ArrayLike, pairs: ArrayLike) -> Iterator[SliceBatch]:
-        """Evaluates slices, several at once as memory admits; the order is not that of the pairs.
+        """Evaluates slices in batches that fit memory, not in the order of the pairs.
 
         Args:
             lights, views: unit vectors [l, 3] and [v, 3].
@@ -226,7 +227,7 @@ class FabricSlices:
         if self._mapped:
             maps = ShadowMaps(self.model, self.grid, light_vectors, self._float_type)
         at_once = max(1, _BATCH // self.grid.texels)
-        for chosen, transmits in _alike(light_vectors, view_vectors, index):
+        for chosen, transmits in _by_side(light_vectors, view_vectors, index):
             for first in range(0, len(chosen), at_once):
                 part = chosen[first : first + at_once]
                 yield self._evaluate(light_vectors, view_vectors, index, part, transmits, maps)
@@ -242,38 +243,38 @@ class FabricSlices:
     ) -> SliceBatch:
         types, grid = self._types, self.grid
         used, hole_of = np.unique(pairs[part, 1], return_inverse=True)
-        seen = self._vectors(views[used])
-        met = self._met(seen, len(used), maps)
+        view_vectors = self._vectors(views[used])
+        hits = self._trace(view_vectors, len(used), maps)
 
         pair, texel = divide(dr.arange(types.UInt32, len(part) * grid.texels), grid.texels)
-        of_view = dr.gather(types.UInt32, upload(types.UInt32, hole_of.astype(np.uint32)), pair)
-        of_light = dr.gather(types.UInt32, upload(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
-        place = of_view * dr.opaque(types.UInt32, grid.texels) + texel
-        point = _taken(met.point, place)
-        light = dr.gather(types.Vector3, self._vectors(lights), of_light)
-        view = dr.gather(types.Vector3, seen, of_view)
+        view_index = dr.gather(types.UInt32, upload(types.UInt32, hole_of.astype(np.uint32)), pair)
+        light_index = dr.gather(types.UInt32, upload(types.UInt32, pairs[part, 0].astype(np.uint32)), pair)
+        index = view_index * dr.opaque(types.UInt32, grid.texels) + texel
+        point = _gathered(hits.point, index)
+        light = dr.gather(types.Vector3, self._vectors(lights), light_index)
+        view = dr.gather(types.Vector3, view_vectors, view_index)
         if maps is None:
             visible = self.model.visibility(point, light)
         else:
-            nearest = dr.gather(types.UInt32, met.shadow_texel, place)
-            visible = maps.at(of_light, nearest)
+            nearest = dr.gather(types.UInt32, hits.shadow_texel, index)
+            visible = maps.at(light_index, nearest)
         appearance = self.model.appearance
         channels = list(components(appearance, point, light, view, visible, transmits))
         if self._with_colours:
             channels += list(colours(appearance, point, light, view, visible, transmits))
-        holes = dr.select(met.point.hole, types.Float(1), 0)
+        holes = dr.select(hits.point.hole, types.Float(1), 0)
         dr.eval(channels, holes)
         return SliceBatch(part, channels, holes, hole_of)
 
-    def _met(self, views: Vec3, count: int, maps: ShadowMaps | None) -> _HitField:
+    def _trace(self, views: Vec3, count: int, maps: ShadowMaps | None) -> _HitField:
         types, grid = self._types, self.grid
         number, texel = divide(dr.arange(types.UInt32, count * grid.texels), grid.texels)
         x, y = grid.points(types, texel)
         view = dr.gather(types.Vector3, views, number)
-        met = trace_views(self.model, x, y, view)
-        shadow_texel = None if maps is None else _shadow_texel(maps, met, view)
-        dr.eval(met.point, shadow_texel)
-        return _HitField(met.point, shadow_texel)
+        hits = trace_views(self.model, x, y, view)
+        shadow_texel = None if maps is None else _shadow_texel(maps, hits, view)
+        dr.eval(hits.point, shadow_texel)
+        return _HitField(hits.point, shadow_texel)
 
     def _vectors(self, directions: NDArray[np.float64]) -> Vec3:
         return upload_vectors(directions, self._types)
@@ -281,23 +282,23 @@ class FabricSlices:
 
 @dataclass
 class _HitField:
-    """What the rays of some views meet, one view after another."""
+    """Hits of the rays of some views, view by view."""
 
     point: YarnPoint
     shadow_texel: UInt
 
 
-def _shadow_texel(maps: ShadowMaps, met: ViewHits, view: Vec3) -> UInt:
+def _shadow_texel(maps: ShadowMaps, hits: ViewHits, view: Vec3) -> UInt:
     """Texels of the shadow maps for yarn points.
 
-    A ray that met a wall ends on the very edge of a yarn, and half of the texels around it lie on the yarn
-    below, in its shade. One texel further the way the ray goes is on the yarn for certain.
+    A ray that hit a wall ends on the edge of a yarn, and half of the texels around it are of the yarn below,
+    in its shadow. One texel further along the ray is on the yarn itself.
     """
-    types = array_types(met.point.x)
+    types = array_types(hits.point.x)
     length = dr.rsqrt(maximum(dr.square(view.x) + dr.square(view.y), 1e-12))
     step_x, step_y = (dr.opaque(types.Float, step) for step in maps.grid.step)
-    further = dr.select(met.wall, types.Float(1), 0) * length
-    return maps.texel(met.point.x - further * view.x * step_x, met.point.y - further * view.y * step_y)
+    further = dr.select(hits.wall, types.Float(1), 0) * length
+    return maps.texel(hits.point.x - further * view.x * step_x, hits.point.y - further * view.y * step_y)
 
 
 def _unit_vectors(directions: ArrayLike) -> NDArray[np.float64]:
@@ -308,10 +309,10 @@ def _unit_vectors(directions: ArrayLike) -> NDArray[np.float64]:
     return vectors / lengths
 
 
-def _alike(
+def _by_side(
     lights: NDArray[np.float64], views: NDArray[np.float64], pairs: NDArray[np.intp]
 ) -> Iterator[tuple[NDArray[np.intp], bool]]:
-    """Pairs that one kernel evaluates, ordered by view: those that reflect, and those that transmit."""
+    """Pairs by kernel, ordered by view: reflecting pairs, and transmitting ones."""
     transmits = lights[pairs[:, 0], 2] * views[pairs[:, 1], 2] < 0
     order = np.argsort(pairs[:, 1], kind="stable")
     for side in (False, True):
@@ -320,30 +321,30 @@ def _alike(
             yield chosen, side
 
 
-def _taken(point: YarnPoint, index: UInt) -> YarnPoint:
-    """The yarn points at `index`; what is not used later is never read."""
+def _gathered(point: YarnPoint, index: UInt) -> YarnPoint:
+    """The yarn points at `index`; attributes that are not used are never gathered."""
 
-    def take(value: Any) -> Any:
+    def gather(value: Any) -> Any:
         if dr.depth_v(value) > 1:
-            return type(value)(*(take(part) for part in value))
-        # What all points share is held once.
+            return type(value)(*(gather(part) for part in value))
+        # A value that all points share has width 1.
         return value if dr.width(value) == 1 else dr.gather(type(value), value, index)
 
     albedos = point.albedos
     return YarnPoint(
-        back=take(point.back),
-        hole=take(point.hole),
-        x=take(point.x),
-        y=take(point.y),
-        height=take(point.height),
-        normal=take(point.normal),
-        tangent=take(point.tangent),
-        is_warp=take(point.is_warp),
-        roughness=take(point.roughness),
+        back=gather(point.back),
+        hole=gather(point.hole),
+        x=gather(point.x),
+        y=gather(point.y),
+        height=gather(point.height),
+        normal=gather(point.normal),
+        tangent=gather(point.tangent),
+        is_warp=gather(point.is_warp),
+        roughness=gather(point.roughness),
         albedos=Albedos(
-            take(albedos.diffuse_reflect),
-            take(albedos.diffuse_transmit),
-            take(albedos.specular_reflect),
-            take(albedos.specular_transmit),
+            gather(albedos.diffuse_reflect),
+            gather(albedos.diffuse_transmit),
+            gather(albedos.specular_reflect),
+            gather(albedos.specular_transmit),
         ),
     )

@@ -7,14 +7,14 @@ surface point, ρ = f·cos of the point, V visibility and
 
 the surface form is ∫ρ V(light) A dp / ∫A dp (eq. 3 and 5). The parallel rays of a view meet the surface with
 density A/⟨view·n_s⟩ per area of the plane, so over whole repeats, walls excluded, the truth is the same
-average times the share of rays that meet continuous yarn:
+average times the fraction of rays that hit continuous yarn:
 
     truth = surface form × (1 − hole − wall),    1 − hole − wall = mean of A / ⟨view·n_s⟩
 
-Walls have no extent on the plane, so no surface point stands for them. V(view) is 0 as well where the view
-ray through a point is one that passes through the cloth: that ray's light is the hole's, and counted with
-the point too it would be counted twice (A would sum to 4 % too much on plain weave). Over less than a repeat
-the two see different points, since a ray that crosses the plane in a footprint meets yarn beside it.
+Walls have no extent on the plane, so they have no surface points. V(view) is 0 as well where the view ray
+through a point passes through the cloth: that ray is counted as a hole (else A would sum to 4 % too much on
+plain weave). Over less than a repeat the two averages are over different points, since a ray that crosses the
+plane in a footprint hits yarn beside it.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ class SurfaceForm:
         surface_form: the four components [4], 1/sr; NaN where no point is visible.
         truth: the four components by view rays, walls excluded [4], 1/sr.
         truth_with_walls: the same with walls, as everywhere else [4], 1/sr.
-        continuous: share of view rays that meet continuous yarn.
-        wall: share that meets a wall.
-        hole: share that passes through.
-        projected: mean of A over ⟨view·n_s⟩, which `continuous` should be over whole repeats.
+        continuous: fraction of view rays that hit continuous yarn.
+        wall: fraction that hits a wall.
+        hole: fraction that passes through the cloth.
+        projected: mean of A over ⟨view·n_s⟩; over whole repeats it equals `continuous`.
     """
 
     surface_form: NDArray[np.float64]
@@ -58,12 +58,12 @@ class SurfaceForm:
 
 @dataclass(frozen=True, eq=False)
 class SurfaceSamples:
-    """What `surface_form` averages, a column a place on the plane z = 0.
+    """Samples that `surface_form` averages, one for each position on the plane z = 0.
 
     Attributes:
-        by_rays: components at the point that the view ray through each place meets [4, n], 1/sr.
-        continuous, wall, hole: what that ray meets [n], bool, exactly one of them true.
-        by_points: components at the surface point below each place [4, n], 1/sr.
+        by_rays: components at the hit of the view ray through each position [4, n], 1/sr.
+        continuous, wall, hole: kind of that hit [n], bool, exactly one of them true.
+        by_points: components at the surface point below each position [4, n], 1/sr.
         area: its visible projected area A [n].
     """
 
@@ -97,7 +97,7 @@ def projected_area(model: PointModel, point: YarnPoint, view: Vec3) -> Float:
 def surface_samples(
     model: PointModel, x: Float, y: Float, light: ArrayLike, view: ArrayLike
 ) -> SurfaceSamples:
-    """Both kinds of samples at places x, y (draft millimetres) of the plane z = 0.
+    """Both kinds of samples at positions x, y (draft millimetres) of the plane z = 0.
 
     Args:
         light, view: unit vectors [3]; z < 0 is the back.
@@ -109,12 +109,12 @@ def surface_samples(
     back = types.Bool(eye.z < 0)
     _, hole = plain.surface.height(x, y, back)
     below = plain.at(x, y, back, hole)
-    passes, wall = np.asarray(met.point.hole.numpy(), bool), np.asarray(met.wall.numpy(), bool)
+    is_null, wall = np.asarray(met.point.hole.numpy(), bool), np.asarray(met.wall.numpy(), bool)
     return SurfaceSamples(
         by_rays=_shaded(plain, met.point, towards, eye),
-        continuous=~wall & ~passes,
+        continuous=~wall & ~is_null,
         wall=wall,
-        hole=passes,
+        hole=is_null,
         by_points=_shaded(plain, below, towards, eye),
         area=np.asarray(projected_area(plain, below, eye).numpy(), np.float64),
     )
@@ -126,7 +126,7 @@ def surface_form(
     """Both averages of the four components over the points of a grid.
 
     Args:
-        grid: a whole repeat for the relation to hold; any window to see what parallax makes of it.
+        grid: of a whole repeat, where the relation holds, or of any window.
         light, view: unit vectors [3]; z < 0 is the back.
         float_type: the Dr.Jit Float type to compute with.
     """

@@ -1,6 +1,6 @@
 """Summed-area tables: the mean over any axis-aligned box from a few reads, exact and without noise.
 
-A slice holds one value a texel. Its table T[r, c] is the sum of the texels below row r and left of column c,
+A slice has one value a texel. Its table T[r, c] is the sum of the texels below row r and left of column c,
 in float64, so T has one row and column more than the slice; between its entries it is interpolated, which
 is exact for values constant on each texel. On a periodic grid of C columns and R rows the integral from the
 origin to (c + a·C, r + b·R) is
@@ -87,7 +87,7 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
         float_type: the Dr.Jit Float type of a backend; bounds are its Float64.
 
     Raises:
-        InputError: a box reaches beyond the window of a grid that is not periodic.
+        InputError: a box exceeds the window of a grid that is not periodic.
     """
     centres, sizes = np.asarray(centres, np.float64), np.asarray(sizes, np.float64)
     if not grid.periodic:
@@ -101,8 +101,8 @@ def texel_boxes(grid: Grid, centres: NDArray[Any], sizes: NDArray[Any], float_ty
     ):
         per_texel = dr.opaque(types.Float, 1 / step)
         half = 0.5 * maximum(whole[axis] * per_texel, _SMALLEST_BOX)
-        place = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
-        low, high = place - half, place + half
+        position = (middle[axis] - dr.opaque(types.Float, start)) * per_texel
+        low, high = position - half, position + half
         if not grid.periodic:
             low, high = clip(low, 0, count), clip(high, 0, count)
         bounds += [low, high]
@@ -125,7 +125,7 @@ class _Bound:
     """One side of a box: table entry, fraction to the next entry, and number of whole repeats."""
 
     entry: UInt
-    share: Float
+    fraction: Float
     turns: Float
 
 
@@ -155,7 +155,7 @@ def box_means(table: Float, first: UInt, grid: Grid, boxes: TexelBoxes) -> Float
         return dr.gather(types.Float, table, first + row * pitch + column)
 
     def in_row(row: UInt, bound: _Bound) -> Float:
-        return dr.lerp(read(row, bound.entry), read(row, bound.entry + 1), bound.share)
+        return dr.lerp(read(row, bound.entry), read(row, bound.entry + 1), bound.fraction)
 
     def strip(row: UInt) -> Float:
         """Sum of a row of the table between the left and right bounds."""
@@ -163,7 +163,7 @@ def box_means(table: Float, first: UInt, grid: Grid, boxes: TexelBoxes) -> Float
         return in_row(row, across[1]) - in_row(row, across[0]) + whole
 
     def below(bound: _Bound) -> Float:
-        return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.share)
+        return dr.lerp(strip(bound.entry), strip(bound.entry + 1), bound.fraction)
 
     total = below(along[1]) - below(along[0])
     total += (along[1].turns - along[0].turns) * strip(rows)

@@ -1,4 +1,4 @@
-"""The source or the fabric that a path stands for, wherever one is asked for."""
+"""The source or the fabric of a path or name."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from loomlight.fabric.fabric import Fabric
 
 
 def load_source(path: str | os.PathLike[str], kind: str = "fabric") -> Source:
-    """The source in a `.loom`, or the one of a kind that another path or a name stands for.
+    """The source in a `.loom`, or the source of a kind that another path or a name denotes.
 
     Raises:
-        InputError: no such file, no source of that kind, or values that cannot be.
+        InputError: no such file, no source of that kind, or invalid values.
     """
     if is_loom(path):
         return read_loom(path).source
@@ -23,10 +23,10 @@ def load_source(path: str | os.PathLike[str], kind: str = "fabric") -> Source:
 
 
 def fabric_of_path(path: str | os.PathLike[str]) -> Fabric:
-    """The fabric of a `.loom`, or of all that `load_fabric` takes: a fabric file, a draft, a weave's name.
+    """The fabric of a `.loom`, or of an argument of `load_fabric`: a fabric file, a draft, a weave's name.
 
     Raises:
-        InputError: no such file, no fabric, or values that cannot be; the message names file and field.
+        InputError: no such file, no fabric, or invalid values; the message names file and field.
     """
     source = load_source(path)
     if not isinstance(source, Fabric):

@@ -117,11 +117,7 @@ class LoomFile:
         return value
 
     def require_network(self, name: str, installed: str) -> None:
-        """Returns if the file was made with the network whose SHA-256 is `installed`.
-
-        Raises:
-            InputError: it was made with another one, or does not say with which.
-        """
+        """Raises InputError unless the file was made with the network whose SHA-256 is `installed`."""
         made_with = self.networks.get(name)
         if made_with == installed:
             return
@@ -132,11 +128,7 @@ class LoomFile:
         )
 
     def require_model(self, name: str) -> None:
-        """Returns if the file is a material of the model `name`.
-
-        Raises:
-            InputError: it is another model's.
-        """
+        """Raises InputError unless the file is a material of the model `name`."""
         if self.model != name:
             self._refuse(f'it holds the model "{shown(self.model)[1:-1]}", not "{name}": bake it with that')
 
@@ -190,10 +182,10 @@ def write_loom(path: str | os.PathLike[str], loom: LoomFile) -> None:
 
 
 def read_loom(path: str | os.PathLike[str]) -> LoomFile:
-    """What a `.loom` file holds.
+    """Reads a `.loom` file.
 
     Raises:
-        InputError: no such file, no `.loom`, a newer one, or one that is damaged.
+        InputError: no such file, no `.loom`, a newer schema, or a damaged file.
     """
     require_file(path)
     file = str(path)

@@ -1,7 +1,7 @@
-"""Sources: what a model is a model of, and how a `.loom` holds it. One entry a kind.
+"""Sources: the surfaces that models represent, such as fabrics, and their storage in a `.loom`.
 
-Models, the material file and the renderer know a source by this protocol alone; a kind that is added here is
-read and written by every `.loom`.
+Models, the material file and the renderer use a source by this protocol alone; a kind that is registered here
+is read and written by every `.loom`.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ Tensors = Mapping[str, NDArray[Any]]
 
 
 class Source(Protocol):
-    """What a model is a model of: a fabric, or any other surface that repeats."""
+    """A surface that a model represents: a fabric, or any other surface that repeats."""
 
     @property
     def name(self) -> str:
-        """What to call it."""
+        """Name in messages and reports."""
 
     @property
     def repeat_mm(self) -> tuple[float, float]:
@@ -33,19 +33,19 @@ class Source(Protocol):
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:
-        """Millimetres per unit of u and of v where nobody says so."""
+        """Default millimetres per unit of u and of v."""
 
 
 @dataclass(frozen=True)
 class SourceKind:
-    """How sources of one kind are stored and read.
+    """Functions that store and read sources of one kind.
 
     Attributes:
         type: their class.
-        record: the JSON that a `.loom` holds of a source, and the tensors beside it.
-        from_record: the source of those and of the folder that the `.loom` lies in; raises InputError or
-            pydantic's ValidationError.
-        load: the source that a path (no `.loom`) or a name stands for; raises InputError.
+        record: a source to its JSON in a `.loom`, and its tensors.
+        from_record: those and the folder of the `.loom` to a source; raises InputError or pydantic's
+            ValidationError.
+        load: a path (no `.loom`) or a name to a source; raises InputError.
     """
 
     type: type

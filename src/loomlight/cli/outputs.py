@@ -1,4 +1,4 @@
-"""Where results go: checked before the work begins, not after it."""
+"""Output paths, checked before the work begins."""
 
 from __future__ import annotations
 
@@ -10,11 +10,7 @@ from loomlight.core.errors import InputError
 
 
 def check_output(path: Path, suffixes: Sequence[str]) -> None:
-    """Returns if a file of one of the `suffixes` can be written at `path`.
-
-    Raises:
-        InputError: another suffix, no such folder, a folder that cannot be written to, or `path` is a folder.
-    """
+    """Raises InputError unless a file with one of the `suffixes` can be written at `path`."""
     allowed = " or ".join(suffixes)
     if path.suffix.lower() not in suffixes:
         raise InputError(f"{path} has no suffix that says what to write: it must end in {allowed}.")
@@ -30,5 +26,5 @@ def check_output(path: Path, suffixes: Sequence[str]) -> None:
 
 
 def done(path: Path) -> None:
-    """Says on stdout what was written."""
+    """Prints the path of a written file to stdout."""
     print(path)

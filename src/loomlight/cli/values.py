@@ -13,7 +13,7 @@ LARGEST_AREA = 2**26
 
 
 def parse_size(text: str, option: str = "--size") -> tuple[int, int]:
-    """Width and height in pixels that `option` gives, of "960x540", or of "512" for a square.
+    """Width and height in pixels from the text of `option`: "960x540", or "512" for a square.
 
     Raises:
         InputError: anything else, a side outside 1 to 16384, or more than 2²⁶ pixels in all.
@@ -51,11 +51,7 @@ def parse_numbers(option: str, text: str, count: int, example: str) -> tuple[flo
 
 
 def require_within(option: str, value: float, low: float, high: float) -> None:
-    """Returns if low ≤ value ≤ high.
-
-    Raises:
-        InputError: otherwise, NaN included.
-    """
+    """Raises InputError unless low ≤ value ≤ high; NaN is refused."""
     if not low <= value <= high:
         raise InputError(
             f"{option} {_shown(value)} is out of range: write a number from {_shown(low)} to {_shown(high)}."

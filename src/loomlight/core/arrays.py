@@ -1,7 +1,7 @@
 """Names of array types for signatures.
 
 Dr.Jit's array types depend on backend and precision, which callers choose (`backend.array_types`), so a type
-checker cannot tell them apart: every name below is `Any` to it, and says to a reader what is expected.
+checker cannot check them: every alias below is `Any` to it, and documents the expected array.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Dr.Jit array types that belong together, derived from the arrays a caller passes in.
 
-The physics is written once: it never names a backend, it asks for the types that go with its arguments.
+The physics is written once for all backends: it uses the types that belong to its arguments.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from loomlight.core.arrays import Array, Color3, Float, FloatType
 
 @dataclass(frozen=True)
 class ArrayTypes:
-    """The array types of one backend and precision; `Color3` and `Vector3` hold three `Float`.
+    """The array types of one backend and precision; `Color3` and `Vector3` have three `Float`.
 
-    `Vectors` and `Indices` hold any number.
+    `Vectors` and `Indices` have any number of components.
     """
 
     Float: Any
@@ -62,7 +62,7 @@ def _types_of(float_type: type) -> ArrayTypes:
 
 
 def array_types(example: Array | FloatType) -> ArrayTypes:
-    """The types that go with `example`, a float array or a vector of floats of any Dr.Jit backend."""
+    """The types that belong to `example`, a float array or a vector of floats of any Dr.Jit backend."""
     kind = example if isinstance(example, type) else type(example)
     while dr.depth_v(kind) > 1:
         kind = dr.value_t(kind)
@@ -70,10 +70,10 @@ def array_types(example: Array | FloatType) -> ArrayTypes:
 
 
 def maximum(first: Float, second: Float) -> Float:
-    """The larger one of two Dr.Jit numbers or arrays, lane by lane; the second where either is no number.
+    """The larger one of two Dr.Jit numbers or arrays, lane by lane; the second where either is NaN.
 
-    `dr.maximum` lets what is no number pass and tells +0 from −0. On x86 that takes LLVM five instructions
-    more than this one: searches along rays, which are full of bounds, would take a tenth more.
+    `dr.maximum` propagates NaN and orders −0 before +0, for which LLVM needs five more instructions on x86: a
+    tenth of the time of searches along rays, which are full of bounds.
     """
     return dr.select(first > second, first, second) if _compares(first, second) else dr.maximum(first, second)
 
@@ -84,12 +84,12 @@ def minimum(first: Float, second: Float) -> Float:
 
 
 def clip(value: Float, low: Float, high: Float) -> Float:
-    """A Dr.Jit number or array brought into the range from `low` to `high`; `low` where it is no number."""
+    """A Dr.Jit number or array clipped to the range from `low` to `high`; `low` where it is NaN."""
     return minimum(maximum(value, low), high)
 
 
 def _compares(first: Float, second: Float) -> bool:
-    # Of two literals a comparison leaves one, and derivatives would lose their way.
+    # A comparison of literals selects one of them, which would drop derivatives.
     on_cpu = dr.JitBackend.LLVM in (dr.backend_v(first), dr.backend_v(second))
     return on_cpu and not dr.grad_enabled(first, second)
 
@@ -118,7 +118,7 @@ DRJIT: Any = SimpleNamespace(
 def channel_mean(colour: Color3) -> Float:
     """Mean of the channels of a Dr.Jit colour or spectrum: Float.
 
-    `dr.mean` would make the number of lanes a literal, and every other number compile kernels anew.
+    `dr.mean` would make the number of lanes a literal, and compile kernels again for every other number.
     """
     return dr.sum(colour) * (1 / len(colour))
 
@@ -126,14 +126,14 @@ def channel_mean(colour: Color3) -> Float:
 def upload(kind: FloatType, values: ArrayLike) -> Array:
     """Numbers as a flat Dr.Jit array of type `kind`, in row-major order.
 
-    On the CPU Dr.Jit would use numpy's memory as it is: it compiles kernels anew when its alignment differs,
-    and frozen functions go on reading what they were recorded with. Here the memory is Dr.Jit's own.
+    On the CPU Dr.Jit would use NumPy's memory: kernels would be compiled again when its alignment differs,
+    and frozen functions would keep reading the memory of their recording. So numbers are copied.
     """
     flat = np.ravel(np.asarray(values))
     if dr.backend_v(kind) != dr.JitBackend.LLVM or flat.size == 0:
         return kind(np.ascontiguousarray(flat))
     array: Array = dr.empty(kind, flat.size)
-    # Kernels that still run may read memory that was given back before.
+    # Running kernels may still read freed memory that is reused here.
     dr.sync_thread()
     array.numpy()[:] = flat
     return array

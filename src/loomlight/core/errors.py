@@ -1,4 +1,4 @@
-"""What goes wrong because of what a user gave, as opposed to a defect of ours.
+"""Errors caused by a user's input, file or machine, as opposed to defects of this project.
 
 Every message is one sentence that names the file, the field, the value and what would be right.
 The command line prints it and exits with 2; nothing else is caught there.
@@ -12,7 +12,7 @@ class LoomlightError(Exception):
 
 
 class InputError(LoomlightError):
-    """A value or file that a user gave cannot be used."""
+    """A value or file from a user cannot be used."""
 
 
 class MissingDependencyError(LoomlightError):

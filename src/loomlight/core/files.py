@@ -1,4 +1,4 @@
-"""Files appear whole or not at all: written beside their final name, then renamed."""
+"""Atomic writes: a file is written beside its final name, then renamed."""
 
 from __future__ import annotations
 
@@ -12,15 +12,14 @@ from loomlight.core.errors import InputError
 
 
 def cache_folder(kind: str) -> Path:
-    """Where what can be worked out again is kept: loomlight/`kind` in $XDG_CACHE_HOME, or in ~/.cache."""
+    """The folder of a cache: loomlight/`kind` in $XDG_CACHE_HOME, or in ~/.cache."""
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "loomlight" / kind
 
 
 def require_file(path: str | os.PathLike[str]) -> None:
-    """Returns if `path` is an ordinary file, or a link to one.
+    """Raises InputError unless `path` is an ordinary file or a link to one.
 
-    Raises:
-        InputError: it does not exist, is a folder, or is a pipe or device, which might never end.
+    Pipes and devices are refused, as reading them might never end.
     """
     file = Path(path)
     try:
@@ -39,7 +38,7 @@ def require_file(path: str | os.PathLike[str]) -> None:
 def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
     """A temporary path beside `path` that becomes `path` when the block ends without an error.
 
-    The temporary name keeps the suffix, so writers that choose a format by it do as they should.
+    The temporary name keeps the suffix, by which writers choose a format.
 
     Raises:
         InputError: the folder does not exist or cannot be written, or the disk is full.

@@ -1,13 +1,13 @@
-"""Footprints: the part of the cloth that a pixel sees, and its approximations that models take.
+"""Footprints: the part of the cloth that a pixel sees, and approximations of it.
 
-A footprint is the parallelogram that a pixel covers on the plane of the
-cloth. Its points are centre + s·duv_dx + t·duv_dy with s and t uniform in [−1/2, 1/2], so their covariance
-is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its approximations:
+A footprint is the parallelogram that a pixel covers on the plane of the cloth. Its points are centre +
+s·duv_dx + t·duv_dy with s and t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy
+duv_dyᵀ)/12. Its approximations:
 
 - a square of the same area, for models that take one size;
 - a Gaussian of σ = sqrt(area/12), the deviation of that square along each axis (kuznetsov2021);
 - an axis-aligned box of the variances of Σ, width² = 12 Σ_xx and height² = 12 Σ_yy, for summed-area tables.
-  What the box leaves out is the correlation r of x and y: area / (width·height) = sqrt(1 − r²).
+  The box neglects the correlation r of x and y: area / (width·height) = sqrt(1 − r²).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from loomlight.core.backend import array_types, maximum, minimum
 
 # Most anisotropic taps; and the ratio of squared length to squared width up to which one tap is enough.
 ANISOTROPIC_TAPS = 4
-_ALIKE = 1.5
+_MAX_RATIO_OF_ONE_TAP = 1.5
 
 
 @dataclass
@@ -44,8 +44,8 @@ class Footprint:
     Attributes:
         centre: middle of the parallelogram [2].
         duv_dx, duv_dy: its edges [2], the steps on the cloth to the next pixel along x and along y.
-        samples: how many footprints are averaged by the caller, as the samples of a pixel. Models that sample
-            points of a footprint take fewer then.
+        samples: number of footprints that the caller averages, such as the samples of a pixel. Models that
+            sample points of a footprint then use fewer points.
     """
 
     centre: Vec2
@@ -67,18 +67,17 @@ class Footprint:
     def spread_side(self) -> Float:
         """Side of the square whose variances have the same sum, millimetres.
 
-        It is that of the same area or larger. For filters that know squares alone: where footprints are long,
-        as grazing views make them, means over it are nearer than over the square of the same area, and show
-        no moiré.
+        At least `square_side`. For square filters: for the long footprints of grazing views, means over this
+        square have smaller errors than over the square of the same area, and no moiré.
         """
         return dr.sqrt(0.5 * (dr.squared_norm(self.duv_dx) + dr.squared_norm(self.duv_dy)))
 
     def anisotropic_taps(self) -> tuple[Float, Vec2]:
         """A row of `ANISOTROPIC_TAPS` square taps whose mean filters a long footprint, as of a grazing view.
 
-        Like anisotropic texture filtering. The row has the footprint's sum of variances. It has nearly its
-        variances too for footprints up to `ANISOTROPIC_TAPS` times as long as wide; taps of longer ones are
-        wider. A footprint that is hardly longer than wide is one tap of `spread_side`.
+        As in anisotropic texture filtering. The row has the footprint's sum of variances, and nearly its
+        variances for footprints up to `ANISOTROPIC_TAPS` times as long as wide; taps of longer ones are
+        wider. A footprint of nearly equal length and width is one tap of `spread_side`.
 
         Returns:
             side of a tap, millimetres, and the step [2] from one tap to the next, 0 for a single tap.
@@ -86,18 +85,18 @@ class Footprint:
         types = array_types(self.duv_dx.x)
         across = dr.square(self.duv_dx.x) + dr.square(self.duv_dy.x)
         along = dr.square(self.duv_dx.y) + dr.square(self.duv_dy.y)
-        both = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
+        covariance = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
         half, mean = 0.5 * (across - along), 0.5 * (across + along)
-        root = dr.sqrt(dr.square(half) + dr.square(both))
+        root = dr.sqrt(dr.square(half) + dr.square(covariance))
         # Squared length and width: twelve times the variances along the axes of the ellipse.
         long, wide = mean + root, maximum(mean - root, 0)
-        apart = maximum(long - _ALIKE * wide, 0)
-        square = maximum(mean - 0.5 * apart, long * (1 / ANISOTROPIC_TAPS**2))
+        excess = maximum(long - _MAX_RATIO_OF_ONE_TAP * wide, 0)
+        square = maximum(mean - 0.5 * excess, long * (1 / ANISOTROPIC_TAPS**2))
         # The variance of the taps' centres and that of a tap add up.
-        step = dr.sqrt(maximum(minimum(apart, long - square), 0) * (1 / (ANISOTROPIC_TAPS**2 - 1)))
-        double = half / maximum(root, 1e-30)
-        x = dr.sqrt(maximum(0.5 * (1 + double), 0))
-        y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - double), 0)), both)
+        step = dr.sqrt(maximum(minimum(excess, long - square), 0) * (1 / (ANISOTROPIC_TAPS**2 - 1)))
+        cosine = half / maximum(root, 1e-30)
+        x = dr.sqrt(maximum(0.5 * (1 + cosine), 0))
+        y = dr.copysign(dr.sqrt(maximum(0.5 * (1 - cosine), 0)), covariance)
         return dr.sqrt(square), types.Vector2(step * x, step * y)
 
     @property
@@ -133,7 +132,7 @@ class Footprint:
         return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale, self.samples * samples)
 
     def at(self, s: Float, t: Float) -> Vec2:
-        """The point centre + s·duv_dx + t·duv_dy [2]; s and t from −1/2 to 1/2 reach all of it."""
+        """The point centre + s·duv_dx + t·duv_dy [2]; s and t are −1/2 to 1/2 within the footprint."""
         return self.centre + s * self.duv_dx + t * self.duv_dy
 
 

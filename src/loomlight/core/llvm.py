@@ -1,7 +1,7 @@
-"""The LLVM library that Dr.Jit compiles with: found and judged before the first kernel.
+"""The LLVM library that Dr.Jit compiles with: its version is checked before the first kernel.
 
-Dr.Jit accepts LLVM 14 to 16 and then aborts the process on ordinary kernels, so its version is asked
-for first; asking is safe. Run as a module it prints what it found, and exits with 1 if that will not do.
+Dr.Jit accepts LLVM 14 to 16, but aborts the process on ordinary kernels; reading the version is safe. As a
+script, this module prints the version, and exits with 1 if kernels cannot be compiled.
 """
 
 from __future__ import annotations
@@ -27,11 +27,7 @@ def llvm_version() -> tuple[int, int, int] | None:
 
 
 def require_llvm() -> None:
-    """Returns if kernels can be compiled.
-
-    Raises:
-        MissingDependencyError: no LLVM library, or one older than 17.
-    """
+    """Raises MissingDependencyError unless there is an LLVM library of version 17 or newer."""
     version = llvm_version()
     if version is None:
         named = os.environ.get("DRJIT_LIBLLVM_PATH")
@@ -51,8 +47,8 @@ def llvm_float() -> type:
         MissingDependencyError: no usable LLVM library.
     """
     require_llvm()
-    found: type = import_module("drjit.llvm.ad").Float
-    return found
+    float_type: type = import_module("drjit.llvm.ad").Float
+    return float_type
 
 
 if __name__ == "__main__":

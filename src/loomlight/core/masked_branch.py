@@ -14,19 +14,19 @@ State = TypeVar("State")
 
 
 def masked_branch(active: Mask, value: State, change: Callable[[State], State], label: str) -> State:
-    """`change(value)` in active lanes, `value` in others, and no time where a packet of lanes has none.
+    """`change(value)` in active lanes, `value` in others; packets without active lanes skip the branch.
 
-    It is a loop of one turn: of Dr.Jit's branches the CPU runs both sides.
+    It is a loop of one iteration: of a Dr.Jit conditional the CPU runs both sides.
 
     Args:
         active: Bool.
-        value: any tree of Dr.Jit arrays, each with a lane for each of `active` or for all.
-        change: takes such a tree and returns one of the same kind.
+        value: any pytree of Dr.Jit arrays, of the width of `active` or of width 1.
+        change: takes such a pytree and returns one of the same structure.
         label: names the loop in kernels.
     """
     types = array_types(dr.float32_array_t(active))
 
-    def turn(_: Mask, held: State) -> tuple[Mask, State]:
-        return types.Bool(False), change(held)
+    def iteration(_: Mask, values: State) -> tuple[Mask, State]:
+        return types.Bool(False), change(values)
 
-    return dr.while_loop((types.Bool(active), value), lambda pending, _: pending, turn, label=label)[1]
+    return dr.while_loop((types.Bool(active), value), lambda pending, _: pending, iteration, label=label)[1]

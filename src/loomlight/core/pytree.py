@@ -1,4 +1,4 @@
-"""Pytree leaves: Dr.Jit arrays that objects of this project hold; frozen functions must be given them."""
+"""Pytree leaves: the Dr.Jit arrays of an object of this project, which are inputs of frozen functions."""
 
 from __future__ import annotations
 
@@ -17,39 +17,39 @@ def is_ours(value: object) -> bool:
 
 
 def leaves(holder: object) -> list[Array]:
-    """Every Dr.Jit array that an object of this project holds, however deep, each once, in a fixed order."""
-    found: list[Array] = []
-    seen: set[int] = set()
-    waiting: list[Any] = [holder]
-    while waiting:
-        value = waiting.pop()
-        if id(value) in seen or isinstance(value, type):
+    """Every Dr.Jit array reachable from an object of this project, each once, in a fixed order."""
+    arrays: list[Array] = []
+    visited: set[int] = set()
+    stack: list[Any] = [holder]
+    while stack:
+        value = stack.pop()
+        if id(value) in visited or isinstance(value, type):
             continue
-        seen.add(id(value))
+        visited.add(id(value))
         if dr.is_array_v(value):
-            found.append(value)
+            arrays.append(value)
         elif isinstance(value, dict):
-            waiting.extend(value.values())
+            stack.extend(value.values())
         elif isinstance(value, list | tuple):
-            waiting.extend(value)
+            stack.extend(value)
         elif is_ours(value):
-            waiting.extend(vars(value).values())
-    return found
+            stack.extend(vars(value).values())
+    return arrays
 
 
 def named_leaves(holder: object) -> dict[str, Array]:
-    """The same by where they lie, which tells the classes on the way: sorted, whenever each came to be.
+    """The arrays by their path of attributes and classes, sorted by path.
 
-    An array that lies in several places is there several times.
+    An array with several paths occurs several times.
     """
-    found: dict[str, Array] = {}
-    waiting: list[tuple[str, Any]] = [(type(holder).__name__, holder)]
-    while waiting:
-        path, value = waiting.pop()
+    arrays: dict[str, Array] = {}
+    stack: list[tuple[str, Any]] = [(type(holder).__name__, holder)]
+    while stack:
+        path, value = stack.pop()
         if isinstance(value, type):
             continue
         if dr.is_array_v(value):
-            found[path] = value
+            arrays[path] = value
             continue
         parts: dict[Any, Any] = {}
         if isinstance(value, dict):
@@ -58,5 +58,5 @@ def named_leaves(holder: object) -> dict[str, Array]:
             parts = dict(enumerate(value))
         elif is_ours(value):
             parts = vars(value)
-        waiting.extend((f"{path}.{name}:{type(part).__name__}", part) for name, part in parts.items())
-    return dict(sorted(found.items()))
+        stack.extend((f"{path}.{name}:{type(part).__name__}", part) for name, part in parts.items())
+    return dict(sorted(arrays.items()))

@@ -1,1 +1,1 @@
-"""How right models are: held-out fabrics, the query test, the image test, and the tables they fill."""
+"""Accuracy of models: held-out fabrics, the query and image benchmarks, and the tables they fill."""

@@ -15,18 +15,18 @@ from loomlight.core.files import replacing
 from loomlight.core.images import write_image, write_png
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
-from loomlight.evaluation.image_test import (
+from loomlight.evaluation.image_benchmark import (
     DOLLY_FRAMES,
     DOLLY_SIDE,
     REFERENCE_SAMPLES,
     SIZE,
     SceneResult,
-    dolly_test,
     image_tables,
-    image_test,
+    run_dolly_benchmark,
+    run_image_benchmark,
 )
 from loomlight.evaluation.predictions import model_predictor
-from loomlight.evaluation.query_test import WEAVES, run_query_test
+from loomlight.evaluation.query_benchmark import WEAVES, run_query_benchmark
 from loomlight.evaluation.report import Figure, Report, Section, report_html
 from loomlight.evaluation.table import Cell, Table, write_json
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
@@ -46,12 +46,12 @@ Progress = Callable[[str, int, int], None]
 
 @dataclass
 class Comparison:
-    """What `compare` found and wrote.
+    """The results of `compare`.
 
     Attributes:
-        folder: where index.html, table.json and the pictures are.
-        tables: every table, as index.html shows them.
-        refused: why, by the name of each model that does not take the fabric.
+        folder: of index.html, table.json and the pictures.
+        tables: every table of index.html.
+        refused: the reason, by the name of each model that does not take the fabric.
     """
 
     folder: Path
@@ -71,20 +71,20 @@ def compare(
     command: str = "loomlight.compare",
     progress: Progress | None = None,
 ) -> Comparison:
-    """Renders a fabric in the eight scenes of the image test with each model and judges what it sees.
+    """Renders a fabric in the eight scenes of the image benchmark with each model and measures the errors.
 
-    Writes `folder`/index.html, table.json and pictures/*.png; the folder is made where there is none. The
+    Writes `folder`/index.html, table.json and pictures/*.png; the folder is created if it does not exist. The
     point model with 1 and 3 samples a pixel is always among the rows.
 
     Args:
-        fabric: a fabric, or what `load_fabric` takes.
+        fabric: a fabric, or an argument of `load_fabric`.
         models: names, such as "point" and "woven".
-        full: the whole protocol: 960×540 against 1 024 samples, the query test on the 24 held-out fabrics
-            besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
+        full: the whole protocol: 960×540 against 1 024 samples, the query benchmark on the 24 held-out
+            fabrics besides this one, and the dolly. It takes hours on a CPU; without it, minutes.
         scenes: some of `loomlight.mitsuba.measured_scenes.MEASURED_SCENES`.
         size, reference_samples: of the pictures; by default 400×225 against 64, or the protocol's.
-        command: what the record says that it was made by.
-        progress: called with (what is done, steps done, steps in all).
+        command: recorded in table.json.
+        progress: called with (name of the phase, steps done, steps in all).
 
     Raises:
         InputError: an unknown model or scene, a fabric that cannot be read, a folder that cannot be written.
@@ -100,7 +100,7 @@ def compare(
     def step(what: str) -> Callable[[int, int], None]:
         return lambda done, total: progress(what, done, total) if progress is not None else None
 
-    shown = image_test(
+    shown = run_image_benchmark(
         chosen,
         [cloth, fabric_from_text(_PARTNER)],
         scenes=scenes,
@@ -108,16 +108,16 @@ def compare(
         reference_samples=samples,
         progress=step("pictures"),
     )
-    found = Comparison(target, image_tables(shown))
+    comparison = Comparison(target, image_tables(shown))
     for scene in shown:
-        found.refused.update(scene.refused)
-    able = [name for name in chosen if name not in found.refused]
-    found.tables += _query_tables(cloth, able, full, step("queries"))
+        comparison.refused.update(scene.refused)
+    able = [name for name in chosen if name not in comparison.refused]
+    comparison.tables += _query_tables(cloth, able, full, step("queries"))
     if full:
-        dolly = dolly_test(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
-        found.tables.append(dolly.table())
-    _write(found, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
-    return found
+        dolly = run_dolly_benchmark(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
+        comparison.tables.append(dolly.table())
+    _write(comparison, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
+    return comparison
 
 
 def require_models(models: Sequence[str]) -> None:
@@ -129,7 +129,7 @@ def require_models(models: Sequence[str]) -> None:
 
 
 def prepared_folder(folder: str | os.PathLike[str]) -> Path:
-    """The folder, made where there is none.
+    """The folder, created if it does not exist.
 
     Raises:
         InputError: it is a file, or cannot be made or written.
@@ -152,31 +152,31 @@ def prepared_folder(folder: str | os.PathLike[str]) -> Path:
 def _query_tables(
     cloth: Fabric, models: Sequence[str], full: bool, progress: Callable[[int, int], None]
 ) -> list[Table]:
-    """The query test of this fabric, and of the held-out ones with the full protocol."""
+    """The query benchmark of this fabric, and of the held-out ones with the full protocol."""
     predictors = {name: model_predictor(partial(make_model, name)) for name in models}
     appearance = cloth.appearance()
     threads = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
     own = HeldOut(cloth.name, cloth, unseen_weave=True, coloured=len({tuple(row) for row in threads}) > 2)
     pairs, footprints = (PAIRS, FOOTPRINTS) if full else (_QUICK_PAIRS, _QUICK_FOOTPRINTS)
     try:
-        mine = run_query_test(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
+        mine = run_query_benchmark(predictors, [own], pairs=pairs, footprints=footprints, progress=progress)
     except InputError as error:
-        # Long repeats are too large for slices; their pictures still tell.
-        tables = [Table("Query test", [], note=f"There is none of this fabric. {error}")]
+        # Long repeats are too large for slices; there are still pictures.
+        tables = [Table("Query benchmark", [], note=f"There is none of this fabric. {error}")]
     else:
         tables = [_titled(table, f"{table.title}, {cloth.name}") for table in mine.tables()[:3]]
     if full:
-        tables += run_query_test(predictors, held_out_fabrics(), progress=progress).tables()
+        tables += run_query_benchmark(predictors, held_out_fabrics(), progress=progress).tables()
     return tables
 
 
 def _titled(table: Table, title: str) -> Table:
-    """The table of one fabric: without columns that are empty, or that tell kinds of fabrics apart."""
+    """The table of one fabric: without empty columns and those of kinds of weaves."""
     cells = list(zip(*table.rows.values(), strict=True))
-    told = [name not in WEAVES for name in table.columns]
-    kept = [k for k, column in enumerate(cells) if told[k] and not all(map(_missing, column))]
-    rows = {name: [row[index] for index in kept] for name, row in table.rows.items()}
-    return Table(title, [table.columns[index] for index in kept], rows, table.note, table.digits)
+    is_shared = [name not in WEAVES for name in table.columns]
+    shown_columns = [k for k, column in enumerate(cells) if is_shared[k] and not all(map(_missing, column))]
+    rows = {name: [row[index] for index in shown_columns] for name, row in table.rows.items()}
+    return Table(title, [table.columns[index] for index in shown_columns], rows, table.note, table.digits)
 
 
 def _missing(cell: Cell) -> bool:
@@ -184,14 +184,14 @@ def _missing(cell: Cell) -> bool:
 
 
 def _write(
-    found: Comparison,
+    comparison: Comparison,
     scenes: list[SceneResult],
     cloth: Fabric,
     size: tuple[int, int],
     samples: int,
     record: dict[str, str],
 ) -> None:
-    """Pictures first, then the table, the page last: a page never points at what is not there."""
+    """Writes pictures first, then the table, the page last: a page never links to missing files."""
     protocol = {
         "size": list(size),
         "reference_samples": samples,
@@ -200,17 +200,17 @@ def _write(
         "exposure": 0,
         "flip": "LDR, 67 pixels a degree, pixels wholly on one piece of cloth",
     }
-    sections = [_section(found.folder, scene, samples) for scene in scenes]
+    sections = [_section(comparison.folder, scene, samples) for scene in scenes]
     content = {
         "schema": _SCHEMA,
         "fabric": cloth.name,
         "fabric_file": cloth.to_toml(),
         **record,
         "protocol": protocol,
-        "refused": found.refused,
-        "tables": [table.to_dict() for table in found.tables],
+        "refused": comparison.refused,
+        "tables": [table.to_dict() for table in comparison.tables],
     }
-    write_json(found.folder / "table.json", content)
+    write_json(comparison.folder / "table.json", content)
     picks, ends = cloth.draft.drawdown.shape
     facts = {
         "Draft": f"{ends} ends × {picks} picks",
@@ -219,8 +219,8 @@ def _write(
         "Light": "one directional light, direct light only, box filter, exposure 0",
         "Made with": f"{record['command']}, commit {record['commit']}, {record['machine']}",
     }
-    report = Report(cloth.name, facts, found.refused, found.tables, sections)
-    with replacing(found.folder / "index.html") as temporary:
+    report = Report(cloth.name, facts, comparison.refused, comparison.tables, sections)
+    with replacing(comparison.folder / "index.html") as temporary:
         temporary.write_text(report_html(report), encoding="utf-8")
 
 

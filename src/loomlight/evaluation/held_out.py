@@ -1,10 +1,10 @@
-"""The 24 held-out fabrics of the query test: drawn once by a fixed seed, in no training set.
+"""The 24 held-out fabrics of the query benchmark: drawn once by a fixed seed, in no training set.
 
-Half are weaves that no training set holds, half the paper's seven weaves with parameters of their own. Every
-second one lets light through, a quarter have threads of several colours. Parameters are drawn from the ranges
-of `models/woven/parameter_ranges.py` independently for each family, but for one: the roughness of the
-smoother family is drawn uniformly within its class (under 0.15, to 0.4, above), six to nine fabrics each, and
-the other family's uniformly between that and the box's largest.
+Half are weaves that are in no training set, half the paper's seven weaves with random parameters. Every
+second one transmits light, a quarter have threads of several colours. Parameters are drawn from the ranges of
+`models/woven/parameter_ranges.py` independently for each family, except roughness: that of the smoother
+family is uniform within its class (under 0.15, to 0.4, above), six to nine fabrics each, and the other
+family's is uniform between that and the largest of the range.
 """
 
 from __future__ import annotations
@@ -45,14 +45,14 @@ class HeldOut:
 
 
 @dataclass(frozen=True)
-class _Plan:
-    """What is not left to chance.
+class _Spec:
+    """The parameters of a fabric that are not random.
 
     Attributes:
         weave: its name.
         smooth: class of the smoother family's roughness.
-        colours: how many colours warp and weft have, in thread order; None keeps one each. For weaves with
-            colours of their own, as many as those.
+        colours: number of colours of warp and weft, in thread order; None is one each. Weaves with colour
+            patterns have as many as those.
     """
 
     weave: str
@@ -60,78 +60,78 @@ class _Plan:
     colours: tuple[int, int] | None = None
 
 
-# Transmission is every second fabric's, so the order spreads classes, colours and transmission evenly; the
-# first eight hold some of everything.
+# Every second fabric transmits, so the order spreads classes, colours and transmission evenly; the first
+# eight have some of each.
 _UNSEEN = (
-    _Plan("twill 4/4", 1),
-    _Plan("basket 2/2", 2),
-    _Plan("herringbone 2/2 8", 0),
-    _Plan("houndstooth 4", 2, (2, 2)),
-    _Plan("diamond figure 48", 1),
-    _Plan("waffle 8", 1),
-    _Plan("twill 2/2", 2, (8, 8)),
-    _Plan("crepe", 0),
-    _Plan("warp rib 2/2", 2),
-    _Plan("satin 7/2", 0),
-    _Plan("diamond 2/2 8", 2, (4, 16)),
-    _Plan("twill 3/1 s", 1),
+    _Spec("twill 4/4", 1),
+    _Spec("basket 2/2", 2),
+    _Spec("herringbone 2/2 8", 0),
+    _Spec("houndstooth 4", 2, (2, 2)),
+    _Spec("diamond figure 48", 1),
+    _Spec("waffle 8", 1),
+    _Spec("twill 2/2", 2, (8, 8)),
+    _Spec("crepe", 0),
+    _Spec("warp rib 2/2", 2),
+    _Spec("satin 7/2", 0),
+    _Spec("diamond 2/2 8", 2, (4, 16)),
+    _Spec("twill 3/1 s", 1),
 )
 _PAPER = (
-    _Plan("plain", 2, (8, 6)),
-    _Plan("satin 5×5", 0),
-    _Plan("twill 3×3", 1),
-    _Plan("satin 8×8", 2),
-    _Plan("twill 5×5", 1, (10, 5)),
-    _Plan("satin 5×10", 1),
-    _Plan("plain", 0),
-    _Plan("twill 8×8", 2),
-    _Plan("satin 5×5", 1, (5, 10)),
-    _Plan("twill 3×3", 0),
-    _Plan("satin 8×8", 1),
-    _Plan("twill 5×5", 2),
+    _Spec("plain", 2, (8, 6)),
+    _Spec("satin 5×5", 0),
+    _Spec("twill 3×3", 1),
+    _Spec("satin 8×8", 2),
+    _Spec("twill 5×5", 1, (10, 5)),
+    _Spec("satin 5×10", 1),
+    _Spec("plain", 0),
+    _Spec("twill 8×8", 2),
+    _Spec("satin 5×5", 1, (5, 10)),
+    _Spec("twill 3×3", 0),
+    _Spec("satin 8×8", 1),
+    _Spec("twill 5×5", 2),
 )
 
 
-def held_out_fabrics(count: int | None = None, box: ParameterRanges = PARAMETER_RANGES) -> list[HeldOut]:
-    """The fabrics; with `count` the first so many, unseen weaves and the paper's in turn.
+def held_out_fabrics(count: int | None = None, ranges: ParameterRanges = PARAMETER_RANGES) -> list[HeldOut]:
+    """The first `count` fabrics, or all 24; the paper's weaves and unseen ones alternate.
 
     Args:
-        box: where parameters are drawn from; with `LAYOUT_RANGES` gaps and setts differ from cloth to cloth.
+        ranges: of the random parameters; with `LAYOUT_RANGES` gaps and setts differ between fabrics.
 
     Raises:
         InputError: `count` is not from 1 to 24.
     """
-    plans = [plan for pair in zip(_PAPER, _UNSEEN, strict=True) for plan in pair]
-    if count is not None and not 1 <= count <= len(plans):
-        raise InputError(f"{count} held-out fabrics do not exist: choose from 1 to {len(plans)}.")
-    # Fabric k is the same whatever the count: each has a generator of its own.
-    return [_drawn(number, plans[number], box) for number in range(len(plans) if count is None else count)]
+    specs = [spec for pair in zip(_PAPER, _UNSEEN, strict=True) for spec in pair]
+    if count is not None and not 1 <= count <= len(specs):
+        raise InputError(f"{count} held-out fabrics do not exist: choose from 1 to {len(specs)}.")
+    # Fabric k does not depend on the count: each has its own generator.
+    return [_drawn(number, spec, ranges) for number, spec in enumerate(specs[:count])]
 
 
-def _drawn(number: int, plan: _Plan, box: ParameterRanges) -> HeldOut:
+def _drawn(number: int, spec: _Spec, ranges: ParameterRanges) -> HeldOut:
     rng = np.random.default_rng([_SEED, number])
-    # Pairs of the paper's and an unseen weave take turns.
+    # Every second fabric of either kind transmits.
     translucency = float(rng.uniform(*_TRANSLUCENCY)) if number // 2 % 2 == number % 2 else 0.0
-    draft = paper_draft(plan.weave) if plan.weave in PAPER_WEAVES else named_weave(plan.weave)
-    fields = random_fabric(rng, draft, translucency, box).fields
-    smooth = _uniform(rng, *_CLASSES[plan.smooth])
+    draft = paper_draft(spec.weave) if spec.weave in PAPER_WEAVES else named_weave(spec.weave)
+    fields = random_fabric(rng, draft, translucency, ranges).fields
+    smooth = _uniform(rng, *_CLASSES[spec.smooth])
     roughness = rng.permutation([smooth, _uniform(rng, smooth, 1.0)])
     tables: dict[str, Any] = {}
     for family, name in enumerate(("warp", "weft")):
         table = getattr(fields, name).model_dump(exclude_none=True)
         table |= {"roughness": float(roughness[family]), "specular": float(rng.uniform(0.2, 0.8))}
-        table["color"] = _colours(rng, 1 if plan.colours is None else plan.colours[family])
+        table["color"] = _colours(rng, 1 if spec.colours is None else spec.colours[family])
         tables[name] = YarnTable.model_validate(table)
-    name = f"{number + 1} {plan.weave}"
-    weave = PAPER_WEAVES.get(plan.weave, plan.weave)
+    name = f"{number + 1} {spec.weave}"
+    weave = PAPER_WEAVES.get(spec.weave, spec.weave)
     if "×" not in weave:  # satin 5×10 has no name that a fabric file knows
         tables["weave"] = weave
     fabric = make_fabric(fields.model_copy(update=tables), draft, name, ".")
-    return HeldOut(name, fabric, plan in _UNSEEN, plan.colours is not None)
+    return HeldOut(name, fabric, spec in _UNSEEN, spec.colours is not None)
 
 
 def _uniform(rng: np.random.Generator, low: float, high: float) -> float:
-    """A roughness between both that the box holds."""
+    """A random roughness between both, within `PARAMETER_RANGES`."""
     smallest, largest = PARAMETER_RANGES.roughness
     return float(rng.uniform(max(low, smallest), min(high, largest)))
 

@@ -1,4 +1,4 @@
-"""Errors of predictions against the truth, as sums that can be added up over any classes of queries."""
+"""Errors of predictions against the truth, as sums that add over any classes of queries."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-# What keeps SMAPE finite, and from where on a value counts as bright, 1/sr.
+# Added to denominators of SMAPE; and the threshold of bright values, 1/sr.
 _SMAPE_FLOOR = 0.002
 BRIGHT = 0.01
 
@@ -17,7 +17,7 @@ class ErrorSums:
     """Sums over values p predicted for t; adding two is the sums over both.
 
     Attributes:
-        count: how many values.
+        count: number of values.
         truth: Σ t.
         absolute: Σ |p − t|.
         squared: Σ (p − t)².
@@ -55,7 +55,7 @@ class ErrorSums:
 
     @property
     def bright_smape(self) -> float:
-        """SMAPE over t > 0.01 alone: the darkest queries carry a third of it and little error."""
+        """SMAPE over t > 0.01 alone: the darkest queries are a third of SMAPE with little absolute error."""
         return self.bright_symmetric / self.bright_count if self.bright_count else float("nan")
 
     @property
@@ -64,13 +64,13 @@ class ErrorSums:
         return self.signed / self.truth if self.truth > 0 else float("nan")
 
     def values(self) -> dict[str, float]:
-        """Every metric by name, and how many values it is of."""
+        """Every metric by name, and the number of values."""
         names = ("nmae", "mse", "smape", "bright_smape", "bias")
         return {**{name: float(getattr(self, name)) for name in names}, "count": float(self.count)}
 
 
 def error_sums(predicted: ArrayLike, truth: ArrayLike) -> ErrorSums:
-    """The sums over arrays of the same shape; what is not finite in `predicted` makes every metric NaN."""
+    """The sums over arrays of the same shape; NaN or infinity in `predicted` makes every metric NaN."""
     p, t = (np.asarray(values, np.float64).ravel() for values in (predicted, truth))
     if p.shape != t.shape:
         raise ValueError(f"{p.size} predictions of {t.size} values")
@@ -92,7 +92,7 @@ def error_sums(predicted: ArrayLike, truth: ArrayLike) -> ErrorSums:
 
 @dataclass(frozen=True, eq=False)
 class Classes:
-    """One way to part queries.
+    """A partition of queries into classes.
 
     Attributes:
         names: of the classes.
@@ -107,7 +107,7 @@ OVERALL = "overall"
 
 
 def sums_by_class(predicted: ArrayLike, truth: ArrayLike, parts: list[Classes]) -> dict[str, ErrorSums]:
-    """Sums overall and for every class of every part; the values' first axes are those of the codes."""
+    """Sums overall and for every class of every partition; the values' first axes are those of the codes."""
     p, t = np.asarray(predicted), np.asarray(truth)
     sums = {OVERALL: error_sums(p, t)}
     for part in parts:

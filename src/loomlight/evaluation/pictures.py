@@ -1,4 +1,4 @@
-"""Errors between pictures: MSE of linear values and LDR-FLIP, over the pixels that count."""
+"""Errors between pictures: MSE of linear values and LDR-FLIP, over a mask of pixels."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class PictureError:
     """Errors of one picture.
 
     Attributes:
-        mse: mean squared error of linear RGB over the pixels that count.
-        flip: mean LDR-FLIP over them, 0 to 1.
-        flip_map: FLIP of every pixel, 0 where it does not count [height, width].
-        flip_picture: the same in FLIP's own colours, sRGB [height, width, 3], 8 bits.
+        mse: mean squared error of linear RGB over the mask.
+        flip: mean LDR-FLIP over the mask, 0 to 1.
+        flip_map: FLIP of every pixel, 0 outside the mask [height, width].
+        flip_picture: FLIP in its colour map, sRGB [height, width, 3], 8 bits.
     """
 
     mse: float
@@ -33,16 +33,16 @@ def picture_error(
 ) -> PictureError:
     """Errors of linear RGB pictures [height, width, 3], shown as they are (exposure 0) on an sRGB display.
 
-    FLIP (Andersson et al. 2020) assumes its default viewing distance, 67 pixels a degree. What does not
-    count is replaced by the reference first, since FLIP looks around each pixel.
+    FLIP (Andersson et al. 2020) assumes its default viewing distance, 67 pixels a degree. Pixels outside the
+    mask are replaced by the reference first, since FLIP filters neighbourhoods.
 
     Args:
-        counted: which pixels count [height, width]; at least one.
+        counted: mask of pixels [height, width]; at least one.
     """
     difference = picture[counted].astype(np.float64) - reference[counted]
     shown = np.where(counted[..., None], picture, reference)
     encoded = [_display(part) for part in (reference, shown)]
-    # The map in FLIP's colours is asked for apart: its own numbers cannot be read back from it.
+    # A second call for the colour map: FLIP's values cannot be recovered from it.
     plain, _, _ = flip_evaluator.evaluate(*encoded, "LDR", applyMagma=False, computeMeanError=False)
     coloured, _, _ = flip_evaluator.evaluate(*encoded, "LDR", applyMagma=True, computeMeanError=False)
     values = np.where(counted, np.asarray(plain, np.float32).reshape(counted.shape), 0).astype(np.float32)
@@ -55,7 +55,7 @@ def picture_error(
 
 
 def flip_mean(one: NDArray[np.float32], other: NDArray[np.float32], counted: NDArray[np.bool_]) -> float:
-    """Mean LDR-FLIP between two linear pictures over the pixels that count."""
+    """Mean LDR-FLIP between two linear pictures over a mask of pixels."""
     shown = [_display(np.where(counted[..., None], part, 0)) for part in (one, other)]
     values, _, _ = flip_evaluator.evaluate(*shown, "LDR", applyMagma=False, computeMeanError=False)
     return float(np.asarray(values).reshape(counted.shape)[counted].mean(dtype=np.float64))

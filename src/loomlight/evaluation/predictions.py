@@ -1,4 +1,4 @@
-"""What models, and a few Monte Carlo samples, predict for a query set."""
+"""Predictions of models, and of a few Monte Carlo samples, for a query set."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _BATCH = 1 << 20
 
 @runtime_checkable
 class Cost(Protocol):
-    """What a query costs wherever it is run; a model says so by having these.
+    """The cost of a query, independent of the machine; models that state it have these attributes.
 
     Attributes:
         multiply_adds: of one query.
@@ -52,14 +52,14 @@ class Cost(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Prediction:
-    """What is predicted for n pairs of directions and m footprints.
+    """Predictions for n pairs of directions and m footprints.
 
     Attributes:
-        means: in the order of `CHANNELS` [n, m, 5], 1/sr and a share; None of models that keep no albedos
-            apart.
+        means: in the order of `CHANNELS` [n, m, 5], components in 1/sr and the hole fraction; None of models
+            that do not separate albedos.
         colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
-        rate: queries a second on this machine, whatever the model fetches included; None if not measured.
-        cost: of one query; None where the model does not say.
+        rate: queries a second on this machine, table reads included; None if not measured.
+        cost: of one query; None if the model does not state it.
     """
 
     means: NDArray[np.float64] | None
@@ -74,7 +74,7 @@ Predictor = Callable[[Fabric, QuerySet], Prediction]
 def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = None) -> Predictor:
     """Predicts with the model that `make` returns for each fabric, in batches of Dr.Jit arrays.
 
-    What `make` raises passes through; an InputError says that the model does not take the fabric.
+    Exceptions of `make` propagate; an InputError means that the model does not take the fabric.
     """
 
     def predict(fabric: Fabric, queries: QuerySet) -> Prediction:
@@ -82,7 +82,7 @@ def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = N
         model = make(fabric)
         light, view, footprint = query_arrays(types, queries)
         count, shape = dr.width(light), queries.sizes.shape
-        parts = _answers(model.at(view, footprint), light)
+        parts = _channels(model.at(view, footprint), light)
         numbers = np.stack([_numbers(part, count) for part in parts], axis=-1).reshape(*shape, -1)
         means, colours = np.split(numbers, [numbers.shape[-1] - len(COLOURS)], axis=-1)
         return Prediction(
@@ -98,7 +98,7 @@ def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = N
 def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None = None) -> Predictor:
     """Predicts with `samples` rays a footprint through the point model, as a renderer does.
 
-    Their places in the footprint are correlated multi-jittered, the pattern of Mitsuba's `multijitter`; the
+    Positions in the footprint are correlated multi-jittered, the pattern of Mitsuba's `multijitter`; the
     yarns are searched at the renderer's quality.
     """
 
@@ -111,8 +111,8 @@ def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None =
         values = np.empty((count, len(CHANNELS) + len(COLOURS)))
         for first in range(0, count, at_once):
             chosen = np.arange(first, min(first + at_once, count))
-            places = multi_jittered(rng, len(chosen), samples)
-            values[chosen] = _sampled(types, model, queries, chosen, places)
+            positions = multi_jittered(rng, len(chosen), samples)
+            values[chosen] = _sampled(types, model, queries, chosen, positions)
         values = values.reshape(*queries.sizes.shape, -1)
         return Prediction(values[..., : len(CHANNELS)], values[..., len(CHANNELS) :])
 
@@ -120,7 +120,7 @@ def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None =
 
 
 def query_arrays(types: ArrayTypes, queries: QuerySet) -> tuple[Any, Any, Footprint]:
-    """Lights, views [3] and footprints of a query set, footprints of one pair beside each other."""
+    """Lights, views [3] and footprints of a query set, pair by pair."""
     return _arrays(types, queries, np.arange(queries.sizes.size))
 
 
@@ -149,15 +149,15 @@ def _sampled(
     model: PointModel,
     queries: QuerySet,
     chosen: NDArray[np.intp],
-    places: NDArray[np.float64],
+    positions: NDArray[np.float64],
 ) -> NDArray[np.float64]:
     """Means of channels and colours over the samples of each chosen query."""
-    count, samples, _ = places.shape
+    count, samples, _ = positions.shape
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
-    s, t = (types.Float(part.astype(np.float32)) for part in (places - 0.5).reshape(-1, 2).T.copy())
-    place = footprint.at(s, t)
+    s, t = (types.Float(part.astype(np.float32)) for part in (positions - 0.5).reshape(-1, 2).T.copy())
+    position = footprint.at(s, t)
     plain = without_sheen_and_variation(model)
-    point = trace_views(plain, place.x, place.y, view).point
+    point = trace_views(plain, position.x, position.y, view).point
     visible = plain.visibility(point, light)
     channels = [
         *components(plain.appearance, point, light, view, visible),
@@ -191,17 +191,17 @@ def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tu
     )
 
 
-def _answers(at: FootprintBsdf, light: Any) -> list[Any]:
-    """The channels, where the model keeps albedos apart, and f·cos with albedos, without sheen."""
+def _channels(at: FootprintBsdf, light: Any) -> list[Any]:
+    """The channels, if the model separates albedos, then f·cos with albedos, without sheen."""
     if not isinstance(at, SeparableBsdf):
         return list(at.value(light))
-    found = at.components(light)
-    colour = shade(found, at.albedos, light.z * at.view.z < 0)
-    return [*(getattr(found, name) for name in COMPONENTS), at.hole, *colour]
+    parts = at.components(light)
+    colour = shade(parts, at.albedos, light.z * at.view.z < 0)
+    return [*(getattr(parts, name) for name in COMPONENTS), at.hole, *colour]
 
 
 def _numbers(value: Any, count: int) -> NDArray[np.float64]:
-    """A Dr.Jit Float as numpy; what all lanes share may be held once."""
+    """A Dr.Jit Float of width 1 or `count` as a NumPy array of `count`."""
     return np.broadcast_to(np.asarray(value.numpy(), np.float64), (count,))
 
 

@@ -36,7 +36,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Section:
-    """A scene: pictures to be looked at beside each other."""
+    """A scene: pictures shown side by side."""
 
     title: str
     subtitle: str
@@ -45,12 +45,12 @@ class Section:
 
 @dataclass(frozen=True)
 class Report:
-    """What the page shows.
+    """The content of the page.
 
     Attributes:
         title: the fabric's name.
-        facts: what was compared, by label.
-        refused: why, by the name of each model that does not take the fabric.
+        facts: about the comparison, by label.
+        refused: the reason, by the name of each model that does not take the fabric.
     """
 
     title: str
@@ -61,7 +61,7 @@ class Report:
 
 
 def report_html(report: Report) -> str:
-    """The page's text; whatever the names hold is shown, not interpreted."""
+    """The page's HTML; names are escaped."""
     here = files("loomlight.evaluation")
     style, script = (here.joinpath(f"report.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
     facts = "".join(
@@ -126,7 +126,7 @@ def _table(table: Table) -> str:
 
 
 def _best(table: Table) -> list[Cell]:
-    """The lowest number of each column, where low is good and there are two to choose from."""
+    """The lowest number of each column, if low is better and there are at least two rows."""
     columns = list(zip(*table.rows.values(), strict=True))
     if not any(word in table.title for word in _LOWER_IS_BETTER) or len(table.rows) < 2:
         return [None] * len(columns)

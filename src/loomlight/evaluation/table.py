@@ -22,10 +22,10 @@ class Table:
     """A table.
 
     Attributes:
-        title: what it shows.
+        title: of the table.
         columns: headings, without that of the row's name.
-        rows: cells by the row's name, as many as there are columns; None where there is nothing to show.
-        note: what has to be known to read it.
+        rows: cells by the row's name, one a column; None is an empty cell.
+        note: explanation.
         digits: significant digits of Markdown's numbers.
     """
 
@@ -36,7 +36,7 @@ class Table:
     digits: int = 3
 
     def to_dict(self) -> dict[str, Any]:
-        """What JSON holds: rows as objects by column; NaN and infinity are null."""
+        """The table for JSON: rows as objects by column; NaN and infinity are null."""
         rows = {
             name: {column: _plain(cell) for column, cell in zip(self.columns, cells, strict=True)}
             for name, cells in self.rows.items()
@@ -55,7 +55,7 @@ class Table:
         return "\n".join(lines) + "\n"
 
     def shown(self, cell: Cell) -> str:
-        """A cell as a person reads it."""
+        """A cell as text."""
         if cell is None or (isinstance(cell, float) and not math.isfinite(cell)):
             return "–"
         if isinstance(cell, float):
@@ -66,15 +66,15 @@ class Table:
 def write_json(
     path: str | os.PathLike[str], content: dict[str, Any], *, digits: int | None = _DIGITS
 ) -> None:
-    """Writes JSON without NaN; the last folder of the path is made where there is none.
+    """Writes JSON without NaN; the last folder of the path is created if it does not exist.
 
     Args:
-        digits: significant digits that numbers keep; None for all of them.
+        digits: significant digits of numbers; None for all of them.
 
     Raises:
         InputError: the path cannot be written.
     """
-    # Figures may have taken an hour. If the folder cannot be made, `replacing` says that it is not there.
+    # If the folder cannot be created, `replacing` raises.
     with suppress(OSError, ValueError):
         Path(path).parent.mkdir(exist_ok=True)
     with replacing(path) as temporary:

@@ -1,4 +1,4 @@
-"""How long something takes, and which kernels of Dr.Jit's it launched."""
+"""Wall-clock times of functions, and the Dr.Jit kernels that they launch."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ Made = TypeVar("Made")
 
 
 def timed(run: Callable[[], Made]) -> tuple[Made, float]:
-    """What `run` returns, and its wall-clock time, seconds.
+    """The result of `run`, and its wall-clock time, seconds.
 
-    Kernels that it launched and did not wait for are not in the time: evaluate and synchronize within it.
+    Asynchronous kernels are not included: `run` must evaluate and synchronize.
     """
     start = time.perf_counter()
     made = run()

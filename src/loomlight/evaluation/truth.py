@@ -1,4 +1,4 @@
-"""The truth of the query test: slices on the reference plane, searched finely, kept on disk once computed.
+"""The truth of the query benchmark: slices on the reference plane, searched finely and cached on disk.
 
 The grid has 64 rays a thread (32 for repeats beyond 16 threads), so that its own error is 1 % of the mean
 below a quarter yarn and 0.15 % above (docs/aggregation.md).
@@ -46,42 +46,42 @@ def query_truth(
 ) -> tuple[QuerySet, NDArray[np.float32]]:
     """Queries of a fabric and the exact means of its channels over them [pairs, footprints, 5].
 
-    Lights and views lie on both sides; pairs of different sides (transmission) are half of them where the
-    fabric's threads let light through, and there are none otherwise.
+    Lights and views lie on both sides; if the fabric's threads transmit light, half of the pairs are of
+    different sides (transmission), else none.
 
     Args:
         seed: of the queries.
         with_colours: adds red, green and blue with the threads' own albedos, [pairs, footprints, 8].
-        folder: where results are kept; None is the cache.
+        folder: of cached results; None is the user's cache.
         float_type: the Dr.Jit Float type to compute with; None is LLVM's.
 
     Returns:
-        the queries, and means in the order of `CHANNELS`: components in 1/sr, `hole` as a share.
+        the queries, and means in the order of `CHANNELS`: components in 1/sr, `hole` as a fraction.
 
     Raises:
         InputError: no pairs or footprints, or a repeat too large for one slice (128 by 128 threads).
     """
-    kept = Path(cache_folder("truth") if folder is None else folder)
-    file = kept / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
-    found = _read(file, (pairs, footprints, len(CHANNELS) + len(COLOURS)))
-    if found is None:
-        found = _computed(fabric, seed, pairs, footprints, float_type or llvm_float())
-        _keep(file, *found)
-    queries, means = found
+    root = Path(cache_folder("truth") if folder is None else folder)
+    file = root / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
+    cached = _read(file, (pairs, footprints, len(CHANNELS) + len(COLOURS)))
+    if cached is None:
+        cached = _compute(fabric, seed, pairs, footprints, float_type or llvm_float())
+        _write(file, *cached)
+    queries, means = cached
     return queries, means if with_colours else means[..., : len(CHANNELS)]
 
 
 def reference_model(fabric: Fabric) -> PointModel:
-    """The point model of a fabric, searched as finely as the truth is."""
+    """The point model of a fabric with the search quality of the truth."""
     return PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), REFERENCE_QUALITY)
 
 
 def texels_per_thread(fabric: Fabric) -> int:
-    """How many rays of the truth's grid fall on a thread."""
+    """Rays a thread of the truth's grid."""
     return _FINE if fabric.draft.drawdown.size <= _LARGEST_FINE_REPEAT else _COARSE
 
 
-def _computed(
+def _compute(
     fabric: Fabric, seed: int, pairs: int, footprints: int, float_type: type
 ) -> tuple[QuerySet, NDArray[np.float32]]:
     transmits = admits_transmission(fabric.appearance())
@@ -114,7 +114,7 @@ def _numbers(fabric: Fabric) -> Iterator[NDArray[np.float64]]:
 
 
 def _read(file: Path, shape: tuple[int, int, int]) -> tuple[QuerySet, NDArray[np.float32]] | None:
-    """What the file holds; None if it does not exist or is damaged, and has to be computed again."""
+    """The queries and means in a file; None if it does not exist or is damaged."""
     try:
         tensors = load_file(file)
         queries = QuerySet(*(tensors[name] for name in _QUERIES))
@@ -124,8 +124,8 @@ def _read(file: Path, shape: tuple[int, int, int]) -> tuple[QuerySet, NDArray[np
     return (queries, means) if means.shape == shape else None
 
 
-def _keep(file: Path, queries: QuerySet, means: NDArray[np.float32]) -> None:
-    """Writes the file; a folder that cannot be written to costs time, not the result."""
+def _write(file: Path, queries: QuerySet, means: NDArray[np.float32]) -> None:
+    """Writes the file; ignores errors, which cost time on the next run."""
     tensors = {name: np.ascontiguousarray(getattr(queries, name)) for name in _QUERIES}
     try:
         file.parent.mkdir(parents=True, exist_ok=True)

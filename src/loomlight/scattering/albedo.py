@@ -67,10 +67,9 @@ def albedos_from_colour(
 
 
 def check_albedos(albedos: Albedos, family: str, optical_depth: float = 2.0) -> None:
-    """Returns if the albedos are numbers from 0 to 1 that keep the energy bound.
+    """Raises InputError unless the albedos are numbers from 0 to 1 within the energy bound.
 
-    Raises:
-        InputError: one is not; the message names `family`, the field, its thread and value, and the bound.
+    The message names `family`, the field, its thread and value, and the bound.
     """
     for name, values in albedos._asdict().items():
         good = (values >= 0) & (values <= 1)

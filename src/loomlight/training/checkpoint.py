@@ -1,4 +1,4 @@
-"""Checkpoints of a training: safetensors with a JSON header, written at once or not at all."""
+"""Checkpoints of a training: safetensors files with a JSON header, written atomically."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ SCHEMA = 1
 
 
 def write_checkpoint(path: Path, tensors: dict[str, Tensor], facts: dict[str, Any]) -> None:
-    """Keeps tensors and facts (anything JSON holds)."""
+    """Writes tensors and facts (any JSON values)."""
     header = {"loomlight": json.dumps({"schema": SCHEMA, "kind": "checkpoint", **facts})}
-    # Tensors that share memory, or are views, are no separate entries of the file.
+    # safetensors rejects tensors that share memory, and views.
     separate = {name: tensor.detach().contiguous().clone() for name, tensor in tensors.items()}
     with replacing(path) as temporary:
         save_file(separate, temporary, metadata=header)
 
 
 def read_checkpoint(path: Path) -> tuple[dict[str, Tensor], dict[str, Any]]:
-    """What `write_checkpoint` kept.
+    """The tensors and facts of a checkpoint.
 
     Raises:
         InputError: the file is damaged, or something else.
@@ -55,7 +55,7 @@ def optimiser_tensors(optimiser: torch.optim.Optimizer) -> dict[str, Tensor]:
 
 
 def restore_optimiser(optimiser: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
-    """Puts back what `optimiser_tensors` gave."""
+    """Restores the state of an optimiser from `optimiser_tensors`."""
     state: dict[int, dict[str, Tensor]] = {}
     for key, tensor in tensors.items():
         number, name = key.split(".", 1)

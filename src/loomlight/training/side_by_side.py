@@ -1,7 +1,7 @@
 """Losses of the parts of a batch, each on a thread of its own.
 
-Small networks keep several cores busy through no one operation: what one part does on one core while another
-computes on the next is faster than both sharing every operation.
+No single operation of a small network occupies several cores: parts on a core each are faster than operations
+split over cores.
 """
 
 from __future__ import annotations
@@ -15,36 +15,36 @@ from torch import Tensor, nn
 
 
 class SideBySide:
-    """Computes losses and gradients of parts at once, as many as there are threads.
+    """Computes losses and gradients of parts on a thread each.
 
-    Parts are always added in one order, so gradients do not depend on which is done first.
+    Gradients are summed in a fixed order, so they do not depend on which part is done first.
     """
 
     def __init__(self, parts: int) -> None:
         """
         Args:
-            parts: threads; with 1, parts are computed in a row where they are asked for.
+            parts: threads; with 1, parts are computed one after another on the calling thread.
         """
         cores = max(1, torch.get_num_threads() // parts)
         self._threads = ThreadPoolExecutor(parts, initializer=_begin, initargs=(cores,))
         self.parts = parts
 
     def loss(
-        self, losses: Sequence[Callable[[], Tensor]], shares: Sequence[float], network: nn.Module
+        self, losses: Sequence[Callable[[], Tensor]], weights: Sequence[float], network: nn.Module
     ) -> Tensor:
-        """The sum of losses times shares, whose gradients are known already.
+        """The weighted sum of losses, with gradients computed already.
 
         Args:
             losses: of the parts; each may use the network's parameters and nothing else that has a gradient.
         """
         parameters = [parameter for parameter in network.parameters() if parameter.requires_grad]
 
-        def found(loss: Callable[[], Tensor], share: float) -> tuple[Tensor, tuple[Tensor | None, ...]]:
-            value = share * loss()
+        def backward(loss: Callable[[], Tensor], weight: float) -> tuple[Tensor, tuple[Tensor | None, ...]]:
+            value = weight * loss()
             return value.detach(), torch.autograd.grad(value, parameters, allow_unused=True)
 
         apply = map if self.parts == 1 else self._threads.map
-        values, gradients = zip(*apply(found, losses, shares), strict=True)
+        values, gradients = zip(*apply(backward, losses, weights), strict=True)
         sums = [_sum(parts) for parts in zip(*gradients, strict=True)]
         loss: Tensor = _Known.apply(sum(values), sums, *parameters)
         return loss
@@ -52,7 +52,7 @@ class SideBySide:
 
 def _begin(cores: int) -> None:
     torch.set_num_threads(cores)
-    # See `loop.train`; it holds for one thread.
+    # Per thread; see `loop.train`.
     torch.set_flush_denormal(True)
 
 
@@ -63,7 +63,7 @@ def _sum(gradients: Sequence[Tensor | None]) -> Tensor | None:
 
 
 class _Known(torch.autograd.Function):
-    """A number whose gradients were worked out beforehand."""
+    """A number with precomputed gradients."""
 
     @staticmethod
     def forward(ctx: Any, value: Tensor, gradients: list[Tensor | None], *parameters: Tensor) -> Tensor:

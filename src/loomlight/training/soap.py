@@ -12,11 +12,11 @@ _TINY = 1e-8
 
 
 class Soap(torch.optim.Optimizer):
-    """Adam whose steps are taken along the principal axes of each matrix's gradients.
+    """Adam with steps along the principal axes of each matrix's gradients.
 
-    Small networks that see large batches have gradients with little noise, so what holds Adam back is that
-    its axes are those of single weights. The state is tensors alone, one set a parameter, so that parameters
-    which only some losses reach keep a count of their own, and a checkpoint holds all of it.
+    Small networks with large batches have gradients with little noise; then Adam is limited by its axes,
+    which are those of single weights. The state is tensors alone, one set a parameter, so that every
+    parameter has its own step count, and a checkpoint contains all of it.
     """
 
     def __init__(
@@ -32,10 +32,10 @@ class Soap(torch.optim.Optimizer):
         Args:
             rate: learning rate.
             decay: of the weights themselves, each step, in units of the rate.
-            memory: of the mean gradient and of everything quadratic in gradients, each step.
+            memory: decay of the running means of gradients and of their products, each step.
             every: steps between improvements of the eigenbases.
-            largest_side: sides of matrices longer than this keep their own axes; those of a convolution are
-                its outputs and all of its inputs.
+            largest_side: longer sides of matrices are not rotated; the sides of a convolution are its outputs
+                and all of its inputs.
         """
         super().__init__(
             parameters,
@@ -44,7 +44,7 @@ class Soap(torch.optim.Optimizer):
 
     @torch.no_grad()
     def step(self, closure: Callable[[], Any] | None = None) -> None:
-        """Moves every parameter that has a gradient; the very first gradient only sets up the bases."""
+        """Updates every parameter that has a gradient; the first gradient only initializes the bases."""
         if closure is not None:
             raise ValueError("Soap takes no closure.")
         for group in self.param_groups:

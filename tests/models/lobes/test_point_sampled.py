@@ -12,7 +12,7 @@ from drjit.llvm.ad import Array2f, Float, UInt32
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
-from loomlight.models.lobes.point_sampled import MOST_POINTS, _place
+from loomlight.models.lobes.point_sampled import MOST_POINTS, _offset
 from loomlight.models.lobes.regimes import RegimeScale
 
 LINES = 4000
@@ -20,7 +20,7 @@ LINES = 4000
 
 def places() -> np.ndarray:
     """All of them [n, 2], in shares of a footprint's edges."""
-    found = _place(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
+    found = _offset(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
     return np.stack([part.numpy() for part in found], axis=1)
 
 

@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.lobes.proposal import Energies
+from loomlight.models.lobes.proposal import LobeWeights
 from loomlight.models.lobes.reference import LobesReference, Parallelogram
 from loomlight.models.separable import Components
 
@@ -27,14 +27,14 @@ RELATIVE, ABSOLUTE = 1e-4, 1e-6
 FLIPPED, UNIT = 0.01, 1e-2
 
 
-def asked(model: LobesModel, seed: int) -> FootprintQueries:
+def queries_of(model: LobesModel, seed: int) -> FootprintQueries:
     return random_queries(model.fabric, model.tables.base_size, QUERIES, seed)
 
 
-def agree(found: NDArray[np.float32], wanted: NDArray[np.float64], name: str) -> None:
-    np.testing.assert_allclose(found, wanted, rtol=UNIT, atol=1e-4, err_msg=name)
-    apart = ~np.isclose(found, wanted, rtol=RELATIVE, atol=ABSOLUTE)
-    assert apart.mean() <= FLIPPED, (name, found[apart][:5], wanted[apart][:5])
+def agree(actual: NDArray[np.float32], expected: NDArray[np.float64], name: str) -> None:
+    np.testing.assert_allclose(actual, expected, rtol=UNIT, atol=1e-4, err_msg=name)
+    differs = ~np.isclose(actual, expected, rtol=RELATIVE, atol=ABSOLUTE)
+    assert differs.mean() <= FLIPPED, (name, actual[differs][:5], expected[differs][:5])
 
 
 def parallelogram(queries: FootprintQueries, lane: int) -> Parallelogram:
@@ -42,79 +42,79 @@ def parallelogram(queries: FootprintQueries, lane: int) -> Parallelogram:
     return Parallelogram(queries.centres[lane], *queries.edges[lane])
 
 
-def says(reference: LobesReference, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
+def reference_parts(reference: LobesReference, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
     """What the reference says of queries, by name [n]."""
-    found = [
+    actual = [
         reference.components_and_hole(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
         for lane in range(QUERIES)
     ]
     parts = {
-        part.name: np.array([getattr(one, part.name) for one, _ in found]) for part in fields(Components)
+        part.name: np.array([getattr(one, part.name) for one, _ in actual]) for part in fields(Components)
     }
-    return parts | {"hole": np.array([hole for _, hole in found])}
+    return parts | {"hole": np.array([hole for _, hole in actual])}
 
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_both_agree_on_components_and_holes(name: str) -> None:
     model = model_of(name)
-    queries = asked(model, seed=1)
+    queries = queries_of(model, seed=1)
     # Both faces, both sides of light, all levels.
     assert {(v > 0, lit > 0) for v, lit in zip(queries.views[:, 2], queries.lights[:, 2], strict=True)} == {
         (a, b) for a in (False, True) for b in (False, True)
     }
     level = np.log2(np.maximum(queries.sizes / model.tables.base_size, 1)).astype(int)
     assert set(level) >= set(range(len(model.tables.levels) - 1))
-    found, wanted = prefiltered_parts(model, queries), says(reference_of(model), queries)
-    for part, values in wanted.items():
-        agree(found[part], values, part)
-    assert all(values.max() > 0.02 for values in wanted.values())
+    actual, expected = prefiltered_parts(model, queries), reference_parts(reference_of(model), queries)
+    for part, values in expected.items():
+        agree(actual[part], values, part)
+    assert all(values.max() > 0.02 for values in expected.values())
 
 
 @pytest.mark.parametrize("groups", [1, 5, 16])
 def test_both_agree_on_any_number_of_groups(groups: int) -> None:
     """Five leave bytes of padding in each family's last word."""
     model = model_of("translucent twill", groups)
-    queries = asked(model, seed=2)
-    found, wanted = prefiltered_parts(model, queries), says(reference_of(model), queries)
-    for part, values in wanted.items():
-        agree(found[part], values, part)
+    queries = queries_of(model, seed=2)
+    actual, expected = prefiltered_parts(model, queries), reference_parts(reference_of(model), queries)
+    for part, values in expected.items():
+        agree(actual[part], values, part)
 
 
 @pytest.mark.parametrize("name", ["smooth satin", "translucent twill"])
 def test_both_agree_on_the_density(name: str) -> None:
     model = model_of(name)
-    queries = asked(model, seed=3)
+    queries = queries_of(model, seed=3)
     at = model.at(queries.view, queries.footprint)
     mixture = at.mixture
-    _, (answer,) = at.prefiltered([queries.light], mixture, True)
-    found = (answer.groups / answer.energy).numpy()
-    energies = [
-        [np.broadcast_to(getattr(family, part.name).numpy(), QUERIES) for part in fields(Energies)]
+    _, (sums,) = at.prefiltered([queries.light], mixture, True)
+    actual = (sums.density / sums.weight_sum).numpy()
+    lobe_weights = [
+        [np.broadcast_to(getattr(family, part.name).numpy(), QUERIES) for part in fields(LobeWeights)]
         for family in (mixture.warp, mixture.weft)
     ]
     reference = reference_of(model)
-    wanted = [
+    expected = [
         reference.group_density(
             queries.lights[lane],
             queries.views[lane],
             parallelogram(queries, lane),
-            tuple(Energies(*(float(part[lane]) for part in family)) for family in energies),
+            tuple(LobeWeights(*(float(part[lane]) for part in family)) for family in lobe_weights),
         )
         for lane in range(QUERIES)
     ]
-    agree(found, np.array(wanted), name)
+    agree(actual, np.array(expected), name)
 
 
 def test_a_reference_of_other_bytes_disagrees() -> None:
     """The tables decide: the warp's bytes of the levels that large footprints read show."""
     model = model_of("smooth satin")
-    queries = asked(model, seed=4)
-    found = prefiltered_parts(model, queries)
+    queries = queries_of(model, seed=4)
+    actual = prefiltered_parts(model, queries)
     tables = model.tables
     damaged = tables.coverage.copy()
     damaged[:, tables.levels[-3, 0] :, : 2 * tables.packs] //= 2
     reference = reference_of(LobesModel(model.fabric, replace(tables, coverage=damaged)))
-    wanted = says(reference, queries)["specular_warp"]
+    expected = reference_parts(reference, queries)["specular_warp"]
     large = queries.sizes > 16 * tables.base_size
     assert large.any()
-    assert not np.allclose(found["specular_warp"][large], wanted[large], rtol=UNIT, atol=1e-4)
+    assert not np.allclose(actual["specular_warp"][large], expected[large], rtol=UNIT, atol=1e-4)

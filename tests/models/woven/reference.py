@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.footprint_coding import network_places, places_of, taps
+from loomlight.models.woven.footprint_coding import coordinate_rows, footprints_in_threads, taps
 from loomlight.models.woven.training.losses import unmapped
 from loomlight.models.woven.training.network import WovenNetwork
 
@@ -25,7 +25,7 @@ def responses(
     sides: NDArray[np.float64],
 ) -> NDArray[np.float32]:
     """Components, 1/sr, and hole [n, 5] of square footprints, millimetres; views of either side."""
-    footprints = places_of(fabric.layout(), centres, sides)
+    footprints = footprints_in_threads(fabric.layout(), centres, sides)
     front, back = (face.astype(np.float32) for face in encoded.faces)
     behind = views[:, 2:] < 0
     if made.table.latent == "field":
@@ -34,7 +34,7 @@ def responses(
     else:
         latents = [front, back]
     latent = np.where(behind, latents[1], latents[0])
-    place = network_places(made.table, encoded.picks, encoded.ends, footprints)
+    place = coordinate_rows(made.table, encoded.picks, encoded.ends, footprints)
     turn = np.where(behind, [1, 1, -1], 1).astype(np.float32)
     fibres = np.where(behind[..., None], encoded.fibres.face(True), encoded.fibres.face(False))
     light = torch.tensor(lights * turn)

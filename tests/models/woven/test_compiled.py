@@ -55,7 +55,7 @@ def _fetched(
     found = np.empty((weights.table.hidden + 2, len(x)), np.float32)
     steps = np.zeros((2, len(x)), np.float32) if step is None else step
     queries = [x, y, size, *steps, *view, back.astype(np.float32)]
-    compiled_decoder(weights).run("seen", kernel_table(weights, encoded), queries, [*found])
+    compiled_decoder(weights).run("view", kernel_table(weights, encoded), queries, [*found])
     return found[: weights.table.hidden].T
 
 
@@ -72,7 +72,7 @@ def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path)
     size = np.exp(rng.uniform(np.log(0.005), np.log(200), len(x))).astype(np.float32)
     behind = rng.random(len(x)) < 0.5
     texels, shares = taps(encoded.levels, x, y, size)
-    table = encoded.both[:, : weights.table.hidden].astype(np.float64)
+    table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
     wanted = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
     found = _fetched(weights, encoded, x, y, size, behind)
     # float32 coordinates up to 40·8 texels have 2e-5 of a texel, between two of which values change by up to
@@ -93,7 +93,7 @@ def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
     step[:, :300] = 0
     step[:, rng.random(count) < 0.3] = 0
     behind = rng.random(count) < 0.5
-    table = encoded.both[:, : weights.table.hidden].astype(np.float64)
+    table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
     wanted = np.zeros((count, weights.table.hidden))
     for place in (-1.5, -0.5, 0.5, 1.5):
         texels, shares = taps(

@@ -25,7 +25,7 @@ from loomlight.models.woven import compiled, latent_table
 from loomlight.models.woven.compiled import _compiled, compiled_decoder, decode, kernel_table
 from loomlight.models.woven.decoder import Decoder
 from loomlight.models.woven.encoding import encode
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.model import WovenModel
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
@@ -43,7 +43,7 @@ CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nrough
 def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
     """Both ways of computing layers: whether that is in kernels of their own."""
     if not request.param:
-        monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
+        monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
     return bool(request.param)
 
 
@@ -66,7 +66,7 @@ def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> N
     scale = wanted.max(axis=0)
     assert (scale > 1e-3).all()
     # Positions in float32 are off by 1e-6 of a repeat, 1e-4 of the pyramid's finest texels at worst.
-    footprints = places_of(fabric.layout(), centres, sides)
+    footprints = footprints_in_threads(fabric.layout(), centres, sides)
     batch = decode(weights, encoded, lights, views, footprints)
     for answers in (found, batch):
         error = np.abs(answers - wanted) / scale
@@ -134,7 +134,7 @@ def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, t
         return np.stack([part.numpy() for part in parts_of(model, light, view, footprint)])
 
     by_kernel = answer()
-    monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
+    monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
     wanted = answer()
     error = np.abs(by_kernel - wanted) / wanted.max(axis=1, keepdims=True)
     # Positions of squares in float32 are off by 1e-6 of a repeat, as above.
@@ -225,7 +225,7 @@ def test_kernels_take_inputs_of_width_one(
         return np.stack(np.broadcast_arrays(*(part.numpy() for part in found)))
 
     by_kernel = answer()
-    monkeypatch.setattr(Decoder, "compiles", lambda decoder, asked: False)
+    monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
     assert by_kernel[:4].max() > 1e-3
     # Sums of the same terms in much the same order.
     np.testing.assert_allclose(by_kernel, answer(), rtol=1e-4, atol=1e-6)

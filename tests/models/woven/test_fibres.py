@@ -12,7 +12,13 @@ from drjit.llvm.ad import Array3f, Bool, Float
 from loomlight import fabric_from_text
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.models.woven.architecture import BUNDLE_PLACES, BUNDLES, DENSITY_GAIN, DENSITY_SCALE, OPPOSITE
+from loomlight.models.woven.architecture import (
+    BUNDLE_POSITIONS,
+    BUNDLES,
+    DENSITY_GAIN,
+    DENSITY_SCALE,
+    OPPOSITE,
+)
 from loomlight.models.woven.codings import _mirrored
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.model import WovenModel
@@ -107,7 +113,7 @@ def test_bundles_of_straight_fibres_have_their_density() -> None:
     x, y, roughness = straight.face(False)[0]
     exact = density(Array3f(half.T.copy()), Array3f(float(x), float(y), 0.0), Float(float(roughness)))
     # The middle place of every slope: those are at most 3 % steep here, and heights a hundredth of that.
-    for number in range(BUNDLE_PLACES // 2, BUNDLES - 1, BUNDLE_PLACES):
+    for number in range(BUNDLE_POSITIONS // 2, BUNDLES - 1, BUNDLE_POSITIONS):
         np.testing.assert_allclose(found[0, number], exact.numpy(), rtol=0.02)
     # Entirely rough fibres scatter alike in all directions; the last of each family always does.
     np.testing.assert_allclose(found[1, :-1], 1 / np.pi, rtol=1e-5)
@@ -127,7 +133,7 @@ def test_mixed_fibres_lie_between() -> None:
     beyond = _FIBRES.mixed(other, 3)
     assert (beyond.roughness[0], beyond.inclination[0]) == (1, 0)
     assert beyond.height_scale[0] == pytest.approx(0.01)
-    assert beyond.flaw() is None
+    assert beyond.validation_error() is None
     assert Fibres.from_array(_FIBRES.array()).array() == pytest.approx(_FIBRES.array())
 
 

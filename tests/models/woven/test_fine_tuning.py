@@ -17,7 +17,7 @@ from loomlight.models.woven.compiled import decode
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fine_tuning import _solution
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.latent_cache import clear_encodings
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import shipped_weights
@@ -48,7 +48,7 @@ def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:
         np.repeat(part[index], 16, axis=0).astype(np.float32)
         for part, index in ((queries.lights, queries.pairs[:, 0]), (queries.views, queries.pairs[:, 1]))
     )
-    places = places_of(layout, queries.centres, queries.sizes).reshape(-1, 3)
+    places = footprints_in_threads(layout, queries.centres, queries.sizes).reshape(-1, 3)
     found = decode(shipped_weights(), encoded, lights, views, places)
     far = places[:, 2] > 2
     wanted = truth.reshape(-1, 5)[far, :4]

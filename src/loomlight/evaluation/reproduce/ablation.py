@@ -10,7 +10,7 @@ from pathlib import Path
 from loomlight.core.errors import InputError
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.pictures import picture_error
-from loomlight.evaluation.query_test import run_query_test
+from loomlight.evaluation.query_benchmark import run_query_benchmark
 from loomlight.evaluation.reproduce.evidence import Evidence, error_caption, on_display
 from loomlight.evaluation.reproduce.fabrics import paper_fabric
 from loomlight.evaluation.reproduce.renders import Stage, one_picture
@@ -35,7 +35,7 @@ _SCENES = {
 
 
 def ablated(setting: Setting) -> Evidence:
-    """Figure 7: pictures of the three networks, and their query test.
+    """Figure 7: pictures of the three networks, and their query benchmark.
 
     Raises:
         InputError: a training is missing; the message says which commands make them.
@@ -63,7 +63,7 @@ def ablated(setting: Setting) -> Evidence:
         tables[0].rows[label] = [error.mse for error in errors.values()]
         tables[1].rows[label] = [error.flip for error in errors.values()]
         setting.step(number + 1, len(_SCENES) + 1)
-    test = run_query_test(
+    test = run_query_benchmark(
         {name: woven_predictor(network) for name, network in networks.items()},
         held_out_fabrics(_FABRICS),
         pairs=_PAIRS,
@@ -72,7 +72,7 @@ def ablated(setting: Setting) -> Evidence:
     )
     setting.step(len(_SCENES) + 1, len(_SCENES) + 1)
     note = (
-        f"Query test on {_FABRICS} held-out fabrics, nMAE of grey reflection and of colour: "
+        f"Query benchmark on {_FABRICS} held-out fabrics, nMAE of grey reflection and of colour: "
         + ", ".join(
             f"{name} {row.metric('reflection'):.3f} and {row.metric('colour'):.3f}"
             for name, row in test.rows.items()
@@ -103,10 +103,10 @@ def weights_files(runs: Path) -> dict[str, Path]:
 
 
 def _budget(networks: dict[str, Weights]) -> str:
-    """What each was trained for, as their recipes say."""
-    found = []
+    """Training time and steps of each network, from its recipe."""
+    facts = []
     for name, network in networks.items():
         minutes = network.recipe.get("training", {}).get("minutes", 0)
         steps = network.provenance.get("steps", "unknown")
-        found.append(f"{name}: {f'{minutes:g} minutes, ' if minutes else ''}{steps} steps")
-    return "; ".join(found)
+        facts.append(f"{name}: {f'{minutes:g} minutes, ' if minutes else ''}{steps} steps")
+    return "; ".join(facts)

@@ -1,4 +1,4 @@
-"""Runs of the encoder that are runs: without the latents that are kept in memory and on disk."""
+"""Runs of the encoder without cached latents, for measuring."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from loomlight.models.woven.latent_cache import clear_encodings
 
 @contextmanager
 def without_cached_latents() -> Iterator[None]:
-    """Latents are kept in a folder that is thrown away, and none are in it."""
+    """Replaces the cache of latents by an empty temporary folder."""
     before = os.environ.get("XDG_CACHE_HOME")
     with tempfile.TemporaryDirectory() as folder:
         os.environ["XDG_CACHE_HOME"] = folder

@@ -36,18 +36,18 @@ def many(setting: Setting) -> Evidence:
     )
 
 
-def seen(setting: Setting) -> Evidence:
+def training_patterns(setting: Setting) -> Evidence:
     """Figure 4: the seven patterns of the training set."""
     return _one_by_one("chen2024 figure 4: patterns of the training set", setting, seen_fabrics())
 
 
-def unseen(setting: Setting) -> Evidence:
-    """Figure 5: a twill that no training has seen."""
+def unseen_patterns(setting: Setting) -> Evidence:
+    """Figure 5: a twill that is in no training set."""
     return _one_by_one("chen2024 figure 5: a pattern that no training has seen", setting, unseen_fabrics())
 
 
 def _one_by_one(title: str, setting: Setting, fabrics: Sequence[Fabric]) -> Evidence:
-    """Each fabric draped, a picture of its own."""
+    """Each fabric draped, one picture each."""
     return compared(title, setting, DRAPE, [(fabric.name, [fabric]) for fabric in fabrics])
 
 
@@ -66,7 +66,7 @@ def backlit(setting: Setting) -> Evidence:
 
 
 @dataclass(frozen=True, eq=False)
-class _Judged:
+class _Measured:
     picture: Rendered
     error: PictureError | None
 
@@ -74,24 +74,24 @@ class _Judged:
 def compared(
     title: str, setting: Setting, shot: MeasuredShot, cloths: Sequence[tuple[str, Sequence[Fabric]]]
 ) -> Evidence:
-    """Two rows for each picture, by its label and its fabrics: what is seen, and FLIP of it."""
+    """Two rows for each picture, by its label and its fabrics: the picture and its FLIP map."""
     rows, pictures = [], {}
     tables = {metric: Table(metric, list(_COLUMNS[:-1])) for metric in _METRICS}
     for number, (label, fabrics) in enumerate(cloths):
-        judged = _judged(Stage(setting, shot, *fabrics))
+        by_column = _measure(Stage(setting, shot, *fabrics))
         shown, maps = [], []
-        for column, found in judged.items():
+        for column, measured in by_column.items():
             file = f"{label}-{column}" if len(cloths) > 1 else column
-            pixels = on_display(found.picture.linear)
+            pixels = on_display(measured.picture.linear)
             pictures[file] = pixels
-            shown.append(Tile(pixels, _caption(found)))
-            if found.error is None:
+            shown.append(Tile(pixels, _caption(measured)))
+            if measured.error is None:
                 maps.append(Tile(None))
                 continue
-            pictures[f"{file}-flip"] = found.error.flip_picture
-            maps.append(Tile(found.error.flip_picture))
+            pictures[f"{file}-flip"] = measured.error.flip_picture
+            maps.append(Tile(measured.error.flip_picture))
         rows += [Row(label, shown), Row("", maps)]
-        errors = [(found.picture, found.error) for found in judged.values() if found.error is not None]
+        errors = [(part.picture, part.error) for part in by_column.values() if part.error is not None]
         tables["MSE"].rows[label] = [error.mse for _, error in errors]
         tables["FLIP"].rows[label] = [error.flip for _, error in errors]
         tables["seconds"].rows[label] = [picture.seconds for picture, _ in errors]
@@ -105,7 +105,7 @@ def compared(
     return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, list(tables.values()))
 
 
-def _judged(stage: Stage) -> dict[str, _Judged]:
+def _measure(stage: Stage) -> dict[str, _Measured]:
     reference = stage.reference()
     woven, as_long = stage.equal_time()
     pictures = {
@@ -114,15 +114,15 @@ def _judged(stage: Stage) -> dict[str, _Judged]:
         "point, equal time": as_long,
         "woven, 1 spp": woven,
     }
-    judged = {
-        name: _Judged(picture, picture_error(picture.linear, reference.linear, stage.counted))
+    measured = {
+        name: _Measured(picture, picture_error(picture.linear, reference.linear, stage.counted))
         for name, picture in pictures.items()
     }
-    return judged | {"reference": _Judged(reference, None)}
+    return measured | {"reference": _Measured(reference, None)}
 
 
-def _caption(found: _Judged) -> str:
-    made = f"{found.picture.samples} spp, {found.picture.seconds:.2f} s"
-    if found.error is None:
-        return made
-    return f"{error_caption(found.error)}, {made}"
+def _caption(measured: _Measured) -> str:
+    cost = f"{measured.picture.samples} spp, {measured.picture.seconds:.2f} s"
+    if measured.error is None:
+        return cost
+    return f"{error_caption(measured.error)}, {cost}"

@@ -1,4 +1,4 @@
-"""Figure 2: what the BSDF of a patch is made of, over all pairs of directions.
+"""Figure 2: the components of the BSDF of a patch over all pairs of directions.
 
 The paper shows matrices, incoming directions across and outgoing ones down, of plain white cloth over a patch
 of 205 × 205 texels of a texture whose size it does not give; here the patch is 0.4 of the repeat, about the
@@ -23,7 +23,7 @@ from loomlight.fabric.fabric import Fabric
 _WHITE = Look(roughness=(0.3, 0.3), height_scale=(0.6, 0.6), translucency=0.5)
 _PATCH = 0.4
 _LARGEST_RADIUS = 0.98
-# Shares of the picture's height that cells of a direction take: about 200 directions.
+# Heights of the cells of a direction as fractions of the picture's: about 200 directions.
 _SIDE_OF_HEIGHT = 1 / 13
 _SIDES = {"reflection": 1.0, "transmission": -1.0}
 _COLUMNS = ("BSDF", "diffuse, warp", "diffuse, weft", "specular, warp", "specular, weft")
@@ -43,8 +43,8 @@ def separated(setting: Setting) -> Evidence:
         count = len(queries.views)
         right, guess = (_matrices(predict(fabric, queries), count) for predict in (truth, woven))
         whites = np.quantile(right, 0.99, axis=(1, 2))
-        for name, found in (("sampled", right), ("woven", guess)):
-            shown = [_picture(values, white) for values, white in zip(found, whites, strict=True)]
+        for name, prediction in (("sampled", right), ("woven", guess)):
+            shown = [_picture(values, white) for values, white in zip(prediction, whites, strict=True)]
             rows.append(Row(f"{side}, {name}", [Tile(pixels) for pixels in shown]))
             pictures |= {
                 f"{side}-{name}-{column}": pixels for column, pixels in zip(_COLUMNS, shown, strict=True)
@@ -75,11 +75,11 @@ def direction_grid(fabric: Fabric, grid: int, side: float) -> QuerySet:
     return QuerySet(views * [1, 1, side], views, np.stack([light, view], axis=1), centres, sizes)
 
 
-def _matrices(found: Prediction, count: int) -> NDArray[np.float64]:
+def _matrices(prediction: Prediction, count: int) -> NDArray[np.float64]:
     """Values by pair of directions [5 columns, views, lights], 1/sr."""
-    assert found.means is not None
+    assert prediction.means is not None
     # White threads: any channel is the BSDF.
-    values = np.concatenate([found.colours[:, 0, :1], found.means[:, 0, :4]], axis=1)
+    values = np.concatenate([prediction.colours[:, 0, :1], prediction.means[:, 0, :4]], axis=1)
     return values.T.reshape(len(_COLUMNS), count, count)
 
 

@@ -1,4 +1,4 @@
-"""Table 3: where the time of a picture goes: encoder, network, and the rest of the renderer.
+"""Table 3: the time of a picture by parts: encoder, network, and the rest of the renderer.
 
 The paper's columns are network and "others" (intersection, transfer, shading); its encoder, once a fabric or
 edit, stands outside of the sum, as it does here. The network is the decoder, which also fetches latents;
@@ -32,12 +32,12 @@ _TIMES = 3
 
 @dataclass(frozen=True)
 class NetworkTime:
-    """What of a picture is the network's.
+    """The time of a picture by parts, seconds.
 
     Attributes:
         seconds: of the whole picture, kernels compiled beforehand.
         network: of the decoder.
-        others: of all kernels of Dr.Jit's; the rest of `seconds` is the host's.
+        others: of all Dr.Jit kernels; the rest of `seconds` is the host's.
     """
 
     seconds: float
@@ -51,7 +51,7 @@ class NetworkTime:
 
 
 def network_time(run: Callable[[], object]) -> NetworkTime:
-    """Runs a picture of a scene with networks, and takes its time apart; compile it beforehand."""
+    """Renders a picture of a scene with networks and measures its parts; compile it beforehand."""
     before, seconds = CompiledDecoder.seconds, 0.0
 
     def picture() -> None:
@@ -77,7 +77,7 @@ def split(setting: Setting) -> Evidence:
         picture = on_display(one_picture(scene, 1))
         spent = min(
             (network_time(partial(one_picture, scene, 1)) for _ in range(_TIMES)),
-            key=lambda found: found.seconds,
+            key=lambda split: split.seconds,
         )
         encoder = _encoder_seconds(setting, fabric)
         shares = [spent.network, spent.others, spent.host, spent.seconds]

@@ -1,4 +1,4 @@
-"""Figure 9: one fabric edited while it is looked at, and what each edit costs.
+"""Figure 9: live edits of one fabric, and the time of each.
 
 Roughness, height, inclination and twist need one run of the encoder; albedos and an albedo map none; another
 pattern is another fabric. The cache of latents is empty, so that every run is a run.
@@ -73,22 +73,22 @@ def edited(setting: Setting) -> Evidence:
     """Figure 9: the strip of edits."""
     shown: list[_Shown] = []
     with without_cached_latents():
-        for found in _strip(setting):
-            shown.append(found)
+        for edited in _strip(setting):
+            shown.append(edited)
             setting.step(len(shown), len(EDITS) + 3)
     table = Table("Seconds of an edit", ["edit", "first picture", "following picture"])
-    for found in shown:
-        table.rows[found.label] = [found.edit, found.first, found.following]
+    for edited in shown:
+        table.rows[edited.label] = [edited.edit, edited.first, edited.following]
     tiles = [
-        Tile(found.picture, f"{found.label}: {1e3 * found.edit:.0f} ms, picture {found.following:.2f} s")
-        for found in shown
+        Tile(edited.picture, f"{edited.label}: {1e3 * edited.edit:.0f} ms, picture {edited.following:.2f} s")
+        for edited in shown
     ]
     note = (
         "Each from the first by one edit. Milliseconds are of the edit itself, with the encoder where it is "
         "needed; seconds of a picture after the first one. A new fabric or map is a new BSDF."
     )
     sheet = contact_sheet("chen2024 figure 9: editing", [], in_two_rows(tiles), note)
-    return Evidence(sheet, {found.label: found.picture for found in shown}, [table])
+    return Evidence(sheet, {edited.label: edited.picture for edited in shown}, [table])
 
 
 def _strip(setting: Setting) -> Iterator[_Shown]:
@@ -120,7 +120,7 @@ def _pictured(label: str, scene: MeasuredScene, edit: float) -> _Shown:
 
 
 def albedo_map(side: int) -> NDArray[np.float32]:
-    """Linear albedos [side, side, 3]: rings and bars with hard edges, which a map has to be filtered for."""
+    """Linear albedos [side, side, 3]: rings and bars with hard edges, which need filtering."""
     y, x = (np.indices((side, side)) + 0.5) / side * 2 - 1
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     petals = np.abs(np.cos(4 * angle)) * 0.35 + 0.45

@@ -1,4 +1,4 @@
-"""Figure 8: latents between two fabrics, and beyond them, against those of the encoder.
+"""Figure 8: latents interpolated and extrapolated between two fabrics, against those of the encoder.
 
 Two latents at 0.2 and 0.8 of a parameter are mixed for 0.3 and 0.6 and extrapolated for 0.9, by the parameter
 as the weight; above stands what the encoder makes of the same parameter.
@@ -32,7 +32,7 @@ _BASE = Look(("#7a3c48", "#5c2c38"), (0.3, 0.3), (0.6, 0.6), specular=0.8)
 
 @dataclass(frozen=True)
 class _Parameter:
-    """What is interpolated.
+    """A parameter that is interpolated.
 
     Attributes:
         look: the look with a value of it in both families.
@@ -101,7 +101,7 @@ def interpolated(setting: Setting) -> Evidence:
 
 
 def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
-    """What stands below the pictures of a kind: FLIP of it against others."""
+    """The caption of the pictures of a kind: FLIP against the others."""
     lines = [
         [f"FLIP {cell:.4f} to {title.partition(' against ')[2]}" for cell in table.rows[name]]
         for title, table in tables.items()
@@ -111,7 +111,7 @@ def _captions(kind: str, tables: dict[str, Table], name: str) -> list[str]:
 
 
 def _mixed(stage: Stage, parameter: _Parameter) -> list[NDArray[np.float32]]:
-    """Pictures of one scene whose parameter `blend` moves."""
+    """Pictures of one scene over values of its parameter `blend`."""
     (first,), second = stage.fabrics, parameter.fabric(_SECOND)
     scene = stage.woven_scene(cloth_bsdf(first, WOVEN, stage.setting.weights, other=second, blend=0.0))
     edits = SceneEdits(scene.scene)

@@ -1,4 +1,4 @@
-"""Pictures with measured times, and the point model at a sample count that takes as long as the network."""
+"""Pictures with measured times, and the point model at the network's rendering time (equal time)."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from loomlight.mitsuba.scenes import BsdfFactory
 _TIMES = 3
 _MOST_EQUAL = 64
 _CORRECTIONS = 2
-# Sample counts that the time a sample takes is read from.
+# Sample counts between which the time of a sample is measured.
 _FEW, _SOME = 1, 9
 
 
@@ -32,7 +32,7 @@ class Rendered:
     Attributes:
         linear: linear RGB [height, width, 3].
         samples: a pixel.
-        seconds: of a picture, compiled beforehand, the fastest of three; of a reference its only one.
+        seconds: of a picture, the fastest of three after compiling; of a reference, of its single rendering.
     """
 
     linear: NDArray[np.float32]
@@ -66,7 +66,7 @@ class Stage:
         return fastest_picture(self._point_scene, samples)
 
     def equal_time(self) -> tuple[Rendered, Rendered]:
-        """The network, and the point model with as many samples as take as long, from 1 to 64.
+        """The network, and the point model with 1 to 64 samples at equal time.
 
         Both are timed one after the other and again with a better count, since other work on the machine
         comes and goes.
@@ -85,7 +85,7 @@ class Stage:
         return min(pairs, key=lambda pair: abs(math.log(pair[0].seconds / pair[1].seconds)))
 
     def woven_scene(self, *bsdfs: BsdfFactory) -> MeasuredScene:
-        """The network, to be rendered with one sample; other BSDFs may stand for the fabrics'."""
+        """The scene of the network, for one sample a pixel; `bsdfs` replace the fabrics'."""
         weights = self.setting.weights
         return self._scene(bsdfs or [cloth_bsdf(fabric, WOVEN, weights) for fabric in self.fabrics], True)
 
@@ -105,7 +105,7 @@ def grid_near(samples: float) -> int:
 
 
 def fastest_picture(scene: MeasuredScene, samples: int) -> Rendered:
-    """A picture and the seconds of it: the first compiles, the fastest of three others counts."""
+    """A picture and its seconds: the fastest of three, after one that compiles."""
     one_picture(scene, samples, 2)
     taken = [timed(lambda: one_picture(scene, samples, 1)) for _ in range(_TIMES)]
     return Rendered(taken[-1][0], samples, min(seconds for _, seconds in taken))

@@ -1,4 +1,4 @@
-"""`reproduce`: makes a figure of a paper and writes it down, with every number and where it came from."""
+"""`reproduce`: makes a figure of a paper and writes it with every number and its provenance."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def reproduce(
     Args:
         name: one of `CATALOGUE`, such as "chen2024/fig4".
         setting: sizes, samples and weights.
-        command: what the record says that it was made by.
+        command: recorded in table.json.
 
     Raises:
         InputError: an unknown name, weights that cannot be used, or a folder that cannot be written.
@@ -44,17 +44,17 @@ def reproduce(
     chosen.network()
     target = prepared_folder(folder)
     earlier = _earlier(target / "table.json")
-    found = item.make(chosen)
-    for title, pixels in found.pictures.items():
+    evidence = item.make(chosen)
+    for title, pixels in evidence.pictures.items():
         write_png(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
-    write_png(target / f"{item.stem}.png", found.sheet)
-    entry = _entry(item, found, chosen, command)
+    write_png(target / f"{item.stem}.png", evidence.sheet)
+    entry = _entry(item, evidence, chosen, command)
     content = {"schema": _SCHEMA, "kind": _KIND, "figures": {**earlier, item.name: entry}}
     write_json(target / "table.json", content)
-    return found
+    return evidence
 
 
-def _entry(item: Item, found: Evidence, setting: Setting, command: str) -> dict[str, Any]:
+def _entry(item: Item, evidence: Evidence, setting: Setting, command: str) -> dict[str, Any]:
     network = setting.network()
     return {
         "shows": item.shows,
@@ -66,12 +66,12 @@ def _entry(item: Item, found: Evidence, setting: Setting, command: str) -> dict[
             "sha256": network.sha256,
             "trained": network.trained,
         },
-        "tables": [table.to_dict() for table in found.tables],
+        "tables": [table.to_dict() for table in evidence.tables],
     }
 
 
 def _earlier(path: Path) -> dict[str, Any]:
-    """What the file says of figures made before."""
+    """The entries of figures made before."""
     if not path.exists():
         return {}
     try:

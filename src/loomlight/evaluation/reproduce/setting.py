@@ -1,4 +1,4 @@
-"""What all figures are made with: sizes, samples, the network, and where progress goes."""
+"""Settings of all figures: sizes, samples, the network, and progress."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class Setting:
-    """What a figure is made with.
+    """Settings of a figure.
 
     Attributes:
         size: width and height of each picture, pixels.
@@ -43,7 +43,7 @@ class Setting:
     progress: Progress | None = None
 
     def network(self) -> Weights:
-        """The network that the figure is of.
+        """The network of the figure.
 
         Raises:
             InputError: no weights file, or a damaged one.
@@ -51,7 +51,7 @@ class Setting:
         return shipped_weights() if self.weights is None else read_weights(self.weights)
 
     def step(self, done: int, total: int) -> None:
-        """Says how far the figure is."""
+        """Reports progress."""
         if self.progress is not None:
             self.progress(done, total)
 
@@ -64,5 +64,5 @@ def cloth_bsdf(fabric: Fabric, model: str, weights: Path | None = None, **option
 
 
 def woven_predictor(weights: Weights) -> Predictor:
-    """What the network of these weights says to the queries of a fabric, encoded anew for each."""
+    """A predictor with the network of these weights, which encodes each fabric."""
     return model_predictor(lambda fabric: WovenModel(fabric, encode(fabric, weights, llvm_float()), weights))

@@ -99,12 +99,12 @@ def _line(text: str, size: int) -> int:
 
 def _write(
     draw: ImageDraw.ImageDraw,
-    place: tuple[int, int],
+    position: tuple[int, int],
     text: str,
     size: int,
     ink: tuple[int, int, int] = _INK,
 ) -> None:
-    draw.text(place, _spelt(text), fill=ink, font=_font(size))
+    draw.text(position, _spelt(text), fill=ink, font=_font(size))
 
 
 def _wrapped(text: str, width: int) -> list[str]:

@@ -1,4 +1,4 @@
-"""What the figures show the fabrics on: the pieces of the image test, framed as the paper's figures are."""
+"""Scenes of the figures: the pieces of cloth of the image benchmark, framed as the paper's figures are."""
 
 from __future__ import annotations
 
@@ -33,9 +33,13 @@ def _ball_at(column: int, row: int) -> Callable[[], ClothMesh]:
 
 _APART = (0.28, 0.205)
 # The camera frames the first one, in the middle.
-_PLACES = sorted(
-    ((column, row) for row in (1, 0, -1) for column in (-1, 0, 1)), key=lambda place: place != (0, 0)
+_POSITIONS = sorted(
+    ((column, row) for row in (1, 0, -1) for column in (-1, 0, 1)), key=lambda position: position != (0, 0)
 )
 NINE = MeasuredShot(
-    tuple(_ball_at(*place) for place in _PLACES), (0.0, 0.0, 1.0), (-0.45, 0.6, 0.75), yarns=2.5, zoom=0.33
+    tuple(_ball_at(*position) for position in _POSITIONS),
+    (0.0, 0.0, 1.0),
+    (-0.45, 0.6, 0.75),
+    yarns=2.5,
+    zoom=0.33,
 )

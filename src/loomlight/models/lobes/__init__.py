@@ -1,7 +1,7 @@
 """Prefiltered fibre lobes (ours): any cloth at any distance, with no training.
 
-The points of a yarn are parted into a few groups of like normals and fibre directions. What a footprint needs
-to know is how much of each group it holds, which a pyramid of a few bytes tells; how much of a group a view
-sees and a light reaches, which small tables over directions tell; and the lobe of a group, a closed form of
-its mean fibre direction and the spread about it. docs/models/lobes.md derives all of it.
+Surface points of the yarns are clustered into a few groups of similar normals and fibre directions. A
+footprint is then described by the coverage of each group (a pyramid over the repeat), by the groups'
+visibility from view and light (tables over the hemisphere), and by the lobe of each group, a closed form of
+the mean and covariance of its fibre direction. docs/models/lobes.md has the derivation.
 """

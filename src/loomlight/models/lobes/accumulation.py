@@ -56,7 +56,7 @@ def accumulate_views(hits: HitArrays, groups: Groups) -> NDArray[np.float32]:
     def accumulate(blocks: range) -> None:
         _accumulate_views(blocks.start, blocks.stop, hits, centroids, warp_count, sums)
 
-    parallel_map(accumulate, _shares_of_blocks())
+    parallel_map(accumulate, _block_ranges())
     return sums.reshape(2, NODES, groups.count, VIEW_SUMS)
 
 
@@ -67,7 +67,7 @@ def accumulate_light(
 
     Args:
         is_lit: light from the node reaches the sample [n].
-        diffuse_blend: w, the share of the yarn normal in the diffuse term.
+        diffuse_blend: w, the weight of the yarn normal in the diffuse term.
     """
     sums = np.zeros((_BLOCKS, groups.count, LIGHT_SUMS), np.float32)
     centroids, warp_count = groups.centroids, groups.warp_count
@@ -77,14 +77,14 @@ def accumulate_light(
         start, stop = blocks.start, blocks.stop
         _accumulate_light(start, stop, samples, is_lit, centroids, warp_count, lights, blend, sums)
 
-    parallel_map(accumulate, _shares_of_blocks())
+    parallel_map(accumulate, _block_ranges())
     return sums.reshape(2, NODES, groups.count, LIGHT_SUMS)
 
 
-def _shares_of_blocks() -> list[range]:
-    """All blocks, two shares a core: other work may hold up one of them."""
-    shares = 2 * core_count()
-    return [range(_BLOCKS * share // shares, _BLOCKS * (share + 1) // shares) for share in range(shares)]
+def _block_ranges() -> list[range]:
+    """All blocks as two ranges a core, so that a core delayed by other work delays less."""
+    count = 2 * core_count()
+    return [range(_BLOCKS * part // count, _BLOCKS * (part + 1) // count) for part in range(count)]
 
 
 @numba_kernel()
@@ -181,7 +181,7 @@ def _accumulate_light(
 
     Args:
         lights: unit vectors by node [nodes, 3].
-        blend: w, the share of the yarn normal in the diffuse term.
+        blend: w, the weight of the yarn normal in the diffuse term.
     """
     rays = len(samples.is_warp) // _BLOCKS
     group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
@@ -189,7 +189,7 @@ def _accumulate_light(
     for block in range(start, stop):
         first, face = block * rays, block // NODES
         _assign(samples, first, centroids[face], warp_count[face], group_of, least)
-        # On the other face, rays go through the same positions.
+        # Rays of the other face have the same positions.
         opposite = (block + NODES) % _BLOCKS * rays
         x, y, z = lights[block % NODES]
         for ray in range(rays):

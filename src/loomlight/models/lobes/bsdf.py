@@ -1,4 +1,4 @@
-"""The BSDF of `lobes`: what a view sees of footprints, by groups of yarn points and, close up, by points."""
+"""The BSDF of `lobes` for one view: prefiltered groups of large footprints, point samples of small ones."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from loomlight.models.lobes.point_sampled import (
     with_search_quality,
 )
 from loomlight.models.lobes.prefiltered import PrefilteredLobes, TableLookup, half_vector
-from loomlight.models.lobes.proposal import Mixture, density, draw, energy_of, mixture_of, words_density
+from loomlight.models.lobes.proposal import Mixture, density, draw, mixture_of, packs_density, total_weight
 from loomlight.models.lobes.regimes import Regime
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, to_face_frame
 from loomlight.yarn.visibility import first_hit
 
-# Of all groups together; a view that sees none sees holes alone.
+# Smallest sum of the groups' weights; a view that sees no group sees holes alone.
 SMALLEST_WEIGHT = 1e-12
 
 
 @dataclass
-class GroupAnswer:
-    """What footprints do to one light.
+class GroupSums:
+    """Sums over the groups of a footprint for one light.
 
     Attributes:
-        groups: the groups' part of the density of directions, not divided by `energy`.
-        energy: of all groups.
+        density: the groups' part of the density of directions, not divided by `weight_sum`.
+        weight_sum: sum of the mixture weights of all groups.
     """
 
     components: Components
-    groups: Float
-    energy: Float
+    density: Float
+    weight_sum: Float
 
 
 @final
@@ -81,22 +81,23 @@ class LobesBsdf(SeparableBsdf):
 
     @cached_property
     def mixture(self) -> Mixture:
-        """Probabilities by which directions are drawn, as far as they depend on no group."""
+        """Probabilities of the lobes that do not depend on the group."""
         blend = self._point_model.appearance.diffuse_blend
         return mixture_of(self.albedos, self.null_transmission, self._at.view, self.sheen, blend)
 
     @cached_property
     def hole(self) -> Float:
-        """Share of the view rays that pass through."""
+        """Fraction of the view rays that pass through holes, 0 to 1."""
         points = point_sampled_hole(self._sampled_model, self._regime.points, self.view, self.footprint)
         return dr.lerp(points, self._lobes.hole(self._at), self._regime.prefiltered)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:
-        """Mean albedos of the threads; close up, of those around the point that the middle ray meets.
+        """Mean albedos of the threads in the footprint.
 
-        Close up the footprint is moved to where the middle ray meets a yarn, and that yarn and its fibres
-        vary by chance as the fabric says; from afar variations cancel.
+        In the point-sampled regime the footprint is centred on the first hit of the central ray, so that
+        colours stay on their threads, and the fabric's random variation is evaluated there. In the
+        prefiltered regime variations average out.
         """
         return tinted(self._mean_albedos(), self._tint)
 
@@ -104,105 +105,105 @@ class LobesBsdf(SeparableBsdf):
         means, model, footprint, back = self._means, self._point_model, self.footprint, self._back
         if not means.varied and not model.varies:
             return FamilyAlbedos(*means.over(footprint, back))
-        types, surface, middle = array_types(self.view.x), model.surface, footprint.centre
+        types, surface, centre = array_types(self.view.x), model.surface, footprint.centre
+        point_weight = 1 - self._regime.prefiltered
 
-        def meet(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
-            seen = to_face_frame(self.view, back)
-            hit = first_hit(surface, middle.x, middle.y, seen, back, True, model.quality)
-            counts = dr.select(hit.hole, 0, close)
-            return dr.select(hit.hole, middle.x, hit.x), dr.select(hit.hole, middle.y, hit.y), counts
+        def intersect(_: tuple[Any, Any, Any]) -> tuple[Any, Any, Any]:
+            view = to_face_frame(self.view, back)
+            hit = first_hit(surface, centre.x, centre.y, view, back, True, model.quality)
+            hit_weight = dr.select(hit.hole, 0, point_weight)
+            return dr.select(hit.hole, centre.x, hit.x), dr.select(hit.hole, centre.y, hit.y), hit_weight
 
-        close = 1 - self._regime.prefiltered
-        start = middle.x, middle.y, types.Float(close)
-        x, y, share = masked_branch(close > 0, start, meet, "lobes: middle ray")
-        moved = types.Vector2(dr.lerp(middle.x, x, share), dr.lerp(middle.y, y, share))
-        mean = means.over(replace(footprint, centre=moved), back)
+        start = centre.x, centre.y, types.Float(point_weight)
+        x, y, weight = masked_branch(point_weight > 0, start, intersect, "lobes: central ray")
+        shifted = types.Vector2(dr.lerp(centre.x, x, weight), dr.lerp(centre.y, y, weight))
+        mean = means.over(replace(footprint, centre=shifted), back)
         if not model.varies:
             return FamilyAlbedos(*mean)
 
         def vary(families: tuple[Albedos, Albedos]) -> tuple[Albedos, Albedos]:
             point = surface.surface(x, y, back)
             warp, weft = (
-                _lerp_albedos(family, model.varied(point, family, x, y), dr.select(here, share, 0))
-                for family, here in zip(families, (point.is_warp, ~point.is_warp), strict=True)
+                _lerp_albedos(family, model.varied(point, family, x, y), dr.select(is_family, weight, 0))
+                for family, is_family in zip(families, (point.is_warp, ~point.is_warp), strict=True)
             )
             return warp, weft
 
-        return FamilyAlbedos(*masked_branch(share > 0, mean, vary, "lobes: variation"))
+        return FamilyAlbedos(*masked_branch(weight > 0, mean, vary, "lobes: variation"))
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
-        """Components for a light; the hole comes with them."""
-        return self._answers([light], None, active)[0].components
+        """Components for a light, 1/sr; evaluates the hole as well."""
+        return self._evaluate([light], None, active)[0].components
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
         return self.value_and_pdf(light)[1]
 
     def value_and_pdf(self, light: Vec3, active: Mask = True) -> tuple[Color3, Float]:
-        """Both in one pass over the groups."""
+        """Value and density of a light, in one pass over the groups."""
         mixture = self.mixture
-        (answer,) = self._answers([light], mixture)
-        return self.composed(answer.components, light), self._density(mixture, answer, light)
+        (result,) = self._evaluate([light], mixture)
+        return self.composed(result.components, light), self._density(mixture, result, light)
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
-        """Straight through the holes, else from one of the lobes."""
+        """A direction: null transmission through holes, else a direction from one of the lobes."""
         light, is_null = self._draw(choice, u)
-        (answer,) = self._answers([light], self.mixture)
-        return self._weighed(light, is_null, answer)
+        (result,) = self._evaluate([light], self.mixture)
+        return self._weighed(light, is_null, result)
 
     def value_pdf_and_sample(
         self, light: Vec3, choice: Float, u: Vec2
     ) -> tuple[Color3, Float, DirectionSample]:
-        """All three: groups are read twice, once to draw and once to evaluate both lights."""
+        """Value, density and a sample in two passes over the groups: one draws, one evaluates both lights."""
         drawn, is_null = self._draw(choice, u)
-        given, answer = self._answers([light, drawn], self.mixture)
-        value = self.composed(given.components, light)
-        return value, self._density(self.mixture, given, light), self._weighed(drawn, is_null, answer)
+        of_light, of_drawn = self._evaluate([light, drawn], self.mixture)
+        value = self.composed(of_light.components, light)
+        return value, self._density(self.mixture, of_light, light), self._weighed(drawn, is_null, of_drawn)
 
     def _draw(self, choice: Float, u: Vec2) -> tuple[Vec3, Mask]:
-        """A light direction, and whether it passes straight through."""
+        """A light direction, and whether it is null transmission."""
         facing, is_null = draw(self._lobes, self._at, self.mixture, self.sheen, choice, u)
         return to_face_frame(facing, self._back), is_null
 
-    def _weighed(self, light: Vec3, is_null: Mask, answer: GroupAnswer) -> DirectionSample:
-        pdf = dr.select(is_null, self.mixture.null, self._density(self.mixture, answer, light))
-        value = self.composed(answer.components, light)
-        # A ray goes straight through with the very share of light that does.
+    def _weighed(self, light: Vec3, is_null: Mask, result: GroupSums) -> DirectionSample:
+        pdf = dr.select(is_null, self.mixture.null, self._density(self.mixture, result, light))
+        value = self.composed(result.components, light)
+        # Null transmission is drawn with the probability of its transmittance.
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
-    def _density(self, mixture: Mixture, answer: GroupAnswer, light: Vec3) -> Float:
+    def _density(self, mixture: Mixture, result: GroupSums, light: Vec3) -> Float:
         facing = to_face_frame(light, self._back)
-        return density(mixture, answer.groups, answer.energy, facing, self._at.view, self.sheen)
+        return density(mixture, result.density, result.weight_sum, facing, self._at.view, self.sheen)
 
-    def _answers(
+    def _evaluate(
         self, lights: Sequence[Vec3], mixture: Mixture | None, active: Mask = True
-    ) -> list[GroupAnswer]:
-        """What footprints do to each light, and with a mixture the groups' part of its density.
+    ) -> list[GroupSums]:
+        """Components of both regimes for each light, and with a mixture the groups' part of its density.
 
         Args:
-            active: lanes where components are wanted; densities are computed in all.
+            active: lanes whose components are used; densities are computed in all lanes.
         """
         weight = self._regime.prefiltered
         hole, prefiltered = self.prefiltered(lights, mixture, (weight > 0) & active)
         point_hole, sampled = point_sampled_components(
             self._sampled_model, self._regime.points, lights, self.view, self.footprint
         )
-        # Components know the hole: nobody has to search for it again.
+        # The hole comes with the components; caching it saves a second search.
         self.__dict__.setdefault("hole", dr.lerp(point_hole, hole, weight))
         return [
-            replace(answer, components=_lerp_components(points, answer.components, weight))
-            for points, answer in zip(sampled, prefiltered, strict=True)
+            replace(result, components=_lerp_components(points, result.components, weight))
+            for points, result in zip(sampled, prefiltered, strict=True)
         ]
 
     def prefiltered(
         self, lights: Sequence[Vec3], mixture: Mixture | None, active: Mask
-    ) -> tuple[Float, list[GroupAnswer]]:
-        """The hole and the answers of the groups alone, in one pass over them.
+    ) -> tuple[Float, list[GroupSums]]:
+        """The hole and the sums over the groups for each light, in one pass over the groups.
 
         Args:
-            mixture: by which directions are drawn; without one, densities are left out.
-            active: lanes where components are wanted.
+            mixture: lobe probabilities; None computes no densities.
+            active: lanes whose components are used.
         """
         types = array_types(self.view.x)
         lobes, at = self._lobes, self._at
@@ -211,25 +212,25 @@ class LobesBsdf(SeparableBsdf):
         halves = [half_vector(light, at.view) for light in facing]
         active = types.Bool(active) if mixture is None else types.Bool(True)
 
-        def add(pair: Any, total: Float, energy: Float, *sums: Any) -> tuple[Any, ...]:
-            words = lobes.seen(at, pair)
+        def add(pair: Any, total: Float, weight_sum: Float, *sums: Any) -> tuple[Any, ...]:
+            packs = lobes.seen_packs(at, pair)
             added = list(sums)
             if mixture is not None:
-                energy = energy + energy_of(words, mixture)
+                weight_sum = weight_sum + total_weight(packs, mixture)
             for number, (light, around, half) in enumerate(zip(facing, nodes, halves, strict=True)):
-                of_words = lobes.components(words, at, around, pair, light, half)
+                of_packs = lobes.components(packs, at, around, pair, light, half)
                 first = 5 * number
-                for word, (diffuse, specular) in zip(words, of_words, strict=True):
-                    for place, part in ((first, diffuse), (first + 2, specular)):
-                        added[place] = added[place] + dr.select(word.is_warp, part, 0)
-                        added[place + 1] = added[place + 1] + dr.select(word.is_warp, 0, part)
+                for pack, (diffuse, specular) in zip(packs, of_packs, strict=True):
+                    for index, part in ((first, diffuse), (first + 2, specular)):
+                        added[index] = added[index] + dr.select(pack.is_warp, part, 0)
+                        added[index + 1] = added[index + 1] + dr.select(pack.is_warp, 0, part)
                 if mixture is not None:
-                    added[first + 4] = added[first + 4] + sum(words_density(words, mixture, light, at.view))
-            return pair + 1, total + sum(sum(word.weights) for word in words), energy, *added
+                    added[first + 4] = added[first + 4] + sum(packs_density(packs, mixture, light, at.view))
+            return pair + 1, total + sum(sum(pack.weights) for pack in packs), weight_sum, *added
 
         width = dr.width(self.view, list(lights), self.footprint.centre, self.footprint.duv_dx)
         zeros = [dr.zeros(types.Float, width) for _ in range(2 + 5 * len(lights))]
-        _, total, energy, *sums = dr.while_loop(
+        _, total, weight_sum, *sums = dr.while_loop(
             (dr.zeros(types.UInt32, width), *zeros),
             lambda pair, *rest: active & (pair < lobes.pairs),
             add,
@@ -237,11 +238,11 @@ class LobesBsdf(SeparableBsdf):
         )
         hole = lobes.hole(at)
         scale = (1 - hole) * dr.rcp(maximum(total, SMALLEST_WEIGHT))
-        answers = []
+        results = []
         for first in range(0, len(sums), 5):
             components = Components(*(part * scale for part in sums[first : first + 4]))
-            answers.append(GroupAnswer(components, sums[first + 4], energy))
-        return hole, answers
+            results.append(GroupSums(components, sums[first + 4], weight_sum))
+        return hole, results
 
 
 def _lerp_albedos(first: Albedos, second: Albedos, weight: Float) -> Albedos:

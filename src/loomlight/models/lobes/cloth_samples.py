@@ -1,4 +1,4 @@
-"""Samples of the cloth's surface that tables are baked from, at low-discrepancy positions over the repeat."""
+"""Samples of the cloth's surface for baking tables, at low-discrepancy positions over the repeat."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class FaceSamples:
 
 @dataclass(frozen=True, eq=False)
 class TopDownSamples(FaceSamples):
-    """Samples of what shows at right angles, evenly spread over the repeat; those of the front come first.
+    """Samples of the surface as seen along the normal, evenly over the repeat; the front's come first.
 
     Attributes:
         gaps: positions of the holes among them [m, 2], millimetres.
@@ -55,7 +55,7 @@ class TopDownSamples(FaceSamples):
 
     @property
     def hole_fraction(self) -> float:
-        """Share of the repeat where neither family is, 0 to 1: the same from both faces."""
+        """Fraction of the repeat without yarn, 0 to 1: the same for both faces."""
         return len(self.gaps) / TOP_DOWN_SAMPLES
 
 
@@ -115,7 +115,7 @@ def upload_cloth(geometry: YarnGeometry, float_type: FloatType) -> FrozenArg[Upl
 
 
 def top_down_samples(cloth: FrozenArg[UploadedCloth]) -> TopDownSamples:
-    """Samples what shows on both faces at right angles."""
+    """Samples both faces along the normal."""
     x, y, is_warp, hole, normal, tangent = (part.numpy() for part in _sample_top_down(cloth))
     front = slice(TOP_DOWN_SAMPLES)
     gaps = np.stack([part[front][hole[front]] for part in (x, y)], axis=1)

@@ -1,9 +1,8 @@
-"""Reads from the coverage pyramid how much of each group a footprint holds.
+"""Anisotropic lookups in the coverage pyramid: the fraction of a footprint that each group covers.
 
-A footprint is the mean of nine squares, three along each of its edges, each at the nearest node: footprints
-are long and lie askew of the threads, and nine squares of about half their size follow them where one does
-not (as anisotropic filtering does with mip maps). Sizes between two levels take some of the squares from
-either.
+A footprint is the mean of nine taps, three along each of its edges, each at the nearest node of the pyramid,
+as anisotropic filtering reads mip maps: footprints are elongated and rotated against the threads, and one
+square tap does not fit them. Sizes between two levels take some of the taps from either level.
 """
 
 from __future__ import annotations
@@ -23,22 +22,21 @@ from loomlight.models.lobes.packed_uint8 import mean_of_packs
 # Variance of the first level's tent filters over that of the square they stand for: at 1 estimates err 1.5 %
 # more, at 1.6 they lose contrast.
 TENT_VARIANCE = 1.3
-# Positions of the squares along the edges of a footprint; the first ones go over to the coarser level first.
+# Positions of the taps in units of the footprint's edges; the first ones move to the coarser level first.
 TAP_OFFSETS = tuple(
     (i / 3, j / 3) for i, j in ((0, 0), (-1, -1), (1, 1), (1, -1), (-1, 1), (0, 1), (0, -1), (1, 0), (-1, 0))
 )
-# Side of the squares over that of the footprint, half an octave up or down: with more, what lies askew blurs;
-# with less, gaps open between the squares. Pictures of denim err as little at 0.5, and 8 % more at 0.4 and
-# 0.7.
+# Side of a tap over that of the footprint, within half an octave: larger taps blur rotated footprints,
+# smaller ones leave gaps. Pictures of denim have the same error at 0.5, and 8 % more at 0.4 and 0.7.
 TAP_SIZE = 0.6
-# The least spacing of the squares, in units of `base_size`: that of the first level's nodes.
+# The least spacing of the taps, in units of `base_size`: that of the first level's nodes.
 MIN_TAP_SPACING = 1 / 3
 _MIN_SIZE = 1e-6
 
 
 @dataclass
 class CoverageTaps:
-    """Nodes of the pyramid that together stand for a footprint, of equal weight.
+    """Nodes of the pyramid whose mean stands for a footprint.
 
     Attributes:
         nodes: their indices.
@@ -50,8 +48,8 @@ class CoverageTaps:
 class CoverageLookup:
     """The coverage pyramid on one backend.
 
-    CPUs gather what lies in a row together, and single words one by one: groups are read two packs at a time,
-    and holes, whose bytes lie apart from them, eight nodes at a time, of which one is used.
+    CPUs load contiguous words at once and gather single words one by one. So groups are loaded two packs at a
+    time, and holes, whose bytes are stored apart, eight nodes at a time, of which one is used.
 
     Attributes:
         pack_pairs: pairs of packs of groups a node.
@@ -108,18 +106,18 @@ class CoverageLookup:
         """Mean over the taps of the byte of holes, 0 to 255."""
         total = self._types.UInt32(0)
         for node in taps.nodes:
-            words = dr.gather(self._types.Index2, self._holes, node >> 3)
-            total += (dr.select((node & 4) == 4, words.y, words.x) >> ((node & 3) << 3)) & 255
+            packs = dr.gather(self._types.Index2, self._holes, node >> 3)
+            total += (dr.select((node & 4) == 4, packs.y, packs.x) >> ((node & 3) << 3)) & 255
         return self._types.Float(total) * (1 / len(taps.nodes))
 
     def _level_and_spacing(self, footprint: Footprint) -> tuple[Float, Float, Float]:
-        """The level whose squares a footprint is made of, and how far apart these are.
+        """The pyramid level of a footprint's taps, and their spacing.
 
         Returns:
-            the level, an integer; the share of squares taken from the next one, 0 to 1; and the spacing of
-            the squares in units of a third of the footprint. It is less than 1 where the squares are nearly
-            as large as the footprint, so that together they are not too wide, but no less than the spacing of
-            nodes: nine squares at one node would show as steps.
+            the level, an integer; the fraction of taps taken from the next level, 0 to 1; and the spacing of
+            the taps in units of a third of the footprint. The spacing is below 1 where taps are nearly as
+            large as the footprint, so that their union is not too wide, but no less than the spacing of
+            nodes: nine taps at one node would show as steps.
         """
         relative = footprint.spread_side * self._inverse_size
         level = minimum(dr.log2(maximum(TAP_SIZE * relative, 1)), self._last_level)

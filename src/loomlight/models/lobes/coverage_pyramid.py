@@ -1,8 +1,8 @@
-"""Coverage: how much of each group a square of the cloth holds, as a pyramid of uint8 over the repeat.
+"""Coverage: the fraction of the cloth that each group covers, as a mip pyramid of uint8 over the repeat.
 
-Level m holds means over squares of side s_m = s_0·2^m around nodes s_m/3 apart; levels end where a square
-holds the whole repeat. The squares are tent filters: a sharp square resonates with the weave's period more
-than pixels do. Memory is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
+Level m stores means over squares of side s_m = s_0·2^m around nodes s_m/3 apart; the last level has one node.
+The squares are tent filters: a box filter resonates with the period of the weave more than pixels do. Memory
+is bounded: s_0 is one thread, and more for drafts of hundreds of threads.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ from loomlight.yarn.geometry import YarnGeometry
 _MAX_BLUR, _MAX_BLUR_STEPS = 0.4, 8
 # Nodes along a square's side, and where the table would grow too large: estimates are 1 % worse then.
 _NODES_PER_SIDE, _FEWER_NODES = 3, 2
-# Texels between two nodes along each axis, and for each thread, at least: so many points a mean is of.
+# Texels between two nodes along each axis, and for each thread, at least.
 _TEXELS_PER_NODE = 4
 _TEXELS_PER_THREAD = 3
 # Texels evaluated at once.
 _BATCH = 1 << 23
-# Numbers of the pyramid that are worked on at once, so that caches hold them, and how many make threads pay.
+# Numbers of the pyramid that are processed at once, to fit caches; and how many are worth a second thread.
 _BLOCK, _LARGE = 1 << 17, 1 << 22
 # Large levels are rounded up to even numbers of nodes, so that halving them is slicing.
 _EVEN_FROM, _EVEN_STEP = 64, 16
@@ -56,8 +56,8 @@ class CoveragePyramid:
     Attributes:
         base_size: s_0, millimetres.
         levels: first node, columns and rows of each level [levels, 3].
-        scale: share of the area that a byte of 255 stands for [2 faces, 4·(packs + 1)].
-        mean: shares of the whole repeat [2, 4·(packs + 1)].
+        scale: coverage that a byte of 255 stands for [2 faces, 4·(packs + 1)].
+        mean: coverage of the whole repeat [2, 4·(packs + 1)].
         bytes: [2 faces, nodes of all levels, 4·(packs + 1)]: packed groups, then holes in the first byte of
             the last pack.
     """
@@ -106,7 +106,7 @@ def spacing_of(geometry: YarnGeometry, per_family: int) -> Spacing:
 
 @dataclass
 class CellCounts:
-    """How many texels of each cell around the first level's nodes show which group.
+    """Number of texels of each group in each cell around the first level's nodes.
 
     Attributes:
         repeat: width and height of the repeat, millimetres.
@@ -129,14 +129,14 @@ class CellCounts:
 
 
 def _counts_per_word(texels: int) -> int:
-    """How many counts up to `texels` a 32-bit word holds: 4 or 2."""
+    """Counts of at most `texels` that fit a 32-bit word: 4 or 2."""
     return 4 if texels < 1 << 8 else 2
 
 
 def count_cells(
     cloth: FrozenArg[UploadedCloth], nearest: FrozenArg[NearestGroup], per_family: int
 ) -> CellCounts:
-    """Counts which group shows at every texel of the repeat; does not wait where texels are few."""
+    """Counts the texels of each group over the repeat; does not wait for the device where texels are few."""
     types, geometry = cloth.value.types, cloth.value.geometry
     spacing = spacing_of(geometry, per_family)
     columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
@@ -165,9 +165,9 @@ def _nodes_along(side: float, spacing: Spacing) -> int:
 
 
 class _Texels:
-    """The texels of the repeat, cell by cell, and where the table counts them: opaque numbers.
+    """The texels of the repeat, cell by cell, and their counters in the table: opaque sizes.
 
-    Several counts share a word, so that large tables are written to memory once.
+    Several counters share a word, so that large tables are written to memory once.
 
     Attributes:
         count: texels of both faces.
@@ -230,7 +230,7 @@ class _Texels:
 
 @FrozenFunction
 def _count_all(cloth: UploadedCloth, nearest: NearestGroup, texels: _Texels, count: int, words: int) -> UInt:
-    """Counts all texels at once; their number and that of the words are part of a recording."""
+    """Counts all texels at once; the numbers of texels and words are constants of a recording."""
     packed = dr.zeros(cloth.types.UInt32, words)
     texels.add(cloth, nearest, dr.arange(cloth.types.UInt32, count), packed)
     return packed
@@ -253,7 +253,7 @@ def build_pyramid(cells: CellCounts) -> CoveragePyramid:
 def _levels(cells: CellCounts, counts: NDArray[np.unsignedinteger]) -> tuple[NDArray[Any], ...]:
     """Levels, scale, mean and bytes, as in `CoveragePyramid`, of some faces' counts."""
     means, mean, largest = _first_level(cells, counts)
-    # The first level holds the extremes of all: the others are means of it.
+    # The largest value is in the first level: the others are means of it.
     scale = np.maximum(largest, 1e-9).astype(np.float64)
     per_share = (_LARGEST / scale).astype(np.float32)[:, None]
     levels: list[tuple[int, int, int]] = []
@@ -283,7 +283,7 @@ def _first_level(
     for start, stop in _blocks(rows, columns * groups):
         along = np.arange(start - len(steps[0]), stop + len(steps[0])) % rows
         part = counts.take(along, axis=1).take(across, axis=2).astype(np.float32)
-        # Integers, which single precision holds.
+        # Integers below 2²⁴, exact in single precision.
         inner = (slice(None), *(slice(len(step), -len(step)) for step in steps))
         totals += part[inner].sum(axis=1)
         part *= np.float32(1 / cells.texels)
@@ -376,7 +376,7 @@ def _from_pairs(means: NDArray[np.float32], axis: int, far_weight: float) -> NDA
 
 
 def _blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
-    """First and last of consecutive rows, `size` numbers each, that the caches hold."""
+    """Ranges of consecutive rows, `size` numbers each, that fit caches."""
     step = max(2, _BLOCK // size)
     for start in range(0, count, step):
         yield start, min(start + step, count)

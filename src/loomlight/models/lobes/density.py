@@ -1,14 +1,13 @@
 """The fibre layer over a group of points: closed forms of the layer of `scattering/fibre.py`.
 
 D(h) depends on the fibre direction by x = h·t alone, and over a group x is close to uniform: yarns bend
-evenly, and groups part a family without gaps. With mean m and deviation s that is [m − w, m + w], w = √3 s,
-and the mean of D(x) = 1/(πα (1 + k x²)²), k = 1/α² − 1, over it is elementary:
+evenly, and groups partition a family without gaps. With mean m and standard deviation s that is the interval
+[m − w, m + w], w = √3 s, and the mean of D(x) = 1/(πα (1 + k x²)²), k = 1/α² − 1, over it is elementary:
 
     D̄ = 1/(2πα)·((1 − k x₀ x₁)/(q₀ q₁) + atan2(2w√k, 1 + k x₀ x₁)/(2w√k)),    q = 1 + k x²
 
 Neighbouring groups join without a seam, which sums of wider SGGX lobes do not. σ² is linear in t tᵀ, so its
-mean is exact; attenuation takes the group's mean normal, and is less in reflection by a share
-of their spread.
+mean is exact. Attenuation uses the group's mean normal, and in reflection a factor for the spread of normals.
 """
 
 from __future__ import annotations
@@ -21,19 +20,19 @@ import drjit as dr
 from loomlight.core.arrays import Float, Mask, Vec3
 from loomlight.core.backend import maximum, minimum
 
-# Narrower groups are as good as one fibre; the quotient below would lose its digits.
+# Smallest half-width w in units of α: narrower groups act as one fibre, and the quotient below would cancel.
 NARROWEST = 0.02
 # √k of α = 1, where D is constant; keeps quotients finite.
 SMALLEST_STEEPNESS = 1e-3
-# Mean cosines are kept above this: a group that is seen at all holds normals that face the eye.
+# Lower bound of mean cosines: a group that is visible has normals that face the view.
 SMALLEST_COSINE = 0.02
-# By how much attenuation in reflection is less, on average over a group, than that of its mean normal n̄: this
-# times 1 − |n̄|² (points of silk, denim, wool and linen in random directions: 0.2 to 0.35). In transmission it
-# is not.
-LESS_BY_SPREAD = 0.35
-# Shorter paths are as good as none; 1 − e^{−x} would lose its digits.
+# Attenuation in reflection, averaged over a group, is that of its mean normal n̄ times 1 − SPREAD_LOSS·(1 −
+# |n̄|²) (points of silk, denim, wool and linen in random directions: 0.2 to 0.35). In transmission the factor
+# is 1.
+SPREAD_LOSS = 0.35
+# Shortest path x: below it, 1 − e^{−x} would cancel.
 SMALLEST_PATH = 1e-3
-# Of atan(x)/x in powers of x².
+# Coefficients of atan(x)/x in powers of x².
 _ARC_TANGENT = (
     0.999999715,
     -0.33327976,
@@ -76,7 +75,7 @@ class GroupLobe:
 
 @dataclass
 class _Interval:
-    """[m − w, m + w] in units of 1/√k, as far as it goes without a division.
+    """[m − w, m + w] in units of 1/√k: the terms of D̄ that need no division.
 
     Attributes:
         product: k x₀ x₁.
@@ -94,7 +93,7 @@ class _Interval:
 
     @property
     def denominator(self) -> Float:
-        """What D̄ is divided by."""
+        """The common denominator of D̄."""
         return self.quotient * self.span * self.larger
 
 
@@ -182,5 +181,5 @@ def layer_value(
     reciprocal = dr.rcp(denominator * depth)
     attenuation = optical_depth * unscattered * (1 - dr.exp(-depth)) * (reciprocal * denominator) * per_view
     spread = 1 - dr.squared_norm(lobe.normal)
-    less = dr.select(is_transmission, 1, dr.fma(-LESS_BY_SPREAD, spread, 1))
-    return 0.25 * _mean_density(interval, reciprocal * depth) * (less * attenuation)
+    spread_factor = dr.select(is_transmission, 1, dr.fma(-SPREAD_LOSS, spread, 1))
+    return 0.25 * _mean_density(interval, reciprocal * depth) * (spread_factor * attenuation)

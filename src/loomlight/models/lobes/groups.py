@@ -2,7 +2,7 @@
 
 A group stands for all points near one normal n_p and one fibre direction t, wherever in the repeat they lie,
 so that a few groups serve cloth of any draft. The first groups of a face are the warp's, the others the
-weft's. A face has 2 K; the family that is more of what views hit may have more than half of them.
+weft's. A face has 2 K groups; the family that more views hit may have more than half of them.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ if TYPE_CHECKING:
 
 # Weight of the normal beside the fibre direction in distances: highlights are narrow in the latter.
 NORMAL_WEIGHT = 0.5
-# Samples of a family that it is clustered by, at the most.
+# Most samples that a family is clustered by.
 _CLUSTERED_SAMPLES = 1 << 11
 # A family with fewer samples from views is clustered by its top-down samples.
 _MIN_VIEW_SAMPLES = 64
-# Groups that fewer views hit keep the moments of their centroid: a covariance of so few says nothing.
+# Groups that fewer views hit keep the moments of their centroid: a covariance of so few is unreliable.
 _MIN_VIEW_HITS = 8
-# Groups change families by so many, as they lie in memory: packed uint8x4.
+# Families get groups in multiples of a pack, uint8x4.
 _PACK = 4
-# Numbers of a centroid in memory, and a coordinate that is far from all points.
+# Numbers of a centroid in memory, and a distance above all others.
 _ROW, _FAR = 8, 1e3
 # 2³²/φ: fractions of multiples of the golden ratio fill the unit interval evenly.
 _GOLDEN = 0x9E3779B9
@@ -48,8 +48,8 @@ class Groups:
     Attributes:
         per_family: K, ≥ 1: half of a face's groups.
         warp_count: how many of a face's groups are the warp's [2].
-        centroids: what points are compared with [2 faces, 2 K, 6]: half the normal, then the fibre direction.
-        hole_fraction: share of the repeat where neither family is [2].
+        centroids: [2 faces, 2 K, 6]: `NORMAL_WEIGHT` times the normal, then the fibre direction.
+        hole_fraction: fraction of the repeat without yarn [2].
         normal: mean normal, shorter than 1 [2, 2 K, 3].
         tangent: mean fibre direction, shorter than 1 [2, 2 K, 3].
         covariance: of the fibre direction [2, 2 K, 3, 3]; its trace is 1 − |tangent|².
@@ -108,12 +108,12 @@ class NearestGroup:
 def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: int) -> Groups:
     """Clusters the surface of both faces into groups, 2 `per_family` a face.
 
-    Where `per_family` is a multiple of 4, the family that is more of what views hit may have more of them, by
-    fours, which lowers the error. Groups of a family that a face never shows get a normal along z.
+    Where `per_family` is a multiple of 4, the family that more views hit may have more of them, by fours,
+    which lowers the error. Groups of a family that a face never shows get a normal along z.
 
     Args:
-        from_views: samples that views from all around hit. Groups are made for them: what dives under other
-            yarns is a large part of the top-down samples, and seldom seen.
+        from_views: hits of views from the whole hemisphere, which groups are fitted to: yarn that dives under
+            other yarns is a large part of the top-down samples, and seldom visible.
     """
     # Imported here as Numba takes tenths of a second to load, and only baking needs it.
     from loomlight.models.lobes.clustering import BisectingClusters
@@ -152,14 +152,14 @@ def find_groups(top_down: TopDownSamples, from_views: FaceSamples, per_family: i
 
 
 def _features(samples: FaceSamples, chosen: NDArray[np.intp]) -> NDArray[np.float32]:
-    """What some of the samples are clustered by [n, 6]: weighted normal and fibre direction."""
+    """Clustering features of some of the samples [n, 6]: weighted normal and fibre direction."""
     chosen = _thinned(chosen)
     normal, tangent = (np.take(part, chosen, axis=1) for part in (samples.normal, samples.tangent))
     return np.concatenate([np.float32(NORMAL_WEIGHT) * normal, tangent]).T
 
 
 def _thinned(indices: NDArray[np.intp]) -> NDArray[np.intp]:
-    """At most as many of them as are clustered, evenly: every k-th one would favour some positions."""
+    """At most `_CLUSTERED_SAMPLES` of them, evenly: every k-th one would favour some positions."""
     if len(indices) <= _CLUSTERED_SAMPLES:
         return indices
     fractions = np.arange(_CLUSTERED_SAMPLES, dtype=np.uint64) * np.uint64(_GOLDEN) & np.uint64(0xFFFFFFFF)
@@ -181,15 +181,15 @@ def _best_warp_count(clusters: Sequence[BisectingClusters], hits: Sequence[int],
     def error(warp_count: int) -> float:
         return warp.error(warp_count) * hits[0] + weft.error(total - warp_count) * hits[1]
 
-    # Of equal errors, the one nearest to halves.
+    # Of equal errors, the most even split.
     return min(range(_PACK, total, _PACK), key=lambda count: (error(count), abs(count - per_family)))
 
 
 def with_view_moments(groups: Groups, sums: NDArray[np.float64]) -> Groups:
-    """The groups with the moments of what views hit, each point counted as often as it is hit.
+    """The groups with moments of the points that views hit, each weighted by its hits.
 
-    What dives under other yarns is steep and seldom seen: top-down samples would make a group five times as
-    wide as it looks. A group that few views hit keeps its moments.
+    Yarn that dives under other yarns is steep and seldom visible: with top-down samples the spread of a group
+    would be up to five times the visible one. A group that few views hit keeps its moments.
 
     Args:
         sums: over the views that hit each group [2, 2 K, 13]; see `accumulation.VIEW_SUMS`.

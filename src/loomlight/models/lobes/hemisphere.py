@@ -21,7 +21,7 @@ from loomlight.models.lobes.packed_uint8 import PackedWeights
 
 AZIMUTHS, RINGS = 16, 8
 NODES = AZIMUTHS * RINGS
-# cos θ of the last ring: below, a ray through the plane z = 0 hits crests alone.
+# cos θ of the last ring: more grazing rays through the plane z = 0 hit crests alone.
 MIN_COSINE = 0.03
 
 

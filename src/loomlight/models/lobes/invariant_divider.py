@@ -1,7 +1,6 @@
 """Integer division by a number that kernels do not depend on.
 
-CPUs have no SIMD instruction for integer division, so that three divisions a texel took a quarter of the time
-of counting coverage. A multiplication and shifts give the same quotient.
+CPUs have no SIMD instruction for integer division. A multiplication and shifts give the same quotient.
 """
 
 from __future__ import annotations

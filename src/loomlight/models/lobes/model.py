@@ -33,17 +33,17 @@ _BAKED = ("height_scale", "inclination", "twist")
 
 @final
 class LobesModel(FilteredFabricModel):
-    """Groups of like yarn points, their lobes in closed form.
+    """Groups of similar yarn points, with lobes in closed form.
 
-    A change of heights, inclination or twist bakes tables anew, one of roughness, colours or sheen does not.
+    Edits of heights, inclination or twist bake the tables again; edits of roughness, colours or sheen do not.
 
     Attributes:
-        tables: what is baked.
-        groups: of each family on average, asked for; None where the tables come from a file.
-        multiply_adds: of one prefiltered query, as the formulas stand: reference.py has them.
-        bytes_fetched: by one prefiltered query, from tables that differ from place to place and direction to
-            direction. The moments, 48 bytes a group, are the same for all queries of a face; what is fetched
-            along with the bytes of holes is left out.
+        tables: the baked tables.
+        groups: requested groups of each family, on average; None where the tables come from a file.
+        multiply_adds: of one prefiltered query, counted from the formulas of reference.py.
+        bytes_fetched: by one prefiltered query, from tables that depend on position or direction. The
+            moments, 48 bytes a group, are the same for all queries of a face and not counted; neither are
+            bytes loaded along with those of holes.
     """
 
     name = "lobes"
@@ -51,7 +51,7 @@ class LobesModel(FilteredFabricModel):
     options = (Option("groups", int, f"a whole number from 1 to {MOST_GROUPS}", 1, MOST_GROUPS),)
 
     def __init__(self, fabric: Fabric, tables: LobeTables, groups: int | None = None) -> None:
-        """A model of tables that are at hand; see `for_source`."""
+        """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
         self.tables = tables
         self.groups = groups
@@ -74,7 +74,7 @@ class LobesModel(FilteredFabricModel):
         return cls(fabric, tables_of(fabric, groups), groups)
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
-        """The model of an edited fabric; tables stay unless threads bend otherwise."""
+        """The model of an edited fabric; tables are kept unless the edit changes the yarns' geometry."""
         if any(name.endswith(_BAKED) for name in edits):
             return type(self).for_source(fabric, self.groups or DEFAULT_GROUPS)
         return type(self)(fabric, self.tables, self.groups)
@@ -98,7 +98,7 @@ class LobesModel(FilteredFabricModel):
         return cls(fabric_in_loom(loom, cls.name), tables_of_loom(loom))
 
     def upload(self, types: ArrayTypes) -> None:
-        """Puts all tables on a backend, which otherwise happens at first use."""
+        """Uploads all tables to a backend, which otherwise happens at first use."""
         super().upload(types)
         self._geometry.upload(types)
         upload_extent(self._geometry, types)
@@ -108,7 +108,7 @@ class LobesModel(FilteredFabricModel):
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
     ) -> LobesBsdf:
-        """The groups and, close up, the points of footprints as views see them."""
+        """The BSDF of footprints for one view each."""
         del active
         lobes, scale = self.on_backend(array_types(view.x))
         regime = scale.of(footprint)

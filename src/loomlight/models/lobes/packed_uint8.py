@@ -22,7 +22,7 @@ _EVEN_BYTES = 0x00FF00FF
 
 
 def pack_count(per_family: int) -> int:
-    """Packs that the groups of both families take; each family begins with a pack of its own."""
+    """Packs of the groups of both families; each family begins with a pack of its own."""
     return 2 * -(-per_family // 4)
 
 
@@ -58,6 +58,6 @@ def mean_of_packs(types: ArrayTypes, packs: Sequence[UInt]) -> list[Float]:
 
 
 def _unpack(types: ArrayTypes, even: UInt, odd: UInt, scale: Float) -> list[Float]:
-    """The four 16-bit sums in two words, times a scale."""
+    """The four 16-bit sums of two 32-bit words, times a scale."""
     sums = (even & 0xFFFF, odd & 0xFFFF, even >> 16, odd >> 16)
     return [types.Float(part) * scale for part in sums]

@@ -1,11 +1,11 @@
 """The point-sampled regime: the mean of the point model over a few points of the footprint.
 
-Points are spread evenly, the first in the middle, and their number grows with the footprint.
+Points are spread evenly, the first at the centre, and their number grows with the footprint.
 
-What jumps within a footprint does so along a line. Points lie where the first n of them, for any n and the
-last counting by a share, err least about which part of a square lies on one side of a line
-(`tools/fits/near_points.py`): by half of what those of the plastic number do (Roberts 2018), a third at
-eight.
+Discontinuities within a footprint are lines: outlines and edges of shadows. The offsets minimize, for any
+number of points, the last one weighted by its fraction, the error of the area of a square on one side of a
+random line (`tools/fits/near_points.py`): half the error of the plastic-number sequence (Roberts 2018), a
+third with eight points.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ from loomlight.yarn.search import DEFAULT_QUALITY, SearchQuality
 from loomlight.yarn.visibility import passes_through
 
 MOST_POINTS = 8
-# Points for every thread that a footprint is wide. With 16, footprints under a thread are 6 to 15 % nearer,
-# and rows of pixels from close up to far take a tenth longer.
+# Points for every thread that a footprint is wide. With 16, errors of footprints under a thread are 6 to 15 %
+# lower, and rows of pixels over all sizes take a tenth longer.
 _POINTS_PER_THREAD = 12
-PLACES = (
+POINT_OFFSETS = (
     (0.0, 0.0),
     (-0.2301, 0.3567),
     (0.3681, -0.2294),
@@ -40,19 +40,19 @@ PLACES = (
     (0.0993, -0.357),
     (0.1071, 0.3288),
 )
-# Footprints, in threads, up to which yarns are searched as finely as the point model does, and from which on
-# this coarsely: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within 1/20.
+# Sides of footprints, in threads: below the first, yarns are searched as finely as by the point model; above
+# the second with `_COARSE`: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within 1/20.
 _FINEST, _COARSEST = 1 / 32, 1 / 8
 _COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=1)
 
 
 def points_of(threads: Float, prefiltered: Float, samples: Float) -> Float:
-    """How many points stand for a footprint; the last one counts by its fraction; 0 is none.
+    """Number of points that sample a footprint, 0 to `MOST_POINTS`; the last one is weighted by its fraction.
 
     Args:
         threads: side of the footprint, in threads.
-        prefiltered: weight of the groups; what they leave needs fewer points.
-        samples: footprints that share a pixel share its points.
+        prefiltered: weight of the groups; the more they weigh, the fewer points are needed.
+        samples: footprints averaged by a pixel, which divide its points among them.
     """
     most = maximum(MOST_POINTS * dr.rcp(array_types(threads).Float(samples)), 1)
     most = dr.lerp(most, 1, prefiltered)
@@ -60,7 +60,7 @@ def points_of(threads: Float, prefiltered: Float, samples: Float) -> Float:
 
 
 def quality_of(size: Float) -> SearchQuality:
-    """How finely yarns are searched for footprints of a side, in threads."""
+    """Quality of the search of yarns for footprints of a side, in threads."""
     types = array_types(size)
     detail = (math.log2(_COARSEST) - dr.log2(maximum(size, 1e-9))) * (1 / math.log2(_COARSEST / _FINEST))
     detail = clip(detail, 0, 1)
@@ -78,7 +78,7 @@ def quality_of(size: Float) -> SearchQuality:
 
 
 def with_search_quality(model: PointModel, size: Float) -> PointModel:
-    """The model, with yarns searched as footprints of a side (in threads) need it."""
+    """The model with the search quality of footprints of a side, in threads."""
     searched = copy(model)
     searched.quality = quality_of(size)
     return searched
@@ -87,14 +87,14 @@ def with_search_quality(model: PointModel, size: Float) -> PointModel:
 def point_sampled_components(
     model: PointModel, points: Float, lights: Sequence[Vec3], view: Vec3, footprint: Footprint
 ) -> tuple[Float, list[Components]]:
-    """Share of holes, and mean components for each light, of so many points; 0 where there are none."""
+    """Fraction of holes, and mean components for each light, of a number of points; 0 without points."""
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
         point = model.locate(x, y, view)
-        found = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
+        values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
         for light in lights:
-            found += components(model.appearance, point, light, view, model.visibility(point, light))
-        return tuple(found)
+            values += components(model.appearance, point, light, view, model.visibility(point, light))
+        return tuple(values)
 
     width = dr.width(view, list(lights), footprint.centre, points)
     hole, *means = _mean(measure, 1 + 4 * len(lights), footprint, points, width)
@@ -102,22 +102,22 @@ def point_sampled_components(
 
 
 def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: Footprint) -> Float:
-    """Share of so many points that are holes; 0 where there are none."""
+    """Fraction of a number of points that are holes; 0 without points."""
     types = array_types(view.x)
 
     def measure(x: Any, y: Any) -> tuple[Any, ...]:
         back = types.Bool(view.z < 0)
-        passes = passes_through(model.surface, x, y, to_face_frame(view, back), back, True, model.quality)
-        return (dr.select(passes, types.Float(1), 0),)
+        is_null = passes_through(model.surface, x, y, to_face_frame(view, back), back, True, model.quality)
+        return (dr.select(is_null, types.Float(1), 0),)
 
     width = dr.width(view, footprint.centre, points)
     return _mean(measure, 1, footprint, points, width)[0]
 
 
-def _place(types: ArrayTypes, number: Any) -> tuple[Any, Any]:
-    """Where a point lies, in shares of the footprint's edges from its middle."""
-    s, t = (types.Float(part) for part in PLACES[0])
-    for other, (across, along) in enumerate(PLACES[1:], 1):
+def _offset(types: ArrayTypes, number: Any) -> tuple[Any, Any]:
+    """Offset of a point from the centre, in units of the footprint's edges."""
+    s, t = (types.Float(part) for part in POINT_OFFSETS[0])
+    for other, (across, along) in enumerate(POINT_OFFSETS[1:], 1):
         s, t = dr.select(number == other, across, s), dr.select(number == other, along, t)
     return s, t
 
@@ -129,10 +129,10 @@ def _mean(
     types = array_types(points)
 
     def add(number: Any, *sums: Any) -> tuple[Any, ...]:
-        place = footprint.at(*_place(types, number))
-        share = minimum(points - types.Float(number), 1)
-        found = measure(place.x, place.y)
-        return number + 1, *(dr.fma(share, part, total) for part, total in zip(found, sums, strict=True))
+        position = footprint.at(*_offset(types, number))
+        weight = minimum(points - types.Float(number), 1)
+        values = measure(position.x, position.y)
+        return number + 1, *(dr.fma(weight, part, total) for part, total in zip(values, sums, strict=True))
 
     start = (dr.zeros(types.UInt32, width), *(dr.zeros(types.Float, width) for _ in range(count)))
     total = dr.while_loop(

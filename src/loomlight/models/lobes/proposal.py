@@ -1,9 +1,9 @@
-"""Directions from the lobes: a mixture over groups of their own lobes, and its exact density.
+"""Sampling of directions: a mixture over groups of three lobes each, and its exact density.
 
-A group is drawn by its weight times what its family sends on; then one of three lobes of it: the fibre layer
-about its mean fibre direction, as wide as the group's spread makes it; the diffuse term about its mean
-normal; the same to the other side. A small share goes by the cosine, so that no direction that the cloth
-answers to is left out. Sheen has a lobe of its own. Holes are passed by delta.
+A group is drawn in proportion to its weight times the albedo of its family; then one of its lobes: the fibre
+layer about the mean fibre direction, widened by the spread of the group; the diffuse lobe about the mean
+normal; the same on the other side. With a small probability the direction is cosine-distributed instead, so
+that no direction of non-zero value has density 0. Sheen has a lobe of its own. Holes are null transmission.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ import drjit as dr
 from loomlight.core.arrays import Float, Mask, Vec2, Vec3
 from loomlight.core.backend import array_types, channel_mean, maximum, minimum
 from loomlight.models.lobes.density import GroupLobe
-from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenWord, TableLookup
+from loomlight.models.lobes.prefiltered import PrefilteredLobes, SeenPack, TableLookup
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Sheen
 from loomlight.scattering.diffuse import diffuse_pdf, sample_diffuse
 from loomlight.scattering.fibre import pdf_specular, sample_specular
 from loomlight.scattering.sheen import sample_sheen, sheen_pdf, sheen_transmittance
 
-# Mean shares of the light that a fibre layer of albedo 1 sends back and lets through by scattering.
+# Mean fractions of the light that a fibre layer of albedo 1 reflects, and transmits by scattering.
 _LAYER_REFLECTS, _LAYER_TRANSMITS = 0.45, 0.25
-# Kept for what lobes miss; black cloth draws by it alone.
-_COSINE_SHARE = 0.05
-_LEAST_ENERGY = 1e-6
-# A box of half-width √3 s beside a lobe of width α.
+# Probability of the cosine lobe, which covers all directions; black cloth has this lobe alone.
+_COSINE_PROBABILITY = 0.05
+_MIN_WEIGHT = 1e-6
+# Added to α for each unit of the group's standard deviation s: a uniform interval has half-width √3 s.
 SPREAD_WIDTH = 1.7
 
 
 @dataclass
-class Energies:
-    """What one family sends on by each lobe."""
+class LobeWeights:
+    """Mixture weights of the lobes of one family: mean albedos, not normalized."""
 
     specular: Float
     reflect: Float
@@ -42,7 +42,7 @@ class Energies:
 
     @property
     def total(self) -> Float:
-        """Of all three."""
+        """Sum of the three."""
         return self.specular + self.reflect + self.transmit
 
 
@@ -51,23 +51,23 @@ class Mixture:
     """Probabilities of lobes that depend on neither the light nor the groups.
 
     Attributes:
-        null: of passing straight through.
-        sheen: of the sheen's lobe, of what does not pass.
-        transmit: of the other side, of what is drawn by the cosine.
-        warp, weft: energies of the families.
+        null: of null transmission.
+        sheen: of the sheen's lobe, given no null transmission.
+        transmit: of the other side, given the cosine lobe.
+        warp, weft: mixture weights of the families' lobes.
         blend: w of the diffuse lobes.
     """
 
     null: Float
     sheen: Float
     transmit: Float
-    warp: Energies
-    weft: Energies
+    warp: LobeWeights
+    weft: LobeWeights
     blend: float
 
-    def family(self, is_warp: Mask) -> Energies:
-        """Energies of the warp where `is_warp`, else of the weft."""
-        return Energies(
+    def family(self, is_warp: Mask) -> LobeWeights:
+        """Mixture weights of the warp where `is_warp`, else of the weft."""
+        return LobeWeights(
             *(
                 dr.select(is_warp, getattr(self.warp, name), getattr(self.weft, name))
                 for name in ("specular", "reflect", "transmit")
@@ -79,70 +79,75 @@ def mixture_of(albedos: FamilyAlbedos, null: Float, view: Vec3, sheen: Sheen, bl
     """The mixture of a footprint and a view.
 
     Args:
-        null: share of light that passes straight through, by which passing is drawn.
+        null: null transmission, 0 to 1, which is also the probability of drawing it.
         view: unit vector [3] in the frame of the face seen.
-        blend: w, the share of the yarn normal in the diffuse term.
+        blend: w, the weight of the yarn normal in the diffuse term.
     """
     types = array_types(view.x)
 
-    def energies(family: Any) -> Energies:
+    def lobe_weights(family: Any) -> LobeWeights:
         specular = _LAYER_REFLECTS * channel_mean(family.specular_reflect)
         specular += _LAYER_TRANSMITS * channel_mean(family.specular_transmit)
-        return Energies(specular, channel_mean(family.diffuse_reflect), channel_mean(family.diffuse_transmit))
+        return LobeWeights(
+            specular, channel_mean(family.diffuse_reflect), channel_mean(family.diffuse_transmit)
+        )
 
-    warp, weft = energies(albedos.warp), energies(albedos.weft)
-    from_sheen = types.Float(0)
+    warp, weft = lobe_weights(albedos.warp), lobe_weights(albedos.weft)
+    sheen_probability = types.Float(0)
     if sheen.strength > 0:
         reflected = 1 - sheen_transmittance(view, sheen.strength, sheen.roughness)
-        from_sheen = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _LEAST_ENERGY)
+        sheen_probability = reflected * dr.rcp(reflected + 0.5 * (warp.total + weft.total) + _MIN_WEIGHT)
     transmit = dr.select(warp.transmit + weft.transmit > 0, types.Float(0.5), 0)
-    return Mixture(null, from_sheen, transmit, warp, weft, blend)
+    return Mixture(null, sheen_probability, transmit, warp, weft, blend)
 
 
-def energy_of(words: list[SeenWord], mixture: Mixture) -> Float:
-    """Sum over the groups of words of weight times the energy of their family."""
+def total_weight(packs: list[SeenPack], mixture: Mixture) -> Float:
+    """Sum over the groups of packs of weight times the lobe weights of their family."""
     total: Float = 0
-    for word in words:
-        total = total + sum(word.weights) * mixture.family(word.is_warp).total
+    for pack in packs:
+        total = total + sum(pack.weights) * mixture.family(pack.is_warp).total
     return total
 
 
-def words_density(words: list[SeenWord], mixture: Mixture, light: Vec3, view: Vec3) -> list[Float]:
-    """What each word's groups add to the density, not divided by the energy of all: 1/sr."""
-    found = []
-    for word in words:
-        energies = mixture.family(word.is_warp)
+def packs_density(packs: list[SeenPack], mixture: Mixture, light: Vec3, view: Vec3) -> list[Float]:
+    """Each pack's part of the density, 1/sr, not divided by the total weight of all groups."""
+    densities = []
+    for pack in packs:
+        lobe_weights = mixture.family(pack.is_warp)
         total: Float = 0
-        for weight, lobe in zip(word.weights, word.lobes, strict=True):
+        for weight, lobe in zip(pack.weights, pack.lobes, strict=True):
             tangent, roughness, normal = _frame(_GroupFrame.of(lobe))
-            part = energies.specular * pdf_specular(light, view, tangent, roughness)
-            part += energies.reflect * diffuse_pdf(light, normal, mixture.blend)
-            part += energies.transmit * diffuse_pdf(-light, normal, mixture.blend)
+            part = lobe_weights.specular * pdf_specular(light, view, tangent, roughness)
+            part += lobe_weights.reflect * diffuse_pdf(light, normal, mixture.blend)
+            part += lobe_weights.transmit * diffuse_pdf(-light, normal, mixture.blend)
             total = total + weight * part
-        found.append(total)
-    return found
+        densities.append(total)
+    return densities
 
 
-def density(mixture: Mixture, groups: Float, energy: Float, light: Vec3, view: Vec3, sheen: Sheen) -> Float:
+def density(
+    mixture: Mixture, groups: Float, weight_sum: Float, light: Vec3, view: Vec3, sheen: Sheen
+) -> Float:
     """Density of the whole mixture without delta, 1/sr.
 
     Args:
-        groups: sum of `words_density`.
-        energy: sum of `energy_of`.
+        groups: sum of `packs_density`.
+        weight_sum: sum of `total_weight`.
         light, view: unit vectors [3] in the frame of the face seen.
     """
     side = dr.select(light.z > 0, 1 - mixture.transmit, mixture.transmit)
     by_cosine = side * dr.abs(light.z) * dr.inv_pi
-    found = dr.lerp(groups * dr.rcp(maximum(energy, _LEAST_ENERGY)), by_cosine, _cosine_share(energy))
+    by_groups = groups * dr.rcp(maximum(weight_sum, _MIN_WEIGHT))
+    pdf = dr.lerp(by_groups, by_cosine, _cosine_probability(weight_sum))
     if sheen.strength > 0:
-        found = dr.lerp(found, sheen_pdf(light, view, sheen.roughness), mixture.sheen)
-    return (1 - mixture.null) * found
+        pdf = dr.lerp(pdf, sheen_pdf(light, view, sheen.roughness), mixture.sheen)
+    return (1 - mixture.null) * pdf
 
 
 def draw(
     lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, sheen: Sheen, choice: Float, u: Vec2
 ) -> tuple[Vec3, Mask]:
-    """A light direction [3] in the frame of the face seen, and whether it passes straight through.
+    """A light direction [3] in the frame of the face seen, and whether it is null transmission.
 
     Args:
         choice: uniform number in [0, 1) that chooses group and lobe.
@@ -152,41 +157,41 @@ def draw(
     view = at.view
     is_null = types.Bool(choice < mixture.null)
     rest = (choice - mixture.null) * dr.rcp(maximum(1 - mixture.null, 1e-6))
-    from_sheen = rest < mixture.sheen
+    is_sheen = rest < mixture.sheen
     rest = (rest - mixture.sheen) * dr.rcp(maximum(1 - mixture.sheen, 1e-6))
-    # As though lobes had energy: the cosine is all there is where they have none.
-    by_cosine = rest < _COSINE_SHARE
-    to_groups = (rest - _COSINE_SHARE) / (1 - _COSINE_SHARE)
+    # Where no group has weight, the cosine lobe is drawn in any case.
+    by_cosine = rest < _COSINE_PROBABILITY
+    to_groups = (rest - _COSINE_PROBABILITY) / (1 - _COSINE_PROBABILITY)
     drawn = _draw_group(lobes, at, mixture, to_groups)
-    has_energy = drawn.energy > _LEAST_ENERGY
+    has_groups = drawn.weight_sum > _MIN_WEIGHT
     tangent, roughness, normal = _frame(drawn.frame)
-    energies = mixture.family(drawn.is_warp)
-    aim = drawn.rest * energies.total
+    lobe_weights = mixture.family(drawn.is_warp)
+    aim = drawn.rest * lobe_weights.total
     light = sample_specular(view, tangent, roughness, u)
     diffuse = sample_diffuse(normal, types.Float(mixture.blend), u)
-    reflects = aim < energies.specular + energies.reflect
-    light = dr.select(aim < energies.specular, light, dr.select(reflects, diffuse, -diffuse))
+    reflects = aim < lobe_weights.specular + lobe_weights.reflect
+    light = dr.select(aim < lobe_weights.specular, light, dr.select(reflects, diffuse, -diffuse))
     cosine = sample_diffuse(types.Vector3(0, 0, 1), types.Float(0), u)
-    # What chose the cosine is uniform again on its share, and chooses the side.
-    side = dr.select(has_energy, rest * (1 / _COSINE_SHARE), rest)
-    light = dr.select(by_cosine | ~has_energy, dr.select(side < mixture.transmit, -cosine, cosine), light)
+    # Given the cosine lobe, `rest` is uniform below its probability: rescaled, it chooses the side.
+    side = dr.select(has_groups, rest * (1 / _COSINE_PROBABILITY), rest)
+    light = dr.select(by_cosine | ~has_groups, dr.select(side < mixture.transmit, -cosine, cosine), light)
     if sheen.strength > 0:
-        light = dr.select(from_sheen, sample_sheen(view, sheen.roughness, u), light)
+        light = dr.select(is_sheen, sample_sheen(view, sheen.roughness, u), light)
     return dr.select(is_null, -view, light), is_null
 
 
-def _cosine_share(energy: Float) -> Float:
-    """Share of directions that are drawn by the cosine: all where groups have no energy."""
-    return dr.select(energy > _LEAST_ENERGY, array_types(energy).Float(_COSINE_SHARE), 1)
+def _cosine_probability(weight_sum: Float) -> Float:
+    """Probability of the cosine lobe: 1 where groups have no weight."""
+    return dr.select(weight_sum > _MIN_WEIGHT, array_types(weight_sum).Float(_COSINE_PROBABILITY), 1)
 
 
 @dataclass
 class _GroupFrame:
-    """What is kept of a group while groups are drawn from: moments that frame its lobes.
+    """The moments of a group that its sampling lobes need, kept while groups are visited.
 
     Attributes:
         tangent, normal: means over the group [3].
-        variance: of the fibre direction, along all axes together.
+        variance: trace of the covariance of the fibre direction.
         roughness: α of its family.
     """
 
@@ -205,39 +210,39 @@ class _DrawnGroup:
     """A group that was drawn.
 
     Attributes:
-        energy: of all groups.
-        rest: uniform number in [0, 1) that is left of the choice.
+        weight_sum: sum of the mixture weights of all groups.
+        rest: uniform number in [0, 1), rescaled from the choice.
     """
 
     frame: _GroupFrame
     is_warp: Mask
-    energy: Float
+    weight_sum: Float
     rest: Float
 
 
 def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choice: Float) -> _DrawnGroup:
-    """Draws a group by its energy in one pass over all: weighted reservoir sampling with one number.
+    """Draws a group by its mixture weight in one pass: weighted reservoir sampling (Chao 1982).
 
-    A group replaces the one kept with the probability of its energy among all so far; either outcome maps
-    the number that decided back to [0, 1) (Chao 1982).
+    A group replaces the one in the reservoir with probability (its weight)/(sum of weights so far); either
+    outcome rescales the random number to [0, 1) again.
     """
     types = array_types(at.view.x)
 
-    def visit(pair: Any, rest: Float, energy: Float, *kept: Any) -> tuple[Any, ...]:
-        is_warp, *frame = kept
-        for word in lobes.seen(at, pair):
-            of_family = mixture.family(word.is_warp).total
-            for weight, lobe in zip(word.weights, word.lobes, strict=True):
-                own = weight * of_family
-                energy = energy + own
-                aim = rest * energy
+    def visit(pair: Any, rest: Float, weight_sum: Float, *reservoir: Any) -> tuple[Any, ...]:
+        is_warp, *frame = reservoir
+        for pack in lobes.seen_packs(at, pair):
+            family_weight = mixture.family(pack.is_warp).total
+            for weight, lobe in zip(pack.weights, pack.lobes, strict=True):
+                own = weight * family_weight
+                weight_sum = weight_sum + own
+                aim = rest * weight_sum
                 takes = aim < own
-                # Where a group has all the energy so far, or none, nothing is left to divide by.
+                # Bounded: a group may have all the weight so far, or none.
                 quotient = dr.select(takes, aim, aim - own) * dr.rcp(
-                    maximum(dr.select(takes, own, energy - own), 1e-30)
+                    maximum(dr.select(takes, own, weight_sum - own), 1e-30)
                 )
                 rest = dr.select(own > 0, minimum(quotient, dr.one_minus_epsilon(types.Float)), rest)
-                is_warp = dr.select(takes, word.is_warp, is_warp)
+                is_warp = dr.select(takes, pack.is_warp, is_warp)
                 candidate = _GroupFrame.of(lobe)
                 frame = [
                     dr.select(takes, mine, theirs)
@@ -247,7 +252,7 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
                         strict=True,
                     )
                 ]
-        return pair + 1, rest, energy, is_warp, *frame
+        return pair + 1, rest, weight_sum, is_warp, *frame
 
     width = dr.width(choice, at.view, at.coverage.nodes)
     start = (
@@ -260,10 +265,10 @@ def _draw_group(lobes: PrefilteredLobes, at: TableLookup, mixture: Mixture, choi
         dr.full(types.Float, 0, width),
         dr.full(types.Float, 1, width),
     )
-    _, rest, energy, is_warp, *frame = dr.while_loop(
-        start, lambda pair, *kept: pair < lobes.pairs, visit, label="lobes: draw a group"
+    _, rest, weight_sum, is_warp, *frame = dr.while_loop(
+        start, lambda pair, *reservoir: pair < lobes.pairs, visit, label="lobes: draw a group"
     )
-    return _DrawnGroup(_GroupFrame(*frame), is_warp, energy, rest)
+    return _DrawnGroup(_GroupFrame(*frame), is_warp, weight_sum, rest)
 
 
 def _frame(group: _GroupFrame) -> tuple[Vec3, Float, Vec3]:

@@ -1,16 +1,16 @@
 """The prefiltered regime in plain NumPy, one query at a time: to read, to port, and to test the rest against.
 
 The point-sampled regime and the blend to it are left out. All vectors are of one query, [3] or [2]; arrays of
-groups are [G], as the groups lie among the bytes: the warp's first, each family padded to words of four.
+groups are [G], in the order of their bytes: the warp's first, each family padded to packs of four.
 Everything is float64.
 
 For a view v, a light l, their half vector h and a footprint, with bytes interpolated between `Nodes`:
 
-    weight of a group     w = coverage·seen²·unit
+    weight of a group     w = coverage·(root of projected area)²·unit
     hole                  the same for holes, at most 1
-    lit of what is seen   V = reached·(1 − κ) + min(1, reached/reached_v)·κ, at least 0
-    diffuse               (1 − hole)·Σ w·irradiance·V/reached / Σ w    with one κ
-    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w            with another; f: `layer_value`
+    P(lit given seen)     V = V_l·(1 − κ) + min(1, V_l/V_v)·κ, at least 0; V_l, V_v: `light_visibility`
+    diffuse               (1 − hole)·Σ w·irradiance·V/V_l / Σ w    with one κ
+    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w        with another; f: `layer_value`
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 
 from loomlight.models.lobes.coverage_lookup import MIN_TAP_SPACING, TAP_OFFSETS, TAP_SIZE, TENT_VARIANCE
 from loomlight.models.lobes.density import (
-    LESS_BY_SPREAD,
     NARROWEST,
     SMALLEST_COSINE,
     SMALLEST_PATH,
     SMALLEST_STEEPNESS,
+    SPREAD_LOSS,
 )
 from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
 from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
@@ -36,7 +36,7 @@ from loomlight.models.lobes.prefiltered import (
     SPECULAR_CORRELATION,
     TRANSMISSION_CORRELATION,
 )
-from loomlight.models.lobes.proposal import SPREAD_WIDTH, Energies
+from loomlight.models.lobes.proposal import SPREAD_WIDTH, LobeWeights
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.separable import Components
 
@@ -51,17 +51,17 @@ class Nodes:
     """Rows of a table to interpolate between.
 
     Attributes:
-        numbers: of the rows [n].
-        shares: of each [n]; sum 1.
+        indices: of the rows [n].
+        weights: of each [n]; sum 1.
     """
 
-    numbers: NDArray[np.int64]
-    shares: Numbers
+    indices: NDArray[np.int64]
+    weights: Numbers
 
     def of(self, table: NDArray[np.uint8]) -> Numbers:
-        """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Shares are rounded to whole units."""
-        units = np.floor(self.shares * WEIGHT_SUM + 0.5)
-        return np.asarray(units @ table[self.numbers] / units.sum())
+        """Interpolated bytes of a table [rows, k]: [k], 0 to 255. Weights are rounded to whole units."""
+        units = np.floor(self.weights * WEIGHT_SUM + 0.5)
+        return np.asarray(units @ table[self.indices] / units.sum())
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +90,7 @@ class GroupMoments:
     Attributes:
         normal, tangent: means [G, 3], shorter than 1.
         covariance: of the fibre direction [G, 3, 3].
-        unit: what (coverage byte)·(projected area byte)² is multiplied with [G].
+        unit: factor of (coverage byte)·(projected area byte)² [G].
         roughness: α of each group's family [G].
     """
 
@@ -103,17 +103,17 @@ class GroupMoments:
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """What a view sees in a footprint.
+    """Visible fractions of a footprint from one view.
 
     Attributes:
-        groups: w of each group [G], not divided by the sum.
-        hole: share of the view rays that pass through holes.
-        reached: share of each group that light from the view's side and direction would reach [G].
+        groups: w of each group [G], not normalized.
+        hole: fraction of the view rays that pass through holes.
+        view_visibility: V_v, the fraction of each group's top-down samples that the view sees [G].
     """
 
     groups: Numbers
     hole: float
-    reached: Numbers
+    view_visibility: Numbers
 
 
 class LobesReference:
@@ -127,7 +127,7 @@ class LobesReference:
         optical_depth: float,
         diffuse_blend: float = 0.5,
     ) -> None:
-        """A twin of tables.
+        """The estimate from baked tables.
 
         Args:
             repeat: width and height of the repeat, millimetres.
@@ -153,23 +153,23 @@ class LobesReference:
             footprint: what a pixel sees of the cloth.
         """
         back, light, view = on_seen_face(light, view)
-        beyond = bool(light[2] < 0)
+        is_transmission = bool(light[2] < 0)
         groups = self.groups(back)
         weights = self.weights(view, footprint, back)
 
-        nodes, side = direction_nodes(light), (int(back), int(beyond))
+        nodes, side = direction_nodes(light), (int(back), int(is_transmission))
         irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
-        reached = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
-        correlations = shadow_correlation(light, view, beyond)
+        light_visibility = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
+        correlations = shadow_correlation(light, view, is_transmission)
         # V + κ(min(1, V/V_view) − V), divided by V.
-        most = np.maximum(np.maximum(reached, weights.reached), _PER_BYTE)
-        more_diffuse, more = (np.maximum(1 + part * (1 / most - 1), 0) for part in correlations)
+        most = np.maximum(np.maximum(light_visibility, weights.view_visibility), _PER_BYTE)
+        diffuse_gain, specular_gain = (np.maximum(1 + part * (1 / most - 1), 0) for part in correlations)
 
-        diffuse = weights.groups * irradiance / math.pi * more_diffuse
+        diffuse = weights.groups * irradiance / math.pi * diffuse_gain
         specular = (
             weights.groups
-            * reached
-            * more
+            * light_visibility
+            * specular_gain
             * layer_value(half_vector(light, view), light, view, groups, self.optical_depth)
         )
         is_warp = self.is_warp[int(back)]
@@ -187,19 +187,19 @@ class LobesReference:
         light: Numbers,
         view: Numbers,
         footprint: Parallelogram,
-        energies: tuple[Energies, Energies],
+        lobe_weights: tuple[LobeWeights, LobeWeights],
     ) -> float:
-        """Density of the mixture of groups that directions are drawn from, 1/sr, without cosine and sheen.
+        """Density of the mixture over groups, 1/sr, without the cosine and sheen lobes.
 
         Args:
             light, view, footprint: as in `components_and_hole`.
-            energies: what (warp, weft) send on by each lobe; floats.
+            lobe_weights: of (warp, weft); floats.
         """
         back, light, view = on_seen_face(light, view)
         groups = self.groups(back)
         weights = self.weights(view, footprint, back)
         specular, reflect, transmit = (
-            np.where(self.is_warp[int(back)], *(getattr(family, name) for family in energies))
+            np.where(self.is_warp[int(back)], *(getattr(family, name) for family in lobe_weights))
             for name in ("specular", "reflect", "transmit")
         )
         # The group as one fibre: along its mean direction, wider by its spread.
@@ -215,21 +215,21 @@ class LobesReference:
             about_yarn, about_cloth = np.maximum(normal @ direction, 0), max(direction[2], 0)
             return np.asarray((blend * about_yarn + (1 - blend) * about_cloth) / math.pi)
 
-        found = specular * lobe + reflect * diffuse(light) + transmit * diffuse(-light)
-        energy = specular + reflect + transmit
-        return float((weights.groups * found).sum() / (weights.groups * energy).sum())
+        density = specular * lobe + reflect * diffuse(light) + transmit * diffuse(-light)
+        total = specular + reflect + transmit
+        return float((weights.groups * density).sum() / (weights.groups * total).sum())
 
     def weights(self, view: Numbers, footprint: Parallelogram, back: bool) -> Weights:
-        """What a view [3], in the frame of the face it sees, sees of groups and holes in a footprint."""
+        """Visible fractions of groups and holes in a footprint; the view [3] is in the frame of its face."""
         face, count = int(back), 4 * self.tables.packs
         coverage = self.coverage_nodes(footprint).of(self.tables.coverage[face])
         nodes = direction_nodes(view)
-        # Coverage and projected area hold a pack for the holes after the groups: its first byte.
-        seen = nodes.of(self.tables.projected_area[face])
-        reached = nodes.of(self.tables.light_visibility[face, 0]) * _PER_BYTE
+        # Holes are the first byte of the last pack.
+        root_area = nodes.of(self.tables.projected_area[face])
+        view_visibility = nodes.of(self.tables.light_visibility[face, 0]) * _PER_BYTE
         unit = np.append(self.groups(back).unit, self.tables.hole_weight[face])
-        found = coverage[: count + 1] * seen[: count + 1] ** 2 * unit
-        return Weights(found[:count], min(float(found[count]), 1.0), reached)
+        weights = coverage[: count + 1] * root_area[: count + 1] ** 2 * unit
+        return Weights(weights[:count], min(float(weights[count]), 1.0), view_visibility)
 
     def groups(self, back: bool) -> GroupMoments:
         """The groups of a face, from the twelve numbers of each."""
@@ -242,26 +242,26 @@ class LobesReference:
         return GroupMoments(normal, tangent, covariance, unit, self.roughness[int(back)])
 
     def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
-        """Nine nodes that count alike, three along each edge of a footprint.
+        """Nine taps of equal weight, three along each edge of a footprint.
 
-        Level m holds means over squares of side s_m = s_0·2^m. Squares have about `TAP_SIZE` of the
-        footprint's side; sizes between two levels take some of either.
+        Level m stores means over squares of side s_m = s_0·2^m. Taps have about `TAP_SIZE` of the
+        footprint's side; sizes between two levels take some of either level.
         """
         top = len(self.tables.levels) - 1
         relative = footprint.side / self.tables.base_size
         level = min(math.log2(max(TAP_SIZE * relative, 1.0)), top)
-        # Squares nearly as large as the footprint stand closer to its middle.
-        apart = math.sqrt(min(max(TENT_VARIANCE * (1 - relative**-2), 0.0), 1.0))
-        apart = min(max(apart, MIN_TAP_SPACING / relative), 1.0)
-        numbers = []
-        for place, (s, t) in enumerate(TAP_OFFSETS):
-            wide = level % 1.0 > 1 - (place + 0.5) / len(TAP_OFFSETS)
-            x, y = footprint.centre + apart * (s * footprint.along_x + t * footprint.along_y)
-            numbers.append(self._node(min(int(level) + wide, top), x, y))
-        return Nodes(np.array(numbers), np.full(len(TAP_OFFSETS), 1 / len(TAP_OFFSETS)))
+        # Taps nearly as large as the footprint are closer to its centre.
+        spacing = math.sqrt(min(max(TENT_VARIANCE * (1 - relative**-2), 0.0), 1.0))
+        spacing = min(max(spacing, MIN_TAP_SPACING / relative), 1.0)
+        indices = []
+        for number, (s, t) in enumerate(TAP_OFFSETS):
+            is_coarser = level % 1.0 > 1 - (number + 0.5) / len(TAP_OFFSETS)
+            x, y = footprint.centre + spacing * (s * footprint.along_x + t * footprint.along_y)
+            indices.append(self._node(min(int(level) + is_coarser, top), x, y))
+        return Nodes(np.array(indices), np.full(len(TAP_OFFSETS), 1 / len(TAP_OFFSETS)))
 
     def _node(self, level: int, x: float, y: float) -> int:
-        """The node of a level nearest to a place, millimetres; nodes lie in the middle of their cells."""
+        """The node of a level nearest to a position, millimetres; nodes are at the centres of their cells."""
         first, columns, rows = (int(number) for number in self.tables.levels[level])
         column = min(int(x / self.repeat[0] % 1.0 * columns), columns - 1)
         row = min(int(y / self.repeat[1] % 1.0 * rows), rows - 1)
@@ -285,19 +285,19 @@ def direction_nodes(direction: Numbers) -> Nodes:
     out = ring - inner
     turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
     column = math.floor(turns)
-    share = turns - column
+    fraction = turns - column
     columns = np.array([column, column + 1]) % AZIMUTHS
-    numbers = columns[:, None] * RINGS + np.array([inner, inner + 1])
-    return Nodes(numbers.ravel(), np.outer([1 - share, share], [1 - out, out]).ravel())
+    indices = columns[:, None] * RINGS + np.array([inner, inner + 1])
+    return Nodes(indices.ravel(), np.outer([1 - fraction, fraction], [1 - out, out]).ravel())
 
 
-def shadow_correlation(light: Numbers, view: Numbers, beyond: bool) -> tuple[float, float]:
-    """κ of diffuse and specular terms: how far what light and view reach is the same."""
+def shadow_correlation(light: Numbers, view: Numbers, is_transmission: bool) -> tuple[float, float]:
+    """κ of diffuse and specular terms: the correlation of visibility from light and view."""
     lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
     cosine = float(light[:2] @ view[:2]) / max(lengths, 1e-6)
-    if beyond:
-        through = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
-        return through, through
+    if is_transmission:
+        transmission = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
+        return transmission, transmission
     diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
     return min(diffuse, 1.0), SPECULAR_CORRELATION
 
@@ -345,18 +345,18 @@ def layer_value(
 
     Reflection D G_r/(4 cos_v), or, where light comes from the other side, transmission D G_t/(4 cos_v).
     """
-    beyond = light[2] < 0
-    cos_light = np.maximum(groups.normal @ (-light if beyond else light), SMALLEST_COSINE)
+    is_transmission = light[2] < 0
+    cos_light = np.maximum(groups.normal @ (-light if is_transmission else light), SMALLEST_COSINE)
     cos_view = np.maximum(groups.normal @ view, SMALLEST_COSINE)
     slope_light = mean_area(light, groups) / cos_light
     slope_view = mean_area(view, groups) / cos_view
     # The layer's mean of e^{−s} along the path, e^{−Tρ min(Λ_l, Λ_v)}·(1 − e^{−Tρ|Δ|})/|Δ| in transmission.
-    path = np.abs(slope_light - slope_view) if beyond else slope_light + slope_view
+    path = np.abs(slope_light - slope_view) if is_transmission else slope_light + slope_view
     path = np.maximum(path, SMALLEST_PATH)
-    passed = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if beyond else 1.0
-    attenuation = passed * -np.expm1(-optical_depth * path) / path
-    less = 0 if beyond else LESS_BY_SPREAD * (1 - (groups.normal**2).sum(axis=1))
-    return np.asarray(mean_density(half, groups) * attenuation * (1 - less) / (4 * cos_view))
+    unscattered = np.exp(-optical_depth * np.minimum(slope_light, slope_view)) if is_transmission else 1.0
+    attenuation = unscattered * -np.expm1(-optical_depth * path) / path
+    loss = 0 if is_transmission else SPREAD_LOSS * (1 - (groups.normal**2).sum(axis=1))
+    return np.asarray(mean_density(half, groups) * attenuation * (1 - loss) / (4 * cos_view))
 
 
 def _variance(groups: GroupMoments, direction: Numbers) -> Numbers:

@@ -1,7 +1,7 @@
 """The two regimes of a footprint: point-sampled below a yarn, prefiltered above, and the blend between.
 
-Below a yarn, shadows and outlines decide, which no moments know; above it, moments of groups are nearer to
-the truth than a few points.
+Below a yarn, appearance depends on shadows and outlines, which the moments of groups do not resolve; above
+it, the groups have a smaller error than a few points.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.point_sampled import points_of
 from loomlight.yarn.layout import ClothLayout
 
-# Footprints in threads: below the first points alone count, above the second groups alone. Where squares of
-# the pyramid are wider than a thread, in units of this share of them.
-_HAND_OVER = 0.6, 1.6
-_SQUARE_SHARE = 0.8
+# Sides of footprints in threads: below the first, points alone are used; above the second, groups alone.
+# Where squares of the pyramid are wider than a thread, the unit is this fraction of their side instead.
+_BLEND_RANGE = 0.6, 1.6
+_SQUARE_SCALE = 0.8
 _NEAREST = 1e-9
 
 
 @dataclass
 class Regime:
-    """How footprints are answered.
+    """How a footprint is evaluated.
 
     Attributes:
         prefiltered: weight of the groups, 0 to 1; points have the rest.
         threads: side of the footprint, in threads.
-        points: how many points are looked at; the last one counts by its fraction; 0 is none.
+        points: number of points evaluated; the last one is weighted by its fraction; 0 is none.
     """
 
     prefiltered: Float
@@ -40,7 +40,7 @@ class Regime:
 
 
 class RegimeScale:
-    """The lengths by which regimes are told apart, on one backend."""
+    """The lengths that separate the regimes of one fabric, on one backend."""
 
     def __init__(self, layout: ClothLayout, square: float, types: ArrayTypes) -> None:
         """
@@ -50,16 +50,16 @@ class RegimeScale:
         picks, ends = layout.warp_on_top.shape
         width, height = layout.size
         thread = math.sqrt(width / ends * height / picks)
-        unit = max(thread, _SQUARE_SHARE * square)
+        unit = max(thread, _SQUARE_SCALE * square)
         self._threads_per_mm = dr.opaque(types.Float, 1 / thread)
         self._unit_level = dr.opaque(types.Float, math.log2(unit))
 
     def of(self, footprint: Footprint) -> Regime:
         """The regime of footprints: the weight is smooth in the logarithm of their side."""
         side = footprint.spread_side
-        low, high = (math.log2(bound) for bound in _HAND_OVER)
+        low, high = (math.log2(bound) for bound in _BLEND_RANGE)
         level = dr.log2(maximum(side, _NEAREST)) - self._unit_level
-        share = clip((level - low) * (1 / (high - low)), 0, 1)
-        prefiltered = dr.square(share) * dr.fma(-2, share, 3)
+        ramp = clip((level - low) * (1 / (high - low)), 0, 1)
+        prefiltered = dr.square(ramp) * dr.fma(-2, ramp, 3)
         threads = array_types(side).Float(side * self._threads_per_mm)
         return Regime(prefiltered, threads, points_of(threads, prefiltered, footprint.samples))

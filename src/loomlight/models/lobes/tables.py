@@ -1,6 +1,6 @@
-"""All that the model bakes of a fabric, as it lies in memory: packed uint8x4.
+"""The baked tables of a fabric in their memory layout, packed uint8x4.
 
-Colours and roughness are not baked, so edits of them bake nothing.
+Colours and roughness are not baked, so their edits need no baking.
 """
 
 from __future__ import annotations
@@ -77,14 +77,14 @@ def bake_tables(
     """Bakes the tables of a fabric: the same bytes every time.
 
     Args:
-        diffuse_blend: w, the share of the yarn normal in the diffuse term.
+        diffuse_blend: w, the weight of the yarn normal in the diffuse term.
         per_family: groups of each family, on average.
         float_type: the Dr.Jit Float type to compute with.
     """
     cloth = upload_cloth(geometry, float_type)
     views = launch_views(cloth, per_family)
     top_down, from_views = top_down_samples(cloth), view_samples(views)
-    # The device traces rays while groups are found.
+    # The device traces rays while the CPU clusters groups.
     rays = launch_rays(cloth, top_down, views)
     groups = find_groups(top_down, from_views, per_family)
     cells = count_cells(cloth, FrozenArg(NearestGroup(groups, cloth.value.types)), per_family)
@@ -106,7 +106,7 @@ def bake_tables(
 
 
 def tables_of_loom(loom: LoomFile) -> LobeTables:
-    """The tables that a `.loom` file holds.
+    """The tables in a `.loom` file.
 
     Raises:
         InputError: tensors that are missing, of another kind, or do not belong together.
@@ -146,7 +146,7 @@ def tables_of_loom(loom: LoomFile) -> LobeTables:
 
 
 def _warp_packs(groups: Groups) -> NDArray[np.int64]:
-    """Packs of the warp of each face: half of them, or as many as groups were given to it, by whole packs."""
+    """Packs of the warp of each face: half of them, or as many whole packs as its groups fill."""
     half = pack_count(groups.per_family) // 2
     is_half = groups.warp_count == groups.per_family
     return np.where(is_half, half, groups.warp_count // 4).astype(np.int64)
@@ -155,12 +155,12 @@ def _warp_packs(groups: Groups) -> NDArray[np.int64]:
 def _quantized_area(
     visibility: VisibilityTables, per_family: int
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
-    """Bytes of roots of the projected area, and the area that 255² stands for [2, 2 K + 1]."""
+    """Bytes of the square root of the projected area, and the area that 255² stands for [2, 2 K + 1]."""
     area, packs = visibility.projected_area, pack_count(per_family)
     scale = np.maximum(area.max(axis=1), 1e-9)
     table = np.zeros((2, NODES, 4 * (packs + 1)), np.uint8)
-    places = np.append(byte_of_group(per_family), 4 * packs)
-    table[:, :, places] = np.rint(np.sqrt(area / scale[:, None]) * _LARGEST)
+    offsets = np.append(byte_of_group(per_family), 4 * packs)
+    table[:, :, offsets] = np.rint(np.sqrt(area / scale[:, None]) * _LARGEST)
     return table, scale
 
 
@@ -175,12 +175,11 @@ def _moments(
     groups: Groups, coverage: CoveragePyramid, area_scale: NDArray[np.float64]
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Rows of twelve numbers a group, and the weight of holes."""
-    packs, places = pack_count(groups.per_family), byte_of_group(groups.per_family)
-    # In a footprint that holds as much of a group as the repeat does, views see as much of it as of the
-    # repeat.
-    share = np.concatenate([coverage.mean[:, places], coverage.mean[:, 4 * packs, None]], axis=1)
-    scale = np.concatenate([coverage.scale[:, places], coverage.scale[:, 4 * packs, None]], axis=1)
-    weight = np.where(share > 0, scale * area_scale / np.maximum(share, 1e-9) / _LARGEST**3, 0)
+    packs, offsets = pack_count(groups.per_family), byte_of_group(groups.per_family)
+    # Where a footprint's coverage is that of the repeat, the visible fraction is the projected area.
+    mean = np.concatenate([coverage.mean[:, offsets], coverage.mean[:, 4 * packs, None]], axis=1)
+    scale = np.concatenate([coverage.scale[:, offsets], coverage.scale[:, 4 * packs, None]], axis=1)
+    weight = np.where(mean > 0, scale * area_scale / np.maximum(mean, 1e-9) / _LARGEST**3, 0)
     table = np.zeros((2, 4 * packs, MOMENTS), np.float32)
     # Unused rows keep unit vectors, so that nothing is divided by 0.
     table[..., 2] = table[..., 5] = 1
@@ -191,5 +190,5 @@ def _moments(
         groups.tangent,
         *(covariance[..., i, j, None] for i, j in ((0, 0), (1, 1), (0, 1), (0, 2), (1, 2))),
     ]
-    table[:, places] = np.concatenate(columns, axis=2)
+    table[:, offsets] = np.concatenate(columns, axis=2)
     return table, weight[:, -1].astype(np.float32)

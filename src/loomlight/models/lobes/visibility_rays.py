@@ -1,7 +1,7 @@
 """View and shadow rays over the whole repeat, towards every node of the hemisphere; hits are not grouped yet.
 
-Rays are in the order of their face, then their node, then their position. Launches return before the device
-is done: waiting is left to whoever reads results.
+Rays are in the order of their face, then their node, then their position. Launches are asynchronous: reading
+a result waits for the device.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from loomlight.models.lobes.invariant_divider import InvariantDivider
 from loomlight.yarn.search import SearchQuality
 from loomlight.yarn.visibility import first_hit, passes_through, unoccluded
 
-# Rays of a node and face, at least, and for each group of a family. With four times as many, estimates are
-# better by 2 % of their error; 32 groups a family with as few as 8 were worse by 12 %.
+# Rays of a node and face, at least, and for each group of a family. Four times as many reduce errors of
+# estimates by 2 %; with 8 a group, errors of 32 groups a family are 12 % larger.
 _MIN_RAYS, _RAYS_PER_GROUP = 256, 32
 # Rays through gaps, at most so many a node.
 _MAX_GAP_RAYS = 128
-# Views of each node and face that groups are found from.
+# Views of each node and face that groups are clustered from.
 _SAMPLED_VIEWS = 32
-# Finer steps gain nothing in the query test; without refinement hits cost 6 % of its error.
+# Finer steps gain nothing in the query benchmark; without refinement hits cost 6 % of its error.
 _QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=0.95, refinements=1)
 
 
@@ -39,7 +39,7 @@ class SurfaceHits:
 
     Attributes:
         is_warp: the warp is hit, else the weft.
-        hole: neither family is there.
+        hole: no yarn is hit.
         normal, tangent: unit normal and unit fibre direction.
     """
 
@@ -58,7 +58,7 @@ class ViewRays:
         directions: unit vectors of all nodes, uploaded [4 NODES].
         hits: first hits; arbitrary where a ray passes through the cloth.
         below_plane: the hit lies below z = 0.
-        starts_in_gap: no yarn is where the ray goes through z = 0.
+        starts_in_gap: the ray crosses z = 0 where there is no yarn.
     """
 
     rays: int
@@ -77,7 +77,7 @@ class VisibilityRays:
         view_is_null: which views pass through the cloth; None where none can.
         samples: top-down samples that shadow rays start from.
         is_lit: light from the node reaches the sample.
-        gap_is_null: which rays through gaps pass through the cloth, of the front's nodes; None without gaps.
+        gap_is_null: which rays through gaps pass through the cloth, for the front's nodes; None without gaps.
     """
 
     views: ViewRays
@@ -106,7 +106,7 @@ def launch_views(cloth: FrozenArg[UploadedCloth], per_family: int) -> ViewRays:
 
 
 def view_samples(views: ViewRays) -> FaceSamples:
-    """What a few views of every node hit; those that may pass through a gap count as holes."""
+    """Hits of a few views of every node; views that may pass through a gap count as holes."""
 
     def some(values: Float | Mask) -> NDArray[Any]:
         return np.asarray(values.numpy().reshape(2 * NODES, views.rays)[:, :_SAMPLED_VIEWS].ravel())
@@ -119,16 +119,16 @@ def view_samples(views: ViewRays) -> FaceSamples:
 
 
 def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views: ViewRays) -> VisibilityRays:
-    """Launches shadow rays, rays through gaps, and the test which views pass through the cloth.
+    """Launches shadow rays, rays through gaps, and the test for views that pass through the cloth.
 
     Args:
-        samples: whose gaps rays go through.
+        samples: their gaps are the start positions of rays through gaps.
     """
     Float, UInt32 = cloth.value.types.Float, cloth.value.types.UInt32
     rays, directions = views.rays, views.directions
-    # Few views start in gaps, but one of every sixteen lanes does: compacted they take less time.
+    # Few views start in gaps, but most SIMD packets have one: compaction saves time.
     from_gaps = np.flatnonzero(views.starts_in_gap.numpy())
-    # Gaps are a few per cent of the cloth: of rays over all of it only a handful would be in them.
+    # Gaps are a few per cent of the cloth: uniform positions would hit them too seldom.
     gaps = samples.gaps[:: max(1, len(samples.gaps) // _MAX_GAP_RAYS)][:_MAX_GAP_RAYS]
     # Uploads wait for kernels that run, so they come before the launches.
     lanes, starts = upload(UInt32, from_gaps.astype(np.uint32)), upload(Float, gaps)
@@ -141,7 +141,7 @@ def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views:
 
 @FrozenFunction
 def _start_in_gaps(cloth: UploadedCloth, rays: int) -> Mask:
-    """Which views go through the plane z = 0 where no yarn is."""
+    """Which views cross the plane z = 0 where there is no yarn."""
     back, x, y = _positions(cloth, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))[:3]
     return cloth.geometry.height(x, y, back)[1]
 
@@ -167,7 +167,7 @@ def _trace_views(cloth: UploadedCloth, directions: Float, rays: int) -> tuple[Su
 
 @FrozenFunction
 def _trace_null(cloth: UploadedCloth, directions: Float, rays: int, lanes: UInt, below_plane: Mask) -> Mask:
-    """Which views pass through the cloth: of all rays, where only some lanes can."""
+    """Which views pass through the cloth: a mask over all rays; only `lanes` are traced."""
     back, x, y, view = _rays(cloth, directions, rays, lanes)
     # A view that hits yarn above the plane does not reach the gap.
     active = dr.gather(cloth.types.Bool, below_plane, lanes)
@@ -188,13 +188,13 @@ def _trace_gaps(cloth: UploadedCloth, directions: Float, starts: Float, count: i
 
 
 def _rays(cloth: UploadedCloth, directions: Float, rays: int, lane: UInt) -> tuple[Mask, Float, Float, Vec3]:
-    """Rays of both faces and all nodes, so many each: back, x, y, direction."""
+    """Rays of both faces and all nodes, `rays` of each: back, x, y, direction."""
     back, x, y, node = _positions(cloth, rays, lane)
     return back, x, y, _direction(cloth, directions, node)
 
 
 def _positions(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, Float, Float, UInt]:
-    """Where they go through the plane z = 0: back, x, y, node."""
+    """Positions of rays on the plane z = 0: back, x, y, node."""
     face_size = dr.opaque(cloth.types.UInt32, NODES * rays)
     back = lane >= face_size
     node, ray = InvariantDivider(rays, cloth.types).divide(dr.select(back, lane - face_size, lane))

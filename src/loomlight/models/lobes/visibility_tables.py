@@ -1,14 +1,14 @@
-"""Visibility tables: what views see of each group, and how much light reaches it, from rays over the repeat.
+"""Visibility tables: projected area, light visibility and irradiance of groups, from rays over the repeat.
 
 For every node of the hemisphere:
 
-    projected_area    share of the view rays through the plane z = 0 that hit the group, walls included, or
-                      that pass through a hole
-    light_visibility  share of the group's top-down samples that light from the node reaches
+    projected_area    fraction of the view rays through the plane z = 0 that hit the group, walls included,
+                      or that pass through a hole
+    light_visibility  fraction of the group's top-down samples that light from the node reaches
     irradiance        mean blended diffuse term of the group's top-down samples, shadowed, 1/sr
 
-The last two are for light on the side that is seen and for light from the other side, whose shadows are those
-of the other face.
+The last two are for light from the side of the view and for light from the other side, shadowed as on the
+other face.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from loomlight.models.lobes.visibility_rays import VisibilityRays
 
 @dataclass(frozen=True, eq=False)
 class VisibilityTables:
-    """Means by face, node and group; index 0 of `side` is light on the side seen, 1 light from the other.
+    """Means by face, node and group; index 0 of a side is light from the side of the view, 1 from the other.
 
     Attributes:
         projected_area: [2 faces, nodes, groups + 1], holes last; sums over the last axis are 1.
@@ -42,10 +42,10 @@ class VisibilityTables:
 def tabulate_visibility(
     rays: VisibilityRays, groups: Groups, diffuse_blend: float
 ) -> tuple[VisibilityTables, Groups]:
-    """The tables, and the groups with the moments of what views hit; waits for the rays.
+    """The tables, and the groups with the moments of the points that views hit; waits for the rays.
 
     Args:
-        diffuse_blend: w, the share of the yarn normal in the diffuse term.
+        diffuse_blend: w, the weight of the yarn normal in the diffuse term.
     """
     # Imported here as Numba takes tenths of a second to load, and only baking needs it.
     from loomlight.models.lobes.accumulation import accumulate_light, accumulate_views, hit_arrays
@@ -63,13 +63,13 @@ def tabulate_visibility(
 
 
 def _projected_area(rays: VisibilityRays, groups: Groups, hits: NDArray[np.float32]) -> NDArray[np.float64]:
-    """Shares of view rays from how many hit each group [2, nodes, groups]."""
+    """Projected areas from the number of hits of each group [2, nodes, groups]."""
     hit_yarn = hits.sum(axis=2, dtype=np.float64)
     null_in_gap = np.zeros((2, NODES)) if rays.gap_is_null is None else _by_face(rays.gap_is_null.numpy())
     # All rays that hit no yarn pass through.
     null = np.where(hit_yarn > 0, groups.hole_fraction[:, None] * null_in_gap, 1)
-    shares = hits * ((1 - null) / np.maximum(hit_yarn, 1))[..., None]
-    return np.concatenate([shares, null[..., None]], axis=2)
+    fractions = hits * ((1 - null) / np.maximum(hit_yarn, 1))[..., None]
+    return np.concatenate([fractions, null[..., None]], axis=2)
 
 
 def _light_tables(sums: NDArray[np.float32]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -80,9 +80,9 @@ def _light_tables(sums: NDArray[np.float32]) -> tuple[NDArray[np.float64], NDArr
 
 
 def _by_face(is_null: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Share of rays through gaps that pass [2 faces, nodes], from those of the front's nodes.
+    """Fraction of rays through gaps that pass through the cloth [2 faces, nodes], from the front's nodes.
 
-    A line that passes is seen from the other face from the opposite azimuth.
+    From the other face, the same line has the opposite azimuth.
     """
     front = is_null.reshape(AZIMUTHS, RINGS, -1).mean(axis=2)
     return np.stack([front, np.roll(front, AZIMUTHS // 2, axis=0)]).reshape(2, NODES)

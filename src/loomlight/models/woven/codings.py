@@ -14,15 +14,15 @@ from typing import Any, TypeAlias
 from loomlight.core.arrays import Float, Mask, Vec3
 from loomlight.models.woven.architecture import (
     BINS,
-    BLOB_REACH,
-    BUNDLE_PLACES,
+    BLOB_RADIUS,
+    BUNDLE_POSITIONS,
     BUNDLE_UNIT,
     BUNDLES,
     DENSITY_GAIN,
     DENSITY_SCALE,
     INCLINATION_BINS,
     INCLINATION_CROWDING,
-    INCLINATION_REACH,
+    INCLINATION_RADIUS,
     LARGEST_OUTPUT,
     OPPOSITE,
     REFLECTION_GAIN,
@@ -64,15 +64,15 @@ class Fibre:
         return self.x * x + self.y * y
 
 
-def one_blob(place: Sequence[Float], math: ElementaryFunctions) -> list[Float]:
+def one_blob(position: Sequence[Float], math: ElementaryFunctions) -> list[Float]:
     """One-blob encoding of x, y and size, `BINS` numbers each; see `network.one_blob`."""
     coded = []
-    for number, value in enumerate(place):
+    for number, value in enumerate(position):
         for bin_ in range(BINS):
             offset = value - (bin_ + 0.5) / BINS
             if number < 2:
                 offset -= math.round(offset)
-            distance = offset * (BINS / BLOB_REACH)
+            distance = offset * (BINS / BLOB_RADIUS)
             coded.append(_bump(distance, math))
     return coded
 
@@ -89,11 +89,11 @@ def fibre_features(
         cosines.append(fibre.cosine(light.x, light.y))
         cosine = fibre.cosine(x, y)
         square = math.square(cosine)
-        reach = math.fma(INCLINATION_CROWDING, math.sqrt(square + height), math.abs(cosine))
-        place = (0.5 * (1 + INCLINATION_CROWDING)) * cosine * math.rcp(reach)
-        place = (place + 0.5) * (INCLINATION_BINS / INCLINATION_REACH)
+        length = math.fma(INCLINATION_CROWDING, math.sqrt(square + height), math.abs(cosine))
+        position = (0.5 * (1 + INCLINATION_CROWDING)) * cosine * math.rcp(length)
+        position = (position + 0.5) * (INCLINATION_BINS / INCLINATION_RADIUS)
         for bin_ in range(INCLINATION_BINS):
-            bins.append(_bump(place - (bin_ + 0.5) / INCLINATION_REACH, math))
+            bins.append(_bump(position - (bin_ + 0.5) / INCLINATION_RADIUS, math))
         squared = math.square(fibre.roughness)
         q = math.fma(square * inverse_square, 1 - squared, squared)
         density = (DENSITY_GAIN / scalar.pi) * squared * fibre.roughness * math.rcp(math.square(q))
@@ -107,7 +107,7 @@ def _bump(distance: Float, math: ElementaryFunctions) -> Float:
 
 
 def mixed_bundles(
-    shares: Sequence[Float],
+    lobe_weights: Sequence[Float],
     light: Vec3,
     view: Vec3,
     bundles: Sequence[Sequence[Sequence[Float]]],
@@ -117,7 +117,7 @@ def mixed_bundles(
     """The specular components of both families, mixed from a basis of lobes: `network.mixed_bundles`.
 
     Args:
-        shares: outputs of the network for the lobes of the face that is seen [2 · `BUNDLES`].
+        lobe_weights: outputs of the network for the lobes of the face that is seen [2 · `BUNDLES`].
         light, view: unit vectors in the frame of that face.
         bundles: lobes of the front, b and a for both families [2][`BUNDLES`][4]; see `Fibres.bundles`.
         back: whether the back is seen.
@@ -130,34 +130,36 @@ def mixed_bundles(
         # Lobes of the back are mirrored across the yarn, and so is the order of their positions.
         x = across if family else math.select(back, -across, across)
         y = math.select(back, -along, along) if family else along
-        kept = shares[family * BUNDLES : (family + 1) * BUNDLES]
-        fractions = []
+        family_weights = lobe_weights[family * BUNDLES : (family + 1) * BUNDLES]
+        terms = []
         for number, (along_x, along_y, along_z, width) in enumerate(of_front):
             cosine = math.fma(along_x, x, math.fma(along_y, y, along_z * z))
             root = math.fma(math.square(cosine), inverse, width)
-            behind = _mirrored(number)
-            share = kept[number] if behind == number else math.select(back, kept[behind], kept[number])
-            fractions.append((math.maximum(share, share * SLOPE), math.square(root)))
-        mixed.append(BUNDLE_UNIT * _sum_of_fractions(fractions, math))
+            mirrored = _mirrored(number)
+            weight = family_weights[number]
+            if mirrored != number:
+                weight = math.select(back, family_weights[mirrored], weight)
+            terms.append((math.maximum(weight, weight * SLOPE), math.square(root)))
+        mixed.append(BUNDLE_UNIT * _sum_of_fractions(terms, math))
     return mixed
 
 
-def _sum_of_fractions(fractions: Sequence[tuple[Float, Float]], math: ElementaryFunctions) -> Float:
+def _sum_of_fractions(terms: Sequence[tuple[Float, Float]], math: ElementaryFunctions) -> Float:
     """Σ numerator / denominator, with one division for two fractions."""
     total: Float = 0
-    for (share, square), (other, others) in zip(fractions[::2], fractions[1::2], strict=False):
-        above = math.fma(share, others, other * square)
+    for (weight, square), (other, others) in zip(terms[::2], terms[1::2], strict=False):
+        above = math.fma(weight, others, other * square)
         total = math.fma(above, math.rcp(square * others), total)
-    if len(fractions) % 2:
-        share, square = fractions[-1]
-        total = math.fma(share, math.rcp(square), total)
+    if len(terms) % 2:
+        weight, square = terms[-1]
+        total = math.fma(weight, math.rcp(square), total)
     return total
 
 
 def _mirrored(bundle: int) -> int:
     """The number that a lobe of the front has on the back."""
-    slope, place = divmod(bundle, BUNDLE_PLACES)
-    return bundle if bundle == BUNDLES - 1 else slope * BUNDLE_PLACES + BUNDLE_PLACES - 1 - place
+    slope, position = divmod(bundle, BUNDLE_POSITIONS)
+    return bundle if bundle == BUNDLES - 1 else slope * BUNDLE_POSITIONS + BUNDLE_POSITIONS - 1 - position
 
 
 def unmapped(
@@ -171,17 +173,17 @@ def unmapped(
 
     Args:
         output: outputs of the network for all components, or for the diffuse ones if `specular` is given.
-        specular: components that `mixed_bundles` gives.
+        specular: components from `mixed_bundles`.
         height: z of the light, in the frame of the face that is seen.
         linear_diffuse: whether the network's diffuse outputs are the components themselves, not logarithms.
     """
     scale = math.select(height > 0, 1 / REFLECTION_GAIN, 1 / TRANSMISSION_GAIN)
-    found = []
+    components = []
     for number, value in enumerate(output):
         if linear_diffuse and number < DIFFUSE:
-            found.append(math.maximum(value, 0))
+            components.append(math.maximum(value, 0))
         else:
-            found.append((math.exp(math.clip(value, 0, LARGEST_OUTPUT)) - 1) * scale)
+            components.append((math.exp(math.clip(value, 0, LARGEST_OUTPUT)) - 1) * scale)
     # The bound that `LARGEST_OUTPUT` sets to logarithms.
     most = scalar.expm1(LARGEST_OUTPUT) * scale
-    return [*found, *(math.clip(component, 0, most) for component in specular or ())]
+    return [*components, *(math.clip(component, 0, most) for component in specular or ())]

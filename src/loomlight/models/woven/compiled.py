@@ -26,7 +26,7 @@ class CompiledDecoder:
     """The decoder of some weights on this processor; all fabrics share its code.
 
     Attributes:
-        seconds: that all decoders have spent on queries so far, without compiling.
+        seconds: time that all decoders have spent on queries so far, without compiling.
     """
 
     seconds: ClassVar[float] = 0.0
@@ -42,7 +42,7 @@ class CompiledDecoder:
         inputs: Sequence[Floats],
         outputs: Sequence[Floats],
     ) -> None:
-        """Computes outputs of queries; `decoder_kernel` says what both are for each entry point."""
+        """Computes outputs of queries; `decoder_kernel` lists inputs and outputs of each entry point."""
         weights = self._weights
         kernel = _compiled(
             entry_point,
@@ -58,7 +58,7 @@ class CompiledDecoder:
 
 
 class _Shape:
-    """Weights as a cache key that ignores their values: code depends on the shape, which the table says."""
+    """Weights as a cache key that ignores their values: code depends on the network's shape alone."""
 
     def __init__(self, weights: Weights) -> None:
         self.weights = weights
@@ -89,7 +89,7 @@ def compiled_decoder(weights: Weights) -> CompiledDecoder:
     return CompiledDecoder(weights)
 
 
-# Fabrics whose latents are kept as they are fetched.
+# Fabrics whose tables are cached.
 _KEPT = 2
 
 
@@ -104,28 +104,28 @@ def decode(
 
     Args:
         lights, views: unit vectors [n, 3]; z < 0 is behind the cloth.
-        footprints: position x and y and side [n, 3], in threads; see `footprint_coding.places_of`.
+        footprints: position x and y and side [n, 3], in threads; see `footprints_in_threads`.
     """
     light, view, footprint = (columns(rows) for rows in (lights, views, footprints))
     back = view[2] < 0
     turn = np.where(back, np.float32(-1), np.float32(1))
     light[2] *= turn
     view[2] *= turn
-    found = np.empty((5, len(lights)), np.float32)
+    outputs = np.empty((5, len(lights)), np.float32)
     table = kernel_table(weights, encoded)
-    queries = [*one_square(footprint), *view, back.astype(np.float32), *light]
-    compiled_decoder(weights).run("answers", table, queries, [*found])
-    return found.T
+    inputs = [*one_square(footprint), *view, back.astype(np.float32), *light]
+    compiled_decoder(weights).run("components_and_hole", table, inputs, [*outputs])
+    return outputs.T
 
 
 def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
     """The numbers of `AnisotropicTaps` of footprints [3, n], position x and y and side."""
-    still = np.zeros(footprints.shape[1], np.float32)
-    return [*footprints, still, still]
+    zero = np.zeros(footprints.shape[1], np.float32)
+    return [*footprints, zero, zero]
 
 
 def columns(rows: NDArray[np.floating]) -> NDArray[np.float32]:
-    """Rows [n, k] as arrays of their own [k, n]."""
+    """Rows [n, k] transposed to contiguous columns [k, n], float32."""
     return rows.T.astype(np.float32, order="C")
 
 

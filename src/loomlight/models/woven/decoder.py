@@ -1,12 +1,13 @@
-"""The decoder for Dr.Jit's arrays, on any backend.
+"""The decoder for Dr.Jit arrays, on any backend.
 
-What the light does not change (latents, fusion, the view's part of the first angular layer, holes) is
-computed once a footprint and view (`Decoder.seen`), the rest for every light (`Decoder.components`). The
-first layer is linear, so latents are multiplied by its weights beforehand and interpolated afterwards.
+Layers that do not depend on the light (latents, fusion, the view's part of the first angular layer, holes)
+are evaluated once a footprint and view (`Decoder.view_activations`), the others for every light
+(`Decoder.components`). The first layer is linear, so latents are multiplied by its weights beforehand and
+interpolated afterwards.
 
-On CPUs queries are answered by machine code (`compiled`); on GPUs, for derivatives, and within symbolic calls
-and loops by cooperative vectors. On CPUs these are four times slower, in symbolic calls seventy times, as
-Dr.Jit then hands them their weights lane by lane: call it outside.
+On CPUs a SIMD kernel evaluates queries (`compiled`); on GPUs, for derivatives, and in symbolic calls and
+loops cooperative vectors do. On CPUs these are four times slower, in symbolic calls seventy times, as Dr.Jit
+then passes weights lane by lane: evaluate outside symbolic calls.
 """
 
 from __future__ import annotations
@@ -32,28 +33,28 @@ from loomlight.models.woven.codings import (
 )
 from loomlight.models.woven.compiled import compiled_decoder
 from loomlight.models.woven.decoder_kernel import EntryPoint
-from loomlight.models.woven.footprint_coding import AnisotropicTaps, own_share, place_of
+from loomlight.models.woven.footprint_coding import AnisotropicTaps, fine_tuning_weight, footprint_coordinates
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.layers import CooperativeLayers
 from loomlight.models.woven.weights import Weights
 
 
 @dataclass
-class Seen:
-    """What a view sees of footprints, before any light.
+class ViewActivations:
+    """The part of the decoder's activations that depends on footprint and view, not on the light.
 
     Attributes:
-        angular: the first angular layer without the light's part, numbers one by one.
-        hole: share of rays that pass through, 0 to 1.
-        own: how much of the fabric's own correction of the last layer counts, 0 to 1.
+        angular: the first angular layer without the light's part, one Float a channel.
+        hole: fraction of the view rays that pass through, 0 to 1.
+        correction_weight: weight of the fabric's correction of the last layer, 0 to 1.
         view: unit vector [3] in the frame of the face that is seen.
-        back: whether that is the back.
-        table: latents that were seen.
+        back: the back is seen.
+        table: the fabric's latents.
     """
 
     angular: list[Any]
     hole: Any
-    own: Any
+    correction_weight: Any
     view: Any
     back: Any
     table: LatentTable
@@ -68,79 +69,81 @@ class Decoder:
         self._count = weights.layers("decoder.angular")
         self._layers = CooperativeLayers(_matrices(weights), float_type)
 
-    def seen(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Seen:
-        """What a view sees of footprints.
+    def view_activations(
+        self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any
+    ) -> ViewActivations:
+        """Activations of footprints and views, for any number of lights.
 
         Args:
             view: unit vector [3] in the frame of the face that is seen, z > 0.
             back: whether that face is the back.
         """
-        asked = *squares.numbers(), view, back
-        if self.compiles(asked):
+        inputs = *taps.numbers(), view, back
+        if self.uses_kernel(inputs):
             angular = self.weights.table.hidden
-            *found, hole, own = self._compiled("seen", table, asked, angular + 2)
-            return Seen(found, hole, own, view, back, table)
-        spatial, cosines = self._spatial(table, squares, back), self._view_cosines(table, view, back)
+            *outputs, hole, correction_weight = self._call_kernel("view", table, inputs, angular + 2)
+            return ViewActivations(outputs, hole, correction_weight, view, back, table)
+        spatial, cosines = self._spatial(table, taps, back), self._view_cosines(table, view, back)
         angular = self._layers.product("spatial", spatial, "0 bias")
         angular = self._layers.added(angular, self._layers.product("view", [view.x, view.y, *cosines]))
-        coded_size = self._place(table, squares)[2]
-        return Seen([*angular], self._hole(spatial, view), own_share(coded_size, dr), view, back, table)
+        correction_weight = fine_tuning_weight(self._coordinates(table, taps)[2], dr)
+        return ViewActivations([*angular], self._hole(spatial, view), correction_weight, view, back, table)
 
-    def hole(self, table: LatentTable, squares: AnisotropicTaps, view: Any, back: Any) -> Any:
-        """The hole alone of `seen`."""
-        asked = *squares.numbers(), view, back
-        if self.compiles(asked):
-            (found,) = self._compiled("hole", table, asked, 1)
-            return found
-        return self._hole(self._spatial(table, squares, back), view)
+    def hole(self, table: LatentTable, taps: AnisotropicTaps, view: Any, back: Any) -> Any:
+        """The hole of `view_activations` alone."""
+        inputs = *taps.numbers(), view, back
+        if self.uses_kernel(inputs):
+            (hole,) = self._call_kernel("hole", table, inputs, 1)
+            return hole
+        return self._hole(self._spatial(table, taps, back), view)
 
-    def components(self, seen: Seen, light: Any) -> list[Any]:
+    def components(self, activations: ViewActivations, light: Any) -> list[Any]:
         """The four components, 1/sr, ≥ 0, for a light in the frame of the face that is seen."""
-        asked = seen.angular, seen.own, seen.view, seen.back, light
-        if self.compiles(asked):
-            return self._compiled("components", seen.table, asked, DIFFUSE + 2)
-        return self._components(seen, light)
+        inputs = activations.angular, activations.correction_weight, activations.view, activations.back, light
+        if self.uses_kernel(inputs):
+            return self._call_kernel("components", activations.table, inputs, DIFFUSE + 2)
+        return self._components(activations, light)
 
-    def answers(
-        self, table: LatentTable, light: Any, squares: AnisotropicTaps, view: Any, back: Any
+    def components_and_hole(
+        self, table: LatentTable, light: Any, taps: AnisotropicTaps, view: Any, back: Any
     ) -> list[Any]:
-        """The four components for one light, and the hole: `components` of `seen` at once."""
-        asked = *squares.numbers(), view, back, light
-        if self.compiles(asked):
-            return self._compiled("answers", table, asked, DIFFUSE + 3)
-        seen = self.seen(table, squares, view, back)
-        return [*self._components(seen, light), seen.hole]
+        """The four components for one light, and the hole, in one pass."""
+        inputs = *taps.numbers(), view, back, light
+        if self.uses_kernel(inputs):
+            return self._call_kernel("components_and_hole", table, inputs, DIFFUSE + 3)
+        activations = self.view_activations(table, taps, view, back)
+        return [*self._components(activations, light), activations.hole]
 
-    def compiles(self, asked: Sequence[Any]) -> bool:
-        """Whether queries are answered by machine code."""
-        return can_use_kernel(self._types.Float, asked)
+    def uses_kernel(self, inputs: Sequence[Any]) -> bool:
+        """Whether a SIMD kernel evaluates these queries."""
+        return can_use_kernel(self._types.Float, inputs)
 
-    def _compiled(self, question: EntryPoint, table: LatentTable, asked: Any, answers: int) -> list[Any]:
-        """What machine code answers."""
+    def _call_kernel(self, entry_point: EntryPoint, table: LatentTable, inputs: Any, count: int) -> list[Any]:
+        """The `count` outputs of an entry point of the kernel."""
         decoder = compiled_decoder(self.weights)
         return call_kernel(
             self._types.Float,
-            asked,
-            answers,
-            lambda queries, found: decoder.run(question, table, queries, found),
+            inputs,
+            count,
+            lambda kernel_inputs, outputs: decoder.run(entry_point, table, kernel_inputs, outputs),
         )
 
-    def _place(self, table: LatentTable, squares: AnisotropicTaps) -> tuple[Any, Any, Any]:
-        size = squares.size(dr)
-        return place_of(self.weights.table, table.picks, table.ends, squares.x, squares.y, size, dr)
+    def _coordinates(self, table: LatentTable, taps: AnisotropicTaps) -> tuple[Any, Any, Any]:
+        size = taps.size(dr)
+        return footprint_coordinates(self.weights.table, table.picks, table.ends, taps.x, taps.y, size, dr)
 
     def _view_cosines(self, table: LatentTable, view: Any, back: Any) -> list[Any]:
         fibres = table.fibres(back) if self.weights.table.fibres else ()
         return [fibre.cosine(view.x, view.y) for fibre in fibres]
 
-    def _spatial(self, table: LatentTable, squares: AnisotropicTaps, back: Any) -> Any:
+    def _spatial(self, table: LatentTable, taps: AnisotropicTaps, back: Any) -> Any:
         """Latent and footprint, fused."""
-        place = self._place(table, squares)
-        coded = one_blob(place, dr) if self.weights.table.position == "one_blob" else list(place)
-        fetched, layers = table.at(squares, back), self._layers
+        coordinates = self._coordinates(table, taps)
+        coded = one_blob(coordinates, dr) if self.weights.table.position == "one_blob" else list(coordinates)
+        fetched, layers = table.at(taps, back), self._layers
         if not self.weights.table.fusion:
             return [*fetched, *coded]
-        hidden = layers.leaky(layers.added(layers.product("place", coded), fetched))
+        hidden = layers.leaky(layers.added(layers.product("coordinates", coded), fetched))
         return layers.leaky(layers.product("fusion", hidden, "fusion bias"))
 
     def _hole(self, spatial: Any, view: Any) -> Any:
@@ -149,38 +152,40 @@ class Decoder:
             layers.product("hole spatial", spatial, "hole bias"),
             layers.product("hole view", [view.x, view.y]),
         )
-        (share,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
-        return clip(share, 0, 1)
+        (hole,) = layers.product("hole last", layers.leaky(hidden), "hole last bias")
+        return clip(hole, 0, 1)
 
-    def _components(self, seen: Seen, light: Any) -> list[Any]:
-        layers, table, weights = self._layers, seen.table, self.weights
+    def _components(self, activations: ViewActivations, light: Any) -> list[Any]:
+        layers, table, weights = self._layers, activations.table, self.weights
         directions = [light.x, light.y, light.z]
         if weights.table.fibres:
-            directions += fibre_features(light, seen.view, table.fibres(seen.back), dr)
-        skip = layers.added(seen.angular, layers.product("light", directions))
-        hidden = taken = layers.leaky(skip)
+            directions += fibre_features(light, activations.view, table.fibres(activations.back), dr)
+        skip = layers.added(activations.angular, layers.product("light", directions))
+        hidden = last_inputs = layers.leaky(skip)
         for number in range(1, self._count):
-            taken = hidden
+            last_inputs = hidden
             hidden = layers.product(f"{number}", hidden, f"{number} bias")
             if number == 2:
                 hidden = layers.added(hidden, skip)
             if number + 1 < self._count:
                 hidden = layers.leaky(hidden)
-        found, specular = [*hidden], None
+        outputs, specular = [*hidden], None
         if weights.table.bundles:
-            own = dr.select(light.z > 0, seen.own, self._types.Float(0))
-            shares = table.corrected(found[DIFFUSE:], [*taken], own)
-            found = found[:DIFFUSE]
-            specular = mixed_bundles(shares, light, seen.view, table.bundles, seen.back, dr)
-        return unmapped(found, specular, light.z, weights.linear_diffuse, dr)
+            correction_weight = dr.select(light.z > 0, activations.correction_weight, self._types.Float(0))
+            lobe_weights = table.corrected(outputs[DIFFUSE:], [*last_inputs], correction_weight)
+            outputs = outputs[:DIFFUSE]
+            specular = mixed_bundles(
+                lobe_weights, light, activations.view, table.bundles, activations.back, dr
+            )
+        return unmapped(outputs, specular, light.z, weights.linear_diffuse, dr)
 
 
 def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
-    """Weights and biases, split by what they are multiplied with."""
+    """Weights and biases, split by the layers' inputs."""
     table = weights.table
     parts: dict[str, NDArray[np.float32]] = {}
     if table.fusion:
-        parts["place"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]
+        parts["coordinates"] = weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :]
         parts["fusion"] = weights.tensor("decoder.fusion.1.weight")
         parts["fusion bias"] = weights.tensor("decoder.fusion.1.bias")
     first, hole = weights.tensor("decoder.angular.0.weight"), weights.tensor("decoder.hole.0.weight")
@@ -202,24 +207,24 @@ def _matrices(weights: Weights) -> dict[str, NDArray[np.float32]]:
 
 @dataclass(frozen=True)
 class DecoderCost:
-    """What one query costs, in multiply-adds of layers and fetches; codings and activations are not counted.
+    """Cost of a query in multiply-adds of layers and bytes fetched, without encodings and activations.
 
     Attributes:
-        seen: of what the view sees of a footprint, once for all lights.
-        lit: of each light.
+        per_view: multiply-adds of a footprint and view, once for all lights.
+        per_light: multiply-adds of each light.
         bytes_fetched: of latents.
     """
 
-    seen: int
-    lit: int
+    per_view: int
+    per_light: int
     bytes_fetched: int
 
 
 def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
-    """What a query of the network costs, as it is computed here.
+    """The cost of a query of the network.
 
     Args:
-        corrected: whether the fabric has a correction of its own.
+        corrected: whether the fabric has a correction of the last layer.
     """
     sizes = {name: values.size for name, values in weights.tensors.items() if name.endswith("weight")}
 
@@ -229,7 +234,7 @@ def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
     latent = weights.table.latent_size
     fetched, multiplied = latent, 0
     if weights.table.fusion:
-        # The latent's part of the first layer is multiplied beforehand, and its result fetched.
+        # The latent's part of the first layer is multiplied beforehand; its results are fetched.
         fetched = weights.tensor("decoder.fusion.0.bias").size
         multiplied = fetched * latent
     # Two levels, four texels each.
@@ -238,11 +243,11 @@ def decoder_cost(weights: Weights, corrected: bool) -> DecoderCost:
     spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
     angular = hidden * directions
     light = angular - hidden * (spatial + 2)
-    lit = light + layers("angular") - angular
+    per_light = light + layers("angular") - angular
     if corrected:
-        lit += 2 * BUNDLES * weights.table.hidden
-    seen = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
-    return DecoderCost(seen, lit, 4 * taps * fetched)
+        per_light += 2 * BUNDLES * weights.table.hidden
+    per_view = layers("fusion") - multiplied + angular - light + layers("hole") + taps * fetched
+    return DecoderCost(per_view, per_light, 4 * taps * fetched)
 
 
 @cache

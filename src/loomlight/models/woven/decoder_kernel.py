@@ -1,18 +1,18 @@
-"""The decoder as a SIMD kernel: all that lies between a query and its result, block after block.
+"""The decoder as a SIMD kernel: from the inputs of a query to its outputs, block by block.
 
 Latents are fetched, positions and directions encoded, layers multiplied and lobes mixed while a block's
-activations stay in the nearest cache. Code depends on the network's shape alone; weights, and what belongs to
-a fabric, are uniform buffers.
+activations stay in the L1 cache. Code depends on the network's shape alone; weights and fabrics are uniform
+buffers.
 
 A kernel has one of five entry points. Inputs and outputs are arrays [n]. A footprint is the numbers of
 `AnisotropicTaps`; a view is x, y, z of a unit vector in the frame of the face that is seen, z > 0, and 1
 where that face is the back, else 0; a light is x, y, z in the same frame.
 
-- "answers": footprint, view, light → four components, 1/sr, and the hole fraction.
+- "components_and_hole": footprint, view, light → four components, 1/sr, and the hole fraction.
 - "hole": footprint, view → the hole fraction alone.
-- "seen": footprint, view → the first angular layer without the light's part, `hidden` numbers; the hole
-  fraction; and how much of the fabric's correction counts.
-- "components": what "seen" gives but the hole fraction, view, light → four components.
+- "view": footprint, view → the first angular layer without the light's part, `hidden` numbers; the hole
+  fraction; and the weight of the fabric's correction.
+- "components": outputs of "view" without the hole fraction, view, light → four components.
 - "hidden": footprint, view, light → the inputs of the last layer, `hidden` numbers.
 """
 
@@ -45,10 +45,16 @@ from loomlight.models.woven.codings import (
     one_blob,
     unmapped,
 )
-from loomlight.models.woven.footprint_coding import FINEST, PACKET, AnisotropicTaps, own_share, place_of
+from loomlight.models.woven.footprint_coding import (
+    FINEST,
+    PACKET,
+    AnisotropicTaps,
+    fine_tuning_weight,
+    footprint_coordinates,
+)
 from loomlight.models.woven.weights import Weights
 
-EntryPoint = Literal["answers", "hole", "seen", "components", "hidden"]
+EntryPoint = Literal["components_and_hole", "hole", "view", "components", "hidden"]
 # Uniform buffers: packed layers, values and levels of `LatentTable`, parameters of the fabric, and its packed
 # correction of the last layer.
 _LAYERS, _TEXELS, _LEVELS, _FABRIC, _CORRECTION = range(5)
@@ -63,23 +69,23 @@ _TEXEL_VECTORS = 6
 
 
 def packed_layers(weights: Weights, target: SimdTarget) -> PackedLayers:
-    """The layers of the decoder, by what their inputs are, in the order of evaluation."""
+    """The layers of the decoder, split by their inputs, in the order of evaluation."""
     table, packed = weights.table, PackedLayers(target)
 
     def tensors(name: str) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         return weights.tensor(f"decoder.{name}.weight"), weights.tensor(f"decoder.{name}.bias")
 
     if table.fusion:
-        # `LatentTable` holds the product of this layer with the latent, and its bias.
-        packed.add("place", weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :])
+        # `LatentTable` stores the product of this layer with the latent, plus its bias.
+        packed.add("coordinates", weights.tensor("decoder.fusion.0.weight")[:, table.latent_size :])
         packed.add("fusion", *tensors("fusion.1"))
     packed.add("hole", *tensors("hole.0"))
-    packed.add("share", *tensors("hole.1"))
+    packed.add("hole output", *tensors("hole.1"))
     weight, bias = tensors("angular.0")
     spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
     of_spatial, of_light, of_view, of_fibres = np.split(weight, [spatial, spatial + 3, spatial + 5], axis=1)
     of_views, of_lights = np.split(of_fibres, [VIEW_FEATURES], axis=1)
-    packed.add("seen", np.concatenate([of_spatial, of_view, of_views], axis=1), bias)
+    packed.add("view", np.concatenate([of_spatial, of_view, of_views], axis=1), bias)
     packed.add("light", np.concatenate([of_light, of_lights], axis=1))
     for number in range(1, weights.layers("decoder.angular")):
         packed.add(f"{number}", *tensors(f"angular.{number}"))
@@ -126,9 +132,9 @@ class _DecoderEmitter:
         self._hidden, self._has_correction = table.hidden, has_correction
         self._spatial = weights.tensor("decoder.hole.0.weight").shape[1] - 2
         inputs, outputs = {
-            "answers": (_FOOTPRINT + _VIEW + _LIGHT, _COMPONENTS + 1),
+            "components_and_hole": (_FOOTPRINT + _VIEW + _LIGHT, _COMPONENTS + 1),
             "hole": (_FOOTPRINT + _VIEW, 1),
-            "seen": (_FOOTPRINT + _VIEW, self._hidden + 2),
+            "view": (_FOOTPRINT + _VIEW, self._hidden + 2),
             "components": (self._hidden + 1 + _VIEW + _LIGHT, _COMPONENTS),
             "hidden": (_FOOTPRINT + _VIEW + _LIGHT, self._hidden),
         }[entry_point]
@@ -140,16 +146,16 @@ class _DecoderEmitter:
         """Emits the body for a block."""
         kernel = self.kernel
         if self._entry_point == "components":
-            seen, correction_weight = self._load_seen()
+            view_sums, correction_weight = self._load_view_sums()
         else:
             correction_weight = kernel.block_buffer(1)
-            seen = self._emit_seen(correction_weight)
-        if self._entry_point == "seen":
-            self._store_channels(seen)
+            view_sums = self._emit_view_layers(correction_weight)
+        if self._entry_point == "view":
+            self._store_channels(view_sums)
             with kernel.each_vector():
                 kernel.store_output(self._hidden + 1, correction_weight[0])
         elif self._entry_point != "hole":
-            hidden = self._emit_light_layers(seen)
+            hidden = self._emit_light_layers(view_sums)
             if self._entry_point == "hidden":
                 self._store_channels(hidden)
             else:
@@ -169,7 +175,7 @@ class _DecoderEmitter:
         first = self._first_view_input + _VIEW
         return Direction(*(self.kernel.load_input(first + k) for k in range(_LIGHT)))
 
-    def _load_squares(self) -> AnisotropicTaps:
+    def _load_footprint(self) -> AnisotropicTaps:
         return AnisotropicTaps(*(self.kernel.load_input(k) for k in range(_FOOTPRINT)))
 
     def _fibres(self, back: SimdValue) -> tuple[Fibre, Fibre]:
@@ -206,28 +212,29 @@ class _DecoderEmitter:
         """A buffer for the outputs of a layer."""
         return self.kernel.block_buffer(self._layers[name].channels)
 
-    # What depends on footprint and view.
+    # Layers that depend on footprint and view alone.
 
-    def _emit_seen(self, correction_weight: BlockBuffer) -> BlockBuffer:
+    def _emit_view_layers(self, correction_weight: BlockBuffer) -> BlockBuffer:
         """The first angular layer without the light's part; stores the hole fraction if it is an output."""
         kernel, table, math = self.kernel, self._table, self.kernel.math
         encoded, is_long = kernel.block_buffer(3 * BINS), kernel.block_buffer(1)
         with kernel.each_vector():
-            squares = self._load_squares()
-            place = place_of(table, *self._repeat, squares.x, squares.y, squares.size(math), math)
-            numbers = one_blob(place, math) if table.position == "one_blob" else place
+            footprint = self._load_footprint()
+            size = footprint.size(math)
+            coordinates = footprint_coordinates(table, *self._repeat, footprint.x, footprint.y, size, math)
+            numbers = one_blob(coordinates, math) if table.position == "one_blob" else coordinates
             for number, value in enumerate(numbers):
                 encoded[number] = value
-            correction_weight[0] = own_share(place[2], math)
-            is_long[0] = math.abs(squares.step_x) + math.abs(squares.step_y)
-        # The view's features follow the spatial ones, and overwrite what padded layers leave there.
+            correction_weight[0] = fine_tuning_weight(coordinates[2], math)
+            is_long[0] = math.abs(footprint.step_x) + math.abs(footprint.step_y)
+        # The view's features follow the spatial ones, and overwrite the padding of layers.
         spatial = self._layers["fusion"].channels if table.fusion else self._padded_channels
         fused = kernel.block_buffer(max(spatial, self._spatial + 2 + VIEW_FEATURES))
         if table.fusion:
-            padded = max(self._padded_channels, self._layers["place"].channels)
-            fetched, hidden = kernel.block_buffer(padded), self._buffer_for("place")
+            padded = max(self._padded_channels, self._layers["coordinates"].channels)
+            fetched, hidden = kernel.block_buffer(padded), self._buffer_for("coordinates")
             self._emit_fetch(is_long, fetched)
-            self._emit_layer("place", encoded, hidden, initial=fetched, leaky=True)
+            self._emit_layer("coordinates", encoded, hidden, initial=fetched, leaky=True)
             self._emit_layer("fusion", hidden, fused, leaky=True)
         else:
             self._emit_fetch(is_long, fused)
@@ -241,34 +248,34 @@ class _DecoderEmitter:
                 features += [fibre.cosine(view.x, view.y) for fibre in self._fibres(back)]
             for number, value in enumerate(features):
                 fused[self._spatial + number] = value
-        seen = self._buffer_for("seen")
+        view_sums = self._buffer_for("view")
         if self._entry_point != "hole":
-            self._emit_layer("seen", fused, seen)
+            self._emit_layer("view", fused, view_sums)
         if self._entry_point != "hidden":
             self._emit_hole(fused)
-        return seen
+        return view_sums
 
     def _emit_hole(self, fused: BlockBuffer) -> None:
         kernel = self.kernel
-        hidden, share = self._buffer_for("hole"), self._buffer_for("share")
+        hidden, hole = self._buffer_for("hole"), self._buffer_for("hole output")
         self._emit_layer("hole", fused, hidden, leaky=True)
-        self._emit_layer("share", hidden, share)
-        output = {"answers": _COMPONENTS, "hole": 0, "seen": self._hidden}[self._entry_point]
+        self._emit_layer("hole output", hidden, hole)
+        output = {"components_and_hole": _COMPONENTS, "hole": 0, "view": self._hidden}[self._entry_point]
         with kernel.each_vector():
-            kernel.store_output(output, kernel.math.clip(share[0], 0, 1))
+            kernel.store_output(output, kernel.math.clip(hole[0], 0, 1))
 
     def _emit_taps(self, taps: BlockBuffer, number: SimdValue, count: SimdValue) -> None:
-        """Texels, then weights, of one of `count` squares for the current vector; see `taps`."""
+        """Texels, then weights, of one of `count` anisotropic taps for the current vector; see `taps`."""
         math = self.kernel.math
         _, back = self._load_view()
         face = math.select(back, self._fabric[_TEXEL_COUNT], 0)
         if self._table.latent != "field":
             taps[0], taps[_TAPS] = face, 1
             return
-        squares, place = self._load_squares(), number - 0.5 * (count - 1)
+        footprint, offset = self._load_footprint(), number - 0.5 * (count - 1)
         x, y = (
-            math.fma(place, step, middle)
-            for step, middle in ((squares.step_x, squares.x), (squares.step_y, squares.y))
+            math.fma(offset, step, centre)
+            for step, centre in ((footprint.step_x, footprint.x), (footprint.step_y, footprint.y))
         )
         ends, picks, levels = (self._fabric[number] for number in (_ENDS, _PICKS, _LEVEL_COUNT))
         # Positions near the origin keep most digits. Clipping keeps texels in bounds, even those of NaN.
@@ -276,10 +283,10 @@ class _DecoderEmitter:
             math.clip(value - period * math.floor(value / period), 0, period)
             for value, period in ((x, ends), (y, picks))
         )
-        place = math.clip(math.log2(math.maximum(squares.side, 1e-6)) + FINEST, 0, levels - 1)
-        lower = math.minimum(math.floor(place), levels - 2)
-        blend, weight = place - lower, 1 / count
-        for side, share in enumerate(((1 - blend) * weight, blend * weight)):
+        position = math.clip(math.log2(math.maximum(footprint.side, 1e-6)) + FINEST, 0, levels - 1)
+        lower = math.minimum(math.floor(position), levels - 2)
+        blend, weight = position - lower, 1 / count
+        for side, level_weight in enumerate(((1 - blend) * weight, blend * weight)):
             level = lower + side
             first, columns, rows, texels_per_thread = self._load_level(level)
             is_running_mean = (level > FINEST) & (level < levels - 1)
@@ -292,10 +299,10 @@ class _DecoderEmitter:
                 for wide, across in enumerate((1 - right, right)):
                     tap = 4 * side + 2 * tall + wide
                     taps[tap] = face + start + self._wrap(column + wide, columns)
-                    taps[_TAPS + tap] = share * along * across
+                    taps[_TAPS + tap] = level_weight * along * across
 
     def _wrap(self, index: SimdValue, count: SimdValue) -> SimdValue:
-        """An index from −1 to count, brought to 0 … count − 1."""
+        """An index from −1 to count, wrapped to 0 … count − 1."""
         math = self.kernel.math
         return math.select(index < 0, index + count, math.select(index >= count, index - count, index))
 
@@ -305,12 +312,12 @@ class _DecoderEmitter:
         return self.kernel.table_rows(self._uniform_pointer(_LEVELS), 4, count, level)
 
     def _emit_fetch(self, is_long: BlockBuffer, outputs: BlockBuffer) -> None:
-        """Means of interpolated latents over rows of squares.
+        """Means of interpolated latents over the anisotropic taps of footprints.
 
-        They are summed query by query, channels side by side, and transposed afterwards.
+        Sums are accumulated query by query, with channels contiguous, and transposed afterwards.
 
         Args:
-            is_long: 0 where a footprint is a single square.
+            is_long: 0 where a footprint has one tap.
         """
         kernel = self.kernel
         width, block, padded = kernel.target.width, kernel.target.block_size, self._padded_channels
@@ -327,7 +334,7 @@ class _DecoderEmitter:
             first_query = kernel.element_pointer(sums, kernel.multiply(kernel.lane_index, padded))
             with kernel.loop(-(-self._channels // width)) as number:
                 channel = kernel.ir.mul(number, kernel.index(width))
-                square = [
+                rows = [
                     kernel.load(
                         kernel.element_pointer(
                             first_query, kernel.ir.add(channel, kernel.index(lane * padded))
@@ -335,7 +342,7 @@ class _DecoderEmitter:
                     )
                     for lane in range(width)
                 ]
-                for offset, value in enumerate(kernel.transpose(square)):
+                for offset, value in enumerate(kernel.transpose(rows)):
                     outputs[kernel.ir.add(channel, kernel.index(offset))] = value
 
     def _emit_add_texels(self, taps: BlockBuffer, sums: ir.Value) -> None:
@@ -368,19 +375,19 @@ class _DecoderEmitter:
         with self.kernel.loop(self._hidden) as channel, self.kernel.each_vector():
             self.kernel.store_output(channel, channels[channel])
 
-    def _load_seen(self) -> tuple[BlockBuffer, BlockBuffer]:
-        """What "seen" gave, from the first inputs."""
+    def _load_view_sums(self) -> tuple[BlockBuffer, BlockBuffer]:
+        """The outputs of "view", from the first inputs."""
         kernel = self.kernel
-        seen, correction_weight = self._buffer_for("seen"), kernel.block_buffer(1)
+        view_sums, correction_weight = self._buffer_for("view"), kernel.block_buffer(1)
         with kernel.loop(self._hidden) as channel, kernel.each_vector():
-            seen[channel] = kernel.load_input(channel)
+            view_sums[channel] = kernel.load_input(channel)
         with kernel.each_vector():
             correction_weight[0] = kernel.load_input(self._hidden)
-        return seen, correction_weight
+        return view_sums, correction_weight
 
-    # What depends on the light.
+    # Layers that depend on the light.
 
-    def _emit_light_layers(self, seen: BlockBuffer) -> BlockBuffer:
+    def _emit_light_layers(self, view_sums: BlockBuffer) -> BlockBuffer:
         """The inputs of the last layer."""
         kernel = self.kernel
         directions = kernel.block_buffer(self._layers["light"].inputs)
@@ -393,7 +400,7 @@ class _DecoderEmitter:
             for number, value in enumerate(features):
                 directions[number] = value
         skip, hidden = self._buffer_for("light"), self._buffer_for("light")
-        self._emit_layer("light", directions, skip, initial=seen)
+        self._emit_layer("light", directions, skip, initial=view_sums)
         emit_activation(kernel, skip, hidden, self._hidden, "leaky_relu", SLOPE)
         for number in range(1, self._layer_count - 1):
             outputs = self._buffer_for(f"{number}")
@@ -404,7 +411,7 @@ class _DecoderEmitter:
         return hidden
 
     def _emit_correction(self, hidden: BlockBuffer) -> BlockBuffer | None:
-        """What the fabric's correction adds to the weights of lobes."""
+        """The fabric's correction of the weights of lobes; None without one."""
         if not self._has_correction:
             return None
         kernel = self.kernel
@@ -424,14 +431,15 @@ class _DecoderEmitter:
         with kernel.each_vector():
             light, specular = self._load_light(), None
             if self._table.bundles:
-                shares = [last[DIFFUSE + number] for number in range(2 * BUNDLES)]
+                lobe_weights = [last[DIFFUSE + number] for number in range(2 * BUNDLES)]
                 if correction is not None:
                     weight = math.select(light.z > 0, correction_weight[0], 0)
-                    shares = [
-                        math.fma(weight, correction[number], value) for number, value in enumerate(shares)
+                    lobe_weights = [
+                        math.fma(weight, correction[number], value)
+                        for number, value in enumerate(lobe_weights)
                     ]
                 view, back = self._load_view()
-                specular = mixed_bundles(shares, light, view, self._bundles(), back, math)
+                specular = mixed_bundles(lobe_weights, light, view, self._bundles(), back, math)
             output = [last[number] for number in range(DIFFUSE if specular else _COMPONENTS)]
             components = unmapped(output, specular, light.z, self._linear_diffuse, math)
             for number, value in enumerate(components):

@@ -1,4 +1,4 @@
-"""What the encoder finds of a fabric: latents of both faces, with its fibres."""
+"""The encoded fabric: latents of both faces, with its fibres."""
 
 from __future__ import annotations
 
@@ -15,15 +15,14 @@ from loomlight.models.woven.footprint_coding import Level, levels_of
 
 @dataclass(frozen=True, eq=False)
 class EncodedFabric:
-    """What the decoder needs of a fabric.
+    """The inputs of the decoder that belong to a fabric.
 
     Attributes:
         picks, ends: of the shortest repeat, without its colours.
-        faces: latents of front and back [texels, latent_size], in half precision: what they are computed and
-            stored with are the same numbers.
+        faces: latents of front and back [texels, latent_size], in half precision, in memory as in files.
         fibres: of both families.
-        correction: what is added to the decoder's last layer, to its rows for bundles [2 · `BUNDLES`,
-            hidden + 1], biases last; None where it is that of all fabrics. See `fine_tuning.py`.
+        correction: added to the decoder's last layer, to its rows for the lobe basis [2 · `BUNDLES`,
+            hidden + 1], biases last; None without fine-tuning. See `fine_tuning.py`.
     """
 
     picks: int
@@ -34,16 +33,19 @@ class EncodedFabric:
 
     @property
     def levels(self) -> list[Level]:
-        """Where each level of a field begins."""
+        """The levels of the latent field."""
         return levels_of(self.picks, self.ends)
 
     @cached_property
-    def both(self) -> NDArray[np.float32]:
+    def stacked(self) -> NDArray[np.float32]:
         """Front above back [2 texels, latent_size], in single precision."""
         return np.concatenate(self.faces).astype(np.float32)
 
-    def mixed(self, other: EncodedFabric, share: float) -> EncodedFabric:
-        """Latents and fibres between this fabric (0) and another of the same repeat (1), or beyond them.
+    def mixed(self, other: EncodedFabric, weight: float) -> EncodedFabric:
+        """Interpolates latents and fibres to another fabric of the same repeat.
+
+        Args:
+            weight: 0 is this fabric, 1 the other; other values extrapolate.
 
         Raises:
             InputError: repeats of different size.
@@ -54,11 +56,11 @@ class EncodedFabric:
                 "interpolated: encode both for a common repeat."
             )
         front, back = (
-            (mine + share * (yours.astype(np.float32) - mine)).astype(np.float16)
+            (mine + weight * (yours.astype(np.float32) - mine)).astype(np.float16)
             for mine, yours in zip(self.faces, other.faces, strict=True)
         )
         correction = None
         if self.correction is not None and other.correction is not None:
-            correction = self.correction + np.float32(share) * (other.correction - self.correction)
-        fibres = self.fibres.mixed(other.fibres, share)
+            correction = self.correction + np.float32(weight) * (other.correction - self.correction)
+        fibres = self.fibres.mixed(other.fibres, weight)
         return EncodedFabric(self.picks, self.ends, (front, back), fibres, correction)

@@ -34,7 +34,7 @@ def run_encoder(
 
     Args:
         float_type: the Dr.Jit Float type that the maps are computed with.
-        repeats: how often the repeat is laid along picks and along ends.
+        repeats: repetitions of the repeat along picks and along ends.
     """
     layout = shortest_repeat(fabric.layout())
     picks, ends = layout.warp_on_top.shape
@@ -60,13 +60,13 @@ def encoder_session(weights: Weights) -> Any:
     Inputs are `maps` [1, 7, rows, columns] of one face and `parameters` [4], the output is `latents`
     [texels, latent_size] in the order of `levels_of` ("field"), or [1, latent_size] ("vector").
     """
-    # Not needed where latents are at hand, and slow to import.
+    # Slow to import, and not needed if latents are cached.
     onnxruntime = import_extra("onnxruntime", "woven", "Encoding a fabric for the network")
     options = onnxruntime.SessionOptions()
     options.log_severity_level = 3
     try:
         return onnxruntime.InferenceSession(weights.encoder, options, providers=["CPUExecutionProvider"])
-    # What ONNX Runtime raises on models that it cannot read has no public base.
+    # The exceptions of ONNX Runtime on unreadable models have no public base.
     except Exception as error:
         raise InputError(f"{weights.source}: ONNX Runtime cannot read the encoder beside it.") from error
 
@@ -79,8 +79,8 @@ def face_maps(
 ) -> NDArray[np.float32]:
     """Normal, fibre direction and height of one face [7, rows, columns], row 0 at the repeat's lower edge.
 
-    All are those of yarns scaled by β; heights are in pitches (the geometric mean of
-    both families' spacings). Holes are zero in every channel, which no yarn point is.
+    All are of yarns scaled by β; heights are in pitches (the geometric mean of both families' spacings).
+    Holes are 0 in every channel.
 
     Args:
         back: the face behind, in its own mirrored frame.

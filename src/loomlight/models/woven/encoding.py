@@ -24,13 +24,13 @@ def encode(
     repeats: tuple[int, int] = (1, 1),
     refined: bool = False,
 ) -> EncodedFabric:
-    """The latents of both faces, from the cache where they are in it.
+    """The latents of both faces, from the cache or by the encoder.
 
     Args:
         float_type: the Dr.Jit Float type that the encoder's maps are computed with.
-        repeats: how often the repeat is laid along picks and along ends, for a common repeat of two fabrics.
-        refined: whether the last layer is fine-tuned for the fabric, which takes seconds (`fine_tuning.py`),
-            where the network has a lobe basis and a latent field; otherwise it is that of all fabrics.
+        repeats: repetitions of the repeat along picks and along ends, for a common repeat of two fabrics.
+        refined: fine-tune the last layer for the fabric, which takes seconds (`fine_tuning.py`); ignored
+            without a lobe basis or a latent field.
 
     Raises:
         InputError: a repeat of more than 64 threads a side.

@@ -1,4 +1,4 @@
-"""How the fibres of a fabric lie and how rough they are: what the decoder needs beside latents."""
+"""Directions and roughness of the fibres of a fabric: inputs of the decoder beside latents."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.woven.architecture import BUNDLE_PLACES, BUNDLE_SLOPES
+from loomlight.models.woven.architecture import BUNDLE_POSITIONS, BUNDLE_SLOPES
 
-# What mixing may lead to, and a material may hold; angles in radians.
+# Valid ranges of parameters, to which mixtures are clipped; angles in radians.
 _LIMITS = {"roughness": (0.01, 1.0), "inclination": (0.0, math.radians(80)), "height_scale": (0.01, 2.0)}
 _ROUNDING = 1e-6
-# Slopes of bundles reach a little beyond those of floats' ends, as yarns dive between floats.
-_REACH, _LEAST_SLOPE = 1.15, 0.03
+# Slopes of bundles in units of the slope at the ends of floats, as yarns dive steeper between floats; and the
+# smallest largest slope.
+_SLOPE_MARGIN, _LEAST_SLOPE = 1.15, 0.03
 # The sine of the angle at a yarn's edges, seen along it.
 _EDGE = 0.98
-# A bundle's lobe is as wide as its fibres' and this share of the squared distance to the next bundle: less
-# leaves gaps between lobes, more blurs highlights.
+# α² of a lobe is that of the fibres plus this fraction of the squared distance to the next lobe: less leaves
+# gaps between lobes, more blurs highlights.
 _SPREAD = 0.3
 
 
@@ -55,7 +56,7 @@ class Fibres:
 
     @classmethod
     def from_array(cls, numbers: NDArray[np.float32]) -> Self:
-        """What `array` gave."""
+        """The fibres of `array`'s numbers."""
         twist, roughness, inclination, height_scale = ((warp, weft) for warp, weft in numbers.tolist())
         return cls(twist, roughness, inclination, height_scale)
 
@@ -64,7 +65,7 @@ class Fibres:
         return np.array([self.twist, self.roughness, self.inclination, self.height_scale], np.float32)
 
     def face(self, back: bool) -> NDArray[np.float32]:
-        """Their direction on a yarn's crown, x and y, and α [2 families, 3], in the frame of one face.
+        """Fibre direction on the crown of a yarn, x and y, and α [2 families, 3], in the frame of one face.
 
         A twist keeps its sign seen from behind, but the frame of that face is mirrored.
         """
@@ -79,21 +80,21 @@ class Fibres:
         )
 
     def bundles(self, back: bool) -> NDArray[np.float32]:
-        """Bundles of fibres that lie alike, in the frame of one face [2 families, `BUNDLES`, 4]: b and a.
+        """The lobe basis: bundles of parallel fibres, in the frame of one face [2 families, `BUNDLES`, 4].
 
-        The density of their normals towards the half vector h is 1/(a + (b·h)²)², 1/sr. They are those of
-        `BUNDLE_SLOPES` slopes along the yarn, times `BUNDLE_PLACES` places across it, which differ where
-        fibres are twisted; the last one's density is 1 everywhere. Seen from behind bundles are mirrored
-        across the yarn, and so are their places: those of one face are the other's in another order.
+        The four numbers are b [3] and a: the density of a bundle's normals towards the half vector h is
+        1/(a + (b·h)²)², 1/sr. Bundles have `BUNDLE_SLOPES` slopes along the yarn, times `BUNDLE_POSITIONS`
+        positions across it, which differ where fibres are twisted; the last one's density is 1 everywhere. On
+        the back, bundles are mirrored across the yarn: both faces have the same ones in different order.
         """
-        slopes, places = np.indices((BUNDLE_SLOPES, BUNDLE_PLACES)).reshape(2, -1).astype(float)
+        slopes, positions = np.indices((BUNDLE_SLOPES, BUNDLE_POSITIONS)).reshape(2, -1).astype(float)
         numbers = []
         for family in (0, 1):
-            axis = self._axis(family, back, slopes, places)
+            axis = self._axis(family, back, slopes, positions)
             square = np.full(len(axis), self.roughness[family] ** 2)
             for along, across in ((0.5, 0.0), (0.0, 0.5)):
-                step = self._axis(family, back, slopes + along, places + across) - self._axis(
-                    family, back, slopes - along, places - across
+                step = self._axis(family, back, slopes + along, positions + across) - self._axis(
+                    family, back, slopes - along, positions - across
                 )
                 square += _SPREAD * np.square(step).sum(1)
             square = np.minimum(square, 1)
@@ -105,14 +106,14 @@ class Fibres:
         return np.array(numbers, np.float32)
 
     def _axis(
-        self, family: int, back: bool, slopes: NDArray[np.float64], places: NDArray[np.float64]
+        self, family: int, back: bool, slopes: NDArray[np.float64], positions: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """Unit vectors along the fibres at numbers of slopes and places [n], counted in bundles: [n, 3]."""
+        """Unit vectors along the fibres [n, 3] for indices of slopes and positions [n], in bundles."""
         twist = -self.twist[family] if back else self.twist[family]
-        steepest = _REACH * math.tan(self.inclination[family]) + _LEAST_SLOPE
+        steepest = _SLOPE_MARGIN * math.tan(self.inclination[family]) + _LEAST_SLOPE
         along = steepest * ((2 * slopes + 1) / BUNDLE_SLOPES - 1)
-        # Evenly over the yarn's width; the outermost half a place is as steep as its middle is.
-        sine = np.clip(_EDGE * ((2 * places + 1) / BUNDLE_PLACES - 1), -_EDGE, _EDGE)
+        # Evenly over the yarn's width; the outermost half of a position has the slope of its centre.
+        sine = np.clip(_EDGE * ((2 * positions + 1) / BUNDLE_POSITIONS - 1), -_EDGE, _EDGE)
         across = -sine / np.sqrt(1 - sine * sine)
         # t = cos ψ e_u − sin ψ e_v of a surface with these slopes; heights are scaled afterwards.
         lengthwise = 1 + along * along
@@ -122,17 +123,17 @@ class Fibres:
         axis = np.stack([x, y, z] if family == 0 else [-y, x, z], axis=1)
         return axis / np.linalg.norm(axis, axis=1, keepdims=True)
 
-    def mixed(self, other: Fibres, share: float) -> Fibres:
-        """Between these (0) and others (1), or beyond: angles and heights evenly, roughnesses by shares."""
+    def mixed(self, other: Fibres, weight: float) -> Fibres:
+        """Interpolates to others: weight 0 is these, 1 the others; linear, roughness in its logarithm."""
         mine, theirs = self.array(), other.array()
-        twist, roughness, inclination, height_scale = (1 - share) * mine + share * theirs
-        roughness = np.exp((1 - share) * np.log(mine[1]) + share * np.log(theirs[1]))
+        twist, roughness, inclination, height_scale = (1 - weight) * mine + weight * theirs
+        roughness = np.exp((1 - weight) * np.log(mine[1]) + weight * np.log(theirs[1]))
         others = zip((roughness, inclination, height_scale), _LIMITS.values(), strict=True)
-        kept = [twist, *(np.clip(values, *limits) for values, limits in others)]
-        return Fibres.from_array(np.stack(kept).astype(np.float32))
+        values = [twist, *(np.clip(values, *limits) for values, limits in others)]
+        return Fibres.from_array(np.stack(values).astype(np.float32))
 
-    def flaw(self) -> str | None:
-        """What no fabric has, in words; None where all is well."""
+    def validation_error(self) -> str | None:
+        """A sentence that names a value out of its valid range; None if all are valid."""
         for name, (low, high) in _LIMITS.items():
             warp, weft = getattr(self, name)
             if not all(low - _ROUNDING <= value <= high + _ROUNDING for value in (warp, weft)):

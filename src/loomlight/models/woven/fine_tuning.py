@@ -1,11 +1,11 @@
 """Fine-tuning of the network's last layer for one fabric: seconds of linear algebra in place of training.
 
-Latents of fabrics that were never seen are a little wrong, and highlights of smooth fibres show it. The last
-layer puts out shares of bundles, in which specular components are linear where shares are above 0. So it is
-fitted to exact means of the fabric over whole repeats: least squares of the errors, weighted between absolute
-and relative ones, and of the change of the layer, by Gauss–Newton steps with a kernel, as there are fewer
-queries than weights. The correction counts in reflection alone, and less the smaller a footprint is, not at
-all below a thread: of what lies in those the fit knows nothing.
+Latents of fabrics outside the training set have small errors, which are visible in highlights of smooth
+fibres. The last layer outputs weights of the lobe basis, and specular components are linear in positive
+weights. So the layer is fitted to exact means of the fabric over whole repeats: regularized least squares of
+errors weighted between absolute and relative, by Gauss–Newton steps in the dual (kernel) form, as there are
+fewer queries than weights. The correction applies to reflection alone, and fades out for footprints towards
+a thread, as means over repeats do not determine them.
 """
 
 from __future__ import annotations
@@ -22,41 +22,44 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.architecture import BUNDLE_UNIT, BUNDLES, OPPOSITE, SLOPE
 from loomlight.models.woven.compiled import columns, compiled_decoder, kernel_table, one_square
 from loomlight.models.woven.encoded_fabric import EncodedFabric
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.weights import Weights
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout
 
-# Pairs of directions; of longer repeats, of which each costs more, down to a quarter as many.
+# Pairs of directions; longer repeats, whose pairs cost more, have down to this fraction of them.
 _PAIRS = 1024
-_LEAST_SHARE = 0.25
+_LEAST_PAIRS = 0.25
 # Crossings of a repeat up to which slices have the first number of texels a thread, beyond it the second.
 _SMALL_REPEAT = 256
 _TEXELS = 8, 4
-# The side of footprints, in repeats, whose means are those of a whole repeat.
+# Side of footprints in repeats, large enough to be means of the repeat.
 _SIDE = 5.0
-# Errors count by the power of what they are errors of, to which a share of its mean is added.
+# Weight of an error: (truth + _DARK · mean truth)^_POWER.
 _POWER, _DARK = -0.7, 0.15
-# What a change of the layer costs, as a share of the mean square of what it moves.
+# Regularization λ, as a fraction of the mean diagonal of the kernel.
 _CHANGE = 0.003
 _STEPS = 8
 # Rows of a block of the factorisation: the fastest of 48, 64, 96 and 128 for 1024 rows.
 _BLOCK = 64
-_SHARES_OF_A_STEP = 1.0, 0.5, 0.25, 0.1, 0.03
+# Line search: fractions of a Gauss–Newton step.
+_STEP_SIZES = 1.0, 0.5, 0.25, 0.1, 0.03
 
 
 def fitted_correction(
     fabric: Fabric, layout: ClothLayout, encoded: EncodedFabric, weights: Weights, float_type: type
 ) -> NDArray[np.float32]:
-    """What is added to the last layer's rows for bundles [2 · `BUNDLES`, hidden + 1]; see `EncodedFabric`.
+    """The correction of the last layer's rows for the lobe basis [2 · `BUNDLES`, hidden + 1].
+
+    See `EncodedFabric`.
 
     Args:
         layout: the fabric's shortest repeat, without its colours.
         encoded: its latents.
         float_type: the Dr.Jit Float type to compute means with.
     """
-    hidden, densities, truth = _answered(fabric, layout, encoded, weights, float_type)
+    hidden, densities, truth = _fit_data(fabric, layout, encoded, weights, float_type)
     inputs = np.concatenate([hidden, np.ones((len(hidden), 1))], axis=1)
     name = f"decoder.angular.{weights.layers('decoder.angular') - 1}"
     layer = np.concatenate(
@@ -64,13 +67,13 @@ def fitted_correction(
     )
     heads = np.split(layer[-2 * BUNDLES :].astype(np.float64), 2)
 
-    def own(family: int) -> NDArray[np.float64]:
+    def family_fit(family: int) -> NDArray[np.float64]:
         return _fitted(heads[family], inputs, BUNDLE_UNIT * densities[:, family], truth[:, 2 + family])
 
-    # A core each: threads within a small factorisation wait for each other longer than they compute, and
-    # fifty times as long where others use a core too.
+    # One core a family: threads within a small factorisation wait longer than they compute, and up to fifty
+    # times as long on a busy machine.
     with threadpool_limits(1, "blas"), ThreadPoolExecutor(2) as pool:
-        fitted = pool.map(own, (0, 1))
+        fitted = pool.map(family_fit, (0, 1))
         correction = [rows - head for rows, head in zip(fitted, heads, strict=True)]
     return np.concatenate(correction).astype(np.float32)
 
@@ -92,33 +95,35 @@ def _fitted(
     if mean <= 0:
         return head
     importance = (truth + _DARK * mean) ** _POWER
-    likeness = inputs @ inputs.T
-    scale = np.mean(np.diagonal(likeness))
-    likeness /= scale
+    similarity = inputs @ inputs.T
+    scale = np.mean(np.diagonal(similarity))
+    similarity /= scale
 
     def errors(rows: NDArray[np.float64]) -> NDArray[np.float64]:
-        shares = inputs @ rows.T
-        lit = np.einsum("nb,nb->n", densities, np.where(shares > 0, shares, SLOPE * shares))
-        return (truth - lit) * importance
+        lobe_weights = inputs @ rows.T
+        modelled = np.einsum(
+            "nb,nb->n", densities, np.where(lobe_weights > 0, lobe_weights, SLOPE * lobe_weights)
+        )
+        return (truth - modelled) * importance
 
     error = errors(head)
-    factor = np.empty_like(likeness)
+    factor = np.empty_like(similarity)
     for _ in range(_STEPS):
         slopes = densities * np.where(inputs @ head.T > 0, 1, SLOPE) * importance[:, None]
-        change = (slopes * _solution(slopes, likeness, error, factor)[:, None]).T @ inputs / scale
-        # What was linear may not be so far: the best of some shares of the step.
-        tried = [head + share * change for share in _SHARES_OF_A_STEP]
-        found = [errors(rows) for rows in tried]
-        best = min(range(len(tried)), key=lambda number: float(np.square(found[number]).sum()))
-        if np.square(found[best]).sum() >= np.square(error).sum():
+        change = (slopes * _solution(slopes, similarity, error, factor)[:, None]).T @ inputs / scale
+        # The model is linear only near the current weights: a line search over fractions of the step.
+        candidates = [head + size * change for size in _STEP_SIZES]
+        results = [errors(rows) for rows in candidates]
+        best = min(range(len(candidates)), key=lambda number: float(np.square(results[number]).sum()))
+        if np.square(results[best]).sum() >= np.square(error).sum():
             break
-        head, error = tried[best], found[best]
+        head, error = candidates[best], results[best]
     return head
 
 
 def _solution(
     slopes: NDArray[np.float64],
-    likeness: NDArray[np.float64],
+    similarity: NDArray[np.float64],
     errors: NDArray[np.float64],
     factor: NDArray[np.float64],
 ) -> NDArray[np.float64]:
@@ -133,13 +138,13 @@ def _solution(
         factor: memory for the factor [n, n].
     """
     count = len(errors)
-    ridge = _CHANGE * float(np.square(slopes).sum(1) @ np.diagonal(likeness)) / count
+    ridge = _CHANGE * float(np.square(slopes).sum(1) @ np.diagonal(similarity)) / count
     solution = np.empty_like(errors)
     starts, inverses = range(0, count, _BLOCK), []
     for first in starts:
         block = slice(first, first + _BLOCK)
         panel = slopes[first:] @ slopes[block].T
-        panel *= likeness[first:, block]
+        panel *= similarity[first:, block]
         panel[np.diag_indices(panel.shape[1])] += ridge
         panel -= factor[first:, :first] @ factor[block, :first].T
         inverse = np.linalg.inv(np.linalg.cholesky(panel[:_BLOCK]))
@@ -152,31 +157,31 @@ def _solution(
     return solution
 
 
-def _answered(
+def _fit_data(
     fabric: Fabric, layout: ClothLayout, encoded: EncodedFabric, weights: Weights, float_type: type
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Of queries: inputs of the last layer [n, hidden], densities [n, 2, bundles] and components [n, 4]."""
+    """Data of the fit: inputs of the last layer [n, hidden], densities [n, 2, bundles], truth [n, 4]."""
     per_thread = _TEXELS[layout.warp_on_top.size > _SMALL_REPEAT]
     model = PointModel(YarnGeometry(layout), fabric.appearance())
     slices = FabricSlices(model, float_type, per_thread, shadows="mapped")
     scale = fabric_scale(layout)
-    pairs = round(_PAIRS * max(_LEAST_SHARE, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))
+    pairs = round(_PAIRS * max(_LEAST_PAIRS, min(1, _SMALL_REPEAT / layout.warp_on_top.size)))
     queries = query_set(scale, pairs, 1, seed=0, lights=pairs // 4, views=pairs // 4)
     sides = np.full((pairs, 1), _SIDE * scale.repeat)
-    # Of a box as large as the repeat, whose mean is exact.
+    # Boxes as large as the repeat, whose means are exact.
     boxes = np.broadcast_to(np.array(layout.size), (pairs, 1, 2))
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, boxes)[:, 0, :4]
     lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
-    footprints = places_of(layout, queries.centres, sides)[:, 0]
+    footprints = footprints_in_threads(layout, queries.centres, sides)[:, 0]
     parts = []
     for back in (False, True):
-        seen = (views[:, 2] < 0) == back
+        is_face = (views[:, 2] < 0) == back
         turn = np.array([1, 1, -1 if back else 1])
-        light, view = ((part[seen] * turn).astype(np.float32) for part in (lights, views))
-        hidden = _hidden(encoded, weights, back, light, view, footprints[seen])
-        parts.append((hidden, _densities(encoded, back, light, view), truth[seen].astype(np.float64)))
-    found = [np.concatenate(arrays) for arrays in zip(*parts, strict=True)]
-    return found[0], found[1], found[2]
+        light, view = ((part[is_face] * turn).astype(np.float32) for part in (lights, views))
+        hidden = _hidden(encoded, weights, back, light, view, footprints[is_face])
+        parts.append((hidden, _densities(encoded, back, light, view), truth[is_face].astype(np.float64)))
+    results = [np.concatenate(arrays) for arrays in zip(*parts, strict=True)]
+    return results[0], results[1], results[2]
 
 
 def _densities(
@@ -199,8 +204,8 @@ def _hidden(
     footprints: NDArray[np.float32],
 ) -> NDArray[np.float64]:
     """Inputs of the last layer [n, hidden] in the frame of one face."""
-    behind = np.full(len(light), back, np.float32)
-    queries = [*one_square(columns(footprints)), *columns(view), behind, *columns(light)]
-    found = np.empty((weights.table.hidden, len(light)), np.float32)
-    compiled_decoder(weights).run("hidden", kernel_table(weights, encoded), queries, [*found])
-    return found.T.astype(np.float64)
+    is_back = np.full(len(light), back, np.float32)
+    queries = [*one_square(columns(footprints)), *columns(view), is_back, *columns(light)]
+    results = np.empty((weights.table.hidden, len(light)), np.float32)
+    compiled_decoder(weights).run("hidden", kernel_table(weights, encoded), queries, [*results])
+    return results.T.astype(np.float64)

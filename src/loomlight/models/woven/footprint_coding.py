@@ -1,8 +1,9 @@
-"""What the decoder is told of a footprint: which latents it reads, where it lies in the repeat, and its size.
+"""Inputs of the decoder from a footprint: taps of the latent field, position in the repeat, and size.
 
-Lengths are in threads. Levels 0 to 3 of the latent field have 8, 4, 2 and 1 texels a thread; the next hold
+Lengths are in threads. Levels 0 to 3 of the latent field have 8, 4, 2 and 1 texels a thread; the next are
 running means over 2, 4, 8 … threads, a texel a thread; the last is the mean of the repeat, one texel. A
-footprint reads two levels, bilinearly each. Functions of queries serve numpy, Dr.Jit and kernels alike.
+footprint reads two levels, bilinearly each. Formulas serve NumPy, Dr.Jit and kernels: `arrays` is the module
+of array functions.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from loomlight.models.woven.architecture import NetworkTable
 from loomlight.yarn.layout import ClothLayout
 
 FINEST = 3  # levels finer than one texel a thread
-PACKET = 16  # numbers of a texel that are fetched at once: a line of the cache
-# Footprints of so many repeats are means of the repeat to within what is left of a box's last repeat.
+PACKET = 16  # numbers of a texel that are loaded at once: a cache line
+# Footprints of at least so many repeats read the mean of the repeat.
 WHOLE_REPEATS = 4
 
 
@@ -69,9 +70,9 @@ def taps(
     per_thread = np.array([level.per_thread for level in levels], np.float32)
     # A texel of a running mean stands around its upper corner, other texels around their middle.
     corner = np.array([1.0 if level.window > 1 else 0.5 for level in levels], np.float32)
-    place = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST, 0, len(levels) - 1).astype(np.float32)
-    lower = np.minimum(place.astype(np.int64), len(levels) - 2)
-    blend = place - lower
+    level_position = np.clip(np.log2(np.maximum(size, 1e-6)) + FINEST, 0, len(levels) - 1).astype(np.float32)
+    lower = np.minimum(level_position.astype(np.int64), len(levels) - 2)
+    blend = level_position - lower
     index = np.empty((len(x), 8), np.int64)
     weight = np.empty((len(x), 8), np.float32)
     for side in range(2):
@@ -80,23 +81,23 @@ def taps(
         v = y * per_thread[level] - corner[level]
         column, row = np.floor(u), np.floor(v)
         right, up = u - column, v - row
-        share = blend if side else 1 - blend
+        level_weight = blend if side else 1 - blend
         lines = []
         for number, count in ((column.astype(np.int64), columns[level]), (row.astype(np.int64), rows[level])):
-            one = number % count
-            other = one + 1
+            lower_index = number % count
+            upper_index = lower_index + 1
             # A remainder takes longer than all else here.
-            lines.append((one, np.where(other == count, 0, other)))
+            lines.append((lower_index, np.where(upper_index == count, 0, upper_index)))
         for tap in range(4):
             index[:, 4 * side + tap] = first[level] + lines[1][tap // 2] * columns[level] + lines[0][tap % 2]
             across = right if tap % 2 else 1 - right
             along = up if tap // 2 else 1 - up
-            weight[:, 4 * side + tap] = share * across * along
+            weight[:, 4 * side + tap] = level_weight * across * along
     return index, weight
 
 
-def size_share(size: Any, smallest: float, largest: float, arrays: Any = np) -> Any:
-    """Place of a size between two others by its logarithm, 0 to 1.
+def log_fraction(size: Any, smallest: float, largest: float, arrays: Any = np) -> Any:
+    """Position of a size between two others on a logarithmic scale, clipped to 0 to 1.
 
     Args:
         arrays: the module of the array's functions, numpy or drjit.
@@ -105,10 +106,10 @@ def size_share(size: Any, smallest: float, largest: float, arrays: Any = np) -> 
 
 
 # Smallest and largest footprint of "field", in threads; of "vector", in repeats, the smallest of at most
-# `_LONGEST` threads. They are those of the query test.
+# `_LONGEST` threads. They are those of the query benchmark.
 _FIELD_SIZES = 1 / 64, 80.0
 _REPEATS = 1 / 128, 5.0
-# A fabric's own correction counts from the first size on, in threads, and wholly from the second.
+# Sizes in threads at which the weight of a fabric's correction begins to rise from 0, and at which it is 1.
 _CORRECTED = 1.0, 4.0
 _LONGEST = 8.0
 
@@ -118,9 +119,9 @@ class AnisotropicTaps:
     """Anisotropic taps of a footprint, in threads; see `Footprint.anisotropic_taps`.
 
     Attributes:
-        x, y: the middle of the row.
-        side: of a square.
-        step_x, step_y: from one square to the next; 0 and 0 where the footprint is one square.
+        x, y: centre of the row.
+        side: of a tap, which is a square.
+        step_x, step_y: from one tap to the next; 0 and 0 where the footprint has one tap.
     """
 
     x: Any
@@ -134,22 +135,23 @@ class AnisotropicTaps:
         return self.x, self.y, self.side, self.step_x, self.step_y
 
     def size(self, arrays: Any) -> Any:
-        """The side of a square of the row's area, which the decoder is told.
+        """The side of a square of the row's area, an input of the decoder.
 
         Args:
-            arrays: the module of the arrays' functions, drjit or code that is being written.
+            arrays: the module of array functions, drjit or a kernel's `SimdMath`.
         """
         step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
         length = arrays.sqrt(arrays.fma(step, ANISOTROPIC_TAPS**2 - 1.0, arrays.square(self.side)))
         return arrays.sqrt(self.side * length)
 
 
-def place_of(
+def footprint_coordinates(
     table: NetworkTable, picks: int, ends: int, x: Any, y: Any, size: Any, arrays: Any = np
 ) -> tuple[Any, Any, Any]:
     """Position x, y and size of footprints for the decoder, each 0 to 1.
 
-    "field" counts positions within a thread, as the latent knows which one it is, "vector" within the repeat.
+    With latents of kind "field" positions are within a thread, as latents differ between threads; with
+    "vector" they are within the repeat.
 
     Args:
         picks, ends: of the repeat.
@@ -158,34 +160,34 @@ def place_of(
     """
     size = arrays.maximum(size, 1e-6)
     if table.latent == "field":
-        return x - arrays.floor(x), y - arrays.floor(y), size_share(size, *_FIELD_SIZES, arrays)
+        return x - arrays.floor(x), y - arrays.floor(y), log_fraction(size, *_FIELD_SIZES, arrays)
     repeat = math.sqrt(picks * ends)
     smallest, largest = min(repeat, _LONGEST) * _REPEATS[0], repeat * _REPEATS[1]
     u, v = x / ends, y / picks
-    return u - arrays.floor(u), v - arrays.floor(v), size_share(size, smallest, largest, arrays)
+    return u - arrays.floor(u), v - arrays.floor(v), log_fraction(size, smallest, largest, arrays)
 
 
-def own_share(size: Any, arrays: Any = np) -> Any:
-    """How much a fabric's own correction of the last layer counts, 0 to 1, for coded sizes of "field".
+def fine_tuning_weight(size: Any, arrays: Any = np) -> Any:
+    """Weight of a fabric's correction of the last layer, 0 to 1, for latents of kind "field".
 
     Args:
-        size: the last of what `place_of` gives.
+        size: the last of `footprint_coordinates`.
     """
-    first, full = (float(size_share(threads, *_FIELD_SIZES)) for threads in _CORRECTED)
+    first, full = (float(log_fraction(threads, *_FIELD_SIZES)) for threads in _CORRECTED)
     return arrays.clip((size - first) * (1 / (full - first)), 0, 1)
 
 
-def network_places(
+def coordinate_rows(
     table: NetworkTable, picks: int, ends: int, footprints: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    """`place_of` of footprints [n, 3], position x and y and side, in threads."""
-    return np.stack(place_of(table, picks, ends, *footprints.T), -1).astype(np.float32)
+    """`footprint_coordinates` [n, 3] of footprints [n, 3]: position x and y and side, in threads."""
+    return np.stack(footprint_coordinates(table, picks, ends, *footprints.T), -1).astype(np.float32)
 
 
-def places_of(
+def footprints_in_threads(
     layout: ClothLayout, centres: NDArray[np.float64], sizes: NDArray[np.float64]
 ) -> NDArray[np.float32]:
-    """Footprints [..., 3] in threads of centres [..., 2] and sides [...] in millimetres."""
+    """Footprints [..., 3], position and side in threads, from centres [..., 2] and sides [...] in mm."""
     width, height = layout.size
     picks, ends = layout.warp_on_top.shape
     return np.stack(

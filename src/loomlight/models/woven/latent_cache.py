@@ -1,7 +1,7 @@
 """The cache of latents: the last fabrics in memory, and files under the user's cache folder.
 
 A file is a safetensors file whose name is the key: `front` and `back` in half precision, and `correction`
-where the last layer was fine-tuned. What is damaged is computed again.
+where the last layer was fine-tuned. Damaged files are ignored, and their latents computed again.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ _in_memory: OrderedDict[str, EncodedFabric] = OrderedDict()
 def read_latents(
     key: str, picks: int, ends: int, weights: Weights, fibres: Fibres, fine_tuned: bool
 ) -> EncodedFabric | None:
-    """What the cache has under a key, in memory or on disk; None where it has nothing."""
+    """The latents of a key, from memory or disk; None if they are not cached."""
     return _in_memory.get(key) or _read(key, picks, ends, weights, fibres, fine_tuned)
 
 
 def store_latents(key: str, encoded: EncodedFabric) -> None:
-    """Keeps latents under a key, as those that were used last."""
+    """Stores latents under a key, as the most recently used."""
     if key not in _in_memory:
         _write(key, encoded)
     _in_memory[key] = encoded
@@ -50,7 +50,7 @@ def store_latents(key: str, encoded: EncodedFabric) -> None:
 
 
 def clear_encodings() -> None:
-    """Forgets what is kept in memory."""
+    """Clears the cache in memory."""
     _in_memory.clear()
 
 
@@ -72,7 +72,7 @@ def cache_key(fabric: Fabric, weights: Weights, repeats: tuple[int, int], fine_t
 def _read(
     key: str, picks: int, ends: int, weights: Weights, fibres: Fibres, fine_tuned: bool
 ) -> EncodedFabric | None:
-    """What is kept on disk; None where nothing is, or nothing that can be used."""
+    """The latents on disk; None if there is no file or an unusable one."""
     try:
         arrays = load_file(cache_folder("woven") / f"{key}.safetensors")
     except (SafetensorError, OSError, ValueError):
@@ -97,7 +97,7 @@ def _read(
 
 
 def _write(key: str, encoded: EncodedFabric) -> None:
-    """Keeps latents on disk where that is possible; a full disk costs a run of the encoder next time."""
+    """Writes latents to disk; ignores errors, which cost a run of the encoder next time."""
     if len(encoded.faces[0]) > _MOST_TEXELS_ON_DISK:
         return
     folder = cache_folder("woven")

@@ -1,7 +1,7 @@
-"""A fabric as the decoder reads it: buffers of kernels, and the same on a device of Dr.Jit's.
+"""A fabric as the decoder reads it: uniform buffers of kernels, and arrays on a Dr.Jit backend.
 
-Lengths are in threads. The decoder's first layer is linear where there is fusion, so latents are multiplied
-by it here, before they are interpolated.
+Lengths are in threads. With fusion, the decoder's first layer is linear in the latents, so they are
+multiplied by its weights here, before interpolation.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from loomlight.models.woven.weights import Weights
 
 
 class LatentTable:
-    """Latents of both faces, fibres and correction of a fabric, for kernels and for one type of Dr.Jit's.
+    """Latents of both faces, fibres and correction of a fabric, for kernels and for one Dr.Jit backend.
 
     Attributes:
         picks, ends: of the repeat.
         channels: numbers a texel.
         has_correction: whether the fabric has a correction of the last layer.
-        repeat: picks and ends where code depends on them, which is where latents are a vector; else 0 and 0.
+        repeat: picks and ends where code depends on them (latents of kind "vector"); else 0 and 0.
         uniforms: uniform buffers of `decoder_kernel` after the packed layers; empty on devices without
             kernels.
         bundles: of the front, b and a of each, for both families; see `Fibres.bundles`.
@@ -69,7 +69,7 @@ class LatentTable:
         values: NDArray[np.float32],
         levels: NDArray[np.float32],
     ) -> NDArray[np.float32]:
-        """Uploads what the methods below read; returns the values, in the memory of the device if it can."""
+        """Uploads the tables of the methods below; returns the values, in Dr.Jit's memory on the host."""
         self._types = types = array_types(float_type)
         self._padded = values.shape[1]
         self._values = upload(types.Float, values)
@@ -106,40 +106,50 @@ class LatentTable:
             Fibre(weft_x, dr.select(back, -weft_y, weft_y), weft_roughness),
         )
 
-    def corrected(self, shares: list[Float], hidden: list[Float], own: Float) -> list[Float]:
-        """What is put out for bundles, with the fabric's own correction.
+    def corrected(
+        self, lobe_weights: list[Float], hidden: list[Float], correction_weight: Float
+    ) -> list[Float]:
+        """The network's outputs for the lobe basis plus the fabric's fine-tuning of the last layer.
 
         Args:
-            hidden: what the last layer takes.
-            own: how much of the correction counts, 0 to 1.
+            hidden: inputs of the last layer.
+            correction_weight: weight of the correction, 0 to 1.
         """
         if self._correction is None:
-            return shares
+            return lobe_weights
         tensor: Any = dr.tensor_t(self._types.Float)
         weight, bias = self._correction
-        outputs = len(shares)
+        outputs = len(lobe_weights)
         matrix: Any = nn.view(tensor(weight, (outputs, dr.width(weight) // outputs)))
         added = nn.matvec(matrix, nn.CoopVec(*hidden), nn.view(tensor(bias, (outputs,))))
-        return [dr.fma(own, more, share) for share, more in zip(shares, added, strict=True)]
+        return [
+            dr.fma(correction_weight, change, value)
+            for value, change in zip(lobe_weights, added, strict=True)
+        ]
 
-    def at(self, squares: AnisotropicTaps, back: Mask) -> list[Float]:
-        """Means of interpolated values over rows of squares: `channels` Floats."""
+    def at(self, footprint: AnisotropicTaps, back: Mask) -> list[Float]:
+        """Means of interpolated values over the anisotropic taps of footprints: `channels` Floats."""
         types = self._types
         face = dr.select(back, self._width, 0)
         if self.texels == 1:
             packets = [self._packet(face, number) for number in range(self._padded // PACKET)]
             return [value for packet in packets for value in packet][: self.channels]
-        place = clip(dr.log2(maximum(squares.side, 1e-6)) + FINEST, 0, types.Float(self._top))
-        lower = minimum(types.UInt32(place), self._top - 1)
-        blend = place - types.Float(lower)
-        steps = dr.select((squares.step_x != 0) | (squares.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1)
+        position = clip(dr.log2(maximum(footprint.side, 1e-6)) + FINEST, 0, types.Float(self._top))
+        lower = minimum(types.UInt32(position), self._top - 1)
+        blend = position - types.Float(lower)
+        steps = dr.select(
+            (footprint.step_x != 0) | (footprint.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1
+        )
 
         def added(number: UInt, total: list[Float]) -> tuple[UInt, list[Float]]:
-            place = types.Float(number) - 0.5 * (types.Float(steps) - 1)
-            x, y = dr.fma(place, squares.step_x, squares.x), dr.fma(place, squares.step_y, squares.y)
+            offset = types.Float(number) - 0.5 * (types.Float(steps) - 1)
+            x, y = (
+                dr.fma(offset, footprint.step_x, footprint.x),
+                dr.fma(offset, footprint.step_y, footprint.y),
+            )
             taps = [
-                (face + texel, share * weight / types.Float(steps))
-                for level, share in ((lower, 1 - blend), (lower + 1, blend))
+                (face + texel, level_weight * weight / types.Float(steps))
+                for level, level_weight in ((lower, 1 - blend), (lower + 1, blend))
                 for texel, weight in self._taps(level, *self._near_origin(x, y))
             ]
             for packet in range(self._padded // PACKET):
@@ -151,19 +161,19 @@ class LatentTable:
                     ]
             return number + 1, total
 
-        nothing = [dr.zeros(types.Float, dr.width(squares.numbers())) for _ in range(self._padded)]
+        nothing = [dr.zeros(types.Float, dr.width(footprint.numbers())) for _ in range(self._padded)]
         _, total = dr.while_loop(
             (dr.zeros(types.UInt32, dr.width(steps)), nothing),
             lambda number, _: number < steps,
             added,
-            label="squares",
+            label="anisotropic taps",
             mode="symbolic",
             max_iterations=ANISOTROPIC_TAPS,
         )
         return list(total[: self.channels])
 
     def _near_origin(self, x: Float, y: Float) -> tuple[Float, Float]:
-        """Places in the repeat, where float32 is finest."""
+        """Positions wrapped to the repeat, where float32 is finest."""
         ends, picks = self._extent
         return x - ends * dr.floor(x / ends), y - picks * dr.floor(y / picks)
 
@@ -191,11 +201,8 @@ class LatentTable:
 
 
 def _fetched_values(weights: Weights, encoded: EncodedFabric) -> NDArray[np.float32]:
-    """What is fetched of texels, front above back [2 texels, channels up to whole packets].
-
-    The array begins with a line of the cache.
-    """
-    latents = encoded.both
+    """Values of texels, front above back [2 texels, channels up to whole packets], cache-line aligned."""
+    latents = encoded.stacked
     if weights.table.fusion:
         first = weights.tensor("decoder.fusion.0.weight")[:, : weights.table.latent_size]
         latents = latents @ first.T + weights.tensor("decoder.fusion.0.bias")
@@ -214,5 +221,5 @@ def _fabric_uniforms(weights: Weights, encoded: EncodedFabric, levels: int) -> l
 
 
 def _wrapped(index: Float, count: Float) -> Float:
-    """An index from −1 to count, brought to 0 to count − 1."""
+    """An index from −1 to count, wrapped to 0 to count − 1."""
     return dr.select(index < 0, index + count, dr.select(index >= count, index - count, index))

@@ -1,7 +1,8 @@
 """Dense layers by Dr.Jit's cooperative vectors.
 
-They work in symbolic calls, differentiate, and use the tensor units of GPUs. On CPUs Dr.Jit emits loops that
-load and store a sum for every multiply-add, a third of a core's peak at best: `core.simd` serves there.
+Cooperative vectors work in symbolic calls, differentiate, and use the tensor cores of GPUs. On CPUs Dr.Jit
+emits loops that load and store a sum for every multiply-add, a third of a core's peak at best: there,
+`core.simd` replaces them.
 """
 
 from __future__ import annotations

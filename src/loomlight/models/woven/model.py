@@ -1,4 +1,4 @@
-"""The universal network as a multi-scale model: latents of one fabric and a network that all share."""
+"""The universal network as a multi-scale model: latents of one fabric, and a network shared by all."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from loomlight.fabric.fabric import Fabric
 from loomlight.models.fabric_model import FilteredFabricModel, fabric_in_loom, fabric_source, number_of
 from loomlight.models.interface import Option, Parameter, Values
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, tinted
-from loomlight.models.woven.decoder import Decoder, Seen, decoder_cost, decoder_of
+from loomlight.models.woven.decoder import Decoder, ViewActivations, decoder_cost, decoder_of
 from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoder import repeat_threads
 from loomlight.models.woven.encoding import encode, encode_pair
@@ -41,7 +41,7 @@ _ENCODED = ("roughness", "height_scale", "inclination", "twist")
 
 @final
 class WovenBsdf(SeparableBsdf):
-    """Footprints of one fabric as views see them: the part of the decoder that no light changes."""
+    """The BSDF of footprints for one view: the decoder's activations that do not depend on the light."""
 
     def __init__(self, model: WovenModel, view: Vec3, footprint: Footprint, tint: Color3 | None) -> None:
         super().__init__(view, footprint, model.fabric.appearance().sheen)
@@ -57,27 +57,27 @@ class WovenBsdf(SeparableBsdf):
         return self._model.table(array_types(self.view.x).Float)
 
     @cached_property
-    def _seen(self) -> Seen:
-        return self._decoder.seen(self._table, *self._query)
+    def _activations(self) -> ViewActivations:
+        return self._decoder.view_activations(self._table, *self._query)
 
     @cached_property
     def hole(self) -> Float:
-        """Share of the view rays that pass through."""
-        if "_seen" in self.__dict__:
-            return self._seen.hole
+        """Fraction of the view rays that pass through holes, 0 to 1."""
+        if "_activations" in self.__dict__:
+            return self._activations.hole
         return self._decoder.hole(self._table, *self._query)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:
-        """Mean albedos of the threads over footprints as they lie under them, without parallax."""
+        """Mean albedos of the threads over footprints, without parallax."""
         return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components for a light; the hole comes with those of the first one."""
         facing = to_face_frame(light, self._back)
-        if "_seen" in self.__dict__ or "hole" in self.__dict__:
-            return Components(*self._decoder.components(self._seen, facing))
-        *components, hole = self._decoder.answers(self._table, facing, *self._query)
+        if "_activations" in self.__dict__ or "hole" in self.__dict__:
+            return Components(*self._decoder.components(self._activations, facing))
+        *components, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
         self.__dict__["hole"] = hole
         return Components(*components)
 
@@ -88,9 +88,9 @@ class WovenBsdf(SeparableBsdf):
         return (1 - null) * side * dr.abs(light.z) * dr.inv_pi
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
-        """Straight through the holes, else by the cosine to either side in proportion to albedos."""
+        """Null transmission through holes, else a cosine lobe on either side in proportion to albedos."""
         types = array_types(self.view.x)
-        self._see_first()
+        self._activate_first()
         null, reflected = self._probabilities
         is_null = types.Bool(choice < null)
         radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
@@ -101,7 +101,7 @@ class WovenBsdf(SeparableBsdf):
         light = dr.select(is_null, -self.view, types.Vector3(radius * cosine, radius * sine, up))
         pdf = dr.select(is_null, null, self.pdf(light))
         value = self.value(light)
-        # A ray goes straight through with the very share of light that does.
+        # Null transmission is drawn with the probability of its transmittance.
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
@@ -109,28 +109,28 @@ class WovenBsdf(SeparableBsdf):
         self, light: Vec3, choice: Float, u: Vec2
     ) -> tuple[Color3, Float, DirectionSample]:
         """All three, of one run of the part that no light changes."""
-        self._see_first()
+        self._activate_first()
         return super().value_pdf_and_sample(light, choice, u)
 
-    def _see_first(self) -> None:
+    def _activate_first(self) -> None:
         """Runs the part that no light changes by itself: several lights follow, and the hole is wanted."""
-        self.__dict__.setdefault("hole", self._seen.hole)
+        self.__dict__.setdefault("hole", self._activations.hole)
 
     @cached_property
     def _probabilities(self) -> tuple[Float, Float]:
-        """Probability of passing straight through, and of reflection among all else."""
+        """Probability of null transmission, and of reflection given no null transmission."""
         highlight = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
         families = self.albedos.warp, self.albedos.weft
 
-        def energy(side: str) -> Float:
+        def weight(side: str) -> Float:
             diffuse, specular = (
                 sum(channel_mean(getattr(family, f"{term}_{side}")) for family in families)
                 for term in ("diffuse", "specular")
             )
             return diffuse + highlight * specular
 
-        reflected, transmitted = energy("reflect") + self.sheen.strength, energy("transmit")
-        # Black cloth reflects nothing, but some direction has to be drawn.
+        reflected, transmitted = weight("reflect") + self.sheen.strength, weight("transmit")
+        # Not 0/0: black cloth reflects nothing, but a direction has to be drawn.
         return self.null_transmission, (reflected + 1e-6) / (reflected + transmitted + 1e-6)
 
 
@@ -138,12 +138,12 @@ class WovenBsdf(SeparableBsdf):
 class WovenModel(FilteredFabricModel):
     """chen2024: an encoder once a fabric, a small decoder a query.
 
-    A change of a family's threads costs one run of the encoder, and one fit where it is refined; one of
-    anything else neither. Of two fabrics ``blend`` is a scene parameter too.
+    Edits of a family's threads run the encoder, and fit the last layer where it is refined; other edits need
+    neither. With two fabrics, ``blend`` is a scene parameter too.
 
     Attributes:
         weights: the shared network.
-        encoded: latents of both faces, of this fabric and of the one that it is mixed with.
+        encoded: latents of both faces; of a mixture, the interpolated latents.
         multiply_adds: of one query.
         bytes_fetched: by one query.
     """
@@ -152,13 +152,13 @@ class WovenModel(FilteredFabricModel):
     conserves_energy = False
     symbolic = False
     options = (
-        # Whether the last layer is fitted to the fabric: most of a second, and highlights twice as exact.
+        # The last layer is fitted to the fabric: most of a second, and half the error of highlights.
         Option("refined", bool, "true or false"),
-        # A weights file that `loomlight train woven` wrote; by default that of the package.
+        # A weights file written by `loomlight train woven`; by default that of the package.
         Option("weights", str, "the path of a weights file"),
-        # A second fabric, whose latents this one's are mixed with; colours stay this one's.
+        # A second fabric to interpolate latents with; colours are those of the first.
         Option("other", Source, "the path of a second fabric, or a weave's name"),
-        # How much of the other one: 0 is this one, 1 the other; beyond, extrapolated.
+        # Weight of the other fabric: 0 is this one, 1 the other; other values extrapolate.
         Option("blend", float, "a number, such as 0.5"),
     )
 
@@ -171,18 +171,18 @@ class WovenModel(FilteredFabricModel):
         refined: bool = True,
         other: Fabric | None = None,
         blend: float = 0.0,
-        ends: tuple[EncodedFabric, EncodedFabric] | None = None,
+        endpoints: tuple[EncodedFabric, EncodedFabric] | None = None,
     ) -> None:
-        """A model of latents that are at hand; see `for_source`.
+        """A model of encoded latents; see `for_source` to encode them.
 
         Args:
-            other, blend: what the latents were mixed with, and how much of it.
-            ends: latents of this fabric and of the other one, unmixed.
+            other, blend: the fabric that the latents were interpolated with, and its weight.
+            endpoints: latents of this fabric and of the other one, before interpolation.
         """
         super().__init__(fabric)
         self.encoded = encoded
         self.weights = weights
-        self._refined, self._other, self._blend, self._ends = refined, other, blend, ends
+        self._refined, self._other, self._blend, self._endpoints = refined, other, blend, endpoints
         layout = fabric.layout()
         picks, count = layout.warp_on_top.shape
         width, height = layout.size
@@ -190,7 +190,7 @@ class WovenModel(FilteredFabricModel):
         self._pitch = mean_pitch(layout)
         self._tables: dict[type, LatentTable] = {}
         cost = decoder_cost(weights, encoded.correction is not None)
-        self.multiply_adds = cost.seen + cost.lit
+        self.multiply_adds = cost.per_view + cost.per_light
         self.bytes_fetched = cost.bytes_fetched
 
     @classmethod
@@ -202,7 +202,7 @@ class WovenModel(FilteredFabricModel):
         other: Source | None = None,
         blend: float = 0.0,
     ) -> Self:
-        """The model of a fabric, refined, or what the cache has of it; see `options`.
+        """The model of a fabric, from the cache or by the encoder; see `options`.
 
         Raises:
             InputError: no fabric, a repeat of more than 64 threads a side, or weights that cannot be read.
@@ -213,12 +213,12 @@ class WovenModel(FilteredFabricModel):
             encoded = encode(fabric, network, llvm_float(), refined=refined)
             return cls(fabric, encoded, network, refined=refined)
         second = fabric_source(other, cls.name)
-        ends = encode_pair(fabric, second, network, llvm_float(), refined)
-        mixed = ends[0].mixed(ends[1], blend)
-        return cls(fabric, mixed, network, refined=refined, other=second, blend=blend, ends=ends)
+        endpoints = encode_pair(fabric, second, network, llvm_float(), refined)
+        mixed = endpoints[0].mixed(endpoints[1], blend)
+        return cls(fabric, mixed, network, refined=refined, other=second, blend=blend, endpoints=endpoints)
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
-        """The model of an edited fabric; the encoder runs where it sees a change."""
+        """The model of an edited fabric; the encoder runs if its inputs change."""
         if any(name.endswith(_ENCODED) for name in edits):
             return type(self).for_source(fabric, self._refined, self.weights, self._other, self._blend)
         return type(self)(
@@ -228,41 +228,41 @@ class WovenModel(FilteredFabricModel):
             refined=self._refined,
             other=self._other,
             blend=self._blend,
-            ends=self._ends,
+            endpoints=self._endpoints,
         )
 
     def parameters(self, types: ArrayTypes) -> Values:
         """Numbers and albedos of the fabric, and ``blend`` where it is mixed with another."""
-        found = dict(super().parameters(types))
+        values = dict(super().parameters(types))
         if self._other is not None:
-            found["blend"] = Parameter(types.Float(self._blend))
-        return found
+            values["blend"] = Parameter(types.Float(self._blend))
+        return values
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit."""
         model = super().updated(values, changed)
-        if model._ends is None or number_of(values["blend"]) == model._blend:
+        if model._endpoints is None or number_of(values["blend"]) == model._blend:
             return model
         blend = number_of(values["blend"])
         mixed = type(self)(
             model.fabric,
-            model._ends[0].mixed(model._ends[1], blend),
+            model._endpoints[0].mixed(model._endpoints[1], blend),
             model.weights,
             refined=model._refined,
             other=model._other,
             blend=blend,
-            ends=model._ends,
+            endpoints=model._endpoints,
         )
         mixed.means = model.means
         return mixed
 
     def upload(self, types: ArrayTypes) -> None:
-        """Puts albedos and latents on a backend."""
+        """Uploads albedos and latents to a backend."""
         super().upload(types)
         self.table(types.Float)
 
     def to_loom(self) -> LoomFile:
-        """Latents, fibres and correction, and the checksum of the network that decodes them."""
+        """A file of latents, fibres and correction, with the checksum of the network that decodes them."""
         front, back = self.encoded.faces
         tensors: dict[str, NDArray[Any]] = {
             "front": front,
@@ -294,9 +294,9 @@ class WovenModel(FilteredFabricModel):
             loom.tensor(side, (texels, weights.table.latent_size), np.float16) for side in ("front", "back")
         )
         fibres = Fibres.from_array(loom.tensor("fibres", (4, 2), np.float32))
-        flaw = fibres.flaw()
-        if flaw is not None:
-            raise InputError(f"{loom.file}: of the tensor model.fibres the {flaw}. Bake it again.")
+        error = fibres.validation_error()
+        if error is not None:
+            raise InputError(f"{loom.file}: of the tensor model.fibres the {error}. Bake it again.")
         correction = None
         if "correction" in loom.tensors:
             correction = loom.tensor("correction", weights.table.corrected_shape, np.float32)
@@ -305,19 +305,19 @@ class WovenModel(FilteredFabricModel):
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
     ) -> WovenBsdf:
-        """The decoder of footprints as views see them."""
+        """The BSDF of footprints for one view each."""
         del active
         return WovenBsdf(self, view, footprint, tint)
 
     def query(self, view: Vec3, footprint: Footprint) -> tuple[AnisotropicTaps, Vec3, Mask]:
-        """Squares in threads, the view in the frame of the face that it sees, and which that is."""
+        """Anisotropic taps in threads, the view in the frame of the face seen, and whether it is the back."""
         types = array_types(view.x)
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
         side, step = footprint.anisotropic_taps()
-        squares = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
-        return squares, to_face_frame(view, back), back
+        taps = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        return taps, to_face_frame(view, back), back
 
     def decoder(self, float_type: type) -> Decoder:
         """The network on one backend; all fabrics share it."""
@@ -330,7 +330,7 @@ class WovenModel(FilteredFabricModel):
         return self._tables[float_type]
 
     def own_facts(self) -> dict[str, str]:
-        """The fabric that it is mixed with."""
+        """The fabric that latents are interpolated with."""
         return {"other": "none" if self._other is None else f'"{self._other.name}", blend = {self._blend:g}'}
 
 

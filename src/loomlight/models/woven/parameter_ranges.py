@@ -1,4 +1,4 @@
-"""Ranges of parameters: which fabrics the universal network is trained for and judged on.
+"""Ranges of parameters: the fabrics that the universal network is trained for and evaluated on.
 
 chen2024's Table 2, which gives the distributions, is missing from its text. The ranges here cover the usual
 suggestions (plain 22°/16°, twill 24° with a twist of 30°, satin 60°/35°) and α and β of at least 0.2 to 0.8.
@@ -36,7 +36,7 @@ class ParameterRanges:
         twist_deg: ψ, degrees.
         roughness: α.
         height_scale: β.
-        gap: share of the spacing that is left open, of each family; small ones more often.
+        gap: fraction of the spacing that is left open, of each family; small ones more often.
         sett_ratio: ends per pick of the same length; drawn in its logarithm.
         diffuse_blend: w.
         optical_depth: Tρ.
@@ -65,13 +65,13 @@ TRAINING_RANGES = replace(
 
 
 def trained_ranges(weights: Weights) -> ParameterRanges:
-    """What the network was trained for."""
+    """The ranges that the network was trained for."""
     varied = weights.recipe.get("data", {}).get("layouts") == "varied"
     return TRAINING_RANGES if varied else PARAMETER_RANGES
 
 
 def warn_outside_ranges(fabric: Fabric, ranges: ParameterRanges) -> None:
-    """Warns, naming the fields, of a fabric that lies outside what the network was trained for."""
+    """Warns of a fabric outside the ranges that the network was trained for, and names the fields."""
     layout, appearance = fabric.layout(), fabric.appearance()
     satin = structure_of(fabric.draft.drawdown) is Structure.SATIN
     fields: list[tuple[str, float, tuple[float, float]]] = [

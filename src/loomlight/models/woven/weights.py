@@ -37,8 +37,8 @@ from loomlight.core.errors import InputError
 from loomlight.core.files import replacing, require_file
 from loomlight.models.woven.architecture import BINS, LIGHT_FEATURES, VIEW_FEATURES, NetworkTable
 
-# 2: roughness enters the encoder as its logarithm. 3: directions are given along the fibres too. 4: specular
-# components may be mixed of bundles.
+# 2: roughness enters the encoder as its logarithm. 3: directions along the fibres are inputs. 4: the lobe
+# basis.
 SCHEMA = 4
 _ENTRY = "woven"
 
@@ -56,17 +56,17 @@ class _Header(BaseModel):
 
 @dataclass(frozen=True, eq=False)
 class Weights:
-    """A network that can be run.
+    """A network ready for inference.
 
     Attributes:
         table: its shape.
         tensors: weights by name, float32.
-        linear_diffuse: whether it puts out diffuse components as they are, as published, or logarithmically.
-        trained: whether it is more than random numbers.
+        linear_diffuse: diffuse outputs are linear, as published, else logarithmic.
+        trained: false for random weights.
         recipe: the configuration that it was trained with.
         provenance: when and on what it was trained.
-        sha256: of all that is stored, hexadecimal; what materials name the network by.
-        source: what messages call the file.
+        sha256: of the whole content, hexadecimal; identifies the network in materials.
+        source: name of the file in messages.
         encoder: the exported encoder, an ONNX model.
     """
 
@@ -81,7 +81,7 @@ class Weights:
     encoder: bytes = b""
 
     def layers(self, name: str) -> int:
-        """How many layers the list of layers `name` has."""
+        """Number of layers in the list `name`."""
         count = 0
         while f"{name}.{count}.weight" in self.tensors:
             count += 1

@@ -18,7 +18,7 @@ from loomlight.core.errors import InputError, LoomlightWarning, MissingDependenc
 from loomlight.models.woven.training import dataset_store as store_module
 from loomlight.models.woven.training.dataset_store import BYTES_A_QUERY, QueryStore, StoreSettings, make_store
 from loomlight.models.woven.training.materials import paper_material
-from loomlight.models.woven.training.queries import answers, material_queries
+from loomlight.models.woven.training.queries import material_queries, slice_means
 
 SETTINGS = StoreSettings(seed=3, queries=4096)
 NUMBERS = (79, 80, 81)
@@ -52,17 +52,17 @@ def test_what_is_read_is_what_was_computed(made):
     queries = material_queries(80, SETTINGS.seed, SETTINGS.queries)
     for name in ("lights", "views", "pairs", "centres", "sizes"):
         np.testing.assert_array_equal(getattr(material.queries, name), getattr(queries, name))
-    truth = answers(paper_material(80, SETTINGS.seed), queries, Float)
+    truth = slice_means(paper_material(80, SETTINGS.seed), queries, Float)
     # float16 keeps 11 bits; below its normal numbers it is exact to 3e-8.
-    np.testing.assert_allclose(material.answers(), truth, rtol=2**-11, atol=3e-8)
+    np.testing.assert_allclose(material.truth(), truth, rtol=2**-11, atol=3e-8)
     assert truth.max() > 0.1
 
 
 def test_half_precision_moves_answers_by_less_than_the_grid_does(made):
     """0.03 % of the mean is the least error of the grid (docs/aggregation.md, b2 and b3 at 64 texels)."""
     queries = material_queries(81, SETTINGS.seed, SETTINGS.queries)
-    truth = answers(paper_material(81, SETTINGS.seed), queries, Float).astype(np.float64)
-    error = np.abs(QueryStore(made).material(81).answers() - truth)
+    truth = slice_means(paper_material(81, SETTINGS.seed), queries, Float).astype(np.float64)
+    error = np.abs(QueryStore(made).material(81).truth() - truth)
     assert (error.mean(axis=(0, 1)) < 3e-4 * truth.mean(axis=(0, 1))).all()
     assert error.max() > 0
 

@@ -9,7 +9,12 @@ from loomlight.aggregate.reference import reference
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.models.woven.training.materials import paper_material
-from loomlight.models.woven.training.queries import FULL_QUERIES, answers, fabric_queries, material_queries
+from loomlight.models.woven.training.queries import (
+    FULL_QUERIES,
+    fabric_queries,
+    material_queries,
+    slice_means,
+)
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
@@ -92,7 +97,7 @@ def test_answers_are_the_truth():
     """Every answer within its Monte Carlo noise and what mapped shadows may move it: 1.7 % of the channel's
     mean (docs/aggregation.md), threefold for single queries; the sums, which average that, within 1 %."""
     few = fabric_queries(FABRIC, [3], 20_000)
-    found = answers(FABRIC, few, Float)
+    found = slice_means(FABRIC, few, Float)
     chosen = np.random.default_rng(0).choice(few.count, 192, replace=False)
     pair, box = np.divmod(chosen, len(few.sizes))
     large = few.sizes[box] > SCALE.thread

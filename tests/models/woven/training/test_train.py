@@ -23,7 +23,7 @@ from loomlight.models.woven.training.batches import Batches, _draw  # noqa: E402
 from loomlight.models.woven.training.config import TrainingConfig, read_config  # noqa: E402
 from loomlight.models.woven.training.dataset import read_faces  # noqa: E402
 from loomlight.models.woven.training.losses import LOSSES, mapped, unmapped  # noqa: E402
-from loomlight.models.woven.training.train import rate_share, train_woven  # noqa: E402
+from loomlight.models.woven.training.train import rate_factor, train_woven  # noqa: E402
 from loomlight.models.woven.weights import read_weights  # noqa: E402
 
 from ..networks import network  # noqa: E402
@@ -272,8 +272,8 @@ def test_small_footprints_are_drawn_less_often(dataset: Path) -> None:
 
 def test_schedules() -> None:
     steps = TrainingConfig.model_validate({"training": {"schedule": "steps"}}).training
-    assert [round(rate_share(steps, share), 3) for share in (0, 0.59, 0.61, 0.95)] == [1, 1, 0.2, 0.04]
+    assert [round(rate_factor(steps, progress), 3) for progress in (0, 0.59, 0.61, 0.95)] == [1, 1, 0.2, 0.04]
     cosine = TrainingConfig().training
-    assert rate_share(cosine, 0) < 1e-6
-    assert rate_share(cosine, 0.01) == pytest.approx(1, abs=1e-3)
-    assert rate_share(cosine, 1) == pytest.approx(0, abs=1e-6)
+    assert rate_factor(cosine, 0) < 1e-6
+    assert rate_factor(cosine, 0.01) == pytest.approx(1, abs=1e-3)
+    assert rate_factor(cosine, 1) == pytest.approx(0, abs=1e-6)

@@ -1,4 +1,4 @@
-"""Everything that a training of the universal network depends on; read from a TOML file."""
+"""The configuration of a training of the universal network, read from a TOML file."""
 
 from __future__ import annotations
 
@@ -46,26 +46,26 @@ class TrainingTable(ConfigTable):
 
     Attributes:
         steps: how many.
-        minutes: an end by the clock in place of `steps`, for comparisons at equal budget; 0 is none.
+        minutes: time limit in place of `steps`, for comparisons at equal budget; 0 is none.
         fabrics: faces of fabrics in one step.
         queries: of each of them in one step.
-        updates: of the decoder in one step, each with queries of its own; the first is the encoder's too,
-            which costs five times as much as a decoder's.
-        decoder_steps: further steps, of the decoder alone, on the latents of the encoder as it is then; those
-            are computed once, so a step costs a tenth.
-        decoder_hidden: width of a decoder that is made anew for these; 0 keeps the network's, unless
-            `decoder_bundles` asks for another.
-        decoder_bundles: whether a new decoder mixes bundles; see `NetworkTable`.
-        decoder_rate: largest learning rate of these; the schedule begins anew.
-        decoder_loss: of these; "faint" is "balanced" that counts faint specular terms by shares.
+        updates: of the decoder in one step, each with its own queries; the first updates the encoder too,
+            which costs five times as much as the decoder.
+        decoder_steps: further steps of the decoder alone, on the final latents of the encoder; those are
+            computed once, so a step costs a tenth.
+        decoder_hidden: width of a new decoder for these steps; 0 keeps the network's decoder, unless
+            `decoder_bundles` is true.
+        decoder_bundles: a new decoder with a lobe basis; see `NetworkTable`.
+        decoder_rate: largest learning rate of these steps; the schedule starts again.
+        decoder_loss: of these steps; "faint" adds relative errors of faint specular terms to "balanced".
         optimiser: "sgd", as published, "adam" or "soap", which is Adam along the principal axes of gradients.
         rate: largest learning rate.
         schedule: "steps" multiplies the rate by 0.2 at 6/10 and 9/10 of the training, as published; "cosine"
             warms up over the first hundredth and falls to 0.
         regularisation: weight of the sum of squares of all weights (decoupled with Adam).
         loss: "published" is chen2024 eq. 9–11; "balanced" see `loomlight.models.woven.training.losses`.
-        small_footprints: share of the queries of footprints far below a thread that are learnt from; all from
-            two threads on. Their sharp edges are beyond a small network, so most of what they say is noise.
+        small_footprints: fraction of the queries of footprints far below a thread that are used; all from
+            two threads on. A small network cannot fit their sharp edges, so they are mostly noise.
         seed: of initial weights and batches.
     """
 

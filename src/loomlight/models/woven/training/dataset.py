@@ -1,6 +1,6 @@
-"""The dataset of a training: fabrics with queries and their truth, made as they are needed and kept on disk.
+"""The dataset of a training: fabrics with queries and their truth, generated on demand and cached on disk.
 
-A fabric depends on the seed and its number alone, so a training that was stopped makes the same dataset.
+A fabric depends on the seed and its number alone, so a resumed training generates the same dataset.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from loomlight.core.files import replacing
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.woven.encoder import fabric_parameters, face_maps
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.footprint_coding import places_of
+from loomlight.models.woven.footprint_coding import footprints_in_threads
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES, TRAINING_RANGES
 from loomlight.models.woven.training.config import DataTable
 from loomlight.models.woven.training.random_fabrics import random_fabric
@@ -27,12 +27,12 @@ from loomlight.models.woven.training.weaves import training_draft
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry
 
-# Crossings of a repeat that gets all its pairs, and the fewest pairs of a larger one.
+# Crossings of the largest repeat with all pairs, and the fewest pairs of a larger repeat.
 _FULL_REPEAT = 32
 _FEWEST_PAIRS = 64
-# Fabrics with layouts of their own, where layouts vary.
-_VARIED_SHARE = 2 / 3
-# What is kept of a face beside its threads.
+# Fraction of fabrics with random layouts, if layouts vary.
+_VARIED_FRACTION = 2 / 3
+# Arrays of a face in a file, beside its threads.
 _ARRAYS = ("maps", "parameters", "fibres", "bundles", "lights", "views", "places", "truth")
 
 
@@ -41,14 +41,14 @@ class Face:
     """One face of a fabric with its queries, in the frame of that face: views have z > 0.
 
     Attributes:
-        maps: what the encoder sees [7, rows, columns].
+        maps: input of the encoder [7, rows, columns].
         parameters: α of warp and weft, β of warp and weft [4].
         fibres: see `Fibres.face` [2 families, 3].
         bundles: see `Fibres.bundles` [2 families, `BUNDLES`, 4].
         threads: picks and ends of the repeat.
         lights, views: unit vectors [p, 3].
         places: position x and y and side of the footprint [p, m, 3], in threads.
-        truth: components and hole [p, m, 5], 1/sr and a share.
+        truth: components, 1/sr, and hole fraction [p, m, 5].
     """
 
     maps: NDArray[np.float32]
@@ -66,7 +66,7 @@ def dataset_fabric(table: DataTable, number: int) -> Fabric:
     """Fabric `number` of the dataset."""
     rng = np.random.default_rng([table.seed, number])
     draft = training_draft(rng, table.weaves)
-    varied = table.layouts == "varied" and rng.random() < _VARIED_SHARE
+    varied = table.layouts == "varied" and rng.random() < _VARIED_FRACTION
     return random_fabric(rng, draft, ranges=TRAINING_RANGES if varied else PARAMETER_RANGES)
 
 
@@ -81,23 +81,23 @@ def dataset_faces(
     fabric = dataset_fabric(table, number)
     layout = fabric.layout()
     geometry = YarnGeometry(layout)
-    # A pair costs as many texels as the repeat has, so large repeats get fewer.
-    share = min(1, _FULL_REPEAT / layout.warp_on_top.size)
+    # The cost of a pair grows with the texels of the repeat, so large repeats have fewer pairs.
+    fraction = min(1, _FULL_REPEAT / layout.warp_on_top.size)
     queries = query_set(
         fabric_scale(layout),
-        max(_FEWEST_PAIRS, round(share * table.pairs)),
+        max(_FEWEST_PAIRS, round(fraction * table.pairs)),
         table.footprints,
         seed=table.seed,
         step=number,
         transmits=True,
-        lights=max(_FEWEST_PAIRS // 4, round(share * table.lights)),
-        views=max(_FEWEST_PAIRS // 4, round(share * table.views)),
+        lights=max(_FEWEST_PAIRS // 4, round(fraction * table.lights)),
+        views=max(_FEWEST_PAIRS // 4, round(fraction * table.views)),
     )
     model = PointModel(geometry, fabric.appearance())
     slices = FabricSlices(model, float_type, table.texels_per_thread, shadows="mapped")
     truth = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     lights, views = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
-    places = places_of(layout, queries.centres, queries.sizes)
+    places = footprints_in_threads(layout, queries.centres, queries.sizes)
     faces = []
     picks, ends = layout.warp_on_top.shape
     rows, columns = (map_side * picks, map_side * ends) if per_thread else (map_side, map_side)
@@ -121,7 +121,7 @@ def dataset_faces(
 
 
 def write_faces(path: Path, faces: list[Face]) -> None:
-    """Keeps the queries of a fabric, both faces; maps are made again, which is quick."""
+    """Writes both faces of a fabric with their queries."""
     arrays: dict[str, NDArray[Any]] = {}
     for side, face in zip(("front", "back"), faces, strict=True):
         arrays |= {f"{side}.{name}": np.ascontiguousarray(getattr(face, name)) for name in _ARRAYS}
@@ -131,7 +131,7 @@ def write_faces(path: Path, faces: list[Face]) -> None:
 
 
 def read_faces(path: Path) -> list[Face]:
-    """What `write_faces` kept."""
+    """Reads the faces from a file of `write_faces`."""
     arrays = load_file(path)
     faces = []
     for side in ("front", "back"):

@@ -1,7 +1,7 @@
-"""Queries of materials with their answers, on disk: a Zarr v3 group with a group for each material.
+"""Queries of materials with their truth, on disk: a Zarr v3 group with a group for each material.
 
     queries.zarr/
-      zarr.json            what it is: format, version, seed, queries a material, parameter ranges, provenance
+      zarr.json            format, version, seed, queries a material, parameter ranges, provenance
       material_0042/
         zarr.json          the weave and the yarns' parameters
         lights, views      unit vectors [l, 3] and [v, 3], float32
@@ -10,9 +10,9 @@
         components         C_warp, C_weft, S_warp, S_weft of each pair over each footprint [n, m, 4], 1/sr
         holes              hole of each view over each footprint [v, m]
 
-Answers are float16: that moves them by 0.02 % in the mean and by 0.05 % at most, less than their grid does.
-The components of a material are one shard of compressed chunks with checksums. A material appears whole, by
-one rename, so what is there is finished whatever happened to the program that wrote it.
+Values are float16, which rounds them by 0.02 % on average and by 0.05 % at most, less than the error of their
+grid. The components of a material are one shard of compressed chunks with checksums. A material appears by
+one rename, so every material in a store is complete.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ from loomlight.models.woven.training.queries import (
     FEWEST_QUERIES,
     FULL_QUERIES,
     MaterialQueries,
-    answers,
     material_queries,
+    slice_means,
 )
 
 FORMAT = "loomlight woven queries"
 VERSION = 1
-# Bytes that one query takes, compressed (measured: 5.6 in full sets, 6.5 in small ones).
+# Bytes of one query, compressed (measured: 5.6 in full sets, 6.5 in small ones).
 BYTES_A_QUERY = 6.5
 _CHUNK_PAIRS = 64
 _NAME = re.compile(r"material_(\d{4})")
@@ -54,7 +54,7 @@ _NAME = re.compile(r"material_(\d{4})")
 
 @dataclass(frozen=True)
 class StoreSettings:
-    """What all materials of a store share.
+    """Settings of all materials of a store.
 
     Attributes:
         seed: of parameters and queries.
@@ -65,7 +65,7 @@ class StoreSettings:
     queries: int = FULL_QUERIES
 
     def attributes(self) -> dict[str, Any]:
-        """What the store says of itself, but for its provenance."""
+        """Attributes of the store's group, without provenance."""
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -87,8 +87,8 @@ class StoredMaterial:
 
     Attributes:
         number: 0 to 464.
-        queries: what was asked.
-        components: answers [n, m, 4] to each pair over each footprint, 1/sr.
+        queries: directions and footprints.
+        components: of each pair over each footprint [n, m, 4], 1/sr.
         holes: of each view over each footprint [v, m].
     """
 
@@ -97,19 +97,19 @@ class StoredMaterial:
     components: NDArray[np.float16]
     holes: NDArray[np.float16]
 
-    def answers(self) -> NDArray[np.float32]:
-        """All five channels of each query [n, m, 5], as `queries.answers` gives them."""
+    def truth(self) -> NDArray[np.float32]:
+        """All five channels of each query [n, m, 5], as in `queries.slice_means`."""
         holes = self.holes[self.queries.pairs[:, 1]][..., None]
         return np.concatenate([self.components, holes], axis=-1).astype(np.float32)
 
 
 class QueryStore:
-    """Reads a store; every array is checked when it is read.
+    """Reads a store; every array is validated when it is read.
 
     Attributes:
         path: its folder.
-        settings: what its materials share.
-        numbers: which materials are there.
+        settings: of all its materials.
+        numbers: of the finished materials.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -145,7 +145,7 @@ class QueryStore:
             group = _zarr().open_group(str(folder), mode="r")
             arrays = {name: np.asarray(_member(group, name)[:]) for name in _LAYOUT}
             _check(arrays)
-        # What Zarr and its codecs raise on damaged files has no common base.
+        # The exceptions of Zarr and its codecs on damaged files have no common base.
         except Exception as error:
             raise InputError(
                 f"{folder} is damaged ({_reason(error)}); delete that folder and run again what made it."
@@ -162,24 +162,24 @@ def make_store(
     command: str,
     report: Callable[[int, int], None] = lambda done, total: None,
 ) -> tuple[int, ...]:
-    """Writes materials into a new store or one with the same settings; returns those that it has then.
+    """Writes materials into a new store or one with the same settings; returns all finished ones.
 
-    Finished materials are left as they are, so a run that was cut off goes on. Several programs may write
-    different materials into one store.
+    Finished materials are kept, so an interrupted run resumes. Several programs may write different materials
+    into one store.
 
     Args:
         float_type: the Dr.Jit Float type to compute with.
-        command: what the store says it was made with.
-        report: is told how many of `numbers` are done, of how many.
+        command: recorded in the provenance.
+        report: called with (materials done, materials in all).
 
     Raises:
-        InputError: `path` is something else or has other settings, a number that does not exist, or the disk
-            is full; what is finished stays.
+        InputError: `path` is something else or has other settings, a number does not exist, or the disk is
+            full; finished materials stay.
         MissingDependencyError: zarr is not installed.
     """
     store = Path(path)
     _zarr()
-    settings_fit(settings)
+    require_valid_settings(settings)
     for number in numbers:
         if not 0 <= number < len(MATERIALS):
             raise InputError(f"material {number} does not exist: numbers go from 0 to {len(MATERIALS) - 1}.")
@@ -197,12 +197,8 @@ def make_store(
     return finished(store)
 
 
-def settings_fit(settings: StoreSettings) -> None:
-    """Returns if a store can be made with these settings.
-
-    Raises:
-        InputError: a seed below 0, or queries out of range.
-    """
+def require_valid_settings(settings: StoreSettings) -> None:
+    """Raises InputError unless the seed is at least 0 and the number of queries is in range."""
     if settings.seed < 0:
         raise InputError(f"seed {settings.seed} is negative: give 0 or more.")
     if not FEWEST_QUERIES <= settings.queries <= FULL_QUERIES:
@@ -250,10 +246,10 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
         shutil.rmtree(partial)
         return
     there = _read_attributes(store)
-    for name, wanted in settings.attributes().items():
-        if there[name] != wanted:
+    for name, expected in settings.attributes().items():
+        if there[name] != expected:
             raise InputError(
-                f"{store} was made with {name} = {there[name]}, not {wanted}: "
+                f"{store} was made with {name} = {there[name]}, not {expected}: "
                 "give the same settings, or the name of a new store."
             )
 
@@ -284,7 +280,7 @@ def _read_attributes(store: Path) -> dict[str, Any]:
 def _write_material(store: Path, number: int, settings: StoreSettings, float_type: type) -> None:
     fabric = paper_material(number, settings.seed)
     queries = material_queries(number, settings.seed, settings.queries)
-    values = answers(fabric, queries, float_type)
+    values = slice_means(fabric, queries, float_type)
     _, first_pair = np.unique(queries.pairs[:, 1], return_index=True)
     arrays = {name: getattr(queries, name) for name in _QUERY_ARRAYS}
     arrays["components"] = values[..., : len(COMPONENTS)].astype(np.float16)
@@ -358,8 +354,8 @@ def _check(arrays: dict[str, NDArray[Any]]) -> None:
         if array.dtype != dtype or array.ndim != len(letters):
             raise ValueError(f"{name} is {array.dtype} with {array.ndim} axes")
         for letter, extent in zip(letters, array.shape, strict=True):
-            wanted = letter if isinstance(letter, int) else extents.setdefault(letter, extent)
-            if extent != wanted or extent == 0:
+            expected = letter if isinstance(letter, int) else extents.setdefault(letter, extent)
+            if extent != expected or extent == 0:
                 raise ValueError(f"{name} has the shape {array.shape}")
         if not np.isfinite(array).all():
             raise ValueError(f"{name} holds numbers that are not finite")

@@ -1,4 +1,4 @@
-"""Losses of the universal network, and the map between what it puts out and components."""
+"""Losses of the universal network, and the map between its outputs and components."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from loomlight.models.woven.training.config import TrainingTable
 
 # λ of specular and diffuse terms (chen2024 eq. 11).
 _SPECULAR_WEIGHT, _DIFFUSE_WEIGHT = 0.4, 0.1
-# Weights of the two terms in a picture of cloth, as in the query test; and about their mean, 1/sr.
+# Albedos of the diffuse and specular components, as in the query benchmark; and a typical mean f·cos, 1/sr.
 _ALBEDOS = (0.4, 0.4, 0.6, 0.6)
 _MEAN_VALUE = 0.06
-_LOGARITHMIC_SHARE = 0.1
-# Holes are a few per cent of the area: with less weight light passes through the wrong cloths.
+_LOGARITHMIC_WEIGHT = 0.1
+# Holes are a few per cent of the area: with less weight, open cloths are confused with dense ones.
 _HOLE_WEIGHT = 3.0
 _GROUP, _GROUP_WEIGHT = 256, 2.0
-# Beside highlights, specular terms are counted as ln(10 k x + 1): by shares down to 1/1000 per sr.
-_FAINT_GAIN, _FAINT_SHARE = 10.0, 0.7
-_BELOW = 0.1  # of outputs below 0, so that they can be learnt from
+# Faint specular terms are compared as ln(10 k x + 1): relative errors down to 1/1000 per sr.
+_FAINT_GAIN, _FAINT_WEIGHT = 10.0, 0.7
+_BELOW = 0.1  # slope for outputs below 0, which keeps a gradient
 
 
 def gain(light: Tensor) -> Tensor:
@@ -29,7 +29,7 @@ def gain(light: Tensor) -> Tensor:
 
 
 def mapped(components: Tensor, light: Tensor, published: bool) -> Tensor:
-    """Components [n, 4] as the network puts them out: logarithmic, or (published) the diffuse ones linear."""
+    """Components [n, 4] as outputs of the network: logarithmic, or (published) the diffuse ones linear."""
     logarithmic = torch.log1p(gain(light) * components)
     if published:
         return torch.cat([components[:, :2], logarithmic[:, 2:]], 1)
@@ -37,7 +37,7 @@ def mapped(components: Tensor, light: Tensor, published: bool) -> Tensor:
 
 
 def unmapped(output: Tensor, light: Tensor, published: bool) -> Tensor:
-    """Components [n, 4], 1/sr, of what the network puts out."""
+    """Components [n, 4], 1/sr, from outputs of the network."""
     linear = torch.expm1(torch.clamp(output, 0, LARGEST_OUTPUT)) / gain(light)
     if published:
         return torch.cat([torch.clamp(output[:, :2], min=0), linear[:, 2:]], 1)
@@ -53,36 +53,37 @@ def published_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -
 
 
 def balanced_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Tensor:
-    """Absolute error of a picture: of components weighted by albedos, of their sum, and of logarithms.
+    """Absolute errors of components weighted by albedos and of their sum, and errors of logarithms.
 
-    With the published weights the diffuse terms, three quarters of the light, are a hundredth of the loss.
+    The diffuse terms are three quarters of the light; with the published weights they would be a hundredth of
+    the loss.
     """
     albedos = torch.tensor(_ALBEDOS, device=output.device)
     target = truth[:, :4]
     bounded = torch.expm1(functional.leaky_relu(torch.clamp(output, max=LARGEST_OUTPUT), 0.1)) / gain(light)
     error = (bounded - target) * albedos
     linear = error.abs().sum(1).mean() + error.sum(1).abs().mean()
-    # Absolute errors make medians, which are darker than means where shadows are sharp: groups of queries of
-    # one face, drawn at random, must be right in their mean.
+    # Absolute errors fit medians, which are darker than means where shadows are sharp: so means over groups
+    # of random queries of one face are compared too.
     linear = linear + _GROUP_WEIGHT * _group_means(error).abs().sum(1).mean()
     logarithmic = (output - mapped(target, light, False)).square().sum(1).mean()
     missed = (hole - truth[:, 4])[:, None]
     holes = missed.abs().mean() + _group_means(missed).abs().mean()
-    return linear / _MEAN_VALUE + _LOGARITHMIC_SHARE * logarithmic + _HOLE_WEIGHT * holes
+    return linear / _MEAN_VALUE + _LOGARITHMIC_WEIGHT * logarithmic + _HOLE_WEIGHT * holes
 
 
 def faint_loss(output: Tensor, hole: Tensor, truth: Tensor, light: Tensor) -> Tensor:
-    """`balanced_loss`, and the relative error of specular terms where they are faint.
+    """`balanced_loss` plus the relative error of faint specular terms.
 
-    Dark dyed silk shows little else beside its highlights; in absolute errors that is nothing.
+    Dark silk beside its highlights shows faint specular terms alone, which absolute errors neglect.
     """
-    reached = torch.log1p(_FAINT_GAIN * gain(light) * truth[:, 2:4])
+    target = torch.log1p(_FAINT_GAIN * gain(light) * truth[:, 2:4])
     specular = torch.clamp(output[:, 2:], max=LARGEST_OUTPUT)
-    found = torch.log1p(_FAINT_GAIN * torch.expm1(torch.clamp(specular, min=0)))
-    # What is below 0 stands for 0, and is still told to rise, evenly, however far below it lies.
-    found = found + _BELOW * torch.clamp(specular, max=0)
-    relative = (found - reached).abs().sum(1).mean()
-    return balanced_loss(output, hole, truth, light) + _FAINT_SHARE * relative
+    output_logarithms = torch.log1p(_FAINT_GAIN * torch.expm1(torch.clamp(specular, min=0)))
+    # Outputs below 0 mean 0, and keep a constant gradient.
+    output_logarithms = output_logarithms + _BELOW * torch.clamp(specular, max=0)
+    relative = (output_logarithms - target).abs().sum(1).mean()
+    return balanced_loss(output, hole, truth, light) + _FAINT_WEIGHT * relative
 
 
 def _group_means(error: Tensor) -> Tensor:

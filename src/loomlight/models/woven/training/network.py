@@ -4,15 +4,14 @@ Encoder: a ResNet-18 without its last stage over the maps of one face, and a res
 of both families (chen2024 4.2). Two departures from the paper, both measured (docs/models/woven.md):
 
 - Batch normalisation of a few fabrics a step is noise; residual branches start at a gain of zero instead.
-- Convolutions wrap around, so pooling everything would lose where the weave's repeat begins. The "vector"
-  latent reads the last map place by place; the "field" latent needs no such thing, as it is fetched where the
-  footprint lies.
+- Convolutions wrap around, so global pooling would lose the origin of the weave's repeat. The "vector" latent
+  takes every texel of the last map; the "field" latent is fetched at the footprint instead.
 
-Decoder: one-blob coded footprint and latent fused by two layers, then five layers over directions with one
-skip connection. A head of its own gives the hole fraction, which no light changes.
+Decoder: one-blob coded footprint and latent are fused by two layers, then five layers over directions follow,
+with one skip connection. A separate head gives the hole fraction, which does not depend on the light.
 
-Highlights are narrower than a small network can follow: where it mixes bundles, what lies in a footprint is
-learnt, and which way its fibres gleam is computed.
+Highlights are narrower than a small network can fit. With a lobe basis, the network learns the weights of
+bundles of fibres in a footprint, and the lobes of the bundles are computed.
 """
 
 from __future__ import annotations
@@ -26,14 +25,14 @@ from torch.nn import functional
 
 from loomlight.models.woven.architecture import (
     BINS,
-    BLOB_REACH,
+    BLOB_RADIUS,
     BUNDLE_UNIT,
     BUNDLES,
     DENSITY_GAIN,
     DENSITY_SCALE,
     INCLINATION_BINS,
     INCLINATION_CROWDING,
-    INCLINATION_REACH,
+    INCLINATION_RADIUS,
     LIGHT_FEATURES,
     LOG_ROUGHNESS,
     OPPOSITE,
@@ -43,17 +42,17 @@ from loomlight.models.woven.architecture import (
     NetworkTable,
 )
 from loomlight.models.woven.encoder import CHANNELS
-from loomlight.models.woven.footprint_coding import FINEST, Level, levels_of, own_share
+from loomlight.models.woven.footprint_coding import FINEST, Level, fine_tuning_weight, levels_of
 from loomlight.models.woven.training.losses import gain
 
 PARAMETERS = 4
 ANGLES = 5
 COMPONENTS = 4
 FAMILIES = 2
-# Of components, the first are diffuse.
+# The first components are diffuse.
 _DIFFUSE = 2
-# What is put out for bundles before anything is learnt.
-_FIRST_SHARE = 0.25
+# Output for each lobe of the basis at initialization.
+_FIRST_WEIGHT = 0.25
 
 
 class WovenNetwork(nn.Module):
@@ -131,7 +130,7 @@ class _Join(nn.Module):
 
 
 def scaled_parameters(parameters: Tensor) -> Tensor:
-    """ln α and β [n, 4], each about −1 to 1: highlights widen by shares, not by differences."""
+    """ln α and β [n, 4], each about −1 to 1: widths of highlights scale with ratios of α."""
     roughness, height_scale = parameters[:, :2], parameters[:, 2:]
     return torch.cat([1 + torch.log(roughness) / LOG_ROUGHNESS, 2 * height_scale - 1], 1)
 
@@ -152,7 +151,7 @@ class VectorEncoder(nn.Module):
 
 
 class FieldEncoder(nn.Module):
-    """A latent for every place and size: a pyramid of 8 to 1 texels a thread, then of running means."""
+    """A latent for every position and size: a pyramid of 8 to 1 texels a thread, then of running means."""
 
     def __init__(self, table: NetworkTable) -> None:
         super().__init__()
@@ -166,7 +165,7 @@ class FieldEncoder(nn.Module):
         self.join = _Join(features + 1, 64, table.latent_size)
 
     def forward(self, maps: Tensor, parameters: Tensor) -> tuple[Tensor, list[Level]]:
-        """Latents [texels, latent_size] of one face, level after level, and where each level's begin.
+        """Latents [texels, latent_size] of one face, level by level, and the levels.
 
         Args:
             maps: [7, 16·picks, 16·ends].
@@ -218,33 +217,33 @@ class Decoder(nn.Module):
         directions = ANGLES + (LIGHT_FEATURES + VIEW_FEATURES if table.fibres else 0)
         self.angular = _layers(fused + directions, *inner, table.outputs)
         if table.bundles:
-            # All bundles have a share at first, so that all can be learnt from.
-            nn.init.constant_(self.angular[-1].bias[_DIFFUSE:], _FIRST_SHARE)
+            # All lobes have a positive weight at first, so that all have gradients.
+            nn.init.constant_(self.angular[-1].bias[_DIFFUSE:], _FIRST_WEIGHT)
         self.hole = _layers(fused + 2, 16, 1)
 
     def forward(
         self,
         latent: Tensor,
-        place: Tensor,
+        coordinates: Tensor,
         light: Tensor,
         view: Tensor,
         fibres: Tensor,
         bundles: Tensor | None = None,
         correction: Tensor | None = None,
     ) -> tuple[Tensor, Tensor]:
-        """Components [n, 4] as the loss maps them, and the hole fraction [n].
+        """Components [n, 4] as logarithms (see `losses.mapped`), and the hole fraction [n].
 
         Args:
             latent: [n, latent_size].
-            place: position x and y, and size of the footprint, each 0 to 1 [n, 3].
+            coordinates: position x and y, and size of the footprint, each 0 to 1 [n, 3].
             light, view: unit vectors in the frame of the face that is seen [n, 3].
             fibres: of the face that is seen [n, 2, 3]; see `Fibres.face`.
-            bundles: of the face that is seen [b, 2, `BUNDLES`, 4], where each holds for n/b queries in a row;
-                see `Fibres.bundles`. Needed where the network mixes bundles.
-            correction: what is added to the last layer's rows for bundles [2 · `BUNDLES`, hidden + 1] where
-                lights are on the side of the view and footprints large; see `EncodedFabric`.
+            bundles: of the face that is seen [b, 2, `BUNDLES`, 4], each for n/b consecutive queries; see
+                `Fibres.bundles`. Required with a lobe basis.
+            correction: of the last layer's rows for the lobe basis [2 · `BUNDLES`, hidden + 1], applied in
+                reflection by large footprints; see `EncodedFabric`.
         """
-        coded = one_blob(place) if self.table.position == "one_blob" else place
+        coded = one_blob(coordinates) if self.table.position == "one_blob" else coordinates
         spatial = torch.cat([latent, coded], 1)
         for layer in self.fusion:
             spatial = functional.leaky_relu(layer(spatial), SLOPE)
@@ -252,17 +251,17 @@ class Decoder(nn.Module):
         if self.table.fibres:
             directions.append(fibre_features(light, view, fibres))
         hidden: Any = torch.cat([spatial, *directions], 1)
-        skip, kind = None, place.device.type
+        skip, kind = None, coordinates.device.type
         for number, layer in enumerate(self.angular):
             last = number + 1 == len(self.angular)
-            # Where training computes in bfloat16, the output must not: it is a logarithm.
+            # The output is a logarithm, for which bfloat16 is too coarse.
             with torch.autocast(kind, enabled=torch.is_autocast_enabled(kind) and not last):
-                taken = hidden.to(layer.weight.dtype) if last else hidden
-                hidden = layer(taken)
+                last_inputs = hidden.to(layer.weight.dtype) if last else hidden
+                hidden = layer(last_inputs)
                 if last and correction is not None:
-                    share = own_share(place[:, 2:], torch) * (light[:, 2:] > 0)
-                    added = functional.linear(taken, correction[:, :-1], correction[:, -1])
-                    hidden = torch.cat([hidden[:, :_DIFFUSE], hidden[:, _DIFFUSE:] + share * added], 1)
+                    weight = fine_tuning_weight(coordinates[:, 2:], torch) * (light[:, 2:] > 0)
+                    added = functional.linear(last_inputs, correction[:, :-1], correction[:, -1])
+                    hidden = torch.cat([hidden[:, :_DIFFUSE], hidden[:, _DIFFUSE:] + weight * added], 1)
             if number == 0:
                 skip = hidden
             elif number == 2:
@@ -278,10 +277,10 @@ class Decoder(nn.Module):
 
 
 def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
-    """What the fibres of both families make of lights and views [n, 3]: [n, 38].
+    """Features [n, 38] of lights and views [n, 3] along the fibres of both families.
 
-    Highlights are ridges where the half vector is at right angles to the fibres, α wide, which lie askew of
-    the threads by the twist. Of each family, warp then weft:
+    Highlights are ridges of width α where the half vector is perpendicular to the fibres, which are rotated
+    against the threads by the twist. For each family, warp then weft:
 
     - the cosines of the view, then of the light, with the fibres on a yarn's crown;
     - the inclination along these of which fibres would reflect the light into the view, one-blob coded, bins
@@ -296,11 +295,11 @@ def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
     total = light + view
     cosine = cosines[0] + cosines[1]
     square = cosine.square()
-    reach = torch.sqrt(square + total[:, 2:].square() + OPPOSITE)
-    place = (1 + INCLINATION_CROWDING) * cosine / (cosine.abs() + INCLINATION_CROWDING * reach)
-    numbers = torch.arange(INCLINATION_BINS, dtype=place.dtype, device=place.device)
+    length = torch.sqrt(square + total[:, 2:].square() + OPPOSITE)
+    position = (1 + INCLINATION_CROWDING) * cosine / (cosine.abs() + INCLINATION_CROWDING * length)
+    numbers = torch.arange(INCLINATION_BINS, dtype=position.dtype, device=position.device)
     centres = (numbers + 0.5) / INCLINATION_BINS
-    distance = (0.5 + 0.5 * place[:, :, None] - centres) * (INCLINATION_BINS / INCLINATION_REACH)
+    distance = (0.5 + 0.5 * position[:, :, None] - centres) * (INCLINATION_BINS / INCLINATION_RADIUS)
     bins = torch.clamp(1 - distance * distance, min=0).square().flatten(1)
     flat = square / (total.square().sum(1, keepdim=True) + OPPOSITE)
     squared_roughness = roughness.square()
@@ -309,25 +308,25 @@ def fibre_features(light: Tensor, view: Tensor, fibres: Tensor) -> Tensor:
     return torch.cat([*cosines, bins, DENSITY_SCALE * torch.log1p(DENSITY_GAIN * density)], 1)
 
 
-def mixed_bundles(shares: Tensor, total: Tensor, bundles: Tensor) -> Tensor:
-    """Specular components [n, 2], 1/sr, of densities of bundles and of what is put out for each.
+def mixed_bundles(lobe_weights: Tensor, total: Tensor, bundles: Tensor) -> Tensor:
+    """Specular components [n, 2], 1/sr: mixtures of the lobe basis.
 
     Args:
-        shares: what is put out for the bundles of both families [n, 2 · `BUNDLES`].
+        lobe_weights: outputs for the bundles of both families [n, 2 · `BUNDLES`].
         total: light plus view [n, 3].
-        bundles: [b, 2, `BUNDLES`, 4], each for n/b queries in a row.
+        bundles: [b, 2, `BUNDLES`, 4], each for n/b consecutive queries.
     """
     count, groups = len(total), len(bundles)
     inverse = 1 / (total.square().sum(1) + OPPOSITE)
     cosine = torch.einsum("gnc,gfbc->gnfb", total.view(groups, -1, 3), bundles[..., :3])
     width = bundles[:, None, :, :, 3].expand_as(cosine).reshape(count, FAMILIES, BUNDLES)
     root = width + cosine.reshape(count, FAMILIES, BUNDLES).square() * inverse[:, None, None]
-    kept = BUNDLE_UNIT * functional.leaky_relu(shares, SLOPE).view(count, FAMILIES, BUNDLES)
-    return (kept / root.square()).sum(2)
+    weights = BUNDLE_UNIT * functional.leaky_relu(lobe_weights, SLOPE).view(count, FAMILIES, BUNDLES)
+    return (weights / root.square()).sum(2)
 
 
 def _logarithmic(values: Tensor) -> Tensor:
-    """ln(x + 1), and x below 0, so that it can be learnt from there."""
+    """ln(x + 1), and x below 0, where it keeps a gradient."""
     return torch.where(values > 0, torch.log1p(torch.clamp(values, min=0)), values)
 
 
@@ -343,5 +342,5 @@ def one_blob(place: Tensor) -> Tensor:
     centres = (torch.arange(BINS, dtype=place.dtype, device=place.device) + 0.5) / BINS
     offset = place[:, :, None] - centres
     around = offset[:, :2] - torch.round(offset[:, :2])
-    distance = torch.cat([around, offset[:, 2:]], 1) * (BINS / BLOB_REACH)
+    distance = torch.cat([around, offset[:, 2:]], 1) * (BINS / BLOB_RADIUS)
     return torch.clamp(1 - distance * distance, min=0).square().flatten(1)

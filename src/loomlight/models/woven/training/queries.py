@@ -1,12 +1,12 @@
-"""What chen2024 5.1 asks of each material: every pair of directions over every footprint.
+"""The queries of chen2024 5.1 for a material: every pair of directions over every footprint.
 
 Footprint centres are stratified in 8×8 cells of the repeat. About each there are 10 sizes between the
 smallest footprint (1/128 of the repeat; the paper begins at 0) and one repeat, and 10 between one and five
 repeats, stratified. Directions are stratified in x and y, 8×8 cells of [−1, 1]² for lights and for views;
 those outside the unit disc are no directions: about 50 × 50 pairs are left, so 2500 × 1280 = 3.2 million
 queries with the light on the side of the view (BRDF), and as many with other lights behind the cloth (BTDF).
-All pairs are over the same footprints, so a slice answers 1280 queries, and 50 searches for views and 100
-for lights are all that visibility takes.
+All pairs have the same footprints, so one slice serves 1280 queries, and visibility takes 50 traced views and
+100 traced lights.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class MaterialQueries:
 
     @property
     def count(self) -> int:
-        """How many queries there are."""
+        """Number of queries."""
         return len(self.pairs) * len(self.sizes)
 
     @property
@@ -66,8 +66,8 @@ def material_queries(number: int, seed: int = 0, queries: int = FULL_QUERIES) ->
     """The queries of material `number` in the set of `seed`.
 
     Args:
-        queries: about so many. Fewer than all are fewer sizes a centre and, in the same proportion, fewer
-            pairs drawn among all; all 64 centres stay.
+        queries: approximate number. Fewer queries have fewer sizes a centre and, in the same proportion,
+            fewer of the pairs; all 64 centres stay.
 
     Raises:
         InputError: no such material, or fewer than 1024 queries.
@@ -76,7 +76,7 @@ def material_queries(number: int, seed: int = 0, queries: int = FULL_QUERIES) ->
 
 
 def fabric_queries(fabric: Fabric, seed: list[int], queries: int = FULL_QUERIES) -> MaterialQueries:
-    """The same of any fabric; `seed` are the numbers that they depend on.
+    """The queries of any fabric; they depend on it and on the numbers of `seed` alone.
 
     Raises:
         InputError: fewer than 1024 queries.
@@ -90,9 +90,9 @@ def fabric_queries(fabric: Fabric, seed: list[int], queries: int = FULL_QUERIES)
     views = _directions(rng)
     lights = [_directions(rng), _directions(rng) * np.asarray([1, 1, -1], np.float32)]
     pairs = _pairs([len(side) for side in lights], len(views))
-    wanted = round(queries / len(sizes))
-    if queries < FULL_QUERIES and wanted < len(pairs):
-        pairs = pairs[np.sort(rng.permutation(len(pairs))[:wanted])]
+    pair_count = round(queries / len(sizes))
+    if queries < FULL_QUERIES and pair_count < len(pairs):
+        pairs = pairs[np.sort(rng.permutation(len(pairs))[:pair_count])]
     used_lights, light = np.unique(pairs[:, 0], return_inverse=True)
     used_views, view = np.unique(pairs[:, 1], return_inverse=True)
     return MaterialQueries(
@@ -104,13 +104,13 @@ def fabric_queries(fabric: Fabric, seed: list[int], queries: int = FULL_QUERIES)
     )
 
 
-def answers(
+def slice_means(
     fabric: Fabric,
     queries: MaterialQueries,
     float_type: type,
     texels_per_thread: float | None = None,
 ) -> NDArray[np.float32]:
-    """The truth of queries by slices [n, m, 5]: C_warp, C_weft, S_warp, S_weft in 1/sr, and the hole.
+    """Means of slices over the footprints of queries [n, m, 5]: C_warp, C_weft, S_warp, S_weft, 1/sr; hole.
 
     Args:
         float_type: the Dr.Jit Float type to compute with.
@@ -147,7 +147,7 @@ def _footprints(
 
 def _directions(rng: np.random.Generator) -> NDArray[np.float32]:
     """Unit vectors [about 50, 3] in front of the cloth: those of 64 draws that are directions."""
-    x, y = (2 * share - 1 for share in _in_cells(rng))
+    x, y = (2 * value - 1 for value in _in_cells(rng))
     square = x**2 + y**2
     valid = square <= 1 - LOWEST_COSINE**2
     vectors = np.stack([x, y, np.sqrt(np.where(valid, 1 - square, 0))], axis=-1)[valid]

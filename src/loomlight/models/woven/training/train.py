@@ -1,4 +1,4 @@
-"""Training of the universal network from a configuration, data included; it goes on where it was stopped."""
+"""Training of the universal network from a configuration, dataset included; resumes from checkpoints."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def train_woven(
     training = config.training
     schedule = Schedule(
         steps=training.steps,
-        rate=lambda share: training.rate * rate_share(training, share),
+        rate=lambda progress: training.rate * rate_factor(training, progress),
         seconds=60 * training.minutes,
         keep_every=keep_every,
     )
@@ -81,7 +81,7 @@ def train_woven(
             batches.decoder_losses,
             Schedule(
                 steps=training.decoder_steps,
-                rate=lambda share: training.decoder_rate * rate_share(training, share),
+                rate=lambda progress: training.decoder_rate * rate_factor(training, progress),
                 keep_every=keep_every,
             ),
             folder / "decoder.safetensors",
@@ -102,20 +102,20 @@ def train_woven(
 
 
 def last_decoder(config: TrainingConfig, before: Decoder) -> Decoder:
-    """The decoder that is trained alone: that of the training before, or a new one."""
+    """The decoder of the last stage, which trains alone: that of the first stage, or a new one."""
     training, table = config.training, config.network
     changes: dict[str, Any] = {"hidden": training.decoder_hidden or table.hidden}
     if training.decoder_bundles:
         changes["bundles"] = True
-    wanted = table.model_copy(update=changes)
-    if wanted == table:
+    requested = table.model_copy(update=changes)
+    if requested == table:
         return before
     torch.manual_seed(training.seed)
-    return Decoder(wanted)
+    return Decoder(requested)
 
 
 def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | None = None) -> list[Face]:
-    """The faces of all fabrics of the dataset; what the folder has is not made again."""
+    """The faces of all fabrics of the dataset; fabrics already in the folder are read."""
     from drjit.llvm.ad import Float
 
     from loomlight.core.llvm import require_llvm
@@ -135,11 +135,11 @@ def make_dataset(config: TrainingConfig, folder: Path, report: DatasetReport | N
     return faces
 
 
-def rate_share(training: TrainingTable, share: float) -> float:
-    """The learning rate as a share of the largest, after a share of the training."""
+def rate_factor(training: TrainingTable, progress: float) -> float:
+    """The learning rate over the largest, 0 to 1, at a progress of the training from 0 to 1."""
     if training.schedule == "steps":
-        return 0.2 ** sum(share >= drop for drop in (0.6, 0.9))
-    return min(1.0, (share + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * share))
+        return 0.2 ** sum(progress >= drop for drop in (0.6, 0.9))
+    return min(1.0, (progress + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * progress))
 
 
 def _optimiser(network: torch.nn.Module, training: TrainingTable) -> torch.optim.Optimizer:

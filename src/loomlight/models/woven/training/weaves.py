@@ -25,7 +25,7 @@ PAPER_WEAVES = {
 }
 
 
-# Weaves of the query test (evaluation) that no training may see.
+# Weaves of the query benchmark (evaluation) that no training may see.
 HELD_OUT_WEAVES = (
     "twill 4/4",
     "basket 2/2",

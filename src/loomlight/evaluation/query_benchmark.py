@@ -1,11 +1,11 @@
-"""The query test: predictions for the footprints of held-out fabrics against the truth, by class.
+"""The query benchmark: predictions for the footprints of held-out fabrics against the truth, by class.
 
-What is judged (`QUANTITIES`), each overall and by band of footprint size, roughness and elevation:
+The quantities (`QUANTITIES`), each overall and by band of footprint size, roughness and elevation:
 
 - reflection: f·cos at grey albedos k_d = 0.4 and k_s = 0.6, light and view on one side: the headline;
-- transmission: the same where they lie on different sides;
+- transmission: the same with light and view on different sides;
 - colour: f·cos in RGB with the albedos of the threads, both sides, fabrics of several colours only;
-- each of the four components, and the hole's share, of all queries.
+- each of the four components, and the hole fraction, of all queries.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ class RowResult:
         sums: by quantity, then by class ("overall", a band, …).
         fabrics: nMAE of grey f·cos, both sides, by the fabric's name.
         rates: queries a second, one a fabric.
-        cost: multiply-adds and bytes fetched of one query; None where the model does not say.
-        refused: why, by the name of each fabric that the model does not take.
+        cost: multiply-adds and bytes fetched of one query; None if the model does not state them.
+        refused: the reason, by the name of each fabric that the model does not take.
     """
 
     sums: dict[str, dict[str, ErrorSums]] = field(default_factory=dict)
@@ -63,20 +63,20 @@ class RowResult:
         sums = self.sums.get(quantity, {}).get(name, ErrorSums())
         return float(getattr(sums, metric))
 
-    def add(self, quantity: str, found: dict[str, ErrorSums]) -> None:
+    def add(self, quantity: str, sums_of_fabric: dict[str, ErrorSums]) -> None:
         """Adds the sums of one fabric."""
-        old = self.sums.setdefault(quantity, {})
-        for name, sums in found.items():
-            old[name] = old.get(name, ErrorSums()) + sums
+        totals = self.sums.setdefault(quantity, {})
+        for name, sums in sums_of_fabric.items():
+            totals[name] = totals.get(name, ErrorSums()) + sums
 
 
 @dataclass
-class QueryTest:
-    """Results of the query test.
+class QueryBenchmark:
+    """Results of the query benchmark.
 
     Attributes:
         rows: by name.
-        fabrics: names of the fabrics that every row took; the sums are over these.
+        fabrics: names of the fabrics that every row takes; the sums are over these.
         queries: of each fabric.
     """
 
@@ -92,8 +92,8 @@ class QueryTest:
             "rows": {
                 name: {
                     "metrics": {
-                        quantity: {part: sums.values() for part, sums in found.items() if sums.count}
-                        for quantity, found in row.sums.items()
+                        quantity: {part: sums.values() for part, sums in classes.items() if sums.count}
+                        for quantity, classes in row.sums.items()
                     },
                     "nmae_by_fabric": row.fabrics,
                     "queries_per_second": float(np.median(row.rates)) if row.rates else None,
@@ -126,7 +126,7 @@ class QueryTest:
         return [by_class, others, quantities, fabrics]
 
 
-def run_query_test(
+def run_query_benchmark(
     predictors: Mapping[str, Predictor],
     fabrics: Iterable[HeldOut],
     *,
@@ -135,11 +135,11 @@ def run_query_test(
     seed: int = SEED,
     monte_carlo: Iterable[int] = MONTE_CARLO,
     progress: Progress | None = None,
-) -> QueryTest:
-    """Judges predictors by name, and Monte Carlo of a few samples beside them, on the same queries.
+) -> QueryBenchmark:
+    """Evaluates predictors by name, and Monte Carlo of a few samples, on the same queries.
 
-    A fabric that a model refuses (InputError) is left out of every row's sums, so that all rows are of the
-    same queries; the row says which it refused and why.
+    A fabric that a model refuses (InputError) is excluded from every row's sums, so that all rows are of the
+    same queries; the row records which it refused and why.
 
     Args:
         pairs, footprints: queries of each fabric.
@@ -148,27 +148,27 @@ def run_query_test(
         progress: called with (fabrics done, fabrics in all).
     """
     chosen = list(fabrics)
-    everyone = {
+    all_predictors = {
         **{_samples_name(count): monte_carlo_predictor(count) for count in monte_carlo},
         **predictors,
     }
-    rows = {name: RowResult() for name in everyone}
+    rows = {name: RowResult() for name in all_predictors}
     used = []
     for number, cloth in enumerate(chosen):
         queries, truth = query_truth(cloth.fabric, seed + number, pairs, footprints, with_colours=True)
         predicted = {}
-        for name, predict in everyone.items():
+        for name, predict in all_predictors.items():
             try:
                 predicted[name] = predict(cloth.fabric, queries)
             except InputError as error:
                 rows[name].refused[cloth.name] = str(error)
-        if len(predicted) == len(everyone):
+        if len(predicted) == len(all_predictors):
             used.append(cloth.name)
             for name, prediction in predicted.items():
-                _judge(rows[name], cloth, queries, prediction, truth.astype(np.float64))
+                _accumulate(rows[name], cloth, queries, prediction, truth.astype(np.float64))
         if progress is not None:
             progress(number + 1, len(chosen))
-    return QueryTest(rows, used, pairs * footprints)
+    return QueryBenchmark(rows, used, pairs * footprints)
 
 
 def grey_value(means: NDArray[Any]) -> NDArray[np.float64]:
@@ -197,26 +197,26 @@ def query_classes(fabric: Fabric, queries: QuerySet, unseen_weave: bool) -> list
     ]
 
 
-def _judge(
+def _accumulate(
     row: RowResult, cloth: HeldOut, queries: QuerySet, predicted: Prediction, truth: NDArray[np.float64]
 ) -> None:
     parts = query_classes(cloth.fabric, queries, cloth.unseen_weave)
     light, view = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
     crosses = light[:, 2] * view[:, 2] < 0
     if predicted.means is None:
-        guess, right = predicted.colours.mean(axis=-1), truth[..., len(CHANNELS) :].mean(axis=-1)
+        predicted_value, expected = predicted.colours.mean(axis=-1), truth[..., len(CHANNELS) :].mean(axis=-1)
     else:
-        guess, right = grey_value(predicted.means), grey_value(truth)
+        predicted_value, expected = grey_value(predicted.means), grey_value(truth)
     for name, pairs in (("reflection", ~crosses), ("transmission", crosses)):
         if pairs.any():
             chosen = [Classes(part.names, part.codes[pairs]) for part in parts]
-            row.add(name, sums_by_class(guess[pairs], right[pairs], chosen))
+            row.add(name, sums_by_class(predicted_value[pairs], expected[pairs], chosen))
     if cloth.coloured:
         row.add("colour", sums_by_class(predicted.colours, truth[..., len(CHANNELS) :], parts))
     if predicted.means is not None:
         for index, name in enumerate(CHANNELS):
             row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
-    row.fabrics[cloth.name] = sums_by_class(guess, right, [])[OVERALL].nmae
+    row.fabrics[cloth.name] = sums_by_class(predicted_value, expected, [])[OVERALL].nmae
     if predicted.cost is not None:
         row.cost = (predicted.cost.multiply_adds, predicted.cost.bytes_fetched)
     if predicted.rate is not None:

@@ -1,4 +1,4 @@
-"""The image test: which pixels count, how many yarns they cover, and what is made of known pictures.
+"""The image benchmark: which pixels count, how many yarns they cover, and what is made of known pictures.
 
 Covers: evaluation/pictures.py, mitsuba/measured_scenes.py
 """
@@ -9,7 +9,13 @@ import numpy as np
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.image_test import Shot, dolly_test, image_tables, image_test, shots_of
+from loomlight.evaluation.image_benchmark import (
+    Shot,
+    image_tables,
+    run_dolly_benchmark,
+    run_image_benchmark,
+    shots_of,
+)
 from loomlight.evaluation.pictures import flip_mean, picture_error
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.mitsuba import choose_variant, render
@@ -93,7 +99,9 @@ def test_pixel_centres_are_hit(fabrics: list[Fabric]) -> None:
 
 
 def test_every_scene_is_rendered_and_more_samples_are_nearer(fabrics: list[Fabric]) -> None:
-    results = image_test([], fabrics, scenes=["flat far", "two fabrics"], size=SIZE, reference_samples=64)
+    results = run_image_benchmark(
+        [], fabrics, scenes=["flat far", "two fabrics"], size=SIZE, reference_samples=64
+    )
     for result in results:
         one, three = result.pictures["point, 1 spp"].error, result.pictures["point, 3 spp"].error
         assert 0 < three.flip < one.flip
@@ -105,7 +113,7 @@ def test_every_scene_is_rendered_and_more_samples_are_nearer(fabrics: list[Fabri
 
 
 def test_a_still_picture_is_steadier_than_a_noisy_one(fabrics: list[Fabric]) -> None:
-    found = dolly_test([], fabrics[0], side=32, frames=4, reference_samples=16)
+    found = run_dolly_benchmark([], fabrics[0], side=32, frames=4, reference_samples=16)
     assert set(found.steps) == {"reference", "point, 1 spp", "point, 3 spp"}
     assert np.mean(found.steps["point, 1 spp"]) > np.mean(found.steps["reference"])
     assert found.table().rows["reference"][2] is None

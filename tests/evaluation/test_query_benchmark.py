@@ -1,4 +1,4 @@
-"""The query test: its truth against brute force, its rows, and what it makes of known predictions.
+"""The query benchmark: its truth against brute force, its rows, and what it makes of known predictions.
 
 Covers: evaluation/predictions.py, evaluation/truth.py
 """
@@ -23,7 +23,7 @@ from loomlight.evaluation.predictions import (
     monte_carlo_predictor,
     multi_jittered,
 )
-from loomlight.evaluation.query_test import query_classes, run_query_test
+from loomlight.evaluation.query_benchmark import query_classes, run_query_benchmark
 from loomlight.evaluation.truth import query_truth, reference_model
 from loomlight.fabric import Fabric, fabric_from_text
 from loomlight.models.registry import make_model
@@ -118,7 +118,7 @@ def test_multi_jittered_points_fill_rows_and_columns(samples: int) -> None:
 
 
 def test_few_samples_are_unbiased_and_more_are_better(cloth: HeldOut) -> None:
-    result = run_query_test({}, [cloth], pairs=40, footprints=40, monte_carlo=(1, 4))
+    result = run_query_benchmark({}, [cloth], pairs=40, footprints=40, monte_carlo=(1, 4))
     one, four = (result.rows[name] for name in ("1 sample", "4 samples"))
     assert four.metric("reflection") < 0.75 * one.metric("reflection")
     # Some 800 queries with relative deviations of about 1: 4 standard errors.
@@ -138,7 +138,7 @@ def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
     def refusing(fabric: Fabric, queries: QuerySet) -> Prediction:
         raise InputError("too large")
 
-    result = run_query_test({"exact": exact, "brighter": brighter}, [cloth], pairs=8, footprints=10)
+    result = run_query_benchmark({"exact": exact, "brighter": brighter}, [cloth], pairs=8, footprints=10)
     for quantity in ("reflection", "transmission", "colour", "diffuse_warp", "specular_weft", "hole"):
         assert result.rows["exact"].metric(quantity) == pytest.approx(0, abs=1e-7)
         assert result.rows["brighter"].metric(quantity) == pytest.approx(0.25, rel=1e-5)
@@ -146,7 +146,7 @@ def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
     assert result.rows["brighter"].metric("reflection", "b2") == pytest.approx(0.25, rel=1e-5)
     assert "brighter" in result.tables()[0].to_markdown()
 
-    partly = run_query_test({"refusing": refusing, "exact": exact}, [cloth], pairs=8, footprints=10)
+    partly = run_query_benchmark({"refusing": refusing, "exact": exact}, [cloth], pairs=8, footprints=10)
     assert partly.rows["refusing"].refused == {"twill": "too large"}
     assert partly.fabrics == []
     assert partly.to_dict()["rows"]["exact"]["metrics"] == {}

@@ -1,8 +1,8 @@
-"""The image test: eight scenes rendered by models with one sample a pixel, against the point model with many.
+"""The image benchmark: eight scenes rendered with one sample a pixel, against the point model with many.
 
-One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter get
-the pixel as their footprint, its middle as their place; models that look at a point are rendered with 1 and
-3 samples placed as Mitsuba's sampler places them.
+One directional light, direct light only, box filter, exposure 0 (docs/evaluation.md). Models that filter are
+evaluated once a pixel, with the pixel as their footprint. Models of points are rendered with 1 and 3 samples
+a pixel from Mitsuba's sampler.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from loomlight.models.registry import REFERENCE_MODEL, model_class, require_mode
 
 SIZE, REFERENCE_SAMPLES = (960, 540), 1024
 POINT_SAMPLES = (1, 3)
-# Below so many yarns a pixel, comparisons with a few Monte Carlo samples do not count.
+# Comparisons with a few Monte Carlo samples count from so many yarns a pixel on.
 COUNTED_FROM_YARNS = 2.0
 DOLLY_SIDE, DOLLY_FRAMES, DOLLY_SAMPLES = 256, 60, 256
 
@@ -56,7 +56,7 @@ class Picture:
 
     Attributes:
         linear: the picture [height, width, 3].
-        seconds: of rendering, compiled beforehand.
+        seconds: of rendering, with kernels compiled beforehand.
         error: against the reference.
     """
 
@@ -74,7 +74,7 @@ class SceneResult:
         reference: the picture [height, width, 3].
         seconds: of rendering it.
         pictures: by the shot's name.
-        refused: why, by the name of each model that does not take the fabric.
+        refused: the reason, by the name of each model that does not take the fabric.
     """
 
     name: str
@@ -97,7 +97,7 @@ def shots_of(models: Sequence[str]) -> list[Shot]:
     return [*(Shot(REFERENCE_MODEL, samples) for samples in POINT_SAMPLES), *others]
 
 
-def image_test(
+def run_image_benchmark(
     models: Sequence[str],
     fabrics: Sequence[Fabric],
     *,
@@ -107,7 +107,7 @@ def image_test(
     seed: int = 0,
     progress: Progress | None = None,
 ) -> list[SceneResult]:
-    """Renders and judges.
+    """Renders every scene with every model and measures the errors of the pictures.
 
     Args:
         models: names; see `shots_of`.
@@ -124,11 +124,11 @@ def image_test(
     results = []
     for number, name in enumerate(scenes):
 
-        def passed(done: int, total: int, number: int = number) -> None:
+        def report(done: int, total: int, number: int = number) -> None:
             if progress is not None:
                 progress(number * 100 + round(100 * done / total), 100 * len(scenes))
 
-        results.append(_scene(name, shots, fabrics, size, reference_samples, seed, passed))
+        results.append(_scene(name, shots, fabrics, size, reference_samples, seed, report))
     return results
 
 
@@ -143,28 +143,28 @@ def _scene(
 ) -> SceneResult:
     scene = measured_scene(name, fabrics, REFERENCE_MODEL, size)
     start = time.perf_counter()
-    reference = _rendered(scene, reference_samples, seed, progress)
+    reference = _render(scene, reference_samples, seed, progress)
     seconds = time.perf_counter() - start
     pictures: dict[str, Picture] = {}
     refused: dict[str, str] = {}
     for shot in shots:
         try:
-            seen = scene
+            model_scene = scene
             if shot.model != REFERENCE_MODEL:
-                seen = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
-            # The first picture compiles the kernels; it is of another seed, the next is the one judged.
-            _rendered(seen, shot.samples, seed + 2)
+                model_scene = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
+            # The first picture, of another seed, compiles the kernels; the next one is measured.
+            _render(model_scene, shot.samples, seed + 2)
         except InputError as error:
             refused[shot.model] = str(error)
             continue
         start = time.perf_counter()
-        linear = _rendered(seen, shot.samples, seed + 1)
-        taken = time.perf_counter() - start
-        pictures[shot.name] = Picture(linear, taken, picture_error(linear, reference, seen.counted))
+        linear = _render(model_scene, shot.samples, seed + 1)
+        elapsed = time.perf_counter() - start
+        pictures[shot.name] = Picture(linear, elapsed, picture_error(linear, reference, model_scene.counted))
     return SceneResult(name, scene.yarns_per_pixel, reference, seconds, pictures, refused)
 
 
-def _rendered(
+def _render(
     scene: MeasuredScene | Dolly, samples: int, seed: int, progress: Progress | None = None
 ) -> NDArray[np.float32]:
     return render(scene.scene, spp=samples, seed=seed, integrator=scene.integrator, progress=progress)
@@ -195,7 +195,7 @@ def image_tables(results: list[SceneResult]) -> list[Table]:
 
 @dataclass(frozen=True)
 class DollyResult:
-    """How steady a model is while the camera comes closer.
+    """Temporal stability of models while the camera comes closer.
 
     Attributes:
         steps: FLIP between each frame and the next, by the shot's name and "reference".
@@ -204,7 +204,7 @@ class DollyResult:
     steps: dict[str, list[float]]
 
     def table(self) -> Table:
-        """Mean FLIP from frame to frame, and what of it is not the reference's own."""
+        """Mean FLIP from frame to frame, and its excess over the reference's."""
         table = Table(
             "Frame-to-frame FLIP of a dolly from 8 to 0.25 yarns a pixel",
             ["mean", "largest", "mean excess over the reference"],
@@ -217,7 +217,7 @@ class DollyResult:
         return table
 
 
-def dolly_test(
+def run_dolly_benchmark(
     models: Sequence[str],
     fabric: Fabric,
     *,
@@ -240,14 +240,14 @@ def dolly_test(
     for number, (name, shot) in enumerate(rows):
         dolly = Dolly(fabric, shot.model, side, frames, shot.pixel_centres)
         previous: Any = None
-        found: list[float] = []
+        errors: list[float] = []
         for frame in range(frames):
             dolly.look(frame)
-            picture = _rendered(dolly, shot.samples, seed=frame)
+            picture = _render(dolly, shot.samples, seed=frame)
             if previous is not None:
-                found.append(flip_mean(previous, picture, everything))
+                errors.append(flip_mean(previous, picture, everything))
             previous = picture
             if progress is not None:
                 progress(number * frames + frame + 1, len(rows) * frames)
-        steps[name] = found
+        steps[name] = errors
     return DollyResult(steps)

@@ -1,15 +1,16 @@
-"""The query test of all models on the 24 held-out fabrics: the figures that recipes are chosen by.
+"""The query benchmark of all models on the 24 held-out fabrics: the figures that recipes are chosen by.
 
-    python -m experiments.query_test --models point,woven --output experiments/results/query_test.json
-    python -m experiments.query_test --models woven --weights runs/a/woven.safetensors
-    python -m experiments.query_test --models woven --fabrics 8 --pairs 40 --footprints 40     (a minute)
+    python -m experiments.query_benchmark --models point,woven --output query_benchmark.json
+    python -m experiments.query_benchmark --models woven --weights runs/a/woven.safetensors
+    python -m experiments.query_benchmark --models woven --fabrics 8 --pairs 40 --footprints 40     (a minute)
 
 The protocol is docs/evaluation.md: 25 600 queries a fabric against slices on the reference plane, with 1, 3
-and 16 Monte Carlo samples beside the models. The truths are kept on disk: the first run takes minutes, later
-ones seconds. Tables are printed; `--output` writes every figure as JSON.
+and 16 Monte Carlo samples beside the models. The truths are cached on disk: the first run takes minutes,
+later ones seconds. Tables are printed; `--output` writes every figure as JSON.
 
-From other code: `run_query_test({"mine": predictor}, held_out_fabrics())` of `loomlight.evaluation` takes any
-function (fabric, queries) -> Prediction, and `query_truth(fabric, seed)` gives queries and truth in numpy.
+From other code, `run_query_benchmark({"mine": predictor}, held_out_fabrics())` of `loomlight.evaluation`
+takes any function (fabric, queries) -> Prediction, and `query_truth(fabric, seed)` returns queries and truth
+as NumPy arrays.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from pathlib import Path
 from benchmarks.harness import Figures, run
 from loomlight.evaluation.held_out import held_out_fabrics
 from loomlight.evaluation.predictions import Predictor, model_predictor
-from loomlight.evaluation.query_test import SEED, run_query_test
+from loomlight.evaluation.query_benchmark import SEED, run_query_benchmark
 from loomlight.evaluation.reproduce.setting import woven_predictor
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.models.registry import make_model
@@ -50,9 +51,9 @@ def add_options(parser: ArgumentParser) -> None:
 
 
 def measure(options: Namespace) -> Figures:
-    """The test, its tables printed."""
+    """Runs the benchmark, prints its tables and returns every figure."""
     names = [name for name in options.models.split(",") if name]
-    result = run_query_test(
+    result = run_query_benchmark(
         predictors(names, options.weights),
         held_out_fabrics(options.fabrics, LAYOUT_RANGES if options.varied_layouts else PARAMETER_RANGES),
         pairs=options.pairs,
