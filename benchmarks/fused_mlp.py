@@ -15,7 +15,8 @@ import numpy as np
 
 from benchmarks.harness import Figures, run
 from benchmarks.machine import fma_peak, median_seconds
-from loomlight.core.simd import DenseLayer, FusedMlp, core_count
+from loomlight.core.parallel_map import core_count
+from loomlight.core.simd import DenseLayer, FusedMlp
 
 COUNT = 1 << 17
 # Widths of all layers, and whether the third layer adds the first one's sums.

@@ -10,12 +10,12 @@ import drjit as dr
 import numpy as np
 from drjit.llvm.ad import Float
 
+from loomlight.core.parallel_map import core_count
 from loomlight.core.simd import (
     CompiledKernel,
     KernelBuilder,
     SimdTarget,
     SimdValue,
-    core_count,
     host_target,
 )
 from loomlight.evaluation.timing import timed

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float
 
+from loomlight.assets.loom_file import write_loom
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
 from loomlight.core.pytree import named_leaves
@@ -23,6 +24,7 @@ from loomlight.mitsuba import build_scene, material_bsdf, render
 from loomlight.models.bake import bake
 from loomlight.models.lobes import model as lobes_model
 from loomlight.models.lobes.model import DEFAULT_GROUPS, LobesModel
+from loomlight.models.registry import make_model
 
 from .footprints import (
     assert_all_at_once_is_each_alone,
@@ -195,6 +197,17 @@ def test_a_baked_material_is_not_baked_again(tmp_path: Path, baked: list[int]) -
     assert changed.model.fabric.layout().warp.height_scale == 0.5
     mi.load_dict({"type": "woven_lobes", "fabric": str(file), "groups": 2})
     assert baked[2:] == [DEFAULT_GROUPS, 2]
+
+
+def test_a_material_keeps_its_groups_when_it_is_edited(tmp_path: Path, baked: list[int]) -> None:
+    file = tmp_path / "twill.loom"
+    write_loom(file, make_model("lobes", fabric_from_text("twill 2/1"), groups=GROUPS).to_loom())
+    baked.clear()
+    bsdf = mi.load_dict({"type": "woven_lobes", "fabric": str(file)})
+    edited(bsdf, "warp.height_scale", 0.4)
+    bsdf.set_source(fabric_from_text("plain"))
+    mi.load_dict({"type": "woven_lobes", "fabric": str(file), "weft_twist_deg": 5.0})
+    assert baked == [GROUPS] * 3
 
 
 def test_two_fabrics_in_one_picture_are_each_its_own() -> None:

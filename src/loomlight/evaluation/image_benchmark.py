@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, MissingDependencyError
 from loomlight.evaluation.pictures import PictureError, flip_mean, picture_error
 from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
@@ -154,7 +154,7 @@ def _scene(
                 model_scene = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
             # The first picture, of another seed, compiles the kernels; the next one is measured.
             _render(model_scene, shot.samples, seed + 2)
-        except InputError as error:
+        except (InputError, MissingDependencyError) as error:
             refused[shot.model] = str(error)
             continue
         start = time.perf_counter()

@@ -38,6 +38,6 @@ def material_bsdf(
 
     def to_scale(uv_size_mm: tuple[float, float]) -> Any:
         made = first.pop() if first else model_of(material, model, **options)
-        return make_bsdf(made, uv_size_mm, albedo, options)
+        return make_bsdf(made, uv_size_mm, albedo)
 
     return to_scale

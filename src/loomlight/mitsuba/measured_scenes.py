@@ -1,4 +1,4 @@
-"""The scenes of the image test: which pixels count, and how many yarns a pixel covers.
+"""The scenes of the image benchmark: which pixels count, and how many yarns a pixel covers.
 
 One directional light, direct light only, box filter, no ground. Distances are given in yarns a pixel, not in
 metres: the weave is scaled on the piece of cloth until the median pixel covers so many, so that every fabric
@@ -202,7 +202,7 @@ def require_scenes(names: Sequence[str]) -> None:
 
 def _shot(name: str) -> MeasuredShot:
     if name not in _SHOTS:
-        raise InputError(f'scene = "{name}" is no scene of the image test: use {", ".join(_SHOTS)}.')
+        raise InputError(f'scene = "{name}" is no scene of the image benchmark: use {", ".join(_SHOTS)}.')
     return _SHOTS[name]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -32,12 +31,10 @@ class GivenModel:
     Attributes:
         model: what answers.
         uv_size_mm: millimetres per unit of u and of v.
-        options: that the model was made with, and that it has for other sources too.
     """
 
     model: Model
     uv_size_mm: tuple[float, float]
-    options: Mapping[str, Any]
 
 
 def model_bsdf_class() -> type:
@@ -75,9 +72,8 @@ def model_bsdf_class() -> type:
             """
             super().__init__(props)
             if given is None:
-                model, options = model_of_props(props, name)
-                given = GivenModel(model, uv_size_of(props, model.source), options)
-            self._options = dict(given.options)
+                model = model_of_props(props, name)
+                given = GivenModel(model, uv_size_of(props, model.source))
             self.uv_size = mi.Vector2f(given.uv_size_mm)
             self.albedo = props.get_texture("albedo", 1.0) if "albedo" in props else None
             radians = "an angle in radians, such as 0.001"
@@ -99,7 +95,7 @@ def model_bsdf_class() -> type:
             Raises:
                 InputError: a source that the model cannot handle.
             """
-            self._set_model(type(self.model).for_source(source, **self._options))
+            self._set_model(self.model.with_source(source))
 
         def _set_model(self, model: Model) -> None:
             self.model = model

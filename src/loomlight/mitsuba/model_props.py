@@ -36,8 +36,8 @@ _DRAFTS = ("weave", "draft", "image")
 _DEFAULT_WEAVE = "plain"
 
 
-def model_of_props(props: Any, name: str) -> tuple[Model, dict[str, Any]]:
-    """The model `name` that the properties of a plugin describe, and the options that it was made with.
+def model_of_props(props: Any, name: str) -> Model:
+    """The model `name` that the properties of a plugin describe.
 
     Raises:
         InputError: no such file, a field or an option that cannot be; the message names it.
@@ -55,9 +55,10 @@ def model_of_props(props: Any, name: str) -> tuple[Model, dict[str, Any]]:
     inline = _inline(props) if kind.source_kind == "fabric" else {}
     if path is not None and is_loom(path):
         loom = read_loom(path)
-        if loom.model == name and not options and not inline:
-            return model_of_loom(loom), options
-        return kind.for_source(_edited(loom.source, inline), **options), options
+        if loom.model != name or options:
+            return kind.for_source(_edited(loom.source, inline), **options)
+        model = model_of_loom(loom)
+        return model.with_source(_edited(loom.source, inline)) if inline else model
     if path is not None:
         source = _edited(load_source(path, kind.source_kind), inline)
     elif kind.source_kind == "fabric":
@@ -65,7 +66,7 @@ def model_of_props(props: Any, name: str) -> tuple[Model, dict[str, Any]]:
         source = fabric_from_fields(plain | inline, _resolved("."))
     else:
         raise InputError(f"source is missing: give what the model {name} is made of.")
-    return kind.for_source(source, **options), options
+    return kind.for_source(source, **options)
 
 
 def _edited(source: Source, inline: dict[str, Any]) -> Source:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache, partial
 from threading import RLock
 from typing import Any
@@ -31,19 +31,17 @@ def make_bsdf(
     model: Model,
     uv_size_mm: tuple[float, float],
     albedo: dict[str, Any] | None = None,
-    options: Mapping[str, Any] | None = None,
 ) -> Any:
     """The BSDF of a model that is at hand.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v.
         albedo: the dictionary of a texture that diffuse albedos are multiplied with.
-        options: that the model was made with.
     """
     props = mi.Properties()
     if albedo is not None:
         props["albedo"] = mi.load_dict(albedo)
-    given = GivenModel(model, uv_size_mm, options or {})
+    given = GivenModel(model, uv_size_mm)
     return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)
 
 

@@ -189,6 +189,14 @@ class Model(ABC):
             active: lanes that are asked about; answers in others may be anything.
         """
 
+    def with_source(self, source: Source) -> Self:
+        """The model of another source, with the options that this one was made with.
+
+        Raises:
+            InputError: a source that this model cannot handle.
+        """
+        return type(self).for_source(source)
+
     def upload(self, types: ArrayTypes) -> None:
         """Puts all tables on a backend: symbolic calls may not upload any."""
         del types

@@ -216,6 +216,10 @@ class FootprintSamples(FabricModel):
         """
         return cls(fabric_in_loom(loom, cls.name), loom.setting("points", int))
 
+    def with_source(self, source: Source) -> Self:
+        """The model of another fabric with as many points."""
+        return type(self).for_source(source, self.points)
+
     def at(
         self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
     ) -> SamplesBsdf:

@@ -14,7 +14,7 @@ from loomlight.core.simd.fused_mlp import (
     emit_activation,
     emit_dense,
 )
-from loomlight.core.simd.jit import CompiledKernel, Floats, aligned, core_count, host_target
+from loomlight.core.simd.jit import CompiledKernel, Floats, aligned, host_target
 from loomlight.core.simd.kernel_builder import BlockBuffer, KernelBuilder, SimdTarget
 from loomlight.core.simd.math import SimdMath
 from loomlight.core.simd.values import Index, Operand, SimdValue, Uniform, UniformBuffer
@@ -39,7 +39,6 @@ __all__ = [
     "aligned",
     "call_kernel",
     "can_use_kernel",
-    "core_count",
     "emit_activation",
     "emit_dense",
     "host_target",

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import hashlib
-import os
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from typing import Any, TypeAlias
 
@@ -17,6 +15,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import LoomlightError
 from loomlight.core.files import cache_folder, replacing
+from loomlight.core.parallel_map import core_count, parallel_map
 from loomlight.core.simd.kernel_builder import KernelBuilder, SimdTarget
 
 Floats: TypeAlias = NDArray[np.float32]
@@ -25,12 +24,6 @@ _OPTIMISATION = 2  # as of clang -O2
 _CACHE_LINE = 16  # floats
 # The folder of object files in the cache; each begins with the SHA-256 of the rest.
 _FOLDER, _DIGEST = "simd_kernels", 32
-
-
-@cache
-def core_count() -> int:
-    """Cores that this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @cache
@@ -104,22 +97,7 @@ class CompiledKernel:
             self._function(next_block.ctypes.data, blocks, addresses.ctypes.data)
 
         # Threads share the counter of blocks: one on a busy core takes fewer and delays nobody.
-        others = [_workers().submit(run) for _ in range(min(blocks, core_count()) - 1)]
-        run()
-        for other in others:
-            # A thread that has not started by now has nothing left to do.
-            if not other.cancel():
-                other.result()
-
-
-@cache
-def _workers() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(core_count(), thread_name_prefix="loomlight")
-
-
-if hasattr(os, "register_at_fork"):
-    # A forked child has none of its parent's threads.
-    os.register_at_fork(after_in_child=_workers.cache_clear)
+        parallel_map(lambda _: run(), range(min(blocks, core_count())))
 
 
 @cache

@@ -39,7 +39,7 @@ class LobesModel(FilteredFabricModel):
 
     Attributes:
         tables: the baked tables.
-        groups: requested groups of each family, on average; None where the tables come from a file.
+        groups: requested groups of each family, on average.
         multiply_adds: of one prefiltered query, counted from the formulas of reference.py.
         bytes_fetched: by one prefiltered query, from tables that depend on position or direction. The
             moments, 48 bytes a group, are the same for all queries of a face and not counted; neither are
@@ -50,7 +50,7 @@ class LobesModel(FilteredFabricModel):
     conserves_energy = True
     options = (Option("groups", int, f"a whole number from 1 to {MOST_GROUPS}", 1, MOST_GROUPS),)
 
-    def __init__(self, fabric: Fabric, tables: LobeTables, groups: int | None = None) -> None:
+    def __init__(self, fabric: Fabric, tables: LobeTables, groups: int = DEFAULT_GROUPS) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
         self.tables = tables
@@ -73,10 +73,14 @@ class LobesModel(FilteredFabricModel):
         fabric = fabric_source(source, cls.name)
         return cls(fabric, tables_of(fabric, groups), groups)
 
+    def with_source(self, source: Source) -> Self:
+        """The model of another fabric with as many groups."""
+        return type(self).for_source(source, self.groups)
+
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept unless the edit changes the yarns' geometry."""
         if any(name.endswith(_BAKED) for name in edits):
-            return type(self).for_source(fabric, self.groups or DEFAULT_GROUPS)
+            return type(self).for_source(fabric, self.groups)
         return type(self)(fabric, self.tables, self.groups)
 
     def to_loom(self) -> LoomFile:
@@ -85,7 +89,7 @@ class LobesModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"base_size": self.tables.base_size},
+            settings={"base_size": self.tables.base_size, "groups": self.groups},
         )
 
     @classmethod
@@ -95,7 +99,10 @@ class LobesModel(FilteredFabricModel):
         Raises:
             InputError: another model's file, or tables that do not belong together.
         """
-        return cls(fabric_in_loom(loom, cls.name), tables_of_loom(loom))
+        fabric, tables = fabric_in_loom(loom, cls.name), tables_of_loom(loom)
+        groups = loom.setting("groups", int)
+        _require_groups(groups)
+        return cls(fabric, tables, groups)
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -136,7 +143,12 @@ def tables_of(fabric: Fabric, groups: int) -> LobeTables:
     Raises:
         InputError: fewer or more groups.
     """
-    if not 1 <= groups <= MOST_GROUPS:
-        raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")
+    _require_groups(groups)
     geometry = YarnGeometry(fabric.layout())
     return bake_tables(geometry, fabric.appearance().diffuse_blend, groups, llvm_float())
+
+
+def _require_groups(groups: int) -> None:
+    """Raises InputError unless a family may have so many groups."""
+    if not 1 <= groups <= MOST_GROUPS:
+        raise InputError(f"groups = {groups} is out of range: use 1 to {MOST_GROUPS}.")

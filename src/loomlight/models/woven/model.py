@@ -217,10 +217,14 @@ class WovenModel(FilteredFabricModel):
         mixed = endpoints[0].mixed(endpoints[1], blend)
         return cls(fabric, mixed, network, refined=refined, other=second, blend=blend, endpoints=endpoints)
 
+    def with_source(self, source: Source) -> Self:
+        """The model of another fabric by the same network, mixed with the same second fabric."""
+        return type(self).for_source(source, self._refined, self.weights, self._other, self._blend)
+
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; the encoder runs if its inputs change."""
         if any(name.endswith(_ENCODED) for name in edits):
-            return type(self).for_source(fabric, self._refined, self.weights, self._other, self._blend)
+            return self.with_source(fabric)
         return type(self)(
             fabric,
             self.encoded,

@@ -1,7 +1,7 @@
 """The network of chen2024: an encoder of fabrics, and a decoder of footprints and directions.
 
 Encoder: a ResNet-18 without its last stage over the maps of one face, and a residual block that joins α and β
-of both families (chen2024 4.2). Two departures from the paper, both measured (docs/models/woven.md):
+of both families (chen2024 4.2). Two departures from the paper:
 
 - Batch normalisation of a few fabrics a step is noise; residual branches start at a gain of zero instead.
 - Convolutions wrap around, so global pooling would lose the origin of the weave's repeat. The "vector" latent
