@@ -99,13 +99,13 @@ def measure(options: Namespace) -> Figures:
     for name in options.fabrics.split(","):
         runs[name] = measured(load_fabric(EXAMPLES / f"{name}.toml"), (width, height))
         print(name, runs[name], flush=True)
-    least = min(found["times_faster"] for found in runs.values())
+    least = min(result["times_faster"] for result in runs.values())
     print(f"{least} times faster")
     return {
         "picture": f"{SCENE}, {width} × {height}, reference {REFERENCE_SAMPLES} samples a pixel",
         "least_times_faster": least,
         "bar_times_faster": BAR,
-        "missed": [name for name, found in runs.items() if found["times_faster"] < BAR],
+        "missed": [name for name, result in runs.items() if result["times_faster"] < BAR],
         "runs": runs,
     }
 
