@@ -73,8 +73,8 @@ def scores(pairs: int, footprints: int) -> dict[str, float]:
             number,
             Float,
         )
-        # Where rare highlights dominate a channel, the mean of 2 048 samples is not normal yet. Such pairs are
-        # excluded by the skewness over the repeat, which does not depend on these samples.
+        # Where rare highlights dominate a channel, the mean of 2 048 samples is not normal yet. Such pairs
+        # are excluded by the skewness over the repeat, which does not depend on these samples.
         tame = np.array(
             [_skewness(slices.slice(a, b).values) < 6 for a, b in zip(lights, views, strict=True)]
         )

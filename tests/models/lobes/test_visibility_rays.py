@@ -28,10 +28,10 @@ def test_view_samples_are_those_that_views_hit(name: str) -> None:
     passing = np.zeros(len(hits), bool) if rays.view_is_null is None else rays.view_is_null.numpy()
     for back in (False, True):
         some, many = seen.back == back, (np.arange(len(hits)) >= len(hits) // 2) == back
-        for found, wanted in (
+        for actual, expected in (
             (seen.hole[some], passing[many]),
             ((seen.is_warp & ~seen.hole)[some], (hits & ~passing)[many]),
         ):
             # 4.5 deviations of random rays; these are even.
             bound = 4.5 * math.sqrt(0.25 / some.sum())
-            assert abs(found.mean() - wanted.mean()) < bound
+            assert abs(actual.mean() - expected.mean()) < bound
