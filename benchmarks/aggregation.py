@@ -8,7 +8,8 @@
   and 0.6, shares of the mean.
 - `boxes`: the axis-aligned box for parallelograms, by how correlated they are, against the reference.
 - `surface_form`: surface form × continuous rays, fetched at the centre shifted by the mean parallax, against
-  the truth without walls and with them, by band; `unseen` is the share of footprints without visible points.
+  the truth without walls and with them, by band; `unseen` is the fraction of
+  footprints without visible points.
 """
 
 from __future__ import annotations

@@ -86,10 +86,10 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
         minimum = maximum * within(rng, 0, 1)
         reflects = kind == 1
         diffuse = 1 - layer_albedo_bound(depth) * maximum
-        share = within(rng, 0, 1)
+        fraction = within(rng, 0, 1)
         values = (
-            diffuse * share,
-            diffuse * (1 - share),
+            diffuse * fraction,
+            diffuse * (1 - fraction),
             *((maximum, minimum) if reflects else (minimum, maximum)),
         )
         albedos = Albedos(*(np.broadcast_to(value, (count, 3)).copy() for value in values))
