@@ -9,7 +9,7 @@ import mitsuba as mi
 import numpy as np
 
 from loomlight.mitsuba import render
-from loomlight.mitsuba.integrator import is_symbolic
+from loomlight.mitsuba.scene_traits import is_symbolic
 
 
 def unit(rng: np.random.Generator, count: int) -> np.ndarray:

@@ -1,6 +1,6 @@
 """The integrator against Mitsuba's own, and the footprints that it hands to BSDFs.
 
-Covers: mitsuba/ray_cone.py
+Covers: mitsuba/ray_cone.py, mitsuba/path_vertices.py, mitsuba/scene_traits.py
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from loomlight.fabric import fabric_from_text
-from loomlight.mitsuba.integrator import has_holes, has_porous_shadows
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.material import material_bsdf
+from loomlight.mitsuba.scene_traits import SceneTraits
 
 DIFFUSE = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.7}}
 ROUGH = {"type": "twosided", "inner": {"type": "roughconductor", "alpha": 0.15}}
@@ -328,8 +328,8 @@ def test_the_shadow_of_dense_cloth_misses_less_than_a_thousandth(gap: float) -> 
         table(bsdf, light) for bsdf in ({"type": "null"}, material_bsdf(fabric, "lobes")((2000.0, 2000.0)))
     )
     integrator = mi.load_dict({"type": "footprint_path", "max_depth": 2})
-    assert has_porous_shadows(shaded) == (gap > 0.03)
-    assert has_holes(shaded)
+    assert SceneTraits.of(shaded).porous_shadows == (gap > 0.03)
+    assert SceneTraits.of(shaded).holes
     under, bare = (
         # Pixels of the floor right under the sheet, seen beneath its edge.
         np.array(mi.render(scene, integrator=integrator, spp=16))[..., :3]
@@ -351,7 +351,7 @@ def test_cloth_that_is_woven_anew_casts_its_own_shadow() -> None:
     before = picture.take()
     bsdf.set_source(open_)
     after = picture.take()
-    assert has_porous_shadows(scene)
+    assert SceneTraits.of(scene).porous_shadows
     anew = table(material_bsdf(open_, "lobes")((2000.0, 2000.0)), light)
     wanted = LivePicture(anew, integrator=mi.load_dict({"type": "footprint_path", "max_depth": 2})).take()
     assert not np.allclose(before, wanted, atol=1e-3)

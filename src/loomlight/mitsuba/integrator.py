@@ -27,16 +27,12 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.backend import channel_mean, maximum, minimum
+from loomlight.core.backend import minimum
 from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
-from loomlight.mitsuba.ray_cone import cone_partials, opening, pixel_cone
-
-# A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
-MOST_PASSES = 64
-# Light that comes straight from an emitter behind less transmittance than this is dropped: a third of a step
-# of 8-bit sRGB on white cloth.
-_NO_LIGHT = 1e-4
+from loomlight.mitsuba.path_vertices import MOST_PASSES, PathVertices, reflected
+from loomlight.mitsuba.ray_cone import opening, pixel_cone
+from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
 
 def footprint_path_class() -> type:
@@ -156,12 +152,11 @@ def footprint_path_class() -> type:
             **_unused: Any,
         ) -> tuple[Any, Any, list[Any], Any]:
             primal = mode == dr.ADMode.Primal
-            context = mi.BSDFContext()
             samples = self._samples(sampler)
-            holes, porous_shadows = has_holes(scene), has_porous_shadows(scene)
-            # Lights that no direction drawn by chance can meet leave nothing to find after the last bounce.
-            met = has_hittable_emitters(scene)
-            direct_only = not met and self.max_depth <= 2
+            traits = SceneTraits.of(scene)
+            hittable = traits.hittable_emitters
+            direct_only = not hittable and self.max_depth <= 2
+            vertices = PathVertices(scene, traits, direct_only)
 
             camera = ray
             width, spread = pixel_cone(ray)
@@ -189,75 +184,23 @@ def footprint_path_class() -> type:
             while dr.hint(active, exclude=[camera], label=f"footprint_path ({mode.name})"):
                 si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
                 valid = active & si.is_valid()
-                bsdf = si.bsdf()
-
-                # ---- Footprint
                 width = dr.fma(spread, dr.select(valid, si.t, 0), width)
-                si.compute_uv_partials(camera)
-                if dr.hint(not direct_only, mode="scalar"):
-                    duv_dx, duv_dy = cone_partials(si, ray.d, width)
-                    si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
-                    si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
+                vertices.set_footprint(si, ray, camera, width, scattered)
 
-                # ---- Emission
-                Le: Any = mi.Spectrum(0)
-                if dr.hint(met, mode="scalar"):
-                    origin = dr.zeros(mi.Interaction3f)
-                    origin.p = vertex
-                    ds = mi.DirectionSample3f(scene, si, origin)
-                    emitter_pdf = scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
-                    shown = active & (scattered | (not self.hide_emitters))
-                    with dr.resume_grad(when=not primal):
-                        emitted = ds.emitter.eval(si, shown)
-                        Le = β * power_heuristic(vertex_pdf, emitter_pdf) * emitted
-
-                # ---- A light
-                bounces = valid & (depth + 1 < self.max_depth)
-                lit = bounces & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Smooth)
-                ds, arriving = scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
-                lit &= ds.pdf != 0
-                to_light = si.to_local(ds.d)
-                if dr.hint(porous_shadows, mode="scalar"):
-                    # Where no light arrives the cloth need not be asked what it does with it.
-                    arriving *= self._transmittance(scene, si, ds.p, width, spread, not met, lit)
-                    lit &= dr.max(arriving) > 0
-                else:
-                    # As to points and along directions, neighbours' rays go much the same way.
-                    lit &= ~scene.ray_test(si.spawn_ray_to(ds.p), not met, lit)
-
-                # ---- The next direction. Past the last bounce a path still passes through holes, because
-                # the previous vertex's light samples did.
-                enters = mi.Bool(bounces)
-                if dr.hint(holes, mode="scalar"):
-                    enters |= valid & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null)
-                lobe, square = sampler.next_1d(), sampler.next_2d()
-                if dr.hint(primal and direct_only, mode="scalar"):
-                    value, through = _value_and_null_transmission(
-                        bsdf, context, si, to_light, lit, holes, enters
-                    )
-                    bs, weight = _null_sample(si, through, lobe, enters)
-                    pdf = mi.Float(0)
-                elif dr.hint(primal, mode="scalar"):
-                    value, pdf, bs, weight = _value_pdf_and_sample(
-                        bsdf, context, si, to_light, lobe, square, enters
-                    )
-                    value = dr.select(lit, value, 0)
-                else:
-                    if dr.hint(direct_only, mode="scalar"):
-                        through = bsdf.eval_null_transmission(si, enters)
-                        bs, weight = _null_sample(si, through, lobe, enters)
-                    else:
-                        bs, weight = bsdf.sample(context, si, lobe, square, enters)
-                    with dr.resume_grad():
-                        value, pdf = bsdf.eval_pdf(context, si, to_light, lit)
-                        attached = scene.eval_emitter_direction(si, ds, lit) / ds.pdf
-                        arriving *= dr.relative_grad(dr.select(lit, attached, 0))
-
+                shown = active & (scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
-                    heuristic = dr.select(ds.delta, 1, power_heuristic(ds.pdf, dr.detach(pdf)))
-                    Lr = dr.select(lit, β * heuristic * value * arriving, 0)
+                    Le = β * vertices.emission(si, vertex, vertex_pdf, vertex_delta, active, shown, primal)
 
-                # ---- Onwards
+                # Past the last bounce a path still passes through holes, because the previous vertex's light
+                # samples did.
+                bounces = valid & (depth + 1 < self.max_depth)
+                light = vertices.sample_light(si, sampler, width, spread, bounces)
+                enters = vertices.enters(si, valid, bounces)
+                scattering = vertices.scatter(si, sampler, light, enters, primal)
+                bs, weight = scattering.sample, scattering.weight
+                with dr.resume_grad(when=not primal):
+                    Lr = reflected(light, scattering, β)
+
                 passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
                 delta = mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
                 bounced = bounces & ~passed
@@ -266,7 +209,8 @@ def footprint_path_class() -> type:
 
                 ray_next = si.spawn_ray(si.to_world(bs.wo))
                 active_next = bounced | (passed & (passes < MOST_PASSES))
-                if dr.hint(not met, mode="scalar"):
+                if dr.hint(not hittable, mode="scalar"):
+                    # Nothing is left to find after the last bounce.
                     active_next &= passed | (depth + 2 < self.max_depth)
                 β *= weight
                 η *= bs.eta
@@ -286,15 +230,9 @@ def footprint_path_class() -> type:
                 passes[passed] += 1
 
                 if dr.hint(not primal, mode="scalar"):
-                    with dr.resume_grad():
-                        again = bsdf.eval(context, si, bs.wo, active_next & ~delta)
-                        Lo = Le + Lr + dr.detach(L) * dr.relative_grad(again)
-                        if dr.hint(mode == dr.ADMode.Backward, mode="scalar"):
-                            dr.backward_from(δL * Lo)
-                        else:
-                            δL += dr.forward_to(Lo)
+                    δL = vertices.replay(mode, si, bs, active_next & ~delta, (Le, Lr), L, δL)
 
-                # Straight on through holes rays are as alike as before.
+                # Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
                     ray_next, coherent=direct_only, reorder=False, active=active_next
                 )
@@ -303,39 +241,6 @@ def footprint_path_class() -> type:
 
             return (L if primal else δL), visible, [], L
 
-        @dr.syntax
-        def _transmittance(
-            self, scene: Any, si: Any, target: Any, width: Any, spread: Any, alike: bool, active: Any
-        ) -> Any:
-            """Share of the light [3] that gets from `target` to `si` through the holes between them.
-
-            Args:
-                alike: whether neighbours' rays go much the same way, as to points and along directions:
-                    Embree then takes them together, which made pictures of direct light a sixth faster.
-            """
-            ray = si.spawn_ray_to(target)
-            active = mi.Bool(active)
-            width = mi.Float(width)
-            passes = mi.UInt32(0)
-            through = mi.Spectrum(1)
-            # Few rays pass through more than one hole: without symbolic loops only these are kept.
-            # Dr.Jit's stub leaves `compress` out.
-            while dr.hint(  # type: ignore[call-arg]
-                active, label="footprint_path (shadow)", compress=True
-            ):
-                pi = scene.ray_intersect_preliminary(ray, coherent=alike, reorder=False, active=active)
-                blocked = active & pi.is_valid()
-                other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
-                bsdf = other.bsdf()
-                porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MOST_PASSES)
-                width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
-                other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
-                through[blocked] = through * bsdf.eval_null_transmission(other, porous)
-                ray = other.spawn_ray_to(target)
-                passes += 1
-                active = porous & (dr.max(through) > _NO_LIGHT)
-            return through
-
         def _beyond_emitters(self, scene: Any, ray: Any, pi: Any, active: Any) -> Any:
             """The first intersection that is no area emitter."""
             emitter = active & pi.is_valid() & (pi.shape.emitter() != None)  # noqa: E711 (Dr.Jit pointer)
@@ -343,56 +248,6 @@ def footprint_path_class() -> type:
             return dr.select(emitter, self.skip_area_emitters(scene, si.spawn_ray(ray.d), True, emitter), pi)
 
     return FootprintPath
-
-
-def _null_sample(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
-    """A BSDF sample and its weight where only passing through holes leads to anything.
-
-    Args:
-        through: `eval_null_transmission`.
-    """
-    bs: Any = dr.zeros(mi.BSDFSample3f)
-    bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
-    chance = channel_mean(through)
-    passes = active & (choice < chance)
-    bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
-    return bs, dr.select(passes, through * dr.rcp(maximum(chance, 1e-8)), 0)
-
-
-# Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew
-# what the cloth looks like from here. Within one call both come of the same.
-
-
-def _value_pdf_and_sample(
-    bsdf: Any, context: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any
-) -> tuple[Any, Any, Any, Any]:
-    """`eval_pdf_sample` of BSDFs, their own where they have one."""
-
-    def asked(one: Any, *of_lanes: Any) -> Any:
-        if one is None:  # A scene without any BSDF.
-            return mi.Spectrum(0), mi.Float(0), dr.zeros(mi.BSDFSample3f), mi.Spectrum(0)
-        return one.eval_pdf_sample(context, *of_lanes)
-
-    found: tuple[Any, Any, Any, Any] = dr.dispatch(bsdf, asked, si, to_light, lobe, square, active)
-    return found
-
-
-def _value_and_null_transmission(
-    bsdf: Any, context: Any, si: Any, to_light: Any, lit: Any, holes: bool, enters: Any
-) -> tuple[Any, Any]:
-    """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
-    if not holes:
-        return bsdf.eval(context, si, to_light, lit), mi.Spectrum(0)
-
-    def asked(one: Any, si: Any, to_light: Any, lit: Any, enters: Any) -> Any:
-        if one is None:
-            return mi.Spectrum(0), mi.Spectrum(0)
-        if hasattr(one, "eval_and_null_transmission"):
-            return one.eval_and_null_transmission(context, si, to_light, lit, enters)
-        return one.eval(context, si, to_light, lit), one.eval_null_transmission(si, enters)
-
-    found: tuple[Any, Any] = dr.dispatch(bsdf, asked, si, to_light, lit, enters)
-    return found
 
 
 class _CameraSampler:
@@ -461,47 +316,3 @@ def symbolic_mode(scene: Any) -> Iterator[None]:
         dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, symbolic and dr.flag(dr.JitFlag.SymbolicLoops)),
     ):
         yield
-
-
-def is_symbolic(scene: Any) -> bool:
-    """Whether Dr.Jit may trace every surface of the scene in symbolic calls."""
-    return all(
-        shape.bsdf() is None or getattr(shape.bsdf(), "symbolic_calls", True) for shape in scene.shapes()
-    )
-
-
-def has_hittable_emitters(scene: Any) -> bool:
-    """Whether the scene has lights that a ray can meet: of an extent, or all around."""
-    return any(not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters())
-
-
-def has_holes(scene: Any) -> bool:
-    """Whether any surface of the scene lets light pass straight through."""
-    return any(
-        shape.class_name() == "Instance" or (shape.bsdf() is not None and _lets_through(shape.bsdf()))
-        for shape in scene.shapes()
-    )
-
-
-def has_porous_shadows(scene: Any) -> bool:
-    """Whether any surface of the scene lets through enough light to be seen in its shadow."""
-    return any(
-        shape.class_name() == "Instance"
-        or (
-            shape.bsdf() is not None
-            and _lets_through(shape.bsdf())
-            and getattr(shape.bsdf(), "lets_light_through", True)
-        )
-        for shape in scene.shapes()
-    )
-
-
-def _lets_through(bsdf: Any) -> bool:
-    return bool(mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null))
-
-
-def power_heuristic(pdf: Any, other: Any) -> Any:
-    """MIS weight of a sample drawn with density `pdf` that `other` could have drawn; 0 where both are 0."""
-    squared, other_squared = dr.square(pdf), dr.square(other)
-    weight = squared / (squared + other_squared)
-    return dr.detach(dr.select(dr.isfinite(weight), weight, 0))

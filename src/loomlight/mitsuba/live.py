@@ -18,7 +18,8 @@ from loomlight.core.errors import InputError
 from loomlight.core.frozen import frozen, gc_paused
 from loomlight.core.pytree import leaves
 from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
-from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_symbolic
+from loomlight.mitsuba.integrator import bypass_film, footprint_integrator
+from loomlight.mitsuba.scene_traits import is_symbolic
 
 
 class LivePicture:

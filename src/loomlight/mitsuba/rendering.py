@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
-from loomlight.mitsuba.integrator import bypass_film, footprint_integrator, is_symbolic
+from loomlight.mitsuba.integrator import bypass_film, footprint_integrator
+from loomlight.mitsuba.scene_traits import is_symbolic
 from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.

@@ -52,16 +52,20 @@ class WovenBsdf(SeparableBsdf):
         self._decoder = decoder_of(model.weights, types.Float)
         self._query = model.query(view, footprint)
 
+    @property
+    def _table(self) -> LatentTable:
+        return self._model.table(array_types(self.view.x).Float)
+
     @cached_property
     def _activations(self) -> ViewActivations:
-        return self._decoder.view_activations(self._model.table(array_types(self.view.x).Float), *self._query)
+        return self._decoder.view_activations(self._table, *self._query)
 
     @cached_property
     def hole(self) -> Float:
         """Fraction of the view rays that pass through holes, 0 to 1."""
         if "_activations" in self.__dict__:
             return self._activations.hole
-        return self._decoder.hole(self._model.table(array_types(self.view.x).Float), *self._query)
+        return self._decoder.hole(self._table, *self._query)
 
     @cached_property
     def albedos(self) -> FamilyAlbedos:
@@ -69,8 +73,13 @@ class WovenBsdf(SeparableBsdf):
         return tinted(FamilyAlbedos(*self._model.means.over(self.footprint, self._back)), self._tint)
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
-        """Components for a light."""
-        return Components(*self._decoder.components(self._activations, to_face_frame(light, self._back)))
+        """Components for a light; the hole comes with those of the first one."""
+        facing = to_face_frame(light, self._back)
+        if "_activations" in self.__dict__ or "hole" in self.__dict__:
+            return Components(*self._decoder.components(self._activations, facing))
+        *components, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
+        self.__dict__["hole"] = hole
+        return Components(*components)
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -81,6 +90,7 @@ class WovenBsdf(SeparableBsdf):
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """Null transmission through holes, else a cosine lobe on either side in proportion to albedos."""
         types = array_types(self.view.x)
+        self._activate_first()
         null, reflected = self._probabilities
         is_null = types.Bool(choice < null)
         radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
@@ -95,11 +105,20 @@ class WovenBsdf(SeparableBsdf):
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
         return DirectionSample(light=light, pdf=pdf, weight=weight, is_null=is_null)
 
+    def value_pdf_and_sample(
+        self, light: Vec3, choice: Float, u: Vec2
+    ) -> tuple[Color3, Float, DirectionSample]:
+        """All three, of one run of the part that no light changes."""
+        self._activate_first()
+        return super().value_pdf_and_sample(light, choice, u)
+
+    def _activate_first(self) -> None:
+        """Runs the part that no light changes by itself: several lights follow, and the hole is wanted."""
+        self.__dict__.setdefault("hole", self._activations.hole)
+
     @cached_property
     def _probabilities(self) -> tuple[Float, Float]:
         """Probability of null transmission, and of reflection given no null transmission."""
-        # The hole is one of the activations, which are needed in any case.
-        self.__dict__.setdefault("hole", self._activations.hole)
         highlight = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
         families = self.albedos.warp, self.albedos.weft
 

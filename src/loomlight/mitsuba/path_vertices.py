@@ -1,0 +1,283 @@
+"""The steps of a path vertex: footprint, emission, a light sample, scattering, and derivatives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+
+from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.backend import channel_mean, maximum
+from loomlight.mitsuba.ray_cone import cone_partials
+from loomlight.mitsuba.scene_traits import SceneTraits
+
+# A ray that passes through this many holes is ended; cloth folded upon itself has a dozen.
+MOST_PASSES = 64
+# Light that comes straight from an emitter behind less transmittance than this is dropped: a third of a step
+# of 8-bit sRGB on white cloth.
+_NO_LIGHT = 1e-4
+
+
+@dataclass
+class LightSample:
+    """A direction to an emitter, drawn by the scene.
+
+    Attributes:
+        direction: Mitsuba's DirectionSample3f.
+        to_light: the same in the local frame [3].
+        arriving: radiance over density, times the transmittance on the way.
+        lit: lanes where light arrives.
+    """
+
+    direction: Any
+    to_light: Vec3
+    arriving: Color3
+    lit: Mask
+
+
+@dataclass
+class Scattering:
+    """What a BSDF does to a light sample, and the next direction of the path.
+
+    Attributes:
+        value: f·cos towards the light.
+        pdf: density of drawing the light's direction by the BSDF.
+        sample: Mitsuba's BSDFSample3f.
+        weight: f·cos over density of the sample.
+    """
+
+    value: Color3
+    pdf: Float
+    sample: Any
+    weight: Color3
+
+
+class PathVertices:
+    """Steps that every vertex of a path takes in one scene."""
+
+    def __init__(self, scene: Any, traits: SceneTraits, direct_only: bool) -> None:
+        """
+        Args:
+            direct_only: paths end with the first light sample, and no drawn direction can hit an emitter.
+        """
+        self._scene = scene
+        self._traits = traits
+        self._direct_only = direct_only
+        self._context = mi.BSDFContext()
+
+    def set_footprint(self, si: Any, ray: Any, camera: Any, width: Float, scattered: Mask) -> None:
+        """Sets the footprint in uv: of the camera's differentials, of a ray cone after the path scattered.
+
+        Args:
+            camera: the camera's ray.
+            width: of the cone at `si`.
+        """
+        si.compute_uv_partials(camera)
+        if not self._direct_only:
+            duv_dx, duv_dy = cone_partials(si, ray.d, width)
+            si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
+            si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
+
+    def emission(
+        self,
+        si: Any,
+        vertex: Vec3,
+        vertex_pdf: Float,
+        vertex_delta: Mask,
+        active: Mask,
+        shown: Mask,
+        primal: bool,
+    ) -> Color3:
+        """Emission of what the path has hit, weighted against light samples of the vertex before.
+
+        Args:
+            vertex, vertex_pdf, vertex_delta: where the path scattered last, the density of its direction, and
+                whether that was a delta.
+            shown: lanes whose emitters show.
+        """
+        if not self._traits.hittable_emitters:
+            return mi.Spectrum(0)
+        origin = dr.zeros(mi.Interaction3f)
+        origin.p = vertex
+        ds = mi.DirectionSample3f(self._scene, si, origin)
+        emitter_pdf = self._scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
+        with dr.resume_grad(when=not primal):
+            return power_heuristic(vertex_pdf, emitter_pdf) * ds.emitter.eval(si, shown)
+
+    def sample_light(self, si: Any, sampler: Any, width: Float, spread: Float, active: Mask) -> LightSample:
+        """A light sample, and what of it arrives.
+
+        Args:
+            width, spread: of the ray cone at `si`.
+        """
+        lit = active & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Smooth)
+        ds, arriving = self._scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
+        lit &= ds.pdf != 0
+        # Rays to points and along directions are coherent: Embree then takes them together, which makes
+        # pictures of direct light a sixth faster.
+        coherent = not self._traits.hittable_emitters
+        if self._traits.porous_shadows:
+            # Where no light arrives the BSDF need not be evaluated.
+            arriving *= _transmittance(self._scene, si, ds.p, width, spread, coherent, lit)
+            lit &= dr.max(arriving) > 0
+        else:
+            lit &= ~self._scene.ray_test(si.spawn_ray_to(ds.p), coherent, lit)
+        return LightSample(ds, si.to_local(ds.d), arriving, lit)
+
+    def enters(self, si: Any, valid: Mask, bounces: Mask) -> Mask:
+        """Lanes whose BSDF is sampled: those that bounce, and those that may pass through a hole."""
+        entering = mi.Bool(bounces)
+        if self._traits.holes:
+            entering |= valid & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Null)
+        return entering
+
+    def scatter(self, si: Any, sampler: Any, light: LightSample, enters: Mask, primal: bool) -> Scattering:
+        """The value for a light and a sampled direction, with derivatives unless `primal`."""
+        bsdf, lobe, square = si.bsdf(), sampler.next_1d(), sampler.next_2d()
+        if not primal:
+            return self._scatter_with_gradients(bsdf, si, lobe, square, light, enters)
+        if self._direct_only:
+            value, through = self._value_and_null_transmission(bsdf, si, light, enters)
+            return Scattering(value, mi.Float(0), *_null_sample(si, through, lobe, enters))
+        value, pdf, sample, weight = self._value_pdf_and_sample(bsdf, si, light, lobe, square, enters)
+        return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight)
+
+    def _scatter_with_gradients(
+        self, bsdf: Any, si: Any, lobe: Float, square: Any, light: LightSample, enters: Mask
+    ) -> Scattering:
+        """Derivatives of value, density and of the light that arrives; the sample has none."""
+        if self._direct_only:
+            through = bsdf.eval_null_transmission(si, enters)
+            sample, weight = _null_sample(si, through, lobe, enters)
+        else:
+            sample, weight = bsdf.sample(self._context, si, lobe, square, enters)
+        with dr.resume_grad():
+            value, pdf = bsdf.eval_pdf(self._context, si, light.to_light, light.lit)
+            attached = (
+                self._scene.eval_emitter_direction(si, light.direction, light.lit) / light.direction.pdf
+            )
+            light.arriving *= dr.relative_grad(dr.select(light.lit, attached, 0))
+        return Scattering(value, pdf, sample, weight)
+
+    def replay(
+        self,
+        mode: Any,
+        si: Any,
+        sample: Any,
+        active: Mask,
+        parts: Sequence[Color3],
+        later: Color3,
+        δL: Color3,
+    ) -> Color3:
+        """Derivatives of one vertex (Vicini et al. 2021): δL of forward mode; backward mode adds gradients.
+
+        Args:
+            parts: emission and reflected light of this vertex, with derivatives.
+            later: what the rest of the path brings.
+        """
+        with dr.resume_grad():
+            again = si.bsdf().eval(self._context, si, sample.wo, active)
+            Lo = sum(parts) + dr.detach(later) * dr.relative_grad(again)
+            if mode == dr.ADMode.Backward:
+                dr.backward_from(δL * Lo)
+                return δL
+            return δL + dr.forward_to(Lo)
+
+    # Mitsuba's own calls ask BSDFs written in Python for one thing after another, and each works out anew
+    # what the view sees. Within one call both come of the same.
+
+    def _value_pdf_and_sample(
+        self, bsdf: Any, si: Any, light: LightSample, lobe: Float, square: Any, active: Mask
+    ) -> tuple[Any, Any, Any, Any]:
+        """`eval_pdf_sample` of BSDFs, their own where they have one."""
+
+        def call(one: Any, *of_lanes: Any) -> Any:
+            if one is None:  # A scene without any BSDF.
+                return mi.Spectrum(0), mi.Float(0), dr.zeros(mi.BSDFSample3f), mi.Spectrum(0)
+            return one.eval_pdf_sample(self._context, *of_lanes)
+
+        results: tuple[Any, Any, Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, lobe, square, active)
+        return results
+
+    def _value_and_null_transmission(
+        self, bsdf: Any, si: Any, light: LightSample, enters: Mask
+    ) -> tuple[Any, Any]:
+        """`eval` where a light counts, and `eval_null_transmission` where a ray goes on, of BSDFs."""
+        if not self._traits.holes:
+            return bsdf.eval(self._context, si, light.to_light, light.lit), mi.Spectrum(0)
+
+        def call(one: Any, si: Any, to_light: Any, lit: Any, enters: Any) -> Any:
+            if one is None:
+                return mi.Spectrum(0), mi.Spectrum(0)
+            if hasattr(one, "eval_and_null_transmission"):
+                return one.eval_and_null_transmission(self._context, si, to_light, lit, enters)
+            value = one.eval(self._context, si, to_light, lit)
+            return value, one.eval_null_transmission(si, enters)
+
+        results: tuple[Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, light.lit, enters)
+        return results
+
+
+def reflected(light: LightSample, scattering: Scattering, throughput: Color3) -> Color3:
+    """Light that one vertex reflects of a light sample, weighted against sampled directions."""
+    ds = light.direction
+    heuristic = dr.select(ds.delta, 1, power_heuristic(ds.pdf, dr.detach(scattering.pdf)))
+    return dr.select(light.lit, throughput * heuristic * scattering.value * light.arriving, 0)
+
+
+@dr.syntax
+def _transmittance(
+    scene: Any, si: Any, target: Vec3, width: Float, spread: Float, coherent: bool, active: Mask
+) -> Color3:
+    """Share of the light [3] that gets from `target` to `si` through the holes between them.
+
+    Args:
+        width, spread: of the ray cone at `si`.
+        coherent: neighbours' rays go much the same way.
+    """
+    ray = si.spawn_ray_to(target)
+    active = mi.Bool(active)
+    width = mi.Float(width)
+    passes = mi.UInt32(0)
+    through = mi.Spectrum(1)
+    # Few rays pass through more than one hole: without symbolic loops only these are kept.
+    # Dr.Jit's stub leaves `compress` out.
+    while dr.hint(  # type: ignore[call-arg]
+        active, label="footprint_path (shadow)", compress=True
+    ):
+        pi = scene.ray_intersect_preliminary(ray, coherent=coherent, reorder=False, active=active)
+        blocked = active & pi.is_valid()
+        other = pi.compute_surface_interaction(ray, mi.RayFlags.All, blocked)
+        bsdf = other.bsdf()
+        porous = blocked & mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null) & (passes < MOST_PASSES)
+        width = dr.fma(spread, dr.select(blocked, other.t, 0), width)
+        other.duv_dx, other.duv_dy = cone_partials(other, ray.d, width)
+        through[blocked] = through * bsdf.eval_null_transmission(other, porous)
+        ray = other.spawn_ray_to(target)
+        passes += 1
+        active = porous & (dr.max(through) > _NO_LIGHT)
+    return through
+
+
+def _null_sample(si: Any, through: Any, choice: Any, active: Any) -> tuple[Any, Any]:
+    """A BSDF sample and its weight where only passing through holes leads to anything.
+
+    Args:
+        through: `eval_null_transmission`.
+    """
+    bs: Any = dr.zeros(mi.BSDFSample3f)
+    bs.wo, bs.pdf, bs.eta = -si.wi, mi.Float(1), mi.Float(1)
+    chance = channel_mean(through)
+    passes = active & (choice < chance)
+    bs.sampled_type = dr.select(passes, mi.UInt32(+mi.BSDFFlags.Null), 0)
+    return bs, dr.select(passes, through * dr.rcp(maximum(chance, 1e-8)), 0)
+
+
+def power_heuristic(pdf: Any, other: Any) -> Any:
+    """MIS weight of a sample drawn with density `pdf` that `other` could have drawn; 0 where both are 0."""
+    squared, other_squared = dr.square(pdf), dr.square(other)
+    weight = squared / (squared + other_squared)
+    return dr.detach(dr.select(dr.isfinite(weight), weight, 0))

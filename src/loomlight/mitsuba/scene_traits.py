@@ -1,0 +1,49 @@
+"""What an integrator has to know of a scene before it traces it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import mitsuba as mi
+
+
+@dataclass(frozen=True)
+class SceneTraits:
+    """Facts that decide what is traced at all.
+
+    Attributes:
+        holes: some surface lets light pass straight through.
+        porous_shadows: some surface lets through enough light to be seen in its shadow.
+        hittable_emitters: some emitter can be hit by a ray: it has an extent, or lies all around.
+    """
+
+    holes: bool
+    porous_shadows: bool
+    hittable_emitters: bool
+
+    @classmethod
+    def of(cls, scene: Any) -> SceneTraits:
+        """The traits of a scene; instances count as surfaces with holes."""
+        surfaces = [(shape.class_name() == "Instance", shape.bsdf()) for shape in scene.shapes()]
+        return cls(
+            holes=any(instance or _has_holes(bsdf) for instance, bsdf in surfaces),
+            porous_shadows=any(
+                instance or (_has_holes(bsdf) and getattr(bsdf, "lets_light_through", True))
+                for instance, bsdf in surfaces
+            ),
+            hittable_emitters=any(
+                not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters()
+            ),
+        )
+
+
+def is_symbolic(scene: Any) -> bool:
+    """Whether Dr.Jit may trace every surface of the scene in symbolic calls; see `Model.symbolic`."""
+    return all(
+        shape.bsdf() is None or getattr(shape.bsdf(), "symbolic_calls", True) for shape in scene.shapes()
+    )
+
+
+def _has_holes(bsdf: Any) -> bool:
+    return bsdf is not None and bool(mi.has_flag(bsdf.flags(), mi.BSDFFlags.Null))
