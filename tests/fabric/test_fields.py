@@ -1,4 +1,4 @@
-"""What a fabric file says reaches the layout and the appearance, in their units.
+"""Fields of a fabric file arrive in the layout and the appearance, in their units.
 
 Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
 Covers: fabric/load.py, fabric/spacing.py

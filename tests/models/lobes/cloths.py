@@ -1,4 +1,4 @@
-"""Fabrics that differ in what the lobes model has to get right, their models, and the groups' part alone."""
+"""Fabrics that stress different parts of the lobes model, their models, and the prefiltered regime alone."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def _edges_of(sizes: NDArray[Any], shapes: NDArray[Any] | None) -> NDArray[np.fl
 def _by_lookup(
     name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any], shapes: NDArray[Any] | None = None
 ) -> NDArray[np.float64]:
-    """Shares of groups and holes in footprints, by the pyramid [n, 2 K + 1]."""
+    """Coverage of groups and holes in footprints, by the pyramid [n, 2 K + 1]."""
     geometry, _, coverage = _made(name)
     table = CoverageLookup(coverage.base_size, coverage.levels, coverage.bytes, geometry.size, TYPES)
     edges = _edges_of(sizes, shapes)
@@ -120,7 +120,7 @@ def test_any_corner_of_a_footprint_may_come_first() -> None:
 
 
 def test_squares_elsewhere_are_another_matter() -> None:
-    """What the bounds above would say of a table read in the wrong place."""
+    """The bounds above reject a table read at the wrong position."""
     centres, sizes = _squares("smooth satin", 2.0, 2)
     moved = centres + 1.5 * _made("smooth satin")[2].base_size
     actual = _by_lookup("smooth satin", False, moved, sizes)
@@ -150,7 +150,7 @@ def test_coverage_repeats(name: str) -> None:
 
 
 def test_wider_squares_vary_less() -> None:
-    """A footprint of many repeats holds what any other does: all steps between are monotone."""
+    """A footprint of many repeats has the coverage of any other: all steps between are monotone."""
     last = np.inf
     for relative in (0.5, 1.0, 1.41, 2.0, 2.83, 4.0, 8.0, 16.0, 64.0):
         varies = _by_lookup("smooth satin", False, *_squares("smooth satin", relative, 5)).std(axis=0).sum()

@@ -1,4 +1,4 @@
-"""Groups: who belongs to which, and what they add up to."""
+"""Groups: assignment of points to groups, and sums over groups."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ class Case:
         return Array3f(*filled(*self.view)), Footprint(Array2f(*filled(*self.centre)), *edges)
 
     def density(self, lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        """1/sr, of unit vectors [n, 3]: what `pdf` says of one view."""
+        """`pdf` of unit vectors [n, 3] for one view, 1/sr."""
         view, footprint = self.query(1)
         at = self.model.at(view, footprint)
         dr.eval(at.mixture)
@@ -80,7 +80,7 @@ def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
 
 
 def compared(case: Case, seed: int, label: str) -> float:
-    """The p-value of directions drawn with `seed`; the rest of what holds of them is asserted."""
+    """The p-value of directions drawn with `seed`; asserts consistency of pdf, weight and value."""
     shares = cell_shares(case.density)
     actual = case.drawn(seed)
     passes, chance = actual.is_null.numpy(), actual.pdf.numpy()
@@ -127,10 +127,10 @@ def test_directions_are_distributed_by_their_density(name: str) -> None:
         ("smooth satin", VIEWS[3], 1, 0, 12),
     ],
 )
-def test_the_density_of_another_footprint_is_found_out(
+def test_the_density_of_another_footprint_is_detected(
     name: str, view: tuple[float, float], wider: float, away: float, turned: float
 ) -> None:
-    """What the test above says of a density that is wrong by a little."""
+    """The test above rejects a density that is slightly wrong."""
     case = case_of(name, view, 1.0)
     actual = case.drawn(0)
     counts = cell_counts(actual.light.numpy().T[~actual.is_null.numpy()].astype(np.float64))

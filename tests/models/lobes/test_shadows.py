@@ -1,4 +1,4 @@
-"""Shadows of groups: what light and view reach together, against rays over whole repeats."""
+"""Shadows of groups: the correlation of visibility from light and view, against rays over whole repeats."""
 
 from __future__ import annotations
 

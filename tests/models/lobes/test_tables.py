@@ -1,4 +1,4 @@
-"""What is baked: the same bytes every time, small, and refused in one sentence where a file is damaged."""
+"""Baked tables: the same bytes every time, small, and refused in one sentence where a file is damaged."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Samples of what views hit, against all of their rays."""
+"""Samples of view hits, against all view rays."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PER_FAMILY = 8
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_view_samples_are_those_that_views_hit(name: str) -> None:
-    """Shares of families and holes are those of the rays that tables are made of."""
+    """Fractions of families and holes are those of the rays that tables are made of."""
     geometry = geometry_of(name)
     cloth = upload_cloth(geometry, Float)
     views = launch_views(cloth, PER_FAMILY)

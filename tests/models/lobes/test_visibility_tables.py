@@ -54,7 +54,7 @@ def _made(name: str) -> _Made:
 
 
 def _places(geometry: YarnGeometry, seed: int) -> tuple[Float, Float]:
-    """A random place in each of SIDE² texels of the repeat."""
+    """A random position in each of SIDE² texels of the repeat."""
     rng = np.random.default_rng(seed)
     row, column = np.divmod(np.arange(SIDE * SIDE), SIDE)
     x, y = (np.stack([column, row]) + rng.random((2, SIDE * SIDE))) / SIDE
@@ -69,7 +69,7 @@ def _node_near(degrees: float, azimuth: float) -> int:
 
 
 def _noise(share: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bound on the difference of two shares: 4.5 deviations of random rays; a group of one ray counts."""
+    """Bound on the difference of two fractions: 4.5 deviations of random rays; a group of one ray counts."""
     return 4.5 * np.sqrt(np.maximum(share * (1 - share), 1 / RAYS) * (1 / RAYS + 1 / SIDE**2))
 
 

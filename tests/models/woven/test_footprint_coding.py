@@ -1,4 +1,4 @@
-"""Levels of the latent field: weights add up, ramps are interpolated, means stand where they should."""
+"""Levels of the latent field: weights sum to 1, ramps are interpolated, means are centred correctly."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_small_footprints_read_the_finest_level_where_they_lie() -> None:
 
 @pytest.mark.parametrize("window", [2, 4, 8])
 def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
-    """What the encoder pools and what a footprint reads agree about where a mean stands."""
+    """The encoder's pooling and a footprint's taps agree on the centre of a mean."""
     from loomlight.models.woven.training.network import _wider
 
     ends = 16
