@@ -1,1 +1,1 @@
-"""How fast, and against which bars: each module is a script, `python -m benchmarks.point`."""
+"""Measurements of speed against targets: each module is a script, `python -m benchmarks.point`."""

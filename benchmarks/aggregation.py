@@ -1,4 +1,4 @@
-"""How right the truth is: slices against brute force, their grids, boxes for parallelograms, surface form.
+"""Accuracy of the truth: slices against brute force, their grids, boxes for parallelograms, surface form.
 
     python -m benchmarks.aggregation [--output benchmarks/results/aggregation.json]
 
@@ -8,7 +8,8 @@
   and 0.6, shares of the mean.
 - `boxes`: the axis-aligned box for parallelograms, by how correlated they are, against the reference.
 - `surface_form`: surface form × continuous rays, fetched at the centre shifted by the mean parallax, against
-  the truth without walls and with them, by band; `unseen` is the share of footprints without visible points.
+  the truth without walls and with them, by band; `unseen` is the fraction of
+  footprints without visible points.
 """
 
 from __future__ import annotations
@@ -73,8 +74,8 @@ def scores(pairs: int, footprints: int) -> dict[str, float]:
             number,
             Float,
         )
-        # Where rare highlights carry a channel, the mean of 2 048 samples is not normal yet, whatever is
-        # right. That is told from the skewness over the repeat, which knows nothing of these samples.
+        # Where rare highlights dominate a channel, the mean of 2 048 samples is not normal yet. Such pairs
+        # are excluded by the skewness over the repeat, which does not depend on these samples.
         tame = np.array(
             [_skewness(slices.slice(a, b).values) < 6 for a, b in zip(lights, views, strict=True)]
         )
@@ -163,7 +164,7 @@ def boxes(count: int) -> dict[str, float]:
     }
 
 
-def parted(pairs: int) -> dict[str, Any]:
+def compare_surface_form(pairs: int) -> dict[str, Any]:
     """Surface form × continuous rays against the truth over boxes, by band."""
     rows: list[NDArray[np.float64]] = []
     for number, weave in enumerate(WEAVES[:5]):
@@ -174,7 +175,9 @@ def parted(pairs: int) -> dict[str, Any]:
         for index, (light, view) in enumerate(queries.pairs):
             one, other = queries.lights[light], queries.views[view]
             rows.append(
-                _parted(model, slices, one, other, queries.centres[index], queries.sizes[index], scale)
+                _surface_form_rows(
+                    model, slices, one, other, queries.centres[index], queries.sizes[index], scale
+                )
             )
     table = np.concatenate(rows)
     result = {}
@@ -189,7 +192,7 @@ def parted(pairs: int) -> dict[str, Any]:
     return result
 
 
-def _parted(
+def _surface_form_rows(
     model: PointModel,
     slices: FabricSlices,
     light: NDArray[np.float64],
@@ -249,7 +252,7 @@ def measure(_: Namespace) -> Figures:
         "scores": scores(40, 50),
         "grid": grid(32),
         "boxes": boxes(1500),
-        "surface_form": parted(12),
+        "surface_form": compare_surface_form(12),
     }
 
 

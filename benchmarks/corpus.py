@@ -44,15 +44,15 @@ def rendered(draft: Path) -> dict[str, Any]:
         }
 
 
-def passes(kind: str, run: dict[str, Any]) -> bool:
-    """Whether a run is what files of the folder `kind` (good, bad, warn) should end in."""
-    says: list[str] = run["says"]
+def passes(kind: str, outcome: dict[str, Any]) -> bool:
+    """Whether an outcome is what files of the folder `kind` (good, bad, warn) should end in."""
+    says: list[str] = outcome["says"]
     if kind == "bad":
         # The message of the fault is the last line; warnings may come before it.
         faults = [line for line in says if not line.startswith("loomlight: warning: ")]
         named = len(faults) == 1 and _PLACE.search(faults[0]) is not None
-        return run["exit_code"] == 2 and named and not run["left"]
-    done = run["exit_code"] == 0 and run["picture"] and run["seconds"] <= MOST_SECONDS
+        return outcome["exit_code"] == 2 and named and not outcome["left"]
+    done = outcome["exit_code"] == 0 and outcome["picture"] and outcome["seconds"] <= MOST_SECONDS
     if kind == "good":
         return done and not says
     return done and len(says) >= 1 and all(line.startswith("loomlight: warning: ") for line in says)
@@ -64,15 +64,15 @@ def measure(_: Namespace) -> Figures:
     for kind in ("good", "bad", "warn"):
         runs[kind] = {}
         for draft in sorted(outside_data("wif", kind).glob("*.wif")):
-            found = rendered(draft)
-            runs[kind][draft.name] = {**found, "passes": passes(kind, found)}
+            outcome = rendered(draft)
+            runs[kind][draft.name] = {**outcome, "passes": passes(kind, outcome)}
             print(
-                f"{kind:5}{draft.name:52}{found['seconds']:7.2f} s  {' '.join(found['says'])[:120]}",
+                f"{kind:5}{draft.name:52}{outcome['seconds']:7.2f} s  {' '.join(outcome['says'])[:120]}",
                 flush=True,
             )
-    every = {f"{kind}/{name}": found for kind, part in runs.items() for name, found in part.items()}
-    slowest = max(found["seconds"] for found in runs["good"].values())
-    missed = [name for name, found in every.items() if not found["passes"]]
+    every = {f"{kind}/{name}": outcome for kind, part in runs.items() for name, outcome in part.items()}
+    slowest = max(outcome["seconds"] for outcome in runs["good"].values())
+    missed = [name for name, outcome in every.items() if not outcome["passes"]]
     print(f"{len(every)} files, {len(missed)} failed, slowest {slowest} s")
     return {
         "options": " ".join(OPTIONS),

@@ -48,8 +48,8 @@ def material(number: int, seed: int) -> tuple[float, float]:
     queries = material_queries(number, seed)
     queries = replace(queries, pairs=queries.pairs[~queries.transmits])
     assert np.isfinite(slice_means(fabric, queries, Float)).all()
-    share = FULL / queries.count
-    return (time.perf_counter() - start) * share, (time.process_time() - processor) * share
+    scale = FULL / queries.count
+    return (time.perf_counter() - start) * scale, (time.process_time() - processor) * scale
 
 
 def answer_few(fabric: Fabric, seed: int) -> None:

@@ -46,7 +46,7 @@ def network(widths: list[int], skip: bool) -> FusedMlp:
 
 def measure(_: Namespace) -> Figures:
     """Rates of all shapes."""
-    found: Figures = {"cores": core_count(), "networks": {}}
+    figures: Figures = {"cores": core_count(), "networks": {}}
     for name, (widths, skip) in SHAPES.items():
         mlp = network(widths, skip)
         rng = np.random.default_rng(1)
@@ -59,12 +59,12 @@ def measure(_: Namespace) -> Figures:
         before = fma_peak()
         rate = COUNT / median_seconds(launch)
         peak = 0.5 * (before + fma_peak())
-        found["networks"][name] = {
+        figures["networks"][name] = {
             "millions_per_second": round(rate / 1e6, 2),
             "gflops": round(rate * mlp.flops / 1e9, 1),
             "share_of_fma_peak": round(rate * mlp.flops / peak, 3),
         }
-    return found
+    return figures
 
 
 if __name__ == "__main__":

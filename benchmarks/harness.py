@@ -1,4 +1,4 @@
-"""What every measuring script does alike: options, a record of where figures come from, JSON written whole.
+"""The common part of all measuring scripts: options, provenance of figures, and JSON output.
 
 A script holds a function that takes its options and returns its figures, and ends with `run(measure)`:
 
@@ -54,12 +54,12 @@ def run(
     if add_options is not None:
         add_options(parser)
     options = parser.parse_args()
-    found = record(measure(options))
+    figures = record(measure(options))
     if prints:
-        print(json.dumps(found, indent=2, ensure_ascii=False))
+        print(json.dumps(figures, indent=2, ensure_ascii=False))
     if options.output is not None:
-        write_json(options.output, found, digits=digits)
-    missed = found.get("missed", [])
+        write_json(options.output, figures, digits=digits)
+    missed = figures.get("missed", [])
     if missed:
         sys.exit(f"missed: {', '.join(missed)}")
 

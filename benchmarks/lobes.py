@@ -2,14 +2,14 @@
 
     python -m benchmarks.lobes [--output benchmarks/results/lobes.json]
 
-"far" are footprints that the groups alone answer, 4 to 100 threads wide; "as in pictures" are rows of
+"far" are footprints of the prefiltered regime alone, 4 to 100 threads wide; "as in pictures" are rows of
 adjacent footprints, each row of one size from 1/20 to 100 threads; "far at random" and "at random" are the
-same shuffled: memory is read here and there, and every 16 lanes hold close-ups, which search yarns, beside
-far views. Each draft's time of a query is compared with plain weave's in paired runs. Floating-point
-operations are counted in the kernel that Dr.Jit emits (a fused multiply-add is two, a root or a division
-one); unpacking bytes takes whole numbers and is not counted. The FMA peak and the memory's bandwidth are
-measured in the same run. Rates are of the fastest of several runs, as others use the machine; shares and
-ratios are medians.
+same shuffled: memory access is random, and every packet of 16 lanes has point-sampled footprints, which
+search yarns, beside prefiltered ones. Each draft's time of a query is compared with plain weave's in paired
+runs. Floating-point operations are counted in the kernel that Dr.Jit emits (a fused multiply-add is two, a
+root or a division one); integer operations, which unpack bytes, are not counted. The FMA peak and the memory
+bandwidth are measured in the same run. Rates are of the fastest of several runs, as others use the machine;
+fractions and ratios are medians.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ SETTINGS = {
 
 
 def evaluated(model: LobesModel, arrays: Any) -> None:
-    """Answers all queries and waits for the answers."""
+    """Evaluates all queries and waits for the device."""
     light, view, footprint = arrays
     dr.eval(model.at(view, footprint).value(light))
     dr.sync_thread()
@@ -116,7 +116,7 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
     """Figures of one fabric."""
     fabric = fabric_of_path(text)
     model = LobesModel.for_source(fabric)
-    found, usual, ratios = {}, {}, {}
+    per_second, usual, ratios = {}, {}, {}
     for name, setting in SETTINGS.items():
         own, other = (rows_of_pixels(chosen.fabric, *setting) for chosen in (model, plain))
         seconds: list[tuple[float, float]] = []
@@ -126,12 +126,12 @@ def rates(text: str, plain: LobesModel, peak: float, bandwidth: float) -> dict[s
                 pair.append(timed(partial(evaluated, chosen, arrays))[1])
             seconds.append((pair[0], pair[1]))
         # The first two compile and warm up.
-        found[name] = ROWS * ACROSS / min(first for first, _ in seconds[2:])
+        per_second[name] = ROWS * ACROSS / min(first for first, _ in seconds[2:])
         usual[name] = ROWS * ACROSS / statistics.median(first for first, _ in seconds[2:])
         ratios[name] = statistics.median(first / second for first, second in seconds[2:])
     each = operations(model, rows_of_pixels(fabric, 4, 100, False))
     return {
-        "millions_per_second": {name: round(rate / 1e6, 2) for name, rate in found.items()},
+        "millions_per_second": {name: round(rate / 1e6, 2) for name, rate in per_second.items()},
         "time_against_plain": {name: round(ratio, 3) for name, ratio in ratios.items()},
         "operations_far": each,
         "share_of_fma_peak_far": round(usual["far"] * each / peak, 3),

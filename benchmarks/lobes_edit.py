@@ -54,14 +54,14 @@ class Bench:
 
     def edit(self, name: str, number: int) -> None:
         """Edits what `name` says to a value of its own for each number."""
-        share = (number + 1) / (EDITS + 3)
+        value = (number + 1) / (EDITS + 3)
         if name == "weave":
             self._weave(WEAVES[number % len(WEAVES)])
         elif name == "colour":
-            self.edits.apply({"warp.diffuse_reflect": mi.Color3f(share, 0.5 * share, 0.2)})
+            self.edits.apply({"warp.diffuse_reflect": mi.Color3f(value, 0.5 * value, 0.2)})
         else:
             parameter = {"roughness": "warp.roughness", "height scale": "warp.height_scale"}[name]
-            self.edits.apply({parameter: 0.1 + 0.8 * share})
+            self.edits.apply({parameter: 0.1 + 0.8 * value})
 
     def _weave(self, weave: str) -> None:
         for shape in self.shown.scene.shapes():

@@ -46,8 +46,8 @@ def samples_for(error: float, samples: list[int], errors: list[float]) -> float:
     """Samples at which errors that fall with them reach `error`; the slope of the nearest two goes on."""
     x, y = np.log(samples), np.log(errors)
     first = int(np.clip(np.searchsorted(-y, -np.log(error)) - 1, 0, len(x) - 2))
-    share = (np.log(error) - y[first]) / (y[first + 1] - y[first])
-    return float(np.exp(x[first] + share * (x[first + 1] - x[first])))
+    fraction = (np.log(error) - y[first]) / (y[first + 1] - y[first])
+    return float(np.exp(x[first] + fraction * (x[first + 1] - x[first])))
 
 
 def numbers(error: PictureError) -> dict[str, float]:
@@ -68,7 +68,7 @@ def measured(fabric: Fabric, size: tuple[int, int]) -> dict[str, Any]:
     theirs = {samples: judged(point, samples) for samples in POINT_SAMPLES}
     errors = [theirs[samples].mse for samples in POINT_SAMPLES]
     equal = samples_for(ours.mse, list(POINT_SAMPLES), errors)
-    # A picture of at least as many samples tells what each costs.
+    # The cost of a sample is measured on a picture of at least as many samples.
     counted = next((samples for samples in POINT_SAMPLES if samples >= equal), POINT_SAMPLES[-1])
     shots = [(lobes, 1), (point, counted), (point, 1)]
     lives = [LivePicture(shown.scene, integrator=shown.integrator, spp=n) for shown, n in shots]
@@ -99,13 +99,13 @@ def measure(options: Namespace) -> Figures:
     for name in options.fabrics.split(","):
         runs[name] = measured(load_fabric(EXAMPLES / f"{name}.toml"), (width, height))
         print(name, runs[name], flush=True)
-    least = min(found["times_faster"] for found in runs.values())
+    least = min(result["times_faster"] for result in runs.values())
     print(f"{least} times faster")
     return {
         "picture": f"{SCENE}, {width} × {height}, reference {REFERENCE_SAMPLES} samples a pixel",
         "least_times_faster": least,
         "bar_times_faster": BAR,
-        "missed": [name for name, found in runs.items() if found["times_faster"] < BAR],
+        "missed": [name for name, result in runs.items() if result["times_faster"] < BAR],
         "runs": runs,
     }
 

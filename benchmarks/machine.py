@@ -1,4 +1,4 @@
-"""What the machine can do, to stand beside what was reached: FMA peak, memory bandwidth; operations."""
+"""Peaks of the machine, to compare rates with: FMA peak and memory bandwidth; counts of operations."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def operations_of(kernel: str) -> int:
 
 
 def median_seconds(run: Callable[[], object]) -> float:
-    """Median seconds of a run, after two that do not count."""
+    """Median seconds of a run, after two warm-up runs."""
     return statistics.median(_seconds(run))
 
 
@@ -83,8 +83,8 @@ def fma_peak() -> float:
     kernel, blocks = _chains(), 32 * core_count()
     target, queries = kernel.target, blocks * kernel.target.block_size
     compiled, start = CompiledKernel(kernel), np.zeros(queries, np.float32)
-    found = np.empty_like(start)
-    seconds = least_seconds(lambda: compiled.launch(queries, [start], [found], []))
+    outputs = np.empty_like(start)
+    seconds = least_seconds(lambda: compiled.launch(queries, [start], [outputs], []))
     return 2 * _chain_count(target) * TURNS * target.width * blocks / seconds
 
 

@@ -133,7 +133,7 @@ def measure(_: Namespace) -> Figures:
     batch, batch_peak = beside_peak(lambda: in_batch(model))
     vectors, vectors_peak = beside_peak(lambda: by_cooperative_vectors(model))
     numpy, numpy_peak = beside_peak(lambda: in_numpy(model))
-    (seconds, share, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
+    (seconds, fraction, rate), peak = beside_peak(lambda: in_renderer(seen + 2 * light))
     encoder = encoder_seconds(model)
     return {
         "fabric": FABRIC,
@@ -146,7 +146,7 @@ def measure(_: Namespace) -> Figures:
         "in_renderer": {
             "picture": f"flat, {PICTURE}², 1 sample, direct light",
             "seconds": round(seconds, 3),
-            "share_of_time_in_network": round(share, 2),
+            "share_of_time_in_network": round(fraction, 2),
             "share_of_fma_peak": round(rate / peak, 3),
         },
         "encoder_milliseconds_a_face": round(1e3 * encoder, 1),

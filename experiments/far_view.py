@@ -1,4 +1,4 @@
-"""Cloth from afar: does it converge to an even tone, and does silk satin gleam across its threads?
+"""Cloth from afar: does it converge to a uniform tone, and is silk satin's highlight across its threads?
 
     python -m experiments.far_view [--output experiments/results/far_view.json]
 

@@ -1,4 +1,4 @@
-"""Kills a training with signal 9 at random moments, the data's making included, and lets it go on each time.
+"""Kills a training with signal 9 at random moments, also while it makes data, and resumes it each time.
 
     python -m experiments.killed_training [--kills 10] [--output experiments/results/killed_training.json]
 
@@ -83,7 +83,7 @@ def _trained(config: Path, folder: Path) -> dict[str, np.ndarray]:
 
 
 def _killed(config: Path, folder: Path, seconds: float) -> dict[str, float | int | bool]:
-    """Starts the training, kills it after some seconds, and says how far it had come."""
+    """Starts the training, kills it after some seconds, and returns its progress."""
     process = subprocess.Popen(_command(config, folder), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     time.sleep(seconds)
     running = process.poll() is None

@@ -32,10 +32,10 @@ from loomlight.models.lobes.model import LobesModel
 PAIRS, FOOTPRINTS, SAMPLES = 120, 40, 4096
 
 
-def grey_means(found: Prediction) -> NDArray[np.float64]:
-    """Grey f·cos of what a model that keeps albedos apart predicts."""
-    assert found.means is not None
-    return grey_value(found.means)
+def grey_means(prediction: Prediction) -> NDArray[np.float64]:
+    """Grey f·cos of predictions of a model that separates albedos."""
+    assert prediction.means is not None
+    return grey_value(prediction.means)
 
 
 def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
@@ -51,12 +51,12 @@ def errors(fabric: Fabric, model: LobesModel) -> dict[str, dict[str, float]]:
         f"{SAMPLES} other samples": monte_carlo_predictor(SAMPLES, seed=2),
     }
     bands = [Classes(BANDS, scale.bands(queries.sizes)[near])]
-    found = {}
+    by_name = {}
     for name, predict in rows.items():
         guess = grey_means(predict(fabric, queries))[near]
         sums = sums_by_class(guess, truth, bands)
-        found[name] = {part: round(total.nmae, 4) for part, total in sums.items() if total.count}
-    return found
+        by_name[name] = {part: round(total.nmae, 4) for part, total in sums.items() if total.count}
+    return by_name
 
 
 def add_options(parser: ArgumentParser) -> None:

@@ -33,10 +33,10 @@ from loomlight.models.woven.weights import read_weights
 
 def predictors(names: list[str], files: list[Path]) -> dict[str, Predictor]:
     """A predictor for each model by its name, and one for each file of weights of the woven network."""
-    found = {name: model_predictor(partial(make_model, name)) for name in names}
+    predictors_by_name = {name: model_predictor(partial(make_model, name)) for name in names}
     for file in files:
-        found[f"woven {file.stem}"] = woven_predictor(read_weights(file))
-    return found
+        predictors_by_name[f"woven {file.stem}"] = woven_predictor(read_weights(file))
+    return predictors_by_name
 
 
 def add_options(parser: ArgumentParser) -> None:

@@ -1,4 +1,4 @@
-"""White furnace over the whole parameter box: does a point of any admitted fabric return more than it gets?
+"""White furnace over all parameter ranges: does a point of any admitted fabric return more than it receives?
 
     python -m experiments.white_furnace [--fabrics N] [--seed N] [--output FILE.json]
 
@@ -37,7 +37,7 @@ from loomlight.scattering.point import PointModel, YarnPoint
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
 
-PLACES, SAMPLES, AGAIN = 96, 2048, 1 << 19
+POSITIONS, SAMPLES, AGAIN = 96, 2048, 1 << 19
 SAVE_EVERY = 25
 # Largest of some 10⁶ normal deviations, and rounding of float32.
 SIGMAS, ROUNDING = 5.5, 1e-4
@@ -86,10 +86,10 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
         minimum = maximum * within(rng, 0, 1)
         reflects = kind == 1
         diffuse = 1 - layer_albedo_bound(depth) * maximum
-        share = within(rng, 0, 1)
+        fraction = within(rng, 0, 1)
         values = (
-            diffuse * share,
-            diffuse * (1 - share),
+            diffuse * fraction,
+            diffuse * (1 - fraction),
             *((maximum, minimum) if reflects else (minimum, maximum)),
         )
         albedos = Albedos(*(np.broadcast_to(value, (count, 3)).copy() for value in values))
@@ -98,7 +98,7 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
 
 
 def fabric(rng: Generator) -> Unshadowed:
-    """A fabric of the whole box."""
+    """A random fabric of all parameter ranges."""
     while True:
         picks, ends = (int(number) for number in rng.integers(1, 13, 2))
         drawdown = rng.random((picks, ends)) < rng.uniform(0.1, 0.9)
@@ -135,12 +135,12 @@ def directions(rng: Generator, count: int) -> NDArray[np.float32]:
 
 
 def albedos(
-    model: Unshadowed, places: NDArray[np.float64], views: NDArray[np.float32], each: int, rng: Generator
+    model: Unshadowed, positions: NDArray[np.float64], views: NDArray[np.float32], each: int, rng: Generator
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
-    """Mean weight and standard error [3, n] at `places` [2, n] (mm) seen from `views` [3, n]; holes [n]."""
-    count = places.shape[1]
+    """Mean weight and standard error [3, n] at `positions` [2, n] (mm) from `views` [3, n]; holes [n]."""
+    count = positions.shape[1]
     index = dr.repeat(dr.arange(UInt32, count), each)
-    x, y = (dr.gather(Float, Float(row.astype(np.float32)), index) for row in places)
+    x, y = (dr.gather(Float, Float(row.astype(np.float32)), index) for row in positions)
     view = Array3f(*(dr.gather(Float, Float(row), index) for row in views))
     back = view.z < 0
     _, hole = model.surface.height(x, y, back)
@@ -158,11 +158,11 @@ def measured(seed: int, number: int) -> dict[str, float]:
     """The largest albedo of fabric `number`, its error, and both measured again where it is largest."""
     rng = np.random.default_rng([seed, number])
     model = fabric(rng)
-    places = rng.uniform(0, 1, (2, PLACES)) * np.array(model.surface.size)[:, None]
-    views = directions(rng, PLACES)
-    mean, error, hole = albedos(model, places, views, SAMPLES, rng)
-    place = int(np.argmax(np.where(hole, 0, mean.max(axis=0))))
-    again, its_error, _ = albedos(model, places[:, [place]], views[:, [place]], AGAIN, rng)
+    positions = rng.uniform(0, 1, (2, POSITIONS)) * np.array(model.surface.size)[:, None]
+    views = directions(rng, POSITIONS)
+    mean, error, hole = albedos(model, positions, views, SAMPLES, rng)
+    brightest = int(np.argmax(np.where(hole, 0, mean.max(axis=0))))
+    again, its_error, _ = albedos(model, positions[:, [brightest]], views[:, [brightest]], AGAIN, rng)
     channel = int(np.argmax(again[:, 0]))
     excess = (mean - 1 - ROUNDING) / np.maximum(error, 1e-12)
     return {
@@ -182,7 +182,7 @@ def add_options(parser: ArgumentParser) -> None:
 
 
 def measure(options: Namespace) -> Figures:
-    """What was found of all fabrics, earlier runs included."""
+    """Figures of all fabrics, earlier runs included."""
     require_llvm()
     result = started(options.output, options.seed)
     while result["fabrics"] < options.fabrics:
@@ -201,14 +201,14 @@ def take_in(result: Figures, seed: int, end: int) -> None:
 
 
 def started(output: Path, seed: int) -> Figures:
-    """What an earlier run with `seed` left, or a fresh start."""
+    """The result of an earlier run with `seed`, or an empty one."""
     if output.is_file():
         earlier: Figures = json.loads(output.read_text())
         if earlier["seed"] == seed:
             return earlier
     return {
         "seed": seed,
-        "places": f"{PLACES} a fabric, {SAMPLES} samples each; the brightest again with {AGAIN}",
+        "places": f"{POSITIONS} a fabric, {SAMPLES} samples each; the brightest again with {AGAIN}",
         "bar": f"none above 1 + {SIGMAS} standard errors + {ROUNDING}",
         "fabrics": 0,
         "seconds": 0.0,
@@ -219,18 +219,18 @@ def started(output: Path, seed: int) -> Figures:
     }
 
 
-def absorb(result: Figures, found: dict[str, float]) -> None:
-    """Takes one fabric into the running result."""
+def absorb(result: Figures, entry: dict[str, float]) -> None:
+    """Adds one fabric to the running result."""
     done = result["fabrics"]
-    result["mean_albedo"] = (result["mean_albedo"] * done + found.pop("mean_albedo")) / (done + 1)
+    result["mean_albedo"] = (result["mean_albedo"] * done + entry.pop("mean_albedo")) / (done + 1)
     result["fabrics"] = done + 1
-    if found["albedo"] > result["largest"]["albedo"]:
-        result["largest"] = found
-    if found["largest_excess_in_errors"] > result["closest_to_the_bar"]["largest_excess_in_errors"]:
-        result["closest_to_the_bar"] = found
-    again = (found["albedo"] - 1 - ROUNDING) / max(found["error"], 1e-12)
-    if max(again, found["largest_excess_in_errors"]) > SIGMAS:
-        result["above"].append(found)
+    if entry["albedo"] > result["largest"]["albedo"]:
+        result["largest"] = entry
+    if entry["largest_excess_in_errors"] > result["closest_to_the_bar"]["largest_excess_in_errors"]:
+        result["closest_to_the_bar"] = entry
+    again = (entry["albedo"] - 1 - ROUNDING) / max(entry["error"], 1e-12)
+    if max(again, entry["largest_excess_in_errors"]) > SIGMAS:
+        result["above"].append(entry)
 
 
 if __name__ == "__main__":

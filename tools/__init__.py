@@ -1,1 +1,1 @@
-"""What keeps the project: fuzzers and makers of shipped files; each module is a script."""
+"""Maintenance scripts: fuzzers and generators of shipped files."""

@@ -1,4 +1,4 @@
-"""Fabrics and directions that the tests of this folder share."""
+"""Fabrics and directions for the tests of this folder."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _uneven(rng: np.random.Generator) -> ClothLayout:
 
 
 def directions(rng: np.random.Generator, count: int, back: bool | None = None) -> NDArray[np.float64]:
-    """Unit vectors [count, 3], uniform above 6° of elevation; `back` None takes either side."""
+    """Unit vectors [count, 3], uniform above 6° of elevation; `back` None is either side."""
     z = rng.uniform(0.1, 1, count)
     azimuth = rng.uniform(0, 2 * math.pi, count)
     radius = np.sqrt(1 - z**2)

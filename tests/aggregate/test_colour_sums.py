@@ -22,20 +22,20 @@ def test_coverage_is_what_holes_leave() -> None:
     view = directions(rng, 1)[0]
     extent = np.array(model.surface.size)
     centres, sizes = rng.random((40, 2)) * extent, rng.uniform(0.1, 2, (40, 2)) * extent
-    found = ColourSums(model, view, Float).over(centres, sizes)
+    actual = ColourSums(model, view, Float).over(centres, sizes)
     boxes = box_footprint(Box(Array2f64(centres.T.copy()), Array2f64(sizes.T.copy())))
     estimate = reference(model, boxes, view, view, 4000, seed=1)
     spread = 5 * np.sqrt(estimate.variance[:, 4]) + 5e-3  # and the grid's own error
-    assert (np.abs(1 - found.coverage.sum(axis=1) - estimate.hole) < spread).all()
+    assert (np.abs(1 - actual.coverage.sum(axis=1) - estimate.hole) < spread).all()
 
 
 def test_albedos_of_threads_alike_are_those_of_the_threads() -> None:
     model = woven("plain")
     for family in (model.appearance.warp, model.appearance.weft):
         family.diffuse_reflect[:] = family.diffuse_reflect[0]
-    found = ColourSums(model, [0.3, 0.1, 0.9], Float).over([[0.1, 0.2]], [[0.7, 0.5]])
+    actual = ColourSums(model, [0.3, 0.1, 0.9], Float).over([[0.1, 0.2]], [[0.7, 0.5]])
     for index, family in enumerate((model.appearance.warp, model.appearance.weft)):
-        np.testing.assert_allclose(found.albedos[0, index, 0], family.diffuse_reflect[0], rtol=1e-5)
+        np.testing.assert_allclose(actual.albedos[0, index, 0], family.diffuse_reflect[0], rtol=1e-5)
 
 
 def test_components_with_mean_albedos_come_near_the_exact_colours() -> None:

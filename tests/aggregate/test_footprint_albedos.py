@@ -34,9 +34,9 @@ def means(
     model: PointModel, centres: NDArray[np.float64], sizes: NDArray[np.float64], back: bool
 ) -> NDArray[np.float32]:
     """[n, 2, 4, 3], as `ColourSums` has them."""
-    found = FootprintAlbedos(model.surface, model.appearance).over(boxes(centres, sizes), Bool(back))
-    dr.eval(found)
-    parts = [[np.array(getattr(family, name)) for name in ALBEDOS] for family in found]
+    actual = FootprintAlbedos(model.surface, model.appearance).over(boxes(centres, sizes), Bool(back))
+    dr.eval(actual)
+    parts = [[np.array(getattr(family, name)) for name in ALBEDOS] for family in actual]
     parts = [[np.broadcast_to(part, (3, len(centres))) for part in family] for family in parts]
     return np.moveaxis(np.array(parts), -1, 0)
 
@@ -55,11 +55,11 @@ def test_tables_of_large_drafts_say_the_same(name: str, monkeypatch: pytest.Monk
     rng = np.random.default_rng(2)
     model = woven(name)
     extent = np.array(model.surface.size)
-    asked = rng.uniform(-2, 3, (2000, 2)) * extent, rng.uniform(0.05, 2.5, (2000, 2)) * extent
-    found = means(model, *asked, back=False)
+    queries = rng.uniform(-2, 3, (2000, 2)) * extent, rng.uniform(0.05, 2.5, (2000, 2)) * extent
+    actual = means(model, *queries, back=False)
     monkeypatch.setattr(footprint_albedos, "_MOST_PAIRED", 0)
     # Sums of the same floats in an order that compilers choose.
-    np.testing.assert_allclose(means(model, *asked, back=False), found, rtol=1e-5, atol=1e-6)
+    np.testing.assert_allclose(means(model, *queries, back=False), actual, rtol=1e-5, atol=1e-6)
 
 
 @pytest.mark.parametrize("back", [False, True])
@@ -70,9 +70,9 @@ def test_means_are_those_of_a_fine_grid(name: str, back: bool) -> None:
     extent = np.array(model.surface.size)
     centres = rng.uniform(-2, 3, (12, 2)) * extent
     sizes = np.exp(rng.uniform(math.log(0.05), math.log(2.5), (12, 2))) * extent
-    found = means(model, centres, sizes, back)
+    actual = means(model, centres, sizes, back)
     step = (np.arange(400) + 0.5) / 400 - 0.5
-    for centre, size, mean in zip(centres, sizes, found, strict=True):
+    for centre, size, mean in zip(centres, sizes, actual, strict=True):
         x, y = np.meshgrid(centre[0] + step * size[0], centre[1] + step * size[1])
         thread = shown(model, x.ravel(), y.ravel(), back)
         for number, family in enumerate((model.appearance.warp, model.appearance.weft)):
@@ -93,9 +93,9 @@ def test_straight_views_see_the_same(back: bool) -> None:
         extent = np.array(model.surface.size)
         centres, sizes = rng.random((300, 2)) * extent, rng.uniform(0.2, 2, (300, 2)) * extent
         rays = ColourSums(model, [0, 0, -1.0 if back else 1.0], Float).over(centres, sizes)
-        found = means(model, centres, sizes, back)
+        actual = means(model, centres, sizes, back)
         seen = rays.coverage > 0.05
-        error = np.abs(found - rays.albedos).max(axis=(2, 3))[seen]
+        error = np.abs(actual - rays.albedos).max(axis=(2, 3))[seen]
         # The grid's texels are 1/32 thread: where one thread's edge is all that shows, they move the mean.
         assert error.mean() < 2e-3
         assert error.max() < 0.03
@@ -107,7 +107,7 @@ def test_oblique_views_shift_what_shows() -> None:
     model = woven("twill 3/1")
     extent = np.array(model.surface.size)
     centres, sizes = rng.random((300, 2)) * extent, np.full((300, 2), 0.5) * extent
-    found = means(model, centres, sizes, False)
+    actual = means(model, centres, sizes, False)
     errors = []
     for degrees in (0, 30, 60):
         view = [math.sin(math.radians(degrees)) * 0.6, math.sin(math.radians(degrees)) * 0.8, 0]
@@ -115,7 +115,7 @@ def test_oblique_views_shift_what_shows() -> None:
         rays = ColourSums(model, view, Float).over(centres, sizes)
         covered = rays.coverage[..., None, None] > 0.05
         scale = (rays.albedos * covered).sum() / covered.sum()
-        errors.append((np.abs(found - rays.albedos) * covered).sum() / covered.sum() / scale)
+        errors.append((np.abs(actual - rays.albedos) * covered).sum() / covered.sum() / scale)
     assert errors[0] < 2e-3
     assert errors[0] < errors[1] < errors[2] < 0.12
 
@@ -140,18 +140,18 @@ def test_every_footprint_has_an_answer_within_its_threads() -> None:
         extent = np.array(model.surface.size)
         sizes = np.exp(rng.uniform(math.log(1e-7), math.log(1e4), (3000, 1))) * extent
         centres = rng.uniform(-50, 50, (3000, 2)) * extent
-        found = means(model, centres, sizes, False)
-        assert np.isfinite(found).all()
+        actual = means(model, centres, sizes, False)
+        assert np.isfinite(actual).all()
         for number, family in enumerate((model.appearance.warp, model.appearance.weft)):
             for albedo, part in enumerate(ALBEDOS):
                 rows = getattr(family, part)
-                assert (found[:, number, albedo] >= rows.min(axis=0) - 2e-3).all()
-                assert (found[:, number, albedo] <= rows.max(axis=0) + 2e-3).all()
+                assert (actual[:, number, albedo] >= rows.min(axis=0) - 2e-3).all()
+                assert (actual[:, number, albedo] <= rows.max(axis=0) + 2e-3).all()
         # Thousands of repeats have the mean of one.
         whole = means(model, extent[None] / 2, extent[None], False)[0]
         large = sizes[:, 0] > 2000 * extent[0]
         assert large.any()
-        np.testing.assert_allclose(found[large], np.broadcast_to(whole, found[large].shape), atol=1e-3)
+        np.testing.assert_allclose(actual[large], np.broadcast_to(whole, actual[large].shape), atol=1e-3)
 
 
 def test_the_repeat_does_not_show() -> None:
@@ -178,12 +178,12 @@ def test_large_drafts(threads: int, colours: int) -> None:
     # A single thread close to the end of the repeat: where sums are largest and boxes smallest.
     count = 400
     place = threads - 1 - rng.integers(0, 40, (count, 2))
-    found = means(model, (place + 0.5) * 0.25, np.full((count, 2), 0.05), False)
+    actual = means(model, (place + 0.5) * 0.25, np.full((count, 2), 0.05), False)
     on_top = layout.warp_on_top[place[:, 1], place[:, 0]]
     assert 0.2 < on_top.mean() < 0.6
     for number, threads_of in ((0, place[:, 0]), (1, place[:, 1])):
         visible = on_top if number == 0 else ~on_top
         exact = albedos.diffuse_reflect[threads_of]
-        np.testing.assert_allclose(found[visible, number, 0], exact[visible], atol=1e-3)
+        np.testing.assert_allclose(actual[visible, number, 0], exact[visible], atol=1e-3)
         # Hidden threads answer too.
-        np.testing.assert_allclose(found[~visible, number, 0], exact[~visible], atol=1e-2)
+        np.testing.assert_allclose(actual[~visible, number, 0], exact[~visible], atol=1e-2)

@@ -1,4 +1,4 @@
-"""Gaussian footprints: by Fourier transform, by separate weights, and summed out texel by texel."""
+"""Gaussian footprints: by Fourier transform, by separable weights, and by sums over texels."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The surface form of chen2024 and its relation to the truth, by z-tests on random places."""
+"""The surface form of chen2024 and its relation to the truth, by z-tests at random positions."""
 
 from __future__ import annotations
 

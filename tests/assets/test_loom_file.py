@@ -111,13 +111,13 @@ def test_a_fabric_comes_back_exactly_without_its_files(kind: str, tmp_path: Path
     fabric = FABRICS[kind](source)
     write_loom(tmp_path / "cloth.loom", LoomFile("point", fabric))
     shutil.rmtree(source)
-    found = fabric_of_path(tmp_path / "cloth.loom")
-    same(found.layout(), fabric.layout())
-    same(found.appearance(), fabric.appearance())
-    assert found.name == fabric.name
-    assert found.repeat_mm == fabric.repeat_mm
+    actual = fabric_of_path(tmp_path / "cloth.loom")
+    same(actual.layout(), fabric.layout())
+    same(actual.appearance(), fabric.appearance())
+    assert actual.name == fabric.name
+    assert actual.repeat_mm == fabric.repeat_mm
     # And once more, with what was read.
-    write_loom(tmp_path / "again.loom", LoomFile("point", found))
+    write_loom(tmp_path / "again.loom", LoomFile("point", actual))
     assert (tmp_path / "again.loom").read_bytes() == (tmp_path / "cloth.loom").read_bytes()
 
 
@@ -137,9 +137,9 @@ def test_fields_can_be_edited_without_the_drafts_file(tmp_path: Path) -> None:
     (tmp_path / "red.toml").write_text(fabric.to_toml().replace("#808080", "#ff0000"))
     expected = load_fabric(tmp_path / "red.toml")
     (tmp_path / "uneven.wif").unlink()
-    found = edited_fabric(fabric_of_path(tmp_path / "cloth.loom"), {"weft.color": "#ff0000"})
-    same(found.layout(), expected.layout())
-    same(found.appearance(), expected.appearance())
+    actual = edited_fabric(fabric_of_path(tmp_path / "cloth.loom"), {"weft.color": "#ff0000"})
+    same(actual.layout(), expected.layout())
+    same(actual.appearance(), expected.appearance())
 
 
 def test_what_a_model_stores_comes_back(tmp_path: Path) -> None:
@@ -147,19 +147,19 @@ def test_what_a_model_stores_comes_back(tmp_path: Path) -> None:
     settings = {"points": 16, "gain": 0.1, "fine": True, "note": "été"}
     loom = LoomFile("woven", fabric_from_text("plain"), TENSORS, settings, {"encoder": "ab" * 32})
     write_loom(path, loom)
-    found = read_loom(path)
-    assert found.model == "woven"
-    assert found.settings == settings
-    assert found.networks == {"encoder": "ab" * 32}
-    assert found.file == str(path)
-    assert set(found.tensors) == set(TENSORS)
+    actual = read_loom(path)
+    assert actual.model == "woven"
+    assert actual.settings == settings
+    assert actual.networks == {"encoder": "ab" * 32}
+    assert actual.file == str(path)
+    assert set(actual.tensors) == set(TENSORS)
     for name, values in TENSORS.items():
-        assert np.array_equal(found.tensor(name, values.shape, values.dtype), values)
-    assert found.tensor("latents", (None, 4), np.float32).shape == (3, 4)
-    assert found.setting("points", int) == 16
-    assert found.setting("note", str) == "été"
-    found.require_network("encoder", "ab" * 32)
-    found.require_model("woven")
+        assert np.array_equal(actual.tensor(name, values.shape, values.dtype), values)
+    assert actual.tensor("latents", (None, 4), np.float32).shape == (3, 4)
+    assert actual.setting("points", int) == 16
+    assert actual.setting("note", str) == "été"
+    actual.require_network("encoder", "ab" * 32)
+    actual.require_model("woven")
 
 
 def test_views_of_arrays_are_written_as_they_read(tmp_path: Path) -> None:
@@ -167,9 +167,9 @@ def test_views_of_arrays_are_written_as_they_read(tmp_path: Path) -> None:
     values = np.arange(6, dtype=np.float64).reshape(2, 3)
     tensors = {"turned": values.T, "swapped": values.astype(">f8")}
     write_loom(tmp_path / "a.loom", LoomFile("m", fabric_from_text("plain"), tensors))
-    found = read_loom(tmp_path / "a.loom").tensors
-    assert np.array_equal(found["turned"], values.T)
-    assert np.array_equal(found["swapped"], values)
+    actual = read_loom(tmp_path / "a.loom").tensors
+    assert np.array_equal(actual["turned"], values.T)
+    assert np.array_equal(actual["swapped"], values)
 
 
 @pytest.mark.parametrize(
@@ -191,7 +191,7 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> Non
 
 def test_asking_for_what_is_not_there() -> None:
     loom = LoomFile("m", fabric_from_text("plain"), TENSORS, {"points": 16, "fine": True}, file="a.loom")
-    asked: list[tuple[Callable[[], Any], str]] = [
+    queries: list[tuple[Callable[[], Any], str]] = [
         (
             lambda: loom.tensor("other", (3,), np.float32),
             r"model.other is missing: it should be \[3\] float32",
@@ -204,7 +204,7 @@ def test_asking_for_what_is_not_there() -> None:
         (lambda: loom.require_network("encoder", "ab" * 32), "does not say which, .* abab.* bake it again"),
         (lambda: loom.require_model("woven"), '"m", not "woven"'),
     ]
-    for ask, says in asked:
+    for ask, says in queries:
         with pytest.raises(InputError, match=rf"^a\.loom: .*{says}"):
             ask()
 
@@ -391,16 +391,16 @@ def test_flipped_bits(good: Path) -> None:
         for place in rng.integers(0, len(data), rng.integers(1, 4)):
             damaged[place] ^= 1 << rng.integers(0, 8)
         good.write_bytes(damaged)
-        found = read_or_sentence(good)
-        if isinstance(found, str):
-            assert good.name in found
-            assert found.isprintable()
+        actual = read_or_sentence(good)
+        if isinstance(actual, str):
+            assert good.name in actual
+            assert actual.isprintable()
             continue
-        assert found.model == expected.model
-        same(found.source.layout(), expected.source.layout())
-        same(found.source.appearance(), expected.source.appearance())
+        assert actual.model == expected.model
+        same(actual.source.layout(), expected.source.layout())
+        same(actual.source.appearance(), expected.source.appearance())
         for name, values in expected.tensors.items():
-            assert np.array_equal(found.tensors[name], values)
+            assert np.array_equal(actual.tensors[name], values)
 
 
 def test_nonsense_behind_a_valid_checksum(good: Path) -> None:
@@ -420,10 +420,10 @@ def test_nonsense_behind_a_valid_checksum(good: Path) -> None:
             text[rng.integers(0, len(text))] = chr(rng.choice([0, 34, 45, 48, 57, 91, 101, 955, 0x1F600]))
             changed["material"]["source"]["toml"] = "".join(text)
         put(good, changed, arrays)
-        found = read_or_sentence(good)
-        if isinstance(found, str):
-            assert good.name in found
-            assert found.isprintable()
+        actual = read_or_sentence(good)
+        if isinstance(actual, str):
+            assert good.name in actual
+            assert actual.isprintable()
             refusals += 1
     assert 100 < refusals < 400
 
@@ -442,8 +442,8 @@ def of_first_schema(path: Path) -> None:
 def test_the_fabric_of_the_first_schema_is_read(good: Path) -> None:
     expected = fabric_of_path(good)
     of_first_schema(good)
-    found = read_loom(good)
-    assert found.schema == 1
+    actual = read_loom(good)
+    assert actual.schema == 1
     same(fabric_of_path(good).layout(), expected.layout())
     same(fabric_of_path(good).appearance(), expected.appearance())
 

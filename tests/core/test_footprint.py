@@ -95,14 +95,14 @@ def test_rows_of_squares_have_the_footprints_variances() -> None:
     side, step = side.numpy(), step.numpy()
     outer = "in,jn->nij"
     # Twelve times the covariances; middles of four squares a step apart have 15 times its square.
-    wanted = np.einsum(outer, first, first) + np.einsum(outer, second, second)
-    found = side[:, None, None] ** 2 * np.eye(2) + (ANISOTROPIC_TAPS**2 - 1) * np.einsum(outer, step, step)
-    short, long = np.linalg.eigvalsh(wanted).T
+    expected = np.einsum(outer, first, first) + np.einsum(outer, second, second)
+    actual = side[:, None, None] ** 2 * np.eye(2) + (ANISOTROPIC_TAPS**2 - 1) * np.einsum(outer, step, step)
+    short, long = np.linalg.eigvalsh(expected).T
     ratio = np.sqrt(long / np.maximum(short, 1e-12))
     alike = ratio < 1.2
     assert alike.any()
     np.testing.assert_array_equal(step[:, alike], 0)
-    # What the row leaves to width is a quarter of the squared width; beyond four times as long squares grow.
-    reached = ratio < ANISOTROPIC_TAPS
-    np.testing.assert_allclose(np.trace(found[reached], axis1=1, axis2=2), (short + long)[reached], rtol=1e-5)
-    assert (np.abs(found - wanted).max((1, 2)) < 0.28 * short + 0.08 * long).all()
+    # The variance across the row errs by a quarter of the squared width; taps of longer footprints are wider.
+    exact = ratio < ANISOTROPIC_TAPS
+    np.testing.assert_allclose(np.trace(actual[exact], axis1=1, axis2=2), (short + long)[exact], rtol=1e-5)
+    assert (np.abs(actual - expected).max((1, 2)) < 0.28 * short + 0.08 * long).all()

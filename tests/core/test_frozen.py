@@ -1,4 +1,4 @@
-"""Recorded functions: launched again for objects that hold arrays alike, and traced anew for all others."""
+"""Frozen functions: replayed for objects with the same pytree structure, traced again for all others."""
 
 from __future__ import annotations
 

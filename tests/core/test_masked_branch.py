@@ -14,8 +14,8 @@ from loomlight.core.masked_branch import masked_branch
 
 def test_active_lanes_change_and_others_stay() -> None:
     values = dr.arange(Float, 100)
-    found = masked_branch(values > 90, values, lambda value: -value, "negate")
-    np.testing.assert_array_equal(found.numpy(), [*range(91), *range(-91, -100, -1)])
+    actual = masked_branch(values > 90, values, lambda value: -value, "negate")
+    np.testing.assert_array_equal(actual.numpy(), [*range(91), *range(-91, -100, -1)])
 
 
 def test_trees_of_arrays_go_through() -> None:
@@ -30,14 +30,14 @@ def test_trees_of_arrays_go_through() -> None:
 
 @pytest.mark.parametrize("taken", [True, False])
 def test_no_lane_or_all_of_them(taken: bool) -> None:
-    found = masked_branch(dr.full(Bool, taken, 5), dr.zeros(Float, 5), lambda value: value + 1, "count")
-    np.testing.assert_array_equal(found.numpy(), [float(taken)] * 5)
+    actual = masked_branch(dr.full(Bool, taken, 5), dr.zeros(Float, 5), lambda value: value + 1, "count")
+    np.testing.assert_array_equal(actual.numpy(), [float(taken)] * 5)
 
 
 def test_derivatives_of_active_lanes_are_those_of_the_branch() -> None:
     values = dr.arange(FloatAD, 4) + 1
     dr.enable_grad(values)
     active = BoolAD([True, False, True, False])
-    found = masked_branch(active, values, lambda value: 3 * value, "triple")
+    actual = masked_branch(active, values, lambda value: 3 * value, "triple")
     dr.forward(values)
-    np.testing.assert_array_equal(dr.grad(found).numpy(), [3, 1, 3, 1])
+    np.testing.assert_array_equal(dr.grad(actual).numpy(), [3, 1, 3, 1])

@@ -27,7 +27,7 @@ def test_commits_are_named_and_changes_marked(tmp_path: Path) -> None:
 
 
 def test_no_repository_and_no_host(tmp_path: Path) -> None:
-    found = provenance("python a.py", tmp_path / "none")
-    assert found["commit"] == "unknown"
-    assert platform.node() not in found["machine"] or not platform.node()
-    assert "cores" in found["machine"]
+    actual = provenance("python a.py", tmp_path / "none")
+    assert actual["commit"] == "unknown"
+    assert platform.node() not in actual["machine"] or not platform.node()
+    assert "cores" in actual["machine"]

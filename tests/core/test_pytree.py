@@ -1,4 +1,4 @@
-"""Dr.Jit arrays that objects of this project hold."""
+"""Pytree leaves of objects of this project."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ def test_objects_of_this_project_are_ours() -> None:
 def test_leaves_are_found_however_deep_and_once() -> None:
     shared = Float(1)
     holder = Box(centre=[shared, {"a": (shared, Array3f(1, 2, 3))}], size=footprint())
-    found = leaves(holder)
-    assert sum(leaf is shared for leaf in found) == 1
-    assert len(found) == 1 + 1 + 3
+    actual = leaves(holder)
+    assert sum(leaf is shared for leaf in actual) == 1
+    assert len(actual) == 1 + 1 + 3
 
 
 def test_circles_end() -> None:
@@ -35,8 +35,8 @@ def test_circles_end() -> None:
 
 
 def test_names_tell_places_and_classes() -> None:
-    found = named_leaves(Box(centre=Float(1), size=[Float(2)]))
-    assert list(found) == ["Box.centre:Float", "Box.size:list.0:Float"]
+    actual = named_leaves(Box(centre=Float(1), size=[Float(2)]))
+    assert list(actual) == ["Box.centre:Float", "Box.size:list.0:Float"]
     assert list(named_leaves(footprint())) == sorted(named_leaves(footprint()))
 
 

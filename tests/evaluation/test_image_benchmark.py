@@ -1,4 +1,4 @@
-"""The image benchmark: which pixels count, how many yarns they cover, and what is made of known pictures.
+"""The image benchmark: its mask of pixels, yarns a pixel, and errors of known pictures.
 
 Covers: evaluation/pictures.py, mitsuba/measured_scenes.py
 """
@@ -113,10 +113,10 @@ def test_every_scene_is_rendered_and_more_samples_are_nearer(fabrics: list[Fabri
 
 
 def test_a_still_picture_is_steadier_than_a_noisy_one(fabrics: list[Fabric]) -> None:
-    found = run_dolly_benchmark([], fabrics[0], side=32, frames=4, reference_samples=16)
-    assert set(found.steps) == {"reference", "point, 1 spp", "point, 3 spp"}
-    assert np.mean(found.steps["point, 1 spp"]) > np.mean(found.steps["reference"])
-    assert found.table().rows["reference"][2] is None
+    actual = run_dolly_benchmark([], fabrics[0], side=32, frames=4, reference_samples=16)
+    assert set(actual.steps) == {"reference", "point, 1 spp", "point, 3 spp"}
+    assert np.mean(actual.steps["point, 1 spp"]) > np.mean(actual.steps["reference"])
+    assert actual.table().rows["reference"][2] is None
 
 
 def test_faults(fabrics: list[Fabric]) -> None:

@@ -1,4 +1,4 @@
-"""Metrics against values worked out by hand, and the tables that show them."""
+"""Metrics against values computed by hand, and their tables."""
 
 from __future__ import annotations
 

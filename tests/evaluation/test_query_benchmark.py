@@ -1,4 +1,4 @@
-"""The query benchmark: its truth against brute force, its rows, and what it makes of known predictions.
+"""The query benchmark: its truth against brute force, its rows, and errors of known predictions.
 
 Covers: evaluation/predictions.py, evaluation/truth.py
 """
@@ -67,10 +67,10 @@ def test_the_truth_is_that_of_brute_force(cloth: HeldOut) -> None:
     rng = np.random.default_rng(2)
     channel = rng.choice([0, 1, 5, 6, 7], len(chosen))
     rows = np.arange(len(chosen))
-    found = means.reshape(len(sizes), -1)[chosen, channel]
+    actual = means.reshape(len(sizes), -1)[chosen, channel]
     deviation = np.sqrt(estimate.variance[rows, channel])
     lit = estimate.mean[rows, channel] > 5 * deviation
-    z = (found - estimate.mean[rows, channel])[lit] / deviation[lit]
+    z = (actual - estimate.mean[rows, channel])[lit] / deviation[lit]
     assert lit.sum() > 40
     # Sums of squares of standard normal numbers; one run in 10 000 falls outside by chance.
     assert 5e-5 < stats.chi2.cdf((z**2).sum(), len(z)) < 1 - 5e-5
@@ -154,16 +154,16 @@ def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
 
 def test_a_model_by_the_interface(cloth: HeldOut) -> None:
     queries, truth = query_truth(cloth.fabric, 3, 10, 20, with_colours=True)
-    found = model_predictor(lambda fabric: make_model("point", fabric))(cloth.fabric, queries)
-    assert found.means.shape == (10, 20, 5)
-    assert found.rate is not None
-    assert found.rate > 0
+    actual = model_predictor(lambda fabric: make_model("point", fabric))(cloth.fabric, queries)
+    assert actual.means.shape == (10, 20, 5)
+    assert actual.rate is not None
+    assert actual.rate > 0
     small = queries.sizes < queries.sizes.min() * 1.5
     # Where the footprint is smaller than a texel of the truth's grid, its centre nearly is the truth.
-    error = np.abs(found.means[small] - truth[small][:, :5]).mean()
+    error = np.abs(actual.means[small] - truth[small][:, :5]).mean()
     assert error < 0.1 * truth[small][:, :5].mean()
     few = monte_carlo_predictor(1)(cloth.fabric, queries)
-    np.testing.assert_allclose(few.colours.shape, found.colours.shape)
+    np.testing.assert_allclose(few.colours.shape, actual.colours.shape)
 
 
 def test_classes_by_angle_and_roughness(cloth: HeldOut) -> None:

@@ -99,8 +99,8 @@ def test_directions_are_all_pairs_of_a_side() -> None:
 
 
 def test_one_comparison(setting: Setting) -> None:
-    found = compared("title", setting, DRAPE, [("plain", [paper_fabric("plain")])])
-    tables = {table.title: table for table in found.tables}
+    actual = compared("title", setting, DRAPE, [("plain", [paper_fabric("plain")])])
+    tables = {table.title: table for table in actual.tables}
     columns = tables["MSE"].columns
     assert columns == ["point, 1 spp", "point, 3 spp", "point, equal time", "woven, 1 spp"]
     (mse,), (samples,) = tables["MSE"].rows.values(), tables["samples"].rows.values()
@@ -109,9 +109,9 @@ def test_one_comparison(setting: Setting) -> None:
     assert samples[3] == 1
     # Of the same noise a third, but for the reference's own.
     assert 0 < mse[1] < mse[0]
-    assert {*columns, "reference"} <= set(found.pictures)
-    assert found.pictures["reference"].shape == (18, 32, 3)
-    assert found.pictures["reference"].max() > 50
+    assert {*columns, "reference"} <= set(actual.pictures)
+    assert actual.pictures["reference"].shape == (18, 32, 3)
+    assert actual.pictures["reference"].max() > 50
 
 
 def test_edits_name_parameters_and_are_taken_back(setting: Setting) -> None:

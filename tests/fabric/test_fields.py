@@ -1,4 +1,4 @@
-"""What a fabric file says reaches the layout and the appearance, in their units.
+"""Fields of a fabric file arrive in the layout and the appearance, in their units.
 
 Covers: fabric/albedos.py, fabric/colours.py, fabric/defaults.py, fabric/fabric.py, fabric/file.py
 Covers: fabric/load.py, fabric/spacing.py
@@ -131,8 +131,8 @@ def test_a_list_shorter_than_the_order_is_refused(tmp_path: Path) -> None:
 def test_bends_follow_the_structure(weave: str, warp: tuple[float, float], weft: tuple[float, float]) -> None:
     layout = fabric_from_text(weave).layout()
     for family, expected in ((layout.warp, warp), (layout.weft, weft)):
-        found = (math.degrees(family.inclination), math.degrees(family.twist))
-        assert found == pytest.approx(expected)
+        actual = (math.degrees(family.inclination), math.degrees(family.twist))
+        assert actual == pytest.approx(expected)
 
 
 @settings(max_examples=60)

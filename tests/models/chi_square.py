@@ -28,8 +28,8 @@ def cell_shares(density: Density) -> NDArray[np.float64]:
     azimuth = 2 * math.pi * (np.arange(COLUMNS)[:, None] + place).ravel() / COLUMNS
     z, azimuth = (grid.ravel() for grid in np.meshgrid(z, azimuth, indexing="ij"))
     radius = np.sqrt(1 - z**2)
-    found = density(np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1))
-    cells = found.astype(np.float64).reshape(ROWS, _POINTS, COLUMNS, _POINTS)
+    actual = density(np.stack([radius * np.cos(azimuth), radius * np.sin(azimuth), z], axis=1))
+    cells = actual.astype(np.float64).reshape(ROWS, _POINTS, COLUMNS, _POINTS)
     area = 4 * math.pi / (ROWS * COLUMNS)
     return np.einsum("rpcq,p,q->rc", cells, weight, weight).ravel() * area
 

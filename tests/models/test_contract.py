@@ -1,7 +1,7 @@
 """The contract of `loomlight.models.interface`: every registered model passes, or does not ship.
 
-A model that is added to the registry is tried here without a line of its own. What a model claims of itself
-(`filters`, `conserves_energy`) is held against it; everything else holds for all.
+Every model in the registry is tested here without further code. Its claims (`filters`, `conserves_energy`)
+are tested where it makes them, everything else for all models.
 
 Covers: models/interface.py, models/separable.py
 """
@@ -49,7 +49,7 @@ def built(name: str, cloth: str) -> Model:
 
 @dataclass
 class Answers:
-    """All that a model says of queries, computed at once: one kernel serves most of these tests."""
+    """All outputs of a model for queries, computed at once: one kernel serves most of these tests."""
 
     components: Components
     hole: Any
@@ -65,36 +65,36 @@ class Answers:
         return parts | {"hole": self.hole.numpy()}
 
 
-def answers(model: Model, asked: Queries, light: Any = None) -> Answers:
-    """What `model` says of the queries, or of another light."""
-    light = asked.light if light is None else light
-    at = model.at(asked.view, asked.footprint)
+def answers(model: Model, queried: Queries, light: Any = None) -> Answers:
+    """The outputs of `model` for the queries, or for another light."""
+    light = queried.light if light is None else light
+    at = model.at(queried.view, queried.footprint)
     assert isinstance(at, SeparableBsdf)
     components = at.components(light)
     value, pdf = at.value_and_pdf(light)
-    found = Answers(components, at.hole, at.albedos, value, pdf, at.null_transmission)
-    dr.eval(found)
-    return found
+    actual = Answers(components, at.hole, at.albedos, value, pdf, at.null_transmission)
+    dr.eval(actual)
+    return actual
 
 
-def drawn(model: Model, asked: Queries, seed: int) -> DirectionSample:
-    at = model.at(asked.view, asked.footprint)
-    found = at.sample(*numbers(np.random.default_rng(seed), len(asked)))
-    dr.eval(found)
-    return found
+def drawn(model: Model, queried: Queries, seed: int) -> DirectionSample:
+    at = model.at(queried.view, queried.footprint)
+    actual = at.sample(*numbers(np.random.default_rng(seed), len(queried)))
+    dr.eval(actual)
+    return actual
 
 
 def close(
-    found: NDArray[np.float32], wanted: NDArray[np.float32], rtol: float = 2e-3, lanes: int | None = None
+    actual: NDArray[np.float32], wanted: NDArray[np.float32], rtol: float = 2e-3, lanes: int | None = None
 ) -> None:
     """Two kernels round differently, and in a shadow's edge or a yarn's that decides: 1 lane in 200 may.
 
     Args:
         lanes: how many these were chosen from.
     """
-    near = np.isclose(found, wanted, rtol=rtol, atol=1e-5)
+    near = np.isclose(actual, wanted, rtol=rtol, atol=1e-5)
     alike = near if near.ndim == 1 else near.all(axis=0)
-    apart = found[..., ~alike][..., :3], wanted[..., ~alike][..., :3]
+    apart = actual[..., ~alike][..., :3], wanted[..., ~alike][..., :3]
     assert (~alike).sum() < 0.005 * (lanes or alike.size), (alike.mean(), *apart)
 
 
@@ -111,56 +111,56 @@ def test_a_model_says_what_it_is(name: str) -> None:
 @every_fabric
 @every_model
 def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
-    asked = queries(fabric(cloth), 800, seed=1)
-    found = answers(built(name, cloth), asked)
-    for part, values in found.parts.items():
-        assert values.shape == (len(asked),), part
+    queried = queries(fabric(cloth), 800, seed=1)
+    actual = answers(built(name, cloth), queried)
+    for part, values in actual.parts.items():
+        assert values.shape == (len(queried),), part
         assert np.isfinite(values).all(), part
         assert (values >= 0).all(), part
-    assert (found.parts["hole"] <= 1).all()
-    for albedos in (found.albedos.warp, found.albedos.weft):
+    assert (actual.parts["hole"] <= 1).all()
+    for albedos in (actual.albedos.warp, actual.albedos.weft):
         for part in fields(Albedos):
             values = np.array(getattr(albedos, part.name))
             assert values.shape[0] == 3
             # Interpolation and rounding, no more.
             assert (values >= -1e-4).all(), part.name
             assert (values <= 1 + 1e-4).all(), part.name
-    assert type(found.value) is Array3f
-    assert type(found.pdf) is Float
-    for result in (found.value, found.pdf, found.through):
+    assert type(actual.value) is Array3f
+    assert type(actual.pdf) is Float
+    for result in (actual.value, actual.pdf, actual.through):
         assert not dr.grad_enabled(result)
         assert np.isfinite(result.numpy()).all()
         assert (result.numpy() >= 0).all()
-    assert (found.through.numpy() <= found.parts["hole"]).all()
+    assert (actual.through.numpy() <= actual.parts["hole"]).all()
 
 
 @every_model
 def test_value_is_made_of_components_and_albedos(name: str) -> None:
     """Chen2024 eq. 8, written out again, for a fabric without sheen."""
-    asked = queries(fabric("translucent satin"), 1000, seed=2)
-    found = answers(built(name, "translucent satin"), asked)
-    far = asked.lights[:, 2] * asked.views[:, 2] < 0
-    expected = np.zeros((3, len(asked)))
+    queried = queries(fabric("translucent satin"), 1000, seed=2)
+    actual = answers(built(name, "translucent satin"), queried)
+    far = queried.lights[:, 2] * queried.views[:, 2] < 0
+    expected = np.zeros((3, len(queried)))
     for term in ("diffuse", "specular"):
         for family in ("warp", "weft"):
-            albedos = getattr(found.albedos, family)
+            albedos = getattr(actual.albedos, family)
             near, beyond = (
-                np.broadcast_to(np.array(getattr(albedos, f"{term}_{side}")), (3, len(asked)))
+                np.broadcast_to(np.array(getattr(albedos, f"{term}_{side}")), (3, len(queried)))
                 for side in ("reflect", "transmit")
             )
-            expected += np.where(far, beyond, near) * found.parts[f"{term}_{family}"]
+            expected += np.where(far, beyond, near) * actual.parts[f"{term}_{family}"]
     assert 0.3 < far.mean() < 0.7
-    value = built(name, "translucent satin").at(asked.view, asked.footprint).value(asked.light)
+    value = built(name, "translucent satin").at(queried.view, queried.footprint).value(queried.light)
     close(value.numpy(), expected)
-    close(found.value.numpy(), expected)
+    close(actual.value.numpy(), expected)
 
 
 @every_model
 def test_opaque_yarns_send_nothing_to_the_far_side(name: str) -> None:
     opaque = fabric_from_text('weave = "plain"\n[warp]\ntranslucency = 0.0\n[weft]\ntranslucency = 0.0')
-    model, asked = make_model(name, opaque), queries(opaque, 1000, seed=3)
-    value = answers(model, asked).value.numpy().max(axis=0)
-    far = asked.lights[:, 2] * asked.views[:, 2] < 0
+    model, queried = make_model(name, opaque), queries(opaque, 1000, seed=3)
+    value = answers(model, queried).value.numpy().max(axis=0)
+    far = queried.lights[:, 2] * queried.views[:, 2] < 0
     assert (value[far] == 0).all()
     # Of the near side only what lies in shadow or in holes is black.
     assert (value[~far] > 0).mean() > 0.5
@@ -169,9 +169,9 @@ def test_opaque_yarns_send_nothing_to_the_far_side(name: str) -> None:
 @every_fabric
 @every_model
 def test_the_cloth_repeats(name: str, cloth: str) -> None:
-    model, asked = built(name, cloth), queries(fabric(cloth), 800, seed=4)
+    model, queried = built(name, cloth), queries(fabric(cloth), 800, seed=4)
     width, height = fabric(cloth).repeat_mm
-    here, there = (answers(model, part) for part in (asked, asked.moved((width, -2 * height))))
+    here, there = (answers(model, part) for part in (queried, queried.moved((width, -2 * height))))
     for part, values in here.parts.items():
         # Float32 positions 3 repeats away differ by 1e-6 mm, which highlights magnify.
         close(there.parts[part], values, rtol=1e-2)
@@ -180,18 +180,18 @@ def test_the_cloth_repeats(name: str, cloth: str) -> None:
 
 @every_model
 def test_a_lane_does_not_know_its_neighbours(name: str) -> None:
-    model, asked = built(name, "coloured twill"), queries(fabric("coloured twill"), 64, seed=5)
-    together = answers(model, asked)
+    model, queried = built(name, "coloured twill"), queries(fabric("coloured twill"), 64, seed=5)
+    together = answers(model, queried)
     for lane in (0, 17, 63):
-        alone = answers(model, asked[lane : lane + 1])
+        alone = answers(model, queried[lane : lane + 1])
         for part, values in alone.parts.items():
             assert values.shape == (1,)
             np.testing.assert_allclose(
                 values[0], together.parts[part][lane], rtol=1e-4, atol=1e-6, err_msg=part
             )
         for what in ("value", "pdf"):
-            found, wanted = (getattr(one, what).numpy() for one in (alone, together))
-            np.testing.assert_allclose(found[..., 0], wanted[..., lane], rtol=1e-4, atol=1e-6)
+            actual, wanted = (getattr(one, what).numpy() for one in (alone, together))
+            np.testing.assert_allclose(actual[..., 0], wanted[..., lane], rtol=1e-4, atol=1e-6)
 
 
 @every_fabric
@@ -214,21 +214,21 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
     edges = np.tile(np.diag(size), (count, 1, 1))
     errors, truths, holes = [], [], []
     for light, view in zip(lights, views, strict=True):
-        asked = Queries(np.tile(light, (count, 1)), np.tile(view, (count, 1)), centres, edges)
-        found = np.stack(list(answers(model, asked).parts.values()), axis=1)
+        queried = Queries(np.tile(light, (count, 1)), np.tile(view, (count, 1)), centres, edges)
+        actual = np.stack(list(answers(model, queried).parts.values()), axis=1)
         exact = slices.slice(light, view)
         truth = exact.box_means(np.zeros((1, 2)), extent[None])[0]
-        noise = 5 * found.std(axis=0) / math.sqrt(count)
-        error = np.maximum(np.abs(found.mean(axis=0) - truth) - noise, 0)
+        noise = 5 * actual.std(axis=0) / math.sqrt(count)
+        error = np.maximum(np.abs(actual.mean(axis=0) - truth) - noise, 0)
         # The bound is on means over many directions; one pair alone may err twice as much.
-        assert error[:4].sum() < 2 * LARGEST_ERROR * truth[:4].sum(), (found.mean(0), truth)
+        assert error[:4].sum() < 2 * LARGEST_ERROR * truth[:4].sum(), (actual.mean(0), truth)
         errors.append(error[:4])
         truths.append(truth[:4])
         holes.append(error[4])
         if model.filters:
             # Each large footprint by itself, against its own box.
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
-            assert np.abs(found[:200, :4] - boxes).sum() < 2 * LARGEST_ERROR * boxes.sum()
+            assert np.abs(actual[:200, :4] - boxes).sum() < 2 * LARGEST_ERROR * boxes.sum()
     assert np.sum(errors) < LARGEST_ERROR * np.sum(truths), (errors, truths)
     # Of all rays. The network that ships misses a third of the holes of plain cloth with gaps of 0.3.
     assert np.mean(holes) < 0.04
@@ -237,22 +237,22 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
 @every_fabric
 @every_model
 def test_weight_is_value_over_density(name: str, cloth: str) -> None:
-    model, asked = built(name, cloth), queries(fabric(cloth), 1500, seed=7)
-    found = drawn(model, asked, seed=8)
-    passes, pdf, weight = found.is_null.numpy(), found.pdf.numpy(), found.weight.numpy()
-    np.testing.assert_allclose(np.linalg.norm(found.light.numpy(), axis=0), 1, atol=1e-4)
+    model, queried = built(name, cloth), queries(fabric(cloth), 1500, seed=7)
+    actual = drawn(model, queried, seed=8)
+    passes, pdf, weight = actual.is_null.numpy(), actual.pdf.numpy(), actual.weight.numpy()
+    np.testing.assert_allclose(np.linalg.norm(actual.light.numpy(), axis=0), 1, atol=1e-4)
     assert np.isfinite(weight).all()
     assert (weight >= 0).all()
-    again = answers(model, asked, found.light)
+    again = answers(model, queried, actual.light)
     density, value, through = (part.numpy() for part in (again.pdf, again.value, again.through))
     smooth = ~passes & (density > 0)
     assert smooth.mean() > 0.5
     close(pdf[smooth], density[smooth])
     close(weight[:, smooth], value[:, smooth] / density[smooth])
     # Straight on means straight on, and the weight is the light that passes over the chance to be drawn.
-    np.testing.assert_allclose(found.light.numpy()[:, passes], -asked.view.numpy()[:, passes], atol=1e-5)
+    np.testing.assert_allclose(actual.light.numpy()[:, passes], -queried.view.numpy()[:, passes], atol=1e-5)
     # Rays are chosen that one of both kernels lets through.
-    close(weight[0, passes] * pdf[passes], through[passes], lanes=len(asked))
+    close(weight[0, passes] * pdf[passes], through[passes], lanes=len(queried))
 
 
 def spread_over(model: Model, view: NDArray[np.float64], size: float, count: int) -> Queries:
@@ -274,18 +274,18 @@ def test_directions_are_distributed_by_their_density(
     view = np.array([0.6 * math.sin(angle), 0.8 * math.sin(angle), math.cos(angle)])
 
     def density(lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        asked = spread_over(model, view, size, len(lights))
-        return model.at(asked.view, asked.footprint).pdf(vectors(lights)).numpy().astype(np.float64)
+        queried = spread_over(model, view, size, len(lights))
+        return model.at(queried.view, queried.footprint).pdf(vectors(lights)).numpy().astype(np.float64)
 
     shares = cell_shares(density)
-    found = drawn(model, spread_over(model, view, size, count), seed=9)
-    passes, chance = found.is_null.numpy(), found.pdf.numpy()
+    actual = drawn(model, spread_over(model, view, size, count), seed=9)
+    passes, chance = actual.is_null.numpy(), actual.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
     # The rule's error at the edge of a lobe is a few thousandths of a cell.
     assert abs(shares.sum() + through - 1) < 5e-3
     np.testing.assert_allclose(chance[passes], through, rtol=1e-3)
     assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-4) / count)
-    counts = cell_counts(found.light.numpy().T[~passes].astype(np.float64))
+    counts = cell_counts(actual.light.numpy().T[~passes].astype(np.float64))
     # 24 tests: a false alarm once in forty runs, were the seeds not fixed.
     assert p_value(counts, shares * count) > 1e-3
 
@@ -297,18 +297,20 @@ def test_no_light_is_made(name: str) -> None:
         pytest.skip("does not claim it")
     rng = np.random.default_rng(10)
     places, each = 64, 512
-    asked = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]
-    weight = drawn(model, asked, seed=12).weight.numpy()[0].reshape(places, each)
+    queried = queries(model.source, places, seed=11)[np.repeat(np.arange(places), each)]
+    weight = drawn(model, queried, seed=12).weight.numpy()[0].reshape(places, each)
     mean, error = weight.mean(axis=1), weight.std(axis=1) / math.sqrt(each)
     # 64 means of 512 weights, none of which may pass 5 deviations.
     assert (mean <= 1 + 5 * error + 1e-4).all()
     # White cloth sends back most of what it gets, or the bound above says nothing.
     assert mean.mean() > 0.5
     # The same light by uniform directions: what is drawn is all there is.
-    lights = rng.normal(size=(len(asked), 3))
-    asked.lights = lights / np.linalg.norm(lights, axis=1, keepdims=True)
-    found = answers(model, asked)
-    value, through = (part.reshape(places, each) for part in (found.value.numpy()[0], found.through.numpy()))
+    lights = rng.normal(size=(len(queried), 3))
+    queried.lights = lights / np.linalg.norm(lights, axis=1, keepdims=True)
+    actual = answers(model, queried)
+    value, through = (
+        part.reshape(places, each) for part in (actual.value.numpy()[0], actual.through.numpy())
+    )
     uniform = 4 * math.pi * value + through
     spread = np.sqrt(error**2 + uniform.var(axis=1) / each)
     assert (np.abs(uniform.mean(axis=1) - mean) < 5 * spread + 1e-3).all()
@@ -317,7 +319,7 @@ def test_no_light_is_made(name: str) -> None:
 @every_fabric
 @every_model
 def test_a_loom_file_gives_the_same_numbers(name: str, cloth: str, tmp_path: Path) -> None:
-    model, asked = built(name, cloth), queries(fabric(cloth), 300, seed=13)
+    model, queried = built(name, cloth), queries(fabric(cloth), 300, seed=13)
     path = tmp_path / "cloth.loom"
     write_loom(path, model.to_loom())
     again = model_from_loom(path)
@@ -325,9 +327,9 @@ def test_a_loom_file_gives_the_same_numbers(name: str, cloth: str, tmp_path: Pat
     first = path.read_bytes()
     write_loom(path, again.to_loom())
     assert path.read_bytes() == first
-    found, wanted = answers(again, asked), answers(model, asked)
+    actual, wanted = answers(again, queried), answers(model, queried)
     for what in ("value", "pdf", "through"):
-        assert np.array_equal(getattr(found, what).numpy(), getattr(wanted, what).numpy()), what
+        assert np.array_equal(getattr(actual, what).numpy(), getattr(wanted, what).numpy()), what
 
 
 def test_views_in_these_tests_see_both_faces() -> None:

@@ -60,9 +60,9 @@ def value_of(bsdf: Any) -> Any:
 
 def test_a_source_that_is_no_fabric_goes_through_a_loom(tmp_path: Path) -> None:
     bake(Paint("grey", 0.75), "toy", tmp_path / "grey.loom")
-    found = model_from_loom(tmp_path / "grey.loom")
-    assert isinstance(found, ToyModel)
-    assert found.source == Paint("grey", 0.75)
+    actual = model_from_loom(tmp_path / "grey.loom")
+    assert isinstance(actual, ToyModel)
+    assert actual.source == Paint("grey", 0.75)
     plugin = mi.load_dict({"type": "toy", "source": str(tmp_path / "grey.loom")})
     assert value_of(plugin) == pytest.approx(0.75 / np.pi)
     # Of sources that are no fabrics a repeat is one unit of uv.
@@ -111,8 +111,8 @@ def test_pictures_of_it_are_those_of_mitsubas_diffuse() -> None:
 def test_it_is_a_row_of_the_query_benchmark() -> None:
     cloth = HeldOut("plain", fabric_from_text("plain"), unseen_weave=False, coloured=True)
     predictors = {"toy": model_predictor(partial(make_model, "toy of fabrics"))}
-    found = run_query_benchmark(predictors, [cloth], pairs=6, footprints=4, monte_carlo=())
-    row = found.rows["toy"]
+    actual = run_query_benchmark(predictors, [cloth], pairs=6, footprints=4, monte_carlo=())
+    row = actual.rows["toy"]
     assert set(row.sums) == {"reflection", "transmission", "colour"}
     # It keeps no light from the other side, and cloth is no Lambertian.
     assert row.metric("transmission") == pytest.approx(1)

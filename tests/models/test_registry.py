@@ -35,9 +35,9 @@ def test_names_load_no_model() -> None:
 
 def test_settings_come_back(tmp_path: Path) -> None:
     write_loom(tmp_path / "a.loom", FootprintSamples(fabric_from_text("plain"), 7).to_loom())
-    found = model_from_loom(tmp_path / "a.loom")
-    assert isinstance(found, FootprintSamples)
-    assert found.points == 7
+    actual = model_from_loom(tmp_path / "a.loom")
+    assert isinstance(actual, FootprintSamples)
+    assert actual.points == 7
     with pytest.raises(InputError, match="points = 0 is out of range"):
         FootprintSamples(fabric_from_text("plain"), 0)
 

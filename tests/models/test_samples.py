@@ -1,4 +1,4 @@
-"""What is exact of the models that look at points: the point model itself, its mean, and both faces.
+"""Models that sample points: the point model itself, its mean, and both faces.
 
 Covers: models/point.py, models/samples.py
 """
@@ -23,11 +23,11 @@ from .fabrics import Queries, fabric, queries
 require_llvm()
 
 
-def parts_of(model: Model, asked: Queries) -> dict[str, np.ndarray]:
+def parts_of(model: Model, queried: Queries) -> dict[str, np.ndarray]:
     """Components and the hole by name [n]."""
-    at = model.at(asked.view, asked.footprint)
+    at = model.at(queried.view, queried.footprint)
     assert isinstance(at, SeparableBsdf)
-    components, hole = at.components(asked.light), at.hole
+    components, hole = at.components(queried.light), at.hole
     dr.eval(components, hole)
     parts = {part.name: getattr(components, part.name).numpy() for part in fields(Components)}
     return parts | {"hole": hole.numpy()}
@@ -35,28 +35,28 @@ def parts_of(model: Model, asked: Queries) -> dict[str, np.ndarray]:
 
 def test_one_point_is_the_point_model_with_its_variation() -> None:
     varied = fabric_from_text('weave = "twill 2/1"\n[variation]\nfibre_noise = 0.8\ncolour_noise = 0.3')
-    asked = queries(varied, 3000, seed=1)
+    queried = queries(varied, 3000, seed=1)
     model = PointFootprint.for_source(varied)
-    found = model.at(asked.view, asked.footprint).value(asked.light)
-    centre = asked.footprint.centre
-    point = model.point_model.locate(centre.x, centre.y, asked.view)
-    exact = model.point_model.evaluate(point, asked.light, asked.view)
-    dr.eval(found, exact)
+    actual = model.at(queried.view, queried.footprint).value(queried.light)
+    centre = queried.footprint.centre
+    point = model.point_model.locate(centre.x, centre.y, queried.view)
+    exact = model.point_model.evaluate(point, queried.light, queried.view)
+    dr.eval(actual, exact)
     # The same searches in two kernels: in 1 lane of 1000 rounding may decide about a shadow's edge.
-    near = np.isclose(found.numpy(), exact.numpy(), rtol=1e-3, atol=1e-6).all(axis=0)
+    near = np.isclose(actual.numpy(), exact.numpy(), rtol=1e-3, atol=1e-6).all(axis=0)
     assert near.mean() > 0.999
     assert (exact.numpy().max(axis=0) > 0).mean() > 0.4
 
 
 def test_many_points_are_the_reference() -> None:
     cloth = fabric("coloured twill")
-    asked = queries(cloth, 40, seed=2)
+    queried = queries(cloth, 40, seed=2)
     model = FootprintSamples(cloth, 1024)
-    found = np.stack(list(parts_of(model, asked).values()), axis=1)
-    exact = reference(model.point_model, asked.footprint, asked.lights, asked.views, 4096, seed=3)
+    actual = np.stack(list(parts_of(model, queried).values()), axis=1)
+    exact = reference(model.point_model, queried.footprint, queried.lights, queried.views, 4096, seed=3)
     # 200 means; even points scatter less than random ones, of which a quarter as many would scatter twice.
     spread = 5 * np.sqrt(exact.variance[:, :5] * 5) + 1e-4
-    assert (np.abs(found - exact.mean[:, :5]) < spread).all()
+    assert (np.abs(actual - exact.mean[:, :5]) < spread).all()
 
 
 def test_plain_weave_from_behind_is_plain_weave_shifted_by_a_thread() -> None:

@@ -1,4 +1,4 @@
-"""Makes the readable twins beside these tests importable; the import mode leaves their folder out."""
+"""Makes the references beside these tests importable; the import mode leaves their folder out."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the fibre layer is tested against: numpy in float64, written from the physics and not from the code.
+"""The reference of the fibre layer: NumPy in float64, derived from the physics and not from the code.
 
 A slab 0 < z < 1 of microflakes of density ρ = Tρ; `view` points away from it, so walks start along −view.
 """
@@ -44,7 +44,7 @@ def area(direction: Array, tangent: Array, roughness: float) -> Array:
 
 
 def cosine_table(roughness: float, size: int = 20001) -> tuple[Array, Array]:
-    """Cumulative share of normals up to each cosine c with the fibre: density ∝ (1 + c²(1/α² − 1))⁻²."""
+    """Cumulative fraction of normals up to each cosine c with the fibre: density ∝ (1 + c²(1/α² − 1))⁻²."""
     c = np.sinh(np.linspace(-1, 1, size) * np.arcsinh(1 / roughness)) * roughness
     c /= c[-1]
     density = (1 + c**2 * (1 / roughness**2 - 1)) ** -2
@@ -66,16 +66,16 @@ def visible_normals(
     rng: np.random.Generator, view: Array, tangent: Array, roughness: float, count: int
 ) -> Array:
     """Normals as `view` sees them, by rejecting those of D with probability 1 − |view·m|; view·m > 0."""
-    found: list[Array] = []
+    actual: list[Array] = []
     missing = count
     while missing > 0:
         normals = sample_normals(rng, tangent, roughness, 1 << 18)
         cos = normals @ view
         # The largest cosine that occurs for fibres seen end-on is small; dividing by it spares rejections.
         kept = rng.uniform(0, np.abs(cos).max(), len(cos)) < np.abs(cos)
-        found.append((normals * np.sign(cos)[:, None])[kept])
+        actual.append((normals * np.sign(cos)[:, None])[kept])
         missing -= int(kept.sum())
-    return np.concatenate(found)[:count]
+    return np.concatenate(actual)[:count]
 
 
 def walk(

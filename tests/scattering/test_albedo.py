@@ -27,7 +27,7 @@ def numbers(rng: np.random.Generator, count: int) -> jit.Array2f:
 
 
 def layer_albedos(view: np.ndarray, roughness: float, depth: float, side: int = 96) -> np.ndarray:
-    """Share of light that a layer of albedo 1 returns above and below [2, views]; normal z, fibres along x.
+    """Fraction of light that a layer of albedo 1 returns above and below [2, views]; normal z, fibres on x.
 
     Quadrature in float64 over visible points of the stretched sphere, where the density cancels.
     """
@@ -85,7 +85,7 @@ def test_bound_needs_perpendicular_tangents() -> None:
 
 
 def test_cloth_never_returns_more_than_it_gets() -> None:
-    """White furnace over the whole box: specular and diffuse, both sides, sheen on top."""
+    """White furnace over all parameter ranges: specular and diffuse, both sides, sheen on top."""
     rng = np.random.default_rng(12)
     count, excess = 1 << 15, []
     for number in range(96):

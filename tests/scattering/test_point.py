@@ -1,4 +1,4 @@
-"""The point model as a whole: its sampler, its energy, its faces, for fabrics from the whole box.
+"""The point model as a whole: its sampler, its energy, its faces, for fabrics of all parameter ranges.
 
 Covers: scattering/appearance.py
 """
@@ -54,7 +54,7 @@ def _family_appearance(rng: np.random.Generator, count: int, white: bool, depth:
 
 
 def random_model(seed: int, white: bool = False) -> PointModel:
-    """A fabric drawn from the whole parameter box, warp and weft unequal."""
+    """A random fabric of all parameter ranges, warp and weft unequal."""
     rng = np.random.default_rng(seed)
     picks, ends = (int(n) for n in rng.integers(2, 9, 2))
     layout = ClothLayout(
@@ -165,7 +165,7 @@ def test_weight_is_value_over_density(seed: int) -> None:
 
 @pytest.mark.parametrize("batch", range(3))
 def test_cloth_never_sends_back_more_than_it_gets(batch: int) -> None:
-    """White furnace over the parameter box, point by point; `experiments/white_furnace.py` goes further."""
+    """White furnace over all ranges, point by point; `experiments/white_furnace.py` goes further."""
     for seed in range(10 * batch, 10 * batch + 10):
         model = random_model(seed, white=True)
         rng = np.random.default_rng(seed)

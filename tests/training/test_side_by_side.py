@@ -29,11 +29,11 @@ def test_parts_have_the_gradients_of_the_whole(threads: int) -> None:
     parts = [slice(0, 4), slice(4, 10)]
     loss = SideBySide(threads).loss([lambda part=part: loss_of(part) for part in parts], [0.4, 0.6], network)
     loss.backward()
-    found = [parameter.grad for parameter in network["used"].parameters()]
-    wanted = torch.autograd.grad(loss_of(slice(None)), list(network["used"].parameters()))
+    actual = [parameter.grad for parameter in network["used"].parameters()]
+    expected = torch.autograd.grad(loss_of(slice(None)), list(network["used"].parameters()))
     assert torch.allclose(loss.detach(), loss_of(slice(None)))
     # Rounding alone: sums are taken in another order.
-    assert all(torch.allclose(a, b, rtol=1e-5, atol=1e-7) for a, b in zip(found, wanted, strict=True))
+    assert all(torch.allclose(a, b, rtol=1e-5, atol=1e-7) for a, b in zip(actual, expected, strict=True))
     assert all(parameter.grad is None for parameter in network["unused"].parameters())
 
 

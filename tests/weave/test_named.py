@@ -1,4 +1,4 @@
-"""Named weaves: the structures they make, and what they say to names that make none.
+"""Named weaves: their structures, and messages for unknown names.
 
 Covers: weave/effects.py, weave/structures.py
 """

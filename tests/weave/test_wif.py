@@ -1,4 +1,4 @@
-"""Weaving information files: what is read, what is written again, what is refused and in which words.
+"""Weaving information files: reading, writing, refusals and their messages.
 
 Covers: weave/draft.py, weave/wif_reader.py, weave/wif_source.py, weave/wif_text.py, weave/wif_values.py
 Covers: weave/wif_writer.py

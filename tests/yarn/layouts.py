@@ -1,4 +1,4 @@
-"""Layouts that the tests of this folder share."""
+"""Layouts for the tests of this folder."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def even_layout(
     twist: float = -30.0,
     height_scale: float = 0.8,
 ) -> ClothLayout:
-    """Warp and weft alike; angles in degrees, lengths in millimetres."""
+    """Equal warp and weft; angles in degrees, lengths in millimetres."""
     picks, ends = warp_on_top.shape
 
     def family(count: int) -> FamilyLayout:

@@ -1,4 +1,4 @@
-"""Tables that geometries of one layout share."""
+"""Tables shared by geometries of one layout."""
 
 from __future__ import annotations
 

@@ -78,15 +78,17 @@ def test_textures_of_a_surface_are_that_surface(
     rng = np.random.default_rng(0)
     x, y = Float(rng.uniform(-2, 4, COUNT)), Float(rng.uniform(-2, 4, COUNT))
     face = dr.full(Bool, back, COUNT)
-    expected, found = geometry.surface(x, y, face), textures.surface(x, y, face)
-    same = (expected.hole.numpy() == found.hole.numpy()) & (expected.is_warp.numpy() == found.is_warp.numpy())
+    expected, actual = geometry.surface(x, y, face), textures.surface(x, y, face)
+    same = (expected.hole.numpy() == actual.hole.numpy()) & (
+        expected.is_warp.numpy() == actual.is_warp.numpy()
+    )
     assert same.mean() > 0.985  # texels at outlines, 4 of 100 a thread and side, take the nearest
     shown = same & ~expected.hole.numpy()
-    error = np.abs(expected.height.numpy() - found.height.numpy())[shown]
+    error = np.abs(expected.height.numpy() - actual.height.numpy())[shown]
     assert np.quantile(error, 0.9) < 1e-3
-    cosine = (expected.normal.numpy() * found.normal.numpy()).sum(axis=0)[shown]
+    cosine = (expected.normal.numpy() * actual.normal.numpy()).sum(axis=0)[shown]
     assert np.quantile(cosine, 0.1) > 0.999
-    fibre = (expected.tangent.numpy() * found.tangent.numpy()).sum(axis=0)[shown]
+    fibre = (expected.tangent.numpy() * actual.tangent.numpy()).sum(axis=0)[shown]
     assert np.quantile(fibre, 0.1) > 0.999
 
 

@@ -292,6 +292,6 @@ def test_odd_places_harm_no_other_ray(odd: float) -> None:
     front = dr.full(mi.Bool, False, 3)
     x, y = mi.Float([0.1, odd, 0.7]), mi.Float([0.2, 0.3, odd])
     view = mi.Vector3f(0.3, 0.1, 0.9)
-    found = first_hit(geometry, x, y, view, front)
+    actual = first_hit(geometry, x, y, view, front)
     alone = first_hit(geometry, mi.Float(0.1), mi.Float(0.2), view, mi.Bool(False))
-    np.testing.assert_allclose(found.x.numpy()[0], alone.x.numpy()[0], rtol=1e-6)
+    np.testing.assert_allclose(actual.x.numpy()[0], alone.x.numpy()[0], rtol=1e-6)

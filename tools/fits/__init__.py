@@ -1,1 +1,1 @@
-"""Fits of numbers that the code holds, each with what it was fitted to: `python -m tools.fits.sheen`."""
+"""Fits of constants in the source, each with the data it is fitted to: `python -m tools.fits.sheen`."""

@@ -1,12 +1,12 @@
-"""How far what light reaches of a group is what the view reaches: numbers of `models/lobes/prefiltered.py`.
+"""Fits the correlation of visibility from light and view within groups: κ of `models/lobes/prefiltered.py`.
 
     python -m tools.fits.lobes_shadows [--fabrics 40] [--output tools/fits/results/lobes_shadows.json]
 
-Of fabrics drawn at random (as `woven` is trained on, with another seed) and random pairs of directions,
-rays tell the components over a whole repeat; groups say a + κ b, a where light and view reach points
-independently, b what full correlation adds. For diffuse and specular terms, on one side of the cloth and
-through it, are told: nMAE and bias without correlation and with the one that ships, and the least-squares
-fit of κ = k₀ + k₁ cos Δφ, by itself and after a factor for all; each fabric's mean counts as 1.
+For random fabrics (from the training distribution of `woven`, with another seed) and random pairs of
+directions, rays give the components over a whole repeat; groups give a + κ b, a for independent visibility, b
+for what full correlation adds. For diffuse and specular terms, in reflection and transmission, this prints
+nMAE and bias without correlation and with the shipped one, and the least-squares fit of κ = k₀ + k₁ cos Δφ,
+alone and after a common factor; each fabric's mean is scaled to 1.
 """
 
 from __future__ import annotations
@@ -57,21 +57,21 @@ class Pairs:
 
     Attributes:
         truth: from rays [2 terms, pairs].
-        apart: of each group, where light and view reach points independently [2, pairs, groups].
-        more: 1/most − 1 of each group, which κ is multiplied with [pairs, groups].
+        independent: of each group, with independent visibility [2, pairs, groups].
+        full_gain: 1/max(V_l, V_v) − 1 of each group, the factor of κ [pairs, groups].
         cosine: of the angle between azimuths [pairs, 1].
         shipped: κ as the model has it [2, pairs, 1].
     """
 
     truth: Floats
-    apart: Floats
-    more: Floats
+    independent: Floats
+    full_gain: Floats
     cosine: Floats
     shipped: Floats
 
-    def sums(self, term: int, raised: Any = 1.0) -> Floats:
+    def sums(self, term: int, gain: Any = 1.0) -> Floats:
         """Over groups [pairs]."""
-        return np.asarray((self.apart[term] * raised).sum(axis=1))
+        return np.asarray((self.independent[term] * gain).sum(axis=1))
 
 
 def directions(rng: np.random.Generator) -> Floats:
@@ -107,11 +107,11 @@ def truth(fabric: Fabric, lights: Floats, views: Floats) -> Floats:
     return np.stack([term.numpy().reshape(PAIRS, POINTS).mean(axis=1) for term in terms])
 
 
-def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
+def measured(fabric: Fabric, is_transmission: bool, seed: int) -> Pairs:
     """Random pairs on one side of the cloth, or through it."""
     rng = np.random.default_rng(seed)
     views, lights = directions(rng), directions(rng)
-    if through:
+    if is_transmission:
         lights[:, 2] *= -1
     tables = LobesModel.for_source(fabric).tables
     appearance, size = fabric.appearance(), fabric.layout().size
@@ -119,49 +119,49 @@ def measured(fabric: Fabric, through: bool, seed: int) -> Pairs:
     reference = LobesReference(tables, size, roughness, appearance.optical_depth, appearance.diffuse_blend)
     # So large that the whole repeat counts alike.
     everything = Parallelogram(np.zeros(2), np.array([100 * size[0], 0]), np.array([0, 100 * size[1]]))
-    independent, more, cosine, shipped = [], [], [], []
+    independent, full_gain, cosine, shipped = [], [], [], []
     for given_light, given_view in zip(lights, views, strict=True):
         back, light, view = on_seen_face(given_light, given_view)
         groups, weights = reference.groups(back), reference.weights(view, everything, back)
-        nodes, side = direction_nodes(light), (int(back), int(through))
+        nodes, side = direction_nodes(light), (int(back), int(is_transmission))
         irradiance = nodes.of(tables.irradiance[side]) * _PER_BYTE
         visibility = nodes.of(tables.light_visibility[side]) * _PER_BYTE
         fractions = weights.groups / weights.groups.sum() * (1 - weights.hole)
         value = layer_value(half_vector(light, view), light, view, groups, appearance.optical_depth)
         independent.append([fractions * irradiance / np.pi, fractions * visibility * value])
-        more.append(1 / np.maximum(np.maximum(visibility, weights.view_visibility), _PER_BYTE) - 1)
+        full_gain.append(1 / np.maximum(np.maximum(visibility, weights.view_visibility), _PER_BYTE) - 1)
         lengths = float(np.linalg.norm(light[:2]) * np.linalg.norm(view[:2]))
         cosine.append([float(light[:2] @ view[:2]) / max(lengths, 1e-6)])
-        shipped.append(shadow_correlation(light, view, through))
+        shipped.append(shadow_correlation(light, view, is_transmission))
     return Pairs(
         truth(fabric, lights, views),
         np.array(independent).swapaxes(0, 1),
-        np.array(more),
+        np.array(full_gain),
         np.array(cosine),
         np.array(shipped).T[..., None],
     )
 
 
-def fitted(found: list[Pairs], term: int, with_factor: bool) -> list[float]:
+def fitted(all_pairs: list[Pairs], term: int, with_factor: bool) -> list[float]:
     """Least squares of a factor less one, if wanted, and of k₀ and k₁."""
     products, sums = 0.0, 0.0
-    for pairs in found:
-        ways = [pairs.more, pairs.more * pairs.cosine]
+    for pairs in all_pairs:
+        terms = [pairs.full_gain, pairs.full_gain * pairs.cosine]
         if with_factor:
-            ways.insert(0, np.ones_like(pairs.more))
+            terms.insert(0, np.ones_like(pairs.full_gain))
         scale = pairs.truth[term].mean()
-        basis = np.stack([pairs.sums(term, way) for way in ways]) / scale
-        left = (pairs.truth[term] - pairs.sums(term)) / scale
-        products, sums = products + basis @ basis.T, sums + basis @ left
+        basis = np.stack([pairs.sums(term, way) for way in terms]) / scale
+        residual = (pairs.truth[term] - pairs.sums(term)) / scale
+        products, sums = products + basis @ basis.T, sums + basis @ residual
     return [round(float(number), 3) for number in np.linalg.solve(products, sums)]
 
 
-def errors(found: list[Pairs], term: int, shipped: bool) -> dict[str, float]:
+def errors(all_pairs: list[Pairs], term: int, shipped: bool) -> dict[str, float]:
     """Means over fabrics of nMAE and bias."""
     rows = []
-    for pairs in found:
-        raised = np.maximum(1 + pairs.shipped[term] * pairs.more, 0) if shipped else 1.0
-        off, total = pairs.sums(term, raised) - pairs.truth[term], pairs.truth[term].sum()
+    for pairs in all_pairs:
+        gain = np.maximum(1 + pairs.shipped[term] * pairs.full_gain, 0) if shipped else 1.0
+        off, total = pairs.sums(term, gain) - pairs.truth[term], pairs.truth[term].sum()
         rows.append((np.abs(off).sum() / total, off.sum() / total))
     nmae, bias = np.mean(rows, axis=0)
     return {"nmae": round(float(nmae), 4), "bias": round(float(bias), 4)}
@@ -176,17 +176,17 @@ def measure(options: Namespace) -> Figures:
     """Errors and fits of each term on each side."""
     require_llvm()
     table = DataTable(seed=SEED)
-    found: dict[str, list[Pairs]] = {side: [] for side in SIDES}
+    all_pairs: dict[str, list[Pairs]] = {side: [] for side in SIDES}
     for number in range(options.fabrics):
         fabric = dataset_fabric(table, number)
-        for through, side in enumerate(SIDES):
-            found[side].append(measured(fabric, bool(through), number))
+        for is_transmission, side in enumerate(SIDES):
+            all_pairs[side].append(measured(fabric, bool(is_transmission), number))
     return {
         f"{term} {side}": {
-            "independent": errors(found[side], number, shipped=False),
-            "shipped": errors(found[side], number, shipped=True),
-            "fit": fitted(found[side], number, with_factor=False),
-            "fit_after_factor": fitted(found[side], number, with_factor=True),
+            "independent": errors(all_pairs[side], number, shipped=False),
+            "shipped": errors(all_pairs[side], number, shipped=True),
+            "fit": fitted(all_pairs[side], number, with_factor=False),
+            "fit_after_factor": fitted(all_pairs[side], number, with_factor=True),
         }
         for side in SIDES
         for number, term in enumerate(TERMS)

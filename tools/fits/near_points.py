@@ -1,11 +1,11 @@
-"""Where the points of `models/lobes/near.py` lie: one after another, they stand for a square that lines cut.
+"""Optimizes the offsets of `models/lobes/point_sampled.py`: a progressive point set in a square cut by lines.
 
     python -m tools.fits.near_points [--seconds 100] [--seed 1]
 
-For each of many lines the share of the square on one side is estimated by the first points, for numbers of
-points from 1 to 8 in quarters, the last point counting by its share. What is made small is the mean, over
-these numbers, of the root mean square error, in units of that of points of the plastic number (Roberts 2018).
-Lines are a little soft, so that gradients lead somewhere. The best of many starts is kept.
+For each of many lines the area of the square on one side is estimated by the first points, for numbers of
+points from 1 to 8 in quarters, the last point weighted by its fraction. The objective is the mean, over these
+numbers, of the root mean square error relative to that of the plastic-number sequence (Roberts 2018). Lines
+are slightly soft, so that the objective has gradients. The best of many starts is returned.
 """
 
 from __future__ import annotations
@@ -32,59 +32,63 @@ class Lines:
     def __init__(self, rng: np.random.Generator) -> None:
         angle = rng.uniform(0, 2 * np.pi, LINES)
         self._normal = np.stack([np.cos(angle), np.sin(angle)])
-        # Lines are as many as cut the square from each side.
-        self._reach = 0.5 * np.abs(self._normal).sum(0)
-        self._offset = rng.uniform(-1, 1, LINES) * self._reach
+        # Uniform over all lines that cut the square.
+        self._half_width = 0.5 * np.abs(self._normal).sum(0)
+        self._offset = rng.uniform(-1, 1, LINES) * self._half_width
         middles = (np.arange(_GRID) + 0.5) / _GRID - 0.5
         across, along = np.meshgrid(middles, middles)
-        self._share = self._beyond(np.stack([across.ravel(), along.ravel()], 1)).mean(0)
+        self._fraction = self._weight_beyond(np.stack([across.ravel(), along.ravel()], 1)).mean(0)
 
     def errors(self, points: Floats) -> Floats:
         """Root mean square errors of the first of some points [COUNT, 2], for all `NUMBERS`."""
-        beyond = self._beyond(points)
+        weights_beyond = self._weight_beyond(points)
         weights = np.clip(NUMBERS[:, None] - np.arange(COUNT), 0, 1) / NUMBERS[:, None]
-        return np.asarray(np.sqrt(np.average((weights @ beyond - self._share) ** 2, 1, self._reach)))
+        return np.asarray(
+            np.sqrt(np.average((weights @ weights_beyond - self._fraction) ** 2, 1, self._half_width))
+        )
 
-    def _beyond(self, points: Floats) -> Floats:
+    def _weight_beyond(self, points: Floats) -> Floats:
         return 1 / (1 + np.exp((self._offset - points @ self._normal) / SOFTNESS))
 
 
 def plastic() -> Floats:
-    """Points of the plastic number, the first in the middle."""
-    shares = np.arange(COUNT)[:, None] * np.array([0.7548776662466927, 0.5698402909980532])
-    return (shares + 0.5) % 1 - 0.5
+    """Points of the plastic-number sequence, the first at the centre."""
+    fractions = np.arange(COUNT)[:, None] * np.array([0.7548776662466927, 0.5698402909980532])
+    return (fractions + 0.5) % 1 - 0.5
 
 
 def add_options(parser: ArgumentParser) -> None:
-    """How long it looks, and from where."""
+    """Time limit and seed."""
     parser.add_argument("--seconds", type=float, default=100.0)
     parser.add_argument("--seed", type=int, default=1)
 
 
 def measure(options: Namespace) -> Figures:
-    """The best places found, and their errors by the number of points."""
+    """The best points, and their errors by the number of points."""
     lines, rng = Lines(np.random.default_rng(0)), np.random.default_rng(options.seed)
-    usual = lines.errors(plastic())
+    plastic_errors = lines.errors(plastic())
 
     def points_of(numbers: Floats) -> Floats:
         return np.vstack([np.zeros((1, 2)), numbers.reshape(-1, 2)])
 
     def ratio(numbers: Floats) -> float:
-        return float((lines.errors(points_of(numbers)) / usual).mean())
+        return float((lines.errors(points_of(numbers)) / plastic_errors).mean())
 
     best, least = plastic(), 1.0
     end = time.monotonic() + options.seconds
     while time.monotonic() < end:
         start = rng.uniform(-0.45, 0.45, 2 * (COUNT - 1))
         bounds = [(-0.5, 0.5)] * start.size
-        found = minimize(ratio, start, method="L-BFGS-B", bounds=bounds, options={"maxiter": _TURNS})
-        if found.fun < least:
-            best, least = points_of(found.x), found.fun
+        solution = minimize(ratio, start, method="L-BFGS-B", bounds=bounds, options={"maxiter": _TURNS})
+        if solution.fun < least:
+            best, least = points_of(solution.x), solution.fun
     return {
         "share_of_the_plastic_numbers_error": round(float(least), 3),
         "places": best.round(4).tolist(),
         "errors": dict(zip(NUMBERS.tolist(), lines.errors(best).round(4).tolist(), strict=True)),
-        "errors_of_the_plastic_number": dict(zip(NUMBERS.tolist(), usual.round(4).tolist(), strict=True)),
+        "errors_of_the_plastic_number": dict(
+            zip(NUMBERS.tolist(), plastic_errors.round(4).tolist(), strict=True)
+        ),
     }
 
 

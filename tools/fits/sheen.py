@@ -60,7 +60,7 @@ def fit_linear(terms: Array, target: Array, weight: Array) -> Array:
 
 
 def fit_reflectance(terms: Array, target: Array) -> Array:
-    """Coefficients whose logistic has the smallest largest error: least squares, reweighted where it errs."""
+    """Coefficients whose logistic has the least maximum error: iteratively reweighted least squares."""
     scaled = np.clip(target / CEILING, 1e-5, 1)
     start = np.log(scaled / (1 - scaled))
     coefficients = fit_linear(terms, start, scaled + 0.01)
@@ -105,16 +105,16 @@ def fit(table: Array) -> dict[str, Array]:
     # lobe; b vanishes with the lobe's symmetry at normal incidence, so 1 − cos is taken out of it.
     weight = np.sqrt(reflectance + 1e-4)
     side = 1 - cos_view
-    found = {
+    coefficients = {
         "REFLECTANCE": fit_reflectance(terms["REFLECTANCE"], reflectance),
         "SCALE": fit_linear(terms["SCALE"], scale, weight / scale),
         "SHEAR": fit_linear(terms["SHEAR"] * side[:, None], shear, weight),
     }
-    return {name: value.reshape(np.add(DEGREES[name], 1)) for name, value in found.items()}
+    return {name: value.reshape(np.add(DEGREES[name], 1)) for name, value in coefficients.items()}
 
 
 def evaluate(coefficients: dict[str, Array], cos_view: Array, roughness: Array) -> tuple[Array, Array, Array]:
-    """(a, b, R) of the closed form, in float64; its twin in Dr.Jit is `scattering.sheen.sheen_lobe`."""
+    """(a, b, R) of the closed form, in float64; the Dr.Jit version is `scattering.sheen.sheen_lobe`."""
     value = {
         name: basis(cos_view, roughness, DEGREES[name]) @ np.asarray(coefficients[name]).ravel()
         for name in DEGREES
@@ -188,7 +188,7 @@ def between_nodes(coefficients: dict[str, Array], table: Array) -> Array:
 
 
 def source(coefficients: dict[str, Array]) -> str:
-    """The Python module that holds the coefficients."""
+    """The Python module of the coefficients."""
     lines = [
         '"""Coefficients of the sheen lobe, written by `tools/fits/sheen.py`; see there for the data.',
         "",
@@ -214,11 +214,11 @@ def main() -> None:
     arguments = parser.parse_args()
     table = np.load(outside_data("validation", "ltc_table_sheen_volume.npy"))
     if arguments.check:
-        found = {name: np.asarray(getattr(sheen_coefficients, name)) for name in DEGREES}
+        coefficients = {name: np.asarray(getattr(sheen_coefficients, name)) for name in DEGREES}
     else:
-        found = fit(table)
-        TARGET.write_text(source(found))
-    print(report(found, table))
+        coefficients = fit(table)
+        TARGET.write_text(source(coefficients))
+    print(report(coefficients, table))
 
 
 if __name__ == "__main__":

@@ -36,7 +36,7 @@ class _FabricRecord(BaseModel):
     Attributes:
         name: of the fabric.
         title: of its draft.
-        toml: the text of the fabric file. A path in it tells where the draft came from; it is not read.
+        toml: the text of the fabric file. A path in it names the origin of the draft; it is not read.
     """
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
@@ -63,7 +63,7 @@ def fabric_record(fabric: Fabric) -> tuple[dict[str, Any], dict[str, Tensor]]:
 
 
 def _without_folders(fields: FabricFile) -> FabricFile:
-    """The fields with the bare names of the draft's files: where they lay is nobody else's business."""
+    """The fields with the bare names of the draft's files: their folders are private to the user."""
     paths = {name: getattr(fields, name) for name in ("draft", "image") if getattr(fields, name)}
     return fields.model_copy(update={name: PurePath(path).name for name, path in paths.items()})
 
@@ -78,7 +78,7 @@ def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor],
         ValidationError: another record than `fabric_record` makes.
         InputError: fields or tensors that make no fabric; the message names the one at fault.
     """
-    held = _FabricRecord.model_validate(record)
+    header = _FabricRecord.model_validate(record)
     if "drawdown" not in tensors:
         raise InputError("the tensor source.drawdown is missing: without it there is no fabric.")
     drawdown = tensors["drawdown"]
@@ -89,9 +89,9 @@ def fabric_from_record(record: Mapping[str, Any], tensors: Mapping[str, Tensor],
         family: _threads(family, tensors, count)
         for family, count in zip(_FAMILIES, (ends, picks), strict=True)
     }
-    fields = parse_fabric_file(held.toml)
-    draft = Draft(drawdown, threads["warp"], threads["weft"], title=held.title)
-    return make_fabric(fields, draft, held.name, folder)
+    fields = parse_fabric_file(header.toml)
+    draft = Draft(drawdown, threads["warp"], threads["weft"], title=header.title)
+    return make_fabric(fields, draft, header.name, folder)
 
 
 def _threads(family: str, tensors: Mapping[str, Tensor], count: int) -> Threads:

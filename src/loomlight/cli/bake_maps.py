@@ -12,7 +12,7 @@ from loomlight.cli.values import parse_numbers, parse_size, require_within
 
 EXAMPLE = 'Example: loomlight bake-maps "twill 3/1" -o maps.exr --resolution 1024'
 
-# Millimetres; farther away single precision cannot tell neighbouring fibres apart.
+# Millimetres; farther away single precision does not resolve neighbouring fibres.
 LARGEST_WINDOW = 1e5
 
 

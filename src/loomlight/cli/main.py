@@ -25,8 +25,8 @@ app = typer.Typer(
 )
 
 
-def _show_version(asked: bool) -> None:
-    if asked:
+def _show_version(requested: bool) -> None:
+    if requested:
         print(f"loomlight {__version__}")
         raise typer.Exit
 

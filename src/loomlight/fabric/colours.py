@@ -1,4 +1,4 @@
-"""The colour of every thread: what the file says, in the order that the draft has."""
+"""The colour of every thread: colours of the file, in the order of the draft."""
 
 from __future__ import annotations
 

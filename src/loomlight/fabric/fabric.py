@@ -25,11 +25,11 @@ class Fabric:
     """One fabric, valid as a whole; `load_fabric` and `fabric_from_text` make it.
 
     Attributes:
-        name: what to call it.
+        name: in messages and reports.
         draft: one repeat, thread colours included. It is longer than the draft in the file where a list of
             colours repeats later than the weave does.
         named_draft: the draft as `fields` name it, before they colour and repeat it.
-        fields: what the fabric file says, and no more.
+        fields: of the fabric file, without defaults.
         folder: the folder that paths in `fields` are relative to.
     """
 
@@ -51,7 +51,7 @@ class Fabric:
 
     @property
     def default_uv_size_mm(self) -> tuple[float, float]:
-        """Millimetres per unit of u and of v where nobody says so: 100, whatever the repeat."""
+        """Default millimetres per unit of u and of v: 100, for any repeat."""
         return 100.0, 100.0
 
     @property

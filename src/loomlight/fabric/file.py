@@ -1,4 +1,4 @@
-"""What a fabric file holds: every field, its type and its range. What a file leaves out is None here.
+"""The fields of a fabric file with their types and ranges. Fields that a file omits are None.
 
 Defaults that depend on the weave or on the draft are chosen later (`defaults.py`, `spacing.py`), so that
 a file that is read and written again says no more than it did.

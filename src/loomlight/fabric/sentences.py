@@ -1,4 +1,4 @@
-"""What is wrong with a fabric file, in one sentence: field, value, and what would be right."""
+"""Messages about faults in a fabric file, one sentence each: field, value, and what would be right."""
 
 from __future__ import annotations
 

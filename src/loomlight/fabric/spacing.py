@@ -1,4 +1,4 @@
-"""How far apart the threads of a fabric lie and how wide they are, from the file or from the draft."""
+"""Spacing and width of the threads of a fabric, from the file or from the draft."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The fields of a fabric file as its text; only what was given is written."""
+"""The fields of a fabric file as its text; omitted fields are not written."""
 
 from __future__ import annotations
 

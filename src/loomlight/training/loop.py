@@ -87,13 +87,13 @@ def train(
     begun = kept = time.monotonic()
     while step < schedule.steps:
         elapsed = spent + time.monotonic() - begun
-        share = step / schedule.steps
+        progress = step / schedule.steps
         if schedule.seconds:
-            share = max(share, elapsed / schedule.seconds)
-        if share >= 1:
+            progress = max(progress, elapsed / schedule.seconds)
+        if progress >= 1:
             break
         for group in optimiser.param_groups:
-            group["lr"] = schedule.rate(share)
+            group["lr"] = schedule.rate(progress)
         for loss in losses_of(step):
             value = float(loss.detach())
             if value != value:
@@ -106,7 +106,7 @@ def train(
         step += 1
         mean = value if step == 1 else _MEMORY * mean + (1 - _MEMORY) * value
         if report is not None:
-            done = min(schedule.steps, round(share * schedule.steps))
+            done = min(schedule.steps, round(progress * schedule.steps))
             report(done if schedule.seconds else step, schedule.steps, mean)
         if time.monotonic() - kept > schedule.keep_every:
             _keep(network, optimiser, checkpoint, identity, step, spent + time.monotonic() - begun, mean)

@@ -1,4 +1,4 @@
-"""A draft: which thread is on top at every crossing, and what the threads are.
+"""A draft: the drawdown (the thread on top at every crossing) and the threads.
 
 The periodic binary matrix W[pick, end] is 1 (True) where the warp is on top; end 1 and pick 1 are index 0.
 """
@@ -67,11 +67,11 @@ class Draft:
         drawdown: bool [picks, ends], True where the warp is on top.
         warp: the ends, from left to right.
         weft: the picks, from the bottom upwards.
-        title: what the draft is called, one line.
+        title: name of the draft, one line.
         loom: how a loom weaves it, where that is known.
         palette: linear RGB [k, 3] in [0, 1] that the threads' `color_index` points into.
         notes: lines of text that came with the draft.
-        source: what else a file said, so that writing it again loses nothing.
+        source: other content of the file, so that writing it again loses nothing.
 
     Raises:
         InputError: an empty drawdown, or more than 4096 ends or picks.

@@ -197,17 +197,17 @@ def _framed_cells(view: _View, parts: _LoomParts | None) -> tuple[int, int]:
     return picks + above + 2 * _MARGIN, ends + beside + 2 * _MARGIN
 
 
-def _cell(asked: int | None, cells: int, limit: int) -> int:
-    if asked is None:
+def _cell(requested: int | None, cells: int, limit: int) -> int:
+    if requested is None:
         comfortable = min(_LARGEST_CELL_PX, _COMFORTABLE_PX // cells)
         return max(1, comfortable, min(_SMALLEST_LEGIBLE_CELL_PX, _LARGE_PX // cells))
     # One pixel more than the cells themselves closes the last line of a grid.
-    if asked < 1 or asked * cells + 1 > limit:
+    if requested < 1 or requested * cells + 1 > limit:
         raise InputError(
-            f"cell_px = {asked} is out of range for this draft: a picture holds {limit} pixels, "
+            f"cell_px = {requested} is out of range for this draft: a picture holds {limit} pixels, "
             f"which is 1 to {max(1, (limit - 1) // cells)} pixels a crossing."
         )
-    return asked
+    return requested
 
 
 # ------------------------------------------------------------------------------------------------- threads
@@ -256,7 +256,7 @@ def _profile(cell: int) -> NDArray[np.float32]:
 
 
 def _dive(before: NDArray[np.bool_], after: NDArray[np.bool_], cell: int) -> NDArray[np.float32]:
-    """Brightness along a crossing [n, cell]; `before` and `after` tell where the thread goes under."""
+    """Brightness along a crossing [n, cell]; `before` and `after`: the thread goes under there."""
     if cell < 6:
         return np.ones((before.size, cell), dtype=np.float32)
     along = (np.arange(cell) + 0.5) / cell

@@ -1,4 +1,4 @@
-"""Looms: what a threading, a tie-up and a treadling weave, and a plan that weaves a given drawdown."""
+"""Looms: the drawdown of a threading, a tie-up and a treadling, and a plan that weaves a given drawdown."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
             f"at most {shaft_limit} are allowed."
         )
     threading = tuple(frozenset({int(shaft) + 1}) for shaft in shaft_of_end)
-    # sheds[treadle, shaft]: what each kind of pick does to the first end of each kind.
+    # sheds[treadle, shaft]: whether each kind of pick lifts the first end of each kind.
     sheds = draft.drawdown[np.ix_(shed_picks, shed_ends)]
     lifts = tuple(frozenset((np.flatnonzero(row) + 1).tolist()) for row in sheds)
     if len(lifts) > max(shafts, _TREADLES_AT_HAND):

@@ -17,7 +17,7 @@ _NUMBERS = re.compile(r"\d+(?:/\d+)*")
 
 @dataclass
 class _Request:
-    """What stands behind a weave's name, taken apart as its maker asks for it."""
+    """Parser of the parameters after a weave's name."""
 
     text: str
     usage: str
@@ -78,7 +78,7 @@ class _Request:
             )
 
     def end(self) -> None:
-        """Refuses words that nobody asked for."""
+        """Raises InputError if words are left."""
         if self.words:
             raise self.fail(f'"{" ".join(self.words)}" is not understood')
 

@@ -1,4 +1,4 @@
-"""Textile quantities: sett, yarn count and width, floats, and what a draft measures."""
+"""Textile quantities: sett, yarn count and width, floats, and sizes of a draft."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ CM_PER_INCH = 2.54
 DEFAULT_SETT_PER_CM = 20.0
 # Cotton; g/cm³. Wool 1.31, polyester 1.38, silk 1.34, linen 1.50, nylon 1.14.
 COTTON_DENSITY = 1.52
-# The share of a ring-spun yarn's cross-section that is fibre (Morton and Hearle 2008 give 0.5 to 0.65).
+# The fraction of a ring-spun yarn's cross-section that is fibre (Morton and Hearle 2008 give 0.5 to 0.65).
 DEFAULT_PACKING = 0.6
 
 _NUMBER = r"(\d+(?:\.\d+)?)"
@@ -77,12 +77,12 @@ def yarn_diameter_mm(
     """Diameter in millimetres of a round yarn of that count.
 
     d = sqrt(4 tex / (π · 1000 · ρ · φ)): a millimetre of yarn weighs tex µg and fills π d²/4 mm³, of
-    which the share φ is fibre.
+    which the fraction φ is fibre.
 
     Args:
         count: see `yarn_tex`.
         density: of the fibre ρ, g/cm³, in (0, 25].
-        packing: share of the cross-section that is fibre φ, in (0, 1].
+        packing: fraction φ of the cross-section that is fibre, in (0, 1].
 
     Raises:
         InputError: a count that is not known, or a density or packing out of range.
@@ -140,7 +140,7 @@ def longest_floats(draft: Draft) -> FloatLengths:
 
 
 def warp_cover(draft: Draft) -> float:
-    """The share of crossings with the warp on top: 0.5 for a balanced structure, 0.875 for satin 8."""
+    """The fraction of crossings with the warp on top: 0.5 for a balanced structure, 0.875 for satin 8."""
     return float(draft.drawdown.mean())
 
 

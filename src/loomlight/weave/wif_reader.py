@@ -1,4 +1,4 @@
-"""Reads weaving information files (WIF 1.1, and what programs make of it) into drafts.
+"""Reads weaving information files (WIF 1.1, and variants that programs write) into drafts.
 
 What the specification leaves open is decided here:
 

@@ -1,4 +1,4 @@
-"""What a WIF file says beyond the draft itself, kept so that a file that is written again loses nothing."""
+"""Content of a WIF file beyond the draft, kept so that a file that is written again loses nothing."""
 
 from __future__ import annotations
 

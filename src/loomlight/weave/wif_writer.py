@@ -1,4 +1,4 @@
-"""Writes drafts as weaving information files (WIF 1.1), without losing what a file said before."""
+"""Writes drafts as weaving information files (WIF 1.1), without losing content of the original file."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def _own_header() -> list[tuple[str, str | None]]:
         ours = version("loomlight")
     except PackageNotFoundError:
         ours = "unknown"
-    # The specification asks for this date and this address, those of its own version.
+    # The specification requires this date and this address, those of its own version.
     return [
         ("Version", "1.1"),
         ("Date", "April 20, 1997"),

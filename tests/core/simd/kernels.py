@@ -26,6 +26,6 @@ def computed(
         for number, value in enumerate(values):
             kernel.store_output(number, value)
     arrays = [np.ascontiguousarray(array, np.float32) for array in inputs]
-    found = [np.full(len(arrays[0]), np.nan, np.float32) for _ in range(outputs)]
-    CompiledKernel(kernel).launch(len(arrays[0]), arrays, found, [])
-    return found
+    actual = [np.full(len(arrays[0]), np.nan, np.float32) for _ in range(outputs)]
+    CompiledKernel(kernel).launch(len(arrays[0]), arrays, actual, [])
+    return actual

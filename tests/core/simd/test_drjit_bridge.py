@@ -28,21 +28,21 @@ def test_kernels_are_not_used_while_tracing_or_for_derivatives() -> None:
     tracked = Float(x)
     dr.enable_grad(tracked)
     assert not can_use_kernel(Float, [x, tracked])
-    found = []
+    actual = []
 
     def body(number: UInt32) -> tuple[UInt32]:
-        found.append(can_use_kernel(Float, x))
+        actual.append(can_use_kernel(Float, x))
         return (number + 1,)
 
     dr.while_loop((dr.arange(UInt32, 4),), lambda number: number < 4, body, mode="symbolic")
 
     @dr.freeze
     def frozen(value: Float) -> Float:
-        found.append(can_use_kernel(Float, value))
+        actual.append(can_use_kernel(Float, value))
         return value + 1
 
     frozen(x)
-    assert set(found) == {False}
+    assert set(actual) == {False}
 
 
 def test_inputs_are_flattened_widened_and_evaluated() -> None:
@@ -58,10 +58,10 @@ def test_inputs_are_flattened_widened_and_evaluated() -> None:
     inputs = [x, (Array3f(x, 2 * x, 3), x > 50), Float(7)]
     total, third = call_kernel(Float, inputs, 2, launch)
     squares = np.arange(count, dtype=np.float32) ** 2
-    wanted = [squares, squares, 2 * squares, np.full(count, 3), squares > 50, np.full(count, 7)]
-    for found, value in zip(seen, wanted, strict=True):
-        assert found.dtype == np.float32
-        np.testing.assert_array_equal(found, value)
+    expected = [squares, squares, 2 * squares, np.full(count, 3), squares > 50, np.full(count, 7)]
+    for actual, value in zip(seen, expected, strict=True):
+        assert actual.dtype == np.float32
+        np.testing.assert_array_equal(actual, value)
     np.testing.assert_array_equal(total.numpy(), squares + (squares > 50))
     np.testing.assert_array_equal(third.numpy(), np.full(count, 3))
 
@@ -78,7 +78,7 @@ def test_memory_in_use_is_not_overwritten() -> None:
         def launch(inputs: Sequence[np.ndarray], outputs: Sequence[np.ndarray]) -> None:
             outputs[0][:] = -1
 
-        (found,) = call_kernel(Float, [y], 1, launch)
+        (actual,) = call_kernel(Float, [y], 1, launch)
         # Dr.Jit's square root may be an estimate with one Newton step.
         np.testing.assert_allclose(y.numpy()[::1000], np.sqrt(np.arange(count)[::1000] + turn), rtol=1e-6)
-        assert (found.numpy() == -1).all()
+        assert (actual.numpy() == -1).all()

@@ -79,13 +79,13 @@ def reference(layers: list[DenseLayer], inputs: NDArray[np.float32]) -> NDArray[
 
 
 def assert_is_reference(
-    layers: list[DenseLayer], inputs: NDArray[np.float32], found: NDArray[np.float32]
+    layers: list[DenseLayer], inputs: NDArray[np.float32], actual: NDArray[np.float32]
 ) -> None:
-    wanted = reference(layers, inputs)
-    assert np.abs(wanted).max() > 0.1
+    expected = reference(layers, inputs)
+    assert np.abs(expected).max() > 0.1
     # Relative to exponentials, whose arguments have that error; beside the largest number elsewhere.
-    scale = wanted if layers[-1].activation == "exp" else np.abs(wanted).max()
-    assert (np.abs(found - wanted) / scale).max() < TOLERANCE
+    scale = expected if layers[-1].activation == "exp" else np.abs(expected).max()
+    assert (np.abs(actual - expected) / scale).max() < TOLERANCE
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -113,9 +113,9 @@ def test_networks_take_drjit_arrays(name: str) -> None:
 def test_a_result_does_not_depend_on_its_place_in_the_batch() -> None:
     mlp = FusedMlp(network("3x64"))
     inputs = np.random.default_rng(2).normal(size=(mlp.inputs, 5000)).astype(np.float32)
-    wanted = mlp.evaluate(inputs)
+    expected = mlp.evaluate(inputs)
     for part in (slice(0, 1), slice(7, 300), slice(4000, 5000)):
-        np.testing.assert_array_equal(mlp.evaluate(inputs[:, part]), wanted[:, part])
+        np.testing.assert_array_equal(mlp.evaluate(inputs[:, part]), expected[:, part])
 
 
 def test_networks_of_one_shape_share_their_code(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -190,12 +190,12 @@ def test_layers_build_other_kernels(target: SimdTarget) -> None:
             kernel.store_output(channel, output[channel])
             kernel.store_output(kernel.ir.add(channel, kernel.index(5)), active[channel])
     x = rng.normal(size=(7, 1000)).astype(np.float32)
-    found = np.zeros((10, 1000), np.float32)
-    CompiledKernel(kernel).launch(1000, [*x], [*found], [packed.weights()])
+    actual = np.zeros((10, 1000), np.float32)
+    CompiledKernel(kernel).launch(1000, [*x], [*actual], [packed.weights()])
     between = first @ x + bias[:, None]
-    wanted = second @ np.where(between > 0, between, slope * between) + 2 * start[:, None]
-    np.testing.assert_allclose(found[:5], wanted, rtol=1e-5, atol=2e-5)
-    np.testing.assert_array_equal(found[5:], np.maximum(found[:5], 0))
+    expected = second @ np.where(between > 0, between, slope * between) + 2 * start[:, None]
+    np.testing.assert_allclose(actual[:5], expected, rtol=1e-5, atol=2e-5)
+    np.testing.assert_array_equal(actual[5:], np.maximum(actual[:5], 0))
 
 
 def test_tiles_waste_few_outputs() -> None:

@@ -38,8 +38,8 @@ def test_any_number_of_cores_computes_every_query(cores: int, monkeypatch: pytes
     monkeypatch.setattr(jit, "core_count", lambda: cores)
     for count in (0, 1, 47, 48, 49, 10_000):
         x = np.arange(count, dtype=np.float32)
-        (found,) = computed(lambda _, inputs: [inputs[0] + 1], x)
-        np.testing.assert_array_equal(found, x + 1)
+        (actual,) = computed(lambda _, inputs: [inputs[0] + 1], x)
+        np.testing.assert_array_equal(actual, x + 1)
 
 
 @pytest.mark.parametrize("cores", [1, 2, 5])
@@ -61,9 +61,9 @@ def test_threads_may_launch_at_the_same_time() -> None:
     def launch(seed: int) -> None:
         x = np.random.default_rng(seed).random(5000, np.float32)
         for _ in range(20):
-            found = np.empty_like(x)
-            kernel.launch(len(x), [x, x], [found], [])
-            wrong.append(int((found != 2 * x).sum()))
+            actual = np.empty_like(x)
+            kernel.launch(len(x), [x, x], [actual], [])
+            wrong.append(int((actual != 2 * x).sum()))
 
     threads = [threading.Thread(target=launch, args=(seed,)) for seed in range(4)]
     for thread in threads:
@@ -85,16 +85,16 @@ def test_arrays_of_another_kind_are_refused() -> None:
 def test_aligned_copies_begin_at_a_cache_line() -> None:
     for count in (1, 17, 1000):
         values = np.arange(count, dtype=np.float32).reshape(1, -1)
-        found = aligned(values)
-        assert found.ctypes.data % 64 == 0
-        np.testing.assert_array_equal(found, values)
+        actual = aligned(values)
+        assert actual.ctypes.data % 64 == 0
+        np.testing.assert_array_equal(actual, values)
 
 
 def squares(count: int) -> tuple[np.ndarray, np.ndarray]:
     """What numpy and a kernel of no other test compute."""
     x = np.arange(count, dtype=np.float32)
-    (found,) = computed(lambda kernel, inputs: [inputs[0] * inputs[0] + 0.71875], x)
-    return x * x + np.float32(0.71875), found
+    (actual,) = computed(lambda kernel, inputs: [inputs[0] * inputs[0] + 0.71875], x)
+    return x * x + np.float32(0.71875), actual
 
 
 def test_object_files_are_cached(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

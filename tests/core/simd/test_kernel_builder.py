@@ -36,8 +36,8 @@ def test_loops_count(target: SimdTarget) -> None:
             kernel.store(kernel.load(total) * 2, total)
         return [kernel.load(total)]
 
-    (found,) = computed(emit, X, target=target)
-    np.testing.assert_allclose(found, 2 * (X + 10), rtol=2e-7)
+    (actual,) = computed(emit, X, target=target)
+    np.testing.assert_allclose(actual, 2 * (X + 10), rtol=2e-7)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -70,8 +70,8 @@ def test_functions_are_emitted_once() -> None:
         kernel.call("double", double, place)
         return [kernel.load(place)]
 
-    (found,) = computed(emit, X)
-    np.testing.assert_array_equal(found, 4 * X)
+    (actual,) = computed(emit, X)
+    np.testing.assert_array_equal(actual, 4 * X)
     assert len(bodies) == 1
 
 
@@ -100,9 +100,9 @@ def test_squares_are_transposed(width: int) -> None:
         for k, column in enumerate(kernel.transpose(rows)):
             kernel.store(column, kernel.element_pointer(target.pointer, k * width), align=4)
     square = np.arange(width**2, dtype=np.float32)
-    found = np.zeros_like(square)
-    CompiledKernel(kernel).launch(width, [], [np.zeros(width, np.float32)], [square, found])
-    np.testing.assert_array_equal(found.reshape(width, width), square.reshape(width, width).T)
+    actual = np.zeros_like(square)
+    CompiledKernel(kernel).launch(width, [], [np.zeros(width, np.float32)], [square, actual])
+    np.testing.assert_array_equal(actual.reshape(width, width), square.reshape(width, width).T)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -133,5 +133,5 @@ def test_any_sees_every_lane(target: SimdTarget) -> None:
 @pytest.mark.parametrize("vectors", [1, 2, 3, 5])
 def test_blocks_may_have_any_number_of_vectors(vectors: int) -> None:
     target = replace(TARGETS[0], vectors_per_block=vectors)
-    (found,) = computed(lambda _, inputs: [inputs[0] + 1], X, target=target)
-    np.testing.assert_array_equal(found, X + 1)
+    (actual,) = computed(lambda _, inputs: [inputs[0] + 1], X, target=target)
+    np.testing.assert_array_equal(actual, X + 1)

@@ -24,14 +24,14 @@ def test_functions_are_numpys(target: SimdTarget) -> None:
             math.minimum(a, b), math.clip(a, -0.5, 0.25), math.fma(a, b, 1),
         ]  # fmt: skip
 
-    wanted = [
+    expected = [
         np.floor(x), np.round(3 * x), np.abs(y), x**2, 1 / (y**2 + 1),
         np.where((x > 0) & (y < 0.5), x, y), np.where(x > y, 1, x), np.maximum(x, y),
         np.minimum(x, y), np.clip(x, -0.5, 0.25), x * y + 1,
     ]  # fmt: skip
     # Reciprocals are off by two last digits at most; the sum with 1 is rounded once here, twice in numpy.
-    for found, value in zip(computed(emit, x, y, outputs=11, target=target), wanted, strict=True):
-        np.testing.assert_allclose(found, value, rtol=5e-7, atol=1e-7)
+    for actual, value in zip(computed(emit, x, y, outputs=11, target=target), expected, strict=True):
+        np.testing.assert_allclose(actual, value, rtol=5e-7, atol=1e-7)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -49,8 +49,8 @@ def test_logarithms_and_exponentials_are_exact_to_rounding(target: SimdTarget) -
     # Near 1, where logarithms are small, the error is relative to the distance from 1.
     np.testing.assert_allclose(natural, np.log(exact), rtol=4e-7, atol=1e-7)
     np.testing.assert_allclose(binary, np.log2(exact), rtol=4e-7, atol=1e-7)
-    wanted = np.exp(np.maximum(power.astype(np.float32).astype(np.float64), -87))
-    np.testing.assert_allclose(exponential, wanted, rtol=4e-7)
+    expected = np.exp(np.maximum(power.astype(np.float32).astype(np.float64), -87))
+    np.testing.assert_allclose(exponential, expected, rtol=4e-7)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -69,5 +69,5 @@ def test_square_roots_are_exact_to_rounding(target: SimdTarget) -> None:
 
 def test_clip_bounds_nan_and_infinity() -> None:
     odd = np.array([np.nan, np.inf, -np.inf, 1], np.float32)
-    (found,) = computed(lambda kernel, inputs: [kernel.math.clip(inputs[0], 0, 5)], odd)
-    np.testing.assert_array_equal(found, [0, 5, 0, 1])
+    (actual,) = computed(lambda kernel, inputs: [kernel.math.clip(inputs[0], 0, 5)], odd)
+    np.testing.assert_array_equal(actual, [0, 5, 0, 1])

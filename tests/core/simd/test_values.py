@@ -26,13 +26,13 @@ def test_float_operators_are_numpys(target: SimdTarget) -> None:
             *(kernel.math.select(relation, 1, 0) for relation in relations),
         ]  # fmt: skip
 
-    wanted = [
+    expected = [
         x + y, 2 - x * y, 1 + x, y - 3, x / (y * y + 1), 2 / (x * x + 1), -x,
         x < y, x <= y, x > y, x >= y, x < 0.5,
     ]  # fmt: skip
     # Quotients are off by two last digits at most, fused sums by what their terms are rounded by.
-    for found, value in zip(computed(emit, x, y, outputs=12, target=target), wanted, strict=True):
-        np.testing.assert_allclose(found, value, rtol=5e-7, atol=5e-7)
+    for actual, value in zip(computed(emit, x, y, outputs=12, target=target), expected, strict=True):
+        np.testing.assert_allclose(actual, value, rtol=5e-7, atol=5e-7)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -44,9 +44,9 @@ def test_int32_operators_are_numpys(target: SimdTarget) -> None:
         assert a.element == INT32
         return [kernel.to_float(value) for value in (a + b, a - b, 5 - a, a + 7, a >> 3, a << 1)]
 
-    wanted = x + y, x - y, 5 - x, x + 7, x >> 3, x << 1
-    for found, value in zip(computed(emit, x, y, outputs=6, target=target), wanted, strict=True):
-        np.testing.assert_array_equal(found, value)
+    expected = x + y, x - y, 5 - x, x + 7, x >> 3, x << 1
+    for actual, value in zip(computed(emit, x, y, outputs=6, target=target), expected, strict=True):
+        np.testing.assert_array_equal(actual, value)
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)
@@ -58,10 +58,10 @@ def test_mask_operators_are_numpys(target: SimdTarget) -> None:
         return [kernel.math.select(mask, 1, 0) for mask in (a & b, a | b, ~a, a & True, b | False)]
 
     a, b = x > 0, y > 0
-    for found, value in zip(
+    for actual, value in zip(
         computed(emit, x, y, outputs=5, target=target), (a & b, a | b, ~a, a, b), strict=True
     ):
-        np.testing.assert_array_equal(found, value)
+        np.testing.assert_array_equal(actual, value)
 
 
 def test_comparisons_with_nan_are_false() -> None:
@@ -71,8 +71,8 @@ def test_comparisons_with_nan_are_false() -> None:
         (a,) = inputs
         return [kernel.math.select(mask, 1, 0) for mask in (a < 2, a >= 0)]
 
-    for found in computed(emit, x, outputs=2):
-        np.testing.assert_array_equal(found, [0, 1])
+    for actual in computed(emit, x, outputs=2):
+        np.testing.assert_array_equal(actual, [0, 1])
 
 
 @pytest.mark.parametrize("target", TARGETS, ids=str)

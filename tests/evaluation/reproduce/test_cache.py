@@ -1,4 +1,4 @@
-"""Runs of the encoder that are runs."""
+"""Runs of the encoder without cached latents."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fabrics that differ in what the lobes model has to get right, their models, and the groups' part alone."""
+"""Fabrics that stress different parts of the lobes model, their models, and the prefiltered regime alone."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def cloth(name: str) -> Fabric:
 
 
 def random_cloth(ends: int, picks: int, uneven: bool = False) -> Fabric:
-    """A fabric of a draft by chance; ends of two sizes if uneven."""
+    """A fabric of a random draft; ends of two sizes if uneven."""
     drawdown = np.random.default_rng(0).random((picks, ends)) < 0.5
     warp = Threads(spacing_mm=np.where(np.arange(ends) % 3, 0.4, 0.6)) if uneven else Threads()
     return make_fabric(FabricFile(), Draft(drawdown, warp), "random", ".")
@@ -154,7 +154,7 @@ def random_queries(fabric: Fabric, smallest: float, count: int, seed: int) -> Fo
 
 
 def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
-    """Edges of parallelograms anyhow, up to thrice as long as wide, in units of their size [count, 2, 2]."""
+    """Edges of random parallelograms, up to thrice as long as wide, in units of their size [count, 2, 2]."""
     angle = rng.uniform(0, 2 * np.pi, count)
     between = np.radians(rng.uniform(60, 120, count))
     lengths = np.stack([rng.uniform(1, 3, count), np.ones(count)], axis=1)
@@ -163,10 +163,10 @@ def askew(rng: np.random.Generator, count: int) -> NDArray[np.float64]:
     return edges / np.sqrt(0.5 * (edges**2).sum(axis=(1, 2)))[:, None, None]
 
 
-def prefiltered_parts(model: LobesModel, asked: FootprintQueries) -> dict[str, NDArray[np.float32]]:
-    """What the groups alone say, at every size: components and hole by name [n]."""
-    at = model.at(asked.view, asked.footprint)
-    hole, (answer,) = at.prefiltered([asked.light], None, Bool(True))
+def prefiltered_parts(model: LobesModel, queries: FootprintQueries) -> dict[str, NDArray[np.float32]]:
+    """The prefiltered regime alone, at every size: components and hole by name [n]."""
+    at = model.at(queries.view, queries.footprint)
+    hole, (answer,) = at.prefiltered([queries.light], None, Bool(True))
     parts = {part.name: getattr(answer.components, part.name) for part in fields(Components)}
     dr.eval(parts, hole)
     return {name: values.numpy() for name, values in {**parts, "hole": hole}.items()}

@@ -65,29 +65,29 @@ class _Rays:
 
 def test_views_are_summed_by_group() -> None:
     rays = _Rays(1)
-    found = accumulate_views(rays.hits(), rays.groups)
+    actual = accumulate_views(rays.hits(), rays.groups)
     normal, tangent = rays.normal.astype(float), rays.tangent.astype(float)
-    wanted = [np.ones(COUNT), *normal, *tangent, *(tangent[i] * tangent[j] for i, j in PRODUCTS)]
-    assert len(wanted) == VIEW_SUMS
-    np.testing.assert_array_equal(found[..., 0], rays.sums(wanted[0]))
-    for number, values in enumerate(wanted):
-        np.testing.assert_allclose(found[..., number], rays.sums(values), atol=ROUNDING)
+    expected = [np.ones(COUNT), *normal, *tangent, *(tangent[i] * tangent[j] for i, j in PRODUCTS)]
+    assert len(expected) == VIEW_SUMS
+    np.testing.assert_array_equal(actual[..., 0], rays.sums(expected[0]))
+    for number, values in enumerate(expected):
+        np.testing.assert_allclose(actual[..., number], rays.sums(values), atol=ROUNDING)
 
 
 def test_light_is_summed_by_group() -> None:
     """That from the other side falls on the other face, whose normals are mirrored, at the same positions."""
     rays = _Rays(2)
-    found = accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND)
+    actual = accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND)
     light = np.tile(np.repeat(node_directions().T, RAYS, axis=1), 2)
     is_lit_behind = np.roll(rays.is_lit, COUNT // 2)
     facing = (rays.normal * light).sum(axis=0)
     opposite = -(rays.normal * light * [[1], [1], [-1]]).sum(axis=0)
-    wanted = [np.ones(COUNT), rays.is_lit.astype(float), is_lit_behind.astype(float)]
+    expected = [np.ones(COUNT), rays.is_lit.astype(float), is_lit_behind.astype(float)]
     for is_lit, cosine in ((rays.is_lit, facing), (is_lit_behind, opposite)):
-        wanted.append(is_lit * (BLEND * np.maximum(cosine, 0) + (1 - BLEND) * light[2]))
-    assert len(wanted) == LIGHT_SUMS
-    for number, values in enumerate(wanted):
-        np.testing.assert_allclose(found[..., number], rays.sums(values), atol=ROUNDING)
+        expected.append(is_lit * (BLEND * np.maximum(cosine, 0) + (1 - BLEND) * light[2]))
+    assert len(expected) == LIGHT_SUMS
+    for number, values in enumerate(expected):
+        np.testing.assert_allclose(actual[..., number], rays.sums(values), atol=ROUNDING)
 
 
 def test_the_same_bytes_every_time() -> None:
@@ -110,12 +110,12 @@ def test_a_ray_counts_where_its_face_has_such_groups() -> None:
     features = np.concatenate([NORMAL_WEIGHT * rays.normal[:, number], rays.tangent[:, number]])
     rays.groups.centroids[1, 0] = features
     rays.groups.centroids[1, 7] = features + 0.01
-    found = accumulate_views(rays.hits(), rays.groups)[..., 0]
+    actual = accumulate_views(rays.hits(), rays.groups)[..., 0]
     others = rays.is_skipped.copy()
     rays.is_skipped[:] = True
     rays.is_skipped[number] = False
     only = accumulate_views(rays.hits(), rays.groups)[..., 0]
     assert only.sum() == 1
     assert only[1, 0, 7] == 1
-    assert found[1, 0, 7] >= 1
-    assert math.isclose(found.sum(), (~others).sum())
+    assert actual[1, 0, 7] >= 1
+    assert math.isclose(actual.sum(), (~others).sum())

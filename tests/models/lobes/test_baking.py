@@ -53,10 +53,10 @@ def _traced(fabric: Fabric, per_family: int, monkeypatch: pytest.MonkeyPatch) ->
         return tables_of(fabric, per_family)
 
 
-def _assert_same(found: LobeTables, wanted: LobeTables) -> None:
-    assert found.base_size == wanted.base_size
-    for name, values in wanted.arrays().items():
-        assert found.arrays()[name].tobytes() == values.tobytes(), name
+def _assert_same(actual: LobeTables, expected: LobeTables) -> None:
+    assert actual.base_size == expected.base_size
+    for name, values in expected.arrays().items():
+        assert actual.arrays()[name].tobytes() == values.tobytes(), name
 
 
 def test_recordings_give_the_bytes_of_traces(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -91,11 +91,11 @@ def test_recordings_are_bounded() -> None:
 def test_collecting_garbage_at_every_turn_does_no_harm() -> None:
     """Arrays and cloths that are freed at any time: what was baked before and after is the same."""
     threshold = gc.get_threshold()
-    wanted = [tables_of(_fabric_of(weave, scale), per_family) for weave, scale, per_family in STEPS]
+    expected = [tables_of(_fabric_of(weave, scale), per_family) for weave, scale, per_family in STEPS]
     gc.set_threshold(1)
     try:
         for _ in range(3):
-            for (weave, scale, per_family), tables in zip(STEPS, wanted, strict=True):
+            for (weave, scale, per_family), tables in zip(STEPS, expected, strict=True):
                 _assert_same(tables_of(_fabric_of(weave, scale), per_family), tables)
     finally:
         gc.set_threshold(*threshold)

@@ -53,21 +53,21 @@ def _sorted(means: NDArray[np.float64]) -> NDArray[np.float64]:
 @pytest.mark.parametrize(("count", "clusters"), [(100, 2), (2048, 2), (1500, 5), (2048, 12)])
 def test_clusters_are_those_of_an_eigensolver(count: int, clusters: int) -> None:
     points = _cloud(count, count + clusters).round(4)
-    found = BisectingClusters(points, 16)
-    wanted = _split_by_numpy(points, clusters)
+    actual = BisectingClusters(points, 16)
+    expected = _split_by_numpy(points, clusters)
     # Power iterations leave 2 % of the second axis at most: a point or two near the boundary go either way.
-    means = np.array([cluster.mean(axis=0) for cluster in wanted])
-    np.testing.assert_allclose(_sorted(found.means(clusters)), _sorted(means), atol=0.02)
-    error = sum(map(_squared_error, wanted)) / count
-    assert found.error(clusters) == pytest.approx(error, rel=1e-3)
+    means = np.array([cluster.mean(axis=0) for cluster in expected])
+    np.testing.assert_allclose(_sorted(actual.means(clusters)), _sorted(means), atol=0.02)
+    error = sum(map(_squared_error, expected)) / count
+    assert actual.error(clusters) == pytest.approx(error, rel=1e-3)
 
 
 def test_refined_means_are_those_of_k_means() -> None:
     points = _cloud(2000, 3).round(4)
-    found = BisectingClusters(points, 12)
+    actual = BisectingClusters(points, 12)
     for count in (1, 2, 12):
-        wanted = _k_means_by_numpy(points, found.means(count))
-        np.testing.assert_allclose(found.refined_means(count), wanted, atol=ROUNDING)
+        expected = _k_means_by_numpy(points, actual.means(count))
+        np.testing.assert_allclose(actual.refined_means(count), expected, atol=ROUNDING)
 
 
 def test_the_same_bytes_every_time() -> None:
@@ -79,19 +79,19 @@ def test_the_same_bytes_every_time() -> None:
 
 
 def test_as_many_clusters_as_there_can_be() -> None:
-    found = BisectingClusters(_cloud(2048, 12), 128)
-    assert found.size == 2048
-    assert len(np.unique(found.refined_means(128).round(6), axis=0)) == 128
-    errors = [found.error(count) for count in range(1, 129)]
+    actual = BisectingClusters(_cloud(2048, 12), 128)
+    assert actual.size == 2048
+    assert len(np.unique(actual.refined_means(128).round(6), axis=0)) == 128
+    errors = [actual.error(count) for count in range(1, 129)]
     # Each split lowers it.
     assert (np.diff(errors) < 0).all()
 
 
 def test_no_points() -> None:
-    found = BisectingClusters(np.zeros((0, 6)), 12)
-    assert found.size == 0
-    assert found.error(4) == 0
-    assert found.refined_means(4).shape == (4, 6)
+    actual = BisectingClusters(np.zeros((0, 6)), 12)
+    assert actual.size == 0
+    assert actual.error(4) == 0
+    assert actual.refined_means(4).shape == (4, 6)
 
 
 @pytest.mark.parametrize("count", [1, 100, 2047])
@@ -99,17 +99,17 @@ def test_fewer_different_points_than_clusters(count: int) -> None:
     """Flat threads of one direction: one point, eight clusters of it, whatever its mean is rounded to."""
     rng = np.random.default_rng(count)
     for point in ([0, 0, 0.5, 1, 0, 0.0], *rng.uniform(-1, 1, (200, 6)).round(4)):
-        found = BisectingClusters(np.tile(point, (count, 1)), PER_FAMILY)
-        wanted = np.tile(point, (PER_FAMILY, 1))
-        np.testing.assert_allclose(found.refined_means(PER_FAMILY), wanted, atol=ROUNDING)
+        actual = BisectingClusters(np.tile(point, (count, 1)), PER_FAMILY)
+        expected = np.tile(point, (PER_FAMILY, 1))
+        np.testing.assert_allclose(actual.refined_means(PER_FAMILY), expected, atol=ROUNDING)
 
 
 def test_three_different_points_are_three_clusters() -> None:
     points = np.eye(6)[[0, 1, 1, 2, 2, 2]]
-    found = BisectingClusters(points, PER_FAMILY)
-    assert len(np.unique(found.refined_means(PER_FAMILY).round(9), axis=0)) == 3
-    assert found.error(2) > found.error(3) == pytest.approx(0, abs=ROUNDING)
-    assert found.error(PER_FAMILY) == found.error(3)
+    actual = BisectingClusters(points, PER_FAMILY)
+    assert len(np.unique(actual.refined_means(PER_FAMILY).round(9), axis=0)) == 3
+    assert actual.error(2) > actual.error(3) == pytest.approx(0, abs=ROUNDING)
+    assert actual.error(PER_FAMILY) == actual.error(3)
 
 
 def test_splits_are_where_points_part() -> None:
@@ -135,8 +135,8 @@ def test_refining_lowers_the_error_and_splits_lower_it_far() -> None:
     def error(means: NDArray[np.float64]) -> float:
         return float(np.square(features[:, None] - means).sum(axis=2).min(axis=1).mean())
 
-    found = BisectingClusters(features, 8)
-    assert error(found.refined_means(8)) < error(found.means(8)) < 0.5 * error(found.means(1))
+    actual = BisectingClusters(features, 8)
+    assert error(actual.refined_means(8)) < error(actual.means(8)) < 0.5 * error(actual.means(1))
     # Until steps of k-means each point counts with its own cluster, near another's mean or not. Rounding to
     # four decimals moves squared distances of about 1 by 1e-4 at most.
-    assert error(found.means(8)) <= found.error(8) + 1e-4
+    assert error(actual.means(8)) <= actual.error(8) + 1e-4

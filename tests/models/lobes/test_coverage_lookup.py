@@ -50,7 +50,7 @@ def _edges_of(sizes: NDArray[Any], shapes: NDArray[Any] | None) -> NDArray[np.fl
 def _by_lookup(
     name: str, back: bool, centres: NDArray[Any], sizes: NDArray[Any], shapes: NDArray[Any] | None = None
 ) -> NDArray[np.float64]:
-    """Shares of groups and holes in footprints, by the pyramid [n, 2 K + 1]."""
+    """Coverage of groups and holes in footprints, by the pyramid [n, 2 K + 1]."""
     geometry, _, coverage = _made(name)
     table = CoverageLookup(coverage.base_size, coverage.levels, coverage.bytes, geometry.size, TYPES)
     edges = _edges_of(sizes, shapes)
@@ -91,11 +91,11 @@ def _squares(name: str, relative: float, seed: int) -> tuple[NDArray[np.float64]
 def test_means_are_those_of_squares(name: str, relative: float) -> None:
     for back in (False, True):
         centres, sizes = _squares(name, relative, 1)
-        found, wanted = (of(name, back, centres, sizes) for of in (_by_lookup, _by_counting))
-        error = np.abs(found - wanted).sum(axis=1) / 2
+        actual, expected = (of(name, back, centres, sizes) for of in (_by_lookup, _by_counting))
+        error = np.abs(actual - expected).sum(axis=1) / 2
         assert error.mean() < ERRORS[relative], (back, error.mean())
         # Of all squares together nothing is lost: every group as much as the repeat holds.
-        assert np.abs(found.mean(axis=0) - wanted.mean(axis=0)).max() < 0.03
+        assert np.abs(actual.mean(axis=0) - expected.mean(axis=0)).max() < 0.03
 
 
 @pytest.mark.parametrize("relative", ERRORS_ASKEW)
@@ -104,28 +104,28 @@ def test_means_are_those_of_footprints_askew(name: str, relative: float) -> None
     for back in (False, True):
         centres, sizes = _squares(name, relative, 6)
         shapes = askew(np.random.default_rng(7), len(sizes))
-        found, wanted = (of(name, back, centres, sizes, shapes) for of in (_by_lookup, _by_counting))
-        assert (np.abs(found - wanted).sum(axis=1) / 2).mean() < ERRORS_ASKEW[relative], back
+        actual, expected = (of(name, back, centres, sizes, shapes) for of in (_by_lookup, _by_counting))
+        assert (np.abs(actual - expected).sum(axis=1) / 2).mean() < ERRORS_ASKEW[relative], back
 
 
 def test_any_corner_of_a_footprint_may_come_first() -> None:
     """Edges turned round or exchanged are those of the same pixel."""
     centres, sizes = _squares("smooth satin", 2.3, 8)
     shapes = askew(np.random.default_rng(9), len(sizes))
-    found = _by_lookup("smooth satin", False, centres, sizes, shapes)
+    actual = _by_lookup("smooth satin", False, centres, sizes, shapes)
     for others in (-shapes, shapes * [[[1], [-1]]], shapes[:, ::-1]):
         again = _by_lookup("smooth satin", False, centres, sizes, others)
         # The nine squares are the same, but for which of them are the wider ones between two levels.
-        assert np.abs(again - found).sum(axis=1).mean() / 2 < 0.03
+        assert np.abs(again - actual).sum(axis=1).mean() / 2 < 0.03
 
 
 def test_squares_elsewhere_are_another_matter() -> None:
-    """What the bounds above would say of a table read in the wrong place."""
+    """The bounds above reject a table read at the wrong position."""
     centres, sizes = _squares("smooth satin", 2.0, 2)
     moved = centres + 1.5 * _made("smooth satin")[2].base_size
-    found = _by_lookup("smooth satin", False, moved, sizes)
-    wanted = _by_counting("smooth satin", False, centres, sizes)
-    assert (np.abs(found - wanted).sum(axis=1) / 2).mean() > 1.4 * ERRORS[2.0]
+    actual = _by_lookup("smooth satin", False, moved, sizes)
+    expected = _by_counting("smooth satin", False, centres, sizes)
+    assert (np.abs(actual - expected).sum(axis=1) / 2).mean() > 1.4 * ERRORS[2.0]
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -142,15 +142,15 @@ def test_coverage_repeats(name: str) -> None:
     width, height = _made(name)[0].size
     for relative in (0.5, 1.3, 3.0, 30.0):
         centres, sizes = _squares(name, relative, 4)
-        found = _by_lookup(name, False, centres, sizes)
+        actual = _by_lookup(name, False, centres, sizes)
         again = _by_lookup(name, False, centres + np.array([3 * width, -2 * height]), sizes)
         # Shares of nodes are whole units: of a lane in some hundred one goes the other way.
-        np.testing.assert_allclose(again, found, atol=8e-3)
-        assert (np.abs(again - found).max(axis=1) < 1e-4).mean() > 0.95
+        np.testing.assert_allclose(again, actual, atol=8e-3)
+        assert (np.abs(again - actual).max(axis=1) < 1e-4).mean() > 0.95
 
 
 def test_wider_squares_vary_less() -> None:
-    """A footprint of many repeats holds what any other does: all steps between are monotone."""
+    """A footprint of many repeats has the coverage of any other: all steps between are monotone."""
     last = np.inf
     for relative in (0.5, 1.0, 1.41, 2.0, 2.83, 4.0, 8.0, 16.0, 64.0):
         varies = _by_lookup("smooth satin", False, *_squares("smooth satin", relative, 5)).std(axis=0).sum()

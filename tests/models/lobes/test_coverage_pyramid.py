@@ -1,4 +1,4 @@
-"""The coverage pyramid: its levels, its size, and that shares are shares."""
+"""The coverage pyramid: its levels, its size, and sums of coverage."""
 
 from __future__ import annotations
 

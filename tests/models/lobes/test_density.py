@@ -76,10 +76,10 @@ def test_density_is_the_mean_over_an_interval(roughness: float, spread: float) -
         part.numpy() for part in (dr.dot(vectors(half), lobe.tangent), lobe.variance(vectors(half)))
     )
     width = np.maximum(np.sqrt(3 * variance), NARROWEST * roughness + 1e-4)
-    found = mean_density(vectors(half), lobe).numpy()
-    wanted = boxed(along.astype(np.float64), width.astype(np.float64), roughness)
-    np.testing.assert_allclose(found, wanted, rtol=RELATIVE)
-    assert (found > 0).all()
+    actual = mean_density(vectors(half), lobe).numpy()
+    expected = boxed(along.astype(np.float64), width.astype(np.float64), roughness)
+    np.testing.assert_allclose(actual, expected, rtol=RELATIVE)
+    assert (actual > 0).all()
 
 
 @pytest.mark.parametrize("roughness", [0.05, 0.3, 0.8])
@@ -95,8 +95,8 @@ def test_interval_moves_density_and_loses_none(roughness: float) -> None:
             *[none] * 5,
             Float(roughness),
         )
-        found = mean_density(Array3f(1, 0, 0), lobe).numpy().astype(np.float64)
-        total = np.trapezoid(found, middle)
+        actual = mean_density(Array3f(1, 0, 0), lobe).numpy().astype(np.float64)
+        total = np.trapezoid(actual, middle)
         steepness = np.sqrt(1 / roughness**2 - 1)
         # The rest of the line holds 1/(3 k^{3/2} 40³) of it.
         assert total == pytest.approx(1 / (2 * roughness * steepness), rel=2e-3)
@@ -117,8 +117,8 @@ def test_without_spread_it_is_one_fibre(roughness: float) -> None:
     rng = np.random.default_rng(3)
     tangents, half = directions(rng, COUNT), directions(rng, COUNT)
     lobe = one_fibre(tangents, roughness)
-    wanted = density(vectors(half), vectors(tangents), Float(roughness)).numpy()
-    np.testing.assert_allclose(mean_density(vectors(half), lobe).numpy(), wanted, rtol=2e-3, atol=1e-5)
+    expected = density(vectors(half), vectors(tangents), Float(roughness)).numpy()
+    np.testing.assert_allclose(mean_density(vectors(half), lobe).numpy(), expected, rtol=2e-3, atol=1e-5)
     area = projected_area(vectors(half), vectors(tangents), Float(roughness)).numpy()
     np.testing.assert_allclose(mean_area(vectors(half), lobe).numpy(), area, rtol=1e-4)
 
@@ -131,9 +131,9 @@ def test_wide_spread_is_flat() -> None:
     )
     half = directions(np.random.default_rng(4), COUNT)
     steepness = np.sqrt(1 / roughness**2 - 1)
-    wanted = 1 / (2 * roughness * steepness) / (2 * np.sqrt(3 * variance))
+    expected = 1 / (2 * roughness * steepness) / (2 * np.sqrt(3 * variance))
     # The tails that lie outside are 2/(3π (k w²)^{3/2}) of it.
-    np.testing.assert_allclose(mean_density(vectors(half), lobe).numpy(), wanted, rtol=1e-3)
+    np.testing.assert_allclose(mean_density(vectors(half), lobe).numpy(), expected, rtol=1e-3)
 
 
 @pytest.mark.parametrize("roughness", [0.15, 0.5])
@@ -149,9 +149,9 @@ def test_projected_area_of_the_density_is_that_of_the_fibres(roughness: float) -
     for spread in (0.0, 0.15):
         normals, tangents = fibres(rng, 1, spread)
         lobe = lobe_of(normals, tangents, roughness)
-        found = mean_density(vectors(half), lobe).numpy()
+        actual = mean_density(vectors(half), lobe).numpy()
         for towards in directions(rng, 5):
-            area = (found * np.maximum(half @ towards, 0)).mean() * 4 * np.pi
+            area = (actual * np.maximum(half @ towards, 0)).mean() * 4 * np.pi
             exact = np.sqrt(1 - (1 - roughness**2) * (tangents[0] @ towards) ** 2).mean()
             # Directions are not spread quite as a box is, and a root mean square is no mean.
             assert area == pytest.approx(exact, rel=5e-3 if spread == 0 else 0.04)
@@ -175,11 +175,11 @@ def test_layer_of_like_fibres_is_the_layer_of_one(roughness: float, beyond: bool
     lights, views = pairs_above(rng, beyond)
     half = units(lights + views)
     lobe = lobe_of(normals, tangents, roughness)
-    found = layer_value(
+    actual = layer_value(
         vectors(half), vectors(lights), vectors(views), Bool(beyond), lobe, Float(OPTICAL_DEPTH)
     )
     formula = transmission if beyond else reflection
-    wanted = formula(
+    expected = formula(
         vectors(lights),
         vectors(views),
         vectors(normals[:, 0]),
@@ -187,10 +187,10 @@ def test_layer_of_like_fibres_is_the_layer_of_one(roughness: float, beyond: bool
         Float(roughness),
         OPTICAL_DEPTH,
     ).numpy()
-    assert (wanted > 0).mean() > 0.95
-    lit = wanted > 0
+    assert (expected > 0).mean() > 0.95
+    lit = expected > 0
     # What is left of width, and the quotient of light and view that nearly oppose each other.
-    np.testing.assert_allclose(found.numpy()[lit], wanted[lit], rtol=5e-3, atol=1e-5)
+    np.testing.assert_allclose(actual.numpy()[lit], expected[lit], rtol=5e-3, atol=1e-5)
 
 
 @pytest.mark.parametrize("beyond", [False, True])
@@ -216,7 +216,7 @@ def test_layer_of_a_group_is_the_mean_over_its_points(beyond: bool) -> None:
     facing &= ((normals @ lights[:, :, None]) * (-1 if beyond else 1)).min(axis=(1, 2)) > 0.3
     half = units(lights + views)
     roughness = 0.3
-    found = layer_value(
+    actual = layer_value(
         vectors(half),
         vectors(lights),
         vectors(views),
@@ -233,8 +233,8 @@ def test_layer_of_a_group_is_the_mean_over_its_points(beyond: bool) -> None:
         Float(roughness),
         Float(2),
     ).numpy()
-    wanted = every.reshape(count, each).mean(axis=1)
+    expected = every.reshape(count, each).mean(axis=1)
     assert facing.sum() > 20
-    error = np.abs(found - wanted)[facing]
-    assert error.mean() < 0.01 * wanted[facing].mean()
-    assert (error < 0.1 * wanted[facing] + 1e-4).all()
+    error = np.abs(actual - expected)[facing]
+    assert error.mean() < 0.01 * expected[facing].mean()
+    assert (error < 0.1 * expected[facing] + 1e-4).all()

@@ -29,7 +29,7 @@ BAR = 1.02
 
 
 def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
-    """Integrals over all lights [views · sizes, 9]: four components near, four beyond, and the hole."""
+    """Integrals over all lights [views · sizes, 9]: reflection and transmission of components, and the hole."""
     rng = np.random.default_rng(seed)
     count, lights = len(VIEWS) * len(SIZES), ROWS * COLUMNS
     azimuth = rng.uniform(0, 2 * np.pi, count)
@@ -45,12 +45,12 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     turn = 2 * np.pi * (column + rng.random((count, lights))) / COLUMNS
     across = np.sqrt(1 - height**2)
     towards = np.stack([across * np.cos(turn), across * np.sin(turn), height], axis=2)
-    asked = FootprintQueries(
+    queries = FootprintQueries(
         towards.reshape(-1, 3), *(np.repeat(part, lights, axis=0) for part in (views, centres, sizes))
     )
     model = LobesModel.for_source(fabric)
-    parts = prefiltered_parts(model, asked)
-    beyond = (asked.lights[:, 2] * asked.views[:, 2] < 0).reshape(count, lights)
+    parts = prefiltered_parts(model, queries)
+    beyond = (queries.lights[:, 2] * queries.views[:, 2] < 0).reshape(count, lights)
     names = [part.name for part in fields(Components)]
     values = np.stack([parts[name].reshape(count, lights) for name in names], axis=-1).astype(np.float64)
     sums = [(values * side[..., None]).mean(axis=1) * 4 * np.pi for side in (~beyond, beyond)]

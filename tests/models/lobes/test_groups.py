@@ -1,4 +1,4 @@
-"""Groups: who belongs to which, and what they add up to."""
+"""Groups: assignment of points to groups, and sums over groups."""
 
 from __future__ import annotations
 
@@ -50,8 +50,8 @@ def _features(samples: FaceSamples, chosen: NDArray[np.intp]) -> NDArray[np.floa
 
 def _numbers(groups: Groups, point: SurfacePoint, back: bool) -> NDArray[np.int64]:
     nearest = NearestGroup(groups, array_types(Float))
-    found = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent)
-    return found.numpy().astype(np.int64)
+    actual = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent)
+    return actual.numpy().astype(np.int64)
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -60,19 +60,19 @@ def test_points_belong_to_the_nearest_centre_of_their_family(name: str, back: bo
     geometry = geometry_of(name)
     groups = groups_of(geometry, PER_FAMILY)
     point = _plan(geometry, 1, back)
-    found = _numbers(groups, point, back)
+    actual = _numbers(groups, point, back)
     hole, is_warp = point.hole.numpy(), point.is_warp.numpy()
-    assert (found[hole] == groups.count).all()
+    assert (actual[hole] == groups.count).all()
     features = np.concatenate([0.5 * point.normal.numpy().T, point.tangent.numpy().T], axis=1)
     distance = np.linalg.norm(features[:, None] - groups.centroids[int(back)], axis=2)
     of_warp = int(groups.warp_count[int(back)])
     own = np.where(is_warp[:, None], np.arange(groups.count) < of_warp, np.arange(groups.count) >= of_warp)
     distance[~own] = np.inf
-    chosen = np.take_along_axis(distance, np.minimum(found, groups.count - 1)[:, None], axis=1)[:, 0]
+    chosen = np.take_along_axis(distance, np.minimum(actual, groups.count - 1)[:, None], axis=1)[:, 0]
     # Of two as near float32 may take either.
     assert (chosen[~hole] <= distance.min(axis=1)[~hole] + 1e-6).all()
     # A family's groups lie apart: one alone would serve points worse.
-    shown = np.bincount(found[~hole], minlength=groups.count)
+    shown = np.bincount(actual[~hole], minlength=groups.count)
     for family in (shown[:of_warp], shown[of_warp:]):
         if family.sum() > 1000:
             assert (family > 0).all()
@@ -164,12 +164,12 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     )
     whole = LobesModel.for_source(fabric, per_family)
     queries = random_queries(fabric, whole.tables.base_size, 500, seed=3)
-    wanted = prefiltered_parts(whole, queries)
+    expected = prefiltered_parts(whole, queries)
 
     def without_weft(cloth: FrozenArg[UploadedCloth]) -> TopDownSamples:
         points = top_down_samples(cloth)
         shown = ~points.back & ~points.hole
-        weft, warp = (np.flatnonzero(shown & (points.is_warp == wanted)) for wanted in (False, True))
+        weft, warp = (np.flatnonzero(shown & (points.is_warp == expected)) for expected in (False, True))
         taken = np.arange(len(points.back))
         taken[weft] = np.resize(warp, len(weft))
         return replace(
@@ -186,12 +186,12 @@ def test_a_family_that_a_face_never_shows_does_no_harm(
     assert (groups.centroids[1, per_family:] != [0, 0, 0.5, 0, 1, 0]).any(axis=1).all()
     for part in fields(Groups):
         assert np.isfinite(getattr(groups, part.name)).all(), part.name
-    found = prefiltered_parts(LobesModel.for_source(fabric, per_family), queries)
-    for name, values in found.items():
+    actual = prefiltered_parts(LobesModel.for_source(fabric, per_family), queries)
+    for name, values in actual.items():
         assert np.isfinite(values).all(), name
         assert (values >= 0).all(), name
     # Other groups, much the same cloth; what weft the plan shows after all is taken for flat.
     for name in ("diffuse_warp", "specular_warp", "hole"):
-        assert found[name].mean() == pytest.approx(wanted[name].mean(), rel=0.05), name
+        assert actual[name].mean() == pytest.approx(expected[name].mean(), rel=0.05), name
     back = queries.views[:, 2] < 0
-    np.testing.assert_allclose(found["diffuse_weft"][back], wanted["diffuse_weft"][back], rtol=1e-6)
+    np.testing.assert_allclose(actual["diffuse_weft"][back], expected["diffuse_weft"][back], rtol=1e-6)

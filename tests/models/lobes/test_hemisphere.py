@@ -22,10 +22,10 @@ def test_a_node_has_itself_alone() -> None:
         table = np.eye(NODES)
         weights = np.stack([part.numpy() for part in taps.weights._integers], axis=1)
         numbers = np.stack([part.numpy() for part in taps.nodes], axis=1)
-        found = np.einsum("nt,ntk->nk", weights / weights.sum(axis=1, keepdims=True), table[numbers])
+        actual = np.einsum("nt,ntk->nk", weights / weights.sum(axis=1, keepdims=True), table[numbers])
         # At the zenith azimuths do not matter.
         low = nodes[:, 2] < 1 - 1e-9
-        np.testing.assert_allclose(found[low], table[low], atol=0.01)
+        np.testing.assert_allclose(actual[low], table[low], atol=0.01)
 
 
 def test_directions_lie_between_their_nodes() -> None:

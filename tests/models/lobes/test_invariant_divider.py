@@ -16,8 +16,8 @@ def test_quotients_are_exact(number: int) -> None:
     near = [turns * number + offset for turns in range(50) for offset in (-1, 0, 1)]
     near = [dividend for dividend in near if 0 <= dividend < 2**32]
     dividends = np.concatenate([dividends, near, [2**32 - 1]]).astype(np.uint32)
-    found, rest = (
+    actual, rest = (
         part.numpy() for part in InvariantDivider(number, array_types(Float)).divide(UInt32(dividends))
     )
-    np.testing.assert_array_equal(found, dividends // number)
+    np.testing.assert_array_equal(actual, dividends // number)
     np.testing.assert_array_equal(rest, dividends % number)

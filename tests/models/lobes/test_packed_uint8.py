@@ -44,18 +44,18 @@ def test_families_begin_with_a_pack_of_their_own() -> None:
 def test_interpolation_is_that_of_rounded_weights(nodes: int) -> None:
     values = _random_bytes(nodes)
     weights = np.random.default_rng(9).dirichlet(np.ones(nodes), COUNT).T.astype(np.float32)
-    found = _array(PackedWeights(TYPES, [Float(part) for part in weights]).interpolate(_packs(values)))
+    actual = _array(PackedWeights(TYPES, [Float(part) for part in weights]).interpolate(_packs(values)))
     rounded = np.floor(weights.astype(np.float64) * WEIGHT_SUM + 0.5)
-    wanted = (rounded[..., None] * values).sum(axis=0) / rounded.sum(axis=0)[:, None]
+    expected = (rounded[..., None] * values).sum(axis=0) / rounded.sum(axis=0)[:, None]
     # Single precision; float32 rounds a weight to the other integer where it is next to a half.
-    np.testing.assert_allclose(found, wanted, atol=255 * 2**-22 + 255 / WEIGHT_SUM * (nodes > 1) * 0.01)
+    np.testing.assert_allclose(actual, expected, atol=255 * 2**-22 + 255 / WEIGHT_SUM * (nodes > 1) * 0.01)
     # Weights are off by half a unit each, as their sum is by the sum of that.
     exact = (weights[..., None] * values).sum(axis=0)
-    assert np.abs(found - exact).max() < 255 * nodes / WEIGHT_SUM
+    assert np.abs(actual - exact).max() < 255 * nodes / WEIGHT_SUM
 
 
 @pytest.mark.parametrize("nodes", [1, 9, 256])
 def test_means_are_exact(nodes: int) -> None:
     values = _random_bytes(nodes)
-    found = _array(mean_of_packs(TYPES, _packs(values)))
-    np.testing.assert_allclose(found, values.mean(axis=0), rtol=1e-6)
+    actual = _array(mean_of_packs(TYPES, _packs(values)))
+    np.testing.assert_allclose(actual, values.mean(axis=0), rtol=1e-6)

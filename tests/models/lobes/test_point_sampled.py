@@ -1,4 +1,4 @@
-"""Points of close-ups lie where few of them stand for a footprint; regimes hand over smoothly.
+"""Offsets of point samples have a low error with few points; the regimes blend smoothly.
 
 Covers: models/lobes/regimes.py
 """
@@ -19,21 +19,21 @@ LINES = 4000
 
 
 def places() -> np.ndarray:
-    """All of them [n, 2], in shares of a footprint's edges."""
-    found = _offset(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
-    return np.stack([part.numpy() for part in found], axis=1)
+    """All offsets [n, 2], in units of a footprint's edges."""
+    actual = _offset(array_types(Float), UInt32(np.arange(MOST_POINTS, dtype=np.uint32)))
+    return np.stack([part.numpy() for part in actual], axis=1)
 
 
 def test_the_first_point_is_the_middle_and_all_lie_within() -> None:
-    found = places()
-    np.testing.assert_array_equal(found[0], [0, 0])
-    assert (np.abs(found) < 0.5).all()
-    assert len(np.unique(found, axis=0)) == MOST_POINTS
+    actual = places()
+    np.testing.assert_array_equal(actual[0], [0, 0])
+    assert (np.abs(actual) < 0.5).all()
+    assert len(np.unique(actual, axis=0)) == MOST_POINTS
 
 
 # Errors of `tools/fits/near_points.py`, a tenth added; points by chance have 0.2, 0.14 and 0.1.
 @pytest.mark.parametrize(("count", "largest"), [(3, 0.11), (5, 0.055), (8, 0.031)])
-def test_few_points_know_the_share_beyond_a_line(count: int, largest: float) -> None:
+def test_few_points_estimate_the_area_beyond_a_line(count: int, largest: float) -> None:
     rng = np.random.default_rng(0)
     angle = rng.uniform(0, 2 * np.pi, LINES)
     normal = np.stack([np.cos(angle), np.sin(angle)])
@@ -50,7 +50,7 @@ def test_few_points_know_the_share_beyond_a_line(count: int, largest: float) -> 
     assert np.sqrt(np.average(error**2, weights=reach)) < largest
 
 
-def test_regimes_hand_over_smoothly() -> None:
+def test_regimes_blend_smoothly() -> None:
     """Points alone below 0.6 threads, groups alone above 1.6, both between."""
     layout = fabric_from_text("plain").layout()
     thread = float(layout.warp.spacing[0])
@@ -68,6 +68,6 @@ def test_regimes_hand_over_smoothly() -> None:
     assert (points[weight == 1] == 0).all()
     assert (points[weight < 1] >= 1).all()
     assert points.max() <= MOST_POINTS
-    # Squares of the pyramid that are wider than a thread move the hand-over up with them.
+    # Squares of the pyramid that are wider than a thread move the blend to larger footprints.
     coarse = RegimeScale(layout, 10 * thread, array_types(Float)).of(footprint)
     assert (coarse.prefiltered.numpy() == 0).all()

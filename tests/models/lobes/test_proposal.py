@@ -50,19 +50,19 @@ class Case:
         return Array3f(*filled(*self.view)), Footprint(Array2f(*filled(*self.centre)), *edges)
 
     def density(self, lights: NDArray[np.float64]) -> NDArray[np.float64]:
-        """1/sr, of unit vectors [n, 3]: what `pdf` says of one view."""
+        """`pdf` of unit vectors [n, 3] for one view, 1/sr."""
         view, footprint = self.query(1)
         at = self.model.at(view, footprint)
         dr.eval(at.mixture)
-        found = at.pdf(Array3f(np.ascontiguousarray(lights.T, np.float32)))
-        return found.numpy().astype(np.float64)
+        actual = at.pdf(Array3f(np.ascontiguousarray(lights.T, np.float32)))
+        return actual.numpy().astype(np.float64)
 
     def drawn(self, seed: int) -> DirectionSample:
         rng = np.random.default_rng(seed)
         choice, u = Float(rng.random(DRAWN, np.float32)), Array2f(rng.random((2, DRAWN), np.float32))
-        found = self.model.at(*self.query(DRAWN)).sample(choice, u)
-        dr.eval(found)
-        return found
+        actual = self.model.at(*self.query(DRAWN)).sample(choice, u)
+        dr.eval(actual)
+        return actual
 
 
 @cache
@@ -80,25 +80,25 @@ def case_of(name: str, angles: tuple[float, float], size: float) -> Case:
 
 
 def compared(case: Case, seed: int, label: str) -> float:
-    """The p-value of directions drawn with `seed`; the rest of what holds of them is asserted."""
+    """The p-value of directions drawn with `seed`; asserts consistency of pdf, weight and value."""
     shares = cell_shares(case.density)
-    found = case.drawn(seed)
-    passes, chance = found.is_null.numpy(), found.pdf.numpy()
+    actual = case.drawn(seed)
+    passes, chance = actual.is_null.numpy(), actual.pdf.numpy()
     through = float(chance[passes].mean()) if passes.any() else 0.0
     # The rule's error in the cells that a narrow highlight lies in is a few thousandths.
     assert abs(shares.sum() + through - 1) < 5e-3, label
     assert abs(passes.mean() - through) < 4.5 * math.sqrt(max(through, 1e-3) / DRAWN), label
-    weight = found.weight.numpy()
+    weight = actual.weight.numpy()
     density = np.where(passes, 1, chance)
-    again = case.model.at(*case.query(DRAWN)).value(found.light).numpy() / np.maximum(density, 1e-30)
+    again = case.model.at(*case.query(DRAWN)).value(actual.light).numpy() / np.maximum(density, 1e-30)
     smooth = ~passes & (chance > 0)
     close = np.isclose(weight, again, rtol=2e-3, atol=1e-5).all(axis=0)
     # Two kernels round differently, and in a shadow's edge that decides.
     assert close[smooth].mean() > 0.995, label
     assert (weight[:, passes] == 1).all(), label
-    pdf = case.model.at(*case.query(DRAWN)).pdf(found.light).numpy()
+    pdf = case.model.at(*case.query(DRAWN)).pdf(actual.light).numpy()
     assert np.isclose(pdf, chance, rtol=2e-3)[smooth].mean() > 0.995, label
-    counts = cell_counts(found.light.numpy().T[~passes].astype(np.float64))
+    counts = cell_counts(actual.light.numpy().T[~passes].astype(np.float64))
     return p_value(counts, shares * DRAWN)
 
 
@@ -127,13 +127,13 @@ def test_directions_are_distributed_by_their_density(name: str) -> None:
         ("smooth satin", VIEWS[3], 1, 0, 12),
     ],
 )
-def test_the_density_of_another_footprint_is_found_out(
+def test_the_density_of_another_footprint_is_detected(
     name: str, view: tuple[float, float], wider: float, away: float, turned: float
 ) -> None:
-    """What the test above says of a density that is wrong by a little."""
+    """The test above rejects a density that is slightly wrong."""
     case = case_of(name, view, 1.0)
-    found = case.drawn(0)
-    counts = cell_counts(found.light.numpy().T[~found.is_null.numpy()].astype(np.float64))
+    actual = case.drawn(0)
+    counts = cell_counts(actual.light.numpy().T[~actual.is_null.numpy()].astype(np.float64))
     other = case_of(name, (view[0], view[1] + turned), wider)
     other = replace(other, centre=case.centre + away * case.model.tables.base_size)
     for density, passes in ((case.density, True), (other.density, False)):

@@ -22,8 +22,8 @@ QUERIES = 250
 # Float32 against float64. Steep highlights (α = 0.1) magnify errors of the half vector, most of all where
 # light and view are nearly opposite.
 RELATIVE, ABSOLUTE = 1e-4, 1e-6
-# Shares of directions' nodes are rounded to whole units, footprints to nodes: what lies between two may go
-# either way, 1 query in 1000.
+# Weights of directions' nodes are rounded to whole units, footprints to nodes: ties may be rounded either
+# way, 1 query in 1000.
 FLIPPED, UNIT = 0.01, 1e-2
 
 
@@ -43,7 +43,7 @@ def parallelogram(queries: FootprintQueries, lane: int) -> Parallelogram:
 
 
 def reference_parts(reference: LobesReference, queries: FootprintQueries) -> dict[str, NDArray[np.float64]]:
-    """What the reference says of queries, by name [n]."""
+    """Components and hole of the reference, by name [n]."""
     actual = [
         reference.components_and_hole(queries.lights[lane], queries.views[lane], parallelogram(queries, lane))
         for lane in range(QUERIES)
@@ -72,7 +72,7 @@ def test_both_agree_on_components_and_holes(name: str) -> None:
 
 @pytest.mark.parametrize("groups", [1, 5, 16])
 def test_both_agree_on_any_number_of_groups(groups: int) -> None:
-    """Five leave bytes of padding in each family's last word."""
+    """Five leave bytes of padding in each family's last pack."""
     model = model_of("translucent twill", groups)
     queries = queries_of(model, seed=2)
     actual, expected = prefiltered_parts(model, queries), reference_parts(reference_of(model), queries)

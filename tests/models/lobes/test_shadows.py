@@ -1,4 +1,4 @@
-"""Shadows of groups: what light and view reach together, against rays over whole repeats."""
+"""Shadows of groups: the correlation of visibility from light and view, against rays over whole repeats."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, mod
 PAIRS, POINTS = 250, 2048
 
 
-def asked(name: str, through: bool) -> FootprintQueries:
+def queried(name: str, through: bool) -> FootprintQueries:
     """Pairs on one side of the cloth or through it, and footprints of many repeats."""
     rng = np.random.default_rng(4)
     lights, views = (directions(rng, PAIRS, lowest=0.1) for _ in range(2))
@@ -50,10 +50,10 @@ def errors(through: bool) -> NDArray[np.float64]:
     """nMAE of diffuse and specular terms, mean over the cloths [2]."""
     rows = []
     for name in TEXTS:
-        queries = asked(name, through)
-        found, wanted = prefiltered_parts(model_of(name), queries), traced(name, queries)
-        sums = [found[f"{term}_warp"] + found[f"{term}_weft"] for term in ("diffuse", "specular")]
-        rows.append(np.abs(np.stack(sums) - wanted).sum(axis=1) / wanted.sum(axis=1))
+        queries = queried(name, through)
+        actual, expected = prefiltered_parts(model_of(name), queries), traced(name, queries)
+        sums = [actual[f"{term}_warp"] + actual[f"{term}_weft"] for term in ("diffuse", "specular")]
+        rows.append(np.abs(np.stack(sums) - expected).sum(axis=1) / expected.sum(axis=1))
     return np.asarray(np.mean(rows, axis=0))
 
 

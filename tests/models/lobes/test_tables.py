@@ -1,4 +1,4 @@
-"""What is baked: the same bytes every time, small, and refused in one sentence where a file is damaged."""
+"""Baked tables: the same bytes every time, small, and refused in one sentence where a file is damaged."""
 
 from __future__ import annotations
 
@@ -60,8 +60,8 @@ def test_colours_and_roughness_are_not_baked() -> None:
     for key, values in plain.tables.arrays().items():
         assert np.array_equal(values, edited.tables.arrays()[key]), key
     queries = random_queries(plain.fabric, plain.tables.base_size, 100, seed=1)
-    found, other = (prefiltered_parts(model, queries)["specular_warp"] for model in (plain, edited))
-    assert not np.allclose(found, other, rtol=0.05)
+    actual, other = (prefiltered_parts(model, queries)["specular_warp"] for model in (plain, edited))
+    assert not np.allclose(actual, other, rtol=0.05)
 
 
 def test_tables_say_how_large_they_are() -> None:

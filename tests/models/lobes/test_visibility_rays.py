@@ -1,4 +1,4 @@
-"""Samples of what views hit, against all of their rays."""
+"""Samples of view hits, against all view rays."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PER_FAMILY = 8
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_view_samples_are_those_that_views_hit(name: str) -> None:
-    """Shares of families and holes are those of the rays that tables are made of."""
+    """Fractions of families and holes are those of the rays that tables are made of."""
     geometry = geometry_of(name)
     cloth = upload_cloth(geometry, Float)
     views = launch_views(cloth, PER_FAMILY)
@@ -28,10 +28,10 @@ def test_view_samples_are_those_that_views_hit(name: str) -> None:
     passing = np.zeros(len(hits), bool) if rays.view_is_null is None else rays.view_is_null.numpy()
     for back in (False, True):
         some, many = seen.back == back, (np.arange(len(hits)) >= len(hits) // 2) == back
-        for found, wanted in (
+        for actual, expected in (
             (seen.hole[some], passing[many]),
             ((seen.is_warp & ~seen.hole)[some], (hits & ~passing)[many]),
         ):
             # 4.5 deviations of random rays; these are even.
             bound = 4.5 * math.sqrt(0.25 / some.sum())
-            assert abs(found.mean() - wanted.mean()) < bound
+            assert abs(actual.mean() - expected.mean()) < bound

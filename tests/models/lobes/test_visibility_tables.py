@@ -54,7 +54,7 @@ def _made(name: str) -> _Made:
 
 
 def _places(geometry: YarnGeometry, seed: int) -> tuple[Float, Float]:
-    """A random place in each of SIDE² texels of the repeat."""
+    """A random position in each of SIDE² texels of the repeat."""
     rng = np.random.default_rng(seed)
     row, column = np.divmod(np.arange(SIDE * SIDE), SIDE)
     x, y = (np.stack([column, row]) + rng.random((2, SIDE * SIDE))) / SIDE
@@ -69,7 +69,7 @@ def _node_near(degrees: float, azimuth: float) -> int:
 
 
 def _noise(share: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bound on the difference of two shares: 4.5 deviations of random rays; a group of one ray counts."""
+    """Bound on the difference of two fractions: 4.5 deviations of random rays; a group of one ray counts."""
     return 4.5 * np.sqrt(np.maximum(share * (1 - share), 1 / RAYS) * (1 / RAYS + 1 / SIDE**2))
 
 
@@ -87,8 +87,8 @@ def test_projected_area_is_what_finer_rays_hit(name: str, degrees: float, azimut
         nearest = NearestGroup(groups, array_types(Float))
         met = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent)
         met = dr.select(hit.hole, nearest.hole_index, met).numpy()
-        wanted = np.bincount(met, minlength=groups.count + 1) / len(met)
-        assert (np.abs(made.tables.projected_area[int(back), node] - wanted) < _noise(wanted)).all()
+        expected = np.bincount(met, minlength=groups.count + 1) / len(met)
+        assert (np.abs(made.tables.projected_area[int(back), node] - expected) < _noise(expected)).all()
 
 
 @pytest.mark.parametrize("name", TEXTS)
@@ -115,11 +115,11 @@ def test_moments_are_those_of_what_finer_rays_hit(name: str) -> None:
                 # 4.5 deviations of the difference of two means of random points, and float32.
                 error = 4.5 * values[members].std(axis=0) * math.sqrt(2.5 / members.sum()) + 1e-3
                 assert (np.abs(means[int(back), group] - values[members].mean(axis=0)) < error).all()
-            spread, wanted = (
+            spread, expected = (
                 np.trace(groups.covariance[int(back), group]),
                 np.trace(np.cov(tangent[members].T)),
             )
-            assert spread == pytest.approx(wanted, rel=9 / math.sqrt(members.sum()) + 0.1, abs=1e-3)
+            assert spread == pytest.approx(expected, rel=9 / math.sqrt(members.sum()) + 0.1, abs=1e-3)
 
 
 def test_groups_that_few_views_hit_keep_their_moments() -> None:
@@ -166,17 +166,17 @@ def test_lit_is_what_finer_shadow_rays_say(name: str, degrees: float, azimuth: f
                 (tables.irradiance, free * cosine / math.pi),
             ):
                 sums = np.bincount(number, values, minlength=groups.count + 1)[:-1]
-                wanted = sums / np.maximum(count, 1)
-                found = table[int(back), side, node]
+                expected = sums / np.maximum(count, 1)
+                actual = table[int(back), side, node]
                 # Rays of a group, which has `count` of all.
                 several = count > 0.02 * len(number)
                 error = 4.5 * np.sqrt(0.25 / (np.maximum(count, 1) / len(number) * RAYS))
                 if table is tables.irradiance:
                     error /= math.pi
-                assert (np.abs(found - wanted) < error)[several].all(), (back, side)
+                assert (np.abs(actual - expected) < error)[several].all(), (back, side)
                 # And all together.
                 share = count[several] / count.sum()
-                assert abs((share * (found - wanted)[several]).sum()) < 1 / math.sqrt(RAYS)
+                assert abs((share * (actual - expected)[several]).sum()) < 1 / math.sqrt(RAYS)
 
 
 @pytest.mark.parametrize("name", TEXTS)

@@ -1,4 +1,4 @@
-"""Small untrained networks: parity asks nothing of what they have learnt."""
+"""Small untrained networks: tests of parity need no trained weights."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def written(made: WovenNetwork, path: Path, half: bool = False, **changes: Any) 
 
 
 def linear_diffuse(made: WovenNetwork) -> bool:
-    """Whether the network puts out diffuse components as they are, as published."""
+    """Whether the network's diffuse outputs are linear, as published."""
     return made.table.latent == "vector"
 
 
@@ -69,15 +69,15 @@ def counted_runs(monkeypatch: pytest.MonkeyPatch, folder: Path, function: str) -
     """
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
     clear_encodings()
-    found: list[str] = []
+    actual: list[str] = []
     run = getattr(encoding, function)
 
     def counted(fabric: Fabric, *arguments: Any) -> Any:
-        found.append(fabric.name)
+        actual.append(fabric.name)
         return run(fabric, *arguments)
 
     monkeypatch.setattr(encoding, function, counted)
-    return found
+    return actual
 
 
 def unit_vectors(rng: np.random.Generator, count: int) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""What torch says of queries: the readable twin of the decoder in Dr.Jit."""
+"""The decoder in torch: the readable reference of the one in Dr.Jit."""
 
 from __future__ import annotations
 

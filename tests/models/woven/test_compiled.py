@@ -1,4 +1,4 @@
-"""Queries in numpy arrays: what kernels fetch, and that the number of queries does not matter.
+"""Queries in NumPy arrays: latents that kernels fetch, and independence of the number of queries.
 
 Covers: models/woven/latent_table.py
 """
@@ -50,13 +50,13 @@ def _fetched(
     back: np.ndarray,
     step: np.ndarray | None = None,
 ) -> np.ndarray:
-    """The first numbers [n, hidden] of interpolated latents, of rows of squares with steps [2, n]."""
+    """The first numbers [n, hidden] of interpolated latents, of anisotropic taps with steps [2, n]."""
     view = [np.zeros(len(x), np.float32), np.zeros(len(x), np.float32), np.ones(len(x), np.float32)]
-    found = np.empty((weights.table.hidden + 2, len(x)), np.float32)
+    actual = np.empty((weights.table.hidden + 2, len(x)), np.float32)
     steps = np.zeros((2, len(x)), np.float32) if step is None else step
     queries = [x, y, size, *steps, *view, back.astype(np.float32)]
-    compiled_decoder(weights).run("view", kernel_table(weights, encoded), queries, [*found])
-    return found[: weights.table.hidden].T
+    compiled_decoder(weights).run("view", kernel_table(weights, encoded), queries, [*actual])
+    return actual[: weights.table.hidden].T
 
 
 @pytest.mark.parametrize(("picks", "ends"), [(2, 2), (1, 3), (10, 5)])
@@ -73,11 +73,11 @@ def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path)
     behind = rng.random(len(x)) < 0.5
     texels, shares = taps(encoded.levels, x, y, size)
     table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
-    wanted = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
-    found = _fetched(weights, encoded, x, y, size, behind)
+    expected = np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]])
+    actual = _fetched(weights, encoded, x, y, size, behind)
     # float32 coordinates up to 40·8 texels have 2e-5 of a texel, between two of which values change by up to
     # twice the largest.
-    np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
+    np.testing.assert_allclose(actual, expected, atol=1e-4 * np.abs(expected).max())
 
 
 def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
@@ -94,15 +94,15 @@ def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
     step[:, rng.random(count) < 0.3] = 0
     behind = rng.random(count) < 0.5
     table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
-    wanted = np.zeros((count, weights.table.hidden))
+    expected = np.zeros((count, weights.table.hidden))
     for place in (-1.5, -0.5, 0.5, 1.5):
         texels, shares = taps(
             encoded.levels, x + np.float32(place) * step[0], y + np.float32(place) * step[1], size
         )
-        wanted += np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]]) / 4
-    found = _fetched(weights, encoded, x, y, size, behind, step)
+        expected += np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]]) / 4
+    actual = _fetched(weights, encoded, x, y, size, behind, step)
     # As above.
-    np.testing.assert_allclose(found, wanted, atol=1e-4 * np.abs(wanted).max())
+    np.testing.assert_allclose(actual, expected, atol=1e-4 * np.abs(expected).max())
 
 
 def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> None:
@@ -112,9 +112,9 @@ def test_footprints_that_are_nowhere_read_no_foreign_memory(tmp_path: Path) -> N
     encoded = EncodedFabric(3, 5, faces, _FIBRES)
     odd = np.array([np.nan, np.inf, -np.inf, 3e38, -3e38, 1e30, 0, -1e-30], np.float32)
     x, y, size = (part.ravel() for part in np.meshgrid(odd, odd, odd))
-    found = _fetched(weights, encoded, x, y, size, np.zeros(len(x)))
+    actual = _fetched(weights, encoded, x, y, size, np.zeros(len(x)))
     # All texels hold the same, so whichever are read, shares that add up to one give it back.
-    np.testing.assert_allclose(found, np.ones_like(found), rtol=1e-5)
+    np.testing.assert_allclose(actual, np.ones_like(actual), rtol=1e-5)
 
 
 @pytest.mark.parametrize("name", TABLES)
@@ -127,11 +127,11 @@ def test_any_number_of_queries_is_answered_alike(name: str, tmp_path: Path) -> N
     count = 50 * block + 3
     lights, views = unit_vectors(rng, count), unit_vectors(rng, count)
     footprints = rng.uniform(0.1, 5, (count, 3)).astype(np.float32)
-    found = decode(weights, encoded, lights, views, footprints)
-    assert found.shape == (count, 5)
-    assert np.ptp(found, axis=0).min() > 1e-3
+    actual = decode(weights, encoded, lights, views, footprints)
+    assert actual.shape == (count, 5)
+    assert np.ptp(actual, axis=0).min() > 1e-3
     for first, some in ((0, 0), (0, 1), (5, block), (count - 1500, 1500)):
         part = slice(first, first + some)
         again = decode(weights, encoded, lights[part], views[part], footprints[part])
         # Every query's numbers are its own, wherever in a block it stands.
-        np.testing.assert_array_equal(again, found[part])
+        np.testing.assert_array_equal(again, actual[part])

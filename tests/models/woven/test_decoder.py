@@ -41,7 +41,7 @@ CLOTH = 'weave = "twill 2/1"\nends_per_cm = 30\npicks_per_cm = 20\n[warp]\nrough
 
 @pytest.fixture(params=[False, True], ids=["cooperative", "compiled"])
 def either_way(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
-    """Both ways of computing layers: whether that is in kernels of their own."""
+    """Both ways of computing layers: SIMD kernels or cooperative vectors."""
     if not request.param:
         monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
     return bool(request.param)
@@ -61,15 +61,15 @@ def test_the_decoder_is_torchs(name: str, either_way: bool, tmp_path: Path) -> N
     centres = rng.uniform(-3, 5, (COUNT, 2)) * fabric.repeat_mm
     # From a 500th of a thread to 100 threads, so that both ends of the pyramid are met.
     sides = 0.4 * np.exp(rng.uniform(np.log(0.002), np.log(100), COUNT))
-    found = np.stack(answered(model, lights, views, centres, sides), 1)
-    wanted = responses(made, encoded, fabric, lights, views, centres, sides)
-    scale = wanted.max(axis=0)
+    actual = np.stack(answered(model, lights, views, centres, sides), 1)
+    expected = responses(made, encoded, fabric, lights, views, centres, sides)
+    scale = expected.max(axis=0)
     assert (scale > 1e-3).all()
     # Positions in float32 are off by 1e-6 of a repeat, 1e-4 of the pyramid's finest texels at worst.
     footprints = footprints_in_threads(fabric.layout(), centres, sides)
     batch = decode(weights, encoded, lights, views, footprints)
-    for answers in (found, batch):
-        error = np.abs(answers - wanted) / scale
+    for answers in (actual, batch):
+        error = np.abs(answers - expected) / scale
         assert np.percentile(error, 99.5) < 1e-5
         assert error.max() < 1e-3
 
@@ -83,30 +83,30 @@ def test_other_processors_answer_alike(
     encoded = replace(encode(fabric, weights, Float), correction=correction)
     rng = np.random.default_rng(9)
     queries = unit_vectors(rng, 500), unit_vectors(rng, 500), rng.uniform(0.01, 20, (500, 3))
-    wanted = decode(weights, encoded, *queries)
+    expected = decode(weights, encoded, *queries)
     caches = _compiled, compiled_decoder, kernel_table
     for module in (compiled, latent_table):
         monkeypatch.setattr(module, "host_target", lambda: target)
     try:
         for cached in caches:
             cached.cache_clear()
-        found = decode(weights, encoded, *queries)
+        actual = decode(weights, encoded, *queries)
     finally:
         for cached in caches:
             cached.cache_clear()
     # Sums of the same terms, in the same order but for channels of the latents.
-    np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-5 * wanted.max())
+    np.testing.assert_allclose(actual, expected, rtol=1e-4, atol=1e-5 * expected.max())
 
 
 def answered(
     model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
 ) -> list[np.ndarray]:
-    found = asked(model, lights, views, centres, sides)
-    dr.eval(found)
-    return [part.numpy() for part in found]
+    actual = queried(model, lights, views, centres, sides)
+    dr.eval(actual)
+    return [part.numpy() for part in actual]
 
 
-def asked(
+def queried(
     model: WovenModel, lights: np.ndarray, views: np.ndarray, centres: np.ndarray, sides: np.ndarray
 ) -> list[Any]:
     light, view = (Array3f(np.ascontiguousarray(part.T, np.float32)) for part in (lights, views))
@@ -135,8 +135,8 @@ def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, t
 
     by_kernel = answer()
     monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
-    wanted = answer()
-    error = np.abs(by_kernel - wanted) / wanted.max(axis=1, keepdims=True)
+    expected = answer()
+    error = np.abs(by_kernel - expected) / expected.max(axis=1, keepdims=True)
     # Positions of squares in float32 are off by 1e-6 of a repeat, as above.
     assert np.percentile(error, 99.5) < 1e-5
     assert error.max() < 1e-3
@@ -162,9 +162,9 @@ def test_long_footprints_of_twill_err_less_in_rows_of_squares(monkeypatch: pytes
     footprint = Footprint(centre, Array2f(size.x, 0), Array2f(0, size.y))
 
     def error() -> float:
-        found = np.stack([part.numpy() for part in parts_of(model, lights, views, footprint)[:4]], 1)
-        wanted = truth.reshape(-1, 5)[:, :4]
-        return float(np.abs(found - wanted).sum() / wanted.sum())
+        actual = np.stack([part.numpy() for part in parts_of(model, lights, views, footprint)[:4]], 1)
+        expected = truth.reshape(-1, 5)[:, :4]
+        return float(np.abs(actual - expected).sum() / expected.sum())
 
     rows = error()
     monkeypatch.setattr(
@@ -187,7 +187,7 @@ def test_inside_a_symbolic_loop_it_is_the_same(tmp_path: Path) -> None:
     )
 
     def step(number: UInt32, total: Float) -> tuple[UInt32, Float]:
-        return number + 1, total + asked(model, *queries)[0]
+        return number + 1, total + queried(model, *queries)[0]
 
     _, total = dr.while_loop(
         (UInt32(0), dr.zeros(Float, 200)), lambda number, total: number < 2, step, mode="symbolic"
@@ -220,9 +220,9 @@ def test_kernels_take_inputs_of_width_one(
         # One footprint and view, of which parts are literals, for many lights.
         centre, edge = Array2f(0.1, dr.opaque(Float, 0.2)), dr.opaque(Float, 0.3)
         footprint = Footprint(centre, Array2f(edge, 0), Array2f(0, edge))
-        found = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)
-        assert dr.width(found) == count
-        return np.stack(np.broadcast_arrays(*(part.numpy() for part in found)))
+        actual = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)
+        assert dr.width(actual) == count
+        return np.stack(np.broadcast_arrays(*(part.numpy() for part in actual)))
 
     by_kernel = answer()
     monkeypatch.setattr(Decoder, "uses_kernel", lambda decoder, inputs: False)
@@ -237,17 +237,17 @@ def test_queries_that_are_still_computed_are_waited_for(tmp_path: Path) -> None:
     rng, count = np.random.default_rng(8), 1 << 18
     light = Array3f(np.ascontiguousarray(unit_vectors(rng, count).T))
     footprint = Footprint(Array2f(0.1, 0.2), Array2f(0.3, 0), Array2f(0, 0.3))
-    wanted = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)[0].numpy()
+    expected = parts_of(model, light, Array3f(0.6, 0, 0.8), footprint)[0].numpy()
     # Launched, and far from done, when the answers are asked for.
     slow = light.x
     for _ in range(200):
         slow = dr.sin(slow)
     dr.eval(slow)
     turned = Array3f(light.x + 0 * slow, light.y, light.z)
-    found = parts_of(model, turned, Array3f(0.6, 0, 0.8), footprint)[0]
-    later = found + 0
+    actual = parts_of(model, turned, Array3f(0.6, 0, 0.8), footprint)[0]
+    later = actual + 0
     dr.eval(later)
-    np.testing.assert_array_equal(later.numpy(), wanted)
+    np.testing.assert_array_equal(later.numpy(), expected)
 
 
 def test_holes_alone_are_those_of_all(either_way: bool, tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""What the encoder is given; training/test_export.py compares what it gives."""
+"""Inputs of the encoder; training/test_export.py compares its outputs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is encoded, refused, and laid on a common repeat.
+"""Encoding of fabrics, refusals, and common repeats.
 
 Covers: models/woven/encoded_fabric.py
 """

@@ -45,8 +45,8 @@ def test_fibres_on_a_crown_are_the_yarns(back: bool) -> None:
     )
     point = geometry.surface(Float(x), Float(y), Bool([back] * 4))
     along = Fibres.of(fabric).face(back)[:, :2]
-    wanted = np.where(point.is_warp.numpy()[:, None], along[0], along[1])
-    np.testing.assert_allclose(point.tangent.numpy().T[:, :2], wanted, atol=1e-5)
+    expected = np.where(point.is_warp.numpy()[:, None], along[0], along[1])
+    np.testing.assert_allclose(point.tangent.numpy().T[:, :2], expected, atol=1e-5)
 
 
 def test_the_density_is_that_of_the_fibres_normals() -> None:
@@ -58,14 +58,14 @@ def test_the_density_is_that_of_the_fibres_normals() -> None:
     light, view, half = light[kept], view[kept], half[kept]
     half /= np.linalg.norm(half, axis=1, keepdims=True)
     face = np.broadcast_to(_FIBRES.face(False), (len(light), 2, 3))
-    found = fibre_features(*map(torch.tensor, (light, view, face.copy())))[:, -2:].numpy()
+    actual = fibre_features(*map(torch.tensor, (light, view, face.copy())))[:, -2:].numpy()
     for family in (0, 1):
         x, y, roughness = face[0, family]
         tangent = Array3f(float(x), float(y), 0.0)
         exact = density(Array3f(half.T.copy()), tangent, Float(float(roughness))).numpy()
         # OPPOSITE takes up to 1 % of the squared cosine here, so 2 % of the density: a quarter of that.
         np.testing.assert_allclose(
-            found[:, family], DENSITY_SCALE * np.log1p(DENSITY_GAIN * exact), atol=5e-3
+            actual[:, family], DENSITY_SCALE * np.log1p(DENSITY_GAIN * exact), atol=5e-3
         )
 
 
@@ -106,7 +106,7 @@ def test_bundles_of_straight_fibres_have_their_density() -> None:
     rng = np.random.default_rng(4)
     half = unit_vectors(rng, 500)
     straight = Fibres(twist=(0.3, 0.0), roughness=(0.1, 1.0), inclination=(0, 0), height_scale=(0.01, 1))
-    found = 1 / np.square(
+    actual = 1 / np.square(
         straight.bundles(False)[..., None, 3]
         + np.square(np.einsum("fbc,nc->fbn", straight.bundles(False)[..., :3], half))
     )
@@ -114,10 +114,10 @@ def test_bundles_of_straight_fibres_have_their_density() -> None:
     exact = density(Array3f(half.T.copy()), Array3f(float(x), float(y), 0.0), Float(float(roughness)))
     # The middle place of every slope: those are at most 3 % steep here, and heights a hundredth of that.
     for number in range(BUNDLE_POSITIONS // 2, BUNDLES - 1, BUNDLE_POSITIONS):
-        np.testing.assert_allclose(found[0, number], exact.numpy(), rtol=0.02)
+        np.testing.assert_allclose(actual[0, number], exact.numpy(), rtol=0.02)
     # Entirely rough fibres scatter alike in all directions; the last of each family always does.
-    np.testing.assert_allclose(found[1, :-1], 1 / np.pi, rtol=1e-5)
-    np.testing.assert_allclose(found[:, -1], 1, rtol=1e-6)
+    np.testing.assert_allclose(actual[1, :-1], 1 / np.pi, rtol=1e-5)
+    np.testing.assert_allclose(actual[:, -1], 1, rtol=1e-6)
 
 
 def test_mixed_fibres_lie_between() -> None:

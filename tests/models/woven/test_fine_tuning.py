@@ -1,4 +1,4 @@
-"""The last layer of a fabric's own: nearer to the truth than that of all fabrics, kept, and turned off."""
+"""Fine-tuning of the last layer: its error is lower than without, it is cached, and it can be turned off."""
 
 from __future__ import annotations
 
@@ -49,10 +49,10 @@ def _errors(fabric: Fabric, encoded: EncodedFabric) -> np.ndarray:
         for part, index in ((queries.lights, queries.pairs[:, 0]), (queries.views, queries.pairs[:, 1]))
     )
     places = footprints_in_threads(layout, queries.centres, queries.sizes).reshape(-1, 3)
-    found = decode(shipped_weights(), encoded, lights, views, places)
+    actual = decode(shipped_weights(), encoded, lights, views, places)
     far = places[:, 2] > 2
-    wanted = truth.reshape(-1, 5)[far, :4]
-    return np.abs(found[far, :4] - wanted).mean(0) / wanted.mean(0)
+    expected = truth.reshape(-1, 5)[far, :4]
+    return np.abs(actual[far, :4] - expected).mean(0) / expected.mean(0)
 
 
 def test_a_layer_of_its_own_errs_less() -> None:
@@ -117,7 +117,7 @@ def test_systems_are_solved_as_numpy_solves_them(count: int) -> None:
     likeness = inputs @ inputs.T
     kernel = slopes @ slopes.T * likeness
     kernel += 0.003 * np.trace(kernel) / count * np.eye(count)
-    wanted = np.linalg.solve(kernel, errors)
-    found = _solution(slopes, likeness, errors, np.empty_like(likeness))
+    expected = np.linalg.solve(kernel, errors)
+    actual = _solution(slopes, likeness, errors, np.empty_like(likeness))
     # Rounding of 2e-16 times the condition number, which is below count / 0.003.
-    np.testing.assert_allclose(found, wanted, atol=1e-10 * np.abs(wanted).max())
+    np.testing.assert_allclose(actual, expected, atol=1e-10 * np.abs(expected).max())

@@ -1,4 +1,4 @@
-"""Levels of the latent field: weights add up, ramps are interpolated, means stand where they should."""
+"""Levels of the latent field: weights sum to 1, ramps are interpolated, means are centred correctly."""
 
 import numpy as np
 import pytest
@@ -36,13 +36,13 @@ def test_small_footprints_read_the_finest_level_where_they_lie() -> None:
     column = np.arange(finest.columns)
     table[: finest.columns * finest.rows] = np.tile((column + 0.5) / finest.per_thread, finest.rows)
     x = np.linspace(0.5, 5.5, 40)
-    found = _fetched(table, picks, ends, x, np.full(40, 1.3), np.full(40, 0.01))
-    np.testing.assert_allclose(found, x, atol=1e-5)
+    actual = _fetched(table, picks, ends, x, np.full(40, 1.3), np.full(40, 0.01))
+    np.testing.assert_allclose(actual, x, atol=1e-5)
 
 
 @pytest.mark.parametrize("window", [2, 4, 8])
 def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
-    """What the encoder pools and what a footprint reads agree about where a mean stands."""
+    """The encoder's pooling and a footprint's taps agree on the centre of a mean."""
     from loomlight.models.woven.training.network import _wider
 
     ends = 16
@@ -59,6 +59,6 @@ def test_running_means_of_a_wave_are_those_of_boxes(window: int) -> None:
     table = np.zeros(levels[-1].first + 1, np.float32)
     table[level.first : level.first + level.columns * level.rows] = means.numpy().ravel()
     x = thread.astype(np.float64)
-    found = _fetched(table, 4, ends, x, np.full(ends, 1.0), np.full(ends, float(window)))
+    actual = _fetched(table, 4, ends, x, np.full(ends, 1.0), np.full(ends, float(window)))
     index = (thread[:, None] + np.arange(-window // 2, window // 2)) % ends
-    np.testing.assert_allclose(found, wave[index].mean(1), atol=1e-5)
+    np.testing.assert_allclose(actual, wave[index].mean(1), atol=1e-5)

@@ -1,4 +1,4 @@
-"""What is encoded once is kept in memory and on disk, and made again where it is damaged."""
+"""Latents are cached in memory and on disk, and computed again if a file is damaged."""
 
 from __future__ import annotations
 

@@ -43,9 +43,9 @@ def test_layouts_warn_where_training_had_none(
     cloth = fabric_from_text(
         'weave = "plain"\nends_per_cm = 30\npicks_per_cm = 18\n[warp]\ngap = 0.03\n[weft]\ngap = 0.5'
     )
-    with warnings.catch_warnings(record=True) as found:
+    with warnings.catch_warnings(record=True) as actual:
         warnings.simplefilter("always")
         encode(cloth, weights, Float)
-    said = " ".join(str(warning.message) for warning in found)
+    said = " ".join(str(warning.message) for warning in actual)
     assert ("warp.gap = 0.03 (0.2)" in said) == warned
     assert ("ends per pick = 1.667 (1)" in said) == warned

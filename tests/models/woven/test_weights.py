@@ -37,15 +37,15 @@ def header_of(path: Path) -> dict:
 
 
 def test_what_is_written_comes_back(file: Path, tmp_path: Path) -> None:
-    found = read_weights(file)
+    actual = read_weights(file)
     state = network("field").state_dict()
-    assert set(found.tensors) == set(state)
-    assert found.table == network("field").table
-    for name, values in found.tensors.items():
+    assert set(actual.tensors) == set(state)
+    assert actual.table == network("field").table
+    for name, values in actual.tensors.items():
         assert values.dtype == np.float32
         # Half precision: 11 bits.
         np.testing.assert_allclose(values, state[name].numpy(), rtol=2**-11, atol=1e-7)
-    assert len(found.sha256) == 64
+    assert len(actual.sha256) == 64
     again = written(network("field"), tmp_path / "b.safetensors", half=True)
     assert again.read_bytes() == file.read_bytes()
 
@@ -63,8 +63,8 @@ def test_torch_reads_the_same_file(file: Path) -> None:
 @pytest.mark.parametrize("name", TABLES)
 def test_shapes_are_those_of_torch(name: str) -> None:
     made = network(name)
-    found = {key: tuple(values.shape) for key, values in made.decoder.state_dict(prefix="decoder.").items()}
-    assert decoder_shapes(made.table) == found
+    actual = {key: tuple(values.shape) for key, values in made.decoder.state_dict(prefix="decoder.").items()}
+    assert decoder_shapes(made.table) == actual
 
 
 def rewritten(file: Path, path: Path, change: dict) -> Path:

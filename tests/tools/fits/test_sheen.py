@@ -98,5 +98,5 @@ def test_a_polynomial_is_found_again() -> None:
     cos_view, roughness = (grid.ravel() for grid in fit.nodes())
     terms = fit.basis(cos_view, roughness, (2, 2))
     target = terms @ np.linspace(-1, 1, 9)
-    found = fit.fit_linear(terms, target, np.ones(len(target)))
-    np.testing.assert_allclose(terms @ found, target, atol=1e-4)
+    actual = fit.fit_linear(terms, target, np.ones(len(target)))
+    np.testing.assert_allclose(terms @ actual, target, atol=1e-4)

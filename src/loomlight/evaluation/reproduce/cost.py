@@ -80,9 +80,9 @@ def split(setting: Setting) -> Evidence:
             key=lambda split: split.seconds,
         )
         encoder = _encoder_seconds(setting, fabric)
-        shares = [spent.network, spent.others, spent.host, spent.seconds]
+        seconds_by_part = [spent.network, spent.others, spent.host, spent.seconds]
         table.rows[name] = [
-            *(1e3 * seconds for seconds in shares),
+            *(1e3 * seconds for seconds in seconds_by_part),
             spent.network / spent.seconds,
             1e3 * encoder,
         ]

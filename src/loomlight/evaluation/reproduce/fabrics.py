@@ -20,14 +20,14 @@ _DRAFTS = {"satin 5×10": "satin-5x10.wif"}
 
 @dataclass(frozen=True)
 class Look:
-    """How a fabric of a figure looks.
+    """Appearance parameters of a fabric of a figure.
 
     Attributes:
         colours: of warp and weft, "#rrggbb".
         roughness: α of warp and weft.
         height_scale: β of warp and weft.
-        translucency: share of the light that threads scatter to the other side.
-        specular: share of the albedo that is the fibres'.
+        translucency: fraction of the light that threads scatter to the other side.
+        specular: fraction of the albedo that is specular.
     """
 
     colours: tuple[str, str] = ("#ffffff", "#ffffff")
@@ -46,8 +46,8 @@ _SEEN = {
     "satin 8×8": Look(("#7a2447", "#4d1730"), (0.2, 0.4), (0.4, 0.6)),
     "satin 5×10": Look(("#2f7f86", "#d6e2df"), (0.2, 0.25), (0.5, 0.7)),
 }
-# As the paper counts twills, 4×4 has a repeat of 4 × 4 threads; as weavers do, 4/4 is over four, under four.
-# Both are held out of every training.
+# In the paper's notation, twill 4×4 has a repeat of 4 × 4 threads; in weavers' notation, 4/4 is over four,
+# under four. Both are excluded from every training.
 _UNSEEN = {
     "twill 4×4": ("twill 2/2", Look(("#2b4a86", "#e8e4d8"), (0.3, 0.4), (0.6, 0.8))),
     "twill 4/4": ("twill 4/4", Look(("#6b3a3a", "#d9cdb8"), (0.25, 0.35), (0.6, 0.6))),
@@ -55,12 +55,12 @@ _UNSEEN = {
 
 
 def seen_fabrics() -> list[Fabric]:
-    """The paper's seven patterns, which training has seen; not with these parameters."""
+    """The paper's seven patterns, which are in the training set with other parameters."""
     return [paper_fabric(name) for name in _SEEN]
 
 
 def unseen_fabrics() -> list[Fabric]:
-    """Twills that no training has seen."""
+    """Twills that are in no training set."""
     return [fabric_of(name, weave, look) for name, (weave, look) in _UNSEEN.items()]
 
 

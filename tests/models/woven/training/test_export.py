@@ -31,13 +31,13 @@ def test_the_encoder_is_torchs(name: str, tmp_path: Path) -> None:
         maps = np.random.default_rng(0).normal(size=(1, 7, 16 * picks, 16 * ends)).astype(np.float32)
         with torch.no_grad():
             if field:
-                wanted, levels = made.encoder(torch.tensor(maps[0]), torch.tensor(PARAMETERS))
+                expected, levels = made.encoder(torch.tensor(maps[0]), torch.tensor(PARAMETERS))
                 assert levels == levels_of(picks, ends)
             else:
-                wanted = made.encoder(torch.tensor(maps), torch.tensor(PARAMETERS)[None])
-        (found,) = run.run(None, {"maps": maps, "parameters": PARAMETERS})
+                expected = made.encoder(torch.tensor(maps), torch.tensor(PARAMETERS)[None])
+        (actual,) = run.run(None, {"maps": maps, "parameters": PARAMETERS})
         # Sums of up to 576 products in another order.
-        np.testing.assert_allclose(found, wanted.numpy(), atol=1e-5 * float(wanted.abs().max()))
+        np.testing.assert_allclose(actual, expected.numpy(), atol=1e-5 * float(expected.abs().max()))
 
 
 def test_the_shipped_encoder_is_exported_from_the_shipped_weights() -> None:
@@ -47,8 +47,8 @@ def test_the_shipped_encoder_is_exported_from_the_shipped_weights() -> None:
     maps = np.random.default_rng(1).normal(size=(1, 7, 16 * 5, 16 * 4)).astype(np.float32)
     inputs = {"maps": maps, "parameters": PARAMETERS}
     # Another version of torch may order nodes in another way: sums of float32, as above.
-    (wanted,), (found,) = shipped.run(None, inputs), again.run(None, inputs)
-    np.testing.assert_allclose(found, wanted, atol=1e-5 * np.abs(wanted).max())
+    (expected,), (actual,) = shipped.run(None, inputs), again.run(None, inputs)
+    np.testing.assert_allclose(actual, expected, atol=1e-5 * np.abs(expected).max())
 
 
 def test_an_encoder_is_exported_the_same_again(tmp_path: Path) -> None:

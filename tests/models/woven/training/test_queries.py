@@ -1,4 +1,4 @@
-"""The paper's sampling of queries, and answers against the Monte Carlo reference."""
+"""The paper's sampling of queries, and means of slices against the Monte Carlo reference."""
 
 import numpy as np
 import pytest
@@ -69,10 +69,10 @@ def test_every_light_meets_every_view():
     assert 0.7 * FULL_QUERIES < FULL.count < 1.35 * FULL_QUERIES
 
 
-@pytest.mark.parametrize("wanted", [1024, 20_000, 1_000_000])
-def test_fewer_queries_keep_all_centres_and_sides(wanted):
-    few = material_queries(NUMBER, 0, wanted)
-    assert few.count == pytest.approx(wanted, rel=0.1)
+@pytest.mark.parametrize("expected", [1024, 20_000, 1_000_000])
+def test_fewer_queries_keep_all_centres_and_sides(expected):
+    few = material_queries(NUMBER, 0, expected)
+    assert few.count == pytest.approx(expected, rel=0.1)
     assert len(np.unique(few.centres, axis=0)) == 64
     assert few.transmits.any()
     assert not few.transmits.all()
@@ -93,11 +93,11 @@ def test_too_few_queries_are_refused():
         fabric_queries(FABRIC, [0], 1000)
 
 
-def test_answers_are_the_truth():
-    """Every answer within its Monte Carlo noise and what mapped shadows may move it: 1.7 % of the channel's
+def test_means_are_the_truth():
+    """Every mean is within Monte Carlo noise plus the error of mapped shadows: 1.7 % of the channel's
     mean (docs/aggregation.md), threefold for single queries; the sums, which average that, within 1 %."""
     few = fabric_queries(FABRIC, [3], 20_000)
-    found = slice_means(FABRIC, few, Float)
+    actual = slice_means(FABRIC, few, Float)
     chosen = np.random.default_rng(0).choice(few.count, 192, replace=False)
     pair, box = np.divmod(chosen, len(few.sizes))
     large = few.sizes[box] > SCALE.thread
@@ -112,7 +112,7 @@ def test_answers_are_the_truth():
     model = PointModel(YarnGeometry(FABRIC.layout()), FABRIC.appearance())
     truth = reference(model, footprint, few.lights[light], few.views[view], 2048, seed=1)
     mean, noise = truth.mean[:, :5], np.sqrt(truth.variance[:, :5])
-    error = found[pair, box] - mean
+    error = actual[pair, box] - mean
     across = few.transmits[pair]
     for side in (across, ~across):
         assert side.sum() > 40

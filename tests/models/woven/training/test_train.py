@@ -263,11 +263,11 @@ def test_small_footprints_are_drawn_less_often(dataset: Path) -> None:
     # A query keeps its own directions and truth.
     row = {place.tobytes(): k for k, place in enumerate(face.places.reshape(-1, 3))}
     for k in range(50):
-        found = row[places[k].tobytes()]
-        pair = found // face.places.shape[1]
+        actual = row[places[k].tobytes()]
+        pair = actual // face.places.shape[1]
         np.testing.assert_array_equal(lights[k], face.lights[pair])
         np.testing.assert_array_equal(views[k], face.views[pair])
-        np.testing.assert_array_equal(truth[k], face.truth.reshape(-1, 5)[found])
+        np.testing.assert_array_equal(truth[k], face.truth.reshape(-1, 5)[actual])
 
 
 def test_schedules() -> None:
