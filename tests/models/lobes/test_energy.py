@@ -29,7 +29,7 @@ BAR = 1.02
 
 
 def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
-    """Integrals over all lights [views · sizes, 9]: reflection and transmission of components, and the hole."""
+    """Integrals over all lights [views · sizes, 9]: reflected and transmitted components, and the hole."""
     rng = np.random.default_rng(seed)
     count, lights = len(VIEWS) * len(SIZES), ROWS * COLUMNS
     azimuth = rng.uniform(0, 2 * np.pi, count)
