@@ -38,16 +38,16 @@ def draft_footprint(si: Any, uv_size: Any, uv_footprint: tuple[Any, Any]) -> Foo
 
 
 def uv_footprint(si: Any, pixel_angle: float) -> tuple[Any, Any]:
-    """Edges of the footprint in uv, as the integrator tells them.
+    """Edges of the footprint in uv, as the integrator sets them.
 
     Args:
-        pixel_angle: of a cone from the camera, radians, where the integrator tells nothing; 0 for none.
+        pixel_angle: of a cone from the camera, radians, where the integrator sets no footprint; 0 for none.
     """
     if pixel_angle <= 0:
         return si.duv_dx, si.duv_dy
-    told = (dr.squared_norm(si.duv_dx) > 0) | (dr.squared_norm(si.duv_dy) > 0)
+    is_set = (dr.squared_norm(si.duv_dx) > 0) | (dr.squared_norm(si.duv_dy) > 0)
     cone = cone_partials(si, -si.to_world(si.wi), si.t * pixel_angle)
-    return dr.select(told, si.duv_dx, cone[0]), dr.select(told, si.duv_dy, cone[1])
+    return dr.select(is_set, si.duv_dx, cone[0]), dr.select(is_set, si.duv_dy, cone[1])
 
 
 def _mirrored(si: Any) -> Any:

@@ -1,4 +1,4 @@
-"""`footprint_path`: a path tracer that tells every BSDF how much of the cloth the pixel sees.
+"""`footprint_path`: a path tracer that hands every BSDF the footprint of the pixel.
 
 It estimates what Mitsuba's `path` estimates: next-event estimation and BSDF sampling, combined by the power
 heuristic, Russian roulette. It adds two things:

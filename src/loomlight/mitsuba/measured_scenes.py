@@ -189,7 +189,7 @@ class Dolly:
 
 
 def require_scenes(names: Sequence[str]) -> None:
-    """Returns if at least one scene is named and all are in `MEASURED_SCENES`.
+    """Raises InputError unless at least one scene is named and all are in `MEASURED_SCENES`.
 
     Raises:
         InputError: none is given, or one is unknown.

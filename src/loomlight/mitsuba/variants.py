@@ -39,7 +39,7 @@ def is_supported(variant: str | None) -> bool:
 
 
 def require_backend(variant: str) -> None:
-    """Returns if kernels of `variant` can be compiled here.
+    """Raises MissingDependencyError unless kernels of `variant` can be compiled here.
 
     Raises:
         MissingDependencyError: no usable LLVM library, or no usable CUDA device.
