@@ -27,6 +27,7 @@ from benchmarks.harness import Figures, run
 from loomlight.evaluation.timing import timed
 from loomlight.fabric import fabric_from_text
 from loomlight.mitsuba import build_scene, choose_variant, material_bsdf
+from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS
 from loomlight.mitsuba.live import LivePicture
 from loomlight.mitsuba.scene_edits import SceneEdits
 from loomlight.models.lobes import model as lobes_model
@@ -64,9 +65,8 @@ class Bench:
             self.edits.apply({parameter: 0.1 + 0.8 * value})
 
     def _weave(self, weave: str) -> None:
-        for shape in self.shown.scene.shapes():
-            if type(shape.bsdf()).__name__ == "WovenLobes":
-                shape.bsdf().set_source(fabric_from_text(weave))
+        (cloth,) = (s.bsdf() for s in self.shown.scene.shapes() if s.bsdf() in MODEL_BSDFS)
+        cloth.set_source(fabric_from_text(weave))
 
     def edited(self, name: str, number: int) -> None:
         """An edit and the picture that shows it."""
