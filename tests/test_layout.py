@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+import graphlib
 import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+import grimp
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -125,3 +127,12 @@ def test_few_parameters_are_anything() -> None:
 @pytest.mark.parametrize("folder", ["benchmarks", "experiments", "tools", "tools/fits"])
 def test_scripts_are_packages(folder: str) -> None:
     assert (ROOT / folder / "__init__.py").is_file()
+
+
+def test_no_modules_import_each_other_in_a_circle() -> None:
+    """Imports for annotations alone, under TYPE_CHECKING, do not count."""
+    graph = grimp.build_graph("loomlight", exclude_type_checking_imports=True, cache_dir=None)
+    order = graphlib.TopologicalSorter(
+        {module: graph.find_modules_directly_imported_by(module) for module in graph.modules}
+    )
+    order.prepare()
