@@ -36,5 +36,6 @@ def test_kernels_are_right_and_kept(
 def test_what_cannot_be_kept_is_compiled_all_the_same() -> None:
     """Numba keeps nothing of functions that are in no file."""
     names: dict[str, object] = {}
+    # A name that was executed into a dictionary has no type to check.
     exec("def double(number):\n    return 2 * number\n", names)
     assert numba_kernel()(names["double"])(21) == 42  # type: ignore[type-var, operator]
