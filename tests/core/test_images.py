@@ -112,5 +112,5 @@ def test_what_is_no_picture_is_refused(tmp_path: Path) -> None:
             read_picture(path)
     with pytest.raises(InputError, match="does not exist"):
         read_picture(tmp_path / "none.png")
-    with pytest.raises(InputError, match="is no picture"):
+    with pytest.raises(InputError, match="is a folder"):
         read_picture(tmp_path)

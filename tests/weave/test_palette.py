@@ -64,7 +64,7 @@ def test_too_few_colours_for_the_roles() -> None:
 
 
 def test_too_long_a_repeat_is_refused() -> None:
-    with pytest.raises(InputError, match="repeat only after 8186 threads"):
-        with_palette(named_weave("plain"), np.zeros((4093, 3)), None)
-    with pytest.raises(InputError, match="5000 ends"):
-        repeat_draft(named_weave("plain"), 2500, 1)
+    with pytest.raises(InputError, match="repeat only after 32762 threads"):
+        with_palette(named_weave("plain"), np.zeros((16381, 3)), None)
+    with pytest.raises(InputError, match="20000 ends"):
+        repeat_draft(named_weave("plain"), 10_000, 1)

@@ -3,6 +3,8 @@
 Covers: weave/load.py
 """
 
+import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +14,9 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
 from PIL import Image
 
+from loomlight.core import images
 from loomlight.core.errors import InputError
+from loomlight.core.images import read_picture
 from loomlight.weave import drawdown_from_picture, load_draft, named_weave, write_wif
 
 
@@ -45,8 +49,8 @@ def test_refusals(tmp_path: Path) -> None:
     white = save(tmp_path / "white.png", np.full((4, 4), 255, dtype=np.uint8))
     with pytest.raises(InputError, match=r"white\.png holds only white pixels and no black ones"):
         drawdown_from_picture(white)
-    wide = save(tmp_path / "wide.png", np.zeros((1, 4097), dtype=np.uint8))
-    with pytest.raises(InputError, match=r"4097 x 1 pixels"):
+    wide = save(tmp_path / "wide.png", np.zeros((1, 16385), dtype=np.uint8))
+    with pytest.raises(InputError, match=r"16385 x 1 pixels"):
         drawdown_from_picture(wide)
     (tmp_path / "text.png").write_text("no picture")
     with pytest.raises(InputError, match="is no picture"):
@@ -57,6 +61,39 @@ def test_refusals(tmp_path: Path) -> None:
     cut.write_bytes(cut.read_bytes()[:200])
     with pytest.raises(InputError, match="is no picture"):
         drawdown_from_picture(cut)
+
+
+def png_head(path: Path, width: int, height: int) -> Path:
+    """A PNG of so many pixels that holds none of them: what is too large is refused by its head."""
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    head = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + head + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b""))
+    return path
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_picture_of_billions_of_pixels_is_refused_by_its_size(tmp_path: Path) -> None:
+    huge = png_head(tmp_path / "huge.png", 60_000, 60_000)
+    with pytest.raises(InputError, match=r"has 60000 x 60000 pixels; .* at most 16384 ends and picks"):
+        drawdown_from_picture(huge)
+    with pytest.raises(InputError, match=r"has 60000 x 60000 pixels; at most 16384 a side"):
+        read_picture(huge)
+
+
+@pytest.mark.filterwarnings("error")
+def test_pictures_are_read_beyond_the_bound_of_pillow(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    drawdown = np.random.default_rng(5).random((300, 40)) < 0.5
+    path = save(tmp_path / "tall.png", np.where(drawdown[::-1], 0, 255).astype(np.uint8))
+    monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 100)
+    # Rows are read in parts, here of 25.
+    monkeypatch.setattr(images, "_PIXELS_AT_ONCE", 1000)
+    assert np.array_equal(drawdown_from_picture(path).drawdown, drawdown)
+    assert Image.MAX_IMAGE_PIXELS == 100
 
 
 def test_load_draft_goes_by_the_suffix(tmp_path: Path) -> None:

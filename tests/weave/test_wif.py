@@ -130,6 +130,54 @@ def test_words_before_the_first_section_and_odd_names(wif: WifMaker) -> None:
     assert_same(read_quietly(path), expected)
 
 
+HEADLESS = r"draft\.wif has no section \[WIF\], which every weaving information file begins with; its other"
+
+
+def test_a_missing_header_warns_once(wif: WifMaker) -> None:
+    """Some programs write the keys of [WIF] without that line."""
+    path = wif(CONTENTS="WARP=1")
+    expected = read_quietly(path)
+    text = path.read_text().replace("[WIF]\nVersion=1.1\n", "Version=1.1\nSource Program=a loom\n\n")
+    path.write_text("; a comment\nwords = 1\n[half a section\n" + text)
+    with pytest.warns(LoomlightWarning, match=HEADLESS) as caught:
+        draft = read_wif(path)
+    assert len(caught) == 1
+    assert draft.source is not None
+    # What stood before the first section is written again under its name.
+    assert draft.source.entries[0] == ("WIF", (("Version", "1.1"), ("Source Program", "a loom")))
+    assert_same(replace(draft, source=None), replace(expected, source=None))
+    assert_same(parsed(wif_text_of(draft)), draft)
+
+
+@pytest.mark.parametrize("first", ["WEAVING", "THREADING", "TEXT", "COLOR_TABLE"])
+def test_any_section_may_come_first(wif: WifMaker, first: str) -> None:
+    """Sections before [WIF], and without it, are no words to pass over."""
+    expected = read_quietly(wif(TEXT="Title=Cloth"))
+    sections: dict[str, str | None] = {"WIF": None, first: None}
+    rest = wif(**{"TEXT": "Title=Cloth", **sections}).read_text()
+    whole = wif(TEXT="Title=Cloth").read_text()
+    name = first.replace("_", " ")
+    body = whole.split(f"[{name}]\n")[1].split("\n[")[0]
+    draft_text = f"[{name}]\n{body}\n{rest}"
+    assert_same(
+        parsed(draft_text.replace("[WARP]", "[WIF]\nVersion=1.1\n[WARP]")).drawdown, expected.drawdown
+    )
+    with pytest.warns(LoomlightWarning, match=r"has no section \[WIF\]"):
+        draft = parsed(draft_text)
+    assert_same(draft.drawdown, expected.drawdown)
+    assert draft.title == "Cloth"
+
+
+def test_scarves_of_thousands_of_picks(wif: WifMaker) -> None:
+    picks = "\n".join(f"{pick}={1 + pick % 2}" for pick in range(1, 8209))
+    colors = "\n".join(f"{pick}={1 + pick % 3 % 2}" for pick in range(1, 8209))
+    draft = read_quietly(wif(WEFT="Threads=8208", TREADLING=picks, WEFT_COLORS=colors))
+    assert draft.drawdown.shape == (8208, 4)
+    assert_same(parsed(wif_text_of(draft)), draft)
+    with pytest.raises(InputError, match=r"\[TREADLING\] 16385=1 is the number of a pick above 16384"):
+        read_wif(wif(TREADLING=picks + "\n16385=1"))
+
+
 def test_sinking_shed_inverts(wif: WifMaker) -> None:
     rising = read_quietly(wif())
     sinking = read_quietly(wif(WEAVING="Shafts=2\nTreadles=2\nRising Shed=no"))
@@ -222,7 +270,8 @@ def test_treadling_wins_over_a_liftplan_that_differs(wif: WifMaker) -> None:
         ({"THREADING": "1=one"}, "[THREADING] 1=one "),
         ({"THREADING": "1=-1"}, "[THREADING] 1=-1 "),
         ({"THREADING": "0=1"}, "[THREADING] 0=1 "),
-        ({"THREADING": "5000=1"}, "[THREADING] 5000=1 "),
+        ({"THREADING": "16385=1"}, "[THREADING] 16385=1 is the number of an end above 16384, the highest"),
+        ({"THREADING": "1=16385"}, "[THREADING] 1=16385 is no list of shafts: whole numbers from 0 to 16384"),
         ({"THREADING": "1=1e999"}, "[THREADING] 1=1e999 "),
         ({"THREADING": "1=99999999999999999999999"}, "[THREADING] 1=99999999999999999999999 "),
         ({"TIEUP": None}, "[TREADLING] 1=1 needs the section [TIEUP], which is missing"),
@@ -232,7 +281,7 @@ def test_treadling_wins_over_a_liftplan_that_differs(wif: WifMaker) -> None:
         ({"TREADLING": "1=1\n2=1,7"}, "[TREADLING] 2=1,7 presses treadle 7"),
         ({"WARP": "Threads=0"}, "[WARP] Threads=0 "),
         ({"WARP": "Threads=-4"}, "[WARP] Threads=-4 "),
-        ({"WARP": "Threads=4097"}, "[WARP] Threads=4097 "),
+        ({"WARP": "Threads=16385"}, "[WARP] Threads=16385 is above 16384, and at most so many can be used"),
         ({"WARP": "Threads=nan"}, "[WARP] Threads=nan "),
         ({"WEFT": "Threads=1e999"}, "[WEFT] Threads=1e999 "),
         ({"WEAVING": "Shafts=99999999"}, "[WEAVING] Shafts=99999999 "),
@@ -274,7 +323,7 @@ def test_no_file_and_no_wif(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="is a folder"):
         read_wif(tmp_path)
     (tmp_path / "other.wif").write_bytes(bytes(range(256)) * 4)
-    with pytest.raises(InputError, match=r"no section \[WIF\]"):
+    with pytest.raises(InputError, match=r"has none of the sections of one, such as \[WIF\]"):
         read_wif(tmp_path / "other.wif")
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
 
@@ -17,6 +19,10 @@ from loomlight.core.files import replacing
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
+# Pixels a side of a picture that is read.
+LARGEST_PICTURE_SIDE = 16384
+# Pixels converted at once: 100 MB of float64.
+_PIXELS_AT_ONCE = 1 << 22
 _EXR_CHANNELS = {1: "Y", 3: "RGB", 4: "RGBA"}
 
 
@@ -67,22 +73,71 @@ def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
         Image.fromarray(pixels).save(temporary, format="PNG")
 
 
-def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
-    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, on white.
+def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
+    """Width and height in pixels of a PNG, JPEG, TIFF, BMP or GIF, from the head of the file alone.
 
     Raises:
         InputError: no such file, or no picture.
     """
+    with _opened(path) as picture:
+        return picture.size
+
+
+def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
+    """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, on white.
+
+    Raises:
+        InputError: no such file, no picture, or more than 16384 pixels a side.
+    """
+    return np.concatenate(list(read_picture_rows(path)))
+
+
+def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float64]]:
+    """The same in parts of some rows [rows, width, 3], from the top, for pictures of many pixels.
+
+    Raises:
+        InputError: as `read_picture`.
+    """
+    with _opened(path) as picture:
+        width, height = picture.size
+        if max(width, height) > LARGEST_PICTURE_SIDE:
+            raise InputError(
+                f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
+            )
+        step = max(1, _PIXELS_AT_ONCE // width)
+        for top in range(0, height, step):
+            part = picture.crop((0, top, width, min(top + step, height)))
+            pixels = np.asarray(part.convert("RGBA"))
+            colours, opacity = pixels[..., :3] / 255, pixels[..., 3:]
+            # A drawdown of 4096 by 4096 threads would wait seconds for what changes nothing.
+            opaque = (opacity == 255).all()
+            yield colours if opaque else colours * (opacity / 255) + (1 - opacity / 255)
+
+
+@contextmanager
+def _opened(path: str | os.PathLike[str]) -> Iterator[Image.Image]:
+    """A picture that Pillow has opened; its faults become InputErrors."""
     try:
-        with Image.open(path) as picture:
-            rgba = picture.convert("RGBA")
+        with _without_pillow_limit(), Image.open(path) as picture:
+            yield picture
     except FileNotFoundError as error:
         raise InputError(f"{path} does not exist.") from error
-    except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+    except IsADirectoryError as error:
+        raise InputError(f"{path} is a folder; give the name of a picture.") from error
+    except MemoryError as error:
+        raise InputError(f"{path} has more pixels than there is memory for.") from error
+    except (UnidentifiedImageError, OSError, ValueError, SyntaxError) as error:
         raise InputError(
             f"{path} is no picture that can be read (PNG, JPEG, TIFF, BMP and GIF can)."
         ) from error
-    pixels = np.asarray(rgba)
-    colours, opacity = pixels[..., :3] / 255, pixels[..., 3:]
-    # A drawdown of 4096 by 4096 threads would wait seconds for what changes nothing.
-    return colours if (opacity == 255).all() else colours * (opacity / 255) + (1 - opacity / 255)
+
+
+@contextmanager
+def _without_pillow_limit() -> Iterator[None]:
+    """Lifts Pillow's bound on pixels, whose message names no size; ours does."""
+    bound = Image.MAX_IMAGE_PIXELS
+    Image.MAX_IMAGE_PIXELS = None
+    try:
+        yield
+    finally:
+        Image.MAX_IMAGE_PIXELS = bound

@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.weave.wif_source import WifSource
 
-MAXIMUM_THREADS = 4096
+# Ends, and picks, of one repeat. Each crossing takes a byte here, and 12 bytes where it is rendered.
+MAXIMUM_THREADS = 16384
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +75,7 @@ class Draft:
         source: other content of the file, so that writing it again loses nothing.
 
     Raises:
-        InputError: an empty drawdown, or more than 4096 ends or picks.
+        InputError: an empty drawdown, or more than 16384 ends or picks.
     """
 
     drawdown: NDArray[np.bool_]

@@ -7,10 +7,10 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
 from loomlight.core.errors import InputError
-from loomlight.weave.draft import MAXIMUM_THREADS, Draft
+from loomlight.weave.draft import Draft
 from loomlight.weave.motifs import OGEE_ASPECT, Mask, argyle, lozenges, ogee_damask
 from loomlight.weave.palette import from_palette
-from loomlight.weave.structures import Structure, sateen, satin, twill
+from loomlight.weave.structures import MAXIMUM_NAMED_THREADS, Structure, sateen, satin, twill
 from loomlight.weave.textile import longest_runs
 
 _IVORY_AND_GOLD = ("#e9dfc6", "#8c6a2f")
@@ -146,14 +146,15 @@ def diamond_figure(ends: int) -> Draft:
 
 
 def _check(name: str, ends: int, picks: int, multiple: int, lowest: int) -> None:
-    if ends % multiple or ends < lowest or max(ends, picks) > MAXIMUM_THREADS:
+    if ends % multiple or ends < lowest or max(ends, picks) > MAXIMUM_NAMED_THREADS:
         nearest = max(
-            lowest, min(round(ends / multiple) * multiple, MAXIMUM_THREADS * ends // max(ends, picks, 1))
+            lowest,
+            min(round(ends / multiple) * multiple, MAXIMUM_NAMED_THREADS * ends // max(ends, picks, 1)),
         )
         nearest -= nearest % multiple
         raise InputError(
             f'"{name} {ends}" cannot be woven: its ends must be a multiple of {multiple}, at least {lowest}, '
-            f"with at most {MAXIMUM_THREADS} ends and picks; {nearest} would do."
+            f"with at most {MAXIMUM_NAMED_THREADS} ends and picks; {nearest} would do."
         )
 
 

@@ -10,7 +10,8 @@ from math import lcm
 
 from loomlight.core.errors import InputError
 from loomlight.weave import effects, figured, structures
-from loomlight.weave.draft import MAXIMUM_THREADS, Draft
+from loomlight.weave.draft import Draft
+from loomlight.weave.structures import MAXIMUM_NAMED_THREADS
 
 _NUMBERS = re.compile(r"\d+(?:/\d+)*")
 
@@ -33,13 +34,13 @@ class _Request:
         word = self.words.pop(0)
         # Digits are counted first: int() of a million of them takes seconds.
         if any(len(digits) > 4 for digits in word.split("/")):
-            raise self.fail(f"{word[:20]} is more than {MAXIMUM_THREADS} threads")
+            raise self.fail(f"{word[:20]} is more than {MAXIMUM_NAMED_THREADS} threads")
         numbers = tuple(int(digits) for digits in word.split("/"))
         if min(numbers) < 1:
             raise self.fail(f"{word} holds a 0, where every count is at least 1")
         return numbers
 
-    def count(self, default: int, lowest: int, highest: int = MAXIMUM_THREADS) -> int:
+    def count(self, default: int, lowest: int, highest: int = MAXIMUM_NAMED_THREADS) -> int:
         """The next word as one number."""
         numbers = self.counts() or (default,)
         if len(numbers) != 1 or not lowest <= numbers[0] <= highest:
@@ -71,10 +72,10 @@ class _Request:
 
     def limit(self, ends: int, picks: int) -> None:
         """Refuses a repeat that is too large, before it is built."""
-        if max(ends, picks) > MAXIMUM_THREADS:
+        if max(ends, picks) > MAXIMUM_NAMED_THREADS:
             raise self.fail(
                 f"one repeat has {ends} ends and {picks} picks, "
-                f"and at most {MAXIMUM_THREADS} of each can be used"
+                f"and at most {MAXIMUM_NAMED_THREADS} of each can be used"
             )
 
     def end(self) -> None:
@@ -167,7 +168,7 @@ def _crepe(request: _Request) -> structures.Structure:
 
 
 def _houndstooth(request: _Request) -> effects.Effect:
-    width = request.count(default=4, lowest=1, highest=MAXIMUM_THREADS // 4)
+    width = request.count(default=4, lowest=1, highest=MAXIMUM_NAMED_THREADS // 4)
     request.limit(lcm(4, 2 * width), lcm(4, 2 * width))
     return effects.houndstooth(width)
 
@@ -177,7 +178,7 @@ def _hairline(request: _Request) -> effects.Effect:
 
 
 def _log_cabin(request: _Request) -> effects.Effect:
-    return effects.log_cabin(request.count(default=8, lowest=2, highest=MAXIMUM_THREADS // 2))
+    return effects.log_cabin(request.count(default=8, lowest=2, highest=MAXIMUM_NAMED_THREADS // 2))
 
 
 def _glen_check(request: _Request) -> effects.Effect:
@@ -185,15 +186,15 @@ def _glen_check(request: _Request) -> effects.Effect:
 
 
 def _shepherds_check(request: _Request) -> effects.Effect:
-    return effects.shepherds_check(request.count(default=12, lowest=2, highest=MAXIMUM_THREADS // 4))
+    return effects.shepherds_check(request.count(default=12, lowest=2, highest=MAXIMUM_NAMED_THREADS // 4))
 
 
 def _gingham(request: _Request) -> effects.Effect:
-    return effects.gingham(request.count(default=16, lowest=1, highest=MAXIMUM_THREADS // 2))
+    return effects.gingham(request.count(default=16, lowest=1, highest=MAXIMUM_NAMED_THREADS // 2))
 
 
 def _pinstripe(request: _Request) -> effects.Effect:
-    return effects.pinstripe(request.count(default=24, lowest=2, highest=MAXIMUM_THREADS // 3))
+    return effects.pinstripe(request.count(default=24, lowest=2, highest=MAXIMUM_NAMED_THREADS // 3))
 
 
 def _denim(request: _Request) -> effects.Effect:

@@ -27,7 +27,7 @@ def with_palette(draft: Draft, warp_colors: ArrayLike | None, weft_colors: Array
 
     Raises:
         InputError: a list that is empty, too short for the roles, outside [0, 1], or so long that the
-            repeat would exceed 4096 threads.
+            repeat would exceed 16384 threads.
     """
     warp_list = None if warp_colors is None else _checked("warp.color", warp_colors)
     weft_list = None if weft_colors is None else _checked("weft.color", weft_colors)
@@ -50,7 +50,7 @@ def repeat_draft(draft: Draft, across: int, along: int) -> Draft:
     """The same cloth with a repeat that holds the old one `across` times in ends, `along` in picks.
 
     Raises:
-        InputError: more than 4096 ends or picks.
+        InputError: more than 16384 ends or picks.
     """
     if across == 1 and along == 1:
         return draft

@@ -7,10 +7,9 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image, UnidentifiedImageError
 
 from loomlight.core.errors import InputError
-from loomlight.core.images import read_picture
+from loomlight.core.images import picture_size, read_picture_rows
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft
 
 # Mean of the encoded components: half of what an eye calls white, and what painting programs threshold at.
@@ -25,19 +24,19 @@ def drawdown_from_picture(path: str | os.PathLike[str]) -> Draft:
     picture down first.
 
     Args:
-        path: a PNG, JPEG, TIFF, BMP or GIF of at most 4096 pixels each way.
+        path: a PNG, JPEG, TIFF, BMP or GIF of at most 16384 pixels each way.
 
     Raises:
         InputError: no picture, one that is too large, or one without both black and white.
     """
-    width, height = _size(path)
+    width, height = picture_size(path)
     if max(width, height) > MAXIMUM_THREADS:
         raise InputError(
             f"{path} has {width} x {height} pixels; a drawdown has one pixel a crossing, "
             f"and at most {MAXIMUM_THREADS} ends and picks can be used."
         )
-    brightness = read_picture(path).mean(axis=2)
-    warp_up: NDArray[np.bool_] = brightness[::-1] < _THRESHOLD
+    dark = [part.mean(axis=2) < _THRESHOLD for part in read_picture_rows(path)]
+    warp_up: NDArray[np.bool_] = np.concatenate(dark)[::-1]
     if warp_up.all() or not warp_up.any():
         present, absent = ("black", "white") if warp_up.all() else ("white", "black")
         raise InputError(
@@ -45,18 +44,3 @@ def drawdown_from_picture(path: str | os.PathLike[str]) -> Draft:
             "white ones the weft, and cloth needs both."
         )
     return Draft(drawdown=np.ascontiguousarray(warp_up), title=Path(path).stem)
-
-
-def _size(path: str | os.PathLike[str]) -> tuple[int, int]:
-    """Width and height in pixels, from the head of the file alone."""
-    try:
-        with Image.open(path) as picture:
-            return picture.size
-    except FileNotFoundError as error:
-        raise InputError(f"{path} does not exist.") from error
-    except IsADirectoryError as error:
-        raise InputError(f"{path} is a folder; give the name of a picture.") from error
-    except (UnidentifiedImageError, OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
-        raise InputError(
-            f"{path} is no picture that can be read (PNG, JPEG, TIFF, BMP and GIF can)."
-        ) from error

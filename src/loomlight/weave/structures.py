@@ -13,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Structure = NDArray[np.bool_]
+# Ends, and picks, of a weave that is made from its name: a short text should not take all memory.
+MAXIMUM_NAMED_THREADS = 4096
 
 
 def plain() -> Structure:

@@ -80,7 +80,10 @@ def read_wif_text(path: Path) -> WifText:
     """The sections of the file at `path`.
 
     Raises:
-        InputError: no such file, one that is too large, or one without a section [WIF].
+        InputError: no such file, one that is too large, or one without any section of a draft.
+
+    Warns:
+        LoomlightWarning: no section [WIF].
     """
     return parse_wif_text(decode_wif(_read_bytes(path)), str(path))
 
@@ -115,21 +118,43 @@ def decode_wif(content: bytes) -> str:
 def parse_wif_text(text: str, file: str) -> WifText:
     """The sections of `text`; `file` is what messages call it.
 
+    Text before the first section of a draft is passed over. Some programs leave out the line [WIF] alone: the
+    keys of that section, which then come first, are read all the same.
+
     Raises:
-        InputError: no section [WIF].
+        InputError: no section of a draft.
+
+    Warns:
+        LoomlightWarning: no section [WIF].
     """
     sections: dict[str, Section] = {}
+    headless = Section("WIF")
     current: Section | None = None
     for line in map(str.strip, _LINE_END.split(text)):
         header = _HEADER.match(line)
-        if header and (current is not None or section_name(header.group(1)) == "WIF"):
+        if header and (current is not None or section_name(header.group(1)) in _KNOWN_SECTIONS):
             name = section_name(header.group(1))
             current = sections.setdefault(name, Section(header.group(1).strip()))
-        elif current is not None and line and not _is_comment(line, current):
+        elif line and not _is_comment(line, current):
             key, equals, value = line.partition("=")
-            current.lines.append((key.strip(), value.strip() if equals else None))
+            entry = key.strip(), value.strip() if equals else None
+            if current is not None:
+                current.lines.append(entry)
+            elif entry[0].upper() in _WIF_KEYS and equals:
+                headless.lines.append(entry)
     if not sections:
-        raise InputError(f"{file} is no weaving information file: it has no section [WIF].")
+        raise InputError(
+            f"{file} is no weaving information file: it has none of the sections of one, "
+            "such as [WIF], [THREADING] or [LIFTPLAN]."
+        )
+    if "WIF" not in sections:
+        warnings.warn(
+            f"{file} has no section [WIF], which every weaving information file begins with; "
+            "its other sections are read.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
+        sections = {"WIF": headless, **sections} if headless.lines else sections
     return WifText(file, sections, _by_key(file, sections))
 
 
@@ -143,8 +168,9 @@ def is_private(name: str) -> bool:
     return name.startswith("PRIVATE")
 
 
-def _is_comment(line: str, section: Section) -> bool:
-    return line.startswith(";") or (line.startswith("#") and not is_private(section_name(section.spelled)))
+def _is_comment(line: str, section: Section | None) -> bool:
+    private = section is not None and is_private(section_name(section.spelled))
+    return line.startswith(";") or (line.startswith("#") and not private)
 
 
 def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tuple[str, str]]]:
@@ -153,7 +179,7 @@ def _by_key(file: str, sections: dict[str, Section]) -> dict[str, dict[str, tupl
         table = values.setdefault(name, {})
         for key, value in section.lines:
             folded = _folded_key(key)
-            if folded in table and table[folded][1] != (value or "") and name in _KEYS_MEAN_ONE_THING:
+            if folded in table and table[folded][1] != (value or "") and name in _DRAFT_SECTIONS:
                 earlier, later = _shortened(table[folded][1]), _shortened(value or "")
                 warnings.warn(
                     f"{file}: [{name}] {_shortened(key)} is there twice, as {earlier!r} and as {later!r}; "
@@ -171,7 +197,7 @@ def _folded_key(key: str) -> str:
     return folded.lstrip("0") or "0" if folded.isdigit() and folded.isascii() else folded
 
 
-_KEYS_MEAN_ONE_THING = {
+_DRAFT_SECTIONS = {
     "WEAVING",
     "WARP",
     "WEFT",
@@ -183,3 +209,6 @@ _KEYS_MEAN_ONE_THING = {
     "COLOR TABLE",
     *(f"{family} {what}" for family in ("WARP", "WEFT") for what in ("COLORS", "SPACING", "THICKNESS")),
 }
+# Sections of the specification, one of which begins a draft.
+_KNOWN_SECTIONS = {"WIF", "CONTENTS", "TEXT", "NOTES", *_DRAFT_SECTIONS}
+_WIF_KEYS = {"VERSION", "DATE", "DEVELOPERS", "SOURCE PROGRAM", "SOURCE VERSION"}

@@ -42,9 +42,11 @@ def integer(text: WifText, section: str, key: str, value: str, lowest: int, high
     """The value as a whole number from `lowest` to `highest`; `what` names what it counts.
 
     Raises:
-        InputError: it is none.
+        InputError: it is none, or out of that range.
     """
     digits = without_comment(value)
+    if _INTEGER.fullmatch(digits) and int(digits) > highest:
+        raise text.fault(section, key, value, f"is above {highest}, and at most so many can be used")
     if not _INTEGER.fullmatch(digits) or not lowest <= int(digits) <= highest:
         raise text.fault(
             section, key, value, f"is not {what}: it must be a whole number, {lowest} to {highest}"
@@ -56,8 +58,12 @@ def thread_number(text: WifText, section: str, key: str, value: str, what: str) 
     """The key as a 1-based number of a thread, a treadle or a colour.
 
     Raises:
-        InputError: it is none, or above 4096.
+        InputError: it is none, or above 16384.
     """
+    if _INTEGER.fullmatch(key) and int(key) > MAXIMUM_THREADS:
+        raise text.fault(
+            section, key, value, f"is {what} above {MAXIMUM_THREADS}, the highest that can be used"
+        )
     if not _INTEGER.fullmatch(key) or not 1 <= int(key) <= MAXIMUM_THREADS:
         raise text.fault(
             section, key, value, f"does not begin with {what}, a whole number from 1 to {MAXIMUM_THREADS}"
@@ -69,7 +75,7 @@ def number_set(text: WifText, section: str, key: str, value: str, what: str) -> 
     """A list such as "1,3,4"; 0 and nothing stand for none.
 
     Raises:
-        InputError: an entry is no whole number from 0 to 4096.
+        InputError: an entry is no whole number from 0 to 16384.
     """
     parts = [part.strip() for part in without_comment(value).split(",")]
     numbers = []
