@@ -26,6 +26,10 @@ def show(
     draft: DraftArgument,
     output: Annotated[Path, typer.Option("--output", "-o", help="The picture to write, a .png file.")],
     face: Annotated[Literal["front", "back"], typer.Option(help="Which side is seen.")] = "front",
+    origin: Annotated[
+        Literal["top-right", "top-left", "bottom-right", "bottom-left"],
+        typer.Option(help="The corner of end 1 and pick 1; rendered cloth has them at the bottom left."),
+    ] = "top-right",
     cell: Annotated[
         int | None, typer.Option(metavar="PIXELS", help="Pixels a crossing; by default what suits the draft.")
     ] = None,
@@ -43,9 +47,10 @@ def show(
     check_output(output, (".png",))
     shown = draft_from(draft)
     if drawdown:
-        pixels = draw_drawdown(shown, face=face, cell_px=cell, repeats=1 if repeats is None else repeats)
+        times = 1 if repeats is None else repeats
+        pixels = draw_drawdown(shown, face=face, origin=origin, cell_px=cell, repeats=times)
     else:
-        pixels = draw_draft(shown, face=face, cell_px=cell, repeats=repeats)
+        pixels = draw_draft(shown, face=face, origin=origin, cell_px=cell, repeats=repeats)
     write_png(output, pixels)
     done(output)
 

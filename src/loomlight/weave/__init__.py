@@ -1,7 +1,7 @@
 """Drafts: named weaves, weaving information files, pictures of drawdowns; drawing and textile units."""
 
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, LoomPlan, Threads
-from loomlight.weave.drawing import MAXIMUM_PICTURE_PX, draw_draft, draw_drawdown
+from loomlight.weave.drawing import MAXIMUM_PICTURE_SIDE_PX, draw_draft, draw_drawdown
 from loomlight.weave.figured import bind_floats, figured_structure
 from loomlight.weave.load import DRAFT_SUFFIXES, load_draft
 from loomlight.weave.loom import derive_loom_plan, plan_drawdown, with_loom_plan
@@ -29,7 +29,7 @@ from loomlight.weave.wif_writer import write_wif
 __all__ = [
     "DEFAULT_SETT_PER_CM",
     "DRAFT_SUFFIXES",
-    "MAXIMUM_PICTURE_PX",
+    "MAXIMUM_PICTURE_SIDE_PX",
     "MAXIMUM_THREADS",
     "Draft",
     "FamilyDefaults",

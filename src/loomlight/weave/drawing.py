@@ -1,27 +1,32 @@
 """Drafts as pictures, the way weaving software draws them.
 
-The drawdown has end 1 on the left and pick 1 at the bottom, so that a Z twill rises to the right. Above it
-stand the threading (shaft 1 lowest) and the warp's colours, to its right the treadling or the liftplan and
-the weft's colours, in the corner the tie-up. The back is the cloth turned over sideways.
+Above the drawdown stand the threading (shaft 1 lowest) and the warp's colours, to its right the treadling or
+the liftplan and the weft's colours, in the corner the tie-up. Weaving software reads them from that corner:
+end 1 on the right, pick 1 on top. Cloth lies in scenes with end 1 on the left and pick 1 at the bottom. A Z
+twill rises to the right in both, as they are half a turn apart. The back is the cloth turned over sideways.
 """
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.colour import linear_to_srgb, parse_colour
-from loomlight.core.errors import InputError
+from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave.draft import Draft, LoomPlan, Threads
 from loomlight.weave.loom import derive_loom_plan, membership, moved_shafts
 
 Pixels = NDArray[np.uint8]
 Face = Literal["front", "back"]
+Origin = Literal["top-right", "top-left", "bottom-right", "bottom-left"]
 
-MAXIMUM_PICTURE_PX = 4096
+MAXIMUM_PICTURE_SIDE_PX = 16384
+# Pixels of a whole picture, 200 MB: as many as a draft of 4096 by 16384 threads has crossings.
+MAXIMUM_PICTURE_PX = 1 << 26
 # A plan that came with the draft is drawn up to a large dobby loom's; a derived one only while it explains.
 MAXIMUM_DRAWN_SHAFTS = 64
 MAXIMUM_DERIVED_SHAFTS = 32
@@ -45,62 +50,82 @@ _GROUP = 4
 
 
 def draw_drawdown(
-    draft: Draft, *, face: Face = "front", cell_px: int | None = None, repeats: int = 1
+    draft: Draft,
+    *,
+    face: Face = "front",
+    origin: Origin = "bottom-left",
+    cell_px: int | None = None,
+    repeats: int = 1,
 ) -> Pixels:
     """The interlacement alone: every thread as a band in its colour, the upper one whole.
 
     Args:
         draft: any draft; without colours a dark warp crosses a light weft.
         face: "front", or "back": turned over about a vertical line, so left and right change places.
-        cell_px: pixels a crossing; None chooses 1 to 24 by the size of the draft.
+        origin: the corner of end 1 and pick 1; pictures of drawdowns are read from the bottom left.
+        cell_px: pixels a crossing; None chooses 1 to 24 by the size of the draft, or means of several
+            crossings a pixel where that would be too large a picture.
         repeats: how often the repeat is drawn each way, >= 1.
 
     Returns:
         sRGB-encoded 8-bit pixels [height, width, 3].
 
     Raises:
-        InputError: a picture of more than 4096 pixels, another face, or no repeats.
+        InputError: a picture of more than 16384 pixels a side or 67 million in all, another face or origin,
+            or no repeats.
+
+    Warns:
+        LoomlightWarning: pixels are means of several crossings.
     """
-    view = _view(draft, face, (repeats, repeats))
-    cell = _cell(cell_px, max(view.warp_up.shape), limit=MAXIMUM_PICTURE_PX)
-    return _interlacement(view, cell)
+    view = _view(draft, face, origin, (repeats, repeats))
+    if cell_px is None and not _fits(view.warp_up.shape):
+        return _reduced(view)
+    return _interlacement(view, _cell(cell_px, view.warp_up.shape))
 
 
 def draw_draft(
-    draft: Draft, *, face: Face = "front", cell_px: int | None = None, repeats: int | None = None
+    draft: Draft,
+    *,
+    face: Face = "front",
+    origin: Origin = "top-right",
+    cell_px: int | None = None,
+    repeats: int | None = None,
 ) -> Pixels:
     """The whole draft: drawdown, threading, tie-up, treadling or liftplan, and thread colours.
 
     A draft without a loom plan gets a derived one. Where that needs more than 32 shafts (64 if the draft
-    brought it), or has no room in 4096 pixels, the drawdown and the colours are drawn alone.
+    brought it), or makes too large a picture, the drawdown and the colours are drawn alone.
 
     Args:
         draft: any draft; without colours a dark warp crosses a light weft.
         face: "front", or "back": turned over about a vertical line; the loom's parts turn with it.
-        cell_px: pixels a crossing; None chooses 1 to 24 by the size of the draft.
+        origin: the corner of end 1 and pick 1: weaving software has it beside threading and treadling.
+        cell_px: pixels a crossing; see `draw_drawdown`.
         repeats: how often the repeat is drawn each way; None draws small ones until 24 threads show. The
             first repeat is outlined where there are more.
 
     Returns:
-        sRGB-encoded 8-bit pixels [height, width, 3], at most 4096 each way.
+        sRGB-encoded 8-bit pixels [height, width, 3].
 
     Raises:
-        InputError: a picture of more than 4096 pixels, another face, or no repeats.
+        InputError: as `draw_drawdown`.
+
+    Warns:
+        LoomlightWarning: pixels are means of several crossings.
     """
     if repeats is None:
         across, along = (max(1, -(-_LEGIBLE_THREADS // count)) for count in (draft.ends, draft.picks))
     else:
         across = along = repeats
-    view = _view(draft, face, (along, across))
+    view = _view(draft, face, origin, (along, across))
     plan = _plan(draft)
-    parts = None if plan is None else _loom_parts(plan, view, face)
+    parts = None if plan is None else _loom_parts(plan, view)
     cells = _framed_cells(view, parts)
-    if parts is not None and max(cells) > MAXIMUM_PICTURE_PX and cell_px is None:
+    if parts is not None and not _fits(cells) and cell_px is None:
         parts, cells = None, _framed_cells(view, None)
-    if max(cells) > MAXIMUM_PICTURE_PX and cell_px is None:
-        return _interlacement(view, 1)
-    cell = _cell(cell_px, max(cells), limit=MAXIMUM_PICTURE_PX)
-    return _framed(view, parts, cell, outline=across * along > 1)
+    if not _fits(cells) and cell_px is None:
+        return _interlacement(view, 1) if _fits(view.warp_up.shape) else _reduced(view)
+    return _framed(view, parts, _cell(cell_px, cells), outline=across * along > 1)
 
 
 # ------------------------------------------------------------------------------------------- what is drawn
@@ -115,12 +140,16 @@ class _View:
         warp: encoded colours of the ends [ends, 3] in [0, 1].
         weft: encoded colours of the picks [picks, 3].
         repeat: picks and ends of one repeat.
+        first_on_top: whether pick 1 is the uppermost, else the lowest.
+        first_on_right: whether end 1 is the rightmost, else the leftmost.
     """
 
     warp_up: NDArray[np.bool_]
     warp: NDArray[np.float32]
     weft: NDArray[np.float32]
     repeat: tuple[int, int]
+    first_on_top: bool
+    first_on_right: bool
 
 
 @dataclass(frozen=True)
@@ -132,23 +161,27 @@ class _LoomParts:
     treadling: NDArray[np.bool_]
 
 
-def _view(draft: Draft, face: str, times: tuple[int, int]) -> _View:
+def _view(draft: Draft, face: str, origin: str, times: tuple[int, int]) -> _View:
     if face not in ("front", "back"):
         raise InputError(f'The face "{face}" is not known; it is "front" or "back".')
+    if origin not in get_args(Origin):
+        raise InputError(f'The origin "{origin}" is not known; it is one of {", ".join(get_args(Origin))}.')
     if min(times) < 1:
         raise InputError(f"{min(times)} repeats cannot be drawn; at least 1 can.")
     picks, ends = draft.drawdown.shape
-    if max(picks * times[0], ends * times[1]) > MAXIMUM_PICTURE_PX:
+    if max(times) > 1 and max(picks * times[0], ends * times[1]) > MAXIMUM_PICTURE_SIDE_PX:
         raise InputError(
             f"{times[0]} repeats of {picks} picks and {times[1]} of {ends} ends are too many to draw; "
-            f"at most {MAXIMUM_PICTURE_PX} threads are drawn each way."
+            f"at most {MAXIMUM_PICTURE_SIDE_PX} threads are drawn each way."
         )
-    warp_up = np.tile(draft.drawdown, times)[::-1]
-    warp = np.tile(_encoded(draft.warp, ends, _WARP), (times[1], 1))
-    weft = np.tile(_encoded(draft.weft, picks, _WEFT), (times[0], 1))[::-1]
-    if face == "back":
-        warp_up, warp = ~warp_up[:, ::-1], warp[::-1]
-    return _View(warp_up, warp, weft, (picks, ends))
+    back = face == "back"
+    # The cloth turned over has end 1 on the other side.
+    top, right = origin.startswith("top"), origin.endswith("right") != back
+    rows, columns = (slice(None, None, 1 if top else -1), slice(None, None, -1 if right else 1))
+    warp_up = np.tile(draft.drawdown, times)[rows, columns]
+    warp = np.tile(_encoded(draft.warp, ends, _WARP), (times[1], 1))[columns]
+    weft = np.tile(_encoded(draft.weft, picks, _WEFT), (times[0], 1))[rows]
+    return _View(~warp_up if back else warp_up, warp, weft, (picks, ends), top, right)
 
 
 def _encoded(threads: Threads, count: int, default: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -166,17 +199,17 @@ def _plan(draft: Draft) -> LoomPlan | None:
     return plan if max(plan.shafts, plan.treadles) <= MAXIMUM_DRAWN_SHAFTS else None
 
 
-def _loom_parts(plan: LoomPlan, view: _View, face: str) -> _LoomParts:
+def _loom_parts(plan: LoomPlan, view: _View) -> _LoomParts:
     picks, ends = view.warp_up.shape
-    threading = _fill(membership(plan.threading, plan.shafts), ends).T[::-1]
-    if face == "back":
-        threading = threading[:, ::-1]
+    rows = slice(None, None, 1 if view.first_on_top else -1)
+    columns = slice(None, None, -1 if view.first_on_right else 1)
+    threading = _fill(membership(plan.threading, plan.shafts), ends).T[::-1, columns]
     if plan.tieup is None or plan.treadling is None:
         lifts = moved_shafts(replace(plan, tieup=None, treadling=None))
-        return _LoomParts(threading, None, _fill(lifts, picks)[::-1])
+        return _LoomParts(threading, None, _fill(lifts, picks)[rows])
     tieup = membership(plan.tieup, plan.shafts).T[::-1]
     pressed = membership(plan.treadling, len(plan.tieup))
-    return _LoomParts(threading, tieup, _fill(pressed, picks)[::-1])
+    return _LoomParts(threading, tieup, _fill(pressed, picks)[rows])
 
 
 def _fill(rows: NDArray[np.bool_], count: int) -> NDArray[np.bool_]:
@@ -197,17 +230,29 @@ def _framed_cells(view: _View, parts: _LoomParts | None) -> tuple[int, int]:
     return picks + above + 2 * _MARGIN, ends + beside + 2 * _MARGIN
 
 
-def _cell(requested: int | None, cells: int, limit: int) -> int:
+def _cell(requested: int | None, cells: tuple[int, ...]) -> int:
+    most = max(cells)
     if requested is None:
-        comfortable = min(_LARGEST_CELL_PX, _COMFORTABLE_PX // cells)
-        return max(1, comfortable, min(_SMALLEST_LEGIBLE_CELL_PX, _LARGE_PX // cells))
+        comfortable = min(_LARGEST_CELL_PX, _COMFORTABLE_PX // most)
+        return max(1, comfortable, min(_SMALLEST_LEGIBLE_CELL_PX, _LARGE_PX // most))
+    if requested >= 1 and _fits(cells, requested):
+        return requested
+    largest = next((cell for cell in range(MAXIMUM_PICTURE_SIDE_PX // most, 0, -1) if _fits(cells, cell)), 0)
+    choices = {0: "leave it out for a smaller scale", 1: "1 pixel a crossing would do"}
+    would_do = choices.get(largest, f"1 to {largest} pixels a crossing would do")
+    raise InputError(
+        f"cell_px = {requested} is out of range for a drawing of {cells[1]} x {cells[0]} crossings: pictures "
+        f"have at most {MAXIMUM_PICTURE_SIDE_PX} pixels a side and {MAXIMUM_PICTURE_PX / 1e6:.0f} million in "
+        f"all; {would_do}."
+    )
+
+
+def _fits(cells: tuple[int, ...], cell: int = 1) -> bool:
+    """Whether a picture of so many cells, `cell` pixels each, is no larger than allowed."""
     # One pixel more than the cells themselves closes the last line of a grid.
-    if requested < 1 or requested * cells + 1 > limit:
-        raise InputError(
-            f"cell_px = {requested} is out of range for this draft: a picture holds {limit} pixels, "
-            f"which is 1 to {max(1, (limit - 1) // cells)} pixels a crossing."
-        )
-    return requested
+    closing = 1 if cell > 1 else 0
+    height, width = (count * cell + closing for count in cells)
+    return max(height, width) <= MAXIMUM_PICTURE_SIDE_PX and height * width <= MAXIMUM_PICTURE_PX
 
 
 # ------------------------------------------------------------------------------------------------- threads
@@ -215,14 +260,39 @@ def _cell(requested: int | None, cells: int, limit: int) -> int:
 
 def _interlacement(view: _View, cell: int) -> Pixels:
     """The drawdown in thread colours, `cell` pixels a crossing."""
-    if cell < 3:
-        flat = np.where(view.warp_up[..., None], view.warp[None, :], view.weft[:, None])
-        return np.repeat(np.repeat(_quantised(flat), cell, axis=0), cell, axis=1)
     picks, ends = view.warp_up.shape
     pixels = np.empty((picks * cell, ends * cell, 3), dtype=np.uint8)
+    warp, weft = _quantised(view.warp), _quantised(view.weft)
     for pick in range(picks):
-        pixels[pick * cell : (pick + 1) * cell] = _one_pick(view, pick, cell)
+        if cell < 3:
+            row = np.where(view.warp_up[pick, :, None], warp, weft[pick])
+            pixels[pick * cell : (pick + 1) * cell] = np.repeat(row, cell, axis=0)
+        else:
+            pixels[pick * cell : (pick + 1) * cell] = _one_pick(view, pick, cell)
     return pixels
+
+
+def _reduced(view: _View) -> Pixels:
+    """The drawdown with as few crossings a pixel as are allowed: means of linear colours."""
+    picks, ends = view.warp_up.shape
+    step = next(step for step in range(2, ends + picks) if _fits((-(-picks // step), -(-ends // step))))
+    warnings.warn(
+        f"{ends} ends and {picks} picks are too many to draw one by one: each pixel is the mean of "
+        f"{step} x {step} crossings.",
+        LoomlightWarning,
+        stacklevel=3,
+    )
+    warp, weft = srgb_to_linear(view.warp), srgb_to_linear(view.weft)
+    starts = np.arange(0, ends, step)
+    count = np.diff(np.append(starts, ends))[:, None]
+    rows = []
+    for first in range(0, picks, step):
+        up = view.warp_up[first : first + step]
+        # Of each end: how often it is on top, and the sum of the picks that are on top of it.
+        total = up.sum(axis=0)[:, None] * warp + (~up).T.astype(np.float64) @ weft[first : first + step]
+        means = np.add.reduceat(total, starts, axis=0) / (count * len(up))
+        rows.append(_quantised(linear_to_srgb(means).astype(np.float32)))
+    return np.stack(rows)
 
 
 def _one_pick(view: _View, pick: int, cell: int) -> Pixels:
@@ -274,18 +344,22 @@ def _quantised(encoded: NDArray[np.float32]) -> Pixels:
 
 def _framed(view: _View, parts: _LoomParts | None, cell: int, *, outline: bool) -> Pixels:
     picks, ends = view.warp_up.shape
-    rows, columns = _framed_cells(view, parts)
-    canvas = np.tile(_PAPER, (rows * cell + 1, columns * cell + 1, 1))
-    top = rows - _MARGIN - picks
+    height, width = _framed_cells(view, parts)
+    # Lines close the grids on the right and at the bottom, where cells are large enough to have lines.
+    closing = 1 if cell > 1 else 0
+    canvas = np.tile(_PAPER, (height * cell + closing, width * cell + closing, 1))
+    top = height - _MARGIN - picks
     left = _MARGIN
     right = left + ends + _SPACE
+    # Groups of threads are counted from end 1 and pick 1, shafts from the bottom, treadles from the left.
+    from_right, from_top = view.first_on_right, view.first_on_top
     _put(canvas, _interlacement(view, cell), top, left, cell)
-    _put(canvas, _bar(view.warp[None], cell), _MARGIN, left, cell)
-    _put(canvas, _bar(view.weft[:, None], cell), top, columns - _MARGIN - _BAR, cell)
+    _put(canvas, _bar(view.warp[None], cell, right=from_right), _MARGIN, left, cell)
+    _put(canvas, _bar(view.weft[:, None], cell, top=from_top), top, width - _MARGIN - _BAR, cell)
     if parts is not None:
         above = _MARGIN + _BAR + _SPACE
-        _put(canvas, _grid(parts.threading, cell), above, left, cell)
-        _put(canvas, _grid(parts.treadling, cell), top, right, cell)
+        _put(canvas, _grid(parts.threading, cell, right=from_right), above, left, cell)
+        _put(canvas, _grid(parts.treadling, cell, top=from_top), top, right, cell)
         if parts.tieup is not None:
             _put(canvas, _grid(parts.tieup, cell), above, right, cell)
     if outline:
@@ -298,45 +372,58 @@ def _put(canvas: Pixels, part: Pixels, row: int, column: int, cell: int) -> None
     canvas[y : y + part.shape[0], x : x + part.shape[1]] = part
 
 
-def _bar(colors: NDArray[np.float32], cell: int) -> Pixels:
-    """Cells in thread colours, with lines between them where there is room."""
-    pixels = np.repeat(np.repeat(_quantised(colors), cell, axis=0), cell, axis=1)
-    pixels = np.pad(pixels, ((0, 1), (0, 1), (0, 0)), mode="edge")
-    _rule(pixels, cell)
+def _bar(colors: NDArray[np.float32], cell: int, *, right: bool = False, top: bool = False) -> Pixels:
+    """Cells in thread colours, with lines between them where there is room; see `_rule`."""
+    return _ruled(_quantised(colors), cell, right, top)
+
+
+def _grid(filled: NDArray[np.bool_], cell: int, *, right: bool = False, top: bool = False) -> Pixels:
+    """A table of the loom: ink where `filled`, with lines where there is room; see `_rule`."""
+    return _ruled(np.where(filled[..., None], _INK, _EMPTY).astype(np.uint8), cell, right, top)
+
+
+def _ruled(cells: Pixels, cell: int, right: bool, top: bool) -> Pixels:
+    pixels = np.repeat(np.repeat(cells, cell, axis=0), cell, axis=1)
+    if cell > 1:
+        pixels = np.pad(pixels, ((0, 1), (0, 1), (0, 0)), mode="edge")
+        _rule(pixels, cell, right, top)
     return pixels
 
 
-def _grid(filled: NDArray[np.bool_], cell: int) -> Pixels:
-    """A table of the loom: ink where `filled`, with lines where there is room."""
-    inked = np.where(filled[..., None], _INK, _EMPTY)
-    pixels = np.repeat(np.repeat(inked, cell, axis=0), cell, axis=1).astype(np.uint8)
-    pixels = np.pad(pixels, ((0, 1), (0, 1), (0, 0)), mode="edge")
-    _rule(pixels, cell)
-    return pixels
-
-
-def _rule(pixels: Pixels, cell: int) -> None:
-    """Lines between cells, firmer around groups of four counted from the lower left."""
+def _rule(pixels: Pixels, cell: int, right: bool, top: bool) -> None:
+    """Lines between cells, firmer around groups of four, counted from the right or left and top or bottom."""
     if cell < 4:
         pixels[[0, -1]] = _GROUP_LINE
         pixels[:, [0, -1]] = _GROUP_LINE
         return
-    height, width = pixels.shape[:2]
     pixels[::cell] = _LINE
     pixels[:, ::cell] = _LINE
-    pixels[height - 1 :: -_GROUP * cell] = _GROUP_LINE
-    pixels[:, :: _GROUP * cell] = _GROUP_LINE
-    pixels[0] = _GROUP_LINE
-    pixels[:, width - 1] = _GROUP_LINE
+    group = _GROUP * cell
+    pixels[:: group if top else -group] = _GROUP_LINE
+    pixels[:, :: -group if right else group] = _GROUP_LINE
+    pixels[[0, -1]] = _GROUP_LINE
+    pixels[:, [0, -1]] = _GROUP_LINE
 
 
 def _outline(canvas: Pixels, view: _View, top: int, left: int, cell: int) -> None:
-    """A frame around the first repeat, lower left."""
-    picks, ends = view.repeat
+    """A frame around the first repeat, in the corner of end 1 and pick 1."""
+    (picks, ends), (all_picks, all_ends) = view.repeat, view.warp_up.shape
+    first_row = top + (0 if view.first_on_top else all_picks - picks)
+    first_column = left + (all_ends - ends if view.first_on_right else 0)
     thick = max(1, cell // 9)
-    bottom = (top + view.warp_up.shape[0]) * cell
-    y, x, right = bottom - picks * cell, left * cell, (left + ends) * cell
-    canvas[y - thick // 2 : y - thick // 2 + thick, x : right + 1] = _REPEAT_LINE
-    canvas[bottom : bottom + thick, x : right + 1] = _REPEAT_LINE
-    canvas[y : bottom + thick, x - thick : x] = _REPEAT_LINE
-    canvas[y : bottom + thick, right - thick // 2 : right - thick // 2 + thick] = _REPEAT_LINE
+    # Lines lie outside the cloth at its edges, and on both sides of the boundary within it.
+    y, x = (
+        (first * cell) - (thick if outer else thick // 2)
+        for first, outer in ((first_row, view.first_on_top), (first_column, not view.first_on_right))
+    )
+    bottom, right = (
+        (last * cell) - (0 if outer else thick // 2)
+        for last, outer in (
+            (first_row + picks, not view.first_on_top),
+            (first_column + ends, view.first_on_right),
+        )
+    )
+    canvas[y : y + thick, x : right + thick] = _REPEAT_LINE
+    canvas[bottom : bottom + thick, x : right + thick] = _REPEAT_LINE
+    canvas[y : bottom + thick, x : x + thick] = _REPEAT_LINE
+    canvas[y : bottom + thick, right : right + thick] = _REPEAT_LINE
