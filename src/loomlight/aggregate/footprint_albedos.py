@@ -15,7 +15,7 @@ views instead, on a grid of texels, for one view at a time.
 The quantities are 1, whose integral is the weight, and the coordinates of the threads' twelve albedos in
 their principal axes: k colours need k − 1, and albedos made from colours 6 at most. Entries are integer
 multiples of 2⁻³¹ of the repeat, so that differences between them are exact and no float64 is needed: a
-crossing has 5000 units in a draft of 641 by 641 threads, 128 in the largest.
+crossing has 5000 units in a draft of 641 by 641 threads, 128 in one of 4096 by 4096, 32 in the largest.
 """
 
 from __future__ import annotations
@@ -42,8 +42,12 @@ _NUMBERS = 3 * len(_ALBEDOS)
 # Entries of one family's table: 256 MB. Drafts of 4096 by 4096 threads keep three principal axes.
 # Four colours need no more; 4096 random ones are then up to 0.01 off at default shine, 0.03 at the most.
 _MOST_ENTRIES = 1 << 26
+# Larger drafts keep as many: 16 bytes a crossing and family.
+_FEWEST_QUANTITIES = 4
 # Up to so many entries, each is stored together with its neighbour, so that both are read at once: 32 MB.
 _MOST_PAIRED = 1 << 22
+# Crossings whose sums are computed at once, within caches.
+_CROSSINGS_AT_ONCE = 1 << 17
 # Numbers fetched at once.
 _WIDEST = 16
 # Principal axes that change no albedo by more than this are dropped.
@@ -135,7 +139,8 @@ def _family_tables(
 ) -> _FamilyTables:
     rows = np.concatenate([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
     entries = (own.lower.size + 1) * (other.lower.size + 1)
-    mean, coordinates, axes, truncation = _principal(rows, _MOST_ENTRIES // entries - 1)
+    most = max(_MOST_ENTRIES // entries, _FEWEST_QUANTITIES) - 1
+    mean, coordinates, axes, truncation = _principal(rows, most)
     if not len(axes):
         nothing = np.zeros((0, 0, 0), np.uint32)
         return _FamilyTables(mean, axes, np.zeros((0, 3, 1)), nothing, 1.0, 1.0, truncation)
@@ -150,11 +155,25 @@ def _family_tables(
     unit = area / _UNITS
     areas = np.zeros((other.lower.size + 1, own.lower.size + 1, _padded(quantities.shape[1])), np.uint32)
     for number, quantity in enumerate(quantities.T):
-        sums = on_top * crossing[:, None] * (quantity * visible)
-        np.cumsum(sums, axis=0, out=sums)
-        np.cumsum(sums, axis=1, out=sums)
-        areas[1:, 1:, number] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
+        for part, sums in _prefix_sums(on_top, crossing, quantity * visible):
+            areas[1:, 1:, number][part] = np.rint(sums / unit).astype(np.int64).astype(np.uint32)
     return _FamilyTables(mean, axes, threads, areas, unit, area / on_top.size, truncation)
+
+
+def _prefix_sums(
+    on_top: NDArray[np.bool_], lengths: NDArray[np.float64], values: NDArray[np.float64]
+) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+    """The summed-area table of lengths [m] times values [n] where `on_top` [m, n]: some rows at a time."""
+    before = np.zeros(len(values))
+    step = max(1, _CROSSINGS_AT_ONCE // len(values))
+    for first in range(0, len(lengths), step):
+        rows = slice(first, first + step)
+        sums = on_top[rows] * lengths[rows, None] * values
+        sums[0] += before
+        np.cumsum(sums, axis=0, out=sums)
+        before = sums[-1].copy()
+        np.cumsum(sums, axis=1, out=sums)
+        yield rows, sums
 
 
 def _principal(

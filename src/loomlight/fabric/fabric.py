@@ -9,6 +9,7 @@ from math import radians
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.core.errors import InputError
 from loomlight.fabric.albedos import family_appearance
 from loomlight.fabric.colours import coloured_draft
 from loomlight.fabric.defaults import DIFFUSE_BLEND, HEIGHT_SCALE, OPTICAL_DEPTH, Bend, bends_of
@@ -18,6 +19,9 @@ from loomlight.fabric.writing import fabric_toml
 from loomlight.scattering.appearance import Appearance, Sheen, Variation
 from loomlight.weave.draft import Draft, Threads
 from loomlight.yarn.layout import ClothLayout, FamilyLayout
+
+# Crossings of a fabric: those of 4096 by 16384 threads, for which rendering takes gigabytes (docs/drafts.md).
+MAXIMUM_CROSSINGS = 1 << 26
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,9 +72,16 @@ def make_fabric(fields: FabricFile, draft: Draft, name: str, folder: str) -> Fab
     """The fabric of a file's fields and of the draft that they name.
 
     Raises:
-        InputError: fields that contradict the draft, albedos that exceed the light, an unreadable yarn count.
+        InputError: fields that contradict the draft, albedos that exceed the light, an unreadable yarn count,
+            or more than 67 million crossings.
     """
     coloured = coloured_draft(draft, fields)
+    if coloured.drawdown.size > MAXIMUM_CROSSINGS:
+        raise InputError(
+            f"the repeat of {coloured.ends} ends and {coloured.picks} picks has "
+            f"{coloured.drawdown.size / 1e6:.0f} million crossings, and at most "
+            f"{MAXIMUM_CROSSINGS / 1e6:.0f} million can be rendered: render a part of it."
+        )
     optical_depth = OPTICAL_DEPTH if fields.optical_depth is None else fields.optical_depth
     appearance = Appearance(
         warp=family_appearance(fields.warp, "warp", _colours(coloured.warp), optical_depth),

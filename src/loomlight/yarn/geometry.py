@@ -383,8 +383,10 @@ def _show(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mas
 
 def _cross(tables: DeviceTables, types: ArrayTypes, x: Float, y: Float, back: Mask) -> _Crossing:
     warp, weft = tables.warp.locate(x), tables.weft.locate(y)
-    # At most 4096 by 4096 words: single precision tells them apart, and is faster.
-    word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
+    if dr.is_integral_v(tables.ends):
+        word = dr.fma(weft.thread, tables.ends, warp.thread)
+    else:
+        word = types.UInt32(dr.fma(weft.number, tables.ends, warp.number))
     words = dr.gather(types.Index2, tables.words, word)
     return _Crossing(warp, weft, words, ((words[0] & 1) == 1) ^ back)
 

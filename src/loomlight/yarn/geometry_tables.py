@@ -18,6 +18,8 @@ from loomlight.yarn.runs import pack_runs, with_cell_maxima
 from loomlight.yarn.threads import FamilyTables, prepare_family
 
 LayoutTables = tuple[FamilyTables, FamilyTables, NDArray[np.uint32], NDArray[np.uint32]]
+# Whole numbers that float32 tells apart.
+_MOST_EXACT = 1 << 24
 # Tables of all layouts in memory: the models of a fabric share its layout, and a draft of 4096 by 4096
 # threads takes seconds. An edit of heights or twist makes another layout with the same threads.
 _cache: WeakKeyDictionary[ClothLayout, LayoutTables] = WeakKeyDictionary()
@@ -51,10 +53,10 @@ def _prepare(layout: ClothLayout) -> LayoutTables:
     weft_words = pack_runs(~layout.warp_on_top)
     warp = prepare_family(layout.warp, layout.weft, warp_words)
     weft = prepare_family(layout.weft, layout.warp, weft_words)
-    words = np.stack(
-        [with_cell_maxima(warp_words, warp.cell_maxima).T, with_cell_maxima(weft_words, weft.cell_maxima)],
-        axis=2,
-    )
+    words = np.empty((*weft_words.shape, 2), np.uint32)
+    words[..., 0] = with_cell_maxima(warp_words, warp.cell_maxima).T
+    words[..., 1] = with_cell_maxima(weft_words, weft.cell_maxima)
+    del warp_words, weft_words
     return warp, weft, words, pack_max_heights(words)
 
 
@@ -72,7 +74,9 @@ class DeviceTables:
         self.warp: Any = upload_family(warp, types)
         self.weft: Any = upload_family(weft, types)
         self.words = upload(types.UInt32, words)
-        self.ends = dr.opaque(types.Float, words.shape[1])
+        # Single precision, which is faster, tells the words of 4096 by 4096 crossings apart.
+        exact = types.Float if words[..., 0].size <= _MOST_EXACT else types.UInt32
+        self.ends: Any = dr.opaque(exact, words.shape[1])
         self.max_heights = upload(types.UInt32, max_heights)
         self.max_height_columns = dr.opaque(types.UInt32, max_heights.shape[1])
         self._float = types.Float

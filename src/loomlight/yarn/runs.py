@@ -27,8 +27,8 @@ LONGEST_ARC = 28
 CELL_MAX_LEVELS = 15
 
 
-# Threads packed at once: keeps the temporary arrays of a 4096 by 4096 draft below 50 MB.
-_BLOCK = 256
+# Crossings of the threads that are processed at once: temporary arrays stay within caches.
+_BLOCK = 1 << 16
 
 
 def pack_runs(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
@@ -37,9 +37,15 @@ def pack_runs(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
     Both axes are periodic; row t holds the crossings of thread t in order.
     """
     words = np.empty(on_top.shape, dtype=np.uint32)
-    for first in range(0, on_top.shape[0], _BLOCK):
-        words[first : first + _BLOCK] = _pack_block(on_top[first : first + _BLOCK])
+    for rows in thread_blocks(*on_top.shape):
+        words[rows] = _pack_block(on_top[rows])
     return words
+
+
+def thread_blocks(threads: int, crossings: int) -> list[slice]:
+    """Ranges of threads, each of `crossings`, that are processed at once."""
+    step = max(1, _BLOCK // crossings)
+    return [slice(first, first + step) for first in range(0, threads, step)]
 
 
 def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:

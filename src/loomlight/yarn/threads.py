@@ -15,7 +15,13 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.yarn.layout import SMALLEST_GAP, FamilyLayout
-from loomlight.yarn.runs import CELL_MAX_LEVELS, LONGEST_ARC, LONGEST_NEIGHBOUR, LONGEST_OFFSET
+from loomlight.yarn.runs import (
+    CELL_MAX_LEVELS,
+    LONGEST_ARC,
+    LONGEST_NEIGHBOUR,
+    LONGEST_OFFSET,
+    thread_blocks,
+)
 
 # The cross-section is an arc of ±80°: at 90° the variance of 1/n_z over it would be infinite.
 SECTION_ANGLE = math.radians(80.0)
@@ -25,7 +31,6 @@ _SMALLEST_INCLINATION = 1e-3
 _STEEPEST_SHARE = 0.95
 # Threads finer than this share of the mean would need a finer index than is worth its memory.
 _FINEST_CELL = 1 / 64
-_BLOCK = 256
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,8 +109,9 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     cross_period = float(crossing.spacing.sum())
     section = section_drop(half_width, half_width)
 
+    blocks = thread_blocks(lower.size, cross_lower.size)
     shortest = np.full(lower.size, np.inf)
-    for rows in _blocks(lower.size):
+    for rows in blocks:
         length = _run_ends(words[rows], cross_lower, cross_upper, cross_period).length
         shortest[rows] = length.min(axis=1)
     # A run of length L leaves room for its arc while w·tan(v_max/2)·sin U < L.
@@ -120,7 +126,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
     highest = 0.0
     gap_below = cross_centre - cross_half - cross_lower
     gap_above = cross_upper - cross_centre - cross_half
-    for rows in _blocks(lower.size):
+    for rows in blocks:
         ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
         reach = np.minimum(ends.length / 2, arc[rows, None])
         rise = np.where(np.isfinite(reach), reach * np.tan(inclination[rows, None] / 2), 0.0)
@@ -140,7 +146,7 @@ def prepare_family(family: FamilyLayout, crossing: FamilyLayout, words: NDArray[
             depth = np.where(is_end, depth / section[rows, None], 0.0)
             lowest_edge = max(lowest_edge, float(depth.max()))
     cell_maxima = np.empty(words.shape, dtype=np.uint8)
-    for rows in _blocks(lower.size):
+    for rows in blocks:
         ends = _run_ends(words[rows], cross_lower, cross_upper, cross_period)
         cell_max = _cell_max(ends, arc[rows, None], inclination[rows, None])
         cell_maxima[rows] = np.ceil(np.minimum(cell_max / max(highest, 1e-30) + 1e-6, 1) * CELL_MAX_LEVELS)
@@ -235,7 +241,3 @@ def _edge_height(
     radius = arc / sine - sign * section
     root = np.sqrt(np.maximum(radius**2 - along**2, 0))
     return sign * (arc * half_tangent - along**2 / (radius + root)) - section
-
-
-def _blocks(count: int) -> list[slice]:
-    return [slice(first, first + _BLOCK) for first in range(0, count, _BLOCK)]

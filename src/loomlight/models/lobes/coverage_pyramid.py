@@ -36,6 +36,8 @@ _NODES_PER_SIDE, _FEWER_NODES = 3, 2
 # Texels between two nodes along each axis, and for each thread, at least.
 _TEXELS_PER_NODE = 4
 _TEXELS_PER_THREAD = 3
+# Texels along a cell, at most: cells of many threads are even without three a thread.
+_MOST_TEXELS_PER_NODE = 12
 # Texels evaluated at once.
 _BATCH = 1 << 23
 # Numbers of the pyramid that are processed at once, to fit caches; and how many are worth a second thread.
@@ -142,7 +144,7 @@ def count_cells(
     columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
     across, along = (
-        max(_TEXELS_PER_NODE, math.ceil(_TEXELS_PER_THREAD * threads / count))
+        max(_TEXELS_PER_NODE, min(math.ceil(_TEXELS_PER_THREAD * threads / count), _MOST_TEXELS_PER_NODE))
         for threads, count in ((ends, columns), (picks, rows))
     )
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
