@@ -1,6 +1,6 @@
 """Light visibility from the diffuse component, against slices of cloth.
 
-Covers: models/woven/light_visibility.py, tools/fits/light_visibility.py
+Covers: models/woven/light_visibility.py
 """
 
 from __future__ import annotations
