@@ -54,10 +54,10 @@ def operations(model: LobesModel, arrays: Any) -> int:
         for pair in range(pairs):
             number = dr.opaque(UInt32, pair)
             packs = lobes.seen_packs(at, number)
-            for pack, (diffuse, specular) in zip(
+            for pack, sums in zip(
                 packs, lobes.components(packs, at, nodes, number, light, half), strict=True
             ):
-                total = total + diffuse + specular + sum(pack.weights)
+                total = total + sum(sums) + sum(pack.weights)
         kernels = launched_kernels(partial(dr.eval, total))
         counts.append(sum(operations_of(kernel["ir"].read()) for kernel in kernels))
     return int(counts[0] + (model.tables.packs // 2 - 1) * (counts[1] - counts[0]))

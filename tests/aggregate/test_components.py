@@ -20,6 +20,7 @@ from loomlight.aggregate.reference import reference
 from loomlight.core.footprint import Box, Footprint, box_footprint
 from loomlight.core.llvm import require_llvm
 from loomlight.scattering.point import PointModel
+from loomlight.scattering.sheen import sheen_with_transmittance
 
 from .fabrics import NAMES, directions, woven
 
@@ -149,12 +150,27 @@ def test_the_reference_is_the_mean_of_the_point_model_over_the_parallelogram() -
     hole = point.hole.numpy().reshape(count, samples)
     own_variance = np.array([part.var(axis=1) / samples for part in values]).T
     scores = (estimate.colour - values.mean(axis=2).T) / np.sqrt(
-        estimate.variance[:, 5:] + own_variance + 1e-12
+        estimate.variance[:, 5:8] + own_variance + 1e-12
     )
     assert np.abs(scores).max() < 4.5
     assert abs(scores[:, 1].std() - 1) < 4 / math.sqrt(2 * count)
     spread = np.sqrt(2 * estimate.variance[:, 4] + 1e-6)
     assert (np.abs(estimate.hole - hole.mean(axis=1)) < 5 * spread).all()
+    # Sheen over the footprint is the lobe times light visibility and hole, over what it lets through.
+    with_sheen = model.evaluate(model.locate(x, y, view), light, view).numpy().reshape(3, count, samples)
+    strength, roughness = model.sheen
+    front = [np.c_[v[:, :2], v[:, 2] * np.sign(views[:, 2])] for v in (lights, views)]
+    lobe, through = sheen_with_transmittance(*(_vectors(v) for v in front), strength, roughness)
+    scale = (estimate.light_visibility + estimate.hole)[:, None]
+    expected = through.numpy()[:, None] * estimate.colour + lobe.numpy()[:, None] * scale
+    own_variance = np.array([part.var(axis=1) / samples for part in with_sheen]).T
+    # Colour and light visibility are of the same points: their deviations add up at most.
+    deviation = np.sqrt(estimate.variance[:, 5:8]) + lobe.numpy()[:, None] * np.sqrt(
+        estimate.variance[:, 4:5] + estimate.variance[:, 8:]
+    )
+    scores = (expected - with_sheen.mean(axis=2).T) / np.sqrt(deviation**2 + own_variance + 1e-12)
+    assert np.abs(scores).max() < 4.5
+    assert (np.abs(lobe.numpy()) > 1e-3).mean() > 0.25
 
 
 def test_variances_are_those_of_repeated_estimates() -> None:

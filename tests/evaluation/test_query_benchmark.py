@@ -130,7 +130,7 @@ def test_few_samples_are_unbiased_and_more_are_better(cloth: HeldOut) -> None:
 def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
     def exact(fabric: Fabric, queries: QuerySet, factor: float = 1.0) -> Prediction:
         _, means = query_truth(fabric, 2024, 8, 10, with_colours=True)
-        return Prediction(means[..., :5] * factor, means[..., 5:] * factor)
+        return Prediction(means[..., :5] * factor, means[..., 5:8] * factor, means[..., 8] * factor)
 
     def brighter(fabric: Fabric, queries: QuerySet) -> Prediction:
         return exact(fabric, queries, 1.25)
@@ -139,7 +139,15 @@ def test_known_predictions_get_the_errors_they_have(cloth: HeldOut) -> None:
         raise InputError("too large")
 
     result = run_query_benchmark({"exact": exact, "brighter": brighter}, [cloth], pairs=8, footprints=10)
-    for quantity in ("reflection", "transmission", "colour", "diffuse_warp", "specular_weft", "hole"):
+    for quantity in (
+        "reflection",
+        "transmission",
+        "colour",
+        "diffuse_warp",
+        "specular_weft",
+        "hole",
+        "sheen",
+    ):
         assert result.rows["exact"].metric(quantity) == pytest.approx(0, abs=1e-7)
         assert result.rows["brighter"].metric(quantity) == pytest.approx(0.25, rel=1e-5)
     assert result.rows["brighter"].metric("reflection", metric="bias") == pytest.approx(0.25, rel=1e-5)

@@ -20,6 +20,7 @@ import pytest
 from drjit.llvm.ad import Array3f, Float
 from numpy.typing import NDArray
 
+from loomlight.aggregate.reference import reference
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import write_loom
 from loomlight.core.llvm import require_llvm
@@ -28,6 +29,7 @@ from loomlight.models.interface import Model
 from loomlight.models.registry import make_model, model_class, model_from_loom, model_names
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel
+from loomlight.scattering.sheen import sheen
 from loomlight.yarn.geometry import YarnGeometry
 
 from .chi_square import cell_counts, cell_shares, p_value
@@ -206,7 +208,7 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
     lights, views = (v / np.linalg.norm(v, axis=1, keepdims=True) for v in (lights, views))
     extent = np.asarray(model.source.repeat_mm)
     size = 2.5 * extent
-    slices = FabricSlices(point_model, Float)
+    slices = FabricSlices(point_model, Float, with_light_visibility=True)
 
     count = 1000
     rng = np.random.default_rng(6)
@@ -217,14 +219,17 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
         queried = Queries(np.tile(light, (count, 1)), np.tile(view, (count, 1)), centres, edges)
         actual = np.stack(list(answers(model, queried).parts.values()), axis=1)
         exact = slices.slice(light, view)
-        truth = exact.box_means(np.zeros((1, 2)), extent[None])[0]
+        truth = in_the_order_of_parts(exact.box_means(np.zeros((1, 2)), extent[None])[0])
         noise = 5 * actual.std(axis=0) / math.sqrt(count)
         error = np.maximum(np.abs(actual.mean(axis=0) - truth) - noise, 0)
         # The bound is on means over many directions; one pair alone may err twice as much.
         assert error[:4].sum() < 2 * LARGEST_ERROR * truth[:4].sum(), (actual.mean(0), truth)
         errors.append(error[:4])
         truths.append(truth[:4])
-        holes.append(error[4])
+        holes.append(error[5])
+        if light[2] * view[2] > 0:
+            # Elsewhere there is no sheen, which alone needs it.
+            assert error[4] < LARGEST_ERROR * truth[4]
         if model.filters:
             # Each large footprint by itself, against its own box.
             boxes = exact.box_means(centres[:200], np.tile(size, (200, 1)))[:, :4]
@@ -232,6 +237,38 @@ def test_both_faces_and_both_sides_are_the_cloths(name: str, cloth: str) -> None
     assert np.sum(errors) < LARGEST_ERROR * np.sum(truths), (errors, truths)
     # Of all rays. The network that ships misses a third of the holes of plain cloth with gaps of 0.3.
     assert np.mean(holes) < 0.04
+
+
+def in_the_order_of_parts(means: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Channels of slices as `Answers.parts` has them: the hole last."""
+    return np.concatenate([means[:4], means[5:], means[4:5]])
+
+
+@every_model
+def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
+    """A sheen over black cloth: f·cos is the lobe times (light visibility + hole)."""
+    black = 'weave = "twill 2/2"\ngap = 0.3\n[warp]\ncolor = "#000000"\nspecular = 0\n'
+    black += '[weft]\ncolor = "#000000"\nspecular = 0\n[sheen]\nstrength = 0.7\n'
+    cloth = fabric_from_text(black)
+    queried = queries(cloth, 1500, seed=21)
+    actual = answers(make_model(name, cloth), queried)
+    front = [np.c_[v[:, :2], v[:, 2] * np.sign(queried.views[:, 2])] for v in (queried.lights, queried.views)]
+    lobe = sheen(*(vectors(v) for v in front), 0.7, cloth.appearance().sheen.roughness).numpy()
+    scale = actual.parts["light_visibility"] + actual.parts["hole"]
+    assert (scale < 1 + 1e-4).all()
+    close(actual.value.numpy()[0], lobe * scale)
+    # The means of both, on the side of the view: within a tenth of rays over the same footprints.
+    near = queried.lights[:, 2] * queried.views[:, 2] > 0
+    exact = reference(
+        PointModel(YarnGeometry(cloth.layout()), cloth.appearance()),
+        queried.footprint,
+        queried.lights,
+        queried.views,
+        64,
+        seed=1,
+    )
+    true_scale = exact.light_visibility + exact.hole
+    assert abs((lobe * (scale - true_scale))[near].sum()) < 0.1 * (lobe * true_scale)[near].sum()
 
 
 @every_fabric

@@ -8,8 +8,13 @@ Each point and pair of directions has five channels (chen2024 eq. 7 and the hole
 
 The first four include the visibility of the light. They are reflection where the light is on the side of the
 view, transmission where it is on the other. With one albedo a family, f·cos = k_d^warp C_warp + k_d^weft
-C_weft + k_s^warp S_warp + k_s^weft S_weft is the point model's value (eq. 8) without its sheen, which depends
-on the macro normal alone and is added afterwards, and without its procedural variation.
+C_weft + k_s^warp S_warp + k_s^weft S_weft is the point model's value (eq. 8) without sheen and procedural
+variation. Sheen is shadowed like everything else at a point (zhu2024 eq. 3–5) and is the same function of
+light and view everywhere, so over a footprint it is that function times
+
+    light_visibility   the ray meets yarn that the light reaches
+
+plus the hole, over which fly-away fibres stand as well.
 """
 
 from __future__ import annotations
@@ -30,6 +35,7 @@ from loomlight.yarn.visibility import first_hit
 CHANNELS = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft", "hole")
 COMPONENTS = CHANNELS[:4]
 COLOURS = ("red", "green", "blue")
+LIGHT_VISIBILITY = "light_visibility"
 # A ray that ends deeper below the surface than this fraction of the finest thread has hit a wall. The error
 # of the search on continuous yarn is smaller; of rays that hit walls, 1 in 100 ends closer to the upper edge.
 _WALL = 1e-3
@@ -135,6 +141,15 @@ def components(
         dr.select(warp, specular, 0),
         dr.select(weft, specular, 0),
     )
+
+
+def light_visibility(point: YarnPoint, visible: Mask) -> Float:
+    """1 where a view ray meets yarn that the light reaches, else 0 (holes too): Float.
+
+    Args:
+        visible: the light is not occluded at the point; see `PointModel.visibility`.
+    """
+    return dr.select(visible & ~point.hole, array_types(point.x).Float(1), 0)
 
 
 def colours(

@@ -17,8 +17,10 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.aggregate.components import (
     CHANNELS,
     COLOURS,
+    LIGHT_VISIBILITY,
     colours,
     components,
+    light_visibility,
     trace_views,
     without_sheen_and_variation,
 )
@@ -61,6 +63,11 @@ class Estimate:
         first = self.channels.index("red")
         return self.mean[:, first : first + 3]
 
+    @property
+    def light_visibility(self) -> NDArray[np.float64]:
+        """Fraction of rays that meet yarn which the light reaches [n]; with the hole it scales the sheen."""
+        return self.mean[:, self.channels.index(LIGHT_VISIBILITY)]
+
 
 def reference(
     model: PointModel,
@@ -70,7 +77,7 @@ def reference(
     samples: int,
     seed: int,
 ) -> Estimate:
-    """Monte Carlo means over footprints: the five channels, then red, green and blue.
+    """Monte Carlo means over footprints: the five channels, red, green and blue, and the light visibility.
 
     Args:
         footprint: n parallelograms, in draft millimetres.
@@ -87,7 +94,8 @@ def reference(
     whole = Footprint(
         *(_spread(types, part, count) for part in (footprint.centre, footprint.duv_dx, footprint.duv_dy))
     )
-    sums = _Sums(count, len(CHANNELS) + len(COLOURS))
+    names = (*CHANNELS, *COLOURS, LIGHT_VISIBILITY)
+    sums = _Sums(count, len(names))
     at_once = max(1, _BATCH // samples)
     for first in range(0, count, at_once):
         number = min(at_once, count - first)
@@ -107,10 +115,11 @@ def reference(
             *components(appearance, point, towards, eye, visible),
             dr.select(point.hole, types.Float(1), 0),
             *colours(appearance, point, towards, eye, visible),
+            light_visibility(point, visible),
         ]
         sums.add(first, number, channels)
     mean, variance = sums.moments(samples)
-    return Estimate(CHANNELS + COLOURS, mean, variance, samples)
+    return Estimate(names, mean, variance, samples)
 
 
 def brute_force(

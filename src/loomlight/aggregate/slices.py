@@ -18,9 +18,11 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.aggregate.components import (
     CHANNELS,
     COLOURS,
+    LIGHT_VISIBILITY,
     ViewHits,
     colours,
     components,
+    light_visibility,
     trace_views,
     without_sheen_and_variation,
 )
@@ -43,7 +45,7 @@ class Slice:
 
     Attributes:
         grid: where its rays cross the plane z = 0.
-        channels: names, the five of `CHANNELS`, with colours followed by red, green and blue.
+        channels: names, the five of `CHANNELS`, then those of `FabricSlices` that were chosen.
         values: [channels, rows, columns]; components and colours in 1/sr, the hole as 0 or 1.
     """
 
@@ -132,6 +134,7 @@ class FabricSlices:
         window: tuple[float, float, float, float] | None = None,
         shadows: Literal["searched", "mapped"] = "searched",
         with_colours: bool = False,
+        with_light_visibility: bool = False,
     ) -> None:
         """Prepares a grid; nothing is evaluated yet.
 
@@ -143,6 +146,7 @@ class FabricSlices:
                 model's horizon map); "mapped" searches each light once on the grid, and points read the
                 nearest texel.
             with_colours: adds red, green and blue with the albedos of the threads.
+            with_light_visibility: adds the share of yarn that light reaches, by which sheen is scaled.
 
         Raises:
             InputError: a window without extent, more than 16 million texels, or mapped shadows of a window.
@@ -152,7 +156,7 @@ class FabricSlices:
         if shadows == "mapped" and not self.grid.periodic:
             raise InputError("Shadows are mapped over whole repeats only; search those of a window.")
         self.channels = CHANNELS + (COLOURS if with_colours else ())
-        self._with_colours = with_colours
+        self.channels += (LIGHT_VISIBILITY,) if with_light_visibility else ()
         self._mapped = shadows == "mapped"
         self._float_type = float_type
         self._types = array_types(float_type)
@@ -260,8 +264,10 @@ class FabricSlices:
             visible = maps.at(light_index, nearest)
         appearance = self.model.appearance
         channels = list(components(appearance, point, light, view, visible, transmits))
-        if self._with_colours:
+        if COLOURS[0] in self.channels:
             channels += list(colours(appearance, point, light, view, visible, transmits))
+        if LIGHT_VISIBILITY in self.channels:
+            channels.append(light_visibility(point, visible))
         holes = dr.select(hits.point.hole, types.Float(1), 0)
         dr.eval(channels, holes)
         return SliceBatch(part, channels, holes, hole_of)

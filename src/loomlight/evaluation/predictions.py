@@ -18,6 +18,7 @@ from loomlight.aggregate.components import (
     COMPONENTS,
     colours,
     components,
+    light_visibility,
     trace_views,
     without_sheen_and_variation,
 )
@@ -58,12 +59,14 @@ class Prediction:
         means: in the order of `CHANNELS` [n, m, 5], components in 1/sr and the hole fraction; None of models
             that do not separate albedos.
         colours: f·cos with the threads' albedos [n, m, 3], linear RGB, 1/sr, without sheen.
+        light_visibility: fraction of view rays that meet lit yarn [n, m]; None like `means`.
         rate: queries a second on this machine, table reads included; None if not measured.
         cost: of one query; None if the model does not state it.
     """
 
     means: NDArray[np.float64] | None
     colours: NDArray[np.float64]
+    light_visibility: NDArray[np.float64] | None = None
     rate: float | None = None
     cost: Cost | None = None
 
@@ -84,10 +87,11 @@ def model_predictor(make: Callable[[Fabric], Model], float_type: type | None = N
         count, shape = dr.width(light), queries.sizes.shape
         parts = _channels(model.at(view, footprint), light)
         numbers = np.stack([_numbers(part, count) for part in parts], axis=-1).reshape(*shape, -1)
-        means, colours = np.split(numbers, [numbers.shape[-1] - len(COLOURS)], axis=-1)
+        colours, means, lit = np.split(numbers, [len(COLOURS), len(COLOURS) + len(CHANNELS)], axis=-1)
         return Prediction(
             means if means.shape[-1] else None,
             colours,
+            lit[..., 0] if lit.shape[-1] else None,
             _rate(types, model, queries),
             model if isinstance(model, Cost) else None,
         )
@@ -108,13 +112,14 @@ def monte_carlo_predictor(samples: int, seed: int = 0, float_type: type | None =
         rng = np.random.default_rng([seed, samples])
         count = queries.sizes.size
         at_once = min(count, max(1, _BATCH // samples))
-        values = np.empty((count, len(CHANNELS) + len(COLOURS)))
+        values = np.empty((count, len(COLOURS) + len(CHANNELS) + 1))
         for first in range(0, count, at_once):
             chosen = np.arange(first, min(first + at_once, count))
             positions = multi_jittered(rng, len(chosen), samples)
             values[chosen] = _sampled(types, model, queries, chosen, positions)
         values = values.reshape(*queries.sizes.shape, -1)
-        return Prediction(values[..., : len(CHANNELS)], values[..., len(CHANNELS) :])
+        colours, means, lit = np.split(values, [len(COLOURS), len(COLOURS) + len(CHANNELS)], axis=-1)
+        return Prediction(means, colours, lit[..., 0])
 
     return predict
 
@@ -151,7 +156,7 @@ def _sampled(
     chosen: NDArray[np.intp],
     positions: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Means of channels and colours over the samples of each chosen query."""
+    """Means of colours, channels and light visibility over the samples of each chosen query."""
     count, samples, _ = positions.shape
     light, view, footprint = _arrays(types, queries, np.repeat(chosen, samples))
     s, t = (types.Float(part.astype(np.float32)) for part in (positions - 0.5).reshape(-1, 2).T.copy())
@@ -160,9 +165,10 @@ def _sampled(
     point = trace_views(plain, position.x, position.y, view).point
     visible = plain.visibility(point, light)
     channels = [
+        *colours(plain.appearance, point, light, view, visible),
         *components(plain.appearance, point, light, view, visible),
         dr.select(point.hole, types.Float(1), 0),
-        *colours(plain.appearance, point, light, view, visible),
+        light_visibility(point, visible),
     ]
     dr.eval(channels)
     return np.stack([part.numpy().reshape(count, samples).mean(axis=1) for part in channels], axis=-1)
@@ -192,12 +198,12 @@ def _arrays(types: ArrayTypes, queries: QuerySet, index: NDArray[np.intp]) -> tu
 
 
 def _channels(at: FootprintBsdf, light: Any) -> list[Any]:
-    """The channels, if the model separates albedos, then f·cos with albedos, without sheen."""
+    """f·cos without sheen; if the model separates albedos, then the channels and the light visibility."""
     if not isinstance(at, SeparableBsdf):
         return list(at.value(light))
     parts = at.components(light)
     colour = shade(parts, at.albedos, light.z * at.view.z < 0)
-    return [*(getattr(parts, name) for name in COMPONENTS), at.hole, *colour]
+    return [*colour, *(getattr(parts, name) for name in COMPONENTS), at.hole, parts.light_visibility]
 
 
 def _numbers(value: Any, count: int) -> NDArray[np.float64]:

@@ -5,7 +5,8 @@ The quantities (`QUANTITIES`), each overall and by band of footprint size, rough
 - reflection: f·cos at grey albedos k_d = 0.4 and k_s = 0.6, light and view on one side: the headline;
 - transmission: the same with light and view on different sides;
 - colour: f·cos in RGB with the albedos of the threads, both sides, fabrics of several colours only;
-- each of the four components, and the hole fraction, of all queries.
+- each of the four components, and the hole fraction, of all queries;
+- sheen: f·cos of a sheen of strength 1, shadowed, light and view on one side.
 """
 
 from __future__ import annotations
@@ -17,18 +18,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.aggregate.components import CHANNELS
+from loomlight.aggregate.components import CHANNELS, COLOURS
 from loomlight.aggregate.queries import BANDS, QuerySet, fabric_scale
+from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
+from loomlight.core.llvm import llvm_float
 from loomlight.evaluation.held_out import HeldOut
 from loomlight.evaluation.metrics import OVERALL, Classes, ErrorSums, sums_by_class
 from loomlight.evaluation.predictions import Prediction, Predictor, monte_carlo_predictor
 from loomlight.evaluation.table import Cell, Table
 from loomlight.evaluation.truth import FOOTPRINTS, PAIRS, query_truth
 from loomlight.fabric.fabric import Fabric
+from loomlight.scattering.appearance import Sheen
+from loomlight.scattering.sheen import sheen
 
 DIFFUSE_ALBEDO, SPECULAR_ALBEDO = 0.4, 0.6
-QUANTITIES = ("reflection", "transmission", "colour", *CHANNELS)
+QUANTITIES = ("reflection", "transmission", "colour", *CHANNELS, "sheen")
 ROUGHNESS_BOUNDS = (0.15, 0.4)
 ROUGHNESS = ("α < 0.15", "α 0.15–0.4", "α > 0.4")
 GRAZING_DEGREES = 60.0
@@ -203,8 +208,9 @@ def _accumulate(
     parts = query_classes(cloth.fabric, queries, cloth.unseen_weave)
     light, view = queries.lights[queries.pairs[:, 0]], queries.views[queries.pairs[:, 1]]
     crosses = light[:, 2] * view[:, 2] < 0
+    true_colours = truth[..., len(CHANNELS) : len(CHANNELS) + len(COLOURS)]
     if predicted.means is None:
-        predicted_value, expected = predicted.colours.mean(axis=-1), truth[..., len(CHANNELS) :].mean(axis=-1)
+        predicted_value, expected = predicted.colours.mean(axis=-1), true_colours.mean(axis=-1)
     else:
         predicted_value, expected = grey_value(predicted.means), grey_value(truth)
     for name, pairs in (("reflection", ~crosses), ("transmission", crosses)):
@@ -212,15 +218,38 @@ def _accumulate(
             chosen = [Classes(part.names, part.codes[pairs]) for part in parts]
             row.add(name, sums_by_class(predicted_value[pairs], expected[pairs], chosen))
     if cloth.coloured:
-        row.add("colour", sums_by_class(predicted.colours, truth[..., len(CHANNELS) :], parts))
+        row.add("colour", sums_by_class(predicted.colours, true_colours, parts))
     if predicted.means is not None:
         for index, name in enumerate(CHANNELS):
             row.add(name, sums_by_class(predicted.means[..., index], truth[..., index], parts))
+    if predicted.means is not None and predicted.light_visibility is not None:
+        hole = CHANNELS.index("hole")
+        lobe = _sheen_lobe(light, view)[~crosses, None]
+        predicted_sheen, expected_sheen = (
+            lobe * (lit + holes)[~crosses]
+            for lit, holes in (
+                (predicted.light_visibility, predicted.means[..., hole]),
+                (truth[..., -1], truth[..., hole]),
+            )
+        )
+        chosen = [Classes(part.names, part.codes[~crosses]) for part in parts]
+        row.add("sheen", sums_by_class(predicted_sheen, expected_sheen, chosen))
     row.fabrics[cloth.name] = sums_by_class(predicted_value, expected, [])[OVERALL].nmae
     if predicted.cost is not None:
         row.cost = (predicted.cost.multiply_adds, predicted.cost.bytes_fetched)
     if predicted.rate is not None:
         row.rates.append(predicted.rate)
+
+
+def _sheen_lobe(lights: NDArray[np.float64], views: NDArray[np.float64]) -> NDArray[np.float64]:
+    """f·cos of an unshadowed sheen of strength 1 and the default roughness [n], 1/sr."""
+    types = array_types(llvm_float())
+    # Both on one side: those on the back are turned to the front.
+    light, view = (
+        types.Vector3(np.ascontiguousarray(np.c_[v[:, :2], abs(v[:, 2])].T, dtype=np.float32))
+        for v in (lights, views)
+    )
+    return np.asarray(sheen(light, view, 1.0, Sheen().roughness).numpy(), np.float64)
 
 
 def _samples_name(count: int) -> str:

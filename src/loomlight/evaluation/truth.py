@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from safetensors import SafetensorError
 from safetensors.numpy import load_file, save_file
 
-from loomlight.aggregate.components import CHANNELS, COLOURS
+from loomlight.aggregate.components import CHANNELS, COLOURS, LIGHT_VISIBILITY
 from loomlight.aggregate.queries import QuerySet, admits_transmission, fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
@@ -29,9 +29,10 @@ from loomlight.yarn.search import REFERENCE_QUALITY
 
 PAIRS, FOOTPRINTS = 160, 160
 # Part of every key: to be raised when geometry, scattering, slices or query sets change their values.
-_VERSION = 1
+_VERSION = 2
 _FINE, _COARSE = 64, 32
 _LARGEST_FINE_REPEAT = 16 * 16
+_TRUTHS = (*CHANNELS, *COLOURS, LIGHT_VISIBILITY)
 _QUERIES = ("lights", "views", "pairs", "centres", "sizes")
 
 
@@ -51,7 +52,8 @@ def query_truth(
 
     Args:
         seed: of the queries.
-        with_colours: adds red, green and blue with the threads' own albedos, [pairs, footprints, 8].
+        with_colours: adds red, green and blue with the threads' own albedos, and the light visibility, which
+            scales sheen: [pairs, footprints, 9].
         folder: of cached results; None is the user's cache.
         float_type: the Dr.Jit Float type to compute with; None is LLVM's.
 
@@ -63,7 +65,7 @@ def query_truth(
     """
     root = Path(cache_folder("truth") if folder is None else folder)
     file = root / f"{_key(fabric, seed, pairs, footprints)}.safetensors"
-    cached = _read(file, (pairs, footprints, len(CHANNELS) + len(COLOURS)))
+    cached = _read(file, (pairs, footprints, len(_TRUTHS)))
     if cached is None:
         cached = _compute(fabric, seed, pairs, footprints, float_type or llvm_float())
         _write(file, *cached)
@@ -86,7 +88,13 @@ def _compute(
 ) -> tuple[QuerySet, NDArray[np.float32]]:
     transmits = admits_transmission(fabric.appearance())
     queries = query_set(fabric_scale(fabric.layout()), pairs, footprints, seed, transmits=transmits)
-    slices = FabricSlices(reference_model(fabric), float_type, texels_per_thread(fabric), with_colours=True)
+    slices = FabricSlices(
+        reference_model(fabric),
+        float_type,
+        texels_per_thread(fabric),
+        with_colours=True,
+        with_light_visibility=True,
+    )
     means = slices.box_means(queries.lights, queries.views, queries.pairs, queries.centres, queries.boxes)
     return queries, means
 

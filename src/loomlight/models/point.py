@@ -7,7 +7,7 @@ from typing import Any, Self, final
 
 import drjit as dr
 
-from loomlight.aggregate.components import components
+from loomlight.aggregate.components import components, light_visibility
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
@@ -70,7 +70,10 @@ class PointBsdf(SeparableBsdf):
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components of the yarn point, of one family."""
         visible = self._model.visibility(self.point, light, active)
-        return Components(*components(self._model.appearance, self.point, light, self.view, visible))
+        return Components(
+            *components(self._model.appearance, self.point, light, self.view, visible),
+            light_visibility(self.point, visible),
+        )
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with derivatives, 1/sr; 0 in lanes that are not active."""

@@ -13,7 +13,7 @@ from typing import Any, Self, final
 
 import drjit as dr
 
-from loomlight.aggregate.components import components
+from loomlight.aggregate.components import components, light_visibility
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
@@ -136,7 +136,10 @@ class SamplesBsdf(SeparableBsdf):
 
     def _components(self, point: YarnPoint, light: Vec3, active: Mask) -> Components:
         visible = self._model.visibility(point, light, active)
-        return Components(*components(self._model.appearance, point, light, self.view, visible))
+        return Components(
+            *components(self._model.appearance, point, light, self.view, visible),
+            light_visibility(point, visible),
+        )
 
     def _point(self, number: UInt) -> YarnPoint:
         types = array_types(self.view.x)

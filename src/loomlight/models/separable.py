@@ -18,16 +18,21 @@ from loomlight.scattering.sheen import sheen_transmittance, sheen_with_transmitt
 
 @dataclass
 class Components:
-    """What a footprint does to light, free of albedos (chen2024 eq. 7): Float each, 1/sr.
+    """What a footprint does to light, free of albedos (chen2024 eq. 7): Float each, 1/sr but the last.
 
     Means over the view rays through the footprint, holes counted as 0, cosine and shadows included; of
     reflection or of transmission by the side of the light.
+
+    Attributes:
+        light_visibility: fraction of the view rays that meet yarn which the light reaches, 0 to 1; with the
+            hole it scales the sheen.
     """
 
     diffuse_warp: Float
     diffuse_weft: Float
     specular_warp: Float
     specular_weft: Float
+    light_visibility: Float
 
 
 @dataclass
@@ -82,11 +87,12 @@ class SeparableBsdf(FootprintBsdf):
         body = shade(components, self.albedos, light.z * self.view.z < 0)
         if self.sheen.strength <= 0:
             return body
-        # The macro normal alone decides the sheen, so it is the same over any footprint.
+        # A function of the macro normal alone, shadowed like everything else at a point (zhu2024 eq. 3–5):
+        # over a footprint it is scaled by what light reaches. Fly-away fibres stand over holes too.
         lobe, transmittance = sheen_with_transmittance(
             self.to_seen_face(light), self.to_seen_face(self.view), self.sheen.strength, self.sheen.roughness
         )
-        return transmittance * body + lobe
+        return transmittance * body + (components.light_visibility + self.hole) * lobe
 
 
 def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask) -> Color3:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
-
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.aggregate.components import COMPONENTS
 from loomlight.fabric import Fabric
 from loomlight.models.lobes.model import LobesModel
-from loomlight.models.separable import Components
 from loomlight.models.woven.parameter_ranges import TRAINING_RANGES
 from loomlight.models.woven.training.random_fabrics import random_fabric
 from loomlight.models.woven.training.weaves import PAPER_WEAVES, paper_draft
@@ -51,8 +49,7 @@ def furnace(fabric: Fabric, seed: int) -> NDArray[np.float64]:
     model = LobesModel.for_source(fabric)
     parts = prefiltered_parts(model, queries)
     beyond = (queries.lights[:, 2] * queries.views[:, 2] < 0).reshape(count, lights)
-    names = [part.name for part in fields(Components)]
-    values = np.stack([parts[name].reshape(count, lights) for name in names], axis=-1).astype(np.float64)
+    values = np.stack([parts[name].reshape(count, lights) for name in COMPONENTS], axis=-1).astype(np.float64)
     sums = [(values * side[..., None]).mean(axis=1) * 4 * np.pi for side in (~beyond, beyond)]
     holes = parts["hole"].reshape(count, lights)[:, 0]
     return np.concatenate([np.stack(sums, axis=1).reshape(count, 8), holes[:, None]], axis=1)

@@ -6,7 +6,7 @@ Covers: models/woven/layers.py, models/woven/model.py
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 
+from loomlight.aggregate.components import COMPONENTS
 from loomlight.aggregate.queries import fabric_scale, query_set
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.footprint import Footprint
@@ -119,7 +120,7 @@ def parts_of(model: WovenModel, light: Any, view: Any, footprint: Footprint) -> 
     """The four components and the hole."""
     at = model.at(view, footprint)
     components = at.components(light)
-    return [*(getattr(components, part.name) for part in fields(components)), at.hole]
+    return [*(getattr(components, name) for name in COMPONENTS), at.hole]
 
 
 def test_long_footprints_are_alike_either_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

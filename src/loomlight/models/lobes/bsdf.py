@@ -219,17 +219,18 @@ class LobesBsdf(SeparableBsdf):
                 weight_sum = weight_sum + total_weight(packs, mixture)
             for number, (light, around, half) in enumerate(zip(facing, nodes, halves, strict=True)):
                 of_packs = lobes.components(packs, at, around, pair, light, half)
-                first = 5 * number
-                for pack, (diffuse, specular) in zip(packs, of_packs, strict=True):
+                first = 6 * number
+                for pack, (diffuse, specular, lit) in zip(packs, of_packs, strict=True):
                     for index, part in ((first, diffuse), (first + 2, specular)):
                         added[index] = added[index] + dr.select(pack.is_warp, part, 0)
                         added[index + 1] = added[index + 1] + dr.select(pack.is_warp, 0, part)
+                    added[first + 4] = added[first + 4] + lit
                 if mixture is not None:
-                    added[first + 4] = added[first + 4] + sum(packs_density(packs, mixture, light, at.view))
+                    added[first + 5] = added[first + 5] + sum(packs_density(packs, mixture, light, at.view))
             return pair + 1, total + sum(sum(pack.weights) for pack in packs), weight_sum, *added
 
         width = dr.width(self.view, list(lights), self.footprint.centre, self.footprint.duv_dx)
-        zeros = [dr.zeros(types.Float, width) for _ in range(2 + 5 * len(lights))]
+        zeros = [dr.zeros(types.Float, width) for _ in range(2 + 6 * len(lights))]
         _, total, weight_sum, *sums = dr.while_loop(
             (dr.zeros(types.UInt32, width), *zeros),
             lambda pair, *rest: active & (pair < lobes.pairs),
@@ -239,9 +240,9 @@ class LobesBsdf(SeparableBsdf):
         hole = lobes.hole(at)
         scale = (1 - hole) * dr.rcp(maximum(total, SMALLEST_WEIGHT))
         results = []
-        for first in range(0, len(sums), 5):
-            components = Components(*(part * scale for part in sums[first : first + 4]))
-            results.append(GroupSums(components, sums[first + 4], weight_sum))
+        for first in range(0, len(sums), 6):
+            components = Components(*(part * scale for part in sums[first : first + 5]))
+            results.append(GroupSums(components, sums[first + 5], weight_sum))
         return hole, results
 
 
@@ -260,4 +261,5 @@ def _lerp_components(first: Components, second: Components, weight: Float) -> Co
         dr.lerp(first.diffuse_weft, second.diffuse_weft, weight),
         dr.lerp(first.specular_warp, second.specular_warp, weight),
         dr.lerp(first.specular_weft, second.specular_weft, weight),
+        dr.lerp(first.light_visibility, second.light_visibility, weight),
     )

@@ -17,7 +17,7 @@ from typing import Any
 
 import drjit as dr
 
-from loomlight.aggregate.components import components
+from loomlight.aggregate.components import components, light_visibility
 from loomlight.core.arrays import Float, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
 from loomlight.core.footprint import Footprint
@@ -93,12 +93,14 @@ def point_sampled_components(
         point = model.locate(x, y, view)
         values = [dr.select(point.hole, array_types(view.x).Float(1), 0)]
         for light in lights:
-            values += components(model.appearance, point, light, view, model.visibility(point, light))
+            visible = model.visibility(point, light)
+            values += components(model.appearance, point, light, view, visible)
+            values.append(light_visibility(point, visible))
         return tuple(values)
 
     width = dr.width(view, list(lights), footprint.centre, points)
-    hole, *means = _mean(measure, 1 + 4 * len(lights), footprint, points, width)
-    return hole, [Components(*means[first : first + 4]) for first in range(0, len(means), 4)]
+    hole, *means = _mean(measure, 1 + 5 * len(lights), footprint, points, width)
+    return hole, [Components(*means[first : first + 5]) for first in range(0, len(means), 5)]
 
 
 def point_sampled_hole(model: PointModel, points: Float, view: Vec3, footprint: Footprint) -> Float:

@@ -167,8 +167,8 @@ class PrefilteredLobes:
 
     def components(
         self, packs: list[SeenPack], at: TableLookup, nodes: NodeTaps, pair: UInt, light: Vec3, half: Vec3
-    ) -> list[tuple[Float, Float]]:
-        """Sums over each pack's four groups of weight times diffuse and specular component.
+    ) -> list[tuple[Float, Float, Float]]:
+        """Sums over each pack's four groups of weight times diffuse, specular component and light visibility.
 
         Args:
             packs: the pair's packs.
@@ -183,6 +183,7 @@ class PrefilteredLobes:
         for number, pack in enumerate(packs):
             diffuse: Float = 0
             specular: Float = 0
+            lit: Float = 0
             for group in range(4):
                 from_light = visibility[number][group] * PER_BYTE
                 diffuse_gain, gain = visibility_gain(correlations, from_light, pack.visibility[group])
@@ -192,7 +193,8 @@ class PrefilteredLobes:
                     half, light, at.view, is_transmission, pack.lobes[group], self._optical_depth
                 )
                 specular += weight * value * (from_light * gain)
-            sums.append((diffuse * (PER_BYTE * dr.inv_pi), specular))
+                lit += weight * (from_light * diffuse_gain)
+            sums.append((diffuse * (PER_BYTE * dr.inv_pi), specular, lit))
         return sums
 
     def _read(self, table: UInt, nodes: NodeTaps, pair: UInt) -> tuple[list[list[Float]], list[list[Float]]]:

@@ -179,6 +179,7 @@ class LobesReference:
             diffuse_weft=float(diffuse[~is_warp].sum() / total),
             specular_warp=float(specular[is_warp].sum() / total),
             specular_weft=float(specular[~is_warp].sum() / total),
+            light_visibility=float((weights.groups * light_visibility * diffuse_gain).sum() / total),
         )
         return components, weights.hole
 

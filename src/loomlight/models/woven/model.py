@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum
+from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum, minimum
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
@@ -30,6 +30,7 @@ from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
 from loomlight.models.woven.latent_table import LatentTable
+from loomlight.models.woven.light_visibility import light_visibility_of
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.point import DirectionSample, to_face_frame
@@ -76,10 +77,13 @@ class WovenBsdf(SeparableBsdf):
         """Components for a light; the hole comes with those of the first one."""
         facing = to_face_frame(light, self._back)
         if "_activations" in self.__dict__ or "hole" in self.__dict__:
-            return Components(*self._decoder.components(self._activations, facing))
-        *components, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
-        self.__dict__["hole"] = hole
-        return Components(*components)
+            decoded = list(self._decoder.components(self._activations, facing))
+        else:
+            *decoded, hole = self._decoder.components_and_hole(self._table, facing, *self._query)
+            self.__dict__["hole"] = hole
+        blend = self._model.fabric.appearance().diffuse_blend
+        lit = light_visibility_of(decoded[0] + decoded[1], light, self.view, blend)
+        return Components(*decoded, minimum(lit, 1 - self.hole))
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
