@@ -97,7 +97,7 @@ def family_appearance(rng: Generator, count: int, depth: float) -> FamilyAppeara
     return FamilyAppearance(**albedos._asdict(), roughness=within(rng, 0.01, 1, True))
 
 
-def fabric(rng: Generator) -> Unshadowed:
+def fabric(rng: Generator) -> tuple[YarnGeometry, Appearance]:
     """A random fabric of all parameter ranges."""
     while True:
         picks, ends = (int(number) for number in rng.integers(1, 13, 2))
@@ -120,7 +120,7 @@ def fabric(rng: Generator) -> Unshadowed:
         diffuse_blend=within(rng, 0, 1),
         optical_depth=depth,
     )
-    return Unshadowed(geometry, appearance)
+    return geometry, appearance
 
 
 def directions(rng: Generator, count: int) -> NDArray[np.float32]:
@@ -157,7 +157,7 @@ def albedos(
 def measured(seed: int, number: int) -> dict[str, float]:
     """The largest albedo of fabric `number`, its error, and both measured again where it is largest."""
     rng = np.random.default_rng([seed, number])
-    model = fabric(rng)
+    model = Unshadowed(*fabric(rng))
     positions = rng.uniform(0, 1, (2, POSITIONS)) * np.array(model.surface.size)[:, None]
     views = directions(rng, POSITIONS)
     mean, error, hole = albedos(model, positions, views, SAMPLES, rng)

@@ -160,6 +160,26 @@ def test_map_stays_inside_the_bound_and_takes_rows() -> None:
     np.testing.assert_array_equal(one.diffuse_reflect[0], albedos.diffuse_reflect[3])
 
 
+def test_albedos_grow_with_the_colour_and_the_highlight_with_specular() -> None:
+    """Also in thin layers, where the bound leaves a white thread of specular 1 no diffuse albedo at all."""
+    greys = np.linspace(0, 1, 101)[:, None] * np.ones(3)
+    before: Albedos | None = None
+    # Around 1.74 the scale of the highlight leaves 1; steps of optical depth change no albedo by much.
+    for depth in np.geomspace(0.01, 100, 400):
+        for specular in (0.0, 0.5, 1.0):
+            albedos = albedos_from_colour(greys, specular, 0.3, float(depth))
+            check_albedos(albedos, "warp", float(depth))
+            for values in albedos:
+                assert (np.diff(values, axis=0) >= -1e-12).all(), (depth, specular)
+        if before is not None:
+            assert max(np.abs(a - b).max() for a, b in zip(albedos, before, strict=True)) < 0.02
+        before = albedos
+    thin = [albedos_from_colour(greys, specular, 0.0, 0.05).specular_reflect for specular in (0.2, 0.9)]
+    assert (thin[0] < thin[1]).all()
+    # Files that say nothing of the optical depth have 2, where nothing is scaled.
+    np.testing.assert_allclose(albedos_from_colour(np.ones(3), 1.0, 0.0).specular_reflect, 1)
+
+
 def test_explicit_albedos_outside_the_bound_are_refused() -> None:
     good = Albedos(0.4 * WHITE, 0.1 * WHITE, 0.8 * WHITE, 0.2 * WHITE)
     check_albedos(good, "warp")

@@ -43,6 +43,15 @@ def layer_albedo_bound(optical_depth: float) -> float:
     return 0.5 * (1 + math.exp(-optical_depth))
 
 
+def strongest_highlight(optical_depth: float) -> float:
+    """Albedo of the highlight of white threads at specular 1, 0.58 to 1.
+
+    The diffuse albedo is colour·(1 − κ·strength·(W + (1 − W)·colour)), W being `WHITE_SHARE`. It grows with
+    the colour up to white as long as strength·κ·(2 − W) ≤ 1; κ is large where the layer is thin.
+    """
+    return min(1.0, 1 / ((2 - WHITE_SHARE) * layer_albedo_bound(optical_depth)))
+
+
 def albedos_from_colour(
     colour: ArrayLike, specular: ArrayLike, translucency: ArrayLike, optical_depth: float = 2.0
 ) -> Albedos:
@@ -50,7 +59,9 @@ def albedos_from_colour(
 
     The highlight takes `WHITE_SHARE` white and the rest the colour, scaled by `specular`; the diffuse terms
     get the colour times the room that it leaves, split by `translucency`, which scales the highlight's
-    transmission too. White threads use the bound up; dark ones stay far below it.
+    transmission too. White threads use the bound up; dark ones stay far below it. In thin layers
+    (Tρ below 1.74) the highlight is scaled down, so that all albedos grow with the colour; see
+    `strongest_highlight`.
 
     Args:
         colour: [n, 3] or [3], linear RGB, 0 to 1.
@@ -61,6 +72,7 @@ def albedos_from_colour(
     colour = np.atleast_2d(np.asarray(colour, dtype=np.float64))
     strength = np.asarray(specular, dtype=np.float64).reshape(-1, 1)
     share = np.asarray(translucency, dtype=np.float64).reshape(-1, 1)
+    strength = strength * strongest_highlight(optical_depth)
     highlight = strength * (WHITE_SHARE + (1 - WHITE_SHARE) * colour)
     diffuse = colour * (1 - layer_albedo_bound(optical_depth) * highlight)
     return Albedos((1 - share) * diffuse, share * diffuse, highlight, share * highlight)

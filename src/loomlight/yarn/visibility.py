@@ -23,7 +23,7 @@ class Hit:
     """Where a view ray meets the cloth.
 
     Attributes:
-        x, y: draft coordinates of the yarn point, millimetres.
+        x, y: draft coordinates of the yarn point, millimetres; of no meaning in holes.
         hole: the ray passes through the cloth.
         height: where the ray ends. On continuous yarn that is the surface; on a wall, below its upper edge.
     """
@@ -93,6 +93,12 @@ def first_hit(
     """
     ray = view_ray(surface, x, y, view, back, quality)
     active = array_types(x).Bool(active)
+    hole = array_types(x).Bool(False)
+    if passing:
+        # Decided by this search alone, whatever the view ray would meet: the hole is the same without the
+        # hit, and for a ray from the other side.
+        hole = passes_through(surface, x, y, view, ray.back, active, quality)
+        active = active & ~hole
     state = dr.while_loop(
         (ray.initial_state(active),),
         lambda state: state.searching,
@@ -100,10 +106,6 @@ def first_hit(
         label="cloth: first hit",
     )[0]
     height = ray.refined_height(state, quality.refinements)
-    hole = array_types(x).Bool(False)
-    if passing:
-        # What has met yarn above the plane does not pass it.
-        hole = passes_through(surface, x, y, view, ray.back, active & (height <= 0), quality)
     return Hit(dr.fma(ray.slope.x, height, x), dr.fma(ray.slope.y, height, y), hole, height)
 
 

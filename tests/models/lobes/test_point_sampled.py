@@ -5,6 +5,9 @@ Covers: models/lobes/regimes.py
 
 from __future__ import annotations
 
+from dataclasses import fields
+
+import drjit as dr
 import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Float, UInt32
@@ -12,8 +15,11 @@ from drjit.llvm.ad import Array2f, Float, UInt32
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric import fabric_from_text
+from loomlight.models.lobes.model import LobesModel
 from loomlight.models.lobes.point_sampled import MOST_POINTS, _offset
 from loomlight.models.lobes.regimes import RegimeScale
+
+from .cloths import FootprintQueries, directions
 
 LINES = 4000
 
@@ -48,6 +54,27 @@ def test_few_points_estimate_the_area_beyond_a_line(count: int, largest: float) 
     grid = np.stack([axis.ravel() for axis in np.meshgrid(middles, middles)], axis=1)
     error = beyond(places()[:count]).mean(0) - beyond(grid).mean(0)
     assert np.sqrt(np.average(error**2, weights=reach)) < largest
+
+
+def test_holes_and_values_come_from_the_same_decision() -> None:
+    """Open cloth close up: the hole alone is the one that comes with the components, or energy is made."""
+    fabric = fabric_from_text('weave = "plain"\ngap = 0.6')
+    model, rng, count = LobesModel.for_source(fabric), np.random.default_rng(2), 20_000
+    sides = np.exp(rng.uniform(np.log(0.01), np.log(2), count)) * float(fabric.layout().warp.spacing[0])
+    centres = rng.random((count, 2)) * np.asarray(fabric.repeat_mm)
+    queries = FootprintQueries(directions(rng, count), directions(rng, count), centres, sides)
+    alone = model.at(queries.view, queries.footprint).hole
+    at = model.at(queries.view, queries.footprint)
+    components = at.components(queries.light)
+    dr.eval(alone, components, at.hole)
+    together = at.hole.numpy()
+    assert 0.2 < together.mean() < 0.6
+    # Two kernels round differently.
+    np.testing.assert_allclose(alone.numpy(), together, atol=1e-5)
+    closed = together == 1
+    assert closed.any()
+    for part in fields(components):
+        assert getattr(components, part.name).numpy()[closed].max() < 1e-5  # rounding of 1 − hole
 
 
 def test_regimes_blend_smoothly() -> None:
