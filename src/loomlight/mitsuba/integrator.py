@@ -27,10 +27,12 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.arrays import Vec2
 from loomlight.core.backend import minimum
 from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
-from loomlight.mitsuba.path_vertices import MOST_PASSES, PathVertices, reflected
+from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
+from loomlight.mitsuba.pixel_filter import OwnPixelSensor, PixelFilter
 from loomlight.mitsuba.ray_cone import opening, pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
@@ -46,29 +48,31 @@ def footprint_path_class() -> type:
             max_depth: longest path in segments, -1 (default) without a bound.
             rr_depth: depth at which Russian roulette begins, 5.
             hide_emitters: directly visible emitters do not show, false.
-            footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
-                A picture that is averaged from several renders names their sum here.
             pixel_centres: every camera ray goes through the middle of its pixel, false. For one sample a
-                pixel of models that average over the footprint, which is the pixel itself then.
+                pixel of models that average over the footprint, which has all of the filter's variance then.
+
+        Attributes:
+            picture_samples: samples a pixel of the picture that this render is a part of; 0: it is all.
+            passes, pass_number: renders that make up the picture with one sampler, and which of them this is.
+            skip_film: nobody asks the film afterwards: it may be left out then.
         """
 
         def __init__(self, props: Any) -> None:
             if "max_depth" not in props:
                 props["max_depth"] = -1
             super().__init__(props)
-            self.footprint_samples: int = props.get("footprint_samples", 0)
-            # How many renders make up the picture, and which this is: `render` says so.
-            self.passes, self.pass_number = 1, 0
             self.pixel_centres: bool = props.get("pixel_centres", False)
-            # Whether nobody asks the film afterwards: it may be left out then.
+            self.picture_samples = 0
+            self.passes, self.pass_number = 1, 0
             self.skip_film = False
+            self._pixel_filter: PixelFilter | None = None
+            self._offset: Vec2 | None = None
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
             return (
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
-                f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}, "
-                f"pixel_centres = {self.pixel_centres}]"
+                f"hide_emitters = {self.hide_emitters}, pixel_centres = {self.pixel_centres}]"
             )
 
         def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
@@ -94,10 +98,23 @@ def footprint_path_class() -> type:
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
             set_samples_per_pixel(self._samples(sampler))
             of_pass = sampler.sample_count() // self.passes
-            places = _CameraSampler(sampler, of_pass, self.pixel_centres)
+            places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
-            ray.scale_differential(self._samples(sampler) ** -0.5)
+            self._offset = places.offset
             return ray, weight, position
+
+        @contextmanager
+        def _filtering(self, scene: Any, sensor: Any) -> Iterator[Any]:
+            """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
+            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+            if SceneTraits.of(scene).filters:
+                self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
+            try:
+                with gc_paused(), symbolic_mode(scene):
+                    yield camera if self._pixel_filter is None else OwnPixelSensor(camera)
+            finally:
+                # Left behind, the array would be one more input of a frozen function.
+                self._pixel_filter, self._offset = None, None
 
         def render(
             self,
@@ -108,11 +125,22 @@ def footprint_path_class() -> type:
             develop: bool = True,
             evaluate: bool = True,
         ) -> Any:
-            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            with gc_paused(), symbolic_mode(scene):
+            with self._filtering(scene, sensor) as camera:
                 if self.skip_film and develop and samples_are_pixels(camera, spp):
                     return self._pixels_of_samples(scene, camera, seed)
                 return super().render(scene, camera, seed, spp, develop, evaluate)
+
+        def render_forward(
+            self, scene: Any, params: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
+        ) -> Any:
+            with self._filtering(scene, sensor) as camera:
+                return super().render_forward(scene, params, camera, seed, spp)
+
+        def render_backward(
+            self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
+        ) -> None:
+            with self._filtering(scene, sensor) as camera:
+                super().render_backward(scene, params, grad_in, camera, seed, spp)
 
         def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any) -> Any:
             """A picture of one sample a pixel, as the film would develop it."""
@@ -137,7 +165,7 @@ def footprint_path_class() -> type:
                 return tensor(dr.ravel(pixels), (height, width, len(pixels)))
 
         def _samples(self, sampler: Any) -> int:
-            return self.footprint_samples or sampler.sample_count()
+            return self.picture_samples or sampler.sample_count()
 
         @dr.syntax
         def sample(
@@ -158,8 +186,9 @@ def footprint_path_class() -> type:
             direct_only = not hittable and self.max_depth <= 2
             vertices = PathVertices(scene, traits, direct_only)
 
-            camera = ray
-            width, spread = pixel_cone(ray)
+            first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
+            # Beyond the first scattering each of so many samples stands for its part of the pixel.
+            width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
             ray = mi.Ray3f(dr.detach(ray))
             active = mi.Bool(active)
             L = mi.Spectrum(0 if primal else state_in)
@@ -181,11 +210,11 @@ def footprint_path_class() -> type:
                 pi = self._beyond_emitters(scene, ray, pi, active)
 
             # As a loop variable the camera's ray would be copied, and copies lose the differentials.
-            while dr.hint(active, exclude=[camera], label=f"footprint_path ({mode.name})"):
+            while dr.hint(active, exclude=[first], label=f"footprint_path ({mode.name})"):
                 si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
                 valid = active & si.is_valid()
                 width = dr.fma(spread, dr.select(valid, si.t, 0), width)
-                vertices.set_footprint(si, ray, camera, width, scattered)
+                vertices.set_footprint(si, ray, first, width, scattered)
 
                 shown = active & (scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
@@ -253,13 +282,20 @@ def footprint_path_class() -> type:
 class _CameraSampler:
     """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
 
-    Where rays go through pixel centres its first square sample, the place in the pixel, is the middle.
+    Its first square sample is the place in the pixel, drawn from a filter where there is one.
+
+    Attributes:
+        offset: that place from the pixel's centre, pixels [2].
     """
 
-    def __init__(self, sampler: Any, of_pass: int, centred: bool) -> None:
+    def __init__(
+        self, sampler: Any, of_pass: int, pixel_filter: PixelFilter | None, pixel_centres: bool
+    ) -> None:
         self._sampler = sampler
         self._of_pass = of_pass
-        self._centred = centred
+        self._filter = pixel_filter
+        self._pixel_centres = pixel_centres
+        self.offset: Vec2 | None = None
 
     def sample_count(self) -> int:
         return self._of_pass
@@ -269,10 +305,13 @@ class _CameraSampler:
 
     def next_2d(self) -> Any:
         drawn = self._sampler.next_2d()
-        if not self._centred:
+        if self.offset is not None:
             return drawn
-        self._centred = False
-        return mi.Point2f(0.5)
+        if self._filter is not None:
+            self.offset = self._filter.offset(drawn)
+        else:
+            self.offset = mi.Vector2f(0) if self._pixel_centres else drawn - 0.5
+        return mi.Point2f(self.offset + 0.5)
 
 
 def samples_are_pixels(camera: Any, spp: int) -> bool:

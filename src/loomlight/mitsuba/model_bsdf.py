@@ -85,7 +85,7 @@ def model_bsdf_class() -> type:
             self._texture: FilteredTexture | None = None
             self._set_model(given.model)
             self._filter_albedo()
-            declare_lobes(self, self.model.has_holes)
+            declare_lobes(self, self.model.has_holes, self.model.filters)
 
         def set_source(self, source: Source) -> None:
             """Becomes the BSDF of another source; `mi.traverse` has to be called again.

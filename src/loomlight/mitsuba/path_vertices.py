@@ -9,8 +9,10 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import channel_mean, maximum
+from loomlight.mitsuba.bsdf_samples import FILTERS
+from loomlight.mitsuba.pixel_filter import PixelFilter
 from loomlight.mitsuba.ray_cone import cone_partials
 from loomlight.mitsuba.scene_traits import SceneTraits
 
@@ -55,6 +57,46 @@ class Scattering:
     weight: Color3
 
 
+@dataclass
+class FirstFootprint:
+    """Footprints of the camera's own rays, before they scatter.
+
+    Not a pytree: as a variable of a loop the camera's ray would be copied, and copies lose the differentials.
+
+    Attributes:
+        camera: rays with the differentials of a whole pixel.
+        shift: from a sample to where filtered texture is read, pixels [2]; None where that is the same.
+        filtered_side: side of the footprints of BSDFs that average over them, pixels.
+        side: of those of others.
+    """
+
+    camera: Any
+    shift: Vec2 | None
+    filtered_side: float
+    side: float
+
+    @classmethod
+    def of(
+        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: int
+    ) -> FirstFootprint:
+        """Footprints of samples at `offset` from pixel centres, of `samples` samples a pixel."""
+        side = samples**-0.5
+        if pixel_filter is None or offset is None:
+            return cls(camera, None, side, side)
+        shift = None if pixel_filter.centred else (pixel_filter.contraction - 1) * offset
+        return cls(camera, shift, pixel_filter.footprint_side, side)
+
+    def set_on(self, si: Any, filters: Mask) -> None:
+        """Sets the footprint in uv at `si`, and moves its uv where BSDFs filter."""
+        si.compute_uv_partials(self.camera)
+        if self.shift is not None:
+            step = self.shift.x * si.duv_dx + self.shift.y * si.duv_dy
+            si.uv += dr.select(filters, step, 0)
+        side = dr.select(filters, mi.Float(self.filtered_side), self.side)
+        si.duv_dx *= side
+        si.duv_dy *= side
+
+
 class PathVertices:
     """Steps that every vertex of a path takes in one scene."""
 
@@ -68,14 +110,18 @@ class PathVertices:
         self._direct_only = direct_only
         self._context = mi.BSDFContext()
 
-    def set_footprint(self, si: Any, ray: Any, camera: Any, width: Float, scattered: Mask) -> None:
+    def set_footprint(
+        self, si: Any, ray: Any, first: FirstFootprint, width: Float, scattered: Mask
+    ) -> None:
         """Sets the footprint in uv: of the camera's differentials, of a ray cone after the path scattered.
 
         Args:
-            camera: the camera's ray.
             width: of the cone at `si`.
         """
-        si.compute_uv_partials(camera)
+        filters = mi.Bool(self._traits.filters) & ~scattered
+        if self._traits.filters:
+            filters &= (si.bsdf().flags() & FILTERS) != 0
+        first.set_on(si, filters)
         if not self._direct_only:
             duv_dx, duv_dy = cone_partials(si, ray.d, width)
             si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
