@@ -31,9 +31,11 @@ from loomlight.core.arrays import Vec2
 from loomlight.core.backend import minimum
 from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
+from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
+from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
 from loomlight.mitsuba.pixel_filter import OwnPixelSensor, PixelFilter
-from loomlight.mitsuba.ray_cone import opening, pixel_cone
+from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
 
@@ -67,6 +69,7 @@ def footprint_path_class() -> type:
             self.skip_film = False
             self._pixel_filter: PixelFilter | None = None
             self._offset: Vec2 | None = None
+            self._replays = False
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
@@ -104,9 +107,10 @@ def footprint_path_class() -> type:
             return ray, weight, position
 
         @contextmanager
-        def _filtering(self, scene: Any, sensor: Any) -> Iterator[Any]:
+        def _filtering(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
             """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
             camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+            self._replays = replays
             if SceneTraits.of(scene).filters:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
             try:
@@ -114,7 +118,7 @@ def footprint_path_class() -> type:
                     yield camera if self._pixel_filter is None else OwnPixelSensor(camera)
             finally:
                 # Left behind, the array would be one more input of a frozen function.
-                self._pixel_filter, self._offset = None, None
+                self._pixel_filter, self._offset, self._replays = None, None, False
 
         def render(
             self,
@@ -133,13 +137,13 @@ def footprint_path_class() -> type:
         def render_forward(
             self, scene: Any, params: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
         ) -> Any:
-            with self._filtering(scene, sensor) as camera:
+            with self._filtering(scene, sensor, replays=True) as camera:
                 return super().render_forward(scene, params, camera, seed, spp)
 
         def render_backward(
             self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
         ) -> None:
-            with self._filtering(scene, sensor) as camera:
+            with self._filtering(scene, sensor, replays=True) as camera:
                 super().render_backward(scene, params, grad_in, camera, seed, spp)
 
         def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any) -> Any:
@@ -184,91 +188,84 @@ def footprint_path_class() -> type:
             traits = SceneTraits.of(scene)
             hittable = traits.hittable_emitters
             direct_only = not hittable and self.max_depth <= 2
-            vertices = PathVertices(scene, traits, direct_only)
+            # Path replay follows the very paths again: there holes are left to chance.
+            blends = traits.filtered_holes and not self._replays
+            vertices = PathVertices(scene, traits, direct_only, blends)
 
             first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
             # Beyond the first scattering each of so many samples stands for its part of the pixel.
             width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
-            ray = mi.Ray3f(dr.detach(ray))
-            active = mi.Bool(active)
+            path = PathState.begin(ray, active, width, spread)
+            walk = CameraWalk.begin(path) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
-            β: Any = mi.Spectrum(1)
-            η = mi.Float(1)
-            depth = mi.UInt32(0)
             passes = mi.UInt32(0)
-            scattered = mi.Bool(False)
             visible = mi.Bool(scene.environment() is not None and not self.hide_emitters)
 
-            # The last vertex that scattered: both strategies that reach an emitter start there.
-            vertex = mi.Point3f(ray.o)
-            vertex_pdf = mi.Float(1)
-            vertex_delta = mi.Bool(True)
-
-            pi = scene.ray_intersect_preliminary(ray, coherent=True, reorder=False, active=active)
+            pi = scene.ray_intersect_preliminary(path.ray, coherent=True, reorder=False, active=path.active)
             if dr.hint(self.hide_emitters, mode="scalar"):
-                pi = self._beyond_emitters(scene, ray, pi, active)
+                pi = self._beyond_emitters(scene, path.ray, pi, path.active)
 
             # As a loop variable the camera's ray would be copied, and copies lose the differentials.
-            while dr.hint(active, exclude=[first], label=f"footprint_path ({mode.name})"):
-                si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
-                valid = active & si.is_valid()
-                width = dr.fma(spread, dr.select(valid, si.t, 0), width)
-                vertices.set_footprint(si, ray, first, width, scattered)
+            while dr.hint(path.active, exclude=[first], label=f"footprint_path ({mode.name})"):
+                si = pi.compute_surface_interaction(path.ray, mi.RayFlags.All, path.active)
+                valid = path.active & si.is_valid()
+                path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
+                vertices.set_footprint(si, path, first)
 
-                shown = active & (scattered | (not self.hide_emitters))
+                β = walk.throughput(path) if blends else path.β
+                shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
-                    Le = β * vertices.emission(si, vertex, vertex_pdf, vertex_delta, active, shown, primal)
+                    Le = β * vertices.emission(si, path, shown, primal)
 
                 # Past the last bounce a path still passes through holes, because the previous vertex's light
                 # samples did.
-                bounces = valid & (depth + 1 < self.max_depth)
-                light = vertices.sample_light(si, sampler, width, spread, bounces)
+                bounces = valid & (path.depth + 1 < self.max_depth)
+                light = vertices.sample_light(si, sampler, path, bounces)
                 enters = vertices.enters(si, valid, bounces)
                 scattering = vertices.scatter(si, sampler, light, enters, primal)
-                bs, weight = scattering.sample, scattering.weight
+                bs = scattering.sample
                 with dr.resume_grad(when=not primal):
                     Lr = reflected(light, scattering, β)
 
                 passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
-                delta = mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
-                bounced = bounces & ~passed
                 visible |= valid & ~passed
                 L = (L + Le + Lr) if primal else (L - Le - Lr)
 
-                ray_next = si.spawn_ray(si.to_world(bs.wo))
-                active_next = bounced | (passed & (passes < MOST_PASSES))
+                may_pass = enters & (passes < MOST_PASSES)
+                after = path.scattered_by(si, scattering, bounces & ~passed, passed & may_pass, samples)
                 if dr.hint(not hittable, mode="scalar"):
                     # Nothing is left to find after the last bounce.
-                    active_next &= passed | (depth + 2 < self.max_depth)
-                β *= weight
-                η *= bs.eta
-                β_max = dr.max(β)
-                active_next &= β_max != 0
-                survival = minimum(β_max * dr.square(η), 0.95)
-                roulette = bounced & (depth >= self.rr_depth)
-                β[roulette] *= dr.rcp(survival)
-                active_next &= ~roulette | (sampler.next_1d() < survival)
-
-                vertex = dr.select(bounced, si.p, vertex)
-                vertex_pdf = dr.select(bounced, bs.pdf, vertex_pdf)
-                vertex_delta = dr.select(bounced, delta, vertex_delta)
-                spread += dr.select(bounced & ~delta, opening(bs.pdf, samples), 0)
-                scattered |= bounced
-                depth[bounced] += 1
-                passes[passed] += 1
-
+                    after.active &= passed | (after.depth + 1 < self.max_depth)
+                self._play_roulette(after, bounces & ~passed, sampler)
                 if dr.hint(not primal, mode="scalar"):
-                    δL = vertices.replay(mode, si, bs, active_next & ~delta, (Le, Lr), L, δL)
+                    smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
+                    δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
+                if dr.hint(blends, mode="scalar"):
+                    at = HoleCrossing(
+                        si.spawn_ray(path.ray.d), scattering.through, passed, may_pass, vertices.filters(si)
+                    )
+                    walk, path = walk.step(path, after, at, sampler.next_1d())
+                    passes[passed | walk.on] += 1
+                else:
+                    path = after
+                    passes[passed] += 1
 
                 # Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
-                    ray_next, coherent=direct_only, reorder=False, active=active_next
+                    path.ray, coherent=direct_only, reorder=False, active=path.active
                 )
-                ray = ray_next
-                active = active_next
 
             return (L if primal else δL), visible, [], L
+
+        def _play_roulette(self, path: PathState, bounced: Any, sampler: Any) -> None:
+            """Ends paths whose throughput is small, from `rr_depth` on."""
+            β_max = dr.max(path.β)
+            path.active &= β_max != 0
+            survival = minimum(β_max * dr.square(path.η), 0.95)
+            plays = bounced & (path.depth > self.rr_depth)
+            path.β[plays] *= dr.rcp(survival)
+            path.active &= ~plays | (sampler.next_1d() < survival)
 
         def _beyond_emitters(self, scene: Any, ray: Any, pi: Any, active: Any) -> Any:
             """The first intersection that is no area emitter."""

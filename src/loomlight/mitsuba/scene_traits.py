@@ -19,12 +19,14 @@ class SceneTraits:
         porous_shadows: some surface lets through enough light to be seen in its shadow.
         hittable_emitters: some emitter can be hit by a ray: it has an extent, or lies all around.
         filters: some surface averages over footprints.
+        filtered_holes: some surface does, and lets light pass straight through.
     """
 
     holes: bool
     porous_shadows: bool
     hittable_emitters: bool
     filters: bool
+    filtered_holes: bool
 
     @classmethod
     def of(cls, scene: Any) -> SceneTraits:
@@ -39,7 +41,10 @@ class SceneTraits:
             hittable_emitters=any(
                 not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters()
             ),
-            filters=any(_filters(shape) for shape in scene.shapes()),
+            filters=any(_filters(shape.bsdf()) for shape in scene.shapes()),
+            filtered_holes=any(
+                _filters(shape.bsdf()) and _has_holes(shape.bsdf()) for shape in scene.shapes()
+            ),
         )
 
 
@@ -50,8 +55,8 @@ def is_symbolic(scene: Any) -> bool:
     )
 
 
-def _filters(shape: Any) -> bool:
-    return shape.bsdf() is not None and bool(shape.bsdf().flags() & FILTERS)
+def _filters(bsdf: Any) -> bool:
+    return bsdf is not None and bool(bsdf.flags() & FILTERS)
 
 
 def _has_holes(bsdf: Any) -> bool:
