@@ -13,12 +13,17 @@ from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
+# A flag of BSDFs beside those of `mi.BSDFFlags`: they average over footprints. BSDFs made of others pass it on.
+FILTERS = 1 << 30
 # Every BSDF of a model that there is: Dr.Jit traces them all, whichever scene they belong to.
 MODEL_BSDFS: WeakSet[Any] = WeakSet()
 
 
-def declare_lobes(bsdf: Any, has_holes: bool) -> None:
+def declare_lobes(bsdf: Any, has_holes: bool, filters: bool) -> None:
     """Sets components and flags: reflection and transmission, diffuse and glossy, and holes; both faces.
+
+    Args:
+        filters: it averages over footprints.
 
     The BSDF is one of `MODEL_BSDFS` from then on.
     """
@@ -35,7 +40,7 @@ def declare_lobes(bsdf: Any, has_holes: bool) -> None:
         components.append(flags.Null | flags.FrontSide | flags.BackSide | flags.SpatiallyVarying)
     # Assigned whole: what Mitsuba hands out is a copy.
     bsdf.m_components = components
-    bsdf.m_flags = components[0]
+    bsdf.m_flags = components[0] | (FILTERS if filters else 0)
     for component in components[1:]:
         bsdf.m_flags = bsdf.m_flags | component
 

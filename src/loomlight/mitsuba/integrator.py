@@ -27,11 +27,15 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
+from loomlight.core.arrays import Vec2
 from loomlight.core.backend import minimum
 from loomlight.core.frozen import gc_paused
 from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
-from loomlight.mitsuba.path_vertices import MOST_PASSES, PathVertices, reflected
-from loomlight.mitsuba.ray_cone import opening, pixel_cone
+from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
+from loomlight.mitsuba.path_state import PathState
+from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
+from loomlight.mitsuba.pixel_filter import OwnPixelSensor, PixelFilter
+from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
 
@@ -46,29 +50,32 @@ def footprint_path_class() -> type:
             max_depth: longest path in segments, -1 (default) without a bound.
             rr_depth: depth at which Russian roulette begins, 5.
             hide_emitters: directly visible emitters do not show, false.
-            footprint_samples: how many samples share a pixel; 0 (default) means those of the render call.
-                A picture that is averaged from several renders names their sum here.
             pixel_centres: every camera ray goes through the middle of its pixel, false. For one sample a
-                pixel of models that average over the footprint, which is the pixel itself then.
+                pixel of models that average over the footprint, which has all of the filter's variance then.
+
+        Attributes:
+            picture_samples: samples a pixel of the picture that this render is a part of; 0: it is all.
+            passes, pass_number: renders that make up the picture with one sampler, and which of them this is.
+            skip_film: nobody asks the film afterwards: it may be left out then.
         """
 
         def __init__(self, props: Any) -> None:
             if "max_depth" not in props:
                 props["max_depth"] = -1
             super().__init__(props)
-            self.footprint_samples: int = props.get("footprint_samples", 0)
-            # How many renders make up the picture, and which this is: `render` says so.
-            self.passes, self.pass_number = 1, 0
             self.pixel_centres: bool = props.get("pixel_centres", False)
-            # Whether nobody asks the film afterwards: it may be left out then.
+            self.picture_samples = 0
+            self.passes, self.pass_number = 1, 0
             self.skip_film = False
+            self._pixel_filter: PixelFilter | None = None
+            self._offset: Vec2 | None = None
+            self._replays = False
 
         def to_string(self) -> str:
             depth = "unbounded" if self.max_depth == 0xFFFFFFFF else self.max_depth
             return (
                 f"FootprintPath[max_depth = {depth}, rr_depth = {self.rr_depth}, "
-                f"hide_emitters = {self.hide_emitters}, footprint_samples = {self.footprint_samples}, "
-                f"pixel_centres = {self.pixel_centres}]"
+                f"hide_emitters = {self.hide_emitters}, pixel_centres = {self.pixel_centres}]"
             )
 
         def prepare(self, sensor: Any, seed: Any = 0, spp: int = 0, aovs: Any = ()) -> tuple[Any, int]:
@@ -94,10 +101,24 @@ def footprint_path_class() -> type:
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
             set_samples_per_pixel(self._samples(sampler))
             of_pass = sampler.sample_count() // self.passes
-            places = _CameraSampler(sampler, of_pass, self.pixel_centres)
+            places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
-            ray.scale_differential(self._samples(sampler) ** -0.5)
+            self._offset = places.offset
             return ray, weight, position
+
+        @contextmanager
+        def _filtering(self, scene: Any, sensor: Any, replays: bool = False) -> Iterator[Any]:
+            """The sensor to render with: samples stay in their pixels where `PixelFilter` places them."""
+            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
+            self._replays = replays
+            if SceneTraits.of(scene).filters:
+                self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
+            try:
+                with gc_paused(), symbolic_mode(scene):
+                    yield camera if self._pixel_filter is None else OwnPixelSensor(camera)
+            finally:
+                # Left behind, the array would be one more input of a frozen function.
+                self._pixel_filter, self._offset, self._replays = None, None, False
 
         def render(
             self,
@@ -108,11 +129,22 @@ def footprint_path_class() -> type:
             develop: bool = True,
             evaluate: bool = True,
         ) -> Any:
-            camera = scene.sensors()[sensor] if isinstance(sensor, int) else sensor
-            with gc_paused(), symbolic_mode(scene):
+            with self._filtering(scene, sensor) as camera:
                 if self.skip_film and develop and samples_are_pixels(camera, spp):
                     return self._pixels_of_samples(scene, camera, seed)
                 return super().render(scene, camera, seed, spp, develop, evaluate)
+
+        def render_forward(
+            self, scene: Any, params: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
+        ) -> Any:
+            with self._filtering(scene, sensor, replays=True) as camera:
+                return super().render_forward(scene, params, camera, seed, spp)
+
+        def render_backward(
+            self, scene: Any, params: Any, grad_in: Any, sensor: Any = 0, seed: Any = 0, spp: int = 0
+        ) -> None:
+            with self._filtering(scene, sensor, replays=True) as camera:
+                super().render_backward(scene, params, grad_in, camera, seed, spp)
 
         def _pixels_of_samples(self, scene: Any, camera: Any, seed: Any) -> Any:
             """A picture of one sample a pixel, as the film would develop it."""
@@ -137,7 +169,7 @@ def footprint_path_class() -> type:
                 return tensor(dr.ravel(pixels), (height, width, len(pixels)))
 
         def _samples(self, sampler: Any) -> int:
-            return self.footprint_samples or sampler.sample_count()
+            return self.picture_samples or sampler.sample_count()
 
         @dr.syntax
         def sample(
@@ -156,90 +188,84 @@ def footprint_path_class() -> type:
             traits = SceneTraits.of(scene)
             hittable = traits.hittable_emitters
             direct_only = not hittable and self.max_depth <= 2
-            vertices = PathVertices(scene, traits, direct_only)
+            # Path replay follows the very paths again: there holes are left to chance.
+            blends = traits.filtered_holes and not self._replays
+            vertices = PathVertices(scene, traits, direct_only, blends)
 
-            camera = ray
-            width, spread = pixel_cone(ray)
-            ray = mi.Ray3f(dr.detach(ray))
-            active = mi.Bool(active)
+            first = FirstFootprint.of(self._pixel_filter, self._offset, ray, samples)
+            # Beyond the first scattering each of so many samples stands for its part of the pixel.
+            width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
+            path = PathState.begin(ray, active, width, spread)
+            walk = CameraWalk.begin(path) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
-            β: Any = mi.Spectrum(1)
-            η = mi.Float(1)
-            depth = mi.UInt32(0)
             passes = mi.UInt32(0)
-            scattered = mi.Bool(False)
             visible = mi.Bool(scene.environment() is not None and not self.hide_emitters)
 
-            # The last vertex that scattered: both strategies that reach an emitter start there.
-            vertex = mi.Point3f(ray.o)
-            vertex_pdf = mi.Float(1)
-            vertex_delta = mi.Bool(True)
-
-            pi = scene.ray_intersect_preliminary(ray, coherent=True, reorder=False, active=active)
+            pi = scene.ray_intersect_preliminary(path.ray, coherent=True, reorder=False, active=path.active)
             if dr.hint(self.hide_emitters, mode="scalar"):
-                pi = self._beyond_emitters(scene, ray, pi, active)
+                pi = self._beyond_emitters(scene, path.ray, pi, path.active)
 
             # As a loop variable the camera's ray would be copied, and copies lose the differentials.
-            while dr.hint(active, exclude=[camera], label=f"footprint_path ({mode.name})"):
-                si = pi.compute_surface_interaction(ray, mi.RayFlags.All, active)
-                valid = active & si.is_valid()
-                width = dr.fma(spread, dr.select(valid, si.t, 0), width)
-                vertices.set_footprint(si, ray, camera, width, scattered)
+            while dr.hint(path.active, exclude=[first], label=f"footprint_path ({mode.name})"):
+                si = pi.compute_surface_interaction(path.ray, mi.RayFlags.All, path.active)
+                valid = path.active & si.is_valid()
+                path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
+                vertices.set_footprint(si, path, first)
 
-                shown = active & (scattered | (not self.hide_emitters))
+                β = walk.throughput(path) if blends else path.β
+                shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
-                    Le = β * vertices.emission(si, vertex, vertex_pdf, vertex_delta, active, shown, primal)
+                    Le = β * vertices.emission(si, path, shown, primal)
 
                 # Past the last bounce a path still passes through holes, because the previous vertex's light
                 # samples did.
-                bounces = valid & (depth + 1 < self.max_depth)
-                light = vertices.sample_light(si, sampler, width, spread, bounces)
+                bounces = valid & (path.depth + 1 < self.max_depth)
+                light = vertices.sample_light(si, sampler, path, bounces)
                 enters = vertices.enters(si, valid, bounces)
                 scattering = vertices.scatter(si, sampler, light, enters, primal)
-                bs, weight = scattering.sample, scattering.weight
+                bs = scattering.sample
                 with dr.resume_grad(when=not primal):
                     Lr = reflected(light, scattering, β)
 
                 passed = enters & mi.has_flag(bs.sampled_type, mi.BSDFFlags.Null)
-                delta = mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
-                bounced = bounces & ~passed
                 visible |= valid & ~passed
                 L = (L + Le + Lr) if primal else (L - Le - Lr)
 
-                ray_next = si.spawn_ray(si.to_world(bs.wo))
-                active_next = bounced | (passed & (passes < MOST_PASSES))
+                may_pass = enters & (passes < MOST_PASSES)
+                after = path.scattered_by(si, scattering, bounces & ~passed, passed & may_pass, samples)
                 if dr.hint(not hittable, mode="scalar"):
                     # Nothing is left to find after the last bounce.
-                    active_next &= passed | (depth + 2 < self.max_depth)
-                β *= weight
-                η *= bs.eta
-                β_max = dr.max(β)
-                active_next &= β_max != 0
-                survival = minimum(β_max * dr.square(η), 0.95)
-                roulette = bounced & (depth >= self.rr_depth)
-                β[roulette] *= dr.rcp(survival)
-                active_next &= ~roulette | (sampler.next_1d() < survival)
-
-                vertex = dr.select(bounced, si.p, vertex)
-                vertex_pdf = dr.select(bounced, bs.pdf, vertex_pdf)
-                vertex_delta = dr.select(bounced, delta, vertex_delta)
-                spread += dr.select(bounced & ~delta, opening(bs.pdf, samples), 0)
-                scattered |= bounced
-                depth[bounced] += 1
-                passes[passed] += 1
-
+                    after.active &= passed | (after.depth + 1 < self.max_depth)
+                self._play_roulette(after, bounces & ~passed, sampler)
                 if dr.hint(not primal, mode="scalar"):
-                    δL = vertices.replay(mode, si, bs, active_next & ~delta, (Le, Lr), L, δL)
+                    smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
+                    δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
+                if dr.hint(blends, mode="scalar"):
+                    at = HoleCrossing(
+                        si.spawn_ray(path.ray.d), scattering.through, passed, may_pass, vertices.filters(si)
+                    )
+                    walk, path = walk.step(path, after, at, sampler.next_1d())
+                    passes[passed | walk.on] += 1
+                else:
+                    path = after
+                    passes[passed] += 1
 
                 # Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
-                    ray_next, coherent=direct_only, reorder=False, active=active_next
+                    path.ray, coherent=direct_only, reorder=False, active=path.active
                 )
-                ray = ray_next
-                active = active_next
 
             return (L if primal else δL), visible, [], L
+
+        def _play_roulette(self, path: PathState, bounced: Any, sampler: Any) -> None:
+            """Ends paths whose throughput is small, from `rr_depth` on."""
+            β_max = dr.max(path.β)
+            path.active &= β_max != 0
+            survival = minimum(β_max * dr.square(path.η), 0.95)
+            plays = bounced & (path.depth > self.rr_depth)
+            path.β[plays] *= dr.rcp(survival)
+            path.active &= ~plays | (sampler.next_1d() < survival)
 
         def _beyond_emitters(self, scene: Any, ray: Any, pi: Any, active: Any) -> Any:
             """The first intersection that is no area emitter."""
@@ -253,13 +279,20 @@ def footprint_path_class() -> type:
 class _CameraSampler:
     """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
 
-    Where rays go through pixel centres its first square sample, the place in the pixel, is the middle.
+    Its first square sample is the place in the pixel, drawn from a filter where there is one.
+
+    Attributes:
+        offset: that place from the pixel's centre, pixels [2].
     """
 
-    def __init__(self, sampler: Any, of_pass: int, centred: bool) -> None:
+    def __init__(
+        self, sampler: Any, of_pass: int, pixel_filter: PixelFilter | None, pixel_centres: bool
+    ) -> None:
         self._sampler = sampler
         self._of_pass = of_pass
-        self._centred = centred
+        self._filter = pixel_filter
+        self._pixel_centres = pixel_centres
+        self.offset: Vec2 | None = None
 
     def sample_count(self) -> int:
         return self._of_pass
@@ -269,10 +302,13 @@ class _CameraSampler:
 
     def next_2d(self) -> Any:
         drawn = self._sampler.next_2d()
-        if not self._centred:
+        if self.offset is not None:
             return drawn
-        self._centred = False
-        return mi.Point2f(0.5)
+        if self._filter is not None:
+            self.offset = self._filter.offset(drawn)
+        else:
+            self.offset = mi.Vector2f(0) if self._pixel_centres else drawn - 0.5
+        return mi.Point2f(self.offset + 0.5)
 
 
 def samples_are_pixels(camera: Any, spp: int) -> bool:

@@ -85,7 +85,7 @@ def model_bsdf_class() -> type:
             self._texture: FilteredTexture | None = None
             self._set_model(given.model)
             self._filter_albedo()
-            declare_lobes(self, self.model.has_holes)
+            declare_lobes(self, self.model.has_holes, self.model.filters)
 
         def set_source(self, source: Source) -> None:
             """Becomes the BSDF of another source; `mi.traverse` has to be called again.
@@ -169,8 +169,21 @@ def model_bsdf_class() -> type:
         def eval_pdf_sample(
             self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
         ) -> Any:
+            return self._value_pdf_and_sample(self._at(si, active), si, wo, sample1, sample2, active)
+
+        def eval_pdf_sample_and_null_transmission(
+            self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
+        ) -> tuple[Any, ...]:
+            """`eval_pdf_sample` and `eval_null_transmission`, for less than both."""
+            at = self._at(si, active)
+            results = self._value_pdf_and_sample(at, si, wo, sample1, sample2, active)
+            return *results, mi.Spectrum(dr.select(active, at.null_transmission, 0))
+
+        def _value_pdf_and_sample(
+            self, at: FootprintBsdf, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask
+        ) -> tuple[Any, ...]:
             u = variant_types().Vector2(sample2)
-            value, pdf, drawn = self._at(si, active).value_pdf_and_sample(plain(wo), sample1, u)
+            value, pdf, drawn = at.value_pdf_and_sample(plain(wo), sample1, u)
             value = mi.Spectrum(dr.select(active, value, 0))
             return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
 

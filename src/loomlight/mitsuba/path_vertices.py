@@ -9,8 +9,11 @@ from typing import Any
 import drjit as dr
 import mitsuba as mi
 
-from loomlight.core.arrays import Color3, Float, Mask, Vec3
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import channel_mean, maximum
+from loomlight.mitsuba.bsdf_samples import FILTERS
+from loomlight.mitsuba.path_state import PathState
+from loomlight.mitsuba.pixel_filter import PixelFilter
 from loomlight.mitsuba.ray_cone import cone_partials
 from loomlight.mitsuba.scene_traits import SceneTraits
 
@@ -47,72 +50,102 @@ class Scattering:
         pdf: density of drawing the light's direction by the BSDF.
         sample: Mitsuba's BSDFSample3f.
         weight: f·cos over density of the sample.
+        through: share of light that passes straight through [3]; 0 unless asked for.
     """
 
     value: Color3
     pdf: Float
     sample: Any
     weight: Color3
+    through: Color3
+
+
+@dataclass
+class FirstFootprint:
+    """Footprints of the camera's own rays, before they scatter.
+
+    Not a pytree: as a variable of a loop the camera's ray would be copied, and copies lose the differentials.
+
+    Attributes:
+        camera: rays with the differentials of a whole pixel.
+        shift: from a sample to where filtered texture is read, pixels [2]; None where that is the same.
+        filtered_side: side of the footprints of BSDFs that average over them, pixels.
+        side: of those of others.
+    """
+
+    camera: Any
+    shift: Vec2 | None
+    filtered_side: float
+    side: float
+
+    @classmethod
+    def of(
+        cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: int
+    ) -> FirstFootprint:
+        """Footprints of samples at `offset` from pixel centres, of `samples` samples a pixel."""
+        side = samples**-0.5
+        if pixel_filter is None or offset is None:
+            return cls(camera, None, side, side)
+        shift = None if pixel_filter.centred else (pixel_filter.contraction - 1) * offset
+        return cls(camera, shift, pixel_filter.footprint_side, side)
+
+    def set_on(self, si: Any, filters: Mask) -> None:
+        """Sets the footprint in uv at `si`, and moves its uv where BSDFs filter."""
+        si.compute_uv_partials(self.camera)
+        if self.shift is not None:
+            step = self.shift.x * si.duv_dx + self.shift.y * si.duv_dy
+            si.uv += dr.select(filters, step, 0)
+        side = dr.select(filters, mi.Float(self.filtered_side), self.side)
+        si.duv_dx *= side
+        si.duv_dy *= side
 
 
 class PathVertices:
     """Steps that every vertex of a path takes in one scene."""
 
-    def __init__(self, scene: Any, traits: SceneTraits, direct_only: bool) -> None:
+    def __init__(self, scene: Any, traits: SceneTraits, direct_only: bool, blends: bool) -> None:
         """
         Args:
             direct_only: paths end with the first light sample, and no drawn direction can hit an emitter.
+            blends: `Scattering.through` is asked for.
         """
         self._scene = scene
         self._traits = traits
         self._direct_only = direct_only
+        self._blends = blends
         self._context = mi.BSDFContext()
 
-    def set_footprint(self, si: Any, ray: Any, camera: Any, width: Float, scattered: Mask) -> None:
-        """Sets the footprint in uv: of the camera's differentials, of a ray cone after the path scattered.
+    def filters(self, si: Any) -> Mask:
+        """Lanes whose BSDF averages over footprints."""
+        if not self._traits.filters:
+            return mi.Bool(False)
+        return (si.bsdf().flags() & FILTERS) != 0
 
-        Args:
-            camera: the camera's ray.
-            width: of the cone at `si`.
-        """
-        si.compute_uv_partials(camera)
+    def set_footprint(self, si: Any, path: PathState, first: FirstFootprint) -> None:
+        """Sets the footprint in uv: of the camera's differentials, of a ray cone after the path scattered."""
+        first.set_on(si, self.filters(si) & ~path.scattered)
         if not self._direct_only:
-            duv_dx, duv_dy = cone_partials(si, ray.d, width)
-            si.duv_dx = dr.select(scattered, duv_dx, si.duv_dx)
-            si.duv_dy = dr.select(scattered, duv_dy, si.duv_dy)
+            duv_dx, duv_dy = cone_partials(si, path.ray.d, path.width)
+            si.duv_dx = dr.select(path.scattered, duv_dx, si.duv_dx)
+            si.duv_dy = dr.select(path.scattered, duv_dy, si.duv_dy)
 
-    def emission(
-        self,
-        si: Any,
-        vertex: Vec3,
-        vertex_pdf: Float,
-        vertex_delta: Mask,
-        active: Mask,
-        shown: Mask,
-        primal: bool,
-    ) -> Color3:
+    def emission(self, si: Any, path: PathState, shown: Mask, primal: bool) -> Color3:
         """Emission of what the path has hit, weighted against light samples of the vertex before.
 
         Args:
-            vertex, vertex_pdf, vertex_delta: where the path scattered last, the density of its direction, and
-                whether that was a delta.
             shown: lanes whose emitters show.
         """
         if not self._traits.hittable_emitters:
             return mi.Spectrum(0)
         origin = dr.zeros(mi.Interaction3f)
-        origin.p = vertex
+        origin.p = path.vertex
         ds = mi.DirectionSample3f(self._scene, si, origin)
-        emitter_pdf = self._scene.pdf_emitter_direction(origin, ds, ~vertex_delta & active)
+        emitter_pdf = self._scene.pdf_emitter_direction(origin, ds, ~path.vertex_delta & path.active)
         with dr.resume_grad(when=not primal):
-            return power_heuristic(vertex_pdf, emitter_pdf) * ds.emitter.eval(si, shown)
+            return power_heuristic(path.vertex_pdf, emitter_pdf) * ds.emitter.eval(si, shown)
 
-    def sample_light(self, si: Any, sampler: Any, width: Float, spread: Float, active: Mask) -> LightSample:
-        """A light sample, and what of it arrives.
-
-        Args:
-            width, spread: of the ray cone at `si`.
-        """
+    def sample_light(self, si: Any, sampler: Any, path: PathState, active: Mask) -> LightSample:
+        """A light sample, and what of it arrives."""
         lit = active & mi.has_flag(si.bsdf().flags(), mi.BSDFFlags.Smooth)
         ds, arriving = self._scene.sample_emitter_direction(si, sampler.next_2d(), False, lit)
         lit &= ds.pdf != 0
@@ -121,7 +154,7 @@ class PathVertices:
         coherent = not self._traits.hittable_emitters
         if self._traits.porous_shadows:
             # Where no light arrives the BSDF need not be evaluated.
-            arriving *= _transmittance(self._scene, si, ds.p, width, spread, coherent, lit)
+            arriving *= _transmittance(self._scene, si, ds.p, path.width, path.spread, coherent, lit)
             lit &= dr.max(arriving) > 0
         else:
             lit &= ~self._scene.ray_test(si.spawn_ray_to(ds.p), coherent, lit)
@@ -141,9 +174,11 @@ class PathVertices:
             return self._scatter_with_gradients(bsdf, si, lobe, square, light, enters)
         if self._direct_only:
             value, through = self._value_and_null_transmission(bsdf, si, light, enters)
-            return Scattering(value, mi.Float(0), *_null_sample(si, through, lobe, enters))
-        value, pdf, sample, weight = self._value_pdf_and_sample(bsdf, si, light, lobe, square, enters)
-        return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight)
+            return Scattering(value, mi.Float(0), *_null_sample(si, through, lobe, enters), through)
+        value, pdf, sample, weight, through = self._value_pdf_and_sample(
+            bsdf, si, light, lobe, square, enters
+        )
+        return Scattering(dr.select(light.lit, value, 0), pdf, sample, weight, through)
 
     def _scatter_with_gradients(
         self, bsdf: Any, si: Any, lobe: Float, square: Any, light: LightSample, enters: Mask
@@ -160,7 +195,7 @@ class PathVertices:
                 self._scene.eval_emitter_direction(si, light.direction, light.lit) / light.direction.pdf
             )
             light.arriving *= dr.relative_grad(dr.select(light.lit, attached, 0))
-        return Scattering(value, pdf, sample, weight)
+        return Scattering(value, pdf, sample, weight, mi.Spectrum(0))
 
     def replay(
         self,
@@ -191,15 +226,23 @@ class PathVertices:
 
     def _value_pdf_and_sample(
         self, bsdf: Any, si: Any, light: LightSample, lobe: Float, square: Any, active: Mask
-    ) -> tuple[Any, Any, Any, Any]:
-        """`eval_pdf_sample` of BSDFs, their own where they have one."""
+    ) -> tuple[Any, Any, Any, Any, Any]:
+        """`eval_pdf_sample` of BSDFs, their own where they have one, and what passes straight through."""
 
-        def call(one: Any, *of_lanes: Any) -> Any:
+        def call(one: Any, si: Any, to_light: Any, lobe: Any, square: Any, active: Any) -> Any:
+            nothing = mi.Spectrum(0)
             if one is None:  # A scene without any BSDF.
-                return mi.Spectrum(0), mi.Float(0), dr.zeros(mi.BSDFSample3f), mi.Spectrum(0)
-            return one.eval_pdf_sample(self._context, *of_lanes)
+                return nothing, mi.Float(0), dr.zeros(mi.BSDFSample3f), nothing, nothing
+            arguments = self._context, si, to_light, lobe, square, active
+            if not (self._blends and one.flags() & FILTERS):
+                return *one.eval_pdf_sample(*arguments), nothing
+            if hasattr(one, "eval_pdf_sample_and_null_transmission"):
+                return one.eval_pdf_sample_and_null_transmission(*arguments)
+            return *one.eval_pdf_sample(*arguments), one.eval_null_transmission(si, active)
 
-        results: tuple[Any, Any, Any, Any] = dr.dispatch(bsdf, call, si, light.to_light, lobe, square, active)
+        results: tuple[Any, Any, Any, Any, Any] = dr.dispatch(
+            bsdf, call, si, light.to_light, lobe, square, active
+        )
         return results
 
     def _value_and_null_transmission(

@@ -78,9 +78,9 @@ def _one_of(integrator: Any, sensor: Any, spp: int, passes: list[int], number: i
 
     Only `footprint_path` knows of passes, and only one sampler's samples are spread evenly over all of them.
     """
-    ours = hasattr(integrator, "footprint_samples")
+    ours = hasattr(integrator, "picture_samples")
     together = ours and sensor.sampler().class_name() == _SPREAD_OVER_PASSES
-    changed = {"footprint_samples": spp} if ours else {}
+    changed = {"picture_samples": spp} if ours else {}
     if together:
         changed |= {"passes": len(passes), "pass_number": number}
     previous = {name: getattr(integrator, name) for name in changed}

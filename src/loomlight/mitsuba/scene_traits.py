@@ -7,6 +7,8 @@ from typing import Any
 
 import mitsuba as mi
 
+from loomlight.mitsuba.bsdf_samples import FILTERS
+
 
 @dataclass(frozen=True)
 class SceneTraits:
@@ -16,11 +18,15 @@ class SceneTraits:
         holes: some surface lets light pass straight through.
         porous_shadows: some surface lets through enough light to be seen in its shadow.
         hittable_emitters: some emitter can be hit by a ray: it has an extent, or lies all around.
+        filters: some surface averages over footprints.
+        filtered_holes: some surface does, and lets light pass straight through.
     """
 
     holes: bool
     porous_shadows: bool
     hittable_emitters: bool
+    filters: bool
+    filtered_holes: bool
 
     @classmethod
     def of(cls, scene: Any) -> SceneTraits:
@@ -35,6 +41,10 @@ class SceneTraits:
             hittable_emitters=any(
                 not mi.has_flag(emitter.flags(), mi.EmitterFlags.Delta) for emitter in scene.emitters()
             ),
+            filters=any(_filters(shape.bsdf()) for shape in scene.shapes()),
+            filtered_holes=any(
+                _filters(shape.bsdf()) and _has_holes(shape.bsdf()) for shape in scene.shapes()
+            ),
         )
 
 
@@ -43,6 +53,10 @@ def is_symbolic(scene: Any) -> bool:
     return all(
         shape.bsdf() is None or getattr(shape.bsdf(), "symbolic_calls", True) for shape in scene.shapes()
     )
+
+
+def _filters(bsdf: Any) -> bool:
+    return bsdf is not None and bool(bsdf.flags() & FILTERS)
 
 
 def _has_holes(bsdf: Any) -> bool:
