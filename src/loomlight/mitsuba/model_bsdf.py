@@ -11,17 +11,22 @@ import mitsuba as mi
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Mask
 from loomlight.core.backend import clip
+from loomlight.core.errors import InputError
 from loomlight.core.pytree import leaves
-from loomlight.mitsuba.bsdf_samples import bsdf_sample, declare_lobes, plain, variant_types
+from loomlight.mitsuba.bsdf_samples import MODEL_BSDFS, bsdf_sample, declare_lobes, plain, variant_types
+from loomlight.mitsuba.call_modes import nested, warn_of_missing_uv, warn_of_slow_calls
 from loomlight.mitsuba.cloth_uv import draft_footprint, uv_footprint
 from loomlight.mitsuba.filtered_texture import FilteredTexture
+from loomlight.mitsuba.live_edits import LiveEdits, require_valid_edits
 from loomlight.mitsuba.model_props import model_of_props, number_of_props, uv_size_of
-from loomlight.models.interface import FootprintBsdf, Model
+from loomlight.models.interface import FootprintBsdf, Model, Parameter
 from loomlight.models.registry import MODELS
 
 # Surfaces with less open area than this cast the shadow of one without: a thousandth of the light, which is
 # three steps of 8-bit sRGB on white cloth where nothing else brightens the shadow.
 _SMALLEST_OPEN_AREA = 1e-3
+# Millimetres; far below a fibre.
+_SMALLEST_UV_SIZE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -83,6 +88,7 @@ def model_bsdf_class() -> type:
             self.pixel_samples = dr.opaque(mi.Float, 1)
             self.arrays: list[Any] = []
             self._texture: FilteredTexture | None = None
+            self._was_traced = False
             self._set_model(given.model)
             self._filter_albedo()
             declare_lobes(self, self.model.has_holes, self.model.filters)
@@ -101,17 +107,31 @@ def model_bsdf_class() -> type:
             self.model = model
             self.symbolic_calls = model.symbolic
             self._parameters = dict(model.parameters(variant_types()))
+            self._shown = {"uv_size": Parameter(self.uv_size, low=_SMALLEST_UV_SIZE, unit="mm")}
+            self._shown |= self._parameters
             self._upload_parameters(model_changed=True)
+            self.edits = LiveEdits(self._shown)
 
         def traverse(self, callback: Any) -> None:
             fixed, free = mi.ParamFlags.NonDifferentiable, mi.ParamFlags.Differentiable
-            callback.put("uv_size", self.uv_size, fixed)
-            for name, parameter in self._parameters.items():
+            for name, parameter in self._shown.items():
                 callback.put(name, parameter.value, free if parameter.differentiable else fixed)
             if self.albedo is not None:
                 callback.put("albedo", self.albedo, fixed if self.model.filters else free)
 
         def parameters_changed(self, keys: Any) -> None:
+            # Mitsuba updates one BSDF after another: a wrong edit of any must find all as they were.
+            cloths = [cloth for cloth in MODEL_BSDFS if isinstance(cloth, ModelBsdf)]
+            require_valid_edits((cloth.label, cloth.edits) for cloth in cloths)
+            self._require_no_albedo_derivatives()
+            try:
+                self._follow(keys)
+            except InputError:
+                self.edits.take_back()
+                raise
+            self.edits.keep()
+
+        def _follow(self, keys: Any) -> None:
             # Mitsuba names what lies deeper by the last part of its name.
             ends = {key.rpartition(".")[2] for key in keys}
             changed = frozenset(name for name in self._parameters if name.rpartition(".")[2] in ends)
@@ -135,12 +155,30 @@ def model_bsdf_class() -> type:
             self.lets_light_through = not self.model.filters or self.model.open_area > _SMALLEST_OPEN_AREA
             self.literals = (*self.model.literals(), float(self.lets_light_through))
 
+        @property
+        def label(self) -> str:
+            """How messages call it."""
+            return str(self.id()) or MODELS[self.model.name].plugin
+
+        def _require_no_albedo_derivatives(self) -> None:
+            if self._texture is None or not dr.grad_enabled([value for _, value in mi.traverse(self.albedo)]):
+                return
+            raise InputError(
+                f"{self.label}.albedo has no derivatives, as its means over footprints are computed "
+                "beforehand: woven_point has them."
+            )
+
         def _filter_albedo(self) -> None:
             filters = self.albedo is not None and self.model.filters
             self._texture = FilteredTexture(self.albedo) if filters else None
 
         def _at(self, si: Any, active: Mask) -> FootprintBsdf:
             """What the view sees: everything but the light."""
+            if not self._was_traced:
+                self._was_traced = True
+                warn_of_missing_uv(self, si)
+            if not self.symbolic_calls:
+                warn_of_slow_calls(MODELS[self.model.name].plugin)
             edges = uv_footprint(si, self.pixel_angle)
             footprint = replace(draft_footprint(si, self.uv_size, edges), samples=self.pixel_samples)
             return self.model.at(plain(si.wi), footprint, self._tint(si, edges, active), active)
@@ -152,20 +190,25 @@ def model_bsdf_class() -> type:
                 return plain(clip(self._texture.over(si, *edges, active), 0, 1))
             return plain(clip(self.albedo.eval(si, active), 0, 1))
 
+        @nested
         def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
             return self._value(self._at(si, active), wo, active)
 
+        @nested
         def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
             return dr.select(active, self._at(si, active).pdf(plain(wo)), 0)
 
+        @nested
         def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
             value, pdf = self._at(si, active).value_and_pdf(plain(wo), active)
             return mi.Spectrum(dr.select(active, value, 0)), dr.select(active, pdf, 0)
 
+        @nested
         def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
             drawn = self._at(si, active).sample(sample1, variant_types().Vector2(sample2))
             return bsdf_sample(drawn, si, active)
 
+        @nested
         def eval_pdf_sample(
             self, ctx: Any, si: Any, wo: Any, sample1: Any, sample2: Any, active: Mask = True
         ) -> Any:
@@ -187,6 +230,7 @@ def model_bsdf_class() -> type:
             value = mi.Spectrum(dr.select(active, value, 0))
             return value, dr.select(active, pdf, 0), *bsdf_sample(drawn, si, active)
 
+        @nested
         def eval_and_null_transmission(
             self, ctx: Any, si: Any, wo: Any, active: Mask = True, entering: Mask = True
         ) -> tuple[Any, Any]:
@@ -195,9 +239,11 @@ def model_bsdf_class() -> type:
             value = self._value(at, wo, active)
             return value, mi.Spectrum(dr.select(entering, at.null_transmission, 0))
 
+        @nested
         def eval_null_transmission(self, si: Any, active: Mask = True) -> Any:
             return mi.Spectrum(dr.select(active, self._at(si, active).null_transmission, 0))
 
+        @nested
         def eval_diffuse_reflectance(self, si: Any, active: Mask = True) -> Any:
             return mi.Spectrum(dr.select(active, self._at(si, active).diffuse_reflectance, 0))
 

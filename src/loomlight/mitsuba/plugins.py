@@ -1,4 +1,7 @@
-"""Plugins exist in whichever supported variant is set, without choosing one for the user."""
+"""Plugins exist in whichever supported variant is set, without choosing one for the user.
+
+In other variants their names are known too, so that loading one says which variants have it.
+"""
 
 from __future__ import annotations
 
@@ -9,15 +12,17 @@ from typing import Any
 
 import mitsuba as mi
 
+from loomlight.core.errors import InputError
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
-from loomlight.mitsuba.variants import is_supported, require_backend
+from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, is_supported, require_backend
 from loomlight.models.interface import Model
 from loomlight.models.registry import MODELS
 
 # Mitsuba makes the parts of a scene on several threads, and Dr.Jit's recordings are not made for that: a test
 # hung within Dr.Jit. A thread that waits for a kernel may begin the next part: it may enter the lock again.
 _MAKING = RLock()
+_INTEGRATOR = "footprint_path"
 
 
 def register_plugins() -> None:
@@ -46,13 +51,30 @@ def make_bsdf(
 
 
 def _on_variant(_previous: str | None, variant: str | None) -> None:
-    if variant is None or not is_supported(variant):
+    if variant is None:
+        return
+    if not is_supported(variant):
+        for plugin in (_INTEGRATOR, *(entry.plugin for entry in MODELS.values())):
+            register = mi.register_integrator if plugin == _INTEGRATOR else mi.register_bsdf
+            register(plugin, partial(_refuse, plugin=plugin, variant=variant))
         return
     require_backend(variant)
-    mi.register_integrator("footprint_path", _constructor(footprint_path_class()))
+    mi.register_integrator(_INTEGRATOR, _constructor(footprint_path_class()))
     # Mitsuba's base classes differ from variant to variant, and so do the plugins' classes.
     for name, entry in MODELS.items():
         mi.register_bsdf(entry.plugin, _constructor(partial(_bsdf_class(variant), name=name)))
+
+
+def _refuse(_props: Any, plugin: str, variant: str) -> Any:
+    """Instead of a plugin in variants where there is none.
+
+    Raises:
+        InputError: always.
+    """
+    raise InputError(
+        f"{plugin} does not exist in the variant {variant}: set {' or '.join(SUPPORTED_VARIANTS)} before the "
+        "scene is loaded."
+    )
 
 
 @cache

@@ -9,6 +9,7 @@ from copy import copy
 from functools import cached_property
 from typing import Any, Self, final
 
+import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,12 +21,22 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import edited_fabric
 from loomlight.models.interface import Model, Parameter, Values
+from loomlight.models.live_albedos import LiveAlbedos
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.scattering.point import Albedos
 from loomlight.yarn.geometry import YarnGeometry
 
 FAMILIES = ("warp", "weft")
 ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
 _YARN_NUMBERS = ("height_scale", "inclination", "twist")
+# Ranges of the fabric file's fields, angles in degrees as there; every other parameter is an albedo or sheen.
+_RANGES = {
+    "roughness": (0.01, 1.0),
+    "height_scale": (0.01, 2.0),
+    "inclination": (0.0, 80.0),
+    "twist": (-89.0, 89.0),
+}
+_ANGLES = ("inclination", "twist")
 # In single precision, and radians to degrees and back, the last digits move.
 _SAME = 1e-6
 
@@ -72,7 +83,8 @@ class FilteredFabricModel(FabricModel):
     Scene parameters: ``warp.roughness``, ``warp.height_scale``, ``warp.inclination`` and ``warp.twist``
     (radians), the same of ``weft``; the albedos ``warp.diffuse_reflect`` …; ``sheen.strength`` and
     ``sheen.roughness`` where there is sheen. Albedos of families whose threads differ are one array
-    ``warp.albedos``: a row a thread, four albedos a row, three numbers an albedo. None is differentiable.
+    ``warp.albedos``: a row a thread, four albedos a row, three numbers an albedo. Albedos of families whose
+    threads are alike are differentiable.
     """
 
     filters = True
@@ -97,16 +109,22 @@ class FilteredFabricModel(FabricModel):
 
     def parameters(self, types: ArrayTypes) -> Values:
         """Numbers and albedos of the fabric."""
-        found = {name: Parameter(types.Float(value)) for name, value in _numbers_of(self.fabric).items()}
+        found = {
+            name: parameter_of(name, types.Float(value))
+            for name, value in _numbers_of(self.fabric).items()
+            if self.fabric.appearance().sheen.strength > 0 or not name.startswith("sheen.")
+        }
         appearance = self.fabric.appearance()
         for family in FAMILIES:
             for name, value in _albedo_values(getattr(appearance, family), types).items():
-                found[f"{family}.{name}"] = Parameter(value)
+                found[f"{family}.{name}"] = parameter_of(name, value, name in ALBEDOS)
+        shared = [_shared_albedos(family, found) for family in FAMILIES]
+        self.means = LiveAlbedos(YarnGeometry(self.fabric.layout()), appearance, *shared)
         return found
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit: what a change of colours leaves alone is kept."""
-        held = _numbers_of(self.fabric)
+        held = {name: number for name, number in _numbers_of(self.fabric).items() if name in values}
         edits = {
             name: number
             for name, number in ((name, number_of(values[name])) for name in held)
@@ -159,17 +177,33 @@ def _numbers_of(fabric: Fabric) -> dict[str, float]:
         found[f"{family}.roughness"] = getattr(appearance, family).roughness
         for name in _YARN_NUMBERS:
             found[f"{family}.{name}"] = getattr(getattr(layout, family), name)
-    if appearance.sheen.strength > 0:
-        found["sheen.strength"] = appearance.sheen.strength
-        found["sheen.roughness"] = appearance.sheen.roughness
+    found["sheen.strength"] = appearance.sheen.strength
+    found["sheen.roughness"] = appearance.sheen.roughness
     return {name: float(value) for name, value in found.items()}
 
 
+def parameter_of(name: str, value: Any, differentiable: bool = False) -> Parameter:
+    """The parameter of a fabric `name`, "warp.twist" or "diffuse_reflect", with the range of its field."""
+    field = name.rpartition(".")[2]
+    if name.startswith("sheen.") or field not in _RANGES:
+        return Parameter(value, differentiable, 0.0, 1.0)
+    low, high = _RANGES[field]
+    if field in _ANGLES:
+        return Parameter(value, differentiable, math.radians(low), math.radians(high), "rad")
+    return Parameter(value, differentiable, low, high)
+
+
 def _field(name: str, value: float) -> tuple[str, float]:
-    """The field of the fabric file that a scene parameter is, and its value there."""
-    if name.endswith((".inclination", ".twist")):
-        return f"{name}_deg", math.degrees(value)
-    return name, value
+    """The field of the fabric file that a scene parameter is, and its value there.
+
+    A bound of its range in single precision may lie a digit beyond it.
+    """
+    field = name.rpartition(".")[2]
+    if field in _ANGLES:
+        name, value = f"{name}_deg", math.degrees(value)
+    low, high = _RANGES[field] if not name.startswith("sheen.") and field in _RANGES else (0.0, 1.0)
+    nearest = min(max(value, low), high)
+    return name, nearest if math.isclose(value, nearest, rel_tol=_SAME) else value
 
 
 def _albedo_values(family: FamilyAppearance, types: ArrayTypes) -> dict[str, Any]:
@@ -187,18 +221,33 @@ def _is_albedo(name: str) -> bool:
 def _means_of(fabric: Fabric, values: Values) -> FootprintAlbedos:
     """Mean albedos of a fabric with the albedos of its scene parameters."""
     held = fabric.appearance()
+    shared = [_shared_albedos(family, values) for family in FAMILIES]
     warp, weft = (_with_albedos(getattr(held, family), family, values) for family in FAMILIES)
-    return FootprintAlbedos(YarnGeometry(fabric.layout()), Appearance(warp, weft))
+    return LiveAlbedos(YarnGeometry(fabric.layout()), Appearance(warp, weft), *shared)
+
+
+def _shared_albedos(family: str, values: Values) -> Albedos | None:
+    """The scene's own albedos of a family whose threads are alike; None where they differ."""
+    if f"{family}.albedos" in values:
+        return None
+    shared = [values[f"{family}.{albedo}"].value for albedo in ALBEDOS]
+    # Literals would be compiled into kernels.
+    dr.make_opaque(shared)
+    return Albedos(*shared)
 
 
 def _with_albedos(family: FamilyAppearance, name: str, values: Values) -> FamilyAppearance:
     threads = len(family.diffuse_reflect)
     if f"{name}.albedos" in values:
-        rows = np.array(values[f"{name}.albedos"].value, np.float64).reshape(threads, len(ALBEDOS), 3)
+        rows = _numbers(values[f"{name}.albedos"]).reshape(threads, len(ALBEDOS), 3)
     else:
-        shared = [np.array(values[f"{name}.{albedo}"].value, np.float64).reshape(3) for albedo in ALBEDOS]
+        shared = [_numbers(values[f"{name}.{albedo}"]).reshape(3) for albedo in ALBEDOS]
         rows = np.tile(np.stack(shared), (threads, 1, 1))
     named: Mapping[str, NDArray[np.float64]] = {
         albedo: rows[:, number] for number, albedo in enumerate(ALBEDOS)
     }
     return FamilyAppearance(**named, roughness=family.roughness)
+
+
+def _numbers(parameter: Parameter) -> NDArray[np.float64]:
+    return np.array(dr.detach(parameter.value), np.float64)

@@ -17,6 +17,7 @@ Models whose answers separate albedos from the rest give a `SeparableBsdf` (`sep
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -42,10 +43,15 @@ class Parameter:
     Attributes:
         value: a Dr.Jit array, which edits change in place.
         differentiable: whether values of the model carry its derivatives.
+        low, high: bounds of each of its numbers, both allowed.
+        unit: of its numbers, such as "rad"; empty for pure numbers.
     """
 
     value: Any
     differentiable: bool = False
+    low: float = -math.inf
+    high: float = math.inf
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -62,8 +68,8 @@ class Option:
     name: str
     type: type
     such_as: str
-    low: float = -float("inf")
-    high: float = float("inf")
+    low: float = -math.inf
+    high: float = math.inf
 
 
 class FootprintBsdf(ABC):

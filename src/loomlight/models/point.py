@@ -14,8 +14,15 @@ from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types
 from loomlight.core.footprint import Footprint
 from loomlight.fabric.fabric import Fabric
-from loomlight.models.fabric_model import ALBEDOS, FAMILIES, FabricModel, fabric_in_loom, fabric_source
-from loomlight.models.interface import Parameter, Values
+from loomlight.models.fabric_model import (
+    ALBEDOS,
+    FAMILIES,
+    FabricModel,
+    fabric_in_loom,
+    fabric_source,
+    parameter_of,
+)
+from loomlight.models.interface import Values
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
 from loomlight.yarn.detached_surface import DetachedSurface
@@ -177,7 +184,7 @@ class PointFootprint(FabricModel):
                 found |= {f"{name}.{part}": value for part, value in zip(ALBEDOS, family.shared, strict=True)}
         if self._sheen is not None:
             found["sheen.strength"], found["sheen.roughness"] = self._sheen
-        return {name: Parameter(value, differentiable=True) for name, value in found.items()}
+        return {name: parameter_of(name, value, differentiable=True) for name, value in found.items()}
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """This model: its arrays were edited in place."""

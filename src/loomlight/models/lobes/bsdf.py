@@ -83,7 +83,8 @@ class LobesBsdf(SeparableBsdf):
     def mixture(self) -> Mixture:
         """Probabilities of the lobes that do not depend on the group."""
         blend = self._point_model.appearance.diffuse_blend
-        return mixture_of(self.albedos, self.null_transmission, self._at.view, self.sheen, blend)
+        # Densities carry no derivatives: sums over groups are loops.
+        return mixture_of(dr.detach(self.albedos), self.null_transmission, self._at.view, self.sheen, blend)
 
     @cached_property
     def hole(self) -> Float:

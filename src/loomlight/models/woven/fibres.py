@@ -23,6 +23,8 @@ _EDGE = 0.98
 # α² of a lobe is that of the fibres plus this fraction of the squared distance to the next lobe: less leaves
 # gaps between lobes, more blurs highlights.
 _SPREAD = 0.3
+# Added to α for each unit of the standard deviation of fibre directions in one direction.
+_SPREAD_WIDTH = 1.7
 
 
 @dataclass(frozen=True)
@@ -104,6 +106,20 @@ class Fibres:
             bundles = np.concatenate([axis, (scale * square)[:, None]], axis=1)
             numbers.append(np.concatenate([bundles, [[0, 0, 0, 1]]]))
         return np.array(numbers, np.float32)
+
+    def lobe_roughness(self) -> tuple[float, float]:
+        """α of one lobe about the crown's fibres that covers those of the whole yarn, for both families.
+
+        α grows with the standard deviation of fibre directions, as that of groups of `lobes` does.
+        """
+        slopes, positions = np.indices((BUNDLE_SLOPES, BUNDLE_POSITIONS)).reshape(2, -1).astype(float)
+        widened = []
+        for family in (0, 1):
+            axis = self._axis(family, False, slopes, positions)
+            crown = np.append(self.face(False)[family, :2], 0)
+            variance = np.square(axis - crown).sum(1).mean()
+            widened.append(min(self.roughness[family] + _SPREAD_WIDTH * math.sqrt(0.5 * variance), 1.0))
+        return widened[0], widened[1]
 
     def _axis(
         self, family: int, back: bool, slopes: NDArray[np.float64], positions: NDArray[np.float64]

@@ -35,6 +35,7 @@ class LatentTable:
         uniforms: uniform buffers of `decoder_kernel` after the packed layers; empty on devices without
             kernels.
         bundles: of the front, b and a of each, for both families; see `Fibres.bundles`.
+        lobe_roughness: of both families; see `Fibres.lobe_roughness`.
     """
 
     def __init__(self, weights: Weights, encoded: EncodedFabric, float_type: FloatType | None = None) -> None:
@@ -81,6 +82,8 @@ class LatentTable:
         self._fibres = [
             [dr.opaque(types.Float, number) for number in row] for row in encoded.fibres.face(False).tolist()
         ]
+        warp, weft = (dr.opaque(types.Float, number) for number in encoded.fibres.lobe_roughness())
+        self.lobe_roughness = warp, weft
         self.bundles = [
             [tuple(dr.opaque(types.Float, number) for number in bundle) for bundle in family]
             for family in (encoded.fibres.bundles(False).tolist() if weights.table.bundles else [])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from functools import cache, cached_property
 from typing import Any, Self, final
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from loomlight.assets.loom_file import LoomFile
 from loomlight.assets.sources import Source
 from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, channel_mean, maximum, minimum
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.core.footprint import Footprint
@@ -31,6 +30,7 @@ from loomlight.models.woven.fibres import Fibres
 from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.light_visibility import light_visibility_of
+from loomlight.models.woven.proposal import Proposal, proposal_of
 from loomlight.models.woven.weights import Weights, read_weights, shipped_weights
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.point import DirectionSample, to_face_frame
@@ -87,23 +87,14 @@ class WovenBsdf(SeparableBsdf):
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
-        null, reflected = self._probabilities
-        side = dr.select(light.z * self.view.z > 0, reflected, 1 - reflected)
-        return (1 - null) * side * dr.abs(light.z) * dr.inv_pi
+        return self._proposal.density(to_face_frame(light, self._back))
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
-        """Null transmission through holes, else a cosine lobe on either side in proportion to albedos."""
-        types = array_types(self.view.x)
+        """Null transmission through holes, else a direction from one of the lobes of `proposal`."""
         self._activate_first()
-        null, reflected = self._probabilities
-        is_null = types.Bool(choice < null)
-        radius, angle = dr.sqrt(u.x), 2 * math.pi * u.y
-        sine, cosine = dr.sincos(angle)
-        height = dr.sqrt(maximum(1 - u.x, 1e-12))
-        is_reflection = choice < null + (1 - null) * reflected
-        up = dr.select(is_reflection ^ self._back, height, -height)
-        light = dr.select(is_null, -self.view, types.Vector3(radius * cosine, radius * sine, up))
-        pdf = dr.select(is_null, null, self.pdf(light))
+        facing, is_null = self._proposal.draw(choice, u)
+        light = to_face_frame(facing, self._back)
+        pdf = dr.select(is_null, self._proposal.null, self._proposal.density(facing))
         value = self.value(light)
         # Null transmission is drawn with the probability of its transmittance.
         weight = dr.select(is_null, 1, dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0))
@@ -121,21 +112,17 @@ class WovenBsdf(SeparableBsdf):
         self.__dict__.setdefault("hole", self._activations.hole)
 
     @cached_property
-    def _probabilities(self) -> tuple[Float, Float]:
-        """Probability of null transmission, and of reflection given no null transmission."""
-        highlight = layer_albedo_bound(self._model.fabric.appearance().optical_depth)
-        families = self.albedos.warp, self.albedos.weft
-
-        def weight(side: str) -> Float:
-            diffuse, specular = (
-                sum(channel_mean(getattr(family, f"{term}_{side}")) for family in families)
-                for term in ("diffuse", "specular")
-            )
-            return diffuse + highlight * specular
-
-        reflected, transmitted = weight("reflect") + self.sheen.strength, weight("transmit")
-        # Not 0/0: black cloth reflects nothing, but a direction has to be drawn.
-        return self.null_transmission, (reflected + 1e-6) / (reflected + transmitted + 1e-6)
+    def _proposal(self) -> Proposal:
+        """The mixture that directions are drawn from; densities carry no derivatives."""
+        return proposal_of(
+            dr.detach(self.albedos),
+            dr.detach(self.null_transmission),
+            self.sheen.strength,
+            layer_albedo_bound(self._model.fabric.appearance().optical_depth),
+            to_face_frame(self.view, self._back),
+            self._table.fibres(self._back),
+            self._table.lobe_roughness,
+        )
 
 
 @final

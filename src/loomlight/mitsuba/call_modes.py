@@ -1,0 +1,81 @@
+"""How Dr.Jit traces the calls of a BSDF, and what is looked at while it does."""
+
+from __future__ import annotations
+
+import functools
+import warnings
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import drjit as dr
+import mitsuba as mi
+
+from loomlight.core.errors import LoomlightWarning
+
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+_LOOPS = dr.JitFlag.SymbolicLoops
+_BRANCHES = dr.JitFlag.SymbolicConditionals
+# Ids of the meshes without uv that were told of.
+_MESHES_TOLD: set[str] = set()
+# Names of BSDFs that were told of.
+_SLOW_TOLD: set[str] = set()
+
+
+def nested(method: _Method) -> _Method:
+    """A method of a BSDF whose loops are symbolic within a symbolic call.
+
+    Integrators that differentiate by automatic differentiation evaluate loops, but calls of BSDFs stay
+    symbolic. Dr.Jit then makes every loop within them symbolic too, and prints a warning for each.
+    """
+
+    @functools.wraps(method)
+    def call(*arguments: Any, **named: Any) -> Any:
+        if not dr.flag(dr.JitFlag.SymbolicScope):
+            return method(*arguments, **named)
+        with dr.scoped_set_flag(_LOOPS, True), dr.scoped_set_flag(_BRANCHES, True):
+            return method(*arguments, **named)
+
+    return call  # type: ignore[return-value]
+
+
+def warn_of_slow_calls(plugin: str) -> None:
+    """Warns once that a BSDF with a network is traced in symbolic calls.
+
+    Args:
+        plugin: the name of the BSDF.
+    """
+    if plugin in _SLOW_TOLD or not dr.flag(dr.JitFlag.SymbolicScope):
+        return
+    _SLOW_TOLD.add(plugin)
+    warnings.warn(
+        f"{plugin} takes some 30 times as long in symbolic calls, which this integrator makes: render with "
+        "footprint_path, or switch off dr.JitFlag.SymbolicCalls and dr.JitFlag.SymbolicLoops.",
+        LoomlightWarning,
+        stacklevel=2,
+    )
+
+
+def warn_of_missing_uv(bsdf: Any, si: Any) -> None:
+    """Warns once of every mesh with this BSDF that has no uv coordinates.
+
+    Mitsuba hands out the barycentric coordinates of each triangle for uv then. A BSDF does not know its
+    shapes, but a call of all shapes, which Dr.Jit traces once for each, does; it computes nothing.
+    """
+
+    def look(shape: Any, _: Any) -> None:
+        if shape is None or not shape.is_mesh() or shape.bsdf() is not bsdf:
+            return
+        name = str(shape.id())
+        # Shapes that Mitsuba computes, such as rectangles, count as meshes too and have uv.
+        uv = [value for key, value in mi.traverse(shape) if key.endswith("texcoords")]
+        if name in _MESHES_TOLD or not uv or dr.width(uv) > 0:
+            return
+        _MESHES_TOLD.add(name)
+        warnings.warn(
+            f'The mesh "{name}" has no uv coordinates: every triangle shows the same corner of the cloth. '
+            "Unwrap it.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
+
+    dr.dispatch(si.shape, look, mi.UInt32(0))
