@@ -201,7 +201,7 @@ def test_outside_mesh_under_outside_sky() -> None:
     assert render(shown.scene, spp=4).mean() > 0.05
 
 
-@pytest.mark.parametrize("light", ["sunsky", "point", "directional"])
+@pytest.mark.parametrize("light", ["studio", "sunsky", "point", "directional"])
 def test_lights_come_from_where_they_are_told(light: str) -> None:
     def halves(azimuth: float, elevation: float) -> tuple[float, float]:
         shown = build_scene("sphere", WHITE, light=light, light_from=(azimuth, elevation), size=(16, 16))

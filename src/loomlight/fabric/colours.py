@@ -8,14 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.colour import parse_colour
-from loomlight.fabric.defaults import COLOUR
 from loomlight.fabric.file import FabricFile, YarnTable, is_one_colour
 from loomlight.weave.draft import Draft, Threads
-from loomlight.weave.palette import with_palette
+from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR, with_palette
 
 
 def coloured_draft(draft: Draft, fields: FabricFile) -> Draft:
-    """`draft` with a colour for every thread: the file's, else its own, else undyed cotton.
+    """`draft` with a colour for every thread: the file's, else its own, else a dark warp and a light weft.
 
     Where a family of the draft has two or more colours in an order of its own, a list of as many replaces
     them, in the order of the draft's palette. A longer list, and any list where there is no such order, is in
@@ -45,6 +44,6 @@ def _colours(table: YarnTable, name: str, threads: Threads) -> NDArray[np.float6
     if given is None:
         if threads.colors is not None:
             return None
-        given = COLOUR
+        given = WARP_COLOUR if name == "warp" else WEFT_COLOUR
     listed = [given] if is_one_colour(given) else given
     return np.array([parse_colour(colour, f"{name}.color") for colour in listed])

@@ -74,14 +74,14 @@ class _Setup:
 
 
 # After the controlled set-ups of zhu2024, section 6: cloth over a sphere under a point light, cloth around a
-# cylinder lit from near the camera; and a flat piece and a draped one by day.
+# cylinder lit from near the camera; and a flat piece and a draped one in a studio, whose light is neutral.
 _SETUPS = {
-    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "sunsky", (-0.5, 0.6, 0.8)),
+    "flat": _Setup(cloth_shapes.flat, (0, 0, 1), "studio", (-0.5, 0.6, 0.8)),
     "sphere": _Setup(cloth_shapes.sphere, (0, 0, 1), "point", (-0.45, 0.6, 0.75)),
     "cylinder": _Setup(cloth_shapes.cylinder, (0, 0, 1), "point", (-0.1, 0.45, 1)),
-    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "sunsky", (-0.6, 0.75, 0.6), ground=True),
+    "drape": _Setup(cloth_shapes.drape, (0.35, 0.55, 1), "studio", (-0.6, 0.75, 0.6), ground=True),
 }
-_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "sunsky", (-0.6, 0.75, 0.6), ground=True)
+_MESH = _Setup(cloth_shapes.drape, (0.3, 0.35, 1), "studio", (-0.6, 0.75, 0.6), ground=True)
 
 SCENES = tuple(_SETUPS)
 
@@ -111,7 +111,7 @@ def build_scene(
         metres_per_unit: the length of one unit of the mesh, or of the scene file.
         environment: a latitude-longitude picture that lights a built-in scene in place of its light.
         environment_turn: degrees about the vertical.
-        light: sunsky, point or directional; by default what the scene was designed with.
+        light: studio, sunsky, point or directional; by default what the scene was designed with.
         light_from: where that light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
             stands, 90 from +x, its right) and elevation (90 from +y); by default as designed.
         zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.

@@ -19,6 +19,7 @@ from loomlight.core.colour import linear_to_srgb, parse_colour, srgb_to_linear
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.weave.draft import Draft, LoomPlan, Threads
 from loomlight.weave.loom import derive_loom_plan, membership, moved_shafts
+from loomlight.weave.palette import WARP_COLOUR, WEFT_COLOUR
 
 Pixels = NDArray[np.uint8]
 Face = Literal["front", "back"]
@@ -38,8 +39,8 @@ _SMALLEST_LEGIBLE_CELL_PX = 4
 # Small repeats are drawn several times until the eye sees a cloth.
 _LEGIBLE_THREADS = 24
 
-_WARP = parse_colour("#2f4263", "warp")
-_WEFT = parse_colour("#efe7d6", "weft")
+_WARP = parse_colour(WARP_COLOUR, "warp")
+_WEFT = parse_colour(WEFT_COLOUR, "weft")
 _PAPER = np.array([252, 251, 248], dtype=np.uint8)
 _EMPTY = np.array([255, 255, 255], dtype=np.uint8)
 _INK = np.array([44, 46, 54], dtype=np.uint8)

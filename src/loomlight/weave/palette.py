@@ -12,6 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from loomlight.core.errors import InputError
 from loomlight.weave.draft import MAXIMUM_THREADS, Draft, Threads
 
+# Of threads that nobody has coloured, sRGB: a dark warp and a light weft show how they interlace.
+WARP_COLOUR, WEFT_COLOUR = "#30497a", "#efe7d6"
+
 
 def with_palette(draft: Draft, warp_colors: ArrayLike | None, weft_colors: ArrayLike | None) -> Draft:
     """The draft in other colours.
