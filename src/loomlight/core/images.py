@@ -19,6 +19,7 @@ from loomlight.core.files import replacing
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 # Pixels a side of a picture that is read.
 LARGEST_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
@@ -83,6 +84,18 @@ def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
         return picture.size
 
 
+def require_picture_size(path: str | os.PathLike[str]) -> None:
+    """Raises InputError if a picture has more than 16384 pixels a side; reads its head alone."""
+    _require_size(path, *picture_size(path))
+
+
+def _require_size(path: str | os.PathLike[str], width: int, height: int) -> None:
+    if max(width, height) > LARGEST_PICTURE_SIDE:
+        raise InputError(
+            f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
+        )
+
+
 def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
     """sRGB-encoded values [height, width, 3] in [0, 1] of a PNG, JPEG, TIFF, BMP or GIF, on white.
 
@@ -100,10 +113,7 @@ def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float
     """
     with _opened(path) as picture:
         width, height = picture.size
-        if max(width, height) > LARGEST_PICTURE_SIDE:
-            raise InputError(
-                f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
-            )
+        _require_size(path, width, height)
         step = max(1, _PIXELS_AT_ONCE // width)
         for top in range(0, height, step):
             part = picture.crop((0, top, width, min(top + step, height)))
