@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
@@ -15,7 +15,7 @@ from PIL import Image, UnidentifiedImageError
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import replacing, replacing_all
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
@@ -70,8 +70,18 @@ def _without_single_channel(pixels: NDArray[_Kind]) -> NDArray[_Kind]:
 
 def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
     """Writes 8-bit pixels [height, width] or [height, width, 3] as they are."""
-    with replacing(path) as temporary:
-        Image.fromarray(pixels).save(temporary, format="PNG")
+    write_pngs({Path(path): pixels})
+
+
+def write_pngs(pictures: Mapping[Path, NDArray[np.uint8]]) -> None:
+    """Writes 8-bit pictures, each [height, width] or [height, width, 3]: all of them, or none.
+
+    Raises:
+        InputError: a path that cannot be written, or a full disk.
+    """
+    with replacing_all(list(pictures)) as temporaries:
+        for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
+            Image.fromarray(pixels).save(temporary, format="PNG")
 
 
 def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
