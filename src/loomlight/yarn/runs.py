@@ -49,7 +49,7 @@ def thread_blocks(threads: int, crossings: int) -> list[slice]:
 
 
 def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
-    threads, crossings = on_top.shape
+    crossings = on_top.shape[1]
     interlaces = (on_top != on_top[:, :1]).any(axis=1)
     starts = on_top != np.roll(on_top, 1, axis=1)
     position = np.arange(crossings, dtype=np.int32)
