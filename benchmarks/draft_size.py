@@ -5,7 +5,7 @@
 
 With --steps it is what the largest drafts cost step by step, each in a process of its own: a scarf of 641 ×
 8208 threads in six colours and a cloth of 4096 × 16384 in eight, written as WIF files, read, described by
-`weave info`, drawn as `weave show` draws them, and rendered by two models; and a draft of 16384 × 16384, which
+`weave info`, drawn as `weave show` does, and rendered by two models; and a draft of 16384 × 16384, which
 is too large to be rendered. Seconds are CPU seconds of all threads.
 
 Without it, seconds are those of rendering alone, after a first picture that compiles; the fabrics take turns
