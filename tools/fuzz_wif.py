@@ -1,26 +1,32 @@
 """Feeds mutilated weaving information files to the reader: each must be read, or refused in a sentence.
 
-    python -m tools.fuzz_wif [--count 10000] [--seed 0] [--folder FOLDER]
+    python -m tools.fuzz_wif [--count 10000] [--seed 0] [--folder FOLDER …] [--output FILE.json]
 
-A run fails on an error other than InputError, on a message of more than one line, on a draft that does not
-survive being written and read again, and on more than two seconds. What failed is printed with its seed
-and text; `--seed N --count 1` repeats it.
+Each original is there twice: as it is, and without the line [WIF], as some programs write it. A run fails on
+an error other than InputError, on a message of more than one line, on a draft that does not survive being
+written and read again, and on more than two CPU seconds. What failed is printed with its seed and text;
+`--seed N --count 1` repeats it.
 """
 
 from __future__ import annotations
 
 import argparse
 import random
+import re
 import sys
 import time
 import traceback
 import warnings
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
-from loomlight.core.errors import InputError
+from benchmarks.harness import Figures, record
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.evaluation.table import write_json
 from loomlight.weave import Draft
 from loomlight.weave.wif_reader import draft_of
 from loomlight.weave.wif_text import decode_wif, parse_wif_text
@@ -32,7 +38,7 @@ SLOWEST_S = 2.0
 LARGEST_BYTES = 30_000
 
 _NASTY = (
-    "", "0", "-1", "1", "4096", "4097", "99999999999999999999", "1e999", "-1e999", "nan", "inf", "1e-300",
+    "", "0", "-1", "1", "16384", "16385", "99999999999999999999", "1e999", "-1e999", "nan", "inf", "1e-300",
     "0x10", "1.5", ",", ",,,", "1,", "1,2,3,4,5", "0,0", "255,0", "true", "maybe", "=", "[", "]", "[WIF]",
     "[THREADING]", ";", "#", "\x00", "\ufeff", "٣", "１", "²", "Ⅷ", "%(x)s", "${HOME}", "1" * 5000, " ", "\t",
 )  # fmt: skip
@@ -40,6 +46,7 @@ _SECTIONS = (
     "WIF", "CONTENTS", "TEXT", "NOTES", "WEAVING", "WARP", "WEFT", "THREADING", "TIEUP", "TREADLING",
     "LIFTPLAN", "COLOR TABLE", "COLOR PALETTE", "WARP COLORS", "WEFT SPACING", "PRIVATE X", "", "NO SUCH",
 )  # fmt: skip
+_HEADER = re.compile(r"\[wif\]", re.IGNORECASE)
 
 Mutation = Callable[[random.Random, bytes], bytes]
 
@@ -156,29 +163,77 @@ def _same(first: Draft, second: Draft) -> bool:
     return True
 
 
-def fault_of(content: bytes) -> str | None:
-    """What is wrong with how the reader takes `content`; None if nothing is."""
-    start = time.perf_counter()
+@dataclass(frozen=True)
+class Outcome:
+    """How the reader takes a file.
+
+    Attributes:
+        kind: "read", "read with warnings", "refused" or "fault".
+        seconds: CPU seconds to read it, and to write and read it again.
+        fault: what is wrong; None if nothing is.
+    """
+
+    kind: str
+    seconds: float
+    fault: str | None = None
+
+
+def outcome_of(content: bytes) -> Outcome:
+    """How the reader takes `content`."""
+    fault = None
+    start = time.process_time()
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
             draft = _read(content)
+            warned = any(issubclass(warning.category, LoomlightWarning) for warning in caught)
             again = _read(wif_text_of(draft).encode("utf-8", errors="replace"))
-        fault = None if _same(draft, again) else "the draft changed when it was written and read again"
+        kind = "read with warnings" if warned else "read"
+        if not _same(draft, again):
+            fault = "the draft changed when it was written and read again"
     except InputError as error:
+        kind = "refused"
         fault = f"a message of several lines: {error}" if "\n" in str(error) else None
     except Exception:  # whatever it is, a traceback is what the fuzzer looks for
         fault = traceback.format_exc()
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     if fault is None and seconds > SLOWEST_S:
-        return f"took {seconds:.1f} s"
-    return fault
+        fault = f"took {seconds:.1f} s"
+    return Outcome("fault" if fault is not None else kind, seconds, fault)
 
 
-def originals_in(folder: Path) -> list[bytes]:
-    """The contents of all weaving information files below `folder` that are small enough."""
-    files = sorted(folder.rglob("*.wif"))
-    return [content for content in (file.read_bytes() for file in files) if len(content) <= LARGEST_BYTES]
+def fault_of(content: bytes) -> str | None:
+    """What is wrong with how the reader takes `content`; None if nothing is."""
+    return outcome_of(content).fault
+
+
+def originals_in(*folders: Path) -> list[bytes]:
+    """All weaving information files below the folders that are small enough, each also without [WIF]."""
+    files = sorted(file for folder in folders for file in folder.rglob("*.wif"))
+    whole = [content for content in (file.read_bytes() for file in files) if len(content) <= LARGEST_BYTES]
+    return [*whole, *(_HEADER.sub("", decode_wif(content), count=1).encode() for content in whole)]
+
+
+def fuzz(originals: Sequence[bytes], seeds: Sequence[int]) -> Figures:
+    """Outcomes of the files of some seeds; prints faults."""
+    kinds: Counter[str] = Counter()
+    slowest = 0.0
+    for seed in seeds:
+        content = mutated(seed, list(originals))
+        outcome = outcome_of(content)
+        kinds[outcome.kind] += 1
+        slowest = max(slowest, outcome.seconds)
+        if outcome.fault is not None:
+            print(f"--- seed {seed}: {outcome.fault}\n{content[:4000]!r}\n", flush=True)
+    return {
+        "files": len(seeds),
+        "originals": len(originals),
+        "originals_without_header": len(originals) // 2,
+        "outcomes": dict(sorted(kinds.items())),
+        "slowest_cpu_seconds": round(slowest, 3),
+        "bar_cpu_seconds": SLOWEST_S,
+        "missed": ["faults"] if kinds["fault"] else [],
+    }
 
 
 def main() -> int:
@@ -186,21 +241,20 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--count", type=int, default=10_000, help="how many files (default: 10000)")
     parser.add_argument("--seed", type=int, default=0, help="seed of the first (default: 0)")
-    parser.add_argument("--folder", type=Path, default=FIXTURES, help="where the files to mutilate lie")
+    parser.add_argument(
+        "--folder", type=Path, nargs="+", default=[FIXTURES], help="where the files to mutilate lie"
+    )
+    parser.add_argument("--output", type=Path, default=None, help="a JSON file for the record")
     options = parser.parse_args()
-    originals = originals_in(options.folder)
+    originals = originals_in(*options.folder)
     if not originals:
-        print(f"{options.folder} holds no .wif file", file=sys.stderr)
+        print(f"{' and '.join(map(str, options.folder))}: no .wif file", file=sys.stderr)
         return 2
-    faults = 0
-    for seed in range(options.seed, options.seed + options.count):
-        content = mutated(seed, originals)
-        fault = fault_of(content)
-        if fault is not None:
-            faults += 1
-            print(f"--- seed {seed}: {fault}\n{content[:4000]!r}\n", flush=True)
-    print(f"{options.count} files from {len(originals)} originals, {faults} faults")
-    return 1 if faults else 0
+    figures = fuzz(originals, range(options.seed, options.seed + options.count))
+    print(f"{figures['files']} files from {figures['originals']} originals: {figures['outcomes']}")
+    if options.output is not None:
+        write_json(options.output, record(figures))
+    return 1 if figures["missed"] else 0
 
 
 if __name__ == "__main__":

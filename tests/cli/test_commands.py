@@ -16,6 +16,7 @@ from PIL import Image
 import loomlight
 from loomlight.cli.doctor import EXTRAS, PACKAGES
 from loomlight.cli.main import run
+from loomlight.weave.load import load_draft
 from loomlight.weave.named import named_weave, weave_names
 from loomlight.weave.wif_reader import read_wif
 
@@ -48,6 +49,16 @@ def test_show(tmp_path: Path) -> None:
     )
     assert Image.open(front).size == Image.open(back).size
     assert not np.array_equal(np.asarray(Image.open(front)), np.asarray(Image.open(back)))
+
+
+def test_show_stands_as_in_weaving_software_and_can_be_read_again_from_the_other_corner(
+    tmp_path: Path,
+) -> None:
+    drawdown = named_weave("crepe").drawdown
+    for origin, expected in (([], drawdown[::-1, ::-1]), (["--origin", "bottom-left"], drawdown)):
+        path = tmp_path / "crepe.png"
+        assert run(["weave", "show", "crepe", "-o", str(path), "--drawdown", "--cell", "1", *origin]) == 0
+        np.testing.assert_array_equal(load_draft(path).drawdown, expected)
 
 
 def test_convert_round_trips(tmp_path: Path) -> None:

@@ -5,7 +5,9 @@ Covers: evaluation/compare.py, evaluation/report.py
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 from pathlib import Path
 
 import numpy as np
@@ -85,3 +87,19 @@ def test_faults(
     assert expected in captured.err
     assert captured.err.count("\n") == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file"]
+
+
+def test_no_empty_folder_is_left_on_a_full_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+    def full(*_arguments: object, **_options: object) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Image.Image, "save", full)
+    options = ["--models", "point", "--scenes", "flat near", "--size", "32x18", "--spp", "2"]
+    assert run(["compare", "plain", "-o", "report", *options]) == 2
+    assert "cannot be written: No space left on device" in capsys.readouterr().err
+    assert not (tmp_path / "report").exists()

@@ -15,6 +15,8 @@ from loomlight.core.llvm import require_llvm
 from loomlight.weave.drawing import draw_drawdown
 from loomlight.weave.named import named_weave
 
+from ..core.pictures import png_head
+
 require_llvm()
 FAULTS: dict[str, tuple[list[str], str]] = {
     "no such command": (["rendr"], "render"),
@@ -46,6 +48,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no draft": (["weave", "info", "cloth.obj"], "cloth.obj is no draft"),
     "bad picture": (["weave", "show", "bad.png", "-o", "a.png"], "bad.png is no picture"),
     "no face": (["weave", "show", "plain", "-o", "a.png", "--face", "left"], "left"),
+    "no origin": (["weave", "show", "plain", "-o", "a.png", "--origin", "left"], "left"),
     "no cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "0"], "0"),
     "a huge cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "99999999"], "99999999"),
     "no repeats": (["weave", "show", "plain", "-o", "a.png", "--repeats", "-2"], "-2"),
@@ -61,6 +64,9 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no text": (["render", "\udcff", "-o", "a.png"], "no text in UTF-8"),
     "no text for a draft": (["render", "a\udcff.wif", "-o", "a.png"], "no text in UTF-8"),
     "an empty field": (["render", "empty.toml", "-o", "a.png"], 'warp.count = "" is empty'),
+    "an all-warp draft": (["render", "flat.wif", "-o", "a.png"], "flat.wif: none of its 2 ends and 1 picks"),
+    "a draft as large as none": (["weave", "info", "huge.png"], "huge.png has 60000 x 60000 pixels"),
+    "an empty mesh": (["render", "plain", "-o", "a.png", "--mesh", "empty.obj"], "empty.obj is empty"),
     "a jpeg demo": (["demo", "-o", "demo.jpg"], "must end in .png"),
 }
 
@@ -71,6 +77,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "folder.png").mkdir()
     (tmp_path / "bad.toml").write_text('weave = "plain"\ngap = 2')
     (tmp_path / "bad.wif").write_text("no draft")
+    (tmp_path / "flat.wif").write_text("[WIF]\n[THREADING]\n1=1\n2=2\n[LIFTPLAN]\n1=1,2\n")
+    (tmp_path / "empty.obj").touch()
+    png_head(tmp_path / "huge.png", 60_000, 60_000)
     (tmp_path / "bad.png").write_bytes(b"no picture")
     (tmp_path / "empty.toml").write_text('weave = "plain"\n[warp]\ncount = ""')
     os.mkfifo(tmp_path / "pipe.wif")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import discarding_empty, replacing, replacing_all
 
 
 def names_in(folder: Path) -> list[str]:
@@ -92,3 +92,50 @@ def test_the_file_follows_the_umask(tmp_path: Path) -> None:
     finally:
         os.umask(before)
     assert stat.S_IMODE((tmp_path / "cloth.png").stat().st_mode) == 0o640
+
+
+def test_files_that_belong_together_appear_together(tmp_path: Path) -> None:
+    names = ["a.png", "b.png", "c.png"]
+    with replacing_all([tmp_path / name for name in names]) as temporaries:
+        for number, temporary in enumerate(temporaries):
+            temporary.write_text(str(number))
+        assert not set(names) & set(names_in(tmp_path))
+    assert [(tmp_path / name).read_text() for name in names] == ["0", "1", "2"]
+    assert names_in(tmp_path) == names
+
+
+def write_one_of_two(folder: Path, failure: BaseException) -> None:
+    with replacing_all([folder / "a.png", folder / "b.png"]) as temporaries:
+        temporaries[0].write_text("whole")
+        raise failure
+
+
+@pytest.mark.parametrize("failure", [OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)), KeyboardInterrupt()])
+def test_of_files_that_belong_together_none_appears_alone(tmp_path: Path, failure: BaseException) -> None:
+    (tmp_path / "a.png").write_text("before")
+    expected = InputError if isinstance(failure, OSError) else KeyboardInterrupt
+    with pytest.raises(expected):
+        write_one_of_two(tmp_path, failure)
+    assert names_in(tmp_path) == ["a.png"]
+    assert (tmp_path / "a.png").read_text() == "before"
+
+
+def make_folders_and_fail(folder: Path, file: str | None) -> None:
+    with discarding_empty(folder):
+        (folder / "pictures").mkdir(parents=True, exist_ok=True)
+        if file is not None:
+            (folder / file).write_text("one")
+        raise ZeroDivisionError
+
+
+def test_an_empty_folder_goes_with_the_error(tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError):
+        make_folders_and_fail(tmp_path / "new", None)
+    assert names_in(tmp_path) == []
+    with pytest.raises(ZeroDivisionError):
+        make_folders_and_fail(tmp_path / "new", "one.txt")
+    assert names_in(tmp_path / "new") == ["one.txt"]
+    (tmp_path / "there").mkdir()
+    with pytest.raises(ZeroDivisionError):
+        make_folders_and_fail(tmp_path / "there", None)
+    assert (tmp_path / "there").is_dir()

@@ -11,6 +11,9 @@ import pytest
 import loomlight
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
+from loomlight.mitsuba import material_bsdf
+
+from ..core.pictures import png_head
 
 SMALL = {"size": (12, 8), "spp": 2, "seed": 3}
 
@@ -35,3 +38,14 @@ def test_a_name_a_file_and_a_fabric_give_the_picture_of_the_command_line(tmp_pat
 def test_exposures_are_checked(exposure: float) -> None:
     with pytest.raises(InputError, match="exposure"):
         loomlight.render_fabric("plain", exposure=exposure, **SMALL)
+
+
+def test_a_texture_of_billions_of_pixels_is_refused_before_it_is_read(tmp_path: Path) -> None:
+    """Mitsuba would take 43 GB for it."""
+    huge = png_head(tmp_path / "huge.png", 60_000, 60_000)
+    with pytest.raises(InputError, match=r"huge\.png has 60000 x 60000 pixels; at most 16384 a side"):
+        material_bsdf("plain", "point", albedo={"type": "bitmap", "filename": str(huge)})((100, 100))
+    with pytest.raises(InputError, match=r"none\.png does not exist"):
+        material_bsdf("plain", "point", albedo={"type": "bitmap", "filename": str(tmp_path / "none.png")})(
+            (1, 1)
+        )

@@ -9,7 +9,15 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as numpy_strategies
 
 from loomlight.core.errors import InputError
-from loomlight.weave import Draft, LoomPlan, derive_loom_plan, named_weave, plan_drawdown, with_loom_plan
+from loomlight.weave import (
+    Draft,
+    LoomPlan,
+    derive_loom_plan,
+    loom,
+    named_weave,
+    plan_drawdown,
+    with_loom_plan,
+)
 
 drawdowns = numpy_strategies.arrays(bool, st.tuples(st.integers(1, 24), st.integers(1, 24)))
 
@@ -50,3 +58,19 @@ def test_shaft_limit_is_kept() -> None:
     with pytest.raises(InputError, match=r"needs 8 shafts.*at most 4"):
         derive_loom_plan(named_weave("satin 8/3"), shaft_limit=4)
     assert with_loom_plan(named_weave("plain")).loom is not None
+
+
+def test_a_plan_that_no_file_holds_is_refused_with_its_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(loom, "MOST_LIFTS", 700)
+    with pytest.raises(InputError, match=r"needs 40 shafts and a plan of 0 million .*keep it as a picture"):
+        derive_loom_plan(Draft(np.random.default_rng(0).random((60, 40)) < 0.5))
+    # Few sheds, in whatever number of picks, have a short plan.
+    derive_loom_plan(Draft(np.tile(named_weave("satin 8/3").drawdown, (500, 500))))
+
+
+def test_large_products_are_made_by_parts(monkeypatch: pytest.MonkeyPatch) -> None:
+    plan = derive_loom_plan(Draft(np.random.default_rng(1).random((50, 30)) < 0.5))
+    two_shafts = replace(plan, threading=tuple(shafts | {1} for shafts in plan.threading))
+    whole = plan_drawdown(two_shafts)
+    monkeypatch.setattr(loom, "_ROWS_AT_ONCE", 7)
+    assert np.array_equal(plan_drawdown(two_shafts), whole)

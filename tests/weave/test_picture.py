@@ -3,8 +3,7 @@
 Covers: weave/load.py
 """
 
-import struct
-import zlib
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +17,8 @@ from loomlight.core import images
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.weave import drawdown_from_picture, load_draft, named_weave, write_wif
+
+from ..core.pictures import png_head
 
 
 def save(path: Path, pixels: np.ndarray) -> Path:
@@ -63,17 +64,6 @@ def test_refusals(tmp_path: Path) -> None:
         drawdown_from_picture(cut)
 
 
-def png_head(path: Path, width: int, height: int) -> Path:
-    """A PNG of so many pixels that holds none of them: what is too large is refused by its head."""
-
-    def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
-
-    head = chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0))
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + head + chunk(b"IDAT", zlib.compress(b"")) + chunk(b"IEND", b""))
-    return path
-
-
 @pytest.mark.filterwarnings("error")
 def test_a_picture_of_billions_of_pixels_is_refused_by_its_size(tmp_path: Path) -> None:
     huge = png_head(tmp_path / "huge.png", 60_000, 60_000)
@@ -94,6 +84,14 @@ def test_pictures_are_read_beyond_the_bound_of_pillow(
     monkeypatch.setattr(images, "_PIXELS_AT_ONCE", 1000)
     assert np.array_equal(drawdown_from_picture(path).drawdown, drawdown)
     assert Image.MAX_IMAGE_PIXELS == 100
+
+
+def test_untitled_drafts_get_the_name_of_their_file(tmp_path: Path) -> None:
+    untitled = replace(named_weave("twill 3/1 s"), title=" ")
+    write_wif(untitled, tmp_path / "my twill.wif")
+    assert load_draft(tmp_path / "my twill.wif").title == "my twill"
+    write_wif(named_weave("plain"), tmp_path / "other.wif")
+    assert load_draft(tmp_path / "other.wif").title == "plain"
 
 
 def test_load_draft_goes_by_the_suffix(tmp_path: Path) -> None:

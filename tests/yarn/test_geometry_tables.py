@@ -7,6 +7,7 @@ import weakref
 
 import numpy as np
 import pytest
+from drjit.llvm.ad import Bool, Float
 
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.runs import pack_runs
@@ -34,3 +35,30 @@ def test_geometries_of_one_layout_share_their_tables(monkeypatch: pytest.MonkeyP
     del layout
     gc.collect()
     assert gone() is None
+
+
+@pytest.mark.parametrize("shape", [(7, 5), (40, 33)])
+def test_words_are_found_by_whole_numbers_where_float32_does_not_tell_them_apart(
+    shape: tuple[int, int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(4)
+    drawdown = rng.random(shape) < 0.5
+    x, y = (Float(rng.uniform(-2, 3, 5000) * side) for side in even_layout(drawdown).size)
+    back = Bool(rng.random(5000) < 0.5)
+    points = []
+    for most_exact in (1 << 24, 1):
+        monkeypatch.setattr("loomlight.yarn.geometry_tables._MOST_EXACT", most_exact)
+        points.append(YarnGeometry(even_layout(drawdown)).surface(x, y, back))
+    for name in ("height", "is_warp", "hole", "warp_thread", "weft_thread"):
+        first, second = (np.asarray(getattr(point, name)) for point in points)
+        assert np.array_equal(first, second), name
+
+
+def test_tables_do_not_depend_on_how_many_threads_are_packed_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    drawdown = np.random.default_rng(6).random((37, 23)) < 0.5
+    whole = YarnGeometry(even_layout(drawdown))
+    monkeypatch.setattr("loomlight.yarn.runs._BLOCK", 100)
+    monkeypatch.setattr("loomlight.yarn.max_heights._BLOCK", 30)
+    parts = YarnGeometry(even_layout(drawdown, gap=0.2 + 1e-12))
+    for name in ("_words", "_max_heights"):
+        assert np.array_equal(getattr(whole, name), getattr(parts, name)), name

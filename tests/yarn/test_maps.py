@@ -5,12 +5,17 @@ Covers: yarn/textures.py
 
 from __future__ import annotations
 
+import errno
+import os
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import drjit as dr
 import numpy as np
 import pytest
 from drjit.llvm.ad import Array3f, Bool, Float
+from PIL import Image
 
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture, write_channels
@@ -68,6 +73,29 @@ def test_png_files_show_the_maps_upright(maps: SurfaceMaps, tmp_path: Path) -> N
     assert ((picture > 0.5) == np.flipud(maps.warp)).all()
     normal = read_picture(tmp_path / "twill_normal.png") * 2 - 1
     assert np.abs(normal - np.flipud(maps.normal)).max() < 1.01 / 127.5
+
+
+@pytest.mark.parametrize("earlier", [False, True])
+def test_no_part_of_the_pictures_is_left_on_a_full_disk(
+    maps: SurfaceMaps, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, earlier: bool
+) -> None:
+    """The third of five pictures does not fit: none of them appears, and those of an earlier run stay."""
+    if earlier:
+        write_maps(maps, tmp_path / "twill.png")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    save, calls = Image.Image.save, []
+
+    def save_until_full(picture: Image.Image, path: Path, **options: Any) -> None:
+        calls.append(path)
+        if len(calls) == 3:
+            Path(path).write_bytes(b"half")
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        save(picture, path, **options)
+
+    monkeypatch.setattr(Image.Image, "save", save_until_full)
+    with pytest.raises(InputError, match=r"twill_\w+\.png cannot be written: No space left on device"):
+        write_maps(replace(maps, warp=~maps.warp), tmp_path / "twill.png")
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 @pytest.mark.parametrize("back", [False, True])

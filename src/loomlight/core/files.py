@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from loomlight.core.errors import InputError
@@ -65,3 +65,30 @@ def replacing(path: str | os.PathLike[str]) -> Iterator[Path]:
         raise InputError(f"{target} cannot be written: {error.strerror or error}.") from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_all(paths: Sequence[str | os.PathLike[str]]) -> Iterator[list[Path]]:
+    """Temporary paths beside several files that belong together: all become those files, or none does.
+
+    Raises:
+        InputError: as `replacing`.
+    """
+    with ExitStack() as stack:
+        yield [stack.enter_context(replacing(path)) for path in paths]
+
+
+@contextmanager
+def discarding_empty(folder: str | os.PathLike[str]) -> Iterator[None]:
+    """Removes a folder that the block makes if the block ends in an error and leaves no file in it."""
+    top = Path(folder)
+    existed = os.path.lexists(top)
+    try:
+        yield
+    except BaseException:
+        if not existed:
+            # Folders that hold something refuse.
+            for parent, _, _ in os.walk(top, topdown=False):
+                with suppress(OSError):
+                    Path(parent).rmdir()
+        raise

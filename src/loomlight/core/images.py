@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TypeVar
@@ -15,10 +15,11 @@ from PIL import Image, UnidentifiedImageError
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import replacing, replacing_all
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
+PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 # Pixels a side of a picture that is read.
 LARGEST_PICTURE_SIDE = 16384
 # Pixels converted at once: 100 MB of float64.
@@ -69,8 +70,18 @@ def _without_single_channel(pixels: NDArray[_Kind]) -> NDArray[_Kind]:
 
 def write_png(path: str | os.PathLike[str], pixels: NDArray[np.uint8]) -> None:
     """Writes 8-bit pixels [height, width] or [height, width, 3] as they are."""
-    with replacing(path) as temporary:
-        Image.fromarray(pixels).save(temporary, format="PNG")
+    write_pngs({Path(path): pixels})
+
+
+def write_pngs(pictures: Mapping[Path, NDArray[np.uint8]]) -> None:
+    """Writes 8-bit pictures, each [height, width] or [height, width, 3]: all of them, or none.
+
+    Raises:
+        InputError: a path that cannot be written, or a full disk.
+    """
+    with replacing_all(list(pictures)) as temporaries:
+        for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
+            Image.fromarray(pixels).save(temporary, format="PNG")
 
 
 def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
@@ -81,6 +92,18 @@ def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:
     """
     with _opened(path) as picture:
         return picture.size
+
+
+def require_picture_size(path: str | os.PathLike[str]) -> None:
+    """Raises InputError if a picture has more than 16384 pixels a side; reads its head alone."""
+    _require_size(path, *picture_size(path))
+
+
+def _require_size(path: str | os.PathLike[str], width: int, height: int) -> None:
+    if max(width, height) > LARGEST_PICTURE_SIDE:
+        raise InputError(
+            f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
+        )
 
 
 def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
@@ -100,10 +123,7 @@ def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float
     """
     with _opened(path) as picture:
         width, height = picture.size
-        if max(width, height) > LARGEST_PICTURE_SIDE:
-            raise InputError(
-                f"{path} has {width} x {height} pixels; at most {LARGEST_PICTURE_SIDE} a side can be read."
-            )
+        _require_size(path, width, height)
         step = max(1, _PIXELS_AT_ONCE // width)
         for top in range(0, height, step):
             part = picture.crop((0, top, width, min(top + step, height)))

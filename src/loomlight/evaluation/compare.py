@@ -11,7 +11,7 @@ from functools import partial
 from pathlib import Path
 
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing
+from loomlight.core.files import discarding_empty, replacing
 from loomlight.core.images import write_image, write_png
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.held_out import HeldOut, held_out_fabrics
@@ -93,31 +93,34 @@ def compare(
     require_models(chosen)
     require_scenes(scenes)
     cloth = fabric if isinstance(fabric, Fabric) else load_fabric(fabric)
-    target = prepared_folder(folder)
-    pixels = size or (SIZE if full else QUICK_SIZE)
-    samples = reference_samples or (REFERENCE_SAMPLES if full else QUICK_SAMPLES)
+    with discarding_empty(folder):
+        target = prepared_folder(folder)
+        pixels = size or (SIZE if full else QUICK_SIZE)
+        samples = reference_samples or (REFERENCE_SAMPLES if full else QUICK_SAMPLES)
 
-    def step(what: str) -> Callable[[int, int], None]:
-        return lambda done, total: progress(what, done, total) if progress is not None else None
+        def step(what: str) -> Callable[[int, int], None]:
+            return lambda done, total: progress(what, done, total) if progress is not None else None
 
-    shown = run_image_benchmark(
-        chosen,
-        [cloth, fabric_from_text(_PARTNER)],
-        scenes=scenes,
-        size=pixels,
-        reference_samples=samples,
-        progress=step("pictures"),
-    )
-    comparison = Comparison(target, image_tables(shown))
-    for scene in shown:
-        comparison.refused.update(scene.refused)
-    able = [name for name in chosen if name not in comparison.refused]
-    comparison.tables += _query_tables(cloth, able, full, step("queries"))
-    if full:
-        dolly = run_dolly_benchmark(able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly"))
-        comparison.tables.append(dolly.table())
-    _write(comparison, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
-    return comparison
+        shown = run_image_benchmark(
+            chosen,
+            [cloth, fabric_from_text(_PARTNER)],
+            scenes=scenes,
+            size=pixels,
+            reference_samples=samples,
+            progress=step("pictures"),
+        )
+        comparison = Comparison(target, image_tables(shown))
+        for scene in shown:
+            comparison.refused.update(scene.refused)
+        able = [name for name in chosen if name not in comparison.refused]
+        comparison.tables += _query_tables(cloth, able, full, step("queries"))
+        if full:
+            dolly = run_dolly_benchmark(
+                able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly")
+            )
+            comparison.tables.append(dolly.table())
+        _write(comparison, shown, cloth, pixels, samples, {**provenance(command, Path(__file__).parent)})
+        return comparison
 
 
 def require_models(models: Sequence[str]) -> None:

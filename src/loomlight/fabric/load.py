@@ -13,6 +13,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.drafts import draft_of
 from loomlight.fabric.fabric import Fabric, make_fabric
 from loomlight.fabric.file import FabricFile
+from loomlight.fabric.plausibility import require_interlacing, warn_of_slips
 from loomlight.fabric.reading import (
     one_line,
     parse_fabric_file,
@@ -37,6 +38,9 @@ def load_fabric(path: str | os.PathLike[str]) -> Fabric:
 
     Raises:
         InputError: no such file, no fabric, or values that cannot be; the message names file and field.
+
+    Warns:
+        LoomlightWarning: a family of threads that never interlaces, or yarns wider than their spacing.
     """
     file = Path(path)
     suffix = file.suffix.lower()
@@ -133,5 +137,8 @@ def _only(**field: str) -> FabricFile:
 def _made(fields: FabricFile, folder: str, fallback_name: str, source: str) -> Fabric:
     with speaking_of(source):
         draft = draft_of(fields, folder)
+        require_interlacing(draft)
         name = fields.name or draft.title or fields.weave or fallback_name
-        return make_fabric(fields, draft, name, folder)
+        fabric = make_fabric(fields, draft, name, folder)
+    warn_of_slips(fields, draft, fabric.layout(), source)
+    return fabric

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.mitsuba.faults import reason_of
+from loomlight.mitsuba.gltf import load_gltf
 from loomlight.mitsuba.mesh_arrays import MeshArrays, arrays_of, make_shape
 
 SUFFIXES = (".obj", ".ply", ".gltf", ".glb")
@@ -60,6 +61,8 @@ def read_mesh(path: str | os.PathLike[str]) -> ClothMesh:
     if suffix not in SUFFIXES:
         raise InputError(f"{file}: meshes are read from {', '.join(SUFFIXES)} files.")
     require_file(file)
+    if file.stat().st_size == 0:
+        raise InputError(f"{file} is empty: it holds no mesh.")
     try:
         mesh = _read_gltf(file) if suffix in (".gltf", ".glb") else _read_with_mitsuba(file, suffix[1:])
     except InputError:
@@ -126,7 +129,7 @@ def _read_with_mitsuba(file: Path, plugin: str) -> ClothMesh:
 def _read_gltf(file: Path) -> ClothMesh:
     import trimesh
 
-    scene = trimesh.load(file, force="scene", process=False)
+    scene = load_gltf(file)
     parts = []
     for node in scene.graph.nodes_geometry:
         transform, name = scene.graph[node]

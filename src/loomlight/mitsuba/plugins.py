@@ -7,12 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache, partial
+from pathlib import Path
 from threading import RLock
 from typing import Any
 
 import mitsuba as mi
 
 from loomlight.core.errors import InputError
+from loomlight.core.images import PICTURE_SUFFIXES, require_picture_size
 from loomlight.mitsuba.integrator import footprint_path_class
 from loomlight.mitsuba.model_bsdf import GivenModel, model_bsdf_class
 from loomlight.mitsuba.variants import SUPPORTED_VARIANTS, is_supported, require_backend
@@ -42,9 +44,16 @@ def make_bsdf(
     Args:
         uv_size_mm: millimetres per unit of u and of v.
         albedo: the dictionary of a texture that diffuse albedos are multiplied with.
+
+    Raises:
+        InputError: the texture names no picture, or one of more than 16384 pixels a side.
     """
     props = mi.Properties()
     if albedo is not None:
+        # Mitsuba would read a picture of any size, and end the process where memory does not suffice.
+        file = Path(str(albedo.get("filename", "")))
+        if albedo.get("type") == "bitmap" and file.suffix.lower() in PICTURE_SUFFIXES:
+            require_picture_size(file)
         props["albedo"] = mi.load_dict(albedo)
     given = GivenModel(model, uv_size_mm)
     return _constructor(partial(_bsdf_class(mi.variant()), name=model.name, given=given))(props)

@@ -3,21 +3,28 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
+from loomlight.core.images import PICTURE_SUFFIXES
 from loomlight.weave.draft import Draft
 from loomlight.weave.other_programs import OTHER_SUFFIXES, read_other_program
 from loomlight.weave.picture import drawdown_from_picture
 from loomlight.weave.wif_reader import read_wif
 
-PICTURE_SUFFIXES = (".png", ".jpg", ".jpeg", ".tif", ".tiff", ".bmp", ".gif")
 DRAFT_SUFFIXES = (".wif", *OTHER_SUFFIXES, *PICTURE_SUFFIXES)
+_READERS: dict[str, Callable[[str | os.PathLike[str]], Draft]] = {
+    ".wif": read_wif,
+    **dict.fromkeys(OTHER_SUFFIXES, read_other_program),
+    **dict.fromkeys(PICTURE_SUFFIXES, drawdown_from_picture),
+}
 
 
 def load_draft(path: str | os.PathLike[str]) -> Draft:
-    """The draft in a file: .wif, .dtx, .wpo, .twa, or a picture of a drawdown.
+    """The draft in a file: .wif, .dtx, .wpo, .twa, or a picture of a drawdown; untitled ones get its name.
 
     Raises:
         InputError: another kind of file, or one that cannot be read or used.
@@ -25,11 +32,9 @@ def load_draft(path: str | os.PathLike[str]) -> Draft:
     suffix = Path(path).suffix.lower()
     if suffix in DRAFT_SUFFIXES:
         require_file(path)
-    if suffix == ".wif":
-        return read_wif(path)
-    if suffix in PICTURE_SUFFIXES:
-        return drawdown_from_picture(path)
-    if suffix in OTHER_SUFFIXES:
-        return read_other_program(path)
+    read = _READERS.get(suffix)
+    if read is not None:
+        draft = read(path)
+        return draft if draft.title.strip() else replace(draft, title=Path(path).stem)
     given = f'"{suffix}"' if suffix else "no suffix"
     raise InputError(f"{path}: a draft is a file or picture in {', '.join(DRAFT_SUFFIXES)}, not {given}.")

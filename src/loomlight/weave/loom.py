@@ -52,7 +52,13 @@ def plan_drawdown(plan: LoomPlan) -> NDArray[np.bool_]:
 
 
 def _any_product(left: NDArray[np.bool_], right: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    return np.asarray(left.astype(np.float32) @ right.astype(np.float32) > 0)
+    columns = right.astype(np.float32)
+    product = np.empty((len(left), right.shape[1]), dtype=bool)
+    # By parts: single precision takes four times the memory of the result.
+    for first in range(0, len(left), _ROWS_AT_ONCE):
+        rows = slice(first, first + _ROWS_AT_ONCE)
+        product[rows] = left[rows].astype(np.float32) @ columns > 0
+    return product
 
 
 def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
@@ -66,7 +72,7 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
         shaft_limit: the most shafts there are; None for as many as are needed.
 
     Raises:
-        InputError: more shafts are needed than there are.
+        InputError: more shafts are needed than there are, or more lifts than a file of a draft holds.
     """
     shaft_of_end, shed_ends = _in_order_of_occurrence(draft.drawdown.T)
     treadle_of_pick, shed_picks = _in_order_of_occurrence(draft.drawdown)
@@ -79,8 +85,16 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
     threading = tuple(frozenset({int(shaft) + 1}) for shaft in shaft_of_end)
     # sheds[treadle, shaft]: whether each kind of pick lifts the first end of each kind.
     sheds = draft.drawdown[np.ix_(shed_picks, shed_ends)]
+    lifts_of_treadle = sheds.sum(axis=1)
+    is_liftplan = len(sheds) > max(shafts, _TREADLES_AT_HAND)
+    count = int(lifts_of_treadle[treadle_of_pick].sum() if is_liftplan else lifts_of_treadle.sum())
+    if count > MOST_LIFTS:
+        raise InputError(
+            f"The draft needs {shafts} shafts and a plan of {count / 1e6:.0f} million lifts; a weaving "
+            f"information file that is read again has {MOST_LIFTS / 1e6:.0f} million: keep it as a picture."
+        )
     lifts = tuple(frozenset((np.flatnonzero(row) + 1).tolist()) for row in sheds)
-    if len(lifts) > max(shafts, _TREADLES_AT_HAND):
+    if is_liftplan:
         liftplan = tuple(lifts[treadle] for treadle in treadle_of_pick)
         return LoomPlan(threading=threading, shafts=shafts, liftplan=liftplan)
     return LoomPlan(
@@ -92,6 +106,9 @@ def derive_loom_plan(draft: Draft, shaft_limit: int | None = None) -> LoomPlan:
     )
 
 
+_ROWS_AT_ONCE = 1024
+# Shafts named by a liftplan, or by a tie-up: some 60 MB of text. Such files are read up to 64 MiB.
+MOST_LIFTS = 12_000_000
 # With more kinds of picks than both shafts and this, a treadling only repeats the liftplan at length.
 _TREADLES_AT_HAND = 16
 

@@ -20,6 +20,9 @@ COTTON_DENSITY = 1.52
 # The fraction of a ring-spun yarn's cross-section that is fibre (Morton and Hearle 2008 give 0.5 to 0.65).
 DEFAULT_PACKING = 0.6
 
+# Crossings of the threads whose floats are measured at once.
+_CROSSINGS_AT_ONCE = 1 << 18
+
 _NUMBER = r"(\d+(?:\.\d+)?)"
 _DIRECT = re.compile(_NUMBER + r"\s*(?:x\s*(\d+)\s*)?(dtex|tex|denier|den|ktex)")
 _INDIRECT = re.compile(r"(ne|nec|nm)\s*" + _NUMBER + r"(?:\s*/\s*(\d+))?")
@@ -100,10 +103,15 @@ def yarn_diameter_mm(
 def longest_runs(on_top: NDArray[np.bool_]) -> NDArray[np.intp]:
     """The longest run of True in each row of bool [n, m], where rows repeat; m if all of it is True."""
     length = on_top.shape[1]
-    twice = np.concatenate([on_top, on_top], axis=1)
-    position = np.arange(1, 2 * length + 1)
-    last_off = np.maximum.accumulate(np.where(twice, 0, position), axis=1)
-    return np.minimum(np.max(position - last_off, axis=1), length)
+    position = np.arange(1, 2 * length + 1, dtype=np.int32)
+    longest = np.empty(len(on_top), dtype=np.intp)
+    step = max(1, _CROSSINGS_AT_ONCE // length)
+    for first in range(0, len(on_top), step):
+        rows = on_top[first : first + step]
+        twice = np.concatenate([rows, rows], axis=1)
+        last_off = np.maximum.accumulate(np.where(twice, 0, position), axis=1)
+        longest[first : first + step] = np.minimum(np.max(position - last_off, axis=1), length)
+    return longest
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import FloatType
 from loomlight.core.backend import array_types
 from loomlight.core.errors import InputError
-from loomlight.core.images import write_channels, write_png
+from loomlight.core.images import write_channels, write_pngs
 from loomlight.yarn.search import Surface
 
 MAXIMUM_MAP_SIZE = 16384
@@ -129,7 +129,7 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
     and the height spans 0 to 1 from its lowest to its highest, 8 bits; EXR holds the values themselves.
 
     Raises:
-        InputError: another suffix, or a path that cannot be written.
+        InputError: another suffix, or a path that cannot be written; then no file is written.
     """
     target = Path(path)
     planes: dict[str, NDArray[np.float32]] = {
@@ -152,12 +152,12 @@ def write_maps(maps: SurfaceMaps, path: str | os.PathLike[str]) -> list[Path]:
     planes["height"] = ((planes["height"] - low) / max(high - low, 1e-12)).astype(np.float32)
     for name in ("normal", "tangent"):
         planes[name] = (0.5 * planes[name] + 0.5).astype(np.float32)
-    written = []
-    for name, plane in planes.items():
-        file = target.with_name(f"{target.stem}_{name}.png")
-        write_png(file, np.rint(np.clip(plane, 0, 1) * 255).astype(np.uint8))
-        written.append(file)
-    return written
+    pictures = {
+        target.with_name(f"{target.stem}_{name}.png"): np.rint(np.clip(plane, 0, 1) * 255).astype(np.uint8)
+        for name, plane in planes.items()
+    }
+    write_pngs(pictures)
+    return list(pictures)
 
 
 def read_maps(path: str | os.PathLike[str]) -> SurfaceMaps:

@@ -49,7 +49,7 @@ def thread_blocks(threads: int, crossings: int) -> list[slice]:
 
 
 def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
-    threads, crossings = on_top.shape
+    crossings = on_top.shape[1]
     interlaces = (on_top != on_top[:, :1]).any(axis=1)
     starts = on_top != np.roll(on_top, 1, axis=1)
     position = np.arange(crossings, dtype=np.int32)
@@ -61,14 +61,18 @@ def _pack_block(on_top: NDArray[np.bool_]) -> NDArray[np.uint32]:
     next_start = np.minimum.accumulate(np.where(starts, position, 2 * crossings)[:, ::-1], axis=1)[:, ::-1]
     following = np.roll(next_start, -1, axis=1)
     following[:, -1] = 2 * crossings
-    first_start = np.where(interlaces, starts.argmax(axis=1), 0)[:, None]
+    first_start = np.where(interlaces, starts.argmax(axis=1), 0).astype(np.int32)[:, None]
     following = np.where(following >= 2 * crossings, first_start + crossings, following)
     ahead = following - position - 1
 
     length = behind + ahead + 1
-    rows = np.arange(threads)[:, None]
-    before = length[rows, (position - behind - 1) % crossings]
-    after = length[rows, (position + ahead + 1) % crossings]
+    previous, following = position - behind - 1, position + ahead + 1
+    # Less than one repeat away: additions instead of remainders, which take as long as all else.
+    previous += crossings * (previous < 0)
+    following -= crossings * (following >= crossings)
+    # Threads that never interlace have no runs; their words follow below.
+    before = np.take_along_axis(length, np.maximum(previous, 0), axis=1)
+    after = np.take_along_axis(length, np.minimum(following, crossings - 1), axis=1)
 
     word = on_top.astype(np.uint32)
     word |= np.minimum(behind, LONGEST_OFFSET).astype(np.uint32) << np.uint32(1)

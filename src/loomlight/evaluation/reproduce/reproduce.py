@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from loomlight.core.errors import InputError
+from loomlight.core.files import discarding_empty
 from loomlight.core.images import write_png
 from loomlight.core.provenance import provenance
 from loomlight.evaluation.compare import prepared_folder
@@ -42,16 +43,17 @@ def reproduce(
     item = find_item(name)
     chosen = setting or Setting()
     chosen.network()
-    target = prepared_folder(folder)
-    earlier = _earlier(target / "table.json")
-    evidence = item.make(chosen)
-    for title, pixels in evidence.pictures.items():
-        write_png(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
-    write_png(target / f"{item.stem}.png", evidence.sheet)
-    entry = _entry(item, evidence, chosen, command)
-    content = {"schema": _SCHEMA, "kind": _KIND, "figures": {**earlier, item.name: entry}}
-    write_json(target / "table.json", content)
-    return evidence
+    with discarding_empty(folder):
+        target = prepared_folder(folder)
+        earlier = _earlier(target / "table.json")
+        evidence = item.make(chosen)
+        for title, pixels in evidence.pictures.items():
+            write_png(target / "pictures" / f"{item.stem}-{_file_name(title)}.png", pixels)
+        write_png(target / f"{item.stem}.png", evidence.sheet)
+        entry = _entry(item, evidence, chosen, command)
+        content = {"schema": _SCHEMA, "kind": _KIND, "figures": {**earlier, item.name: entry}}
+        write_json(target / "table.json", content)
+        return evidence
 
 
 def _entry(item: Item, evidence: Evidence, setting: Setting, command: str) -> dict[str, Any]:

@@ -36,8 +36,8 @@ _NODES_PER_SIDE, _FEWER_NODES = 3, 2
 # Texels between two nodes along each axis, and for each thread, at least.
 _TEXELS_PER_NODE = 4
 _TEXELS_PER_THREAD = 3
-# Texels along a cell, at most: cells of many threads are even without three a thread.
-_MOST_TEXELS_PER_NODE = 12
+# Texels along a cell, at most: their counts fit a byte, and cells of many threads need no three a thread.
+_MOST_TEXELS_PER_NODE = 15
 # Texels evaluated at once.
 _BATCH = 1 << 23
 # Numbers of the pyramid that are processed at once, to fit caches; and how many are worth a second thread.

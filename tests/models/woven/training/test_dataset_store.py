@@ -119,6 +119,18 @@ def test_killed_at_any_moment_and_run_again_the_bytes_are_the_same(made, tmp_pat
 
 
 @pytest.mark.skipif(os.name != "posix", reason="limits of file sizes are POSIX")
+def test_no_empty_store_is_left_on_a_full_disk(tmp_path):
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    try:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
+        with pytest.raises(InputError, match="the disk is full"):
+            make_store(tmp_path / "new.zarr", NUMBERS, SETTINGS, Float, "full")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.skipif(os.name != "posix", reason="limits of file sizes are POSIX")
 def test_disk_full_is_one_sentence_and_what_is_finished_stays(copied):
     shutil.rmtree(copied / "material_0081")
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -33,6 +33,7 @@ from numpy.typing import NDArray
 from loomlight.aggregate.components import CHANNELS, COMPONENTS
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.core.extras import import_extra
+from loomlight.core.files import discarding_empty
 from loomlight.core.provenance import provenance
 from loomlight.models.woven.parameter_ranges import PARAMETER_RANGES
 from loomlight.models.woven.training.materials import MATERIALS, paper_material
@@ -184,7 +185,8 @@ def make_store(
         if not 0 <= number < len(MATERIALS):
             raise InputError(f"material {number} does not exist: numbers go from 0 to {len(MATERIALS) - 1}.")
     try:
-        _prepare(store, settings, command)
+        with discarding_empty(store):
+            _prepare(store, settings, command)
         done = set(finished(store))
         missing = [number for number in numbers if number not in done]
         _warn_of_space(store, len(missing), settings)
@@ -241,9 +243,11 @@ def _prepare(store: Path, settings: StoreSettings, command: str) -> None:
             raise InputError(f"{store} is a folder with other files in it; give the name of a new one.")
         partial = store / ".partial-root"
         attributes = settings.attributes() | {"made_with": provenance(command, Path(__file__).parent)}
-        _zarr().open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
-        (partial / "zarr.json").replace(root)
-        shutil.rmtree(partial)
+        try:
+            _zarr().open_group(str(partial), mode="w", zarr_format=3, attributes=attributes)
+            (partial / "zarr.json").replace(root)
+        finally:
+            shutil.rmtree(partial, ignore_errors=True)
         return
     there = _read_attributes(store)
     for name, expected in settings.attributes().items():
