@@ -16,7 +16,8 @@ State = TypeVar("State")
 def masked_branch(active: Mask, value: State, change: Callable[[State], State], label: str) -> State:
     """`change(value)` in active lanes, `value` in others; packets without active lanes skip the branch.
 
-    It is a loop of one iteration: of a Dr.Jit conditional the CPU runs both sides.
+    It is a loop of one iteration: of a Dr.Jit conditional the CPU runs both sides. With derivatives it is a
+    selection.
 
     Args:
         active: Bool.
@@ -25,6 +26,9 @@ def masked_branch(active: Mask, value: State, change: Callable[[State], State], 
         label: names the loop in kernels.
     """
     types = array_types(dr.float32_array_t(active))
+    if dr.grad_enabled(value):
+        # Derivatives do not pass backward through loops: all lanes compute both sides.
+        return dr.select(active, change(value), value)
 
     def iteration(_: Mask, values: State) -> tuple[Mask, State]:
         return types.Bool(False), change(values)

@@ -15,8 +15,6 @@ from loomlight.core.errors import LoomlightWarning
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 _LOOPS = dr.JitFlag.SymbolicLoops
 _BRANCHES = dr.JitFlag.SymbolicConditionals
-# Ids of the meshes without uv that were told of.
-_MESHES_TOLD: set[str] = set()
 # Names of BSDFs that were told of.
 _SLOW_TOLD: set[str] = set()
 
@@ -44,7 +42,8 @@ def warn_of_slow_calls(plugin: str) -> None:
     Args:
         plugin: the name of the BSDF.
     """
-    if plugin in _SLOW_TOLD or not dr.flag(dr.JitFlag.SymbolicScope):
+    # Evaluated calls are traced symbolically too, once, for the types of what they return.
+    if plugin in _SLOW_TOLD or not (dr.flag(dr.JitFlag.SymbolicScope) and dr.flag(dr.JitFlag.SymbolicCalls)):
         return
     _SLOW_TOLD.add(plugin)
     warnings.warn(
@@ -56,11 +55,12 @@ def warn_of_slow_calls(plugin: str) -> None:
 
 
 def warn_of_missing_uv(bsdf: Any, si: Any) -> None:
-    """Warns once of every mesh with this BSDF that has no uv coordinates.
+    """Warns of every mesh with this BSDF that has no uv coordinates.
 
     Mitsuba hands out the barycentric coordinates of each triangle for uv then. A BSDF does not know its
     shapes, but a call of all shapes, which Dr.Jit traces once for each, does; it computes nothing.
     """
+    told: set[str] = set()
 
     def look(shape: Any, _: Any) -> None:
         if shape is None or not shape.is_mesh() or shape.bsdf() is not bsdf:
@@ -68,12 +68,13 @@ def warn_of_missing_uv(bsdf: Any, si: Any) -> None:
         name = str(shape.id())
         # Shapes that Mitsuba computes, such as rectangles, count as meshes too and have uv.
         uv = [value for key, value in mi.traverse(shape) if key.endswith("texcoords")]
-        if name in _MESHES_TOLD or not uv or dr.width(uv) > 0:
+        if name in told or not uv or dr.width(uv) > 0:
             return
-        _MESHES_TOLD.add(name)
+        told.add(name)
+        # Mitsuba merges meshes that share a BSDF, and the merged one has no name.
+        what = f'The mesh "{name}"' if name else "A mesh"
         warnings.warn(
-            f'The mesh "{name}" has no uv coordinates: every triangle shows the same corner of the cloth. '
-            "Unwrap it.",
+            f"{what} has no uv coordinates: every triangle shows the same corner of the cloth. Unwrap it.",
             LoomlightWarning,
             stacklevel=2,
         )

@@ -18,22 +18,25 @@ class LiveEdits:
     """The parameters of one BSDF, and their values as of the last edit that was right.
 
     Its slots keep these values out of `core.pytree.leaves`: no kernel reads them.
+
+    Attributes:
+        parameters: by name.
     """
 
-    __slots__ = ("_kept", "_parameters")
+    __slots__ = ("_kept", "parameters")
 
     def __init__(self, parameters: Values) -> None:
-        self._parameters = parameters
+        self.parameters = parameters
         self._kept: dict[str, Any] = {}
         self.keep()
 
     def keep(self) -> None:
         """The present values are right."""
-        self._kept = {name: _copy(parameter.value) for name, parameter in self._parameters.items()}
+        self._kept = {name: _copy(parameter.value) for name, parameter in self.parameters.items()}
 
     def take_back(self) -> None:
         """Gives every parameter the value that was right."""
-        for name, parameter in self._parameters.items():
+        for name, parameter in self.parameters.items():
             if not _same(parameter.value, self._kept[name]):
                 mi.set_property(parameter.value, self._kept[name])
 
@@ -47,11 +50,11 @@ class LiveEdits:
             InputError: numbers out of range, not finite, or of another count; derivatives of a parameter
                 that has none. The message names parameter, value and range.
         """
-        for name, parameter in self._parameters.items():
+        for name, parameter in self.parameters.items():
             if not _same(parameter.value, self._kept[name]):
                 _require_valid(f"{cloth}.{name}", parameter, self._kept[name])
                 if not parameter.differentiable and dr.grad_enabled(parameter.value):
-                    raise InputError(_without_derivatives(cloth, name, self._parameters))
+                    raise InputError(_without_derivatives(cloth, name, self.parameters))
 
 
 def require_valid_edits(edits: Iterable[tuple[str, LiveEdits]]) -> None:

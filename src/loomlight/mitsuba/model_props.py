@@ -32,7 +32,8 @@ from loomlight.models.registry import model_class, model_of_loom
 _TABLES = ("warp", "weft", "sheen", "variation")
 _TOP = tuple(name for name in FabricFile.model_fields if name not in _TABLES)
 _SOURCES = ("fabric", "source")
-_DRAFTS = ("weave", "draft", "image")
+_DRAFT_FILES = ("draft", "image")
+_DRAFTS = ("weave", *_DRAFT_FILES)
 _DEFAULT_WEAVE = "plain"
 
 
@@ -63,7 +64,7 @@ def model_of_props(props: Any, name: str) -> Model:
         source = _edited(load_source(path, kind.source_kind), inline)
     elif kind.source_kind == "fabric":
         plain = {} if any(field in inline for field in _DRAFTS) else {"weave": _DEFAULT_WEAVE}
-        source = fabric_from_fields(plain | inline, _resolved("."))
+        source = fabric_from_fields(plain | inline)
     else:
         raise InputError(f"source is missing: give what the model {name} is made of.")
     return kind.for_source(source, **options)
@@ -135,7 +136,7 @@ def _resolved(name: str) -> str:
     """A path through Mitsuba's file resolver; what is no file stays as written: the name of a weave, say."""
     find: Any = mi.file_resolver
     found = str(find().resolve(name))
-    return found if name == "." or Path(found).is_file() else name
+    return found if Path(found).is_file() else name
 
 
 def _inline(props: Any) -> dict[str, Any]:
@@ -144,7 +145,8 @@ def _inline(props: Any) -> dict[str, Any]:
     for key in props.keys():  # noqa: SIM118 (Properties is no mapping)
         name = _field(key)
         if name is not None:
-            found[name] = _value(name, props[key])
+            value = _value(name, props[key])
+            found[name] = _resolved(value) if name in _DRAFT_FILES and isinstance(value, str) else value
     return found
 
 

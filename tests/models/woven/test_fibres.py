@@ -152,3 +152,12 @@ def test_a_material_with_impossible_fibres_is_one_sentence() -> None:
             InputError, match=rf"model\.fibres the {name} is .* and {wrong:g}: both should be"
         ):
             WovenModel.from_loom(replace(loom, tensors={**loom.tensors, "fibres": numbers}))
+
+
+def test_one_lobe_covers_the_basis() -> None:
+    """Straight flat fibres keep their roughness; slopes and twist widen it, never beyond 1."""
+    flat = Fibres((0.0, 0.0), (0.2, 0.3), (0.0, 0.0), (0.01, 0.01))
+    np.testing.assert_allclose(flat.lobe_roughness(), (0.2, 0.3), atol=0.01)
+    steep = Fibres((0.0, 0.4), (0.2, 0.3), (0.5, 0.5), (1.0, 1.0))
+    warp, weft = steep.lobe_roughness()
+    assert 0.3 < warp < weft <= 1

@@ -1,0 +1,131 @@
+"""Derivatives of albedos through every model that has them, against finite differences; see also
+test_woven_point.py.
+
+Covers: models/live_albedos.py, core/masked_branch.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from loomlight.models.woven import model as woven_model
+from loomlight.models.woven.latent_cache import clear_encodings
+
+from ..models.woven.networks import network, weights_of
+from .footprints import random_interactions
+
+CLOTH = {
+    "weave": "twill 2/1",
+    "uv_size": "4,4",
+    "gap": 0.2,
+    "warp_color": "#c08040",
+    "weft_color": "#4060c0",
+    "warp_translucency": 0.3,
+    "weft_translucency": 0.3,
+}
+VARIED = {"variation_fibre_noise": 0.5, "variation_colour_noise": 0.2, "sheen_strength": 0.3}
+ALBEDOS = [
+    f"{family}.{term}_{side}"
+    for family in ("warp", "weft")
+    for term in ("diffuse", "specular")
+    for side in ("reflect", "transmit")
+]
+
+
+@pytest.fixture(autouse=True)
+def _narrow_network(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    weights = weights_of(network("field", hidden=16), tmp_path)
+    monkeypatch.setattr(woven_model, "shipped_weights", lambda: weights)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    clear_encodings()
+
+
+@pytest.mark.parametrize("plugin", ["woven_point", "woven_lobes", "woven_neural"])
+@pytest.mark.parametrize("extra", [{}, VARIED], ids=["plain", "varied"])
+def test_albedos_have_the_derivatives_of_finite_differences(plugin: str, extra: dict[str, Any]) -> None:
+    bsdf = mi.load_dict({"type": plugin, **CLOTH, **extra})
+    params = mi.traverse(bsdf)
+    si, *_ = random_interactions(500, seed=4)
+    lights = [dr.normalize(mi.Vector3f(0.1, 0.2, z)) for z in (0.97, -0.97)]
+
+    def mean() -> Any:
+        return sum(dr.mean(bsdf.eval_pdf(mi.BSDFContext(), si, wo)[0], axis=None) for wo in lights)
+
+    # One of each kind, of either family; the sums of pictures below take all.
+    for key in ("warp.diffuse_reflect", "weft.specular_reflect", "weft.diffuse_transmit"):
+        start, step = mi.Color3f(params[key]), 0.05
+        found = []
+        for change in (step, 0.0):
+            params[key] = type(params[key])(start + change)
+            params.update()
+            found.append(float(np.array(mean()).item()))
+        params[key] = type(params[key])(start)
+        dr.enable_grad(params[key])
+        params.update()
+        dr.backward(mean())
+        gradient = float(np.array(dr.grad(params[key])).sum())
+        params[key] = type(params[key])(start)
+        params.update()
+        assert gradient > 0
+        # Values are linear in albedos but for variation, which is clipped; float32 means over 1000 values.
+        np.testing.assert_allclose(gradient, (found[0] - found[1]) / step, rtol=0.01, err_msg=key)
+
+
+def picture_scene(plugin: str, integrator: str, depth: int) -> Any:
+    return mi.load_dict(
+        {
+            "type": "scene",
+            "integrator": {"type": integrator, "max_depth": depth},
+            "light": {"type": "directional", "direction": [0.3, 0.2, -1]},
+            "sensor": {
+                "type": "perspective",
+                "fov": 25,
+                "to_world": mi.ScalarTransform4f().look_at([0, 0, 4], [0, 0, 0], [0, 1, 0]),
+                "film": {"type": "hdrfilm", "width": 8, "height": 8, "rfilter": {"type": "box"}},
+            },
+            "cloth": {"type": "rectangle", "bsdf": {"type": plugin, **CLOTH, "gap": 0.0}},
+        }
+    )
+
+
+@pytest.mark.parametrize("integrator", ["footprint_path", "prb", "path"])
+@pytest.mark.parametrize("plugin", ["woven_lobes", "woven_neural"])
+def test_derivatives_of_pictures_add_up_to_the_picture(
+    plugin: str, integrator: str, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Light that scatters once is linear in albedos: Σ a ∂L/∂a is L (Euler)."""
+    scene = picture_scene(plugin, integrator, 2)
+    params = mi.traverse(scene)
+    keys = [key for key in params.keys() if key.endswith(tuple(ALBEDOS))]  # noqa: SIM118 (no mapping)
+    assert len(keys) == len(ALBEDOS)
+    dr.enable_grad([params[key] for key in keys])
+    params.update()
+    capfd.readouterr()
+    mean = dr.mean(mi.render(scene, params, spp=64, seed=1, seed_grad=2), axis=None)
+    dr.backward(mean)
+    total = sum(
+        float((np.array(dr.grad(params[key])) * np.array(dr.detach(params[key]))).sum()) for key in keys
+    )
+    # Two sets of 4096 samples of a flat piece of cloth, whose value scatters by less than half.
+    np.testing.assert_allclose(total, float(np.array(dr.detach(mean)).item()), rtol=4 * 0.5 / 64)
+    printed = capfd.readouterr()
+    assert "forcing" not in printed.out + printed.err, "Dr.Jit warns of every loop within symbolic calls"
+
+
+def test_point_through_path_prints_nothing(capfd: pytest.CaptureFixture[str]) -> None:
+    scene = picture_scene("woven_point", "path", 3)
+    params = mi.traverse(scene)
+    (key,) = (key for key in params.keys() if key.endswith("warp.roughness"))  # noqa: SIM118 (no mapping)
+    dr.enable_grad(params[key])
+    params.update()
+    capfd.readouterr()
+    dr.backward(dr.mean(mi.render(scene, params, spp=2), axis=None))
+    assert np.isfinite(np.array(dr.grad(params[key]))).all()
+    printed = capfd.readouterr()
+    assert printed.out + printed.err == ""
