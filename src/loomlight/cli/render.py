@@ -41,7 +41,8 @@ def render(
         float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
     ] = 0.0,
     light: Annotated[
-        str | None, typer.Option(help="studio, sunsky, point or directional; by default what suits the scene.")
+        str | None,
+        typer.Option(help="studio, sunsky, point or directional; by default what suits the scene."),
     ] = None,
     light_from: Annotated[
         str | None,
