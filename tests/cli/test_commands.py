@@ -107,17 +107,17 @@ def test_drafts_need_no_renderer(tmp_path: Path) -> None:
 
 
 def test_exit_codes_of_the_process(tmp_path: Path) -> None:
-    done = in_a_process("-m", "loomlight.cli.main", "weave", "info", "no such weave")
+    done = in_a_process("-m", "loomlight", "weave", "info", "no such weave")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith("loomlight: ")
     assert "Traceback" not in done.stderr
-    done = in_a_process("-m", "loomlight.cli.main", "weave", "info", "plain")
+    done = in_a_process("-m", "loomlight", "weave", "info", "plain")
     assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_a_reader_that_has_enough_is_no_fault() -> None:
-    program = f"{sys.executable} -m loomlight.cli.main weave names | true"
-    program += f"; {sys.executable} -m loomlight.cli.main weave | true"
+    program = f"{sys.executable} -m loomlight weave names | true"
+    program += f"; {sys.executable} -m loomlight weave | true"
     done = subprocess.run(
         ["bash", "-o", "pipefail", "-c", program], capture_output=True, text=True, timeout=300
     )
@@ -126,7 +126,7 @@ def test_a_reader_that_has_enough_is_no_fault() -> None:
 
 
 def test_the_doctor_finds_this_machine_usable() -> None:
-    done = in_a_process("-m", "loomlight.cli.main", "doctor")
+    done = in_a_process("-m", "loomlight", "doctor")
     assert done.stderr == ""
     assert done.returncode == 0, done.stdout
     for subject in ("Python", "mitsuba", "LLVM", "SIMD kernels", "CUDA"):
