@@ -1,4 +1,4 @@
-"""The command `loomlight`, and `python -m loomlight`: imports nothing of weight before Ctrl-C is looked after."""
+"""The command `loomlight`, also `python -m loomlight`; Ctrl-C is looked after before anything is loaded."""
 
 from __future__ import annotations
 

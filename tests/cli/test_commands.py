@@ -52,7 +52,7 @@ def test_show(tmp_path: Path) -> None:
 
 def test_convert_round_trips(tmp_path: Path) -> None:
     path = tmp_path / "tooth.wif"
-    assert run(["weave", "convert", "houndstooth", str(path)]) == 0
+    assert run(["weave", "convert", "houndstooth", "-o", str(path)]) == 0
     again, draft = read_wif(path), named_weave("houndstooth")
     np.testing.assert_array_equal(again.drawdown, draft.drawdown)
     assert again.warp.colors is not None
@@ -99,7 +99,7 @@ def loaded_by(statement: str) -> set[str]:
 def test_drafts_need_no_renderer(tmp_path: Path) -> None:
     for arguments in (
         ["weave", "show", "houndstooth", "-o", str(tmp_path / "a.png")],
-        ["weave", "convert", "houndstooth", str(tmp_path / "a.wif")],
+        ["weave", "convert", "houndstooth", "-o", str(tmp_path / "a.wif")],
         ["weave", "info", str(tmp_path / "a.wif")],
         ["--help"],
     ):

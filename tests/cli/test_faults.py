@@ -50,7 +50,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "a huge cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "99999999"], "99999999"),
     "no repeats": (["weave", "show", "plain", "-o", "a.png", "--repeats", "-2"], "-2"),
     "show to wif": (["weave", "show", "plain", "-o", "a.wif"], "must end in .png"),
-    "convert to png": (["weave", "convert", "plain", "a.png"], "must end in .wif"),
+    "convert to png": (["weave", "convert", "plain", "-o", "a.png"], "must end in .wif"),
     "no maps": (["bake-maps", "plain", "-o", "a.txt"], ".exr or .png"),
     "no window": (["bake-maps", "plain", "-o", "a.exr", "--window", "1,2,3"], "4 numbers"),
     "no resolution": (["bake-maps", "plain", "-o", "a.exr", "--resolution", "-4"], "--resolution"),
@@ -94,7 +94,7 @@ def test_a_fault_is_one_sentence(name: str, folder: Path, capsys: pytest.Capture
 
 
 def test_a_warning_is_one_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["weave", "convert", "twill 2/2", "twill.wif"]) == 0
+    assert run(["weave", "convert", "twill 2/2", "-o", "twill.wif"]) == 0
     text = (folder / "twill.wif").read_text()
     assert "Threads=4" in text
     (folder / "twill.wif").write_text(text.replace("Threads=4", "Threads=2"))

@@ -12,11 +12,13 @@ import typer
 
 from loomlight import __version__
 from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, reproduce, train, weave
+from loomlight.cli.help import ListsModels, WholeSentences
 from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
     name="loomlight",
+    cls=WholeSentences,
     help="From a weave draft to a picture you would believe.",
     no_args_is_help=True,
     add_completion=False,
@@ -44,11 +46,11 @@ def _options(
 app.add_typer(weave.app, name="weave")
 app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
-app.command("render", epilog=render.EXAMPLE)(render.render)
-app.command("compare", epilog=compare.EXAMPLE)(compare.compare)
+app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
+app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
-app.command("bake", epilog=bake.EXAMPLE)(bake.bake)
+app.command("bake", cls=ListsModels, epilog=bake.EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)
 

@@ -35,7 +35,7 @@ def render(
     ],
     model: Annotated[
         str | None,
-        typer.Option(help="How the cloth is computed; by default what a .loom holds, else lobes."),
+        typer.Option(help="One of the models below; by default what a .loom holds, else lobes."),
     ] = None,
     scene: Annotated[
         str | None,

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
 from typing import Unpack
 
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom
+from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, read_loom
 from loomlight.assets.sources import Source
-from loomlight.core.errors import InputError
+from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX
 from loomlight.mitsuba.inset import SMALLEST_PICTURE, Inset, composed, resized
@@ -64,8 +65,8 @@ def render_fabric(
             name, such as "twill 3/1".
         scene: flat, sphere, cylinder, drape, or the path of a Mitsuba scene, FILE.xml.
         model: "lobes", which averages over footprints and needs few samples; "point", exact at every point;
-            "woven", the network that averages over footprints; by default the one that a `.loom` holds, else
-            "lobes".
+            "woven", the network that averages over footprints; "samples", the mean of many points; by default
+            the one that a `.loom` holds, else "lobes". A warning says so if a `.loom` holds another one.
         spp: samples a pixel, ≥ 1.
         seed: any 32-bit number; the same seed gives the same picture, but for rounding.
         exposure: stops, −30 to 30; colours are multiplied by 2**exposure.
@@ -90,6 +91,8 @@ def render_fabric(
         require_model_name(model)
     if str(scene) not in SCENES and inset:
         raise InputError(f"inset = {inset} does not go with the scene {scene}, whose camera is its own.")
+    if model is not None and _is_loom(fabric):
+        _warn_of_override(fabric, model)
     wanted = _Wanted(fabric, scene, model, spp, seed, exposure, inset, setting)
     loops = compile_ahead(wanted.model)
     estimate = TimeEstimate(wanted.seconds(partial is not None), progress)
@@ -245,6 +248,16 @@ class _Wanted:
 
 def _is_loom(fabric: Source | str | os.PathLike[str]) -> bool:
     return isinstance(fabric, str | os.PathLike) and is_loom(fabric)
+
+
+def _warn_of_override(loom: Source | str | os.PathLike[str], model: str) -> None:
+    held = read_loom(str(loom)).model
+    if held != model:
+        warnings.warn(
+            f"{loom} holds the model {held}; {model} is baked from its fabric instead.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
 
 
 def _is_bare(fabric: Source | str | os.PathLike[str]) -> bool:
