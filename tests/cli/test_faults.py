@@ -22,7 +22,18 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no such option": (["render", "plain", "-o", "a.png", "--sp", "3"], "--spp"),
     "no argument": (["render", "-o", "a.png"], "FABRIC"),
     "no output": (["render", "plain"], "--output"),
-    "no number": (["render", "plain", "-o", "a.png", "--spp", "many"], "many"),
+    "no number": (["render", "plain", "-o", "a.png", "--spp", "many"], "--spp many is no whole number"),
+    "half a sample": (["render", "plain", "-o", "a.png", "--spp", "1.5"], "--spp 1.5 is no whole number"),
+    "half a sample of a demo": (["demo", "-o", "a.png", "--spp", "1.5"], "--spp 1.5 is no whole number"),
+    "no zoom": (["render", "plain", "-o", "a.png", "--zoom", "x"], "--zoom x is no number"),
+    "a scene and a mesh": (
+        ["render", "plain", "-o", "a.png", "--scene", "sphere", "--mesh", "shirt.obj"],
+        "--scene sphere and --mesh shirt.obj both say what to clothe",
+    ),
+    "a close-up of a scene file": (
+        ["render", "plain", "-o", "a.png", "--scene", "a.xml", "--inset"],
+        "inset = True does not go with the scene a.xml",
+    ),
     "no samples": (["render", "plain", "-o", "a.png", "--spp", "0"], "--spp 0 is out of range"),
     "no picture": (["render", "plain", "-o", "a.tga"], "a.tga"),
     "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .exr"),
@@ -105,7 +116,7 @@ def test_a_warning_is_one_line(folder: Path, capsys: pytest.CaptureFixture[str])
     assert all(line.startswith("loomlight: warning: ") for line in warnings)
 
 
-def test_an_interruption_is_quiet(
+def test_an_interruption_is_one_line(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def interrupted(_text: str) -> None:
@@ -113,11 +124,11 @@ def test_an_interruption_is_quiet(
 
     monkeypatch.setattr("loomlight.weave.named.named_weave", interrupted)
     assert run(["weave", "info", "plain"]) == 130
-    assert capsys.readouterr().err == ""
+    assert capsys.readouterr().err == "loomlight: interrupted. Nothing was written.\n"
 
 
 @pytest.mark.parametrize(("raised", "code"), [(KeyboardInterrupt, 130), (ZeroDivisionError, None)])
-def test_an_interruption_within_a_loop_of_drjit_is_quiet(
+def test_an_interruption_within_a_loop_of_drjit_is_one_line(
     raised: type[BaseException],
     code: int | None,
     monkeypatch: pytest.MonkeyPatch,
@@ -137,7 +148,7 @@ def test_an_interruption_within_a_loop_of_drjit_is_quiet(
             run(["weave", "info", "plain"])
         return
     assert run(["weave", "info", "plain"]) == code
-    assert capsys.readouterr().err == ""
+    assert capsys.readouterr().err == "loomlight: interrupted. Nothing was written.\n"
 
 
 def test_a_folder_that_cannot_be_written_to(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -15,7 +15,7 @@ from collections.abc import Callable
 # Seconds after an interruption: when it is passed on to a process that has not heard of it (the terminal
 # tells both), and when that is ended.
 _PASS_ON, _END = 0.25, 0.6
-_INTERRUPTED = 128 + signal.SIGINT
+INTERRUPTED = 128 + signal.SIGINT
 # Makes the cursor visible, which a progress bar hides, and clears its line.
 _RESTORE_TERMINAL = "\r\x1b[2K\x1b[?25h"
 
@@ -47,7 +47,7 @@ def report_interruption() -> int:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         os.write(_channel, b"\0\n")
     _say(_left)
-    return _INTERRUPTED
+    return INTERRUPTED
 
 
 def supervised(work: Callable[[], int]) -> int:
@@ -97,7 +97,7 @@ def _stopped(process: int, source: int) -> int:
         if sys.stderr.isatty():
             sys.stderr.write(_RESTORE_TERMINAL)
         _say(lines[-1] if lines else None)
-    return _INTERRUPTED
+    return INTERRUPTED
 
 
 def _say(left: str | None) -> None:

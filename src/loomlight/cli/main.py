@@ -13,7 +13,7 @@ import typer
 from loomlight import __version__
 from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, reproduce, train, weave
 from loomlight.cli.help import ListsModels, WholeSentences
-from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
+from loomlight.cli.interruption import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
@@ -70,6 +70,8 @@ def run(arguments: list[str]) -> int:
     try:
         code = _invoke(arguments)
         sys.stdout.flush()
+        if code == INTERRUPTED:  # Typer, by version, returns it or raises
+            return report_interruption()
         return code if isinstance(code, int) else 0
     except LoomlightError as error:
         return _refuse(str(error))

@@ -138,9 +138,9 @@ class _Wanted:
 
     @property
     def coarse_size(self) -> tuple[int, int] | None:
-        """Of the first picture; None where baking takes no time, or the scene takes time to build."""
+        """Of the first picture; None where the scene takes time to build, or the picture is small itself."""
         slow = self._own_scene or self._setting.get("mesh") is not None
-        if slow or self.model != DEFAULT_MODEL or min(self._size) < _COARSE_SCALE * _SMALLEST_COARSE:
+        if slow or min(self._size) < _COARSE_SCALE * _SMALLEST_COARSE:
             return None
         width, height = self._size
         return -(-width // _COARSE_SCALE), -(-height // _COARSE_SCALE)
@@ -165,10 +165,11 @@ class _Wanted:
         return steps
 
     def coarse_picture(self, size: tuple[int, int]) -> Picture:
-        """The picture by single yarn points, of fewer pixels; it needs no baking."""
+        """The picture by single yarn points, of fewer pixels: it needs no baking and no large kernel."""
         point = model_of(self._fabric, REFERENCE_MODEL)
-        # Not read again: warnings about a draft come once.
-        self._fabric = point.source
+        if not _is_loom(self._fabric):
+            # Not read again: large drafts take a while.
+            self._fabric = point.source
         shown, close_up = self._built(point, size)
         film = self._render(shown, _COARSE_SAMPLES)
         whole = resized(film, self._size)

@@ -239,7 +239,8 @@ def _ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[s
     return {
         "type": "disk",
         "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+        # Grey card: darker than most cloth, which stands out from it.
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.18}},
     }
 
 
