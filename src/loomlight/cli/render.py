@@ -13,7 +13,7 @@ import typer
 from loomlight.cli.interruption import note_left, was_interrupted
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.values import parse_numbers, parse_size, require_within
+from loomlight.cli.values import parse_size, require_within
 from loomlight.core.errors import InputError
 
 if TYPE_CHECKING:
@@ -99,11 +99,6 @@ def render(
     require_within("--max-depth", 8 if depth is None else depth, 1, 1000)
     require_within("--env-turn", environment_turn, -360, 360)
     require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
-    towards_light = None
-    if light_from is not None:
-        azimuth, elevation = parse_numbers("--light-from", light_from, 2, "-40,35")
-        towards_light = (azimuth, elevation)
-
     from loomlight.core.images import write_image
     from loomlight.mitsuba import render_fabric
 
@@ -120,7 +115,7 @@ def render(
             environment=environment,
             environment_turn=environment_turn,
             light=light,
-            light_from=towards_light,
+            light_from=None if light_from is None else _direction(light_from),
             zoom=zoom,
             size=pixels,
             max_depth=depth,
