@@ -92,8 +92,8 @@ def render(
     check_output(output, (".png", ".exr"))
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
-    if scene is not None and mesh is not None:
-        raise InputError(f"--scene {scene} and --mesh {mesh} both say what to clothe: leave one of them out.")
+    shown = _shown(scene, mesh)
+    towards_light = None if light_from is None else _direction(light_from)
     require_within("--exposure", exposure, -30, 30)
     require_within("--seed", seed, 0, 2**32 - 1)
     require_within("--max-depth", 8 if depth is None else depth, 1, 1000)
@@ -102,7 +102,6 @@ def render(
     from loomlight.core.images import write_image
     from loomlight.mitsuba import render_fabric
 
-    shown = DEFAULT_SCENE if scene is None else scene
     what = f"{fabric}, {shown if mesh is None else mesh.name}"
     written = _Written(output)
     with progress(what, milliseconds=True) as report, written.restored_on_faults():
@@ -115,7 +114,7 @@ def render(
             environment=environment,
             environment_turn=environment_turn,
             light=light,
-            light_from=None if light_from is None else _direction(light_from),
+            light_from=towards_light,
             zoom=zoom,
             size=pixels,
             max_depth=depth,
@@ -129,6 +128,17 @@ def render(
         )
         write_image(output, picture)
     done(output)
+
+
+def _shown(scene: str | None, mesh: Path | None) -> str:
+    if scene is not None and mesh is not None:
+        raise InputError(f"--scene {scene} and --mesh {mesh} both say what to clothe: leave one of them out.")
+    return DEFAULT_SCENE if scene is None else scene
+
+
+def _direction(text: str) -> tuple[float, float]:
+    azimuth, elevation = parse_numbers("--light-from", text, 2, "-40,35")
+    return azimuth, elevation
 
 
 class _Written:
