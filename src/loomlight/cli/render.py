@@ -13,7 +13,7 @@ import typer
 from loomlight.cli.interruption import note_left, was_interrupted
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
-from loomlight.cli.values import parse_size, require_within
+from loomlight.cli.values import parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
 
 if TYPE_CHECKING:
@@ -85,10 +85,7 @@ def render(
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
 ) -> None:
     """Renders a fabric on a piece of cloth, a mesh, or the marked shapes of a scene file."""
-    if model is not None:
-        from loomlight.models.registry import require_model_name
-
-        require_model_name(model)
+    _require_model(model)
     check_output(output, (".png", ".exr"))
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
@@ -128,6 +125,13 @@ def render(
         )
         write_image(output, picture)
     done(output)
+
+
+def _require_model(name: str | None) -> None:
+    if name is not None:
+        from loomlight.models.registry import require_model_name
+
+        require_model_name(name)
 
 
 def _shown(scene: str | None, mesh: Path | None) -> str:
