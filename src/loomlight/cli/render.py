@@ -64,7 +64,7 @@ def render(
             help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above.",
         ),
     ] = None,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 16,
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
     size: Annotated[
         str | None, typer.Option(metavar="WxH", help="Pixels; 640x480, or a scene file's own.")
     ] = None,

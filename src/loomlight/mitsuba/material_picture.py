@@ -32,7 +32,7 @@ from loomlight.models.compile_ahead import compile_ahead, loops_are_compiled, wa
 from loomlight.models.interface import Model
 from loomlight.models.registry import DEFAULT_MODEL, REFERENCE_MODEL, model_of, require_model_name
 
-DEFAULT_SAMPLES = 16
+DEFAULT_SAMPLES = 9
 # Of a pixel of the close-up's film, which has seven for each pixel that is shown.
 _INSET_SAMPLES = 2
 _LARGEST_EXPOSURE = 30
