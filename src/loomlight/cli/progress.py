@@ -34,8 +34,8 @@ def progress(title: str, *, milliseconds: bool = False) -> Iterator[Callable[[in
         def render(self, task: Task) -> Text:
             if not expected:
                 return Text("")
-            # An estimate that has run out is wrong by what is still to come, whatever that is.
-            return Text(f"about {_duration(max(expected[0] - time.monotonic(), 1))} left")
+            left = expected[0] - time.monotonic()
+            return Text(f"about {_duration(max(left, 1))} left" if left > -1 else "longer than estimated")
 
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn(), TimeLeftColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:

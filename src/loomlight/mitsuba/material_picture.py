@@ -23,6 +23,7 @@ from loomlight.mitsuba.time_estimate import (
     LOOPS_SECONDS,
     MODEL_SECONDS,
     SCENE_SECONDS,
+    START_SECONDS,
     ModelSeconds,
     TimeEstimate,
     sample_seconds,
@@ -96,7 +97,8 @@ def render_fabric(
     wanted = _Wanted(fabric, scene, model, spp, seed, exposure, inset, setting)
     loops = compile_ahead(wanted.model)
     estimate = TimeEstimate(wanted.seconds(partial is not None), progress)
-    choose_variant(variant)
+    with estimate.step("start"):
+        choose_variant(variant)
     if partial is not None and wanted.coarse_size is not None:
         with estimate.step("coarse"):
             partial(wanted.coarse_picture(wanted.coarse_size))
@@ -149,7 +151,7 @@ class _Wanted:
         """Predicted seconds of every step."""
         cost = MODEL_SECONDS.get(self.model or DEFAULT_MODEL, ModelSeconds())
         pixels = self._size[0] * self._size[1]
-        steps = {"bake": SCENE_SECONDS + (cost.bake if self.model else 0.0)}
+        steps = {"start": START_SECONDS, "bake": SCENE_SECONDS + (cost.bake if self.model else 0.0)}
         if self.model == DEFAULT_MODEL and not loops_are_compiled():
             steps["bake"] += LOOPS_SECONDS
         if partial and self.coarse_size is not None:

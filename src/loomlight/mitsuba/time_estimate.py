@@ -33,6 +33,8 @@ MODEL_SECONDS = {
     "woven": ModelSeconds(bake=1.5, compile=3.0, million=4.0),
     "samples": ModelSeconds(compile=2.5, million=8.0),
 }
+# Of setting Mitsuba's variant, which loads LLVM.
+START_SECONDS = 0.4
 SCENE_SECONDS = 0.5
 # Loops of baking that no earlier process has compiled.
 LOOPS_SECONDS = 7.0
