@@ -36,7 +36,8 @@ def test_a_terminal_shows_a_bar_on_stderr(
     [
         (True, 0, 18_000, "about 18 s left"),
         (True, 1000, 7_201_000, "about 2.0 h left"),
-        (False, 1, 1, "about 1 s"),
+        (False, 1, 1, "about 1 s left"),
+        (True, 9000, 1000, "longer than estimated"),
     ],
 )
 def test_the_time_left_shows_from_the_first_report_on(
