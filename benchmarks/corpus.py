@@ -31,7 +31,7 @@ def rendered(draft: Path) -> dict[str, Any]:
     """Exit code, seconds, stderr and whether there is a picture, of one run of the command line."""
     with tempfile.TemporaryDirectory() as folder:
         picture = Path(folder, "picture.png")
-        command = [sys.executable, "-m", "loomlight.cli.main", "render", str(draft), "-o", str(picture)]
+        command = [sys.executable, "-m", "loomlight", "render", str(draft), "-o", str(picture)]
         done, seconds = timed(
             lambda: subprocess.run([*command, *OPTIONS], capture_output=True, text=True, check=False)
         )

@@ -17,7 +17,7 @@ from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
 from loomlight.fabric import load_fabric
-from loomlight.models.registry import model_from_loom
+from loomlight.models.registry import MODELS, model_from_loom
 from loomlight.weave import named_weave, write_wif
 
 require_llvm()
@@ -51,6 +51,49 @@ def test_a_baked_fabric_needs_its_draft_no_more(folder: Path, capsys: pytest.Cap
     assert run(["bake", "cloth.loom", "--model", "point", "-o", "again.loom"]) == 0
     assert capsys.readouterr().out == "again.loom\n"
     assert read_loom("again.loom").model == "point"
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_a_loom_of_any_model_renders_what_it_holds(
+    model: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    picture = ["--scene", "flat", "--size", "16x12", "--spp", "1", "--zoom", "8", "--light", "directional"]
+    assert run(["bake", "twill 3/1", "--model", model, "-o", "a.loom"]) == 0
+    assert run(["render", "a.loom", "-o", "held.exr", *picture]) == 0
+    assert run(["render", "a.loom", "--model", model, "-o", "named.exr", *picture]) == 0
+    assert capsys.readouterr().err == ""
+    assert run(["render", "twill 3/1", "--model", model, "-o", "baked.exr", *picture]) == 0
+    held, named, baked = (np.array(mi.Bitmap(f"{name}.exr")) for name in ("held", "named", "baked"))
+    assert held.std() > 0.01
+    # Rounding: threads add samples up in an order of their own.
+    np.testing.assert_allclose(held, baked, rtol=1e-4, atol=1e-6)
+    np.testing.assert_allclose(named, held, rtol=1e-4, atol=1e-6)
+
+
+def test_another_model_than_a_loom_holds_is_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    picture = ["--scene", "flat", "--size", "16x12", "--spp", "1", "--zoom", "8", "--light", "directional"]
+    capsys.readouterr()
+    assert run(["render", "cloth.loom", "--model", "point", "-o", "other.exr", *picture]) == 0
+    error = capsys.readouterr().err
+    assert error == (
+        "loomlight: warning: cloth.loom holds the model samples; point is baked from its fabric instead.\n"
+    )
+    assert run(["render", "cloth.toml", "--model", "point", "-o", "point.exr", *picture]) == 0
+    other, point = (np.array(mi.Bitmap(f"{name}.exr")) for name in ("other", "point"))
+    np.testing.assert_allclose(other, point, rtol=1e-4, atol=1e-6)
+
+
+def test_compare_takes_a_loom_and_every_model(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    capsys.readouterr()
+    arguments = ["compare", "cloth.loom", "--models", "samples", "-o", "report", "--scenes", "flat near"]
+    assert run([*arguments, "--size", "24x18", "--spp", "2"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == (
+        "loomlight: warning: cloth.loom holds the model samples; compare bakes each model from its fabric.\n"
+    )
+    assert "| samples" in captured.out
+    assert (folder / "report" / "index.html").exists()
 
 
 def test_scenes_take_materials_and_edit_them(folder: Path) -> None:

@@ -63,7 +63,7 @@ def test_show_stands_as_in_weaving_software_and_can_be_read_again_from_the_other
 
 def test_convert_round_trips(tmp_path: Path) -> None:
     path = tmp_path / "tooth.wif"
-    assert run(["weave", "convert", "houndstooth", str(path)]) == 0
+    assert run(["weave", "convert", "houndstooth", "-o", str(path)]) == 0
     again, draft = read_wif(path), named_weave("houndstooth")
     np.testing.assert_array_equal(again.drawdown, draft.drawdown)
     assert again.warp.colors is not None
@@ -110,7 +110,7 @@ def loaded_by(statement: str) -> set[str]:
 def test_drafts_need_no_renderer(tmp_path: Path) -> None:
     for arguments in (
         ["weave", "show", "houndstooth", "-o", str(tmp_path / "a.png")],
-        ["weave", "convert", "houndstooth", str(tmp_path / "a.wif")],
+        ["weave", "convert", "houndstooth", "-o", str(tmp_path / "a.wif")],
         ["weave", "info", str(tmp_path / "a.wif")],
         ["--help"],
     ):
@@ -118,17 +118,17 @@ def test_drafts_need_no_renderer(tmp_path: Path) -> None:
 
 
 def test_exit_codes_of_the_process(tmp_path: Path) -> None:
-    done = in_a_process("-m", "loomlight.cli.main", "weave", "info", "no such weave")
+    done = in_a_process("-m", "loomlight", "weave", "info", "no such weave")
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr.startswith("loomlight: ")
     assert "Traceback" not in done.stderr
-    done = in_a_process("-m", "loomlight.cli.main", "weave", "info", "plain")
+    done = in_a_process("-m", "loomlight", "weave", "info", "plain")
     assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_a_reader_that_has_enough_is_no_fault() -> None:
-    program = f"{sys.executable} -m loomlight.cli.main weave names | true"
-    program += f"; {sys.executable} -m loomlight.cli.main weave | true"
+    program = f"{sys.executable} -m loomlight weave names | true"
+    program += f"; {sys.executable} -m loomlight weave | true"
     done = subprocess.run(
         ["bash", "-o", "pipefail", "-c", program], capture_output=True, text=True, timeout=300
     )
@@ -137,7 +137,7 @@ def test_a_reader_that_has_enough_is_no_fault() -> None:
 
 
 def test_the_doctor_finds_this_machine_usable() -> None:
-    done = in_a_process("-m", "loomlight.cli.main", "doctor")
+    done = in_a_process("-m", "loomlight", "doctor")
     assert done.stderr == ""
     assert done.returncode == 0, done.stdout
     for subject in ("Python", "mitsuba", "LLVM", "SIMD kernels", "CUDA"):

@@ -24,7 +24,18 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "no such option": (["render", "plain", "-o", "a.png", "--sp", "3"], "--spp"),
     "no argument": (["render", "-o", "a.png"], "FABRIC"),
     "no output": (["render", "plain"], "--output"),
-    "no number": (["render", "plain", "-o", "a.png", "--spp", "many"], "many"),
+    "no number": (["render", "plain", "-o", "a.png", "--spp", "many"], "--spp many is no whole number"),
+    "half a sample": (["render", "plain", "-o", "a.png", "--spp", "1.5"], "--spp 1.5 is no whole number"),
+    "half a sample of a demo": (["demo", "-o", "a.png", "--spp", "1.5"], "--spp 1.5 is no whole number"),
+    "no zoom": (["render", "plain", "-o", "a.png", "--zoom", "x"], "--zoom x is no number"),
+    "a scene and a mesh": (
+        ["render", "plain", "-o", "a.png", "--scene", "sphere", "--mesh", "shirt.obj"],
+        "--scene sphere and --mesh shirt.obj both say what to clothe",
+    ),
+    "a close-up of a scene file": (
+        ["render", "plain", "-o", "a.png", "--scene", "a.xml", "--inset"],
+        "inset = True does not go with the scene a.xml",
+    ),
     "no samples": (["render", "plain", "-o", "a.png", "--spp", "0"], "--spp 0 is out of range"),
     "no picture": (["render", "plain", "-o", "a.tga"], "a.tga"),
     "no suffix": (["render", "plain", "-o", "a"], "must end in .png or .exr"),
@@ -53,7 +64,7 @@ FAULTS: dict[str, tuple[list[str], str]] = {
     "a huge cell": (["weave", "show", "plain", "-o", "a.png", "--cell", "99999999"], "99999999"),
     "no repeats": (["weave", "show", "plain", "-o", "a.png", "--repeats", "-2"], "-2"),
     "show to wif": (["weave", "show", "plain", "-o", "a.wif"], "must end in .png"),
-    "convert to png": (["weave", "convert", "plain", "a.png"], "must end in .wif"),
+    "convert to png": (["weave", "convert", "plain", "-o", "a.png"], "must end in .wif"),
     "no maps": (["bake-maps", "plain", "-o", "a.txt"], ".exr or .png"),
     "no window": (["bake-maps", "plain", "-o", "a.exr", "--window", "1,2,3"], "4 numbers"),
     "no resolution": (["bake-maps", "plain", "-o", "a.exr", "--resolution", "-4"], "--resolution"),
@@ -103,7 +114,7 @@ def test_a_fault_is_one_sentence(name: str, folder: Path, capsys: pytest.Capture
 
 
 def test_a_warning_is_one_line(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(["weave", "convert", "twill 2/2", "twill.wif"]) == 0
+    assert run(["weave", "convert", "twill 2/2", "-o", "twill.wif"]) == 0
     text = (folder / "twill.wif").read_text()
     assert "Threads=4" in text
     (folder / "twill.wif").write_text(text.replace("Threads=4", "Threads=2"))
@@ -114,7 +125,7 @@ def test_a_warning_is_one_line(folder: Path, capsys: pytest.CaptureFixture[str])
     assert all(line.startswith("loomlight: warning: ") for line in warnings)
 
 
-def test_an_interruption_is_quiet(
+def test_an_interruption_is_one_line(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def interrupted(_text: str) -> None:
@@ -122,11 +133,11 @@ def test_an_interruption_is_quiet(
 
     monkeypatch.setattr("loomlight.weave.named.named_weave", interrupted)
     assert run(["weave", "info", "plain"]) == 130
-    assert capsys.readouterr().err == ""
+    assert capsys.readouterr().err == "loomlight: interrupted. Nothing was written.\n"
 
 
 @pytest.mark.parametrize(("raised", "code"), [(KeyboardInterrupt, 130), (ZeroDivisionError, None)])
-def test_an_interruption_within_a_loop_of_drjit_is_quiet(
+def test_an_interruption_within_a_loop_of_drjit_is_one_line(
     raised: type[BaseException],
     code: int | None,
     monkeypatch: pytest.MonkeyPatch,
@@ -146,7 +157,7 @@ def test_an_interruption_within_a_loop_of_drjit_is_quiet(
             run(["weave", "info", "plain"])
         return
     assert run(["weave", "info", "plain"]) == code
-    assert capsys.readouterr().err == ""
+    assert capsys.readouterr().err == "loomlight: interrupted. Nothing was written.\n"
 
 
 def test_a_folder_that_cannot_be_written_to(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

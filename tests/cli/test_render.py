@@ -5,6 +5,7 @@ Covers: cli/bake_maps.py, cli/demo.py
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from PIL import Image
 
 from loomlight.cli.demo import INSET, SIZE, compose
 from loomlight.cli.main import run
+from loomlight.core.errors import InputError
 
 SMALL = ["--size", "24x16", "--spp", "2"]
 # A rectangle to clothe, and behind the camera one with a cloth of the scene's own.
@@ -136,7 +138,7 @@ def test_what_a_scene_file_says_of_its_own_cloth(
     assert [path.name for path in tmp_path.iterdir()] == ["scene.xml"]
 
 
-def test_an_interrupted_render_leaves_nothing(
+def test_a_render_interrupted_early_leaves_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     def interrupted(*_: object, **__: object) -> None:
@@ -144,8 +146,42 @@ def test_an_interrupted_render_leaves_nothing(
 
     monkeypatch.setattr("loomlight.mitsuba.render_fabric", interrupted)
     assert run(["render", "plain", "-o", str(tmp_path / "a.png"), *SMALL]) == 130
-    assert capsys.readouterr() == ("", "")
+    assert capsys.readouterr() == ("", "loomlight: interrupted. Nothing was written.\n")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("before", [None, b"another picture"])
+@pytest.mark.parametrize(
+    ("error", "code"), [(InputError("it cannot be finished."), 2), (KeyboardInterrupt(), 130)]
+)
+def test_a_render_that_cannot_be_finished_leaves_what_was_there(
+    error: BaseException,
+    code: int,
+    before: bytes | None,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """But an interruption keeps the picture as far as it came."""
+    path = tmp_path / "a.png"
+    if before is not None:
+        path.write_bytes(before)
+
+    def fails(*_: object, partial: Callable[[np.ndarray], None], **__: object) -> None:
+        partial(np.zeros((4, 4, 3), dtype=np.float32))
+        with Image.open(path) as picture:
+            assert picture.size == (4, 4)
+        raise error
+
+    monkeypatch.setattr("loomlight.mitsuba.render_fabric", fails)
+    assert run(["render", "plain", "-o", str(path), *SMALL]) == code
+    text = capsys.readouterr().err
+    if code == 130:
+        assert text == f"loomlight: interrupted. {path} holds the picture as far as it came.\n"
+        assert path.read_bytes()[1:4] == b"PNG"
+    else:
+        assert text == "loomlight: it cannot be finished.\n"
+        assert (path.read_bytes() if path.exists() else None) == before
 
 
 def test_maps(tmp_path: Path) -> None:

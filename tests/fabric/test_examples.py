@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
+import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pydantic import BaseModel
 
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.file import FabricFile
+from loomlight.weave.loom import plan_drawdown
+from loomlight.weave.textile import longest_floats
+from loomlight.weave.wif_writer import write_wif
+from tools.make_undulating_twill import undulating_twill
 
 ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.toml"))
@@ -24,6 +31,23 @@ def test_an_example_is_a_fabric(path: Path) -> None:
     assert fabric.fields.name
     assert fabric.fields.description
     assert fabric_from_text(fabric.to_toml()).repeat_mm == fabric.repeat_mm
+
+
+def test_a_draft_is_among_the_examples(tmp_path: Path) -> None:
+    """With threading, tie-up, treadling and colours, as its tool writes it, and read without a warning."""
+    path = ROOT / "examples" / "undulating-twill.wif"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        draft = load_fabric(path).draft
+    assert draft.loom is not None
+    assert draft.loom.shafts == 24
+    np.testing.assert_array_equal(plan_drawdown(draft.loom), draft.drawdown)
+    assert draft.warp.colors is not None
+    assert len(np.unique(draft.warp.colors, axis=0)) == 3
+    # What a weaver would wear: threads that catch on nothing.
+    assert max(dataclasses.astuple(longest_floats(draft))) <= 6
+    write_wif(undulating_twill(), tmp_path / "again.wif")
+    assert (tmp_path / "again.wif").read_bytes() == path.read_bytes()
 
 
 def test_one_example_is_large() -> None:

@@ -162,7 +162,7 @@ def test_pictures_are_what_the_film_would_show(film: str, spp: int) -> None:
     found = live.take(3)
     wanted = np.array(mi.render(scene, integrator=integrator, spp=spp, seed=3))
     assert found.shape == wanted.shape
-    assert wanted.std() > 0.03
+    assert wanted.std() > 0.02
     np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-6)
     # Who renders without us may ask the film afterwards.
     developed = np.array(scene.sensors()[0].film().bitmap(), dtype=np.float32)

@@ -49,3 +49,28 @@ def test_a_texture_of_billions_of_pixels_is_refused_before_it_is_read(tmp_path: 
         material_bsdf("plain", "point", albedo={"type": "bitmap", "filename": str(tmp_path / "none.png")})(
             (1, 1)
         )
+
+
+def test_the_picture_comes_coarse_then_refined_with_a_close_up() -> None:
+    """Of a bare weave on the whole drape, by default; all pictures are whole and of the same light."""
+    seen: list[np.ndarray] = []
+    times: list[tuple[int, int]] = []
+    size = (344, 258)
+    options = {"size": size, "spp": 1, "seed": 3, "model": "point", "max_depth": 2}
+    picture = loomlight.render_fabric(
+        "twill 3/1", partial=seen.append, progress=lambda *numbers: times.append(numbers), **options
+    )
+    assert times[0][0] < 100 < times[0][1]
+    assert times[-1][0] == times[-1][1]
+    coarse = seen[0]
+    assert coarse.shape == picture.shape == (258, 344, 3)
+    side, margin = int(0.37 * 258), round(0.025 * 258)
+    corner = slice(margin + 2, margin + 2 + side)
+    without = loomlight.render_fabric("twill 3/1", inset=False, **options)
+    # The close-up shows cloth where the whole picture shows the ground; elsewhere the two are the same.
+    assert np.abs(picture[corner, corner] - without[corner, corner]).mean() > 0.1
+    np.testing.assert_allclose(picture[200:], without[200:], rtol=1e-4, atol=1e-5)
+    for shown in (coarse, picture):
+        np.testing.assert_allclose(shown.mean(), picture.mean(), rtol=0.05)
+    bare = loomlight.load_fabric("twill 3/1")
+    np.testing.assert_allclose(loomlight.render_fabric(bare, **options), without, rtol=1e-4, atol=1e-5)

@@ -44,7 +44,7 @@ def test_passes_are_as_good_as_one_go(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_passes_share_their_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = build_scene("flat", WHITE, size=(16, 16)).scene
+    scene = build_scene("flat", WHITE, size=(16, 16), light="directional").scene
     monkeypatch.setitem(rendering.WAVEFRONT, "llvm_ad_rgb", 16 * 16 * 4)
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         dr.kernel_history_clear()
@@ -73,6 +73,31 @@ def test_passes_are_alike_and_make_up_a_grid(
 ) -> None:
     monkeypatch.setitem(rendering.WAVEFRONT, "llvm_ad_rgb", 100 * largest)
     assert rendering._passes(spp, 100, True) == passes
+
+
+def test_pictures_of_passes_refine_and_some_passes_can_be_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = build_scene("flat", WHITE, size=(16, 16)).scene
+    monkeypatch.setitem(rendering.PASS_SAMPLES, "llvm_ad_rgb", 16 * 16 * 4)
+    seen: list[np.ndarray] = []
+    reports: list[tuple[int, int]] = []
+    whole = render(
+        scene, spp=16, seed=1, partial=seen.append, progress=lambda *numbers: reports.append(numbers)
+    )
+    assert len(seen) == 3
+    errors = [np.square(picture - whole).mean() for picture in seen]
+    assert errors == sorted(errors, reverse=True)
+    assert reports == [(4, 16), (8, 16), (12, 16), (16, 16)]
+    reports.clear()
+    # Five samples are taken as the first two passes of four.
+    some = render(scene, spp=16, take=5, seed=1, progress=lambda *numbers: reports.append(numbers))
+    np.testing.assert_allclose(some, seen[1], rtol=1e-4, atol=1e-6)
+    assert reports == [(4, 8), (8, 8)]
+
+
+def test_passes_are_short_but_not_too_many(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(rendering.PASS_SAMPLES, "llvm_ad_rgb", 200)
+    assert rendering._passes(16, 100, True) == [2] * 8
+    assert rendering._passes(4096, 100, True) == [64] * 64
 
 
 def test_same_seed_same_picture_and_exposure_scales() -> None:

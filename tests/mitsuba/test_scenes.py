@@ -32,6 +32,18 @@ def test_scenes_show_cloth_without_blown_highlights(name: str) -> None:
     assert np.quantile(picture.mean(axis=2), 0.99) < 1.0
 
 
+@pytest.mark.parametrize("name", ["flat", "drape"])
+def test_a_grey_card_looks_grey(name: str) -> None:
+    """In the default light: without a cast, and neither under- nor overexposed."""
+    card = {"type": "twosided", "inner": {"type": "diffuse", "reflectance": 0.18}}
+    picture = render(build_scene(name, card, size=(32, 24)).scene, spp=64)
+    np.testing.assert_allclose(
+        picture, picture.mean(axis=2, keepdims=True) * np.ones(3), rtol=1e-4, atol=1e-6
+    )
+    # A card that faces the key light would have 0.18; these are turned and in part in shadow.
+    assert 0.09 < np.quantile(picture[8:16, 11:21], 0.9) < 0.18
+
+
 def test_the_fabric_is_told_its_scale() -> None:
     told: list[tuple[float, float]] = []
 

@@ -16,9 +16,7 @@ def bake(
     fabric: Annotated[
         str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
     ],
-    model: Annotated[
-        str, typer.Option(help="What to bake; a name that does not exist is answered by those that do.")
-    ],
+    model: Annotated[str, typer.Option(help="What to bake: one of the models below.")],
     output: Annotated[Path, typer.Option("--output", "-o", help="The .loom file to write.")],
 ) -> None:
     """Writes a fabric and all that a model needs of it into one .loom file; see docs/materials.md."""

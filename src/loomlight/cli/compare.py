@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Annotated
 
@@ -10,6 +11,7 @@ import typer
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
+from loomlight.core.errors import LoomlightWarning
 
 EXAMPLE = "Example: loomlight compare examples/denim.toml --models lobes,point -o report"
 
@@ -21,7 +23,7 @@ def compare(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="The folder for index.html and table.json.")
     ],
-    models: Annotated[str, typer.Option(help="Names with commas between them.")] = "lobes,point,woven",
+    models: Annotated[str, typer.Option(help="Models, with commas between them.")] = "lobes,point,woven",
     full: Annotated[
         bool, typer.Option("--full", help="The whole protocol of docs/evaluation.md: hours on a CPU.")
     ] = False,
@@ -41,8 +43,16 @@ def compare(
     names = _listed(models)
 
     from loomlight.assets.load import fabric_of_path
+    from loomlight.assets.loom_file import is_loom, read_loom
 
     cloth = fabric_of_path(fabric)
+    if is_loom(fabric):
+        held = read_loom(fabric).model
+        warnings.warn(
+            f"{fabric} holds the model {held}; compare bakes each model from its fabric.",
+            LoomlightWarning,
+            stacklevel=2,
+        )
 
     from loomlight.evaluation.compare import compare as run
     from loomlight.mitsuba.measured_scenes import MEASURED_SCENES

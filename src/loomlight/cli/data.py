@@ -9,12 +9,13 @@ from typing import Annotated
 
 import typer
 
+from loomlight.cli.help import WholeSentences
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import require_within
 from loomlight.core.errors import InputError
 
-app = typer.Typer(help="Training data.", no_args_is_help=True)
+app = typer.Typer(cls=WholeSentences, help="Training data.", no_args_is_help=True, rich_markup_mode=None)
 
 EXAMPLE = "Example: loomlight data woven -o queries.zarr --materials 0:100"
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
-import numpy as np
 import typer
-from numpy.typing import NDArray
 
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 EXAMPLE = "Example: loomlight demo -o demo.png"
 
@@ -36,11 +38,7 @@ colour_noise = 0.1
 SIZE = (1080, 810)
 INSET = 290
 ZOOM = 30.0
-# Widths in pixels.
-MARGIN = 22
-FRAME = 2
-MARK = 1
-_PAPER = 1.0
+MARGIN = 22  # pixels
 EXPOSURE = 0.4  # stops
 
 
@@ -63,14 +61,16 @@ def demo(
     near = 2 * samples
     work = samples * SIZE[0] * SIZE[1], near * INSET * INSET
     with progress(f"{cloth.name}, draped") as report:
-        far = build_scene("drape", material_bsdf(cloth, "point"), size=SIZE)
+        far = build_scene("drape", material_bsdf(cloth, "point"), size=SIZE, light="sunsky")
         whole = render(
             far.scene,
             spp=samples,
             exposure=EXPOSURE,
             progress=lambda done, total: report(work[0] * done // total, sum(work)),
         )
-        close = build_scene("drape", material_bsdf(cloth, "point"), size=(INSET, INSET), zoom=ZOOM)
+        close = build_scene(
+            "drape", material_bsdf(cloth, "point"), size=(INSET, INSET), zoom=ZOOM, light="sunsky"
+        )
         inset = render(
             close.scene,
             spp=near,
@@ -82,21 +82,7 @@ def demo(
 
 
 def compose(whole: NDArray[np.float32], inset: NDArray[np.float32]) -> NDArray[np.float32]:
-    """`whole` in a thin frame, `inset` in another in its upper left corner; linear RGB [h, w, 3].
+    """`whole` in a thin frame, with `inset` and a mark of what that shows; linear RGB [h, w, 3]."""
+    from loomlight.mitsuba.inset import FRAME, composed, framed
 
-    A small square in the middle of `whole` marks what the inset shows.
-    """
-    picture = whole[..., :3].copy()
-    height, width = picture.shape[:2]
-    side = round(min(height, width) / ZOOM)
-    top, left = (height - side) // 2, (width - side) // 2
-    middle = picture[top : top + side, left : left + side]
-    marked = _framed(middle, MARK)
-    picture[top - MARK : top + side + MARK, left - MARK : left + side + MARK] = marked
-    framed = _framed(inset[..., :3], FRAME)
-    picture[MARGIN : MARGIN + framed.shape[0], MARGIN : MARGIN + framed.shape[1]] = framed
-    return _framed(picture, FRAME)
-
-
-def _framed(picture: NDArray[np.float32], line: int) -> NDArray[np.float32]:
-    return np.pad(picture, ((line, line), (line, line), (0, 0)), constant_values=_PAPER)
+    return framed(composed(whole, inset, ZOOM * INSET / min(SIZE), MARGIN), FRAME)

@@ -12,10 +12,13 @@ import typer
 
 from loomlight import __version__
 from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, reproduce, train, weave
+from loomlight.cli.help import ListsModels, WholeSentences
+from loomlight.cli.interruption import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
 
 app = typer.Typer(
     name="loomlight",
+    cls=WholeSentences,
     help="From a weave draft to a picture you would believe.",
     no_args_is_help=True,
     add_completion=False,
@@ -43,56 +46,47 @@ def _options(
 app.add_typer(weave.app, name="weave")
 app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
-app.command("render", epilog=render.EXAMPLE)(render.render)
-app.command("compare", epilog=compare.EXAMPLE)(compare.compare)
+app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
+app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
-app.command("bake", epilog=bake.EXAMPLE)(bake.bake)
+app.command("bake", cls=ListsModels, epilog=bake.EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)
 
+# What pydantic calls a text that is no number.
+_NUMBERS = {"int_parsing": "whole number", "float_parsing": "number"}
 # Typer brings its own copy of Click or uses an installed one, by version; this is the base of both.
 _UsageError: type[Exception] = typer.BadParameter.__mro__[1]
 
 BAD_INPUT = 2
-INTERRUPTED = 130
-
-
-def main(arguments: list[str] | None = None) -> None:
-    """Runs the command line and exits: 0 when done, 2 for bad input, 130 when interrupted."""
-    sys.exit(run(sys.argv[1:] if arguments is None else arguments))
 
 
 def run(arguments: list[str]) -> int:
     """Runs the command line `arguments` and returns its exit code; prints what is wrong to stderr."""
     warnings.simplefilter("always", LoomlightWarning)
     warnings.showwarning = _show_each_once()
+    note_left(None)
     try:
         code = _invoke(arguments)
         sys.stdout.flush()
+        if code == INTERRUPTED:  # Typer, by version, returns it or raises
+            return report_interruption()
         return code if isinstance(code, int) else 0
     except LoomlightError as error:
         return _refuse(str(error))
     except _UsageError as error:
         return _refuse(_sentence(error))
     except (KeyboardInterrupt, typer.Abort):
-        return INTERRUPTED
+        return report_interruption()
     except RuntimeError as error:
-        # Dr.Jit raises this in place of what ended a function that it called.
-        if not _was_interrupted(error):
+        if not was_interrupted(error):
             raise
-        return INTERRUPTED
+        return report_interruption()
     except BrokenPipeError:
         return _reader_has_enough()
     except SystemExit:  # what Typer does when the pipe breaks while it prints
         return _reader_has_enough()
-
-
-def _was_interrupted(error: BaseException | None) -> bool:
-    """Whether an interruption is among what led to an error."""
-    while error is not None and not isinstance(error, KeyboardInterrupt):
-        error = error.__cause__ or error.__context__
-    return error is not None
 
 
 def _invoke(arguments: list[str]) -> Any:
@@ -123,7 +117,11 @@ def _sentence(error: Any) -> str:
     faults = getattr(error.__cause__, "errors", None)
     if callable(faults):
         # The option's type refused a value that the message does not repeat.
-        message = f"{message} (given was {faults()[0]['input']!r})"
+        fault = faults()[0]
+        number = _NUMBERS.get(fault["type"])
+        message = f"{message} (given was {fault['input']!r})"
+        if number is not None and error.param is not None:
+            message = f"{error.param.opts[0]} {fault['input']} is no {number}"
     path = error.ctx.command_path if error.ctx is not None else "loomlight"
     return f"{' '.join(message.split()).rstrip('.')}; `{path} --help` shows how it is used."
 
@@ -147,7 +145,3 @@ def _show_each_once() -> Callable[..., None]:
             print(f"loomlight: warning: {message}", file=sys.stderr)
 
     return show
-
-
-if __name__ == "__main__":
-    main()

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from loomlight.cli.interruption import note_left, was_interrupted
 from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_numbers, parse_size, require_within
+from loomlight.core.errors import InputError
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 EXAMPLE = "Example: loomlight render examples/denim.toml -o denim.png --scene drape --size 960x720 --spp 64"
+DEFAULT_SCENE = "drape"
+# Seconds between refined pictures: writing one takes a tenth of a second.
+_WRITE_EVERY = 2.0
 
 
 def render(
@@ -23,13 +35,14 @@ def render(
     ],
     model: Annotated[
         str | None,
-        typer.Option(help="How the cloth is computed; by default what a .loom holds, else lobes."),
+        typer.Option(help="One of the models below; by default what a .loom holds, else lobes."),
     ] = None,
     scene: Annotated[
-        str, typer.Option(help="flat, sphere, cylinder, drape, or a Mitsuba scene FILE.xml.")
-    ] = "drape",
+        str | None,
+        typer.Option(help="flat, sphere, cylinder, drape (default), or a Mitsuba scene FILE.xml."),
+    ] = None,
     mesh: Annotated[
-        Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe; it needs uv.")
+        Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
     ] = None,
     metres_per_unit: Annotated[
         float, typer.Option(help="Length of one unit of the mesh or the scene file, metres.")
@@ -41,7 +54,8 @@ def render(
         float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
     ] = 0.0,
     light: Annotated[
-        str | None, typer.Option(help="studio, sunsky, point or directional; by default what suits the scene.")
+        str | None,
+        typer.Option(help="studio, sunsky, point or directional; by default what suits the scene."),
     ] = None,
     light_from: Annotated[
         str | None,
@@ -50,9 +64,9 @@ def render(
             help="Where it comes from, degrees: 0,0 is the front, 90,0 the right, 0,90 above.",
         ),
     ] = None,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 64,
+    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel.")] = 9,
     size: Annotated[
-        str | None, typer.Option(metavar="WxH", help="Pixels; 512x512, or a scene file's own.")
+        str | None, typer.Option(metavar="WxH", help="Pixels; 640x480, or a scene file's own.")
     ] = None,
     zoom: Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")] = 1.0,
     depth: Annotated[
@@ -60,34 +74,37 @@ def render(
         typer.Option("--max-depth", help="Longest light path, in segments; 8, or a scene file's own."),
     ] = None,
     exposure: Annotated[float, typer.Option(help="Stops; +1 is twice as bright.")] = 0.0,
+    inset: Annotated[
+        bool | None,
+        typer.Option(
+            "--inset/--no-inset",
+            help="A close-up in the corner; by default of a weave or draft on the whole drape.",
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option(help="The same seed gives the same picture, but for rounding.")] = 0,
     variant: Annotated[str | None, typer.Option(help="llvm_ad_rgb (default) or cuda_ad_rgb.")] = None,
 ) -> None:
     """Renders a fabric on a piece of cloth, a mesh, or the marked shapes of a scene file."""
-    if model is not None:
-        from loomlight.models.registry import require_model_name
-
-        require_model_name(model)
+    _require_model(model)
     check_output(output, (".png", ".exr"))
     pixels = None if size is None else parse_size(size)
     require_within("--spp", samples, 1, 1_000_000)
+    shown = _shown(scene, mesh)
+    towards_light = None if light_from is None else _direction(light_from)
     require_within("--exposure", exposure, -30, 30)
     require_within("--seed", seed, 0, 2**32 - 1)
     require_within("--max-depth", 8 if depth is None else depth, 1, 1000)
     require_within("--env-turn", environment_turn, -360, 360)
     require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
-    towards_light = None
-    if light_from is not None:
-        azimuth, elevation = parse_numbers("--light-from", light_from, 2, "-40,35")
-        towards_light = (azimuth, elevation)
-
     from loomlight.core.images import write_image
     from loomlight.mitsuba import render_fabric
 
-    with progress(f"{fabric}, {scene if mesh is None else mesh.name}") as report:
+    what = f"{fabric}, {shown if mesh is None else mesh.name}"
+    written = _Written(output)
+    with progress(what, milliseconds=True) as report, written.restored_on_faults():
         picture = render_fabric(
             fabric,
-            scene,
+            shown,
             model=model,
             mesh=mesh,
             metres_per_unit=metres_per_unit,
@@ -101,8 +118,64 @@ def render(
             spp=samples,
             seed=seed,
             exposure=exposure,
+            inset=inset,
             variant=variant,
             progress=report,
+            partial=written.refine,
         )
-    write_image(output, picture)
+        write_image(output, picture)
     done(output)
+
+
+def _require_model(name: str | None) -> None:
+    if name is not None:
+        from loomlight.models.registry import require_model_name
+
+        require_model_name(name)
+
+
+def _shown(scene: str | None, mesh: Path | None) -> str:
+    if scene is not None and mesh is not None:
+        raise InputError(f"--scene {scene} and --mesh {mesh} both say what to clothe: leave one of them out.")
+    return DEFAULT_SCENE if scene is None else scene
+
+
+def _direction(text: str) -> tuple[float, float]:
+    azimuth, elevation = parse_numbers("--light-from", text, 2, "-40,35")
+    return azimuth, elevation
+
+
+class _Written:
+    """The output file while it is refined: a whole picture at any time."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._before: bytes | None = None
+        self._last: float | None = None
+
+    def refine(self, picture: NDArray[np.float32]) -> None:
+        """Replaces the file by a better picture, unless the last one is too recent."""
+        from loomlight.core.images import write_image
+
+        now = time.monotonic()
+        if self._last is None:
+            self._before = self._path.read_bytes() if self._path.is_file() else None
+        elif now - self._last < _WRITE_EVERY:
+            return
+        write_image(self._path, picture)
+        note_left(f"{self._path} holds the picture as far as it came.")
+        self._last = now
+
+    @contextmanager
+    def restored_on_faults(self) -> Iterator[None]:
+        """Leaves what was there before if the picture cannot be finished; an interruption keeps it."""
+        try:
+            yield
+        except Exception as error:
+            if was_interrupted(error):
+                raise
+            if self._last is not None and self._before is None:
+                self._path.unlink(missing_ok=True)
+            elif self._before is not None:
+                self._path.write_bytes(self._before)
+            raise

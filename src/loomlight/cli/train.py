@@ -10,12 +10,13 @@ from typing import Annotated
 
 import typer
 
+from loomlight.cli.help import WholeSentences
 from loomlight.cli.outputs import done
 from loomlight.core.errors import MissingDependencyError
 
 EXAMPLE = "Example: loomlight train woven experiments/chen2024.toml -o runs/chen2024"
 
-app = typer.Typer(help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
+app = typer.Typer(cls=WholeSentences, help="Trains models.", no_args_is_help=True, rich_markup_mode=None)
 
 # Seconds between lines.
 _LINE_EVERY = 30.0

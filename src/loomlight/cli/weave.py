@@ -8,9 +8,11 @@ from typing import Annotated, Literal
 import typer
 
 from loomlight.cli.drafts import draft_from
+from loomlight.cli.help import WholeSentences
 from loomlight.cli.outputs import check_output, done
 
 app = typer.Typer(
+    cls=WholeSentences,
     help="Drafts: show, convert and measure them.",
     no_args_is_help=True,
     rich_markup_mode=None,
@@ -55,10 +57,10 @@ def show(
     done(output)
 
 
-@app.command(epilog='Example: loomlight weave convert "herringbone 2/2 8" herringbone.wif')
+@app.command(epilog='Example: loomlight weave convert "herringbone 2/2 8" -o herringbone.wif')
 def convert(
     draft: DraftArgument,
-    output: Annotated[Path, typer.Argument(metavar="OUT.wif", help="The .wif file to write.")],
+    output: Annotated[Path, typer.Option("--output", "-o", help="The .wif file to write.")],
 ) -> None:
     """Writes a draft as a weaving information file (WIF 1.1)."""
     from loomlight.weave.wif_writer import write_wif

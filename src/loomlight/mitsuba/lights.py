@@ -50,17 +50,17 @@ def light_dicts(
     `towards` points from the object to the light. A point light stands three radii away.
 
     Raises:
-        InputError: no such light, or a sun below the horizon.
+        InputError: no such light, or a studio's key light or a sun below the horizon.
     """
     direction = towards / np.linalg.norm(towards)
+    if light in ("studio", "sunsky") and direction[1] < 0:
+        raise InputError(
+            f"light_from: the light stands {np.degrees(np.arcsin(-direction[1])):.3g} degrees below the "
+            f"horizon, where {light} has the ground; write an elevation from 0 to 90, or use directional."
+        )
     if light == "studio":
         return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(_studio(direction))}}
     if light == "sunsky":
-        if direction[1] < 0:
-            raise InputError(
-                f"light_from: the sun stands {np.degrees(np.arcsin(-direction[1])):.3g} degrees below the "
-                "horizon, where there is no day; write an elevation from 0 to 90."
-            )
         return {"sunsky": _sunsky(direction)}
     if light == "point":
         distance = 3 * radius

@@ -18,22 +18,30 @@ from loomlight.mitsuba.variants import choose_variant
 
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
+# Samples of a pass: about a second on two cores, so that progress shows and an interruption is soon noticed.
+# Smaller passes cost more than 5 % for starting each; nor do more than 64 show more.
+PASS_SAMPLES = {"llvm_ad_rgb": 2**20, "cuda_ad_rgb": 2**24}
+_MOST_PASSES = 64
 _SPREAD_OVER_PASSES = "MultijitterSampler"
 # Outside of symbolic loops, where networks are evaluated, every path's state lies in memory.
 _EVALUATED_SHARE = 8
 
 Progress = Callable[[int, int], None]
+# Takes a whole picture that later ones refine.
+PartialPicture = Callable[[NDArray[np.float32]], None]
 
 
 def render(
     scene: Any,
     *,
     spp: int = 64,
+    take: int | None = None,
     seed: int = 0,
     sensor: Any = 0,
     integrator: Any = None,
     exposure: float = 0.0,
     progress: Progress | None = None,
+    partial: PartialPicture | None = None,
 ) -> NDArray[np.float32]:
     """Linear RGB [height, width, 3] or RGBA [height, width, 4] of what `sensor` sees, by the film's channels.
 
@@ -41,12 +49,14 @@ def render(
         scene: a Mitsuba scene.
         spp: samples a pixel, ≥ 1; rendered in passes. As many are taken as fill a grid (see `filling_grid`),
             which may be a few more.
+        take: how many of these samples to take, in whole passes; all by default. Kernels are those of all.
         seed: any 32-bit number; the same seed gives the same picture, but for the order in which threads add
             samples up.
         sensor: a sensor or its index.
         integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
         exposure: stops; colours are multiplied by 2**exposure.
         progress: called with (samples done, samples in all) after every pass.
+        partial: called with the picture so far after every pass but the last.
 
     Raises:
         InputError: spp < 1.
@@ -57,17 +67,25 @@ def render(
     width, height = (int(value) for value in sensor.film().crop_size())
     integrator = integrator or footprint_integrator(scene)
     passes = _passes(spp, width * height, is_symbolic(scene))
+    taken = passes if take is None else passes[: -(-take // passes[0])]
+    in_all = min(spp, sum(taken))
     total: NDArray[np.float64] | float = 0.0
     done = 0
-    for number, samples in enumerate(passes):
+    for number, samples in enumerate(taken):
         with _one_of(integrator, sensor, spp, passes, number) as own_seed, bypass_film(integrator):
             of_pass = _pass_seed(seed, number) if own_seed else seed
             picture = mi.render(scene, sensor=sensor, integrator=integrator, spp=samples, seed=of_pass)
         total = total + samples * np.array(picture, dtype=np.float64)
         done += samples
         if progress is not None:
-            progress(min(spp, done), spp)
-    linear = np.asarray(total, dtype=np.float64) / done
+            progress(min(in_all, done), in_all)
+        if partial is not None and number + 1 < len(taken):
+            partial(_exposed(total, done, exposure))
+    return _exposed(total, done, exposure)
+
+
+def _exposed(total: NDArray[np.float64] | float, samples: int, exposure: float) -> NDArray[np.float32]:
+    linear = np.asarray(total, dtype=np.float64) / samples
     linear[..., :3] *= 2.0**exposure
     return linear.astype(np.float32)
 
@@ -94,9 +112,11 @@ def _one_of(integrator: Any, sensor: Any, spp: int, passes: list[int], number: i
 
 
 def _passes(spp: int, pixels: int, symbolic: bool) -> list[int]:
-    """Samples of each pass: passes that fit, all alike, of a grid of at least `spp` samples."""
-    wavefront = WAVEFRONT[choose_variant()] // (1 if symbolic else _EVALUATED_SHARE)
-    largest = max(1, wavefront // pixels)
+    """Samples of each pass: passes that fit and are short, all alike, of a grid of at least `spp` samples."""
+    variant = choose_variant()
+    wavefront = WAVEFRONT[variant] // (1 if symbolic else _EVALUATED_SHARE)
+    short = max(PASS_SAMPLES[variant] // pixels, -(-spp // _MOST_PASSES))
+    largest = max(1, min(wavefront // pixels, short))
     whole = filling_grid(spp)
     if whole <= largest:
         return [whole]

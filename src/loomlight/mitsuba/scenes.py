@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from loomlight.core.errors import InputError
 from loomlight.core.files import require_file
 from loomlight.mitsuba import cloth_shapes
-from loomlight.mitsuba.camera import View, framing, perspective, require_size, require_zoom
+from loomlight.mitsuba.camera import View, framing, look_at, perspective, require_size, require_zoom
 from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
@@ -24,6 +24,7 @@ from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, t
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
 DEFAULT_DEPTH = 8
+DEFAULT_SIZE = (640, 480)
 # Half the extent of a mesh, metres: beyond, threads are lost in the rounding of coordinates.
 SMALLEST_RADIUS, LARGEST_RADIUS = 1e-5, 1e4
 
@@ -54,12 +55,23 @@ class ClothScene:
         integrator: the `footprint_path` to render it with.
         uv_size_mm: millimetres of cloth per unit of u and of v, of the first piece of cloth.
         point: where the camera comes closer to, world coordinates.
+        view: where the camera stands, at the zoom of the scene.
     """
 
     scene: Any
     integrator: Any
     uv_size_mm: tuple[float, float]
     point: tuple[float, float, float]
+    view: View
+
+    def look_from(self, view: View) -> None:
+        """Moves the camera, which keeps its field of view and its picture.
+
+        Kernels of all places are the same: the place is no constant of theirs, as it is in a new scene.
+        """
+        params = mi.traverse(self.scene.sensors()[0])
+        params["to_world"] = mi.Transform4f(look_at(view))
+        params.update()
 
 
 @dataclass(frozen=True)
@@ -115,7 +127,7 @@ def build_scene(
         light_from: where that light comes from, degrees: azimuth (0 from +z, where the camera of `flat`
             stands, 90 from +x, its right) and elevation (90 from +y); by default as designed.
         zoom: 1 frames the whole object, 10 is ten times closer to the cloth in the middle of the picture.
-        size: width and height in pixels; 512 × 512 by default, a scene file's own otherwise.
+        size: width and height in pixels; 640 × 480 by default, a scene file's own otherwise.
         max_depth: longest path, in segments; 8 by default, a scene file's own otherwise.
 
     Raises:
@@ -149,7 +161,7 @@ def build_scene(
         cloth = setup.cloth()
     else:
         setup, cloth = _MESH, read_mesh(mesh).scaled(metres_per_unit)
-    size = size or (512, 512)
+    size = size or DEFAULT_SIZE
     centre, radius = _bounds(cloth)
     view = framing(cloth.positions, np.array(setup.towards_camera), size)
     if not SMALLEST_RADIUS <= radius <= LARGEST_RADIUS:
@@ -176,12 +188,14 @@ def build_scene(
     if mesh is None and name == "flat":
         parts["wall"] = _wall(centre, radius)
     point = _facing_point(cloth, view)
-    parts["sensor"] = perspective(view.closer(zoom, point), size)
+    view = view.closer(zoom, point)
+    parts["sensor"] = perspective(view, size)
     return ClothScene(
         scene=_loaded(parts),
         integrator=integrator,
         uv_size_mm=millimetres,
         point=(float(point[0]), float(point[1]), float(point[2])),
+        view=view,
     )
 
 
@@ -225,7 +239,8 @@ def _ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[s
     return {
         "type": "disk",
         "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
+        # Grey card: darker than most cloth, which stands out from it.
+        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.18}},
     }
 
 
@@ -296,7 +311,7 @@ def _from_file(
         mesh = from_shape(shape, f"{file}: {shape.id()}").scaled(metres_per_unit)
         shape.set_bsdf(loaded_bsdf(factory(uv_size(mesh))))
         meshes.append(mesh)
-    point = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
+    point, view = _move_camera(scene, joined(meshes).scaled(1 / metres_per_unit), zoom, size)
     integrator = footprint_integrator(scene)
     if max_depth is not None:
         integrator.max_depth = max_depth
@@ -305,12 +320,13 @@ def _from_file(
         integrator=integrator,
         uv_size_mm=uv_size(meshes[0]),
         point=(float(point[0]), float(point[1]), float(point[2])),
+        view=view,
     )
 
 
 def _move_camera(
     scene: Any, cloth: ClothMesh, zoom: float, size: tuple[int, int] | None
-) -> NDArray[np.float64]:
+) -> tuple[NDArray[np.float64], View]:
     """Brings the first sensor closer along its own axis and gives its film another size."""
     params = mi.traverse(scene.sensors()[0])
     matrix = np.array(params["to_world"].matrix, dtype=np.float64).reshape(4, 4)
@@ -318,11 +334,11 @@ def _move_camera(
     view = View(origin, origin + matrix[:3, 2])
     point = _facing_point(cloth, view)
     if zoom != 1:
-        moved = matrix.copy()
-        moved[:3, 3] = view.closer(zoom, point).origin
-        params["to_world"] = mi.Transform4f(moved.tolist())
+        view = view.closer(zoom, point)
+        matrix[:3, 3] = view.origin
+        params["to_world"] = mi.Transform4f(matrix.tolist())
     if size is not None:
         params["film.size"] = list(size)
         params["film.crop_size"] = list(size)
     params.update()
-    return point
+    return point, view

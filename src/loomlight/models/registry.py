@@ -27,18 +27,40 @@ class ModelEntry:
     Attributes:
         module, class_name: its class.
         plugin: name of its BSDF in Mitsuba.
+        summary: what it is, for a list of models.
     """
 
     module: str
     class_name: str
     plugin: str
+    summary: str = ""
 
 
 MODELS: dict[str, ModelEntry] = {
-    "lobes": ModelEntry("loomlight.models.lobes.model", "LobesModel", "woven_lobes"),
-    "point": ModelEntry("loomlight.models.point", "PointFootprint", "woven_point"),
-    "samples": ModelEntry("loomlight.models.samples", "FootprintSamples", "woven_samples"),
-    "woven": ModelEntry("loomlight.models.woven.model", "WovenModel", "woven_neural"),
+    "lobes": ModelEntry(
+        "loomlight.models.lobes.model",
+        "LobesModel",
+        "woven_lobes",
+        "prefiltered: each sample averages over its pixel; the default",
+    ),
+    "point": ModelEntry(
+        "loomlight.models.point",
+        "PointFootprint",
+        "woven_point",
+        "single yarn points: exact, but noisy where threads are small",
+    ),
+    "samples": ModelEntry(
+        "loomlight.models.samples",
+        "FootprintSamples",
+        "woven_samples",
+        "means of 32 points of the pixel each: slow, to compare with",
+    ),
+    "woven": ModelEntry(
+        "loomlight.models.woven.model",
+        "WovenModel",
+        "woven_neural",
+        "the network of Chen et al. 2024, for repeats of up to 64 threads",
+    ),
 }
 DEFAULT_MODEL = "lobes"
 # What pictures of other models are judged by.

@@ -1,0 +1,118 @@
+"""Ctrl-C: the work ends within a second and says what it leaves behind.
+
+Dr.Jit keeps Python's lock while it compiles a kernel, for seconds, and no handler of Python's runs meanwhile.
+So the work is done by a forked process; the first one waits, and ends it if it does not end by itself.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable
+
+# Seconds after an interruption: when it is passed on to a process that has not heard of it (the terminal
+# tells both), and when that is ended.
+_PASS_ON, _END = 0.25, 0.6
+INTERRUPTED = 128 + signal.SIGINT
+# Makes the cursor visible, which a progress bar hides, and clears its line.
+_RESTORE_TERMINAL = "\r\x1b[2K\x1b[?25h"
+
+# What an interruption would leave behind, for the word about it.
+_left: str | None = None
+# Where the working process tells the waiting one the same: lines of text, the last one holds.
+_channel: int | None = None
+
+
+def note_left(sentence: str | None) -> None:
+    """Notes what an interruption would leave behind from now on, such as "a.png holds a coarse picture."."""
+    global _left
+    _left = sentence
+    if _channel is not None and sentence is not None:
+        os.write(_channel, sentence.replace("\n", " ").encode(errors="replace") + b"\n")
+
+
+def was_interrupted(error: BaseException | None) -> bool:
+    """Whether an interruption is among what led to an error: Dr.Jit raises a RuntimeError in its place."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
+
+
+def report_interruption() -> int:
+    """Prints that the command was interrupted, and what it left; returns the exit code."""
+    if _channel is not None:
+        # A second interruption, of both processes by the terminal, must not cut this one short.
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        os.write(_channel, b"\0\n")
+    _say(_left)
+    return INTERRUPTED
+
+
+def supervised(work: Callable[[], int]) -> int:
+    """Runs `work` in a forked process and returns its exit code; where nothing can be forked, in this one.
+
+    An interruption ends the process within a second, whatever it does.
+    """
+    if not hasattr(os, "fork"):
+        return work()
+    global _channel
+    sys.stdout.flush()
+    sys.stderr.flush()
+    source, sink = os.pipe()
+    process = os.fork()
+    if process == 0:
+        os.close(source)
+        _channel = sink
+        return work()
+    os.close(sink)
+    signal.signal(signal.SIGTERM, lambda *_: _end(process, signal.SIGTERM))
+    try:
+        return _code_of(os.waitpid(process, 0)[1])
+    except KeyboardInterrupt:
+        return _stopped(process, source)
+
+
+def _stopped(process: int, source: int) -> int:
+    """Waits for an interrupted process, ends it if need be, and says what it has not said itself."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    begun = time.monotonic()
+    passed_on = ended = False
+    while True:
+        found, _ = os.waitpid(process, os.WNOHANG)
+        if found == process:
+            break
+        waited = time.monotonic() - begun
+        if waited > _PASS_ON and not passed_on:
+            passed_on = True
+            os.kill(process, signal.SIGINT)
+        if waited > _END and not ended:
+            ended = True
+            os.kill(process, signal.SIGKILL)
+        time.sleep(0.02)
+    with os.fdopen(source, "rb") as channel:
+        lines = channel.read().decode().splitlines()
+    if lines[-1:] != ["\0"]:
+        if sys.stderr.isatty():
+            sys.stderr.write(_RESTORE_TERMINAL)
+        _say(lines[-1] if lines else None)
+    return INTERRUPTED
+
+
+def _say(left: str | None) -> None:
+    print(f"loomlight: interrupted. {left or 'Nothing was written.'}", file=sys.stderr, flush=True)
+
+
+def _code_of(status: int) -> int:
+    code = os.waitstatus_to_exitcode(status)
+    if code >= 0:
+        return code
+    name = signal.Signals(-code).name
+    print(f"loomlight: the work was ended by {name}; was the memory full?", file=sys.stderr)
+    return 128 - code
+
+
+def _end(process: int, by: signal.Signals) -> None:
+    os.kill(process, by)
+    sys.exit(128 + by)

@@ -1,0 +1,43 @@
+"""Help: whole sentences within 80 columns, and the models."""
+
+from __future__ import annotations
+
+import pytest
+
+from loomlight.cli.main import run
+from loomlight.models.registry import MODELS
+
+COMMANDS = ["render", "compare", "reproduce", "demo", "bake", "bake-maps", "doctor"]
+GROUPS: list[list[str]] = [[], ["weave"], ["train"], ["data"]]
+
+
+@pytest.fixture(autouse=True)
+def columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+
+
+@pytest.mark.parametrize("group", GROUPS, ids=" ".join)
+def test_no_sentence_is_cut(group: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([*group, "--help"]) == 0
+    text = capsys.readouterr().out
+    assert "..." not in text.replace("[ARGS]...", "")
+    assert max(map(len, text.splitlines())) <= 80
+    listed = text.partition("Commands:")[2].split("\n  ")[1:]
+    # A command begins a line; what goes on is indented further.
+    entries = " ".join(line if line.startswith(" ") else f"\n{line}" for line in listed).split("\n")[1:]
+    assert entries
+    assert all(entry.strip().endswith(".") for entry in entries if entry), entries
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_lines_fit(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([command, "--help"]) == 0
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("command", ["render", "bake", "compare"])
+def test_models_are_listed_a_line_each(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run([command, "--help"]) == 0
+    listed = capsys.readouterr().out.partition("Models:\n")[2].partition("\n\n")[0].splitlines()
+    assert [line.split()[0] for line in listed] == list(MODELS)
+    assert all(entry.summary in line for entry, line in zip(MODELS.values(), listed, strict=True))

@@ -1,0 +1,126 @@
+"""Ctrl-C, to the process alone and to its whole group as a terminal does.
+
+Covers: __main__.py
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
+
+# Half a second each way beyond what the supervising process grants, for a machine with other work.
+_LONGEST = 2.0
+
+
+def started(code: str) -> subprocess.Popen[str]:
+    program = f"import sys, time\nfrom loomlight.cli import interruption\n{code}"
+    return subprocess.Popen(
+        [sys.executable, "-c", program],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+# Work that says it has begun, then does not listen: like a kernel that is compiled.
+DEAF = """
+def work():
+    import signal
+    signal.signal(signal.SIGINT, lambda *_: None)
+    interruption.note_left("a.png holds a coarse picture.")
+    print("begun", flush=True)
+    end = time.monotonic() + 30
+    while time.monotonic() < end: time.sleep(0.01)
+    return 0
+sys.exit(interruption.supervised(work))
+"""
+LISTENING = """
+def work():
+    try:
+        print("begun", flush=True)
+        time.sleep(30)
+    except KeyboardInterrupt:
+        return interruption.report_interruption()
+sys.exit(interruption.supervised(work))
+"""
+
+
+@pytest.mark.parametrize("send", [os.kill, os.killpg], ids=["process", "group"])
+@pytest.mark.parametrize(
+    ("code", "left"), [(DEAF, "a.png holds a coarse picture."), (LISTENING, "Nothing was written.")]
+)
+def test_it_ends_soon_and_says_what_is_left(code: str, left: str, send: Callable[[int, int], None]) -> None:
+    process = started(code)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "begun\n"
+    before = time.monotonic()
+    send(process.pid, signal.SIGINT)
+    _, error = process.communicate(timeout=30)
+    assert time.monotonic() - before < _LONGEST
+    assert error == f"loomlight: interrupted. {left}\n"
+    assert process.returncode == 130
+
+
+def test_exit_codes_pass_through() -> None:
+    process = started("sys.exit(interruption.supervised(lambda: 7))")
+    assert process.wait(30) == 7
+    process = started(
+        "import os, signal\nsys.exit(interruption.supervised(lambda: os.kill(os.getpid(), signal.SIGKILL)))"
+    )
+    _, error = process.communicate(timeout=30)
+    assert process.returncode == 128 + signal.SIGKILL
+    assert error == "loomlight: the work was ended by SIGKILL; was the memory full?\n"
+
+
+def test_a_word_within_one_process(capsys: pytest.CaptureFixture[str]) -> None:
+    note_left("a.png holds the picture as far as it came.")
+    assert report_interruption() == 130
+    note_left(None)
+    assert report_interruption() == 130
+    first, second = capsys.readouterr().err.splitlines()
+    assert first == "loomlight: interrupted. a.png holds the picture as far as it came."
+    assert second == "loomlight: interrupted. Nothing was written."
+
+
+def test_an_interruption_is_found_behind_another_error() -> None:
+    error = RuntimeError("what a library raised")
+    assert not was_interrupted(error)
+    error.__cause__ = KeyboardInterrupt()
+    assert was_interrupted(error)
+    assert not was_interrupted(None)
+
+
+def test_an_interrupted_render_keeps_a_whole_picture(tmp_path: Path) -> None:
+    picture = tmp_path / "plain.png"
+    options = ["--model", "point", "--size", "640x480", "--spp", "4096"]
+    process = subprocess.Popen(
+        [sys.executable, "-m", "loomlight", "render", "plain", "-o", str(picture), *options],
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    end = time.monotonic() + 120
+    while not picture.exists() and time.monotonic() < end:
+        time.sleep(0.05)
+    before = time.monotonic()
+    os.killpg(process.pid, signal.SIGINT)
+    _, error = process.communicate(timeout=30)
+    assert time.monotonic() - before < _LONGEST
+    assert error == f"loomlight: interrupted. {picture} holds the picture as far as it came.\n"
+    assert process.returncode == 130
+    assert [path.name for path in tmp_path.iterdir()] == ["plain.png"]
+    with Image.open(picture) as opened:
+        assert opened.size == (640, 480)
+        assert np.asarray(opened).std() > 5
