@@ -4,11 +4,11 @@ A footprint is the mean of nine taps, three along each of its edges, each at the
 as anisotropic filtering reads mip maps: footprints are elongated and rotated against the threads, and one
 square tap does not fit them.
 
-A pixel's box filter has zeros at the frequencies f of the pixel grid, where f·a and f·b are integers (not both 0)
-for its edges a and b: threads near such a frequency would alias to long waves, but vanish from the box. Nine
-equal taps a third of the edges apart have the same zeros, except where both integers are multiples of 3, which
-the taps' own filter damps. So all taps of a footprint are of one level: taps of two levels fill the zeros, and
-pictures show rings of moiré.
+A pixel's box filter has zeros at the frequencies f of the pixel grid, where f·a and f·b are integers (not
+both 0) for its edges a and b: threads near such a frequency would alias to long waves, but vanish from the
+box. Nine equal taps a third of the edges apart have the same zeros, except where both integers are multiples
+of 3, which the taps' own filter damps. So all taps of a footprint are of one level: taps of two levels fill
+the zeros, and pictures show rings of moiré.
 """
 
 from __future__ import annotations
