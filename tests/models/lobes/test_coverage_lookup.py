@@ -115,8 +115,8 @@ def test_any_corner_of_a_footprint_may_come_first() -> None:
     actual = _by_lookup("smooth satin", False, centres, sizes, shapes)
     for others in (-shapes, shapes * [[[1], [-1]]], shapes[:, ::-1]):
         again = _by_lookup("smooth satin", False, centres, sizes, others)
-        # The nine squares are the same, but for which of them are the wider ones between two levels.
-        assert np.abs(again - actual).sum(axis=1).mean() / 2 < 0.03
+        # The nine squares are the same, but for rounding at the edges of cells.
+        assert np.abs(again - actual).sum(axis=1).mean() / 2 < 1e-3
 
 
 def test_squares_elsewhere_are_another_matter() -> None:

@@ -50,10 +50,10 @@ def _fetched(
     back: np.ndarray,
     step: np.ndarray | None = None,
 ) -> np.ndarray:
-    """The first numbers [n, hidden] of interpolated latents, of anisotropic taps with steps [2, n]."""
+    """The first numbers [n, hidden] of interpolated latents, of anisotropic taps with both steps [4, n]."""
     view = [np.zeros(len(x), np.float32), np.zeros(len(x), np.float32), np.ones(len(x), np.float32)]
     actual = np.empty((weights.table.hidden + 2, len(x)), np.float32)
-    steps = np.zeros((2, len(x)), np.float32) if step is None else step
+    steps = np.zeros((4, len(x)), np.float32) if step is None else step
     queries = [x, y, size, *steps, *view, back.astype(np.float32)]
     compiled_decoder(weights).run("view", kernel_table(weights, encoded), queries, [*actual])
     return actual[: weights.table.hidden].T
@@ -80,7 +80,7 @@ def test_latents_are_those_of_the_pyramid(picks: int, ends: int, tmp_path: Path)
     np.testing.assert_allclose(actual, expected, atol=1e-4 * np.abs(expected).max())
 
 
-def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
+def test_footprints_of_four_taps_are_means_of_squares(tmp_path: Path) -> None:
     weights = _seeing_latents(tmp_path)
     rng, count = np.random.default_rng(3), 1000
     last = levels_of(3, 4)[-1].first + 1
@@ -89,16 +89,15 @@ def test_long_footprints_are_means_of_squares(tmp_path: Path) -> None:
     x, y = rng.uniform(-5, 9, (2, count)).astype(np.float32)
     size = np.exp(rng.uniform(np.log(0.1), np.log(20), count)).astype(np.float32)
     # Among them some that are one square, in blocks of their own and among others.
-    step = (rng.normal(size=(2, count)) * size).astype(np.float32)
+    step = (rng.normal(size=(4, count)) * size).astype(np.float32)
     step[:, :300] = 0
     step[:, rng.random(count) < 0.3] = 0
     behind = rng.random(count) < 0.5
     table = encoded.stacked[:, : weights.table.hidden].astype(np.float64)
     expected = np.zeros((count, weights.table.hidden))
-    for place in (-1.5, -0.5, 0.5, 1.5):
-        texels, shares = taps(
-            encoded.levels, x + np.float32(place) * step[0], y + np.float32(place) * step[1], size
-        )
+    for first, second in ((-1, -1), (-1, 1), (1, -1), (1, 1)):
+        place = x + first * step[0] + second * step[2], y + first * step[1] + second * step[3]
+        texels, shares = taps(encoded.levels, *place, size)
         expected += np.einsum("nk,nkc->nc", shares, table[texels + last * behind[:, None]]) / 4
     actual = _fetched(weights, encoded, x, y, size, behind, step)
     # As above.

@@ -138,12 +138,14 @@ def _accumulate_views(
     sums: NDArray[np.float32],
 ) -> None:
     """Adds the hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
-    rays = len(hits.is_warp) // _BLOCKS
+    # From arrays: Numba would keep constants of other files when they change.
+    nodes = len(sums) // 2
+    rays = len(hits.is_warp) // len(sums)
     group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
     nx, ny, nz = hits.normal
     tx, ty, tz = hits.tangent
     for block in range(start, stop):
-        first, face = block * rays, block // NODES
+        first, face = block * rays, block // nodes
         _assign(hits, first, centroids[face], warp_count[face], group_of, least)
         for ray in range(rays):
             if group_of[ray] >= 0:
@@ -183,15 +185,16 @@ def _accumulate_light(
         lights: unit vectors by node [nodes, 3].
         blend: w, the weight of the yarn normal in the diffuse term.
     """
-    rays = len(samples.is_warp) // _BLOCKS
+    nodes = len(sums) // 2
+    rays = len(samples.is_warp) // len(sums)
     group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
     nx, ny, nz = samples.normal
     for block in range(start, stop):
-        first, face = block * rays, block // NODES
+        first, face = block * rays, block // nodes
         _assign(samples, first, centroids[face], warp_count[face], group_of, least)
         # Rays of the other face have the same positions.
-        opposite = (block + NODES) % _BLOCKS * rays
-        x, y, z = lights[block % NODES]
+        opposite = (block + nodes) % len(sums) * rays
+        x, y, z = lights[block % nodes]
         for ray in range(rays):
             if group_of[ray] >= 0:
                 total = sums[block, group_of[ray]]

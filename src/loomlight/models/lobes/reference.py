@@ -245,20 +245,19 @@ class LobesReference:
     def coverage_nodes(self, footprint: Parallelogram) -> Nodes:
         """Nine taps of equal weight, three along each edge of a footprint.
 
-        Level m stores means over squares of side s_m = s_0·2^m. Taps have about `TAP_SIZE` of the
-        footprint's side; sizes between two levels take some of either level.
+        Level m stores means over squares of side s_m = s_0·2^m. Taps have `TAP_SIZE` of the footprint's side
+        at most, and half of it at least.
         """
         top = len(self.tables.levels) - 1
         relative = footprint.side / self.tables.base_size
-        level = min(math.log2(max(TAP_SIZE * relative, 1.0)), top)
+        level = min(int(math.log2(max(TAP_SIZE * relative, 1.0))), top)
         # Taps nearly as large as the footprint are closer to its centre.
         spacing = math.sqrt(min(max(TENT_VARIANCE * (1 - relative**-2), 0.0), 1.0))
         spacing = min(max(spacing, MIN_TAP_SPACING / relative), 1.0)
         indices = []
-        for number, (s, t) in enumerate(TAP_OFFSETS):
-            is_coarser = level % 1.0 > 1 - (number + 0.5) / len(TAP_OFFSETS)
+        for s, t in TAP_OFFSETS:
             x, y = footprint.centre + spacing * (s * footprint.along_x + t * footprint.along_y)
-            indices.append(self._node(min(int(level) + is_coarser, top), x, y))
+            indices.append(self._node(level, x, y))
         return Nodes(np.array(indices), np.full(len(TAP_OFFSETS), 1 / len(TAP_OFFSETS)))
 
     def _node(self, level: int, x: float, y: float) -> int:

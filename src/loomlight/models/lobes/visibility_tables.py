@@ -54,12 +54,24 @@ def tabulate_visibility(
     is_skipped = views.hole.numpy()
     if rays.view_is_null is not None:
         is_skipped = is_skipped | rays.view_is_null.numpy()
-    view_sums = accumulate_views(hit_arrays(views, is_skipped), groups)
-    light_sums = accumulate_light(
-        hit_arrays(samples, samples.hole.numpy()), rays.is_lit.numpy(), groups, diffuse_blend
+    view_sums = _with_one_zenith(accumulate_views(hit_arrays(views, is_skipped), groups))
+    light_sums = _with_one_zenith(
+        accumulate_light(
+            hit_arrays(samples, samples.hole.numpy()), rays.is_lit.numpy(), groups, diffuse_blend
+        )
     )
     tables = VisibilityTables(_projected_area(rays, groups, view_sums[..., 0]), *_light_tables(light_sums))
     return tables, with_view_moments(groups, view_sums.sum(axis=1, dtype=np.float64))
+
+
+def _with_one_zenith(sums: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Sums [2, nodes, …] with those of the zenith, which is a node of every azimuth, averaged over azimuths.
+
+    Estimates of one direction that differ would show as a pinwheel where the view is along the normal.
+    """
+    by_ring = sums.reshape(2, AZIMUTHS, RINGS, *sums.shape[2:])
+    by_ring[:, :, 0] = by_ring[:, :, 0].mean(axis=1, keepdims=True)
+    return by_ring.reshape(sums.shape)
 
 
 def _projected_area(rays: VisibilityRays, groups: Groups, hits: NDArray[np.float32]) -> NDArray[np.float64]:

@@ -121,7 +121,7 @@ def decode(
 def one_square(footprints: NDArray[np.float32]) -> list[NDArray[np.float32]]:
     """The numbers of `AnisotropicTaps` of footprints [3, n], position x and y and side."""
     zero = np.zeros(footprints.shape[1], np.float32)
-    return [*footprints, zero, zero]
+    return [*footprints, zero, zero, zero, zero]
 
 
 def columns(rows: NDArray[np.floating]) -> NDArray[np.float32]:

@@ -60,7 +60,7 @@ EntryPoint = Literal["components_and_hole", "hole", "view", "components", "hidde
 _LAYERS, _TEXELS, _LEVELS, _FABRIC, _CORRECTION = range(5)
 # Where parameters of the fabric begin.
 _ENDS, _PICKS, _TEXEL_COUNT, _LEVEL_COUNT, _FIBRES, _BUNDLES = 0, 1, 2, 3, 4, 10
-_FOOTPRINT, _VIEW, _LIGHT = 5, 4, 3  # numbers of an input
+_FOOTPRINT, _VIEW, _LIGHT = 7, 4, 3  # numbers of an input
 _COMPONENTS = DIFFUSE + 2
 # Bilinear taps on two levels.
 _TAPS = 8
@@ -226,7 +226,7 @@ class _DecoderEmitter:
             for number, value in enumerate(numbers):
                 encoded[number] = value
             correction_weight[0] = fine_tuning_weight(coordinates[2], math)
-            is_long[0] = math.abs(footprint.step_x) + math.abs(footprint.step_y)
+            is_long[0] = math.abs(footprint.first_x) + math.abs(footprint.first_y)
         # The view's features follow the spatial ones, and overwrite the padding of layers.
         spatial = self._layers["fusion"].channels if table.fusion else self._padded_channels
         fused = kernel.block_buffer(max(spatial, self._spatial + 2 + VIEW_FEATURES))
@@ -272,11 +272,8 @@ class _DecoderEmitter:
         if self._table.latent != "field":
             taps[0], taps[_TAPS] = face, 1
             return
-        footprint, offset = self._load_footprint(), number - 0.5 * (count - 1)
-        x, y = (
-            math.fma(offset, step, centre)
-            for step, centre in ((footprint.step_x, footprint.x), (footprint.step_y, footprint.y))
-        )
+        footprint = self._load_footprint()
+        x, y = footprint.place(number, math)
         ends, picks, levels = (self._fabric[number] for number in (_ENDS, _PICKS, _LEVEL_COUNT))
         # Positions near the origin keep most digits. Clipping keeps texels in bounds, even those of NaN.
         x, y = (

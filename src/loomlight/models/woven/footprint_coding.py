@@ -12,15 +12,20 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.core.footprint import ANISOTROPIC_TAPS
+from loomlight.core.arrays import Float, Vec2
+from loomlight.core.backend import array_types, maximum
+from loomlight.core.footprint import Footprint
 from loomlight.models.woven.architecture import NetworkTable
 from loomlight.yarn.layout import ClothLayout
 
 FINEST = 3  # levels finer than one texel a thread
 PACKET = 16  # numbers of a texel that are loaded at once: a cache line
+# Ratio of squared length to squared width up to which taps lie along both edges.
+_MOST_COMPACT = 5.5
 # Footprints of at least so many repeats read the mean of the repeat.
 WHOLE_REPEATS = 4
 
@@ -116,33 +121,78 @@ _LONGEST = 8.0
 
 @dataclass
 class AnisotropicTaps:
-    """Anisotropic taps of a footprint, in threads; see `Footprint.anisotropic_taps`.
+    """Anisotropic taps of a footprint, in threads: one, or four at centre ± first ± second.
 
     Attributes:
-        x, y: centre of the row.
+        x, y: centre of the taps.
         side: of a tap, which is a square.
-        step_x, step_y: from one tap to the next; 0 and 0 where the footprint has one tap.
+        first_x, first_y, second_x, second_y: steps from the centre; all 0 where the footprint has one tap.
     """
 
     x: Any
     y: Any
     side: Any
-    step_x: Any
-    step_y: Any
+    first_x: Any
+    first_y: Any
+    second_x: Any
+    second_y: Any
 
     def numbers(self) -> tuple[Any, ...]:
-        """All five."""
-        return self.x, self.y, self.side, self.step_x, self.step_y
+        """All seven."""
+        return self.x, self.y, self.side, self.first_x, self.first_y, self.second_x, self.second_y
 
     def size(self, arrays: Any) -> Any:
-        """The side of a square of the row's area, an input of the decoder.
+        """The side of a square of the taps' area, an input of the decoder: twelve variances, to ¼.
 
         Args:
             arrays: the module of array functions, drjit or a kernel's `SimdMath`.
         """
-        step = arrays.fma(self.step_x, self.step_x, arrays.square(self.step_y))
-        length = arrays.sqrt(arrays.fma(step, ANISOTROPIC_TAPS**2 - 1.0, arrays.square(self.side)))
-        return arrays.sqrt(self.side * length)
+        square = arrays.square(self.side)
+        across, along = (
+            arrays.fma(12.0, arrays.fma(first, first, arrays.square(second)), square)
+            for first, second in ((self.first_x, self.second_x), (self.first_y, self.second_y))
+        )
+        mixed = 12.0 * arrays.fma(self.first_x, self.first_y, self.second_x * self.second_y)
+        # The determinant is at least side⁴, but for rounding.
+        area = arrays.maximum(across * along - arrays.square(mixed), arrays.square(square))
+        return arrays.sqrt(arrays.sqrt(area))
+
+    def place(self, number: Any, arrays: Any) -> tuple[Any, Any]:
+        """Centre of tap `number`, 0 to 3: a float; of lanes with one tap, all are at the centre."""
+        half = arrays.floor(0.5 * number)
+        first, second = 2.0 * half - 1.0, 2.0 * number - 4.0 * half - 1.0
+        return (
+            arrays.fma(first, self.first_x, arrays.fma(second, self.second_x, self.x)),
+            arrays.fma(first, self.first_y, arrays.fma(second, self.second_y, self.y)),
+        )
+
+
+def taps_of_footprint(footprint: Footprint, least: float) -> tuple[Float, Vec2, Vec2]:
+    """Side of a tap and both steps [2] for a footprint, in its own unit of length; see `AnisotropicTaps`.
+
+    Long footprints have a row of four (`Footprint.anisotropic_taps`). Others that are large enough have two
+    along either edge: like the pixel's box, these vanish where threads have an odd number of periods along an
+    edge and alias with the pixels. One square does not if it lies askew, and pictures show rings of moiré.
+
+    Args:
+        least: smallest side of the four taps. Latents of at least a thread are means of those of threads, so
+            that their means are latents too; smaller ones are not.
+    """
+    types = array_types(footprint.area)
+    side, step = footprint.anisotropic_taps()
+    a, b = footprint.duv_dx, footprint.duv_dy
+    total = dr.squared_norm(a) + dr.squared_norm(b)
+    # Squared length and width, as in `Footprint.anisotropic_taps`: their sum and product.
+    longest = 0.5 * (total + dr.sqrt(maximum(dr.square(total) - 4 * dr.square(footprint.area), 0)))
+    is_compact = (longest < _MOST_COMPACT * (total - longest)) & (total > 8 * least**2)
+
+    def steps(edge: Vec2, share: float) -> Vec2:
+        compact, row = 0.25 * edge, share * step
+        return types.Vector2(dr.select(is_compact, compact.x, row.x), dr.select(is_compact, compact.y, row.y))
+
+    # A quarter of the variance is the taps' own: 12 (a/4)² is three quarters of a². A row is ±1 ± ½ steps.
+    first, second = steps(a, 1), steps(b, 0.5)
+    return dr.select(is_compact, dr.sqrt(0.125 * total), side), first, second
 
 
 def footprint_coordinates(

@@ -140,16 +140,11 @@ class LatentTable:
         position = clip(dr.log2(maximum(footprint.side, 1e-6)) + FINEST, 0, types.Float(self._top))
         lower = minimum(types.UInt32(position), self._top - 1)
         blend = position - types.Float(lower)
-        steps = dr.select(
-            (footprint.step_x != 0) | (footprint.step_y != 0), types.UInt32(ANISOTROPIC_TAPS), 1
-        )
+        has_steps = (footprint.first_x != 0) | (footprint.first_y != 0)
+        steps = dr.select(has_steps, types.UInt32(ANISOTROPIC_TAPS), 1)
 
         def added(number: UInt, total: list[Float]) -> tuple[UInt, list[Float]]:
-            offset = types.Float(number) - 0.5 * (types.Float(steps) - 1)
-            x, y = (
-                dr.fma(offset, footprint.step_x, footprint.x),
-                dr.fma(offset, footprint.step_y, footprint.y),
-            )
+            x, y = footprint.place(types.Float(number), dr)
             taps = [
                 (face + texel, level_weight * weight / types.Float(steps))
                 for level, level_weight in ((lower, 1 - blend), (lower + 1, blend))

@@ -27,7 +27,12 @@ from loomlight.models.woven.encoded_fabric import EncodedFabric
 from loomlight.models.woven.encoder import repeat_threads
 from loomlight.models.woven.encoding import encode, encode_pair
 from loomlight.models.woven.fibres import Fibres
-from loomlight.models.woven.footprint_coding import AnisotropicTaps, levels_of, mean_pitch
+from loomlight.models.woven.footprint_coding import (
+    AnisotropicTaps,
+    levels_of,
+    mean_pitch,
+    taps_of_footprint,
+)
 from loomlight.models.woven.latent_table import LatentTable
 from loomlight.models.woven.light_visibility import light_visibility_of
 from loomlight.models.woven.proposal import Proposal, proposal_of
@@ -310,8 +315,9 @@ class WovenModel(FilteredFabricModel):
         back = types.Bool(view.z < 0)
         across, along = self._threads_per_mm
         x, y = footprint.centre.x * across, footprint.centre.y * along
-        side, step = footprint.anisotropic_taps()
-        taps = AnisotropicTaps(x, y, side * (1 / self._pitch), step.x * across, step.y * along)
+        side, first, second = taps_of_footprint(footprint, self._pitch)
+        steps = first.x * across, first.y * along, second.x * across, second.y * along
+        taps = AnisotropicTaps(x, y, side * (1 / self._pitch), *steps)
         return taps, to_face_frame(view, back), back
 
     def decoder(self, float_type: type) -> Decoder:
