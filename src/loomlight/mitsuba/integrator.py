@@ -196,7 +196,7 @@ def footprint_path_class() -> type:
             # Beyond the first scattering each of so many samples stands for its part of the pixel.
             width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
             path = PathState.begin(ray, active, width, spread)
-            walk = CameraWalk.begin(path) if blends else None
+            walk = CameraWalk.begin(path, samples) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
             passes = mi.UInt32(0)
