@@ -34,7 +34,7 @@ from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
-from loomlight.mitsuba.pixel_filter import OwnPixelSensor, PixelFilter
+from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
 from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
@@ -104,6 +104,8 @@ def footprint_path_class() -> type:
             places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
             self._offset = places.offset
+            if self._offset is not None and not sensor.film().rfilter().is_box_filter():
+                position = position - self._offset
             return ray, weight, position
 
         @contextmanager
@@ -115,7 +117,7 @@ def footprint_path_class() -> type:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
             try:
                 with gc_paused(), symbolic_mode(scene):
-                    yield camera if self._pixel_filter is None else OwnPixelSensor(camera)
+                    yield camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
             finally:
                 # Left behind, the array would be one more input of a frozen function.
                 self._pixel_filter, self._offset, self._replays = None, None, False
@@ -279,10 +281,10 @@ def footprint_path_class() -> type:
 class _CameraSampler:
     """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
 
-    Its first square sample is the place in the pixel, drawn from a filter where there is one.
+    Its first square sample is the place in the pixel that the ray goes through.
 
     Attributes:
-        offset: that place from the pixel's centre, pixels [2].
+        offset: of rays from the places that samples stand for, pixels [2]; None where that is the same.
     """
 
     def __init__(
@@ -292,6 +294,7 @@ class _CameraSampler:
         self._of_pass = of_pass
         self._filter = pixel_filter
         self._pixel_centres = pixel_centres
+        self._placed = False
         self.offset: Vec2 | None = None
 
     def sample_count(self) -> int:
@@ -302,13 +305,14 @@ class _CameraSampler:
 
     def next_2d(self) -> Any:
         drawn = self._sampler.next_2d()
-        if self.offset is not None:
+        if self._placed:
             return drawn
+        self._placed = True
         if self._filter is not None:
-            self.offset = self._filter.offset(drawn)
-        else:
-            self.offset = mi.Vector2f(0) if self._pixel_centres else drawn - 0.5
-        return mi.Point2f(self.offset + 0.5)
+            places = self._filter.places(drawn, self._sampler.next_2d())
+            self.offset = places.offset
+            return mi.Point2f(0.5 + places.sample + places.offset)
+        return mi.Point2f(0.5) if self._pixel_centres else drawn
 
 
 def samples_are_pixels(camera: Any, spp: int) -> bool:
