@@ -73,9 +73,7 @@ def pictures(scene: Any, depth: int, count: int, spp: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("light", "depth"), [("directional", 2), ("directional", 5), ("constant", 5)])
-def test_blending_changes_no_expectation(
-    monkeypatch: pytest.MonkeyPatch, light: str, depth: int
-) -> None:
+def test_blending_changes_no_expectation(monkeypatch: pytest.MonkeyPatch, light: str, depth: int) -> None:
     scene = layers(light)
     # At four samples shares under 4 % are left to Russian roulette.
     blended = pictures(scene, depth, 24, 4)

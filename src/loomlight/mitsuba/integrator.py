@@ -3,10 +3,12 @@
 It estimates what Mitsuba's `path` estimates: next-event estimation and BSDF sampling, combined by the power
 heuristic, Russian roulette. It adds two things:
 
-- ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials (shrunk by
-  1/sqrt(samples)) on the first surface, from a ray cone beyond.
+- ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials on the first
+  surface, from a ray cone beyond. For BSDFs that filter it is a part of the film's filter, whatever the number
+  of samples (`pixel_filter.py`).
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
+  What the camera sees through holes of BSDFs that filter is blended in by their share (`camera_walk.py`).
   Where no BSDF lets through what would be seen (`lets_light_through` of cloth averaged over footprints),
   shadows are plain ones.
 
@@ -117,7 +119,9 @@ def footprint_path_class() -> type:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
             try:
                 with gc_paused(), symbolic_mode(scene):
-                    yield camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
+                    yield (
+                        camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
+                    )
             finally:
                 # Left behind, the array would be one more input of a frozen function.
                 self._pixel_filter, self._offset, self._replays = None, None, False
