@@ -11,8 +11,8 @@ at 1, 4, 16 … samples, on logarithmic scales. Seconds are those of pictures th
 off between 1 sample and the next larger picture than it needs. Bar: 20 times.
 
 With `--setting default` the scene is what `loomlight render` shows: the whole drape on its ground, the film's
-Gaussian filter, paths of up to 8 segments, and lobes with so many samples a pixel; errors are over the whole picture,
-and the point model has to reach both the MSE and the FLIP. Bar: 10 times.
+Gaussian filter, paths of up to 8 segments, and lobes with so many samples a pixel; errors are over the whole
+picture, and the point model has to reach both the MSE and the FLIP. Bar: 10 times.
 """
 
 from __future__ import annotations
@@ -68,9 +68,8 @@ def scenes_of(fabric: Fabric, setting: str, size: tuple[int, int], light: str) -
             measured_scene(SCENE, [fabric], "lobes", size, pixel_centres=True),
         )
     everything = np.ones(size[::-1], bool)
-    shown = [
-        build_scene("drape", material_bsdf(fabric, m), size=size, light=light) for m in ("point", "lobes")
-    ]
+    bsdfs = [material_bsdf(fabric, model) for model in ("point", "lobes")]
+    shown = [build_scene("drape", bsdf, size=size, light=light) for bsdf in bsdfs]
     return tuple(MeasuredScene(each.scene, each.integrator, everything, float("nan")) for each in shown)
 
 

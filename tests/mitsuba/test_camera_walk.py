@@ -27,7 +27,7 @@ WHITE = {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.8}}
 
 
 def layers(light: str, cloth: dict[str, Any] | None = None, size: int = 12) -> Any:
-    """Two sheets of open cloth, one tilted, before a white wall; the first covers two thirds of the picture."""
+    """Two sheets of open cloth, one tilted, before a white wall."""
     place = mi.ScalarTransform4f
     cloth = cloth or material_bsdf(fabric_from_text(CLOTH), "lobes")((30.0, 30.0))
     sheets = {

@@ -59,7 +59,7 @@ def test_splats_places_and_offsets_make_up_the_filter(name: str) -> None:
     np.testing.assert_allclose(found.variance, variance, rtol=0.01)
     for axis in range(2):
         drawn = np.searchsorted(np.sort(rays[axis]), edges) / count
-        # Kolmogorov's bound of 200 000 numbers is 0.004 at 0.1 %; the splat is not lowered by 3e-4 of its peak.
+        # Kolmogorov's bound of 200 000 numbers is 0.004; the splat is not lowered by 3e-4 of its peak.
         np.testing.assert_allclose(drawn, share, atol=5e-3)
         total = samples[axis].var() + found.footprint_side**2 / 12
         np.testing.assert_allclose(total, found.variance, rtol=0.01)

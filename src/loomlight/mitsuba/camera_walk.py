@@ -4,8 +4,8 @@ A path that enters a hole with probability h brings what lies behind at full str
 these are specks. Here the camera's ray goes straight on through surfaces with holes, and what it meets counts
 by the share of light that comes through. Beside it, the path that scatters is drawn as ever: it rides along
 until it scatters at one of the surfaces, waits there, and goes on when the ray has ended. Emission and light
-samples of surfaces on the camera's ray thus have no noise from holes; expectations are the same, since the path
-gets to each surface with the probability that is its share.
+samples of surfaces on the camera's ray thus have no noise from holes; expectations are the same, since the
+path gets to each surface with the probability that is its share.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from loomlight.core.arrays import Color3, Float, Mask
 from loomlight.core.backend import channel_mean, maximum, minimum
 from loomlight.mitsuba.path_state import PathState
 
-# What lies behind shows in a pixel in steps of at most this share of its radiance: of n samples those with less
-# than n times as much are left to Russian roulette, which costs less.
+# What lies behind shows in a pixel in steps of at most this share of its radiance: of n samples those with
+# less than n times as much are left to Russian roulette, which costs less.
 _LARGEST_STEP = 0.01
 
 

@@ -4,8 +4,8 @@ It estimates what Mitsuba's `path` estimates: next-event estimation and BSDF sam
 heuristic, Russian roulette. It adds two things:
 
 - ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials on the first
-  surface, from a ray cone beyond. For BSDFs that filter it is a part of the film's filter, whatever the number
-  of samples (`pixel_filter.py`).
+  surface, from a ray cone beyond. For BSDFs that filter it is a part of the film's filter, whatever the
+  number of samples (`pixel_filter.py`).
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
   What the camera sees through holes of BSDFs that filter is blended in by their share (`camera_walk.py`).
@@ -101,7 +101,8 @@ def footprint_path_class() -> type:
             return sampler, spp
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            set_samples_per_pixel(self._samples(sampler))
+            # A part of the film's filter is no smaller with more samples: each takes as many points as one would.
+            set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
             of_pass = sampler.sample_count() // self.passes
             places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
@@ -219,7 +220,7 @@ def footprint_path_class() -> type:
                 path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
                 vertices.set_footprint(si, path, first)
 
-                β = walk.throughput(path) if blends else path.β
+                β = path.β if walk is None else walk.throughput(path)
                 shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
                     Le = β * vertices.emission(si, path, shown, primal)
@@ -247,7 +248,7 @@ def footprint_path_class() -> type:
                 if dr.hint(not primal, mode="scalar"):
                     smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
                     δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
-                if dr.hint(blends, mode="scalar"):
+                if dr.hint(walk is not None, mode="scalar"):
                     at = HoleCrossing(
                         si.spawn_ray(path.ray.d), scattering.through, passed, may_pass, vertices.filters(si)
                     )

@@ -1,13 +1,13 @@
 """The film's reconstruction filter, divided between samples, rays and footprints.
 
 Samples that are spread evenly over the film and splatted with its filter h reconstruct texture by h. A
-footprint g would add its own variance: the picture were filtered by h * g, and as blurred as both. Where models
-filter, h is therefore divided, h = s * g:
+footprint g would add its own variance: the picture would be filtered by h * g. Where models filter, h is
+therefore divided, h = s * g:
 
-- samples are spread and splatted by s, or spread within their own pixel by s (filter importance sampling, Ernst
-  et al. 2006);
-- the ray of a sample goes past its place by an offset drawn from g: silhouettes, shadows and whatever does not
-  filter are seen through s * g = h, as the film promises;
+- samples are spread and splatted by s, or spread within their own pixel by s (filter importance sampling,
+  Ernst et al. 2006);
+- the ray of a sample goes past its place by an offset drawn from g: silhouettes, shadows and whatever does
+  not filter are seen through s * g = h, as the film promises;
 - models that filter are asked at the sample's own place with a footprint of the variance of g: again s * g.
 
 The number of samples does not enter. Texture leaves the less noise the wider g is; everything else the less
@@ -81,7 +81,7 @@ class PixelFilter:
 
     @property
     def splat_deviation(self) -> float | None:
-        """Standard deviation of the Gaussian to splat samples with, pixels; None adds them to their own pixel."""
+        """Deviation of the Gaussian to splat samples with, pixels; None adds them to their own pixel."""
         if self.centred or self.name != "GaussianFilter":
             return None
         return _SPLATTED * math.sqrt(self.variance)
@@ -100,7 +100,7 @@ class PixelFilter:
         if self.name == "TentFilter":
             # A box upon a box of half its width.
             return SamplePlaces(first * self.radius, second * self.radius)
-        # Mitsuba lowers the Gaussian by its value at the end; that thousandth of its mass is left where it was.
+        # Mitsuba lowers the Gaussian by its value at the end, a thousandth of its mass in all; not here.
         inside = math.erf(_REACH / math.sqrt(2))
         deviation = math.sqrt(_FOOTPRINT_SHARES[self.name] * self.variance)
         return SamplePlaces(first, (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * second))
