@@ -1,8 +1,9 @@
 """Footprints: the part of the cloth that a pixel sees, and approximations of it.
 
 A footprint is the parallelogram that a pixel covers on the plane of the cloth, or as much wider or narrower
-as the film's filter asks for (`mitsuba/pixel_filter.py`). Its points are centre + s·duv_dx + t·duv_dy with s and
-t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its approximations:
+as the film's filter asks for (`mitsuba/pixel_filter.py`). Its points are centre + s·duv_dx + t·duv_dy with s
+and t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its
+approximations:
 
 - a square of the same area, for models that take one size;
 - a Gaussian of σ = sqrt(area/12), the deviation of that square along each axis (kuznetsov2021);

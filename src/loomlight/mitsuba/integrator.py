@@ -101,7 +101,7 @@ def footprint_path_class() -> type:
             return sampler, spp
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            # A part of the film's filter is no smaller with more samples: each takes as many points as one would.
+            # With more samples footprints are as large as ever: each takes as many points as one would.
             set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
             of_pass = sampler.sample_count() // self.passes
             places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
@@ -248,15 +248,19 @@ def footprint_path_class() -> type:
                 if dr.hint(not primal, mode="scalar"):
                     smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
                     δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
-                if dr.hint(walk is not None, mode="scalar"):
-                    at = HoleCrossing(
-                        si.spawn_ray(path.ray.d), scattering.through, passed, may_pass, vertices.filters(si)
-                    )
-                    walk, path = walk.step(path, after, at, sampler.next_1d())
-                    passes[passed | walk.on] += 1
-                else:
+                if walk is None:
                     path = after
                     passes[passed] += 1
+                else:
+                    crossing = HoleCrossing(
+                        straight=si.spawn_ray(path.ray.d),
+                        through=scattering.through,
+                        passed=passed,
+                        may_pass=may_pass,
+                        blends=vertices.filters(si),
+                    )
+                    walk, path = walk.step(path, after, crossing, sampler.next_1d())
+                    passes[passed | walk.on] += 1
 
                 # Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
