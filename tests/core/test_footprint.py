@@ -6,7 +6,6 @@ import math
 
 import drjit as dr
 import numpy as np
-import pytest
 from drjit.llvm.ad import Array2f64, Float64
 
 from loomlight.core.footprint import ANISOTROPIC_TAPS, Box, Footprint, box_footprint
@@ -57,14 +56,6 @@ def test_the_gaussian_has_the_deviation_of_the_square() -> None:
     footprint = _random(np.random.default_rng(2), 50)
     side = footprint.square().size.x.numpy()
     np.testing.assert_allclose(footprint.gaussian_sigma.numpy(), side / math.sqrt(12), rtol=1e-12)
-
-
-@pytest.mark.parametrize("samples", [1, 4, 7])
-def test_samples_share_the_area(samples: int) -> None:
-    footprint = _random(np.random.default_rng(3), 50)
-    shrunk = footprint.shrunk(samples)
-    np.testing.assert_allclose(samples * shrunk.area.numpy(), footprint.area.numpy(), rtol=1e-12)
-    assert dr.all(shrunk.centre.x == footprint.centre.x)
 
 
 def test_boxes_come_back_from_footprints() -> None:

@@ -209,6 +209,23 @@ def test_texture_means_are_those_of_the_texture() -> None:
     np.testing.assert_allclose(found, [direct[0], direct[1], 0.5], atol=1e-5)
 
 
+@pytest.mark.parametrize("edge", [0.02, 0.035, 0.05])
+def test_texture_means_have_the_variance_of_the_footprint(edge: float) -> None:
+    fields = {"type": "checkerboard", "color0": 0.0, "color1": 1.0}
+    fields["to_uv"] = mi.ScalarTransform4f().scale([3.37, 1, 1])
+    filtered = FilteredTexture(mi.load_dict(fields))
+    variances = []
+    # Edges lie differently to the pyramid's squares, on which the variance of each depends.
+    for number in range(1, 6):
+        x = number / (2 * 3.37) + np.linspace(-0.07, 0.07, 1401)
+        si = interactions(np.stack([x, np.full_like(x, 0.25)], 1), np.zeros((1401, 3)), np.ones(1401))
+        side = mi.Float(edge)
+        step = np.array(filtered.over(si, mi.Vector2f(side, 0), mi.Vector2f(0, side), mi.Bool(True)))[0]
+        density = np.gradient(step, x) / (step[-1] - step[0])
+        variances.append(np.trapezoid(density * (x - number / (2 * 3.37)) ** 2, x))
+    np.testing.assert_allclose(np.mean(variances), edge**2 / 12, rtol=0.25)
+
+
 def test_a_pixel_angle_stands_in_for_the_integrators_footprint() -> None:
     rng = np.random.default_rng(6)
     uv, views = rng.random((500, 2)), np.tile([0.0, 0.0, 1.0], (500, 1))

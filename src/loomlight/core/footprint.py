@@ -1,8 +1,9 @@
 """Footprints: the part of the cloth that a pixel sees, and approximations of it.
 
-A footprint is the parallelogram that a pixel covers on the plane of the cloth. Its points are centre +
-s·duv_dx + t·duv_dy with s and t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy
-duv_dyᵀ)/12. Its approximations:
+A footprint is the parallelogram that a pixel covers on the plane of the cloth, or as much wider or narrower
+as the film's filter asks for (`mitsuba/pixel_filter.py`). Its points are centre + s·duv_dx + t·duv_dy with s
+and t uniform in [−1/2, 1/2], so their covariance is Σ = (duv_dx duv_dxᵀ + duv_dy duv_dyᵀ)/12. Its
+approximations:
 
 - a square of the same area, for models that take one size;
 - a Gaussian of σ = sqrt(area/12), the deviation of that square along each axis (kuznetsov2021);
@@ -125,11 +126,6 @@ class Footprint:
         box = self.box().size
         covariance = self.duv_dx.x * self.duv_dx.y + self.duv_dy.x * self.duv_dy.y
         return covariance / maximum(box.x * box.y, 1e-30)
-
-    def shrunk(self, samples: int) -> Footprint:
-        """The footprint of each of `samples` samples of a pixel: both edges times 1/sqrt(samples)."""
-        scale = samples**-0.5
-        return Footprint(self.centre, self.duv_dx * scale, self.duv_dy * scale, self.samples * samples)
 
     def at(self, s: Float, t: Float) -> Vec2:
         """The point centre + s·duv_dx + t·duv_dy [2]; s and t are −1/2 to 1/2 within the footprint."""

@@ -13,7 +13,7 @@ from loomlight.scattering.point import DirectionSample
 
 # Places of lobes in `m_components`.
 _REFLECTION, _TRANSMISSION, _NULL = 0, 2, 4
-# A flag of BSDFs beside those of `mi.BSDFFlags`: they average over footprints. BSDFs made of others pass it on.
+# A flag of BSDFs beside those of `mi.BSDFFlags`: they average over footprints. BSDFs around them pass it on.
 FILTERS = 1 << 30
 # Every BSDF of a model that there is: Dr.Jit traces them all, whichever scene they belong to.
 MODEL_BSDFS: WeakSet[Any] = WeakSet()

@@ -4,8 +4,8 @@ A path that enters a hole with probability h brings what lies behind at full str
 these are specks. Here the camera's ray goes straight on through surfaces with holes, and what it meets counts
 by the share of light that comes through. Beside it, the path that scatters is drawn as ever: it rides along
 until it scatters at one of the surfaces, waits there, and goes on when the ray has ended. Emission and light
-samples of surfaces on the camera's ray thus have no noise from holes; expectations are the same, since the path
-gets to each surface with the probability that is its share.
+samples of surfaces on the camera's ray thus have no noise from holes; expectations are the same, since the
+path gets to each surface with the probability that is its share.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from loomlight.core.arrays import Color3, Float, Mask
 from loomlight.core.backend import channel_mean, maximum, minimum
 from loomlight.mitsuba.path_state import PathState
 
-# A ray whose share falls below this is ended by Russian roulette: at one sample a pixel, what lies behind then
-# shows in steps of a hundredth of its radiance; more samples average more of them.
-_LEAST_SHARE = 0.01
+# What lies behind shows in a pixel in steps of at most this share of its radiance: of n samples those with
+# less than n times as much are left to Russian roulette, which costs less.
+_LARGEST_STEP = 0.01
 
 
 @dataclass
@@ -53,17 +53,20 @@ class CameraWalk:
         share: of the light that comes through all surfaces so far [3], over the chance of having got here.
         rides: lanes whose path has not scattered yet: it is where the ray is.
         path: the path; unless it rides it goes on when the ray has ended.
+        least_share: rays of smaller shares are left to Russian roulette.
     """
 
     on: Any
     share: Any
     rides: Any
     path: PathState
+    least_share: Any
 
     @classmethod
-    def begin(cls, path: PathState) -> CameraWalk:
-        """With the camera's rays."""
-        return cls(mi.Bool(path.active), mi.Spectrum(1), mi.Bool(True), dr.copy(path))
+    def begin(cls, path: PathState, samples: int) -> CameraWalk:
+        """With the camera's rays, of so many samples a pixel."""
+        least = mi.Float(min(_LARGEST_STEP * samples, 1.0))
+        return cls(mi.Bool(path.active), mi.Spectrum(1), mi.Bool(True), dr.copy(path), least)
 
     def throughput(self, path: PathState) -> Color3:
         """Of what is met next: by the camera's ray, or by the path."""
@@ -82,7 +85,7 @@ class CameraWalk:
         Returns:
             the walk, and what goes on.
         """
-        chance = minimum(dr.max(self.share * at.through) * (1 / _LEAST_SHARE), 1)
+        chance = minimum(dr.max(self.share * at.through) / self.least_share, 1)
         # Where a path rides and passes, the ray passes too: its own chance is that of the rest.
         drawn = dr.select(self.rides, channel_mean(at.through), 0)
         chance = maximum(chance, drawn)
@@ -93,5 +96,5 @@ class CameraWalk:
         path = dr.select(self.on & self.rides, after, self.path)
         following = dr.select(self.on, path, after)
         beyond = replace(before, ray=at.straight, active=on, β=after.β)
-        walk = CameraWalk(on=on, share=self.share * weight, rides=self.rides & at.passed, path=path)
+        walk = replace(self, on=on, share=self.share * weight, rides=self.rides & at.passed, path=path)
         return walk, dr.select(on, beyond, following)

@@ -40,17 +40,20 @@ class FilteredTexture:
         dr.eval(self._planes, self._starts)
 
     def over(self, si: Any, duv_dx: Any, duv_dy: Any, active: Any) -> Any:
-        """Mean over the square of a footprint's area at si.uv: Color3f.
+        """Mean about si.uv with the variance of the square of a footprint's area, side²/12: Color3f.
 
         Args:
             duv_dx, duv_dy: the footprint's edges in uv.
         """
         area = dr.abs(duv_dx.x * duv_dy.y - duv_dx.y * duv_dy.x)
-        # Levels above the finest.
-        level = 0.5 * dr.log2(maximum(area, 1e-20)) + dr.log2(mi.Float(_SIDE))
+        # Levels above the finest. Interpolating means over w makes boxes of w and tents of w, of w²/12 + w²/6
+        # in all: squares of side²/12 are those of w = side/√3.
+        level = 0.5 * dr.log2(maximum(area, 1e-20) * (_SIDE**2 / 3))
         place = clip(level, 0, mi.Float(self._levels))
         lower = minimum(mi.UInt32(place), self._levels - 1)
-        filtered = dr.lerp(self._at(lower, si.uv), self._at(lower + 1, si.uv), place - mi.Float(lower))
+        # Variances of levels are 1 : 4, and those of mixtures are means of them.
+        upper = (dr.exp2(2 * (place - mi.Float(lower))) - 1) * (1 / 3)
+        filtered = dr.lerp(self._at(lower, si.uv), self._at(lower + 1, si.uv), upper)
         # Between a point and the finest level's mean there is no further level.
         share = clip(level + 1, 0, 1)
         return dr.lerp(mi.Color3f(self._texture.eval(si, active)), filtered, share)

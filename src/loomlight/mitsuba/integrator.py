@@ -3,10 +3,12 @@
 It estimates what Mitsuba's `path` estimates: next-event estimation and BSDF sampling, combined by the power
 heuristic, Russian roulette. It adds two things:
 
-- ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials (shrunk by
-  1/sqrt(samples)) on the first surface, from a ray cone beyond.
+- ``si.duv_dx`` and ``si.duv_dy`` hold the footprint in uv: from the camera's ray differentials on the first
+  surface, from a ray cone beyond. For BSDFs that filter it is a part of the film's filter, whatever the
+  number of samples (`pixel_filter.py`).
 - Holes: a surface whose BSDF has the flag ``Null`` lets shadow rays through by ``eval_null_transmission``,
   and a path that passes through one keeps the MIS weight of the vertex before it. Passing costs no depth.
+  What the camera sees through holes of BSDFs that filter is blended in by their share (`camera_walk.py`).
   Where no BSDF lets through what would be seen (`lets_light_through` of cloth averaged over footprints),
   shadows are plain ones.
 
@@ -34,7 +36,7 @@ from loomlight.mitsuba.bsdf_samples import set_samples_per_pixel
 from loomlight.mitsuba.camera_walk import CameraWalk, HoleCrossing
 from loomlight.mitsuba.path_state import PathState
 from loomlight.mitsuba.path_vertices import MOST_PASSES, FirstFootprint, PathVertices, reflected
-from loomlight.mitsuba.pixel_filter import OwnPixelSensor, PixelFilter
+from loomlight.mitsuba.pixel_filter import PixelFilter, SplattingSensor
 from loomlight.mitsuba.ray_cone import pixel_cone
 from loomlight.mitsuba.scene_traits import SceneTraits, is_symbolic
 
@@ -99,11 +101,14 @@ def footprint_path_class() -> type:
             return sampler, spp
 
         def sample_rays(self, scene: Any, sensor: Any, sampler: Any) -> tuple[Any, Any, Any]:
-            set_samples_per_pixel(self._samples(sampler))
+            # With more samples footprints are as large as ever: each takes as many points as one would.
+            set_samples_per_pixel(self._samples(sampler) if self._pixel_filter is None else 1)
             of_pass = sampler.sample_count() // self.passes
             places = _CameraSampler(sampler, of_pass, self._pixel_filter, self.pixel_centres)
             ray, weight, position = super().sample_rays(scene, sensor, places)
             self._offset = places.offset
+            if self._offset is not None and not sensor.film().rfilter().is_box_filter():
+                position = position - self._offset
             return ray, weight, position
 
         @contextmanager
@@ -115,7 +120,9 @@ def footprint_path_class() -> type:
                 self._pixel_filter = PixelFilter.of(camera.film(), self.pixel_centres)
             try:
                 with gc_paused(), symbolic_mode(scene):
-                    yield camera if self._pixel_filter is None else OwnPixelSensor(camera)
+                    yield (
+                        camera if self._pixel_filter is None else SplattingSensor(camera, self._pixel_filter)
+                    )
             finally:
                 # Left behind, the array would be one more input of a frozen function.
                 self._pixel_filter, self._offset, self._replays = None, None, False
@@ -196,7 +203,7 @@ def footprint_path_class() -> type:
             # Beyond the first scattering each of so many samples stands for its part of the pixel.
             width, spread = (part * samples**-0.5 for part in pixel_cone(ray))
             path = PathState.begin(ray, active, width, spread)
-            walk = CameraWalk.begin(path) if blends else None
+            walk = CameraWalk.begin(path, samples) if blends else None
             L = mi.Spectrum(0 if primal else state_in)
             δL = mi.Spectrum(δL if δL is not None else 0)
             passes = mi.UInt32(0)
@@ -213,7 +220,7 @@ def footprint_path_class() -> type:
                 path.width = dr.fma(path.spread, dr.select(valid, si.t, 0), path.width)
                 vertices.set_footprint(si, path, first)
 
-                β = walk.throughput(path) if blends else path.β
+                β = path.β if walk is None else walk.throughput(path)
                 shown = path.active & (path.scattered | (not self.hide_emitters))
                 with dr.resume_grad(when=not primal):
                     Le = β * vertices.emission(si, path, shown, primal)
@@ -241,15 +248,19 @@ def footprint_path_class() -> type:
                 if dr.hint(not primal, mode="scalar"):
                     smooth = after.active & ~mi.has_flag(bs.sampled_type, mi.BSDFFlags.Delta)
                     δL = vertices.replay(mode, si, bs, smooth, (Le, Lr), L, δL)
-                if dr.hint(blends, mode="scalar"):
-                    at = HoleCrossing(
-                        si.spawn_ray(path.ray.d), scattering.through, passed, may_pass, vertices.filters(si)
-                    )
-                    walk, path = walk.step(path, after, at, sampler.next_1d())
-                    passes[passed | walk.on] += 1
-                else:
+                if walk is None:
                     path = after
                     passes[passed] += 1
+                else:
+                    crossing = HoleCrossing(
+                        straight=si.spawn_ray(path.ray.d),
+                        through=scattering.through,
+                        passed=passed,
+                        may_pass=may_pass,
+                        blends=vertices.filters(si),
+                    )
+                    walk, path = walk.step(path, after, crossing, sampler.next_1d())
+                    passes[passed | walk.on] += 1
 
                 # Straight on through holes rays are as coherent as before.
                 pi = scene.ray_intersect_preliminary(
@@ -279,10 +290,10 @@ def footprint_path_class() -> type:
 class _CameraSampler:
     """A sampler, as far as camera rays need one, of the samples of a pixel that one pass takes.
 
-    Its first square sample is the place in the pixel, drawn from a filter where there is one.
+    Its first square sample is the place in the pixel that the ray goes through.
 
     Attributes:
-        offset: that place from the pixel's centre, pixels [2].
+        offset: of rays from the places that samples stand for, pixels [2]; None where that is the same.
     """
 
     def __init__(
@@ -292,6 +303,7 @@ class _CameraSampler:
         self._of_pass = of_pass
         self._filter = pixel_filter
         self._pixel_centres = pixel_centres
+        self._placed = False
         self.offset: Vec2 | None = None
 
     def sample_count(self) -> int:
@@ -302,13 +314,14 @@ class _CameraSampler:
 
     def next_2d(self) -> Any:
         drawn = self._sampler.next_2d()
-        if self.offset is not None:
+        if self._placed:
             return drawn
+        self._placed = True
         if self._filter is not None:
-            self.offset = self._filter.offset(drawn)
-        else:
-            self.offset = mi.Vector2f(0) if self._pixel_centres else drawn - 0.5
-        return mi.Point2f(self.offset + 0.5)
+            places = self._filter.places(drawn, self._sampler.next_2d())
+            self.offset = places.offset
+            return mi.Point2f(0.5 + places.sample + places.offset)
+        return mi.Point2f(0.5) if self._pixel_centres else drawn
 
 
 def samples_are_pixels(camera: Any, spp: int) -> bool:

@@ -36,7 +36,7 @@ class LivePicture:
 
         Args:
             scene: a Mitsuba scene; what it is made of may be edited, the scene itself stays.
-            spp: samples a pixel, ≥ 1; for models that average over footprints, which are shrunk accordingly.
+            spp: samples a pixel, ≥ 1.
             sensor: the index of the camera.
             integrator: by default the scene's own if it is a `footprint_path`, otherwise a new one.
             records: launches are recorded and repeated, which saves 40 ms a picture.

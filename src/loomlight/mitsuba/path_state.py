@@ -57,9 +57,7 @@ class PathState:
             vertex_delta=mi.Bool(True),
         )
 
-    def scattered_by(
-        self, si: Any, scattering: Any, bounced: Mask, passed: Mask, samples: int
-    ) -> PathState:
+    def scattered_by(self, si: Any, scattering: Any, bounced: Mask, passed: Mask, samples: int) -> PathState:
         """The path beyond a surface.
 
         Args:

@@ -68,13 +68,13 @@ class FirstFootprint:
 
     Attributes:
         camera: rays with the differentials of a whole pixel.
-        shift: from a sample to where filtered texture is read, pixels [2]; None where that is the same.
+        offset: of rays from where filtered texture is read, pixels [2]; None where that is the same.
         filtered_side: side of the footprints of BSDFs that average over them, pixels.
         side: of those of others.
     """
 
     camera: Any
-    shift: Vec2 | None
+    offset: Vec2 | None
     filtered_side: float
     side: float
 
@@ -82,19 +82,18 @@ class FirstFootprint:
     def of(
         cls, pixel_filter: PixelFilter | None, offset: Vec2 | None, camera: Any, samples: int
     ) -> FirstFootprint:
-        """Footprints of samples at `offset` from pixel centres, of `samples` samples a pixel."""
+        """Footprints of rays at `offset` from their samples' places, of `samples` samples a pixel."""
         side = samples**-0.5
-        if pixel_filter is None or offset is None:
+        if pixel_filter is None:
             return cls(camera, None, side, side)
-        shift = None if pixel_filter.centred else (pixel_filter.contraction - 1) * offset
-        return cls(camera, shift, pixel_filter.footprint_side, side)
+        return cls(camera, offset, pixel_filter.footprint_side, side)
 
     def set_on(self, si: Any, filters: Mask) -> None:
         """Sets the footprint in uv at `si`, and moves its uv where BSDFs filter."""
         si.compute_uv_partials(self.camera)
-        if self.shift is not None:
-            step = self.shift.x * si.duv_dx + self.shift.y * si.duv_dy
-            si.uv += dr.select(filters, step, 0)
+        if self.offset is not None:
+            step = self.offset.x * si.duv_dx + self.offset.y * si.duv_dy
+            si.uv -= dr.select(filters, step, 0)
         side = dr.select(filters, mi.Float(self.filtered_side), self.side)
         si.duv_dx *= side
         si.duv_dy *= side

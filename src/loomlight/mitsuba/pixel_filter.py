@@ -1,15 +1,20 @@
-"""The film's reconstruction filter, shared between where rays go and what footprints average.
+"""The film's reconstruction filter, divided between samples, rays and footprints.
 
 Samples that are spread evenly over the film and splatted with its filter h reconstruct texture by h. A
-footprint g would add its own variance: the picture were filtered by h * g, and as blurred as both. Pictures of
-models that filter therefore draw the places of a pixel's samples from h itself and add them up within that
-pixel (filter importance sampling, Ernst et al. 2006): silhouettes, shadows and everything that does not filter
-are seen through h, as the film promises. Where a model filters, it is asked nearer to the pixel's centre, at
-`contraction` a times the sample's offset, with a footprint of variance (1 − a²)·var(h): together var(h) again,
-whatever the number of samples. The smaller a is, the less noise texture leaves.
+footprint g would add its own variance: the picture would be filtered by h * g. Where models filter, h is
+therefore divided, h = s * g:
 
-Filters with negative lobes cannot be drawn from, and have hardly a variance that could be shared; their
-samples are splatted, each with its part of the pixel as its footprint.
+- samples are spread and splatted by s, or spread within their own pixel by s (filter importance sampling,
+  Ernst et al. 2006);
+- the ray of a sample goes past its place by an offset drawn from g: silhouettes, shadows and whatever does
+  not filter are seen through s * g = h, as the film promises;
+- models that filter are asked at the sample's own place with a footprint of the variance of g: again s * g.
+
+The number of samples does not enter. Texture leaves the less noise the wider g is; everything else the less
+noise the more samples pixels share, which is 4π·var(s) for a Gaussian s.
+
+Filters with negative lobes cannot be divided like that; their samples are splatted, each with its part of the
+pixel as its footprint.
 """
 
 from __future__ import annotations
@@ -23,13 +28,28 @@ import mitsuba as mi
 
 from loomlight.core.arrays import Vec2
 
-# Gaussian filters reach so many standard deviations far in Mitsuba.
+# Mitsuba's Gaussians reach so many standard deviations far.
 _REACH = 4.0
+# Of a Gaussian's standard deviation, what samples are splatted with: footprints have 36 % of the variance.
+_SPLATTED = 0.8
+
+
+@dataclass
+class SamplePlaces:
+    """Where the samples of pixels are, pixels from the middle of each.
+
+    Attributes:
+        sample: places [2] that samples stand for.
+        offset: of their rays from there [2].
+    """
+
+    sample: Vec2
+    offset: Vec2
 
 
 @dataclass(frozen=True)
 class PixelFilter:
-    """How the samples of a pixel are placed.
+    """How the filter of a film is divided.
 
     Attributes:
         name: class of the film's filter, such as "GaussianFilter".
@@ -43,7 +63,7 @@ class PixelFilter:
 
     @classmethod
     def of(cls, film: Any, centred: bool) -> PixelFilter | None:
-        """The filter of a film, or None if it cannot be drawn from."""
+        """The filter of a film, or None if it cannot be divided."""
         rfilter = film.rfilter()
         found = cls(rfilter.class_name(), float(rfilter.radius()), centred)
         return found if found.name in _VARIANCES else None
@@ -54,47 +74,49 @@ class PixelFilter:
         return _VARIANCES[self.name] * self.radius**2
 
     @property
-    def contraction(self) -> float:
-        """Where filtered texture is read: this times the offset of a sample from the pixel's centre."""
-        # A box filter is the box that footprints are. With a third of a wider filter's variance in the samples'
-        # places edges have its shape: of a Gaussian's within 2 % of the step, of footprints alone within 6 %.
-        return 0.0 if self.centred or self.name == "BoxFilter" else math.sqrt(1 / 3)
+    def footprint_side(self) -> float:
+        """Side of the box that has the variance of footprints, pixels."""
+        share = 1.0 if self.centred else _FOOTPRINT_SHARES[self.name]
+        return math.sqrt(12 * share * self.variance)
 
     @property
-    def footprint_side(self) -> float:
-        """Side of the box that has the variance left to footprints, pixels."""
-        return math.sqrt(12 * (1 - self.contraction**2) * self.variance)
+    def splat_deviation(self) -> float | None:
+        """Deviation of the Gaussian to splat samples with, pixels; None adds them to their own pixel."""
+        if self.centred or self.name != "GaussianFilter":
+            return None
+        return _SPLATTED * math.sqrt(self.variance)
 
-    def offset(self, u: Any) -> Vec2:
-        """A place drawn from the filter, pixels from the centre [2].
+    def places(self, u: Any, v: Any) -> SamplePlaces:
+        """Places of samples and of their rays.
 
         Args:
-            u: uniform numbers in [0, 1) [2]; strata stay strata.
+            u, v: uniform numbers in [0, 1) [2]; strata stay strata.
         """
         if self.centred:
-            return mi.Vector2f(0)
-        u = mi.Vector2f(u)
+            return SamplePlaces(mi.Vector2f(0), mi.Vector2f(0))
+        first, second = mi.Vector2f(u) - 0.5, mi.Vector2f(v) - 0.5
         if self.name == "BoxFilter":
-            return (u - 0.5) * (2 * self.radius)
-        # Uniform in (−1, 1), which the rest are odd functions of.
-        v = 2 * u - 1
+            return SamplePlaces(mi.Vector2f(0), first * (2 * self.radius))
         if self.name == "TentFilter":
-            return self.radius * dr.copysign(1 - dr.sqrt(1 - dr.abs(v)), v)
-        # Mitsuba lowers the Gaussian by its value at the end; that thousandth of its mass is left where it was.
+            # A box upon a box of half its width.
+            return SamplePlaces(first * self.radius, second * self.radius)
+        # Mitsuba lowers the Gaussian by its value at the end, a thousandth of its mass in all; not here.
         inside = math.erf(_REACH / math.sqrt(2))
-        return (self.radius * math.sqrt(2) / _REACH) * dr.erfinv(v * inside)
+        deviation = math.sqrt(_FOOTPRINT_SHARES[self.name] * self.variance)
+        return SamplePlaces(first, (math.sqrt(2) * deviation) * dr.erfinv(2 * inside * second))
 
 
-# Variances over squared radii.
+# Variances over squared radii, and the shares of them that footprints take.
 _VARIANCES = {"BoxFilter": 1 / 3, "TentFilter": 1 / 6, "GaussianFilter": 1 / _REACH**2}
+_FOOTPRINT_SHARES = {"BoxFilter": 1.0, "TentFilter": 0.5, "GaussianFilter": 1 - _SPLATTED**2}
 
 
-class OwnPixelSensor:
-    """A sensor whose film adds up samples within their own pixels, as far as integrators ask for it."""
+class SplattingSensor:
+    """A sensor whose film splats samples as `PixelFilter` says, as far as integrators ask for it."""
 
-    def __init__(self, sensor: Any) -> None:
+    def __init__(self, sensor: Any, pixel_filter: PixelFilter) -> None:
         self._sensor = sensor
-        self._film = _OwnPixelFilm(sensor.film())
+        self._film = _SplattingFilm(sensor.film(), pixel_filter.splat_deviation)
 
     def film(self) -> Any:
         return self._film
@@ -103,18 +125,16 @@ class OwnPixelSensor:
         return getattr(self._sensor, name)
 
 
-class _OwnPixelFilm:
-    """A film with a box filter of one pixel in place of its own."""
+class _SplattingFilm:
+    """A film with a Gaussian filter in place of its own, or with the box filter of one pixel."""
 
-    def __init__(self, film: Any) -> None:
+    def __init__(self, film: Any, deviation: float | None) -> None:
         self._film = film
-        self._box = mi.load_dict({"type": "box"})
+        gaussian = {"type": "gaussian", "stddev": deviation}
+        self._rfilter = mi.load_dict({"type": "box"} if deviation is None else gaussian)
 
     def rfilter(self) -> Any:
-        return self._box
-
-    def sample_border(self) -> bool:
-        return False
+        return self._rfilter
 
     def create_block(self) -> Any:
         own = self._film.create_block()
@@ -122,7 +142,8 @@ class _OwnPixelFilm:
             size=own.size(),
             offset=own.offset(),
             channel_count=own.channel_count(),
-            rfilter=self._box,
+            rfilter=self._rfilter,
+            border=own.has_border(),
             coalesce=own.coalesce(),
         )
 
