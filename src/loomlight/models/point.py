@@ -77,8 +77,8 @@ class PointBsdf(SeparableBsdf):
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Components of the yarn point, of one family."""
         visible = self._model.visibility(self.point, light, active)
-        return Components(
-            *components(self._model.appearance, self.point, light, self.view, visible),
+        return Components.of(
+            components(self._model.appearance, self.point, light, self.view, visible),
             light_visibility(self.point, visible),
         )
 

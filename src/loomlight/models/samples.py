@@ -136,8 +136,8 @@ class SamplesBsdf(SeparableBsdf):
 
     def _components(self, point: YarnPoint, light: Vec3, active: Mask) -> Components:
         visible = self._model.visibility(point, light, active)
-        return Components(
-            *components(self._model.appearance, point, light, self.view, visible),
+        return Components.of(
+            components(self._model.appearance, point, light, self.view, visible),
             light_visibility(point, visible),
         )
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import final
 
@@ -33,6 +34,12 @@ class Components:
     specular_warp: Float
     specular_weft: Float
     light_visibility: Float
+
+    @classmethod
+    def of(cls, terms: Sequence[Float], light_visibility: Float) -> Components:
+        """From the four components in their order."""
+        diffuse_warp, diffuse_weft, specular_warp, specular_weft = terms
+        return cls(diffuse_warp, diffuse_weft, specular_warp, specular_weft, light_visibility)
 
 
 @dataclass

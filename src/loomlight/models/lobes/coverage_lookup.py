@@ -120,7 +120,8 @@ class CoverageLookup:
             wide, but no less than the spacing of nodes: nine taps at one node would show as steps.
         """
         relative = footprint.spread_side * self._inverse_size
-        level = minimum(dr.floor(dr.log2(maximum(TAP_SIZE * relative, 1))), self._last_level)
+        level: Float = dr.log2(maximum(TAP_SIZE * relative, 1))
+        level = minimum(dr.floor(level), self._last_level)
         inverse = dr.rcp(maximum(relative, _MIN_SIZE))
         spacing = dr.sqrt(clip(TENT_VARIANCE * (1 - dr.square(inverse)), 0, 1))
         return level, minimum(maximum(spacing, MIN_TAP_SPACING * inverse), 1)

@@ -88,7 +88,7 @@ class WovenBsdf(SeparableBsdf):
             self.__dict__["hole"] = hole
         blend = self._model.fabric.appearance().diffuse_blend
         lit = light_visibility_of(decoded[0] + decoded[1], light, self.view, blend)
-        return Components(*decoded, minimum(lit, 1 - self.hole))
+        return Components.of(decoded, minimum(lit, 1 - self.hole))
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
