@@ -150,7 +150,7 @@ def _accumulate_views(
     group_of_hits: NDArray[np.int32],
     sums: NDArray[np.float32],
 ) -> None:
-    """Fills `group_of_hits`, and adds hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
+    """Fills `group_of_hits`; adds hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
     rays = len(hits.is_warp) // _BLOCKS
     least = np.empty(rays, np.float32)
     nx, ny, nz = hits.normal

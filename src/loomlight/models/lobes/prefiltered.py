@@ -30,12 +30,12 @@ from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 PER_BYTE = 1 / 255
 # κ. Pairs are (a, b) of a + b·cos Δφ, Δφ the angle between the azimuths of light and view.
-DIFFUSE_CORRELATION = 0.63, 0.62
+DIFFUSE_CORRELATION = 0.62, 0.63
 LARGEST_CORRELATION = 1.2
-SPECULAR_CORRELATION = 0.65
-TRANSMISSION_CORRELATION = -0.1, -0.08
+SPECULAR_CORRELATION = 0.62
+TRANSMISSION_CORRELATION = -0.09, -0.08
 # Factor of 1 − V(light) that is taken off the diffuse term in reflection.
-DIFFUSE_LOSS = 0.39
+DIFFUSE_LOSS = 0.37
 # Numbers loaded at once; the moments of a pack are three times as many.
 _PACKET = 16
 
