@@ -189,7 +189,7 @@ def _trace_shadows(
 def _trace_views(
     cloth: UploadedCloth, directions: Float, rays: int
 ) -> tuple[SurfaceHits, Float, Float, Mask]:
-    """First hits of views that do not pass through the cloth, their x, y, and whether they lie below z = 0."""
+    """First hits of views that do not pass through the cloth, their x and y, and whether they lie below 0."""
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
     hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY, passing=False)
     point = cloth.geometry.surface(hit.x, hit.y, back)
