@@ -21,12 +21,13 @@ import numpy as np
 from drjit.llvm.ad import Array2f, Array3f, Float, UInt32
 from numpy.typing import NDArray
 
-from benchmarks.harness import REPOSITORY, Figures, run
+from benchmarks.harness import REPOSITORY, Figures, record, run
 from experiments.white_furnace import directions, fabric
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.core.backend import array_types
 from loomlight.core.footprint import Footprint
 from loomlight.core.llvm import require_llvm
+from loomlight.evaluation.table import write_json
 from loomlight.models.lobes.bsdf import LobesBsdf
 from loomlight.models.lobes.model import DEFAULT_GROUPS
 from loomlight.models.lobes.prefiltered import PrefilteredLobes
@@ -148,16 +149,23 @@ def add_options(parser: ArgumentParser) -> None:
 
 
 def measure(options: Namespace) -> Figures:
-    """The largest albedos, and the fabrics above the bar."""
+    """The largest albedos, and the fabrics above the bar; written every ten fabrics."""
     require_llvm()
-    rows = []
+    rows: list[dict[str, float]] = []
     for number in range(options.fabrics):
         rows.append(furnace(options.seed, number))
         print(f"{number + 1} fabrics, largest {max(row['albedo'] for row in rows):.4f}", flush=True)
+        if number % 10 == 9:
+            write_json(options.output, record(summary(options.seed, rows)), digits=6)
+    return summary(options.seed, rows)
+
+
+def summary(seed: int, rows: list[dict[str, float]]) -> Figures:
+    """Figures of the fabrics measured so far."""
     above = [row for row in rows if row["albedo"] - SIGMAS * row["error"] > BAR]
     return {
-        "seed": options.seed,
-        "fabrics": options.fabrics,
+        "seed": seed,
+        "fabrics": len(rows),
         "footprints": f"{FOOTPRINTS} a fabric, {SAMPLES} samples each; {BRIGHTEST} again with {AGAIN}",
         "bar": f"{BAR} + {SIGMAS} standard errors",
         "largest": sorted(rows, key=lambda row: -row["albedo"])[:10],

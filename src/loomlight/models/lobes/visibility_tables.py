@@ -96,7 +96,9 @@ def _light_tables(
         unshadowed = lights[:, 2, None] * (1 - diffuse_blend) + diffuse_blend * np.maximum(cosine, 0)
         unshadowed = unshadowed + _LEAST_DIFFUSE
         visibility.append(_smoothed(lit, count))
-        irradiance.append(_smoothed(diffuse / unshadowed, count) * unshadowed / math.pi)
+        smooth = _smoothed(diffuse / unshadowed, count) * unshadowed
+        # Smoothed apart, the two could contradict each other.
+        irradiance.append(np.minimum(smooth, visibility[-1]) / math.pi)
     return np.stack(visibility, axis=1), np.stack(irradiance, axis=1)
 
 
