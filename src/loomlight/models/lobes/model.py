@@ -108,7 +108,7 @@ class LobesModel(FilteredFabricModel):
         fabric, tables = fabric_in_loom(loom, cls.name), tables_of_loom(loom)
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(
-                f"{loom.file}: its tables are of another version of loomlight and would change the brightness: "
+                f"{loom.file}: its tables are of another version of loomlight, which changes the brightness: "
                 "bake it again."
             )
         groups = loom.setting("groups", int)
