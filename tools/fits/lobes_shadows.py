@@ -4,10 +4,10 @@
 
 For named weaves and irregular ones at the defaults of fabric files, irregular weaves with gaps to 0.6, and
 fabrics from the training distribution of `woven`, rays give the components over a whole repeat for random
-pairs of directions. Groups give a + κ b − c d: a for independent visibility, b for what full correlation adds,
-d for 1 − V(light). For diffuse and specular terms, in reflection and transmission, this prints nMAE and bias
-without correlation and with the shipped one, the bias of each fabric, and the fit of κ = min(k₀ + k₁ cos Δφ,
-1.2) and of c, by least squares of which large residuals count less; each fabric's mean is scaled to 1.
+pairs of directions. Groups give a + κ b − c d: a for independent visibility, b for what full correlation
+adds, d for 1 − V(light). For diffuse and specular terms, in reflection and transmission, this prints nMAE and
+bias without correlation and with the shipped one, the bias of each fabric, and the fit of c and of
+κ = min(k₀ + k₁ cos Δφ, 1.2), by least squares of which large residuals count less; each fabric's mean is 1.
 """
 
 from __future__ import annotations
