@@ -16,6 +16,7 @@ from loomlight.models.lobes.accumulation import (
 )
 from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
 from loomlight.models.lobes.hemisphere import NODES, node_directions
+from loomlight.models.lobes.visibility_rays import start_of_shadow_ray
 
 RAYS, PER_FAMILY, WARP_COUNT = 256, 6, (8, 4)
 GROUPS = 2 * PER_FAMILY
@@ -65,7 +66,8 @@ class _Rays:
 
 def test_views_are_summed_by_group() -> None:
     rays = _Rays(1)
-    actual = accumulate_views(rays.hits(), rays.groups)
+    actual, group_of = accumulate_views(rays.hits(), rays.groups)
+    np.testing.assert_array_equal(group_of, rays.group)
     normal, tangent = rays.normal.astype(float), rays.tangent.astype(float)
     expected = [np.ones(COUNT), *normal, *tangent, *(tangent[i] * tangent[j] for i, j in PRODUCTS)]
     assert len(expected) == VIEW_SUMS
@@ -75,17 +77,23 @@ def test_views_are_summed_by_group() -> None:
 
 
 def test_light_is_summed_by_group() -> None:
-    """That from the other side falls on the other face, whose normals are mirrored, at the same positions."""
+    """Shadow rays start from hits of all views, each from one; light from behind lights the side of −n."""
     rays = _Rays(2)
-    actual = accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND)
+    is_lit_behind = np.random.default_rng(5).random(COUNT) < 0.3
+    is_lit = rays.is_lit, is_lit_behind
+    actual = accumulate_light(rays.hits(), rays.group.astype(np.int32), is_lit, rays.groups, BLEND)
+    node, ray = np.divmod(np.arange(NODES * RAYS), RAYS)
+    starts = start_of_shadow_ray(node, ray, RAYS)
+    assert len(np.unique(starts)) == len(starts)
+    start = np.concatenate([starts, NODES * RAYS + starts])
     light = np.tile(np.repeat(node_directions().T, RAYS, axis=1), 2)
-    is_lit_behind = np.roll(rays.is_lit, COUNT // 2)
-    facing = (rays.normal * light).sum(axis=0)
-    opposite = -(rays.normal * light * [[1], [1], [-1]]).sum(axis=0)
+    normal = rays.normal[:, start]
+    facing, opposite = (normal * light).sum(axis=0), -(normal * light * [[1], [1], [-1]]).sum(axis=0)
     expected = [np.ones(COUNT), rays.is_lit.astype(float), is_lit_behind.astype(float)]
-    for is_lit, cosine in ((rays.is_lit, facing), (is_lit_behind, opposite)):
-        expected.append(is_lit * (BLEND * np.maximum(cosine, 0) + (1 - BLEND) * light[2]))
+    for lit, cosine in ((rays.is_lit, facing), (is_lit_behind, opposite)):
+        expected.append(lit * (BLEND * np.maximum(cosine, 0) + (1 - BLEND) * light[2]))
     assert len(expected) == LIGHT_SUMS
+    rays.group = rays.group[start]
     for number, values in enumerate(expected):
         np.testing.assert_allclose(actual[..., number], rays.sums(values), atol=ROUNDING)
 
@@ -93,10 +101,11 @@ def test_light_is_summed_by_group() -> None:
 def test_the_same_bytes_every_time() -> None:
     """However threads share the blocks: none is split."""
     rays = _Rays(4)
-    first, second = (accumulate_views(rays.hits(), rays.groups).tobytes() for _ in range(2))
+    first, second = (accumulate_views(rays.hits(), rays.groups)[0].tobytes() for _ in range(2))
     assert first == second
+    group_of, is_lit = rays.group.astype(np.int32), (rays.is_lit, ~rays.is_lit)
     first, second = (
-        accumulate_light(rays.hits(), rays.is_lit, rays.groups, BLEND).tobytes() for _ in range(2)
+        accumulate_light(rays.hits(), group_of, is_lit, rays.groups, BLEND).tobytes() for _ in range(2)
     )
     assert first == second
 
@@ -110,11 +119,11 @@ def test_a_ray_counts_where_its_face_has_such_groups() -> None:
     features = np.concatenate([NORMAL_WEIGHT * rays.normal[:, number], rays.tangent[:, number]])
     rays.groups.centroids[1, 0] = features
     rays.groups.centroids[1, 7] = features + 0.01
-    actual = accumulate_views(rays.hits(), rays.groups)[..., 0]
+    actual = accumulate_views(rays.hits(), rays.groups)[0][..., 0]
     others = rays.is_skipped.copy()
     rays.is_skipped[:] = True
     rays.is_skipped[number] = False
-    only = accumulate_views(rays.hits(), rays.groups)[..., 0]
+    only = accumulate_views(rays.hits(), rays.groups)[0][..., 0]
     assert only.sum() == 1
     assert only[1, 0, 7] == 1
     assert actual[1, 0, 7] >= 1

@@ -109,7 +109,7 @@ CLOSE_UP_BAR = 1.01
 
 @pytest.mark.parametrize("name", CLOSE_UPS)
 def test_close_ups_and_holes_make_no_light(name: str) -> None:
-    """Mean weights of the sampler, light straight through holes included, from a twentieth of a thread to two."""
+    """Mean weights of the sampler, light straight through holes included, sides of 1/20 to 2 threads."""
     fabric = fabric_from_text(CLOSE_UPS[name])
     model, rng = LobesModel.for_source(fabric), np.random.default_rng(3)
     extent, thread = np.asarray(fabric.repeat_mm), float(fabric.layout().warp.spacing[0])

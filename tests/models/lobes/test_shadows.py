@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from loomlight.aggregate.components import lobes
 from loomlight.models.lobes import prefiltered
+from loomlight.models.lobes.prefiltered import ShadowCorrelation
 from loomlight.scattering.point import PointModel
 
 from .cloths import TEXTS, FootprintQueries, cloth, directions, geometry_of, model_of, prefiltered_parts
@@ -62,10 +63,13 @@ def test_correlated_shadows_are_nearer_to_rays_than_independent_ones(
     through: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shipped = errors(through)
-    monkeypatch.setattr(prefiltered, "shadow_correlation", lambda *_: (Float(0), Float(0)))
+    monkeypatch.setattr(
+        prefiltered, "shadow_correlation", lambda *_: ShadowCorrelation(*(Float(0) for _ in range(3)))
+    )
     independent = errors(through)
-    # Over 40 random fabrics it is 0.55 and 0.77 on one side, 0.77 and 0.97 through the cloth
-    # (`tools/fits/lobes_shadows.py`); these are four fabrics.
+    # `tools/fits/lobes_shadows.py` has the same over more fabrics; here it is 0.035 and 0.042, and 0.64, 0.91
+    # and 0.94 of the independent ones. In transmission the specular term hardly depends on it.
     diffuse, specular = shipped / independent
-    assert diffuse < (0.82 if through else 0.72)
-    assert specular < (1.0 if through else 0.82)
+    assert shipped[0] < (0.046 if through else 0.039)
+    assert diffuse < (0.98 if through else 0.7)
+    assert specular < (1.01 if through else 0.95)

@@ -42,6 +42,12 @@ def _refused(loom: LoomFile, *words: str) -> None:
         assert word in message, (word, message)
 
 
+def test_tables_of_another_version_are_refused() -> None:
+    loom = replace(model_of("open plain").to_loom(), file="cloth.loom")
+    older = {key: value for key, value in loom.settings.items() if key != "tables_version"}
+    _refused(replace(loom, settings=older), "another version", "bake it again")
+
+
 @pytest.mark.parametrize("name", TEXTS)
 def test_baking_twice_gives_the_same_bytes(name: str) -> None:
     first, second = model_of(name).tables, LobesModel.for_source(cloth(name)).tables

@@ -146,17 +146,25 @@ def test_lit_is_what_finer_shadow_rays_say(name: str, degrees: float, azimuth: f
     node = _node_near(degrees, azimuth)
     light = node_directions()[node]
     x, y = _places(geometry, 2)
+    # Points as the views of all nodes see them.
+    views = node_directions()[np.random.default_rng(5).integers(0, NODES, SIDE * SIDE)]
+    view = Array3f(*np.ascontiguousarray(views.T, np.float32))
     for back in (False, True):
-        point = geometry.surface(x, y, Bool(back))
+        hit = first_hit(geometry, x, y, view, Bool(back), True, REFERENCE_QUALITY)
+        hit_x, hit_y = hit.x, hit.y
+        point = geometry.surface(hit_x, hit_y, Bool(back))
         nearest = NearestGroup(groups, array_types(Float))
-        number = nearest.find(Bool(back), point.is_warp, point.hole, point.normal, point.tangent).numpy()
+        hole = point.hole | hit.hole
+        number = nearest.find(Bool(back), point.is_warp, hole, point.normal, point.tangent).numpy()
         count = np.bincount(number, minlength=groups.count + 1)[:-1]
         for side in (0, 1):
             face = Bool(back ^ bool(side))
-            own = geometry.surface(x, y, face)
+            own = geometry.surface(hit_x, hit_y, face)
             towards = Array3f(*light.tolist())
             awake = ~own.hole & (dr.dot(own.normal, towards) > 0)
-            free = unoccluded(geometry, x, y, own.height, towards, face, awake, REFERENCE_QUALITY).numpy()
+            free = unoccluded(
+                geometry, hit_x, hit_y, own.height, towards, face, awake, REFERENCE_QUALITY
+            ).numpy()
             normal = point.normal.numpy().astype(np.float64)
             # In the frame of the face seen light from the other side has z < 0, and lights −n.
             facing = normal.T @ (light * [-1, -1, 1]) if side else normal.T @ light
@@ -205,7 +213,9 @@ def test_from_the_zenith_everything_is_seen_and_lit(name: str) -> None:
         there = nearest.find(Bool(face), point.is_warp, point.hole, point.normal, point.tangent).numpy()
         area = np.bincount(there, minlength=groups.count + 1) / len(there)
         assert (np.abs(tables.projected_area[face, zenith] - area) < _noise(area)).all()
-        assert (tables.light_visibility[face, 0][zenith][:, area[:-1] > 0.02] > 0.99).all()
+        # The nodes around, 22° off, count as eight rays, and small groups have hardly more.
+        lit = tables.light_visibility[face, 0][zenith] @ area[:-1] / area[:-1].sum()
+        assert (lit > 0.97).all()
     # Grazing light reaches less.
     if name == "open plain":
         assert tables.projected_area[:, zenith, -1].min() > 0.1

@@ -15,12 +15,12 @@ from loomlight.core.numba_kernel import numba_kernel
 from loomlight.core.parallel_map import core_count, parallel_map
 from loomlight.models.lobes.groups import NORMAL_WEIGHT, Groups
 from loomlight.models.lobes.hemisphere import NODES, node_directions
-from loomlight.models.lobes.visibility_rays import SurfaceHits
+from loomlight.models.lobes.visibility_rays import SurfaceHits, start_of_shadow_ray
 
 # Sums over the views that hit a group: 1, normal, fibre direction t, and t tᵀ as xx, xy, xz, yy, yz, zz.
 VIEW_SUMS = 13
-# Sums over the top-down samples of a group: 1; visibility of light on the side seen, and on the other side;
-# the blended diffuse term times π under either light.
+# Sums over the hits of a group that shadow rays start from: 1; visibility of light on the side seen, and on
+# the other side; the blended diffuse term times π under either light.
 LIGHT_SUMS = 5
 _BLOCKS = 2 * NODES
 _NORMAL_WEIGHT = np.float32(NORMAL_WEIGHT)
@@ -48,34 +48,46 @@ def hit_arrays(hits: SurfaceHits, is_skipped: NDArray[np.bool_]) -> HitArrays:
     return HitArrays(hits.is_warp.numpy(), is_skipped, normal, tangent)
 
 
-def accumulate_views(hits: HitArrays, groups: Groups) -> NDArray[np.float32]:
-    """Sums over the hits of view rays [2 faces, nodes, groups, VIEW_SUMS]."""
+def accumulate_views(hits: HitArrays, groups: Groups) -> tuple[NDArray[np.float32], NDArray[np.int32]]:
+    """Sums over the hits of view rays [2 faces, nodes, groups, VIEW_SUMS], and the group of each hit [n].
+
+    The group is −1 where no yarn was hit.
+    """
+    group_of = np.empty(len(hits.is_warp), np.int32)
     sums = np.zeros((_BLOCKS, groups.count, VIEW_SUMS), np.float32)
     centroids, warp_count = groups.centroids, groups.warp_count
 
     def accumulate(blocks: range) -> None:
-        _accumulate_views(blocks.start, blocks.stop, hits, centroids, warp_count, sums)
+        _accumulate_views(blocks.start, blocks.stop, hits, centroids, warp_count, group_of, sums)
 
     parallel_map(accumulate, _block_ranges())
-    return sums.reshape(2, NODES, groups.count, VIEW_SUMS)
+    return sums.reshape(2, NODES, groups.count, VIEW_SUMS), group_of
 
 
 def accumulate_light(
-    samples: HitArrays, is_lit: NDArray[np.bool_], groups: Groups, diffuse_blend: float
+    hits: HitArrays,
+    group_of: NDArray[np.int32],
+    is_lit: tuple[NDArray[np.bool_], NDArray[np.bool_]],
+    groups: Groups,
+    diffuse_blend: float,
 ) -> NDArray[np.float32]:
-    """Sums over top-down samples [2 faces, nodes, groups, LIGHT_SUMS].
+    """Sums over the shadow rays of each node [2 faces, nodes, groups, LIGHT_SUMS].
 
     Args:
-        is_lit: light from the node reaches the sample [n].
+        hits: of the view rays, which shadow rays start from.
+        group_of: of each hit [n]; −1 is none.
+        is_lit: whether light from the side of the view, and from the other, reaches the start of each shadow
+            ray [n].
         diffuse_blend: w, the weight of the yarn normal in the diffuse term.
     """
     sums = np.zeros((_BLOCKS, groups.count, LIGHT_SUMS), np.float32)
-    centroids, warp_count = groups.centroids, groups.warp_count
     lights, blend = node_directions().astype(np.float32), np.float32(diffuse_blend)
+    rays = len(group_of) // _BLOCKS
+    node, ray = np.divmod(np.arange(NODES * rays), rays)
+    starts = start_of_shadow_ray(node, ray, rays)
 
     def accumulate(blocks: range) -> None:
-        start, stop = blocks.start, blocks.stop
-        _accumulate_light(start, stop, samples, is_lit, centroids, warp_count, lights, blend, sums)
+        _accumulate_light(blocks.start, blocks.stop, hits, group_of, starts, *is_lit, lights, blend, sums)
 
     parallel_map(accumulate, _block_ranges())
     return sums.reshape(2, NODES, groups.count, LIGHT_SUMS)
@@ -135,17 +147,19 @@ def _accumulate_views(
     hits: HitArrays,
     centroids: NDArray[np.float32],
     warp_count: NDArray[np.intp],
+    group_of_hits: NDArray[np.int32],
     sums: NDArray[np.float32],
 ) -> None:
-    """Adds the hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
+    """Fills `group_of_hits`; adds hits of blocks `start` to `stop` to sums [blocks, groups, VIEW_SUMS]."""
     # From arrays: Numba would keep constants of other files when they change.
     nodes = len(sums) // 2
     rays = len(hits.is_warp) // len(sums)
-    group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
+    least = np.empty(rays, np.float32)
     nx, ny, nz = hits.normal
     tx, ty, tz = hits.tangent
     for block in range(start, stop):
         first, face = block * rays, block // nodes
+        group_of = group_of_hits[first : first + rays]
         _assign(hits, first, centroids[face], warp_count[face], group_of, least)
         for ray in range(rays):
             if group_of[ray] >= 0:
@@ -171,38 +185,37 @@ def _accumulate_views(
 def _accumulate_light(
     start: int,
     stop: int,
-    samples: HitArrays,
+    hits: HitArrays,
+    group_of: NDArray[np.int32],
+    starts: NDArray[np.intp],
     is_lit: NDArray[np.bool_],
-    centroids: NDArray[np.float32],
-    warp_count: NDArray[np.intp],
+    is_lit_behind: NDArray[np.bool_],
     lights: NDArray[np.float32],
     blend: np.float32,
     sums: NDArray[np.float32],
 ) -> None:
-    """Adds the samples of blocks `start` to `stop` to sums [blocks, groups, LIGHT_SUMS].
+    """Adds the shadow rays of blocks `start` to `stop` to sums [blocks, groups, LIGHT_SUMS].
 
     Args:
+        starts: index of the hit within its face that each shadow ray of a face starts from [nodes · rays].
         lights: unit vectors by node [nodes, 3].
         blend: w, the weight of the yarn normal in the diffuse term.
     """
     nodes = len(sums) // 2
-    rays = len(samples.is_warp) // len(sums)
-    group_of, least = np.empty(rays, np.int32), np.empty(rays, np.float32)
-    nx, ny, nz = samples.normal
+    rays = len(group_of) // len(sums)
+    nx, ny, nz = hits.normal
     for block in range(start, stop):
-        first, face = block * rays, block // nodes
-        _assign(samples, first, centroids[face], warp_count[face], group_of, least)
-        # Rays of the other face have the same positions.
-        opposite = (block + nodes) % len(sums) * rays
-        x, y, z = lights[block % nodes]
+        face, node = block // nodes, block % nodes
+        x, y, z = lights[node]
         for ray in range(rays):
-            if group_of[ray] >= 0:
-                total = sums[block, group_of[ray]]
-                sample = first + ray
+            hit = face * nodes * rays + starts[node * rays + ray]
+            if group_of[hit] >= 0:
+                total = sums[block, group_of[hit]]
                 # Light from the other side comes from (x, y, −z), and lights the side of −n. Factors stand in
                 # place of branches, which would be taken at random.
-                across, up = nx[sample] * x + ny[sample] * y, nz[sample] * z
-                lit, lit_behind = np.float32(is_lit[sample]), np.float32(is_lit[opposite + ray])
+                across, up = nx[hit] * x + ny[hit] * y, nz[hit] * z
+                lit = np.float32(is_lit[block * rays + ray])
+                lit_behind = np.float32(is_lit_behind[block * rays + ray])
                 total[0] += 1
                 total[1] += lit
                 total[2] += lit_behind

@@ -27,6 +27,8 @@ MOST_GROUPS = 64
 # Of one group: 24 for interpolation, 27 for variances, 21 for cosines, 8 for areas, 25 for the density, 15
 # for attenuation.
 _MULTIPLY_ADDS = 120
+# What tables mean; to be raised when older ones no longer fit the formulas. 2: shadow rays start from hits.
+_TABLES_VERSION = 2
 # Scene parameters of a family that tables depend on.
 _BAKED = ("height_scale", "inclination", "twist")
 
@@ -89,7 +91,11 @@ class LobesModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"base_size": self.tables.base_size, "groups": self.groups},
+            settings={
+                "base_size": self.tables.base_size,
+                "groups": self.groups,
+                "tables_version": _TABLES_VERSION,
+            },
         )
 
     @classmethod
@@ -97,9 +103,14 @@ class LobesModel(FilteredFabricModel):
         """The model of the tables in a file.
 
         Raises:
-            InputError: another model's file, or tables that do not belong together.
+            InputError: another model's file, tables of another version, or that do not belong together.
         """
         fabric, tables = fabric_in_loom(loom, cls.name), tables_of_loom(loom)
+        if loom.settings.get("tables_version") != _TABLES_VERSION:
+            raise InputError(
+                f"{loom.file}: its tables are of another version of loomlight, which changes the brightness: "
+                "bake it again."
+            )
         groups = loom.setting("groups", int)
         _require_groups(groups)
         return cls(fabric, tables, groups)

@@ -42,8 +42,9 @@ POINT_OFFSETS = (
 )
 # Sides of footprints, in threads: below the first, yarns are searched as finely as by the point model; above
 # the second with `_COARSE`: nine hits in ten within 1/100 of a thread (median 1e-5), 99 in 100 within 1/20.
+# Shadow rays take smaller steps: with 0.95 plain weave and satin are up to 4 % too bright, with 1.6 1.5 %.
 _FINEST, _COARSEST = 1 / 32, 1 / 8
-_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=0.95, refinements=1)
+_COARSE = SearchQuality(steps_per_thread=2.5, shadow_share=1.6, refinements=1)
 
 
 def points_of(threads: Float, prefiltered: Float, samples: Float) -> Float:

@@ -4,10 +4,11 @@ The weight of a group is its visible fraction: the footprint's coverage times th
 that hit the group. Holes weigh likewise; groups divide the rest in proportion to their weights. A diffuse
 term is the group's irradiance, a specular term its lobe times its visibility from the light.
 
-Within a group, visibility from light and view are correlated: P(lit given seen) lies between V(light)
-(independent) and min(1, V(light)/V(view)) (fully correlated). κ interpolates. For diffuse terms κ grows as
-the azimuths come together; for specular ones, which are bright where light and view mirror each other, it is
-constant. In transmission κ < 0: light from the other side reaches the points that the view does not see. The
+V(light) is the fraction of a group's points that light reaches, as the mean of all views sees them. For one
+view, visibility from light and view are correlated: P(lit given seen) lies between V(light) (independent) and
+V(light)/max(V(light), V(view)) (fully correlated). κ interpolates. For diffuse terms κ grows as the azimuths
+come together, and what the mean of all views has of it already is taken off again, in proportion to 1 −
+V(light). In transmission κ < 0: light from the other side reaches the points that the view does not see. The
 constants are fitted to rays (`tools/fits/lobes_shadows.py`).
 """
 
@@ -20,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec3
-from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
 from loomlight.core.footprint import Footprint
 from loomlight.models.lobes.coverage_lookup import CoverageLookup, CoverageTaps
 from loomlight.models.lobes.density import GroupLobe, layer_value
@@ -29,9 +30,12 @@ from loomlight.models.lobes.tables import MOMENTS, LobeTables
 
 PER_BYTE = 1 / 255
 # κ. Pairs are (a, b) of a + b·cos Δφ, Δφ the angle between the azimuths of light and view.
-DIFFUSE_CORRELATION = 0.5, 0.7
-SPECULAR_CORRELATION = 0.9
-TRANSMISSION_CORRELATION = -0.35, -0.2
+DIFFUSE_CORRELATION = 0.62, 0.63
+LARGEST_CORRELATION = 1.2
+SPECULAR_CORRELATION = 0.62
+TRANSMISSION_CORRELATION = -0.09, -0.08
+# Factor of 1 − V(light) that is taken off the diffuse term in reflection.
+DIFFUSE_LOSS = 0.37
 # Numbers loaded at once; the moments of a pack are three times as many.
 _PACKET = 16
 
@@ -61,7 +65,7 @@ class SeenPack:
         is_warp: all four are the warp's, else the weft's.
         weights: visible fraction of each group, not normalized: four Floats.
         lobes: moments of each group.
-        visibility: V(view), the fraction of each group's top-down samples that the view sees: four Floats.
+        visibility: V of light from the view's direction, of each group: four Floats.
     """
 
     is_warp: Mask
@@ -178,7 +182,7 @@ class PrefilteredLobes:
         """
         is_transmission = light.z < 0
         irradiance, visibility = self._read(self._light_table, nodes, pair)
-        correlations = shadow_correlation(light, at.view, is_transmission)
+        correlation = shadow_correlation(light, at.view, is_transmission)
         sums = []
         for number, pack in enumerate(packs):
             diffuse: Float = 0
@@ -186,7 +190,7 @@ class PrefilteredLobes:
             lit: Float = 0
             for group in range(4):
                 from_light = visibility[number][group] * PER_BYTE
-                diffuse_gain, gain = visibility_gain(correlations, from_light, pack.visibility[group])
+                diffuse_gain, gain = visibility_gain(correlation, from_light, pack.visibility[group])
                 weight = pack.weights[group]
                 diffuse += weight * irradiance[number][group] * diffuse_gain
                 value = layer_value(
@@ -210,8 +214,22 @@ def _in_pairs(first: NDArray[np.uint32], second: NDArray[np.uint32]) -> NDArray[
     return np.concatenate(parts, axis=-1)
 
 
-def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> tuple[Float, Float]:
-    """κ of diffuse and of specular terms: the correlation of visibility from light and view, −0.55 to 1.
+@dataclass
+class ShadowCorrelation:
+    """How visibility from light and view depend on each other within groups, for one pair of directions.
+
+    Attributes:
+        diffuse, specular: κ of either term, −0.2 to 1.2.
+        diffuse_loss: factor of 1 − V(light) that is taken off the diffuse term.
+    """
+
+    diffuse: Float
+    specular: Float
+    diffuse_loss: Float
+
+
+def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> ShadowCorrelation:
+    """The correlation of visibility from light and view.
 
     Args:
         light, view: unit vectors [3].
@@ -223,25 +241,27 @@ def shadow_correlation(light: Vec3, view: Vec3, is_transmission: Mask) -> tuple[
     cosine = together * dr.rcp(maximum(dr.sqrt(squares[0] * squares[1]), 1e-6))
     transmission = dr.fma(TRANSMISSION_CORRELATION[1], cosine, TRANSMISSION_CORRELATION[0])
     diffuse = dr.fma(DIFFUSE_CORRELATION[1], cosine, DIFFUSE_CORRELATION[0])
-    return (
-        dr.select(is_transmission, transmission, minimum(diffuse, 1)),
+    return ShadowCorrelation(
+        dr.select(is_transmission, transmission, minimum(diffuse, LARGEST_CORRELATION)),
         dr.select(is_transmission, transmission, SPECULAR_CORRELATION),
+        dr.select(is_transmission, 0, array_types(cosine).Float(DIFFUSE_LOSS)),
     )
 
 
 def visibility_gain(
-    correlations: tuple[Float, Float], from_light: Float, from_view: Float
+    correlation: ShadowCorrelation, from_light: Float, from_view: Float
 ) -> tuple[Float, Float]:
-    """P(lit given seen) over V(light), ≥ 0, of diffuse and of specular terms, by their κ.
+    """P(lit given seen) over V(light), ≥ 0, of diffuse and of specular terms.
 
     Args:
-        from_light: V(light), the fraction of a group's top-down samples that light reaches.
+        from_light: V(light), the fraction of a group's points that light reaches.
         from_view: the same for light from the view's direction.
     """
     most = maximum(maximum(from_light, from_view), PER_BYTE)
     less_one = dr.rcp(most) - 1
-    diffuse, specular = (maximum(dr.fma(part, less_one, 1), 0) for part in correlations)
-    return diffuse, specular
+    kept = dr.fma(correlation.diffuse_loss, from_light, 1 - correlation.diffuse_loss)
+    diffuse = maximum(dr.fma(correlation.diffuse, less_one, kept), 0)
+    return diffuse, maximum(dr.fma(correlation.specular, less_one, 1), 0)
 
 
 def half_vector(light: Vec3, view: Vec3) -> Vec3:

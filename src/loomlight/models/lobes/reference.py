@@ -8,9 +8,9 @@ For a view v, a light l, their half vector h and a footprint, with bytes interpo
 
     weight of a group     w = coverage·(root of projected area)²·unit
     hole                  the same for holes, at most 1
-    P(lit given seen)     V = V_l·(1 − κ) + min(1, V_l/V_v)·κ, at least 0; V_l, V_v: `light_visibility`
-    diffuse               (1 − hole)·Σ w·irradiance·V/V_l / Σ w    with one κ
-    specular              (1 − hole)·Σ w·f(h, l, v)·V / Σ w        with another; f: `layer_value`
+    gain                  r = 1 + κ·(1/max(V_l, V_v) − 1) − loss·(1 − V_l), at least 0; V: `light_visibility`
+    diffuse               (1 − hole)·Σ w·irradiance·r / Σ w            with one κ
+    specular              (1 − hole)·Σ w·f(h, l, v)·V_l·r / Σ w        with another, no loss; f: `layer_value`
 """
 
 from __future__ import annotations
@@ -33,6 +33,8 @@ from loomlight.models.lobes.hemisphere import AZIMUTHS, MIN_COSINE, RINGS
 from loomlight.models.lobes.packed_uint8 import WEIGHT_SUM
 from loomlight.models.lobes.prefiltered import (
     DIFFUSE_CORRELATION,
+    DIFFUSE_LOSS,
+    LARGEST_CORRELATION,
     SPECULAR_CORRELATION,
     TRANSMISSION_CORRELATION,
 )
@@ -108,7 +110,7 @@ class Weights:
     Attributes:
         groups: w of each group [G], not normalized.
         hole: fraction of the view rays that pass through holes.
-        view_visibility: V_v, the fraction of each group's top-down samples that the view sees [G].
+        view_visibility: V_v, the light visibility of each group for light from the view's direction [G].
     """
 
     groups: Numbers
@@ -161,9 +163,12 @@ class LobesReference:
         irradiance = nodes.of(self.tables.irradiance[side]) * _PER_BYTE
         light_visibility = nodes.of(self.tables.light_visibility[side]) * _PER_BYTE
         correlations = shadow_correlation(light, view, is_transmission)
-        # V + κ(min(1, V/V_view) − V), divided by V.
+        losses = (0.0 if is_transmission else DIFFUSE_LOSS), 0.0
         most = np.maximum(np.maximum(light_visibility, weights.view_visibility), _PER_BYTE)
-        diffuse_gain, specular_gain = (np.maximum(1 + part * (1 / most - 1), 0) for part in correlations)
+        diffuse_gain, specular_gain = (
+            np.maximum(1 + part * (1 / most - 1) - loss * (1 - light_visibility), 0)
+            for part, loss in zip(correlations, losses, strict=True)
+        )
 
         diffuse = weights.groups * irradiance / math.pi * diffuse_gain
         specular = (
@@ -299,7 +304,7 @@ def shadow_correlation(light: Numbers, view: Numbers, is_transmission: bool) -> 
         transmission = TRANSMISSION_CORRELATION[0] + TRANSMISSION_CORRELATION[1] * cosine
         return transmission, transmission
     diffuse = DIFFUSE_CORRELATION[0] + DIFFUSE_CORRELATION[1] * cosine
-    return min(diffuse, 1.0), SPECULAR_CORRELATION
+    return min(diffuse, LARGEST_CORRELATION), SPECULAR_CORRELATION
 
 
 def half_vector(light: Numbers, view: Numbers) -> Numbers:

@@ -1,5 +1,8 @@
 """View and shadow rays over the whole repeat, towards every node of the hemisphere; hits are not grouped yet.
 
+Shadow rays start from the points that views hit, not from points spread over the cloth: a third of grazing
+views may end on the steep sides of yarns, which darker light reaches.
+
 Rays are in the order of their face, then their node, then their position. Launches are asynchronous: reading
 a result waits for the device.
 """
@@ -30,8 +33,12 @@ _MIN_RAYS, _RAYS_PER_GROUP = 512, 32
 _MAX_GAP_RAYS = 128
 # Views of each node and face that groups are clustered from.
 _SAMPLED_VIEWS = 32
-# Finer steps gain nothing in the query benchmark; without refinement hits cost 6 % of its error.
-_QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=0.95, refinements=1)
+# Shadow rays of neighbouring nodes start from views so many nodes apart; odd, so that all nodes occur.
+_VIEW_STEP = 37
+assert NODES & (NODES - 1) == 0
+# Without refinement hits cost 6 % of the query benchmark's error. Shadow rays take smaller steps than view
+# rays: with equal ones they miss yarn, and cloth is 2 % too bright.
+_QUALITY = SearchQuality(steps_per_thread=2.5, steps_per_relief=2.5, shadow_share=1.6, refinements=1)
 
 
 @dataclass
@@ -58,6 +65,7 @@ class ViewRays:
         rays: of each node and face.
         directions: unit vectors of all nodes, uploaded [4 NODES].
         hits: first hits; arbitrary where a ray passes through the cloth.
+        x, y: where they lie, millimetres.
         below_plane: the hit lies below z = 0.
         starts_in_gap: the ray crosses z = 0 where there is no yarn.
     """
@@ -65,6 +73,8 @@ class ViewRays:
     rays: int
     directions: Float
     hits: SurfaceHits
+    x: Float
+    y: Float
     below_plane: Mask
     starts_in_gap: Mask
 
@@ -76,21 +86,30 @@ class VisibilityRays:
     Attributes:
         views: the view rays.
         view_is_null: which views pass through the cloth; None where none can.
-        samples: top-down samples that shadow rays start from.
-        is_lit: light from the node reaches the sample.
+        is_lit: light from the node reaches the start of the shadow ray; see `start_of_shadow_ray`.
+        is_lit_behind: light from the node's direction on the other side reaches the other face there.
         gap_is_null: which rays through gaps pass through the cloth, for the front's nodes; None without gaps.
     """
 
     views: ViewRays
     view_is_null: Mask | None
-    samples: SurfaceHits
     is_lit: Mask
+    is_lit_behind: Mask
     gap_is_null: Mask | None
 
 
 def ray_count(per_family: int) -> int:
     """Rays of each node and face, for so many groups of a family."""
     return max(_MIN_RAYS, _RAYS_PER_GROUP * per_family)
+
+
+def start_of_shadow_ray(node: Any, ray: Any, rays: Any) -> Any:
+    """Index of the view ray, within its face, whose hit shadow ray number `ray` of a node starts from.
+
+    Every hit is the start of one shadow ray, and a node's shadow rays start from hits of all views alike:
+    what a group receives is the mean over its points as views see them, the sides of yarns included.
+    """
+    return ((node * _VIEW_STEP + ray) & (NODES - 1)) * rays + ray
 
 
 def launch_views(cloth: FrozenArg[UploadedCloth], per_family: int) -> ViewRays:
@@ -102,8 +121,8 @@ def launch_views(cloth: FrozenArg[UploadedCloth], per_family: int) -> ViewRays:
     rays = ray_count(per_family)
     rows = np.pad(node_directions(), ((0, 0), (0, 1))).astype(np.float32)
     directions = upload(cloth.value.types.Float, rows)
-    hits, below_plane = _trace_views(cloth, directions, rays)
-    return ViewRays(rays, directions, hits, below_plane, _start_in_gaps(cloth, rays))
+    hits, x, y, below_plane = _trace_views(cloth, directions, rays)
+    return ViewRays(rays, directions, hits, x, y, below_plane, _start_in_gaps(cloth, rays))
 
 
 def view_samples(views: ViewRays) -> FaceSamples:
@@ -133,11 +152,11 @@ def launch_rays(cloth: FrozenArg[UploadedCloth], samples: TopDownSamples, views:
     gaps = samples.gaps[:: max(1, len(samples.gaps) // _MAX_GAP_RAYS)][:_MAX_GAP_RAYS]
     # Uploads wait for kernels that run, so they come before the launches.
     lanes, starts = upload(UInt32, from_gaps.astype(np.uint32)), upload(Float, gaps)
-    lit_samples, is_lit = _trace_shadows(cloth, directions, rays)
+    is_lit, is_lit_behind = _trace_shadows(cloth, directions, rays, views.x, views.y)
     gap_is_null = _trace_gaps(cloth, directions, starts, len(gaps)) if len(gaps) else None
     has_null = len(from_gaps) > 0
     view_is_null = _trace_null(cloth, directions, rays, lanes, views.below_plane) if has_null else None
-    return VisibilityRays(views, view_is_null, lit_samples, is_lit, gap_is_null)
+    return VisibilityRays(views, view_is_null, is_lit, is_lit_behind, gap_is_null)
 
 
 @FrozenFunction
@@ -148,22 +167,35 @@ def _start_in_gaps(cloth: UploadedCloth, rays: int) -> Mask:
 
 
 @FrozenFunction
-def _trace_shadows(cloth: UploadedCloth, directions: Float, rays: int) -> tuple[SurfaceHits, Mask]:
-    """Top-down samples, and whether light reaches them."""
-    back, x, y, light = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
-    point = cloth.geometry.surface(x, y, back)
-    faces_light = ~point.hole & (dr.dot(point.normal, light) > 0)
-    is_lit = unoccluded(cloth.geometry, x, y, point.height, light, back, faces_light, _QUALITY)
-    return SurfaceHits(point.is_warp, point.hole, point.normal, point.tangent), is_lit
+def _trace_shadows(
+    cloth: UploadedCloth, directions: Float, rays: int, x: Float, y: Float
+) -> tuple[Mask, Mask]:
+    """Whether light from each node reaches hits at x, y, and from the other side the other face there."""
+    types = cloth.types
+    back, node, ray = _rays_of_nodes(cloth, rays, dr.arange(types.UInt32, 2 * NODES * rays))
+    per_node = dr.opaque(types.UInt32, rays)
+    start = start_of_shadow_ray(node, ray, per_node) + dr.select(back, NODES * per_node, 0)
+    x, y = dr.gather(types.Float, x, start), dr.gather(types.Float, y, start)
+    light = _direction(cloth, directions, node)
+
+    def reaches(face: Mask) -> Mask:
+        point = cloth.geometry.surface(x, y, face)
+        faces_light = ~point.hole & (dr.dot(point.normal, light) > 0)
+        return unoccluded(cloth.geometry, x, y, point.height, light, face, faces_light, _QUALITY)
+
+    return reaches(back), reaches(~back)
 
 
 @FrozenFunction
-def _trace_views(cloth: UploadedCloth, directions: Float, rays: int) -> tuple[SurfaceHits, Mask]:
-    """First hits of views that do not pass through the cloth, and whether they lie below z = 0."""
+def _trace_views(
+    cloth: UploadedCloth, directions: Float, rays: int
+) -> tuple[SurfaceHits, Float, Float, Mask]:
+    """First hits of views that do not pass through the cloth, their x and y, and whether they lie below 0."""
     back, x, y, view = _rays(cloth, directions, rays, dr.arange(cloth.types.UInt32, 2 * NODES * rays))
     hit = first_hit(cloth.geometry, x, y, view, back, True, _QUALITY, passing=False)
     point = cloth.geometry.surface(hit.x, hit.y, back)
-    return SurfaceHits(point.is_warp, point.hole, point.normal, point.tangent), hit.height <= 0
+    hits = SurfaceHits(point.is_warp, point.hole, point.normal, point.tangent)
+    return hits, hit.x, hit.y, hit.height <= 0
 
 
 @FrozenFunction
@@ -196,10 +228,16 @@ def _rays(cloth: UploadedCloth, directions: Float, rays: int, lane: UInt) -> tup
 
 def _positions(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, Float, Float, UInt]:
     """Positions of rays on the plane z = 0: back, x, y, node."""
+    back, node, ray = _rays_of_nodes(cloth, rays, lane)
+    return back, *cloth.positions.at(ray, node), node
+
+
+def _rays_of_nodes(cloth: UploadedCloth, rays: int, lane: UInt) -> tuple[Mask, UInt, UInt]:
+    """Face (the back or not), node and ray of the node, for indices of rays."""
     face_size = dr.opaque(cloth.types.UInt32, NODES * rays)
     back = lane >= face_size
     node, ray = InvariantDivider(rays, cloth.types).divide(dr.select(back, lane - face_size, lane))
-    return back, *cloth.positions.at(ray, node), node
+    return back, node, ray
 
 
 def _direction(cloth: UploadedCloth, directions: Float, node: UInt) -> Vec3:

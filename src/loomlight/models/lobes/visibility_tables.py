@@ -4,11 +4,11 @@ For every node of the hemisphere:
 
     projected_area    fraction of the view rays through the plane z = 0 that hit the group, walls included,
                       or that pass through a hole
-    light_visibility  fraction of the group's top-down samples that light from the node reaches
-    irradiance        mean blended diffuse term of the group's top-down samples, shadowed, 1/sr
+    light_visibility  fraction of the group's points, as all views see them, that light from the node reaches
+    irradiance        mean blended diffuse term of these points, shadowed, 1/sr
 
 The last two are for light from the side of the view and for light from the other side, shadowed as on the
-other face.
+other face. A node has few rays of some groups: means are drawn towards those of the nodes around.
 """
 
 from __future__ import annotations
@@ -20,8 +20,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.models.lobes.groups import Groups, with_view_moments
-from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS
+from loomlight.models.lobes.hemisphere import AZIMUTHS, NODES, RINGS, node_directions
 from loomlight.models.lobes.visibility_rays import VisibilityRays
+
+# Rays that the nodes around count as. With 0 to 40 the error of components of 18 fabrics over repeats is
+# 3.1, 3.0 (8 rays), 3.1 %; and groups of which a node has no ray are not black there.
+_NEIGHBOURS = 8.0
+# Keeps the unshadowed term above 0 where light grazes.
+_LEAST_DIFFUSE = 0.02
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,18 +56,18 @@ def tabulate_visibility(
     # Imported here as Numba takes tenths of a second to load, and only baking needs it.
     from loomlight.models.lobes.accumulation import accumulate_light, accumulate_views, hit_arrays
 
-    views, samples = rays.views.hits, rays.samples
+    views = rays.views.hits
     is_skipped = views.hole.numpy()
     if rays.view_is_null is not None:
         is_skipped = is_skipped | rays.view_is_null.numpy()
-    view_sums = _with_one_zenith(accumulate_views(hit_arrays(views, is_skipped), groups))
-    light_sums = _with_one_zenith(
-        accumulate_light(
-            hit_arrays(samples, samples.hole.numpy()), rays.is_lit.numpy(), groups, diffuse_blend
-        )
-    )
-    tables = VisibilityTables(_projected_area(rays, groups, view_sums[..., 0]), *_light_tables(light_sums))
-    return tables, with_view_moments(groups, view_sums.sum(axis=1, dtype=np.float64))
+    hits = hit_arrays(views, is_skipped)
+    view_sums, group_of = accumulate_views(hits, groups)
+    view_sums = _with_one_zenith(view_sums)
+    groups = with_view_moments(groups, view_sums.sum(axis=1, dtype=np.float64))
+    is_lit = rays.is_lit.numpy(), rays.is_lit_behind.numpy()
+    light_sums = _with_one_zenith(accumulate_light(hits, group_of, is_lit, groups, diffuse_blend))
+    light_tables = _light_tables(light_sums, groups, diffuse_blend)
+    return VisibilityTables(_projected_area(rays, groups, view_sums[..., 0]), *light_tables), groups
 
 
 def _with_one_zenith(sums: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -84,11 +90,46 @@ def _projected_area(rays: VisibilityRays, groups: Groups, hits: NDArray[np.float
     return np.concatenate([fractions, null[..., None]], axis=2)
 
 
-def _light_tables(sums: NDArray[np.float32]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Light visibility and irradiance from `accumulation.LIGHT_SUMS` [2, nodes, groups, 5]."""
+def _light_tables(
+    sums: NDArray[np.float32], groups: Groups, diffuse_blend: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Light visibility and irradiance from `accumulation.LIGHT_SUMS` [2, nodes, groups, 5].
+
+    Irradiance is smoothed in units of the unshadowed diffuse term about the mean normal, which changes from
+    node to node by itself.
+    """
     count, *totals = np.moveaxis(sums.astype(np.float64), -1, 0)
-    means = [total / np.maximum(count, 1) for total in totals]
-    return np.stack(means[:2], axis=1), np.stack(means[2:], axis=1) / math.pi
+    lights = node_directions()
+    across = np.einsum("nk,fgk->fng", lights[:, :2], groups.normal[..., :2])
+    up = lights[:, 2, None] * groups.normal[:, None, :, 2]
+    visibility, irradiance = [], []
+    for lit, diffuse, cosine in zip(totals[:2], totals[2:], (up + across, up - across), strict=True):
+        unshadowed = lights[:, 2, None] * (1 - diffuse_blend) + diffuse_blend * np.maximum(cosine, 0)
+        unshadowed = unshadowed + _LEAST_DIFFUSE
+        visibility.append(_smoothed(lit, count))
+        smooth = _smoothed(diffuse / unshadowed, count) * unshadowed
+        # Smoothed apart, the two could contradict each other.
+        irradiance.append(np.minimum(smooth, visibility[-1]) / math.pi)
+    return np.stack(visibility, axis=1), np.stack(irradiance, axis=1)
+
+
+def _smoothed(totals: NDArray[np.float64], count: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Means totals/count [2, nodes, groups], drawn towards those of the nine nodes around.
+
+    The neighbours' mean counts as much as `_NEIGHBOURS` rays; 0 where no node around has a ray.
+    """
+    around = [_around(part) for part in (totals, count)]
+    mean = around[0] / np.maximum(around[1], 1e-9)
+    return np.asarray((totals + _NEIGHBOURS * mean) / (count + _NEIGHBOURS))
+
+
+def _around(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Means over nine nodes [2, nodes, groups], weighted 1, 2, 1 along azimuths and rings."""
+    table = values.reshape(2, AZIMUTHS, RINGS, -1)
+    table = np.roll(table, 1, axis=1) + 2 * table + np.roll(table, -1, axis=1)
+    padded = np.pad(table, ((0, 0), (0, 0), (1, 1), (0, 0)), mode="edge")
+    table = padded[:, :, :-2] + 2 * table + padded[:, :, 2:]
+    return np.asarray(table.reshape(values.shape) / 16)
 
 
 def _by_face(is_null: NDArray[np.bool_]) -> NDArray[np.float64]:

@@ -1,0 +1,210 @@
+"""Brightness of `lobes` over distance: the mean over positions against rays, from close-ups to afar.
+
+    python -m experiments.brightness [--output experiments/results/brightness.json]
+
+Flat cloth at the defaults of fabric files is seen by footprints of 1/300 to 30 threads, in five pairs of
+light and view, on one side of the cloth and through it. The mean of a footprint's value over all positions
+does not depend on its size, so one mean of the point model over the repeat is the truth of all sizes. Figures
+are relative errors of the mean luminance; the bar is on the largest of each fabric.
+
+Then random irregular weaves of 12 by 12 threads, gaps to 0.6: the query benchmark's error by size.
+"""
+
+from __future__ import annotations
+
+from argparse import ArgumentParser, Namespace
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from drjit.llvm.ad import Array2f, Array3f, Float
+from numpy.typing import NDArray
+
+from benchmarks.harness import Figures, run
+from loomlight.aggregate.queries import BANDS
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.evaluation.held_out import HeldOut
+from loomlight.evaluation.predictions import model_predictor
+from loomlight.evaluation.query_benchmark import run_query_benchmark
+from loomlight.fabric.fabric import Fabric, make_fabric
+from loomlight.fabric.file import FabricFile
+from loomlight.models.lobes.model import LobesModel
+from loomlight.models.woven.parameter_ranges import ParameterRanges
+from loomlight.models.woven.training.random_fabrics import random_fabric
+from loomlight.scattering.point import PointModel
+from loomlight.weave.draft import Draft
+from loomlight.weave.named import named_weave
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import SearchQuality
+
+WEAVES = "plain", "twill 3/1", "twill 2/2", "satin 5/2", "irregular"
+SIDE, IRREGULAR_SEED = 12, 3
+# Angles from the normal and azimuths of light and view, degrees.
+PAIRS = {
+    "opposite": ((45, 20), (50, 200)),
+    "side": ((50, 20), (45, 110)),
+    "same": ((50, 40), (30, 50)),
+    "grazing view": ((40, 100), (75, 250)),
+    "grazing light": ((75, 200), (30, 80)),
+}
+THREADS = 1 / 300, 1 / 30, 0.1, 0.3, 0.6, 1.0, 1.6, 2.4, 4.0, 8.0, 16.0, 30.0
+# Positions over the repeat of the model at each size, and of the truth.
+POSITIONS, TRUTH_POSITIONS = 1 << 13, 1 << 15
+BAR, IRREGULAR_BAR = 0.03, 0.075
+IRREGULAR_RANGES = ParameterRanges(gap=(0.0, 0.6))
+_TRUTH_QUALITY = SearchQuality(24, 24, refinements=6, steps=8192)
+_LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Directions:
+    """A pair of directions: unit vectors [3]."""
+
+    light: Floats
+    view: Floats
+
+
+def direction(degrees: float, azimuth: float) -> Floats:
+    """Unit vector [3] at an angle from the normal, degrees."""
+    angle, turn = np.radians([degrees, azimuth])
+    return np.array([np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle)])
+
+
+def pairs_of(through: bool) -> dict[str, Directions]:
+    """`PAIRS` as vectors, the light on the view's side or on the other."""
+    flip = np.array([1, 1, -1 if through else 1])
+    return {
+        name: Directions(direction(*light) * flip, direction(*view)) for name, (light, view) in PAIRS.items()
+    }
+
+
+def irregular_draft(seed: int) -> Draft:
+    """Random crossings; every thread interlaces."""
+    rng = np.random.default_rng(seed)
+    while True:
+        drawdown = rng.random((SIDE, SIDE)) < 0.5
+        if all(0 < mean < 1 for axis in (0, 1) for mean in drawdown.mean(axis=axis)):
+            return Draft(drawdown, title=f"irregular {seed}")
+
+
+def fabric_of(weave: str) -> Fabric:
+    """A weave at the defaults of fabric files."""
+    draft = irregular_draft(IRREGULAR_SEED) if weave == "irregular" else named_weave(weave)
+    return make_fabric(FabricFile(), draft, weave, ".")
+
+
+def positions(fabric: Fabric, count: int) -> Array2f:
+    """Positions evenly over the repeat, millimetres (Roberts 2018)."""
+    number = np.arange(count)
+    turns = [number * share % 1 for share in (0.7548776662466927, 0.5698402909980532)]
+    return Array2f(
+        *(Float((turn * side).astype(np.float32)) for turn, side in zip(turns, fabric.repeat_mm, strict=True))
+    )
+
+
+def _luminance(value: Any) -> float:
+    return float(value.numpy().astype(np.float64).mean(axis=1) @ _LUMINANCE)
+
+
+def truth(fabric: Fabric, pair: Directions) -> float:
+    """Mean luminance of the point model over the repeat, 1/sr."""
+    model = PointModel(YarnGeometry(fabric.layout()), fabric.appearance(), _TRUTH_QUALITY)
+    place = positions(fabric, TRUTH_POSITIONS)
+    zeros = dr.opaque(Float, 0, TRUTH_POSITIONS)
+    view, light = (Array3f(*(Float(part) + zeros for part in vector)) for vector in (pair.view, pair.light))
+    dr.eval(place, view, light)
+    return _luminance(model.evaluate(model.locate(place.x, place.y, view), light, view))
+
+
+def seen(model: LobesModel, pair: Directions, threads: float) -> float:
+    """Mean luminance of the model over positions, 1/sr, for squares of a side in threads."""
+    fabric = model.fabric
+    picks, ends = fabric.layout().warp_on_top.shape
+    side = threads * float(np.sqrt(np.prod(fabric.repeat_mm) / (picks * ends)))
+    # Opaque: directions are no literals of the kernel, which serves all pairs and sizes.
+    zeros = dr.opaque(Float, 0, POSITIONS)
+    # Along neither family, as on cloth that is looked at.
+    edges = Array2f(0.8 * side + zeros, 0.6 * side), Array2f(-0.6 * side + zeros, 0.8 * side)
+    view, light = (Array3f(*(Float(part) + zeros for part in vector)) for vector in (pair.view, pair.light))
+    dr.eval(edges, view, light)
+    return _luminance(model.at(view, Footprint(positions(fabric, POSITIONS), *edges)).value(light))
+
+
+def errors(fabric: Fabric) -> dict[str, dict[str, list[float]]]:
+    """Relative errors by side of the light, pair and size."""
+    model = LobesModel.for_source(fabric)
+    return {
+        side: {
+            name: [seen(model, pair, threads) / exact - 1 for threads in THREADS]
+            for name, pair in pairs_of(through).items()
+            for exact in (truth(fabric, pair),)
+        }
+        for side, through in (("reflection", False), ("transmission", True))
+    }
+
+
+def irregular(count: int, pairs: int, footprints: int) -> dict[str, Any]:
+    """nMAE of the query benchmark by band of size, over random irregular weaves with gaps to 0.6."""
+    cloths = [
+        HeldOut(
+            f"irregular {seed}",
+            random_fabric(np.random.default_rng(seed), irregular_draft(seed), ranges=IRREGULAR_RANGES),
+            True,
+            False,
+        )
+        for seed in range(100, 100 + count)
+    ]
+    result = run_query_benchmark(
+        {"lobes": model_predictor(LobesModel.for_source)},
+        cloths,
+        pairs=pairs,
+        footprints=footprints,
+        monte_carlo=(),
+    )
+    row = result.rows["lobes"]
+    return {
+        quantity: {band: row.metric(quantity, band) for band in BANDS}
+        for quantity in ("reflection", "transmission")
+    }
+
+
+def add_options(parser: ArgumentParser) -> None:
+    """How many random weaves; 0 leaves them out."""
+    parser.add_argument("--irregular", type=int, default=8, help="random irregular weaves")
+    parser.add_argument("--pairs", type=int, default=48)
+    parser.add_argument("--footprints", type=int, default=96)
+
+
+def measure(options: Namespace) -> Figures:
+    """Errors of all weaves, and the largest of each."""
+    require_llvm()
+    by_weave = {weave: errors(fabric_of(weave)) for weave in WEAVES}
+    largest = {
+        weave: {
+            side: max(abs(error) for row in rows.values() for error in row) for side, rows in sides.items()
+        }
+        for weave, sides in by_weave.items()
+    }
+    figures: Figures = {
+        "threads": THREADS,
+        "bar": BAR,
+        "largest_relative_error": largest,
+        "relative_errors": by_weave,
+        "missed": [f"{w} {side}" for w, sides in largest.items() for side, e in sides.items() if e > BAR],
+    }
+    if options.irregular:
+        figures["irregular_nmae"] = irregular(options.irregular, options.pairs, options.footprints)
+        # Above two threads: both upper bands.
+        for quantity, bands in figures["irregular_nmae"].items():
+            worst = max(bands[band] for band in BANDS[2:] if bands[band] is not None)
+            if worst > IRREGULAR_BAR:
+                figures["missed"].append(f"irregular weaves in {quantity}")
+    return figures
+
+
+if __name__ == "__main__":
+    run(measure, add_options, digits=4)
