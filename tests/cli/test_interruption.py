@@ -18,6 +18,7 @@ import pytest
 from PIL import Image
 
 from loomlight.cli.interruption import note_left, report_interruption, was_interrupted
+from loomlight.cli.main import run
 
 # Half a second each way beyond what the supervising process grants, for a machine with other work.
 _LONGEST = 2.0
@@ -92,6 +93,17 @@ def test_a_word_within_one_process(capsys: pytest.CaptureFixture[str]) -> None:
     first, second = capsys.readouterr().err.splitlines()
     assert first == "loomlight: interrupted. a.png holds the picture as far as it came."
     assert second == "loomlight: interrupted. Nothing was written."
+
+
+def test_work_that_goes_on_later_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("loomlight.models.woven.training.dataset_store.make_store", interrupted)
+    assert run(["data", "woven", "-o", str(tmp_path / "a.zarr")]) == 130
+    assert "a.zarr keeps the materials that are finished" in capsys.readouterr().err
 
 
 def test_an_interruption_is_found_behind_another_error() -> None:

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.help import WholeSentences
+from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import require_within
@@ -62,6 +63,7 @@ def woven(
 
     settings = StoreSettings(seed, wanted)
     command = shlex.join(["loomlight", "data", "woven", "--queries", str(wanted), "--seed", str(seed)])
+    note_left(f"{output} keeps the materials that are finished: the same command goes on from there.")
     with progress(f"materials {materials}") as report:
         make_store(output, range(first, end), settings, Float, command, report)
     done(output)

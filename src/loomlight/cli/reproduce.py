@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_size, require_within
@@ -64,6 +65,7 @@ def reproduce(
         for table in found.tables:
             print(table.to_markdown())
         done(output / f"{item.stem}.png")
+        note_left(f"{output} holds the figures up to {item.name}.")
 
 
 def _command(name: str, setting: Setting) -> str:

@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 
 from loomlight.cli.help import WholeSentences
+from loomlight.cli.interruption import note_left
 from loomlight.cli.outputs import done
 from loomlight.core.errors import MissingDependencyError
 
@@ -44,6 +45,7 @@ def woven(
     except ModuleNotFoundError as error:
         raise MissingDependencyError("Training needs PyTorch: pip install 'loomlight[train]'.") from error
     folder = Path("runs") / config.stem if output is None else output
+    note_left(f"{folder} keeps data and the last checkpoint: the same command goes on from there.")
     weights = train_woven(recipe, folder, _Lines("data"), _Lines("training"), device)
     done(weights)
 

@@ -19,7 +19,7 @@ from loomlight.mitsuba.variants import choose_variant
 # Samples in flight at once. On two CPU cores larger wavefronts are no faster.
 WAVEFRONT = {"llvm_ad_rgb": 2**23, "cuda_ad_rgb": 2**26}
 # Samples of a pass: about a second on two cores, so that progress shows and an interruption is soon noticed.
-# Smaller passes cost more than 5 % for starting each; nor do more than 64 show more.
+# Passes a quarter as large cost up to a quarter more for starting each; nor do more than 64 show more.
 PASS_SAMPLES = {"llvm_ad_rgb": 2**20, "cuda_ad_rgb": 2**24}
 _MOST_PASSES = 64
 _SPREAD_OVER_PASSES = "MultijitterSampler"
