@@ -1,0 +1,74 @@
+"""Constants of the Python modules for Slang: each is written once, where its formula stands.
+
+Most are private to their modules; this is the only other reader.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
+from loomlight.yarn import max_heights, rays, runs, search, threads
+
+_FLOATS: dict[str, float] = {
+    "INVERSE_SECTION_SINE": 1 / math.sin(threads.SECTION_ANGLE),
+    "INVERSE_CELL_MAX_LEVELS": 1 / runs.CELL_MAX_LEVELS,
+    "OUTLINE_EPSILON": search._EPSILON,
+    "NARROWEST_DIP": search._NARROWEST,
+    "STEPS_PER_THREAD": search.DEFAULT_QUALITY.steps_per_thread,
+    "STEPS_PER_RELIEF": search.DEFAULT_QUALITY.steps_per_relief,
+    "SHADOW_SHARE": search.DEFAULT_QUALITY.shadow_share,
+    "FLATTEST_SHARE": rays._FLATTEST,
+    "SMALLEST_COSINE": fibre._SMALLEST_COSINE,
+    "SMALLEST_SQUARED_SUM": fibre._SMALLEST_SQUARED_SUM,
+    "SMALLEST_SQUARED_LENGTH": directions.SMALLEST_SQUARED_LENGTH,
+    "SHEEN_SMALLEST": sheen._SMALLEST,
+    "SHEEN_SMALLEST_SCALE": sheen._SMALLEST_SCALE,
+    "SHEEN_LARGEST_SHEAR": sheen._LARGEST_SHEAR,
+    "SHEEN_CEILING": sheen_coefficients.CEILING,
+    "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
+    "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
+}
+_UINTS: dict[str, int] = {
+    "MOST_SAMPLES": search.DEFAULT_QUALITY.steps,
+    "REFINEMENTS": search.DEFAULT_QUALITY.refinements,
+    "NEWTON_STEPS": rays._NEWTON_STEPS,
+    "TILE_CELLS": max_heights.TILE_CELLS,
+    "FIBRE_STREAM": variation._FIBRE_STREAM,
+    "THREAD_STREAM": variation._THREAD_STREAM,
+}
+_POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
+    "sheen_scale": sheen_coefficients.SCALE,
+    "sheen_shear": sheen_coefficients.SHEAR,
+    "sheen_reflectance": sheen_coefficients.REFLECTANCE,
+}
+
+
+def number_text(value: float) -> str:
+    """A literal that any shading language reads as the float32 nearest to `value`."""
+    text = f"{np.float32(value):.9g}"
+    return text if any(mark in text for mark in ".en") else f"{text}.0"
+
+
+def slang_constants() -> str:
+    """Slang declarations of all constants, and the polynomials of the sheen."""
+    lines = [f"static const float {name} = {number_text(value)};" for name, value in _FLOATS.items()]
+    lines += [f"static const uint {name} = {value}u;" for name, value in _UINTS.items()]
+    radii = ", ".join(number_text(radius) for radius in max_heights.PYRAMID_RADII)
+    lines.append(f"static const float PYRAMID_RADII[{len(max_heights.PYRAMID_RADII)}] = {{ {radii} }};")
+    for name, rows in _POLYNOMIALS.items():
+        lines += ["", f"float {name}(float x, float y)", "{", "    var value = 0.0;"]
+        for row in reversed(rows):
+            lines.append(f"    value = value * x + ({_horner(row)});")
+        lines += ["    return value;", "}"]
+    return "\n".join(lines) + "\n"
+
+
+def _horner(row: Sequence[float]) -> str:
+    text = number_text(row[-1])
+    for coefficient in reversed(row[:-1]):
+        text = f"({text}) * y + {number_text(coefficient)}"
+    return text

@@ -1,0 +1,157 @@
+"""Fabrics as shaders read them: one record a fabric, and 32-bit words of all tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.realtime.layout import numpy_type
+from loomlight.scattering import point as point_model
+from loomlight.scattering.albedo import layer_albedo_bound
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.yarn import search
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.runs import CELL_MAX_LEVELS
+from loomlight.yarn.threads import FamilyTables
+
+_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+Words = NDArray[np.uint32]
+Record = NDArray[np.void]
+
+
+class WordTable:
+    """Tables of 32-bit words, one behind the other."""
+
+    def __init__(self) -> None:
+        self._parts: list[Words] = []
+        self.size = 0
+
+    def add(self, values: NDArray[np.generic]) -> int:
+        """Appends unsigned integers as they are or numbers as float32; the index of the first word."""
+        kind = np.uint32 if np.issubdtype(values.dtype, np.integer) else np.float32
+        words = np.ascontiguousarray(values, dtype=kind).ravel().view(np.uint32)
+        first = self.size
+        self._parts.append(words)
+        self.size += words.size
+        return first
+
+    def words(self) -> Words:
+        """All of them; at least one, as no buffer is empty."""
+        return np.concatenate(self._parts) if self._parts else np.zeros(1, np.uint32)
+
+
+def pack_fabrics(
+    fabrics: Sequence[tuple[ClothLayout, Appearance]], uv_size_mm: Sequence[tuple[float, float]] | None = None
+) -> tuple[Record, Words]:
+    """Records [n] of fabrics, and the words of their tables.
+
+    Args:
+        uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
+    """
+    table = WordTable()
+    records = np.zeros(len(fabrics), numpy_type("Fabric"))
+    for number, (layout, appearance) in enumerate(fabrics):
+        size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
+        _pack_fabric(records[number], table, layout, appearance, size)
+    return records, table.words()
+
+
+def _pack_fabric(
+    record: np.void,
+    table: WordTable,
+    layout: ClothLayout,
+    appearance: Appearance,
+    uv_size_mm: tuple[float, float],
+) -> None:
+    geometry = YarnGeometry(layout)
+    warp, weft = geometry.families
+    _pack_family(record["warp"], table, warp, layout.warp, appearance.warp)
+    _pack_family(record["weft"], table, weft, layout.weft, appearance.weft)
+    run_words, max_heights = geometry.words
+    fine_x, fine_y = geometry.finest
+    low, high = geometry.height_bounds
+    variation = appearance.variation
+    values = {
+        "run_words": table.add(run_words),
+        "ends": run_words.shape[1],
+        "max_heights": table.add(max_heights),
+        "max_height_columns": max_heights.shape[1],
+        "height_low": low,
+        "height_high": high,
+        "lift": search._LIFT * min(fine_x, fine_y),
+        "threads_per_x": 1 / fine_x,
+        "threads_per_y": 1 / fine_y,
+        "per_relief": 1 / max(high - low, 1e-6),
+        "diffuse_blend": appearance.diffuse_blend,
+        "optical_depth": appearance.optical_depth,
+        "sheen_strength": appearance.sheen.strength,
+        "sheen_roughness": appearance.sheen.roughness,
+        "fibre_noise": variation.fibre_noise,
+        "colour_noise": variation.colour_noise,
+        "seed": variation.seed & 0xFFFFFFFF,
+        "layer_bound": layer_albedo_bound(appearance.optical_depth),
+        "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
+        "uv_width": uv_size_mm[0],
+        "uv_height": uv_size_mm[1],
+    }
+    for name, value in values.items():
+        record[name] = value
+
+
+def _pack_family(
+    record: np.void,
+    table: WordTable,
+    threads: FamilyTables,
+    layout: FamilyLayout,
+    appearance: FamilyAppearance,
+) -> None:
+    count = threads.lower.size
+    size = float(threads.upper[0] - threads.lower[0])
+    bins = math.ceil(threads.period / threads.finest) + 1
+    values = {
+        "is_alike": int(threads.uniform),
+        "count": count,
+        "inverse_count": 1 / count,
+        "half_inverse_count": 0.5 / count,
+        "size": size,
+        "inverse_size": 1 / size,
+        "half_width": threads.half_width[0],
+        "start": threads.lower[0],
+        "period": threads.period,
+        "inverse_period": 1 / threads.period,
+        "bins": bins,
+        "height_scale": layout.height_scale,
+        "twist_sine": math.sin(layout.twist),
+        "twist_cosine": math.cos(layout.twist),
+        "level": threads.highest / CELL_MAX_LEVELS,
+        "roughness": appearance.roughness,
+    }
+    rows = np.stack(
+        [
+            np.sin(threads.inclination),
+            np.tan(threads.inclination / 2),
+            threads.arc,
+            threads.edge_drop,
+        ],
+        axis=1,
+    )
+    values["bend_table"] = table.add(rows[:1] if threads.uniform else rows)
+    if not threads.uniform:
+        first = threads.lower[0]
+        lower, upper = threads.lower - first, threads.upper - first
+        edges = np.arange(bins) * (threads.period / bins)
+        first_threads = np.searchsorted(lower, edges, side="right") - 1
+        values["first_thread_table"] = table.add(first_threads)
+        values["place_table"] = table.add(
+            np.stack([lower, upper, threads.centre - first, threads.half_width], axis=1)
+        )
+    albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
+    alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
+    values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
+    values["albedo_stride"] = 0 if alike else albedos[0].size
+    for name, value in values.items():
+        record[name] = value
