@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from loomlight.core.files import replacing
 from loomlight.realtime.constants import slang_constants
@@ -39,10 +40,13 @@ TARGETS = (
     Target("wgsl", "wgsl"),
     Target("hlsl", "hlsl", ("-profile", "sm_6_0")),
     Target("glsl", "glsl", ("-profile", "glsl_450")),
-    Target("spirv", "spv", ("-profile", "spirv_1_3")),
+    # Drivers optimise; the optimiser and validator that slangc would load are not in its wheel.
+    Target("spirv", "spv", ("-profile", "spirv_1_3", "-O0", "-skip-spirv-validation")),
     Target("metal", "metal"),
     Target("cuda", "cu", (), ("compute",)),
 )
+# Line numbers would name files of the machine that built it.
+_OPTIONS = ("-line-directive-mode", "none")
 # Entry points by file of `shaders/`, with their stages.
 ENTRIES = {
     "frame": {
@@ -67,15 +71,27 @@ def generated_files() -> dict[Path, bytes]:
         ShaderError: a source does not compile.
     """
     files: dict[Path, bytes] = {}
+    prelude = _cuda_prelude()
     for module, entries in ENTRIES.items():
         for target in TARGETS:
             for entry, stage in entries.items():
                 if stage in target.stages:
                     path = Path(target.name) / f"{entry}.{target.suffix}"
-                    files[path] = compile_shader(
-                        SHADERS / f"{module}.slang", target.name, [entry], target.options
-                    )
+                    options = (*_OPTIONS, *target.options)
+                    text = compile_shader(SHADERS / f"{module}.slang", target.name, [entry], options)
+                    if target.name == "cuda":
+                        text = b"#include <slang-cuda-prelude.h>\n" + text.removeprefix(prelude)
+                    files[path] = text
     return files
+
+
+def _cuda_prelude() -> bytes:
+    """What slangc writes before every CUDA source: a header that Slang's distribution has as a file."""
+    with TemporaryDirectory() as folder:
+        empty = Path(folder) / "empty.slang"
+        empty.write_text('[shader("compute")] [numthreads(1, 1, 1)] void empty() {}', encoding="utf-8")
+        text = compile_shader(empty, "cuda", ["empty"], _OPTIONS)
+    return text[: text.index(b'extern "C"')]
 
 
 def main() -> None:
