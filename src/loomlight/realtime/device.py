@@ -23,8 +23,8 @@ _SOFTWARE_DRIVERS = (
     "/usr/share/vulkan/icd.d/lvp_icd.json",
 )
 NO_ADAPTER = (
-    "Real-time rendering needs a graphics adapter with Vulkan, Metal or DX12, and none was found: install a driver, or "
-    "the software driver (Debian, Ubuntu: apt install mesa-vulkan-drivers libvulkan1)."
+    "Real-time rendering needs a graphics adapter with Vulkan, Metal or DX12, and none was found: install a "
+    "driver, or the software driver (Debian, Ubuntu: apt install mesa-vulkan-drivers libvulkan1)."
 )
 _BINDING = re.compile(r"@binding\((\d+)\) @group\(0\) var(?:<[\w, ]+>)? (\w+?)_\d+ ")
 
@@ -97,8 +97,8 @@ class Adapter:
         most = self.device.limits[limit]
         if value > most:
             raise MissingDependencyError(
-                f"{self.name} takes at most {most} {what}, but {value} are needed: choose a smaller draft or mesh, "
-                "or another adapter."
+                f"{self.name} takes at most {most} {what}, but {value} are needed: choose a smaller "
+                "draft or mesh, or another adapter."
             )
 
 
@@ -127,6 +127,15 @@ def _name_software_driver() -> None:
             return
 
 
+def _leave_out_opengl() -> None:
+    """Keeps wgpu from trying OpenGL, whose libraries print complaints where there is no display."""
+    extras = import_extra("wgpu.backends.wgpu_native.extras", "realtime", "Real-time rendering")
+    try:
+        extras.set_instance_extras(backends=["Vulkan", "Metal", "DX12"])
+    except RuntimeError:  # the program has used wgpu before
+        return
+
+
 @cache
 def default_adapter() -> Adapter:
     """The first adapter that is no CPU, else a software adapter.
@@ -135,6 +144,7 @@ def default_adapter() -> Adapter:
         MissingDependencyError: wgpu is not installed, or there is no adapter.
     """
     wgpu = wgpu_module()
+    _leave_out_opengl()
     found = [a for a in wgpu.gpu.enumerate_adapters_sync() if a.info["backend_type"] != "OpenGL"]
     if not found:
         raise MissingDependencyError(NO_ADAPTER)

@@ -1,7 +1,7 @@
 """Records that the host writes and shaders read, field by field, and where buffers are bound.
 
-From these descriptions come the Slang structs (`slang_structs`) and the NumPy types (`numpy_type`). Every field
-takes four bytes, so that all shading languages and NumPy agree on offsets without padding.
+From these descriptions come the Slang structs (`slang_structs`) and the NumPy types (`numpy_type`). Every
+field takes four bytes, so that all shading languages and NumPy agree on offsets without padding.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ FRAME: Fields = (
     ("lights", "uint", "number of lights"),
     ("samples", "uint", "points of a pixel's footprint that are shaded in one pass"),
     ("pass_number", "uint", "of this pass, from 0: chooses the points"),
-    ("jitter_x", "float", "of the camera ray within the pixel, −0.5 to 0.5 pixels"),
+    ("jitter_x", "float", "of the raster pass within the pixel, −0.5 to 0.5 pixels"),
     ("jitter_y", "float", ""),
     ("gain", "float", "2^exposure / passes so far"),
     ("origin_x", "float", "of the camera"),
@@ -119,7 +119,7 @@ RECORDS: dict[str, Fields] = {
     "Vertex": VERTEX,
 }
 
-# Buffers of group 0 by name: the type of an element and whether shaders write it. Their order is their binding.
+# Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.
 BUFFERS: dict[str, tuple[str, bool]] = {
     "fabrics": ("Fabric", False),
     "words": ("uint", False),

@@ -91,7 +91,7 @@ class Renderer:
 
         Args:
             samples: points of each pixel's footprint that one pass shades, ≥ 1.
-            passes: raster passes, each through other points of the pixels, ≥ 1: they smooth edges.
+            passes: raster passes, each through other points of the pixels, ≥ 1: they smooth edges of meshes.
             exposure: stops; colours are multiplied by 2**exposure.
             background: linear radiance where there is no cloth, and behind holes.
 
@@ -116,7 +116,7 @@ class Renderer:
         pixels = self.adapter.read(self._resources["pixels"], np.uint8, 4 * width * height)
         sums = self.adapter.read(self._resources["radiance"], np.float32, 4 * width * height)
         return Picture(
-            (sums / np.float32(passes)).reshape(height, width, 4), pixels.reshape(height, width, 4)
+            np.float32(sums / passes).reshape(height, width, 4), pixels.reshape(height, width, 4)
         )
 
     def _frame_record(

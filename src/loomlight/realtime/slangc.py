@@ -52,7 +52,7 @@ def compile_shader(
     slangc = find_slangc()
     if slangc is None:
         raise MissingDependencyError(
-            "Compiling shaders needs slangc: pip install --no-deps slangtorch, or name it in LOOMLIGHT_SLANGC."
+            "Compiling shaders needs slangc: pip install --no-deps slangtorch, or set LOOMLIGHT_SLANGC."
         )
     command = [str(slangc), str(source), "-target", target, "-I", str(SHADERS), "-o", "-", *options]
     for entry in entries:

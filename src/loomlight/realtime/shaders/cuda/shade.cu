@@ -1633,8 +1633,8 @@ __device__ VisiblePoint_0 visible_point_0(Frame_0 * _S254, uint _S255, uint _S25
     float3  _S279 = camera_up_0(_S254);
     float _S280 = float(_S254->height_0);
     float3  _S281 = _S279 * make_float3 (-2.0f / _S280);
-    float _S282 = float(_S257.x) + 0.5f + _S254->jitter_x_0 - 0.5f * _S277;
-    float _S283 = float(_S257.y) + 0.5f + _S254->jitter_y_0 - 0.5f * _S280;
+    float _S282 = float(_S257.x) + 0.5f - 0.5f * _S277;
+    float _S283 = float(_S257.y) + 0.5f - 0.5f * _S280;
     float3  _S284 = camera_forward_0(_S254);
     float3  _S285 = _S284 + make_float3 (_S282) * _S278 + make_float3 (_S283) * _S281;
     float _S286 = dot_0(_S285, _S274);

@@ -1389,7 +1389,7 @@ VisiblePoint_0 visible_point_0(Frame_0 _S150, uint _S151, uint _S152, uvec2 _S15
     vec3 _S164 = camera_right_0(_S150) * (2.0 / _S163);
     float _S165 = float(_S150.height_0);
     vec3 _S166 = camera_up_0(_S150) * (-2.0 / _S165);
-    vec3 _S167 = camera_forward_0(_S150) + (float(_S153.x) + 0.5 + _S150.jitter_x_0 - 0.5 * _S163) * _S164 + (float(_S153.y) + 0.5 + _S150.jitter_y_0 - 0.5 * _S165) * _S166;
+    vec3 _S167 = camera_forward_0(_S150) + (float(_S153.x) + 0.5 - 0.5 * _S163) * _S164 + (float(_S153.y) + 0.5 - 0.5 * _S165) * _S166;
     float _S168 = dot(_S167, _S161);
     float _S169;
     if((abs(_S168)) > 1.00000000317107685e-30)

@@ -1386,7 +1386,7 @@ VisiblePoint_0 visible_point_0(Frame_0 _S150, uint _S151, uint _S152, uint2 _S15
     float3 _S164 = camera_right_0(_S150) * (2.0f / _S163);
     float _S165 = float(_S150.height_0);
     float3 _S166 = camera_up_0(_S150) * (-2.0f / _S165);
-    float3 _S167 = camera_forward_0(_S150) + (float(_S153.x) + 0.5f + _S150.jitter_x_0 - 0.5f * _S163) * _S164 + (float(_S153.y) + 0.5f + _S150.jitter_y_0 - 0.5f * _S165) * _S166;
+    float3 _S167 = camera_forward_0(_S150) + (float(_S153.x) + 0.5f - 0.5f * _S163) * _S164 + (float(_S153.y) + 0.5f - 0.5f * _S165) * _S166;
     float _S168 = dot(_S167, _S161);
     float _S169;
     if((abs(_S168)) > 1.00000000317107685e-30f)

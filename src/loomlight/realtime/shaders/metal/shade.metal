@@ -1440,8 +1440,8 @@ VisiblePoint_0 visible_point_0(const Frame_0 thread* _S202, uint _S203, uint _S2
     float3 _S224 = camera_up_0(_S202);
     float _S225 = float(_S202->height_0);
     float3 _S226 = _S224 * float3((-2.0f / _S225)) ;
-    float _S227 = float(_S205.x) + 0.5f + _S202->jitter_x_0 - 0.5f * _S222;
-    float _S228 = float(_S205.y) + 0.5f + _S202->jitter_y_0 - 0.5f * _S225;
+    float _S227 = float(_S205.x) + 0.5f - 0.5f * _S222;
+    float _S228 = float(_S205.y) + 0.5f - 0.5f * _S225;
     float3 _S229 = camera_forward_0(_S202);
     float3 _S230 = _S229 + float3(_S227)  * _S223 + float3(_S228)  * _S226;
     float _S231 = dot(_S230, _S219);

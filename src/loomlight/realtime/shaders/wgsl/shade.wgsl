@@ -1414,8 +1414,8 @@ fn visible_point_0( _S170 : ptr<function, Frame_std430_0>,  _S171 : u32,  _S172 
     var _S188 : vec3<f32> = camera_up_0(&((*_S170)));
     var _S189 : f32 = f32((*_S170).height_0);
     var _S190 : vec3<f32> = _S188 * vec3<f32>((-2.0f / _S189));
-    var _S191 : f32 = f32(_S173.x) + 0.5f + (*_S170).jitter_x_0 - 0.5f * _S186;
-    var _S192 : f32 = f32(_S173.y) + 0.5f + (*_S170).jitter_y_0 - 0.5f * _S189;
+    var _S191 : f32 = f32(_S173.x) + 0.5f - 0.5f * _S186;
+    var _S192 : f32 = f32(_S173.y) + 0.5f - 0.5f * _S189;
     var _S193 : vec3<f32> = camera_forward_0(&((*_S170)));
     var _S194 : vec3<f32> = _S193 + vec3<f32>(_S191) * _S187 + vec3<f32>(_S192) * _S190;
     var _S195 : f32 = dot(_S194, _S183);
