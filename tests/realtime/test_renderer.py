@@ -135,9 +135,7 @@ def test_a_far_point_light_is_a_directional_one() -> None:
 
 
 def test_the_background_shows_beside_the_cloth_and_through_holes() -> None:
-    open_cloth = fabric_from_text(
-        'weave = "plain"\n[warp]\ngap = 0.6\n[weft]\ngap = 0.6\n'
-    )
+    open_cloth = fabric_from_text('weave = "plain"\n[warp]\ngap = 0.6\n[weft]\ngap = 0.6\n')
     renderer = Renderer([Cloth(rectangle(SIDE, SIDE), open_cloth)], (24, 24))
     above = renderer.render(Camera((0, 0, 0.05)), [], samples=64, background=(0.25, 0.5, 1)).linear
     # Of open cloth, 0.6² of the plan is holes; no light falls on the rest.

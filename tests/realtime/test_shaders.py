@@ -1,7 +1,7 @@
 """Slang functions against their Python twins on one set of arguments, then whole queries of the point model.
 
-The bar is |a − b| ≤ 1e-5 + 1e-3·|b| (`queries.py`). Searches along rays decide by comparisons, so a few queries
-in ten thousand fall on the other side of an edge; they are counted.
+The bar is |a − b| ≤ 1e-5 + 1e-3·|b| (`queries.py`). Searches along rays decide by comparisons, so a few
+queries in ten thousand fall on the other side of an edge; they are counted.
 """
 
 from __future__ import annotations
@@ -93,7 +93,8 @@ def test_surface(layout: ClothLayout) -> None:
     at = places(rng, layout, COUNT)
     results = (
         "p.hole; p.is_warp; p.height; p.normal.x; p.normal.y; p.normal.z;"
-        "p.tangent.x; p.tangent.y; p.tangent.z; p.across; p.fibre_across; p.fibre_along; p.warp_thread; p.weft_thread"
+        "p.tangent.x; p.tangent.y; p.tangent.z; p.across; p.fibre_across; p.fibre_along;"
+        "p.warp_thread; p.weft_thread"
     )
     body = "let p = surface_at(fabric, x, y, back);"
     found = mapped("geometry", body, results, at.arguments(), (layout, appearance(rng, layout, False, False)))

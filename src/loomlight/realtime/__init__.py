@@ -1,4 +1,4 @@
-"""Cloth in real time: frames of meshes on a graphics adapter. One Slang source gives shaders for every API."""
+"""Cloth in real time: frames of meshes on a graphics adapter. One Slang source serves every API."""
 
 from __future__ import annotations
 

@@ -149,8 +149,6 @@ def default_adapter() -> Adapter:
     if not found:
         raise MissingDependencyError(NO_ADAPTER)
     adapter = min(found, key=lambda a: a.info["adapter_type"] == "CPU")
-    limits = {
-        name: adapter.limits[name] for name in ("max-storage-buffer-binding-size", "max-buffer-size")
-    }
+    limits = {name: adapter.limits[name] for name in ("max-storage-buffer-binding-size", "max-buffer-size")}
     device = adapter.request_device_sync(required_limits=limits)
     return Adapter(adapter.info["device"], adapter.info["adapter_type"] == "CPU", device)

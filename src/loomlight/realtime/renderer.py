@@ -115,9 +115,7 @@ class Renderer:
         self._compute("tone_map", [-(-width * height // 64)])
         pixels = self.adapter.read(self._resources["pixels"], np.uint8, 4 * width * height)
         sums = self.adapter.read(self._resources["radiance"], np.float32, 4 * width * height)
-        return Picture(
-            np.float32(sums / passes).reshape(height, width, 4), pixels.reshape(height, width, 4)
-        )
+        return Picture(np.float32(sums / passes).reshape(height, width, 4), pixels.reshape(height, width, 4))
 
     def _frame_record(
         self, camera: Camera, lights: int, samples: int, background: Sequence[float]
@@ -214,9 +212,7 @@ class Renderer:
         }
         raster = encoder.begin_render_pass(color_attachments=[target], depth_stencil_attachment=depth)
         raster.set_pipeline(self._raster)
-        raster.set_bind_group(
-            0, self.adapter.bindings(self._raster, _wgsl("raster_vertex"), self._resources)
-        )
+        raster.set_bind_group(0, self.adapter.bindings(self._raster, _wgsl("raster_vertex"), self._resources))
         raster.draw(3 * self._face_count)
         raster.end()
         device.queue.submit([encoder.finish()])
