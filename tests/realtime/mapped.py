@@ -26,7 +26,7 @@ def mapped(
     body: str,
     results: str,
     arguments: Mapping[str, NDArray[Any]],
-    fabric: tuple[Any, Any] | None = None,
+    fabric: tuple[Any, ...] | None = None,
 ) -> NDArray[np.float32]:
     """What a few lines of Slang make of each row of the arguments: float32 [n, results].
 
@@ -35,7 +35,7 @@ def mapped(
         body: statements that may use the arguments by name, and `fabric`.
         results: numbers to return, expressions of type float, uint or bool separated by ";".
         arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
-        fabric: layout and appearance.
+        fabric: layout, appearance, and tables of lobes where the lines need them.
     """
     count = len(next(iter(arguments.values())))
     columns: list[NDArray[np.uint32]] = []
@@ -66,7 +66,8 @@ def mapped(
     data = np.concatenate([np.array([count], np.uint32), *columns])
     buffers = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
     if fabric is not None:
-        records, words = pack_fabrics([fabric])
+        layout, appearance, *lobes = fabric
+        records, words = pack_fabrics([(layout, appearance)], lobes=lobes or None)
         buffers |= {"fabrics": adapter.storage(records), "words": adapter.storage(words)}
     pipeline = adapter.pipeline(wgsl, "map_rows")
     group = adapter.bindings(pipeline, wgsl, buffers)

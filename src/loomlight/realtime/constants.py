@@ -10,6 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from loomlight.models.lobes import bsdf as lobe_bsdf
+from loomlight.models.lobes import coverage_lookup, density, hemisphere, packed_uint8, prefiltered
+from loomlight.models.lobes import tables as lobe_tables
 from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
@@ -31,6 +34,25 @@ _FLOATS: dict[str, float] = {
     "SHEEN_CEILING": sheen_coefficients.CEILING,
     "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
     "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
+    "MIN_NODE_COSINE": hemisphere.MIN_COSINE,
+    "TENT_VARIANCE": coverage_lookup.TENT_VARIANCE,
+    "TAP_SIZE": coverage_lookup.TAP_SIZE,
+    "MIN_TAP_SPACING": coverage_lookup.MIN_TAP_SPACING,
+    "MIN_FOOTPRINT": coverage_lookup._MIN_SIZE,
+    "GROUP_NARROWEST": density.NARROWEST,
+    "GROUP_SMALLEST_STEEPNESS": density.SMALLEST_STEEPNESS,
+    "GROUP_SMALLEST_COSINE": density.SMALLEST_COSINE,
+    "GROUP_SPREAD_LOSS": density.SPREAD_LOSS,
+    "GROUP_SMALLEST_PATH": density.SMALLEST_PATH,
+    "SPECULAR_CORRELATION": prefiltered.SPECULAR_CORRELATION,
+    "SMALLEST_GROUP_WEIGHT": lobe_bsdf.SMALLEST_WEIGHT,
+}
+_VECTORS: dict[str, tuple[float, float]] = {
+    "DIFFUSE_CORRELATION": prefiltered.DIFFUSE_CORRELATION,
+    "TRANSMISSION_CORRELATION": prefiltered.TRANSMISSION_CORRELATION,
+}
+_VECTOR_ARRAYS: dict[str, Sequence[tuple[float, float]]] = {
+    "TAP_OFFSETS": coverage_lookup.TAP_OFFSETS,
 }
 _UINTS: dict[str, int] = {
     "MOST_SAMPLES": search.DEFAULT_QUALITY.steps,
@@ -39,11 +61,19 @@ _UINTS: dict[str, int] = {
     "TILE_CELLS": max_heights.TILE_CELLS,
     "FIBRE_STREAM": variation._FIBRE_STREAM,
     "THREAD_STREAM": variation._THREAD_STREAM,
+    "AZIMUTHS": hemisphere.AZIMUTHS,
+    "RINGS": hemisphere.RINGS,
+    "NODES": hemisphere.NODES,
+    "TAPS": len(coverage_lookup.TAP_OFFSETS),
+    "WEIGHT_SUM": packed_uint8.WEIGHT_SUM,
+    "MOMENTS": lobe_tables.MOMENTS,
 }
 _POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
     "sheen_scale": sheen_coefficients.SCALE,
     "sheen_shear": sheen_coefficients.SHEAR,
     "sheen_reflectance": sheen_coefficients.REFLECTANCE,
+    # atan(x)/x in powers of x².
+    "arc_tangent_quotient": [[coefficient] for coefficient in density._ARC_TANGENT],
 }
 
 
@@ -59,12 +89,21 @@ def slang_constants() -> str:
     lines += [f"static const uint {name} = {value}u;" for name, value in _UINTS.items()]
     radii = ", ".join(number_text(radius) for radius in max_heights.PYRAMID_RADII)
     lines.append(f"static const float PYRAMID_RADII[{len(max_heights.PYRAMID_RADII)}] = {{ {radii} }};")
+    for name, vector in _VECTORS.items():
+        lines.append(f"static const float2 {name} = {_vector(vector)};")
+    for name, vectors in _VECTOR_ARRAYS.items():
+        items = ", ".join(_vector(vector) for vector in vectors)
+        lines.append(f"static const float2 {name}[{len(vectors)}] = {{ {items} }};")
     for name, rows in _POLYNOMIALS.items():
         lines += ["", f"float {name}(float x, float y)", "{", "    var value = 0.0;"]
         for row in reversed(rows):
             lines.append(f"    value = value * x + ({_horner(row)});")
         lines += ["    return value;", "}"]
     return "\n".join(lines) + "\n"
+
+
+def _vector(numbers: tuple[float, float]) -> str:
+    return f"float2({number_text(numbers[0])}, {number_text(numbers[1])})"
 
 
 def _horner(row: Sequence[float]) -> str:

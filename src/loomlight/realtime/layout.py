@@ -37,9 +37,29 @@ FAMILY: Fields = (
     ("albedo_stride", "uint", "words from one thread's albedos to the next; 0 where they are alike"),
 )
 
+LOBES: Fields = (
+    ("is_baked", "uint", "0 where the fabric has no tables of lobes"),
+    ("inverse_base_size", "float", "1 / side of the squares of the pyramid's first level"),
+    ("last_level", "float", "of the coverage pyramid"),
+    ("levels", "uint", "first node, columns, rows of each level, four numbers each"),
+    ("face_nodes", "uint", "nodes of the pyramid of one face"),
+    ("packs", "uint", "packs of four groups; even"),
+    ("front_warp_packs", "uint", "how many, the first ones, are the warp's"),
+    ("back_warp_packs", "uint", "the same of the back"),
+    ("coverage", "uint", "bytes of the pyramid [2 faces, nodes, packs]"),
+    ("coverage_holes", "uint", "bytes of holes [2 faces, nodes], four a word"),
+    ("projected_area", "uint", "bytes [2 faces, hemisphere nodes, packs + 1]: square roots; holes last"),
+    ("light_visibility", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1"),
+    ("irradiance", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1/π"),
+    ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
+    ("front_hole_weight", "float", "weight of holes"),
+    ("back_hole_weight", "float", "the same of the back"),
+)
+
 FABRIC: Fields = (
     ("warp", "Family", "threads along y"),
     ("weft", "Family", "threads along x"),
+    ("lobes", "Lobes", "tables of the model lobes"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
     ("max_heights", "uint", "max-height pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4]"),
@@ -113,6 +133,7 @@ VERTEX: Fields = (
 
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
+    "Lobes": LOBES,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

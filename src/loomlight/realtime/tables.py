@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.lobes.tables import LobeTables
 from loomlight.realtime.layout import numpy_type
 from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -45,18 +46,24 @@ class WordTable:
 
 
 def pack_fabrics(
-    fabrics: Sequence[tuple[ClothLayout, Appearance]], uv_size_mm: Sequence[tuple[float, float]] | None = None
+    fabrics: Sequence[tuple[ClothLayout, Appearance]],
+    uv_size_mm: Sequence[tuple[float, float]] | None = None,
+    lobes: Sequence[LobeTables | None] | None = None,
 ) -> tuple[Record, Words]:
     """Records [n] of fabrics, and the words of their tables.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
+        lobes: baked tables of each fabric; None for none.
     """
     table = WordTable()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     for number, (layout, appearance) in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
         _pack_fabric(records[number], table, layout, appearance, size)
+        baked = None if lobes is None else lobes[number]
+        if baked is not None:
+            _pack_lobes(records["lobes"][number], table, baked)
     return records, table.words()
 
 
@@ -155,3 +162,35 @@ def _pack_family(
     values["albedo_stride"] = 0 if alike else albedos[0].size
     for name, value in values.items():
         record[name] = value
+
+
+def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables) -> None:
+    packs = lobes.packs
+    levels = np.pad(np.asarray(lobes.levels, np.float64), ((0, 0), (0, 1)))
+    values = {
+        "is_baked": 1,
+        "inverse_base_size": 1 / lobes.base_size,
+        "last_level": len(levels) - 1,
+        # Node indices stay below 2²⁴, which float32 holds exactly.
+        "levels": table.add(levels),
+        "face_nodes": lobes.coverage.shape[1],
+        "packs": packs,
+        "front_warp_packs": lobes.warp_packs[0],
+        "back_warp_packs": lobes.warp_packs[1],
+        "coverage": table.add(_words_of(lobes.coverage[..., : 4 * packs])),
+        "coverage_holes": table.add(_words_of(lobes.coverage[..., 4 * packs].ravel())),
+        "projected_area": table.add(_words_of(lobes.projected_area)),
+        "light_visibility": table.add(_words_of(lobes.light_visibility)),
+        "irradiance": table.add(_words_of(lobes.irradiance)),
+        "moments": table.add(lobes.moments),
+        "front_hole_weight": lobes.hole_weight[0],
+        "back_hole_weight": lobes.hole_weight[1],
+    }
+    for name, value in values.items():
+        record[name] = value
+
+
+def _words_of(values: NDArray[np.uint8]) -> Words:
+    """Bytes as little-endian words, filled up with zeros at the end."""
+    flat = np.ascontiguousarray(values).ravel()
+    return np.pad(flat, (0, -flat.size % 4)).view("<u4").astype(np.uint32)
