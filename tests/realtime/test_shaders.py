@@ -114,14 +114,14 @@ def test_view_and_shadow_rays(layout: ClothLayout) -> None:
     view = directions(rng, COUNT)
     view[:, 2] = np.abs(view[:, 2])
     body = (
-        "let hit = first_hit(fabric, x, y, view, back);"
+        "let hit = first_hit(fabric, default_quality(), x, y, view, back);"
         "let point = surface_at(fabric, x, y, back);"
-        "let free = unoccluded(fabric, x, y, point.height, view, back);"
+        "let free = unoccluded(fabric, default_quality(), x, y, point.height, view, back);"
     )
     arguments = at.arguments() | {"view": view}
     looks = (layout, appearance(rng, layout, False, False))
     results = "hit.x; hit.y; hit.height; hit.hole; free"
-    found = mapped("visibility geometry", body, results, arguments, looks)
+    found = mapped("visibility geometry search", body, results, arguments, looks)
     geometry = YarnGeometry(layout)
     x, y, back = at.arrays()
     hit = first_hit(geometry, x, y, vectors(view), back)
@@ -143,10 +143,13 @@ def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
     at = places(rng, layout, COUNT)
     light, view = directions(rng, COUNT), directions(rng, COUNT)
     looks = appearance(rng, layout, sheen=varied, varies=varied)
-    body = "let p = locate_yarn(fabric, x, y, view); let f = evaluate(fabric, p, light, view);"
+    body = (
+        "let q = default_quality(); let p = locate_yarn(fabric, q, x, y, view);"
+        "let f = evaluate(fabric, q, p, light, view);"
+    )
     results = "f.x; f.y; f.z; straight_through(fabric, p, view)"
     arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
-    found = mapped("point", body, results, arguments, (layout, looks))
+    found = mapped("point search", body, results, arguments, (layout, looks))
     model = PointModel(YarnGeometry(layout), looks)
     x, y, _ = at.arrays()
     point = model.locate(x, y, vectors(view))

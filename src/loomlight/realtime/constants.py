@@ -10,8 +10,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from loomlight.aggregate import footprint_albedos
 from loomlight.models.lobes import bsdf as lobe_bsdf
-from loomlight.models.lobes import coverage_lookup, density, hemisphere, packed_uint8, prefiltered
+from loomlight.models.lobes import coverage_lookup, density, hemisphere, packed_uint8, point_sampled, prefiltered, regimes
 from loomlight.models.lobes import tables as lobe_tables
 from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
@@ -46,6 +47,19 @@ _FLOATS: dict[str, float] = {
     "GROUP_SMALLEST_PATH": density.SMALLEST_PATH,
     "SPECULAR_CORRELATION": prefiltered.SPECULAR_CORRELATION,
     "SMALLEST_GROUP_WEIGHT": lobe_bsdf.SMALLEST_WEIGHT,
+    "BLEND_FROM": math.log2(regimes._BLEND_RANGE[0]),
+    "BLEND_TO": math.log2(regimes._BLEND_RANGE[1]),
+    "SMALLEST_FOOTPRINT": regimes._NEAREST,
+    "MOST_POINTS": point_sampled.MOST_POINTS,
+    "POINTS_PER_THREAD": point_sampled._POINTS_PER_THREAD,
+    "FINEST_FOOTPRINT": math.log2(point_sampled._FINEST),
+    "COARSEST_FOOTPRINT": math.log2(point_sampled._COARSEST),
+    "COARSE_STEPS": point_sampled._COARSE.steps_per_thread,
+    "COARSE_SHADOW_SHARE": point_sampled._COARSE.shadow_share,
+    "COARSE_REFINEMENTS": point_sampled._COARSE.refinements,
+    "ALBEDO_NOISE_UNITS": footprint_albedos._NOISE_UNITS,
+    "ALBEDO_NOISE_FRACTION": footprint_albedos._NOISE_FRACTION,
+    "HIDDEN_WEIGHT": footprint_albedos._HIDDEN,
 }
 _VECTORS: dict[str, tuple[float, float]] = {
     "DIFFUSE_CORRELATION": prefiltered.DIFFUSE_CORRELATION,
@@ -53,6 +67,7 @@ _VECTORS: dict[str, tuple[float, float]] = {
 }
 _VECTOR_ARRAYS: dict[str, Sequence[tuple[float, float]]] = {
     "TAP_OFFSETS": coverage_lookup.TAP_OFFSETS,
+    "POINT_OFFSETS": point_sampled.POINT_OFFSETS,
 }
 _UINTS: dict[str, int] = {
     "MOST_SAMPLES": search.DEFAULT_QUALITY.steps,

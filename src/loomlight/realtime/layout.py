@@ -35,6 +35,16 @@ FAMILY: Fields = (
     ("roughness", "float", "α"),
     ("albedo_table", "uint", "four albedos of each thread, twelve words each"),
     ("albedo_stride", "uint", "words from one thread's albedos to the next; 0 where they are alike"),
+    ("before", "uint", "visible widths and cells of all threads before each [n + 1, 2]"),
+    ("visible_total", "float", "visible widths of all threads"),
+    ("smallest_box", "float", "least width of a box across the family"),
+    ("quantities", "uint", "1 and the principal coordinates of albedos; 1 where threads are alike"),
+    ("colour_mean", "uint", "mean of the twelve albedos over the threads"),
+    ("colour_axes", "uint", "albedos that a principal coordinate of 1 adds [quantities − 1, 12]"),
+    ("colour_threads", "uint", "quantities of each thread and their integrals before it [n + 1, 3, quantities]"),
+    ("colour_areas", "uint", "integrals over all crossings before, of threads on top [m + 1, n + 1, quantities]"),
+    ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
+    ("crossing_area", "float", "mean visible area of a crossing"),
 )
 
 LOBES: Fields = (
@@ -54,6 +64,8 @@ LOBES: Fields = (
     ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
     ("front_hole_weight", "float", "weight of holes"),
     ("back_hole_weight", "float", "the same of the back"),
+    ("threads_per_mm", "float", "1 / mean size of a thread"),
+    ("unit_level", "float", "log₂ of the length that separates the regimes"),
 )
 
 FABRIC: Fields = (

@@ -8,6 +8,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.aggregate import footprint_albedos
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.models.lobes import regimes
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.realtime.layout import numpy_type
 from loomlight.scattering import point as point_model
@@ -63,7 +66,7 @@ def pack_fabrics(
         _pack_fabric(records[number], table, layout, appearance, size)
         baked = None if lobes is None else lobes[number]
         if baked is not None:
-            _pack_lobes(records["lobes"][number], table, baked)
+            _pack_lobes(records["lobes"][number], table, baked, layout)
     return records, table.words()
 
 
@@ -76,8 +79,11 @@ def _pack_fabric(
 ) -> None:
     geometry = YarnGeometry(layout)
     warp, weft = geometry.families
+    means = FootprintAlbedos(geometry, appearance)
     _pack_family(record["warp"], table, warp, layout.warp, appearance.warp)
     _pack_family(record["weft"], table, weft, layout.weft, appearance.weft)
+    for name, family, colours in zip(("warp", "weft"), (warp, weft), means._tables, strict=True):
+        _pack_colours(record[name], table, family, colours)
     run_words, max_heights = geometry.words
     fine_x, fine_y = geometry.finest
     low, high = geometry.height_bounds
@@ -164,7 +170,33 @@ def _pack_family(
         record[name] = value
 
 
-def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables) -> None:
+def _pack_colours(
+    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos._FamilyTables
+) -> None:
+    lengths = np.stack([2 * threads.half_width, threads.upper - threads.lower], axis=1)
+    before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
+    quantities = len(colours.axes) + 1
+    values = {
+        "before": table.add(before),
+        "visible_total": before[-1, 0],
+        "smallest_box": footprint_albedos._SMALLEST_BOX * threads.period / threads.lower.size,
+        "quantities": quantities,
+        "colour_mean": table.add(colours.mean),
+        "colour_axes": table.add(colours.axes),
+        "area_unit": colours.unit,
+        "crossing_area": colours.crossing,
+    }
+    if quantities > 1:
+        values["colour_threads"] = table.add(colours.threads)
+        values["colour_areas"] = table.add(colours.areas[..., :quantities])
+    for name, value in values.items():
+        record[name] = value
+
+
+def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: ClothLayout) -> None:
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    thread = math.sqrt(width / ends * height / picks)
     packs = lobes.packs
     levels = np.pad(np.asarray(lobes.levels, np.float64), ((0, 0), (0, 1)))
     values = {
@@ -185,6 +217,8 @@ def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables) -> None:
         "moments": table.add(lobes.moments),
         "front_hole_weight": lobes.hole_weight[0],
         "back_hole_weight": lobes.hole_weight[1],
+        "threads_per_mm": 1 / thread,
+        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * lobes.base_size)),
     }
     for name, value in values.items():
         record[name] = value
