@@ -67,8 +67,8 @@ def mapped(
     buffers = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
     if fabric is not None:
         layout, appearance, *lobes = fabric
-        records, words = pack_fabrics([(layout, appearance)], lobes=lobes or None)
-        buffers |= {"fabrics": adapter.storage(records), "words": adapter.storage(words)}
+        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None)
+        buffers |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
     pipeline = adapter.pipeline(wgsl, "map_rows")
     group = adapter.bindings(pipeline, wgsl, buffers)
     encoder = adapter.device.create_command_encoder()

@@ -43,12 +43,13 @@ def test_tables_of_two_fabrics_stand_one_behind_the_other() -> None:
     rng = np.random.default_rng(0)
     layouts = [even_layout(TWILL), random_layout(rng, uneven=True)]
     looks = [appearance(rng, layout, True, True) for layout in layouts]
-    records, words = pack_fabrics(list(zip(layouts, looks, strict=True)), [(10, 20), (30, 40)])
+    packed = pack_fabrics(list(zip(layouts, looks, strict=True)), [(10, 20), (30, 40)])
+    records, words = packed.fabrics, packed.words
     for record, layout, look in zip(records, layouts, looks, strict=True):
         runs = YarnGeometry(layout).words[0]
         first = int(record["run_words"])
         np.testing.assert_array_equal(words[first : first + runs.size], runs.ravel())
-        warp = record["warp"]
+        warp = packed.families[record["warp"]]
         row = int(warp["albedo_table"] + warp["albedo_stride"] * (len(look.warp.diffuse_reflect) - 1))
         found = words[row : row + 3].view(np.float32)
         np.testing.assert_allclose(found, look.warp.diffuse_reflect[-1], rtol=1e-6)
@@ -58,6 +59,6 @@ def test_tables_of_two_fabrics_stand_one_behind_the_other() -> None:
 def test_threads_alike_share_one_row() -> None:
     rng = np.random.default_rng(0)
     layout = even_layout(TWILL)
-    records, _ = pack_fabrics([(layout, appearance(rng, layout, False, False))])
-    assert records["warp"]["is_alike"][0] == 1
-    assert records["warp"]["albedo_stride"][0] == 0
+    families = pack_fabrics([(layout, appearance(rng, layout, False, False))]).families
+    assert families["is_alike"].tolist() == [1, 1]
+    assert families["albedo_stride"].tolist() == [0, 0]

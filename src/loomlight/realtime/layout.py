@@ -69,8 +69,8 @@ LOBES: Fields = (
 )
 
 FABRIC: Fields = (
-    ("warp", "Family", "threads along y"),
-    ("weft", "Family", "threads along x"),
+    ("warp", "uint", "index of the record of the warp, threads along y"),
+    ("weft", "uint", "index of the record of the weft, threads along x"),
     ("lobes", "Lobes", "tables of the model lobes"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
@@ -155,6 +155,7 @@ RECORDS: dict[str, Fields] = {
 # Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.
 BUFFERS: dict[str, tuple[str, bool]] = {
     "fabrics": ("Fabric", False),
+    "families": ("Family", False),
     "words": ("uint", False),
     "lights": ("Light", False),
     "frames": ("Frame", False),

@@ -144,12 +144,12 @@ class Renderer:
         self._store("face_fabrics", numbers)
 
     def _upload_fabrics(self) -> None:
-        records, words = pack_fabrics(
+        packed = pack_fabrics(
             [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths],
             [cloth.uv_size_mm for cloth in self._cloths],
         )
-        self._store("fabrics", records)
-        self._store("words", words)
+        for name, values in packed.buffers().items():
+            self._store(name, values)
 
     def _upload_targets(self) -> None:
         wgpu = wgpu_module()

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,12 +50,31 @@ class WordTable:
         return np.concatenate(self._parts) if self._parts else np.zeros(1, np.uint32)
 
 
+@dataclass(frozen=True, eq=False)
+class Packed:
+    """Fabrics as buffers.
+
+    Attributes:
+        fabrics: records [n].
+        families: records of the warp and the weft of each [2 n].
+        words: of all tables.
+    """
+
+    fabrics: Record
+    families: Record
+    words: Words
+
+    def buffers(self) -> dict[str, NDArray[Any]]:
+        """Contents of buffers by name."""
+        return {"fabrics": self.fabrics, "families": self.families, "words": self.words}
+
+
 def pack_fabrics(
     fabrics: Sequence[tuple[ClothLayout, Appearance]],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
     lobes: Sequence[LobeTables | None] | None = None,
-) -> tuple[Record, Words]:
-    """Records [n] of fabrics, and the words of their tables.
+) -> Packed:
+    """Records of fabrics and the words of their tables.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
@@ -61,17 +82,20 @@ def pack_fabrics(
     """
     table = WordTable()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
+    families = np.zeros((len(fabrics), 2), numpy_type("Family"))
     for number, (layout, appearance) in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
-        _pack_fabric(records[number], table, layout, appearance, size)
+        records[number]["warp"], records[number]["weft"] = 2 * number, 2 * number + 1
+        _pack_fabric(records[number], families[number], table, layout, appearance, size)
         baked = None if lobes is None else lobes[number]
         if baked is not None:
             _pack_lobes(records["lobes"][number], table, baked, layout)
-    return records, table.words()
+    return Packed(records, families.ravel(), table.words())
 
 
 def _pack_fabric(
     record: np.void,
+    families: Record,
     table: WordTable,
     layout: ClothLayout,
     appearance: Appearance,
@@ -80,10 +104,10 @@ def _pack_fabric(
     geometry = YarnGeometry(layout)
     warp, weft = geometry.families
     means = FootprintAlbedos(geometry, appearance)
-    _pack_family(record["warp"], table, warp, layout.warp, appearance.warp)
-    _pack_family(record["weft"], table, weft, layout.weft, appearance.weft)
-    for name, family, colours in zip(("warp", "weft"), (warp, weft), means._tables, strict=True):
-        _pack_colours(record[name], table, family, colours)
+    _pack_family(families[0], table, warp, layout.warp, appearance.warp)
+    _pack_family(families[1], table, weft, layout.weft, appearance.weft)
+    for of_family, threads, colours in zip(families, (warp, weft), means._tables, strict=True):
+        _pack_colours(of_family, table, threads, colours)
     run_words, max_heights = geometry.words
     fine_x, fine_y = geometry.finest
     low, high = geometry.height_bounds

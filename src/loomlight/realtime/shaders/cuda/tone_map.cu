@@ -1,4 +1,54 @@
 #include <slang-cuda-prelude.h>
+struct Lobes_0
+{
+    uint is_baked_0;
+    float inverse_base_size_0;
+    float last_level_0;
+    uint levels_0;
+    uint face_nodes_0;
+    uint packs_0;
+    uint front_warp_packs_0;
+    uint back_warp_packs_0;
+    uint coverage_0;
+    uint coverage_holes_0;
+    uint projected_area_0;
+    uint light_visibility_0;
+    uint irradiance_0;
+    uint moments_0;
+    float front_hole_weight_0;
+    float back_hole_weight_0;
+    float threads_per_mm_0;
+    float unit_level_0;
+};
+
+struct Fabric_0
+{
+    uint warp_0;
+    uint weft_0;
+    Lobes_0 lobes_0;
+    uint run_words_0;
+    uint ends_0;
+    uint max_heights_0;
+    uint max_height_columns_0;
+    float height_low_0;
+    float height_high_0;
+    float lift_0;
+    float threads_per_x_0;
+    float threads_per_y_0;
+    float per_relief_0;
+    float diffuse_blend_0;
+    float optical_depth_0;
+    float sheen_strength_0;
+    float sheen_roughness_0;
+    float fibre_noise_0;
+    float colour_noise_0;
+    uint seed_0;
+    float layer_bound_0;
+    float fibre_size_0;
+    float uv_width_0;
+    float uv_height_0;
+};
+
 struct Family_0
 {
     uint is_alike_0;
@@ -22,33 +72,16 @@ struct Family_0
     float roughness_0;
     uint albedo_table_0;
     uint albedo_stride_0;
-};
-
-struct Fabric_0
-{
-    Family_0 warp_0;
-    Family_0 weft_0;
-    uint run_words_0;
-    uint ends_0;
-    uint max_heights_0;
-    uint max_height_columns_0;
-    float height_low_0;
-    float height_high_0;
-    float lift_0;
-    float threads_per_x_0;
-    float threads_per_y_0;
-    float per_relief_0;
-    float diffuse_blend_0;
-    float optical_depth_0;
-    float sheen_strength_0;
-    float sheen_roughness_0;
-    float fibre_noise_0;
-    float colour_noise_0;
-    uint seed_0;
-    float layer_bound_0;
-    float fibre_size_0;
-    float uv_width_0;
-    float uv_height_0;
+    uint before_0;
+    float visible_total_0;
+    float smallest_box_0;
+    uint quantities_0;
+    uint colour_mean_0;
+    uint colour_axes_0;
+    uint colour_threads_0;
+    uint colour_areas_0;
+    float area_unit_0;
+    float crossing_area_0;
 };
 
 struct Light_0
@@ -105,6 +138,7 @@ struct Vertex_0
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
+    StructuredBuffer<Family_0> families_0;
     StructuredBuffer<uint> words_0;
     StructuredBuffer<Light_0> lights_1;
     StructuredBuffer<Frame_0> frames_0;

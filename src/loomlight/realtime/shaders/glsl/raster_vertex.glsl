@@ -30,10 +30,10 @@ struct Frame_0
     float background_blue_0;
 };
 
-layout(std430, binding = 3) readonly buffer StructuredBuffer_Frame_t_0 {
+layout(std430, binding = 4) readonly buffer StructuredBuffer_Frame_t_0 {
     Frame_0 _data[];
 } frames_0;
-layout(std430, binding = 5) readonly buffer StructuredBuffer_uint_t_0 {
+layout(std430, binding = 6) readonly buffer StructuredBuffer_uint_t_0 {
     uint _data[];
 } corners_0;
 struct Vertex_0
@@ -48,7 +48,7 @@ struct Vertex_0
     float v_0;
 };
 
-layout(std430, binding = 4) readonly buffer StructuredBuffer_Vertex_t_0 {
+layout(std430, binding = 5) readonly buffer StructuredBuffer_Vertex_t_0 {
     Vertex_0 _data[];
 } vertices_0;
 vec3 position_of_0(Vertex_0 vertex_0)

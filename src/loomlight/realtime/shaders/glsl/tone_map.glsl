@@ -29,13 +29,13 @@ struct Frame_0
     float background_blue_0;
 };
 
-layout(std430, binding = 3) readonly buffer StructuredBuffer_Frame_t_0 {
+layout(std430, binding = 4) readonly buffer StructuredBuffer_Frame_t_0 {
     Frame_0 _data[];
 } frames_0;
-layout(std430, binding = 7) buffer StructuredBuffer_vectorx3Cfloatx2C4x3E_t_0 {
+layout(std430, binding = 8) buffer StructuredBuffer_vectorx3Cfloatx2C4x3E_t_0 {
     vec4 _data[];
 } radiance_0;
-layout(std430, binding = 8) buffer StructuredBuffer_uint_t_0 {
+layout(std430, binding = 9) buffer StructuredBuffer_uint_t_0 {
     uint _data[];
 } pixels_0;
 float natural_logarithm_0(float x_0)

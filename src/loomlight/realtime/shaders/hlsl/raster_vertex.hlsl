@@ -36,9 +36,9 @@ struct Frame_0
     float background_blue_0;
 };
 
-StructuredBuffer<Frame_0 > frames_0 : register(t3);
+StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-StructuredBuffer<uint > corners_0 : register(t5);
+StructuredBuffer<uint > corners_0 : register(t6);
 
 struct Vertex_0
 {
@@ -52,7 +52,7 @@ struct Vertex_0
     float v_0;
 };
 
-StructuredBuffer<Vertex_0 > vertices_0 : register(t4);
+StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
 
 float3 position_of_0(Vertex_0 vertex_0)
 {

@@ -36,41 +36,39 @@ struct Frame_0
     float background_blue_0;
 };
 
-StructuredBuffer<Frame_0 > frames_0 : register(t3);
+StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-Texture2D<uint > visible_faces_0 : register(t7);
+Texture2D<uint > visible_faces_0 : register(t8);
 
-StructuredBuffer<uint > face_fabrics_0 : register(t6);
+StructuredBuffer<uint > face_fabrics_0 : register(t7);
 
-struct Family_0
+struct Lobes_0
 {
-    uint is_alike_0;
-    float count_0;
-    float inverse_count_0;
-    float half_inverse_count_0;
-    float size_0;
-    float inverse_size_0;
-    float half_width_0;
-    float start_0;
-    float period_0;
-    float inverse_period_0;
-    float bins_0;
-    uint first_thread_table_0;
-    uint place_table_0;
-    uint bend_table_0;
-    float height_scale_0;
-    float twist_sine_0;
-    float twist_cosine_0;
-    float level_0;
-    float roughness_0;
-    uint albedo_table_0;
-    uint albedo_stride_0;
+    uint is_baked_0;
+    float inverse_base_size_0;
+    float last_level_0;
+    uint levels_0;
+    uint face_nodes_0;
+    uint packs_0;
+    uint front_warp_packs_0;
+    uint back_warp_packs_0;
+    uint coverage_0;
+    uint coverage_holes_0;
+    uint projected_area_0;
+    uint light_visibility_0;
+    uint irradiance_0;
+    uint moments_0;
+    float front_hole_weight_0;
+    float back_hole_weight_0;
+    float threads_per_mm_0;
+    float unit_level_0;
 };
 
 struct Fabric_0
 {
-    Family_0 warp_0;
-    Family_0 weft_0;
+    uint warp_0;
+    uint weft_0;
+    Lobes_0 lobes_0;
     uint run_words_0;
     uint ends_0;
     uint max_heights_0;
@@ -96,7 +94,7 @@ struct Fabric_0
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
 
-StructuredBuffer<uint > corners_0 : register(t5);
+StructuredBuffer<uint > corners_0 : register(t6);
 
 struct Vertex_0
 {
@@ -110,9 +108,46 @@ struct Vertex_0
     float v_0;
 };
 
-StructuredBuffer<Vertex_0 > vertices_0 : register(t4);
+StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
 
-StructuredBuffer<uint > words_0 : register(t1);
+struct Family_0
+{
+    uint is_alike_0;
+    float count_0;
+    float inverse_count_0;
+    float half_inverse_count_0;
+    float size_0;
+    float inverse_size_0;
+    float half_width_0;
+    float start_0;
+    float period_0;
+    float inverse_period_0;
+    float bins_0;
+    uint first_thread_table_0;
+    uint place_table_0;
+    uint bend_table_0;
+    float height_scale_0;
+    float twist_sine_0;
+    float twist_cosine_0;
+    float level_0;
+    float roughness_0;
+    uint albedo_table_0;
+    uint albedo_stride_0;
+    uint before_0;
+    float visible_total_0;
+    float smallest_box_0;
+    uint quantities_0;
+    uint colour_mean_0;
+    uint colour_axes_0;
+    uint colour_threads_0;
+    uint colour_areas_0;
+    float area_unit_0;
+    float crossing_area_0;
+};
+
+StructuredBuffer<Family_0 > families_0 : register(t1);
+
+StructuredBuffer<uint > words_0 : register(t2);
 
 struct Light_0
 {
@@ -125,7 +160,7 @@ struct Light_0
     float blue_0;
 };
 
-StructuredBuffer<Light_0 > lights_1 : register(t2);
+StructuredBuffer<Light_0 > lights_1 : register(t3);
 
 RWStructuredBuffer<float4 > radiance_0 : register(u0);
 
@@ -184,6 +219,24 @@ float2 footprint_sample_0(uint2 pixel_0, uint index_0)
     return frac(float2(uniform_hash_0(_S3, _S4, 1U), uniform_hash_0(_S3, _S4, 2U)) + float(index_0 & 65535U) * float2(0.75487768650054932f, 0.56984031200408936f)) - 0.5f;
 }
 
+struct SearchQuality_0
+{
+    float steps_per_thread_0;
+    float steps_per_relief_0;
+    float shadow_share_0;
+    uint refinements_0;
+};
+
+SearchQuality_0 default_quality_0()
+{
+    SearchQuality_0 quality_0;
+    quality_0.steps_per_thread_0 = 5.0f;
+    quality_0.steps_per_relief_0 = 8.0f;
+    quality_0.shadow_share_0 = 1.0f;
+    quality_0.refinements_0 = 2U;
+    return quality_0;
+}
+
 struct VisiblePoint_0
 {
     float3 position_0;
@@ -216,34 +269,10 @@ float3 to_face_frame_0(float3 direction_1, bool back_0)
     return float3(_S5, _S6);
 }
 
-struct StepControl_0
+float2 turns_and_remainder_0(uint family_0, float index_1)
 {
-    float step_0;
-    float epsilon_0;
-    float per_x_0;
-    float per_y_0;
-    bool right_0;
-    bool up_0;
-};
-
-StepControl_0 step_control_0(float2 direction_2, float step_1)
-{
-    StepControl_0 control_0;
-    control_0.step_0 = step_1;
-    control_0.epsilon_0 = 0.00499999988824129f * step_1;
-    float _S7 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S7), 9.99999971718068537e-10f);
-    float _S8 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S8), 9.99999971718068537e-10f);
-    control_0.right_0 = _S7 > 0.0f;
-    control_0.up_0 = _S8 > 0.0f;
-    return control_0;
-}
-
-float2 turns_and_remainder_0(Family_0 family_0, float index_1)
-{
-    float _S9 = floor(mad(index_1, family_0.inverse_count_0, family_0.half_inverse_count_0));
-    return float2(_S9, mad(- _S9, family_0.count_0, index_1));
+    float _S7 = floor(mad(index_1, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
+    return float2(_S7, mad(- _S7, families_0.Load(family_0).count_0, index_1));
 }
 
 struct Cell_0
@@ -255,16 +284,16 @@ struct Cell_0
     float above_0;
 };
 
-Cell_0 locate_alike_0(Family_0 family_1, float position_1)
+Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    float _S10 = floor(position_1 * family_1.inverse_size_0);
+    float _S8 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
     Cell_0 cell_1;
-    float _S11 = mad(- _S10, family_1.size_0, position_1);
-    cell_1.below_0 = _S11;
-    cell_1.above_0 = family_1.size_0 - _S11;
-    cell_1.across_0 = _S11 - 0.5f * family_1.size_0;
-    cell_1.half_width_1 = family_1.half_width_0;
-    cell_1.thread_1 = uint(clamp(turns_and_remainder_0(family_1, _S10).y, 0.0f, family_1.count_0 - 1.0f));
+    float _S9 = mad(- _S8, families_0.Load(family_1).size_0, position_1);
+    cell_1.below_0 = _S9;
+    cell_1.above_0 = families_0.Load(family_1).size_0 - _S9;
+    cell_1.across_0 = _S9 - 0.5f * families_0.Load(family_1).size_0;
+    cell_1.half_width_1 = families_0.Load(family_1).half_width_0;
+    cell_1.thread_1 = uint(clamp(turns_and_remainder_0(family_1, _S8).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
     return cell_1;
 }
 
@@ -273,73 +302,39 @@ float table_number_0(uint index_2)
     return asfloat(words_0.Load(index_2));
 }
 
-Cell_0 locate_varied_0(Family_0 family_2, float position_2)
+Cell_0 locate_varied_0(uint family_2, float position_2)
 {
-    float turns_0 = (position_2 - family_2.start_0) * family_2.inverse_period_0;
+    float turns_0 = (position_2 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S12 = turns_1 * family_2.period_0;
-    uint thread_2 = words_0.Load(family_2.first_thread_table_0 + uint(clamp(turns_1 * family_2.bins_0, 0.0f, family_2.bins_0 - 1.0f)));
-    uint _S13;
-    if(_S12 >= (table_number_0(family_2.place_table_0 + thread_2 * 4U + 1U)))
+    float _S10 = turns_1 * families_0.Load(family_2).period_0;
+    uint thread_2 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
+    uint _S11;
+    if(_S10 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_2 * 4U + 1U)))
     {
-        _S13 = 1U;
+        _S11 = 1U;
     }
     else
     {
-        _S13 = 0U;
+        _S11 = 0U;
     }
-    uint _S14 = min(thread_2 + _S13, uint(family_2.count_0) - 1U);
-    uint _S15 = family_2.place_table_0 + _S14 * 4U;
+    uint _S12 = min(thread_2 + _S11, uint(families_0.Load(family_2).count_0) - 1U);
+    uint _S13 = families_0.Load(family_2).place_table_0 + _S12 * 4U;
     Cell_0 cell_2;
-    cell_2.thread_1 = _S14;
-    cell_2.below_0 = _S12 - table_number_0(_S15);
-    cell_2.above_0 = table_number_0(_S15 + 1U) - _S12;
-    cell_2.across_0 = _S12 - table_number_0(_S15 + 2U);
-    cell_2.half_width_1 = table_number_0(_S15 + 3U);
+    cell_2.thread_1 = _S12;
+    cell_2.below_0 = _S10 - table_number_0(_S13);
+    cell_2.above_0 = table_number_0(_S13 + 1U) - _S10;
+    cell_2.across_0 = _S10 - table_number_0(_S13 + 2U);
+    cell_2.half_width_1 = table_number_0(_S13 + 3U);
     return cell_2;
 }
 
-Cell_0 locate_0(Family_0 family_3, float position_3)
+Cell_0 locate_0(uint family_3, float position_3)
 {
-    if((family_3.is_alike_0) != 0U)
+    if((families_0.Load(family_3).is_alike_0) != 0U)
     {
         return locate_alike_0(family_3, position_3);
     }
     return locate_varied_0(family_3, position_3);
-}
-
-struct ViewRay_0
-{
-    float2 origin_0;
-    float2 slope_0;
-};
-
-float2 ViewRay_at_0(ViewRay_0 this_0, float height_1)
-{
-    return this_0.origin_0 + this_0.slope_0 * height_1;
-}
-
-float StepControl_to_cell_exit_0(StepControl_0 this_1, float side_x_0, float side_y_0)
-{
-    return max(min(side_x_0 * this_1.per_x_0, side_y_0 * this_1.per_y_0), 0.0f) + this_1.epsilon_0;
-}
-
-struct PreviousSample_0
-{
-    float clearance_0;
-    float rate_0;
-    uint yarn_0;
-    bool known_0;
-};
-
-PreviousSample_0 no_previous_sample_0()
-{
-    PreviousSample_0 previous_0;
-    previous_0.clearance_0 = 0.0f;
-    previous_0.rate_0 = 0.0f;
-    previous_0.yarn_0 = 0U;
-    previous_0.known_0 = false;
-    return previous_0;
 }
 
 struct Shown_0
@@ -361,62 +356,115 @@ struct Crossing_0
 
 Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
 {
-    bool _S16 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
-    bool _S17 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
+    bool _S14 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    bool _S15 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
     Shown_0 shown_0;
-    bool _S18;
-    if(_S16)
+    bool _S16;
+    if(_S14)
     {
-        if(!_S17)
+        if(!_S15)
         {
-            _S18 = true;
+            _S16 = true;
         }
         else
         {
-            _S18 = crossing_0.warp_above_0;
+            _S16 = crossing_0.warp_above_0;
         }
     }
     else
     {
-        _S18 = false;
+        _S16 = false;
     }
-    shown_0.is_warp_0 = _S18;
-    if(!_S16)
+    shown_0.is_warp_0 = _S16;
+    if(!_S14)
     {
-        _S18 = !_S17;
+        _S16 = !_S15;
     }
     else
     {
-        _S18 = false;
+        _S16 = false;
     }
-    shown_0.hole_0 = _S18;
-    uint _S19;
+    shown_0.hole_0 = _S16;
+    uint _S17;
     if(shown_0.is_warp_0)
     {
-        _S19 = crossing_0.warp_word_0;
+        _S17 = crossing_0.warp_word_0;
     }
     else
     {
-        _S19 = crossing_0.weft_word_0;
+        _S17 = crossing_0.weft_word_0;
     }
-    shown_0.word_0 = _S19;
-    shown_0.on_top_0 = ((_S19 & 1U) == 1U) != back_1;
+    shown_0.word_0 = _S17;
+    shown_0.on_top_0 = ((_S17 & 1U) == 1U) != back_1;
     return shown_0;
 }
 
-float boundary_0(Family_0 family_4, uint thread_3, int step_2)
+Cell_0 select_cell_0(bool is_first_0, Cell_0 first_0, Cell_0 second_0)
 {
-    float2 _S20 = turns_and_remainder_0(family_4, float(int(thread_3) + step_2));
-    return mad(_S20.x, family_4.period_0, table_number_0(family_4.place_table_0 + uint(_S20.y) * 4U));
+    Cell_0 cell_3;
+    uint _S18;
+    if(is_first_0)
+    {
+        _S18 = first_0.thread_1;
+    }
+    else
+    {
+        _S18 = second_0.thread_1;
+    }
+    cell_3.thread_1 = _S18;
+    float _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.across_0;
+    }
+    else
+    {
+        _S19 = second_0.across_0;
+    }
+    cell_3.across_0 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.half_width_1;
+    }
+    else
+    {
+        _S19 = second_0.half_width_1;
+    }
+    cell_3.half_width_1 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.below_0;
+    }
+    else
+    {
+        _S19 = second_0.below_0;
+    }
+    cell_3.below_0 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.above_0;
+    }
+    else
+    {
+        _S19 = second_0.above_0;
+    }
+    cell_3.above_0 = _S19;
+    return cell_3;
 }
 
-float span_0(Family_0 family_5, uint thread_4, int first_0, int last_0)
+float boundary_0(uint family_4, uint thread_3, int step_0)
 {
-    if((family_5.is_alike_0) != 0U)
+    float2 _S20 = turns_and_remainder_0(family_4, float(int(thread_3) + step_0));
+    return mad(_S20.x, families_0.Load(family_4).period_0, table_number_0(families_0.Load(family_4).place_table_0 + uint(_S20.y) * 4U));
+}
+
+float span_0(uint family_5, uint thread_4, int first_1, int last_0)
+{
+    if((families_0.Load(family_5).is_alike_0) != 0U)
     {
-        return float(last_0 - first_0) * family_5.size_0;
+        return float(last_0 - first_1) * families_0.Load(family_5).size_0;
     }
-    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_0);
+    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_1);
 }
 
 struct Bend_0
@@ -426,22 +474,23 @@ struct Bend_0
     float arc_0;
 };
 
-Bend_0 bend_of_0(Family_0 family_6, uint thread_5)
+Bend_0 bend_of_0(uint family_6, uint thread_5)
 {
-    uint _S21;
-    if((family_6.is_alike_0) != 0U)
+    Family_0 _S21 = families_0.Load(family_6);
+    uint _S22;
+    if((families_0.Load(family_6).is_alike_0) != 0U)
     {
-        _S21 = 0U;
+        _S22 = 0U;
     }
     else
     {
-        _S21 = thread_5 * 4U;
+        _S22 = thread_5 * 4U;
     }
-    uint _S22 = family_6.bend_table_0 + _S21;
+    uint _S23 = _S21.bend_table_0 + _S22;
     Bend_0 bend_0;
-    bend_0.sine_0 = table_number_0(_S22);
-    bend_0.half_tangent_0 = table_number_0(_S22 + 1U);
-    bend_0.arc_0 = table_number_0(_S22 + 2U);
+    bend_0.sine_0 = table_number_0(_S23);
+    bend_0.half_tangent_0 = table_number_0(_S23 + 1U);
+    bend_0.arc_0 = table_number_0(_S23 + 2U);
     return bend_0;
 }
 
@@ -459,55 +508,55 @@ struct Run_0
     bool last_crossing_0;
 };
 
-Run_0 unpack_0(Family_0 own_0, Family_0 other_0, uint thread_6, Cell_0 crossed_0, uint word_1)
+Run_0 unpack_0(uint own_0, uint other_0, uint thread_6, Cell_0 crossed_0, uint word_1)
 {
-    int _S23 = int((word_1 >> int(1)) & 127U);
-    int _S24 = int((word_1 >> int(8)) & 127U);
-    int _S25 = int((word_1 >> int(15)) & 63U);
-    int _S26 = int((word_1 >> int(21)) & 63U);
+    int _S24 = int((word_1 >> int(1)) & 127U);
+    int _S25 = int((word_1 >> int(8)) & 127U);
+    int _S26 = int((word_1 >> int(15)) & 63U);
+    int _S27 = int((word_1 >> int(21)) & 63U);
     Run_0 run_0;
     run_0.straight_0 = ((word_1 >> int(27)) & 1U) == 1U;
-    int _S27 = - _S23;
-    float _S28 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S27, int(0));
-    run_0.from_start_0 = _S28;
-    int _S29 = _S24 + int(1);
-    float _S30 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, int(1), _S29);
-    run_0.to_end_0 = _S30;
-    bool _S31 = _S28 < _S30;
-    run_0.near_start_0 = _S31;
-    int _S32;
-    if(_S31)
+    int _S28 = - _S24;
+    float _S29 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S28, int(0));
+    run_0.from_start_0 = _S29;
+    int _S30 = _S25 + int(1);
+    float _S31 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, int(1), _S30);
+    run_0.to_end_0 = _S31;
+    bool _S32 = _S29 < _S31;
+    run_0.near_start_0 = _S32;
+    int _S33;
+    if(_S32)
     {
-        _S32 = _S27 - _S25;
+        _S33 = _S28 - _S26;
     }
     else
     {
-        _S32 = _S29;
+        _S33 = _S30;
     }
-    int _S33;
+    int _S34;
     if(run_0.near_start_0)
     {
-        _S33 = _S27;
+        _S34 = _S28;
     }
     else
     {
-        _S33 = _S29 + _S26;
+        _S34 = _S30 + _S27;
     }
     run_0.bend_1 = bend_of_0(own_0, thread_6);
-    float _S34;
+    float _S35;
     if(run_0.straight_0)
     {
-        _S34 = 1.0e+06f;
+        _S35 = 1.0e+06f;
     }
     else
     {
-        _S34 = min(run_0.from_start_0, run_0.to_end_0);
+        _S35 = min(run_0.from_start_0, run_0.to_end_0);
     }
-    run_0.distance_0 = _S34;
+    run_0.distance_0 = _S35;
     run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S32, _S33), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S23 == int(0);
-    run_0.last_crossing_0 = _S24 == int(0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S33, _S34), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S24 == int(0);
+    run_0.last_crossing_0 = _S25 == int(0);
     return run_0;
 }
 
@@ -520,297 +569,416 @@ struct Section_0
 {
     float across_1;
     float drop_0;
-    float slope_1;
+    float slope_0;
 };
 
-Section_0 section_at_0(Cell_0 cell_3)
+Section_0 section_at_0(Cell_0 cell_4)
 {
-    float _S35 = cell_3.half_width_1 * 1.0154266357421875f;
+    float _S36 = cell_4.half_width_1 * 1.0154266357421875f;
     Section_0 section_0;
-    float _S36 = clamp(cell_3.across_0, - cell_3.half_width_1, cell_3.half_width_1);
-    section_0.across_1 = _S36;
-    float _S37 = _S35 * _S35 - square_1(_S36);
-    float _S38 = rsqrt(_S37);
-    section_0.drop_0 = _S35 - _S37 * _S38;
-    section_0.slope_1 = - _S36 * _S38;
+    float _S37 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
+    section_0.across_1 = _S37;
+    float _S38 = _S36 * _S36 - square_1(_S37);
+    float _S39 = rsqrt(_S38);
+    section_0.drop_0 = _S36 - _S38 * _S39;
+    section_0.slope_0 = - _S37 * _S39;
     return section_0;
 }
 
-float edge_drop_0(Family_0 family_7, uint thread_7, int step_3)
+float edge_drop_0(uint family_7, uint thread_7, int step_1)
 {
-    if((family_7.is_alike_0) != 0U)
+    if((families_0.Load(family_7).is_alike_0) != 0U)
     {
-        return table_number_0(family_7.bend_table_0 + 3U);
+        return table_number_0(families_0.Load(family_7).bend_table_0 + 3U);
     }
-    return table_number_0(family_7.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_7) + step_3)).y) * 4U + 3U);
+    return table_number_0(families_0.Load(family_7).bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_7) + step_1)).y) * 4U + 3U);
 }
 
-float2 dive_0(Family_0 other_1, Shown_0 shown_1, Run_0 run_1, Cell_0 crossed_1)
+float2 dive_0(uint other_1, Shown_0 shown_1, Run_0 run_1, Cell_0 crossed_1)
 {
-    bool _S39 = (crossed_1.below_0) < (crossed_1.above_0);
-    float _S40 = min(crossed_1.below_0, crossed_1.above_0);
-    float _S41;
-    if(_S39)
+    bool _S40 = (crossed_1.below_0) < (crossed_1.above_0);
+    float _S41 = min(crossed_1.below_0, crossed_1.above_0);
+    float _S42;
+    if(_S40)
     {
-        _S41 = crossed_1.below_0 - crossed_1.across_0;
+        _S42 = crossed_1.below_0 - crossed_1.across_0;
     }
     else
     {
-        _S41 = crossed_1.above_0 + crossed_1.across_0;
+        _S42 = crossed_1.above_0 + crossed_1.across_0;
     }
-    float _S42 = _S41 - crossed_1.half_width_1;
-    bool _S43;
-    if(_S39)
+    float _S43 = _S42 - crossed_1.half_width_1;
+    bool _S44;
+    if(_S40)
     {
-        _S43 = run_1.first_crossing_0;
+        _S44 = run_1.first_crossing_0;
     }
     else
     {
-        _S43 = run_1.last_crossing_0;
+        _S44 = run_1.last_crossing_0;
     }
     if(shown_1.on_top_0)
     {
-        _S41 = 0.0f;
+        _S42 = 0.0f;
     }
     else
     {
-        _S41 = other_1.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, int(0));
+        _S42 = families_0.Load(other_1).height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, int(0));
     }
-    float _S44;
-    if((shown_1.on_top_0) != _S43)
+    float _S45;
+    if((shown_1.on_top_0) != _S44)
     {
-        _S44 = 0.0f;
+        _S45 = 0.0f;
     }
     else
     {
-        int _S45;
-        if(_S39)
+        Family_0 _S46 = families_0.Load(other_1);
+        int _S47;
+        if(_S40)
         {
-            _S45 = int(-1);
+            _S47 = int(-1);
         }
         else
         {
-            _S45 = int(1);
+            _S47 = int(1);
         }
-        _S44 = other_1.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S45);
+        _S45 = _S46.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S47);
     }
-    float _S46 = 1.0f / max(2.0f * _S42, 9.999999960041972e-13f);
-    float _S47 = clamp((_S42 - _S40) * _S46, 0.0f, 1.0f);
-    float _S48 = _S41 + (_S44 - _S41) * (_S47 * _S47 * (3.0f - 2.0f * _S47));
-    float _S49 = (_S41 - _S44) * (6.0f * _S47 * (1.0f - _S47) * _S46);
-    if(_S39)
+    float _S48 = 1.0f / max(2.0f * _S43, 9.999999960041972e-13f);
+    float _S49 = clamp((_S43 - _S41) * _S48, 0.0f, 1.0f);
+    float _S50 = _S42 + (_S45 - _S42) * (_S49 * _S49 * (3.0f - 2.0f * _S49));
+    float _S51 = (_S42 - _S45) * (6.0f * _S49 * (1.0f - _S49) * _S48);
+    if(_S40)
     {
-        _S41 = 1.0f;
+        _S42 = 1.0f;
     }
     else
     {
-        _S41 = -1.0f;
+        _S42 = -1.0f;
     }
-    return float2(_S48, _S49 * _S41);
+    return float2(_S50, _S51 * _S42);
 }
 
-struct Sample_0
+struct StepControl_0
 {
-    Crossing_0 crossing_1;
-    Shown_0 shown_2;
-    Run_0 run_2;
-    Section_0 section_1;
-    float height_2;
-    float slope_across_0;
-    float slope_along_0;
-    float slope_x_0;
-    float slope_y_0;
+    float step_2;
+    float epsilon_0;
+    float per_x_0;
+    float per_y_0;
+    bool right_0;
+    bool up_0;
 };
 
-void shape_0(Family_0 own_1, Family_0 other_2, Cell_0 own_cell_0, Cell_0 crossed_2, inout Sample_0 sample_0)
+StepControl_0 step_control_0(float2 direction_2, float step_3)
 {
-    Shown_0 _S50 = sample_0.shown_2;
-    Run_0 _S51 = unpack_0(own_1, other_2, own_cell_0.thread_1, crossed_2, sample_0.shown_2.word_0);
-    Section_0 _S52 = section_at_0(own_cell_0);
-    bool _S53;
-    if(sample_0.shown_2.on_top_0)
-    {
-        _S53 = (_S51.distance_0) < (_S52.drop_0 * _S51.bend_1.sine_0);
-    }
-    else
-    {
-        _S53 = false;
-    }
-    bool _S54;
-    if(_S50.on_top_0)
-    {
-        _S54 = !_S53;
-    }
-    else
-    {
-        _S54 = false;
-    }
-    float _S55;
-    if(_S54)
-    {
-        _S55 = 1.0f;
-    }
-    else
-    {
-        _S55 = -1.0f;
-    }
-    float _S56;
-    if(_S53)
-    {
-        _S56 = _S51.other_reach_0;
-    }
-    else
-    {
-        _S56 = _S51.reach_0;
-    }
-    float _S57;
-    if(_S53)
-    {
-        _S57 = _S56 + _S51.distance_0;
-    }
-    else
-    {
-        _S57 = max(_S56 - _S51.distance_0, 0.0f);
-    }
-    float _S58 = _S56 / _S51.bend_1.sine_0 - _S55 * _S52.drop_0;
-    float _S59 = _S57 * _S57;
-    float _S60 = max(_S58 * _S58 - _S59, 9.99999968265522539e-21f);
-    float _S61 = rsqrt(_S60);
-    float _S62 = _S59 / (_S60 * _S61 + _S58);
-    bool _S63 = _S57 > 0.0f;
-    float _S64;
-    if(_S50.on_top_0)
-    {
-        _S64 = 1.0f;
-    }
-    else
-    {
-        _S64 = -1.0f;
-    }
-    float _S65;
-    if(_S51.near_start_0)
-    {
-        _S65 = 1.0f;
-    }
-    else
-    {
-        _S65 = -1.0f;
-    }
-    float _S66 = _S64 * _S65;
-    if(_S63)
-    {
-        _S64 = _S58 * _S61;
-    }
-    else
-    {
-        _S64 = 1.0f;
-    }
-    sample_0.slope_across_0 = _S52.slope_1 * _S64;
-    if(_S63)
-    {
-        _S57 = _S66 * _S57 * _S61;
-    }
-    else
-    {
-        _S57 = 0.0f;
-    }
-    sample_0.slope_along_0 = _S57;
-    float2 _S67 = dive_0(other_2, _S50, _S51, crossed_2);
-    if(_S51.straight_0)
-    {
-        _S55 = 0.0f;
-    }
-    else
-    {
-        _S55 = own_1.height_scale_0 * _S55;
-    }
-    sample_0.height_2 = _S55 * (_S56 * _S51.bend_1.half_tangent_0 - _S62) - own_1.height_scale_0 * _S52.drop_0 - _S67.x;
-    float _S68 = own_1.height_scale_0 * sample_0.slope_across_0;
-    float _S69 = own_1.height_scale_0 * sample_0.slope_along_0 - _S67.y;
-    if(_S50.is_warp_0)
-    {
-        _S55 = _S68;
-    }
-    else
-    {
-        _S55 = _S69;
-    }
-    sample_0.slope_x_0 = _S55;
-    if(_S50.is_warp_0)
-    {
-        _S55 = _S69;
-    }
-    else
-    {
-        _S55 = _S68;
-    }
-    sample_0.slope_y_0 = _S55;
-    sample_0.run_2 = _S51;
-    sample_0.section_1 = _S52;
-    return;
+    StepControl_0 control_0;
+    control_0.step_2 = step_3;
+    control_0.epsilon_0 = 0.00499999988824129f * step_3;
+    float _S52 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S52), 9.99999971718068537e-10f);
+    float _S53 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S53), 9.99999971718068537e-10f);
+    control_0.right_0 = _S52 > 0.0f;
+    control_0.up_0 = _S53 > 0.0f;
+    return control_0;
 }
 
-float outline_distance_0(Cell_0 cell_4, Shown_0 shown_3, Run_0 run_3, bool lengthwise_0, bool forwards_0)
+struct PreviousSample_0
 {
-    float _S70;
+    float clearance_0;
+    float rate_0;
+    uint yarn_0;
+    bool known_0;
+};
+
+PreviousSample_0 no_previous_sample_0()
+{
+    PreviousSample_0 previous_0;
+    previous_0.clearance_0 = 0.0f;
+    previous_0.rate_0 = 0.0f;
+    previous_0.yarn_0 = 0U;
+    previous_0.known_0 = false;
+    return previous_0;
+}
+
+float outline_distance_0(Cell_0 cell_5, Shown_0 shown_2, Run_0 run_2, bool lengthwise_0, bool forwards_0)
+{
+    float _S54;
     if(forwards_0)
     {
-        _S70 = cell_4.across_0;
+        _S54 = cell_5.across_0;
     }
     else
     {
-        _S70 = - cell_4.across_0;
+        _S54 = - cell_5.across_0;
     }
-    float _S71;
+    float _S55;
     if(forwards_0)
     {
-        _S71 = cell_4.above_0;
+        _S55 = cell_5.above_0;
     }
     else
     {
-        _S71 = cell_4.below_0;
+        _S55 = cell_5.below_0;
     }
-    bool _S72;
+    bool _S56;
     if(forwards_0)
     {
-        _S72 = run_3.last_crossing_0;
+        _S56 = run_2.last_crossing_0;
     }
     else
     {
-        _S72 = run_3.first_crossing_0;
+        _S56 = run_2.first_crossing_0;
     }
-    bool _S73;
+    bool _S57;
     if(forwards_0)
     {
-        _S73 = run_3.first_crossing_0;
+        _S57 = run_2.first_crossing_0;
     }
     else
     {
-        _S73 = run_3.last_crossing_0;
+        _S57 = run_2.last_crossing_0;
     }
-    float _S74 = - cell_4.half_width_1;
-    bool _S75 = _S70 < _S74;
-    bool _S76 = _S70 >= (cell_4.half_width_1);
+    float _S58 = - cell_5.half_width_1;
+    bool _S59 = _S54 < _S58;
+    bool _S60 = _S54 >= (cell_5.half_width_1);
     if(lengthwise_0)
     {
-        _S72 = !_S72;
+        _S56 = !_S56;
     }
     else
     {
-        _S72 = false;
+        _S56 = false;
     }
-    if(_S72)
+    if(_S56)
     {
-        _S72 = !shown_3.hole_0;
+        _S56 = !shown_2.hole_0;
     }
     else
     {
-        _S72 = false;
+        _S56 = false;
     }
+    bool _S61;
+    if(_S56)
+    {
+        _S61 = shown_2.on_top_0;
+    }
+    else
+    {
+        _S61 = false;
+    }
+    if(_S61)
+    {
+        if(_S57)
+        {
+            _S57 = _S59;
+        }
+        else
+        {
+            _S57 = false;
+        }
+        _S57 = !_S57;
+    }
+    else
+    {
+        _S57 = false;
+    }
+    if(shown_2.hole_0)
+    {
+        _S56 = true;
+    }
+    else
+    {
+        if(_S56)
+        {
+            _S56 = !shown_2.on_top_0;
+        }
+        else
+        {
+            _S56 = false;
+        }
+    }
+    float _S62;
+    if(_S59)
+    {
+        _S62 = _S58;
+    }
+    else
+    {
+        _S62 = cell_5.half_width_1;
+    }
+    float _S63 = _S62 - _S54;
+    if(_S56)
+    {
+        _S54 = 2.0f * _S55 + _S54 - cell_5.half_width_1;
+    }
+    else
+    {
+        _S54 = _S55;
+    }
+    if(_S57)
+    {
+        if(forwards_0)
+        {
+            _S54 = run_2.to_end_0;
+        }
+        else
+        {
+            _S54 = run_2.from_start_0;
+        }
+        return _S54;
+    }
+    if(_S60)
+    {
+    }
+    else
+    {
+        _S54 = _S63;
+    }
+    return _S54;
+}
+
+struct Probe_0
+{
+    float height_1;
+    bool hole_1;
+    float slope_x_0;
+    float slope_y_0;
+    uint yarn_1;
+    float cell_max_0;
+    float side_x_0;
+    float side_y_0;
+    float edge_x_0;
+    float edge_y_0;
+};
+
+float way_back_to_dip_0(PreviousSample_0 previous_1, float clearance_1, float rate_1, float step_4, Probe_0 here_0)
+{
+    float _S64 = previous_1.rate_0 * step_4;
+    float _S65 = rate_1 * step_4;
+    bool _S66;
+    if(!previous_1.known_0)
+    {
+        _S66 = true;
+    }
+    else
+    {
+        _S66 = here_0.hole_1;
+    }
+    if(_S66)
+    {
+        _S66 = true;
+    }
+    else
+    {
+        _S66 = (previous_1.yarn_0) != (here_0.yarn_1);
+    }
+    if(_S66)
+    {
+        _S66 = true;
+    }
+    else
+    {
+        _S66 = (previous_1.rate_0) >= 0.0f;
+    }
+    if(_S66)
+    {
+        _S66 = true;
+    }
+    else
+    {
+        _S66 = rate_1 <= 0.0f;
+    }
+    if(_S66)
+    {
+        return -1.0f;
+    }
+    if((3.0f * previous_1.clearance_0 + _S64) >= 0.0f)
+    {
+        _S66 = (3.0f * clearance_1 - _S65) >= 0.0f;
+    }
+    else
+    {
+        _S66 = false;
+    }
+    if(_S66)
+    {
+        return -1.0f;
+    }
+    float _S67 = clearance_1 - previous_1.clearance_0;
+    float _S68 = 6.0f * _S67 - 4.0f * _S64 - 2.0f * _S65;
+    float _S69 = -2.0f * _S64 / max(_S68 + sqrt(max(_S68 * _S68 - 4.0f * (3.0f * (_S64 + _S65 - 2.0f * _S67)) * _S64, 0.0f)), 9.99999968265522539e-21f);
+    float _S70 = 1.0f - _S69;
+    float _S71 = (previous_1.clearance_0 * (2.0f * _S69 + 1.0f) + _S64 * _S69) * _S70 * _S70;
+    float _S72 = (clearance_1 * (2.0f * _S70 + 1.0f) - _S65 * _S70) * _S69 * _S69;
+    if(_S69 > 0.01999999955296516f)
+    {
+        _S66 = _S70 > 0.01999999955296516f;
+    }
+    else
+    {
+        _S66 = false;
+    }
+    if(_S66)
+    {
+        _S66 = (_S71 + _S72) < 0.0f;
+    }
+    else
+    {
+        _S66 = false;
+    }
+    float _S73;
+    if(_S66)
+    {
+        _S73 = _S70 * step_4;
+    }
+    else
+    {
+        _S73 = -1.0f;
+    }
+    return _S73;
+}
+
+PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 here_1, bool is_cell_exit_0)
+{
+    PreviousSample_0 previous_2;
+    float _S74;
+    if(here_1.hole_1)
+    {
+        _S74 = 1.0e+09f;
+    }
+    else
+    {
+        _S74 = clearance_2;
+    }
+    previous_2.clearance_0 = _S74;
+    previous_2.rate_0 = rate_2;
+    previous_2.yarn_0 = here_1.yarn_1;
+    bool _S75;
+    if(!here_1.hole_1)
+    {
+        _S75 = !is_cell_exit_0;
+    }
+    else
+    {
+        _S75 = false;
+    }
+    previous_2.known_0 = _S75;
+    return previous_2;
+}
+
+float StepControl_to_cell_exit_0(StepControl_0 this_0, float side_x_1, float side_y_1)
+{
+    return max(min(side_x_1 * this_0.per_x_0, side_y_1 * this_0.per_y_0), 0.0f) + this_0.epsilon_0;
+}
+
+float StepControl_to_next_sample_0(StepControl_0 this_1, Probe_0 here_2, float clearance_3, float rate_3)
+{
+    float _S76 = min(here_2.edge_x_0 * this_1.per_x_0, here_2.edge_y_0 * this_1.per_y_0);
     bool _S77;
-    if(_S72)
+    if(!here_2.hole_1)
     {
-        _S77 = shown_3.on_top_0;
+        _S77 = (rate_3 * _S76 + clearance_3) < 0.0f;
     }
     else
     {
@@ -818,247 +986,46 @@ float outline_distance_0(Cell_0 cell_4, Shown_0 shown_3, Run_0 run_3, bool lengt
     }
     if(_S77)
     {
-        if(_S73)
-        {
-            _S73 = _S75;
-        }
-        else
-        {
-            _S73 = false;
-        }
-        _S73 = !_S73;
+        _S77 = _S76 > (2.0f * this_1.epsilon_0);
     }
     else
     {
-        _S73 = false;
-    }
-    if(shown_3.hole_0)
-    {
-        _S72 = true;
-    }
-    else
-    {
-        if(_S72)
-        {
-            _S72 = !shown_3.on_top_0;
-        }
-        else
-        {
-            _S72 = false;
-        }
+        _S77 = false;
     }
     float _S78;
-    if(_S75)
+    if(_S77)
     {
-        _S78 = _S74;
+        _S78 = _S76 - this_1.epsilon_0;
     }
     else
     {
-        _S78 = cell_4.half_width_1;
+        _S78 = max(_S76, 0.0f) + this_1.epsilon_0;
     }
-    float _S79 = _S78 - _S70;
-    if(_S72)
-    {
-        _S70 = 2.0f * _S71 + _S70 - cell_4.half_width_1;
-    }
-    else
-    {
-        _S70 = _S71;
-    }
-    if(_S73)
-    {
-        if(forwards_0)
-        {
-            _S70 = run_3.to_end_0;
-        }
-        else
-        {
-            _S70 = run_3.from_start_0;
-        }
-        return _S70;
-    }
-    if(_S76)
-    {
-    }
-    else
-    {
-        _S70 = _S79;
-    }
-    return _S70;
+    return min(this_1.step_2, _S78);
 }
 
-struct Probe_0
+struct ViewRay_0
 {
-    float height_3;
-    bool hole_1;
-    float slope_x_1;
-    float slope_y_1;
-    uint yarn_1;
-    float cell_max_0;
-    float side_x_1;
-    float side_y_1;
-    float edge_x_0;
-    float edge_y_0;
+    float2 origin_0;
+    float2 slope_1;
 };
 
-float ViewRay_rate_0(ViewRay_0 this_2, Probe_0 here_0)
+float2 ViewRay_at_0(ViewRay_0 this_2, float height_2)
 {
-    return here_0.slope_x_1 * this_2.slope_0.x + here_0.slope_y_1 * this_2.slope_0.y - 1.0f;
+    return this_2.origin_0 + this_2.slope_1 * height_2;
 }
 
-float way_back_to_dip_0(PreviousSample_0 previous_1, float clearance_1, float rate_1, float step_4, Probe_0 here_1)
+float ViewRay_rate_0(ViewRay_0 this_3, Probe_0 here_3)
 {
-    float _S80 = previous_1.rate_0 * step_4;
-    float _S81 = rate_1 * step_4;
-    bool _S82;
-    if(!previous_1.known_0)
-    {
-        _S82 = true;
-    }
-    else
-    {
-        _S82 = here_1.hole_1;
-    }
-    if(_S82)
-    {
-        _S82 = true;
-    }
-    else
-    {
-        _S82 = (previous_1.yarn_0) != (here_1.yarn_1);
-    }
-    if(_S82)
-    {
-        _S82 = true;
-    }
-    else
-    {
-        _S82 = (previous_1.rate_0) >= 0.0f;
-    }
-    if(_S82)
-    {
-        _S82 = true;
-    }
-    else
-    {
-        _S82 = rate_1 <= 0.0f;
-    }
-    if(_S82)
-    {
-        return -1.0f;
-    }
-    if((3.0f * previous_1.clearance_0 + _S80) >= 0.0f)
-    {
-        _S82 = (3.0f * clearance_1 - _S81) >= 0.0f;
-    }
-    else
-    {
-        _S82 = false;
-    }
-    if(_S82)
-    {
-        return -1.0f;
-    }
-    float _S83 = clearance_1 - previous_1.clearance_0;
-    float _S84 = 6.0f * _S83 - 4.0f * _S80 - 2.0f * _S81;
-    float _S85 = -2.0f * _S80 / max(_S84 + sqrt(max(_S84 * _S84 - 4.0f * (3.0f * (_S80 + _S81 - 2.0f * _S83)) * _S80, 0.0f)), 9.99999968265522539e-21f);
-    float _S86 = 1.0f - _S85;
-    float _S87 = (previous_1.clearance_0 * (2.0f * _S85 + 1.0f) + _S80 * _S85) * _S86 * _S86;
-    float _S88 = (clearance_1 * (2.0f * _S86 + 1.0f) - _S81 * _S86) * _S85 * _S85;
-    if(_S85 > 0.01999999955296516f)
-    {
-        _S82 = _S86 > 0.01999999955296516f;
-    }
-    else
-    {
-        _S82 = false;
-    }
-    if(_S82)
-    {
-        _S82 = (_S87 + _S88) < 0.0f;
-    }
-    else
-    {
-        _S82 = false;
-    }
-    float _S89;
-    if(_S82)
-    {
-        _S89 = _S86 * step_4;
-    }
-    else
-    {
-        _S89 = -1.0f;
-    }
-    return _S89;
-}
-
-float StepControl_to_next_sample_0(StepControl_0 this_3, Probe_0 here_2, float clearance_2, float rate_2)
-{
-    float _S90 = min(here_2.edge_x_0 * this_3.per_x_0, here_2.edge_y_0 * this_3.per_y_0);
-    bool _S91;
-    if(!here_2.hole_1)
-    {
-        _S91 = (rate_2 * _S90 + clearance_2) < 0.0f;
-    }
-    else
-    {
-        _S91 = false;
-    }
-    if(_S91)
-    {
-        _S91 = _S90 > (2.0f * this_3.epsilon_0);
-    }
-    else
-    {
-        _S91 = false;
-    }
-    float _S92;
-    if(_S91)
-    {
-        _S92 = _S90 - this_3.epsilon_0;
-    }
-    else
-    {
-        _S92 = max(_S90, 0.0f) + this_3.epsilon_0;
-    }
-    return min(this_3.step_0, _S92);
-}
-
-PreviousSample_0 after_sample_0(float clearance_3, float rate_3, Probe_0 here_3, bool is_cell_exit_0)
-{
-    PreviousSample_0 previous_2;
-    float _S93;
-    if(here_3.hole_1)
-    {
-        _S93 = 1.0e+09f;
-    }
-    else
-    {
-        _S93 = clearance_3;
-    }
-    previous_2.clearance_0 = _S93;
-    previous_2.rate_0 = rate_3;
-    previous_2.yarn_0 = here_3.yarn_1;
-    bool _S94;
-    if(!here_3.hole_1)
-    {
-        _S94 = !is_cell_exit_0;
-    }
-    else
-    {
-        _S94 = false;
-    }
-    previous_2.known_0 = _S94;
-    return previous_2;
+    return here_3.slope_x_0 * this_3.slope_1.x + here_3.slope_y_0 * this_3.slope_1.y - 1.0f;
 }
 
 float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
 {
-    float _S95 = end_0 - start_1;
-    float _S96 = start_rate_0 + end_rate_0 - 2.0f * _S95;
-    float _S97 = 3.0f * _S95 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / max(- _S95, 9.99999968265522539e-21f);
+    float _S79 = end_0 - start_1;
+    float _S80 = start_rate_0 + end_rate_0 - 2.0f * _S79;
+    float _S81 = 3.0f * _S79 - 2.0f * start_rate_0 - end_rate_0;
+    float share_0 = start_1 / max(- _S79, 9.99999968265522539e-21f);
     int i_0 = int(0);
     for(;;)
     {
@@ -1069,10 +1036,10 @@ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rat
         {
             break;
         }
-        float _S98 = clamp(share_0 - (((_S96 * share_0 + _S97) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0f * _S96 * share_0 + 2.0f * _S97) * share_0 + start_rate_0, 0.10000000149011612f * _S95 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        int _S99 = i_0 + int(1);
-        share_0 = _S98;
-        i_0 = _S99;
+        float _S82 = clamp(share_0 - (((_S80 * share_0 + _S81) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0f * _S80 * share_0 + 2.0f * _S81) * share_0 + start_rate_0, 0.10000000149011612f * _S79 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        int _S83 = i_0 + int(1);
+        share_0 = _S82;
+        i_0 = _S83;
     }
     return share_0;
 }
@@ -1084,48 +1051,48 @@ float between_0(float above_1, float under_0, float above_gap_0, float under_gap
 
 float2 fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, float cosine_0)
 {
-    float _S100 = along_slope_0 * along_slope_0 + 1.0f;
-    float _S101 = rsqrt(_S100);
-    float _S102 = sine_1 * _S101 * rsqrt(_S100 + across_slope_0 * across_slope_0);
-    return float2(- _S102 * _S100, _S102 * across_slope_0 * along_slope_0 + cosine_0 * _S101);
+    float _S84 = along_slope_0 * along_slope_0 + 1.0f;
+    float _S85 = rsqrt(_S84);
+    float _S86 = sine_1 * _S85 * rsqrt(_S84 + across_slope_0 * across_slope_0);
+    return float2(- _S86 * _S84, _S86 * across_slope_0 * along_slope_0 + cosine_0 * _S85);
 }
 
 float arc_sine_0(float x_3)
 {
-    float _S103 = abs(x_3);
-    bool _S104 = _S103 > 0.5f;
-    float _S105;
-    if(_S104)
+    float _S87 = abs(x_3);
+    bool _S88 = _S87 > 0.5f;
+    float _S89;
+    if(_S88)
     {
-        _S105 = 0.5f * (1.0f - _S103);
+        _S89 = 0.5f * (1.0f - _S87);
     }
     else
     {
-        _S105 = _S103 * _S103;
+        _S89 = _S87 * _S87;
     }
-    float _S106;
-    if(_S104)
+    float _S90;
+    if(_S88)
     {
-        _S106 = sqrt(max(_S105, 0.0f));
-    }
-    else
-    {
-        _S106 = _S103;
-    }
-    float _S107 = ((((0.04216320067644119f * _S105 + 0.02418131195008755f) * _S105 + 0.04547002539038658f) * _S105 + 0.07495300471782684f) * _S105 + 0.16666752099990845f) * _S105 * _S106 + _S106;
-    if(_S104)
-    {
-        _S105 = 1.57079637050628662f - 2.0f * _S107;
+        _S90 = sqrt(max(_S89, 0.0f));
     }
     else
     {
-        _S105 = _S107;
+        _S90 = _S87;
+    }
+    float _S91 = ((((0.04216320067644119f * _S89 + 0.02418131195008755f) * _S89 + 0.04547002539038658f) * _S89 + 0.07495300471782684f) * _S89 + 0.16666752099990845f) * _S89 * _S90 + _S90;
+    if(_S88)
+    {
+        _S89 = 1.57079637050628662f - 2.0f * _S91;
+    }
+    else
+    {
+        _S89 = _S91;
     }
     if(x_3 < 0.0f)
     {
-        _S105 = - _S105;
+        _S89 = - _S89;
     }
-    return _S105;
+    return _S89;
 }
 
 float3 table_colour_0(uint index_3)
@@ -1141,14 +1108,14 @@ struct Albedos_0
     float3 specular_transmit_0;
 };
 
-Albedos_0 albedos_of_0(Family_0 family_8, uint thread_8)
+Albedos_0 albedos_of_0(uint family_8, uint thread_8)
 {
-    uint _S108 = family_8.albedo_table_0 + family_8.albedo_stride_0 * thread_8;
+    uint _S92 = families_0.Load(family_8).albedo_table_0 + families_0.Load(family_8).albedo_stride_0 * thread_8;
     Albedos_0 albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(_S108);
-    albedos_0.diffuse_transmit_0 = table_colour_0(_S108 + 3U);
-    albedos_0.specular_reflect_0 = table_colour_0(_S108 + 6U);
-    albedos_0.specular_transmit_0 = table_colour_0(_S108 + 9U);
+    albedos_0.diffuse_reflect_0 = table_colour_0(_S92);
+    albedos_0.diffuse_transmit_0 = table_colour_0(_S92 + 3U);
+    albedos_0.specular_reflect_0 = table_colour_0(_S92 + 6U);
+    albedos_0.specular_transmit_0 = table_colour_0(_S92 + 9U);
     return albedos_0;
 }
 
@@ -1159,15 +1126,15 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
 
 float bounded_gain_0(float gain_1, float3 albedo_0, float3 room_0)
 {
-    float3 _S109 = room_0 / max(albedo_0, (float3)9.99999997475242708e-07f);
-    return min(gain_1, max(min(min(_S109.x, _S109.y), _S109.z), 0.0f));
+    float3 _S93 = room_0 / max(albedo_0, (float3)9.99999997475242708e-07f);
+    return min(gain_1, max(min(min(_S93.x, _S93.y), _S93.z), 0.0f));
 }
 
 float natural_logarithm_0(float x_4)
 {
-    uint _S110 = asuint(x_4);
-    float exponent_0 = float(int(_S110 >> int(23)) - int(126));
-    float m_0 = asfloat((_S110 & 8388607U) | 1056964608U);
+    uint _S94 = asuint(x_4);
+    float exponent_0 = float(int(_S94 >> int(23)) - int(126));
+    float m_0 = asfloat((_S94 & 8388607U) | 1056964608U);
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1182,61 +1149,61 @@ float natural_logarithm_0(float x_4)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S111 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S111 - exponent_1 * 0.00021219444170129f - 0.5f * _S111) + exponent_1 * 0.693359375f;
+    float _S95 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S95 - exponent_1 * 0.00021219444170129f - 0.5f * _S95) + exponent_1 * 0.693359375f;
 }
 
-float fibre_gain_0(uint thread_10, uint cell_5, float amount_1, uint seed_2)
+float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_5, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
-float3 towards_light_0(Light_0 light_0, float3 position_4, out float3 irradiance_0)
+float3 towards_light_0(Light_0 light_0, float3 position_4, out float3 irradiance_1)
 {
-    irradiance_0 = float3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    float3 _S112 = float3(light_0.x_1, light_0.y_1, light_0.z_1);
+    irradiance_1 = float3(light_0.red_0, light_0.green_0, light_0.blue_0);
+    float3 _S96 = float3(light_0.x_1, light_0.y_1, light_0.z_1);
     if((light_0.is_point_0) == 0U)
     {
-        return _S112;
+        return _S96;
     }
-    float3 _S113 = _S112 - position_4;
-    irradiance_0 = irradiance_0 / max(square_0(_S113), 9.999999960041972e-13f);
-    return normalize(_S113);
+    float3 _S97 = _S96 - position_4;
+    irradiance_1 = irradiance_1 / max(square_0(_S97), 9.999999960041972e-13f);
+    return normalize(_S97);
 }
 
 float diffuse_reflection_0(float3 light_1, float3 normal_1, float blend_0)
 {
-    float _S114 = light_1.z;
-    if(_S114 <= 0.0f)
+    float _S98 = light_1.z;
+    if(_S98 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp(max(_S114, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
+    return 0.31830987334251404f * lerp(max(_S98, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
 }
 
-float projected_area_0(float3 direction_3, float3 tangent_0, float roughness_1)
+float projected_area_1(float3 direction_3, float3 tangent_0, float roughness_1)
 {
-    float _S115 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S115 * _S115 + 1.0f, roughness_1 * roughness_1));
+    float _S99 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S99 * _S99 + 1.0f, roughness_1 * roughness_1));
 }
 
 float exponential_0(float x_5)
 {
-    float _S116 = clamp(x_5, -87.0f, 88.0f);
-    float _S117 = floor(_S116 * 1.4426950216293335f + 0.5f);
-    float _S118 = _S116 - _S117 * 0.693359375f + _S117 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S118 + 0.00139819993637502f) * _S118 + 0.00833345204591751f) * _S118 + 0.04166579619050026f) * _S118 + 0.1666666567325592f) * _S118 + 0.5f;
-    float _S119 = asfloat(uint(int(_S117) + int(127)) << int(23));
-    float _S120;
+    float _S100 = clamp(x_5, -87.0f, 88.0f);
+    float _S101 = floor(_S100 * 1.4426950216293335f + 0.5f);
+    float _S102 = _S100 - _S101 * 0.693359375f + _S101 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S102 + 0.00139819993637502f) * _S102 + 0.00833345204591751f) * _S102 + 0.04166579619050026f) * _S102 + 0.1666666567325592f) * _S102 + 0.5f;
+    float _S103 = asfloat(uint(int(_S101) + int(127)) << int(23));
+    float _S104;
     if(x_5 < -87.0f)
     {
-        _S120 = 0.0f;
+        _S104 = 0.0f;
     }
     else
     {
-        _S120 = (p_0 * _S118 * _S118 + _S118 + 1.0f) * _S119;
+        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0f) * _S103;
     }
-    return _S120;
+    return _S104;
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1250,62 +1217,62 @@ float mean_attenuation_0(float depth_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S121 = roughness_2 * roughness_2;
-    float _S122 = squared_along_0 * (1.0f - _S121) + _S121;
-    return 0.31830987334251404f * _S121 * roughness_2 / (_S122 * _S122);
+    float _S105 = roughness_2 * roughness_2;
+    float _S106 = squared_along_0 * (1.0f - _S105) + _S105;
+    return 0.31830987334251404f * _S105 * roughness_2 / (_S106 * _S106);
 }
 
 float density_between_0(float3 light_2, float3 view_1, float3 tangent_1, float roughness_3)
 {
-    float3 _S123 = light_2 + view_1;
-    float _S124 = dot(_S123, tangent_1);
-    return flake_density_0(min(_S124 * _S124 / max(square_0(_S123), 9.999999960041972e-13f), 1.0f), roughness_3);
+    float3 _S107 = light_2 + view_1;
+    float _S108 = dot(_S107, tangent_1);
+    return flake_density_0(min(_S108 * _S108 / max(square_0(_S107), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 float reflection_0(float3 light_3, float3 view_2, float3 normal_2, float3 tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S125 = dot(light_3, normal_2);
-    bool _S126;
-    if(_S125 <= 0.0f)
+    float _S109 = dot(light_3, normal_2);
+    bool _S110;
+    if(_S109 <= 0.0f)
     {
-        _S126 = true;
+        _S110 = true;
     }
     else
     {
-        _S126 = (dot(view_2, normal_2)) <= 0.0f;
+        _S110 = (dot(view_2, normal_2)) <= 0.0f;
     }
-    if(_S126)
+    if(_S110)
     {
         return 0.0f;
     }
-    float _S127 = max(_S125, 9.99999997475242708e-07f);
-    float _S128 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
-    float _S129 = projected_area_0(light_3, tangent_2, roughness_4) * _S128 + projected_area_0(view_2, tangent_2, roughness_4) * _S127;
-    float _S130 = optical_depth_1 * _S129 / (_S127 * _S128);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S130 * mean_attenuation_0(_S130)) * _S127 / _S129;
+    float _S111 = max(_S109, 9.99999997475242708e-07f);
+    float _S112 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
+    float _S113 = projected_area_1(light_3, tangent_2, roughness_4) * _S112 + projected_area_1(view_2, tangent_2, roughness_4) * _S111;
+    float _S114 = optical_depth_1 * _S113 / (_S111 * _S112);
+    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
 }
 
 float transmission_0(float3 light_4, float3 view_3, float3 normal_3, float3 tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S131 = - dot(light_4, normal_3);
-    float _S132 = dot(view_3, normal_3);
-    bool _S133;
-    if(_S131 <= 0.0f)
+    float _S115 = - dot(light_4, normal_3);
+    float _S116 = dot(view_3, normal_3);
+    bool _S117;
+    if(_S115 <= 0.0f)
     {
-        _S133 = true;
+        _S117 = true;
     }
     else
     {
-        _S133 = _S132 <= 0.0f;
+        _S117 = _S116 <= 0.0f;
     }
-    if(_S133)
+    if(_S117)
     {
         return 0.0f;
     }
-    float _S134 = 1.0f / max(_S132, 9.99999997475242708e-07f);
-    float _S135 = projected_area_0(light_4, tangent_3, roughness_5) / max(_S131, 9.99999997475242708e-07f);
-    float _S136 = projected_area_0(view_3, tangent_3, roughness_5) * _S134;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S135, _S136)) * mean_attenuation_0(optical_depth_2 * abs(_S135 - _S136)) * _S134;
+    float _S118 = 1.0f / max(_S116, 9.99999997475242708e-07f);
+    float _S119 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07f);
+    float _S120 = projected_area_1(view_3, tangent_3, roughness_5) * _S118;
+    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
 }
 
 float sheen_scale_0(float x_6, float y_2)
@@ -1325,138 +1292,138 @@ float sheen_reflectance_0(float x_8, float y_4)
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S137 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S138 = 2.0f * sqrt(_S137) - 1.0f;
-    float _S139 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S138, _S139), 0.00999999977648258f, 1.0f), clamp((1.0f - _S137) * sheen_shear_0(_S138, _S139), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S138, _S139), -60.0f, 60.0f))));
+    float _S121 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S122 = 2.0f * sqrt(_S121) - 1.0f;
+    float _S123 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258f, 1.0f), clamp((1.0f - _S121) * sheen_shear_0(_S122, _S123), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0f, 60.0f))));
 }
 
 float transformed_cosine_0(float3 light_5, float3 view_4, float scale_0, float shear_0)
 {
-    float _S140 = light_5.z;
-    bool _S141;
-    if(_S140 <= 0.0f)
+    float _S124 = light_5.z;
+    bool _S125;
+    if(_S124 <= 0.0f)
     {
-        _S141 = true;
+        _S125 = true;
     }
     else
     {
-        _S141 = (view_4.z) <= 0.0f;
+        _S125 = (view_4.z) <= 0.0f;
     }
-    if(_S141)
+    if(_S125)
     {
         return 0.0f;
     }
-    float2 _S142 = view_4.xy;
-    float _S143 = dot(_S142, _S142);
-    float2 _S144;
-    if(_S143 > 9.99999968265522539e-21f)
+    float2 _S126 = view_4.xy;
+    float _S127 = dot(_S126, _S126);
+    float2 _S128;
+    if(_S127 > 9.99999968265522539e-21f)
     {
-        _S144 = _S142 * rsqrt(_S143);
+        _S128 = _S126 * rsqrt(_S127);
     }
     else
     {
-        _S144 = float2(1.0f, 0.0f);
+        _S128 = float2(1.0f, 0.0f);
     }
-    float _S145 = scale_0 * dot(light_5.xy, _S144) + shear_0 * _S140;
-    float _S146 = scale_0 * (light_5.y * _S144.x - light_5.x * _S144.y);
-    float _S147 = _S145 * _S145 + _S146 * _S146 + _S140 * _S140;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S140 / max(_S147 * _S147, 9.99999968265522539e-21f);
+    float _S129 = scale_0 * dot(light_5.xy, _S128) + shear_0 * _S124;
+    float _S130 = scale_0 * (light_5.y * _S128.x - light_5.x * _S128.y);
+    float _S131 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21f);
 }
 
 float2 sheen_with_transmittance_0(float3 light_6, float3 view_5, float strength_0, float roughness_7)
 {
-    float3 _S148 = sheen_lobe_0(view_5.z, roughness_7);
-    float _S149 = strength_0 * _S148.z;
-    return float2(_S149 * transformed_cosine_0(light_6, view_5, _S148.x, _S148.y), 1.0f - _S149);
+    float3 _S132 = sheen_lobe_0(view_5.z, roughness_7);
+    float _S133 = strength_0 * _S132.z;
+    return float2(_S133 * transformed_cosine_0(light_6, view_5, _S132.x, _S132.y), 1.0f - _S133);
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S150, uint _S151, uint _S152, uint2 _S153)
+VisiblePoint_0 visible_point_0(Frame_0 _S134, uint _S135, uint _S136, uint2 _S137)
 {
-    uint _S154 = 3U * _S152;
-    Vertex_0 _S155 = vertices_0.Load(corners_0.Load(_S154));
-    Vertex_0 _S156 = vertices_0.Load(corners_0.Load(_S154 + 1U));
-    Vertex_0 _S157 = vertices_0.Load(corners_0.Load(_S154 + 2U));
-    float3 _S158 = position_of_0(_S155);
-    float3 _S159 = position_of_0(_S156) - _S158;
-    float3 _S160 = position_of_0(_S157) - _S158;
-    float3 _S161 = cross(_S159, _S160);
-    float _S162 = 1.0f / max(square_0(_S161), 1.00000000317107685e-30f);
-    float _S163 = float(_S150.width_0);
-    float3 _S164 = camera_right_0(_S150) * (2.0f / _S163);
-    float _S165 = float(_S150.height_0);
-    float3 _S166 = camera_up_0(_S150) * (-2.0f / _S165);
-    float3 _S167 = camera_forward_0(_S150) + (float(_S153.x) + 0.5f - 0.5f * _S163) * _S164 + (float(_S153.y) + 0.5f - 0.5f * _S165) * _S166;
-    float _S168 = dot(_S167, _S161);
-    float _S169;
-    if((abs(_S168)) > 1.00000000317107685e-30f)
+    uint _S138 = 3U * _S136;
+    Vertex_0 _S139 = vertices_0.Load(corners_0.Load(_S138));
+    Vertex_0 _S140 = vertices_0.Load(corners_0.Load(_S138 + 1U));
+    Vertex_0 _S141 = vertices_0.Load(corners_0.Load(_S138 + 2U));
+    float3 _S142 = position_of_0(_S139);
+    float3 _S143 = position_of_0(_S140) - _S142;
+    float3 _S144 = position_of_0(_S141) - _S142;
+    float3 _S145 = cross(_S143, _S144);
+    float _S146 = 1.0f / max(square_0(_S145), 1.00000000317107685e-30f);
+    float _S147 = float(_S134.width_0);
+    float3 _S148 = camera_right_0(_S134) * (2.0f / _S147);
+    float _S149 = float(_S134.height_0);
+    float3 _S150 = camera_up_0(_S134) * (-2.0f / _S149);
+    float3 _S151 = camera_forward_0(_S134) + (float(_S137.x) + 0.5f - 0.5f * _S147) * _S148 + (float(_S137.y) + 0.5f - 0.5f * _S149) * _S150;
+    float _S152 = dot(_S151, _S145);
+    float _S153;
+    if((abs(_S152)) > 1.00000000317107685e-30f)
     {
-        _S169 = _S168;
+        _S153 = _S152;
     }
     else
     {
-        _S169 = 1.00000000317107685e-30f;
+        _S153 = 1.00000000317107685e-30f;
     }
-    float _S170 = 1.0f / _S169;
-    float3 _S171 = _S158 - camera_origin_0(_S150);
-    float _S172 = dot(_S171, _S161) * _S170;
-    float3 _S173 = _S167 * _S172 - _S171;
-    float3 _S174 = _S172 * (_S164 - _S167 * (dot(_S164, _S161) * _S170));
-    float3 _S175 = _S172 * (_S166 - _S167 * (dot(_S166, _S161) * _S170));
-    float3 _S176 = cross(_S160, _S161) * _S162;
-    float3 _S177 = cross(_S161, _S159) * _S162;
-    float _S178 = dot(_S173, _S176);
-    float _S179 = dot(_S173, _S177);
-    float _S180 = _S156.u_0 - _S155.u_0;
-    float _S181 = _S156.v_0 - _S155.v_0;
-    float2 _S182 = float2(_S180, _S181);
-    float _S183 = _S157.u_0 - _S155.u_0;
-    float _S184 = _S157.v_0 - _S155.v_0;
-    float2 _S185 = float2(_S183, _S184);
-    float2 _S186 = float2(_S155.u_0, _S155.v_0) + _S178 * _S182 + _S179 * _S185;
-    float2 _S187 = dot(_S174, _S176) * _S182 + dot(_S174, _S177) * _S185;
-    float2 _S188 = dot(_S175, _S176) * _S182 + dot(_S175, _S177) * _S185;
-    if((_S180 * _S184 - _S181 * _S183) < 0.0f)
+    float _S154 = 1.0f / _S153;
+    float3 _S155 = _S142 - camera_origin_0(_S134);
+    float _S156 = dot(_S155, _S145) * _S154;
+    float3 _S157 = _S151 * _S156 - _S155;
+    float3 _S158 = _S156 * (_S148 - _S151 * (dot(_S148, _S145) * _S154));
+    float3 _S159 = _S156 * (_S150 - _S151 * (dot(_S150, _S145) * _S154));
+    float3 _S160 = cross(_S144, _S145) * _S146;
+    float3 _S161 = cross(_S145, _S143) * _S146;
+    float _S162 = dot(_S157, _S160);
+    float _S163 = dot(_S157, _S161);
+    float _S164 = _S140.u_0 - _S139.u_0;
+    float _S165 = _S140.v_0 - _S139.v_0;
+    float2 _S166 = float2(_S164, _S165);
+    float _S167 = _S141.u_0 - _S139.u_0;
+    float _S168 = _S141.v_0 - _S139.v_0;
+    float2 _S169 = float2(_S167, _S168);
+    float2 _S170 = float2(_S139.u_0, _S139.v_0) + _S162 * _S166 + _S163 * _S169;
+    float2 _S171 = dot(_S158, _S160) * _S166 + dot(_S158, _S161) * _S169;
+    float2 _S172 = dot(_S159, _S160) * _S166 + dot(_S159, _S161) * _S169;
+    if((_S164 * _S168 - _S165 * _S167) < 0.0f)
     {
-        _S169 = -1.0f;
+        _S153 = -1.0f;
     }
     else
     {
-        _S169 = 1.0f;
+        _S153 = 1.0f;
     }
-    float3 _S189 = _S169 * (_S184 * _S159 - _S181 * _S160);
-    float3 _S190 = _S169 * (_S180 * _S160 - _S183 * _S159);
+    float3 _S173 = _S153 * (_S168 * _S143 - _S165 * _S144);
+    float3 _S174 = _S153 * (_S164 * _S144 - _S167 * _S143);
     VisiblePoint_0 point_1;
-    float3 _S191 = normalize((1.0f - _S178 - _S179) * normal_of_0(_S155) + _S178 * normal_of_0(_S156) + _S179 * normal_of_0(_S157));
-    point_1.normal_0 = _S191;
-    float3 _S192 = normalize(_S189 - _S191 * dot(_S191, _S189));
-    point_1.axis_x_0 = _S192;
-    point_1.axis_y_0 = cross(_S191, _S192);
-    point_1.position_0 = _S158 + _S173;
-    point_1.view_0 = - normalize(_S167);
-    bool _S193 = (dot(cross(_S189, _S190), _S191)) < 0.0f;
-    float _S194 = fabrics_0[_S151].uv_width_0;
-    if(_S193)
+    float3 _S175 = normalize((1.0f - _S162 - _S163) * normal_of_0(_S139) + _S162 * normal_of_0(_S140) + _S163 * normal_of_0(_S141));
+    point_1.normal_0 = _S175;
+    float3 _S176 = normalize(_S173 - _S175 * dot(_S175, _S173));
+    point_1.axis_x_0 = _S176;
+    point_1.axis_y_0 = cross(_S175, _S176);
+    point_1.position_0 = _S142 + _S157;
+    point_1.view_0 = - normalize(_S151);
+    bool _S177 = (dot(cross(_S173, _S174), _S175)) < 0.0f;
+    float _S178 = fabrics_0[_S135].uv_width_0;
+    if(_S177)
     {
-        _S169 = - fabrics_0[_S151].uv_height_0;
+        _S153 = - fabrics_0[_S135].uv_height_0;
     }
     else
     {
-        _S169 = fabrics_0[_S151].uv_height_0;
+        _S153 = fabrics_0[_S135].uv_height_0;
     }
-    float2 _S195 = float2(_S194, _S169);
-    float2 _S196 = _S186 * _S195;
-    if(_S193)
+    float2 _S179 = float2(_S178, _S153);
+    float2 _S180 = _S170 * _S179;
+    if(_S177)
     {
-        _S169 = fabrics_0[_S151].uv_height_0;
+        _S153 = fabrics_0[_S135].uv_height_0;
     }
     else
     {
-        _S169 = 0.0f;
+        _S153 = 0.0f;
     }
-    point_1.draft_0 = _S196 + float2(0.0f, _S169);
-    point_1.draft_dx_0 = _S187 * _S195;
-    point_1.draft_dy_0 = _S188 * _S195;
+    point_1.draft_0 = _S180 + float2(0.0f, _S153);
+    point_1.draft_dx_0 = _S171 * _S179;
+    point_1.draft_dy_0 = _S172 * _S179;
     return point_1;
 }
 
@@ -1464,9 +1431,10 @@ struct YarnPoint_0
 {
     bool back_2;
     bool hole_2;
+    bool is_warp_1;
     float x_9;
     float y_5;
-    float height_4;
+    float height_3;
     float3 normal_4;
     float3 tangent_4;
     float roughness_8;
@@ -1478,51 +1446,418 @@ struct Hit_0
     float x_10;
     float y_6;
     bool hole_3;
-    float height_5;
+    float height_4;
 };
 
-float steps_per_length_0(uint _S197, float3 _S198)
+struct Sample_0
 {
-    return max(max(abs(_S198.x) * fabrics_0[_S197].threads_per_x_0, abs(_S198.y) * fabrics_0[_S197].threads_per_y_0) * 5.0f, abs(_S198.z) * fabrics_0[_S197].per_relief_0 * 8.0f);
+    Crossing_0 crossing_1;
+    Shown_0 shown_3;
+    Run_0 run_3;
+    Section_0 section_1;
+    float height_5;
+    float slope_across_0;
+    float slope_along_0;
+    float slope_x_1;
+    float slope_y_1;
+};
+
+Crossing_0 crossing_at_0(uint _S181, float _S182, float _S183, bool _S184)
+{
+    Crossing_0 crossing_2;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S181].warp_0, _S182);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S181].weft_0, _S183);
+    uint _S185 = fabrics_0[_S181].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S181].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S186 = words_0.Load(_S185);
+    crossing_2.warp_word_0 = _S186;
+    crossing_2.weft_word_0 = words_0.Load(_S185 + 1U);
+    crossing_2.warp_above_0 = ((_S186 & 1U) == 1U) != _S184;
+    return crossing_2;
+}
+
+Sample_0 sample_at_0(uint _S187, float _S188, float _S189, bool _S190)
+{
+    Sample_0 sample_0;
+    Crossing_0 _S191 = crossing_at_0(_S187, _S188, _S189, _S190);
+    sample_0.crossing_1 = _S191;
+    Shown_0 _S192 = shown_at_0(_S191, _S190);
+    sample_0.shown_3 = _S192;
+    uint _S193;
+    if(_S192.is_warp_0)
+    {
+        _S193 = fabrics_0[_S187].warp_0;
+    }
+    else
+    {
+        _S193 = fabrics_0[_S187].weft_0;
+    }
+    uint _S194;
+    if(_S192.is_warp_0)
+    {
+        _S194 = fabrics_0[_S187].weft_0;
+    }
+    else
+    {
+        _S194 = fabrics_0[_S187].warp_0;
+    }
+    Cell_0 _S195 = select_cell_0(_S192.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    Cell_0 _S196 = select_cell_0(_S192.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    Run_0 _S197 = unpack_0(_S193, _S194, _S195.thread_1, _S196, _S192.word_0);
+    Section_0 _S198 = section_at_0(_S195);
+    bool _S199;
+    if(_S192.on_top_0)
+    {
+        _S199 = (_S197.distance_0) < (_S198.drop_0 * _S197.bend_1.sine_0);
+    }
+    else
+    {
+        _S199 = false;
+    }
+    bool _S200;
+    if(_S192.on_top_0)
+    {
+        _S200 = !_S199;
+    }
+    else
+    {
+        _S200 = false;
+    }
+    float _S201;
+    if(_S200)
+    {
+        _S201 = 1.0f;
+    }
+    else
+    {
+        _S201 = -1.0f;
+    }
+    float _S202;
+    if(_S199)
+    {
+        _S202 = _S197.other_reach_0;
+    }
+    else
+    {
+        _S202 = _S197.reach_0;
+    }
+    float _S203;
+    if(_S199)
+    {
+        _S203 = _S202 + _S197.distance_0;
+    }
+    else
+    {
+        _S203 = max(_S202 - _S197.distance_0, 0.0f);
+    }
+    float _S204 = _S202 / _S197.bend_1.sine_0 - _S201 * _S198.drop_0;
+    float _S205 = _S203 * _S203;
+    float _S206 = max(_S204 * _S204 - _S205, 9.99999968265522539e-21f);
+    float _S207 = rsqrt(_S206);
+    float _S208 = _S205 / (_S206 * _S207 + _S204);
+    bool _S209 = _S203 > 0.0f;
+    float _S210;
+    if(_S192.on_top_0)
+    {
+        _S210 = 1.0f;
+    }
+    else
+    {
+        _S210 = -1.0f;
+    }
+    float _S211;
+    if(_S197.near_start_0)
+    {
+        _S211 = 1.0f;
+    }
+    else
+    {
+        _S211 = -1.0f;
+    }
+    float _S212 = _S210 * _S211;
+    if(_S209)
+    {
+        _S210 = _S204 * _S207;
+    }
+    else
+    {
+        _S210 = 1.0f;
+    }
+    sample_0.slope_across_0 = _S198.slope_0 * _S210;
+    if(_S209)
+    {
+        _S203 = _S212 * _S203 * _S207;
+    }
+    else
+    {
+        _S203 = 0.0f;
+    }
+    sample_0.slope_along_0 = _S203;
+    Family_0 _S213 = families_0.Load(_S193);
+    float2 _S214 = dive_0(_S194, _S192, _S197, _S196);
+    if(_S197.straight_0)
+    {
+        _S201 = 0.0f;
+    }
+    else
+    {
+        _S201 = _S213.height_scale_0 * _S201;
+    }
+    sample_0.height_5 = _S201 * (_S202 * _S197.bend_1.half_tangent_0 - _S208) - _S213.height_scale_0 * _S198.drop_0 - _S214.x;
+    float _S215 = _S213.height_scale_0 * sample_0.slope_across_0;
+    float _S216 = _S213.height_scale_0 * sample_0.slope_along_0 - _S214.y;
+    if(_S192.is_warp_0)
+    {
+        _S201 = _S215;
+    }
+    else
+    {
+        _S201 = _S216;
+    }
+    sample_0.slope_x_1 = _S201;
+    if(_S192.is_warp_0)
+    {
+        _S201 = _S216;
+    }
+    else
+    {
+        _S201 = _S215;
+    }
+    sample_0.slope_y_1 = _S201;
+    sample_0.run_3 = _S197;
+    sample_0.section_1 = _S198;
+    return sample_0;
+}
+
+float steps_per_length_0(uint _S217, SearchQuality_0 _S218, float3 _S219)
+{
+    return max(max(abs(_S219.x) * fabrics_0[_S217].threads_per_x_0, abs(_S219.y) * fabrics_0[_S217].threads_per_y_0) * _S218.steps_per_thread_0, abs(_S219.z) * fabrics_0[_S217].per_relief_0 * _S218.steps_per_relief_0);
+}
+
+float cell_maximum_0(uint _S220, Crossing_0 _S221)
+{
+    uint _S222;
+    if(_S221.warp_above_0)
+    {
+        _S222 = fabrics_0[_S220].warp_0;
+    }
+    else
+    {
+        _S222 = fabrics_0[_S220].weft_0;
+    }
+    uint _S223;
+    if(_S221.warp_above_0)
+    {
+        _S223 = _S221.warp_word_0;
+    }
+    else
+    {
+        _S223 = _S221.weft_word_0;
+    }
+    return float(_S223 >> int(28)) * families_0.Load(_S222).height_scale_0 * families_0.Load(_S222).level_0;
+}
+
+Probe_0 probe_0(uint _S224, float _S225, float _S226, bool _S227, bool _S228, bool _S229)
+{
+    Sample_0 _S230 = sample_at_0(_S224, _S225, _S226, _S227);
+    Probe_0 probe_1;
+    probe_1.height_1 = _S230.height_5;
+    probe_1.hole_1 = _S230.shown_3.hole_0;
+    probe_1.slope_x_0 = _S230.slope_x_1;
+    probe_1.slope_y_0 = _S230.slope_y_1;
+    uint _S231;
+    if(_S230.shown_3.is_warp_0)
+    {
+        _S231 = _S230.crossing_1.warp_1.thread_1 * 2U + 1U;
+    }
+    else
+    {
+        _S231 = _S230.crossing_1.weft_1.thread_1 * 2U;
+    }
+    probe_1.yarn_1 = _S231;
+    probe_1.cell_max_0 = cell_maximum_0(_S224, _S230.crossing_1);
+    float _S232;
+    if(_S228)
+    {
+        _S232 = _S230.crossing_1.warp_1.above_0;
+    }
+    else
+    {
+        _S232 = _S230.crossing_1.warp_1.below_0;
+    }
+    probe_1.side_x_0 = _S232;
+    if(_S229)
+    {
+        _S232 = _S230.crossing_1.weft_1.above_0;
+    }
+    else
+    {
+        _S232 = _S230.crossing_1.weft_1.below_0;
+    }
+    probe_1.side_y_0 = _S232;
+    probe_1.edge_x_0 = outline_distance_0(_S230.crossing_1.warp_1, _S230.shown_3, _S230.run_3, !_S230.shown_3.is_warp_0, _S228);
+    probe_1.edge_y_0 = outline_distance_0(_S230.crossing_1.weft_1, _S230.shown_3, _S230.run_3, _S230.shown_3.is_warp_0, _S229);
+    return probe_1;
+}
+
+bool is_free_0(uint _S233, SearchQuality_0 _S234, float3 _S235, float3 _S236, bool _S237, float _S238)
+{
+    float _S239 = _S236.z;
+    if(_S239 <= 0.0f)
+    {
+        return false;
+    }
+    float _S240 = 1.0f / max(_S234.shadow_share_0 * steps_per_length_0(_S233, _S234, _S236), 9.99999971718068537e-10f);
+    StepControl_0 _S241 = step_control_0(_S236.xy, _S240);
+    PreviousSample_0 previous_3 = no_previous_sample_0();
+    uint count_1 = 0U;
+    float distance_1 = 0.0f;
+    float last_step_0 = 0.0f;
+    for(;;)
+    {
+        bool _S242;
+        if(count_1 < 1024U)
+        {
+            _S242 = (_S235.z + _S239 * distance_1) < _S238;
+        }
+        else
+        {
+            _S242 = false;
+        }
+        if(_S242)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float3 _S243 = _S235 + _S236 * distance_1;
+        Probe_0 _S244 = probe_0(_S233, _S243.x, _S243.y, _S237, _S241.right_0, _S241.up_0);
+        float _S245 = _S243.z;
+        float _S246 = _S245 - _S244.height_1;
+        float _S247 = _S239 - _S244.slope_x_0 * _S236.x - _S244.slope_y_0 * _S236.y;
+        bool _S248;
+        if(!_S244.hole_1)
+        {
+            _S248 = _S246 < 0.0f;
+        }
+        else
+        {
+            _S248 = false;
+        }
+        if(_S248)
+        {
+            return false;
+        }
+        float _S249 = way_back_to_dip_0(previous_3, _S246, _S247, last_step_0, _S244);
+        if(_S249 >= 0.0f)
+        {
+            float last_step_1 = last_step_0 - _S249;
+            distance_1 = distance_1 - _S249;
+            last_step_0 = last_step_1;
+            count_1 = count_1 + 1U;
+            continue;
+        }
+        bool _S250 = _S245 > (_S244.cell_max_0);
+        PreviousSample_0 _S251 = after_sample_0(_S246, _S247, _S244, _S250);
+        float last_step_2;
+        if(_S250)
+        {
+            last_step_2 = max(StepControl_to_cell_exit_0(_S241, _S244.side_x_0, _S244.side_y_0), _S240);
+        }
+        else
+        {
+            last_step_2 = StepControl_to_next_sample_0(_S241, _S244, _S246, _S247);
+        }
+        float distance_2 = distance_1 + last_step_2;
+        previous_3 = _S251;
+        distance_1 = distance_2;
+        last_step_0 = last_step_2;
+        count_1 = count_1 + 1U;
+    }
+    return true;
+}
+
+bool passes_through_0(uint _S252, SearchQuality_0 _S253, float _S254, float _S255, float3 _S256, bool _S257)
+{
+    if(!sample_at_0(_S252, _S254, _S255, _S257).shown_3.hole_0)
+    {
+        return false;
+    }
+    float3 _S258 = float3(_S254, _S255, 0.0f);
+    bool passes_0 = true;
+    uint side_0 = 0U;
+    for(;;)
+    {
+        bool _S259;
+        if(side_0 < 2U)
+        {
+            _S259 = passes_0;
+        }
+        else
+        {
+            _S259 = false;
+        }
+        if(_S259)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float3 _S260;
+        if(side_0 == 0U)
+        {
+            _S260 = _S256;
+        }
+        else
+        {
+            _S260 = float3(- _S256.x, - _S256.y, _S256.z);
+        }
+        bool _S261 = is_free_0(_S252, _S253, _S258, _S260, _S257 != (side_0 == 1U), fabrics_0[_S252].height_high_0);
+        uint _S262 = side_0 + 1U;
+        passes_0 = _S261;
+        side_0 = _S262;
+    }
+    return passes_0;
 }
 
 struct ViewRayEnd_0
 {
     float height_6;
-    float last_step_0;
+    float last_step_3;
     float depth_1;
     float rate_4;
     bool smooth_0;
-    PreviousSample_0 previous_3;
+    PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S199, float _S200, float _S201, float _S202, float3 _S203, bool _S204)
+float max_height_along_0(uint _S263, float _S264, float _S265, float _S266, float3 _S267, bool _S268)
 {
-    uint _S205 = locate_0(fabrics_0[_S199].warp_0, _S200).thread_1 / 2U;
-    uint _S206 = locate_0(fabrics_0[_S199].weft_0, _S201).thread_1 / 2U;
-    float _S207 = _S203.x;
-    uint _S208;
-    if(_S207 > 0.0f)
+    uint _S269 = locate_0(fabrics_0[_S263].warp_0, _S264).thread_1 / 2U;
+    uint _S270 = locate_0(fabrics_0[_S263].weft_0, _S265).thread_1 / 2U;
+    float _S271 = _S267.x;
+    uint _S272;
+    if(_S271 > 0.0f)
     {
-        _S208 = 1U;
+        _S272 = 1U;
     }
     else
     {
-        _S208 = 0U;
+        _S272 = 0U;
     }
-    float _S209 = _S203.y;
-    uint _S210;
-    if(_S209 > 0.0f)
+    float _S273 = _S267.y;
+    uint _S274;
+    if(_S273 > 0.0f)
     {
-        _S210 = 2U;
+        _S274 = 2U;
     }
     else
     {
-        _S210 = 0U;
+        _S274 = 0U;
     }
-    uint _S211 = words_0.Load(fabrics_0[_S199].max_heights_0 + 4U * (_S206 * fabrics_0[_S199].max_height_columns_0 + _S205) + (_S208 + _S210));
+    uint _S275 = words_0.Load(fabrics_0[_S263].max_heights_0 + 4U * (_S270 * fabrics_0[_S263].max_height_columns_0 + _S269) + (_S272 + _S274));
     int number_0;
-    if(_S204)
+    if(_S268)
     {
         number_0 = int(4);
     }
@@ -1530,10 +1865,10 @@ float max_height_along_0(uint _S199, float _S200, float _S201, float _S202, floa
     {
         number_0 = int(0);
     }
-    uint _S212 = _S211 >> number_0;
-    float _S213 = max(abs(_S207) * fabrics_0[_S199].threads_per_x_0, abs(_S209) * fabrics_0[_S199].threads_per_y_0) / _S203.z;
-    float _S214 = fabrics_0[_S199].height_high_0;
-    float max_height_0 = fabrics_0[_S199].height_high_0;
+    uint _S276 = _S275 >> number_0;
+    float _S277 = max(abs(_S271) * fabrics_0[_S263].threads_per_x_0, abs(_S273) * fabrics_0[_S263].threads_per_y_0) / _S267.z;
+    float _S278 = fabrics_0[_S263].height_high_0;
+    float max_height_0 = fabrics_0[_S263].height_high_0;
     number_0 = int(3);
     for(;;)
     {
@@ -1544,163 +1879,45 @@ float max_height_along_0(uint _S199, float _S200, float _S201, float _S202, floa
         {
             break;
         }
-        if(((max_height_0 - _S202) * _S213) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S266) * _S277) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S212 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S214);
+            max_height_0 = min(max_height_0, float((_S276 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S278);
         }
         number_0 = number_0 - int(1);
     }
     return max_height_0;
 }
 
-Crossing_0 crossing_at_0(uint _S215, float _S216, float _S217, bool _S218)
+float3 cell_bounds_0(uint _S279, float _S280, float _S281, bool _S282, bool _S283, bool _S284)
 {
-    Crossing_0 crossing_2;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S215].warp_0, _S216);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S215].weft_0, _S217);
-    uint _S219 = fabrics_0[_S215].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S215].ends_0 + crossing_2.warp_1.thread_1);
-    uint _S220 = words_0.Load(_S219);
-    crossing_2.warp_word_0 = _S220;
-    crossing_2.weft_word_0 = words_0.Load(_S219 + 1U);
-    crossing_2.warp_above_0 = ((_S220 & 1U) == 1U) != _S218;
-    return crossing_2;
-}
-
-float cell_maximum_0(uint _S221, Crossing_0 _S222)
-{
-    if(_S222.warp_above_0)
+    Crossing_0 _S285 = crossing_at_0(_S279, _S280, _S281, _S282);
+    float _S286 = cell_maximum_0(_S279, _S285);
+    float _S287;
+    if(_S283)
     {
-        return float((_S222.warp_word_0) >> int(28)) * fabrics_0[_S221].warp_0.height_scale_0 * fabrics_0[_S221].warp_0.level_0;
-    }
-    return float((_S222.weft_word_0) >> int(28)) * fabrics_0[_S221].weft_0.height_scale_0 * fabrics_0[_S221].weft_0.level_0;
-}
-
-float3 cell_bounds_0(uint _S223, float _S224, float _S225, bool _S226, bool _S227, bool _S228)
-{
-    Crossing_0 _S229 = crossing_at_0(_S223, _S224, _S225, _S226);
-    float _S230 = cell_maximum_0(_S223, _S229);
-    float _S231;
-    if(_S227)
-    {
-        _S231 = _S229.warp_1.above_0;
+        _S287 = _S285.warp_1.above_0;
     }
     else
     {
-        _S231 = _S229.warp_1.below_0;
+        _S287 = _S285.warp_1.below_0;
     }
-    float _S232;
-    if(_S228)
+    float _S288;
+    if(_S284)
     {
-        _S232 = _S229.weft_1.above_0;
+        _S288 = _S285.weft_1.above_0;
     }
     else
     {
-        _S232 = _S229.weft_1.below_0;
+        _S288 = _S285.weft_1.below_0;
     }
-    return float3(_S230, _S231, _S232);
+    return float3(_S286, _S287, _S288);
 }
 
-float first_sample_height_0(uint _S233, ViewRay_0 _S234, StepControl_0 _S235, bool _S236)
+float first_sample_height_0(uint _S289, ViewRay_0 _S290, StepControl_0 _S291, bool _S292)
 {
-    float _S237 = max_height_along_0(_S233, _S234.origin_0.x, _S234.origin_0.y, 0.0f, float3(_S234.slope_0, 1.0f), _S236);
-    uint count_1 = 0U;
-    float height_7 = _S237;
-    for(;;)
-    {
-        if(count_1 < 1024U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2 _S238 = ViewRay_at_0(_S234, height_7);
-        float3 _S239 = cell_bounds_0(_S233, _S238.x, _S238.y, _S236, _S235.right_0, _S235.up_0);
-        float _S240 = height_7 - _S239.x;
-        float _S241 = StepControl_to_cell_exit_0(_S235, _S239.y, _S239.z);
-        float height_8 = height_7 - clamp(_S240, 0.0f, _S241);
-        if(_S240 <= _S241)
-        {
-            height_7 = height_8;
-            break;
-        }
-        count_1 = count_1 + 1U;
-        height_7 = height_8;
-    }
-    return height_7;
-}
-
-Sample_0 sample_at_0(uint _S242, float _S243, float _S244, bool _S245)
-{
-    Sample_0 sample_1;
-    Crossing_0 _S246 = crossing_at_0(_S242, _S243, _S244, _S245);
-    sample_1.crossing_1 = _S246;
-    sample_1.shown_2 = shown_at_0(_S246, _S245);
-    if(sample_1.shown_2.is_warp_0)
-    {
-        shape_0(fabrics_0[_S242].warp_0, fabrics_0[_S242].weft_0, sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1, sample_1);
-    }
-    else
-    {
-        shape_0(fabrics_0[_S242].weft_0, fabrics_0[_S242].warp_0, sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1, sample_1);
-    }
-    return sample_1;
-}
-
-Probe_0 probe_0(uint _S247, float _S248, float _S249, bool _S250, bool _S251, bool _S252)
-{
-    Sample_0 _S253 = sample_at_0(_S247, _S248, _S249, _S250);
-    Probe_0 probe_1;
-    probe_1.height_3 = _S253.height_2;
-    probe_1.hole_1 = _S253.shown_2.hole_0;
-    probe_1.slope_x_1 = _S253.slope_x_0;
-    probe_1.slope_y_1 = _S253.slope_y_0;
-    uint _S254;
-    if(_S253.shown_2.is_warp_0)
-    {
-        _S254 = _S253.crossing_1.warp_1.thread_1 * 2U + 1U;
-    }
-    else
-    {
-        _S254 = _S253.crossing_1.weft_1.thread_1 * 2U;
-    }
-    probe_1.yarn_1 = _S254;
-    probe_1.cell_max_0 = cell_maximum_0(_S247, _S253.crossing_1);
-    float _S255;
-    if(_S251)
-    {
-        _S255 = _S253.crossing_1.warp_1.above_0;
-    }
-    else
-    {
-        _S255 = _S253.crossing_1.warp_1.below_0;
-    }
-    probe_1.side_x_1 = _S255;
-    if(_S252)
-    {
-        _S255 = _S253.crossing_1.weft_1.above_0;
-    }
-    else
-    {
-        _S255 = _S253.crossing_1.weft_1.below_0;
-    }
-    probe_1.side_y_1 = _S255;
-    probe_1.edge_x_0 = outline_distance_0(_S253.crossing_1.warp_1, _S253.shown_2, _S253.run_2, !_S253.shown_2.is_warp_0, _S251);
-    probe_1.edge_y_0 = outline_distance_0(_S253.crossing_1.weft_1, _S253.shown_2, _S253.run_2, _S253.shown_2.is_warp_0, _S252);
-    return probe_1;
-}
-
-ViewRayEnd_0 search_down_0(uint _S256, ViewRay_0 _S257, StepControl_0 _S258, bool _S259)
-{
-    float _S260 = fabrics_0[_S256].height_low_0 - (fabrics_0[_S256].height_high_0 - fabrics_0[_S256].height_low_0);
-    ViewRayEnd_0 end_1;
-    end_1.height_6 = first_sample_height_0(_S256, _S257, _S258, _S259);
-    end_1.last_step_0 = _S258.epsilon_0;
-    end_1.previous_3 = no_previous_sample_0();
-    end_1.depth_1 = 0.0f;
-    end_1.rate_4 = 0.0f;
-    end_1.smooth_0 = false;
+    float _S293 = max_height_along_0(_S289, _S290.origin_0.x, _S290.origin_0.y, 0.0f, float3(_S290.slope_1, 1.0f), _S292);
     uint count_2 = 0U;
+    float height_7 = _S293;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -1710,150 +1927,186 @@ ViewRayEnd_0 search_down_0(uint _S256, ViewRay_0 _S257, StepControl_0 _S258, boo
         {
             break;
         }
-        float2 _S261 = ViewRay_at_0(_S257, end_1.height_6);
-        Probe_0 _S262 = probe_0(_S256, _S261.x, _S261.y, _S259, _S258.right_0, _S258.up_0);
-        float _S263 = end_1.height_6 - _S262.height_3;
-        float _S264 = ViewRay_rate_0(_S257, _S262);
-        end_1.depth_1 = - _S263;
-        end_1.rate_4 = _S264;
-        bool _S265;
-        if(end_1.previous_3.known_0)
+        float2 _S294 = ViewRay_at_0(_S290, height_7);
+        float3 _S295 = cell_bounds_0(_S289, _S294.x, _S294.y, _S292, _S291.right_0, _S291.up_0);
+        float _S296 = height_7 - _S295.x;
+        float _S297 = StepControl_to_cell_exit_0(_S291, _S295.y, _S295.z);
+        float height_8 = height_7 - clamp(_S296, 0.0f, _S297);
+        if(_S296 <= _S297)
         {
-            _S265 = !_S262.hole_1;
+            height_7 = height_8;
+            break;
+        }
+        count_2 = count_2 + 1U;
+        height_7 = height_8;
+    }
+    return height_7;
+}
+
+ViewRayEnd_0 search_down_0(uint _S298, ViewRay_0 _S299, StepControl_0 _S300, bool _S301)
+{
+    float _S302 = fabrics_0[_S298].height_low_0 - (fabrics_0[_S298].height_high_0 - fabrics_0[_S298].height_low_0);
+    ViewRayEnd_0 end_1;
+    end_1.height_6 = first_sample_height_0(_S298, _S299, _S300, _S301);
+    end_1.last_step_3 = _S300.epsilon_0;
+    end_1.previous_4 = no_previous_sample_0();
+    end_1.depth_1 = 0.0f;
+    end_1.rate_4 = 0.0f;
+    end_1.smooth_0 = false;
+    uint count_3 = 0U;
+    for(;;)
+    {
+        if(count_3 < 1024U)
+        {
         }
         else
-        {
-            _S265 = false;
-        }
-        bool _S266;
-        if(_S265)
-        {
-            _S266 = (end_1.previous_3.yarn_0) == (_S262.yarn_1);
-        }
-        else
-        {
-            _S266 = false;
-        }
-        end_1.smooth_0 = _S266;
-        bool _S267;
-        if(!_S262.hole_1)
-        {
-            _S267 = _S263 <= 0.0f;
-        }
-        else
-        {
-            _S267 = false;
-        }
-        bool _S268;
-        if(_S267)
-        {
-            _S268 = true;
-        }
-        else
-        {
-            _S268 = (end_1.height_6) <= _S260;
-        }
-        if(_S268)
         {
             break;
         }
-        float _S269 = way_back_to_dip_0(end_1.previous_3, _S263, _S264, end_1.last_step_0, _S262);
-        if(_S269 >= 0.0f)
+        float2 _S303 = ViewRay_at_0(_S299, end_1.height_6);
+        Probe_0 _S304 = probe_0(_S298, _S303.x, _S303.y, _S301, _S300.right_0, _S300.up_0);
+        float _S305 = end_1.height_6 - _S304.height_1;
+        float _S306 = ViewRay_rate_0(_S299, _S304);
+        end_1.depth_1 = - _S305;
+        end_1.rate_4 = _S306;
+        bool _S307;
+        if(end_1.previous_4.known_0)
         {
-            end_1.height_6 = end_1.height_6 + _S269;
-            end_1.last_step_0 = end_1.last_step_0 - _S269;
-            count_2 = count_2 + 1U;
+            _S307 = !_S304.hole_1;
+        }
+        else
+        {
+            _S307 = false;
+        }
+        bool _S308;
+        if(_S307)
+        {
+            _S308 = (end_1.previous_4.yarn_0) == (_S304.yarn_1);
+        }
+        else
+        {
+            _S308 = false;
+        }
+        end_1.smooth_0 = _S308;
+        bool _S309;
+        if(!_S304.hole_1)
+        {
+            _S309 = _S305 <= 0.0f;
+        }
+        else
+        {
+            _S309 = false;
+        }
+        bool _S310;
+        if(_S309)
+        {
+            _S310 = true;
+        }
+        else
+        {
+            _S310 = (end_1.height_6) <= _S302;
+        }
+        if(_S310)
+        {
+            break;
+        }
+        float _S311 = way_back_to_dip_0(end_1.previous_4, _S305, _S306, end_1.last_step_3, _S304);
+        if(_S311 >= 0.0f)
+        {
+            end_1.height_6 = end_1.height_6 + _S311;
+            end_1.last_step_3 = end_1.last_step_3 - _S311;
+            count_3 = count_3 + 1U;
             continue;
         }
-        float _S270 = min(StepControl_to_cell_exit_0(_S258, _S262.side_x_1, _S262.side_y_1), end_1.height_6 - _S262.cell_max_0);
-        float _S271 = StepControl_to_next_sample_0(_S258, _S262, _S263, _S264);
-        end_1.previous_3 = after_sample_0(_S263, _S264, _S262, _S270 > _S271);
-        float _S272 = max(_S270, _S271);
-        end_1.last_step_0 = _S272;
-        end_1.height_6 = end_1.height_6 - _S272;
-        count_2 = count_2 + 1U;
+        float _S312 = min(StepControl_to_cell_exit_0(_S300, _S304.side_x_0, _S304.side_y_0), end_1.height_6 - _S304.cell_max_0);
+        float _S313 = StepControl_to_next_sample_0(_S300, _S304, _S305, _S306);
+        end_1.previous_4 = after_sample_0(_S305, _S306, _S304, _S312 > _S313);
+        float _S314 = max(_S312, _S313);
+        end_1.last_step_3 = _S314;
+        end_1.height_6 = end_1.height_6 - _S314;
+        count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S273, ViewRay_0 _S274, StepControl_0 _S275, bool _S276, ViewRayEnd_0 _S277)
+float refined_height_0(uint _S315, ViewRay_0 _S316, StepControl_0 _S317, bool _S318, ViewRayEnd_0 _S319, uint _S320)
 {
-    float _S278 = fabrics_0[_S273].height_high_0 - fabrics_0[_S273].height_low_0;
-    float above_2 = _S277.height_6 + _S277.last_step_0;
-    float above_gap_1 = clamp(_S277.previous_3.clearance_0, 0.0f, _S278);
-    float under_gap_1 = clamp(_S277.depth_1, 0.0f, _S278);
-    float _S279 = cubic_root_0(above_gap_1, - under_gap_1, _S277.previous_3.rate_0 * _S277.last_step_0, _S277.rate_4 * _S277.last_step_0);
+    float _S321 = fabrics_0[_S315].height_high_0 - fabrics_0[_S315].height_low_0;
+    float above_2 = _S319.height_6 + _S319.last_step_3;
+    float above_gap_1 = clamp(_S319.previous_4.clearance_0, 0.0f, _S321);
+    float under_gap_1 = clamp(_S319.depth_1, 0.0f, _S321);
+    float _S322 = cubic_root_0(above_gap_1, - under_gap_1, _S319.previous_4.rate_0 * _S319.last_step_3, _S319.rate_4 * _S319.last_step_3);
     float middle_0;
-    if(_S277.smooth_0)
+    if(_S319.smooth_0)
     {
-        middle_0 = above_2 - _S279 * _S277.last_step_0;
+        middle_0 = above_2 - _S322 * _S319.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S277.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S319.height_6, above_gap_1, under_gap_1);
     }
-    float side_0 = 0.0f;
+    float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S277.height_6;
+    float under_1 = _S319.height_6;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < 2U)
+        if(i_1 < _S320)
         {
         }
         else
         {
             break;
         }
-        float2 _S280 = ViewRay_at_0(_S274, middle_0);
-        Probe_0 _S281 = probe_0(_S273, _S280.x, _S280.y, _S276, _S275.right_0, _S275.up_0);
-        float _S282;
-        if(_S281.hole_1)
+        float2 _S323 = ViewRay_at_0(_S316, middle_0);
+        Probe_0 _S324 = probe_0(_S315, _S323.x, _S323.y, _S318, _S317.right_0, _S317.up_0);
+        float _S325;
+        if(_S324.hole_1)
         {
-            _S282 = -1.0e+09f;
+            _S325 = -1.0e+09f;
         }
         else
         {
-            _S282 = _S281.height_3;
+            _S325 = _S324.height_1;
         }
-        float _S283 = clamp(middle_0 - _S282, - _S278, _S278);
-        float _S284;
-        if(_S283 <= 0.0f)
+        float _S326 = clamp(middle_0 - _S325, - _S321, _S321);
+        float _S327;
+        if(_S326 <= 0.0f)
         {
-            if(side_0 > 0.0f)
+            if(side_1 > 0.0f)
             {
-                _S284 = 0.5f * above_gap_2;
+                _S327 = 0.5f * above_gap_2;
             }
             else
             {
-                _S284 = above_gap_2;
+                _S327 = above_gap_2;
             }
-            float _S285 = - _S283;
+            float _S328 = - _S326;
             under_1 = middle_0;
-            above_gap_2 = _S284;
-            under_gap_2 = _S285;
-            side_0 = 1.0f;
+            above_gap_2 = _S327;
+            under_gap_2 = _S328;
+            side_1 = 1.0f;
         }
         else
         {
-            if(side_0 < 0.0f)
+            if(side_1 < 0.0f)
             {
-                _S284 = 0.5f * under_gap_2;
+                _S327 = 0.5f * under_gap_2;
             }
             else
             {
-                _S284 = under_gap_2;
+                _S327 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S283;
-            under_gap_2 = _S284;
-            side_0 = -1.0f;
+            above_gap_2 = _S326;
+            under_gap_2 = _S327;
+            side_1 = -1.0f;
         }
-        if(_S277.smooth_0)
+        if(_S319.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S283 / min(ViewRay_rate_0(_S274, _S281), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S326 / min(ViewRay_rate_0(_S316, _S324), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -1861,7 +2114,7 @@ float refined_height_0(uint _S273, ViewRay_0 _S274, StepControl_0 _S275, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S277.smooth_0)
+    if(_S319.smooth_0)
     {
     }
     else
@@ -1871,130 +2124,36 @@ float refined_height_0(uint _S273, ViewRay_0 _S274, StepControl_0 _S275, bool _S
     return middle_0;
 }
 
-bool is_free_0(uint _S286, float3 _S287, float3 _S288, bool _S289, float _S290)
+Hit_0 first_hit_0(uint _S329, SearchQuality_0 _S330, float _S331, float _S332, float3 _S333, bool _S334)
 {
-    float _S291 = _S288.z;
-    if(_S291 <= 0.0f)
-    {
-        return false;
-    }
-    float _S292 = 1.0f / max(steps_per_length_0(_S286, _S288), 9.99999971718068537e-10f);
-    StepControl_0 _S293 = step_control_0(_S288.xy, _S292);
-    PreviousSample_0 previous_4 = no_previous_sample_0();
-    uint count_3 = 0U;
-    float distance_1 = 0.0f;
-    float last_step_1 = 0.0f;
-    for(;;)
-    {
-        bool _S294;
-        if(count_3 < 1024U)
-        {
-            _S294 = (_S287.z + _S291 * distance_1) < _S290;
-        }
-        else
-        {
-            _S294 = false;
-        }
-        if(_S294)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float3 _S295 = _S287 + _S288 * distance_1;
-        Probe_0 _S296 = probe_0(_S286, _S295.x, _S295.y, _S289, _S293.right_0, _S293.up_0);
-        float _S297 = _S295.z;
-        float _S298 = _S297 - _S296.height_3;
-        float _S299 = _S291 - _S296.slope_x_1 * _S288.x - _S296.slope_y_1 * _S288.y;
-        bool _S300;
-        if(!_S296.hole_1)
-        {
-            _S300 = _S298 < 0.0f;
-        }
-        else
-        {
-            _S300 = false;
-        }
-        if(_S300)
-        {
-            return false;
-        }
-        float _S301 = way_back_to_dip_0(previous_4, _S298, _S299, last_step_1, _S296);
-        if(_S301 >= 0.0f)
-        {
-            float last_step_2 = last_step_1 - _S301;
-            distance_1 = distance_1 - _S301;
-            last_step_1 = last_step_2;
-            count_3 = count_3 + 1U;
-            continue;
-        }
-        bool _S302 = _S297 > (_S296.cell_max_0);
-        PreviousSample_0 _S303 = after_sample_0(_S298, _S299, _S296, _S302);
-        float last_step_3;
-        if(_S302)
-        {
-            last_step_3 = max(StepControl_to_cell_exit_0(_S293, _S296.side_x_1, _S296.side_y_1), _S292);
-        }
-        else
-        {
-            last_step_3 = StepControl_to_next_sample_0(_S293, _S296, _S298, _S299);
-        }
-        float distance_2 = distance_1 + last_step_3;
-        previous_4 = _S303;
-        distance_1 = distance_2;
-        last_step_1 = last_step_3;
-        count_3 = count_3 + 1U;
-    }
-    return true;
-}
-
-bool passes_through_0(uint _S304, float _S305, float _S306, float3 _S307, bool _S308)
-{
-    if(!sample_at_0(_S304, _S305, _S306, _S308).shown_2.hole_0)
-    {
-        return false;
-    }
-    float3 _S309 = float3(_S305, _S306, 0.0f);
-    float _S310 = fabrics_0[_S304].height_high_0;
-    if(!is_free_0(_S304, _S309, _S307, _S308, fabrics_0[_S304].height_high_0))
-    {
-        return false;
-    }
-    return is_free_0(_S304, _S309, float3(- _S307.x, - _S307.y, _S307.z), !_S308, _S310);
-}
-
-Hit_0 first_hit_0(uint _S311, float _S312, float _S313, float3 _S314, bool _S315)
-{
-    float _S316 = max(_S314.z, 0.00009999999747379f);
-    ViewRay_0 ray_0;
-    ray_0.origin_0 = float2(_S312, _S313);
-    float2 _S317 = _S314.xy / _S316;
-    ray_0.slope_0 = _S317;
-    StepControl_0 _S318 = step_control_0(- _S317, 1.0f / max(steps_per_length_0(_S311, _S314) / _S316, 9.99999971718068537e-10f));
     Hit_0 hit_0;
-    float _S319 = refined_height_0(_S311, ray_0, _S318, _S315, search_down_0(_S311, ray_0, _S318, _S315));
-    hit_0.height_5 = _S319;
-    float2 _S320 = ViewRay_at_0(ray_0, _S319);
-    hit_0.x_10 = _S320.x;
-    hit_0.y_6 = _S320.y;
-    bool _S321;
-    if(_S319 <= 0.0f)
+    hit_0.x_10 = _S331;
+    hit_0.y_6 = _S332;
+    hit_0.height_4 = 0.0f;
+    bool _S335 = passes_through_0(_S329, _S330, _S331, _S332, _S333, _S334);
+    hit_0.hole_3 = _S335;
+    if(_S335)
     {
-        _S321 = passes_through_0(_S311, _S312, _S313, _S314, _S315);
+        return hit_0;
     }
-    else
-    {
-        _S321 = false;
-    }
-    hit_0.hole_3 = _S321;
+    float _S336 = max(_S333.z, 0.00009999999747379f);
+    ViewRay_0 ray_0;
+    ray_0.origin_0 = float2(_S331, _S332);
+    float2 _S337 = _S333.xy / _S336;
+    ray_0.slope_1 = _S337;
+    StepControl_0 _S338 = step_control_0(- _S337, 1.0f / max(steps_per_length_0(_S329, _S330, _S333) / _S336, 9.99999971718068537e-10f));
+    float _S339 = refined_height_0(_S329, ray_0, _S338, _S334, search_down_0(_S329, ray_0, _S338, _S334), _S330.refinements_0);
+    hit_0.height_4 = _S339;
+    float2 _S340 = ViewRay_at_0(ray_0, _S339);
+    hit_0.x_10 = _S340.x;
+    hit_0.y_6 = _S340.y;
     return hit_0;
 }
 
 struct SurfacePoint_0
 {
     bool hole_4;
-    bool is_warp_1;
+    bool is_warp_2;
     uint warp_thread_0;
     uint weft_thread_0;
     float height_9;
@@ -2005,426 +2164,420 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S322, float _S323, float _S324, bool _S325)
+SurfacePoint_0 surface_at_0(uint _S341, float _S342, float _S343, bool _S344)
 {
-    Sample_0 _S326 = sample_at_0(_S322, _S323, _S324, _S325);
-    float _S327;
-    if(_S326.shown_2.is_warp_0)
+    Sample_0 _S345 = sample_at_0(_S341, _S342, _S343, _S344);
+    float _S346;
+    if(_S345.shown_3.is_warp_0)
     {
-        _S327 = _S326.crossing_1.warp_1.half_width_1;
+        _S346 = _S345.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S327 = _S326.crossing_1.weft_1.half_width_1;
+        _S346 = _S345.crossing_1.weft_1.half_width_1;
     }
-    float _S328;
-    if(_S326.shown_2.is_warp_0)
+    uint _S347;
+    if(_S345.shown_3.is_warp_0)
     {
-        _S328 = fabrics_0[_S322].warp_0.twist_sine_0;
-    }
-    else
-    {
-        _S328 = fabrics_0[_S322].weft_0.twist_sine_0;
-    }
-    float _S329;
-    if(_S325)
-    {
-        _S329 = -1.0f;
+        _S347 = fabrics_0[_S341].warp_0;
     }
     else
     {
-        _S329 = 1.0f;
+        _S347 = fabrics_0[_S341].weft_0;
     }
-    float _S330 = _S328 * _S329;
-    if(_S326.shown_2.is_warp_0)
+    Family_0 _S348 = families_0.Load(_S347);
+    float _S349;
+    if(_S344)
     {
-        _S328 = fabrics_0[_S322].warp_0.twist_cosine_0;
-    }
-    else
-    {
-        _S328 = fabrics_0[_S322].weft_0.twist_cosine_0;
-    }
-    if(_S326.shown_2.is_warp_0)
-    {
-        _S329 = 1.0f;
+        _S349 = -1.0f;
     }
     else
     {
-        _S329 = -1.0f;
+        _S349 = 1.0f;
     }
-    float2 _S331 = fibre_direction_0(_S326.slope_across_0, _S329 * _S326.slope_along_0, _S330, _S328);
-    float _S332;
-    if(_S326.shown_2.is_warp_0)
+    float _S350 = _S348.twist_sine_0 * _S349;
+    Family_0 _S351 = families_0.Load(_S347);
+    if(_S345.shown_3.is_warp_0)
     {
-        _S332 = _S326.slope_x_0;
-    }
-    else
-    {
-        _S332 = _S326.slope_y_0;
-    }
-    float _S333;
-    if(_S326.shown_2.is_warp_0)
-    {
-        _S333 = _S326.slope_y_0;
+        _S349 = 1.0f;
     }
     else
     {
-        _S333 = _S326.slope_x_0;
+        _S349 = -1.0f;
     }
-    float _S334 = _S331.x;
-    float _S335 = _S331.y;
-    float _S336 = _S332 * _S334 + _S329 * _S333 * _S335;
-    float _S337 = _S327 * 1.0154266357421875f;
-    float _S338 = _S337 * arc_sine_0(clamp(_S326.section_1.across_1 / _S337, -1.0f, 1.0f));
-    if(_S326.shown_2.is_warp_0)
+    float2 _S352 = fibre_direction_0(_S345.slope_across_0, _S349 * _S345.slope_along_0, _S350, _S351.twist_cosine_0);
+    float _S353;
+    if(_S345.shown_3.is_warp_0)
     {
-        _S327 = _S324;
+        _S353 = _S345.slope_x_1;
     }
     else
     {
-        _S327 = - _S323;
+        _S353 = _S345.slope_y_1;
+    }
+    float _S354;
+    if(_S345.shown_3.is_warp_0)
+    {
+        _S354 = _S345.slope_y_1;
+    }
+    else
+    {
+        _S354 = _S345.slope_x_1;
+    }
+    float _S355 = _S352.x;
+    float _S356 = _S352.y;
+    float _S357 = _S353 * _S355 + _S349 * _S354 * _S356;
+    float _S358 = _S346 * 1.0154266357421875f;
+    float _S359 = _S358 * arc_sine_0(clamp(_S345.section_1.across_1 / _S358, -1.0f, 1.0f));
+    if(_S345.shown_3.is_warp_0)
+    {
+        _S346 = _S343;
+    }
+    else
+    {
+        _S346 = - _S342;
     }
     SurfacePoint_0 point_2;
-    point_2.hole_4 = _S326.shown_2.hole_0;
-    point_2.is_warp_1 = _S326.shown_2.is_warp_0;
-    point_2.warp_thread_0 = _S326.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S326.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S326.height_2;
-    point_2.normal_5 = normalize(float3(- _S326.slope_x_0, - _S326.slope_y_0, 1.0f));
-    float3 _S339;
-    if(_S326.shown_2.is_warp_0)
+    point_2.hole_4 = _S345.shown_3.hole_0;
+    point_2.is_warp_2 = _S345.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S345.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S345.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S345.height_5;
+    point_2.normal_5 = normalize(float3(- _S345.slope_x_1, - _S345.slope_y_1, 1.0f));
+    float3 _S360;
+    if(_S345.shown_3.is_warp_0)
     {
-        _S339 = float3(_S334, _S335, _S336);
+        _S360 = float3(_S355, _S356, _S357);
     }
     else
     {
-        _S339 = float3(- _S335, _S334, _S336);
+        _S360 = float3(- _S356, _S355, _S357);
     }
-    point_2.tangent_5 = normalize(_S339);
-    point_2.across_2 = _S326.section_1.across_1;
-    point_2.fibre_across_0 = _S338 * _S328 + _S327 * _S330;
-    point_2.fibre_along_0 = _S327 * _S328 - _S338 * _S330;
+    point_2.tangent_5 = normalize(_S360);
+    point_2.across_2 = _S345.section_1.across_1;
+    point_2.fibre_across_0 = _S359 * _S351.twist_cosine_0 + _S346 * _S350;
+    point_2.fibre_along_0 = _S346 * _S351.twist_cosine_0 - _S359 * _S350;
     return point_2;
 }
 
-Albedos_0 vary_albedos_0(uint _S340, Albedos_0 _S341, uint _S342, uint _S343)
+Albedos_0 vary_albedos_0(uint _S361, Albedos_0 _S362, uint _S363, uint _S364)
 {
-    float3 _S344 = max(_S341.specular_reflect_0, _S341.specular_transmit_0);
-    float3 _S345 = _S341.diffuse_reflect_0 + _S341.diffuse_transmit_0;
-    float _S346 = bounded_gain_0(thread_gain_0(_S342, fabrics_0[_S340].colour_noise_0, fabrics_0[_S340].seed_0), _S345, 1.0f - fabrics_0[_S340].layer_bound_0 * _S344);
-    float _S347 = bounded_gain_0(fibre_gain_0(_S342, _S343, fabrics_0[_S340].fibre_noise_0, fabrics_0[_S340].seed_0), _S344, min((1.0f - _S346 * _S345) / fabrics_0[_S340].layer_bound_0, (float3)1.0f));
+    float3 _S365 = max(_S362.specular_reflect_0, _S362.specular_transmit_0);
+    float3 _S366 = _S362.diffuse_reflect_0 + _S362.diffuse_transmit_0;
+    float _S367 = bounded_gain_0(thread_gain_0(_S363, fabrics_0[_S361].colour_noise_0, fabrics_0[_S361].seed_0), _S366, 1.0f - fabrics_0[_S361].layer_bound_0 * _S365);
+    float _S368 = bounded_gain_0(fibre_gain_0(_S363, _S364, fabrics_0[_S361].fibre_noise_0, fabrics_0[_S361].seed_0), _S365, min((1.0f - _S367 * _S366) / fabrics_0[_S361].layer_bound_0, (float3)1.0f));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S346 * _S341.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S346 * _S341.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S347 * _S341.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S347 * _S341.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S367 * _S362.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S367 * _S362.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S368 * _S362.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S368 * _S362.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S348, SurfacePoint_0 _S349, Albedos_0 _S350, float _S351, float _S352)
+Albedos_0 varied_at_0(uint _S369, SurfacePoint_0 _S370, Albedos_0 _S371, float _S372, float _S373)
 {
-    float _S353;
-    if(_S349.is_warp_1)
+    float _S374;
+    if(_S370.is_warp_2)
     {
-        _S353 = _S351;
+        _S374 = _S372;
     }
     else
     {
-        _S353 = _S352;
+        _S374 = _S373;
     }
-    float _S354 = _S353 - _S349.across_2;
-    if(_S349.is_warp_1)
+    float _S375 = _S374 - _S370.across_2;
+    uint _S376;
+    if(_S370.is_warp_2)
     {
-        _S353 = fabrics_0[_S348].warp_0.period_0;
+        _S376 = fabrics_0[_S369].warp_0;
     }
     else
     {
-        _S353 = fabrics_0[_S348].weft_0.period_0;
+        _S376 = fabrics_0[_S369].weft_0;
     }
-    float _S355;
-    if(_S349.is_warp_1)
+    Family_0 _S377 = families_0.Load(_S376);
+    int _S378 = int(families_0.Load(_S376).count_0);
+    if(_S370.is_warp_2)
     {
-        _S355 = fabrics_0[_S348].warp_0.count_0;
+        _S376 = _S370.warp_thread_0;
     }
     else
     {
-        _S355 = fabrics_0[_S348].weft_0.count_0;
+        _S376 = _S370.weft_thread_0;
     }
-    int _S356 = int(_S355);
-    uint _S357;
-    if(_S349.is_warp_1)
+    uint _S379 = uint(int(floor(_S375 / _S377.period_0)) * _S378 + int(_S376)) * 2U;
+    if(_S370.is_warp_2)
     {
-        _S357 = _S349.warp_thread_0;
+        _S376 = 1U;
     }
     else
     {
-        _S357 = _S349.weft_thread_0;
+        _S376 = 0U;
     }
-    uint _S358 = uint(int(floor(_S354 / _S353)) * _S356 + int(_S357)) * 2U;
-    if(_S349.is_warp_1)
-    {
-        _S357 = 1U;
-    }
-    else
-    {
-        _S357 = 0U;
-    }
-    float _S359 = floor(_S349.fibre_across_0 / fabrics_0[_S348].fibre_size_0);
-    return vary_albedos_0(_S348, _S350, _S358 + _S357, uint(int(_S359)) * 65536U + uint(int(floor(_S349.fibre_along_0 / (fabrics_0[_S348].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S359))));
+    float _S380 = floor(_S370.fibre_across_0 / fabrics_0[_S369].fibre_size_0);
+    return vary_albedos_0(_S369, _S371, _S379 + _S376, uint(int(_S380)) * 65536U + uint(int(floor(_S370.fibre_along_0 / (fabrics_0[_S369].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S380))));
 }
 
-YarnPoint_0 yarn_point_at_0(uint _S360, float _S361, float _S362, bool _S363, bool _S364)
+YarnPoint_0 yarn_point_at_0(uint _S381, float _S382, float _S383, bool _S384, bool _S385)
 {
-    SurfacePoint_0 _S365 = surface_at_0(_S360, _S361, _S362, _S363);
-    Albedos_0 albedos_2;
-    if(_S365.is_warp_1)
+    SurfacePoint_0 _S386 = surface_at_0(_S381, _S382, _S383, _S384);
+    uint _S387;
+    if(_S386.is_warp_2)
     {
-        albedos_2 = albedos_of_0(fabrics_0[_S360].warp_0, _S365.warp_thread_0);
+        _S387 = fabrics_0[_S381].warp_0;
     }
     else
     {
-        albedos_2 = albedos_of_0(fabrics_0[_S360].weft_0, _S365.weft_thread_0);
+        _S387 = fabrics_0[_S381].weft_0;
     }
-    bool _S366;
-    if((fabrics_0[_S360].fibre_noise_0) > 0.0f)
+    uint _S388;
+    if(_S386.is_warp_2)
     {
-        _S366 = true;
+        _S388 = _S386.warp_thread_0;
     }
     else
     {
-        _S366 = (fabrics_0[_S360].colour_noise_0) > 0.0f;
+        _S388 = _S386.weft_thread_0;
     }
-    if(_S366)
+    Albedos_0 albedos_2 = albedos_of_0(_S387, _S388);
+    bool _S389;
+    if((fabrics_0[_S381].fibre_noise_0) > 0.0f)
     {
-        albedos_2 = varied_at_0(_S360, _S365, albedos_2, _S361, _S362);
+        _S389 = true;
+    }
+    else
+    {
+        _S389 = (fabrics_0[_S381].colour_noise_0) > 0.0f;
+    }
+    Albedos_0 albedos_3;
+    if(_S389)
+    {
+        albedos_3 = varied_at_0(_S381, _S386, albedos_2, _S382, _S383);
+    }
+    else
+    {
+        albedos_3 = albedos_2;
     }
     YarnPoint_0 point_3;
-    point_3.back_2 = _S363;
-    point_3.hole_2 = _S364;
-    point_3.x_9 = _S361;
-    point_3.y_5 = _S362;
-    point_3.height_4 = _S365.height_9;
-    point_3.normal_4 = _S365.normal_5;
-    point_3.tangent_4 = _S365.tangent_5;
-    float _S367;
-    if(_S365.is_warp_1)
-    {
-        _S367 = fabrics_0[_S360].warp_0.roughness_0;
-    }
-    else
-    {
-        _S367 = fabrics_0[_S360].weft_0.roughness_0;
-    }
-    point_3.roughness_8 = _S367;
-    point_3.albedos_1 = albedos_2;
+    point_3.back_2 = _S384;
+    point_3.hole_2 = _S385;
+    point_3.is_warp_1 = _S386.is_warp_2;
+    point_3.x_9 = _S382;
+    point_3.y_5 = _S383;
+    point_3.height_3 = _S386.height_9;
+    point_3.normal_4 = _S386.normal_5;
+    point_3.tangent_4 = _S386.tangent_5;
+    point_3.roughness_8 = families_0.Load(_S387).roughness_0;
+    point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S368, float _S369, float _S370, float3 _S371)
+YarnPoint_0 locate_yarn_0(uint _S390, SearchQuality_0 _S391, float _S392, float _S393, float3 _S394)
 {
-    bool _S372 = (_S371.z) < 0.0f;
-    Hit_0 _S373 = first_hit_0(_S368, _S369, _S370, to_face_frame_0(_S371, _S372), _S372);
-    return yarn_point_at_0(_S368, _S373.x_10, _S373.y_6, _S372, _S373.hole_3);
+    bool _S395 = (_S394.z) < 0.0f;
+    Hit_0 _S396 = first_hit_0(_S390, _S391, _S392, _S393, to_face_frame_0(_S394, _S395), _S395);
+    return yarn_point_at_0(_S390, _S396.x_10, _S396.y_6, _S395, _S396.hole_3);
 }
 
-float3 scattered_0(uint _S374, YarnPoint_0 _S375, float3 _S376, float3 _S377)
+float3 scattered_0(uint _S397, YarnPoint_0 _S398, float3 _S399, float3 _S400)
 {
-    float3 _S378 = (float3)0.0f;
-    bool _S379 = !_S375.hole_2;
-    bool _S380;
-    if(_S379)
+    float3 _S401 = (float3)0.0f;
+    bool _S402 = !_S398.hole_2;
+    bool _S403;
+    if(_S402)
     {
-        _S380 = (_S376.z) > 0.0f;
+        _S403 = (_S399.z) > 0.0f;
     }
     else
     {
-        _S380 = false;
+        _S403 = false;
     }
     float3 value_1;
-    if(_S380)
+    if(_S403)
     {
-        value_1 = _S375.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S376, _S375.normal_4, fabrics_0[_S374].diffuse_blend_0) + _S375.albedos_1.specular_reflect_0 * reflection_0(_S376, _S377, _S375.normal_4, _S375.tangent_4, _S375.roughness_8, fabrics_0[_S374].optical_depth_0);
+        value_1 = _S398.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S399, _S398.normal_4, fabrics_0[_S397].diffuse_blend_0) + _S398.albedos_1.specular_reflect_0 * reflection_0(_S399, _S400, _S398.normal_4, _S398.tangent_4, _S398.roughness_8, fabrics_0[_S397].optical_depth_0);
     }
     else
     {
-        if(_S379)
+        if(_S402)
         {
-            _S380 = (_S376.z) < 0.0f;
+            _S403 = (_S399.z) < 0.0f;
         }
         else
         {
-            _S380 = false;
+            _S403 = false;
         }
-        if(_S380)
+        if(_S403)
         {
-            value_1 = _S375.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S376, _S375.normal_4, fabrics_0[_S374].diffuse_blend_0) + _S375.albedos_1.specular_transmit_0 * transmission_0(_S376, _S377, _S375.normal_4, _S375.tangent_4, _S375.roughness_8, fabrics_0[_S374].optical_depth_0);
+            value_1 = _S398.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S399, _S398.normal_4, fabrics_0[_S397].diffuse_blend_0) + _S398.albedos_1.specular_transmit_0 * transmission_0(_S399, _S400, _S398.normal_4, _S398.tangent_4, _S398.roughness_8, fabrics_0[_S397].optical_depth_0);
         }
         else
         {
-            value_1 = _S378;
+            value_1 = _S401;
         }
     }
-    float _S381 = fabrics_0[_S374].sheen_strength_0;
-    if((fabrics_0[_S374].sheen_strength_0) <= 0.0f)
+    float _S404 = fabrics_0[_S397].sheen_strength_0;
+    if((fabrics_0[_S397].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S382 = sheen_with_transmittance_0(_S376, _S377, _S381, fabrics_0[_S374].sheen_roughness_0);
-    return _S382.y * value_1 + _S382.x;
+    float2 _S405 = sheen_with_transmittance_0(_S399, _S400, _S404, fabrics_0[_S397].sheen_roughness_0);
+    return _S405.y * value_1 + _S405.x;
 }
 
-bool unoccluded_0(uint _S383, float _S384, float _S385, float _S386, float3 _S387, bool _S388)
+bool unoccluded_0(uint _S406, SearchQuality_0 _S407, float _S408, float _S409, float _S410, float3 _S411, bool _S412)
 {
-    if((_S387.z) <= 0.0f)
+    if((_S411.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S383, float3(_S384, _S385, _S386 + fabrics_0[_S383].lift_0), _S387, _S388, max_height_along_0(_S383, _S384, _S385, _S386, _S387, _S388));
+    return is_free_0(_S406, _S407, float3(_S408, _S409, _S410 + fabrics_0[_S406].lift_0), _S411, _S412, max_height_along_0(_S406, _S408, _S409, _S410, _S411, _S412));
 }
 
-bool is_lit_0(uint _S389, YarnPoint_0 _S390, float3 _S391)
+bool is_lit_0(uint _S413, SearchQuality_0 _S414, YarnPoint_0 _S415, float3 _S416)
 {
-    if(_S390.hole_2)
+    if(_S415.hole_2)
     {
         return true;
     }
-    float3 _S392 = to_face_frame_0(_S391, _S390.back_2);
-    float _S393 = _S392.z;
-    bool _S394 = _S393 < 0.0f;
+    float3 _S417 = to_face_frame_0(_S416, _S415.back_2);
+    float _S418 = _S417.z;
+    bool _S419 = _S418 < 0.0f;
     float3 normal_6;
     float height_10;
-    if(_S394)
+    if(_S419)
     {
-        SurfacePoint_0 _S395 = surface_at_0(_S389, _S390.x_9, _S390.y_5, !_S390.back_2);
-        normal_6 = _S395.normal_5;
-        height_10 = _S395.height_9;
+        SurfacePoint_0 _S420 = surface_at_0(_S413, _S415.x_9, _S415.y_5, !_S415.back_2);
+        normal_6 = _S420.normal_5;
+        height_10 = _S420.height_9;
     }
     else
     {
-        normal_6 = _S390.normal_4;
-        height_10 = _S390.height_4;
+        normal_6 = _S415.normal_4;
+        height_10 = _S415.height_3;
     }
-    float3 _S396 = float3(_S392.xy, abs(_S393));
-    if((dot(normal_6, _S396)) <= 0.0f)
+    float3 _S421 = float3(_S417.xy, abs(_S418));
+    if((dot(normal_6, _S421)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S389, _S390.x_9, _S390.y_5, height_10, _S396, (_S390.back_2) != _S394);
+    return unoccluded_0(_S413, _S414, _S415.x_9, _S415.y_5, height_10, _S421, (_S415.back_2) != _S419);
 }
 
-float3 evaluate_0(uint _S397, YarnPoint_0 _S398, float3 _S399, float3 _S400)
+float3 evaluate_0(uint _S422, SearchQuality_0 _S423, YarnPoint_0 _S424, float3 _S425, float3 _S426)
 {
-    float3 _S401 = scattered_0(_S397, _S398, to_face_frame_0(_S399, _S398.back_2), to_face_frame_0(_S400, _S398.back_2));
-    bool _S402;
-    if((max(_S401.x, max(_S401.y, _S401.z))) <= 0.0f)
+    float3 _S427 = scattered_0(_S422, _S424, to_face_frame_0(_S425, _S424.back_2), to_face_frame_0(_S426, _S424.back_2));
+    bool _S428;
+    if((max(_S427.x, max(_S427.y, _S427.z))) <= 0.0f)
     {
-        _S402 = true;
+        _S428 = true;
     }
     else
     {
-        _S402 = !is_lit_0(_S397, _S398, _S399);
+        _S428 = !is_lit_0(_S422, _S423, _S424, _S425);
     }
-    if(_S402)
+    if(_S428)
     {
         return (float3)0.0f;
     }
-    return _S401;
+    return _S427;
 }
 
-float straight_through_0(uint _S403, YarnPoint_0 _S404, float3 _S405)
+float straight_through_0(uint _S429, YarnPoint_0 _S430, float3 _S431)
 {
-    if(!_S404.hole_2)
+    if(!_S430.hole_2)
     {
         return 0.0f;
     }
-    float _S406 = fabrics_0[_S403].sheen_strength_0;
-    if((fabrics_0[_S403].sheen_strength_0) <= 0.0f)
+    float _S432 = fabrics_0[_S429].sheen_strength_0;
+    if((fabrics_0[_S429].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S406 * sheen_lobe_0(abs(_S405.z), fabrics_0[_S403].sheen_roughness_0).z;
+    return 1.0f - _S432 * sheen_lobe_0(abs(_S431.z), fabrics_0[_S429].sheen_roughness_0).z;
 }
 
-float4 direct_light_0(Frame_0 _S407, uint _S408, VisiblePoint_0 _S409, float2 _S410)
+float4 direct_light_0(Frame_0 _S433, uint _S434, VisiblePoint_0 _S435, float2 _S436)
 {
-    float3 _S411 = to_local_0(_S409, _S409.view_0);
-    YarnPoint_0 _S412 = locate_yarn_0(_S408, _S410.x, _S410.y, _S411);
-    float3 _S413 = (float3)0.0f;
+    SearchQuality_0 _S437 = default_quality_0();
+    float3 _S438 = to_local_0(_S435, _S435.view_0);
+    YarnPoint_0 _S439 = locate_yarn_0(_S434, _S437, _S436.x, _S436.y, _S438);
+    float3 _S440 = (float3)0.0f;
     uint number_1 = 0U;
-    float3 radiance_1 = _S413;
+    float3 radiance_1 = _S440;
     for(;;)
     {
-        if(number_1 < (_S407.lights_0))
+        if(number_1 < (_S433.lights_0))
         {
         }
         else
         {
             break;
         }
-        float3 irradiance_1;
-        float3 _S414 = towards_light_0(lights_1.Load(number_1), _S409.position_0, irradiance_1);
-        float3 radiance_2 = radiance_1 + irradiance_1 * evaluate_0(_S408, _S412, to_local_0(_S409, _S414), _S411);
+        float3 irradiance_2;
+        float3 _S441 = towards_light_0(lights_1.Load(number_1), _S435.position_0, irradiance_2);
+        float3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S434, _S437, _S439, to_local_0(_S435, _S441), _S438);
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    return float4(radiance_1, 1.0f - straight_through_0(_S408, _S412, _S411));
+    return float4(radiance_1, 1.0f - straight_through_0(_S434, _S439, _S438));
 }
 
 [numthreads(8, 8, 1)]
 void shade(uint3 id_0 : SV_DispatchThreadID)
 {
-    uint _S415;
-    Frame_0 _S416 = frames_0.Load(int(0));
-    bool _S417;
-    if((id_0.x) >= (_S416.width_0))
+    uint _S442;
+    Frame_0 _S443 = frames_0.Load(int(0));
+    bool _S444;
+    if((id_0.x) >= (_S443.width_0))
     {
-        _S417 = true;
+        _S444 = true;
     }
     else
     {
-        _S417 = (id_0.y) >= (_S416.height_0);
+        _S444 = (id_0.y) >= (_S443.height_0);
     }
-    if(_S417)
+    if(_S444)
     {
         return;
     }
-    uint2 _S418 = id_0.xy;
-    uint _S419 = _S418.y * _S416.width_0 + _S418.x;
-    uint _S420 = visible_faces_0.Load(int3(int2(_S418), int(0)));
+    uint2 _S445 = id_0.xy;
+    uint _S446 = _S445.y * _S443.width_0 + _S445.x;
+    uint _S447 = visible_faces_0.Load(int3(int2(_S445), int(0)));
     float4 sum_0 = (float4)0.0f;
-    if(_S420 > 0U)
+    if(_S447 > 0U)
     {
-        uint _S421 = _S420 - 1U;
-        uint _S422 = face_fabrics_0.Load(_S421);
-        VisiblePoint_0 _S423 = visible_point_0(_S416, _S422, _S421, _S418);
+        uint _S448 = _S447 - 1U;
+        uint _S449 = face_fabrics_0.Load(_S448);
+        VisiblePoint_0 _S450 = visible_point_0(_S443, _S449, _S448, _S445);
         uint k_0 = 0U;
         for(;;)
         {
-            _S415 = _S416.samples_0;
-            if(k_0 < (_S416.samples_0))
+            _S442 = _S443.samples_0;
+            if(k_0 < (_S443.samples_0))
             {
             }
             else
             {
                 break;
             }
-            float2 _S424 = footprint_sample_0(_S418, _S416.pass_number_0 * _S416.samples_0 + k_0);
-            sum_0 = sum_0 + direct_light_0(_S416, _S422, _S423, _S423.draft_0 + _S424.x * _S423.draft_dx_0 + _S424.y * _S423.draft_dy_0);
+            float2 _S451 = footprint_sample_0(_S445, _S443.pass_number_0 * _S443.samples_0 + k_0);
+            sum_0 = sum_0 + direct_light_0(_S443, _S449, _S450, _S450.draft_0 + _S451.x * _S450.draft_dx_0 + _S451.y * _S450.draft_dy_0);
             k_0 = k_0 + 1U;
         }
-        sum_0 = sum_0 / float(_S415);
+        sum_0 = sum_0 / float(_S442);
     }
-    sum_0.xyz = sum_0.xyz + (1.0f - sum_0.w) * float3(_S416.background_red_0, _S416.background_green_0, _S416.background_blue_0);
-    float4 _S425;
-    if((_S416.pass_number_0) == 0U)
+    sum_0.xyz = sum_0.xyz + (1.0f - sum_0.w) * float3(_S443.background_red_0, _S443.background_green_0, _S443.background_blue_0);
+    float4 _S452;
+    if((_S443.pass_number_0) == 0U)
     {
-        _S425 = sum_0;
+        _S452 = sum_0;
     }
     else
     {
-        _S425 = radiance_0[_S419] + sum_0;
+        _S452 = radiance_0[_S446] + sum_0;
     }
-    radiance_0[_S419] = _S425;
+    radiance_0[_S446] = _S452;
     return;
 }
 

@@ -36,7 +36,7 @@ struct Frame_0
     float background_blue_0;
 };
 
-StructuredBuffer<Frame_0 > frames_0 : register(t3);
+StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
 RWStructuredBuffer<float4 > radiance_0 : register(u0);
 

@@ -102,7 +102,7 @@ struct RasterOutput_0
     [[flat]] uint face_1;
 };
 
-[[vertex]] raster_vertex_Result_0 raster_vertex(uint index_0 [[vertex_id]], Frame_0 device* frames_1 [[buffer(3)]], uint device* corners_1 [[buffer(5)]], Vertex_0 device* vertices_1 [[buffer(4)]])
+[[vertex]] raster_vertex_Result_0 raster_vertex(uint index_0 [[vertex_id]], Frame_0 device* frames_1 [[buffer(4)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]])
 {
     thread KernelContext_0 kernelContext_0;
     (&kernelContext_0)->frames_0 = frames_1;

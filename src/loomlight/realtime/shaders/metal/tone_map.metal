@@ -99,7 +99,7 @@ struct KernelContext_0
     uint device* pixels_0;
 };
 
-[[kernel]] void tone_map(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(3)]], packed_float4 device* radiance_1 [[buffer(7)]], uint device* pixels_1 [[buffer(8)]])
+[[kernel]] void tone_map(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], packed_float4 device* radiance_1 [[buffer(8)]], uint device* pixels_1 [[buffer(9)]])
 {
     thread KernelContext_0 kernelContext_0;
     (&kernelContext_0)->frames_0 = frames_1;

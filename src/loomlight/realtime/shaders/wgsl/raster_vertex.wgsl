@@ -26,9 +26,9 @@ struct Frame_std430_0
     @align(4) background_blue_0 : f32,
 };
 
-@binding(3) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
 
-@binding(5) @group(0) var<storage, read> corners_0 : array<u32>;
+@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
 
 struct Vertex_std430_0
 {
@@ -42,7 +42,7 @@ struct Vertex_std430_0
     @align(4) v_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
+@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 {

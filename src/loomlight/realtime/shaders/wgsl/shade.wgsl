@@ -26,41 +26,39 @@ struct Frame_std430_0
     @align(4) background_blue_0 : f32,
 };
 
-@binding(3) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
 
-@binding(9) @group(0) var visible_faces_0 : texture_2d<u32>;
+@binding(10) @group(0) var visible_faces_0 : texture_2d<u32>;
 
-@binding(6) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
-struct Family_std430_0
+struct Lobes_std430_0
 {
-    @align(4) is_alike_0 : u32,
-    @align(4) count_0 : f32,
-    @align(4) inverse_count_0 : f32,
-    @align(4) half_inverse_count_0 : f32,
-    @align(4) size_0 : f32,
-    @align(4) inverse_size_0 : f32,
-    @align(4) half_width_0 : f32,
-    @align(4) start_0 : f32,
-    @align(4) period_0 : f32,
-    @align(4) inverse_period_0 : f32,
-    @align(4) bins_0 : f32,
-    @align(4) first_thread_table_0 : u32,
-    @align(4) place_table_0 : u32,
-    @align(4) bend_table_0 : u32,
-    @align(4) height_scale_0 : f32,
-    @align(4) twist_sine_0 : f32,
-    @align(4) twist_cosine_0 : f32,
-    @align(4) level_0 : f32,
-    @align(4) roughness_0 : f32,
-    @align(4) albedo_table_0 : u32,
-    @align(4) albedo_stride_0 : u32,
+    @align(4) is_baked_0 : u32,
+    @align(4) inverse_base_size_0 : f32,
+    @align(4) last_level_0 : f32,
+    @align(4) levels_0 : u32,
+    @align(4) face_nodes_0 : u32,
+    @align(4) packs_0 : u32,
+    @align(4) front_warp_packs_0 : u32,
+    @align(4) back_warp_packs_0 : u32,
+    @align(4) coverage_0 : u32,
+    @align(4) coverage_holes_0 : u32,
+    @align(4) projected_area_0 : u32,
+    @align(4) light_visibility_0 : u32,
+    @align(4) irradiance_0 : u32,
+    @align(4) moments_0 : u32,
+    @align(4) front_hole_weight_0 : f32,
+    @align(4) back_hole_weight_0 : f32,
+    @align(4) threads_per_mm_0 : f32,
+    @align(4) unit_level_0 : f32,
 };
 
 struct Fabric_std430_0
 {
-    @align(4) warp_0 : Family_std430_0,
-    @align(4) weft_0 : Family_std430_0,
+    @align(4) warp_0 : u32,
+    @align(4) weft_0 : u32,
+    @align(4) lobes_0 : Lobes_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_0 : u32,
     @align(4) max_heights_0 : u32,
@@ -86,7 +84,7 @@ struct Fabric_std430_0
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(5) @group(0) var<storage, read> corners_0 : array<u32>;
+@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
 
 struct Vertex_std430_0
 {
@@ -100,9 +98,46 @@ struct Vertex_std430_0
     @align(4) v_0 : f32,
 };
 
-@binding(4) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
+@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
-@binding(1) @group(0) var<storage, read> words_0 : array<u32>;
+struct Family_std430_0
+{
+    @align(4) is_alike_0 : u32,
+    @align(4) count_0 : f32,
+    @align(4) inverse_count_0 : f32,
+    @align(4) half_inverse_count_0 : f32,
+    @align(4) size_0 : f32,
+    @align(4) inverse_size_0 : f32,
+    @align(4) half_width_0 : f32,
+    @align(4) start_0 : f32,
+    @align(4) period_0 : f32,
+    @align(4) inverse_period_0 : f32,
+    @align(4) bins_0 : f32,
+    @align(4) first_thread_table_0 : u32,
+    @align(4) place_table_0 : u32,
+    @align(4) bend_table_0 : u32,
+    @align(4) height_scale_0 : f32,
+    @align(4) twist_sine_0 : f32,
+    @align(4) twist_cosine_0 : f32,
+    @align(4) level_0 : f32,
+    @align(4) roughness_0 : f32,
+    @align(4) albedo_table_0 : u32,
+    @align(4) albedo_stride_0 : u32,
+    @align(4) before_0 : u32,
+    @align(4) visible_total_0 : f32,
+    @align(4) smallest_box_0 : f32,
+    @align(4) quantities_0 : u32,
+    @align(4) colour_mean_0 : u32,
+    @align(4) colour_axes_0 : u32,
+    @align(4) colour_threads_0 : u32,
+    @align(4) colour_areas_0 : u32,
+    @align(4) area_unit_0 : f32,
+    @align(4) crossing_area_0 : f32,
+};
+
+@binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
+@binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
 struct Light_std430_0
 {
@@ -115,9 +150,9 @@ struct Light_std430_0
     @align(4) blue_0 : f32,
 };
 
-@binding(2) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
+@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
 
-@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
 fn rsqrt_0( x_2 : f32) -> f32
 {
@@ -179,6 +214,24 @@ fn footprint_sample_0( pixel_0 : vec2<u32>,  index_0 : u32) -> vec2<f32>
     return fract(vec2<f32>(uniform_hash_0(_S3, _S4, u32(1)), uniform_hash_0(_S3, _S4, u32(2))) + vec2<f32>(f32((index_0 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f)) - vec2<f32>(0.5f);
 }
 
+struct SearchQuality_0
+{
+     steps_per_thread_0 : f32,
+     steps_per_relief_0 : f32,
+     shadow_share_0 : f32,
+     refinements_0 : u32,
+};
+
+fn default_quality_0() -> SearchQuality_0
+{
+    var quality_0 : SearchQuality_0;
+    quality_0.steps_per_thread_0 = 5.0f;
+    quality_0.steps_per_relief_0 = 8.0f;
+    quality_0.shadow_share_0 = 1.0f;
+    quality_0.refinements_0 = u32(2);
+    return quality_0;
+}
+
 struct VisiblePoint_0
 {
      position_0 : vec3<f32>,
@@ -211,34 +264,10 @@ fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
     return vec3<f32>(_S5, _S6);
 }
 
-struct StepControl_0
+fn turns_and_remainder_0( family_0 : u32,  index_1 : f32) -> vec2<f32>
 {
-     step_0 : f32,
-     epsilon_0 : f32,
-     per_x_0 : f32,
-     per_y_0 : f32,
-     right_0 : bool,
-     up_0 : bool,
-};
-
-fn step_control_0( direction_2 : vec2<f32>,  step_1 : f32) -> StepControl_0
-{
-    var control_0 : StepControl_0;
-    control_0.step_0 = step_1;
-    control_0.epsilon_0 = 0.00499999988824129f * step_1;
-    var _S7 : f32 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S7), 9.99999971718068537e-10f);
-    var _S8 : f32 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S8), 9.99999971718068537e-10f);
-    control_0.right_0 = _S7 > 0.0f;
-    control_0.up_0 = _S8 > 0.0f;
-    return control_0;
-}
-
-fn turns_and_remainder_0( family_0 : ptr<function, Family_std430_0>,  index_1 : f32) -> vec2<f32>
-{
-    var _S9 : f32 = floor(fma(index_1, (*family_0).inverse_count_0, (*family_0).half_inverse_count_0));
-    return vec2<f32>(_S9, fma(- _S9, (*family_0).count_0, index_1));
+    var _S7 : f32 = floor(fma(index_1, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S7, fma(- _S7, families_0[family_0].count_0, index_1));
 }
 
 struct Cell_0
@@ -250,17 +279,16 @@ struct Cell_0
      above_0 : f32,
 };
 
-fn locate_alike_0( family_1 : ptr<function, Family_std430_0>,  position_1 : f32) -> Cell_0
+fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S10 : f32 = floor(position_1 * (*family_1).inverse_size_0);
+    var _S8 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
     var cell_1 : Cell_0;
-    var _S11 : f32 = fma(- _S10, (*family_1).size_0, position_1);
-    cell_1.below_0 = _S11;
-    cell_1.above_0 = (*family_1).size_0 - _S11;
-    cell_1.across_0 = _S11 - 0.5f * (*family_1).size_0;
-    cell_1.half_width_1 = (*family_1).half_width_0;
-    var _S12 : vec2<f32> = turns_and_remainder_0(&((*family_1)), _S10);
-    cell_1.thread_1 = u32(clamp(_S12.y, 0.0f, (*family_1).count_0 - 1.0f));
+    var _S9 : f32 = fma(- _S8, families_0[family_1].size_0, position_1);
+    cell_1.below_0 = _S9;
+    cell_1.above_0 = families_0[family_1].size_0 - _S9;
+    cell_1.across_0 = _S9 - 0.5f * families_0[family_1].size_0;
+    cell_1.half_width_1 = families_0[family_1].half_width_0;
+    cell_1.thread_1 = u32(clamp(turns_and_remainder_0(family_1, _S8).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_1;
 }
 
@@ -269,87 +297,39 @@ fn table_number_0( index_2 : u32) -> f32
     return (bitcast<f32>((words_0[index_2])));
 }
 
-fn locate_varied_0( family_2 : ptr<function, Family_std430_0>,  position_2 : f32) -> Cell_0
+fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
-    var turns_0 : f32 = (position_2 - (*family_2).start_0) * (*family_2).inverse_period_0;
+    var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S13 : f32 = turns_1 * (*family_2).period_0;
-    var thread_2 : u32 = words_0[(*family_2).first_thread_table_0 + u32(clamp(turns_1 * (*family_2).bins_0, 0.0f, (*family_2).bins_0 - 1.0f))];
-    var _S14 : u32 = (*family_2).place_table_0;
-    var _S15 : u32;
-    if(_S13 >= (table_number_0((*family_2).place_table_0 + thread_2 * u32(4) + u32(1))))
+    var _S10 : f32 = turns_1 * families_0[family_2].period_0;
+    var thread_2 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
+    var _S11 : u32;
+    if(_S10 >= (table_number_0(families_0[family_2].place_table_0 + thread_2 * u32(4) + u32(1))))
     {
-        _S15 = u32(1);
+        _S11 = u32(1);
     }
     else
     {
-        _S15 = u32(0);
+        _S11 = u32(0);
     }
-    var _S16 : u32 = min(thread_2 + _S15, u32((*family_2).count_0) - u32(1));
-    var _S17 : u32 = _S14 + _S16 * u32(4);
+    var _S12 : u32 = min(thread_2 + _S11, u32(families_0[family_2].count_0) - u32(1));
+    var _S13 : u32 = families_0[family_2].place_table_0 + _S12 * u32(4);
     var cell_2 : Cell_0;
-    cell_2.thread_1 = _S16;
-    cell_2.below_0 = _S13 - table_number_0(_S17);
-    cell_2.above_0 = table_number_0(_S17 + u32(1)) - _S13;
-    cell_2.across_0 = _S13 - table_number_0(_S17 + u32(2));
-    cell_2.half_width_1 = table_number_0(_S17 + u32(3));
+    cell_2.thread_1 = _S12;
+    cell_2.below_0 = _S10 - table_number_0(_S13);
+    cell_2.above_0 = table_number_0(_S13 + u32(1)) - _S10;
+    cell_2.across_0 = _S10 - table_number_0(_S13 + u32(2));
+    cell_2.half_width_1 = table_number_0(_S13 + u32(3));
     return cell_2;
 }
 
-fn locate_0( family_3 : ptr<function, Family_std430_0>,  position_3 : f32) -> Cell_0
+fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
 {
-    if(((*family_3).is_alike_0) != u32(0))
+    if((families_0[family_3].is_alike_0) != u32(0))
     {
-        var _S18 : Cell_0 = locate_alike_0(&((*family_3)), position_3);
-        return _S18;
+        return locate_alike_0(family_3, position_3);
     }
-    var _S19 : Cell_0 = locate_varied_0(&((*family_3)), position_3);
-    return _S19;
-}
-
-fn locate_1( family_4 : ptr<function, Family_std430_0>,  position_4 : f32) -> Cell_0
-{
-    if(((*family_4).is_alike_0) != u32(0))
-    {
-        var _S20 : Cell_0 = locate_alike_0(&((*family_4)), position_4);
-        return _S20;
-    }
-    var _S21 : Cell_0 = locate_varied_0(&((*family_4)), position_4);
-    return _S21;
-}
-
-struct ViewRay_0
-{
-     origin_0 : vec2<f32>,
-     slope_0 : vec2<f32>,
-};
-
-fn ViewRay_at_0( this_0 : ViewRay_0,  height_1 : f32) -> vec2<f32>
-{
-    return this_0.origin_0 + this_0.slope_0 * vec2<f32>(height_1);
-}
-
-fn StepControl_to_cell_exit_0( this_1 : StepControl_0,  side_x_0 : f32,  side_y_0 : f32) -> f32
-{
-    return max(min(side_x_0 * this_1.per_x_0, side_y_0 * this_1.per_y_0), 0.0f) + this_1.epsilon_0;
-}
-
-struct PreviousSample_0
-{
-     clearance_0 : f32,
-     rate_0 : f32,
-     yarn_0 : u32,
-     known_0 : bool,
-};
-
-fn no_previous_sample_0() -> PreviousSample_0
-{
-    var previous_0 : PreviousSample_0;
-    previous_0.clearance_0 = 0.0f;
-    previous_0.rate_0 = 0.0f;
-    previous_0.yarn_0 = u32(0);
-    previous_0.known_0 = false;
-    return previous_0;
+    return locate_varied_0(family_3, position_3);
 }
 
 struct Shown_0
@@ -371,64 +351,115 @@ struct Crossing_0
 
 fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
 {
-    var _S22 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
-    var _S23 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
+    var _S14 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    var _S15 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
     var shown_0 : Shown_0;
-    var _S24 : bool;
-    if(_S22)
+    var _S16 : bool;
+    if(_S14)
     {
-        if(!_S23)
+        if(!_S15)
         {
-            _S24 = true;
+            _S16 = true;
         }
         else
         {
-            _S24 = crossing_0.warp_above_0;
+            _S16 = crossing_0.warp_above_0;
         }
     }
     else
     {
-        _S24 = false;
+        _S16 = false;
     }
-    shown_0.is_warp_0 = _S24;
-    if(!_S22)
+    shown_0.is_warp_0 = _S16;
+    if(!_S14)
     {
-        _S24 = !_S23;
+        _S16 = !_S15;
     }
     else
     {
-        _S24 = false;
+        _S16 = false;
     }
-    shown_0.hole_0 = _S24;
-    var _S25 : u32;
+    shown_0.hole_0 = _S16;
+    var _S17 : u32;
     if(shown_0.is_warp_0)
     {
-        _S25 = crossing_0.warp_word_0;
+        _S17 = crossing_0.warp_word_0;
     }
     else
     {
-        _S25 = crossing_0.weft_word_0;
+        _S17 = crossing_0.weft_word_0;
     }
-    shown_0.word_0 = _S25;
-    shown_0.on_top_0 = (((_S25 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.word_0 = _S17;
+    shown_0.on_top_0 = (((_S17 & (u32(1)))) == u32(1)) != back_1;
     return shown_0;
 }
 
-fn boundary_0( family_5 : ptr<function, Family_std430_0>,  thread_3 : u32,  step_2 : i32) -> f32
+fn select_cell_0( is_first_0 : bool,  first_0 : Cell_0,  second_0 : Cell_0) -> Cell_0
 {
-    var _S26 : vec2<f32> = turns_and_remainder_0(&((*family_5)), f32(i32(thread_3) + step_2));
-    return fma(_S26.x, (*family_5).period_0, table_number_0((*family_5).place_table_0 + u32(_S26.y) * u32(4)));
+    var cell_3 : Cell_0;
+    var _S18 : u32;
+    if(is_first_0)
+    {
+        _S18 = first_0.thread_1;
+    }
+    else
+    {
+        _S18 = second_0.thread_1;
+    }
+    cell_3.thread_1 = _S18;
+    var _S19 : f32;
+    if(is_first_0)
+    {
+        _S19 = first_0.across_0;
+    }
+    else
+    {
+        _S19 = second_0.across_0;
+    }
+    cell_3.across_0 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.half_width_1;
+    }
+    else
+    {
+        _S19 = second_0.half_width_1;
+    }
+    cell_3.half_width_1 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.below_0;
+    }
+    else
+    {
+        _S19 = second_0.below_0;
+    }
+    cell_3.below_0 = _S19;
+    if(is_first_0)
+    {
+        _S19 = first_0.above_0;
+    }
+    else
+    {
+        _S19 = second_0.above_0;
+    }
+    cell_3.above_0 = _S19;
+    return cell_3;
 }
 
-fn span_0( family_6 : ptr<function, Family_std430_0>,  thread_4 : u32,  first_0 : i32,  last_0 : i32) -> f32
+fn boundary_0( family_4 : u32,  thread_3 : u32,  step_0 : i32) -> f32
 {
-    if(((*family_6).is_alike_0) != u32(0))
+    var _S20 : vec2<f32> = turns_and_remainder_0(family_4, f32(i32(thread_3) + step_0));
+    return fma(_S20.x, families_0[family_4].period_0, table_number_0(families_0[family_4].place_table_0 + u32(_S20.y) * u32(4)));
+}
+
+fn span_0( family_5 : u32,  thread_4 : u32,  first_1 : i32,  last_0 : i32) -> f32
+{
+    if((families_0[family_5].is_alike_0) != u32(0))
     {
-        return f32(last_0 - first_0) * (*family_6).size_0;
+        return f32(last_0 - first_1) * families_0[family_5].size_0;
     }
-    var _S27 : f32 = boundary_0(&((*family_6)), thread_4, last_0);
-    var _S28 : f32 = boundary_0(&((*family_6)), thread_4, first_0);
-    return _S27 - _S28;
+    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_1);
 }
 
 struct Bend_0
@@ -438,23 +469,23 @@ struct Bend_0
      arc_0 : f32,
 };
 
-fn bend_of_0( family_7 : ptr<function, Family_std430_0>,  thread_5 : u32) -> Bend_0
+fn bend_of_0( family_6 : u32,  thread_5 : u32) -> Bend_0
 {
-    var _S29 : u32 = (*family_7).bend_table_0;
-    var _S30 : u32;
-    if(((*family_7).is_alike_0) != u32(0))
+    var _S21 : Family_std430_0 = families_0[family_6];
+    var _S22 : u32;
+    if((families_0[family_6].is_alike_0) != u32(0))
     {
-        _S30 = u32(0);
+        _S22 = u32(0);
     }
     else
     {
-        _S30 = thread_5 * u32(4);
+        _S22 = thread_5 * u32(4);
     }
-    var _S31 : u32 = _S29 + _S30;
+    var _S23 : u32 = _S21.bend_table_0 + _S22;
     var bend_0 : Bend_0;
-    bend_0.sine_0 = table_number_0(_S31);
-    bend_0.half_tangent_0 = table_number_0(_S31 + u32(1));
-    bend_0.arc_0 = table_number_0(_S31 + u32(2));
+    bend_0.sine_0 = table_number_0(_S23);
+    bend_0.half_tangent_0 = table_number_0(_S23 + u32(1));
+    bend_0.arc_0 = table_number_0(_S23 + u32(2));
     return bend_0;
 }
 
@@ -472,59 +503,55 @@ struct Run_0
      last_crossing_0 : bool,
 };
 
-fn unpack_0( own_0 : ptr<function, Family_std430_0>,  other_0 : ptr<function, Family_std430_0>,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
+fn unpack_0( own_0 : u32,  other_0 : u32,  thread_6 : u32,  crossed_0 : Cell_0,  word_1 : u32) -> Run_0
 {
-    var _S32 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
-    var _S33 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
-    var _S34 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
-    var _S35 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
+    var _S24 : i32 = i32((((word_1 >> (u32(1)))) & (u32(127))));
+    var _S25 : i32 = i32((((word_1 >> (u32(8)))) & (u32(127))));
+    var _S26 : i32 = i32((((word_1 >> (u32(15)))) & (u32(63))));
+    var _S27 : i32 = i32((((word_1 >> (u32(21)))) & (u32(63))));
     var run_0 : Run_0;
     run_0.straight_0 = ((((word_1 >> (u32(27)))) & (u32(1)))) == u32(1);
-    var _S36 : i32 = - _S32;
-    var _S37 : f32 = span_0(&((*other_0)), crossed_0.thread_1, _S36, i32(0));
-    var _S38 : f32 = crossed_0.below_0 + _S37;
-    run_0.from_start_0 = _S38;
-    var _S39 : i32 = _S33 + i32(1);
-    var _S40 : f32 = span_0(&((*other_0)), crossed_0.thread_1, i32(1), _S39);
-    var _S41 : f32 = crossed_0.above_0 + _S40;
-    run_0.to_end_0 = _S41;
-    var _S42 : bool = _S38 < _S41;
-    run_0.near_start_0 = _S42;
-    var _S43 : i32;
-    if(_S42)
+    var _S28 : i32 = - _S24;
+    var _S29 : f32 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S28, i32(0));
+    run_0.from_start_0 = _S29;
+    var _S30 : i32 = _S25 + i32(1);
+    var _S31 : f32 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, i32(1), _S30);
+    run_0.to_end_0 = _S31;
+    var _S32 : bool = _S29 < _S31;
+    run_0.near_start_0 = _S32;
+    var _S33 : i32;
+    if(_S32)
     {
-        _S43 = _S36 - _S34;
+        _S33 = _S28 - _S26;
     }
     else
     {
-        _S43 = _S39;
+        _S33 = _S30;
     }
-    var _S44 : i32;
+    var _S34 : i32;
     if(run_0.near_start_0)
     {
-        _S44 = _S36;
+        _S34 = _S28;
     }
     else
     {
-        _S44 = _S39 + _S35;
+        _S34 = _S30 + _S27;
     }
-    var _S45 : Bend_0 = bend_of_0(&((*own_0)), thread_6);
-    run_0.bend_1 = _S45;
-    var _S46 : f32;
+    run_0.bend_1 = bend_of_0(own_0, thread_6);
+    var _S35 : f32;
     if(run_0.straight_0)
     {
-        _S46 = 1.0e+06f;
+        _S35 = 1.0e+06f;
     }
     else
     {
-        _S46 = min(run_0.from_start_0, run_0.to_end_0);
+        _S35 = min(run_0.from_start_0, run_0.to_end_0);
     }
-    run_0.distance_0 = _S46;
+    run_0.distance_0 = _S35;
     run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    var _S47 : f32 = span_0(&((*other_0)), crossed_0.thread_1, _S43, _S44);
-    run_0.other_reach_0 = min(0.5f * _S47, run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S32 == i32(0);
-    run_0.last_crossing_0 = _S33 == i32(0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S33, _S34), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S24 == i32(0);
+    run_0.last_crossing_0 = _S25 == i32(0);
     return run_0;
 }
 
@@ -537,552 +564,463 @@ struct Section_0
 {
      across_1 : f32,
      drop_0 : f32,
-     slope_1 : f32,
+     slope_0 : f32,
 };
 
-fn section_at_0( cell_3 : Cell_0) -> Section_0
+fn section_at_0( cell_4 : Cell_0) -> Section_0
 {
-    var _S48 : f32 = cell_3.half_width_1 * 1.0154266357421875f;
+    var _S36 : f32 = cell_4.half_width_1 * 1.0154266357421875f;
     var section_0 : Section_0;
-    var _S49 : f32 = clamp(cell_3.across_0, - cell_3.half_width_1, cell_3.half_width_1);
-    section_0.across_1 = _S49;
-    var _S50 : f32 = _S48 * _S48 - square_1(_S49);
-    var _S51 : f32 = rsqrt_0(_S50);
-    section_0.drop_0 = _S48 - _S50 * _S51;
-    section_0.slope_1 = - _S49 * _S51;
+    var _S37 : f32 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
+    section_0.across_1 = _S37;
+    var _S38 : f32 = _S36 * _S36 - square_1(_S37);
+    var _S39 : f32 = rsqrt_0(_S38);
+    section_0.drop_0 = _S36 - _S38 * _S39;
+    section_0.slope_0 = - _S37 * _S39;
     return section_0;
 }
 
-fn edge_drop_0( family_8 : ptr<function, Family_std430_0>,  thread_7 : u32,  step_3 : i32) -> f32
+fn edge_drop_0( family_7 : u32,  thread_7 : u32,  step_1 : i32) -> f32
 {
-    if(((*family_8).is_alike_0) != u32(0))
+    if((families_0[family_7].is_alike_0) != u32(0))
     {
-        return table_number_0((*family_8).bend_table_0 + u32(3));
+        return table_number_0(families_0[family_7].bend_table_0 + u32(3));
     }
-    var _S52 : u32 = (*family_8).bend_table_0;
-    var _S53 : vec2<f32> = turns_and_remainder_0(&((*family_8)), f32(i32(thread_7) + step_3));
-    return table_number_0(_S52 + u32(_S53.y) * u32(4) + u32(3));
+    return table_number_0(families_0[family_7].bend_table_0 + u32(turns_and_remainder_0(family_7, f32(i32(thread_7) + step_1)).y) * u32(4) + u32(3));
 }
 
-fn dive_0( other_1 : ptr<function, Family_std430_0>,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
+fn dive_0( other_1 : u32,  shown_1 : Shown_0,  run_1 : Run_0,  crossed_1 : Cell_0) -> vec2<f32>
 {
-    var _S54 : bool = (crossed_1.below_0) < (crossed_1.above_0);
-    var _S55 : f32 = min(crossed_1.below_0, crossed_1.above_0);
-    var _S56 : f32;
-    if(_S54)
+    var _S40 : bool = (crossed_1.below_0) < (crossed_1.above_0);
+    var _S41 : f32 = min(crossed_1.below_0, crossed_1.above_0);
+    var _S42 : f32;
+    if(_S40)
     {
-        _S56 = crossed_1.below_0 - crossed_1.across_0;
+        _S42 = crossed_1.below_0 - crossed_1.across_0;
     }
     else
     {
-        _S56 = crossed_1.above_0 + crossed_1.across_0;
+        _S42 = crossed_1.above_0 + crossed_1.across_0;
     }
-    var _S57 : f32 = _S56 - crossed_1.half_width_1;
-    var _S58 : bool;
-    if(_S54)
+    var _S43 : f32 = _S42 - crossed_1.half_width_1;
+    var _S44 : bool;
+    if(_S40)
     {
-        _S58 = run_1.first_crossing_0;
+        _S44 = run_1.first_crossing_0;
     }
     else
     {
-        _S58 = run_1.last_crossing_0;
+        _S44 = run_1.last_crossing_0;
     }
     if(shown_1.on_top_0)
     {
-        _S56 = 0.0f;
+        _S42 = 0.0f;
     }
     else
     {
-        var _S59 : f32 = (*other_1).height_scale_0;
-        var _S60 : f32 = edge_drop_0(&((*other_1)), crossed_1.thread_1, i32(0));
-        _S56 = _S59 * _S60;
+        _S42 = families_0[other_1].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, i32(0));
     }
-    var _S61 : f32;
-    if((shown_1.on_top_0) != _S58)
+    var _S45 : f32;
+    if((shown_1.on_top_0) != _S44)
     {
-        _S61 = 0.0f;
+        _S45 = 0.0f;
     }
     else
     {
-        var _S62 : f32 = (*other_1).height_scale_0;
-        var _S63 : i32;
-        if(_S54)
+        var _S46 : Family_std430_0 = families_0[other_1];
+        var _S47 : i32;
+        if(_S40)
         {
-            _S63 = i32(-1);
+            _S47 = i32(-1);
         }
         else
         {
-            _S63 = i32(1);
+            _S47 = i32(1);
         }
-        var _S64 : f32 = edge_drop_0(&((*other_1)), crossed_1.thread_1, _S63);
-        _S61 = _S62 * _S64;
+        _S45 = _S46.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S47);
     }
-    var _S65 : f32 = 1.0f / max(2.0f * _S57, 9.999999960041972e-13f);
-    var _S66 : f32 = clamp((_S57 - _S55) * _S65, 0.0f, 1.0f);
-    var _S67 : f32 = _S56 + (_S61 - _S56) * (_S66 * _S66 * (3.0f - 2.0f * _S66));
-    var _S68 : f32 = (_S56 - _S61) * (6.0f * _S66 * (1.0f - _S66) * _S65);
-    if(_S54)
+    var _S48 : f32 = 1.0f / max(2.0f * _S43, 9.999999960041972e-13f);
+    var _S49 : f32 = clamp((_S43 - _S41) * _S48, 0.0f, 1.0f);
+    var _S50 : f32 = _S42 + (_S45 - _S42) * (_S49 * _S49 * (3.0f - 2.0f * _S49));
+    var _S51 : f32 = (_S42 - _S45) * (6.0f * _S49 * (1.0f - _S49) * _S48);
+    if(_S40)
     {
-        _S56 = 1.0f;
+        _S42 = 1.0f;
     }
     else
     {
-        _S56 = -1.0f;
+        _S42 = -1.0f;
     }
-    return vec2<f32>(_S67, _S68 * _S56);
+    return vec2<f32>(_S50, _S51 * _S42);
 }
 
-struct Sample_0
+struct StepControl_0
 {
-     crossing_1 : Crossing_0,
-     shown_2 : Shown_0,
-     run_2 : Run_0,
-     section_1 : Section_0,
-     height_2 : f32,
-     slope_across_0 : f32,
-     slope_along_0 : f32,
-     slope_x_0 : f32,
-     slope_y_0 : f32,
+     step_2 : f32,
+     epsilon_0 : f32,
+     per_x_0 : f32,
+     per_y_0 : f32,
+     right_0 : bool,
+     up_0 : bool,
 };
 
-fn shape_0( own_1 : ptr<function, Family_std430_0>,  other_2 : ptr<function, Family_std430_0>,  own_cell_0 : Cell_0,  crossed_2 : Cell_0,  sample_0 : ptr<function, Sample_0>)
+fn step_control_0( direction_2 : vec2<f32>,  step_3 : f32) -> StepControl_0
 {
-    var _S69 : Shown_0 = (*sample_0).shown_2;
-    var _S70 : Run_0 = unpack_0(&((*own_1)), &((*other_2)), own_cell_0.thread_1, crossed_2, (*sample_0).shown_2.word_0);
-    var _S71 : Section_0 = section_at_0(own_cell_0);
-    var _S72 : bool;
-    if(_S69.on_top_0)
-    {
-        _S72 = (_S70.distance_0) < (_S71.drop_0 * _S70.bend_1.sine_0);
-    }
-    else
-    {
-        _S72 = false;
-    }
-    var _S73 : bool;
-    if(_S69.on_top_0)
-    {
-        _S73 = !_S72;
-    }
-    else
-    {
-        _S73 = false;
-    }
-    var _S74 : f32;
-    if(_S73)
-    {
-        _S74 = 1.0f;
-    }
-    else
-    {
-        _S74 = -1.0f;
-    }
-    var _S75 : f32;
-    if(_S72)
-    {
-        _S75 = _S70.other_reach_0;
-    }
-    else
-    {
-        _S75 = _S70.reach_0;
-    }
-    var _S76 : f32;
-    if(_S72)
-    {
-        _S76 = _S75 + _S70.distance_0;
-    }
-    else
-    {
-        _S76 = max(_S75 - _S70.distance_0, 0.0f);
-    }
-    var _S77 : f32 = _S75 / _S70.bend_1.sine_0 - _S74 * _S71.drop_0;
-    var _S78 : f32 = _S76 * _S76;
-    var _S79 : f32 = max(_S77 * _S77 - _S78, 9.99999968265522539e-21f);
-    var _S80 : f32 = rsqrt_0(_S79);
-    var _S81 : f32 = _S78 / (_S79 * _S80 + _S77);
-    var _S82 : bool = _S76 > 0.0f;
-    var _S83 : f32;
-    if(_S69.on_top_0)
-    {
-        _S83 = 1.0f;
-    }
-    else
-    {
-        _S83 = -1.0f;
-    }
-    var _S84 : f32;
-    if(_S70.near_start_0)
-    {
-        _S84 = 1.0f;
-    }
-    else
-    {
-        _S84 = -1.0f;
-    }
-    var _S85 : f32 = _S83 * _S84;
-    if(_S82)
-    {
-        _S83 = _S77 * _S80;
-    }
-    else
-    {
-        _S83 = 1.0f;
-    }
-    (*sample_0).slope_across_0 = _S71.slope_1 * _S83;
-    if(_S82)
-    {
-        _S76 = _S85 * _S76 * _S80;
-    }
-    else
-    {
-        _S76 = 0.0f;
-    }
-    (*sample_0).slope_along_0 = _S76;
-    var _S86 : f32 = (*own_1).height_scale_0;
-    var _S87 : vec2<f32> = dive_0(&((*other_2)), _S69, _S70, crossed_2);
-    if(_S70.straight_0)
-    {
-        _S74 = 0.0f;
-    }
-    else
-    {
-        _S74 = _S86 * _S74;
-    }
-    (*sample_0).height_2 = _S74 * (_S75 * _S70.bend_1.half_tangent_0 - _S81) - _S86 * _S71.drop_0 - _S87.x;
-    var _S88 : f32 = _S86 * (*sample_0).slope_across_0;
-    var _S89 : f32 = _S86 * (*sample_0).slope_along_0 - _S87.y;
-    if(_S69.is_warp_0)
-    {
-        _S74 = _S88;
-    }
-    else
-    {
-        _S74 = _S89;
-    }
-    (*sample_0).slope_x_0 = _S74;
-    if(_S69.is_warp_0)
-    {
-        _S74 = _S89;
-    }
-    else
-    {
-        _S74 = _S88;
-    }
-    (*sample_0).slope_y_0 = _S74;
-    (*sample_0).run_2 = _S70;
-    (*sample_0).section_1 = _S71;
-    return;
+    var control_0 : StepControl_0;
+    control_0.step_2 = step_3;
+    control_0.epsilon_0 = 0.00499999988824129f * step_3;
+    var _S52 : f32 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S52), 9.99999971718068537e-10f);
+    var _S53 : f32 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S53), 9.99999971718068537e-10f);
+    control_0.right_0 = _S52 > 0.0f;
+    control_0.up_0 = _S53 > 0.0f;
+    return control_0;
 }
 
-fn outline_distance_0( cell_4 : Cell_0,  shown_3 : Shown_0,  run_3 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+struct PreviousSample_0
 {
-    var _S90 : f32;
+     clearance_0 : f32,
+     rate_0 : f32,
+     yarn_0 : u32,
+     known_0 : bool,
+};
+
+fn no_previous_sample_0() -> PreviousSample_0
+{
+    var previous_0 : PreviousSample_0;
+    previous_0.clearance_0 = 0.0f;
+    previous_0.rate_0 = 0.0f;
+    previous_0.yarn_0 = u32(0);
+    previous_0.known_0 = false;
+    return previous_0;
+}
+
+fn outline_distance_0( cell_5 : Cell_0,  shown_2 : Shown_0,  run_2 : Run_0,  lengthwise_0 : bool,  forwards_0 : bool) -> f32
+{
+    var _S54 : f32;
     if(forwards_0)
     {
-        _S90 = cell_4.across_0;
+        _S54 = cell_5.across_0;
     }
     else
     {
-        _S90 = - cell_4.across_0;
+        _S54 = - cell_5.across_0;
     }
-    var _S91 : f32;
+    var _S55 : f32;
     if(forwards_0)
     {
-        _S91 = cell_4.above_0;
+        _S55 = cell_5.above_0;
     }
     else
     {
-        _S91 = cell_4.below_0;
+        _S55 = cell_5.below_0;
     }
-    var _S92 : bool;
+    var _S56 : bool;
     if(forwards_0)
     {
-        _S92 = run_3.last_crossing_0;
+        _S56 = run_2.last_crossing_0;
     }
     else
     {
-        _S92 = run_3.first_crossing_0;
+        _S56 = run_2.first_crossing_0;
     }
-    var _S93 : bool;
+    var _S57 : bool;
     if(forwards_0)
     {
-        _S93 = run_3.first_crossing_0;
+        _S57 = run_2.first_crossing_0;
     }
     else
     {
-        _S93 = run_3.last_crossing_0;
+        _S57 = run_2.last_crossing_0;
     }
-    var _S94 : f32 = - cell_4.half_width_1;
-    var _S95 : bool = _S90 < _S94;
-    var _S96 : bool = _S90 >= (cell_4.half_width_1);
+    var _S58 : f32 = - cell_5.half_width_1;
+    var _S59 : bool = _S54 < _S58;
+    var _S60 : bool = _S54 >= (cell_5.half_width_1);
     if(lengthwise_0)
     {
-        _S92 = !_S92;
+        _S56 = !_S56;
     }
     else
     {
-        _S92 = false;
+        _S56 = false;
     }
-    if(_S92)
+    if(_S56)
     {
-        _S92 = !shown_3.hole_0;
-    }
-    else
-    {
-        _S92 = false;
-    }
-    var _S97 : bool;
-    if(_S92)
-    {
-        _S97 = shown_3.on_top_0;
+        _S56 = !shown_2.hole_0;
     }
     else
     {
-        _S97 = false;
+        _S56 = false;
     }
-    if(_S97)
+    var _S61 : bool;
+    if(_S56)
     {
-        if(_S93)
+        _S61 = shown_2.on_top_0;
+    }
+    else
+    {
+        _S61 = false;
+    }
+    if(_S61)
+    {
+        if(_S57)
         {
-            _S93 = _S95;
+            _S57 = _S59;
         }
         else
         {
-            _S93 = false;
+            _S57 = false;
         }
-        _S93 = !_S93;
+        _S57 = !_S57;
     }
     else
     {
-        _S93 = false;
+        _S57 = false;
     }
-    if(shown_3.hole_0)
+    if(shown_2.hole_0)
     {
-        _S92 = true;
+        _S56 = true;
     }
     else
     {
-        if(_S92)
+        if(_S56)
         {
-            _S92 = !shown_3.on_top_0;
+            _S56 = !shown_2.on_top_0;
         }
         else
         {
-            _S92 = false;
+            _S56 = false;
         }
     }
-    var _S98 : f32;
-    if(_S95)
+    var _S62 : f32;
+    if(_S59)
     {
-        _S98 = _S94;
+        _S62 = _S58;
     }
     else
     {
-        _S98 = cell_4.half_width_1;
+        _S62 = cell_5.half_width_1;
     }
-    var _S99 : f32 = _S98 - _S90;
-    if(_S92)
+    var _S63 : f32 = _S62 - _S54;
+    if(_S56)
     {
-        _S90 = 2.0f * _S91 + _S90 - cell_4.half_width_1;
+        _S54 = 2.0f * _S55 + _S54 - cell_5.half_width_1;
     }
     else
     {
-        _S90 = _S91;
+        _S54 = _S55;
     }
-    if(_S93)
+    if(_S57)
     {
         if(forwards_0)
         {
-            _S90 = run_3.to_end_0;
+            _S54 = run_2.to_end_0;
         }
         else
         {
-            _S90 = run_3.from_start_0;
+            _S54 = run_2.from_start_0;
         }
-        return _S90;
+        return _S54;
     }
-    if(_S96)
+    if(_S60)
     {
     }
     else
     {
-        _S90 = _S99;
+        _S54 = _S63;
     }
-    return _S90;
+    return _S54;
 }
 
 struct Probe_0
 {
-     height_3 : f32,
+     height_1 : f32,
      hole_1 : bool,
-     slope_x_1 : f32,
-     slope_y_1 : f32,
+     slope_x_0 : f32,
+     slope_y_0 : f32,
      yarn_1 : u32,
      cell_max_0 : f32,
-     side_x_1 : f32,
-     side_y_1 : f32,
+     side_x_0 : f32,
+     side_y_0 : f32,
      edge_x_0 : f32,
      edge_y_0 : f32,
 };
 
-fn ViewRay_rate_0( this_2 : ViewRay_0,  here_0 : Probe_0) -> f32
+fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_0 : Probe_0) -> f32
 {
-    return here_0.slope_x_1 * this_2.slope_0.x + here_0.slope_y_1 * this_2.slope_0.y - 1.0f;
-}
-
-fn way_back_to_dip_0( previous_1 : PreviousSample_0,  clearance_1 : f32,  rate_1 : f32,  step_4 : f32,  here_1 : Probe_0) -> f32
-{
-    var _S100 : f32 = previous_1.rate_0 * step_4;
-    var _S101 : f32 = rate_1 * step_4;
-    var _S102 : bool;
+    var _S64 : f32 = previous_1.rate_0 * step_4;
+    var _S65 : f32 = rate_1 * step_4;
+    var _S66 : bool;
     if(!previous_1.known_0)
     {
-        _S102 = true;
+        _S66 = true;
     }
     else
     {
-        _S102 = here_1.hole_1;
+        _S66 = here_0.hole_1;
     }
-    if(_S102)
+    if(_S66)
     {
-        _S102 = true;
+        _S66 = true;
     }
     else
     {
-        _S102 = (previous_1.yarn_0) != (here_1.yarn_1);
+        _S66 = (previous_1.yarn_0) != (here_0.yarn_1);
     }
-    if(_S102)
+    if(_S66)
     {
-        _S102 = true;
+        _S66 = true;
     }
     else
     {
-        _S102 = (previous_1.rate_0) >= 0.0f;
+        _S66 = (previous_1.rate_0) >= 0.0f;
     }
-    if(_S102)
+    if(_S66)
     {
-        _S102 = true;
+        _S66 = true;
     }
     else
     {
-        _S102 = rate_1 <= 0.0f;
+        _S66 = rate_1 <= 0.0f;
     }
-    if(_S102)
+    if(_S66)
     {
         return -1.0f;
     }
-    if((3.0f * previous_1.clearance_0 + _S100) >= 0.0f)
+    if((3.0f * previous_1.clearance_0 + _S64) >= 0.0f)
     {
-        _S102 = (3.0f * clearance_1 - _S101) >= 0.0f;
+        _S66 = (3.0f * clearance_1 - _S65) >= 0.0f;
     }
     else
     {
-        _S102 = false;
+        _S66 = false;
     }
-    if(_S102)
+    if(_S66)
     {
         return -1.0f;
     }
-    var _S103 : f32 = clearance_1 - previous_1.clearance_0;
-    var _S104 : f32 = 6.0f * _S103 - 4.0f * _S100 - 2.0f * _S101;
-    var _S105 : f32 = -2.0f * _S100 / max(_S104 + sqrt(max(_S104 * _S104 - 4.0f * (3.0f * (_S100 + _S101 - 2.0f * _S103)) * _S100, 0.0f)), 9.99999968265522539e-21f);
-    var _S106 : f32 = 1.0f - _S105;
-    var _S107 : f32 = (previous_1.clearance_0 * (2.0f * _S105 + 1.0f) + _S100 * _S105) * _S106 * _S106;
-    var _S108 : f32 = (clearance_1 * (2.0f * _S106 + 1.0f) - _S101 * _S106) * _S105 * _S105;
-    if(_S105 > 0.01999999955296516f)
+    var _S67 : f32 = clearance_1 - previous_1.clearance_0;
+    var _S68 : f32 = 6.0f * _S67 - 4.0f * _S64 - 2.0f * _S65;
+    var _S69 : f32 = -2.0f * _S64 / max(_S68 + sqrt(max(_S68 * _S68 - 4.0f * (3.0f * (_S64 + _S65 - 2.0f * _S67)) * _S64, 0.0f)), 9.99999968265522539e-21f);
+    var _S70 : f32 = 1.0f - _S69;
+    var _S71 : f32 = (previous_1.clearance_0 * (2.0f * _S69 + 1.0f) + _S64 * _S69) * _S70 * _S70;
+    var _S72 : f32 = (clearance_1 * (2.0f * _S70 + 1.0f) - _S65 * _S70) * _S69 * _S69;
+    if(_S69 > 0.01999999955296516f)
     {
-        _S102 = _S106 > 0.01999999955296516f;
+        _S66 = _S70 > 0.01999999955296516f;
     }
     else
     {
-        _S102 = false;
+        _S66 = false;
     }
-    if(_S102)
+    if(_S66)
     {
-        _S102 = (_S107 + _S108) < 0.0f;
+        _S66 = (_S71 + _S72) < 0.0f;
     }
     else
     {
-        _S102 = false;
+        _S66 = false;
     }
-    var _S109 : f32;
-    if(_S102)
+    var _S73 : f32;
+    if(_S66)
     {
-        _S109 = _S106 * step_4;
+        _S73 = _S70 * step_4;
     }
     else
     {
-        _S109 = -1.0f;
+        _S73 = -1.0f;
     }
-    return _S109;
+    return _S73;
 }
 
-fn StepControl_to_next_sample_0( this_3 : StepControl_0,  here_2 : Probe_0,  clearance_2 : f32,  rate_2 : f32) -> f32
-{
-    var _S110 : f32 = min(here_2.edge_x_0 * this_3.per_x_0, here_2.edge_y_0 * this_3.per_y_0);
-    var _S111 : bool;
-    if(!here_2.hole_1)
-    {
-        _S111 = (rate_2 * _S110 + clearance_2) < 0.0f;
-    }
-    else
-    {
-        _S111 = false;
-    }
-    if(_S111)
-    {
-        _S111 = _S110 > (2.0f * this_3.epsilon_0);
-    }
-    else
-    {
-        _S111 = false;
-    }
-    var _S112 : f32;
-    if(_S111)
-    {
-        _S112 = _S110 - this_3.epsilon_0;
-    }
-    else
-    {
-        _S112 = max(_S110, 0.0f) + this_3.epsilon_0;
-    }
-    return min(this_3.step_0, _S112);
-}
-
-fn after_sample_0( clearance_3 : f32,  rate_3 : f32,  here_3 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
+fn after_sample_0( clearance_2 : f32,  rate_2 : f32,  here_1 : Probe_0,  is_cell_exit_0 : bool) -> PreviousSample_0
 {
     var previous_2 : PreviousSample_0;
-    var _S113 : f32;
-    if(here_3.hole_1)
+    var _S74 : f32;
+    if(here_1.hole_1)
     {
-        _S113 = 1.0e+09f;
+        _S74 = 1.0e+09f;
     }
     else
     {
-        _S113 = clearance_3;
+        _S74 = clearance_2;
     }
-    previous_2.clearance_0 = _S113;
-    previous_2.rate_0 = rate_3;
-    previous_2.yarn_0 = here_3.yarn_1;
-    var _S114 : bool;
-    if(!here_3.hole_1)
+    previous_2.clearance_0 = _S74;
+    previous_2.rate_0 = rate_2;
+    previous_2.yarn_0 = here_1.yarn_1;
+    var _S75 : bool;
+    if(!here_1.hole_1)
     {
-        _S114 = !is_cell_exit_0;
+        _S75 = !is_cell_exit_0;
     }
     else
     {
-        _S114 = false;
+        _S75 = false;
     }
-    previous_2.known_0 = _S114;
+    previous_2.known_0 = _S75;
     return previous_2;
+}
+
+fn StepControl_to_cell_exit_0( this_0 : StepControl_0,  side_x_1 : f32,  side_y_1 : f32) -> f32
+{
+    return max(min(side_x_1 * this_0.per_x_0, side_y_1 * this_0.per_y_0), 0.0f) + this_0.epsilon_0;
+}
+
+fn StepControl_to_next_sample_0( this_1 : StepControl_0,  here_2 : Probe_0,  clearance_3 : f32,  rate_3 : f32) -> f32
+{
+    var _S76 : f32 = min(here_2.edge_x_0 * this_1.per_x_0, here_2.edge_y_0 * this_1.per_y_0);
+    var _S77 : bool;
+    if(!here_2.hole_1)
+    {
+        _S77 = (rate_3 * _S76 + clearance_3) < 0.0f;
+    }
+    else
+    {
+        _S77 = false;
+    }
+    if(_S77)
+    {
+        _S77 = _S76 > (2.0f * this_1.epsilon_0);
+    }
+    else
+    {
+        _S77 = false;
+    }
+    var _S78 : f32;
+    if(_S77)
+    {
+        _S78 = _S76 - this_1.epsilon_0;
+    }
+    else
+    {
+        _S78 = max(_S76, 0.0f) + this_1.epsilon_0;
+    }
+    return min(this_1.step_2, _S78);
+}
+
+struct ViewRay_0
+{
+     origin_0 : vec2<f32>,
+     slope_1 : vec2<f32>,
+};
+
+fn ViewRay_at_0( this_2 : ViewRay_0,  height_2 : f32) -> vec2<f32>
+{
+    return this_2.origin_0 + this_2.slope_1 * vec2<f32>(height_2);
+}
+
+fn ViewRay_rate_0( this_3 : ViewRay_0,  here_3 : Probe_0) -> f32
+{
+    return here_3.slope_x_0 * this_3.slope_1.x + here_3.slope_y_0 * this_3.slope_1.y - 1.0f;
 }
 
 fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 : f32) -> f32
 {
-    var _S115 : f32 = end_0 - start_1;
-    var _S116 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S115;
-    var _S117 : f32 = 3.0f * _S115 - 2.0f * start_rate_0 - end_rate_0;
-    var share_0 : f32 = start_1 / max(- _S115, 9.99999968265522539e-21f);
+    var _S79 : f32 = end_0 - start_1;
+    var _S80 : f32 = start_rate_0 + end_rate_0 - 2.0f * _S79;
+    var _S81 : f32 = 3.0f * _S79 - 2.0f * start_rate_0 - end_rate_0;
+    var share_0 : f32 = start_1 / max(- _S79, 9.99999968265522539e-21f);
     var i_0 : i32 = i32(0);
     for(;;)
     {
@@ -1093,10 +1031,10 @@ fn cubic_root_0( start_1 : f32,  end_0 : f32,  start_rate_0 : f32,  end_rate_0 :
         {
             break;
         }
-        var _S118 : f32 = clamp(share_0 - (((_S116 * share_0 + _S117) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0f * _S116 * share_0 + 2.0f * _S117) * share_0 + start_rate_0, 0.10000000149011612f * _S115 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        var _S119 : i32 = i_0 + i32(1);
-        share_0 = _S118;
-        i_0 = _S119;
+        var _S82 : f32 = clamp(share_0 - (((_S80 * share_0 + _S81) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0f * _S80 * share_0 + 2.0f * _S81) * share_0 + start_rate_0, 0.10000000149011612f * _S79 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        var _S83 : i32 = i_0 + i32(1);
+        share_0 = _S82;
+        i_0 = _S83;
     }
     return share_0;
 }
@@ -1108,48 +1046,48 @@ fn between_0( above_1 : f32,  under_0 : f32,  above_gap_0 : f32,  under_gap_0 : 
 
 fn fibre_direction_0( across_slope_0 : f32,  along_slope_0 : f32,  sine_1 : f32,  cosine_0 : f32) -> vec2<f32>
 {
-    var _S120 : f32 = along_slope_0 * along_slope_0 + 1.0f;
-    var _S121 : f32 = rsqrt_0(_S120);
-    var _S122 : f32 = sine_1 * _S121 * rsqrt_0(_S120 + across_slope_0 * across_slope_0);
-    return vec2<f32>(- _S122 * _S120, _S122 * across_slope_0 * along_slope_0 + cosine_0 * _S121);
+    var _S84 : f32 = along_slope_0 * along_slope_0 + 1.0f;
+    var _S85 : f32 = rsqrt_0(_S84);
+    var _S86 : f32 = sine_1 * _S85 * rsqrt_0(_S84 + across_slope_0 * across_slope_0);
+    return vec2<f32>(- _S86 * _S84, _S86 * across_slope_0 * along_slope_0 + cosine_0 * _S85);
 }
 
 fn arc_sine_0( x_4 : f32) -> f32
 {
-    var _S123 : f32 = abs(x_4);
-    var _S124 : bool = _S123 > 0.5f;
-    var _S125 : f32;
-    if(_S124)
+    var _S87 : f32 = abs(x_4);
+    var _S88 : bool = _S87 > 0.5f;
+    var _S89 : f32;
+    if(_S88)
     {
-        _S125 = 0.5f * (1.0f - _S123);
+        _S89 = 0.5f * (1.0f - _S87);
     }
     else
     {
-        _S125 = _S123 * _S123;
+        _S89 = _S87 * _S87;
     }
-    var _S126 : f32;
-    if(_S124)
+    var _S90 : f32;
+    if(_S88)
     {
-        _S126 = sqrt(max(_S125, 0.0f));
-    }
-    else
-    {
-        _S126 = _S123;
-    }
-    var _S127 : f32 = ((((0.04216320067644119f * _S125 + 0.02418131195008755f) * _S125 + 0.04547002539038658f) * _S125 + 0.07495300471782684f) * _S125 + 0.16666752099990845f) * _S125 * _S126 + _S126;
-    if(_S124)
-    {
-        _S125 = 1.57079637050628662f - 2.0f * _S127;
+        _S90 = sqrt(max(_S89, 0.0f));
     }
     else
     {
-        _S125 = _S127;
+        _S90 = _S87;
+    }
+    var _S91 : f32 = ((((0.04216320067644119f * _S89 + 0.02418131195008755f) * _S89 + 0.04547002539038658f) * _S89 + 0.07495300471782684f) * _S89 + 0.16666752099990845f) * _S89 * _S90 + _S90;
+    if(_S88)
+    {
+        _S89 = 1.57079637050628662f - 2.0f * _S91;
+    }
+    else
+    {
+        _S89 = _S91;
     }
     if(x_4 < 0.0f)
     {
-        _S125 = - _S125;
+        _S89 = - _S89;
     }
-    return _S125;
+    return _S89;
 }
 
 fn table_colour_0( index_3 : u32) -> vec3<f32>
@@ -1165,14 +1103,14 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
-fn albedos_of_0( family_9 : ptr<function, Family_std430_0>,  thread_8 : u32) -> Albedos_0
+fn albedos_of_0( family_8 : u32,  thread_8 : u32) -> Albedos_0
 {
-    var _S128 : u32 = (*family_9).albedo_table_0 + (*family_9).albedo_stride_0 * thread_8;
+    var _S92 : u32 = families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_8;
     var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(_S128);
-    albedos_0.diffuse_transmit_0 = table_colour_0(_S128 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(_S128 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(_S128 + u32(9));
+    albedos_0.diffuse_reflect_0 = table_colour_0(_S92);
+    albedos_0.diffuse_transmit_0 = table_colour_0(_S92 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(_S92 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(_S92 + u32(9));
     return albedos_0;
 }
 
@@ -1183,15 +1121,15 @@ fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_0 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S129 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S129.x, _S129.y), _S129.z), 0.0f));
+    var _S93 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S93.x, _S93.y), _S93.z), 0.0f));
 }
 
 fn natural_logarithm_0( x_5 : f32) -> f32
 {
-    var _S130 : u32 = (bitcast<u32>((x_5)));
-    var exponent_0 : f32 = f32(i32((_S130 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S130 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S94 : u32 = (bitcast<u32>((x_5)));
+    var exponent_0 : f32 = f32(i32((_S94 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S94 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1206,61 +1144,61 @@ fn natural_logarithm_0( x_5 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S131 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S131 - exponent_1 * 0.00021219444170129f - 0.5f * _S131) + exponent_1 * 0.693359375f;
+    var _S95 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S95 - exponent_1 * 0.00021219444170129f - 0.5f * _S95) + exponent_1 * 0.693359375f;
 }
 
-fn fibre_gain_0( thread_10 : u32,  cell_5 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
+fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
 {
-    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_5, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
+    return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, (seed_2 ^ (u32(2654435769))))), 10.0f) - 1.0f) + 1.0f;
 }
 
-fn towards_light_0( light_0 : ptr<function, Light_std430_0>,  position_5 : vec3<f32>,  irradiance_0 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn towards_light_0( light_0 : ptr<function, Light_std430_0>,  position_4 : vec3<f32>,  irradiance_1 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    (*irradiance_0) = vec3<f32>((*light_0).red_0, (*light_0).green_0, (*light_0).blue_0);
-    var _S132 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
+    (*irradiance_1) = vec3<f32>((*light_0).red_0, (*light_0).green_0, (*light_0).blue_0);
+    var _S96 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
     if(((*light_0).is_point_0) == u32(0))
     {
-        return _S132;
+        return _S96;
     }
-    var _S133 : vec3<f32> = _S132 - position_5;
-    (*irradiance_0) = (*irradiance_0) / vec3<f32>(max(square_0(_S133), 9.999999960041972e-13f));
-    return normalize(_S133);
+    var _S97 : vec3<f32> = _S96 - position_4;
+    (*irradiance_1) = (*irradiance_1) / vec3<f32>(max(square_0(_S97), 9.999999960041972e-13f));
+    return normalize(_S97);
 }
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S134 : f32 = light_1.z;
-    if(_S134 <= 0.0f)
+    var _S98 : f32 = light_1.z;
+    if(_S98 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S134, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S98, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
 }
 
-fn projected_area_0( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
+fn projected_area_1( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S135 : f32 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S135 * _S135 + 1.0f, roughness_1 * roughness_1));
+    var _S99 : f32 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S99 * _S99 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn exponential_0( x_6 : f32) -> f32
 {
-    var _S136 : f32 = clamp(x_6, -87.0f, 88.0f);
-    var _S137 : f32 = floor(_S136 * 1.4426950216293335f + 0.5f);
-    var _S138 : f32 = _S136 - _S137 * 0.693359375f + _S137 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S138 + 0.00139819993637502f) * _S138 + 0.00833345204591751f) * _S138 + 0.04166579619050026f) * _S138 + 0.1666666567325592f) * _S138 + 0.5f;
-    var _S139 : f32 = (bitcast<f32>(((u32(i32(_S137) + i32(127)) << (u32(23))))));
-    var _S140 : f32;
+    var _S100 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S101 : f32 = floor(_S100 * 1.4426950216293335f + 0.5f);
+    var _S102 : f32 = _S100 - _S101 * 0.693359375f + _S101 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S102 + 0.00139819993637502f) * _S102 + 0.00833345204591751f) * _S102 + 0.04166579619050026f) * _S102 + 0.1666666567325592f) * _S102 + 0.5f;
+    var _S103 : f32 = (bitcast<f32>(((u32(i32(_S101) + i32(127)) << (u32(23))))));
+    var _S104 : f32;
     if(x_6 < -87.0f)
     {
-        _S140 = 0.0f;
+        _S104 = 0.0f;
     }
     else
     {
-        _S140 = (p_0 * _S138 * _S138 + _S138 + 1.0f) * _S139;
+        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0f) * _S103;
     }
-    return _S140;
+    return _S104;
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1274,62 +1212,62 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S141 : f32 = roughness_2 * roughness_2;
-    var _S142 : f32 = squared_along_0 * (1.0f - _S141) + _S141;
-    return 0.31830987334251404f * _S141 * roughness_2 / (_S142 * _S142);
+    var _S105 : f32 = roughness_2 * roughness_2;
+    var _S106 : f32 = squared_along_0 * (1.0f - _S105) + _S105;
+    return 0.31830987334251404f * _S105 * roughness_2 / (_S106 * _S106);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S143 : vec3<f32> = light_2 + view_1;
-    var _S144 : f32 = dot(_S143, tangent_1);
-    return flake_density_0(min(_S144 * _S144 / max(square_0(_S143), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S107 : vec3<f32> = light_2 + view_1;
+    var _S108 : f32 = dot(_S107, tangent_1);
+    return flake_density_0(min(_S108 * _S108 / max(square_0(_S107), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S145 : f32 = dot(light_3, normal_2);
-    var _S146 : bool;
-    if(_S145 <= 0.0f)
+    var _S109 : f32 = dot(light_3, normal_2);
+    var _S110 : bool;
+    if(_S109 <= 0.0f)
     {
-        _S146 = true;
+        _S110 = true;
     }
     else
     {
-        _S146 = (dot(view_2, normal_2)) <= 0.0f;
+        _S110 = (dot(view_2, normal_2)) <= 0.0f;
     }
-    if(_S146)
+    if(_S110)
     {
         return 0.0f;
     }
-    var _S147 : f32 = max(_S145, 9.99999997475242708e-07f);
-    var _S148 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
-    var _S149 : f32 = projected_area_0(light_3, tangent_2, roughness_4) * _S148 + projected_area_0(view_2, tangent_2, roughness_4) * _S147;
-    var _S150 : f32 = optical_depth_1 * _S149 / (_S147 * _S148);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S150 * mean_attenuation_0(_S150)) * _S147 / _S149;
+    var _S111 : f32 = max(_S109, 9.99999997475242708e-07f);
+    var _S112 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
+    var _S113 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S112 + projected_area_1(view_2, tangent_2, roughness_4) * _S111;
+    var _S114 : f32 = optical_depth_1 * _S113 / (_S111 * _S112);
+    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
 }
 
 fn transmission_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S151 : f32 = - dot(light_4, normal_3);
-    var _S152 : f32 = dot(view_3, normal_3);
-    var _S153 : bool;
-    if(_S151 <= 0.0f)
+    var _S115 : f32 = - dot(light_4, normal_3);
+    var _S116 : f32 = dot(view_3, normal_3);
+    var _S117 : bool;
+    if(_S115 <= 0.0f)
     {
-        _S153 = true;
+        _S117 = true;
     }
     else
     {
-        _S153 = _S152 <= 0.0f;
+        _S117 = _S116 <= 0.0f;
     }
-    if(_S153)
+    if(_S117)
     {
         return 0.0f;
     }
-    var _S154 : f32 = 1.0f / max(_S152, 9.99999997475242708e-07f);
-    var _S155 : f32 = projected_area_0(light_4, tangent_3, roughness_5) / max(_S151, 9.99999997475242708e-07f);
-    var _S156 : f32 = projected_area_0(view_3, tangent_3, roughness_5) * _S154;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S155, _S156)) * mean_attenuation_0(optical_depth_2 * abs(_S155 - _S156)) * _S154;
+    var _S118 : f32 = 1.0f / max(_S116, 9.99999997475242708e-07f);
+    var _S119 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07f);
+    var _S120 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S118;
+    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
 }
 
 fn sheen_scale_0( x_7 : f32,  y_2 : f32) -> f32
@@ -1349,153 +1287,153 @@ fn sheen_reflectance_0( x_9 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S157 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S158 : f32 = 2.0f * sqrt(_S157) - 1.0f;
-    var _S159 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S158, _S159), 0.00999999977648258f, 1.0f), clamp((1.0f - _S157) * sheen_shear_0(_S158, _S159), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S158, _S159), -60.0f, 60.0f))));
+    var _S121 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S122 : f32 = 2.0f * sqrt(_S121) - 1.0f;
+    var _S123 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258f, 1.0f), clamp((1.0f - _S121) * sheen_shear_0(_S122, _S123), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S160 : f32 = light_5.z;
-    var _S161 : bool;
-    if(_S160 <= 0.0f)
+    var _S124 : f32 = light_5.z;
+    var _S125 : bool;
+    if(_S124 <= 0.0f)
     {
-        _S161 = true;
+        _S125 = true;
     }
     else
     {
-        _S161 = (view_4.z) <= 0.0f;
+        _S125 = (view_4.z) <= 0.0f;
     }
-    if(_S161)
+    if(_S125)
     {
         return 0.0f;
     }
-    var _S162 : vec2<f32> = view_4.xy;
-    var _S163 : f32 = dot(_S162, _S162);
-    var _S164 : vec2<f32>;
-    if(_S163 > 9.99999968265522539e-21f)
+    var _S126 : vec2<f32> = view_4.xy;
+    var _S127 : f32 = dot(_S126, _S126);
+    var _S128 : vec2<f32>;
+    if(_S127 > 9.99999968265522539e-21f)
     {
-        _S164 = _S162 * vec2<f32>(rsqrt_0(_S163));
+        _S128 = _S126 * vec2<f32>(rsqrt_0(_S127));
     }
     else
     {
-        _S164 = vec2<f32>(1.0f, 0.0f);
+        _S128 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S165 : f32 = scale_0 * dot(light_5.xy, _S164) + shear_0 * _S160;
-    var _S166 : f32 = scale_0 * (light_5.y * _S164.x - light_5.x * _S164.y);
-    var _S167 : f32 = _S165 * _S165 + _S166 * _S166 + _S160 * _S160;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S160 / max(_S167 * _S167, 9.99999968265522539e-21f);
+    var _S129 : f32 = scale_0 * dot(light_5.xy, _S128) + shear_0 * _S124;
+    var _S130 : f32 = scale_0 * (light_5.y * _S128.x - light_5.x * _S128.y);
+    var _S131 : f32 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S168 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
-    var _S169 : f32 = strength_0 * _S168.z;
-    return vec2<f32>(_S169 * transformed_cosine_0(light_6, view_5, _S168.x, _S168.y), 1.0f - _S169);
+    var _S132 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S133 : f32 = strength_0 * _S132.z;
+    return vec2<f32>(_S133 * transformed_cosine_0(light_6, view_5, _S132.x, _S132.y), 1.0f - _S133);
 }
 
-fn visible_point_0( _S170 : ptr<function, Frame_std430_0>,  _S171 : u32,  _S172 : u32,  _S173 : vec2<u32>) -> VisiblePoint_0
+fn visible_point_0( _S134 : ptr<function, Frame_std430_0>,  _S135 : u32,  _S136 : u32,  _S137 : vec2<u32>) -> VisiblePoint_0
 {
-    var _S174 : u32 = u32(3) * _S172;
-    var _S175 : Vertex_std430_0 = vertices_0[corners_0[_S174]];
-    var _S176 : Vertex_std430_0 = vertices_0[corners_0[_S174 + u32(1)]];
-    var _S177 : Vertex_std430_0 = vertices_0[corners_0[_S174 + u32(2)]];
-    var _S178 : vec3<f32> = position_of_0(&(_S176));
-    var _S179 : vec3<f32> = position_of_0(&(_S175));
-    var _S180 : vec3<f32> = _S178 - _S179;
-    var _S181 : vec3<f32> = position_of_0(&(_S177));
-    var _S182 : vec3<f32> = _S181 - _S179;
-    var _S183 : vec3<f32> = cross(_S180, _S182);
-    var _S184 : f32 = 1.0f / max(square_0(_S183), 1.00000000317107685e-30f);
-    var _S185 : vec3<f32> = camera_right_0(&((*_S170)));
-    var _S186 : f32 = f32((*_S170).width_0);
-    var _S187 : vec3<f32> = _S185 * vec3<f32>((2.0f / _S186));
-    var _S188 : vec3<f32> = camera_up_0(&((*_S170)));
-    var _S189 : f32 = f32((*_S170).height_0);
-    var _S190 : vec3<f32> = _S188 * vec3<f32>((-2.0f / _S189));
-    var _S191 : f32 = f32(_S173.x) + 0.5f - 0.5f * _S186;
-    var _S192 : f32 = f32(_S173.y) + 0.5f - 0.5f * _S189;
-    var _S193 : vec3<f32> = camera_forward_0(&((*_S170)));
-    var _S194 : vec3<f32> = _S193 + vec3<f32>(_S191) * _S187 + vec3<f32>(_S192) * _S190;
-    var _S195 : f32 = dot(_S194, _S183);
-    var _S196 : f32;
-    if((abs(_S195)) > 1.00000000317107685e-30f)
+    var _S138 : u32 = u32(3) * _S136;
+    var _S139 : Vertex_std430_0 = vertices_0[corners_0[_S138]];
+    var _S140 : Vertex_std430_0 = vertices_0[corners_0[_S138 + u32(1)]];
+    var _S141 : Vertex_std430_0 = vertices_0[corners_0[_S138 + u32(2)]];
+    var _S142 : vec3<f32> = position_of_0(&(_S140));
+    var _S143 : vec3<f32> = position_of_0(&(_S139));
+    var _S144 : vec3<f32> = _S142 - _S143;
+    var _S145 : vec3<f32> = position_of_0(&(_S141));
+    var _S146 : vec3<f32> = _S145 - _S143;
+    var _S147 : vec3<f32> = cross(_S144, _S146);
+    var _S148 : f32 = 1.0f / max(square_0(_S147), 1.00000000317107685e-30f);
+    var _S149 : vec3<f32> = camera_right_0(&((*_S134)));
+    var _S150 : f32 = f32((*_S134).width_0);
+    var _S151 : vec3<f32> = _S149 * vec3<f32>((2.0f / _S150));
+    var _S152 : vec3<f32> = camera_up_0(&((*_S134)));
+    var _S153 : f32 = f32((*_S134).height_0);
+    var _S154 : vec3<f32> = _S152 * vec3<f32>((-2.0f / _S153));
+    var _S155 : f32 = f32(_S137.x) + 0.5f - 0.5f * _S150;
+    var _S156 : f32 = f32(_S137.y) + 0.5f - 0.5f * _S153;
+    var _S157 : vec3<f32> = camera_forward_0(&((*_S134)));
+    var _S158 : vec3<f32> = _S157 + vec3<f32>(_S155) * _S151 + vec3<f32>(_S156) * _S154;
+    var _S159 : f32 = dot(_S158, _S147);
+    var _S160 : f32;
+    if((abs(_S159)) > 1.00000000317107685e-30f)
     {
-        _S196 = _S195;
+        _S160 = _S159;
     }
     else
     {
-        _S196 = 1.00000000317107685e-30f;
+        _S160 = 1.00000000317107685e-30f;
     }
-    var _S197 : f32 = 1.0f / _S196;
-    var _S198 : vec3<f32> = camera_origin_0(&((*_S170)));
-    var _S199 : vec3<f32> = _S179 - _S198;
-    var _S200 : vec3<f32> = vec3<f32>((dot(_S199, _S183) * _S197));
-    var _S201 : vec3<f32> = _S194 * _S200 - _S199;
-    var _S202 : vec3<f32> = _S200 * (_S187 - _S194 * vec3<f32>((dot(_S187, _S183) * _S197)));
-    var _S203 : vec3<f32> = _S200 * (_S190 - _S194 * vec3<f32>((dot(_S190, _S183) * _S197)));
-    var _S204 : vec3<f32> = vec3<f32>(_S184);
-    var _S205 : vec3<f32> = cross(_S182, _S183) * _S204;
-    var _S206 : vec3<f32> = cross(_S183, _S180) * _S204;
-    var _S207 : f32 = dot(_S201, _S205);
-    var _S208 : f32 = dot(_S201, _S206);
-    var _S209 : f32 = _S176.u_0 - _S175.u_0;
-    var _S210 : f32 = _S176.v_0 - _S175.v_0;
-    var _S211 : vec2<f32> = vec2<f32>(_S209, _S210);
-    var _S212 : f32 = _S177.u_0 - _S175.u_0;
-    var _S213 : f32 = _S177.v_0 - _S175.v_0;
-    var _S214 : vec2<f32> = vec2<f32>(_S212, _S213);
-    var _S215 : vec2<f32> = vec2<f32>(_S175.u_0, _S175.v_0) + vec2<f32>(_S207) * _S211 + vec2<f32>(_S208) * _S214;
-    var _S216 : vec2<f32> = vec2<f32>(dot(_S202, _S205)) * _S211 + vec2<f32>(dot(_S202, _S206)) * _S214;
-    var _S217 : vec2<f32> = vec2<f32>(dot(_S203, _S205)) * _S211 + vec2<f32>(dot(_S203, _S206)) * _S214;
-    if((_S209 * _S213 - _S210 * _S212) < 0.0f)
+    var _S161 : f32 = 1.0f / _S160;
+    var _S162 : vec3<f32> = camera_origin_0(&((*_S134)));
+    var _S163 : vec3<f32> = _S143 - _S162;
+    var _S164 : vec3<f32> = vec3<f32>((dot(_S163, _S147) * _S161));
+    var _S165 : vec3<f32> = _S158 * _S164 - _S163;
+    var _S166 : vec3<f32> = _S164 * (_S151 - _S158 * vec3<f32>((dot(_S151, _S147) * _S161)));
+    var _S167 : vec3<f32> = _S164 * (_S154 - _S158 * vec3<f32>((dot(_S154, _S147) * _S161)));
+    var _S168 : vec3<f32> = vec3<f32>(_S148);
+    var _S169 : vec3<f32> = cross(_S146, _S147) * _S168;
+    var _S170 : vec3<f32> = cross(_S147, _S144) * _S168;
+    var _S171 : f32 = dot(_S165, _S169);
+    var _S172 : f32 = dot(_S165, _S170);
+    var _S173 : f32 = _S140.u_0 - _S139.u_0;
+    var _S174 : f32 = _S140.v_0 - _S139.v_0;
+    var _S175 : vec2<f32> = vec2<f32>(_S173, _S174);
+    var _S176 : f32 = _S141.u_0 - _S139.u_0;
+    var _S177 : f32 = _S141.v_0 - _S139.v_0;
+    var _S178 : vec2<f32> = vec2<f32>(_S176, _S177);
+    var _S179 : vec2<f32> = vec2<f32>(_S139.u_0, _S139.v_0) + vec2<f32>(_S171) * _S175 + vec2<f32>(_S172) * _S178;
+    var _S180 : vec2<f32> = vec2<f32>(dot(_S166, _S169)) * _S175 + vec2<f32>(dot(_S166, _S170)) * _S178;
+    var _S181 : vec2<f32> = vec2<f32>(dot(_S167, _S169)) * _S175 + vec2<f32>(dot(_S167, _S170)) * _S178;
+    if((_S173 * _S177 - _S174 * _S176) < 0.0f)
     {
-        _S196 = -1.0f;
+        _S160 = -1.0f;
     }
     else
     {
-        _S196 = 1.0f;
+        _S160 = 1.0f;
     }
-    var _S218 : vec3<f32> = vec3<f32>(_S196) * (vec3<f32>(_S213) * _S180 - vec3<f32>(_S210) * _S182);
-    var _S219 : vec3<f32> = vec3<f32>(_S196) * (vec3<f32>(_S209) * _S182 - vec3<f32>(_S212) * _S180);
+    var _S182 : vec3<f32> = vec3<f32>(_S160) * (vec3<f32>(_S177) * _S144 - vec3<f32>(_S174) * _S146);
+    var _S183 : vec3<f32> = vec3<f32>(_S160) * (vec3<f32>(_S173) * _S146 - vec3<f32>(_S176) * _S144);
     var point_1 : VisiblePoint_0;
-    var _S220 : f32 = 1.0f - _S207 - _S208;
-    var _S221 : vec3<f32> = normal_of_0(&(_S175));
-    var _S222 : vec3<f32> = vec3<f32>(_S220) * _S221;
-    var _S223 : vec3<f32> = normal_of_0(&(_S176));
-    var _S224 : vec3<f32> = _S222 + vec3<f32>(_S207) * _S223;
-    var _S225 : vec3<f32> = normal_of_0(&(_S177));
-    var _S226 : vec3<f32> = normalize(_S224 + vec3<f32>(_S208) * _S225);
-    point_1.normal_0 = _S226;
-    var _S227 : vec3<f32> = normalize(_S218 - _S226 * vec3<f32>(dot(_S226, _S218)));
-    point_1.axis_x_0 = _S227;
-    point_1.axis_y_0 = cross(_S226, _S227);
-    point_1.position_0 = _S179 + _S201;
-    point_1.view_0 = (vec3<f32>(0) - normalize(_S194));
-    var _S228 : bool = (dot(cross(_S218, _S219), _S226)) < 0.0f;
-    var _S229 : f32 = fabrics_0[_S171].uv_width_0;
-    if(_S228)
+    var _S184 : f32 = 1.0f - _S171 - _S172;
+    var _S185 : vec3<f32> = normal_of_0(&(_S139));
+    var _S186 : vec3<f32> = vec3<f32>(_S184) * _S185;
+    var _S187 : vec3<f32> = normal_of_0(&(_S140));
+    var _S188 : vec3<f32> = _S186 + vec3<f32>(_S171) * _S187;
+    var _S189 : vec3<f32> = normal_of_0(&(_S141));
+    var _S190 : vec3<f32> = normalize(_S188 + vec3<f32>(_S172) * _S189);
+    point_1.normal_0 = _S190;
+    var _S191 : vec3<f32> = normalize(_S182 - _S190 * vec3<f32>(dot(_S190, _S182)));
+    point_1.axis_x_0 = _S191;
+    point_1.axis_y_0 = cross(_S190, _S191);
+    point_1.position_0 = _S143 + _S165;
+    point_1.view_0 = (vec3<f32>(0) - normalize(_S158));
+    var _S192 : bool = (dot(cross(_S182, _S183), _S190)) < 0.0f;
+    var _S193 : f32 = fabrics_0[_S135].uv_width_0;
+    if(_S192)
     {
-        _S196 = - fabrics_0[_S171].uv_height_0;
+        _S160 = - fabrics_0[_S135].uv_height_0;
     }
     else
     {
-        _S196 = fabrics_0[_S171].uv_height_0;
+        _S160 = fabrics_0[_S135].uv_height_0;
     }
-    var _S230 : vec2<f32> = vec2<f32>(_S229, _S196);
-    var _S231 : vec2<f32> = _S215 * _S230;
-    if(_S228)
+    var _S194 : vec2<f32> = vec2<f32>(_S193, _S160);
+    var _S195 : vec2<f32> = _S179 * _S194;
+    if(_S192)
     {
-        _S196 = fabrics_0[_S171].uv_height_0;
+        _S160 = fabrics_0[_S135].uv_height_0;
     }
     else
     {
-        _S196 = 0.0f;
+        _S160 = 0.0f;
     }
-    point_1.draft_0 = _S231 + vec2<f32>(0.0f, _S196);
-    point_1.draft_dx_0 = _S216 * _S230;
-    point_1.draft_dy_0 = _S217 * _S230;
+    point_1.draft_0 = _S195 + vec2<f32>(0.0f, _S160);
+    point_1.draft_dx_0 = _S180 * _S194;
+    point_1.draft_dy_0 = _S181 * _S194;
     return point_1;
 }
 
@@ -1503,9 +1441,10 @@ struct YarnPoint_0
 {
      back_2 : bool,
      hole_2 : bool,
+     is_warp_1 : bool,
      x_10 : f32,
      y_5 : f32,
-     height_4 : f32,
+     height_3 : f32,
      normal_4 : vec3<f32>,
      tangent_4 : vec3<f32>,
      roughness_8 : f32,
@@ -1517,55 +1456,418 @@ struct Hit_0
      x_11 : f32,
      y_6 : f32,
      hole_3 : bool,
-     height_5 : f32,
+     height_4 : f32,
 };
 
-fn steps_per_length_0( _S232 : u32,  _S233 : vec3<f32>) -> f32
+struct Sample_0
 {
-    return max(max(abs(_S233.x) * fabrics_0[_S232].threads_per_x_0, abs(_S233.y) * fabrics_0[_S232].threads_per_y_0) * 5.0f, abs(_S233.z) * fabrics_0[_S232].per_relief_0 * 8.0f);
+     crossing_1 : Crossing_0,
+     shown_3 : Shown_0,
+     run_3 : Run_0,
+     section_1 : Section_0,
+     height_5 : f32,
+     slope_across_0 : f32,
+     slope_along_0 : f32,
+     slope_x_1 : f32,
+     slope_y_1 : f32,
+};
+
+fn crossing_at_0( _S196 : u32,  _S197 : f32,  _S198 : f32,  _S199 : bool) -> Crossing_0
+{
+    var crossing_2 : Crossing_0;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S196].warp_0, _S197);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S196].weft_0, _S198);
+    var _S200 : u32 = fabrics_0[_S196].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S196].ends_0 + crossing_2.warp_1.thread_1);
+    var _S201 : u32 = words_0[_S200];
+    crossing_2.warp_word_0 = _S201;
+    crossing_2.weft_word_0 = words_0[_S200 + u32(1)];
+    crossing_2.warp_above_0 = (((_S201 & (u32(1)))) == u32(1)) != _S199;
+    return crossing_2;
+}
+
+fn sample_at_0( _S202 : u32,  _S203 : f32,  _S204 : f32,  _S205 : bool) -> Sample_0
+{
+    var sample_0 : Sample_0;
+    var _S206 : Crossing_0 = crossing_at_0(_S202, _S203, _S204, _S205);
+    sample_0.crossing_1 = _S206;
+    var _S207 : Shown_0 = shown_at_0(_S206, _S205);
+    sample_0.shown_3 = _S207;
+    var _S208 : u32;
+    if(_S207.is_warp_0)
+    {
+        _S208 = fabrics_0[_S202].warp_0;
+    }
+    else
+    {
+        _S208 = fabrics_0[_S202].weft_0;
+    }
+    var _S209 : u32;
+    if(_S207.is_warp_0)
+    {
+        _S209 = fabrics_0[_S202].weft_0;
+    }
+    else
+    {
+        _S209 = fabrics_0[_S202].warp_0;
+    }
+    var _S210 : Cell_0 = select_cell_0(_S207.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S211 : Cell_0 = select_cell_0(_S207.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S212 : Run_0 = unpack_0(_S208, _S209, _S210.thread_1, _S211, _S207.word_0);
+    var _S213 : Section_0 = section_at_0(_S210);
+    var _S214 : bool;
+    if(_S207.on_top_0)
+    {
+        _S214 = (_S212.distance_0) < (_S213.drop_0 * _S212.bend_1.sine_0);
+    }
+    else
+    {
+        _S214 = false;
+    }
+    var _S215 : bool;
+    if(_S207.on_top_0)
+    {
+        _S215 = !_S214;
+    }
+    else
+    {
+        _S215 = false;
+    }
+    var _S216 : f32;
+    if(_S215)
+    {
+        _S216 = 1.0f;
+    }
+    else
+    {
+        _S216 = -1.0f;
+    }
+    var _S217 : f32;
+    if(_S214)
+    {
+        _S217 = _S212.other_reach_0;
+    }
+    else
+    {
+        _S217 = _S212.reach_0;
+    }
+    var _S218 : f32;
+    if(_S214)
+    {
+        _S218 = _S217 + _S212.distance_0;
+    }
+    else
+    {
+        _S218 = max(_S217 - _S212.distance_0, 0.0f);
+    }
+    var _S219 : f32 = _S217 / _S212.bend_1.sine_0 - _S216 * _S213.drop_0;
+    var _S220 : f32 = _S218 * _S218;
+    var _S221 : f32 = max(_S219 * _S219 - _S220, 9.99999968265522539e-21f);
+    var _S222 : f32 = rsqrt_0(_S221);
+    var _S223 : f32 = _S220 / (_S221 * _S222 + _S219);
+    var _S224 : bool = _S218 > 0.0f;
+    var _S225 : f32;
+    if(_S207.on_top_0)
+    {
+        _S225 = 1.0f;
+    }
+    else
+    {
+        _S225 = -1.0f;
+    }
+    var _S226 : f32;
+    if(_S212.near_start_0)
+    {
+        _S226 = 1.0f;
+    }
+    else
+    {
+        _S226 = -1.0f;
+    }
+    var _S227 : f32 = _S225 * _S226;
+    if(_S224)
+    {
+        _S225 = _S219 * _S222;
+    }
+    else
+    {
+        _S225 = 1.0f;
+    }
+    sample_0.slope_across_0 = _S213.slope_0 * _S225;
+    if(_S224)
+    {
+        _S218 = _S227 * _S218 * _S222;
+    }
+    else
+    {
+        _S218 = 0.0f;
+    }
+    sample_0.slope_along_0 = _S218;
+    var _S228 : Family_std430_0 = families_0[_S208];
+    var _S229 : vec2<f32> = dive_0(_S209, _S207, _S212, _S211);
+    if(_S212.straight_0)
+    {
+        _S216 = 0.0f;
+    }
+    else
+    {
+        _S216 = _S228.height_scale_0 * _S216;
+    }
+    sample_0.height_5 = _S216 * (_S217 * _S212.bend_1.half_tangent_0 - _S223) - _S228.height_scale_0 * _S213.drop_0 - _S229.x;
+    var _S230 : f32 = _S228.height_scale_0 * sample_0.slope_across_0;
+    var _S231 : f32 = _S228.height_scale_0 * sample_0.slope_along_0 - _S229.y;
+    if(_S207.is_warp_0)
+    {
+        _S216 = _S230;
+    }
+    else
+    {
+        _S216 = _S231;
+    }
+    sample_0.slope_x_1 = _S216;
+    if(_S207.is_warp_0)
+    {
+        _S216 = _S231;
+    }
+    else
+    {
+        _S216 = _S230;
+    }
+    sample_0.slope_y_1 = _S216;
+    sample_0.run_3 = _S212;
+    sample_0.section_1 = _S213;
+    return sample_0;
+}
+
+fn steps_per_length_0( _S232 : u32,  _S233 : SearchQuality_0,  _S234 : vec3<f32>) -> f32
+{
+    return max(max(abs(_S234.x) * fabrics_0[_S232].threads_per_x_0, abs(_S234.y) * fabrics_0[_S232].threads_per_y_0) * _S233.steps_per_thread_0, abs(_S234.z) * fabrics_0[_S232].per_relief_0 * _S233.steps_per_relief_0);
+}
+
+fn cell_maximum_0( _S235 : u32,  _S236 : Crossing_0) -> f32
+{
+    var _S237 : u32;
+    if(_S236.warp_above_0)
+    {
+        _S237 = fabrics_0[_S235].warp_0;
+    }
+    else
+    {
+        _S237 = fabrics_0[_S235].weft_0;
+    }
+    var _S238 : u32;
+    if(_S236.warp_above_0)
+    {
+        _S238 = _S236.warp_word_0;
+    }
+    else
+    {
+        _S238 = _S236.weft_word_0;
+    }
+    return f32((_S238 >> (u32(28)))) * families_0[_S237].height_scale_0 * families_0[_S237].level_0;
+}
+
+fn probe_0( _S239 : u32,  _S240 : f32,  _S241 : f32,  _S242 : bool,  _S243 : bool,  _S244 : bool) -> Probe_0
+{
+    var _S245 : Sample_0 = sample_at_0(_S239, _S240, _S241, _S242);
+    var probe_1 : Probe_0;
+    probe_1.height_1 = _S245.height_5;
+    probe_1.hole_1 = _S245.shown_3.hole_0;
+    probe_1.slope_x_0 = _S245.slope_x_1;
+    probe_1.slope_y_0 = _S245.slope_y_1;
+    var _S246 : u32;
+    if(_S245.shown_3.is_warp_0)
+    {
+        _S246 = _S245.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
+    }
+    else
+    {
+        _S246 = _S245.crossing_1.weft_1.thread_1 * u32(2);
+    }
+    probe_1.yarn_1 = _S246;
+    probe_1.cell_max_0 = cell_maximum_0(_S239, _S245.crossing_1);
+    var _S247 : f32;
+    if(_S243)
+    {
+        _S247 = _S245.crossing_1.warp_1.above_0;
+    }
+    else
+    {
+        _S247 = _S245.crossing_1.warp_1.below_0;
+    }
+    probe_1.side_x_0 = _S247;
+    if(_S244)
+    {
+        _S247 = _S245.crossing_1.weft_1.above_0;
+    }
+    else
+    {
+        _S247 = _S245.crossing_1.weft_1.below_0;
+    }
+    probe_1.side_y_0 = _S247;
+    probe_1.edge_x_0 = outline_distance_0(_S245.crossing_1.warp_1, _S245.shown_3, _S245.run_3, !_S245.shown_3.is_warp_0, _S243);
+    probe_1.edge_y_0 = outline_distance_0(_S245.crossing_1.weft_1, _S245.shown_3, _S245.run_3, _S245.shown_3.is_warp_0, _S244);
+    return probe_1;
+}
+
+fn is_free_0( _S248 : u32,  _S249 : SearchQuality_0,  _S250 : vec3<f32>,  _S251 : vec3<f32>,  _S252 : bool,  _S253 : f32) -> bool
+{
+    var _S254 : f32 = _S251.z;
+    if(_S254 <= 0.0f)
+    {
+        return false;
+    }
+    var _S255 : f32 = 1.0f / max(_S249.shadow_share_0 * steps_per_length_0(_S248, _S249, _S251), 9.99999971718068537e-10f);
+    var _S256 : StepControl_0 = step_control_0(_S251.xy, _S255);
+    var previous_3 : PreviousSample_0 = no_previous_sample_0();
+    var count_1 : u32 = u32(0);
+    var distance_1 : f32 = 0.0f;
+    var last_step_0 : f32 = 0.0f;
+    for(;;)
+    {
+        var _S257 : bool;
+        if(count_1 < u32(1024))
+        {
+            _S257 = (_S250.z + _S254 * distance_1) < _S253;
+        }
+        else
+        {
+            _S257 = false;
+        }
+        if(_S257)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S258 : vec3<f32> = _S250 + _S251 * vec3<f32>(distance_1);
+        var _S259 : Probe_0 = probe_0(_S248, _S258.x, _S258.y, _S252, _S256.right_0, _S256.up_0);
+        var _S260 : f32 = _S258.z;
+        var _S261 : f32 = _S260 - _S259.height_1;
+        var _S262 : f32 = _S254 - _S259.slope_x_0 * _S251.x - _S259.slope_y_0 * _S251.y;
+        var _S263 : bool;
+        if(!_S259.hole_1)
+        {
+            _S263 = _S261 < 0.0f;
+        }
+        else
+        {
+            _S263 = false;
+        }
+        if(_S263)
+        {
+            return false;
+        }
+        var _S264 : f32 = way_back_to_dip_0(previous_3, _S261, _S262, last_step_0, _S259);
+        if(_S264 >= 0.0f)
+        {
+            var last_step_1 : f32 = last_step_0 - _S264;
+            distance_1 = distance_1 - _S264;
+            last_step_0 = last_step_1;
+            count_1 = count_1 + u32(1);
+            continue;
+        }
+        var _S265 : bool = _S260 > (_S259.cell_max_0);
+        var _S266 : PreviousSample_0 = after_sample_0(_S261, _S262, _S259, _S265);
+        var last_step_2 : f32;
+        if(_S265)
+        {
+            last_step_2 = max(StepControl_to_cell_exit_0(_S256, _S259.side_x_0, _S259.side_y_0), _S255);
+        }
+        else
+        {
+            last_step_2 = StepControl_to_next_sample_0(_S256, _S259, _S261, _S262);
+        }
+        var distance_2 : f32 = distance_1 + last_step_2;
+        previous_3 = _S266;
+        distance_1 = distance_2;
+        last_step_0 = last_step_2;
+        count_1 = count_1 + u32(1);
+    }
+    return true;
+}
+
+fn passes_through_0( _S267 : u32,  _S268 : SearchQuality_0,  _S269 : f32,  _S270 : f32,  _S271 : vec3<f32>,  _S272 : bool) -> bool
+{
+    if(!sample_at_0(_S267, _S269, _S270, _S272).shown_3.hole_0)
+    {
+        return false;
+    }
+    var _S273 : vec3<f32> = vec3<f32>(_S269, _S270, 0.0f);
+    var passes_0 : bool = true;
+    var side_0 : u32 = u32(0);
+    for(;;)
+    {
+        var _S274 : bool;
+        if(side_0 < u32(2))
+        {
+            _S274 = passes_0;
+        }
+        else
+        {
+            _S274 = false;
+        }
+        if(_S274)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S275 : vec3<f32>;
+        if(side_0 == u32(0))
+        {
+            _S275 = _S271;
+        }
+        else
+        {
+            _S275 = vec3<f32>(- _S271.x, - _S271.y, _S271.z);
+        }
+        var _S276 : bool = is_free_0(_S267, _S268, _S273, _S275, _S272 != (side_0 == u32(1)), fabrics_0[_S267].height_high_0);
+        var _S277 : u32 = side_0 + u32(1);
+        passes_0 = _S276;
+        side_0 = _S277;
+    }
+    return passes_0;
 }
 
 struct ViewRayEnd_0
 {
      height_6 : f32,
-     last_step_0 : f32,
+     last_step_3 : f32,
      depth_1 : f32,
      rate_4 : f32,
      smooth_0 : bool,
-     previous_3 : PreviousSample_0,
+     previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S234 : u32,  _S235 : f32,  _S236 : f32,  _S237 : f32,  _S238 : vec3<f32>,  _S239 : bool) -> f32
+fn max_height_along_0( _S278 : u32,  _S279 : f32,  _S280 : f32,  _S281 : f32,  _S282 : vec3<f32>,  _S283 : bool) -> f32
 {
-    var _S240 : Family_std430_0 = fabrics_0[_S234].warp_0;
-    var _S241 : Cell_0 = locate_1(&(_S240), _S235);
-    var _S242 : u32 = _S241.thread_1 / u32(2);
-    var _S243 : Family_std430_0 = fabrics_0[_S234].weft_0;
-    var _S244 : Cell_0 = locate_1(&(_S243), _S236);
-    var _S245 : u32 = _S244.thread_1 / u32(2);
-    var _S246 : f32 = _S238.x;
-    var _S247 : u32;
-    if(_S246 > 0.0f)
+    var _S284 : u32 = locate_0(fabrics_0[_S278].warp_0, _S279).thread_1 / u32(2);
+    var _S285 : u32 = locate_0(fabrics_0[_S278].weft_0, _S280).thread_1 / u32(2);
+    var _S286 : f32 = _S282.x;
+    var _S287 : u32;
+    if(_S286 > 0.0f)
     {
-        _S247 = u32(1);
+        _S287 = u32(1);
     }
     else
     {
-        _S247 = u32(0);
+        _S287 = u32(0);
     }
-    var _S248 : f32 = _S238.y;
-    var _S249 : u32;
-    if(_S248 > 0.0f)
+    var _S288 : f32 = _S282.y;
+    var _S289 : u32;
+    if(_S288 > 0.0f)
     {
-        _S249 = u32(2);
+        _S289 = u32(2);
     }
     else
     {
-        _S249 = u32(0);
+        _S289 = u32(0);
     }
-    var _S250 : u32 = words_0[fabrics_0[_S234].max_heights_0 + u32(4) * (_S245 * fabrics_0[_S234].max_height_columns_0 + _S242) + (_S247 + _S249)];
+    var _S290 : u32 = words_0[fabrics_0[_S278].max_heights_0 + u32(4) * (_S285 * fabrics_0[_S278].max_height_columns_0 + _S284) + (_S287 + _S289)];
     var number_0 : i32;
-    if(_S239)
+    if(_S283)
     {
         number_0 = i32(4);
     }
@@ -1573,10 +1875,10 @@ fn max_height_along_0( _S234 : u32,  _S235 : f32,  _S236 : f32,  _S237 : f32,  _
     {
         number_0 = i32(0);
     }
-    var _S251 : u32 = (_S250 >> (u32(number_0)));
-    var _S252 : f32 = max(abs(_S246) * fabrics_0[_S234].threads_per_x_0, abs(_S248) * fabrics_0[_S234].threads_per_y_0) / _S238.z;
-    var _S253 : f32 = fabrics_0[_S234].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S234].height_high_0;
+    var _S291 : u32 = (_S290 >> (u32(number_0)));
+    var _S292 : f32 = max(abs(_S286) * fabrics_0[_S278].threads_per_x_0, abs(_S288) * fabrics_0[_S278].threads_per_y_0) / _S282.z;
+    var _S293 : f32 = fabrics_0[_S278].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S278].height_high_0;
     number_0 = i32(3);
     for(;;)
     {
@@ -1587,171 +1889,45 @@ fn max_height_along_0( _S234 : u32,  _S235 : f32,  _S236 : f32,  _S237 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S237) * _S252) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S281) * _S292) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, f32((((_S251 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S253);
+            max_height_0 = min(max_height_0, f32((((_S291 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S293);
         }
         number_0 = number_0 - i32(1);
     }
     return max_height_0;
 }
 
-fn crossing_at_0( _S254 : u32,  _S255 : f32,  _S256 : f32,  _S257 : bool) -> Crossing_0
+fn cell_bounds_0( _S294 : u32,  _S295 : f32,  _S296 : f32,  _S297 : bool,  _S298 : bool,  _S299 : bool) -> vec3<f32>
 {
-    var crossing_2 : Crossing_0;
-    var _S258 : Family_std430_0 = fabrics_0[_S254].warp_0;
-    var _S259 : Cell_0 = locate_0(&(_S258), _S255);
-    crossing_2.warp_1 = _S259;
-    var _S260 : Family_std430_0 = fabrics_0[_S254].weft_0;
-    var _S261 : Cell_0 = locate_0(&(_S260), _S256);
-    crossing_2.weft_1 = _S261;
-    var _S262 : u32 = fabrics_0[_S254].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S254].ends_0 + crossing_2.warp_1.thread_1);
-    var _S263 : u32 = words_0[_S262];
-    crossing_2.warp_word_0 = _S263;
-    crossing_2.weft_word_0 = words_0[_S262 + u32(1)];
-    crossing_2.warp_above_0 = (((_S263 & (u32(1)))) == u32(1)) != _S257;
-    return crossing_2;
-}
-
-fn cell_maximum_0( _S264 : u32,  _S265 : Crossing_0) -> f32
-{
-    if(_S265.warp_above_0)
-    {
-        return f32(((_S265.warp_word_0) >> (u32(28)))) * fabrics_0[_S264].warp_0.height_scale_0 * fabrics_0[_S264].warp_0.level_0;
-    }
-    return f32(((_S265.weft_word_0) >> (u32(28)))) * fabrics_0[_S264].weft_0.height_scale_0 * fabrics_0[_S264].weft_0.level_0;
-}
-
-fn cell_bounds_0( _S266 : u32,  _S267 : f32,  _S268 : f32,  _S269 : bool,  _S270 : bool,  _S271 : bool) -> vec3<f32>
-{
-    var _S272 : Crossing_0 = crossing_at_0(_S266, _S267, _S268, _S269);
-    var _S273 : f32 = cell_maximum_0(_S266, _S272);
-    var _S274 : f32;
-    if(_S270)
-    {
-        _S274 = _S272.warp_1.above_0;
-    }
-    else
-    {
-        _S274 = _S272.warp_1.below_0;
-    }
-    var _S275 : f32;
-    if(_S271)
-    {
-        _S275 = _S272.weft_1.above_0;
-    }
-    else
-    {
-        _S275 = _S272.weft_1.below_0;
-    }
-    return vec3<f32>(_S273, _S274, _S275);
-}
-
-fn first_sample_height_0( _S276 : u32,  _S277 : ViewRay_0,  _S278 : StepControl_0,  _S279 : bool) -> f32
-{
-    var _S280 : f32 = max_height_along_0(_S276, _S277.origin_0.x, _S277.origin_0.y, 0.0f, vec3<f32>(_S277.slope_0, 1.0f), _S279);
-    var count_1 : u32 = u32(0);
-    var height_7 : f32 = _S280;
-    for(;;)
-    {
-        if(count_1 < u32(1024))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S281 : vec2<f32> = ViewRay_at_0(_S277, height_7);
-        var _S282 : vec3<f32> = cell_bounds_0(_S276, _S281.x, _S281.y, _S279, _S278.right_0, _S278.up_0);
-        var _S283 : f32 = height_7 - _S282.x;
-        var _S284 : f32 = StepControl_to_cell_exit_0(_S278, _S282.y, _S282.z);
-        var height_8 : f32 = height_7 - clamp(_S283, 0.0f, _S284);
-        if(_S283 <= _S284)
-        {
-            height_7 = height_8;
-            break;
-        }
-        count_1 = count_1 + u32(1);
-        height_7 = height_8;
-    }
-    return height_7;
-}
-
-fn sample_at_0( _S285 : u32,  _S286 : f32,  _S287 : f32,  _S288 : bool) -> Sample_0
-{
-    var sample_1 : Sample_0;
-    var _S289 : Crossing_0 = crossing_at_0(_S285, _S286, _S287, _S288);
-    sample_1.crossing_1 = _S289;
-    sample_1.shown_2 = shown_at_0(_S289, _S288);
-    if(sample_1.shown_2.is_warp_0)
-    {
-        var _S290 : Family_std430_0 = fabrics_0[_S285].warp_0;
-        var _S291 : Family_std430_0 = fabrics_0[_S285].weft_0;
-        shape_0(&(_S290), &(_S291), sample_1.crossing_1.warp_1, sample_1.crossing_1.weft_1, &(sample_1));
-    }
-    else
-    {
-        var _S292 : Family_std430_0 = fabrics_0[_S285].weft_0;
-        var _S293 : Family_std430_0 = fabrics_0[_S285].warp_0;
-        shape_0(&(_S292), &(_S293), sample_1.crossing_1.weft_1, sample_1.crossing_1.warp_1, &(sample_1));
-    }
-    return sample_1;
-}
-
-fn probe_0( _S294 : u32,  _S295 : f32,  _S296 : f32,  _S297 : bool,  _S298 : bool,  _S299 : bool) -> Probe_0
-{
-    var _S300 : Sample_0 = sample_at_0(_S294, _S295, _S296, _S297);
-    var probe_1 : Probe_0;
-    probe_1.height_3 = _S300.height_2;
-    probe_1.hole_1 = _S300.shown_2.hole_0;
-    probe_1.slope_x_1 = _S300.slope_x_0;
-    probe_1.slope_y_1 = _S300.slope_y_0;
-    var _S301 : u32;
-    if(_S300.shown_2.is_warp_0)
-    {
-        _S301 = _S300.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
-    }
-    else
-    {
-        _S301 = _S300.crossing_1.weft_1.thread_1 * u32(2);
-    }
-    probe_1.yarn_1 = _S301;
-    probe_1.cell_max_0 = cell_maximum_0(_S294, _S300.crossing_1);
+    var _S300 : Crossing_0 = crossing_at_0(_S294, _S295, _S296, _S297);
+    var _S301 : f32 = cell_maximum_0(_S294, _S300);
     var _S302 : f32;
     if(_S298)
     {
-        _S302 = _S300.crossing_1.warp_1.above_0;
+        _S302 = _S300.warp_1.above_0;
     }
     else
     {
-        _S302 = _S300.crossing_1.warp_1.below_0;
+        _S302 = _S300.warp_1.below_0;
     }
-    probe_1.side_x_1 = _S302;
+    var _S303 : f32;
     if(_S299)
     {
-        _S302 = _S300.crossing_1.weft_1.above_0;
+        _S303 = _S300.weft_1.above_0;
     }
     else
     {
-        _S302 = _S300.crossing_1.weft_1.below_0;
+        _S303 = _S300.weft_1.below_0;
     }
-    probe_1.side_y_1 = _S302;
-    probe_1.edge_x_0 = outline_distance_0(_S300.crossing_1.warp_1, _S300.shown_2, _S300.run_2, !_S300.shown_2.is_warp_0, _S298);
-    probe_1.edge_y_0 = outline_distance_0(_S300.crossing_1.weft_1, _S300.shown_2, _S300.run_2, _S300.shown_2.is_warp_0, _S299);
-    return probe_1;
+    return vec3<f32>(_S301, _S302, _S303);
 }
 
-fn search_down_0( _S303 : u32,  _S304 : ViewRay_0,  _S305 : StepControl_0,  _S306 : bool) -> ViewRayEnd_0
+fn first_sample_height_0( _S304 : u32,  _S305 : ViewRay_0,  _S306 : StepControl_0,  _S307 : bool) -> f32
 {
-    var _S307 : f32 = fabrics_0[_S303].height_low_0 - (fabrics_0[_S303].height_high_0 - fabrics_0[_S303].height_low_0);
-    var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S303, _S304, _S305, _S306);
-    end_1.last_step_0 = _S305.epsilon_0;
-    end_1.previous_3 = no_previous_sample_0();
-    end_1.depth_1 = 0.0f;
-    end_1.rate_4 = 0.0f;
-    end_1.smooth_0 = false;
+    var _S308 : f32 = max_height_along_0(_S304, _S305.origin_0.x, _S305.origin_0.y, 0.0f, vec3<f32>(_S305.slope_1, 1.0f), _S307);
     var count_2 : u32 = u32(0);
+    var height_7 : f32 = _S308;
     for(;;)
     {
         if(count_2 < u32(1024))
@@ -1761,150 +1937,186 @@ fn search_down_0( _S303 : u32,  _S304 : ViewRay_0,  _S305 : StepControl_0,  _S30
         {
             break;
         }
-        var _S308 : vec2<f32> = ViewRay_at_0(_S304, end_1.height_6);
-        var _S309 : Probe_0 = probe_0(_S303, _S308.x, _S308.y, _S306, _S305.right_0, _S305.up_0);
-        var _S310 : f32 = end_1.height_6 - _S309.height_3;
-        var _S311 : f32 = ViewRay_rate_0(_S304, _S309);
-        end_1.depth_1 = - _S310;
-        end_1.rate_4 = _S311;
-        var _S312 : bool;
-        if(end_1.previous_3.known_0)
+        var _S309 : vec2<f32> = ViewRay_at_0(_S305, height_7);
+        var _S310 : vec3<f32> = cell_bounds_0(_S304, _S309.x, _S309.y, _S307, _S306.right_0, _S306.up_0);
+        var _S311 : f32 = height_7 - _S310.x;
+        var _S312 : f32 = StepControl_to_cell_exit_0(_S306, _S310.y, _S310.z);
+        var height_8 : f32 = height_7 - clamp(_S311, 0.0f, _S312);
+        if(_S311 <= _S312)
         {
-            _S312 = !_S309.hole_1;
+            height_7 = height_8;
+            break;
+        }
+        count_2 = count_2 + u32(1);
+        height_7 = height_8;
+    }
+    return height_7;
+}
+
+fn search_down_0( _S313 : u32,  _S314 : ViewRay_0,  _S315 : StepControl_0,  _S316 : bool) -> ViewRayEnd_0
+{
+    var _S317 : f32 = fabrics_0[_S313].height_low_0 - (fabrics_0[_S313].height_high_0 - fabrics_0[_S313].height_low_0);
+    var end_1 : ViewRayEnd_0;
+    end_1.height_6 = first_sample_height_0(_S313, _S314, _S315, _S316);
+    end_1.last_step_3 = _S315.epsilon_0;
+    end_1.previous_4 = no_previous_sample_0();
+    end_1.depth_1 = 0.0f;
+    end_1.rate_4 = 0.0f;
+    end_1.smooth_0 = false;
+    var count_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(count_3 < u32(1024))
+        {
         }
         else
-        {
-            _S312 = false;
-        }
-        var _S313 : bool;
-        if(_S312)
-        {
-            _S313 = (end_1.previous_3.yarn_0) == (_S309.yarn_1);
-        }
-        else
-        {
-            _S313 = false;
-        }
-        end_1.smooth_0 = _S313;
-        var _S314 : bool;
-        if(!_S309.hole_1)
-        {
-            _S314 = _S310 <= 0.0f;
-        }
-        else
-        {
-            _S314 = false;
-        }
-        var _S315 : bool;
-        if(_S314)
-        {
-            _S315 = true;
-        }
-        else
-        {
-            _S315 = (end_1.height_6) <= _S307;
-        }
-        if(_S315)
         {
             break;
         }
-        var _S316 : f32 = way_back_to_dip_0(end_1.previous_3, _S310, _S311, end_1.last_step_0, _S309);
-        if(_S316 >= 0.0f)
+        var _S318 : vec2<f32> = ViewRay_at_0(_S314, end_1.height_6);
+        var _S319 : Probe_0 = probe_0(_S313, _S318.x, _S318.y, _S316, _S315.right_0, _S315.up_0);
+        var _S320 : f32 = end_1.height_6 - _S319.height_1;
+        var _S321 : f32 = ViewRay_rate_0(_S314, _S319);
+        end_1.depth_1 = - _S320;
+        end_1.rate_4 = _S321;
+        var _S322 : bool;
+        if(end_1.previous_4.known_0)
         {
-            end_1.height_6 = end_1.height_6 + _S316;
-            end_1.last_step_0 = end_1.last_step_0 - _S316;
-            count_2 = count_2 + u32(1);
+            _S322 = !_S319.hole_1;
+        }
+        else
+        {
+            _S322 = false;
+        }
+        var _S323 : bool;
+        if(_S322)
+        {
+            _S323 = (end_1.previous_4.yarn_0) == (_S319.yarn_1);
+        }
+        else
+        {
+            _S323 = false;
+        }
+        end_1.smooth_0 = _S323;
+        var _S324 : bool;
+        if(!_S319.hole_1)
+        {
+            _S324 = _S320 <= 0.0f;
+        }
+        else
+        {
+            _S324 = false;
+        }
+        var _S325 : bool;
+        if(_S324)
+        {
+            _S325 = true;
+        }
+        else
+        {
+            _S325 = (end_1.height_6) <= _S317;
+        }
+        if(_S325)
+        {
+            break;
+        }
+        var _S326 : f32 = way_back_to_dip_0(end_1.previous_4, _S320, _S321, end_1.last_step_3, _S319);
+        if(_S326 >= 0.0f)
+        {
+            end_1.height_6 = end_1.height_6 + _S326;
+            end_1.last_step_3 = end_1.last_step_3 - _S326;
+            count_3 = count_3 + u32(1);
             continue;
         }
-        var _S317 : f32 = min(StepControl_to_cell_exit_0(_S305, _S309.side_x_1, _S309.side_y_1), end_1.height_6 - _S309.cell_max_0);
-        var _S318 : f32 = StepControl_to_next_sample_0(_S305, _S309, _S310, _S311);
-        end_1.previous_3 = after_sample_0(_S310, _S311, _S309, _S317 > _S318);
-        var _S319 : f32 = max(_S317, _S318);
-        end_1.last_step_0 = _S319;
-        end_1.height_6 = end_1.height_6 - _S319;
-        count_2 = count_2 + u32(1);
+        var _S327 : f32 = min(StepControl_to_cell_exit_0(_S315, _S319.side_x_0, _S319.side_y_0), end_1.height_6 - _S319.cell_max_0);
+        var _S328 : f32 = StepControl_to_next_sample_0(_S315, _S319, _S320, _S321);
+        end_1.previous_4 = after_sample_0(_S320, _S321, _S319, _S327 > _S328);
+        var _S329 : f32 = max(_S327, _S328);
+        end_1.last_step_3 = _S329;
+        end_1.height_6 = end_1.height_6 - _S329;
+        count_3 = count_3 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S320 : u32,  _S321 : ViewRay_0,  _S322 : StepControl_0,  _S323 : bool,  _S324 : ViewRayEnd_0) -> f32
+fn refined_height_0( _S330 : u32,  _S331 : ViewRay_0,  _S332 : StepControl_0,  _S333 : bool,  _S334 : ViewRayEnd_0,  _S335 : u32) -> f32
 {
-    var _S325 : f32 = fabrics_0[_S320].height_high_0 - fabrics_0[_S320].height_low_0;
-    var above_2 : f32 = _S324.height_6 + _S324.last_step_0;
-    var above_gap_1 : f32 = clamp(_S324.previous_3.clearance_0, 0.0f, _S325);
-    var under_gap_1 : f32 = clamp(_S324.depth_1, 0.0f, _S325);
-    var _S326 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S324.previous_3.rate_0 * _S324.last_step_0, _S324.rate_4 * _S324.last_step_0);
+    var _S336 : f32 = fabrics_0[_S330].height_high_0 - fabrics_0[_S330].height_low_0;
+    var above_2 : f32 = _S334.height_6 + _S334.last_step_3;
+    var above_gap_1 : f32 = clamp(_S334.previous_4.clearance_0, 0.0f, _S336);
+    var under_gap_1 : f32 = clamp(_S334.depth_1, 0.0f, _S336);
+    var _S337 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S334.previous_4.rate_0 * _S334.last_step_3, _S334.rate_4 * _S334.last_step_3);
     var middle_0 : f32;
-    if(_S324.smooth_0)
+    if(_S334.smooth_0)
     {
-        middle_0 = above_2 - _S326 * _S324.last_step_0;
+        middle_0 = above_2 - _S337 * _S334.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S324.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S334.height_6, above_gap_1, under_gap_1);
     }
-    var side_0 : f32 = 0.0f;
+    var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S324.height_6;
+    var under_1 : f32 = _S334.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < u32(2))
+        if(i_1 < _S335)
         {
         }
         else
         {
             break;
         }
-        var _S327 : vec2<f32> = ViewRay_at_0(_S321, middle_0);
-        var _S328 : Probe_0 = probe_0(_S320, _S327.x, _S327.y, _S323, _S322.right_0, _S322.up_0);
-        var _S329 : f32;
-        if(_S328.hole_1)
+        var _S338 : vec2<f32> = ViewRay_at_0(_S331, middle_0);
+        var _S339 : Probe_0 = probe_0(_S330, _S338.x, _S338.y, _S333, _S332.right_0, _S332.up_0);
+        var _S340 : f32;
+        if(_S339.hole_1)
         {
-            _S329 = -1.0e+09f;
+            _S340 = -1.0e+09f;
         }
         else
         {
-            _S329 = _S328.height_3;
+            _S340 = _S339.height_1;
         }
-        var _S330 : f32 = clamp(middle_0 - _S329, - _S325, _S325);
-        var _S331 : f32;
-        if(_S330 <= 0.0f)
+        var _S341 : f32 = clamp(middle_0 - _S340, - _S336, _S336);
+        var _S342 : f32;
+        if(_S341 <= 0.0f)
         {
-            if(side_0 > 0.0f)
+            if(side_1 > 0.0f)
             {
-                _S331 = 0.5f * above_gap_2;
+                _S342 = 0.5f * above_gap_2;
             }
             else
             {
-                _S331 = above_gap_2;
+                _S342 = above_gap_2;
             }
-            var _S332 : f32 = - _S330;
+            var _S343 : f32 = - _S341;
             under_1 = middle_0;
-            above_gap_2 = _S331;
-            under_gap_2 = _S332;
-            side_0 = 1.0f;
+            above_gap_2 = _S342;
+            under_gap_2 = _S343;
+            side_1 = 1.0f;
         }
         else
         {
-            if(side_0 < 0.0f)
+            if(side_1 < 0.0f)
             {
-                _S331 = 0.5f * under_gap_2;
+                _S342 = 0.5f * under_gap_2;
             }
             else
             {
-                _S331 = under_gap_2;
+                _S342 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S330;
-            under_gap_2 = _S331;
-            side_0 = -1.0f;
+            above_gap_2 = _S341;
+            under_gap_2 = _S342;
+            side_1 = -1.0f;
         }
-        if(_S324.smooth_0)
+        if(_S334.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S330 / min(ViewRay_rate_0(_S321, _S328), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S341 / min(ViewRay_rate_0(_S331, _S339), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -1912,7 +2124,7 @@ fn refined_height_0( _S320 : u32,  _S321 : ViewRay_0,  _S322 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S324.smooth_0)
+    if(_S334.smooth_0)
     {
     }
     else
@@ -1922,130 +2134,36 @@ fn refined_height_0( _S320 : u32,  _S321 : ViewRay_0,  _S322 : StepControl_0,  _
     return middle_0;
 }
 
-fn is_free_0( _S333 : u32,  _S334 : vec3<f32>,  _S335 : vec3<f32>,  _S336 : bool,  _S337 : f32) -> bool
+fn first_hit_0( _S344 : u32,  _S345 : SearchQuality_0,  _S346 : f32,  _S347 : f32,  _S348 : vec3<f32>,  _S349 : bool) -> Hit_0
 {
-    var _S338 : f32 = _S335.z;
-    if(_S338 <= 0.0f)
-    {
-        return false;
-    }
-    var _S339 : f32 = 1.0f / max(steps_per_length_0(_S333, _S335), 9.99999971718068537e-10f);
-    var _S340 : StepControl_0 = step_control_0(_S335.xy, _S339);
-    var previous_4 : PreviousSample_0 = no_previous_sample_0();
-    var count_3 : u32 = u32(0);
-    var distance_1 : f32 = 0.0f;
-    var last_step_1 : f32 = 0.0f;
-    for(;;)
-    {
-        var _S341 : bool;
-        if(count_3 < u32(1024))
-        {
-            _S341 = (_S334.z + _S338 * distance_1) < _S337;
-        }
-        else
-        {
-            _S341 = false;
-        }
-        if(_S341)
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S342 : vec3<f32> = _S334 + _S335 * vec3<f32>(distance_1);
-        var _S343 : Probe_0 = probe_0(_S333, _S342.x, _S342.y, _S336, _S340.right_0, _S340.up_0);
-        var _S344 : f32 = _S342.z;
-        var _S345 : f32 = _S344 - _S343.height_3;
-        var _S346 : f32 = _S338 - _S343.slope_x_1 * _S335.x - _S343.slope_y_1 * _S335.y;
-        var _S347 : bool;
-        if(!_S343.hole_1)
-        {
-            _S347 = _S345 < 0.0f;
-        }
-        else
-        {
-            _S347 = false;
-        }
-        if(_S347)
-        {
-            return false;
-        }
-        var _S348 : f32 = way_back_to_dip_0(previous_4, _S345, _S346, last_step_1, _S343);
-        if(_S348 >= 0.0f)
-        {
-            var last_step_2 : f32 = last_step_1 - _S348;
-            distance_1 = distance_1 - _S348;
-            last_step_1 = last_step_2;
-            count_3 = count_3 + u32(1);
-            continue;
-        }
-        var _S349 : bool = _S344 > (_S343.cell_max_0);
-        var _S350 : PreviousSample_0 = after_sample_0(_S345, _S346, _S343, _S349);
-        var last_step_3 : f32;
-        if(_S349)
-        {
-            last_step_3 = max(StepControl_to_cell_exit_0(_S340, _S343.side_x_1, _S343.side_y_1), _S339);
-        }
-        else
-        {
-            last_step_3 = StepControl_to_next_sample_0(_S340, _S343, _S345, _S346);
-        }
-        var distance_2 : f32 = distance_1 + last_step_3;
-        previous_4 = _S350;
-        distance_1 = distance_2;
-        last_step_1 = last_step_3;
-        count_3 = count_3 + u32(1);
-    }
-    return true;
-}
-
-fn passes_through_0( _S351 : u32,  _S352 : f32,  _S353 : f32,  _S354 : vec3<f32>,  _S355 : bool) -> bool
-{
-    if(!sample_at_0(_S351, _S352, _S353, _S355).shown_2.hole_0)
-    {
-        return false;
-    }
-    var _S356 : vec3<f32> = vec3<f32>(_S352, _S353, 0.0f);
-    var _S357 : f32 = fabrics_0[_S351].height_high_0;
-    if(!is_free_0(_S351, _S356, _S354, _S355, fabrics_0[_S351].height_high_0))
-    {
-        return false;
-    }
-    return is_free_0(_S351, _S356, vec3<f32>(- _S354.x, - _S354.y, _S354.z), !_S355, _S357);
-}
-
-fn first_hit_0( _S358 : u32,  _S359 : f32,  _S360 : f32,  _S361 : vec3<f32>,  _S362 : bool) -> Hit_0
-{
-    var _S363 : f32 = max(_S361.z, 0.00009999999747379f);
-    var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S359, _S360);
-    var _S364 : vec2<f32> = _S361.xy / vec2<f32>(_S363);
-    ray_0.slope_0 = _S364;
-    var _S365 : StepControl_0 = step_control_0((vec2<f32>(0) - _S364), 1.0f / max(steps_per_length_0(_S358, _S361) / _S363, 9.99999971718068537e-10f));
     var hit_0 : Hit_0;
-    var _S366 : f32 = refined_height_0(_S358, ray_0, _S365, _S362, search_down_0(_S358, ray_0, _S365, _S362));
-    hit_0.height_5 = _S366;
-    var _S367 : vec2<f32> = ViewRay_at_0(ray_0, _S366);
-    hit_0.x_11 = _S367.x;
-    hit_0.y_6 = _S367.y;
-    var _S368 : bool;
-    if(_S366 <= 0.0f)
+    hit_0.x_11 = _S346;
+    hit_0.y_6 = _S347;
+    hit_0.height_4 = 0.0f;
+    var _S350 : bool = passes_through_0(_S344, _S345, _S346, _S347, _S348, _S349);
+    hit_0.hole_3 = _S350;
+    if(_S350)
     {
-        _S368 = passes_through_0(_S358, _S359, _S360, _S361, _S362);
+        return hit_0;
     }
-    else
-    {
-        _S368 = false;
-    }
-    hit_0.hole_3 = _S368;
+    var _S351 : f32 = max(_S348.z, 0.00009999999747379f);
+    var ray_0 : ViewRay_0;
+    ray_0.origin_0 = vec2<f32>(_S346, _S347);
+    var _S352 : vec2<f32> = _S348.xy / vec2<f32>(_S351);
+    ray_0.slope_1 = _S352;
+    var _S353 : StepControl_0 = step_control_0((vec2<f32>(0) - _S352), 1.0f / max(steps_per_length_0(_S344, _S345, _S348) / _S351, 9.99999971718068537e-10f));
+    var _S354 : f32 = refined_height_0(_S344, ray_0, _S353, _S349, search_down_0(_S344, ray_0, _S353, _S349), _S345.refinements_0);
+    hit_0.height_4 = _S354;
+    var _S355 : vec2<f32> = ViewRay_at_0(ray_0, _S354);
+    hit_0.x_11 = _S355.x;
+    hit_0.y_6 = _S355.y;
     return hit_0;
 }
 
 struct SurfacePoint_0
 {
      hole_4 : bool,
-     is_warp_1 : bool,
+     is_warp_2 : bool,
      warp_thread_0 : u32,
      weft_thread_0 : u32,
      height_9 : f32,
@@ -2056,442 +2174,432 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S369 : u32,  _S370 : f32,  _S371 : f32,  _S372 : bool) -> SurfacePoint_0
+fn surface_at_0( _S356 : u32,  _S357 : f32,  _S358 : f32,  _S359 : bool) -> SurfacePoint_0
 {
-    var _S373 : Sample_0 = sample_at_0(_S369, _S370, _S371, _S372);
-    var _S374 : f32;
-    if(_S373.shown_2.is_warp_0)
+    var _S360 : Sample_0 = sample_at_0(_S356, _S357, _S358, _S359);
+    var _S361 : f32;
+    if(_S360.shown_3.is_warp_0)
     {
-        _S374 = _S373.crossing_1.warp_1.half_width_1;
+        _S361 = _S360.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S374 = _S373.crossing_1.weft_1.half_width_1;
+        _S361 = _S360.crossing_1.weft_1.half_width_1;
     }
-    var _S375 : f32;
-    if(_S373.shown_2.is_warp_0)
+    var _S362 : u32;
+    if(_S360.shown_3.is_warp_0)
     {
-        _S375 = fabrics_0[_S369].warp_0.twist_sine_0;
-    }
-    else
-    {
-        _S375 = fabrics_0[_S369].weft_0.twist_sine_0;
-    }
-    var _S376 : f32;
-    if(_S372)
-    {
-        _S376 = -1.0f;
+        _S362 = fabrics_0[_S356].warp_0;
     }
     else
     {
-        _S376 = 1.0f;
+        _S362 = fabrics_0[_S356].weft_0;
     }
-    var _S377 : f32 = _S375 * _S376;
-    if(_S373.shown_2.is_warp_0)
+    var _S363 : Family_std430_0 = families_0[_S362];
+    var _S364 : f32;
+    if(_S359)
     {
-        _S375 = fabrics_0[_S369].warp_0.twist_cosine_0;
-    }
-    else
-    {
-        _S375 = fabrics_0[_S369].weft_0.twist_cosine_0;
-    }
-    if(_S373.shown_2.is_warp_0)
-    {
-        _S376 = 1.0f;
+        _S364 = -1.0f;
     }
     else
     {
-        _S376 = -1.0f;
+        _S364 = 1.0f;
     }
-    var _S378 : vec2<f32> = fibre_direction_0(_S373.slope_across_0, _S376 * _S373.slope_along_0, _S377, _S375);
-    var _S379 : f32;
-    if(_S373.shown_2.is_warp_0)
+    var _S365 : f32 = _S363.twist_sine_0 * _S364;
+    var _S366 : Family_std430_0 = families_0[_S362];
+    if(_S360.shown_3.is_warp_0)
     {
-        _S379 = _S373.slope_x_0;
-    }
-    else
-    {
-        _S379 = _S373.slope_y_0;
-    }
-    var _S380 : f32;
-    if(_S373.shown_2.is_warp_0)
-    {
-        _S380 = _S373.slope_y_0;
+        _S364 = 1.0f;
     }
     else
     {
-        _S380 = _S373.slope_x_0;
+        _S364 = -1.0f;
     }
-    var _S381 : f32 = _S378.x;
-    var _S382 : f32 = _S378.y;
-    var _S383 : f32 = _S379 * _S381 + _S376 * _S380 * _S382;
-    var _S384 : f32 = _S374 * 1.0154266357421875f;
-    var _S385 : f32 = _S384 * arc_sine_0(clamp(_S373.section_1.across_1 / _S384, -1.0f, 1.0f));
-    if(_S373.shown_2.is_warp_0)
+    var _S367 : vec2<f32> = fibre_direction_0(_S360.slope_across_0, _S364 * _S360.slope_along_0, _S365, _S366.twist_cosine_0);
+    var _S368 : f32;
+    if(_S360.shown_3.is_warp_0)
     {
-        _S374 = _S371;
+        _S368 = _S360.slope_x_1;
     }
     else
     {
-        _S374 = - _S370;
+        _S368 = _S360.slope_y_1;
+    }
+    var _S369 : f32;
+    if(_S360.shown_3.is_warp_0)
+    {
+        _S369 = _S360.slope_y_1;
+    }
+    else
+    {
+        _S369 = _S360.slope_x_1;
+    }
+    var _S370 : f32 = _S367.x;
+    var _S371 : f32 = _S367.y;
+    var _S372 : f32 = _S368 * _S370 + _S364 * _S369 * _S371;
+    var _S373 : f32 = _S361 * 1.0154266357421875f;
+    var _S374 : f32 = _S373 * arc_sine_0(clamp(_S360.section_1.across_1 / _S373, -1.0f, 1.0f));
+    if(_S360.shown_3.is_warp_0)
+    {
+        _S361 = _S358;
+    }
+    else
+    {
+        _S361 = - _S357;
     }
     var point_2 : SurfacePoint_0;
-    point_2.hole_4 = _S373.shown_2.hole_0;
-    point_2.is_warp_1 = _S373.shown_2.is_warp_0;
-    point_2.warp_thread_0 = _S373.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S373.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S373.height_2;
-    point_2.normal_5 = normalize(vec3<f32>(- _S373.slope_x_0, - _S373.slope_y_0, 1.0f));
-    var _S386 : vec3<f32>;
-    if(_S373.shown_2.is_warp_0)
+    point_2.hole_4 = _S360.shown_3.hole_0;
+    point_2.is_warp_2 = _S360.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S360.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S360.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S360.height_5;
+    point_2.normal_5 = normalize(vec3<f32>(- _S360.slope_x_1, - _S360.slope_y_1, 1.0f));
+    var _S375 : vec3<f32>;
+    if(_S360.shown_3.is_warp_0)
     {
-        _S386 = vec3<f32>(_S381, _S382, _S383);
+        _S375 = vec3<f32>(_S370, _S371, _S372);
     }
     else
     {
-        _S386 = vec3<f32>(- _S382, _S381, _S383);
+        _S375 = vec3<f32>(- _S371, _S370, _S372);
     }
-    point_2.tangent_5 = normalize(_S386);
-    point_2.across_2 = _S373.section_1.across_1;
-    point_2.fibre_across_0 = _S385 * _S375 + _S374 * _S377;
-    point_2.fibre_along_0 = _S374 * _S375 - _S385 * _S377;
+    point_2.tangent_5 = normalize(_S375);
+    point_2.across_2 = _S360.section_1.across_1;
+    point_2.fibre_across_0 = _S374 * _S366.twist_cosine_0 + _S361 * _S365;
+    point_2.fibre_along_0 = _S361 * _S366.twist_cosine_0 - _S374 * _S365;
     return point_2;
 }
 
-fn vary_albedos_0( _S387 : u32,  _S388 : Albedos_0,  _S389 : u32,  _S390 : u32) -> Albedos_0
+fn vary_albedos_0( _S376 : u32,  _S377 : Albedos_0,  _S378 : u32,  _S379 : u32) -> Albedos_0
 {
-    var _S391 : vec3<f32> = max(_S388.specular_reflect_0, _S388.specular_transmit_0);
-    var _S392 : vec3<f32> = _S388.diffuse_reflect_0 + _S388.diffuse_transmit_0;
-    var _S393 : vec3<f32> = vec3<f32>(fabrics_0[_S387].layer_bound_0);
-    var _S394 : vec3<f32> = vec3<f32>(1.0f);
-    var _S395 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S389, fabrics_0[_S387].colour_noise_0, fabrics_0[_S387].seed_0), _S392, _S394 - _S393 * _S391));
-    var _S396 : f32 = bounded_gain_0(fibre_gain_0(_S389, _S390, fabrics_0[_S387].fibre_noise_0, fabrics_0[_S387].seed_0), _S391, min((_S394 - _S395 * _S392) / _S393, vec3<f32>(1.0f)));
+    var _S380 : vec3<f32> = max(_S377.specular_reflect_0, _S377.specular_transmit_0);
+    var _S381 : vec3<f32> = _S377.diffuse_reflect_0 + _S377.diffuse_transmit_0;
+    var _S382 : vec3<f32> = vec3<f32>(fabrics_0[_S376].layer_bound_0);
+    var _S383 : vec3<f32> = vec3<f32>(1.0f);
+    var _S384 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S378, fabrics_0[_S376].colour_noise_0, fabrics_0[_S376].seed_0), _S381, _S383 - _S382 * _S380));
+    var _S385 : f32 = bounded_gain_0(fibre_gain_0(_S378, _S379, fabrics_0[_S376].fibre_noise_0, fabrics_0[_S376].seed_0), _S380, min((_S383 - _S384 * _S381) / _S382, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S395 * _S388.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S395 * _S388.diffuse_transmit_0;
-    var _S397 : vec3<f32> = vec3<f32>(_S396);
-    varied_0.specular_reflect_0 = _S397 * _S388.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S397 * _S388.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S384 * _S377.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S384 * _S377.diffuse_transmit_0;
+    var _S386 : vec3<f32> = vec3<f32>(_S385);
+    varied_0.specular_reflect_0 = _S386 * _S377.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S386 * _S377.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S398 : u32,  _S399 : SurfacePoint_0,  _S400 : Albedos_0,  _S401 : f32,  _S402 : f32) -> Albedos_0
+fn varied_at_0( _S387 : u32,  _S388 : SurfacePoint_0,  _S389 : Albedos_0,  _S390 : f32,  _S391 : f32) -> Albedos_0
 {
-    var _S403 : f32;
-    if(_S399.is_warp_1)
+    var _S392 : f32;
+    if(_S388.is_warp_2)
     {
-        _S403 = _S401;
+        _S392 = _S390;
     }
     else
     {
-        _S403 = _S402;
+        _S392 = _S391;
     }
-    var _S404 : f32 = _S403 - _S399.across_2;
-    if(_S399.is_warp_1)
+    var _S393 : f32 = _S392 - _S388.across_2;
+    var _S394 : u32;
+    if(_S388.is_warp_2)
     {
-        _S403 = fabrics_0[_S398].warp_0.period_0;
+        _S394 = fabrics_0[_S387].warp_0;
     }
     else
     {
-        _S403 = fabrics_0[_S398].weft_0.period_0;
+        _S394 = fabrics_0[_S387].weft_0;
     }
-    var _S405 : f32;
-    if(_S399.is_warp_1)
+    var _S395 : Family_std430_0 = families_0[_S394];
+    var _S396 : i32 = i32(families_0[_S394].count_0);
+    if(_S388.is_warp_2)
     {
-        _S405 = fabrics_0[_S398].warp_0.count_0;
+        _S394 = _S388.warp_thread_0;
     }
     else
     {
-        _S405 = fabrics_0[_S398].weft_0.count_0;
+        _S394 = _S388.weft_thread_0;
     }
-    var _S406 : i32 = i32(_S405);
-    var _S407 : u32;
-    if(_S399.is_warp_1)
+    var _S397 : u32 = u32(i32(floor(_S393 / _S395.period_0)) * _S396 + i32(_S394)) * u32(2);
+    if(_S388.is_warp_2)
     {
-        _S407 = _S399.warp_thread_0;
+        _S394 = u32(1);
     }
     else
     {
-        _S407 = _S399.weft_thread_0;
+        _S394 = u32(0);
     }
-    var _S408 : u32 = u32(i32(floor(_S404 / _S403)) * _S406 + i32(_S407)) * u32(2);
-    if(_S399.is_warp_1)
-    {
-        _S407 = u32(1);
-    }
-    else
-    {
-        _S407 = u32(0);
-    }
-    var _S409 : f32 = floor(_S399.fibre_across_0 / fabrics_0[_S398].fibre_size_0);
-    return vary_albedos_0(_S398, _S400, _S408 + _S407, u32(i32(_S409)) * u32(65536) + u32(i32(floor(_S399.fibre_along_0 / (fabrics_0[_S398].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S409))));
+    var _S398 : f32 = floor(_S388.fibre_across_0 / fabrics_0[_S387].fibre_size_0);
+    return vary_albedos_0(_S387, _S389, _S397 + _S394, u32(i32(_S398)) * u32(65536) + u32(i32(floor(_S388.fibre_along_0 / (fabrics_0[_S387].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S398))));
 }
 
-fn yarn_point_at_0( _S410 : u32,  _S411 : f32,  _S412 : f32,  _S413 : bool,  _S414 : bool) -> YarnPoint_0
+fn yarn_point_at_0( _S399 : u32,  _S400 : f32,  _S401 : f32,  _S402 : bool,  _S403 : bool) -> YarnPoint_0
 {
-    var _S415 : SurfacePoint_0 = surface_at_0(_S410, _S411, _S412, _S413);
-    var albedos_2 : Albedos_0;
-    if(_S415.is_warp_1)
+    var _S404 : SurfacePoint_0 = surface_at_0(_S399, _S400, _S401, _S402);
+    var _S405 : u32;
+    if(_S404.is_warp_2)
     {
-        var _S416 : Family_std430_0 = fabrics_0[_S410].warp_0;
-        var _S417 : Albedos_0 = albedos_of_0(&(_S416), _S415.warp_thread_0);
-        albedos_2 = _S417;
+        _S405 = fabrics_0[_S399].warp_0;
     }
     else
     {
-        var _S418 : Family_std430_0 = fabrics_0[_S410].weft_0;
-        var _S419 : Albedos_0 = albedos_of_0(&(_S418), _S415.weft_thread_0);
-        albedos_2 = _S419;
+        _S405 = fabrics_0[_S399].weft_0;
     }
-    var _S420 : bool;
-    if((fabrics_0[_S410].fibre_noise_0) > 0.0f)
+    var _S406 : u32;
+    if(_S404.is_warp_2)
     {
-        _S420 = true;
+        _S406 = _S404.warp_thread_0;
     }
     else
     {
-        _S420 = (fabrics_0[_S410].colour_noise_0) > 0.0f;
+        _S406 = _S404.weft_thread_0;
     }
-    if(_S420)
+    var albedos_2 : Albedos_0 = albedos_of_0(_S405, _S406);
+    var _S407 : bool;
+    if((fabrics_0[_S399].fibre_noise_0) > 0.0f)
     {
-        albedos_2 = varied_at_0(_S410, _S415, albedos_2, _S411, _S412);
+        _S407 = true;
+    }
+    else
+    {
+        _S407 = (fabrics_0[_S399].colour_noise_0) > 0.0f;
+    }
+    var albedos_3 : Albedos_0;
+    if(_S407)
+    {
+        albedos_3 = varied_at_0(_S399, _S404, albedos_2, _S400, _S401);
+    }
+    else
+    {
+        albedos_3 = albedos_2;
     }
     var point_3 : YarnPoint_0;
-    point_3.back_2 = _S413;
-    point_3.hole_2 = _S414;
-    point_3.x_10 = _S411;
-    point_3.y_5 = _S412;
-    point_3.height_4 = _S415.height_9;
-    point_3.normal_4 = _S415.normal_5;
-    point_3.tangent_4 = _S415.tangent_5;
-    var _S421 : f32;
-    if(_S415.is_warp_1)
-    {
-        _S421 = fabrics_0[_S410].warp_0.roughness_0;
-    }
-    else
-    {
-        _S421 = fabrics_0[_S410].weft_0.roughness_0;
-    }
-    point_3.roughness_8 = _S421;
-    point_3.albedos_1 = albedos_2;
+    point_3.back_2 = _S402;
+    point_3.hole_2 = _S403;
+    point_3.is_warp_1 = _S404.is_warp_2;
+    point_3.x_10 = _S400;
+    point_3.y_5 = _S401;
+    point_3.height_3 = _S404.height_9;
+    point_3.normal_4 = _S404.normal_5;
+    point_3.tangent_4 = _S404.tangent_5;
+    point_3.roughness_8 = families_0[_S405].roughness_0;
+    point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-fn locate_yarn_0( _S422 : u32,  _S423 : f32,  _S424 : f32,  _S425 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S408 : u32,  _S409 : SearchQuality_0,  _S410 : f32,  _S411 : f32,  _S412 : vec3<f32>) -> YarnPoint_0
 {
-    var _S426 : bool = (_S425.z) < 0.0f;
-    var _S427 : Hit_0 = first_hit_0(_S422, _S423, _S424, to_face_frame_0(_S425, _S426), _S426);
-    return yarn_point_at_0(_S422, _S427.x_11, _S427.y_6, _S426, _S427.hole_3);
+    var _S413 : bool = (_S412.z) < 0.0f;
+    var _S414 : Hit_0 = first_hit_0(_S408, _S409, _S410, _S411, to_face_frame_0(_S412, _S413), _S413);
+    return yarn_point_at_0(_S408, _S414.x_11, _S414.y_6, _S413, _S414.hole_3);
 }
 
-fn scattered_0( _S428 : u32,  _S429 : YarnPoint_0,  _S430 : vec3<f32>,  _S431 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S415 : u32,  _S416 : YarnPoint_0,  _S417 : vec3<f32>,  _S418 : vec3<f32>) -> vec3<f32>
 {
-    var _S432 : vec3<f32> = vec3<f32>(0.0f);
-    var _S433 : bool = !_S429.hole_2;
-    var _S434 : bool;
-    if(_S433)
+    var _S419 : vec3<f32> = vec3<f32>(0.0f);
+    var _S420 : bool = !_S416.hole_2;
+    var _S421 : bool;
+    if(_S420)
     {
-        _S434 = (_S430.z) > 0.0f;
+        _S421 = (_S417.z) > 0.0f;
     }
     else
     {
-        _S434 = false;
+        _S421 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S434)
+    if(_S421)
     {
-        value_1 = _S429.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S430, _S429.normal_4, fabrics_0[_S428].diffuse_blend_0)) + _S429.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S430, _S431, _S429.normal_4, _S429.tangent_4, _S429.roughness_8, fabrics_0[_S428].optical_depth_0));
+        value_1 = _S416.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S417, _S416.normal_4, fabrics_0[_S415].diffuse_blend_0)) + _S416.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S417, _S418, _S416.normal_4, _S416.tangent_4, _S416.roughness_8, fabrics_0[_S415].optical_depth_0));
     }
     else
     {
-        if(_S433)
+        if(_S420)
         {
-            _S434 = (_S430.z) < 0.0f;
+            _S421 = (_S417.z) < 0.0f;
         }
         else
         {
-            _S434 = false;
+            _S421 = false;
         }
-        if(_S434)
+        if(_S421)
         {
-            value_1 = _S429.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S430), _S429.normal_4, fabrics_0[_S428].diffuse_blend_0)) + _S429.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S430, _S431, _S429.normal_4, _S429.tangent_4, _S429.roughness_8, fabrics_0[_S428].optical_depth_0));
+            value_1 = _S416.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S417), _S416.normal_4, fabrics_0[_S415].diffuse_blend_0)) + _S416.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S417, _S418, _S416.normal_4, _S416.tangent_4, _S416.roughness_8, fabrics_0[_S415].optical_depth_0));
         }
         else
         {
-            value_1 = _S432;
+            value_1 = _S419;
         }
     }
-    var _S435 : f32 = fabrics_0[_S428].sheen_strength_0;
-    if((fabrics_0[_S428].sheen_strength_0) <= 0.0f)
+    var _S422 : f32 = fabrics_0[_S415].sheen_strength_0;
+    if((fabrics_0[_S415].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S436 : vec2<f32> = sheen_with_transmittance_0(_S430, _S431, _S435, fabrics_0[_S428].sheen_roughness_0);
-    return vec3<f32>(_S436.y) * value_1 + vec3<f32>(_S436.x);
+    var _S423 : vec2<f32> = sheen_with_transmittance_0(_S417, _S418, _S422, fabrics_0[_S415].sheen_roughness_0);
+    return vec3<f32>(_S423.y) * value_1 + vec3<f32>(_S423.x);
 }
 
-fn unoccluded_0( _S437 : u32,  _S438 : f32,  _S439 : f32,  _S440 : f32,  _S441 : vec3<f32>,  _S442 : bool) -> bool
+fn unoccluded_0( _S424 : u32,  _S425 : SearchQuality_0,  _S426 : f32,  _S427 : f32,  _S428 : f32,  _S429 : vec3<f32>,  _S430 : bool) -> bool
 {
-    if((_S441.z) <= 0.0f)
+    if((_S429.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S437, vec3<f32>(_S438, _S439, _S440 + fabrics_0[_S437].lift_0), _S441, _S442, max_height_along_0(_S437, _S438, _S439, _S440, _S441, _S442));
+    return is_free_0(_S424, _S425, vec3<f32>(_S426, _S427, _S428 + fabrics_0[_S424].lift_0), _S429, _S430, max_height_along_0(_S424, _S426, _S427, _S428, _S429, _S430));
 }
 
-fn is_lit_0( _S443 : u32,  _S444 : YarnPoint_0,  _S445 : vec3<f32>) -> bool
+fn is_lit_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : YarnPoint_0,  _S434 : vec3<f32>) -> bool
 {
-    if(_S444.hole_2)
+    if(_S433.hole_2)
     {
         return true;
     }
-    var _S446 : vec3<f32> = to_face_frame_0(_S445, _S444.back_2);
-    var _S447 : f32 = _S446.z;
-    var _S448 : bool = _S447 < 0.0f;
+    var _S435 : vec3<f32> = to_face_frame_0(_S434, _S433.back_2);
+    var _S436 : f32 = _S435.z;
+    var _S437 : bool = _S436 < 0.0f;
     var normal_6 : vec3<f32>;
     var height_10 : f32;
-    if(_S448)
+    if(_S437)
     {
-        var _S449 : SurfacePoint_0 = surface_at_0(_S443, _S444.x_10, _S444.y_5, !_S444.back_2);
-        normal_6 = _S449.normal_5;
-        height_10 = _S449.height_9;
+        var _S438 : SurfacePoint_0 = surface_at_0(_S431, _S433.x_10, _S433.y_5, !_S433.back_2);
+        normal_6 = _S438.normal_5;
+        height_10 = _S438.height_9;
     }
     else
     {
-        normal_6 = _S444.normal_4;
-        height_10 = _S444.height_4;
+        normal_6 = _S433.normal_4;
+        height_10 = _S433.height_3;
     }
-    var _S450 : vec3<f32> = vec3<f32>(_S446.xy, abs(_S447));
-    if((dot(normal_6, _S450)) <= 0.0f)
+    var _S439 : vec3<f32> = vec3<f32>(_S435.xy, abs(_S436));
+    if((dot(normal_6, _S439)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S443, _S444.x_10, _S444.y_5, height_10, _S450, (_S444.back_2) != _S448);
+    return unoccluded_0(_S431, _S432, _S433.x_10, _S433.y_5, height_10, _S439, (_S433.back_2) != _S437);
 }
 
-fn evaluate_0( _S451 : u32,  _S452 : YarnPoint_0,  _S453 : vec3<f32>,  _S454 : vec3<f32>) -> vec3<f32>
+fn evaluate_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : YarnPoint_0,  _S443 : vec3<f32>,  _S444 : vec3<f32>) -> vec3<f32>
 {
-    var _S455 : vec3<f32> = scattered_0(_S451, _S452, to_face_frame_0(_S453, _S452.back_2), to_face_frame_0(_S454, _S452.back_2));
-    var _S456 : bool;
-    if((max(_S455.x, max(_S455.y, _S455.z))) <= 0.0f)
+    var _S445 : vec3<f32> = scattered_0(_S440, _S442, to_face_frame_0(_S443, _S442.back_2), to_face_frame_0(_S444, _S442.back_2));
+    var _S446 : bool;
+    if((max(_S445.x, max(_S445.y, _S445.z))) <= 0.0f)
     {
-        _S456 = true;
+        _S446 = true;
     }
     else
     {
-        _S456 = !is_lit_0(_S451, _S452, _S453);
+        _S446 = !is_lit_0(_S440, _S441, _S442, _S443);
     }
-    if(_S456)
+    if(_S446)
     {
         return vec3<f32>(0.0f);
     }
-    return _S455;
+    return _S445;
 }
 
-fn straight_through_0( _S457 : u32,  _S458 : YarnPoint_0,  _S459 : vec3<f32>) -> f32
+fn straight_through_0( _S447 : u32,  _S448 : YarnPoint_0,  _S449 : vec3<f32>) -> f32
 {
-    if(!_S458.hole_2)
+    if(!_S448.hole_2)
     {
         return 0.0f;
     }
-    var _S460 : f32 = fabrics_0[_S457].sheen_strength_0;
-    if((fabrics_0[_S457].sheen_strength_0) <= 0.0f)
+    var _S450 : f32 = fabrics_0[_S447].sheen_strength_0;
+    if((fabrics_0[_S447].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S460 * sheen_lobe_0(abs(_S459.z), fabrics_0[_S457].sheen_roughness_0).z;
+    return 1.0f - _S450 * sheen_lobe_0(abs(_S449.z), fabrics_0[_S447].sheen_roughness_0).z;
 }
 
-fn direct_light_0( _S461 : ptr<function, Frame_std430_0>,  _S462 : u32,  _S463 : VisiblePoint_0,  _S464 : vec2<f32>) -> vec4<f32>
+fn direct_light_0( _S451 : ptr<function, Frame_std430_0>,  _S452 : u32,  _S453 : VisiblePoint_0,  _S454 : vec2<f32>) -> vec4<f32>
 {
-    var _S465 : vec3<f32> = to_local_0(_S463, _S463.view_0);
-    var _S466 : YarnPoint_0 = locate_yarn_0(_S462, _S464.x, _S464.y, _S465);
-    var _S467 : vec3<f32> = vec3<f32>(0.0f);
+    var _S455 : SearchQuality_0 = default_quality_0();
+    var _S456 : vec3<f32> = to_local_0(_S453, _S453.view_0);
+    var _S457 : YarnPoint_0 = locate_yarn_0(_S452, _S455, _S454.x, _S454.y, _S456);
+    var _S458 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S467;
+    var radiance_1 : vec3<f32> = _S458;
     for(;;)
     {
-        if(number_1 < ((*_S461).lights_0))
+        if(number_1 < ((*_S451).lights_0))
         {
         }
         else
         {
             break;
         }
-        var _S468 : Light_std430_0 = lights_1[number_1];
-        var irradiance_1 : vec3<f32>;
-        var _S469 : vec3<f32> = towards_light_0(&(_S468), _S463.position_0, &(irradiance_1));
-        var radiance_2 : vec3<f32> = radiance_1 + irradiance_1 * evaluate_0(_S462, _S466, to_local_0(_S463, _S469), _S465);
+        var _S459 : Light_std430_0 = lights_1[number_1];
+        var irradiance_2 : vec3<f32>;
+        var _S460 : vec3<f32> = towards_light_0(&(_S459), _S453.position_0, &(irradiance_2));
+        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * evaluate_0(_S452, _S455, _S457, to_local_0(_S453, _S460), _S456);
         number_1 = number_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S462, _S466, _S465));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S452, _S457, _S456));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S470 : u32;
-    var _S471 : Frame_std430_0 = frames_0[i32(0)];
-    var _S472 : u32 = _S471.width_0;
-    var _S473 : bool;
-    if((id_0.x) >= (_S471.width_0))
+    var _S461 : u32;
+    var _S462 : Frame_std430_0 = frames_0[i32(0)];
+    var _S463 : u32 = _S462.width_0;
+    var _S464 : bool;
+    if((id_0.x) >= (_S462.width_0))
     {
-        _S473 = true;
+        _S464 = true;
     }
     else
     {
-        _S473 = (id_0.y) >= (_S471.height_0);
+        _S464 = (id_0.y) >= (_S462.height_0);
     }
-    if(_S473)
+    if(_S464)
     {
         return;
     }
-    var _S474 : vec2<u32> = id_0.xy;
-    var _S475 : u32 = _S474.y * _S472 + _S474.x;
-    var _S476 : vec3<i32> = vec3<i32>(vec2<i32>(_S474), i32(0));
-    var _S477 : u32 = (textureLoad((visible_faces_0), ((_S476)).xy, ((_S476)).z).x);
+    var _S465 : vec2<u32> = id_0.xy;
+    var _S466 : u32 = _S465.y * _S463 + _S465.x;
+    var _S467 : vec3<i32> = vec3<i32>(vec2<i32>(_S465), i32(0));
+    var _S468 : u32 = (textureLoad((visible_faces_0), ((_S467)).xy, ((_S467)).z).x);
     var sum_0 : vec4<f32> = vec4<f32>(0.0f);
-    if(_S477 > u32(0))
+    if(_S468 > u32(0))
     {
-        var _S478 : u32 = _S477 - u32(1);
-        var _S479 : u32 = face_fabrics_0[_S478];
-        var _S480 : VisiblePoint_0 = visible_point_0(&(_S471), _S479, _S478, _S474);
+        var _S469 : u32 = _S468 - u32(1);
+        var _S470 : u32 = face_fabrics_0[_S469];
+        var _S471 : VisiblePoint_0 = visible_point_0(&(_S462), _S470, _S469, _S465);
         var k_0 : u32 = u32(0);
         for(;;)
         {
-            var _S481 : u32 = _S471.samples_0;
-            _S470 = _S471.samples_0;
-            if(k_0 < (_S471.samples_0))
+            var _S472 : u32 = _S462.samples_0;
+            _S461 = _S462.samples_0;
+            if(k_0 < (_S462.samples_0))
             {
             }
             else
             {
                 break;
             }
-            var _S482 : vec2<f32> = footprint_sample_0(_S474, _S471.pass_number_0 * _S481 + k_0);
-            var _S483 : vec4<f32> = direct_light_0(&(_S471), _S479, _S480, _S480.draft_0 + vec2<f32>(_S482.x) * _S480.draft_dx_0 + vec2<f32>(_S482.y) * _S480.draft_dy_0);
-            sum_0 = sum_0 + _S483;
+            var _S473 : vec2<f32> = footprint_sample_0(_S465, _S462.pass_number_0 * _S472 + k_0);
+            var _S474 : vec4<f32> = direct_light_0(&(_S462), _S470, _S471, _S471.draft_0 + vec2<f32>(_S473.x) * _S471.draft_dx_0 + vec2<f32>(_S473.y) * _S471.draft_dy_0);
+            sum_0 = sum_0 + _S474;
             k_0 = k_0 + u32(1);
         }
-        sum_0 = sum_0 / vec4<f32>(f32(_S470));
+        sum_0 = sum_0 / vec4<f32>(f32(_S461));
     }
-    var _S484 : vec3<f32> = sum_0.xyz + vec3<f32>((1.0f - sum_0.w)) * vec3<f32>(_S471.background_red_0, _S471.background_green_0, _S471.background_blue_0);
-    sum_0.x = _S484.x;
-    sum_0.y = _S484.y;
-    sum_0.z = _S484.z;
-    var _S485 : vec4<f32>;
-    if((_S471.pass_number_0) == u32(0))
+    var _S475 : vec3<f32> = sum_0.xyz + vec3<f32>((1.0f - sum_0.w)) * vec3<f32>(_S462.background_red_0, _S462.background_green_0, _S462.background_blue_0);
+    sum_0.x = _S475.x;
+    sum_0.y = _S475.y;
+    sum_0.z = _S475.z;
+    var _S476 : vec4<f32>;
+    if((_S462.pass_number_0) == u32(0))
     {
-        _S485 = sum_0;
+        _S476 = sum_0;
     }
     else
     {
-        _S485 = radiance_0[_S475] + sum_0;
+        _S476 = radiance_0[_S466] + sum_0;
     }
-    radiance_0[_S475] = _S485;
+    radiance_0[_S466] = _S476;
     return;
 }
 

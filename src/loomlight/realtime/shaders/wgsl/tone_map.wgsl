@@ -26,11 +26,11 @@ struct Frame_std430_0
     @align(4) background_blue_0 : f32,
 };
 
-@binding(3) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
 
-@binding(7) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 
-@binding(8) @group(0) var<storage, read_write> pixels_0 : array<u32>;
+@binding(9) @group(0) var<storage, read_write> pixels_0 : array<u32>;
 
 fn natural_logarithm_0( x_0 : f32) -> f32
 {
