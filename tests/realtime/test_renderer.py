@@ -37,7 +37,7 @@ def from_distance(distance: float) -> Camera:
 
 
 def frame(fabric: Fabric, distance: float, **options: Any) -> Picture:
-    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), fabric)], (SIZE, SIZE))
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), fabric)], (SIZE, SIZE), "point")
     return renderer.render(from_distance(distance), [DirectionalLight(TOWARDS)], **options)
 
 
@@ -100,7 +100,7 @@ def test_tones_are_srgb_after_exposure() -> None:
 
 
 def test_an_edit_shows_at_once_and_compiles_nothing() -> None:
-    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), plain("#ff0000"))], (16, 16))
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), plain("#ff0000"))], (16, 16), "point")
     light = [DirectionalLight((0, 0, 1))]
     red = renderer.render(from_distance(0.05), light).linear.mean(axis=(0, 1))
     pipelines = dict(renderer.adapter._pipelines)
@@ -119,14 +119,14 @@ def test_fabrics_of_one_frame_keep_apart() -> None:
     cloths = [Cloth(high, plain("#00ff00")), Cloth(low, plain("#ff0000"))]
     light = [DirectionalLight((0, 0, 1))]
     for order in (cloths, cloths[::-1]):
-        linear = Renderer(order, (32, 32)).render(Camera((0, 0, 0.2)), light).linear
+        linear = Renderer(order, (32, 32), "point").render(Camera((0, 0, 0.2)), light).linear
         assert linear[16, 16, 1] > linear[16, 16, 0]
         assert linear[1, 1, 0] > linear[1, 1, 1]
 
 
 def test_a_far_point_light_is_a_directional_one() -> None:
     fabric = plain()
-    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), fabric)], (16, 16))
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), fabric)], (16, 16), "point")
     camera, far = from_distance(0.05), 1000.0
     towards = np.array(TOWARDS) / np.linalg.norm(TOWARDS)
     sun = renderer.render(camera, [DirectionalLight(TOWARDS, (1, 1, 1))]).linear
@@ -136,7 +136,7 @@ def test_a_far_point_light_is_a_directional_one() -> None:
 
 def test_the_background_shows_beside_the_cloth_and_through_holes() -> None:
     open_cloth = fabric_from_text('weave = "plain"\n[warp]\ngap = 0.6\n[weft]\ngap = 0.6\n')
-    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), open_cloth)], (24, 24))
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), open_cloth)], (24, 24), "point")
     above = renderer.render(Camera((0, 0, 0.05)), [], samples=64, background=(0.25, 0.5, 1)).linear
     # Of open cloth, 0.6² of the plan is holes; no light falls on the rest.
     assert above[..., 3].mean() == pytest.approx(1 - 0.36, abs=0.02)

@@ -52,7 +52,8 @@ ENTRIES = {
     "frame": {
         "raster_vertex": "vertex",
         "raster_fragment": "fragment",
-        "shade": "compute",
+        "shade_points": "compute",
+        "shade_lobes": "compute",
         "tone_map": "compute",
     },
 }

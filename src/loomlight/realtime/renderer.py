@@ -11,12 +11,16 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
+from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
+from loomlight.models.lobes.tables import LobeTables
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
 from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.tables import pack_fabrics
 
+# Entry points of the models.
+_ENTRIES = {"lobes": "shade_lobes", "point": "shade_points"}
 _GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 sequence
 
 
@@ -36,24 +40,29 @@ class Picture:
 class Renderer:
     """Renders meshes of cloth by direct light.
 
-    Shading is that of the `point` model: each pixel averages points of its footprint. Cloth does not yet cast
-    shadows on other cloth, and what lies behind holes is the background.
+    Cloth does not yet cast shadows on other cloth, and what lies behind holes is the background.
 
     Attributes:
         adapter: the graphics adapter that computes.
         size: width and height of frames, pixels.
+        model: lobes or point.
     """
 
     def __init__(
         self,
         cloths: Sequence[Cloth],
         size: tuple[int, int] = (512, 512),
+        model: str = "lobes",
         adapter: Adapter | None = None,
     ) -> None:
-        """Uploads meshes and fabrics.
+        """Bakes and uploads meshes and fabrics.
+
+        Args:
+            size: width and height of frames, pixels.
+            model: lobes, which averages over the footprints of pixels, or point, which samples them.
 
         Raises:
-            InputError: no cloth, or a size out of range.
+            InputError: no cloth, a size out of range, or an unknown model.
             MissingDependencyError: no adapter, wgpu is not installed, or the adapter's limits are too small.
         """
         width, height = size
@@ -61,8 +70,11 @@ class Renderer:
             raise InputError("A renderer needs at least one piece of cloth.")
         if not (1 <= width <= 8192 and 1 <= height <= 8192):
             raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
+        if model not in _ENTRIES:
+            raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
         self.adapter = default_adapter() if adapter is None else adapter
         self.size = size
+        self.model = model
         self._cloths = list(cloths)
         self._face_count = sum(len(cloth.mesh.faces) for cloth in cloths)
         self._resources: dict[str, Any] = {}
@@ -90,7 +102,7 @@ class Renderer:
         """A frame.
 
         Args:
-            samples: points of each pixel's footprint that one pass shades, ≥ 1.
+            samples: points of each pixel's footprint that one pass of the model point shades, ≥ 1.
             passes: raster passes, each through other points of the pixels, ≥ 1: they smooth edges of meshes.
             exposure: stops; colours are multiplied by 2**exposure.
             background: linear radiance where there is no cloth, and behind holes.
@@ -110,7 +122,7 @@ class Renderer:
             self._store("frames", frame)
             self._draw()
             # A pass a submission: software adapters take seconds for all of them.
-            self._compute("shade", [-(-side // 8) for side in self.size])
+            self._compute(_ENTRIES[self.model], [-(-side // 8) for side in self.size])
         width, height = self.size
         self._compute("tone_map", [-(-width * height // 64)])
         pixels = self.adapter.read(self._resources["pixels"], np.uint8, 4 * width * height)
@@ -147,9 +159,13 @@ class Renderer:
         packed = pack_fabrics(
             [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths],
             [cloth.uv_size_mm for cloth in self._cloths],
+            [self._baked(cloth.fabric) for cloth in self._cloths],
         )
         for name, values in packed.buffers().items():
             self._store(name, values)
+
+    def _baked(self, fabric: Fabric) -> LobeTables | None:
+        return tables_of(fabric, DEFAULT_GROUPS) if self.model == "lobes" else None
 
     def _upload_targets(self) -> None:
         wgpu = wgpu_module()

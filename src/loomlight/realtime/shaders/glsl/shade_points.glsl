@@ -1112,15 +1112,19 @@ struct Albedos_0
     vec3 specular_transmit_0;
 };
 
+Albedos_0 table_albedos_0(uint row_0)
+{
+    Albedos_0 albedos_0;
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_0);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_0 + 3U);
+    albedos_0.specular_reflect_0 = table_colour_0(row_0 + 6U);
+    albedos_0.specular_transmit_0 = table_colour_0(row_0 + 9U);
+    return albedos_0;
+}
+
 Albedos_0 albedos_of_0(uint family_8, uint thread_8)
 {
-    uint _S92 = families_0._data[uint(family_8)].albedo_table_0 + families_0._data[uint(family_8)].albedo_stride_0 * thread_8;
-    Albedos_0 albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(_S92);
-    albedos_0.diffuse_transmit_0 = table_colour_0(_S92 + 3U);
-    albedos_0.specular_reflect_0 = table_colour_0(_S92 + 6U);
-    albedos_0.specular_transmit_0 = table_colour_0(_S92 + 9U);
-    return albedos_0;
+    return table_albedos_0(families_0._data[uint(family_8)].albedo_table_0 + families_0._data[uint(family_8)].albedo_stride_0 * thread_8);
 }
 
 float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
@@ -1130,15 +1134,15 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
 
 float bounded_gain_0(float gain_1, vec3 albedo_0, vec3 room_0)
 {
-    vec3 _S93 = room_0 / max(albedo_0, vec3(9.99999997475242708e-07));
-    return min(gain_1, max(min(min(_S93.x, _S93.y), _S93.z), 0.0));
+    vec3 _S92 = room_0 / max(albedo_0, vec3(9.99999997475242708e-07));
+    return min(gain_1, max(min(min(_S92.x, _S92.y), _S92.z), 0.0));
 }
 
 float natural_logarithm_0(float x_4)
 {
-    uint _S94 = floatBitsToUint(x_4);
-    float exponent_0 = float(int(_S94 >> 23) - 126);
-    float m_0 = uintBitsToFloat((_S94 & 8388607U) | 1056964608U);
+    uint _S93 = floatBitsToUint(x_4);
+    float exponent_0 = float(int(_S93 >> 23) - 126);
+    float m_0 = uintBitsToFloat((_S93 & 8388607U) | 1056964608U);
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042)
@@ -1153,8 +1157,8 @@ float natural_logarithm_0(float x_4)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0;
-    float _S95 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444 * m_2 - 0.11514610052108765) * m_2 + 0.11676998436450958) * m_2 - 0.12420140951871872) * m_2 + 0.14249323308467865) * m_2 - 0.16668057441711426) * m_2 + 0.20000714063644409) * m_2 - 0.24999994039535522) * m_2 + 0.33333331346511841) * m_2 * _S95 - exponent_1 * 0.00021219444170129 - 0.5 * _S95) + exponent_1 * 0.693359375;
+    float _S94 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444 * m_2 - 0.11514610052108765) * m_2 + 0.11676998436450958) * m_2 - 0.12420140951871872) * m_2 + 0.14249323308467865) * m_2 - 0.16668057441711426) * m_2 + 0.20000714063644409) * m_2 - 0.24999994039535522) * m_2 + 0.33333331346511841) * m_2 * _S94 - exponent_1 * 0.00021219444170129 - 0.5 * _S94) + exponent_1 * 0.693359375;
 }
 
 float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
@@ -1165,49 +1169,49 @@ float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
 vec3 towards_light_0(Light_0 light_0, vec3 position_4, out vec3 irradiance_1)
 {
     irradiance_1 = vec3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    vec3 _S96 = vec3(light_0.x_1, light_0.y_1, light_0.z_1);
+    vec3 _S95 = vec3(light_0.x_1, light_0.y_1, light_0.z_1);
     if((light_0.is_point_0) == 0U)
     {
-        return _S96;
+        return _S95;
     }
-    vec3 _S97 = _S96 - position_4;
-    irradiance_1 = irradiance_1 / max(square_0(_S97), 9.999999960041972e-13);
-    return normalize(_S97);
+    vec3 _S96 = _S95 - position_4;
+    irradiance_1 = irradiance_1 / max(square_0(_S96), 9.999999960041972e-13);
+    return normalize(_S96);
 }
 
 float diffuse_reflection_0(vec3 light_1, vec3 normal_1, float blend_0)
 {
-    float _S98 = light_1.z;
-    if(_S98 <= 0.0)
+    float _S97 = light_1.z;
+    if(_S97 <= 0.0)
     {
         return 0.0;
     }
-    return 0.31830987334251404 * mix(max(_S98, 0.0), max(dot(light_1, normal_1), 0.0), blend_0);
+    return 0.31830987334251404 * mix(max(_S97, 0.0), max(dot(light_1, normal_1), 0.0), blend_0);
 }
 
 float projected_area_1(vec3 direction_3, vec3 tangent_0, float roughness_1)
 {
-    float _S99 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S99 * _S99 + 1.0, roughness_1 * roughness_1));
+    float _S98 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S98 * _S98 + 1.0, roughness_1 * roughness_1));
 }
 
 float exponential_0(float x_5)
 {
-    float _S100 = clamp(x_5, -87.0, 88.0);
-    float _S101 = floor(_S100 * 1.4426950216293335 + 0.5);
-    float _S102 = _S100 - _S101 * 0.693359375 + _S101 * 0.00021219444170129;
-    float p_0 = ((((0.00019875691214111 * _S102 + 0.00139819993637502) * _S102 + 0.00833345204591751) * _S102 + 0.04166579619050026) * _S102 + 0.1666666567325592) * _S102 + 0.5;
-    float _S103 = uintBitsToFloat(uint(int(_S101) + 127) << 23);
-    float _S104;
+    float _S99 = clamp(x_5, -87.0, 88.0);
+    float _S100 = floor(_S99 * 1.4426950216293335 + 0.5);
+    float _S101 = _S99 - _S100 * 0.693359375 + _S100 * 0.00021219444170129;
+    float p_0 = ((((0.00019875691214111 * _S101 + 0.00139819993637502) * _S101 + 0.00833345204591751) * _S101 + 0.04166579619050026) * _S101 + 0.1666666567325592) * _S101 + 0.5;
+    float _S102 = uintBitsToFloat(uint(int(_S100) + 127) << 23);
+    float _S103;
     if(x_5 < -87.0)
     {
-        _S104 = 0.0;
+        _S103 = 0.0;
     }
     else
     {
-        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0) * _S103;
+        _S103 = (p_0 * _S101 * _S101 + _S101 + 1.0) * _S102;
     }
-    return _S104;
+    return _S103;
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1221,62 +1225,62 @@ float mean_attenuation_0(float depth_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S105 = roughness_2 * roughness_2;
-    float _S106 = squared_along_0 * (1.0 - _S105) + _S105;
-    return 0.31830987334251404 * _S105 * roughness_2 / (_S106 * _S106);
+    float _S104 = roughness_2 * roughness_2;
+    float _S105 = squared_along_0 * (1.0 - _S104) + _S104;
+    return 0.31830987334251404 * _S104 * roughness_2 / (_S105 * _S105);
 }
 
 float density_between_0(vec3 light_2, vec3 view_1, vec3 tangent_1, float roughness_3)
 {
-    vec3 _S107 = light_2 + view_1;
-    float _S108 = dot(_S107, tangent_1);
-    return flake_density_0(min(_S108 * _S108 / max(square_0(_S107), 9.999999960041972e-13), 1.0), roughness_3);
+    vec3 _S106 = light_2 + view_1;
+    float _S107 = dot(_S106, tangent_1);
+    return flake_density_0(min(_S107 * _S107 / max(square_0(_S106), 9.999999960041972e-13), 1.0), roughness_3);
 }
 
 float reflection_0(vec3 light_3, vec3 view_2, vec3 normal_2, vec3 tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S109 = dot(light_3, normal_2);
-    bool _S110;
-    if(_S109 <= 0.0)
+    float _S108 = dot(light_3, normal_2);
+    bool _S109;
+    if(_S108 <= 0.0)
     {
-        _S110 = true;
+        _S109 = true;
     }
     else
     {
-        _S110 = (dot(view_2, normal_2)) <= 0.0;
+        _S109 = (dot(view_2, normal_2)) <= 0.0;
     }
-    if(_S110)
+    if(_S109)
     {
         return 0.0;
     }
-    float _S111 = max(_S109, 9.99999997475242708e-07);
-    float _S112 = max(dot(view_2, normal_2), 9.99999997475242708e-07);
-    float _S113 = projected_area_1(light_3, tangent_2, roughness_4) * _S112 + projected_area_1(view_2, tangent_2, roughness_4) * _S111;
-    float _S114 = optical_depth_1 * _S113 / (_S111 * _S112);
-    return 0.25 * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
+    float _S110 = max(_S108, 9.99999997475242708e-07);
+    float _S111 = max(dot(view_2, normal_2), 9.99999997475242708e-07);
+    float _S112 = projected_area_1(light_3, tangent_2, roughness_4) * _S111 + projected_area_1(view_2, tangent_2, roughness_4) * _S110;
+    float _S113 = optical_depth_1 * _S112 / (_S110 * _S111);
+    return 0.25 * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S113 * mean_attenuation_0(_S113)) * _S110 / _S112;
 }
 
 float transmission_0(vec3 light_4, vec3 view_3, vec3 normal_3, vec3 tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S115 = - dot(light_4, normal_3);
-    float _S116 = dot(view_3, normal_3);
-    bool _S117;
-    if(_S115 <= 0.0)
+    float _S114 = - dot(light_4, normal_3);
+    float _S115 = dot(view_3, normal_3);
+    bool _S116;
+    if(_S114 <= 0.0)
     {
-        _S117 = true;
+        _S116 = true;
     }
     else
     {
-        _S117 = _S116 <= 0.0;
+        _S116 = _S115 <= 0.0;
     }
-    if(_S117)
+    if(_S116)
     {
         return 0.0;
     }
-    float _S118 = 1.0 / max(_S116, 9.99999997475242708e-07);
-    float _S119 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07);
-    float _S120 = projected_area_1(view_3, tangent_3, roughness_5) * _S118;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
+    float _S117 = 1.0 / max(_S115, 9.99999997475242708e-07);
+    float _S118 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S114, 9.99999997475242708e-07);
+    float _S119 = projected_area_1(view_3, tangent_3, roughness_5) * _S117;
+    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25 * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S118, _S119)) * mean_attenuation_0(optical_depth_2 * abs(_S118 - _S119)) * _S117;
 }
 
 float sheen_scale_0(float x_6, float y_2)
@@ -1296,138 +1300,156 @@ float sheen_reflectance_0(float x_8, float y_4)
 
 vec3 sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S121 = clamp(cos_view_0, 0.00999999977648258, 1.0);
-    float _S122 = 2.0 * sqrt(_S121) - 1.0;
-    float _S123 = 3.0 * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258, 1.0))) - 2.0;
-    return vec3(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258, 1.0), clamp((1.0 - _S121) * sheen_shear_0(_S122, _S123), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0, 60.0))));
+    float _S120 = clamp(cos_view_0, 0.00999999977648258, 1.0);
+    float _S121 = 2.0 * sqrt(_S120) - 1.0;
+    float _S122 = 3.0 * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258, 1.0))) - 2.0;
+    return vec3(clamp(sheen_scale_0(_S121, _S122), 0.00999999977648258, 1.0), clamp((1.0 - _S120) * sheen_shear_0(_S121, _S122), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S121, _S122), -60.0, 60.0))));
 }
 
 float transformed_cosine_0(vec3 light_5, vec3 view_4, float scale_0, float shear_0)
 {
-    float _S124 = light_5.z;
-    bool _S125;
-    if(_S124 <= 0.0)
+    float _S123 = light_5.z;
+    bool _S124;
+    if(_S123 <= 0.0)
     {
-        _S125 = true;
+        _S124 = true;
     }
     else
     {
-        _S125 = (view_4.z) <= 0.0;
+        _S124 = (view_4.z) <= 0.0;
     }
-    if(_S125)
+    if(_S124)
     {
         return 0.0;
     }
-    vec2 _S126 = view_4.xy;
-    float _S127 = dot(_S126, _S126);
-    vec2 _S128;
-    if(_S127 > 9.99999968265522539e-21)
+    vec2 _S125 = view_4.xy;
+    float _S126 = dot(_S125, _S125);
+    vec2 _S127;
+    if(_S126 > 9.99999968265522539e-21)
     {
-        _S128 = _S126 * (inversesqrt((_S127)));
+        _S127 = _S125 * (inversesqrt((_S126)));
     }
     else
     {
-        _S128 = vec2(1.0, 0.0);
+        _S127 = vec2(1.0, 0.0);
     }
-    float _S129 = scale_0 * dot(light_5.xy, _S128) + shear_0 * _S124;
-    float _S130 = scale_0 * (light_5.y * _S128.x - light_5.x * _S128.y);
-    float _S131 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
-    return 0.31830987334251404 * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21);
+    float _S128 = scale_0 * dot(light_5.xy, _S127) + shear_0 * _S123;
+    float _S129 = scale_0 * (light_5.y * _S127.x - light_5.x * _S127.y);
+    float _S130 = _S128 * _S128 + _S129 * _S129 + _S123 * _S123;
+    return 0.31830987334251404 * scale_0 * scale_0 * _S123 / max(_S130 * _S130, 9.99999968265522539e-21);
 }
 
 vec2 sheen_with_transmittance_0(vec3 light_6, vec3 view_5, float strength_0, float roughness_7)
 {
-    vec3 _S132 = sheen_lobe_0(view_5.z, roughness_7);
-    float _S133 = strength_0 * _S132.z;
-    return vec2(_S133 * transformed_cosine_0(light_6, view_5, _S132.x, _S132.y), 1.0 - _S133);
+    vec3 _S131 = sheen_lobe_0(view_5.z, roughness_7);
+    float _S132 = strength_0 * _S131.z;
+    return vec2(_S132 * transformed_cosine_0(light_6, view_5, _S131.x, _S131.y), 1.0 - _S132);
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S134, uint _S135, uint _S136, uvec2 _S137)
+void accumulate_0(Frame_0 frame_4, uvec2 pixel_1, vec4 light_7)
 {
-    uint _S138 = 3U * _S136;
-    Vertex_0 _S139 = vertices_0._data[uint(corners_0._data[uint(_S138)])];
-    Vertex_0 _S140 = vertices_0._data[uint(corners_0._data[uint(_S138 + 1U)])];
-    Vertex_0 _S141 = vertices_0._data[uint(corners_0._data[uint(_S138 + 2U)])];
-    vec3 _S142 = position_of_0(_S139);
-    vec3 _S143 = position_of_0(_S140) - _S142;
-    vec3 _S144 = position_of_0(_S141) - _S142;
-    vec3 _S145 = cross(_S143, _S144);
-    float _S146 = 1.0 / max(square_0(_S145), 1.00000000317107685e-30);
-    float _S147 = float(_S134.width_0);
-    vec3 _S148 = camera_right_0(_S134) * (2.0 / _S147);
-    float _S149 = float(_S134.height_0);
-    vec3 _S150 = camera_up_0(_S134) * (-2.0 / _S149);
-    vec3 _S151 = camera_forward_0(_S134) + (float(_S137.x) + 0.5 - 0.5 * _S147) * _S148 + (float(_S137.y) + 0.5 - 0.5 * _S149) * _S150;
-    float _S152 = dot(_S151, _S145);
-    float _S153;
-    if((abs(_S152)) > 1.00000000317107685e-30)
+    uint _S133 = pixel_1.y * frame_4.width_0 + pixel_1.x;
+    float _S134 = light_7.w;
+    vec4 _S135 = vec4(light_7.xyz + (1.0 - _S134) * vec3(frame_4.background_red_0, frame_4.background_green_0, frame_4.background_blue_0), _S134);
+    vec4 _S136;
+    if((frame_4.pass_number_0) == 0U)
     {
-        _S153 = _S152;
+        _S136 = _S135;
     }
     else
     {
-        _S153 = 1.00000000317107685e-30;
+        _S136 = radiance_0._data[uint(_S133)] + _S135;
     }
-    float _S154 = 1.0 / _S153;
-    vec3 _S155 = _S142 - camera_origin_0(_S134);
-    float _S156 = dot(_S155, _S145) * _S154;
-    vec3 _S157 = _S151 * _S156 - _S155;
-    vec3 _S158 = _S156 * (_S148 - _S151 * (dot(_S148, _S145) * _S154));
-    vec3 _S159 = _S156 * (_S150 - _S151 * (dot(_S150, _S145) * _S154));
-    vec3 _S160 = cross(_S144, _S145) * _S146;
-    vec3 _S161 = cross(_S145, _S143) * _S146;
-    float _S162 = dot(_S157, _S160);
-    float _S163 = dot(_S157, _S161);
-    float _S164 = _S140.u_0 - _S139.u_0;
-    float _S165 = _S140.v_0 - _S139.v_0;
-    vec2 _S166 = vec2(_S164, _S165);
-    float _S167 = _S141.u_0 - _S139.u_0;
-    float _S168 = _S141.v_0 - _S139.v_0;
+    radiance_0._data[uint(_S133)] = _S136;
+    return;
+}
+
+VisiblePoint_0 visible_point_0(Frame_0 _S137, uint _S138, uint _S139, uvec2 _S140)
+{
+    uint _S141 = 3U * _S139;
+    Vertex_0 _S142 = vertices_0._data[uint(corners_0._data[uint(_S141)])];
+    Vertex_0 _S143 = vertices_0._data[uint(corners_0._data[uint(_S141 + 1U)])];
+    Vertex_0 _S144 = vertices_0._data[uint(corners_0._data[uint(_S141 + 2U)])];
+    vec3 _S145 = position_of_0(_S142);
+    vec3 _S146 = position_of_0(_S143) - _S145;
+    vec3 _S147 = position_of_0(_S144) - _S145;
+    vec3 _S148 = cross(_S146, _S147);
+    float _S149 = 1.0 / max(square_0(_S148), 1.00000000317107685e-30);
+    float _S150 = float(_S137.width_0);
+    vec3 _S151 = camera_right_0(_S137) * (2.0 / _S150);
+    float _S152 = float(_S137.height_0);
+    vec3 _S153 = camera_up_0(_S137) * (-2.0 / _S152);
+    vec3 _S154 = camera_forward_0(_S137) + (float(_S140.x) + 0.5 - 0.5 * _S150) * _S151 + (float(_S140.y) + 0.5 - 0.5 * _S152) * _S153;
+    float _S155 = dot(_S154, _S148);
+    float _S156;
+    if((abs(_S155)) > 1.00000000317107685e-30)
+    {
+        _S156 = _S155;
+    }
+    else
+    {
+        _S156 = 1.00000000317107685e-30;
+    }
+    float _S157 = 1.0 / _S156;
+    vec3 _S158 = _S145 - camera_origin_0(_S137);
+    float _S159 = dot(_S158, _S148) * _S157;
+    vec3 _S160 = _S154 * _S159 - _S158;
+    vec3 _S161 = _S159 * (_S151 - _S154 * (dot(_S151, _S148) * _S157));
+    vec3 _S162 = _S159 * (_S153 - _S154 * (dot(_S153, _S148) * _S157));
+    vec3 _S163 = cross(_S147, _S148) * _S149;
+    vec3 _S164 = cross(_S148, _S146) * _S149;
+    float _S165 = dot(_S160, _S163);
+    float _S166 = dot(_S160, _S164);
+    float _S167 = _S143.u_0 - _S142.u_0;
+    float _S168 = _S143.v_0 - _S142.v_0;
     vec2 _S169 = vec2(_S167, _S168);
-    vec2 _S170 = vec2(_S139.u_0, _S139.v_0) + _S162 * _S166 + _S163 * _S169;
-    vec2 _S171 = dot(_S158, _S160) * _S166 + dot(_S158, _S161) * _S169;
-    vec2 _S172 = dot(_S159, _S160) * _S166 + dot(_S159, _S161) * _S169;
-    if((_S164 * _S168 - _S165 * _S167) < 0.0)
+    float _S170 = _S144.u_0 - _S142.u_0;
+    float _S171 = _S144.v_0 - _S142.v_0;
+    vec2 _S172 = vec2(_S170, _S171);
+    vec2 _S173 = vec2(_S142.u_0, _S142.v_0) + _S165 * _S169 + _S166 * _S172;
+    vec2 _S174 = dot(_S161, _S163) * _S169 + dot(_S161, _S164) * _S172;
+    vec2 _S175 = dot(_S162, _S163) * _S169 + dot(_S162, _S164) * _S172;
+    if((_S167 * _S171 - _S168 * _S170) < 0.0)
     {
-        _S153 = -1.0;
+        _S156 = -1.0;
     }
     else
     {
-        _S153 = 1.0;
+        _S156 = 1.0;
     }
-    vec3 _S173 = _S153 * (_S168 * _S143 - _S165 * _S144);
-    vec3 _S174 = _S153 * (_S164 * _S144 - _S167 * _S143);
+    vec3 _S176 = _S156 * (_S171 * _S146 - _S168 * _S147);
+    vec3 _S177 = _S156 * (_S167 * _S147 - _S170 * _S146);
     VisiblePoint_0 point_1;
-    vec3 _S175 = normalize((1.0 - _S162 - _S163) * normal_of_0(_S139) + _S162 * normal_of_0(_S140) + _S163 * normal_of_0(_S141));
-    point_1.normal_0 = _S175;
-    vec3 _S176 = normalize(_S173 - _S175 * dot(_S175, _S173));
-    point_1.axis_x_0 = _S176;
-    point_1.axis_y_0 = cross(_S175, _S176);
-    point_1.position_0 = _S142 + _S157;
-    point_1.view_0 = - normalize(_S151);
-    bool _S177 = (dot(cross(_S173, _S174), _S175)) < 0.0;
-    float _S178 = fabrics_0._data[uint(_S135)].uv_width_0;
-    if(_S177)
+    vec3 _S178 = normalize((1.0 - _S165 - _S166) * normal_of_0(_S142) + _S165 * normal_of_0(_S143) + _S166 * normal_of_0(_S144));
+    point_1.normal_0 = _S178;
+    vec3 _S179 = normalize(_S176 - _S178 * dot(_S178, _S176));
+    point_1.axis_x_0 = _S179;
+    point_1.axis_y_0 = cross(_S178, _S179);
+    point_1.position_0 = _S145 + _S160;
+    point_1.view_0 = - normalize(_S154);
+    bool _S180 = (dot(cross(_S176, _S177), _S178)) < 0.0;
+    float _S181 = fabrics_0._data[uint(_S138)].uv_width_0;
+    if(_S180)
     {
-        _S153 = - fabrics_0._data[uint(_S135)].uv_height_0;
+        _S156 = - fabrics_0._data[uint(_S138)].uv_height_0;
     }
     else
     {
-        _S153 = fabrics_0._data[uint(_S135)].uv_height_0;
+        _S156 = fabrics_0._data[uint(_S138)].uv_height_0;
     }
-    vec2 _S179 = vec2(_S178, _S153);
-    vec2 _S180 = _S170 * _S179;
-    if(_S177)
+    vec2 _S182 = vec2(_S181, _S156);
+    vec2 _S183 = _S173 * _S182;
+    if(_S180)
     {
-        _S153 = fabrics_0._data[uint(_S135)].uv_height_0;
+        _S156 = fabrics_0._data[uint(_S138)].uv_height_0;
     }
     else
     {
-        _S153 = 0.0;
+        _S156 = 0.0;
     }
-    point_1.draft_0 = _S180 + vec2(0.0, _S153);
-    point_1.draft_dx_0 = _S171 * _S179;
-    point_1.draft_dy_0 = _S172 * _S179;
+    point_1.draft_0 = _S183 + vec2(0.0, _S156);
+    point_1.draft_dx_0 = _S174 * _S182;
+    point_1.draft_dy_0 = _S175 * _S182;
     return point_1;
 }
 
@@ -1466,314 +1488,314 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S181, float _S182, float _S183, bool _S184)
+Crossing_0 crossing_at_0(uint _S184, float _S185, float _S186, bool _S187)
 {
     Crossing_0 crossing_2;
-    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S181)].warp_0, _S182);
-    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S181)].weft_0, _S183);
-    uint _S185 = fabrics_0._data[uint(_S181)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S181)].ends_0 + crossing_2.warp_1.thread_1);
-    uint _S186 = words_0._data[uint(_S185)];
-    crossing_2.warp_word_0 = _S186;
-    crossing_2.weft_word_0 = words_0._data[uint(_S185 + 1U)];
-    crossing_2.warp_above_0 = ((_S186 & 1U) == 1U) != _S184;
+    crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S184)].warp_0, _S185);
+    crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S184)].weft_0, _S186);
+    uint _S188 = fabrics_0._data[uint(_S184)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S184)].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S189 = words_0._data[uint(_S188)];
+    crossing_2.warp_word_0 = _S189;
+    crossing_2.weft_word_0 = words_0._data[uint(_S188 + 1U)];
+    crossing_2.warp_above_0 = ((_S189 & 1U) == 1U) != _S187;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S187, float _S188, float _S189, bool _S190)
+Sample_0 sample_at_0(uint _S190, float _S191, float _S192, bool _S193)
 {
     Sample_0 sample_0;
-    Crossing_0 _S191 = crossing_at_0(_S187, _S188, _S189, _S190);
-    sample_0.crossing_1 = _S191;
-    Shown_0 _S192 = shown_at_0(_S191, _S190);
-    sample_0.shown_3 = _S192;
-    uint _S193;
-    if(_S192.is_warp_0)
+    Crossing_0 _S194 = crossing_at_0(_S190, _S191, _S192, _S193);
+    sample_0.crossing_1 = _S194;
+    Shown_0 _S195 = shown_at_0(_S194, _S193);
+    sample_0.shown_3 = _S195;
+    uint _S196;
+    if(_S195.is_warp_0)
     {
-        _S193 = fabrics_0._data[uint(_S187)].warp_0;
+        _S196 = fabrics_0._data[uint(_S190)].warp_0;
     }
     else
     {
-        _S193 = fabrics_0._data[uint(_S187)].weft_0;
+        _S196 = fabrics_0._data[uint(_S190)].weft_0;
     }
-    uint _S194;
-    if(_S192.is_warp_0)
+    uint _S197;
+    if(_S195.is_warp_0)
     {
-        _S194 = fabrics_0._data[uint(_S187)].weft_0;
+        _S197 = fabrics_0._data[uint(_S190)].weft_0;
     }
     else
     {
-        _S194 = fabrics_0._data[uint(_S187)].warp_0;
+        _S197 = fabrics_0._data[uint(_S190)].warp_0;
     }
-    Cell_0 _S195 = select_cell_0(_S192.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    Cell_0 _S196 = select_cell_0(_S192.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    Run_0 _S197 = unpack_0(_S193, _S194, _S195.thread_1, _S196, _S192.word_0);
-    Section_0 _S198 = section_at_0(_S195);
-    bool _S199;
-    if(_S192.on_top_0)
+    Cell_0 _S198 = select_cell_0(_S195.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    Cell_0 _S199 = select_cell_0(_S195.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    Run_0 _S200 = unpack_0(_S196, _S197, _S198.thread_1, _S199, _S195.word_0);
+    Section_0 _S201 = section_at_0(_S198);
+    bool _S202;
+    if(_S195.on_top_0)
     {
-        _S199 = (_S197.distance_0) < (_S198.drop_0 * _S197.bend_1.sine_0);
+        _S202 = (_S200.distance_0) < (_S201.drop_0 * _S200.bend_1.sine_0);
     }
     else
     {
-        _S199 = false;
+        _S202 = false;
     }
-    bool _S200;
-    if(_S192.on_top_0)
+    bool _S203;
+    if(_S195.on_top_0)
     {
-        _S200 = !_S199;
+        _S203 = !_S202;
     }
     else
     {
-        _S200 = false;
+        _S203 = false;
     }
-    float _S201;
-    if(_S200)
+    float _S204;
+    if(_S203)
     {
-        _S201 = 1.0;
+        _S204 = 1.0;
     }
     else
     {
-        _S201 = -1.0;
+        _S204 = -1.0;
     }
-    float _S202;
-    if(_S199)
+    float _S205;
+    if(_S202)
     {
-        _S202 = _S197.other_reach_0;
+        _S205 = _S200.other_reach_0;
     }
     else
     {
-        _S202 = _S197.reach_0;
+        _S205 = _S200.reach_0;
     }
-    float _S203;
-    if(_S199)
+    float _S206;
+    if(_S202)
     {
-        _S203 = _S202 + _S197.distance_0;
+        _S206 = _S205 + _S200.distance_0;
     }
     else
     {
-        _S203 = max(_S202 - _S197.distance_0, 0.0);
+        _S206 = max(_S205 - _S200.distance_0, 0.0);
     }
-    float _S204 = _S202 / _S197.bend_1.sine_0 - _S201 * _S198.drop_0;
-    float _S205 = _S203 * _S203;
-    float _S206 = max(_S204 * _S204 - _S205, 9.99999968265522539e-21);
-    float _S207 = (inversesqrt((_S206)));
-    float _S208 = _S205 / (_S206 * _S207 + _S204);
-    bool _S209 = _S203 > 0.0;
-    float _S210;
-    if(_S192.on_top_0)
+    float _S207 = _S205 / _S200.bend_1.sine_0 - _S204 * _S201.drop_0;
+    float _S208 = _S206 * _S206;
+    float _S209 = max(_S207 * _S207 - _S208, 9.99999968265522539e-21);
+    float _S210 = (inversesqrt((_S209)));
+    float _S211 = _S208 / (_S209 * _S210 + _S207);
+    bool _S212 = _S206 > 0.0;
+    float _S213;
+    if(_S195.on_top_0)
     {
-        _S210 = 1.0;
+        _S213 = 1.0;
     }
     else
     {
-        _S210 = -1.0;
+        _S213 = -1.0;
     }
-    float _S211;
-    if(_S197.near_start_0)
+    float _S214;
+    if(_S200.near_start_0)
     {
-        _S211 = 1.0;
+        _S214 = 1.0;
     }
     else
     {
-        _S211 = -1.0;
+        _S214 = -1.0;
     }
-    float _S212 = _S210 * _S211;
-    if(_S209)
+    float _S215 = _S213 * _S214;
+    if(_S212)
     {
-        _S210 = _S204 * _S207;
+        _S213 = _S207 * _S210;
     }
     else
     {
-        _S210 = 1.0;
+        _S213 = 1.0;
     }
-    sample_0.slope_across_0 = _S198.slope_0 * _S210;
-    if(_S209)
+    sample_0.slope_across_0 = _S201.slope_0 * _S213;
+    if(_S212)
     {
-        _S203 = _S212 * _S203 * _S207;
+        _S206 = _S215 * _S206 * _S210;
     }
     else
     {
-        _S203 = 0.0;
+        _S206 = 0.0;
     }
-    sample_0.slope_along_0 = _S203;
-    Family_0 _S213 = families_0._data[uint(_S193)];
-    vec2 _S214 = dive_0(_S194, _S192, _S197, _S196);
-    if(_S197.straight_0)
+    sample_0.slope_along_0 = _S206;
+    Family_0 _S216 = families_0._data[uint(_S196)];
+    vec2 _S217 = dive_0(_S197, _S195, _S200, _S199);
+    if(_S200.straight_0)
     {
-        _S201 = 0.0;
+        _S204 = 0.0;
     }
     else
     {
-        _S201 = _S213.height_scale_0 * _S201;
+        _S204 = _S216.height_scale_0 * _S204;
     }
-    sample_0.height_5 = _S201 * (_S202 * _S197.bend_1.half_tangent_0 - _S208) - _S213.height_scale_0 * _S198.drop_0 - _S214.x;
-    float _S215 = _S213.height_scale_0 * sample_0.slope_across_0;
-    float _S216 = _S213.height_scale_0 * sample_0.slope_along_0 - _S214.y;
-    if(_S192.is_warp_0)
+    sample_0.height_5 = _S204 * (_S205 * _S200.bend_1.half_tangent_0 - _S211) - _S216.height_scale_0 * _S201.drop_0 - _S217.x;
+    float _S218 = _S216.height_scale_0 * sample_0.slope_across_0;
+    float _S219 = _S216.height_scale_0 * sample_0.slope_along_0 - _S217.y;
+    if(_S195.is_warp_0)
     {
-        _S201 = _S215;
+        _S204 = _S218;
     }
     else
     {
-        _S201 = _S216;
+        _S204 = _S219;
     }
-    sample_0.slope_x_1 = _S201;
-    if(_S192.is_warp_0)
+    sample_0.slope_x_1 = _S204;
+    if(_S195.is_warp_0)
     {
-        _S201 = _S216;
+        _S204 = _S219;
     }
     else
     {
-        _S201 = _S215;
+        _S204 = _S218;
     }
-    sample_0.slope_y_1 = _S201;
-    sample_0.run_3 = _S197;
-    sample_0.section_1 = _S198;
+    sample_0.slope_y_1 = _S204;
+    sample_0.run_3 = _S200;
+    sample_0.section_1 = _S201;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S217, SearchQuality_0 _S218, vec3 _S219)
+float steps_per_length_0(uint _S220, SearchQuality_0 _S221, vec3 _S222)
 {
-    return max(max(abs(_S219.x) * fabrics_0._data[uint(_S217)].threads_per_x_0, abs(_S219.y) * fabrics_0._data[uint(_S217)].threads_per_y_0) * _S218.steps_per_thread_0, abs(_S219.z) * fabrics_0._data[uint(_S217)].per_relief_0 * _S218.steps_per_relief_0);
+    return max(max(abs(_S222.x) * fabrics_0._data[uint(_S220)].threads_per_x_0, abs(_S222.y) * fabrics_0._data[uint(_S220)].threads_per_y_0) * _S221.steps_per_thread_0, abs(_S222.z) * fabrics_0._data[uint(_S220)].per_relief_0 * _S221.steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S220, Crossing_0 _S221)
+float cell_maximum_0(uint _S223, Crossing_0 _S224)
 {
-    uint _S222;
-    if(_S221.warp_above_0)
+    uint _S225;
+    if(_S224.warp_above_0)
     {
-        _S222 = fabrics_0._data[uint(_S220)].warp_0;
+        _S225 = fabrics_0._data[uint(_S223)].warp_0;
     }
     else
     {
-        _S222 = fabrics_0._data[uint(_S220)].weft_0;
+        _S225 = fabrics_0._data[uint(_S223)].weft_0;
     }
-    uint _S223;
-    if(_S221.warp_above_0)
+    uint _S226;
+    if(_S224.warp_above_0)
     {
-        _S223 = _S221.warp_word_0;
+        _S226 = _S224.warp_word_0;
     }
     else
     {
-        _S223 = _S221.weft_word_0;
+        _S226 = _S224.weft_word_0;
     }
-    return float(_S223 >> 28) * families_0._data[uint(_S222)].height_scale_0 * families_0._data[uint(_S222)].level_0;
+    return float(_S226 >> 28) * families_0._data[uint(_S225)].height_scale_0 * families_0._data[uint(_S225)].level_0;
 }
 
-Probe_0 probe_0(uint _S224, float _S225, float _S226, bool _S227, bool _S228, bool _S229)
+Probe_0 probe_0(uint _S227, float _S228, float _S229, bool _S230, bool _S231, bool _S232)
 {
-    Sample_0 _S230 = sample_at_0(_S224, _S225, _S226, _S227);
+    Sample_0 _S233 = sample_at_0(_S227, _S228, _S229, _S230);
     Probe_0 probe_1;
-    probe_1.height_1 = _S230.height_5;
-    probe_1.hole_1 = _S230.shown_3.hole_0;
-    probe_1.slope_x_0 = _S230.slope_x_1;
-    probe_1.slope_y_0 = _S230.slope_y_1;
-    uint _S231;
-    if(_S230.shown_3.is_warp_0)
+    probe_1.height_1 = _S233.height_5;
+    probe_1.hole_1 = _S233.shown_3.hole_0;
+    probe_1.slope_x_0 = _S233.slope_x_1;
+    probe_1.slope_y_0 = _S233.slope_y_1;
+    uint _S234;
+    if(_S233.shown_3.is_warp_0)
     {
-        _S231 = _S230.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S234 = _S233.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S231 = _S230.crossing_1.weft_1.thread_1 * 2U;
+        _S234 = _S233.crossing_1.weft_1.thread_1 * 2U;
     }
-    probe_1.yarn_1 = _S231;
-    probe_1.cell_max_0 = cell_maximum_0(_S224, _S230.crossing_1);
-    float _S232;
-    if(_S228)
+    probe_1.yarn_1 = _S234;
+    probe_1.cell_max_0 = cell_maximum_0(_S227, _S233.crossing_1);
+    float _S235;
+    if(_S231)
     {
-        _S232 = _S230.crossing_1.warp_1.above_0;
+        _S235 = _S233.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S232 = _S230.crossing_1.warp_1.below_0;
+        _S235 = _S233.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S232;
-    if(_S229)
+    probe_1.side_x_0 = _S235;
+    if(_S232)
     {
-        _S232 = _S230.crossing_1.weft_1.above_0;
+        _S235 = _S233.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S232 = _S230.crossing_1.weft_1.below_0;
+        _S235 = _S233.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S232;
-    probe_1.edge_x_0 = outline_distance_0(_S230.crossing_1.warp_1, _S230.shown_3, _S230.run_3, !_S230.shown_3.is_warp_0, _S228);
-    probe_1.edge_y_0 = outline_distance_0(_S230.crossing_1.weft_1, _S230.shown_3, _S230.run_3, _S230.shown_3.is_warp_0, _S229);
+    probe_1.side_y_0 = _S235;
+    probe_1.edge_x_0 = outline_distance_0(_S233.crossing_1.warp_1, _S233.shown_3, _S233.run_3, !_S233.shown_3.is_warp_0, _S231);
+    probe_1.edge_y_0 = outline_distance_0(_S233.crossing_1.weft_1, _S233.shown_3, _S233.run_3, _S233.shown_3.is_warp_0, _S232);
     return probe_1;
 }
 
-bool is_free_0(uint _S233, SearchQuality_0 _S234, vec3 _S235, vec3 _S236, bool _S237, float _S238)
+bool is_free_0(uint _S236, SearchQuality_0 _S237, vec3 _S238, vec3 _S239, bool _S240, float _S241)
 {
-    float _S239 = _S236.z;
-    if(_S239 <= 0.0)
+    float _S242 = _S239.z;
+    if(_S242 <= 0.0)
     {
         return false;
     }
-    float _S240 = 1.0 / max(_S234.shadow_share_0 * steps_per_length_0(_S233, _S234, _S236), 9.99999971718068537e-10);
-    StepControl_0 _S241 = step_control_0(_S236.xy, _S240);
+    float _S243 = 1.0 / max(_S237.shadow_share_0 * steps_per_length_0(_S236, _S237, _S239), 9.99999971718068537e-10);
+    StepControl_0 _S244 = step_control_0(_S239.xy, _S243);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_1 = 0U;
     float distance_1 = 0.0;
     float last_step_0 = 0.0;
     for(;;)
     {
-        bool _S242;
+        bool _S245;
         if(count_1 < 1024U)
         {
-            _S242 = (_S235.z + _S239 * distance_1) < _S238;
+            _S245 = (_S238.z + _S242 * distance_1) < _S241;
         }
         else
         {
-            _S242 = false;
+            _S245 = false;
         }
-        if(_S242)
+        if(_S245)
         {
         }
         else
         {
             break;
         }
-        vec3 _S243 = _S235 + _S236 * distance_1;
-        Probe_0 _S244 = probe_0(_S233, _S243.x, _S243.y, _S237, _S241.right_0, _S241.up_0);
-        float _S245 = _S243.z;
-        float _S246 = _S245 - _S244.height_1;
-        float _S247 = _S239 - _S244.slope_x_0 * _S236.x - _S244.slope_y_0 * _S236.y;
-        bool _S248;
-        if(!_S244.hole_1)
+        vec3 _S246 = _S238 + _S239 * distance_1;
+        Probe_0 _S247 = probe_0(_S236, _S246.x, _S246.y, _S240, _S244.right_0, _S244.up_0);
+        float _S248 = _S246.z;
+        float _S249 = _S248 - _S247.height_1;
+        float _S250 = _S242 - _S247.slope_x_0 * _S239.x - _S247.slope_y_0 * _S239.y;
+        bool _S251;
+        if(!_S247.hole_1)
         {
-            _S248 = _S246 < 0.0;
+            _S251 = _S249 < 0.0;
         }
         else
         {
-            _S248 = false;
+            _S251 = false;
         }
-        if(_S248)
+        if(_S251)
         {
             return false;
         }
-        float _S249 = way_back_to_dip_0(previous_3, _S246, _S247, last_step_0, _S244);
-        if(_S249 >= 0.0)
+        float _S252 = way_back_to_dip_0(previous_3, _S249, _S250, last_step_0, _S247);
+        if(_S252 >= 0.0)
         {
-            float last_step_1 = last_step_0 - _S249;
-            distance_1 = distance_1 - _S249;
+            float last_step_1 = last_step_0 - _S252;
+            distance_1 = distance_1 - _S252;
             last_step_0 = last_step_1;
             count_1 = count_1 + 1U;
             continue;
         }
-        bool _S250 = _S245 > (_S244.cell_max_0);
-        PreviousSample_0 _S251 = after_sample_0(_S246, _S247, _S244, _S250);
+        bool _S253 = _S248 > (_S247.cell_max_0);
+        PreviousSample_0 _S254 = after_sample_0(_S249, _S250, _S247, _S253);
         float last_step_2;
-        if(_S250)
+        if(_S253)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S241, _S244.side_x_0, _S244.side_y_0), _S240);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S244, _S247.side_x_0, _S247.side_y_0), _S243);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S241, _S244, _S246, _S247);
+            last_step_2 = StepControl_to_next_sample_0(_S244, _S247, _S249, _S250);
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S251;
+        previous_3 = _S254;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + 1U;
@@ -1781,46 +1803,46 @@ bool is_free_0(uint _S233, SearchQuality_0 _S234, vec3 _S235, vec3 _S236, bool _
     return true;
 }
 
-bool passes_through_0(uint _S252, SearchQuality_0 _S253, float _S254, float _S255, vec3 _S256, bool _S257)
+bool passes_through_0(uint _S255, SearchQuality_0 _S256, float _S257, float _S258, vec3 _S259, bool _S260)
 {
-    if(!sample_at_0(_S252, _S254, _S255, _S257).shown_3.hole_0)
+    if(!sample_at_0(_S255, _S257, _S258, _S260).shown_3.hole_0)
     {
         return false;
     }
-    vec3 _S258 = vec3(_S254, _S255, 0.0);
+    vec3 _S261 = vec3(_S257, _S258, 0.0);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S259;
+        bool _S262;
         if(side_0 < 2U)
         {
-            _S259 = passes_0;
+            _S262 = passes_0;
         }
         else
         {
-            _S259 = false;
+            _S262 = false;
         }
-        if(_S259)
+        if(_S262)
         {
         }
         else
         {
             break;
         }
-        vec3 _S260;
+        vec3 _S263;
         if(side_0 == 0U)
         {
-            _S260 = _S256;
+            _S263 = _S259;
         }
         else
         {
-            _S260 = vec3(- _S256.x, - _S256.y, _S256.z);
+            _S263 = vec3(- _S259.x, - _S259.y, _S259.z);
         }
-        bool _S261 = is_free_0(_S252, _S253, _S258, _S260, _S257 != (side_0 == 1U), fabrics_0._data[uint(_S252)].height_high_0);
-        uint _S262 = side_0 + 1U;
-        passes_0 = _S261;
-        side_0 = _S262;
+        bool _S264 = is_free_0(_S255, _S256, _S261, _S263, _S260 != (side_0 == 1U), fabrics_0._data[uint(_S255)].height_high_0);
+        uint _S265 = side_0 + 1U;
+        passes_0 = _S264;
+        side_0 = _S265;
     }
     return passes_0;
 }
@@ -1835,33 +1857,33 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S263, float _S264, float _S265, float _S266, vec3 _S267, bool _S268)
+float max_height_along_0(uint _S266, float _S267, float _S268, float _S269, vec3 _S270, bool _S271)
 {
-    uint _S269 = locate_0(fabrics_0._data[uint(_S263)].warp_0, _S264).thread_1 / 2U;
-    uint _S270 = locate_0(fabrics_0._data[uint(_S263)].weft_0, _S265).thread_1 / 2U;
-    float _S271 = _S267.x;
-    uint _S272;
-    if(_S271 > 0.0)
+    uint _S272 = locate_0(fabrics_0._data[uint(_S266)].warp_0, _S267).thread_1 / 2U;
+    uint _S273 = locate_0(fabrics_0._data[uint(_S266)].weft_0, _S268).thread_1 / 2U;
+    float _S274 = _S270.x;
+    uint _S275;
+    if(_S274 > 0.0)
     {
-        _S272 = 1U;
+        _S275 = 1U;
     }
     else
     {
-        _S272 = 0U;
+        _S275 = 0U;
     }
-    float _S273 = _S267.y;
-    uint _S274;
-    if(_S273 > 0.0)
+    float _S276 = _S270.y;
+    uint _S277;
+    if(_S276 > 0.0)
     {
-        _S274 = 2U;
+        _S277 = 2U;
     }
     else
     {
-        _S274 = 0U;
+        _S277 = 0U;
     }
-    uint _S275 = words_0._data[uint(fabrics_0._data[uint(_S263)].max_heights_0 + 4U * (_S270 * fabrics_0._data[uint(_S263)].max_height_columns_0 + _S269) + (_S272 + _S274))];
+    uint _S278 = words_0._data[uint(fabrics_0._data[uint(_S266)].max_heights_0 + 4U * (_S273 * fabrics_0._data[uint(_S266)].max_height_columns_0 + _S272) + (_S275 + _S277))];
     int number_0;
-    if(_S268)
+    if(_S271)
     {
         number_0 = 4;
     }
@@ -1869,10 +1891,10 @@ float max_height_along_0(uint _S263, float _S264, float _S265, float _S266, vec3
     {
         number_0 = 0;
     }
-    uint _S276 = _S275 >> number_0;
-    float _S277 = max(abs(_S271) * fabrics_0._data[uint(_S263)].threads_per_x_0, abs(_S273) * fabrics_0._data[uint(_S263)].threads_per_y_0) / _S267.z;
-    float _S278 = fabrics_0._data[uint(_S263)].height_high_0;
-    float max_height_0 = fabrics_0._data[uint(_S263)].height_high_0;
+    uint _S279 = _S278 >> number_0;
+    float _S280 = max(abs(_S274) * fabrics_0._data[uint(_S266)].threads_per_x_0, abs(_S276) * fabrics_0._data[uint(_S266)].threads_per_y_0) / _S270.z;
+    float _S281 = fabrics_0._data[uint(_S266)].height_high_0;
+    float max_height_0 = fabrics_0._data[uint(_S266)].height_high_0;
     number_0 = 3;
     for(;;)
     {
@@ -1883,45 +1905,45 @@ float max_height_along_0(uint _S263, float _S264, float _S265, float _S266, vec3
         {
             break;
         }
-        if(((max_height_0 - _S266) * _S277) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S269) * _S280) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S276 >> uint(8 * number_0)) & 15U) * 0.06666667014360428 * _S278);
+            max_height_0 = min(max_height_0, float((_S279 >> uint(8 * number_0)) & 15U) * 0.06666667014360428 * _S281);
         }
         number_0 = number_0 - 1;
     }
     return max_height_0;
 }
 
-vec3 cell_bounds_0(uint _S279, float _S280, float _S281, bool _S282, bool _S283, bool _S284)
+vec3 cell_bounds_0(uint _S282, float _S283, float _S284, bool _S285, bool _S286, bool _S287)
 {
-    Crossing_0 _S285 = crossing_at_0(_S279, _S280, _S281, _S282);
-    float _S286 = cell_maximum_0(_S279, _S285);
-    float _S287;
-    if(_S283)
+    Crossing_0 _S288 = crossing_at_0(_S282, _S283, _S284, _S285);
+    float _S289 = cell_maximum_0(_S282, _S288);
+    float _S290;
+    if(_S286)
     {
-        _S287 = _S285.warp_1.above_0;
+        _S290 = _S288.warp_1.above_0;
     }
     else
     {
-        _S287 = _S285.warp_1.below_0;
+        _S290 = _S288.warp_1.below_0;
     }
-    float _S288;
-    if(_S284)
+    float _S291;
+    if(_S287)
     {
-        _S288 = _S285.weft_1.above_0;
+        _S291 = _S288.weft_1.above_0;
     }
     else
     {
-        _S288 = _S285.weft_1.below_0;
+        _S291 = _S288.weft_1.below_0;
     }
-    return vec3(_S286, _S287, _S288);
+    return vec3(_S289, _S290, _S291);
 }
 
-float first_sample_height_0(uint _S289, ViewRay_0 _S290, StepControl_0 _S291, bool _S292)
+float first_sample_height_0(uint _S292, ViewRay_0 _S293, StepControl_0 _S294, bool _S295)
 {
-    float _S293 = max_height_along_0(_S289, _S290.origin_0.x, _S290.origin_0.y, 0.0, vec3(_S290.slope_1, 1.0), _S292);
+    float _S296 = max_height_along_0(_S292, _S293.origin_0.x, _S293.origin_0.y, 0.0, vec3(_S293.slope_1, 1.0), _S295);
     uint count_2 = 0U;
-    float height_7 = _S293;
+    float height_7 = _S296;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -1931,12 +1953,12 @@ float first_sample_height_0(uint _S289, ViewRay_0 _S290, StepControl_0 _S291, bo
         {
             break;
         }
-        vec2 _S294 = ViewRay_at_0(_S290, height_7);
-        vec3 _S295 = cell_bounds_0(_S289, _S294.x, _S294.y, _S292, _S291.right_0, _S291.up_0);
-        float _S296 = height_7 - _S295.x;
-        float _S297 = StepControl_to_cell_exit_0(_S291, _S295.y, _S295.z);
-        float height_8 = height_7 - clamp(_S296, 0.0, _S297);
-        if(_S296 <= _S297)
+        vec2 _S297 = ViewRay_at_0(_S293, height_7);
+        vec3 _S298 = cell_bounds_0(_S292, _S297.x, _S297.y, _S295, _S294.right_0, _S294.up_0);
+        float _S299 = height_7 - _S298.x;
+        float _S300 = StepControl_to_cell_exit_0(_S294, _S298.y, _S298.z);
+        float height_8 = height_7 - clamp(_S299, 0.0, _S300);
+        if(_S299 <= _S300)
         {
             height_7 = height_8;
             break;
@@ -1947,12 +1969,12 @@ float first_sample_height_0(uint _S289, ViewRay_0 _S290, StepControl_0 _S291, bo
     return height_7;
 }
 
-ViewRayEnd_0 search_down_0(uint _S298, ViewRay_0 _S299, StepControl_0 _S300, bool _S301)
+ViewRayEnd_0 search_down_0(uint _S301, ViewRay_0 _S302, StepControl_0 _S303, bool _S304)
 {
-    float _S302 = fabrics_0._data[uint(_S298)].height_low_0 - (fabrics_0._data[uint(_S298)].height_high_0 - fabrics_0._data[uint(_S298)].height_low_0);
+    float _S305 = fabrics_0._data[uint(_S301)].height_low_0 - (fabrics_0._data[uint(_S301)].height_high_0 - fabrics_0._data[uint(_S301)].height_low_0);
     ViewRayEnd_0 end_1;
-    end_1.height_6 = first_sample_height_0(_S298, _S299, _S300, _S301);
-    end_1.last_step_3 = _S300.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S301, _S302, _S303, _S304);
+    end_1.last_step_3 = _S303.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0;
     end_1.rate_4 = 0.0;
@@ -1967,150 +1989,150 @@ ViewRayEnd_0 search_down_0(uint _S298, ViewRay_0 _S299, StepControl_0 _S300, boo
         {
             break;
         }
-        vec2 _S303 = ViewRay_at_0(_S299, end_1.height_6);
-        Probe_0 _S304 = probe_0(_S298, _S303.x, _S303.y, _S301, _S300.right_0, _S300.up_0);
-        float _S305 = end_1.height_6 - _S304.height_1;
-        float _S306 = ViewRay_rate_0(_S299, _S304);
-        end_1.depth_1 = - _S305;
-        end_1.rate_4 = _S306;
-        bool _S307;
+        vec2 _S306 = ViewRay_at_0(_S302, end_1.height_6);
+        Probe_0 _S307 = probe_0(_S301, _S306.x, _S306.y, _S304, _S303.right_0, _S303.up_0);
+        float _S308 = end_1.height_6 - _S307.height_1;
+        float _S309 = ViewRay_rate_0(_S302, _S307);
+        end_1.depth_1 = - _S308;
+        end_1.rate_4 = _S309;
+        bool _S310;
         if(end_1.previous_4.known_0)
         {
-            _S307 = !_S304.hole_1;
+            _S310 = !_S307.hole_1;
         }
         else
         {
-            _S307 = false;
+            _S310 = false;
         }
-        bool _S308;
-        if(_S307)
-        {
-            _S308 = (end_1.previous_4.yarn_0) == (_S304.yarn_1);
-        }
-        else
-        {
-            _S308 = false;
-        }
-        end_1.smooth_0 = _S308;
-        bool _S309;
-        if(!_S304.hole_1)
-        {
-            _S309 = _S305 <= 0.0;
-        }
-        else
-        {
-            _S309 = false;
-        }
-        bool _S310;
-        if(_S309)
-        {
-            _S310 = true;
-        }
-        else
-        {
-            _S310 = (end_1.height_6) <= _S302;
-        }
+        bool _S311;
         if(_S310)
+        {
+            _S311 = (end_1.previous_4.yarn_0) == (_S307.yarn_1);
+        }
+        else
+        {
+            _S311 = false;
+        }
+        end_1.smooth_0 = _S311;
+        bool _S312;
+        if(!_S307.hole_1)
+        {
+            _S312 = _S308 <= 0.0;
+        }
+        else
+        {
+            _S312 = false;
+        }
+        bool _S313;
+        if(_S312)
+        {
+            _S313 = true;
+        }
+        else
+        {
+            _S313 = (end_1.height_6) <= _S305;
+        }
+        if(_S313)
         {
             break;
         }
-        float _S311 = way_back_to_dip_0(end_1.previous_4, _S305, _S306, end_1.last_step_3, _S304);
-        if(_S311 >= 0.0)
+        float _S314 = way_back_to_dip_0(end_1.previous_4, _S308, _S309, end_1.last_step_3, _S307);
+        if(_S314 >= 0.0)
         {
-            end_1.height_6 = end_1.height_6 + _S311;
-            end_1.last_step_3 = end_1.last_step_3 - _S311;
+            end_1.height_6 = end_1.height_6 + _S314;
+            end_1.last_step_3 = end_1.last_step_3 - _S314;
             count_3 = count_3 + 1U;
             continue;
         }
-        float _S312 = min(StepControl_to_cell_exit_0(_S300, _S304.side_x_0, _S304.side_y_0), end_1.height_6 - _S304.cell_max_0);
-        float _S313 = StepControl_to_next_sample_0(_S300, _S304, _S305, _S306);
-        end_1.previous_4 = after_sample_0(_S305, _S306, _S304, _S312 > _S313);
-        float _S314 = max(_S312, _S313);
-        end_1.last_step_3 = _S314;
-        end_1.height_6 = end_1.height_6 - _S314;
+        float _S315 = min(StepControl_to_cell_exit_0(_S303, _S307.side_x_0, _S307.side_y_0), end_1.height_6 - _S307.cell_max_0);
+        float _S316 = StepControl_to_next_sample_0(_S303, _S307, _S308, _S309);
+        end_1.previous_4 = after_sample_0(_S308, _S309, _S307, _S315 > _S316);
+        float _S317 = max(_S315, _S316);
+        end_1.last_step_3 = _S317;
+        end_1.height_6 = end_1.height_6 - _S317;
         count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S315, ViewRay_0 _S316, StepControl_0 _S317, bool _S318, ViewRayEnd_0 _S319, uint _S320)
+float refined_height_0(uint _S318, ViewRay_0 _S319, StepControl_0 _S320, bool _S321, ViewRayEnd_0 _S322, uint _S323)
 {
-    float _S321 = fabrics_0._data[uint(_S315)].height_high_0 - fabrics_0._data[uint(_S315)].height_low_0;
-    float above_2 = _S319.height_6 + _S319.last_step_3;
-    float above_gap_1 = clamp(_S319.previous_4.clearance_0, 0.0, _S321);
-    float under_gap_1 = clamp(_S319.depth_1, 0.0, _S321);
-    float _S322 = cubic_root_0(above_gap_1, - under_gap_1, _S319.previous_4.rate_0 * _S319.last_step_3, _S319.rate_4 * _S319.last_step_3);
+    float _S324 = fabrics_0._data[uint(_S318)].height_high_0 - fabrics_0._data[uint(_S318)].height_low_0;
+    float above_2 = _S322.height_6 + _S322.last_step_3;
+    float above_gap_1 = clamp(_S322.previous_4.clearance_0, 0.0, _S324);
+    float under_gap_1 = clamp(_S322.depth_1, 0.0, _S324);
+    float _S325 = cubic_root_0(above_gap_1, - under_gap_1, _S322.previous_4.rate_0 * _S322.last_step_3, _S322.rate_4 * _S322.last_step_3);
     float middle_0;
-    if(_S319.smooth_0)
+    if(_S322.smooth_0)
     {
-        middle_0 = above_2 - _S322 * _S319.last_step_3;
+        middle_0 = above_2 - _S325 * _S322.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S319.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S322.height_6, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S319.height_6;
+    float under_1 = _S322.height_6;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S320)
+        if(i_1 < _S323)
         {
         }
         else
         {
             break;
         }
-        vec2 _S323 = ViewRay_at_0(_S316, middle_0);
-        Probe_0 _S324 = probe_0(_S315, _S323.x, _S323.y, _S318, _S317.right_0, _S317.up_0);
-        float _S325;
-        if(_S324.hole_1)
+        vec2 _S326 = ViewRay_at_0(_S319, middle_0);
+        Probe_0 _S327 = probe_0(_S318, _S326.x, _S326.y, _S321, _S320.right_0, _S320.up_0);
+        float _S328;
+        if(_S327.hole_1)
         {
-            _S325 = -1.0e+09;
+            _S328 = -1.0e+09;
         }
         else
         {
-            _S325 = _S324.height_1;
+            _S328 = _S327.height_1;
         }
-        float _S326 = clamp(middle_0 - _S325, - _S321, _S321);
-        float _S327;
-        if(_S326 <= 0.0)
+        float _S329 = clamp(middle_0 - _S328, - _S324, _S324);
+        float _S330;
+        if(_S329 <= 0.0)
         {
             if(side_1 > 0.0)
             {
-                _S327 = 0.5 * above_gap_2;
+                _S330 = 0.5 * above_gap_2;
             }
             else
             {
-                _S327 = above_gap_2;
+                _S330 = above_gap_2;
             }
-            float _S328 = - _S326;
+            float _S331 = - _S329;
             under_1 = middle_0;
-            above_gap_2 = _S327;
-            under_gap_2 = _S328;
+            above_gap_2 = _S330;
+            under_gap_2 = _S331;
             side_1 = 1.0;
         }
         else
         {
             if(side_1 < 0.0)
             {
-                _S327 = 0.5 * under_gap_2;
+                _S330 = 0.5 * under_gap_2;
             }
             else
             {
-                _S327 = under_gap_2;
+                _S330 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S326;
-            under_gap_2 = _S327;
+            above_gap_2 = _S329;
+            under_gap_2 = _S330;
             side_1 = -1.0;
         }
-        if(_S319.smooth_0)
+        if(_S322.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S326 / min(ViewRay_rate_0(_S316, _S324), -9.99999997475242708e-07), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S329 / min(ViewRay_rate_0(_S319, _S327), -9.99999997475242708e-07), under_1, above_3);
         }
         else
         {
@@ -2118,7 +2140,7 @@ float refined_height_0(uint _S315, ViewRay_0 _S316, StepControl_0 _S317, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S319.smooth_0)
+    if(_S322.smooth_0)
     {
     }
     else
@@ -2128,29 +2150,29 @@ float refined_height_0(uint _S315, ViewRay_0 _S316, StepControl_0 _S317, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S329, SearchQuality_0 _S330, float _S331, float _S332, vec3 _S333, bool _S334)
+Hit_0 first_hit_0(uint _S332, SearchQuality_0 _S333, float _S334, float _S335, vec3 _S336, bool _S337)
 {
     Hit_0 hit_0;
-    hit_0.x_10 = _S331;
-    hit_0.y_6 = _S332;
+    hit_0.x_10 = _S334;
+    hit_0.y_6 = _S335;
     hit_0.height_4 = 0.0;
-    bool _S335 = passes_through_0(_S329, _S330, _S331, _S332, _S333, _S334);
-    hit_0.hole_3 = _S335;
-    if(_S335)
+    bool _S338 = passes_through_0(_S332, _S333, _S334, _S335, _S336, _S337);
+    hit_0.hole_3 = _S338;
+    if(_S338)
     {
         return hit_0;
     }
-    float _S336 = max(_S333.z, 0.00009999999747379);
+    float _S339 = max(_S336.z, 0.00009999999747379);
     ViewRay_0 ray_0;
-    ray_0.origin_0 = vec2(_S331, _S332);
-    vec2 _S337 = _S333.xy / _S336;
-    ray_0.slope_1 = _S337;
-    StepControl_0 _S338 = step_control_0(- _S337, 1.0 / max(steps_per_length_0(_S329, _S330, _S333) / _S336, 9.99999971718068537e-10));
-    float _S339 = refined_height_0(_S329, ray_0, _S338, _S334, search_down_0(_S329, ray_0, _S338, _S334), _S330.refinements_0);
-    hit_0.height_4 = _S339;
-    vec2 _S340 = ViewRay_at_0(ray_0, _S339);
-    hit_0.x_10 = _S340.x;
-    hit_0.y_6 = _S340.y;
+    ray_0.origin_0 = vec2(_S334, _S335);
+    vec2 _S340 = _S336.xy / _S339;
+    ray_0.slope_1 = _S340;
+    StepControl_0 _S341 = step_control_0(- _S340, 1.0 / max(steps_per_length_0(_S332, _S333, _S336) / _S339, 9.99999971718068537e-10));
+    float _S342 = refined_height_0(_S332, ray_0, _S341, _S337, search_down_0(_S332, ray_0, _S341, _S337), _S333.refinements_0);
+    hit_0.height_4 = _S342;
+    vec2 _S343 = ViewRay_at_0(ray_0, _S342);
+    hit_0.x_10 = _S343.x;
+    hit_0.y_6 = _S343.y;
     return hit_0;
 }
 
@@ -2168,350 +2190,349 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S341, float _S342, float _S343, bool _S344)
+SurfacePoint_0 surface_at_0(uint _S344, float _S345, float _S346, bool _S347)
 {
-    Sample_0 _S345 = sample_at_0(_S341, _S342, _S343, _S344);
-    float _S346;
-    if(_S345.shown_3.is_warp_0)
-    {
-        _S346 = _S345.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S346 = _S345.crossing_1.weft_1.half_width_1;
-    }
-    uint _S347;
-    if(_S345.shown_3.is_warp_0)
-    {
-        _S347 = fabrics_0._data[uint(_S341)].warp_0;
-    }
-    else
-    {
-        _S347 = fabrics_0._data[uint(_S341)].weft_0;
-    }
-    Family_0 _S348 = families_0._data[uint(_S347)];
+    Sample_0 _S348 = sample_at_0(_S344, _S345, _S346, _S347);
     float _S349;
-    if(_S344)
+    if(_S348.shown_3.is_warp_0)
     {
-        _S349 = -1.0;
+        _S349 = _S348.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S349 = 1.0;
+        _S349 = _S348.crossing_1.weft_1.half_width_1;
     }
-    float _S350 = _S348.twist_sine_0 * _S349;
-    Family_0 _S351 = families_0._data[uint(_S347)];
-    if(_S345.shown_3.is_warp_0)
+    uint _S350;
+    if(_S348.shown_3.is_warp_0)
     {
-        _S349 = 1.0;
-    }
-    else
-    {
-        _S349 = -1.0;
-    }
-    vec2 _S352 = fibre_direction_0(_S345.slope_across_0, _S349 * _S345.slope_along_0, _S350, _S351.twist_cosine_0);
-    float _S353;
-    if(_S345.shown_3.is_warp_0)
-    {
-        _S353 = _S345.slope_x_1;
+        _S350 = fabrics_0._data[uint(_S344)].warp_0;
     }
     else
     {
-        _S353 = _S345.slope_y_1;
+        _S350 = fabrics_0._data[uint(_S344)].weft_0;
     }
-    float _S354;
-    if(_S345.shown_3.is_warp_0)
+    Family_0 _S351 = families_0._data[uint(_S350)];
+    float _S352;
+    if(_S347)
     {
-        _S354 = _S345.slope_y_1;
-    }
-    else
-    {
-        _S354 = _S345.slope_x_1;
-    }
-    float _S355 = _S352.x;
-    float _S356 = _S352.y;
-    float _S357 = _S353 * _S355 + _S349 * _S354 * _S356;
-    float _S358 = _S346 * 1.0154266357421875;
-    float _S359 = _S358 * arc_sine_0(clamp(_S345.section_1.across_1 / _S358, -1.0, 1.0));
-    if(_S345.shown_3.is_warp_0)
-    {
-        _S346 = _S343;
+        _S352 = -1.0;
     }
     else
     {
-        _S346 = - _S342;
+        _S352 = 1.0;
+    }
+    float _S353 = _S351.twist_sine_0 * _S352;
+    Family_0 _S354 = families_0._data[uint(_S350)];
+    if(_S348.shown_3.is_warp_0)
+    {
+        _S352 = 1.0;
+    }
+    else
+    {
+        _S352 = -1.0;
+    }
+    vec2 _S355 = fibre_direction_0(_S348.slope_across_0, _S352 * _S348.slope_along_0, _S353, _S354.twist_cosine_0);
+    float _S356;
+    if(_S348.shown_3.is_warp_0)
+    {
+        _S356 = _S348.slope_x_1;
+    }
+    else
+    {
+        _S356 = _S348.slope_y_1;
+    }
+    float _S357;
+    if(_S348.shown_3.is_warp_0)
+    {
+        _S357 = _S348.slope_y_1;
+    }
+    else
+    {
+        _S357 = _S348.slope_x_1;
+    }
+    float _S358 = _S355.x;
+    float _S359 = _S355.y;
+    float _S360 = _S356 * _S358 + _S352 * _S357 * _S359;
+    float _S361 = _S349 * 1.0154266357421875;
+    float _S362 = _S361 * arc_sine_0(clamp(_S348.section_1.across_1 / _S361, -1.0, 1.0));
+    if(_S348.shown_3.is_warp_0)
+    {
+        _S349 = _S346;
+    }
+    else
+    {
+        _S349 = - _S345;
     }
     SurfacePoint_0 point_2;
-    point_2.hole_4 = _S345.shown_3.hole_0;
-    point_2.is_warp_2 = _S345.shown_3.is_warp_0;
-    point_2.warp_thread_0 = _S345.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S345.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S345.height_5;
-    point_2.normal_5 = normalize(vec3(- _S345.slope_x_1, - _S345.slope_y_1, 1.0));
-    vec3 _S360;
-    if(_S345.shown_3.is_warp_0)
+    point_2.hole_4 = _S348.shown_3.hole_0;
+    point_2.is_warp_2 = _S348.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S348.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S348.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S348.height_5;
+    point_2.normal_5 = normalize(vec3(- _S348.slope_x_1, - _S348.slope_y_1, 1.0));
+    vec3 _S363;
+    if(_S348.shown_3.is_warp_0)
     {
-        _S360 = vec3(_S355, _S356, _S357);
+        _S363 = vec3(_S358, _S359, _S360);
     }
     else
     {
-        _S360 = vec3(- _S356, _S355, _S357);
+        _S363 = vec3(- _S359, _S358, _S360);
     }
-    point_2.tangent_5 = normalize(_S360);
-    point_2.across_2 = _S345.section_1.across_1;
-    point_2.fibre_across_0 = _S359 * _S351.twist_cosine_0 + _S346 * _S350;
-    point_2.fibre_along_0 = _S346 * _S351.twist_cosine_0 - _S359 * _S350;
+    point_2.tangent_5 = normalize(_S363);
+    point_2.across_2 = _S348.section_1.across_1;
+    point_2.fibre_across_0 = _S362 * _S354.twist_cosine_0 + _S349 * _S353;
+    point_2.fibre_along_0 = _S349 * _S354.twist_cosine_0 - _S362 * _S353;
     return point_2;
 }
 
-Albedos_0 vary_albedos_0(uint _S361, Albedos_0 _S362, uint _S363, uint _S364)
+Albedos_0 vary_albedos_0(uint _S364, Albedos_0 _S365, uint _S366, uint _S367)
 {
-    vec3 _S365 = max(_S362.specular_reflect_0, _S362.specular_transmit_0);
-    vec3 _S366 = _S362.diffuse_reflect_0 + _S362.diffuse_transmit_0;
-    float _S367 = bounded_gain_0(thread_gain_0(_S363, fabrics_0._data[uint(_S361)].colour_noise_0, fabrics_0._data[uint(_S361)].seed_0), _S366, 1.0 - fabrics_0._data[uint(_S361)].layer_bound_0 * _S365);
-    float _S368 = bounded_gain_0(fibre_gain_0(_S363, _S364, fabrics_0._data[uint(_S361)].fibre_noise_0, fabrics_0._data[uint(_S361)].seed_0), _S365, min((1.0 - _S367 * _S366) / fabrics_0._data[uint(_S361)].layer_bound_0, vec3(1.0)));
+    vec3 _S368 = max(_S365.specular_reflect_0, _S365.specular_transmit_0);
+    vec3 _S369 = _S365.diffuse_reflect_0 + _S365.diffuse_transmit_0;
+    float _S370 = bounded_gain_0(thread_gain_0(_S366, fabrics_0._data[uint(_S364)].colour_noise_0, fabrics_0._data[uint(_S364)].seed_0), _S369, 1.0 - fabrics_0._data[uint(_S364)].layer_bound_0 * _S368);
+    float _S371 = bounded_gain_0(fibre_gain_0(_S366, _S367, fabrics_0._data[uint(_S364)].fibre_noise_0, fabrics_0._data[uint(_S364)].seed_0), _S368, min((1.0 - _S370 * _S369) / fabrics_0._data[uint(_S364)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S367 * _S362.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S367 * _S362.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S368 * _S362.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S368 * _S362.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S370 * _S365.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S370 * _S365.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S371 * _S365.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S371 * _S365.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S369, SurfacePoint_0 _S370, Albedos_0 _S371, float _S372, float _S373)
+Albedos_0 varied_at_0(uint _S372, SurfacePoint_0 _S373, Albedos_0 _S374, float _S375, float _S376)
 {
-    float _S374;
-    if(_S370.is_warp_2)
+    float _S377;
+    if(_S373.is_warp_2)
     {
-        _S374 = _S372;
+        _S377 = _S375;
     }
     else
     {
-        _S374 = _S373;
+        _S377 = _S376;
     }
-    float _S375 = _S374 - _S370.across_2;
-    uint _S376;
-    if(_S370.is_warp_2)
+    float _S378 = _S377 - _S373.across_2;
+    uint _S379;
+    if(_S373.is_warp_2)
     {
-        _S376 = fabrics_0._data[uint(_S369)].warp_0;
+        _S379 = fabrics_0._data[uint(_S372)].warp_0;
     }
     else
     {
-        _S376 = fabrics_0._data[uint(_S369)].weft_0;
+        _S379 = fabrics_0._data[uint(_S372)].weft_0;
     }
-    Family_0 _S377 = families_0._data[uint(_S376)];
-    int _S378 = int(families_0._data[uint(_S376)].count_0);
-    if(_S370.is_warp_2)
+    Family_0 _S380 = families_0._data[uint(_S379)];
+    int _S381 = int(families_0._data[uint(_S379)].count_0);
+    if(_S373.is_warp_2)
     {
-        _S376 = _S370.warp_thread_0;
+        _S379 = _S373.warp_thread_0;
     }
     else
     {
-        _S376 = _S370.weft_thread_0;
+        _S379 = _S373.weft_thread_0;
     }
-    uint _S379 = uint(int(floor(_S375 / _S377.period_0)) * _S378 + int(_S376)) * 2U;
-    if(_S370.is_warp_2)
+    uint _S382 = uint(int(floor(_S378 / _S380.period_0)) * _S381 + int(_S379)) * 2U;
+    if(_S373.is_warp_2)
     {
-        _S376 = 1U;
+        _S379 = 1U;
     }
     else
     {
-        _S376 = 0U;
+        _S379 = 0U;
     }
-    float _S380 = floor(_S370.fibre_across_0 / fabrics_0._data[uint(_S369)].fibre_size_0);
-    return vary_albedos_0(_S369, _S371, _S379 + _S376, uint(int(_S380)) * 65536U + uint(int(floor(_S370.fibre_along_0 / (fabrics_0._data[uint(_S369)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S380))));
+    float _S383 = floor(_S373.fibre_across_0 / fabrics_0._data[uint(_S372)].fibre_size_0);
+    return vary_albedos_0(_S372, _S374, _S382 + _S379, uint(int(_S383)) * 65536U + uint(int(floor(_S373.fibre_along_0 / (fabrics_0._data[uint(_S372)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S383))));
 }
 
-YarnPoint_0 yarn_point_at_0(uint _S381, float _S382, float _S383, bool _S384, bool _S385)
+YarnPoint_0 yarn_point_of_0(uint _S384, SurfacePoint_0 _S385, float _S386, float _S387, bool _S388, bool _S389)
 {
-    SurfacePoint_0 _S386 = surface_at_0(_S381, _S382, _S383, _S384);
-    uint _S387;
-    if(_S386.is_warp_2)
+    uint _S390;
+    if(_S385.is_warp_2)
     {
-        _S387 = fabrics_0._data[uint(_S381)].warp_0;
+        _S390 = fabrics_0._data[uint(_S384)].warp_0;
     }
     else
     {
-        _S387 = fabrics_0._data[uint(_S381)].weft_0;
+        _S390 = fabrics_0._data[uint(_S384)].weft_0;
     }
-    uint _S388;
-    if(_S386.is_warp_2)
+    uint _S391;
+    if(_S385.is_warp_2)
     {
-        _S388 = _S386.warp_thread_0;
-    }
-    else
-    {
-        _S388 = _S386.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S387, _S388);
-    bool _S389;
-    if((fabrics_0._data[uint(_S381)].fibre_noise_0) > 0.0)
-    {
-        _S389 = true;
+        _S391 = _S385.warp_thread_0;
     }
     else
     {
-        _S389 = (fabrics_0._data[uint(_S381)].colour_noise_0) > 0.0;
+        _S391 = _S385.weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S390, _S391);
+    bool _S392;
+    if((fabrics_0._data[uint(_S384)].fibre_noise_0) > 0.0)
+    {
+        _S392 = true;
+    }
+    else
+    {
+        _S392 = (fabrics_0._data[uint(_S384)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_3;
-    if(_S389)
+    if(_S392)
     {
-        albedos_3 = varied_at_0(_S381, _S386, albedos_2, _S382, _S383);
+        albedos_3 = varied_at_0(_S384, _S385, albedos_2, _S386, _S387);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_3;
-    point_3.back_2 = _S384;
-    point_3.hole_2 = _S385;
-    point_3.is_warp_1 = _S386.is_warp_2;
-    point_3.x_9 = _S382;
-    point_3.y_5 = _S383;
-    point_3.height_3 = _S386.height_9;
-    point_3.normal_4 = _S386.normal_5;
-    point_3.tangent_4 = _S386.tangent_5;
-    point_3.roughness_8 = families_0._data[uint(_S387)].roughness_0;
+    point_3.back_2 = _S388;
+    point_3.hole_2 = _S389;
+    point_3.is_warp_1 = _S385.is_warp_2;
+    point_3.x_9 = _S386;
+    point_3.y_5 = _S387;
+    point_3.height_3 = _S385.height_9;
+    point_3.normal_4 = _S385.normal_5;
+    point_3.tangent_4 = _S385.tangent_5;
+    point_3.roughness_8 = families_0._data[uint(_S390)].roughness_0;
     point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S390, SearchQuality_0 _S391, float _S392, float _S393, vec3 _S394)
+YarnPoint_0 locate_yarn_0(uint _S393, SearchQuality_0 _S394, float _S395, float _S396, vec3 _S397)
 {
-    bool _S395 = (_S394.z) < 0.0;
-    Hit_0 _S396 = first_hit_0(_S390, _S391, _S392, _S393, to_face_frame_0(_S394, _S395), _S395);
-    return yarn_point_at_0(_S390, _S396.x_10, _S396.y_6, _S395, _S396.hole_3);
+    bool _S398 = (_S397.z) < 0.0;
+    Hit_0 _S399 = first_hit_0(_S393, _S394, _S395, _S396, to_face_frame_0(_S397, _S398), _S398);
+    return yarn_point_of_0(_S393, surface_at_0(_S393, _S399.x_10, _S399.y_6, _S398), _S399.x_10, _S399.y_6, _S398, _S399.hole_3);
 }
 
-vec3 scattered_0(uint _S397, YarnPoint_0 _S398, vec3 _S399, vec3 _S400)
+vec3 scattered_0(uint _S400, YarnPoint_0 _S401, vec3 _S402, vec3 _S403)
 {
-    const vec3 _S401 = vec3(0.0);
-    bool _S402 = !_S398.hole_2;
-    bool _S403;
-    if(_S402)
+    const vec3 _S404 = vec3(0.0);
+    bool _S405 = !_S401.hole_2;
+    bool _S406;
+    if(_S405)
     {
-        _S403 = (_S399.z) > 0.0;
+        _S406 = (_S402.z) > 0.0;
     }
     else
     {
-        _S403 = false;
+        _S406 = false;
     }
     vec3 value_1;
-    if(_S403)
+    if(_S406)
     {
-        value_1 = _S398.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S399, _S398.normal_4, fabrics_0._data[uint(_S397)].diffuse_blend_0) + _S398.albedos_1.specular_reflect_0 * reflection_0(_S399, _S400, _S398.normal_4, _S398.tangent_4, _S398.roughness_8, fabrics_0._data[uint(_S397)].optical_depth_0);
+        value_1 = _S401.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S402, _S401.normal_4, fabrics_0._data[uint(_S400)].diffuse_blend_0) + _S401.albedos_1.specular_reflect_0 * reflection_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0._data[uint(_S400)].optical_depth_0);
     }
     else
     {
-        if(_S402)
+        if(_S405)
         {
-            _S403 = (_S399.z) < 0.0;
+            _S406 = (_S402.z) < 0.0;
         }
         else
         {
-            _S403 = false;
+            _S406 = false;
         }
-        if(_S403)
+        if(_S406)
         {
-            value_1 = _S398.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S399, _S398.normal_4, fabrics_0._data[uint(_S397)].diffuse_blend_0) + _S398.albedos_1.specular_transmit_0 * transmission_0(_S399, _S400, _S398.normal_4, _S398.tangent_4, _S398.roughness_8, fabrics_0._data[uint(_S397)].optical_depth_0);
+            value_1 = _S401.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S402, _S401.normal_4, fabrics_0._data[uint(_S400)].diffuse_blend_0) + _S401.albedos_1.specular_transmit_0 * transmission_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0._data[uint(_S400)].optical_depth_0);
         }
         else
         {
-            value_1 = _S401;
+            value_1 = _S404;
         }
     }
-    float _S404 = fabrics_0._data[uint(_S397)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S397)].sheen_strength_0) <= 0.0)
+    float _S407 = fabrics_0._data[uint(_S400)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S400)].sheen_strength_0) <= 0.0)
     {
         return value_1;
     }
-    vec2 _S405 = sheen_with_transmittance_0(_S399, _S400, _S404, fabrics_0._data[uint(_S397)].sheen_roughness_0);
-    return _S405.y * value_1 + _S405.x;
+    vec2 _S408 = sheen_with_transmittance_0(_S402, _S403, _S407, fabrics_0._data[uint(_S400)].sheen_roughness_0);
+    return _S408.y * value_1 + _S408.x;
 }
 
-bool unoccluded_0(uint _S406, SearchQuality_0 _S407, float _S408, float _S409, float _S410, vec3 _S411, bool _S412)
+bool unoccluded_0(uint _S409, SearchQuality_0 _S410, float _S411, float _S412, float _S413, vec3 _S414, bool _S415)
 {
-    if((_S411.z) <= 0.0)
+    if((_S414.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S406, _S407, vec3(_S408, _S409, _S410 + fabrics_0._data[uint(_S406)].lift_0), _S411, _S412, max_height_along_0(_S406, _S408, _S409, _S410, _S411, _S412));
+    return is_free_0(_S409, _S410, vec3(_S411, _S412, _S413 + fabrics_0._data[uint(_S409)].lift_0), _S414, _S415, max_height_along_0(_S409, _S411, _S412, _S413, _S414, _S415));
 }
 
-bool is_lit_0(uint _S413, SearchQuality_0 _S414, YarnPoint_0 _S415, vec3 _S416)
+bool is_lit_0(uint _S416, SearchQuality_0 _S417, YarnPoint_0 _S418, vec3 _S419)
 {
-    if(_S415.hole_2)
+    if(_S418.hole_2)
     {
         return true;
     }
-    vec3 _S417 = to_face_frame_0(_S416, _S415.back_2);
-    float _S418 = _S417.z;
-    bool _S419 = _S418 < 0.0;
+    vec3 _S420 = to_face_frame_0(_S419, _S418.back_2);
+    float _S421 = _S420.z;
+    bool _S422 = _S421 < 0.0;
     vec3 normal_6;
     float height_10;
-    if(_S419)
+    if(_S422)
     {
-        SurfacePoint_0 _S420 = surface_at_0(_S413, _S415.x_9, _S415.y_5, !_S415.back_2);
-        normal_6 = _S420.normal_5;
-        height_10 = _S420.height_9;
+        SurfacePoint_0 _S423 = surface_at_0(_S416, _S418.x_9, _S418.y_5, !_S418.back_2);
+        normal_6 = _S423.normal_5;
+        height_10 = _S423.height_9;
     }
     else
     {
-        normal_6 = _S415.normal_4;
-        height_10 = _S415.height_3;
+        normal_6 = _S418.normal_4;
+        height_10 = _S418.height_3;
     }
-    vec3 _S421 = vec3(_S417.xy, abs(_S418));
-    if((dot(normal_6, _S421)) <= 0.0)
+    vec3 _S424 = vec3(_S420.xy, abs(_S421));
+    if((dot(normal_6, _S424)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S413, _S414, _S415.x_9, _S415.y_5, height_10, _S421, (_S415.back_2) != _S419);
+    return unoccluded_0(_S416, _S417, _S418.x_9, _S418.y_5, height_10, _S424, (_S418.back_2) != _S422);
 }
 
-vec3 evaluate_0(uint _S422, SearchQuality_0 _S423, YarnPoint_0 _S424, vec3 _S425, vec3 _S426)
+vec3 evaluate_0(uint _S425, SearchQuality_0 _S426, YarnPoint_0 _S427, vec3 _S428, vec3 _S429)
 {
-    vec3 _S427 = scattered_0(_S422, _S424, to_face_frame_0(_S425, _S424.back_2), to_face_frame_0(_S426, _S424.back_2));
-    bool _S428;
-    if((max(_S427.x, max(_S427.y, _S427.z))) <= 0.0)
+    vec3 _S430 = scattered_0(_S425, _S427, to_face_frame_0(_S428, _S427.back_2), to_face_frame_0(_S429, _S427.back_2));
+    bool _S431;
+    if((max(_S430.x, max(_S430.y, _S430.z))) <= 0.0)
     {
-        _S428 = true;
+        _S431 = true;
     }
     else
     {
-        _S428 = !is_lit_0(_S422, _S423, _S424, _S425);
+        _S431 = !is_lit_0(_S425, _S426, _S427, _S428);
     }
-    if(_S428)
+    if(_S431)
     {
         return vec3(0.0);
     }
-    return _S427;
+    return _S430;
 }
 
-float straight_through_0(uint _S429, YarnPoint_0 _S430, vec3 _S431)
+float straight_through_0(uint _S432, YarnPoint_0 _S433, vec3 _S434)
 {
-    if(!_S430.hole_2)
+    if(!_S433.hole_2)
     {
         return 0.0;
     }
-    float _S432 = fabrics_0._data[uint(_S429)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S429)].sheen_strength_0) <= 0.0)
+    float _S435 = fabrics_0._data[uint(_S432)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S432)].sheen_strength_0) <= 0.0)
     {
         return 1.0;
     }
-    return 1.0 - _S432 * sheen_lobe_0(abs(_S431.z), fabrics_0._data[uint(_S429)].sheen_roughness_0).z;
+    return 1.0 - _S435 * sheen_lobe_0(abs(_S434.z), fabrics_0._data[uint(_S432)].sheen_roughness_0).z;
 }
 
-vec4 direct_light_0(Frame_0 _S433, uint _S434, VisiblePoint_0 _S435, vec2 _S436)
+vec4 light_of_point_0(Frame_0 _S436, uint _S437, VisiblePoint_0 _S438, vec2 _S439)
 {
-    SearchQuality_0 _S437 = default_quality_0();
-    vec3 _S438 = to_local_0(_S435, _S435.view_0);
-    YarnPoint_0 _S439 = locate_yarn_0(_S434, _S437, _S436.x, _S436.y, _S438);
-    const vec3 _S440 = vec3(0.0);
+    SearchQuality_0 _S440 = default_quality_0();
+    vec3 _S441 = to_local_0(_S438, _S438.view_0);
+    YarnPoint_0 _S442 = locate_yarn_0(_S437, _S440, _S439.x, _S439.y, _S441);
+    const vec3 _S443 = vec3(0.0);
     uint number_1 = 0U;
-    vec3 radiance_1 = _S440;
+    vec3 radiance_1 = _S443;
     for(;;)
     {
-        if(number_1 < (_S433.lights_0))
+        if(number_1 < (_S436.lights_0))
         {
         }
         else
@@ -2519,70 +2540,66 @@ vec4 direct_light_0(Frame_0 _S433, uint _S434, VisiblePoint_0 _S435, vec2 _S436)
             break;
         }
         vec3 irradiance_2;
-        vec3 _S441 = towards_light_0(lights_1._data[uint(number_1)], _S435.position_0, irradiance_2);
-        vec3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S434, _S437, _S439, to_local_0(_S435, _S441), _S438);
+        vec3 _S444 = towards_light_0(lights_1._data[uint(number_1)], _S438.position_0, irradiance_2);
+        vec3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S437, _S440, _S442, to_local_0(_S438, _S444), _S441);
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    return vec4(radiance_1, 1.0 - straight_through_0(_S434, _S439, _S438));
+    return vec4(radiance_1, 1.0 - straight_through_0(_S437, _S442, _S441));
 }
 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S442;
-    Frame_0 _S443 = frames_0._data[uint(0)];
-    bool _S444;
-    if((gl_GlobalInvocationID.x) >= (_S443.width_0))
+    uint _S445;
+    Frame_0 _S446 = frames_0._data[uint(0)];
+    bool _S447;
+    if((gl_GlobalInvocationID.x) >= (_S446.width_0))
     {
-        _S444 = true;
+        _S447 = true;
     }
     else
     {
-        _S444 = (gl_GlobalInvocationID.y) >= (_S443.height_0);
+        _S447 = (gl_GlobalInvocationID.y) >= (_S446.height_0);
     }
-    if(_S444)
+    if(_S447)
     {
         return;
     }
-    uvec2 _S445 = gl_GlobalInvocationID.xy;
-    uint _S446 = _S445.y * _S443.width_0 + _S445.x;
-    ivec3 _S447 = ivec3(ivec2(_S445), 0);
-    uint _S448 = (texelFetch((visible_faces_0), ((_S447)).xy, ((_S447)).z).x);
-    vec4 sum_0 = vec4(0.0);
-    if(_S448 > 0U)
+    uvec2 _S448 = gl_GlobalInvocationID.xy;
+    ivec3 _S449 = ivec3(ivec2(_S448), 0);
+    uint _S450 = (texelFetch((visible_faces_0), ((_S449)).xy, ((_S449)).z).x);
+    const vec4 _S451 = vec4(0.0);
+    vec4 sum_0;
+    if(_S450 > 0U)
     {
-        uint _S449 = _S448 - 1U;
-        uint _S450 = face_fabrics_0._data[uint(_S449)];
-        VisiblePoint_0 _S451 = visible_point_0(_S443, _S450, _S449, _S445);
+        uint _S452 = _S450 - 1U;
+        uint _S453 = face_fabrics_0._data[uint(_S452)];
+        VisiblePoint_0 _S454 = visible_point_0(_S446, _S453, _S452, _S448);
         uint k_0 = 0U;
+        sum_0 = _S451;
         for(;;)
         {
-            _S442 = _S443.samples_0;
-            if(k_0 < (_S443.samples_0))
+            _S445 = _S446.samples_0;
+            if(k_0 < (_S446.samples_0))
             {
             }
             else
             {
                 break;
             }
-            vec2 _S452 = footprint_sample_0(_S445, _S443.pass_number_0 * _S443.samples_0 + k_0);
-            sum_0 = sum_0 + direct_light_0(_S443, _S450, _S451, _S451.draft_0 + _S452.x * _S451.draft_dx_0 + _S452.y * _S451.draft_dy_0);
+            vec2 _S455 = footprint_sample_0(_S448, _S446.pass_number_0 * _S446.samples_0 + k_0);
+            vec4 sum_1 = sum_0 + light_of_point_0(_S446, _S453, _S454, _S454.draft_0 + _S455.x * _S454.draft_dx_0 + _S455.y * _S454.draft_dy_0);
             k_0 = k_0 + 1U;
+            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / float(_S442);
-    }
-    sum_0.xyz = sum_0.xyz + (1.0 - sum_0.w) * vec3(_S443.background_red_0, _S443.background_green_0, _S443.background_blue_0);
-    vec4 _S453;
-    if((_S443.pass_number_0) == 0U)
-    {
-        _S453 = sum_0;
+        sum_0 = sum_0 / float(_S445);
     }
     else
     {
-        _S453 = radiance_0._data[uint(_S446)] + sum_0;
+        sum_0 = _S451;
     }
-    radiance_0._data[uint(_S446)] = _S453;
+    accumulate_0(_S446, _S448, sum_0);
     return;
 }
 

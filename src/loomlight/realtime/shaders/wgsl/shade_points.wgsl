@@ -1103,15 +1103,19 @@ struct Albedos_0
      specular_transmit_0 : vec3<f32>,
 };
 
+fn table_albedos_0( row_0 : u32) -> Albedos_0
+{
+    var albedos_0 : Albedos_0;
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_0);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_0 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(row_0 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(row_0 + u32(9));
+    return albedos_0;
+}
+
 fn albedos_of_0( family_8 : u32,  thread_8 : u32) -> Albedos_0
 {
-    var _S92 : u32 = families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_8;
-    var albedos_0 : Albedos_0;
-    albedos_0.diffuse_reflect_0 = table_colour_0(_S92);
-    albedos_0.diffuse_transmit_0 = table_colour_0(_S92 + u32(3));
-    albedos_0.specular_reflect_0 = table_colour_0(_S92 + u32(6));
-    albedos_0.specular_transmit_0 = table_colour_0(_S92 + u32(9));
-    return albedos_0;
+    return table_albedos_0(families_0[family_8].albedo_table_0 + families_0[family_8].albedo_stride_0 * thread_8);
 }
 
 fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
@@ -1121,15 +1125,15 @@ fn thread_gain_0( thread_9 : u32,  amount_0 : f32,  seed_1 : u32) -> f32
 
 fn bounded_gain_0( gain_1 : f32,  albedo_0 : vec3<f32>,  room_0 : vec3<f32>) -> f32
 {
-    var _S93 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
-    return min(gain_1, max(min(min(_S93.x, _S93.y), _S93.z), 0.0f));
+    var _S92 : vec3<f32> = room_0 / max(albedo_0, vec3<f32>(9.99999997475242708e-07f));
+    return min(gain_1, max(min(min(_S92.x, _S92.y), _S92.z), 0.0f));
 }
 
 fn natural_logarithm_0( x_5 : f32) -> f32
 {
-    var _S94 : u32 = (bitcast<u32>((x_5)));
-    var exponent_0 : f32 = f32(i32((_S94 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S94 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S93 : u32 = (bitcast<u32>((x_5)));
+    var exponent_0 : f32 = f32(i32((_S93 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S93 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1144,8 +1148,8 @@ fn natural_logarithm_0( x_5 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S95 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S95 - exponent_1 * 0.00021219444170129f - 0.5f * _S95) + exponent_1 * 0.693359375f;
+    var _S94 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S94 - exponent_1 * 0.00021219444170129f - 0.5f * _S94) + exponent_1 * 0.693359375f;
 }
 
 fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32) -> f32
@@ -1156,49 +1160,49 @@ fn fibre_gain_0( thread_10 : u32,  cell_6 : u32,  amount_1 : f32,  seed_2 : u32)
 fn towards_light_0( light_0 : ptr<function, Light_std430_0>,  position_4 : vec3<f32>,  irradiance_1 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
     (*irradiance_1) = vec3<f32>((*light_0).red_0, (*light_0).green_0, (*light_0).blue_0);
-    var _S96 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
+    var _S95 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
     if(((*light_0).is_point_0) == u32(0))
     {
-        return _S96;
+        return _S95;
     }
-    var _S97 : vec3<f32> = _S96 - position_4;
-    (*irradiance_1) = (*irradiance_1) / vec3<f32>(max(square_0(_S97), 9.999999960041972e-13f));
-    return normalize(_S97);
+    var _S96 : vec3<f32> = _S95 - position_4;
+    (*irradiance_1) = (*irradiance_1) / vec3<f32>(max(square_0(_S96), 9.999999960041972e-13f));
+    return normalize(_S96);
 }
 
 fn diffuse_reflection_0( light_1 : vec3<f32>,  normal_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S98 : f32 = light_1.z;
-    if(_S98 <= 0.0f)
+    var _S97 : f32 = light_1.z;
+    if(_S97 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * mix(max(_S98, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
+    return 0.31830987334251404f * mix(max(_S97, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
 }
 
 fn projected_area_1( direction_3 : vec3<f32>,  tangent_0 : vec3<f32>,  roughness_1 : f32) -> f32
 {
-    var _S99 : f32 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S99 * _S99 + 1.0f, roughness_1 * roughness_1));
+    var _S98 : f32 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S98 * _S98 + 1.0f, roughness_1 * roughness_1));
 }
 
 fn exponential_0( x_6 : f32) -> f32
 {
-    var _S100 : f32 = clamp(x_6, -87.0f, 88.0f);
-    var _S101 : f32 = floor(_S100 * 1.4426950216293335f + 0.5f);
-    var _S102 : f32 = _S100 - _S101 * 0.693359375f + _S101 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S102 + 0.00139819993637502f) * _S102 + 0.00833345204591751f) * _S102 + 0.04166579619050026f) * _S102 + 0.1666666567325592f) * _S102 + 0.5f;
-    var _S103 : f32 = (bitcast<f32>(((u32(i32(_S101) + i32(127)) << (u32(23))))));
-    var _S104 : f32;
+    var _S99 : f32 = clamp(x_6, -87.0f, 88.0f);
+    var _S100 : f32 = floor(_S99 * 1.4426950216293335f + 0.5f);
+    var _S101 : f32 = _S99 - _S100 * 0.693359375f + _S100 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S101 + 0.00139819993637502f) * _S101 + 0.00833345204591751f) * _S101 + 0.04166579619050026f) * _S101 + 0.1666666567325592f) * _S101 + 0.5f;
+    var _S102 : f32 = (bitcast<f32>(((u32(i32(_S100) + i32(127)) << (u32(23))))));
+    var _S103 : f32;
     if(x_6 < -87.0f)
     {
-        _S104 = 0.0f;
+        _S103 = 0.0f;
     }
     else
     {
-        _S104 = (p_0 * _S102 * _S102 + _S102 + 1.0f) * _S103;
+        _S103 = (p_0 * _S101 * _S101 + _S101 + 1.0f) * _S102;
     }
-    return _S104;
+    return _S103;
 }
 
 fn mean_attenuation_0( depth_0 : f32) -> f32
@@ -1212,62 +1216,62 @@ fn mean_attenuation_0( depth_0 : f32) -> f32
 
 fn flake_density_0( squared_along_0 : f32,  roughness_2 : f32) -> f32
 {
-    var _S105 : f32 = roughness_2 * roughness_2;
-    var _S106 : f32 = squared_along_0 * (1.0f - _S105) + _S105;
-    return 0.31830987334251404f * _S105 * roughness_2 / (_S106 * _S106);
+    var _S104 : f32 = roughness_2 * roughness_2;
+    var _S105 : f32 = squared_along_0 * (1.0f - _S104) + _S104;
+    return 0.31830987334251404f * _S104 * roughness_2 / (_S105 * _S105);
 }
 
 fn density_between_0( light_2 : vec3<f32>,  view_1 : vec3<f32>,  tangent_1 : vec3<f32>,  roughness_3 : f32) -> f32
 {
-    var _S107 : vec3<f32> = light_2 + view_1;
-    var _S108 : f32 = dot(_S107, tangent_1);
-    return flake_density_0(min(_S108 * _S108 / max(square_0(_S107), 9.999999960041972e-13f), 1.0f), roughness_3);
+    var _S106 : vec3<f32> = light_2 + view_1;
+    var _S107 : f32 = dot(_S106, tangent_1);
+    return flake_density_0(min(_S107 * _S107 / max(square_0(_S106), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
 fn reflection_0( light_3 : vec3<f32>,  view_2 : vec3<f32>,  normal_2 : vec3<f32>,  tangent_2 : vec3<f32>,  roughness_4 : f32,  optical_depth_1 : f32) -> f32
 {
-    var _S109 : f32 = dot(light_3, normal_2);
-    var _S110 : bool;
-    if(_S109 <= 0.0f)
+    var _S108 : f32 = dot(light_3, normal_2);
+    var _S109 : bool;
+    if(_S108 <= 0.0f)
     {
-        _S110 = true;
+        _S109 = true;
     }
     else
     {
-        _S110 = (dot(view_2, normal_2)) <= 0.0f;
+        _S109 = (dot(view_2, normal_2)) <= 0.0f;
     }
-    if(_S110)
+    if(_S109)
     {
         return 0.0f;
     }
-    var _S111 : f32 = max(_S109, 9.99999997475242708e-07f);
-    var _S112 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
-    var _S113 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S112 + projected_area_1(view_2, tangent_2, roughness_4) * _S111;
-    var _S114 : f32 = optical_depth_1 * _S113 / (_S111 * _S112);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S114 * mean_attenuation_0(_S114)) * _S111 / _S113;
+    var _S110 : f32 = max(_S108, 9.99999997475242708e-07f);
+    var _S111 : f32 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
+    var _S112 : f32 = projected_area_1(light_3, tangent_2, roughness_4) * _S111 + projected_area_1(view_2, tangent_2, roughness_4) * _S110;
+    var _S113 : f32 = optical_depth_1 * _S112 / (_S110 * _S111);
+    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S113 * mean_attenuation_0(_S113)) * _S110 / _S112;
 }
 
 fn transmission_0( light_4 : vec3<f32>,  view_3 : vec3<f32>,  normal_3 : vec3<f32>,  tangent_3 : vec3<f32>,  roughness_5 : f32,  optical_depth_2 : f32) -> f32
 {
-    var _S115 : f32 = - dot(light_4, normal_3);
-    var _S116 : f32 = dot(view_3, normal_3);
-    var _S117 : bool;
-    if(_S115 <= 0.0f)
+    var _S114 : f32 = - dot(light_4, normal_3);
+    var _S115 : f32 = dot(view_3, normal_3);
+    var _S116 : bool;
+    if(_S114 <= 0.0f)
     {
-        _S117 = true;
+        _S116 = true;
     }
     else
     {
-        _S117 = _S116 <= 0.0f;
+        _S116 = _S115 <= 0.0f;
     }
-    if(_S117)
+    if(_S116)
     {
         return 0.0f;
     }
-    var _S118 : f32 = 1.0f / max(_S116, 9.99999997475242708e-07f);
-    var _S119 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S115, 9.99999997475242708e-07f);
-    var _S120 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S118;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S119, _S120)) * mean_attenuation_0(optical_depth_2 * abs(_S119 - _S120)) * _S118;
+    var _S117 : f32 = 1.0f / max(_S115, 9.99999997475242708e-07f);
+    var _S118 : f32 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S114, 9.99999997475242708e-07f);
+    var _S119 : f32 = projected_area_1(view_3, tangent_3, roughness_5) * _S117;
+    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S118, _S119)) * mean_attenuation_0(optical_depth_2 * abs(_S118 - _S119)) * _S117;
 }
 
 fn sheen_scale_0( x_7 : f32,  y_2 : f32) -> f32
@@ -1287,153 +1291,171 @@ fn sheen_reflectance_0( x_9 : f32,  y_4 : f32) -> f32
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_6 : f32) -> vec3<f32>
 {
-    var _S121 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S122 : f32 = 2.0f * sqrt(_S121) - 1.0f;
-    var _S123 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S122, _S123), 0.00999999977648258f, 1.0f), clamp((1.0f - _S121) * sheen_shear_0(_S122, _S123), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S122, _S123), -60.0f, 60.0f))));
+    var _S120 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S121 : f32 = 2.0f * sqrt(_S120) - 1.0f;
+    var _S122 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S121, _S122), 0.00999999977648258f, 1.0f), clamp((1.0f - _S120) * sheen_shear_0(_S121, _S122), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S121, _S122), -60.0f, 60.0f))));
 }
 
 fn transformed_cosine_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  scale_0 : f32,  shear_0 : f32) -> f32
 {
-    var _S124 : f32 = light_5.z;
-    var _S125 : bool;
-    if(_S124 <= 0.0f)
+    var _S123 : f32 = light_5.z;
+    var _S124 : bool;
+    if(_S123 <= 0.0f)
     {
-        _S125 = true;
+        _S124 = true;
     }
     else
     {
-        _S125 = (view_4.z) <= 0.0f;
+        _S124 = (view_4.z) <= 0.0f;
     }
-    if(_S125)
+    if(_S124)
     {
         return 0.0f;
     }
-    var _S126 : vec2<f32> = view_4.xy;
-    var _S127 : f32 = dot(_S126, _S126);
-    var _S128 : vec2<f32>;
-    if(_S127 > 9.99999968265522539e-21f)
+    var _S125 : vec2<f32> = view_4.xy;
+    var _S126 : f32 = dot(_S125, _S125);
+    var _S127 : vec2<f32>;
+    if(_S126 > 9.99999968265522539e-21f)
     {
-        _S128 = _S126 * vec2<f32>(rsqrt_0(_S127));
+        _S127 = _S125 * vec2<f32>(rsqrt_0(_S126));
     }
     else
     {
-        _S128 = vec2<f32>(1.0f, 0.0f);
+        _S127 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S129 : f32 = scale_0 * dot(light_5.xy, _S128) + shear_0 * _S124;
-    var _S130 : f32 = scale_0 * (light_5.y * _S128.x - light_5.x * _S128.y);
-    var _S131 : f32 = _S129 * _S129 + _S130 * _S130 + _S124 * _S124;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S124 / max(_S131 * _S131, 9.99999968265522539e-21f);
+    var _S128 : f32 = scale_0 * dot(light_5.xy, _S127) + shear_0 * _S123;
+    var _S129 : f32 = scale_0 * (light_5.y * _S127.x - light_5.x * _S127.y);
+    var _S130 : f32 = _S128 * _S128 + _S129 * _S129 + _S123 * _S123;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S123 / max(_S130 * _S130, 9.99999968265522539e-21f);
 }
 
 fn sheen_with_transmittance_0( light_6 : vec3<f32>,  view_5 : vec3<f32>,  strength_0 : f32,  roughness_7 : f32) -> vec2<f32>
 {
-    var _S132 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
-    var _S133 : f32 = strength_0 * _S132.z;
-    return vec2<f32>(_S133 * transformed_cosine_0(light_6, view_5, _S132.x, _S132.y), 1.0f - _S133);
+    var _S131 : vec3<f32> = sheen_lobe_0(view_5.z, roughness_7);
+    var _S132 : f32 = strength_0 * _S131.z;
+    return vec2<f32>(_S132 * transformed_cosine_0(light_6, view_5, _S131.x, _S131.y), 1.0f - _S132);
 }
 
-fn visible_point_0( _S134 : ptr<function, Frame_std430_0>,  _S135 : u32,  _S136 : u32,  _S137 : vec2<u32>) -> VisiblePoint_0
+fn accumulate_0( frame_4 : ptr<function, Frame_std430_0>,  pixel_1 : vec2<u32>,  light_7 : vec4<f32>)
 {
-    var _S138 : u32 = u32(3) * _S136;
-    var _S139 : Vertex_std430_0 = vertices_0[corners_0[_S138]];
-    var _S140 : Vertex_std430_0 = vertices_0[corners_0[_S138 + u32(1)]];
-    var _S141 : Vertex_std430_0 = vertices_0[corners_0[_S138 + u32(2)]];
-    var _S142 : vec3<f32> = position_of_0(&(_S140));
-    var _S143 : vec3<f32> = position_of_0(&(_S139));
-    var _S144 : vec3<f32> = _S142 - _S143;
-    var _S145 : vec3<f32> = position_of_0(&(_S141));
-    var _S146 : vec3<f32> = _S145 - _S143;
-    var _S147 : vec3<f32> = cross(_S144, _S146);
-    var _S148 : f32 = 1.0f / max(square_0(_S147), 1.00000000317107685e-30f);
-    var _S149 : vec3<f32> = camera_right_0(&((*_S134)));
-    var _S150 : f32 = f32((*_S134).width_0);
-    var _S151 : vec3<f32> = _S149 * vec3<f32>((2.0f / _S150));
-    var _S152 : vec3<f32> = camera_up_0(&((*_S134)));
-    var _S153 : f32 = f32((*_S134).height_0);
-    var _S154 : vec3<f32> = _S152 * vec3<f32>((-2.0f / _S153));
-    var _S155 : f32 = f32(_S137.x) + 0.5f - 0.5f * _S150;
-    var _S156 : f32 = f32(_S137.y) + 0.5f - 0.5f * _S153;
-    var _S157 : vec3<f32> = camera_forward_0(&((*_S134)));
-    var _S158 : vec3<f32> = _S157 + vec3<f32>(_S155) * _S151 + vec3<f32>(_S156) * _S154;
-    var _S159 : f32 = dot(_S158, _S147);
-    var _S160 : f32;
-    if((abs(_S159)) > 1.00000000317107685e-30f)
+    var _S133 : u32 = pixel_1.y * (*frame_4).width_0 + pixel_1.x;
+    var _S134 : f32 = light_7.w;
+    var _S135 : vec4<f32> = vec4<f32>(light_7.xyz + vec3<f32>((1.0f - _S134)) * vec3<f32>((*frame_4).background_red_0, (*frame_4).background_green_0, (*frame_4).background_blue_0), _S134);
+    var _S136 : vec4<f32>;
+    if(((*frame_4).pass_number_0) == u32(0))
     {
-        _S160 = _S159;
+        _S136 = _S135;
     }
     else
     {
-        _S160 = 1.00000000317107685e-30f;
+        _S136 = radiance_0[_S133] + _S135;
     }
-    var _S161 : f32 = 1.0f / _S160;
-    var _S162 : vec3<f32> = camera_origin_0(&((*_S134)));
-    var _S163 : vec3<f32> = _S143 - _S162;
-    var _S164 : vec3<f32> = vec3<f32>((dot(_S163, _S147) * _S161));
-    var _S165 : vec3<f32> = _S158 * _S164 - _S163;
-    var _S166 : vec3<f32> = _S164 * (_S151 - _S158 * vec3<f32>((dot(_S151, _S147) * _S161)));
-    var _S167 : vec3<f32> = _S164 * (_S154 - _S158 * vec3<f32>((dot(_S154, _S147) * _S161)));
-    var _S168 : vec3<f32> = vec3<f32>(_S148);
-    var _S169 : vec3<f32> = cross(_S146, _S147) * _S168;
-    var _S170 : vec3<f32> = cross(_S147, _S144) * _S168;
-    var _S171 : f32 = dot(_S165, _S169);
-    var _S172 : f32 = dot(_S165, _S170);
-    var _S173 : f32 = _S140.u_0 - _S139.u_0;
-    var _S174 : f32 = _S140.v_0 - _S139.v_0;
-    var _S175 : vec2<f32> = vec2<f32>(_S173, _S174);
-    var _S176 : f32 = _S141.u_0 - _S139.u_0;
-    var _S177 : f32 = _S141.v_0 - _S139.v_0;
+    radiance_0[_S133] = _S136;
+    return;
+}
+
+fn visible_point_0( _S137 : ptr<function, Frame_std430_0>,  _S138 : u32,  _S139 : u32,  _S140 : vec2<u32>) -> VisiblePoint_0
+{
+    var _S141 : u32 = u32(3) * _S139;
+    var _S142 : Vertex_std430_0 = vertices_0[corners_0[_S141]];
+    var _S143 : Vertex_std430_0 = vertices_0[corners_0[_S141 + u32(1)]];
+    var _S144 : Vertex_std430_0 = vertices_0[corners_0[_S141 + u32(2)]];
+    var _S145 : vec3<f32> = position_of_0(&(_S143));
+    var _S146 : vec3<f32> = position_of_0(&(_S142));
+    var _S147 : vec3<f32> = _S145 - _S146;
+    var _S148 : vec3<f32> = position_of_0(&(_S144));
+    var _S149 : vec3<f32> = _S148 - _S146;
+    var _S150 : vec3<f32> = cross(_S147, _S149);
+    var _S151 : f32 = 1.0f / max(square_0(_S150), 1.00000000317107685e-30f);
+    var _S152 : vec3<f32> = camera_right_0(&((*_S137)));
+    var _S153 : f32 = f32((*_S137).width_0);
+    var _S154 : vec3<f32> = _S152 * vec3<f32>((2.0f / _S153));
+    var _S155 : vec3<f32> = camera_up_0(&((*_S137)));
+    var _S156 : f32 = f32((*_S137).height_0);
+    var _S157 : vec3<f32> = _S155 * vec3<f32>((-2.0f / _S156));
+    var _S158 : f32 = f32(_S140.x) + 0.5f - 0.5f * _S153;
+    var _S159 : f32 = f32(_S140.y) + 0.5f - 0.5f * _S156;
+    var _S160 : vec3<f32> = camera_forward_0(&((*_S137)));
+    var _S161 : vec3<f32> = _S160 + vec3<f32>(_S158) * _S154 + vec3<f32>(_S159) * _S157;
+    var _S162 : f32 = dot(_S161, _S150);
+    var _S163 : f32;
+    if((abs(_S162)) > 1.00000000317107685e-30f)
+    {
+        _S163 = _S162;
+    }
+    else
+    {
+        _S163 = 1.00000000317107685e-30f;
+    }
+    var _S164 : f32 = 1.0f / _S163;
+    var _S165 : vec3<f32> = camera_origin_0(&((*_S137)));
+    var _S166 : vec3<f32> = _S146 - _S165;
+    var _S167 : vec3<f32> = vec3<f32>((dot(_S166, _S150) * _S164));
+    var _S168 : vec3<f32> = _S161 * _S167 - _S166;
+    var _S169 : vec3<f32> = _S167 * (_S154 - _S161 * vec3<f32>((dot(_S154, _S150) * _S164)));
+    var _S170 : vec3<f32> = _S167 * (_S157 - _S161 * vec3<f32>((dot(_S157, _S150) * _S164)));
+    var _S171 : vec3<f32> = vec3<f32>(_S151);
+    var _S172 : vec3<f32> = cross(_S149, _S150) * _S171;
+    var _S173 : vec3<f32> = cross(_S150, _S147) * _S171;
+    var _S174 : f32 = dot(_S168, _S172);
+    var _S175 : f32 = dot(_S168, _S173);
+    var _S176 : f32 = _S143.u_0 - _S142.u_0;
+    var _S177 : f32 = _S143.v_0 - _S142.v_0;
     var _S178 : vec2<f32> = vec2<f32>(_S176, _S177);
-    var _S179 : vec2<f32> = vec2<f32>(_S139.u_0, _S139.v_0) + vec2<f32>(_S171) * _S175 + vec2<f32>(_S172) * _S178;
-    var _S180 : vec2<f32> = vec2<f32>(dot(_S166, _S169)) * _S175 + vec2<f32>(dot(_S166, _S170)) * _S178;
-    var _S181 : vec2<f32> = vec2<f32>(dot(_S167, _S169)) * _S175 + vec2<f32>(dot(_S167, _S170)) * _S178;
-    if((_S173 * _S177 - _S174 * _S176) < 0.0f)
+    var _S179 : f32 = _S144.u_0 - _S142.u_0;
+    var _S180 : f32 = _S144.v_0 - _S142.v_0;
+    var _S181 : vec2<f32> = vec2<f32>(_S179, _S180);
+    var _S182 : vec2<f32> = vec2<f32>(_S142.u_0, _S142.v_0) + vec2<f32>(_S174) * _S178 + vec2<f32>(_S175) * _S181;
+    var _S183 : vec2<f32> = vec2<f32>(dot(_S169, _S172)) * _S178 + vec2<f32>(dot(_S169, _S173)) * _S181;
+    var _S184 : vec2<f32> = vec2<f32>(dot(_S170, _S172)) * _S178 + vec2<f32>(dot(_S170, _S173)) * _S181;
+    if((_S176 * _S180 - _S177 * _S179) < 0.0f)
     {
-        _S160 = -1.0f;
+        _S163 = -1.0f;
     }
     else
     {
-        _S160 = 1.0f;
+        _S163 = 1.0f;
     }
-    var _S182 : vec3<f32> = vec3<f32>(_S160) * (vec3<f32>(_S177) * _S144 - vec3<f32>(_S174) * _S146);
-    var _S183 : vec3<f32> = vec3<f32>(_S160) * (vec3<f32>(_S173) * _S146 - vec3<f32>(_S176) * _S144);
+    var _S185 : vec3<f32> = vec3<f32>(_S163) * (vec3<f32>(_S180) * _S147 - vec3<f32>(_S177) * _S149);
+    var _S186 : vec3<f32> = vec3<f32>(_S163) * (vec3<f32>(_S176) * _S149 - vec3<f32>(_S179) * _S147);
     var point_1 : VisiblePoint_0;
-    var _S184 : f32 = 1.0f - _S171 - _S172;
-    var _S185 : vec3<f32> = normal_of_0(&(_S139));
-    var _S186 : vec3<f32> = vec3<f32>(_S184) * _S185;
-    var _S187 : vec3<f32> = normal_of_0(&(_S140));
-    var _S188 : vec3<f32> = _S186 + vec3<f32>(_S171) * _S187;
-    var _S189 : vec3<f32> = normal_of_0(&(_S141));
-    var _S190 : vec3<f32> = normalize(_S188 + vec3<f32>(_S172) * _S189);
-    point_1.normal_0 = _S190;
-    var _S191 : vec3<f32> = normalize(_S182 - _S190 * vec3<f32>(dot(_S190, _S182)));
-    point_1.axis_x_0 = _S191;
-    point_1.axis_y_0 = cross(_S190, _S191);
-    point_1.position_0 = _S143 + _S165;
-    point_1.view_0 = (vec3<f32>(0) - normalize(_S158));
-    var _S192 : bool = (dot(cross(_S182, _S183), _S190)) < 0.0f;
-    var _S193 : f32 = fabrics_0[_S135].uv_width_0;
-    if(_S192)
+    var _S187 : f32 = 1.0f - _S174 - _S175;
+    var _S188 : vec3<f32> = normal_of_0(&(_S142));
+    var _S189 : vec3<f32> = vec3<f32>(_S187) * _S188;
+    var _S190 : vec3<f32> = normal_of_0(&(_S143));
+    var _S191 : vec3<f32> = _S189 + vec3<f32>(_S174) * _S190;
+    var _S192 : vec3<f32> = normal_of_0(&(_S144));
+    var _S193 : vec3<f32> = normalize(_S191 + vec3<f32>(_S175) * _S192);
+    point_1.normal_0 = _S193;
+    var _S194 : vec3<f32> = normalize(_S185 - _S193 * vec3<f32>(dot(_S193, _S185)));
+    point_1.axis_x_0 = _S194;
+    point_1.axis_y_0 = cross(_S193, _S194);
+    point_1.position_0 = _S146 + _S168;
+    point_1.view_0 = (vec3<f32>(0) - normalize(_S161));
+    var _S195 : bool = (dot(cross(_S185, _S186), _S193)) < 0.0f;
+    var _S196 : f32 = fabrics_0[_S138].uv_width_0;
+    if(_S195)
     {
-        _S160 = - fabrics_0[_S135].uv_height_0;
+        _S163 = - fabrics_0[_S138].uv_height_0;
     }
     else
     {
-        _S160 = fabrics_0[_S135].uv_height_0;
+        _S163 = fabrics_0[_S138].uv_height_0;
     }
-    var _S194 : vec2<f32> = vec2<f32>(_S193, _S160);
-    var _S195 : vec2<f32> = _S179 * _S194;
-    if(_S192)
+    var _S197 : vec2<f32> = vec2<f32>(_S196, _S163);
+    var _S198 : vec2<f32> = _S182 * _S197;
+    if(_S195)
     {
-        _S160 = fabrics_0[_S135].uv_height_0;
+        _S163 = fabrics_0[_S138].uv_height_0;
     }
     else
     {
-        _S160 = 0.0f;
+        _S163 = 0.0f;
     }
-    point_1.draft_0 = _S195 + vec2<f32>(0.0f, _S160);
-    point_1.draft_dx_0 = _S180 * _S194;
-    point_1.draft_dy_0 = _S181 * _S194;
+    point_1.draft_0 = _S198 + vec2<f32>(0.0f, _S163);
+    point_1.draft_dx_0 = _S183 * _S197;
+    point_1.draft_dy_0 = _S184 * _S197;
     return point_1;
 }
 
@@ -1472,314 +1494,314 @@ struct Sample_0
      slope_y_1 : f32,
 };
 
-fn crossing_at_0( _S196 : u32,  _S197 : f32,  _S198 : f32,  _S199 : bool) -> Crossing_0
+fn crossing_at_0( _S199 : u32,  _S200 : f32,  _S201 : f32,  _S202 : bool) -> Crossing_0
 {
     var crossing_2 : Crossing_0;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S196].warp_0, _S197);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S196].weft_0, _S198);
-    var _S200 : u32 = fabrics_0[_S196].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S196].ends_0 + crossing_2.warp_1.thread_1);
-    var _S201 : u32 = words_0[_S200];
-    crossing_2.warp_word_0 = _S201;
-    crossing_2.weft_word_0 = words_0[_S200 + u32(1)];
-    crossing_2.warp_above_0 = (((_S201 & (u32(1)))) == u32(1)) != _S199;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S199].warp_0, _S200);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S199].weft_0, _S201);
+    var _S203 : u32 = fabrics_0[_S199].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S199].ends_0 + crossing_2.warp_1.thread_1);
+    var _S204 : u32 = words_0[_S203];
+    crossing_2.warp_word_0 = _S204;
+    crossing_2.weft_word_0 = words_0[_S203 + u32(1)];
+    crossing_2.warp_above_0 = (((_S204 & (u32(1)))) == u32(1)) != _S202;
     return crossing_2;
 }
 
-fn sample_at_0( _S202 : u32,  _S203 : f32,  _S204 : f32,  _S205 : bool) -> Sample_0
+fn sample_at_0( _S205 : u32,  _S206 : f32,  _S207 : f32,  _S208 : bool) -> Sample_0
 {
     var sample_0 : Sample_0;
-    var _S206 : Crossing_0 = crossing_at_0(_S202, _S203, _S204, _S205);
-    sample_0.crossing_1 = _S206;
-    var _S207 : Shown_0 = shown_at_0(_S206, _S205);
-    sample_0.shown_3 = _S207;
-    var _S208 : u32;
-    if(_S207.is_warp_0)
+    var _S209 : Crossing_0 = crossing_at_0(_S205, _S206, _S207, _S208);
+    sample_0.crossing_1 = _S209;
+    var _S210 : Shown_0 = shown_at_0(_S209, _S208);
+    sample_0.shown_3 = _S210;
+    var _S211 : u32;
+    if(_S210.is_warp_0)
     {
-        _S208 = fabrics_0[_S202].warp_0;
+        _S211 = fabrics_0[_S205].warp_0;
     }
     else
     {
-        _S208 = fabrics_0[_S202].weft_0;
+        _S211 = fabrics_0[_S205].weft_0;
     }
-    var _S209 : u32;
-    if(_S207.is_warp_0)
+    var _S212 : u32;
+    if(_S210.is_warp_0)
     {
-        _S209 = fabrics_0[_S202].weft_0;
+        _S212 = fabrics_0[_S205].weft_0;
     }
     else
     {
-        _S209 = fabrics_0[_S202].warp_0;
+        _S212 = fabrics_0[_S205].warp_0;
     }
-    var _S210 : Cell_0 = select_cell_0(_S207.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    var _S211 : Cell_0 = select_cell_0(_S207.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    var _S212 : Run_0 = unpack_0(_S208, _S209, _S210.thread_1, _S211, _S207.word_0);
-    var _S213 : Section_0 = section_at_0(_S210);
-    var _S214 : bool;
-    if(_S207.on_top_0)
+    var _S213 : Cell_0 = select_cell_0(_S210.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    var _S214 : Cell_0 = select_cell_0(_S210.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    var _S215 : Run_0 = unpack_0(_S211, _S212, _S213.thread_1, _S214, _S210.word_0);
+    var _S216 : Section_0 = section_at_0(_S213);
+    var _S217 : bool;
+    if(_S210.on_top_0)
     {
-        _S214 = (_S212.distance_0) < (_S213.drop_0 * _S212.bend_1.sine_0);
+        _S217 = (_S215.distance_0) < (_S216.drop_0 * _S215.bend_1.sine_0);
     }
     else
     {
-        _S214 = false;
+        _S217 = false;
     }
-    var _S215 : bool;
-    if(_S207.on_top_0)
+    var _S218 : bool;
+    if(_S210.on_top_0)
     {
-        _S215 = !_S214;
+        _S218 = !_S217;
     }
     else
     {
-        _S215 = false;
+        _S218 = false;
     }
-    var _S216 : f32;
-    if(_S215)
+    var _S219 : f32;
+    if(_S218)
     {
-        _S216 = 1.0f;
+        _S219 = 1.0f;
     }
     else
     {
-        _S216 = -1.0f;
+        _S219 = -1.0f;
     }
-    var _S217 : f32;
-    if(_S214)
+    var _S220 : f32;
+    if(_S217)
     {
-        _S217 = _S212.other_reach_0;
+        _S220 = _S215.other_reach_0;
     }
     else
     {
-        _S217 = _S212.reach_0;
+        _S220 = _S215.reach_0;
     }
-    var _S218 : f32;
-    if(_S214)
+    var _S221 : f32;
+    if(_S217)
     {
-        _S218 = _S217 + _S212.distance_0;
+        _S221 = _S220 + _S215.distance_0;
     }
     else
     {
-        _S218 = max(_S217 - _S212.distance_0, 0.0f);
+        _S221 = max(_S220 - _S215.distance_0, 0.0f);
     }
-    var _S219 : f32 = _S217 / _S212.bend_1.sine_0 - _S216 * _S213.drop_0;
-    var _S220 : f32 = _S218 * _S218;
-    var _S221 : f32 = max(_S219 * _S219 - _S220, 9.99999968265522539e-21f);
-    var _S222 : f32 = rsqrt_0(_S221);
-    var _S223 : f32 = _S220 / (_S221 * _S222 + _S219);
-    var _S224 : bool = _S218 > 0.0f;
-    var _S225 : f32;
-    if(_S207.on_top_0)
+    var _S222 : f32 = _S220 / _S215.bend_1.sine_0 - _S219 * _S216.drop_0;
+    var _S223 : f32 = _S221 * _S221;
+    var _S224 : f32 = max(_S222 * _S222 - _S223, 9.99999968265522539e-21f);
+    var _S225 : f32 = rsqrt_0(_S224);
+    var _S226 : f32 = _S223 / (_S224 * _S225 + _S222);
+    var _S227 : bool = _S221 > 0.0f;
+    var _S228 : f32;
+    if(_S210.on_top_0)
     {
-        _S225 = 1.0f;
+        _S228 = 1.0f;
     }
     else
     {
-        _S225 = -1.0f;
+        _S228 = -1.0f;
     }
-    var _S226 : f32;
-    if(_S212.near_start_0)
+    var _S229 : f32;
+    if(_S215.near_start_0)
     {
-        _S226 = 1.0f;
+        _S229 = 1.0f;
     }
     else
     {
-        _S226 = -1.0f;
+        _S229 = -1.0f;
     }
-    var _S227 : f32 = _S225 * _S226;
-    if(_S224)
+    var _S230 : f32 = _S228 * _S229;
+    if(_S227)
     {
-        _S225 = _S219 * _S222;
+        _S228 = _S222 * _S225;
     }
     else
     {
-        _S225 = 1.0f;
+        _S228 = 1.0f;
     }
-    sample_0.slope_across_0 = _S213.slope_0 * _S225;
-    if(_S224)
+    sample_0.slope_across_0 = _S216.slope_0 * _S228;
+    if(_S227)
     {
-        _S218 = _S227 * _S218 * _S222;
+        _S221 = _S230 * _S221 * _S225;
     }
     else
     {
-        _S218 = 0.0f;
+        _S221 = 0.0f;
     }
-    sample_0.slope_along_0 = _S218;
-    var _S228 : Family_std430_0 = families_0[_S208];
-    var _S229 : vec2<f32> = dive_0(_S209, _S207, _S212, _S211);
-    if(_S212.straight_0)
+    sample_0.slope_along_0 = _S221;
+    var _S231 : Family_std430_0 = families_0[_S211];
+    var _S232 : vec2<f32> = dive_0(_S212, _S210, _S215, _S214);
+    if(_S215.straight_0)
     {
-        _S216 = 0.0f;
+        _S219 = 0.0f;
     }
     else
     {
-        _S216 = _S228.height_scale_0 * _S216;
+        _S219 = _S231.height_scale_0 * _S219;
     }
-    sample_0.height_5 = _S216 * (_S217 * _S212.bend_1.half_tangent_0 - _S223) - _S228.height_scale_0 * _S213.drop_0 - _S229.x;
-    var _S230 : f32 = _S228.height_scale_0 * sample_0.slope_across_0;
-    var _S231 : f32 = _S228.height_scale_0 * sample_0.slope_along_0 - _S229.y;
-    if(_S207.is_warp_0)
+    sample_0.height_5 = _S219 * (_S220 * _S215.bend_1.half_tangent_0 - _S226) - _S231.height_scale_0 * _S216.drop_0 - _S232.x;
+    var _S233 : f32 = _S231.height_scale_0 * sample_0.slope_across_0;
+    var _S234 : f32 = _S231.height_scale_0 * sample_0.slope_along_0 - _S232.y;
+    if(_S210.is_warp_0)
     {
-        _S216 = _S230;
+        _S219 = _S233;
     }
     else
     {
-        _S216 = _S231;
+        _S219 = _S234;
     }
-    sample_0.slope_x_1 = _S216;
-    if(_S207.is_warp_0)
+    sample_0.slope_x_1 = _S219;
+    if(_S210.is_warp_0)
     {
-        _S216 = _S231;
+        _S219 = _S234;
     }
     else
     {
-        _S216 = _S230;
+        _S219 = _S233;
     }
-    sample_0.slope_y_1 = _S216;
-    sample_0.run_3 = _S212;
-    sample_0.section_1 = _S213;
+    sample_0.slope_y_1 = _S219;
+    sample_0.run_3 = _S215;
+    sample_0.section_1 = _S216;
     return sample_0;
 }
 
-fn steps_per_length_0( _S232 : u32,  _S233 : SearchQuality_0,  _S234 : vec3<f32>) -> f32
+fn steps_per_length_0( _S235 : u32,  _S236 : SearchQuality_0,  _S237 : vec3<f32>) -> f32
 {
-    return max(max(abs(_S234.x) * fabrics_0[_S232].threads_per_x_0, abs(_S234.y) * fabrics_0[_S232].threads_per_y_0) * _S233.steps_per_thread_0, abs(_S234.z) * fabrics_0[_S232].per_relief_0 * _S233.steps_per_relief_0);
+    return max(max(abs(_S237.x) * fabrics_0[_S235].threads_per_x_0, abs(_S237.y) * fabrics_0[_S235].threads_per_y_0) * _S236.steps_per_thread_0, abs(_S237.z) * fabrics_0[_S235].per_relief_0 * _S236.steps_per_relief_0);
 }
 
-fn cell_maximum_0( _S235 : u32,  _S236 : Crossing_0) -> f32
+fn cell_maximum_0( _S238 : u32,  _S239 : Crossing_0) -> f32
 {
-    var _S237 : u32;
-    if(_S236.warp_above_0)
+    var _S240 : u32;
+    if(_S239.warp_above_0)
     {
-        _S237 = fabrics_0[_S235].warp_0;
+        _S240 = fabrics_0[_S238].warp_0;
     }
     else
     {
-        _S237 = fabrics_0[_S235].weft_0;
+        _S240 = fabrics_0[_S238].weft_0;
     }
-    var _S238 : u32;
-    if(_S236.warp_above_0)
+    var _S241 : u32;
+    if(_S239.warp_above_0)
     {
-        _S238 = _S236.warp_word_0;
+        _S241 = _S239.warp_word_0;
     }
     else
     {
-        _S238 = _S236.weft_word_0;
+        _S241 = _S239.weft_word_0;
     }
-    return f32((_S238 >> (u32(28)))) * families_0[_S237].height_scale_0 * families_0[_S237].level_0;
+    return f32((_S241 >> (u32(28)))) * families_0[_S240].height_scale_0 * families_0[_S240].level_0;
 }
 
-fn probe_0( _S239 : u32,  _S240 : f32,  _S241 : f32,  _S242 : bool,  _S243 : bool,  _S244 : bool) -> Probe_0
+fn probe_0( _S242 : u32,  _S243 : f32,  _S244 : f32,  _S245 : bool,  _S246 : bool,  _S247 : bool) -> Probe_0
 {
-    var _S245 : Sample_0 = sample_at_0(_S239, _S240, _S241, _S242);
+    var _S248 : Sample_0 = sample_at_0(_S242, _S243, _S244, _S245);
     var probe_1 : Probe_0;
-    probe_1.height_1 = _S245.height_5;
-    probe_1.hole_1 = _S245.shown_3.hole_0;
-    probe_1.slope_x_0 = _S245.slope_x_1;
-    probe_1.slope_y_0 = _S245.slope_y_1;
-    var _S246 : u32;
-    if(_S245.shown_3.is_warp_0)
+    probe_1.height_1 = _S248.height_5;
+    probe_1.hole_1 = _S248.shown_3.hole_0;
+    probe_1.slope_x_0 = _S248.slope_x_1;
+    probe_1.slope_y_0 = _S248.slope_y_1;
+    var _S249 : u32;
+    if(_S248.shown_3.is_warp_0)
     {
-        _S246 = _S245.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
+        _S249 = _S248.crossing_1.warp_1.thread_1 * u32(2) + u32(1);
     }
     else
     {
-        _S246 = _S245.crossing_1.weft_1.thread_1 * u32(2);
+        _S249 = _S248.crossing_1.weft_1.thread_1 * u32(2);
     }
-    probe_1.yarn_1 = _S246;
-    probe_1.cell_max_0 = cell_maximum_0(_S239, _S245.crossing_1);
-    var _S247 : f32;
-    if(_S243)
+    probe_1.yarn_1 = _S249;
+    probe_1.cell_max_0 = cell_maximum_0(_S242, _S248.crossing_1);
+    var _S250 : f32;
+    if(_S246)
     {
-        _S247 = _S245.crossing_1.warp_1.above_0;
+        _S250 = _S248.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S247 = _S245.crossing_1.warp_1.below_0;
+        _S250 = _S248.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S247;
-    if(_S244)
+    probe_1.side_x_0 = _S250;
+    if(_S247)
     {
-        _S247 = _S245.crossing_1.weft_1.above_0;
+        _S250 = _S248.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S247 = _S245.crossing_1.weft_1.below_0;
+        _S250 = _S248.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S247;
-    probe_1.edge_x_0 = outline_distance_0(_S245.crossing_1.warp_1, _S245.shown_3, _S245.run_3, !_S245.shown_3.is_warp_0, _S243);
-    probe_1.edge_y_0 = outline_distance_0(_S245.crossing_1.weft_1, _S245.shown_3, _S245.run_3, _S245.shown_3.is_warp_0, _S244);
+    probe_1.side_y_0 = _S250;
+    probe_1.edge_x_0 = outline_distance_0(_S248.crossing_1.warp_1, _S248.shown_3, _S248.run_3, !_S248.shown_3.is_warp_0, _S246);
+    probe_1.edge_y_0 = outline_distance_0(_S248.crossing_1.weft_1, _S248.shown_3, _S248.run_3, _S248.shown_3.is_warp_0, _S247);
     return probe_1;
 }
 
-fn is_free_0( _S248 : u32,  _S249 : SearchQuality_0,  _S250 : vec3<f32>,  _S251 : vec3<f32>,  _S252 : bool,  _S253 : f32) -> bool
+fn is_free_0( _S251 : u32,  _S252 : SearchQuality_0,  _S253 : vec3<f32>,  _S254 : vec3<f32>,  _S255 : bool,  _S256 : f32) -> bool
 {
-    var _S254 : f32 = _S251.z;
-    if(_S254 <= 0.0f)
+    var _S257 : f32 = _S254.z;
+    if(_S257 <= 0.0f)
     {
         return false;
     }
-    var _S255 : f32 = 1.0f / max(_S249.shadow_share_0 * steps_per_length_0(_S248, _S249, _S251), 9.99999971718068537e-10f);
-    var _S256 : StepControl_0 = step_control_0(_S251.xy, _S255);
+    var _S258 : f32 = 1.0f / max(_S252.shadow_share_0 * steps_per_length_0(_S251, _S252, _S254), 9.99999971718068537e-10f);
+    var _S259 : StepControl_0 = step_control_0(_S254.xy, _S258);
     var previous_3 : PreviousSample_0 = no_previous_sample_0();
     var count_1 : u32 = u32(0);
     var distance_1 : f32 = 0.0f;
     var last_step_0 : f32 = 0.0f;
     for(;;)
     {
-        var _S257 : bool;
+        var _S260 : bool;
         if(count_1 < u32(1024))
         {
-            _S257 = (_S250.z + _S254 * distance_1) < _S253;
+            _S260 = (_S253.z + _S257 * distance_1) < _S256;
         }
         else
         {
-            _S257 = false;
+            _S260 = false;
         }
-        if(_S257)
+        if(_S260)
         {
         }
         else
         {
             break;
         }
-        var _S258 : vec3<f32> = _S250 + _S251 * vec3<f32>(distance_1);
-        var _S259 : Probe_0 = probe_0(_S248, _S258.x, _S258.y, _S252, _S256.right_0, _S256.up_0);
-        var _S260 : f32 = _S258.z;
-        var _S261 : f32 = _S260 - _S259.height_1;
-        var _S262 : f32 = _S254 - _S259.slope_x_0 * _S251.x - _S259.slope_y_0 * _S251.y;
-        var _S263 : bool;
-        if(!_S259.hole_1)
+        var _S261 : vec3<f32> = _S253 + _S254 * vec3<f32>(distance_1);
+        var _S262 : Probe_0 = probe_0(_S251, _S261.x, _S261.y, _S255, _S259.right_0, _S259.up_0);
+        var _S263 : f32 = _S261.z;
+        var _S264 : f32 = _S263 - _S262.height_1;
+        var _S265 : f32 = _S257 - _S262.slope_x_0 * _S254.x - _S262.slope_y_0 * _S254.y;
+        var _S266 : bool;
+        if(!_S262.hole_1)
         {
-            _S263 = _S261 < 0.0f;
+            _S266 = _S264 < 0.0f;
         }
         else
         {
-            _S263 = false;
+            _S266 = false;
         }
-        if(_S263)
+        if(_S266)
         {
             return false;
         }
-        var _S264 : f32 = way_back_to_dip_0(previous_3, _S261, _S262, last_step_0, _S259);
-        if(_S264 >= 0.0f)
+        var _S267 : f32 = way_back_to_dip_0(previous_3, _S264, _S265, last_step_0, _S262);
+        if(_S267 >= 0.0f)
         {
-            var last_step_1 : f32 = last_step_0 - _S264;
-            distance_1 = distance_1 - _S264;
+            var last_step_1 : f32 = last_step_0 - _S267;
+            distance_1 = distance_1 - _S267;
             last_step_0 = last_step_1;
             count_1 = count_1 + u32(1);
             continue;
         }
-        var _S265 : bool = _S260 > (_S259.cell_max_0);
-        var _S266 : PreviousSample_0 = after_sample_0(_S261, _S262, _S259, _S265);
+        var _S268 : bool = _S263 > (_S262.cell_max_0);
+        var _S269 : PreviousSample_0 = after_sample_0(_S264, _S265, _S262, _S268);
         var last_step_2 : f32;
-        if(_S265)
+        if(_S268)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S256, _S259.side_x_0, _S259.side_y_0), _S255);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S259, _S262.side_x_0, _S262.side_y_0), _S258);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S256, _S259, _S261, _S262);
+            last_step_2 = StepControl_to_next_sample_0(_S259, _S262, _S264, _S265);
         }
         var distance_2 : f32 = distance_1 + last_step_2;
-        previous_3 = _S266;
+        previous_3 = _S269;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + u32(1);
@@ -1787,46 +1809,46 @@ fn is_free_0( _S248 : u32,  _S249 : SearchQuality_0,  _S250 : vec3<f32>,  _S251 
     return true;
 }
 
-fn passes_through_0( _S267 : u32,  _S268 : SearchQuality_0,  _S269 : f32,  _S270 : f32,  _S271 : vec3<f32>,  _S272 : bool) -> bool
+fn passes_through_0( _S270 : u32,  _S271 : SearchQuality_0,  _S272 : f32,  _S273 : f32,  _S274 : vec3<f32>,  _S275 : bool) -> bool
 {
-    if(!sample_at_0(_S267, _S269, _S270, _S272).shown_3.hole_0)
+    if(!sample_at_0(_S270, _S272, _S273, _S275).shown_3.hole_0)
     {
         return false;
     }
-    var _S273 : vec3<f32> = vec3<f32>(_S269, _S270, 0.0f);
+    var _S276 : vec3<f32> = vec3<f32>(_S272, _S273, 0.0f);
     var passes_0 : bool = true;
     var side_0 : u32 = u32(0);
     for(;;)
     {
-        var _S274 : bool;
+        var _S277 : bool;
         if(side_0 < u32(2))
         {
-            _S274 = passes_0;
+            _S277 = passes_0;
         }
         else
         {
-            _S274 = false;
+            _S277 = false;
         }
-        if(_S274)
+        if(_S277)
         {
         }
         else
         {
             break;
         }
-        var _S275 : vec3<f32>;
+        var _S278 : vec3<f32>;
         if(side_0 == u32(0))
         {
-            _S275 = _S271;
+            _S278 = _S274;
         }
         else
         {
-            _S275 = vec3<f32>(- _S271.x, - _S271.y, _S271.z);
+            _S278 = vec3<f32>(- _S274.x, - _S274.y, _S274.z);
         }
-        var _S276 : bool = is_free_0(_S267, _S268, _S273, _S275, _S272 != (side_0 == u32(1)), fabrics_0[_S267].height_high_0);
-        var _S277 : u32 = side_0 + u32(1);
-        passes_0 = _S276;
-        side_0 = _S277;
+        var _S279 : bool = is_free_0(_S270, _S271, _S276, _S278, _S275 != (side_0 == u32(1)), fabrics_0[_S270].height_high_0);
+        var _S280 : u32 = side_0 + u32(1);
+        passes_0 = _S279;
+        side_0 = _S280;
     }
     return passes_0;
 }
@@ -1841,33 +1863,33 @@ struct ViewRayEnd_0
      previous_4 : PreviousSample_0,
 };
 
-fn max_height_along_0( _S278 : u32,  _S279 : f32,  _S280 : f32,  _S281 : f32,  _S282 : vec3<f32>,  _S283 : bool) -> f32
+fn max_height_along_0( _S281 : u32,  _S282 : f32,  _S283 : f32,  _S284 : f32,  _S285 : vec3<f32>,  _S286 : bool) -> f32
 {
-    var _S284 : u32 = locate_0(fabrics_0[_S278].warp_0, _S279).thread_1 / u32(2);
-    var _S285 : u32 = locate_0(fabrics_0[_S278].weft_0, _S280).thread_1 / u32(2);
-    var _S286 : f32 = _S282.x;
-    var _S287 : u32;
-    if(_S286 > 0.0f)
+    var _S287 : u32 = locate_0(fabrics_0[_S281].warp_0, _S282).thread_1 / u32(2);
+    var _S288 : u32 = locate_0(fabrics_0[_S281].weft_0, _S283).thread_1 / u32(2);
+    var _S289 : f32 = _S285.x;
+    var _S290 : u32;
+    if(_S289 > 0.0f)
     {
-        _S287 = u32(1);
+        _S290 = u32(1);
     }
     else
     {
-        _S287 = u32(0);
+        _S290 = u32(0);
     }
-    var _S288 : f32 = _S282.y;
-    var _S289 : u32;
-    if(_S288 > 0.0f)
+    var _S291 : f32 = _S285.y;
+    var _S292 : u32;
+    if(_S291 > 0.0f)
     {
-        _S289 = u32(2);
+        _S292 = u32(2);
     }
     else
     {
-        _S289 = u32(0);
+        _S292 = u32(0);
     }
-    var _S290 : u32 = words_0[fabrics_0[_S278].max_heights_0 + u32(4) * (_S285 * fabrics_0[_S278].max_height_columns_0 + _S284) + (_S287 + _S289)];
+    var _S293 : u32 = words_0[fabrics_0[_S281].max_heights_0 + u32(4) * (_S288 * fabrics_0[_S281].max_height_columns_0 + _S287) + (_S290 + _S292)];
     var number_0 : i32;
-    if(_S283)
+    if(_S286)
     {
         number_0 = i32(4);
     }
@@ -1875,10 +1897,10 @@ fn max_height_along_0( _S278 : u32,  _S279 : f32,  _S280 : f32,  _S281 : f32,  _
     {
         number_0 = i32(0);
     }
-    var _S291 : u32 = (_S290 >> (u32(number_0)));
-    var _S292 : f32 = max(abs(_S286) * fabrics_0[_S278].threads_per_x_0, abs(_S288) * fabrics_0[_S278].threads_per_y_0) / _S282.z;
-    var _S293 : f32 = fabrics_0[_S278].height_high_0;
-    var max_height_0 : f32 = fabrics_0[_S278].height_high_0;
+    var _S294 : u32 = (_S293 >> (u32(number_0)));
+    var _S295 : f32 = max(abs(_S289) * fabrics_0[_S281].threads_per_x_0, abs(_S291) * fabrics_0[_S281].threads_per_y_0) / _S285.z;
+    var _S296 : f32 = fabrics_0[_S281].height_high_0;
+    var max_height_0 : f32 = fabrics_0[_S281].height_high_0;
     number_0 = i32(3);
     for(;;)
     {
@@ -1889,45 +1911,45 @@ fn max_height_along_0( _S278 : u32,  _S279 : f32,  _S280 : f32,  _S281 : f32,  _
         {
             break;
         }
-        if(((max_height_0 - _S281) * _S292) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S284) * _S295) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, f32((((_S291 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S293);
+            max_height_0 = min(max_height_0, f32((((_S294 >> (u32(i32(8) * number_0)))) & (u32(15)))) * 0.06666667014360428f * _S296);
         }
         number_0 = number_0 - i32(1);
     }
     return max_height_0;
 }
 
-fn cell_bounds_0( _S294 : u32,  _S295 : f32,  _S296 : f32,  _S297 : bool,  _S298 : bool,  _S299 : bool) -> vec3<f32>
+fn cell_bounds_0( _S297 : u32,  _S298 : f32,  _S299 : f32,  _S300 : bool,  _S301 : bool,  _S302 : bool) -> vec3<f32>
 {
-    var _S300 : Crossing_0 = crossing_at_0(_S294, _S295, _S296, _S297);
-    var _S301 : f32 = cell_maximum_0(_S294, _S300);
-    var _S302 : f32;
-    if(_S298)
+    var _S303 : Crossing_0 = crossing_at_0(_S297, _S298, _S299, _S300);
+    var _S304 : f32 = cell_maximum_0(_S297, _S303);
+    var _S305 : f32;
+    if(_S301)
     {
-        _S302 = _S300.warp_1.above_0;
+        _S305 = _S303.warp_1.above_0;
     }
     else
     {
-        _S302 = _S300.warp_1.below_0;
+        _S305 = _S303.warp_1.below_0;
     }
-    var _S303 : f32;
-    if(_S299)
+    var _S306 : f32;
+    if(_S302)
     {
-        _S303 = _S300.weft_1.above_0;
+        _S306 = _S303.weft_1.above_0;
     }
     else
     {
-        _S303 = _S300.weft_1.below_0;
+        _S306 = _S303.weft_1.below_0;
     }
-    return vec3<f32>(_S301, _S302, _S303);
+    return vec3<f32>(_S304, _S305, _S306);
 }
 
-fn first_sample_height_0( _S304 : u32,  _S305 : ViewRay_0,  _S306 : StepControl_0,  _S307 : bool) -> f32
+fn first_sample_height_0( _S307 : u32,  _S308 : ViewRay_0,  _S309 : StepControl_0,  _S310 : bool) -> f32
 {
-    var _S308 : f32 = max_height_along_0(_S304, _S305.origin_0.x, _S305.origin_0.y, 0.0f, vec3<f32>(_S305.slope_1, 1.0f), _S307);
+    var _S311 : f32 = max_height_along_0(_S307, _S308.origin_0.x, _S308.origin_0.y, 0.0f, vec3<f32>(_S308.slope_1, 1.0f), _S310);
     var count_2 : u32 = u32(0);
-    var height_7 : f32 = _S308;
+    var height_7 : f32 = _S311;
     for(;;)
     {
         if(count_2 < u32(1024))
@@ -1937,12 +1959,12 @@ fn first_sample_height_0( _S304 : u32,  _S305 : ViewRay_0,  _S306 : StepControl_
         {
             break;
         }
-        var _S309 : vec2<f32> = ViewRay_at_0(_S305, height_7);
-        var _S310 : vec3<f32> = cell_bounds_0(_S304, _S309.x, _S309.y, _S307, _S306.right_0, _S306.up_0);
-        var _S311 : f32 = height_7 - _S310.x;
-        var _S312 : f32 = StepControl_to_cell_exit_0(_S306, _S310.y, _S310.z);
-        var height_8 : f32 = height_7 - clamp(_S311, 0.0f, _S312);
-        if(_S311 <= _S312)
+        var _S312 : vec2<f32> = ViewRay_at_0(_S308, height_7);
+        var _S313 : vec3<f32> = cell_bounds_0(_S307, _S312.x, _S312.y, _S310, _S309.right_0, _S309.up_0);
+        var _S314 : f32 = height_7 - _S313.x;
+        var _S315 : f32 = StepControl_to_cell_exit_0(_S309, _S313.y, _S313.z);
+        var height_8 : f32 = height_7 - clamp(_S314, 0.0f, _S315);
+        if(_S314 <= _S315)
         {
             height_7 = height_8;
             break;
@@ -1953,12 +1975,12 @@ fn first_sample_height_0( _S304 : u32,  _S305 : ViewRay_0,  _S306 : StepControl_
     return height_7;
 }
 
-fn search_down_0( _S313 : u32,  _S314 : ViewRay_0,  _S315 : StepControl_0,  _S316 : bool) -> ViewRayEnd_0
+fn search_down_0( _S316 : u32,  _S317 : ViewRay_0,  _S318 : StepControl_0,  _S319 : bool) -> ViewRayEnd_0
 {
-    var _S317 : f32 = fabrics_0[_S313].height_low_0 - (fabrics_0[_S313].height_high_0 - fabrics_0[_S313].height_low_0);
+    var _S320 : f32 = fabrics_0[_S316].height_low_0 - (fabrics_0[_S316].height_high_0 - fabrics_0[_S316].height_low_0);
     var end_1 : ViewRayEnd_0;
-    end_1.height_6 = first_sample_height_0(_S313, _S314, _S315, _S316);
-    end_1.last_step_3 = _S315.epsilon_0;
+    end_1.height_6 = first_sample_height_0(_S316, _S317, _S318, _S319);
+    end_1.last_step_3 = _S318.epsilon_0;
     end_1.previous_4 = no_previous_sample_0();
     end_1.depth_1 = 0.0f;
     end_1.rate_4 = 0.0f;
@@ -1973,150 +1995,150 @@ fn search_down_0( _S313 : u32,  _S314 : ViewRay_0,  _S315 : StepControl_0,  _S31
         {
             break;
         }
-        var _S318 : vec2<f32> = ViewRay_at_0(_S314, end_1.height_6);
-        var _S319 : Probe_0 = probe_0(_S313, _S318.x, _S318.y, _S316, _S315.right_0, _S315.up_0);
-        var _S320 : f32 = end_1.height_6 - _S319.height_1;
-        var _S321 : f32 = ViewRay_rate_0(_S314, _S319);
-        end_1.depth_1 = - _S320;
-        end_1.rate_4 = _S321;
-        var _S322 : bool;
+        var _S321 : vec2<f32> = ViewRay_at_0(_S317, end_1.height_6);
+        var _S322 : Probe_0 = probe_0(_S316, _S321.x, _S321.y, _S319, _S318.right_0, _S318.up_0);
+        var _S323 : f32 = end_1.height_6 - _S322.height_1;
+        var _S324 : f32 = ViewRay_rate_0(_S317, _S322);
+        end_1.depth_1 = - _S323;
+        end_1.rate_4 = _S324;
+        var _S325 : bool;
         if(end_1.previous_4.known_0)
         {
-            _S322 = !_S319.hole_1;
+            _S325 = !_S322.hole_1;
         }
         else
         {
-            _S322 = false;
+            _S325 = false;
         }
-        var _S323 : bool;
-        if(_S322)
-        {
-            _S323 = (end_1.previous_4.yarn_0) == (_S319.yarn_1);
-        }
-        else
-        {
-            _S323 = false;
-        }
-        end_1.smooth_0 = _S323;
-        var _S324 : bool;
-        if(!_S319.hole_1)
-        {
-            _S324 = _S320 <= 0.0f;
-        }
-        else
-        {
-            _S324 = false;
-        }
-        var _S325 : bool;
-        if(_S324)
-        {
-            _S325 = true;
-        }
-        else
-        {
-            _S325 = (end_1.height_6) <= _S317;
-        }
+        var _S326 : bool;
         if(_S325)
+        {
+            _S326 = (end_1.previous_4.yarn_0) == (_S322.yarn_1);
+        }
+        else
+        {
+            _S326 = false;
+        }
+        end_1.smooth_0 = _S326;
+        var _S327 : bool;
+        if(!_S322.hole_1)
+        {
+            _S327 = _S323 <= 0.0f;
+        }
+        else
+        {
+            _S327 = false;
+        }
+        var _S328 : bool;
+        if(_S327)
+        {
+            _S328 = true;
+        }
+        else
+        {
+            _S328 = (end_1.height_6) <= _S320;
+        }
+        if(_S328)
         {
             break;
         }
-        var _S326 : f32 = way_back_to_dip_0(end_1.previous_4, _S320, _S321, end_1.last_step_3, _S319);
-        if(_S326 >= 0.0f)
+        var _S329 : f32 = way_back_to_dip_0(end_1.previous_4, _S323, _S324, end_1.last_step_3, _S322);
+        if(_S329 >= 0.0f)
         {
-            end_1.height_6 = end_1.height_6 + _S326;
-            end_1.last_step_3 = end_1.last_step_3 - _S326;
+            end_1.height_6 = end_1.height_6 + _S329;
+            end_1.last_step_3 = end_1.last_step_3 - _S329;
             count_3 = count_3 + u32(1);
             continue;
         }
-        var _S327 : f32 = min(StepControl_to_cell_exit_0(_S315, _S319.side_x_0, _S319.side_y_0), end_1.height_6 - _S319.cell_max_0);
-        var _S328 : f32 = StepControl_to_next_sample_0(_S315, _S319, _S320, _S321);
-        end_1.previous_4 = after_sample_0(_S320, _S321, _S319, _S327 > _S328);
-        var _S329 : f32 = max(_S327, _S328);
-        end_1.last_step_3 = _S329;
-        end_1.height_6 = end_1.height_6 - _S329;
+        var _S330 : f32 = min(StepControl_to_cell_exit_0(_S318, _S322.side_x_0, _S322.side_y_0), end_1.height_6 - _S322.cell_max_0);
+        var _S331 : f32 = StepControl_to_next_sample_0(_S318, _S322, _S323, _S324);
+        end_1.previous_4 = after_sample_0(_S323, _S324, _S322, _S330 > _S331);
+        var _S332 : f32 = max(_S330, _S331);
+        end_1.last_step_3 = _S332;
+        end_1.height_6 = end_1.height_6 - _S332;
         count_3 = count_3 + u32(1);
     }
     return end_1;
 }
 
-fn refined_height_0( _S330 : u32,  _S331 : ViewRay_0,  _S332 : StepControl_0,  _S333 : bool,  _S334 : ViewRayEnd_0,  _S335 : u32) -> f32
+fn refined_height_0( _S333 : u32,  _S334 : ViewRay_0,  _S335 : StepControl_0,  _S336 : bool,  _S337 : ViewRayEnd_0,  _S338 : u32) -> f32
 {
-    var _S336 : f32 = fabrics_0[_S330].height_high_0 - fabrics_0[_S330].height_low_0;
-    var above_2 : f32 = _S334.height_6 + _S334.last_step_3;
-    var above_gap_1 : f32 = clamp(_S334.previous_4.clearance_0, 0.0f, _S336);
-    var under_gap_1 : f32 = clamp(_S334.depth_1, 0.0f, _S336);
-    var _S337 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S334.previous_4.rate_0 * _S334.last_step_3, _S334.rate_4 * _S334.last_step_3);
+    var _S339 : f32 = fabrics_0[_S333].height_high_0 - fabrics_0[_S333].height_low_0;
+    var above_2 : f32 = _S337.height_6 + _S337.last_step_3;
+    var above_gap_1 : f32 = clamp(_S337.previous_4.clearance_0, 0.0f, _S339);
+    var under_gap_1 : f32 = clamp(_S337.depth_1, 0.0f, _S339);
+    var _S340 : f32 = cubic_root_0(above_gap_1, - under_gap_1, _S337.previous_4.rate_0 * _S337.last_step_3, _S337.rate_4 * _S337.last_step_3);
     var middle_0 : f32;
-    if(_S334.smooth_0)
+    if(_S337.smooth_0)
     {
-        middle_0 = above_2 - _S337 * _S334.last_step_3;
+        middle_0 = above_2 - _S340 * _S337.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S334.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S337.height_6, above_gap_1, under_gap_1);
     }
     var side_1 : f32 = 0.0f;
     var above_gap_2 : f32 = above_gap_1;
     var under_gap_2 : f32 = under_gap_1;
-    var under_1 : f32 = _S334.height_6;
+    var under_1 : f32 = _S337.height_6;
     var above_3 : f32 = above_2;
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < _S335)
+        if(i_1 < _S338)
         {
         }
         else
         {
             break;
         }
-        var _S338 : vec2<f32> = ViewRay_at_0(_S331, middle_0);
-        var _S339 : Probe_0 = probe_0(_S330, _S338.x, _S338.y, _S333, _S332.right_0, _S332.up_0);
-        var _S340 : f32;
-        if(_S339.hole_1)
+        var _S341 : vec2<f32> = ViewRay_at_0(_S334, middle_0);
+        var _S342 : Probe_0 = probe_0(_S333, _S341.x, _S341.y, _S336, _S335.right_0, _S335.up_0);
+        var _S343 : f32;
+        if(_S342.hole_1)
         {
-            _S340 = -1.0e+09f;
+            _S343 = -1.0e+09f;
         }
         else
         {
-            _S340 = _S339.height_1;
+            _S343 = _S342.height_1;
         }
-        var _S341 : f32 = clamp(middle_0 - _S340, - _S336, _S336);
-        var _S342 : f32;
-        if(_S341 <= 0.0f)
+        var _S344 : f32 = clamp(middle_0 - _S343, - _S339, _S339);
+        var _S345 : f32;
+        if(_S344 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S342 = 0.5f * above_gap_2;
+                _S345 = 0.5f * above_gap_2;
             }
             else
             {
-                _S342 = above_gap_2;
+                _S345 = above_gap_2;
             }
-            var _S343 : f32 = - _S341;
+            var _S346 : f32 = - _S344;
             under_1 = middle_0;
-            above_gap_2 = _S342;
-            under_gap_2 = _S343;
+            above_gap_2 = _S345;
+            under_gap_2 = _S346;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S342 = 0.5f * under_gap_2;
+                _S345 = 0.5f * under_gap_2;
             }
             else
             {
-                _S342 = under_gap_2;
+                _S345 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S341;
-            under_gap_2 = _S342;
+            above_gap_2 = _S344;
+            under_gap_2 = _S345;
             side_1 = -1.0f;
         }
-        if(_S334.smooth_0)
+        if(_S337.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S341 / min(ViewRay_rate_0(_S331, _S339), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S344 / min(ViewRay_rate_0(_S334, _S342), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2124,7 +2146,7 @@ fn refined_height_0( _S330 : u32,  _S331 : ViewRay_0,  _S332 : StepControl_0,  _
         }
         i_1 = i_1 + u32(1);
     }
-    if(_S334.smooth_0)
+    if(_S337.smooth_0)
     {
     }
     else
@@ -2134,29 +2156,29 @@ fn refined_height_0( _S330 : u32,  _S331 : ViewRay_0,  _S332 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S344 : u32,  _S345 : SearchQuality_0,  _S346 : f32,  _S347 : f32,  _S348 : vec3<f32>,  _S349 : bool) -> Hit_0
+fn first_hit_0( _S347 : u32,  _S348 : SearchQuality_0,  _S349 : f32,  _S350 : f32,  _S351 : vec3<f32>,  _S352 : bool) -> Hit_0
 {
     var hit_0 : Hit_0;
-    hit_0.x_11 = _S346;
-    hit_0.y_6 = _S347;
+    hit_0.x_11 = _S349;
+    hit_0.y_6 = _S350;
     hit_0.height_4 = 0.0f;
-    var _S350 : bool = passes_through_0(_S344, _S345, _S346, _S347, _S348, _S349);
-    hit_0.hole_3 = _S350;
-    if(_S350)
+    var _S353 : bool = passes_through_0(_S347, _S348, _S349, _S350, _S351, _S352);
+    hit_0.hole_3 = _S353;
+    if(_S353)
     {
         return hit_0;
     }
-    var _S351 : f32 = max(_S348.z, 0.00009999999747379f);
+    var _S354 : f32 = max(_S351.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
-    ray_0.origin_0 = vec2<f32>(_S346, _S347);
-    var _S352 : vec2<f32> = _S348.xy / vec2<f32>(_S351);
-    ray_0.slope_1 = _S352;
-    var _S353 : StepControl_0 = step_control_0((vec2<f32>(0) - _S352), 1.0f / max(steps_per_length_0(_S344, _S345, _S348) / _S351, 9.99999971718068537e-10f));
-    var _S354 : f32 = refined_height_0(_S344, ray_0, _S353, _S349, search_down_0(_S344, ray_0, _S353, _S349), _S345.refinements_0);
-    hit_0.height_4 = _S354;
-    var _S355 : vec2<f32> = ViewRay_at_0(ray_0, _S354);
-    hit_0.x_11 = _S355.x;
-    hit_0.y_6 = _S355.y;
+    ray_0.origin_0 = vec2<f32>(_S349, _S350);
+    var _S355 : vec2<f32> = _S351.xy / vec2<f32>(_S354);
+    ray_0.slope_1 = _S355;
+    var _S356 : StepControl_0 = step_control_0((vec2<f32>(0) - _S355), 1.0f / max(steps_per_length_0(_S347, _S348, _S351) / _S354, 9.99999971718068537e-10f));
+    var _S357 : f32 = refined_height_0(_S347, ray_0, _S356, _S352, search_down_0(_S347, ray_0, _S356, _S352), _S348.refinements_0);
+    hit_0.height_4 = _S357;
+    var _S358 : vec2<f32> = ViewRay_at_0(ray_0, _S357);
+    hit_0.x_11 = _S358.x;
+    hit_0.y_6 = _S358.y;
     return hit_0;
 }
 
@@ -2174,432 +2196,423 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S356 : u32,  _S357 : f32,  _S358 : f32,  _S359 : bool) -> SurfacePoint_0
+fn surface_at_0( _S359 : u32,  _S360 : f32,  _S361 : f32,  _S362 : bool) -> SurfacePoint_0
 {
-    var _S360 : Sample_0 = sample_at_0(_S356, _S357, _S358, _S359);
-    var _S361 : f32;
-    if(_S360.shown_3.is_warp_0)
-    {
-        _S361 = _S360.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S361 = _S360.crossing_1.weft_1.half_width_1;
-    }
-    var _S362 : u32;
-    if(_S360.shown_3.is_warp_0)
-    {
-        _S362 = fabrics_0[_S356].warp_0;
-    }
-    else
-    {
-        _S362 = fabrics_0[_S356].weft_0;
-    }
-    var _S363 : Family_std430_0 = families_0[_S362];
+    var _S363 : Sample_0 = sample_at_0(_S359, _S360, _S361, _S362);
     var _S364 : f32;
-    if(_S359)
+    if(_S363.shown_3.is_warp_0)
     {
-        _S364 = -1.0f;
+        _S364 = _S363.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S364 = 1.0f;
+        _S364 = _S363.crossing_1.weft_1.half_width_1;
     }
-    var _S365 : f32 = _S363.twist_sine_0 * _S364;
-    var _S366 : Family_std430_0 = families_0[_S362];
-    if(_S360.shown_3.is_warp_0)
+    var _S365 : u32;
+    if(_S363.shown_3.is_warp_0)
     {
-        _S364 = 1.0f;
-    }
-    else
-    {
-        _S364 = -1.0f;
-    }
-    var _S367 : vec2<f32> = fibre_direction_0(_S360.slope_across_0, _S364 * _S360.slope_along_0, _S365, _S366.twist_cosine_0);
-    var _S368 : f32;
-    if(_S360.shown_3.is_warp_0)
-    {
-        _S368 = _S360.slope_x_1;
+        _S365 = fabrics_0[_S359].warp_0;
     }
     else
     {
-        _S368 = _S360.slope_y_1;
+        _S365 = fabrics_0[_S359].weft_0;
     }
-    var _S369 : f32;
-    if(_S360.shown_3.is_warp_0)
+    var _S366 : Family_std430_0 = families_0[_S365];
+    var _S367 : f32;
+    if(_S362)
     {
-        _S369 = _S360.slope_y_1;
-    }
-    else
-    {
-        _S369 = _S360.slope_x_1;
-    }
-    var _S370 : f32 = _S367.x;
-    var _S371 : f32 = _S367.y;
-    var _S372 : f32 = _S368 * _S370 + _S364 * _S369 * _S371;
-    var _S373 : f32 = _S361 * 1.0154266357421875f;
-    var _S374 : f32 = _S373 * arc_sine_0(clamp(_S360.section_1.across_1 / _S373, -1.0f, 1.0f));
-    if(_S360.shown_3.is_warp_0)
-    {
-        _S361 = _S358;
+        _S367 = -1.0f;
     }
     else
     {
-        _S361 = - _S357;
+        _S367 = 1.0f;
+    }
+    var _S368 : f32 = _S366.twist_sine_0 * _S367;
+    var _S369 : Family_std430_0 = families_0[_S365];
+    if(_S363.shown_3.is_warp_0)
+    {
+        _S367 = 1.0f;
+    }
+    else
+    {
+        _S367 = -1.0f;
+    }
+    var _S370 : vec2<f32> = fibre_direction_0(_S363.slope_across_0, _S367 * _S363.slope_along_0, _S368, _S369.twist_cosine_0);
+    var _S371 : f32;
+    if(_S363.shown_3.is_warp_0)
+    {
+        _S371 = _S363.slope_x_1;
+    }
+    else
+    {
+        _S371 = _S363.slope_y_1;
+    }
+    var _S372 : f32;
+    if(_S363.shown_3.is_warp_0)
+    {
+        _S372 = _S363.slope_y_1;
+    }
+    else
+    {
+        _S372 = _S363.slope_x_1;
+    }
+    var _S373 : f32 = _S370.x;
+    var _S374 : f32 = _S370.y;
+    var _S375 : f32 = _S371 * _S373 + _S367 * _S372 * _S374;
+    var _S376 : f32 = _S364 * 1.0154266357421875f;
+    var _S377 : f32 = _S376 * arc_sine_0(clamp(_S363.section_1.across_1 / _S376, -1.0f, 1.0f));
+    if(_S363.shown_3.is_warp_0)
+    {
+        _S364 = _S361;
+    }
+    else
+    {
+        _S364 = - _S360;
     }
     var point_2 : SurfacePoint_0;
-    point_2.hole_4 = _S360.shown_3.hole_0;
-    point_2.is_warp_2 = _S360.shown_3.is_warp_0;
-    point_2.warp_thread_0 = _S360.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S360.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S360.height_5;
-    point_2.normal_5 = normalize(vec3<f32>(- _S360.slope_x_1, - _S360.slope_y_1, 1.0f));
-    var _S375 : vec3<f32>;
-    if(_S360.shown_3.is_warp_0)
+    point_2.hole_4 = _S363.shown_3.hole_0;
+    point_2.is_warp_2 = _S363.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S363.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S363.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S363.height_5;
+    point_2.normal_5 = normalize(vec3<f32>(- _S363.slope_x_1, - _S363.slope_y_1, 1.0f));
+    var _S378 : vec3<f32>;
+    if(_S363.shown_3.is_warp_0)
     {
-        _S375 = vec3<f32>(_S370, _S371, _S372);
+        _S378 = vec3<f32>(_S373, _S374, _S375);
     }
     else
     {
-        _S375 = vec3<f32>(- _S371, _S370, _S372);
+        _S378 = vec3<f32>(- _S374, _S373, _S375);
     }
-    point_2.tangent_5 = normalize(_S375);
-    point_2.across_2 = _S360.section_1.across_1;
-    point_2.fibre_across_0 = _S374 * _S366.twist_cosine_0 + _S361 * _S365;
-    point_2.fibre_along_0 = _S361 * _S366.twist_cosine_0 - _S374 * _S365;
+    point_2.tangent_5 = normalize(_S378);
+    point_2.across_2 = _S363.section_1.across_1;
+    point_2.fibre_across_0 = _S377 * _S369.twist_cosine_0 + _S364 * _S368;
+    point_2.fibre_along_0 = _S364 * _S369.twist_cosine_0 - _S377 * _S368;
     return point_2;
 }
 
-fn vary_albedos_0( _S376 : u32,  _S377 : Albedos_0,  _S378 : u32,  _S379 : u32) -> Albedos_0
+fn vary_albedos_0( _S379 : u32,  _S380 : Albedos_0,  _S381 : u32,  _S382 : u32) -> Albedos_0
 {
-    var _S380 : vec3<f32> = max(_S377.specular_reflect_0, _S377.specular_transmit_0);
-    var _S381 : vec3<f32> = _S377.diffuse_reflect_0 + _S377.diffuse_transmit_0;
-    var _S382 : vec3<f32> = vec3<f32>(fabrics_0[_S376].layer_bound_0);
-    var _S383 : vec3<f32> = vec3<f32>(1.0f);
-    var _S384 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S378, fabrics_0[_S376].colour_noise_0, fabrics_0[_S376].seed_0), _S381, _S383 - _S382 * _S380));
-    var _S385 : f32 = bounded_gain_0(fibre_gain_0(_S378, _S379, fabrics_0[_S376].fibre_noise_0, fabrics_0[_S376].seed_0), _S380, min((_S383 - _S384 * _S381) / _S382, vec3<f32>(1.0f)));
+    var _S383 : vec3<f32> = max(_S380.specular_reflect_0, _S380.specular_transmit_0);
+    var _S384 : vec3<f32> = _S380.diffuse_reflect_0 + _S380.diffuse_transmit_0;
+    var _S385 : vec3<f32> = vec3<f32>(fabrics_0[_S379].layer_bound_0);
+    var _S386 : vec3<f32> = vec3<f32>(1.0f);
+    var _S387 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S381, fabrics_0[_S379].colour_noise_0, fabrics_0[_S379].seed_0), _S384, _S386 - _S385 * _S383));
+    var _S388 : f32 = bounded_gain_0(fibre_gain_0(_S381, _S382, fabrics_0[_S379].fibre_noise_0, fabrics_0[_S379].seed_0), _S383, min((_S386 - _S387 * _S384) / _S385, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S384 * _S377.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S384 * _S377.diffuse_transmit_0;
-    var _S386 : vec3<f32> = vec3<f32>(_S385);
-    varied_0.specular_reflect_0 = _S386 * _S377.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S386 * _S377.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S387 * _S380.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S387 * _S380.diffuse_transmit_0;
+    var _S389 : vec3<f32> = vec3<f32>(_S388);
+    varied_0.specular_reflect_0 = _S389 * _S380.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S389 * _S380.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S387 : u32,  _S388 : SurfacePoint_0,  _S389 : Albedos_0,  _S390 : f32,  _S391 : f32) -> Albedos_0
+fn varied_at_0( _S390 : u32,  _S391 : SurfacePoint_0,  _S392 : Albedos_0,  _S393 : f32,  _S394 : f32) -> Albedos_0
 {
-    var _S392 : f32;
-    if(_S388.is_warp_2)
+    var _S395 : f32;
+    if(_S391.is_warp_2)
     {
-        _S392 = _S390;
+        _S395 = _S393;
     }
     else
     {
-        _S392 = _S391;
+        _S395 = _S394;
     }
-    var _S393 : f32 = _S392 - _S388.across_2;
-    var _S394 : u32;
-    if(_S388.is_warp_2)
+    var _S396 : f32 = _S395 - _S391.across_2;
+    var _S397 : u32;
+    if(_S391.is_warp_2)
     {
-        _S394 = fabrics_0[_S387].warp_0;
+        _S397 = fabrics_0[_S390].warp_0;
     }
     else
     {
-        _S394 = fabrics_0[_S387].weft_0;
+        _S397 = fabrics_0[_S390].weft_0;
     }
-    var _S395 : Family_std430_0 = families_0[_S394];
-    var _S396 : i32 = i32(families_0[_S394].count_0);
-    if(_S388.is_warp_2)
+    var _S398 : Family_std430_0 = families_0[_S397];
+    var _S399 : i32 = i32(families_0[_S397].count_0);
+    if(_S391.is_warp_2)
     {
-        _S394 = _S388.warp_thread_0;
+        _S397 = _S391.warp_thread_0;
     }
     else
     {
-        _S394 = _S388.weft_thread_0;
+        _S397 = _S391.weft_thread_0;
     }
-    var _S397 : u32 = u32(i32(floor(_S393 / _S395.period_0)) * _S396 + i32(_S394)) * u32(2);
-    if(_S388.is_warp_2)
+    var _S400 : u32 = u32(i32(floor(_S396 / _S398.period_0)) * _S399 + i32(_S397)) * u32(2);
+    if(_S391.is_warp_2)
     {
-        _S394 = u32(1);
+        _S397 = u32(1);
     }
     else
     {
-        _S394 = u32(0);
+        _S397 = u32(0);
     }
-    var _S398 : f32 = floor(_S388.fibre_across_0 / fabrics_0[_S387].fibre_size_0);
-    return vary_albedos_0(_S387, _S389, _S397 + _S394, u32(i32(_S398)) * u32(65536) + u32(i32(floor(_S388.fibre_along_0 / (fabrics_0[_S387].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S398))));
+    var _S401 : f32 = floor(_S391.fibre_across_0 / fabrics_0[_S390].fibre_size_0);
+    return vary_albedos_0(_S390, _S392, _S400 + _S397, u32(i32(_S401)) * u32(65536) + u32(i32(floor(_S391.fibre_along_0 / (fabrics_0[_S390].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S401))));
 }
 
-fn yarn_point_at_0( _S399 : u32,  _S400 : f32,  _S401 : f32,  _S402 : bool,  _S403 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S402 : u32,  _S403 : SurfacePoint_0,  _S404 : f32,  _S405 : f32,  _S406 : bool,  _S407 : bool) -> YarnPoint_0
 {
-    var _S404 : SurfacePoint_0 = surface_at_0(_S399, _S400, _S401, _S402);
-    var _S405 : u32;
-    if(_S404.is_warp_2)
+    var _S408 : u32;
+    if(_S403.is_warp_2)
     {
-        _S405 = fabrics_0[_S399].warp_0;
+        _S408 = fabrics_0[_S402].warp_0;
     }
     else
     {
-        _S405 = fabrics_0[_S399].weft_0;
+        _S408 = fabrics_0[_S402].weft_0;
     }
-    var _S406 : u32;
-    if(_S404.is_warp_2)
+    var _S409 : u32;
+    if(_S403.is_warp_2)
     {
-        _S406 = _S404.warp_thread_0;
-    }
-    else
-    {
-        _S406 = _S404.weft_thread_0;
-    }
-    var albedos_2 : Albedos_0 = albedos_of_0(_S405, _S406);
-    var _S407 : bool;
-    if((fabrics_0[_S399].fibre_noise_0) > 0.0f)
-    {
-        _S407 = true;
+        _S409 = _S403.warp_thread_0;
     }
     else
     {
-        _S407 = (fabrics_0[_S399].colour_noise_0) > 0.0f;
+        _S409 = _S403.weft_thread_0;
+    }
+    var albedos_2 : Albedos_0 = albedos_of_0(_S408, _S409);
+    var _S410 : bool;
+    if((fabrics_0[_S402].fibre_noise_0) > 0.0f)
+    {
+        _S410 = true;
+    }
+    else
+    {
+        _S410 = (fabrics_0[_S402].colour_noise_0) > 0.0f;
     }
     var albedos_3 : Albedos_0;
-    if(_S407)
+    if(_S410)
     {
-        albedos_3 = varied_at_0(_S399, _S404, albedos_2, _S400, _S401);
+        albedos_3 = varied_at_0(_S402, _S403, albedos_2, _S404, _S405);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     var point_3 : YarnPoint_0;
-    point_3.back_2 = _S402;
-    point_3.hole_2 = _S403;
-    point_3.is_warp_1 = _S404.is_warp_2;
-    point_3.x_10 = _S400;
-    point_3.y_5 = _S401;
-    point_3.height_3 = _S404.height_9;
-    point_3.normal_4 = _S404.normal_5;
-    point_3.tangent_4 = _S404.tangent_5;
-    point_3.roughness_8 = families_0[_S405].roughness_0;
+    point_3.back_2 = _S406;
+    point_3.hole_2 = _S407;
+    point_3.is_warp_1 = _S403.is_warp_2;
+    point_3.x_10 = _S404;
+    point_3.y_5 = _S405;
+    point_3.height_3 = _S403.height_9;
+    point_3.normal_4 = _S403.normal_5;
+    point_3.tangent_4 = _S403.tangent_5;
+    point_3.roughness_8 = families_0[_S408].roughness_0;
     point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-fn locate_yarn_0( _S408 : u32,  _S409 : SearchQuality_0,  _S410 : f32,  _S411 : f32,  _S412 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S411 : u32,  _S412 : SearchQuality_0,  _S413 : f32,  _S414 : f32,  _S415 : vec3<f32>) -> YarnPoint_0
 {
-    var _S413 : bool = (_S412.z) < 0.0f;
-    var _S414 : Hit_0 = first_hit_0(_S408, _S409, _S410, _S411, to_face_frame_0(_S412, _S413), _S413);
-    return yarn_point_at_0(_S408, _S414.x_11, _S414.y_6, _S413, _S414.hole_3);
+    var _S416 : bool = (_S415.z) < 0.0f;
+    var _S417 : Hit_0 = first_hit_0(_S411, _S412, _S413, _S414, to_face_frame_0(_S415, _S416), _S416);
+    return yarn_point_of_0(_S411, surface_at_0(_S411, _S417.x_11, _S417.y_6, _S416), _S417.x_11, _S417.y_6, _S416, _S417.hole_3);
 }
 
-fn scattered_0( _S415 : u32,  _S416 : YarnPoint_0,  _S417 : vec3<f32>,  _S418 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S418 : u32,  _S419 : YarnPoint_0,  _S420 : vec3<f32>,  _S421 : vec3<f32>) -> vec3<f32>
 {
-    var _S419 : vec3<f32> = vec3<f32>(0.0f);
-    var _S420 : bool = !_S416.hole_2;
-    var _S421 : bool;
-    if(_S420)
+    var _S422 : vec3<f32> = vec3<f32>(0.0f);
+    var _S423 : bool = !_S419.hole_2;
+    var _S424 : bool;
+    if(_S423)
     {
-        _S421 = (_S417.z) > 0.0f;
+        _S424 = (_S420.z) > 0.0f;
     }
     else
     {
-        _S421 = false;
+        _S424 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S421)
+    if(_S424)
     {
-        value_1 = _S416.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S417, _S416.normal_4, fabrics_0[_S415].diffuse_blend_0)) + _S416.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S417, _S418, _S416.normal_4, _S416.tangent_4, _S416.roughness_8, fabrics_0[_S415].optical_depth_0));
+        value_1 = _S419.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S420, _S419.normal_4, fabrics_0[_S418].diffuse_blend_0)) + _S419.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S420, _S421, _S419.normal_4, _S419.tangent_4, _S419.roughness_8, fabrics_0[_S418].optical_depth_0));
     }
     else
     {
-        if(_S420)
+        if(_S423)
         {
-            _S421 = (_S417.z) < 0.0f;
+            _S424 = (_S420.z) < 0.0f;
         }
         else
         {
-            _S421 = false;
+            _S424 = false;
         }
-        if(_S421)
+        if(_S424)
         {
-            value_1 = _S416.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S417), _S416.normal_4, fabrics_0[_S415].diffuse_blend_0)) + _S416.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S417, _S418, _S416.normal_4, _S416.tangent_4, _S416.roughness_8, fabrics_0[_S415].optical_depth_0));
+            value_1 = _S419.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S420), _S419.normal_4, fabrics_0[_S418].diffuse_blend_0)) + _S419.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S420, _S421, _S419.normal_4, _S419.tangent_4, _S419.roughness_8, fabrics_0[_S418].optical_depth_0));
         }
         else
         {
-            value_1 = _S419;
+            value_1 = _S422;
         }
     }
-    var _S422 : f32 = fabrics_0[_S415].sheen_strength_0;
-    if((fabrics_0[_S415].sheen_strength_0) <= 0.0f)
+    var _S425 : f32 = fabrics_0[_S418].sheen_strength_0;
+    if((fabrics_0[_S418].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S423 : vec2<f32> = sheen_with_transmittance_0(_S417, _S418, _S422, fabrics_0[_S415].sheen_roughness_0);
-    return vec3<f32>(_S423.y) * value_1 + vec3<f32>(_S423.x);
+    var _S426 : vec2<f32> = sheen_with_transmittance_0(_S420, _S421, _S425, fabrics_0[_S418].sheen_roughness_0);
+    return vec3<f32>(_S426.y) * value_1 + vec3<f32>(_S426.x);
 }
 
-fn unoccluded_0( _S424 : u32,  _S425 : SearchQuality_0,  _S426 : f32,  _S427 : f32,  _S428 : f32,  _S429 : vec3<f32>,  _S430 : bool) -> bool
+fn unoccluded_0( _S427 : u32,  _S428 : SearchQuality_0,  _S429 : f32,  _S430 : f32,  _S431 : f32,  _S432 : vec3<f32>,  _S433 : bool) -> bool
 {
-    if((_S429.z) <= 0.0f)
+    if((_S432.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S424, _S425, vec3<f32>(_S426, _S427, _S428 + fabrics_0[_S424].lift_0), _S429, _S430, max_height_along_0(_S424, _S426, _S427, _S428, _S429, _S430));
+    return is_free_0(_S427, _S428, vec3<f32>(_S429, _S430, _S431 + fabrics_0[_S427].lift_0), _S432, _S433, max_height_along_0(_S427, _S429, _S430, _S431, _S432, _S433));
 }
 
-fn is_lit_0( _S431 : u32,  _S432 : SearchQuality_0,  _S433 : YarnPoint_0,  _S434 : vec3<f32>) -> bool
+fn is_lit_0( _S434 : u32,  _S435 : SearchQuality_0,  _S436 : YarnPoint_0,  _S437 : vec3<f32>) -> bool
 {
-    if(_S433.hole_2)
+    if(_S436.hole_2)
     {
         return true;
     }
-    var _S435 : vec3<f32> = to_face_frame_0(_S434, _S433.back_2);
-    var _S436 : f32 = _S435.z;
-    var _S437 : bool = _S436 < 0.0f;
+    var _S438 : vec3<f32> = to_face_frame_0(_S437, _S436.back_2);
+    var _S439 : f32 = _S438.z;
+    var _S440 : bool = _S439 < 0.0f;
     var normal_6 : vec3<f32>;
     var height_10 : f32;
-    if(_S437)
+    if(_S440)
     {
-        var _S438 : SurfacePoint_0 = surface_at_0(_S431, _S433.x_10, _S433.y_5, !_S433.back_2);
-        normal_6 = _S438.normal_5;
-        height_10 = _S438.height_9;
+        var _S441 : SurfacePoint_0 = surface_at_0(_S434, _S436.x_10, _S436.y_5, !_S436.back_2);
+        normal_6 = _S441.normal_5;
+        height_10 = _S441.height_9;
     }
     else
     {
-        normal_6 = _S433.normal_4;
-        height_10 = _S433.height_3;
+        normal_6 = _S436.normal_4;
+        height_10 = _S436.height_3;
     }
-    var _S439 : vec3<f32> = vec3<f32>(_S435.xy, abs(_S436));
-    if((dot(normal_6, _S439)) <= 0.0f)
+    var _S442 : vec3<f32> = vec3<f32>(_S438.xy, abs(_S439));
+    if((dot(normal_6, _S442)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S431, _S432, _S433.x_10, _S433.y_5, height_10, _S439, (_S433.back_2) != _S437);
+    return unoccluded_0(_S434, _S435, _S436.x_10, _S436.y_5, height_10, _S442, (_S436.back_2) != _S440);
 }
 
-fn evaluate_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : YarnPoint_0,  _S443 : vec3<f32>,  _S444 : vec3<f32>) -> vec3<f32>
+fn evaluate_0( _S443 : u32,  _S444 : SearchQuality_0,  _S445 : YarnPoint_0,  _S446 : vec3<f32>,  _S447 : vec3<f32>) -> vec3<f32>
 {
-    var _S445 : vec3<f32> = scattered_0(_S440, _S442, to_face_frame_0(_S443, _S442.back_2), to_face_frame_0(_S444, _S442.back_2));
-    var _S446 : bool;
-    if((max(_S445.x, max(_S445.y, _S445.z))) <= 0.0f)
+    var _S448 : vec3<f32> = scattered_0(_S443, _S445, to_face_frame_0(_S446, _S445.back_2), to_face_frame_0(_S447, _S445.back_2));
+    var _S449 : bool;
+    if((max(_S448.x, max(_S448.y, _S448.z))) <= 0.0f)
     {
-        _S446 = true;
+        _S449 = true;
     }
     else
     {
-        _S446 = !is_lit_0(_S440, _S441, _S442, _S443);
+        _S449 = !is_lit_0(_S443, _S444, _S445, _S446);
     }
-    if(_S446)
+    if(_S449)
     {
         return vec3<f32>(0.0f);
     }
-    return _S445;
+    return _S448;
 }
 
-fn straight_through_0( _S447 : u32,  _S448 : YarnPoint_0,  _S449 : vec3<f32>) -> f32
+fn straight_through_0( _S450 : u32,  _S451 : YarnPoint_0,  _S452 : vec3<f32>) -> f32
 {
-    if(!_S448.hole_2)
+    if(!_S451.hole_2)
     {
         return 0.0f;
     }
-    var _S450 : f32 = fabrics_0[_S447].sheen_strength_0;
-    if((fabrics_0[_S447].sheen_strength_0) <= 0.0f)
+    var _S453 : f32 = fabrics_0[_S450].sheen_strength_0;
+    if((fabrics_0[_S450].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S450 * sheen_lobe_0(abs(_S449.z), fabrics_0[_S447].sheen_roughness_0).z;
+    return 1.0f - _S453 * sheen_lobe_0(abs(_S452.z), fabrics_0[_S450].sheen_roughness_0).z;
 }
 
-fn direct_light_0( _S451 : ptr<function, Frame_std430_0>,  _S452 : u32,  _S453 : VisiblePoint_0,  _S454 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S454 : ptr<function, Frame_std430_0>,  _S455 : u32,  _S456 : VisiblePoint_0,  _S457 : vec2<f32>) -> vec4<f32>
 {
-    var _S455 : SearchQuality_0 = default_quality_0();
-    var _S456 : vec3<f32> = to_local_0(_S453, _S453.view_0);
-    var _S457 : YarnPoint_0 = locate_yarn_0(_S452, _S455, _S454.x, _S454.y, _S456);
-    var _S458 : vec3<f32> = vec3<f32>(0.0f);
+    var _S458 : SearchQuality_0 = default_quality_0();
+    var _S459 : vec3<f32> = to_local_0(_S456, _S456.view_0);
+    var _S460 : YarnPoint_0 = locate_yarn_0(_S455, _S458, _S457.x, _S457.y, _S459);
+    var _S461 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S458;
+    var radiance_1 : vec3<f32> = _S461;
     for(;;)
     {
-        if(number_1 < ((*_S451).lights_0))
+        if(number_1 < ((*_S454).lights_0))
         {
         }
         else
         {
             break;
         }
-        var _S459 : Light_std430_0 = lights_1[number_1];
+        var _S462 : Light_std430_0 = lights_1[number_1];
         var irradiance_2 : vec3<f32>;
-        var _S460 : vec3<f32> = towards_light_0(&(_S459), _S453.position_0, &(irradiance_2));
-        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * evaluate_0(_S452, _S455, _S457, to_local_0(_S453, _S460), _S456);
+        var _S463 : vec3<f32> = towards_light_0(&(_S462), _S456.position_0, &(irradiance_2));
+        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * evaluate_0(_S455, _S458, _S460, to_local_0(_S456, _S463), _S459);
         number_1 = number_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S452, _S457, _S456));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S455, _S460, _S459));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
-fn shade(@builtin(global_invocation_id) id_0 : vec3<u32>)
+fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S461 : u32;
-    var _S462 : Frame_std430_0 = frames_0[i32(0)];
-    var _S463 : u32 = _S462.width_0;
-    var _S464 : bool;
-    if((id_0.x) >= (_S462.width_0))
+    var _S464 : u32;
+    var _S465 : Frame_std430_0 = frames_0[i32(0)];
+    var _S466 : bool;
+    if((id_0.x) >= (_S465.width_0))
     {
-        _S464 = true;
+        _S466 = true;
     }
     else
     {
-        _S464 = (id_0.y) >= (_S462.height_0);
+        _S466 = (id_0.y) >= (_S465.height_0);
     }
-    if(_S464)
+    if(_S466)
     {
         return;
     }
-    var _S465 : vec2<u32> = id_0.xy;
-    var _S466 : u32 = _S465.y * _S463 + _S465.x;
-    var _S467 : vec3<i32> = vec3<i32>(vec2<i32>(_S465), i32(0));
-    var _S468 : u32 = (textureLoad((visible_faces_0), ((_S467)).xy, ((_S467)).z).x);
-    var sum_0 : vec4<f32> = vec4<f32>(0.0f);
-    if(_S468 > u32(0))
+    var _S467 : vec2<u32> = id_0.xy;
+    var _S468 : vec3<i32> = vec3<i32>(vec2<i32>(_S467), i32(0));
+    var _S469 : u32 = (textureLoad((visible_faces_0), ((_S468)).xy, ((_S468)).z).x);
+    var _S470 : vec4<f32> = vec4<f32>(0.0f);
+    var sum_0 : vec4<f32>;
+    if(_S469 > u32(0))
     {
-        var _S469 : u32 = _S468 - u32(1);
-        var _S470 : u32 = face_fabrics_0[_S469];
-        var _S471 : VisiblePoint_0 = visible_point_0(&(_S462), _S470, _S469, _S465);
+        var _S471 : u32 = _S469 - u32(1);
+        var _S472 : u32 = face_fabrics_0[_S471];
+        var _S473 : VisiblePoint_0 = visible_point_0(&(_S465), _S472, _S471, _S467);
         var k_0 : u32 = u32(0);
+        sum_0 = _S470;
         for(;;)
         {
-            var _S472 : u32 = _S462.samples_0;
-            _S461 = _S462.samples_0;
-            if(k_0 < (_S462.samples_0))
+            var _S474 : u32 = _S465.samples_0;
+            _S464 = _S465.samples_0;
+            if(k_0 < (_S465.samples_0))
             {
             }
             else
             {
                 break;
             }
-            var _S473 : vec2<f32> = footprint_sample_0(_S465, _S462.pass_number_0 * _S472 + k_0);
-            var _S474 : vec4<f32> = direct_light_0(&(_S462), _S470, _S471, _S471.draft_0 + vec2<f32>(_S473.x) * _S471.draft_dx_0 + vec2<f32>(_S473.y) * _S471.draft_dy_0);
-            sum_0 = sum_0 + _S474;
+            var _S475 : vec2<f32> = footprint_sample_0(_S467, _S465.pass_number_0 * _S474 + k_0);
+            var _S476 : vec4<f32> = light_of_point_0(&(_S465), _S472, _S473, _S473.draft_0 + vec2<f32>(_S475.x) * _S473.draft_dx_0 + vec2<f32>(_S475.y) * _S473.draft_dy_0);
+            var sum_1 : vec4<f32> = sum_0 + _S476;
             k_0 = k_0 + u32(1);
+            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / vec4<f32>(f32(_S461));
-    }
-    var _S475 : vec3<f32> = sum_0.xyz + vec3<f32>((1.0f - sum_0.w)) * vec3<f32>(_S462.background_red_0, _S462.background_green_0, _S462.background_blue_0);
-    sum_0.x = _S475.x;
-    sum_0.y = _S475.y;
-    sum_0.z = _S475.z;
-    var _S476 : vec4<f32>;
-    if((_S462.pass_number_0) == u32(0))
-    {
-        _S476 = sum_0;
+        sum_0 = sum_0 / vec4<f32>(f32(_S464));
     }
     else
     {
-        _S476 = radiance_0[_S466] + sum_0;
+        sum_0 = _S470;
     }
-    radiance_0[_S466] = _S476;
+    accumulate_0(&(_S465), _S467, sum_0);
     return;
 }
 

@@ -1355,17 +1355,21 @@ struct Albedos_0
     float3  specular_transmit_0;
 };
 
+__device__ Albedos_0 table_albedos_0(uint row_0)
+{
+    Albedos_0 albedos_0;
+    (&albedos_0)->diffuse_reflect_0 = table_colour_0(row_0);
+    (&albedos_0)->diffuse_transmit_0 = table_colour_0(row_0 + 3U);
+    (&albedos_0)->specular_reflect_0 = table_colour_0(row_0 + 6U);
+    (&albedos_0)->specular_transmit_0 = table_colour_0(row_0 + 9U);
+    return albedos_0;
+}
+
 __device__ Albedos_0 albedos_of_0(uint family_8, uint thread_7)
 {
     Family_0 _S213 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
     Family_0 _S214 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    uint _S215 = _S213.albedo_table_0 + _S214.albedo_stride_0 * thread_7;
-    Albedos_0 albedos_0;
-    (&albedos_0)->diffuse_reflect_0 = table_colour_0(_S215);
-    (&albedos_0)->diffuse_transmit_0 = table_colour_0(_S215 + 3U);
-    (&albedos_0)->specular_reflect_0 = table_colour_0(_S215 + 6U);
-    (&albedos_0)->specular_transmit_0 = table_colour_0(_S215 + 9U);
-    return albedos_0;
+    return table_albedos_0(_S213.albedo_table_0 + _S214.albedo_stride_0 * thread_7);
 }
 
 __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
@@ -1375,15 +1379,15 @@ __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
 
 __device__ float bounded_gain_0(float gain_1, float3  albedo_0, float3  room_0)
 {
-    float3  _S216 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
-    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S216.x), (_S216.y)))), (_S216.z)))), (0.0f))))));
+    float3  _S215 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
+    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S215.x), (_S215.y)))), (_S215.z)))), (0.0f))))));
 }
 
 __device__ float natural_logarithm_0(float x_13)
 {
-    uint _S217 = (F32_asuint((x_13)));
-    float exponent_0 = float(int(_S217 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S217 & 8388607U) | 1056964608U)));
+    uint _S216 = (F32_asuint((x_13)));
+    float exponent_0 = float(int(_S216 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S216 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1398,8 +1402,8 @@ __device__ float natural_logarithm_0(float x_13)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S218 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S218 - exponent_1 * 0.00021219444170129f - 0.5f * _S218) + exponent_1 * 0.693359375f;
+    float _S217 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S217 - exponent_1 * 0.00021219444170129f - 0.5f * _S217) + exponent_1 * 0.693359375f;
 }
 
 __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint seed_2)
@@ -1409,63 +1413,63 @@ __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint s
 
 __device__ Light_0 slang_ldg_3(Light_0 * ptr_3)
 {
-    uint _S219 = __ldg(&ptr_3->is_point_0);
-    float _S220 = __ldg(&ptr_3->x_0);
-    float _S221 = __ldg(&ptr_3->y_0);
-    float _S222 = __ldg(&ptr_3->z_0);
-    float _S223 = __ldg(&ptr_3->red_0);
-    float _S224 = __ldg(&ptr_3->green_0);
-    float _S225 = __ldg(&ptr_3->blue_0);
-    Light_0 _S226 = { _S219, _S220, _S221, _S222, _S223, _S224, _S225 };
-    return _S226;
+    uint _S218 = __ldg(&ptr_3->is_point_0);
+    float _S219 = __ldg(&ptr_3->x_0);
+    float _S220 = __ldg(&ptr_3->y_0);
+    float _S221 = __ldg(&ptr_3->z_0);
+    float _S222 = __ldg(&ptr_3->red_0);
+    float _S223 = __ldg(&ptr_3->green_0);
+    float _S224 = __ldg(&ptr_3->blue_0);
+    Light_0 _S225 = { _S218, _S219, _S220, _S221, _S222, _S223, _S224 };
+    return _S225;
 }
 
 __device__ float3  towards_light_0(Light_0 * light_0, float3  position_4, float3  * irradiance_1)
 {
     *irradiance_1 = make_float3 (light_0->red_0, light_0->green_0, light_0->blue_0);
-    float3  _S227 = make_float3 (light_0->x_0, light_0->y_0, light_0->z_0);
+    float3  _S226 = make_float3 (light_0->x_0, light_0->y_0, light_0->z_0);
     if((light_0->is_point_0) == 0U)
     {
-        return _S227;
+        return _S226;
     }
-    float3  _S228 = _S227 - position_4;
-    *irradiance_1 = *irradiance_1 / make_float3 ((F32_max((square_0(_S228)), (9.999999960041972e-13f))));
-    return normalize_0(_S228);
+    float3  _S227 = _S226 - position_4;
+    *irradiance_1 = *irradiance_1 / make_float3 ((F32_max((square_0(_S227)), (9.999999960041972e-13f))));
+    return normalize_0(_S227);
 }
 
 __device__ float diffuse_reflection_0(float3  light_1, float3  normal_1, float blend_0)
 {
-    float _S229 = light_1.z;
-    if(_S229 <= 0.0f)
+    float _S228 = light_1.z;
+    if(_S228 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp_0((F32_max((_S229), (0.0f))), (F32_max((dot_0(light_1, normal_1)), (0.0f))), blend_0);
+    return 0.31830987334251404f * lerp_0((F32_max((_S228), (0.0f))), (F32_max((dot_0(light_1, normal_1)), (0.0f))), blend_0);
 }
 
 __device__ float projected_area_1(float3  direction_3, float3  tangent_0, float roughness_1)
 {
-    float _S230 = dot_0(direction_3, tangent_0);
-    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S230 * _S230 + 1.0f), (roughness_1 * roughness_1))))));
+    float _S229 = dot_0(direction_3, tangent_0);
+    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S229 * _S229 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
 __device__ float exponential_0(float x_14)
 {
-    float _S231 = clamp_0(x_14, -87.0f, 88.0f);
-    float _S232 = (F32_floor((_S231 * 1.4426950216293335f + 0.5f)));
-    float _S233 = _S231 - _S232 * 0.693359375f + _S232 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S233 + 0.00139819993637502f) * _S233 + 0.00833345204591751f) * _S233 + 0.04166579619050026f) * _S233 + 0.1666666567325592f) * _S233 + 0.5f;
-    float _S234 = (U32_asfloat((uint(int(_S232) + int(127)) << int(23))));
-    float _S235;
+    float _S230 = clamp_0(x_14, -87.0f, 88.0f);
+    float _S231 = (F32_floor((_S230 * 1.4426950216293335f + 0.5f)));
+    float _S232 = _S230 - _S231 * 0.693359375f + _S231 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S232 + 0.00139819993637502f) * _S232 + 0.00833345204591751f) * _S232 + 0.04166579619050026f) * _S232 + 0.1666666567325592f) * _S232 + 0.5f;
+    float _S233 = (U32_asfloat((uint(int(_S231) + int(127)) << int(23))));
+    float _S234;
     if(x_14 < -87.0f)
     {
-        _S235 = 0.0f;
+        _S234 = 0.0f;
     }
     else
     {
-        _S235 = (p_0 * _S233 * _S233 + _S233 + 1.0f) * _S234;
+        _S234 = (p_0 * _S232 * _S232 + _S232 + 1.0f) * _S233;
     }
-    return _S235;
+    return _S234;
 }
 
 __device__ float mean_attenuation_0(float depth_0)
@@ -1479,62 +1483,62 @@ __device__ float mean_attenuation_0(float depth_0)
 
 __device__ float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S236 = roughness_2 * roughness_2;
-    float _S237 = squared_along_0 * (1.0f - _S236) + _S236;
-    return 0.31830987334251404f * _S236 * roughness_2 / (_S237 * _S237);
+    float _S235 = roughness_2 * roughness_2;
+    float _S236 = squared_along_0 * (1.0f - _S235) + _S235;
+    return 0.31830987334251404f * _S235 * roughness_2 / (_S236 * _S236);
 }
 
 __device__ float density_between_0(float3  light_2, float3  view_1, float3  tangent_1, float roughness_3)
 {
-    float3  _S238 = light_2 + view_1;
-    float _S239 = dot_0(_S238, tangent_1);
-    return flake_density_0((F32_min((_S239 * _S239 / (F32_max((square_0(_S238)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
+    float3  _S237 = light_2 + view_1;
+    float _S238 = dot_0(_S237, tangent_1);
+    return flake_density_0((F32_min((_S238 * _S238 / (F32_max((square_0(_S237)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
 }
 
 __device__ float reflection_0(float3  light_3, float3  view_2, float3  normal_2, float3  tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S240 = dot_0(light_3, normal_2);
-    bool _S241;
-    if(_S240 <= 0.0f)
+    float _S239 = dot_0(light_3, normal_2);
+    bool _S240;
+    if(_S239 <= 0.0f)
     {
-        _S241 = true;
+        _S240 = true;
     }
     else
     {
-        _S241 = (dot_0(view_2, normal_2)) <= 0.0f;
+        _S240 = (dot_0(view_2, normal_2)) <= 0.0f;
     }
-    if(_S241)
+    if(_S240)
     {
         return 0.0f;
     }
-    float _S242 = (F32_max((_S240), (9.99999997475242708e-07f)));
-    float _S243 = (F32_max((dot_0(view_2, normal_2)), (9.99999997475242708e-07f)));
-    float _S244 = projected_area_1(light_3, tangent_2, roughness_4) * _S243 + projected_area_1(view_2, tangent_2, roughness_4) * _S242;
-    float _S245 = optical_depth_1 * _S244 / (_S242 * _S243);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S245 * mean_attenuation_0(_S245)) * _S242 / _S244;
+    float _S241 = (F32_max((_S239), (9.99999997475242708e-07f)));
+    float _S242 = (F32_max((dot_0(view_2, normal_2)), (9.99999997475242708e-07f)));
+    float _S243 = projected_area_1(light_3, tangent_2, roughness_4) * _S242 + projected_area_1(view_2, tangent_2, roughness_4) * _S241;
+    float _S244 = optical_depth_1 * _S243 / (_S241 * _S242);
+    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S244 * mean_attenuation_0(_S244)) * _S241 / _S243;
 }
 
 __device__ float transmission_0(float3  light_4, float3  view_3, float3  normal_3, float3  tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S246 = - dot_0(light_4, normal_3);
-    float _S247 = dot_0(view_3, normal_3);
-    bool _S248;
-    if(_S246 <= 0.0f)
+    float _S245 = - dot_0(light_4, normal_3);
+    float _S246 = dot_0(view_3, normal_3);
+    bool _S247;
+    if(_S245 <= 0.0f)
     {
-        _S248 = true;
+        _S247 = true;
     }
     else
     {
-        _S248 = _S247 <= 0.0f;
+        _S247 = _S246 <= 0.0f;
     }
-    if(_S248)
+    if(_S247)
     {
         return 0.0f;
     }
-    float _S249 = 1.0f / (F32_max((_S247), (9.99999997475242708e-07f)));
-    float _S250 = projected_area_1(light_4, tangent_3, roughness_5) / (F32_max((_S246), (9.99999997475242708e-07f)));
-    float _S251 = projected_area_1(view_3, tangent_3, roughness_5) * _S249;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S250), (_S251)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S250 - _S251)))) * _S249;
+    float _S248 = 1.0f / (F32_max((_S246), (9.99999997475242708e-07f)));
+    float _S249 = projected_area_1(light_4, tangent_3, roughness_5) / (F32_max((_S245), (9.99999997475242708e-07f)));
+    float _S250 = projected_area_1(view_3, tangent_3, roughness_5) * _S248;
+    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S249), (_S250)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S249 - _S250)))) * _S248;
 }
 
 __device__ float sheen_scale_0(float x_15, float y_7)
@@ -1554,165 +1558,184 @@ __device__ float sheen_reflectance_0(float x_17, float y_9)
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S252 = clamp_0(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S253 = 2.0f * (F32_sqrt((_S252))) - 1.0f;
-    float _S254 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_0(roughness_6, 0.00999999977648258f, 1.0f))))))) - 2.0f;
-    return make_float3 (clamp_0(sheen_scale_0(_S253, _S254), 0.00999999977648258f, 1.0f), clamp_0((1.0f - _S252) * sheen_shear_0(_S253, _S254), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_0(sheen_reflectance_0(_S253, _S254), -60.0f, 60.0f))));
+    float _S251 = clamp_0(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S252 = 2.0f * (F32_sqrt((_S251))) - 1.0f;
+    float _S253 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_0(roughness_6, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_0(sheen_scale_0(_S252, _S253), 0.00999999977648258f, 1.0f), clamp_0((1.0f - _S251) * sheen_shear_0(_S252, _S253), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_0(sheen_reflectance_0(_S252, _S253), -60.0f, 60.0f))));
 }
 
 __device__ float transformed_cosine_0(float3  light_5, float3  view_4, float scale_0, float shear_0)
 {
-    float _S255 = light_5.z;
-    bool _S256;
-    if(_S255 <= 0.0f)
+    float _S254 = light_5.z;
+    bool _S255;
+    if(_S254 <= 0.0f)
     {
-        _S256 = true;
+        _S255 = true;
     }
     else
     {
-        _S256 = (view_4.z) <= 0.0f;
+        _S255 = (view_4.z) <= 0.0f;
     }
-    if(_S256)
+    if(_S255)
     {
         return 0.0f;
     }
-    float2  _S257 = float2 {view_4.x, view_4.y};
-    float _S258 = dot_1(_S257, _S257);
-    float2  _S259;
-    if(_S258 > 9.99999968265522539e-21f)
+    float2  _S256 = float2 {view_4.x, view_4.y};
+    float _S257 = dot_1(_S256, _S256);
+    float2  _S258;
+    if(_S257 > 9.99999968265522539e-21f)
     {
-        _S259 = _S257 * make_float2 ((F32_rsqrt((_S258))));
+        _S258 = _S256 * make_float2 ((F32_rsqrt((_S257))));
     }
     else
     {
-        _S259 = make_float2 (1.0f, 0.0f);
+        _S258 = make_float2 (1.0f, 0.0f);
     }
-    float _S260 = scale_0 * dot_1(float2 {light_5.x, light_5.y}, _S259) + shear_0 * _S255;
-    float _S261 = scale_0 * (light_5.y * _S259.x - light_5.x * _S259.y);
-    float _S262 = _S260 * _S260 + _S261 * _S261 + _S255 * _S255;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S255 / (F32_max((_S262 * _S262), (9.99999968265522539e-21f)));
+    float _S259 = scale_0 * dot_1(float2 {light_5.x, light_5.y}, _S258) + shear_0 * _S254;
+    float _S260 = scale_0 * (light_5.y * _S258.x - light_5.x * _S258.y);
+    float _S261 = _S259 * _S259 + _S260 * _S260 + _S254 * _S254;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S254 / (F32_max((_S261 * _S261), (9.99999968265522539e-21f)));
 }
 
 __device__ float2  sheen_with_transmittance_0(float3  light_6, float3  view_5, float strength_0, float roughness_7)
 {
-    float3  _S263 = sheen_lobe_0(view_5.z, roughness_7);
-    float _S264 = strength_0 * _S263.z;
-    return make_float2 (_S264 * transformed_cosine_0(light_6, view_5, _S263.x, _S263.y), 1.0f - _S264);
+    float3  _S262 = sheen_lobe_0(view_5.z, roughness_7);
+    float _S263 = strength_0 * _S262.z;
+    return make_float2 (_S263 * transformed_cosine_0(light_6, view_5, _S262.x, _S262.y), 1.0f - _S263);
 }
 
-__device__ VisiblePoint_0 visible_point_0(Frame_0 * _S265, uint _S266, uint _S267, uint2  _S268)
+__device__ void accumulate_0(Frame_0 * frame_4, uint2  pixel_1, float4  light_7)
 {
-    Fabric_0 * _S269 = (&(globalParams_0->fabrics_0)[_S266]);
-    uint _S270 = 3U * _S267;
-    uint _S271 = __ldg((&(globalParams_0->corners_0)[_S270]));
-    Vertex_0 _S272 = slang_ldg_1((&(globalParams_0->vertices_0)[_S271]));
-    uint _S273 = __ldg((&(globalParams_0->corners_0)[_S270 + 1U]));
-    Vertex_0 _S274 = slang_ldg_1((&(globalParams_0->vertices_0)[_S273]));
-    uint _S275 = __ldg((&(globalParams_0->corners_0)[_S270 + 2U]));
+    uint _S264 = pixel_1.y * frame_4->width_0 + pixel_1.x;
+    float _S265 = light_7.w;
+    float4  _S266 = make_float4 ((float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).x, (float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).y, (float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).z, _S265);
+    float4  * _S267 = (&(globalParams_0->radiance_0)[_S264]);
+    float4  _S268;
+    if((frame_4->pass_number_0) == 0U)
+    {
+        _S268 = _S266;
+    }
+    else
+    {
+        _S268 = *(&(globalParams_0->radiance_0)[_S264]) + _S266;
+    }
+    *_S267 = _S268;
+    return;
+}
+
+__device__ VisiblePoint_0 visible_point_0(Frame_0 * _S269, uint _S270, uint _S271, uint2  _S272)
+{
+    Fabric_0 * _S273 = (&(globalParams_0->fabrics_0)[_S270]);
+    uint _S274 = 3U * _S271;
+    uint _S275 = __ldg((&(globalParams_0->corners_0)[_S274]));
     Vertex_0 _S276 = slang_ldg_1((&(globalParams_0->vertices_0)[_S275]));
-    Vertex_0 _S277 = _S274;
-    float3  _S278 = position_of_0(&_S277);
-    Vertex_0 _S279 = _S272;
-    float3  _S280 = position_of_0(&_S279);
-    float3  _S281 = _S278 - _S280;
-    Vertex_0 _S282 = _S276;
-    float3  _S283 = position_of_0(&_S282);
-    float3  _S284 = _S283 - _S280;
-    float3  _S285 = cross_0(_S281, _S284);
-    float _S286 = 1.0f / (F32_max((square_0(_S285)), (1.00000000317107685e-30f)));
-    float3  _S287 = camera_right_0(_S265);
-    float _S288 = float(_S265->width_0);
-    float3  _S289 = _S287 * make_float3 (2.0f / _S288);
-    float3  _S290 = camera_up_0(_S265);
-    float _S291 = float(_S265->height_0);
-    float3  _S292 = _S290 * make_float3 (-2.0f / _S291);
-    float _S293 = float(_S268.x) + 0.5f - 0.5f * _S288;
-    float _S294 = float(_S268.y) + 0.5f - 0.5f * _S291;
-    float3  _S295 = camera_forward_0(_S265);
-    float3  _S296 = _S295 + make_float3 (_S293) * _S289 + make_float3 (_S294) * _S292;
-    float _S297 = dot_0(_S296, _S285);
-    float _S298;
-    if((F32_abs((_S297))) > 1.00000000317107685e-30f)
+    uint _S277 = __ldg((&(globalParams_0->corners_0)[_S274 + 1U]));
+    Vertex_0 _S278 = slang_ldg_1((&(globalParams_0->vertices_0)[_S277]));
+    uint _S279 = __ldg((&(globalParams_0->corners_0)[_S274 + 2U]));
+    Vertex_0 _S280 = slang_ldg_1((&(globalParams_0->vertices_0)[_S279]));
+    Vertex_0 _S281 = _S278;
+    float3  _S282 = position_of_0(&_S281);
+    Vertex_0 _S283 = _S276;
+    float3  _S284 = position_of_0(&_S283);
+    float3  _S285 = _S282 - _S284;
+    Vertex_0 _S286 = _S280;
+    float3  _S287 = position_of_0(&_S286);
+    float3  _S288 = _S287 - _S284;
+    float3  _S289 = cross_0(_S285, _S288);
+    float _S290 = 1.0f / (F32_max((square_0(_S289)), (1.00000000317107685e-30f)));
+    float3  _S291 = camera_right_0(_S269);
+    float _S292 = float(_S269->width_0);
+    float3  _S293 = _S291 * make_float3 (2.0f / _S292);
+    float3  _S294 = camera_up_0(_S269);
+    float _S295 = float(_S269->height_0);
+    float3  _S296 = _S294 * make_float3 (-2.0f / _S295);
+    float _S297 = float(_S272.x) + 0.5f - 0.5f * _S292;
+    float _S298 = float(_S272.y) + 0.5f - 0.5f * _S295;
+    float3  _S299 = camera_forward_0(_S269);
+    float3  _S300 = _S299 + make_float3 (_S297) * _S293 + make_float3 (_S298) * _S296;
+    float _S301 = dot_0(_S300, _S289);
+    float _S302;
+    if((F32_abs((_S301))) > 1.00000000317107685e-30f)
     {
-        _S298 = _S297;
+        _S302 = _S301;
     }
     else
     {
-        _S298 = 1.00000000317107685e-30f;
+        _S302 = 1.00000000317107685e-30f;
     }
-    float _S299 = 1.0f / _S298;
-    float3  _S300 = camera_origin_0(_S265);
-    float3  _S301 = _S280 - _S300;
-    float _S302 = dot_0(_S301, _S285) * _S299;
-    float3  _S303 = _S296 * make_float3 (_S302) - _S301;
-    float3  _S304 = make_float3 (_S302) * (_S289 - _S296 * make_float3 (dot_0(_S289, _S285) * _S299));
-    float3  _S305 = make_float3 (_S302) * (_S292 - _S296 * make_float3 (dot_0(_S292, _S285) * _S299));
-    float3  _S306 = cross_0(_S284, _S285) * make_float3 (_S286);
-    float3  _S307 = cross_0(_S285, _S281) * make_float3 (_S286);
-    float _S308 = dot_0(_S303, _S306);
-    float _S309 = dot_0(_S303, _S307);
-    float _S310 = _S274.u_0 - _S272.u_0;
-    float _S311 = _S274.v_0 - _S272.v_0;
-    float2  _S312 = make_float2 (_S310, _S311);
-    float _S313 = _S276.u_0 - _S272.u_0;
-    float _S314 = _S276.v_0 - _S272.v_0;
-    float2  _S315 = make_float2 (_S313, _S314);
-    float2  _S316 = make_float2 (_S272.u_0, _S272.v_0) + make_float2 (_S308) * _S312 + make_float2 (_S309) * _S315;
-    float2  _S317 = make_float2 (dot_0(_S304, _S306)) * _S312 + make_float2 (dot_0(_S304, _S307)) * _S315;
-    float2  _S318 = make_float2 (dot_0(_S305, _S306)) * _S312 + make_float2 (dot_0(_S305, _S307)) * _S315;
-    if((_S310 * _S314 - _S311 * _S313) < 0.0f)
+    float _S303 = 1.0f / _S302;
+    float3  _S304 = camera_origin_0(_S269);
+    float3  _S305 = _S284 - _S304;
+    float _S306 = dot_0(_S305, _S289) * _S303;
+    float3  _S307 = _S300 * make_float3 (_S306) - _S305;
+    float3  _S308 = make_float3 (_S306) * (_S293 - _S300 * make_float3 (dot_0(_S293, _S289) * _S303));
+    float3  _S309 = make_float3 (_S306) * (_S296 - _S300 * make_float3 (dot_0(_S296, _S289) * _S303));
+    float3  _S310 = cross_0(_S288, _S289) * make_float3 (_S290);
+    float3  _S311 = cross_0(_S289, _S285) * make_float3 (_S290);
+    float _S312 = dot_0(_S307, _S310);
+    float _S313 = dot_0(_S307, _S311);
+    float _S314 = _S278.u_0 - _S276.u_0;
+    float _S315 = _S278.v_0 - _S276.v_0;
+    float2  _S316 = make_float2 (_S314, _S315);
+    float _S317 = _S280.u_0 - _S276.u_0;
+    float _S318 = _S280.v_0 - _S276.v_0;
+    float2  _S319 = make_float2 (_S317, _S318);
+    float2  _S320 = make_float2 (_S276.u_0, _S276.v_0) + make_float2 (_S312) * _S316 + make_float2 (_S313) * _S319;
+    float2  _S321 = make_float2 (dot_0(_S308, _S310)) * _S316 + make_float2 (dot_0(_S308, _S311)) * _S319;
+    float2  _S322 = make_float2 (dot_0(_S309, _S310)) * _S316 + make_float2 (dot_0(_S309, _S311)) * _S319;
+    if((_S314 * _S318 - _S315 * _S317) < 0.0f)
     {
-        _S298 = -1.0f;
+        _S302 = -1.0f;
     }
     else
     {
-        _S298 = 1.0f;
+        _S302 = 1.0f;
     }
-    float3  _S319 = make_float3 (_S298) * (make_float3 (_S314) * _S281 - make_float3 (_S311) * _S284);
-    float3  _S320 = make_float3 (_S298) * (make_float3 (_S310) * _S284 - make_float3 (_S313) * _S281);
+    float3  _S323 = make_float3 (_S302) * (make_float3 (_S318) * _S285 - make_float3 (_S315) * _S288);
+    float3  _S324 = make_float3 (_S302) * (make_float3 (_S314) * _S288 - make_float3 (_S317) * _S285);
     VisiblePoint_0 point_1;
-    float _S321 = 1.0f - _S308 - _S309;
-    Vertex_0 _S322 = _S272;
-    float3  _S323 = normal_of_0(&_S322);
-    float3  _S324 = make_float3 (_S321) * _S323;
-    Vertex_0 _S325 = _S274;
-    float3  _S326 = normal_of_0(&_S325);
-    float3  _S327 = _S324 + make_float3 (_S308) * _S326;
-    Vertex_0 _S328 = _S276;
-    float3  _S329 = normal_of_0(&_S328);
-    float3  _S330 = normalize_0(_S327 + make_float3 (_S309) * _S329);
-    (&point_1)->normal_0 = _S330;
-    float3  _S331 = normalize_0(_S319 - _S330 * make_float3 (dot_0(_S330, _S319)));
-    (&point_1)->axis_x_0 = _S331;
-    (&point_1)->axis_y_0 = cross_0(_S330, _S331);
-    (&point_1)->position_0 = _S280 + _S303;
-    (&point_1)->view_0 = - normalize_0(_S296);
-    bool _S332 = (dot_0(cross_0(_S319, _S320), _S330)) < 0.0f;
-    float _S333 = __ldg(&_S269->uv_width_0);
-    if(_S332)
+    float _S325 = 1.0f - _S312 - _S313;
+    Vertex_0 _S326 = _S276;
+    float3  _S327 = normal_of_0(&_S326);
+    float3  _S328 = make_float3 (_S325) * _S327;
+    Vertex_0 _S329 = _S278;
+    float3  _S330 = normal_of_0(&_S329);
+    float3  _S331 = _S328 + make_float3 (_S312) * _S330;
+    Vertex_0 _S332 = _S280;
+    float3  _S333 = normal_of_0(&_S332);
+    float3  _S334 = normalize_0(_S331 + make_float3 (_S313) * _S333);
+    (&point_1)->normal_0 = _S334;
+    float3  _S335 = normalize_0(_S323 - _S334 * make_float3 (dot_0(_S334, _S323)));
+    (&point_1)->axis_x_0 = _S335;
+    (&point_1)->axis_y_0 = cross_0(_S334, _S335);
+    (&point_1)->position_0 = _S284 + _S307;
+    (&point_1)->view_0 = - normalize_0(_S300);
+    bool _S336 = (dot_0(cross_0(_S323, _S324), _S334)) < 0.0f;
+    float _S337 = __ldg(&_S273->uv_width_0);
+    if(_S336)
     {
-        float _S334 = __ldg(&_S269->uv_height_0);
-        _S298 = - _S334;
+        float _S338 = __ldg(&_S273->uv_height_0);
+        _S302 = - _S338;
     }
     else
     {
-        float _S335 = __ldg(&_S269->uv_height_0);
-        _S298 = _S335;
+        float _S339 = __ldg(&_S273->uv_height_0);
+        _S302 = _S339;
     }
-    float2  _S336 = make_float2 (_S333, _S298);
-    float2  _S337 = _S316 * _S336;
-    if(_S332)
+    float2  _S340 = make_float2 (_S337, _S302);
+    float2  _S341 = _S320 * _S340;
+    if(_S336)
     {
-        float _S338 = __ldg(&_S269->uv_height_0);
-        _S298 = _S338;
+        float _S342 = __ldg(&_S273->uv_height_0);
+        _S302 = _S342;
     }
     else
     {
-        _S298 = 0.0f;
+        _S302 = 0.0f;
     }
-    (&point_1)->draft_0 = _S337 + make_float2 (0.0f, _S298);
-    (&point_1)->draft_dx_0 = _S317 * _S336;
-    (&point_1)->draft_dy_0 = _S318 * _S336;
+    (&point_1)->draft_0 = _S341 + make_float2 (0.0f, _S302);
+    (&point_1)->draft_dx_0 = _S321 * _S340;
+    (&point_1)->draft_dy_0 = _S322 * _S340;
     return point_1;
 }
 
@@ -1751,374 +1774,374 @@ struct Sample_0
     float slope_y_1;
 };
 
-__device__ Crossing_0 crossing_at_0(uint _S339, float _S340, float _S341, bool _S342)
+__device__ Crossing_0 crossing_at_0(uint _S343, float _S344, float _S345, bool _S346)
 {
-    Fabric_0 * _S343 = (&(globalParams_0->fabrics_0)[_S339]);
+    Fabric_0 * _S347 = (&(globalParams_0->fabrics_0)[_S343]);
     Crossing_0 crossing_2;
-    uint _S344 = __ldg(&_S343->warp_0);
-    (&crossing_2)->warp_1 = locate_0(_S344, _S340);
-    uint _S345 = __ldg(&_S343->weft_0);
-    (&crossing_2)->weft_1 = locate_0(_S345, _S341);
-    uint _S346 = __ldg(&_S343->run_words_0);
-    uint _S347 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S348 = __ldg(&_S343->ends_0);
-    uint _S349 = _S346 + 2U * (_S347 * _S348 + (&(&crossing_2)->warp_1)->thread_1);
-    uint _S350 = __ldg((&(globalParams_0->words_0)[_S349]));
-    (&crossing_2)->warp_word_0 = _S350;
-    uint _S351 = __ldg((&(globalParams_0->words_0)[_S349 + 1U]));
-    (&crossing_2)->weft_word_0 = _S351;
-    (&crossing_2)->warp_above_0 = ((_S350 & 1U) == 1U) != _S342;
+    uint _S348 = __ldg(&_S347->warp_0);
+    (&crossing_2)->warp_1 = locate_0(_S348, _S344);
+    uint _S349 = __ldg(&_S347->weft_0);
+    (&crossing_2)->weft_1 = locate_0(_S349, _S345);
+    uint _S350 = __ldg(&_S347->run_words_0);
+    uint _S351 = (&(&crossing_2)->weft_1)->thread_1;
+    uint _S352 = __ldg(&_S347->ends_0);
+    uint _S353 = _S350 + 2U * (_S351 * _S352 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S354 = __ldg((&(globalParams_0->words_0)[_S353]));
+    (&crossing_2)->warp_word_0 = _S354;
+    uint _S355 = __ldg((&(globalParams_0->words_0)[_S353 + 1U]));
+    (&crossing_2)->weft_word_0 = _S355;
+    (&crossing_2)->warp_above_0 = ((_S354 & 1U) == 1U) != _S346;
     return crossing_2;
 }
 
-__device__ Sample_0 sample_at_0(uint _S352, float _S353, float _S354, bool _S355)
+__device__ Sample_0 sample_at_0(uint _S356, float _S357, float _S358, bool _S359)
 {
-    Fabric_0 * _S356 = (&(globalParams_0->fabrics_0)[_S352]);
+    Fabric_0 * _S360 = (&(globalParams_0->fabrics_0)[_S356]);
     Sample_0 sample_0;
-    Crossing_0 _S357 = crossing_at_0(_S352, _S353, _S354, _S355);
-    (&sample_0)->crossing_1 = _S357;
-    Crossing_0 _S358 = _S357;
-    Shown_0 _S359 = shown_at_0(&_S358, _S355);
-    (&sample_0)->shown_3 = _S359;
-    uint _S360;
-    if(_S359.is_warp_0)
+    Crossing_0 _S361 = crossing_at_0(_S356, _S357, _S358, _S359);
+    (&sample_0)->crossing_1 = _S361;
+    Crossing_0 _S362 = _S361;
+    Shown_0 _S363 = shown_at_0(&_S362, _S359);
+    (&sample_0)->shown_3 = _S363;
+    uint _S364;
+    if(_S363.is_warp_0)
     {
-        uint _S361 = __ldg(&_S356->warp_0);
-        _S360 = _S361;
+        uint _S365 = __ldg(&_S360->warp_0);
+        _S364 = _S365;
     }
     else
     {
-        uint _S362 = __ldg(&_S356->weft_0);
-        _S360 = _S362;
+        uint _S366 = __ldg(&_S360->weft_0);
+        _S364 = _S366;
     }
-    uint _S363;
-    if(_S359.is_warp_0)
+    uint _S367;
+    if(_S363.is_warp_0)
     {
-        uint _S364 = __ldg(&_S356->weft_0);
-        _S363 = _S364;
+        uint _S368 = __ldg(&_S360->weft_0);
+        _S367 = _S368;
     }
     else
     {
-        uint _S365 = __ldg(&_S356->warp_0);
-        _S363 = _S365;
+        uint _S369 = __ldg(&_S360->warp_0);
+        _S367 = _S369;
     }
-    Cell_0 _S366 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S367 = (&(&sample_0)->crossing_1)->weft_1;
-    Cell_0 _S368 = select_cell_0(_S359.is_warp_0, &_S366, &_S367);
-    Cell_0 _S369 = (&(&sample_0)->crossing_1)->weft_1;
     Cell_0 _S370 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S371 = select_cell_0(_S359.is_warp_0, &_S369, &_S370);
-    Cell_0 _S372 = _S371;
-    Run_0 _S373 = unpack_0(_S360, _S363, _S368.thread_1, &_S372, _S359.word_0);
-    Cell_0 _S374 = _S368;
-    Section_0 _S375 = section_at_0(&_S374);
-    bool _S376;
-    if(_S359.on_top_0)
+    Cell_0 _S371 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S372 = select_cell_0(_S363.is_warp_0, &_S370, &_S371);
+    Cell_0 _S373 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S374 = (&(&sample_0)->crossing_1)->warp_1;
+    Cell_0 _S375 = select_cell_0(_S363.is_warp_0, &_S373, &_S374);
+    Cell_0 _S376 = _S375;
+    Run_0 _S377 = unpack_0(_S364, _S367, _S372.thread_1, &_S376, _S363.word_0);
+    Cell_0 _S378 = _S372;
+    Section_0 _S379 = section_at_0(&_S378);
+    bool _S380;
+    if(_S363.on_top_0)
     {
-        _S376 = (_S373.distance_0) < (_S375.drop_0 * _S373.bend_1.sine_0);
+        _S380 = (_S377.distance_0) < (_S379.drop_0 * _S377.bend_1.sine_0);
     }
     else
     {
-        _S376 = false;
+        _S380 = false;
     }
-    bool _S377;
-    if(_S359.on_top_0)
+    bool _S381;
+    if(_S363.on_top_0)
     {
-        _S377 = !_S376;
+        _S381 = !_S380;
     }
     else
     {
-        _S377 = false;
+        _S381 = false;
     }
-    float _S378;
-    if(_S377)
+    float _S382;
+    if(_S381)
     {
-        _S378 = 1.0f;
+        _S382 = 1.0f;
     }
     else
     {
-        _S378 = -1.0f;
+        _S382 = -1.0f;
     }
-    float _S379;
-    if(_S376)
+    float _S383;
+    if(_S380)
     {
-        _S379 = _S373.other_reach_0;
+        _S383 = _S377.other_reach_0;
     }
     else
     {
-        _S379 = _S373.reach_0;
+        _S383 = _S377.reach_0;
     }
-    float _S380;
-    if(_S376)
+    float _S384;
+    if(_S380)
     {
-        _S380 = _S379 + _S373.distance_0;
+        _S384 = _S383 + _S377.distance_0;
     }
     else
     {
-        _S380 = (F32_max((_S379 - _S373.distance_0), (0.0f)));
+        _S384 = (F32_max((_S383 - _S377.distance_0), (0.0f)));
     }
-    float _S381 = _S379 / _S373.bend_1.sine_0 - _S378 * _S375.drop_0;
-    float _S382 = _S380 * _S380;
-    float _S383 = (F32_max((_S381 * _S381 - _S382), (9.99999968265522539e-21f)));
-    float _S384 = (F32_rsqrt((_S383)));
-    float _S385 = _S382 / (_S383 * _S384 + _S381);
-    bool _S386 = _S380 > 0.0f;
-    float _S387;
-    if(_S359.on_top_0)
+    float _S385 = _S383 / _S377.bend_1.sine_0 - _S382 * _S379.drop_0;
+    float _S386 = _S384 * _S384;
+    float _S387 = (F32_max((_S385 * _S385 - _S386), (9.99999968265522539e-21f)));
+    float _S388 = (F32_rsqrt((_S387)));
+    float _S389 = _S386 / (_S387 * _S388 + _S385);
+    bool _S390 = _S384 > 0.0f;
+    float _S391;
+    if(_S363.on_top_0)
     {
-        _S387 = 1.0f;
+        _S391 = 1.0f;
     }
     else
     {
-        _S387 = -1.0f;
+        _S391 = -1.0f;
     }
-    float _S388;
-    if(_S373.near_start_0)
+    float _S392;
+    if(_S377.near_start_0)
     {
-        _S388 = 1.0f;
+        _S392 = 1.0f;
     }
     else
     {
-        _S388 = -1.0f;
+        _S392 = -1.0f;
     }
-    float _S389 = _S387 * _S388;
-    if(_S386)
+    float _S393 = _S391 * _S392;
+    if(_S390)
     {
-        _S387 = _S381 * _S384;
+        _S391 = _S385 * _S388;
     }
     else
     {
-        _S387 = 1.0f;
+        _S391 = 1.0f;
     }
-    (&sample_0)->slope_across_0 = _S375.slope_0 * _S387;
-    if(_S386)
+    (&sample_0)->slope_across_0 = _S379.slope_0 * _S391;
+    if(_S390)
     {
-        _S380 = _S389 * _S380 * _S384;
+        _S384 = _S393 * _S384 * _S388;
     }
     else
     {
-        _S380 = 0.0f;
+        _S384 = 0.0f;
     }
-    (&sample_0)->slope_along_0 = _S380;
-    Family_0 _S390 = slang_ldg_2((&(globalParams_0->families_0)[_S360]));
-    Shown_0 _S391 = _S359;
-    Run_0 _S392 = _S373;
-    Cell_0 _S393 = _S371;
-    float2  _S394 = dive_0(_S363, &_S391, &_S392, &_S393);
-    if(_S373.straight_0)
+    (&sample_0)->slope_along_0 = _S384;
+    Family_0 _S394 = slang_ldg_2((&(globalParams_0->families_0)[_S364]));
+    Shown_0 _S395 = _S363;
+    Run_0 _S396 = _S377;
+    Cell_0 _S397 = _S375;
+    float2  _S398 = dive_0(_S367, &_S395, &_S396, &_S397);
+    if(_S377.straight_0)
     {
-        _S378 = 0.0f;
+        _S382 = 0.0f;
     }
     else
     {
-        _S378 = _S390.height_scale_0 * _S378;
+        _S382 = _S394.height_scale_0 * _S382;
     }
-    (&sample_0)->height_5 = _S378 * (_S379 * _S373.bend_1.half_tangent_0 - _S385) - _S390.height_scale_0 * _S375.drop_0 - _S394.x;
-    float _S395 = _S390.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S396 = _S390.height_scale_0 * (&sample_0)->slope_along_0 - _S394.y;
-    if(_S359.is_warp_0)
+    (&sample_0)->height_5 = _S382 * (_S383 * _S377.bend_1.half_tangent_0 - _S389) - _S394.height_scale_0 * _S379.drop_0 - _S398.x;
+    float _S399 = _S394.height_scale_0 * (&sample_0)->slope_across_0;
+    float _S400 = _S394.height_scale_0 * (&sample_0)->slope_along_0 - _S398.y;
+    if(_S363.is_warp_0)
     {
-        _S378 = _S395;
+        _S382 = _S399;
     }
     else
     {
-        _S378 = _S396;
+        _S382 = _S400;
     }
-    (&sample_0)->slope_x_1 = _S378;
-    if(_S359.is_warp_0)
+    (&sample_0)->slope_x_1 = _S382;
+    if(_S363.is_warp_0)
     {
-        _S378 = _S396;
+        _S382 = _S400;
     }
     else
     {
-        _S378 = _S395;
+        _S382 = _S399;
     }
-    (&sample_0)->slope_y_1 = _S378;
-    (&sample_0)->run_3 = _S373;
-    (&sample_0)->section_1 = _S375;
+    (&sample_0)->slope_y_1 = _S382;
+    (&sample_0)->run_3 = _S377;
+    (&sample_0)->section_1 = _S379;
     return sample_0;
 }
 
-__device__ float steps_per_length_0(uint _S397, SearchQuality_0 * _S398, float3  _S399)
+__device__ float steps_per_length_0(uint _S401, SearchQuality_0 * _S402, float3  _S403)
 {
-    Fabric_0 * _S400 = (&(globalParams_0->fabrics_0)[_S397]);
-    float _S401 = (F32_abs((_S399.x)));
-    float _S402 = __ldg(&_S400->threads_per_x_0);
-    float _S403 = _S401 * _S402;
-    float _S404 = (F32_abs((_S399.y)));
-    float _S405 = __ldg(&_S400->threads_per_y_0);
-    float _S406 = (F32_max((_S403), (_S404 * _S405))) * _S398->steps_per_thread_0;
-    float _S407 = (F32_abs((_S399.z)));
-    float _S408 = __ldg(&_S400->per_relief_0);
-    return (F32_max((_S406), (_S407 * _S408 * _S398->steps_per_relief_0)));
+    Fabric_0 * _S404 = (&(globalParams_0->fabrics_0)[_S401]);
+    float _S405 = (F32_abs((_S403.x)));
+    float _S406 = __ldg(&_S404->threads_per_x_0);
+    float _S407 = _S405 * _S406;
+    float _S408 = (F32_abs((_S403.y)));
+    float _S409 = __ldg(&_S404->threads_per_y_0);
+    float _S410 = (F32_max((_S407), (_S408 * _S409))) * _S402->steps_per_thread_0;
+    float _S411 = (F32_abs((_S403.z)));
+    float _S412 = __ldg(&_S404->per_relief_0);
+    return (F32_max((_S410), (_S411 * _S412 * _S402->steps_per_relief_0)));
 }
 
-__device__ float cell_maximum_0(uint _S409, Crossing_0 * _S410)
+__device__ float cell_maximum_0(uint _S413, Crossing_0 * _S414)
 {
-    Fabric_0 * _S411 = (&(globalParams_0->fabrics_0)[_S409]);
-    bool _S412 = _S410->warp_above_0;
-    uint _S413;
-    if(_S410->warp_above_0)
+    Fabric_0 * _S415 = (&(globalParams_0->fabrics_0)[_S413]);
+    bool _S416 = _S414->warp_above_0;
+    uint _S417;
+    if(_S414->warp_above_0)
     {
-        uint _S414 = __ldg(&_S411->warp_0);
-        _S413 = _S414;
+        uint _S418 = __ldg(&_S415->warp_0);
+        _S417 = _S418;
     }
     else
     {
-        uint _S415 = __ldg(&_S411->weft_0);
-        _S413 = _S415;
+        uint _S419 = __ldg(&_S415->weft_0);
+        _S417 = _S419;
     }
-    uint _S416;
-    if(_S412)
+    uint _S420;
+    if(_S416)
     {
-        _S416 = _S410->warp_word_0;
+        _S420 = _S414->warp_word_0;
     }
     else
     {
-        _S416 = _S410->weft_word_0;
+        _S420 = _S414->weft_word_0;
     }
-    float _S417 = float(_S416 >> int(28));
-    Family_0 _S418 = slang_ldg_2((&(globalParams_0->families_0)[_S413]));
-    float _S419 = _S417 * _S418.height_scale_0;
-    Family_0 _S420 = slang_ldg_2((&(globalParams_0->families_0)[_S413]));
-    return _S419 * _S420.level_0;
+    float _S421 = float(_S420 >> int(28));
+    Family_0 _S422 = slang_ldg_2((&(globalParams_0->families_0)[_S417]));
+    float _S423 = _S421 * _S422.height_scale_0;
+    Family_0 _S424 = slang_ldg_2((&(globalParams_0->families_0)[_S417]));
+    return _S423 * _S424.level_0;
 }
 
-__device__ Probe_0 probe_0(uint _S421, float _S422, float _S423, bool _S424, bool _S425, bool _S426)
+__device__ Probe_0 probe_0(uint _S425, float _S426, float _S427, bool _S428, bool _S429, bool _S430)
 {
-    Sample_0 _S427 = sample_at_0(_S421, _S422, _S423, _S424);
+    Sample_0 _S431 = sample_at_0(_S425, _S426, _S427, _S428);
     Probe_0 probe_1;
-    (&probe_1)->height_1 = _S427.height_5;
-    (&probe_1)->hole_1 = _S427.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S427.slope_x_1;
-    (&probe_1)->slope_y_0 = _S427.slope_y_1;
-    uint _S428;
-    if(_S427.shown_3.is_warp_0)
+    (&probe_1)->height_1 = _S431.height_5;
+    (&probe_1)->hole_1 = _S431.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S431.slope_x_1;
+    (&probe_1)->slope_y_0 = _S431.slope_y_1;
+    uint _S432;
+    if(_S431.shown_3.is_warp_0)
     {
-        _S428 = _S427.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S432 = _S431.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S428 = _S427.crossing_1.weft_1.thread_1 * 2U;
+        _S432 = _S431.crossing_1.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S428;
-    Crossing_0 _S429 = _S427.crossing_1;
-    float _S430 = cell_maximum_0(_S421, &_S429);
-    (&probe_1)->cell_max_0 = _S430;
-    float _S431;
-    if(_S425)
+    (&probe_1)->yarn_1 = _S432;
+    Crossing_0 _S433 = _S431.crossing_1;
+    float _S434 = cell_maximum_0(_S425, &_S433);
+    (&probe_1)->cell_max_0 = _S434;
+    float _S435;
+    if(_S429)
     {
-        _S431 = _S427.crossing_1.warp_1.above_0;
+        _S435 = _S431.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S431 = _S427.crossing_1.warp_1.below_0;
+        _S435 = _S431.crossing_1.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S431;
-    if(_S426)
+    (&probe_1)->side_x_0 = _S435;
+    if(_S430)
     {
-        _S431 = _S427.crossing_1.weft_1.above_0;
+        _S435 = _S431.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S431 = _S427.crossing_1.weft_1.below_0;
+        _S435 = _S431.crossing_1.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S431;
-    bool _S432 = !_S427.shown_3.is_warp_0;
-    Cell_0 _S433 = _S427.crossing_1.warp_1;
-    Shown_0 _S434 = _S427.shown_3;
-    Run_0 _S435 = _S427.run_3;
-    float _S436 = outline_distance_0(&_S433, &_S434, &_S435, _S432, _S425);
-    (&probe_1)->edge_x_0 = _S436;
-    Cell_0 _S437 = _S427.crossing_1.weft_1;
-    Shown_0 _S438 = _S427.shown_3;
-    Run_0 _S439 = _S427.run_3;
-    float _S440 = outline_distance_0(&_S437, &_S438, &_S439, _S427.shown_3.is_warp_0, _S426);
-    (&probe_1)->edge_y_0 = _S440;
+    (&probe_1)->side_y_0 = _S435;
+    bool _S436 = !_S431.shown_3.is_warp_0;
+    Cell_0 _S437 = _S431.crossing_1.warp_1;
+    Shown_0 _S438 = _S431.shown_3;
+    Run_0 _S439 = _S431.run_3;
+    float _S440 = outline_distance_0(&_S437, &_S438, &_S439, _S436, _S429);
+    (&probe_1)->edge_x_0 = _S440;
+    Cell_0 _S441 = _S431.crossing_1.weft_1;
+    Shown_0 _S442 = _S431.shown_3;
+    Run_0 _S443 = _S431.run_3;
+    float _S444 = outline_distance_0(&_S441, &_S442, &_S443, _S431.shown_3.is_warp_0, _S430);
+    (&probe_1)->edge_y_0 = _S444;
     return probe_1;
 }
 
-__device__ bool is_free_0(uint _S441, SearchQuality_0 * _S442, float3  _S443, float3  _S444, bool _S445, float _S446)
+__device__ bool is_free_0(uint _S445, SearchQuality_0 * _S446, float3  _S447, float3  _S448, bool _S449, float _S450)
 {
-    float _S447 = _S444.z;
-    if(_S447 <= 0.0f)
+    float _S451 = _S448.z;
+    if(_S451 <= 0.0f)
     {
         return false;
     }
-    float _S448 = _S442->shadow_share_0;
-    float _S449 = steps_per_length_0(_S441, _S442, _S444);
-    float _S450 = 1.0f / (F32_max((_S448 * _S449), (9.99999971718068537e-10f)));
-    StepControl_0 _S451 = step_control_0(float2 {_S444.x, _S444.y}, _S450);
+    float _S452 = _S446->shadow_share_0;
+    float _S453 = steps_per_length_0(_S445, _S446, _S448);
+    float _S454 = 1.0f / (F32_max((_S452 * _S453), (9.99999971718068537e-10f)));
+    StepControl_0 _S455 = step_control_0(float2 {_S448.x, _S448.y}, _S454);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_1 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S452;
+        bool _S456;
         if(count_1 < 1024U)
         {
-            _S452 = (_S443.z + _S447 * distance_1) < _S446;
+            _S456 = (_S447.z + _S451 * distance_1) < _S450;
         }
         else
         {
-            _S452 = false;
+            _S456 = false;
         }
-        if(_S452)
+        if(_S456)
         {
         }
         else
         {
             break;
         }
-        float3  _S453 = _S443 + _S444 * make_float3 (distance_1);
-        Probe_0 _S454 = probe_0(_S441, _S453.x, _S453.y, _S445, _S451.right_1, _S451.up_0);
-        float _S455 = _S453.z;
-        float _S456 = _S455 - _S454.height_1;
-        float _S457 = _S447 - _S454.slope_x_0 * _S444.x - _S454.slope_y_0 * _S444.y;
-        bool _S458;
-        if(!_S454.hole_1)
+        float3  _S457 = _S447 + _S448 * make_float3 (distance_1);
+        Probe_0 _S458 = probe_0(_S445, _S457.x, _S457.y, _S449, _S455.right_1, _S455.up_0);
+        float _S459 = _S457.z;
+        float _S460 = _S459 - _S458.height_1;
+        float _S461 = _S451 - _S458.slope_x_0 * _S448.x - _S458.slope_y_0 * _S448.y;
+        bool _S462;
+        if(!_S458.hole_1)
         {
-            _S458 = _S456 < 0.0f;
+            _S462 = _S460 < 0.0f;
         }
         else
         {
-            _S458 = false;
+            _S462 = false;
         }
-        if(_S458)
+        if(_S462)
         {
             return false;
         }
-        PreviousSample_0 _S459 = previous_3;
-        Probe_0 _S460 = _S454;
-        float _S461 = way_back_to_dip_0(&_S459, _S456, _S457, last_step_0, &_S460);
-        if(_S461 >= 0.0f)
+        PreviousSample_0 _S463 = previous_3;
+        Probe_0 _S464 = _S458;
+        float _S465 = way_back_to_dip_0(&_S463, _S460, _S461, last_step_0, &_S464);
+        if(_S465 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S461;
-            distance_1 = distance_1 - _S461;
+            float last_step_1 = last_step_0 - _S465;
+            distance_1 = distance_1 - _S465;
             last_step_0 = last_step_1;
             count_1 = count_1 + 1U;
             continue;
         }
-        bool _S462 = _S455 > (_S454.cell_max_0);
-        Probe_0 _S463 = _S454;
-        PreviousSample_0 _S464 = after_sample_0(_S456, _S457, &_S463, _S462);
+        bool _S466 = _S459 > (_S458.cell_max_0);
+        Probe_0 _S467 = _S458;
+        PreviousSample_0 _S468 = after_sample_0(_S460, _S461, &_S467, _S466);
         float last_step_2;
-        if(_S462)
+        if(_S466)
         {
-            StepControl_0 _S465 = _S451;
-            float _S466 = StepControl_to_cell_exit_0(&_S465, _S454.side_x_0, _S454.side_y_0);
-            last_step_2 = (F32_max((_S466), (_S450)));
+            StepControl_0 _S469 = _S455;
+            float _S470 = StepControl_to_cell_exit_0(&_S469, _S458.side_x_0, _S458.side_y_0);
+            last_step_2 = (F32_max((_S470), (_S454)));
         }
         else
         {
-            StepControl_0 _S467 = _S451;
-            Probe_0 _S468 = _S454;
-            float _S469 = StepControl_to_next_sample_0(&_S467, &_S468, _S456, _S457);
-            last_step_2 = _S469;
+            StepControl_0 _S471 = _S455;
+            Probe_0 _S472 = _S458;
+            float _S473 = StepControl_to_next_sample_0(&_S471, &_S472, _S460, _S461);
+            last_step_2 = _S473;
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S464;
+        previous_3 = _S468;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + 1U;
@@ -2126,50 +2149,50 @@ __device__ bool is_free_0(uint _S441, SearchQuality_0 * _S442, float3  _S443, fl
     return true;
 }
 
-__device__ bool passes_through_0(uint _S470, SearchQuality_0 * _S471, float _S472, float _S473, float3  _S474, bool _S475)
+__device__ bool passes_through_0(uint _S474, SearchQuality_0 * _S475, float _S476, float _S477, float3  _S478, bool _S479)
 {
-    Fabric_0 * _S476 = (&(globalParams_0->fabrics_0)[_S470]);
-    Sample_0 _S477 = sample_at_0(_S470, _S472, _S473, _S475);
-    if(!_S477.shown_3.hole_0)
+    Fabric_0 * _S480 = (&(globalParams_0->fabrics_0)[_S474]);
+    Sample_0 _S481 = sample_at_0(_S474, _S476, _S477, _S479);
+    if(!_S481.shown_3.hole_0)
     {
         return false;
     }
-    float3  _S478 = make_float3 (_S472, _S473, 0.0f);
+    float3  _S482 = make_float3 (_S476, _S477, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S479;
+        bool _S483;
         if(side_0 < 2U)
         {
-            _S479 = passes_0;
+            _S483 = passes_0;
         }
         else
         {
-            _S479 = false;
+            _S483 = false;
         }
-        if(_S479)
+        if(_S483)
         {
         }
         else
         {
             break;
         }
-        float3  _S480;
+        float3  _S484;
         if(side_0 == 0U)
         {
-            _S480 = _S474;
+            _S484 = _S478;
         }
         else
         {
-            _S480 = make_float3 (- _S474.x, - _S474.y, _S474.z);
+            _S484 = make_float3 (- _S478.x, - _S478.y, _S478.z);
         }
-        bool _S481 = _S475 != (side_0 == 1U);
-        float _S482 = __ldg(&_S476->height_high_0);
-        bool _S483 = is_free_0(_S470, _S471, _S478, _S480, _S481, _S482);
-        uint _S484 = side_0 + 1U;
-        passes_0 = _S483;
-        side_0 = _S484;
+        bool _S485 = _S479 != (side_0 == 1U);
+        float _S486 = __ldg(&_S480->height_high_0);
+        bool _S487 = is_free_0(_S474, _S475, _S482, _S484, _S485, _S486);
+        uint _S488 = side_0 + 1U;
+        passes_0 = _S487;
+        side_0 = _S488;
     }
     return passes_0;
 }
@@ -2184,39 +2207,39 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-__device__ float max_height_along_0(uint _S485, float _S486, float _S487, float _S488, float3  _S489, bool _S490)
+__device__ float max_height_along_0(uint _S489, float _S490, float _S491, float _S492, float3  _S493, bool _S494)
 {
-    Fabric_0 * _S491 = (&(globalParams_0->fabrics_0)[_S485]);
-    uint _S492 = __ldg(&_S491->warp_0);
-    uint _S493 = locate_0(_S492, _S486).thread_1 / 2U;
-    uint _S494 = __ldg(&_S491->weft_0);
-    uint _S495 = locate_0(_S494, _S487).thread_1 / 2U;
-    float _S496 = _S489.x;
-    uint _S497;
-    if(_S496 > 0.0f)
+    Fabric_0 * _S495 = (&(globalParams_0->fabrics_0)[_S489]);
+    uint _S496 = __ldg(&_S495->warp_0);
+    uint _S497 = locate_0(_S496, _S490).thread_1 / 2U;
+    uint _S498 = __ldg(&_S495->weft_0);
+    uint _S499 = locate_0(_S498, _S491).thread_1 / 2U;
+    float _S500 = _S493.x;
+    uint _S501;
+    if(_S500 > 0.0f)
     {
-        _S497 = 1U;
+        _S501 = 1U;
     }
     else
     {
-        _S497 = 0U;
+        _S501 = 0U;
     }
-    float _S498 = _S489.y;
-    uint _S499;
-    if(_S498 > 0.0f)
+    float _S502 = _S493.y;
+    uint _S503;
+    if(_S502 > 0.0f)
     {
-        _S499 = 2U;
+        _S503 = 2U;
     }
     else
     {
-        _S499 = 0U;
+        _S503 = 0U;
     }
-    uint _S500 = _S497 + _S499;
-    uint _S501 = __ldg(&_S491->max_heights_0);
-    uint _S502 = __ldg(&_S491->max_height_columns_0);
-    uint _S503 = __ldg((&(globalParams_0->words_0)[_S501 + 4U * (_S495 * _S502 + _S493) + _S500]));
+    uint _S504 = _S501 + _S503;
+    uint _S505 = __ldg(&_S495->max_heights_0);
+    uint _S506 = __ldg(&_S495->max_height_columns_0);
+    uint _S507 = __ldg((&(globalParams_0->words_0)[_S505 + 4U * (_S499 * _S506 + _S497) + _S504]));
     int number_0;
-    if(_S490)
+    if(_S494)
     {
         number_0 = int(4);
     }
@@ -2224,15 +2247,15 @@ __device__ float max_height_along_0(uint _S485, float _S486, float _S487, float 
     {
         number_0 = int(0);
     }
-    uint _S504 = _S503 >> number_0;
-    float _S505 = (F32_abs((_S496)));
-    float _S506 = __ldg(&_S491->threads_per_x_0);
-    float _S507 = _S505 * _S506;
-    float _S508 = (F32_abs((_S498)));
-    float _S509 = __ldg(&_S491->threads_per_y_0);
-    float _S510 = (F32_max((_S507), (_S508 * _S509))) / _S489.z;
-    float _S511 = __ldg(&_S491->height_high_0);
-    float max_height_0 = _S511;
+    uint _S508 = _S507 >> number_0;
+    float _S509 = (F32_abs((_S500)));
+    float _S510 = __ldg(&_S495->threads_per_x_0);
+    float _S511 = _S509 * _S510;
+    float _S512 = (F32_abs((_S502)));
+    float _S513 = __ldg(&_S495->threads_per_y_0);
+    float _S514 = (F32_max((_S511), (_S512 * _S513))) / _S493.z;
+    float _S515 = __ldg(&_S495->height_high_0);
+    float max_height_0 = _S515;
     number_0 = int(3);
     for(;;)
     {
@@ -2243,46 +2266,46 @@ __device__ float max_height_along_0(uint _S485, float _S486, float _S487, float 
         {
             break;
         }
-        if(((max_height_0 - _S488) * _S510) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S492) * _S514) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = (F32_min((max_height_0), (float((_S504 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S511)));
+            max_height_0 = (F32_min((max_height_0), (float((_S508 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S515)));
         }
         number_0 = number_0 - int(1);
     }
     return max_height_0;
 }
 
-__device__ float3  cell_bounds_0(uint _S512, float _S513, float _S514, bool _S515, bool _S516, bool _S517)
+__device__ float3  cell_bounds_0(uint _S516, float _S517, float _S518, bool _S519, bool _S520, bool _S521)
 {
-    Crossing_0 _S518 = crossing_at_0(_S512, _S513, _S514, _S515);
-    Crossing_0 _S519 = _S518;
-    float _S520 = cell_maximum_0(_S512, &_S519);
-    float _S521;
-    if(_S516)
+    Crossing_0 _S522 = crossing_at_0(_S516, _S517, _S518, _S519);
+    Crossing_0 _S523 = _S522;
+    float _S524 = cell_maximum_0(_S516, &_S523);
+    float _S525;
+    if(_S520)
     {
-        _S521 = _S518.warp_1.above_0;
+        _S525 = _S522.warp_1.above_0;
     }
     else
     {
-        _S521 = _S518.warp_1.below_0;
+        _S525 = _S522.warp_1.below_0;
     }
-    float _S522;
-    if(_S517)
+    float _S526;
+    if(_S521)
     {
-        _S522 = _S518.weft_1.above_0;
+        _S526 = _S522.weft_1.above_0;
     }
     else
     {
-        _S522 = _S518.weft_1.below_0;
+        _S526 = _S522.weft_1.below_0;
     }
-    return make_float3 (_S520, _S521, _S522);
+    return make_float3 (_S524, _S525, _S526);
 }
 
-__device__ float first_sample_height_0(uint _S523, ViewRay_0 * _S524, StepControl_0 * _S525, bool _S526)
+__device__ float first_sample_height_0(uint _S527, ViewRay_0 * _S528, StepControl_0 * _S529, bool _S530)
 {
-    float _S527 = max_height_along_0(_S523, _S524->origin_0.x, _S524->origin_0.y, 0.0f, make_float3 (_S524->slope_1.x, _S524->slope_1.y, 1.0f), _S526);
+    float _S531 = max_height_along_0(_S527, _S528->origin_0.x, _S528->origin_0.y, 0.0f, make_float3 (_S528->slope_1.x, _S528->slope_1.y, 1.0f), _S530);
     uint count_2 = 0U;
-    float height_7 = _S527;
+    float height_7 = _S531;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -2292,12 +2315,12 @@ __device__ float first_sample_height_0(uint _S523, ViewRay_0 * _S524, StepContro
         {
             break;
         }
-        float2  _S528 = ViewRay_at_0(_S524, height_7);
-        float3  _S529 = cell_bounds_0(_S523, _S528.x, _S528.y, _S526, _S525->right_1, _S525->up_0);
-        float _S530 = height_7 - _S529.x;
-        float _S531 = StepControl_to_cell_exit_0(_S525, _S529.y, _S529.z);
-        float height_8 = height_7 - clamp_0(_S530, 0.0f, _S531);
-        if(_S530 <= _S531)
+        float2  _S532 = ViewRay_at_0(_S528, height_7);
+        float3  _S533 = cell_bounds_0(_S527, _S532.x, _S532.y, _S530, _S529->right_1, _S529->up_0);
+        float _S534 = height_7 - _S533.x;
+        float _S535 = StepControl_to_cell_exit_0(_S529, _S533.y, _S533.z);
+        float height_8 = height_7 - clamp_0(_S534, 0.0f, _S535);
+        if(_S534 <= _S535)
         {
             height_7 = height_8;
             break;
@@ -2308,16 +2331,16 @@ __device__ float first_sample_height_0(uint _S523, ViewRay_0 * _S524, StepContro
     return height_7;
 }
 
-__device__ ViewRayEnd_0 search_down_0(uint _S532, ViewRay_0 * _S533, StepControl_0 * _S534, bool _S535)
+__device__ ViewRayEnd_0 search_down_0(uint _S536, ViewRay_0 * _S537, StepControl_0 * _S538, bool _S539)
 {
-    Fabric_0 * _S536 = (&(globalParams_0->fabrics_0)[_S532]);
-    float _S537 = __ldg(&_S536->height_low_0);
-    float _S538 = __ldg(&_S536->height_high_0);
-    float _S539 = _S537 - (_S538 - _S537);
+    Fabric_0 * _S540 = (&(globalParams_0->fabrics_0)[_S536]);
+    float _S541 = __ldg(&_S540->height_low_0);
+    float _S542 = __ldg(&_S540->height_high_0);
+    float _S543 = _S541 - (_S542 - _S541);
     ViewRayEnd_0 end_1;
-    float _S540 = first_sample_height_0(_S532, _S533, _S534, _S535);
-    (&end_1)->height_6 = _S540;
-    (&end_1)->last_step_3 = _S534->epsilon_0;
+    float _S544 = first_sample_height_0(_S536, _S537, _S538, _S539);
+    (&end_1)->height_6 = _S544;
+    (&end_1)->last_step_3 = _S538->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_1 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -2332,166 +2355,166 @@ __device__ ViewRayEnd_0 search_down_0(uint _S532, ViewRay_0 * _S533, StepControl
         {
             break;
         }
-        float2  _S541 = ViewRay_at_0(_S533, (&end_1)->height_6);
-        Probe_0 _S542 = probe_0(_S532, _S541.x, _S541.y, _S535, _S534->right_1, _S534->up_0);
-        float _S543 = (&end_1)->height_6 - _S542.height_1;
-        Probe_0 _S544 = _S542;
-        float _S545 = ViewRay_rate_0(_S533, &_S544);
-        (&end_1)->depth_1 = - _S543;
-        (&end_1)->rate_4 = _S545;
-        bool _S546;
+        float2  _S545 = ViewRay_at_0(_S537, (&end_1)->height_6);
+        Probe_0 _S546 = probe_0(_S536, _S545.x, _S545.y, _S539, _S538->right_1, _S538->up_0);
+        float _S547 = (&end_1)->height_6 - _S546.height_1;
+        Probe_0 _S548 = _S546;
+        float _S549 = ViewRay_rate_0(_S537, &_S548);
+        (&end_1)->depth_1 = - _S547;
+        (&end_1)->rate_4 = _S549;
+        bool _S550;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S546 = !_S542.hole_1;
+            _S550 = !_S546.hole_1;
         }
         else
         {
-            _S546 = false;
+            _S550 = false;
         }
-        bool _S547;
-        if(_S546)
+        bool _S551;
+        if(_S550)
         {
-            _S547 = ((&(&end_1)->previous_4)->yarn_0) == (_S542.yarn_1);
+            _S551 = ((&(&end_1)->previous_4)->yarn_0) == (_S546.yarn_1);
         }
         else
         {
-            _S547 = false;
+            _S551 = false;
         }
-        (&end_1)->smooth_0 = _S547;
-        bool _S548;
-        if(!_S542.hole_1)
+        (&end_1)->smooth_0 = _S551;
+        bool _S552;
+        if(!_S546.hole_1)
         {
-            _S548 = _S543 <= 0.0f;
+            _S552 = _S547 <= 0.0f;
         }
         else
         {
-            _S548 = false;
+            _S552 = false;
         }
-        bool _S549;
-        if(_S548)
+        bool _S553;
+        if(_S552)
         {
-            _S549 = true;
+            _S553 = true;
         }
         else
         {
-            _S549 = ((&end_1)->height_6) <= _S539;
+            _S553 = ((&end_1)->height_6) <= _S543;
         }
-        if(_S549)
+        if(_S553)
         {
             break;
         }
-        PreviousSample_0 _S550 = (&end_1)->previous_4;
-        Probe_0 _S551 = _S542;
-        float _S552 = way_back_to_dip_0(&_S550, _S543, _S545, (&end_1)->last_step_3, &_S551);
-        if(_S552 >= 0.0f)
+        PreviousSample_0 _S554 = (&end_1)->previous_4;
+        Probe_0 _S555 = _S546;
+        float _S556 = way_back_to_dip_0(&_S554, _S547, _S549, (&end_1)->last_step_3, &_S555);
+        if(_S556 >= 0.0f)
         {
-            (&end_1)->height_6 = (&end_1)->height_6 + _S552;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S552;
+            (&end_1)->height_6 = (&end_1)->height_6 + _S556;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S556;
             count_3 = count_3 + 1U;
             continue;
         }
-        float _S553 = StepControl_to_cell_exit_0(_S534, _S542.side_x_0, _S542.side_y_0);
-        float _S554 = (F32_min((_S553), ((&end_1)->height_6 - _S542.cell_max_0)));
-        Probe_0 _S555 = _S542;
-        float _S556 = StepControl_to_next_sample_0(_S534, &_S555, _S543, _S545);
-        bool _S557 = _S554 > _S556;
-        Probe_0 _S558 = _S542;
-        PreviousSample_0 _S559 = after_sample_0(_S543, _S545, &_S558, _S557);
-        (&end_1)->previous_4 = _S559;
-        float _S560 = (F32_max((_S554), (_S556)));
-        (&end_1)->last_step_3 = _S560;
-        (&end_1)->height_6 = (&end_1)->height_6 - _S560;
+        float _S557 = StepControl_to_cell_exit_0(_S538, _S546.side_x_0, _S546.side_y_0);
+        float _S558 = (F32_min((_S557), ((&end_1)->height_6 - _S546.cell_max_0)));
+        Probe_0 _S559 = _S546;
+        float _S560 = StepControl_to_next_sample_0(_S538, &_S559, _S547, _S549);
+        bool _S561 = _S558 > _S560;
+        Probe_0 _S562 = _S546;
+        PreviousSample_0 _S563 = after_sample_0(_S547, _S549, &_S562, _S561);
+        (&end_1)->previous_4 = _S563;
+        float _S564 = (F32_max((_S558), (_S560)));
+        (&end_1)->last_step_3 = _S564;
+        (&end_1)->height_6 = (&end_1)->height_6 - _S564;
         count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-__device__ float refined_height_0(uint _S561, ViewRay_0 * _S562, StepControl_0 * _S563, bool _S564, ViewRayEnd_0 * _S565, uint _S566)
+__device__ float refined_height_0(uint _S565, ViewRay_0 * _S566, StepControl_0 * _S567, bool _S568, ViewRayEnd_0 * _S569, uint _S570)
 {
-    Fabric_0 * _S567 = (&(globalParams_0->fabrics_0)[_S561]);
-    float _S568 = __ldg(&_S567->height_high_0);
-    float _S569 = __ldg(&_S567->height_low_0);
-    float _S570 = _S568 - _S569;
-    float _S571 = _S565->height_6;
-    float _S572 = _S565->last_step_3;
-    float above_2 = _S565->height_6 + _S565->last_step_3;
-    float above_gap_1 = clamp_0((&_S565->previous_4)->clearance_0, 0.0f, _S570);
-    float under_gap_1 = clamp_0(_S565->depth_1, 0.0f, _S570);
-    float _S573 = cubic_root_0(above_gap_1, - under_gap_1, (&_S565->previous_4)->rate_0 * _S565->last_step_3, _S565->rate_4 * _S565->last_step_3);
-    bool _S574 = _S565->smooth_0;
+    Fabric_0 * _S571 = (&(globalParams_0->fabrics_0)[_S565]);
+    float _S572 = __ldg(&_S571->height_high_0);
+    float _S573 = __ldg(&_S571->height_low_0);
+    float _S574 = _S572 - _S573;
+    float _S575 = _S569->height_6;
+    float _S576 = _S569->last_step_3;
+    float above_2 = _S569->height_6 + _S569->last_step_3;
+    float above_gap_1 = clamp_0((&_S569->previous_4)->clearance_0, 0.0f, _S574);
+    float under_gap_1 = clamp_0(_S569->depth_1, 0.0f, _S574);
+    float _S577 = cubic_root_0(above_gap_1, - under_gap_1, (&_S569->previous_4)->rate_0 * _S569->last_step_3, _S569->rate_4 * _S569->last_step_3);
+    bool _S578 = _S569->smooth_0;
     float middle_0;
-    if(_S565->smooth_0)
+    if(_S569->smooth_0)
     {
-        middle_0 = above_2 - _S573 * _S572;
+        middle_0 = above_2 - _S577 * _S576;
     }
     else
     {
-        middle_0 = between_0(above_2, _S571, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S575, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S571;
+    float under_1 = _S575;
     float above_3 = above_2;
     uint i_6 = 0U;
     for(;;)
     {
-        if(i_6 < _S566)
+        if(i_6 < _S570)
         {
         }
         else
         {
             break;
         }
-        float2  _S575 = ViewRay_at_0(_S562, middle_0);
-        Probe_0 _S576 = probe_0(_S561, _S575.x, _S575.y, _S564, _S563->right_1, _S563->up_0);
-        float _S577;
-        if(_S576.hole_1)
+        float2  _S579 = ViewRay_at_0(_S566, middle_0);
+        Probe_0 _S580 = probe_0(_S565, _S579.x, _S579.y, _S568, _S567->right_1, _S567->up_0);
+        float _S581;
+        if(_S580.hole_1)
         {
-            _S577 = -1.0e+09f;
+            _S581 = -1.0e+09f;
         }
         else
         {
-            _S577 = _S576.height_1;
+            _S581 = _S580.height_1;
         }
-        float _S578 = clamp_0(middle_0 - _S577, - _S570, _S570);
-        float _S579;
-        if(_S578 <= 0.0f)
+        float _S582 = clamp_0(middle_0 - _S581, - _S574, _S574);
+        float _S583;
+        if(_S582 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S579 = 0.5f * above_gap_2;
+                _S583 = 0.5f * above_gap_2;
             }
             else
             {
-                _S579 = above_gap_2;
+                _S583 = above_gap_2;
             }
-            float _S580 = - _S578;
+            float _S584 = - _S582;
             under_1 = middle_0;
-            above_gap_2 = _S579;
-            under_gap_2 = _S580;
+            above_gap_2 = _S583;
+            under_gap_2 = _S584;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S579 = 0.5f * under_gap_2;
+                _S583 = 0.5f * under_gap_2;
             }
             else
             {
-                _S579 = under_gap_2;
+                _S583 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S578;
-            under_gap_2 = _S579;
+            above_gap_2 = _S582;
+            under_gap_2 = _S583;
             side_1 = -1.0f;
         }
-        if(_S574)
+        if(_S578)
         {
-            Probe_0 _S581 = _S576;
-            float _S582 = ViewRay_rate_0(_S562, &_S581);
-            middle_0 = clamp_0(middle_0 + _S578 / (F32_min((_S582), (-9.99999997475242708e-07f))), under_1, above_3);
+            Probe_0 _S585 = _S580;
+            float _S586 = ViewRay_rate_0(_S566, &_S585);
+            middle_0 = clamp_0(middle_0 + _S582 / (F32_min((_S586), (-9.99999997475242708e-07f))), under_1, above_3);
         }
         else
         {
@@ -2499,7 +2522,7 @@ __device__ float refined_height_0(uint _S561, ViewRay_0 * _S562, StepControl_0 *
         }
         i_6 = i_6 + 1U;
     }
-    if(_S574)
+    if(_S578)
     {
     }
     else
@@ -2509,38 +2532,38 @@ __device__ float refined_height_0(uint _S561, ViewRay_0 * _S562, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S583, SearchQuality_0 * _S584, float _S585, float _S586, float3  _S587, bool _S588)
+__device__ Hit_0 first_hit_0(uint _S587, SearchQuality_0 * _S588, float _S589, float _S590, float3  _S591, bool _S592)
 {
     Hit_0 hit_0;
-    (&hit_0)->x_19 = _S585;
-    (&hit_0)->y_11 = _S586;
+    (&hit_0)->x_19 = _S589;
+    (&hit_0)->y_11 = _S590;
     (&hit_0)->height_4 = 0.0f;
-    bool _S589 = passes_through_0(_S583, _S584, _S585, _S586, _S587, _S588);
-    (&hit_0)->hole_3 = _S589;
-    if(_S589)
+    bool _S593 = passes_through_0(_S587, _S588, _S589, _S590, _S591, _S592);
+    (&hit_0)->hole_3 = _S593;
+    if(_S593)
     {
         return hit_0;
     }
-    float _S590 = (F32_max((_S587.z), (0.00009999999747379f)));
+    float _S594 = (F32_max((_S591.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = make_float2 (_S585, _S586);
-    float2  _S591 = float2 {_S587.x, _S587.y} / make_float2 (_S590);
-    (&ray_0)->slope_1 = _S591;
-    float2  _S592 = - _S591;
-    float _S593 = steps_per_length_0(_S583, _S584, _S587);
-    StepControl_0 _S594 = step_control_0(_S592, 1.0f / (F32_max((_S593 / _S590), (9.99999971718068537e-10f))));
-    ViewRay_0 _S595 = ray_0;
-    StepControl_0 _S596 = _S594;
-    ViewRayEnd_0 _S597 = search_down_0(_S583, &_S595, &_S596, _S588);
-    ViewRay_0 _S598 = ray_0;
-    StepControl_0 _S599 = _S594;
-    ViewRayEnd_0 _S600 = _S597;
-    float _S601 = refined_height_0(_S583, &_S598, &_S599, _S588, &_S600, _S584->refinements_0);
-    (&hit_0)->height_4 = _S601;
+    (&ray_0)->origin_0 = make_float2 (_S589, _S590);
+    float2  _S595 = float2 {_S591.x, _S591.y} / make_float2 (_S594);
+    (&ray_0)->slope_1 = _S595;
+    float2  _S596 = - _S595;
+    float _S597 = steps_per_length_0(_S587, _S588, _S591);
+    StepControl_0 _S598 = step_control_0(_S596, 1.0f / (F32_max((_S597 / _S594), (9.99999971718068537e-10f))));
+    ViewRay_0 _S599 = ray_0;
+    StepControl_0 _S600 = _S598;
+    ViewRayEnd_0 _S601 = search_down_0(_S587, &_S599, &_S600, _S592);
     ViewRay_0 _S602 = ray_0;
-    float2  _S603 = ViewRay_at_0(&_S602, _S601);
-    (&hit_0)->x_19 = _S603.x;
-    (&hit_0)->y_11 = _S603.y;
+    StepControl_0 _S603 = _S598;
+    ViewRayEnd_0 _S604 = _S601;
+    float _S605 = refined_height_0(_S587, &_S602, &_S603, _S592, &_S604, _S588->refinements_0);
+    (&hit_0)->height_4 = _S605;
+    ViewRay_0 _S606 = ray_0;
+    float2  _S607 = ViewRay_at_0(&_S606, _S605);
+    (&hit_0)->x_19 = _S607.x;
+    (&hit_0)->y_11 = _S607.y;
     return hit_0;
 }
 
@@ -2558,507 +2581,500 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-__device__ SurfacePoint_0 surface_at_0(uint _S604, float _S605, float _S606, bool _S607)
+__device__ SurfacePoint_0 surface_at_0(uint _S608, float _S609, float _S610, bool _S611)
 {
-    Fabric_0 * _S608 = (&(globalParams_0->fabrics_0)[_S604]);
-    Sample_0 _S609 = sample_at_0(_S604, _S605, _S606, _S607);
-    float _S610;
-    if(_S609.shown_3.is_warp_0)
+    Fabric_0 * _S612 = (&(globalParams_0->fabrics_0)[_S608]);
+    Sample_0 _S613 = sample_at_0(_S608, _S609, _S610, _S611);
+    float _S614;
+    if(_S613.shown_3.is_warp_0)
     {
-        _S610 = _S609.crossing_1.warp_1.half_width_1;
+        _S614 = _S613.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S610 = _S609.crossing_1.weft_1.half_width_1;
+        _S614 = _S613.crossing_1.weft_1.half_width_1;
     }
-    uint _S611;
-    if(_S609.shown_3.is_warp_0)
+    uint _S615;
+    if(_S613.shown_3.is_warp_0)
     {
-        uint _S612 = __ldg(&_S608->warp_0);
-        _S611 = _S612;
+        uint _S616 = __ldg(&_S612->warp_0);
+        _S615 = _S616;
     }
     else
     {
-        uint _S613 = __ldg(&_S608->weft_0);
-        _S611 = _S613;
+        uint _S617 = __ldg(&_S612->weft_0);
+        _S615 = _S617;
     }
-    Family_0 _S614 = slang_ldg_2((&(globalParams_0->families_0)[_S611]));
-    float _S615;
-    if(_S607)
-    {
-        _S615 = -1.0f;
-    }
-    else
-    {
-        _S615 = 1.0f;
-    }
-    float _S616 = _S614.twist_sine_0 * _S615;
-    Family_0 _S617 = slang_ldg_2((&(globalParams_0->families_0)[_S611]));
-    if(_S609.shown_3.is_warp_0)
-    {
-        _S615 = 1.0f;
-    }
-    else
-    {
-        _S615 = -1.0f;
-    }
-    float2  _S618 = fibre_direction_0(_S609.slope_across_0, _S615 * _S609.slope_along_0, _S616, _S617.twist_cosine_0);
+    Family_0 _S618 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
     float _S619;
-    if(_S609.shown_3.is_warp_0)
+    if(_S611)
     {
-        _S619 = _S609.slope_x_1;
+        _S619 = -1.0f;
     }
     else
     {
-        _S619 = _S609.slope_y_1;
+        _S619 = 1.0f;
     }
-    float _S620;
-    if(_S609.shown_3.is_warp_0)
+    float _S620 = _S618.twist_sine_0 * _S619;
+    Family_0 _S621 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
+    if(_S613.shown_3.is_warp_0)
     {
-        _S620 = _S609.slope_y_1;
-    }
-    else
-    {
-        _S620 = _S609.slope_x_1;
-    }
-    float _S621 = _S618.x;
-    float _S622 = _S618.y;
-    float _S623 = _S619 * _S621 + _S615 * _S620 * _S622;
-    float _S624 = _S610 * 1.0154266357421875f;
-    float _S625 = _S624 * arc_sine_0(clamp_0(_S609.section_1.across_1 / _S624, -1.0f, 1.0f));
-    if(_S609.shown_3.is_warp_0)
-    {
-        _S610 = _S606;
+        _S619 = 1.0f;
     }
     else
     {
-        _S610 = - _S605;
+        _S619 = -1.0f;
+    }
+    float2  _S622 = fibre_direction_0(_S613.slope_across_0, _S619 * _S613.slope_along_0, _S620, _S621.twist_cosine_0);
+    float _S623;
+    if(_S613.shown_3.is_warp_0)
+    {
+        _S623 = _S613.slope_x_1;
+    }
+    else
+    {
+        _S623 = _S613.slope_y_1;
+    }
+    float _S624;
+    if(_S613.shown_3.is_warp_0)
+    {
+        _S624 = _S613.slope_y_1;
+    }
+    else
+    {
+        _S624 = _S613.slope_x_1;
+    }
+    float _S625 = _S622.x;
+    float _S626 = _S622.y;
+    float _S627 = _S623 * _S625 + _S619 * _S624 * _S626;
+    float _S628 = _S614 * 1.0154266357421875f;
+    float _S629 = _S628 * arc_sine_0(clamp_0(_S613.section_1.across_1 / _S628, -1.0f, 1.0f));
+    if(_S613.shown_3.is_warp_0)
+    {
+        _S614 = _S610;
+    }
+    else
+    {
+        _S614 = - _S609;
     }
     SurfacePoint_0 point_2;
-    (&point_2)->hole_4 = _S609.shown_3.hole_0;
-    (&point_2)->is_warp_2 = _S609.shown_3.is_warp_0;
-    (&point_2)->warp_thread_0 = _S609.crossing_1.warp_1.thread_1;
-    (&point_2)->weft_thread_0 = _S609.crossing_1.weft_1.thread_1;
-    (&point_2)->height_9 = _S609.height_5;
-    (&point_2)->normal_5 = normalize_0(make_float3 (- _S609.slope_x_1, - _S609.slope_y_1, 1.0f));
-    float3  _S626;
-    if(_S609.shown_3.is_warp_0)
+    (&point_2)->hole_4 = _S613.shown_3.hole_0;
+    (&point_2)->is_warp_2 = _S613.shown_3.is_warp_0;
+    (&point_2)->warp_thread_0 = _S613.crossing_1.warp_1.thread_1;
+    (&point_2)->weft_thread_0 = _S613.crossing_1.weft_1.thread_1;
+    (&point_2)->height_9 = _S613.height_5;
+    (&point_2)->normal_5 = normalize_0(make_float3 (- _S613.slope_x_1, - _S613.slope_y_1, 1.0f));
+    float3  _S630;
+    if(_S613.shown_3.is_warp_0)
     {
-        _S626 = make_float3 (_S621, _S622, _S623);
+        _S630 = make_float3 (_S625, _S626, _S627);
     }
     else
     {
-        _S626 = make_float3 (- _S622, _S621, _S623);
+        _S630 = make_float3 (- _S626, _S625, _S627);
     }
-    (&point_2)->tangent_5 = normalize_0(_S626);
-    (&point_2)->across_2 = _S609.section_1.across_1;
-    (&point_2)->fibre_across_0 = _S625 * _S617.twist_cosine_0 + _S610 * _S616;
-    (&point_2)->fibre_along_0 = _S610 * _S617.twist_cosine_0 - _S625 * _S616;
+    (&point_2)->tangent_5 = normalize_0(_S630);
+    (&point_2)->across_2 = _S613.section_1.across_1;
+    (&point_2)->fibre_across_0 = _S629 * _S621.twist_cosine_0 + _S614 * _S620;
+    (&point_2)->fibre_along_0 = _S614 * _S621.twist_cosine_0 - _S629 * _S620;
     return point_2;
 }
 
-__device__ Albedos_0 vary_albedos_0(uint _S627, Albedos_0 * _S628, uint _S629, uint _S630)
+__device__ Albedos_0 vary_albedos_0(uint _S631, Albedos_0 * _S632, uint _S633, uint _S634)
 {
-    Fabric_0 * _S631 = (&(globalParams_0->fabrics_0)[_S627]);
-    float3  _S632 = _S628->specular_reflect_0;
-    float3  _S633 = _S628->specular_transmit_0;
-    float3  _S634 = max_0(_S628->specular_reflect_0, _S628->specular_transmit_0);
-    float3  _S635 = _S628->diffuse_reflect_0;
-    float3  _S636 = _S628->diffuse_transmit_0;
-    float3  _S637 = _S628->diffuse_reflect_0 + _S628->diffuse_transmit_0;
-    float _S638 = __ldg(&_S631->colour_noise_0);
-    uint _S639 = __ldg(&_S631->seed_0);
-    float _S640 = thread_gain_0(_S629, _S638, _S639);
-    float _S641 = __ldg(&_S631->layer_bound_0);
-    float _S642 = bounded_gain_0(_S640, _S637, make_float3 (1.0f) - make_float3 (_S641) * _S634);
-    float3  _S643 = min_0((make_float3 (1.0f) - make_float3 (_S642) * _S637) / make_float3 (_S641), make_float3 (1.0f));
-    float _S644 = __ldg(&_S631->fibre_noise_0);
-    float _S645 = bounded_gain_0(fibre_gain_0(_S629, _S630, _S644, _S639), _S634, _S643);
+    Fabric_0 * _S635 = (&(globalParams_0->fabrics_0)[_S631]);
+    float3  _S636 = _S632->specular_reflect_0;
+    float3  _S637 = _S632->specular_transmit_0;
+    float3  _S638 = max_0(_S632->specular_reflect_0, _S632->specular_transmit_0);
+    float3  _S639 = _S632->diffuse_reflect_0;
+    float3  _S640 = _S632->diffuse_transmit_0;
+    float3  _S641 = _S632->diffuse_reflect_0 + _S632->diffuse_transmit_0;
+    float _S642 = __ldg(&_S635->colour_noise_0);
+    uint _S643 = __ldg(&_S635->seed_0);
+    float _S644 = thread_gain_0(_S633, _S642, _S643);
+    float _S645 = __ldg(&_S635->layer_bound_0);
+    float _S646 = bounded_gain_0(_S644, _S641, make_float3 (1.0f) - make_float3 (_S645) * _S638);
+    float3  _S647 = min_0((make_float3 (1.0f) - make_float3 (_S646) * _S641) / make_float3 (_S645), make_float3 (1.0f));
+    float _S648 = __ldg(&_S635->fibre_noise_0);
+    float _S649 = bounded_gain_0(fibre_gain_0(_S633, _S634, _S648, _S643), _S638, _S647);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S642) * _S635;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S642) * _S636;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S645) * _S632;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S645) * _S633;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S646) * _S639;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S646) * _S640;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S649) * _S636;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S649) * _S637;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S646, SurfacePoint_0 * _S647, Albedos_0 * _S648, float _S649, float _S650)
+__device__ Albedos_0 varied_at_0(uint _S650, SurfacePoint_0 * _S651, Albedos_0 * _S652, float _S653, float _S654)
 {
-    Fabric_0 * _S651 = (&(globalParams_0->fabrics_0)[_S646]);
-    bool _S652 = _S647->is_warp_2;
-    float _S653;
-    if(_S647->is_warp_2)
+    Fabric_0 * _S655 = (&(globalParams_0->fabrics_0)[_S650]);
+    bool _S656 = _S651->is_warp_2;
+    float _S657;
+    if(_S651->is_warp_2)
     {
-        _S653 = _S649;
+        _S657 = _S653;
     }
     else
     {
-        _S653 = _S650;
+        _S657 = _S654;
     }
-    float _S654 = _S653 - _S647->across_2;
-    uint _S655;
-    if(_S652)
+    float _S658 = _S657 - _S651->across_2;
+    uint _S659;
+    if(_S656)
     {
-        uint _S656 = __ldg(&_S651->warp_0);
-        _S655 = _S656;
+        uint _S660 = __ldg(&_S655->warp_0);
+        _S659 = _S660;
     }
     else
     {
-        uint _S657 = __ldg(&_S651->weft_0);
-        _S655 = _S657;
+        uint _S661 = __ldg(&_S655->weft_0);
+        _S659 = _S661;
     }
-    Family_0 _S658 = slang_ldg_2((&(globalParams_0->families_0)[_S655]));
-    Family_0 _S659 = slang_ldg_2((&(globalParams_0->families_0)[_S655]));
-    int _S660 = int(_S659.count_0);
-    if(_S652)
+    Family_0 _S662 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
+    Family_0 _S663 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
+    int _S664 = int(_S663.count_0);
+    if(_S656)
     {
-        _S655 = _S647->warp_thread_0;
+        _S659 = _S651->warp_thread_0;
     }
     else
     {
-        _S655 = _S647->weft_thread_0;
+        _S659 = _S651->weft_thread_0;
     }
-    uint _S661 = uint(int((F32_floor((_S654 / _S658.period_0)))) * _S660 + int(_S655)) * 2U;
-    if(_S652)
+    uint _S665 = uint(int((F32_floor((_S658 / _S662.period_0)))) * _S664 + int(_S659)) * 2U;
+    if(_S656)
     {
-        _S655 = 1U;
+        _S659 = 1U;
     }
     else
     {
-        _S655 = 0U;
+        _S659 = 0U;
     }
-    uint _S662 = _S661 + _S655;
-    float _S663 = _S647->fibre_across_0;
-    float _S664 = __ldg(&_S651->fibre_size_0);
-    float _S665 = (F32_floor((_S663 / _S664)));
-    Albedos_0 _S666 = vary_albedos_0(_S646, _S648, _S662, uint(int(_S665)) * 65536U + uint(int((F32_floor((_S647->fibre_along_0 / (_S664 * 40.0f) + 0.61799997091293335f * _S665))))));
-    return _S666;
+    uint _S666 = _S665 + _S659;
+    float _S667 = _S651->fibre_across_0;
+    float _S668 = __ldg(&_S655->fibre_size_0);
+    float _S669 = (F32_floor((_S667 / _S668)));
+    Albedos_0 _S670 = vary_albedos_0(_S650, _S652, _S666, uint(int(_S669)) * 65536U + uint(int((F32_floor((_S651->fibre_along_0 / (_S668 * 40.0f) + 0.61799997091293335f * _S669))))));
+    return _S670;
 }
 
-__device__ YarnPoint_0 yarn_point_at_0(uint _S667, float _S668, float _S669, bool _S670, bool _S671)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S671, SurfacePoint_0 * _S672, float _S673, float _S674, bool _S675, bool _S676)
 {
-    Fabric_0 * _S672 = (&(globalParams_0->fabrics_0)[_S667]);
-    SurfacePoint_0 _S673 = surface_at_0(_S667, _S668, _S669, _S670);
-    uint _S674;
-    if(_S673.is_warp_2)
+    Fabric_0 * _S677 = (&(globalParams_0->fabrics_0)[_S671]);
+    bool _S678 = _S672->is_warp_2;
+    uint _S679;
+    if(_S672->is_warp_2)
     {
-        uint _S675 = __ldg(&_S672->warp_0);
-        _S674 = _S675;
+        uint _S680 = __ldg(&_S677->warp_0);
+        _S679 = _S680;
     }
     else
     {
-        uint _S676 = __ldg(&_S672->weft_0);
-        _S674 = _S676;
+        uint _S681 = __ldg(&_S677->weft_0);
+        _S679 = _S681;
     }
-    uint _S677;
-    if(_S673.is_warp_2)
+    uint _S682;
+    if(_S678)
     {
-        _S677 = _S673.warp_thread_0;
-    }
-    else
-    {
-        _S677 = _S673.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S674, _S677);
-    float _S678 = __ldg(&_S672->fibre_noise_0);
-    bool _S679;
-    if(_S678 > 0.0f)
-    {
-        _S679 = true;
+        _S682 = _S672->warp_thread_0;
     }
     else
     {
-        float _S680 = __ldg(&_S672->colour_noise_0);
-        _S679 = _S680 > 0.0f;
+        _S682 = _S672->weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S679, _S682);
+    float _S683 = __ldg(&_S677->fibre_noise_0);
+    bool _S684;
+    if(_S683 > 0.0f)
+    {
+        _S684 = true;
+    }
+    else
+    {
+        float _S685 = __ldg(&_S677->colour_noise_0);
+        _S684 = _S685 > 0.0f;
     }
     Albedos_0 albedos_3;
-    if(_S679)
+    if(_S684)
     {
-        SurfacePoint_0 _S681 = _S673;
-        Albedos_0 _S682 = albedos_2;
-        Albedos_0 _S683 = varied_at_0(_S667, &_S681, &_S682, _S668, _S669);
-        albedos_3 = _S683;
+        Albedos_0 _S686 = albedos_2;
+        Albedos_0 _S687 = varied_at_0(_S671, _S672, &_S686, _S673, _S674);
+        albedos_3 = _S687;
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_3;
-    (&point_3)->back_2 = _S670;
-    (&point_3)->hole_2 = _S671;
-    (&point_3)->is_warp_1 = _S673.is_warp_2;
-    (&point_3)->x_18 = _S668;
-    (&point_3)->y_10 = _S669;
-    (&point_3)->height_3 = _S673.height_9;
-    (&point_3)->normal_4 = _S673.normal_5;
-    (&point_3)->tangent_4 = _S673.tangent_5;
-    Family_0 _S684 = slang_ldg_2((&(globalParams_0->families_0)[_S674]));
-    (&point_3)->roughness_8 = _S684.roughness_0;
+    (&point_3)->back_2 = _S675;
+    (&point_3)->hole_2 = _S676;
+    (&point_3)->is_warp_1 = _S678;
+    (&point_3)->x_18 = _S673;
+    (&point_3)->y_10 = _S674;
+    (&point_3)->height_3 = _S672->height_9;
+    (&point_3)->normal_4 = _S672->normal_5;
+    (&point_3)->tangent_4 = _S672->tangent_5;
+    Family_0 _S688 = slang_ldg_2((&(globalParams_0->families_0)[_S679]));
+    (&point_3)->roughness_8 = _S688.roughness_0;
     (&point_3)->albedos_1 = albedos_3;
     return point_3;
 }
 
-__device__ YarnPoint_0 locate_yarn_0(uint _S685, SearchQuality_0 * _S686, float _S687, float _S688, float3  _S689)
+__device__ YarnPoint_0 locate_yarn_0(uint _S689, SearchQuality_0 * _S690, float _S691, float _S692, float3  _S693)
 {
-    bool _S690 = (_S689.z) < 0.0f;
-    Hit_0 _S691 = first_hit_0(_S685, _S686, _S687, _S688, to_face_frame_0(_S689, _S690), _S690);
-    YarnPoint_0 _S692 = yarn_point_at_0(_S685, _S691.x_19, _S691.y_11, _S690, _S691.hole_3);
-    return _S692;
+    bool _S694 = (_S693.z) < 0.0f;
+    Hit_0 _S695 = first_hit_0(_S689, _S690, _S691, _S692, to_face_frame_0(_S693, _S694), _S694);
+    SurfacePoint_0 _S696 = surface_at_0(_S689, _S695.x_19, _S695.y_11, _S694);
+    SurfacePoint_0 _S697 = _S696;
+    YarnPoint_0 _S698 = yarn_point_of_0(_S689, &_S697, _S695.x_19, _S695.y_11, _S694, _S695.hole_3);
+    return _S698;
 }
 
-__device__ float3  scattered_0(uint _S693, YarnPoint_0 * _S694, float3  _S695, float3  _S696)
+__device__ float3  scattered_0(uint _S699, YarnPoint_0 * _S700, float3  _S701, float3  _S702)
 {
-    Fabric_0 * _S697 = (&(globalParams_0->fabrics_0)[_S693]);
-    float3  _S698 = make_float3 (0.0f);
-    bool _S699 = !_S694->hole_2;
-    bool _S700;
-    if(_S699)
+    Fabric_0 * _S703 = (&(globalParams_0->fabrics_0)[_S699]);
+    float3  _S704 = make_float3 (0.0f);
+    bool _S705 = !_S700->hole_2;
+    bool _S706;
+    if(_S705)
     {
-        _S700 = (_S695.z) > 0.0f;
+        _S706 = (_S701.z) > 0.0f;
     }
     else
     {
-        _S700 = false;
+        _S706 = false;
     }
     float3  value_1;
-    if(_S700)
+    if(_S706)
     {
-        float3  _S701 = (&_S694->albedos_1)->diffuse_reflect_0;
-        float3  _S702 = _S694->normal_4;
-        float _S703 = __ldg(&_S697->diffuse_blend_0);
-        float3  _S704 = _S701 * make_float3 (diffuse_reflection_0(_S695, _S702, _S703));
-        float3  _S705 = (&_S694->albedos_1)->specular_reflect_0;
-        float3  _S706 = _S694->tangent_4;
-        float _S707 = _S694->roughness_8;
-        float _S708 = __ldg(&_S697->optical_depth_0);
-        value_1 = _S704 + _S705 * make_float3 (reflection_0(_S695, _S696, _S702, _S706, _S707, _S708));
+        float3  _S707 = (&_S700->albedos_1)->diffuse_reflect_0;
+        float3  _S708 = _S700->normal_4;
+        float _S709 = __ldg(&_S703->diffuse_blend_0);
+        float3  _S710 = _S707 * make_float3 (diffuse_reflection_0(_S701, _S708, _S709));
+        float3  _S711 = (&_S700->albedos_1)->specular_reflect_0;
+        float3  _S712 = _S700->tangent_4;
+        float _S713 = _S700->roughness_8;
+        float _S714 = __ldg(&_S703->optical_depth_0);
+        value_1 = _S710 + _S711 * make_float3 (reflection_0(_S701, _S702, _S708, _S712, _S713, _S714));
     }
     else
     {
-        if(_S699)
+        if(_S705)
         {
-            _S700 = (_S695.z) < 0.0f;
+            _S706 = (_S701.z) < 0.0f;
         }
         else
         {
-            _S700 = false;
+            _S706 = false;
         }
-        if(_S700)
+        if(_S706)
         {
-            float3  _S709 = (&_S694->albedos_1)->diffuse_transmit_0;
-            float3  _S710 = - _S695;
-            float3  _S711 = _S694->normal_4;
-            float _S712 = __ldg(&_S697->diffuse_blend_0);
-            float3  _S713 = _S709 * make_float3 (diffuse_reflection_0(_S710, _S711, _S712));
-            float3  _S714 = (&_S694->albedos_1)->specular_transmit_0;
-            float3  _S715 = _S694->tangent_4;
-            float _S716 = _S694->roughness_8;
-            float _S717 = __ldg(&_S697->optical_depth_0);
-            value_1 = _S713 + _S714 * make_float3 (transmission_0(_S695, _S696, _S711, _S715, _S716, _S717));
+            float3  _S715 = (&_S700->albedos_1)->diffuse_transmit_0;
+            float3  _S716 = - _S701;
+            float3  _S717 = _S700->normal_4;
+            float _S718 = __ldg(&_S703->diffuse_blend_0);
+            float3  _S719 = _S715 * make_float3 (diffuse_reflection_0(_S716, _S717, _S718));
+            float3  _S720 = (&_S700->albedos_1)->specular_transmit_0;
+            float3  _S721 = _S700->tangent_4;
+            float _S722 = _S700->roughness_8;
+            float _S723 = __ldg(&_S703->optical_depth_0);
+            value_1 = _S719 + _S720 * make_float3 (transmission_0(_S701, _S702, _S717, _S721, _S722, _S723));
         }
         else
         {
-            value_1 = _S698;
+            value_1 = _S704;
         }
     }
-    float _S718 = __ldg(&_S697->sheen_strength_0);
-    if(_S718 <= 0.0f)
+    float _S724 = __ldg(&_S703->sheen_strength_0);
+    if(_S724 <= 0.0f)
     {
         return value_1;
     }
-    float _S719 = __ldg(&_S697->sheen_roughness_0);
-    float2  _S720 = sheen_with_transmittance_0(_S695, _S696, _S718, _S719);
-    return make_float3 (_S720.y) * value_1 + make_float3 (_S720.x);
+    float _S725 = __ldg(&_S703->sheen_roughness_0);
+    float2  _S726 = sheen_with_transmittance_0(_S701, _S702, _S724, _S725);
+    return make_float3 (_S726.y) * value_1 + make_float3 (_S726.x);
 }
 
-__device__ bool unoccluded_0(uint _S721, SearchQuality_0 * _S722, float _S723, float _S724, float _S725, float3  _S726, bool _S727)
+__device__ bool unoccluded_0(uint _S727, SearchQuality_0 * _S728, float _S729, float _S730, float _S731, float3  _S732, bool _S733)
 {
-    Fabric_0 * _S728 = (&(globalParams_0->fabrics_0)[_S721]);
-    if((_S726.z) <= 0.0f)
+    Fabric_0 * _S734 = (&(globalParams_0->fabrics_0)[_S727]);
+    if((_S732.z) <= 0.0f)
     {
         return false;
     }
-    float _S729 = max_height_along_0(_S721, _S723, _S724, _S725, _S726, _S727);
-    float _S730 = __ldg(&_S728->lift_0);
-    bool _S731 = is_free_0(_S721, _S722, make_float3 (_S723, _S724, _S725 + _S730), _S726, _S727, _S729);
-    return _S731;
+    float _S735 = max_height_along_0(_S727, _S729, _S730, _S731, _S732, _S733);
+    float _S736 = __ldg(&_S734->lift_0);
+    bool _S737 = is_free_0(_S727, _S728, make_float3 (_S729, _S730, _S731 + _S736), _S732, _S733, _S735);
+    return _S737;
 }
 
-__device__ bool is_lit_0(uint _S732, SearchQuality_0 * _S733, YarnPoint_0 * _S734, float3  _S735)
+__device__ bool is_lit_0(uint _S738, SearchQuality_0 * _S739, YarnPoint_0 * _S740, float3  _S741)
 {
-    if(_S734->hole_2)
+    if(_S740->hole_2)
     {
         return true;
     }
-    bool _S736 = _S734->back_2;
-    float3  _S737 = to_face_frame_0(_S735, _S734->back_2);
-    float _S738 = _S737.z;
-    bool _S739 = _S738 < 0.0f;
-    float3  _S740 = _S734->normal_4;
-    float _S741 = _S734->height_3;
+    bool _S742 = _S740->back_2;
+    float3  _S743 = to_face_frame_0(_S741, _S740->back_2);
+    float _S744 = _S743.z;
+    bool _S745 = _S744 < 0.0f;
+    float3  _S746 = _S740->normal_4;
+    float _S747 = _S740->height_3;
     float3  normal_6;
     float height_10;
-    if(_S739)
+    if(_S745)
     {
-        SurfacePoint_0 _S742 = surface_at_0(_S732, _S734->x_18, _S734->y_10, !_S736);
-        normal_6 = _S742.normal_5;
-        height_10 = _S742.height_9;
+        SurfacePoint_0 _S748 = surface_at_0(_S738, _S740->x_18, _S740->y_10, !_S742);
+        normal_6 = _S748.normal_5;
+        height_10 = _S748.height_9;
     }
     else
     {
-        normal_6 = _S740;
-        height_10 = _S741;
+        normal_6 = _S746;
+        height_10 = _S747;
     }
-    float3  _S743 = make_float3 (float2 {_S737.x, _S737.y}.x, float2 {_S737.x, _S737.y}.y, (F32_abs((_S738))));
-    if((dot_0(normal_6, _S743)) <= 0.0f)
+    float3  _S749 = make_float3 (float2 {_S743.x, _S743.y}.x, float2 {_S743.x, _S743.y}.y, (F32_abs((_S744))));
+    if((dot_0(normal_6, _S749)) <= 0.0f)
     {
         return false;
     }
-    bool _S744 = unoccluded_0(_S732, _S733, _S734->x_18, _S734->y_10, height_10, _S743, _S736 != _S739);
-    return _S744;
-}
-
-__device__ float3  evaluate_0(uint _S745, SearchQuality_0 * _S746, YarnPoint_0 * _S747, float3  _S748, float3  _S749)
-{
-    float3  _S750 = scattered_0(_S745, _S747, to_face_frame_0(_S748, _S747->back_2), to_face_frame_0(_S749, _S747->back_2));
-    bool _S751;
-    if((F32_max((_S750.x), ((F32_max((_S750.y), (_S750.z)))))) <= 0.0f)
-    {
-        _S751 = true;
-    }
-    else
-    {
-        bool _S752 = is_lit_0(_S745, _S746, _S747, _S748);
-        _S751 = !_S752;
-    }
-    if(_S751)
-    {
-        return make_float3 (0.0f);
-    }
+    bool _S750 = unoccluded_0(_S738, _S739, _S740->x_18, _S740->y_10, height_10, _S749, _S742 != _S745);
     return _S750;
 }
 
-__device__ float straight_through_0(uint _S753, YarnPoint_0 * _S754, float3  _S755)
+__device__ float3  evaluate_0(uint _S751, SearchQuality_0 * _S752, YarnPoint_0 * _S753, float3  _S754, float3  _S755)
 {
-    Fabric_0 * _S756 = (&(globalParams_0->fabrics_0)[_S753]);
-    if(!_S754->hole_2)
+    float3  _S756 = scattered_0(_S751, _S753, to_face_frame_0(_S754, _S753->back_2), to_face_frame_0(_S755, _S753->back_2));
+    bool _S757;
+    if((F32_max((_S756.x), ((F32_max((_S756.y), (_S756.z)))))) <= 0.0f)
+    {
+        _S757 = true;
+    }
+    else
+    {
+        bool _S758 = is_lit_0(_S751, _S752, _S753, _S754);
+        _S757 = !_S758;
+    }
+    if(_S757)
+    {
+        return make_float3 (0.0f);
+    }
+    return _S756;
+}
+
+__device__ float straight_through_0(uint _S759, YarnPoint_0 * _S760, float3  _S761)
+{
+    Fabric_0 * _S762 = (&(globalParams_0->fabrics_0)[_S759]);
+    if(!_S760->hole_2)
     {
         return 0.0f;
     }
-    float _S757 = __ldg(&_S756->sheen_strength_0);
-    if(_S757 <= 0.0f)
+    float _S763 = __ldg(&_S762->sheen_strength_0);
+    if(_S763 <= 0.0f)
     {
         return 1.0f;
     }
-    float _S758 = (F32_abs((_S755.z)));
-    float _S759 = __ldg(&_S756->sheen_roughness_0);
-    return 1.0f - _S757 * sheen_lobe_0(_S758, _S759).z;
+    float _S764 = (F32_abs((_S761.z)));
+    float _S765 = __ldg(&_S762->sheen_roughness_0);
+    return 1.0f - _S763 * sheen_lobe_0(_S764, _S765).z;
 }
 
-__device__ float4  direct_light_0(Frame_0 * _S760, uint _S761, VisiblePoint_0 * _S762, float2  _S763)
+__device__ float4  light_of_point_0(Frame_0 * _S766, uint _S767, VisiblePoint_0 * _S768, float2  _S769)
 {
-    SearchQuality_0 _S764 = default_quality_0();
-    float3  _S765 = to_local_0(_S762, _S762->view_0);
-    float _S766 = _S763.x;
-    float _S767 = _S763.y;
-    SearchQuality_0 _S768 = _S764;
-    YarnPoint_0 _S769 = locate_yarn_0(_S761, &_S768, _S766, _S767, _S765);
-    float3  _S770 = make_float3 (0.0f);
+    SearchQuality_0 _S770 = default_quality_0();
+    float3  _S771 = to_local_0(_S768, _S768->view_0);
+    float _S772 = _S769.x;
+    float _S773 = _S769.y;
+    SearchQuality_0 _S774 = _S770;
+    YarnPoint_0 _S775 = locate_yarn_0(_S767, &_S774, _S772, _S773, _S771);
+    float3  _S776 = make_float3 (0.0f);
     uint number_1 = 0U;
-    float3  radiance_1 = _S770;
+    float3  radiance_1 = _S776;
     for(;;)
     {
-        if(number_1 < (_S760->lights_0))
+        if(number_1 < (_S766->lights_0))
         {
         }
         else
         {
             break;
         }
-        Light_0 _S771 = slang_ldg_3((&(globalParams_0->lights_1)[number_1]));
-        Light_0 _S772 = _S771;
+        Light_0 _S777 = slang_ldg_3((&(globalParams_0->lights_1)[number_1]));
+        Light_0 _S778 = _S777;
         float3  irradiance_2;
-        float3  _S773 = towards_light_0(&_S772, _S762->position_0, &irradiance_2);
-        float3  _S774 = to_local_0(_S762, _S773);
-        SearchQuality_0 _S775 = _S764;
-        YarnPoint_0 _S776 = _S769;
-        float3  _S777 = evaluate_0(_S761, &_S775, &_S776, _S774, _S765);
-        float3  radiance_2 = radiance_1 + irradiance_2 * _S777;
+        float3  _S779 = towards_light_0(&_S778, _S768->position_0, &irradiance_2);
+        float3  _S780 = to_local_0(_S768, _S779);
+        SearchQuality_0 _S781 = _S770;
+        YarnPoint_0 _S782 = _S775;
+        float3  _S783 = evaluate_0(_S767, &_S781, &_S782, _S780, _S771);
+        float3  radiance_2 = radiance_1 + irradiance_2 * _S783;
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    YarnPoint_0 _S778 = _S769;
-    float _S779 = straight_through_0(_S761, &_S778, _S765);
-    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S779);
+    YarnPoint_0 _S784 = _S775;
+    float _S785 = straight_through_0(_S767, &_S784, _S771);
+    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S785);
 }
 
-extern "C" __global__ void shade()
+extern "C" __global__ void shade_points()
 {
-    uint _S780;
-    uint3  _S781 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S782 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S783;
-    if((_S781.x) >= (_S782.width_0))
+    uint _S786;
+    uint3  _S787 = blockIdx * blockDim + threadIdx;
+    Frame_0 _S788 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
+    bool _S789;
+    if((_S787.x) >= (_S788.width_0))
     {
-        _S783 = true;
+        _S789 = true;
     }
     else
     {
-        _S783 = (_S781.y) >= (_S782.height_0);
+        _S789 = (_S787.y) >= (_S788.height_0);
     }
-    if(_S783)
+    if(_S789)
     {
         return;
     }
-    uint2  _S784 = uint2 {_S781.x, _S781.y};
-    uint _S785 = _S784.y * _S782.width_0 + _S784.x;
-    int2  _S786 = make_int2 ((int)_S784.x, (int)_S784.y);
-    int3  _S787 = make_int3 (_S786.x, _S786.y, int(0));
-    uint _S788 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S787)).x, ((_S787)).y, ((_S787)).z));
-    float4  sum_0 = make_float4 (0.0f);
-    if(_S788 > 0U)
+    uint2  _S790 = uint2 {_S787.x, _S787.y};
+    int2  _S791 = make_int2 ((int)_S790.x, (int)_S790.y);
+    int3  _S792 = make_int3 (_S791.x, _S791.y, int(0));
+    uint _S793 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S792)).x, ((_S792)).y, ((_S792)).z));
+    float4  _S794 = make_float4 (0.0f);
+    float4  sum_0;
+    if(_S793 > 0U)
     {
-        uint _S789 = _S788 - 1U;
-        uint _S790 = __ldg((&(globalParams_0->face_fabrics_0)[_S789]));
-        Frame_0 _S791 = _S782;
-        VisiblePoint_0 _S792 = visible_point_0(&_S791, _S790, _S789, _S784);
+        uint _S795 = _S793 - 1U;
+        uint _S796 = __ldg((&(globalParams_0->face_fabrics_0)[_S795]));
+        Frame_0 _S797 = _S788;
+        VisiblePoint_0 _S798 = visible_point_0(&_S797, _S796, _S795, _S790);
         uint k_0 = 0U;
+        sum_0 = _S794;
         for(;;)
         {
-            _S780 = _S782.samples_0;
-            if(k_0 < (_S782.samples_0))
+            _S786 = _S788.samples_0;
+            if(k_0 < (_S788.samples_0))
             {
             }
             else
             {
                 break;
             }
-            float2  _S793 = footprint_sample_0(_S784, _S782.pass_number_0 * _S782.samples_0 + k_0);
-            float2  _S794 = _S792.draft_0 + make_float2 (_S793.x) * _S792.draft_dx_0 + make_float2 (_S793.y) * _S792.draft_dy_0;
-            Frame_0 _S795 = _S782;
-            VisiblePoint_0 _S796 = _S792;
-            float4  _S797 = direct_light_0(&_S795, _S790, &_S796, _S794);
-            sum_0 = sum_0 + _S797;
+            float2  _S799 = footprint_sample_0(_S790, _S788.pass_number_0 * _S788.samples_0 + k_0);
+            float2  _S800 = _S798.draft_0 + make_float2 (_S799.x) * _S798.draft_dx_0 + make_float2 (_S799.y) * _S798.draft_dy_0;
+            Frame_0 _S801 = _S788;
+            VisiblePoint_0 _S802 = _S798;
+            float4  _S803 = light_of_point_0(&_S801, _S796, &_S802, _S800);
+            float4  sum_1 = sum_0 + _S803;
             k_0 = k_0 + 1U;
+            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / make_float4 (float(_S780));
-    }
-    float4  _S798 = sum_0;
-    float3  _S799 = float3 {_S798.x, _S798.y, _S798.z} + make_float3 (1.0f - sum_0.w) * make_float3 (_S782.background_red_0, _S782.background_green_0, _S782.background_blue_0);
-    sum_0.x = _S799.x;
-    sum_0.y = _S799.y;
-    sum_0.z = _S799.z;
-    float4  * _S800 = (&(globalParams_0->radiance_0)[_S785]);
-    float4  _S801;
-    if((_S782.pass_number_0) == 0U)
-    {
-        _S801 = sum_0;
+        sum_0 = sum_0 / make_float4 (float(_S786));
     }
     else
     {
-        _S801 = *(&(globalParams_0->radiance_0)[_S785]) + sum_0;
+        sum_0 = _S794;
     }
-    *_S800 = _S801;
+    Frame_0 _S804 = _S788;
+    accumulate_0(&_S804, _S790, sum_0);
     return;
 }
 

@@ -1143,19 +1143,24 @@ struct Albedos_0
     float3 specular_transmit_0;
 };
 
-Albedos_0 albedos_of_0(uint family_8, uint thread_8, KernelContext_0 thread* kernelContext_13)
+Albedos_0 table_albedos_0(uint row_0, KernelContext_0 thread* kernelContext_13)
 {
-    uint _S134 = kernelContext_13->families_0[family_8].albedo_table_0 + kernelContext_13->families_0[family_8].albedo_stride_0 * thread_8;
     thread Albedos_0 albedos_0;
-    float3 _S135 = table_colour_0(_S134, kernelContext_13);
-    (&albedos_0)->diffuse_reflect_0 = _S135;
-    float3 _S136 = table_colour_0(_S134 + 3U, kernelContext_13);
-    (&albedos_0)->diffuse_transmit_0 = _S136;
-    float3 _S137 = table_colour_0(_S134 + 6U, kernelContext_13);
-    (&albedos_0)->specular_reflect_0 = _S137;
-    float3 _S138 = table_colour_0(_S134 + 9U, kernelContext_13);
-    (&albedos_0)->specular_transmit_0 = _S138;
+    float3 _S134 = table_colour_0(row_0, kernelContext_13);
+    (&albedos_0)->diffuse_reflect_0 = _S134;
+    float3 _S135 = table_colour_0(row_0 + 3U, kernelContext_13);
+    (&albedos_0)->diffuse_transmit_0 = _S135;
+    float3 _S136 = table_colour_0(row_0 + 6U, kernelContext_13);
+    (&albedos_0)->specular_reflect_0 = _S136;
+    float3 _S137 = table_colour_0(row_0 + 9U, kernelContext_13);
+    (&albedos_0)->specular_transmit_0 = _S137;
     return albedos_0;
+}
+
+Albedos_0 albedos_of_0(uint family_8, uint thread_8, KernelContext_0 thread* kernelContext_14)
+{
+    Albedos_0 _S138 = table_albedos_0(kernelContext_14->families_0[family_8].albedo_table_0 + kernelContext_14->families_0[family_8].albedo_stride_0 * thread_8, kernelContext_14);
+    return _S138;
 }
 
 float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
@@ -1377,114 +1382,133 @@ float2 sheen_with_transmittance_0(float3 light_6, float3 view_5, float strength_
     return float2(_S179 * transformed_cosine_0(light_6, view_5, _S178.x, _S178.y), 1.0f - _S179);
 }
 
-VisiblePoint_0 visible_point_0(const Frame_0 thread* _S180, uint _S181, uint _S182, uint2 _S183, KernelContext_0 thread* kernelContext_14)
+void accumulate_0(const Frame_0 thread* frame_4, uint2 pixel_1, float4 light_7, KernelContext_0 thread* kernelContext_15)
 {
-    Fabric_0 device* _S184 = kernelContext_14->fabrics_0+_S181;
-    uint _S185 = 3U * _S182;
-    Vertex_0 _S186 = kernelContext_14->vertices_0[kernelContext_14->corners_0[_S185]];
-    Vertex_0 _S187 = kernelContext_14->vertices_0[kernelContext_14->corners_0[_S185 + 1U]];
-    Vertex_0 _S188 = kernelContext_14->vertices_0[kernelContext_14->corners_0[_S185 + 2U]];
-    thread Vertex_0 _S189 = _S187;
-    float3 _S190 = position_of_0(&_S189);
-    thread Vertex_0 _S191 = _S186;
-    float3 _S192 = position_of_0(&_S191);
-    float3 _S193 = _S190 - _S192;
-    thread Vertex_0 _S194 = _S188;
+    uint _S180 = pixel_1.y * frame_4->width_0 + pixel_1.x;
+    float _S181 = light_7.w;
+    float4 _S182 = float4(light_7.xyz + float3((1.0f - _S181))  * float3(frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0), _S181);
+    packed_float4 device* _S183 = kernelContext_15->radiance_0+_S180;
+    float4 _S184;
+    if((frame_4->pass_number_0) == 0U)
+    {
+        _S184 = _S182;
+    }
+    else
+    {
+        _S184 = float4(*(kernelContext_15->radiance_0+_S180))  + _S182;
+    }
+    *_S183 = packed_float4(_S184) ;
+    return;
+}
+
+VisiblePoint_0 visible_point_0(const Frame_0 thread* _S185, uint _S186, uint _S187, uint2 _S188, KernelContext_0 thread* kernelContext_16)
+{
+    Fabric_0 device* _S189 = kernelContext_16->fabrics_0+_S186;
+    uint _S190 = 3U * _S187;
+    Vertex_0 _S191 = kernelContext_16->vertices_0[kernelContext_16->corners_0[_S190]];
+    Vertex_0 _S192 = kernelContext_16->vertices_0[kernelContext_16->corners_0[_S190 + 1U]];
+    Vertex_0 _S193 = kernelContext_16->vertices_0[kernelContext_16->corners_0[_S190 + 2U]];
+    thread Vertex_0 _S194 = _S192;
     float3 _S195 = position_of_0(&_S194);
-    float3 _S196 = _S195 - _S192;
-    float3 _S197 = cross(_S193, _S196);
-    float _S198 = 1.0f / max(square_0(_S197), 1.00000000317107685e-30f);
-    float3 _S199 = camera_right_0(_S180);
-    float _S200 = float(_S180->width_0);
-    float3 _S201 = _S199 * float3((2.0f / _S200)) ;
-    float3 _S202 = camera_up_0(_S180);
-    float _S203 = float(_S180->height_0);
-    float3 _S204 = _S202 * float3((-2.0f / _S203)) ;
-    float _S205 = float(_S183.x) + 0.5f - 0.5f * _S200;
-    float _S206 = float(_S183.y) + 0.5f - 0.5f * _S203;
-    float3 _S207 = camera_forward_0(_S180);
-    float3 _S208 = _S207 + float3(_S205)  * _S201 + float3(_S206)  * _S204;
-    float _S209 = dot(_S208, _S197);
-    float _S210;
-    if((abs(_S209)) > 1.00000000317107685e-30f)
+    thread Vertex_0 _S196 = _S191;
+    float3 _S197 = position_of_0(&_S196);
+    float3 _S198 = _S195 - _S197;
+    thread Vertex_0 _S199 = _S193;
+    float3 _S200 = position_of_0(&_S199);
+    float3 _S201 = _S200 - _S197;
+    float3 _S202 = cross(_S198, _S201);
+    float _S203 = 1.0f / max(square_0(_S202), 1.00000000317107685e-30f);
+    float3 _S204 = camera_right_0(_S185);
+    float _S205 = float(_S185->width_0);
+    float3 _S206 = _S204 * float3((2.0f / _S205)) ;
+    float3 _S207 = camera_up_0(_S185);
+    float _S208 = float(_S185->height_0);
+    float3 _S209 = _S207 * float3((-2.0f / _S208)) ;
+    float _S210 = float(_S188.x) + 0.5f - 0.5f * _S205;
+    float _S211 = float(_S188.y) + 0.5f - 0.5f * _S208;
+    float3 _S212 = camera_forward_0(_S185);
+    float3 _S213 = _S212 + float3(_S210)  * _S206 + float3(_S211)  * _S209;
+    float _S214 = dot(_S213, _S202);
+    float _S215;
+    if((abs(_S214)) > 1.00000000317107685e-30f)
     {
-        _S210 = _S209;
+        _S215 = _S214;
     }
     else
     {
-        _S210 = 1.00000000317107685e-30f;
+        _S215 = 1.00000000317107685e-30f;
     }
-    float _S211 = 1.0f / _S210;
-    float3 _S212 = camera_origin_0(_S180);
-    float3 _S213 = _S192 - _S212;
-    float3 _S214 = float3((dot(_S213, _S197) * _S211)) ;
-    float3 _S215 = _S208 * _S214 - _S213;
-    float3 _S216 = _S214 * (_S201 - _S208 * float3((dot(_S201, _S197) * _S211)) );
-    float3 _S217 = _S214 * (_S204 - _S208 * float3((dot(_S204, _S197) * _S211)) );
-    float3 _S218 = float3(_S198) ;
-    float3 _S219 = cross(_S196, _S197) * _S218;
-    float3 _S220 = cross(_S197, _S193) * _S218;
-    float _S221 = dot(_S215, _S219);
-    float _S222 = dot(_S215, _S220);
-    float _S223 = _S187.u_0 - _S186.u_0;
-    float _S224 = _S187.v_0 - _S186.v_0;
-    float2 _S225 = float2(_S223, _S224);
-    float _S226 = _S188.u_0 - _S186.u_0;
-    float _S227 = _S188.v_0 - _S186.v_0;
-    float2 _S228 = float2(_S226, _S227);
-    float2 _S229 = float2(_S186.u_0, _S186.v_0) + float2(_S221)  * _S225 + float2(_S222)  * _S228;
-    float2 _S230 = float2(dot(_S216, _S219))  * _S225 + float2(dot(_S216, _S220))  * _S228;
-    float2 _S231 = float2(dot(_S217, _S219))  * _S225 + float2(dot(_S217, _S220))  * _S228;
-    if((_S223 * _S227 - _S224 * _S226) < 0.0f)
+    float _S216 = 1.0f / _S215;
+    float3 _S217 = camera_origin_0(_S185);
+    float3 _S218 = _S197 - _S217;
+    float3 _S219 = float3((dot(_S218, _S202) * _S216)) ;
+    float3 _S220 = _S213 * _S219 - _S218;
+    float3 _S221 = _S219 * (_S206 - _S213 * float3((dot(_S206, _S202) * _S216)) );
+    float3 _S222 = _S219 * (_S209 - _S213 * float3((dot(_S209, _S202) * _S216)) );
+    float3 _S223 = float3(_S203) ;
+    float3 _S224 = cross(_S201, _S202) * _S223;
+    float3 _S225 = cross(_S202, _S198) * _S223;
+    float _S226 = dot(_S220, _S224);
+    float _S227 = dot(_S220, _S225);
+    float _S228 = _S192.u_0 - _S191.u_0;
+    float _S229 = _S192.v_0 - _S191.v_0;
+    float2 _S230 = float2(_S228, _S229);
+    float _S231 = _S193.u_0 - _S191.u_0;
+    float _S232 = _S193.v_0 - _S191.v_0;
+    float2 _S233 = float2(_S231, _S232);
+    float2 _S234 = float2(_S191.u_0, _S191.v_0) + float2(_S226)  * _S230 + float2(_S227)  * _S233;
+    float2 _S235 = float2(dot(_S221, _S224))  * _S230 + float2(dot(_S221, _S225))  * _S233;
+    float2 _S236 = float2(dot(_S222, _S224))  * _S230 + float2(dot(_S222, _S225))  * _S233;
+    if((_S228 * _S232 - _S229 * _S231) < 0.0f)
     {
-        _S210 = -1.0f;
+        _S215 = -1.0f;
     }
     else
     {
-        _S210 = 1.0f;
+        _S215 = 1.0f;
     }
-    float3 _S232 = float3(_S210)  * (float3(_S227)  * _S193 - float3(_S224)  * _S196);
-    float3 _S233 = float3(_S210)  * (float3(_S223)  * _S196 - float3(_S226)  * _S193);
+    float3 _S237 = float3(_S215)  * (float3(_S232)  * _S198 - float3(_S229)  * _S201);
+    float3 _S238 = float3(_S215)  * (float3(_S228)  * _S201 - float3(_S231)  * _S198);
     thread VisiblePoint_0 point_1;
-    float _S234 = 1.0f - _S221 - _S222;
-    thread Vertex_0 _S235 = _S186;
-    float3 _S236 = normal_of_0(&_S235);
-    float3 _S237 = float3(_S234)  * _S236;
-    thread Vertex_0 _S238 = _S187;
-    float3 _S239 = normal_of_0(&_S238);
-    float3 _S240 = _S237 + float3(_S221)  * _S239;
-    thread Vertex_0 _S241 = _S188;
-    float3 _S242 = normal_of_0(&_S241);
-    float3 _S243 = normalize(_S240 + float3(_S222)  * _S242);
-    (&point_1)->normal_0 = _S243;
-    float3 _S244 = normalize(_S232 - _S243 * float3(dot(_S243, _S232)) );
-    (&point_1)->axis_x_0 = _S244;
-    (&point_1)->axis_y_0 = cross(_S243, _S244);
-    (&point_1)->position_0 = _S192 + _S215;
-    (&point_1)->view_0 = - normalize(_S208);
-    bool _S245 = (dot(cross(_S232, _S233), _S243)) < 0.0f;
-    float _S246 = _S184->uv_width_0;
-    if(_S245)
+    float _S239 = 1.0f - _S226 - _S227;
+    thread Vertex_0 _S240 = _S191;
+    float3 _S241 = normal_of_0(&_S240);
+    float3 _S242 = float3(_S239)  * _S241;
+    thread Vertex_0 _S243 = _S192;
+    float3 _S244 = normal_of_0(&_S243);
+    float3 _S245 = _S242 + float3(_S226)  * _S244;
+    thread Vertex_0 _S246 = _S193;
+    float3 _S247 = normal_of_0(&_S246);
+    float3 _S248 = normalize(_S245 + float3(_S227)  * _S247);
+    (&point_1)->normal_0 = _S248;
+    float3 _S249 = normalize(_S237 - _S248 * float3(dot(_S248, _S237)) );
+    (&point_1)->axis_x_0 = _S249;
+    (&point_1)->axis_y_0 = cross(_S248, _S249);
+    (&point_1)->position_0 = _S197 + _S220;
+    (&point_1)->view_0 = - normalize(_S213);
+    bool _S250 = (dot(cross(_S237, _S238), _S248)) < 0.0f;
+    float _S251 = _S189->uv_width_0;
+    if(_S250)
     {
-        _S210 = - _S184->uv_height_0;
+        _S215 = - _S189->uv_height_0;
     }
     else
     {
-        _S210 = _S184->uv_height_0;
+        _S215 = _S189->uv_height_0;
     }
-    float2 _S247 = float2(_S246, _S210);
-    float2 _S248 = _S229 * _S247;
-    if(_S245)
+    float2 _S252 = float2(_S251, _S215);
+    float2 _S253 = _S234 * _S252;
+    if(_S250)
     {
-        _S210 = _S184->uv_height_0;
+        _S215 = _S189->uv_height_0;
     }
     else
     {
-        _S210 = 0.0f;
+        _S215 = 0.0f;
     }
-    (&point_1)->draft_0 = _S248 + float2(0.0f, _S210);
-    (&point_1)->draft_dx_0 = _S230 * _S247;
-    (&point_1)->draft_dy_0 = _S231 * _S247;
+    (&point_1)->draft_0 = _S253 + float2(0.0f, _S215);
+    (&point_1)->draft_dx_0 = _S235 * _S252;
+    (&point_1)->draft_dy_0 = _S236 * _S252;
     return point_1;
 }
 
@@ -1523,352 +1547,352 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S249, float _S250, float _S251, bool _S252, KernelContext_0 thread* kernelContext_15)
+Crossing_0 crossing_at_0(uint _S254, float _S255, float _S256, bool _S257, KernelContext_0 thread* kernelContext_17)
 {
-    Fabric_0 device* _S253 = kernelContext_15->fabrics_0+_S249;
+    Fabric_0 device* _S258 = kernelContext_17->fabrics_0+_S254;
     thread Crossing_0 crossing_2;
-    Cell_0 _S254 = locate_0(_S253->warp_0, _S250, kernelContext_15);
-    (&crossing_2)->warp_1 = _S254;
-    Cell_0 _S255 = locate_0(_S253->weft_0, _S251, kernelContext_15);
-    (&crossing_2)->weft_1 = _S255;
-    uint _S256 = _S253->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S253->ends_0 + (&(&crossing_2)->warp_1)->thread_1);
-    uint _S257 = kernelContext_15->words_0[_S256];
-    (&crossing_2)->warp_word_0 = _S257;
-    (&crossing_2)->weft_word_0 = kernelContext_15->words_0[_S256 + 1U];
-    (&crossing_2)->warp_above_0 = ((_S257 & 1U) == 1U) != _S252;
+    Cell_0 _S259 = locate_0(_S258->warp_0, _S255, kernelContext_17);
+    (&crossing_2)->warp_1 = _S259;
+    Cell_0 _S260 = locate_0(_S258->weft_0, _S256, kernelContext_17);
+    (&crossing_2)->weft_1 = _S260;
+    uint _S261 = _S258->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S258->ends_0 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S262 = kernelContext_17->words_0[_S261];
+    (&crossing_2)->warp_word_0 = _S262;
+    (&crossing_2)->weft_word_0 = kernelContext_17->words_0[_S261 + 1U];
+    (&crossing_2)->warp_above_0 = ((_S262 & 1U) == 1U) != _S257;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S258, float _S259, float _S260, bool _S261, KernelContext_0 thread* kernelContext_16)
+Sample_0 sample_at_0(uint _S263, float _S264, float _S265, bool _S266, KernelContext_0 thread* kernelContext_18)
 {
-    Fabric_0 device* _S262 = kernelContext_16->fabrics_0+_S258;
+    Fabric_0 device* _S267 = kernelContext_18->fabrics_0+_S263;
     thread Sample_0 sample_0;
-    Crossing_0 _S263 = crossing_at_0(_S258, _S259, _S260, _S261, kernelContext_16);
-    (&sample_0)->crossing_1 = _S263;
-    thread Crossing_0 _S264 = _S263;
-    Shown_0 _S265 = shown_at_0(&_S264, _S261);
-    (&sample_0)->shown_3 = _S265;
-    uint _S266;
-    if(_S265.is_warp_0)
+    Crossing_0 _S268 = crossing_at_0(_S263, _S264, _S265, _S266, kernelContext_18);
+    (&sample_0)->crossing_1 = _S268;
+    thread Crossing_0 _S269 = _S268;
+    Shown_0 _S270 = shown_at_0(&_S269, _S266);
+    (&sample_0)->shown_3 = _S270;
+    uint _S271;
+    if(_S270.is_warp_0)
     {
-        _S266 = _S262->warp_0;
+        _S271 = _S267->warp_0;
     }
     else
     {
-        _S266 = _S262->weft_0;
+        _S271 = _S267->weft_0;
     }
-    uint _S267;
-    if(_S265.is_warp_0)
+    uint _S272;
+    if(_S270.is_warp_0)
     {
-        _S267 = _S262->weft_0;
+        _S272 = _S267->weft_0;
     }
     else
     {
-        _S267 = _S262->warp_0;
+        _S272 = _S267->warp_0;
     }
-    thread Cell_0 _S268 = (&(&sample_0)->crossing_1)->warp_1;
-    thread Cell_0 _S269 = (&(&sample_0)->crossing_1)->weft_1;
-    Cell_0 _S270 = select_cell_0(_S265.is_warp_0, &_S268, &_S269);
-    thread Cell_0 _S271 = (&(&sample_0)->crossing_1)->weft_1;
-    thread Cell_0 _S272 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S273 = select_cell_0(_S265.is_warp_0, &_S271, &_S272);
-    thread Cell_0 _S274 = _S273;
-    Run_0 _S275 = unpack_0(_S266, _S267, _S270.thread_1, &_S274, _S265.word_0, kernelContext_16);
-    thread Cell_0 _S276 = _S270;
-    Section_0 _S277 = section_at_0(&_S276);
-    bool _S278;
-    if(_S265.on_top_0)
+    thread Cell_0 _S273 = (&(&sample_0)->crossing_1)->warp_1;
+    thread Cell_0 _S274 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S275 = select_cell_0(_S270.is_warp_0, &_S273, &_S274);
+    thread Cell_0 _S276 = (&(&sample_0)->crossing_1)->weft_1;
+    thread Cell_0 _S277 = (&(&sample_0)->crossing_1)->warp_1;
+    Cell_0 _S278 = select_cell_0(_S270.is_warp_0, &_S276, &_S277);
+    thread Cell_0 _S279 = _S278;
+    Run_0 _S280 = unpack_0(_S271, _S272, _S275.thread_1, &_S279, _S270.word_0, kernelContext_18);
+    thread Cell_0 _S281 = _S275;
+    Section_0 _S282 = section_at_0(&_S281);
+    bool _S283;
+    if(_S270.on_top_0)
     {
-        _S278 = (_S275.distance_0) < (_S277.drop_0 * _S275.bend_1.sine_0);
+        _S283 = (_S280.distance_0) < (_S282.drop_0 * _S280.bend_1.sine_0);
     }
     else
     {
-        _S278 = false;
+        _S283 = false;
     }
-    bool _S279;
-    if(_S265.on_top_0)
+    bool _S284;
+    if(_S270.on_top_0)
     {
-        _S279 = !_S278;
+        _S284 = !_S283;
     }
     else
     {
-        _S279 = false;
+        _S284 = false;
     }
-    float _S280;
-    if(_S279)
+    float _S285;
+    if(_S284)
     {
-        _S280 = 1.0f;
+        _S285 = 1.0f;
     }
     else
     {
-        _S280 = -1.0f;
+        _S285 = -1.0f;
     }
-    float _S281;
-    if(_S278)
+    float _S286;
+    if(_S283)
     {
-        _S281 = _S275.other_reach_0;
+        _S286 = _S280.other_reach_0;
     }
     else
     {
-        _S281 = _S275.reach_0;
+        _S286 = _S280.reach_0;
     }
-    float _S282;
-    if(_S278)
+    float _S287;
+    if(_S283)
     {
-        _S282 = _S281 + _S275.distance_0;
+        _S287 = _S286 + _S280.distance_0;
     }
     else
     {
-        _S282 = max(_S281 - _S275.distance_0, 0.0f);
+        _S287 = max(_S286 - _S280.distance_0, 0.0f);
     }
-    float _S283 = _S281 / _S275.bend_1.sine_0 - _S280 * _S277.drop_0;
-    float _S284 = _S282 * _S282;
-    float _S285 = max(_S283 * _S283 - _S284, 9.99999968265522539e-21f);
-    float _S286 = rsqrt(_S285);
-    float _S287 = _S284 / (_S285 * _S286 + _S283);
-    bool _S288 = _S282 > 0.0f;
-    float _S289;
-    if(_S265.on_top_0)
+    float _S288 = _S286 / _S280.bend_1.sine_0 - _S285 * _S282.drop_0;
+    float _S289 = _S287 * _S287;
+    float _S290 = max(_S288 * _S288 - _S289, 9.99999968265522539e-21f);
+    float _S291 = rsqrt(_S290);
+    float _S292 = _S289 / (_S290 * _S291 + _S288);
+    bool _S293 = _S287 > 0.0f;
+    float _S294;
+    if(_S270.on_top_0)
     {
-        _S289 = 1.0f;
+        _S294 = 1.0f;
     }
     else
     {
-        _S289 = -1.0f;
+        _S294 = -1.0f;
     }
-    float _S290;
-    if(_S275.near_start_0)
+    float _S295;
+    if(_S280.near_start_0)
     {
-        _S290 = 1.0f;
+        _S295 = 1.0f;
     }
     else
     {
-        _S290 = -1.0f;
+        _S295 = -1.0f;
     }
-    float _S291 = _S289 * _S290;
-    if(_S288)
+    float _S296 = _S294 * _S295;
+    if(_S293)
     {
-        _S289 = _S283 * _S286;
+        _S294 = _S288 * _S291;
     }
     else
     {
-        _S289 = 1.0f;
+        _S294 = 1.0f;
     }
-    (&sample_0)->slope_across_0 = _S277.slope_0 * _S289;
-    if(_S288)
+    (&sample_0)->slope_across_0 = _S282.slope_0 * _S294;
+    if(_S293)
     {
-        _S282 = _S291 * _S282 * _S286;
+        _S287 = _S296 * _S287 * _S291;
     }
     else
     {
-        _S282 = 0.0f;
+        _S287 = 0.0f;
     }
-    (&sample_0)->slope_along_0 = _S282;
-    Family_0 _S292 = kernelContext_16->families_0[_S266];
-    thread Shown_0 _S293 = _S265;
-    thread Run_0 _S294 = _S275;
-    thread Cell_0 _S295 = _S273;
-    float2 _S296 = dive_0(_S267, &_S293, &_S294, &_S295, kernelContext_16);
-    if(_S275.straight_0)
+    (&sample_0)->slope_along_0 = _S287;
+    Family_0 _S297 = kernelContext_18->families_0[_S271];
+    thread Shown_0 _S298 = _S270;
+    thread Run_0 _S299 = _S280;
+    thread Cell_0 _S300 = _S278;
+    float2 _S301 = dive_0(_S272, &_S298, &_S299, &_S300, kernelContext_18);
+    if(_S280.straight_0)
     {
-        _S280 = 0.0f;
+        _S285 = 0.0f;
     }
     else
     {
-        _S280 = _S292.height_scale_0 * _S280;
+        _S285 = _S297.height_scale_0 * _S285;
     }
-    (&sample_0)->height_5 = _S280 * (_S281 * _S275.bend_1.half_tangent_0 - _S287) - _S292.height_scale_0 * _S277.drop_0 - _S296.x;
-    float _S297 = _S292.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S298 = _S292.height_scale_0 * (&sample_0)->slope_along_0 - _S296.y;
-    if(_S265.is_warp_0)
+    (&sample_0)->height_5 = _S285 * (_S286 * _S280.bend_1.half_tangent_0 - _S292) - _S297.height_scale_0 * _S282.drop_0 - _S301.x;
+    float _S302 = _S297.height_scale_0 * (&sample_0)->slope_across_0;
+    float _S303 = _S297.height_scale_0 * (&sample_0)->slope_along_0 - _S301.y;
+    if(_S270.is_warp_0)
     {
-        _S280 = _S297;
+        _S285 = _S302;
     }
     else
     {
-        _S280 = _S298;
+        _S285 = _S303;
     }
-    (&sample_0)->slope_x_1 = _S280;
-    if(_S265.is_warp_0)
+    (&sample_0)->slope_x_1 = _S285;
+    if(_S270.is_warp_0)
     {
-        _S280 = _S298;
+        _S285 = _S303;
     }
     else
     {
-        _S280 = _S297;
+        _S285 = _S302;
     }
-    (&sample_0)->slope_y_1 = _S280;
-    (&sample_0)->run_3 = _S275;
-    (&sample_0)->section_1 = _S277;
+    (&sample_0)->slope_y_1 = _S285;
+    (&sample_0)->run_3 = _S280;
+    (&sample_0)->section_1 = _S282;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S299, const SearchQuality_0 thread* _S300, float3 _S301, KernelContext_0 thread* kernelContext_17)
+float steps_per_length_0(uint _S304, const SearchQuality_0 thread* _S305, float3 _S306, KernelContext_0 thread* kernelContext_19)
 {
-    Fabric_0 device* _S302 = kernelContext_17->fabrics_0+_S299;
-    return max(max(abs(_S301.x) * _S302->threads_per_x_0, abs(_S301.y) * _S302->threads_per_y_0) * _S300->steps_per_thread_0, abs(_S301.z) * _S302->per_relief_0 * _S300->steps_per_relief_0);
+    Fabric_0 device* _S307 = kernelContext_19->fabrics_0+_S304;
+    return max(max(abs(_S306.x) * _S307->threads_per_x_0, abs(_S306.y) * _S307->threads_per_y_0) * _S305->steps_per_thread_0, abs(_S306.z) * _S307->per_relief_0 * _S305->steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S303, const Crossing_0 thread* _S304, KernelContext_0 thread* kernelContext_18)
+float cell_maximum_0(uint _S308, const Crossing_0 thread* _S309, KernelContext_0 thread* kernelContext_20)
 {
-    Fabric_0 device* _S305 = kernelContext_18->fabrics_0+_S303;
-    bool _S306 = _S304->warp_above_0;
-    uint _S307;
-    if(_S304->warp_above_0)
+    Fabric_0 device* _S310 = kernelContext_20->fabrics_0+_S308;
+    bool _S311 = _S309->warp_above_0;
+    uint _S312;
+    if(_S309->warp_above_0)
     {
-        _S307 = _S305->warp_0;
+        _S312 = _S310->warp_0;
     }
     else
     {
-        _S307 = _S305->weft_0;
+        _S312 = _S310->weft_0;
     }
-    uint _S308;
-    if(_S306)
+    uint _S313;
+    if(_S311)
     {
-        _S308 = _S304->warp_word_0;
+        _S313 = _S309->warp_word_0;
     }
     else
     {
-        _S308 = _S304->weft_word_0;
+        _S313 = _S309->weft_word_0;
     }
-    return float(_S308 >> 28U) * kernelContext_18->families_0[_S307].height_scale_0 * kernelContext_18->families_0[_S307].level_0;
+    return float(_S313 >> 28U) * kernelContext_20->families_0[_S312].height_scale_0 * kernelContext_20->families_0[_S312].level_0;
 }
 
-Probe_0 probe_0(uint _S309, float _S310, float _S311, bool _S312, bool _S313, bool _S314, KernelContext_0 thread* kernelContext_19)
+Probe_0 probe_0(uint _S314, float _S315, float _S316, bool _S317, bool _S318, bool _S319, KernelContext_0 thread* kernelContext_21)
 {
-    Sample_0 _S315 = sample_at_0(_S309, _S310, _S311, _S312, kernelContext_19);
+    Sample_0 _S320 = sample_at_0(_S314, _S315, _S316, _S317, kernelContext_21);
     thread Probe_0 probe_1;
-    (&probe_1)->height_1 = _S315.height_5;
-    (&probe_1)->hole_1 = _S315.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S315.slope_x_1;
-    (&probe_1)->slope_y_0 = _S315.slope_y_1;
-    uint _S316;
-    if(_S315.shown_3.is_warp_0)
+    (&probe_1)->height_1 = _S320.height_5;
+    (&probe_1)->hole_1 = _S320.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S320.slope_x_1;
+    (&probe_1)->slope_y_0 = _S320.slope_y_1;
+    uint _S321;
+    if(_S320.shown_3.is_warp_0)
     {
-        _S316 = _S315.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S321 = _S320.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S316 = _S315.crossing_1.weft_1.thread_1 * 2U;
+        _S321 = _S320.crossing_1.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S316;
-    thread Crossing_0 _S317 = _S315.crossing_1;
-    float _S318 = cell_maximum_0(_S309, &_S317, kernelContext_19);
-    (&probe_1)->cell_max_0 = _S318;
-    float _S319;
-    if(_S313)
+    (&probe_1)->yarn_1 = _S321;
+    thread Crossing_0 _S322 = _S320.crossing_1;
+    float _S323 = cell_maximum_0(_S314, &_S322, kernelContext_21);
+    (&probe_1)->cell_max_0 = _S323;
+    float _S324;
+    if(_S318)
     {
-        _S319 = _S315.crossing_1.warp_1.above_0;
+        _S324 = _S320.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S319 = _S315.crossing_1.warp_1.below_0;
+        _S324 = _S320.crossing_1.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S319;
-    if(_S314)
+    (&probe_1)->side_x_0 = _S324;
+    if(_S319)
     {
-        _S319 = _S315.crossing_1.weft_1.above_0;
+        _S324 = _S320.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S319 = _S315.crossing_1.weft_1.below_0;
+        _S324 = _S320.crossing_1.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S319;
-    bool _S320 = !_S315.shown_3.is_warp_0;
-    thread Cell_0 _S321 = _S315.crossing_1.warp_1;
-    thread Shown_0 _S322 = _S315.shown_3;
-    thread Run_0 _S323 = _S315.run_3;
-    float _S324 = outline_distance_0(&_S321, &_S322, &_S323, _S320, _S313);
-    (&probe_1)->edge_x_0 = _S324;
-    thread Cell_0 _S325 = _S315.crossing_1.weft_1;
-    thread Shown_0 _S326 = _S315.shown_3;
-    thread Run_0 _S327 = _S315.run_3;
-    float _S328 = outline_distance_0(&_S325, &_S326, &_S327, _S315.shown_3.is_warp_0, _S314);
-    (&probe_1)->edge_y_0 = _S328;
+    (&probe_1)->side_y_0 = _S324;
+    bool _S325 = !_S320.shown_3.is_warp_0;
+    thread Cell_0 _S326 = _S320.crossing_1.warp_1;
+    thread Shown_0 _S327 = _S320.shown_3;
+    thread Run_0 _S328 = _S320.run_3;
+    float _S329 = outline_distance_0(&_S326, &_S327, &_S328, _S325, _S318);
+    (&probe_1)->edge_x_0 = _S329;
+    thread Cell_0 _S330 = _S320.crossing_1.weft_1;
+    thread Shown_0 _S331 = _S320.shown_3;
+    thread Run_0 _S332 = _S320.run_3;
+    float _S333 = outline_distance_0(&_S330, &_S331, &_S332, _S320.shown_3.is_warp_0, _S319);
+    (&probe_1)->edge_y_0 = _S333;
     return probe_1;
 }
 
-bool is_free_0(uint _S329, const SearchQuality_0 thread* _S330, float3 _S331, float3 _S332, bool _S333, float _S334, KernelContext_0 thread* kernelContext_20)
+bool is_free_0(uint _S334, const SearchQuality_0 thread* _S335, float3 _S336, float3 _S337, bool _S338, float _S339, KernelContext_0 thread* kernelContext_22)
 {
-    float _S335 = _S332.z;
-    if(_S335 <= 0.0f)
+    float _S340 = _S337.z;
+    if(_S340 <= 0.0f)
     {
         return false;
     }
-    float _S336 = _S330->shadow_share_0;
-    float _S337 = steps_per_length_0(_S329, _S330, _S332, kernelContext_20);
-    float _S338 = 1.0f / max(_S336 * _S337, 9.99999971718068537e-10f);
-    StepControl_0 _S339 = step_control_0(_S332.xy, _S338);
+    float _S341 = _S335->shadow_share_0;
+    float _S342 = steps_per_length_0(_S334, _S335, _S337, kernelContext_22);
+    float _S343 = 1.0f / max(_S341 * _S342, 9.99999971718068537e-10f);
+    StepControl_0 _S344 = step_control_0(_S337.xy, _S343);
     PreviousSample_0 previous_3 = no_previous_sample_0();
     uint count_1 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S340;
+        bool _S345;
         if(count_1 < 1024U)
         {
-            _S340 = (_S331.z + _S335 * distance_1) < _S334;
+            _S345 = (_S336.z + _S340 * distance_1) < _S339;
         }
         else
         {
-            _S340 = false;
+            _S345 = false;
         }
-        if(_S340)
+        if(_S345)
         {
         }
         else
         {
             break;
         }
-        float3 _S341 = _S331 + _S332 * float3(distance_1) ;
-        Probe_0 _S342 = probe_0(_S329, _S341.x, _S341.y, _S333, _S339.right_0, _S339.up_0, kernelContext_20);
-        float _S343 = _S341.z;
-        float _S344 = _S343 - _S342.height_1;
-        float _S345 = _S335 - _S342.slope_x_0 * _S332.x - _S342.slope_y_0 * _S332.y;
-        bool _S346;
-        if(!_S342.hole_1)
+        float3 _S346 = _S336 + _S337 * float3(distance_1) ;
+        Probe_0 _S347 = probe_0(_S334, _S346.x, _S346.y, _S338, _S344.right_0, _S344.up_0, kernelContext_22);
+        float _S348 = _S346.z;
+        float _S349 = _S348 - _S347.height_1;
+        float _S350 = _S340 - _S347.slope_x_0 * _S337.x - _S347.slope_y_0 * _S337.y;
+        bool _S351;
+        if(!_S347.hole_1)
         {
-            _S346 = _S344 < 0.0f;
+            _S351 = _S349 < 0.0f;
         }
         else
         {
-            _S346 = false;
+            _S351 = false;
         }
-        if(_S346)
+        if(_S351)
         {
             return false;
         }
-        thread PreviousSample_0 _S347 = previous_3;
-        thread Probe_0 _S348 = _S342;
-        float _S349 = way_back_to_dip_0(&_S347, _S344, _S345, last_step_0, &_S348);
-        if(_S349 >= 0.0f)
+        thread PreviousSample_0 _S352 = previous_3;
+        thread Probe_0 _S353 = _S347;
+        float _S354 = way_back_to_dip_0(&_S352, _S349, _S350, last_step_0, &_S353);
+        if(_S354 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S349;
-            distance_1 = distance_1 - _S349;
+            float last_step_1 = last_step_0 - _S354;
+            distance_1 = distance_1 - _S354;
             last_step_0 = last_step_1;
             count_1 = count_1 + 1U;
             continue;
         }
-        bool _S350 = _S343 > (_S342.cell_max_0);
-        thread Probe_0 _S351 = _S342;
-        PreviousSample_0 _S352 = after_sample_0(_S344, _S345, &_S351, _S350);
+        bool _S355 = _S348 > (_S347.cell_max_0);
+        thread Probe_0 _S356 = _S347;
+        PreviousSample_0 _S357 = after_sample_0(_S349, _S350, &_S356, _S355);
         float last_step_2;
-        if(_S350)
+        if(_S355)
         {
-            thread StepControl_0 _S353 = _S339;
-            float _S354 = StepControl_to_cell_exit_0(&_S353, _S342.side_x_0, _S342.side_y_0);
-            last_step_2 = max(_S354, _S338);
+            thread StepControl_0 _S358 = _S344;
+            float _S359 = StepControl_to_cell_exit_0(&_S358, _S347.side_x_0, _S347.side_y_0);
+            last_step_2 = max(_S359, _S343);
         }
         else
         {
-            thread StepControl_0 _S355 = _S339;
-            thread Probe_0 _S356 = _S342;
-            float _S357 = StepControl_to_next_sample_0(&_S355, &_S356, _S344, _S345);
-            last_step_2 = _S357;
+            thread StepControl_0 _S360 = _S344;
+            thread Probe_0 _S361 = _S347;
+            float _S362 = StepControl_to_next_sample_0(&_S360, &_S361, _S349, _S350);
+            last_step_2 = _S362;
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S352;
+        previous_3 = _S357;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
         count_1 = count_1 + 1U;
@@ -1876,48 +1900,48 @@ bool is_free_0(uint _S329, const SearchQuality_0 thread* _S330, float3 _S331, fl
     return true;
 }
 
-bool passes_through_0(uint _S358, const SearchQuality_0 thread* _S359, float _S360, float _S361, float3 _S362, bool _S363, KernelContext_0 thread* kernelContext_21)
+bool passes_through_0(uint _S363, const SearchQuality_0 thread* _S364, float _S365, float _S366, float3 _S367, bool _S368, KernelContext_0 thread* kernelContext_23)
 {
-    Fabric_0 device* _S364 = kernelContext_21->fabrics_0+_S358;
-    Sample_0 _S365 = sample_at_0(_S358, _S360, _S361, _S363, kernelContext_21);
-    if(!_S365.shown_3.hole_0)
+    Fabric_0 device* _S369 = kernelContext_23->fabrics_0+_S363;
+    Sample_0 _S370 = sample_at_0(_S363, _S365, _S366, _S368, kernelContext_23);
+    if(!_S370.shown_3.hole_0)
     {
         return false;
     }
-    float3 _S366 = float3(_S360, _S361, 0.0f);
+    float3 _S371 = float3(_S365, _S366, 0.0f);
     bool passes_0 = true;
     uint side_0 = 0U;
     for(;;)
     {
-        bool _S367;
+        bool _S372;
         if(side_0 < 2U)
         {
-            _S367 = passes_0;
+            _S372 = passes_0;
         }
         else
         {
-            _S367 = false;
+            _S372 = false;
         }
-        if(_S367)
+        if(_S372)
         {
         }
         else
         {
             break;
         }
-        float3 _S368;
+        float3 _S373;
         if(side_0 == 0U)
         {
-            _S368 = _S362;
+            _S373 = _S367;
         }
         else
         {
-            _S368 = float3(- _S362.x, - _S362.y, _S362.z);
+            _S373 = float3(- _S367.x, - _S367.y, _S367.z);
         }
-        bool _S369 = is_free_0(_S358, _S359, _S366, _S368, _S363 != (side_0 == 1U), _S364->height_high_0, kernelContext_21);
-        uint _S370 = side_0 + 1U;
-        passes_0 = _S369;
-        side_0 = _S370;
+        bool _S374 = is_free_0(_S363, _S364, _S371, _S373, _S368 != (side_0 == 1U), _S369->height_high_0, kernelContext_23);
+        uint _S375 = side_0 + 1U;
+        passes_0 = _S374;
+        side_0 = _S375;
     }
     return passes_0;
 }
@@ -1932,36 +1956,36 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S371, float _S372, float _S373, float _S374, float3 _S375, bool _S376, KernelContext_0 thread* kernelContext_22)
+float max_height_along_0(uint _S376, float _S377, float _S378, float _S379, float3 _S380, bool _S381, KernelContext_0 thread* kernelContext_24)
 {
-    Fabric_0 device* _S377 = kernelContext_22->fabrics_0+_S371;
-    Cell_0 _S378 = locate_0(_S377->warp_0, _S372, kernelContext_22);
-    uint _S379 = _S378.thread_1 / 2U;
-    Cell_0 _S380 = locate_0(_S377->weft_0, _S373, kernelContext_22);
-    uint _S381 = _S380.thread_1 / 2U;
-    float _S382 = _S375.x;
-    uint _S383;
-    if(_S382 > 0.0f)
+    Fabric_0 device* _S382 = kernelContext_24->fabrics_0+_S376;
+    Cell_0 _S383 = locate_0(_S382->warp_0, _S377, kernelContext_24);
+    uint _S384 = _S383.thread_1 / 2U;
+    Cell_0 _S385 = locate_0(_S382->weft_0, _S378, kernelContext_24);
+    uint _S386 = _S385.thread_1 / 2U;
+    float _S387 = _S380.x;
+    uint _S388;
+    if(_S387 > 0.0f)
     {
-        _S383 = 1U;
+        _S388 = 1U;
     }
     else
     {
-        _S383 = 0U;
+        _S388 = 0U;
     }
-    float _S384 = _S375.y;
-    uint _S385;
-    if(_S384 > 0.0f)
+    float _S389 = _S380.y;
+    uint _S390;
+    if(_S389 > 0.0f)
     {
-        _S385 = 2U;
+        _S390 = 2U;
     }
     else
     {
-        _S385 = 0U;
+        _S390 = 0U;
     }
-    uint _S386 = kernelContext_22->words_0[_S377->max_heights_0 + 4U * (_S381 * _S377->max_height_columns_0 + _S379) + (_S383 + _S385)];
+    uint _S391 = kernelContext_24->words_0[_S382->max_heights_0 + 4U * (_S386 * _S382->max_height_columns_0 + _S384) + (_S388 + _S390)];
     int number_0;
-    if(_S376)
+    if(_S381)
     {
         number_0 = int(4);
     }
@@ -1969,10 +1993,10 @@ float max_height_along_0(uint _S371, float _S372, float _S373, float _S374, floa
     {
         number_0 = int(0);
     }
-    uint _S387 = _S386 >> uint(number_0);
-    float _S388 = max(abs(_S382) * _S377->threads_per_x_0, abs(_S384) * _S377->threads_per_y_0) / _S375.z;
-    float _S389 = _S377->height_high_0;
-    float max_height_0 = _S377->height_high_0;
+    uint _S392 = _S391 >> uint(number_0);
+    float _S393 = max(abs(_S387) * _S382->threads_per_x_0, abs(_S389) * _S382->threads_per_y_0) / _S380.z;
+    float _S394 = _S382->height_high_0;
+    float max_height_0 = _S382->height_high_0;
     number_0 = int(3);
     for(;;)
     {
@@ -1983,46 +2007,46 @@ float max_height_along_0(uint _S371, float _S372, float _S373, float _S374, floa
         {
             break;
         }
-        if(((max_height_0 - _S374) * _S388) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S379) * _S393) <= (PYRAMID_RADII_0[number_0]))
         {
-            max_height_0 = min(max_height_0, float((_S387 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S389);
+            max_height_0 = min(max_height_0, float((_S392 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S394);
         }
         number_0 = number_0 - int(1);
     }
     return max_height_0;
 }
 
-float3 cell_bounds_0(uint _S390, float _S391, float _S392, bool _S393, bool _S394, bool _S395, KernelContext_0 thread* kernelContext_23)
+float3 cell_bounds_0(uint _S395, float _S396, float _S397, bool _S398, bool _S399, bool _S400, KernelContext_0 thread* kernelContext_25)
 {
-    Crossing_0 _S396 = crossing_at_0(_S390, _S391, _S392, _S393, kernelContext_23);
-    thread Crossing_0 _S397 = _S396;
-    float _S398 = cell_maximum_0(_S390, &_S397, kernelContext_23);
-    float _S399;
-    if(_S394)
+    Crossing_0 _S401 = crossing_at_0(_S395, _S396, _S397, _S398, kernelContext_25);
+    thread Crossing_0 _S402 = _S401;
+    float _S403 = cell_maximum_0(_S395, &_S402, kernelContext_25);
+    float _S404;
+    if(_S399)
     {
-        _S399 = _S396.warp_1.above_0;
+        _S404 = _S401.warp_1.above_0;
     }
     else
     {
-        _S399 = _S396.warp_1.below_0;
+        _S404 = _S401.warp_1.below_0;
     }
-    float _S400;
-    if(_S395)
+    float _S405;
+    if(_S400)
     {
-        _S400 = _S396.weft_1.above_0;
+        _S405 = _S401.weft_1.above_0;
     }
     else
     {
-        _S400 = _S396.weft_1.below_0;
+        _S405 = _S401.weft_1.below_0;
     }
-    return float3(_S398, _S399, _S400);
+    return float3(_S403, _S404, _S405);
 }
 
-float first_sample_height_0(uint _S401, const ViewRay_0 thread* _S402, const StepControl_0 thread* _S403, bool _S404, KernelContext_0 thread* kernelContext_24)
+float first_sample_height_0(uint _S406, const ViewRay_0 thread* _S407, const StepControl_0 thread* _S408, bool _S409, KernelContext_0 thread* kernelContext_26)
 {
-    float _S405 = max_height_along_0(_S401, _S402->origin_0.x, _S402->origin_0.y, 0.0f, float3(_S402->slope_1, 1.0f), _S404, kernelContext_24);
+    float _S410 = max_height_along_0(_S406, _S407->origin_0.x, _S407->origin_0.y, 0.0f, float3(_S407->slope_1, 1.0f), _S409, kernelContext_26);
     uint count_2 = 0U;
-    float height_7 = _S405;
+    float height_7 = _S410;
     for(;;)
     {
         if(count_2 < 1024U)
@@ -2032,12 +2056,12 @@ float first_sample_height_0(uint _S401, const ViewRay_0 thread* _S402, const Ste
         {
             break;
         }
-        float2 _S406 = ViewRay_at_0(_S402, height_7);
-        float3 _S407 = cell_bounds_0(_S401, _S406.x, _S406.y, _S404, _S403->right_0, _S403->up_0, kernelContext_24);
-        float _S408 = height_7 - _S407.x;
-        float _S409 = StepControl_to_cell_exit_0(_S403, _S407.y, _S407.z);
-        float height_8 = height_7 - clamp(_S408, 0.0f, _S409);
-        if(_S408 <= _S409)
+        float2 _S411 = ViewRay_at_0(_S407, height_7);
+        float3 _S412 = cell_bounds_0(_S406, _S411.x, _S411.y, _S409, _S408->right_0, _S408->up_0, kernelContext_26);
+        float _S413 = height_7 - _S412.x;
+        float _S414 = StepControl_to_cell_exit_0(_S408, _S412.y, _S412.z);
+        float height_8 = height_7 - clamp(_S413, 0.0f, _S414);
+        if(_S413 <= _S414)
         {
             height_7 = height_8;
             break;
@@ -2048,14 +2072,14 @@ float first_sample_height_0(uint _S401, const ViewRay_0 thread* _S402, const Ste
     return height_7;
 }
 
-ViewRayEnd_0 search_down_0(uint _S410, const ViewRay_0 thread* _S411, const StepControl_0 thread* _S412, bool _S413, KernelContext_0 thread* kernelContext_25)
+ViewRayEnd_0 search_down_0(uint _S415, const ViewRay_0 thread* _S416, const StepControl_0 thread* _S417, bool _S418, KernelContext_0 thread* kernelContext_27)
 {
-    Fabric_0 device* _S414 = kernelContext_25->fabrics_0+_S410;
-    float _S415 = _S414->height_low_0 - (_S414->height_high_0 - _S414->height_low_0);
+    Fabric_0 device* _S419 = kernelContext_27->fabrics_0+_S415;
+    float _S420 = _S419->height_low_0 - (_S419->height_high_0 - _S419->height_low_0);
     thread ViewRayEnd_0 end_1;
-    float _S416 = first_sample_height_0(_S410, _S411, _S412, _S413, kernelContext_25);
-    (&end_1)->height_6 = _S416;
-    (&end_1)->last_step_3 = _S412->epsilon_0;
+    float _S421 = first_sample_height_0(_S415, _S416, _S417, _S418, kernelContext_27);
+    (&end_1)->height_6 = _S421;
+    (&end_1)->last_step_3 = _S417->epsilon_0;
     (&end_1)->previous_4 = no_previous_sample_0();
     (&end_1)->depth_1 = 0.0f;
     (&end_1)->rate_4 = 0.0f;
@@ -2070,164 +2094,164 @@ ViewRayEnd_0 search_down_0(uint _S410, const ViewRay_0 thread* _S411, const Step
         {
             break;
         }
-        float2 _S417 = ViewRay_at_0(_S411, (&end_1)->height_6);
-        Probe_0 _S418 = probe_0(_S410, _S417.x, _S417.y, _S413, _S412->right_0, _S412->up_0, kernelContext_25);
-        float _S419 = (&end_1)->height_6 - _S418.height_1;
-        thread Probe_0 _S420 = _S418;
-        float _S421 = ViewRay_rate_0(_S411, &_S420);
-        (&end_1)->depth_1 = - _S419;
-        (&end_1)->rate_4 = _S421;
-        bool _S422;
+        float2 _S422 = ViewRay_at_0(_S416, (&end_1)->height_6);
+        Probe_0 _S423 = probe_0(_S415, _S422.x, _S422.y, _S418, _S417->right_0, _S417->up_0, kernelContext_27);
+        float _S424 = (&end_1)->height_6 - _S423.height_1;
+        thread Probe_0 _S425 = _S423;
+        float _S426 = ViewRay_rate_0(_S416, &_S425);
+        (&end_1)->depth_1 = - _S424;
+        (&end_1)->rate_4 = _S426;
+        bool _S427;
         if((&(&end_1)->previous_4)->known_0)
         {
-            _S422 = !_S418.hole_1;
+            _S427 = !_S423.hole_1;
         }
         else
         {
-            _S422 = false;
+            _S427 = false;
         }
-        bool _S423;
-        if(_S422)
+        bool _S428;
+        if(_S427)
         {
-            _S423 = ((&(&end_1)->previous_4)->yarn_0) == (_S418.yarn_1);
+            _S428 = ((&(&end_1)->previous_4)->yarn_0) == (_S423.yarn_1);
         }
         else
         {
-            _S423 = false;
+            _S428 = false;
         }
-        (&end_1)->smooth_0 = _S423;
-        bool _S424;
-        if(!_S418.hole_1)
+        (&end_1)->smooth_0 = _S428;
+        bool _S429;
+        if(!_S423.hole_1)
         {
-            _S424 = _S419 <= 0.0f;
+            _S429 = _S424 <= 0.0f;
         }
         else
         {
-            _S424 = false;
+            _S429 = false;
         }
-        bool _S425;
-        if(_S424)
+        bool _S430;
+        if(_S429)
         {
-            _S425 = true;
+            _S430 = true;
         }
         else
         {
-            _S425 = ((&end_1)->height_6) <= _S415;
+            _S430 = ((&end_1)->height_6) <= _S420;
         }
-        if(_S425)
+        if(_S430)
         {
             break;
         }
-        thread PreviousSample_0 _S426 = (&end_1)->previous_4;
-        thread Probe_0 _S427 = _S418;
-        float _S428 = way_back_to_dip_0(&_S426, _S419, _S421, (&end_1)->last_step_3, &_S427);
-        if(_S428 >= 0.0f)
+        thread PreviousSample_0 _S431 = (&end_1)->previous_4;
+        thread Probe_0 _S432 = _S423;
+        float _S433 = way_back_to_dip_0(&_S431, _S424, _S426, (&end_1)->last_step_3, &_S432);
+        if(_S433 >= 0.0f)
         {
-            (&end_1)->height_6 = (&end_1)->height_6 + _S428;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S428;
+            (&end_1)->height_6 = (&end_1)->height_6 + _S433;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S433;
             count_3 = count_3 + 1U;
             continue;
         }
-        float _S429 = StepControl_to_cell_exit_0(_S412, _S418.side_x_0, _S418.side_y_0);
-        float _S430 = min(_S429, (&end_1)->height_6 - _S418.cell_max_0);
-        thread Probe_0 _S431 = _S418;
-        float _S432 = StepControl_to_next_sample_0(_S412, &_S431, _S419, _S421);
-        bool _S433 = _S430 > _S432;
-        thread Probe_0 _S434 = _S418;
-        PreviousSample_0 _S435 = after_sample_0(_S419, _S421, &_S434, _S433);
-        (&end_1)->previous_4 = _S435;
-        float _S436 = max(_S430, _S432);
-        (&end_1)->last_step_3 = _S436;
-        (&end_1)->height_6 = (&end_1)->height_6 - _S436;
+        float _S434 = StepControl_to_cell_exit_0(_S417, _S423.side_x_0, _S423.side_y_0);
+        float _S435 = min(_S434, (&end_1)->height_6 - _S423.cell_max_0);
+        thread Probe_0 _S436 = _S423;
+        float _S437 = StepControl_to_next_sample_0(_S417, &_S436, _S424, _S426);
+        bool _S438 = _S435 > _S437;
+        thread Probe_0 _S439 = _S423;
+        PreviousSample_0 _S440 = after_sample_0(_S424, _S426, &_S439, _S438);
+        (&end_1)->previous_4 = _S440;
+        float _S441 = max(_S435, _S437);
+        (&end_1)->last_step_3 = _S441;
+        (&end_1)->height_6 = (&end_1)->height_6 - _S441;
         count_3 = count_3 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S437, const ViewRay_0 thread* _S438, const StepControl_0 thread* _S439, bool _S440, const ViewRayEnd_0 thread* _S441, uint _S442, KernelContext_0 thread* kernelContext_26)
+float refined_height_0(uint _S442, const ViewRay_0 thread* _S443, const StepControl_0 thread* _S444, bool _S445, const ViewRayEnd_0 thread* _S446, uint _S447, KernelContext_0 thread* kernelContext_28)
 {
-    Fabric_0 device* _S443 = kernelContext_26->fabrics_0+_S437;
-    float _S444 = _S443->height_high_0 - _S443->height_low_0;
-    float _S445 = _S441->height_6;
-    float _S446 = _S441->last_step_3;
-    float above_2 = _S441->height_6 + _S441->last_step_3;
-    float above_gap_1 = clamp((&_S441->previous_4)->clearance_0, 0.0f, _S444);
-    float under_gap_1 = clamp(_S441->depth_1, 0.0f, _S444);
-    float _S447 = cubic_root_0(above_gap_1, - under_gap_1, (&_S441->previous_4)->rate_0 * _S441->last_step_3, _S441->rate_4 * _S441->last_step_3);
-    bool _S448 = _S441->smooth_0;
+    Fabric_0 device* _S448 = kernelContext_28->fabrics_0+_S442;
+    float _S449 = _S448->height_high_0 - _S448->height_low_0;
+    float _S450 = _S446->height_6;
+    float _S451 = _S446->last_step_3;
+    float above_2 = _S446->height_6 + _S446->last_step_3;
+    float above_gap_1 = clamp((&_S446->previous_4)->clearance_0, 0.0f, _S449);
+    float under_gap_1 = clamp(_S446->depth_1, 0.0f, _S449);
+    float _S452 = cubic_root_0(above_gap_1, - under_gap_1, (&_S446->previous_4)->rate_0 * _S446->last_step_3, _S446->rate_4 * _S446->last_step_3);
+    bool _S453 = _S446->smooth_0;
     float middle_0;
-    if(_S441->smooth_0)
+    if(_S446->smooth_0)
     {
-        middle_0 = above_2 - _S447 * _S446;
+        middle_0 = above_2 - _S452 * _S451;
     }
     else
     {
-        middle_0 = between_0(above_2, _S445, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S450, above_gap_1, under_gap_1);
     }
     float side_1 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S445;
+    float under_1 = _S450;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S442)
+        if(i_1 < _S447)
         {
         }
         else
         {
             break;
         }
-        float2 _S449 = ViewRay_at_0(_S438, middle_0);
-        Probe_0 _S450 = probe_0(_S437, _S449.x, _S449.y, _S440, _S439->right_0, _S439->up_0, kernelContext_26);
-        float _S451;
-        if(_S450.hole_1)
+        float2 _S454 = ViewRay_at_0(_S443, middle_0);
+        Probe_0 _S455 = probe_0(_S442, _S454.x, _S454.y, _S445, _S444->right_0, _S444->up_0, kernelContext_28);
+        float _S456;
+        if(_S455.hole_1)
         {
-            _S451 = -1.0e+09f;
+            _S456 = -1.0e+09f;
         }
         else
         {
-            _S451 = _S450.height_1;
+            _S456 = _S455.height_1;
         }
-        float _S452 = clamp(middle_0 - _S451, - _S444, _S444);
-        float _S453;
-        if(_S452 <= 0.0f)
+        float _S457 = clamp(middle_0 - _S456, - _S449, _S449);
+        float _S458;
+        if(_S457 <= 0.0f)
         {
             if(side_1 > 0.0f)
             {
-                _S453 = 0.5f * above_gap_2;
+                _S458 = 0.5f * above_gap_2;
             }
             else
             {
-                _S453 = above_gap_2;
+                _S458 = above_gap_2;
             }
-            float _S454 = - _S452;
+            float _S459 = - _S457;
             under_1 = middle_0;
-            above_gap_2 = _S453;
-            under_gap_2 = _S454;
+            above_gap_2 = _S458;
+            under_gap_2 = _S459;
             side_1 = 1.0f;
         }
         else
         {
             if(side_1 < 0.0f)
             {
-                _S453 = 0.5f * under_gap_2;
+                _S458 = 0.5f * under_gap_2;
             }
             else
             {
-                _S453 = under_gap_2;
+                _S458 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S452;
-            under_gap_2 = _S453;
+            above_gap_2 = _S457;
+            under_gap_2 = _S458;
             side_1 = -1.0f;
         }
-        if(_S448)
+        if(_S453)
         {
-            thread Probe_0 _S455 = _S450;
-            float _S456 = ViewRay_rate_0(_S438, &_S455);
-            middle_0 = clamp(middle_0 + _S452 / min(_S456, -9.99999997475242708e-07f), under_1, above_3);
+            thread Probe_0 _S460 = _S455;
+            float _S461 = ViewRay_rate_0(_S443, &_S460);
+            middle_0 = clamp(middle_0 + _S457 / min(_S461, -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2235,7 +2259,7 @@ float refined_height_0(uint _S437, const ViewRay_0 thread* _S438, const StepCont
         }
         i_1 = i_1 + 1U;
     }
-    if(_S448)
+    if(_S453)
     {
     }
     else
@@ -2245,38 +2269,38 @@ float refined_height_0(uint _S437, const ViewRay_0 thread* _S438, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S457, const SearchQuality_0 thread* _S458, float _S459, float _S460, float3 _S461, bool _S462, KernelContext_0 thread* kernelContext_27)
+Hit_0 first_hit_0(uint _S462, const SearchQuality_0 thread* _S463, float _S464, float _S465, float3 _S466, bool _S467, KernelContext_0 thread* kernelContext_29)
 {
     thread Hit_0 hit_0;
-    (&hit_0)->x_10 = _S459;
-    (&hit_0)->y_6 = _S460;
+    (&hit_0)->x_10 = _S464;
+    (&hit_0)->y_6 = _S465;
     (&hit_0)->height_4 = 0.0f;
-    bool _S463 = passes_through_0(_S457, _S458, _S459, _S460, _S461, _S462, kernelContext_27);
-    (&hit_0)->hole_3 = _S463;
-    if(_S463)
+    bool _S468 = passes_through_0(_S462, _S463, _S464, _S465, _S466, _S467, kernelContext_29);
+    (&hit_0)->hole_3 = _S468;
+    if(_S468)
     {
         return hit_0;
     }
-    float _S464 = max(_S461.z, 0.00009999999747379f);
+    float _S469 = max(_S466.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = float2(_S459, _S460);
-    float2 _S465 = _S461.xy / float2(_S464) ;
-    (&ray_0)->slope_1 = _S465;
-    float2 _S466 = - _S465;
-    float _S467 = steps_per_length_0(_S457, _S458, _S461, kernelContext_27);
-    StepControl_0 _S468 = step_control_0(_S466, 1.0f / max(_S467 / _S464, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S469 = ray_0;
-    thread StepControl_0 _S470 = _S468;
-    ViewRayEnd_0 _S471 = search_down_0(_S457, &_S469, &_S470, _S462, kernelContext_27);
-    thread ViewRay_0 _S472 = ray_0;
-    thread StepControl_0 _S473 = _S468;
-    thread ViewRayEnd_0 _S474 = _S471;
-    float _S475 = refined_height_0(_S457, &_S472, &_S473, _S462, &_S474, _S458->refinements_0, kernelContext_27);
-    (&hit_0)->height_4 = _S475;
-    thread ViewRay_0 _S476 = ray_0;
-    float2 _S477 = ViewRay_at_0(&_S476, _S475);
-    (&hit_0)->x_10 = _S477.x;
-    (&hit_0)->y_6 = _S477.y;
+    (&ray_0)->origin_0 = float2(_S464, _S465);
+    float2 _S470 = _S466.xy / float2(_S469) ;
+    (&ray_0)->slope_1 = _S470;
+    float2 _S471 = - _S470;
+    float _S472 = steps_per_length_0(_S462, _S463, _S466, kernelContext_29);
+    StepControl_0 _S473 = step_control_0(_S471, 1.0f / max(_S472 / _S469, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S474 = ray_0;
+    thread StepControl_0 _S475 = _S473;
+    ViewRayEnd_0 _S476 = search_down_0(_S462, &_S474, &_S475, _S467, kernelContext_29);
+    thread ViewRay_0 _S477 = ray_0;
+    thread StepControl_0 _S478 = _S473;
+    thread ViewRayEnd_0 _S479 = _S476;
+    float _S480 = refined_height_0(_S462, &_S477, &_S478, _S467, &_S479, _S463->refinements_0, kernelContext_29);
+    (&hit_0)->height_4 = _S480;
+    thread ViewRay_0 _S481 = ray_0;
+    float2 _S482 = ViewRay_at_0(&_S481, _S480);
+    (&hit_0)->x_10 = _S482.x;
+    (&hit_0)->y_6 = _S482.y;
     return hit_0;
 }
 
@@ -2294,470 +2318,467 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S478, float _S479, float _S480, bool _S481, KernelContext_0 thread* kernelContext_28)
+SurfacePoint_0 surface_at_0(uint _S483, float _S484, float _S485, bool _S486, KernelContext_0 thread* kernelContext_30)
 {
-    Fabric_0 device* _S482 = kernelContext_28->fabrics_0+_S478;
-    Sample_0 _S483 = sample_at_0(_S478, _S479, _S480, _S481, kernelContext_28);
-    float _S484;
-    if(_S483.shown_3.is_warp_0)
+    Fabric_0 device* _S487 = kernelContext_30->fabrics_0+_S483;
+    Sample_0 _S488 = sample_at_0(_S483, _S484, _S485, _S486, kernelContext_30);
+    float _S489;
+    if(_S488.shown_3.is_warp_0)
     {
-        _S484 = _S483.crossing_1.warp_1.half_width_1;
+        _S489 = _S488.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S484 = _S483.crossing_1.weft_1.half_width_1;
+        _S489 = _S488.crossing_1.weft_1.half_width_1;
     }
-    uint _S485;
-    if(_S483.shown_3.is_warp_0)
+    uint _S490;
+    if(_S488.shown_3.is_warp_0)
     {
-        _S485 = _S482->warp_0;
+        _S490 = _S487->warp_0;
     }
     else
     {
-        _S485 = _S482->weft_0;
+        _S490 = _S487->weft_0;
     }
-    Family_0 _S486 = kernelContext_28->families_0[_S485];
-    float _S487;
-    if(_S481)
-    {
-        _S487 = -1.0f;
-    }
-    else
-    {
-        _S487 = 1.0f;
-    }
-    float _S488 = _S486.twist_sine_0 * _S487;
-    Family_0 _S489 = kernelContext_28->families_0[_S485];
-    if(_S483.shown_3.is_warp_0)
-    {
-        _S487 = 1.0f;
-    }
-    else
-    {
-        _S487 = -1.0f;
-    }
-    float2 _S490 = fibre_direction_0(_S483.slope_across_0, _S487 * _S483.slope_along_0, _S488, _S489.twist_cosine_0);
-    float _S491;
-    if(_S483.shown_3.is_warp_0)
-    {
-        _S491 = _S483.slope_x_1;
-    }
-    else
-    {
-        _S491 = _S483.slope_y_1;
-    }
+    Family_0 _S491 = kernelContext_30->families_0[_S490];
     float _S492;
-    if(_S483.shown_3.is_warp_0)
+    if(_S486)
     {
-        _S492 = _S483.slope_y_1;
+        _S492 = -1.0f;
     }
     else
     {
-        _S492 = _S483.slope_x_1;
+        _S492 = 1.0f;
     }
-    float _S493 = _S490.x;
-    float _S494 = _S490.y;
-    float _S495 = _S491 * _S493 + _S487 * _S492 * _S494;
-    float _S496 = _S484 * 1.0154266357421875f;
-    float _S497 = _S496 * arc_sine_0(clamp(_S483.section_1.across_1 / _S496, -1.0f, 1.0f));
-    if(_S483.shown_3.is_warp_0)
+    float _S493 = _S491.twist_sine_0 * _S492;
+    Family_0 _S494 = kernelContext_30->families_0[_S490];
+    if(_S488.shown_3.is_warp_0)
     {
-        _S484 = _S480;
+        _S492 = 1.0f;
     }
     else
     {
-        _S484 = - _S479;
+        _S492 = -1.0f;
+    }
+    float2 _S495 = fibre_direction_0(_S488.slope_across_0, _S492 * _S488.slope_along_0, _S493, _S494.twist_cosine_0);
+    float _S496;
+    if(_S488.shown_3.is_warp_0)
+    {
+        _S496 = _S488.slope_x_1;
+    }
+    else
+    {
+        _S496 = _S488.slope_y_1;
+    }
+    float _S497;
+    if(_S488.shown_3.is_warp_0)
+    {
+        _S497 = _S488.slope_y_1;
+    }
+    else
+    {
+        _S497 = _S488.slope_x_1;
+    }
+    float _S498 = _S495.x;
+    float _S499 = _S495.y;
+    float _S500 = _S496 * _S498 + _S492 * _S497 * _S499;
+    float _S501 = _S489 * 1.0154266357421875f;
+    float _S502 = _S501 * arc_sine_0(clamp(_S488.section_1.across_1 / _S501, -1.0f, 1.0f));
+    if(_S488.shown_3.is_warp_0)
+    {
+        _S489 = _S485;
+    }
+    else
+    {
+        _S489 = - _S484;
     }
     thread SurfacePoint_0 point_2;
-    (&point_2)->hole_4 = _S483.shown_3.hole_0;
-    (&point_2)->is_warp_2 = _S483.shown_3.is_warp_0;
-    (&point_2)->warp_thread_0 = _S483.crossing_1.warp_1.thread_1;
-    (&point_2)->weft_thread_0 = _S483.crossing_1.weft_1.thread_1;
-    (&point_2)->height_9 = _S483.height_5;
-    (&point_2)->normal_5 = normalize(float3(- _S483.slope_x_1, - _S483.slope_y_1, 1.0f));
-    float3 _S498;
-    if(_S483.shown_3.is_warp_0)
+    (&point_2)->hole_4 = _S488.shown_3.hole_0;
+    (&point_2)->is_warp_2 = _S488.shown_3.is_warp_0;
+    (&point_2)->warp_thread_0 = _S488.crossing_1.warp_1.thread_1;
+    (&point_2)->weft_thread_0 = _S488.crossing_1.weft_1.thread_1;
+    (&point_2)->height_9 = _S488.height_5;
+    (&point_2)->normal_5 = normalize(float3(- _S488.slope_x_1, - _S488.slope_y_1, 1.0f));
+    float3 _S503;
+    if(_S488.shown_3.is_warp_0)
     {
-        _S498 = float3(_S493, _S494, _S495);
+        _S503 = float3(_S498, _S499, _S500);
     }
     else
     {
-        _S498 = float3(- _S494, _S493, _S495);
+        _S503 = float3(- _S499, _S498, _S500);
     }
-    (&point_2)->tangent_5 = normalize(_S498);
-    (&point_2)->across_2 = _S483.section_1.across_1;
-    (&point_2)->fibre_across_0 = _S497 * _S489.twist_cosine_0 + _S484 * _S488;
-    (&point_2)->fibre_along_0 = _S484 * _S489.twist_cosine_0 - _S497 * _S488;
+    (&point_2)->tangent_5 = normalize(_S503);
+    (&point_2)->across_2 = _S488.section_1.across_1;
+    (&point_2)->fibre_across_0 = _S502 * _S494.twist_cosine_0 + _S489 * _S493;
+    (&point_2)->fibre_along_0 = _S489 * _S494.twist_cosine_0 - _S502 * _S493;
     return point_2;
 }
 
-Albedos_0 vary_albedos_0(uint _S499, const Albedos_0 thread* _S500, uint _S501, uint _S502, KernelContext_0 thread* kernelContext_29)
+Albedos_0 vary_albedos_0(uint _S504, const Albedos_0 thread* _S505, uint _S506, uint _S507, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S503 = kernelContext_29->fabrics_0+_S499;
-    float3 _S504 = max(_S500->specular_reflect_0, _S500->specular_transmit_0);
-    float3 _S505 = _S500->diffuse_reflect_0 + _S500->diffuse_transmit_0;
-    float3 _S506 = float3(_S503->layer_bound_0) ;
-    float3 _S507 = float3(1.0f) ;
-    float3 _S508 = float3(bounded_gain_0(thread_gain_0(_S501, _S503->colour_noise_0, _S503->seed_0), _S505, _S507 - _S506 * _S504)) ;
-    float _S509 = bounded_gain_0(fibre_gain_0(_S501, _S502, _S503->fibre_noise_0, _S503->seed_0), _S504, min((_S507 - _S508 * _S505) / _S506, float3(1.0f) ));
+    Fabric_0 device* _S508 = kernelContext_31->fabrics_0+_S504;
+    float3 _S509 = max(_S505->specular_reflect_0, _S505->specular_transmit_0);
+    float3 _S510 = _S505->diffuse_reflect_0 + _S505->diffuse_transmit_0;
+    float3 _S511 = float3(_S508->layer_bound_0) ;
+    float3 _S512 = float3(1.0f) ;
+    float3 _S513 = float3(bounded_gain_0(thread_gain_0(_S506, _S508->colour_noise_0, _S508->seed_0), _S510, _S512 - _S511 * _S509)) ;
+    float _S514 = bounded_gain_0(fibre_gain_0(_S506, _S507, _S508->fibre_noise_0, _S508->seed_0), _S509, min((_S512 - _S513 * _S510) / _S511, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S508 * _S500->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S508 * _S500->diffuse_transmit_0;
-    float3 _S510 = float3(_S509) ;
-    (&varied_0)->specular_reflect_0 = _S510 * _S500->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S510 * _S500->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S513 * _S505->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S513 * _S505->diffuse_transmit_0;
+    float3 _S515 = float3(_S514) ;
+    (&varied_0)->specular_reflect_0 = _S515 * _S505->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S515 * _S505->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S511, const SurfacePoint_0 thread* _S512, const Albedos_0 thread* _S513, float _S514, float _S515, KernelContext_0 thread* kernelContext_30)
+Albedos_0 varied_at_0(uint _S516, const SurfacePoint_0 thread* _S517, const Albedos_0 thread* _S518, float _S519, float _S520, KernelContext_0 thread* kernelContext_32)
 {
-    Fabric_0 device* _S516 = kernelContext_30->fabrics_0+_S511;
-    bool _S517 = _S512->is_warp_2;
-    float _S518;
-    if(_S512->is_warp_2)
+    Fabric_0 device* _S521 = kernelContext_32->fabrics_0+_S516;
+    bool _S522 = _S517->is_warp_2;
+    float _S523;
+    if(_S517->is_warp_2)
     {
-        _S518 = _S514;
+        _S523 = _S519;
     }
     else
     {
-        _S518 = _S515;
+        _S523 = _S520;
     }
-    float _S519 = _S518 - _S512->across_2;
-    uint _S520;
-    if(_S517)
+    float _S524 = _S523 - _S517->across_2;
+    uint _S525;
+    if(_S522)
     {
-        _S520 = _S516->warp_0;
+        _S525 = _S521->warp_0;
     }
     else
     {
-        _S520 = _S516->weft_0;
+        _S525 = _S521->weft_0;
     }
-    Family_0 _S521 = kernelContext_30->families_0[_S520];
-    int _S522 = int(kernelContext_30->families_0[_S520].count_0);
-    if(_S517)
+    Family_0 _S526 = kernelContext_32->families_0[_S525];
+    int _S527 = int(kernelContext_32->families_0[_S525].count_0);
+    if(_S522)
     {
-        _S520 = _S512->warp_thread_0;
+        _S525 = _S517->warp_thread_0;
     }
     else
     {
-        _S520 = _S512->weft_thread_0;
+        _S525 = _S517->weft_thread_0;
     }
-    uint _S523 = uint(int(floor(_S519 / _S521.period_0)) * _S522 + int(_S520)) * 2U;
-    if(_S517)
+    uint _S528 = uint(int(floor(_S524 / _S526.period_0)) * _S527 + int(_S525)) * 2U;
+    if(_S522)
     {
-        _S520 = 1U;
+        _S525 = 1U;
     }
     else
     {
-        _S520 = 0U;
+        _S525 = 0U;
     }
-    float _S524 = floor(_S512->fibre_across_0 / _S516->fibre_size_0);
-    Albedos_0 _S525 = vary_albedos_0(_S511, _S513, _S523 + _S520, uint(int(_S524)) * 65536U + uint(int(floor(_S512->fibre_along_0 / (_S516->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S524))), kernelContext_30);
-    return _S525;
+    float _S529 = floor(_S517->fibre_across_0 / _S521->fibre_size_0);
+    Albedos_0 _S530 = vary_albedos_0(_S516, _S518, _S528 + _S525, uint(int(_S529)) * 65536U + uint(int(floor(_S517->fibre_along_0 / (_S521->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S529))), kernelContext_32);
+    return _S530;
 }
 
-YarnPoint_0 yarn_point_at_0(uint _S526, float _S527, float _S528, bool _S529, bool _S530, KernelContext_0 thread* kernelContext_31)
+YarnPoint_0 yarn_point_of_0(uint _S531, const SurfacePoint_0 thread* _S532, float _S533, float _S534, bool _S535, bool _S536, KernelContext_0 thread* kernelContext_33)
 {
-    Fabric_0 device* _S531 = kernelContext_31->fabrics_0+_S526;
-    SurfacePoint_0 _S532 = surface_at_0(_S526, _S527, _S528, _S529, kernelContext_31);
-    uint _S533;
-    if(_S532.is_warp_2)
+    Fabric_0 device* _S537 = kernelContext_33->fabrics_0+_S531;
+    bool _S538 = _S532->is_warp_2;
+    uint _S539;
+    if(_S532->is_warp_2)
     {
-        _S533 = _S531->warp_0;
+        _S539 = _S537->warp_0;
     }
     else
     {
-        _S533 = _S531->weft_0;
+        _S539 = _S537->weft_0;
     }
-    uint _S534;
-    if(_S532.is_warp_2)
+    uint _S540;
+    if(_S538)
     {
-        _S534 = _S532.warp_thread_0;
-    }
-    else
-    {
-        _S534 = _S532.weft_thread_0;
-    }
-    Albedos_0 _S535 = albedos_of_0(_S533, _S534, kernelContext_31);
-    bool _S536;
-    if((_S531->fibre_noise_0) > 0.0f)
-    {
-        _S536 = true;
+        _S540 = _S532->warp_thread_0;
     }
     else
     {
-        _S536 = (_S531->colour_noise_0) > 0.0f;
+        _S540 = _S532->weft_thread_0;
+    }
+    Albedos_0 _S541 = albedos_of_0(_S539, _S540, kernelContext_33);
+    bool _S542;
+    if((_S537->fibre_noise_0) > 0.0f)
+    {
+        _S542 = true;
+    }
+    else
+    {
+        _S542 = (_S537->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_2;
-    if(_S536)
+    if(_S542)
     {
-        thread SurfacePoint_0 _S537 = _S532;
-        thread Albedos_0 _S538 = _S535;
-        Albedos_0 _S539 = varied_at_0(_S526, &_S537, &_S538, _S527, _S528, kernelContext_31);
-        albedos_2 = _S539;
+        thread Albedos_0 _S543 = _S541;
+        Albedos_0 _S544 = varied_at_0(_S531, _S532, &_S543, _S533, _S534, kernelContext_33);
+        albedos_2 = _S544;
     }
     else
     {
-        albedos_2 = _S535;
+        albedos_2 = _S541;
     }
     thread YarnPoint_0 point_3;
-    (&point_3)->back_2 = _S529;
-    (&point_3)->hole_2 = _S530;
-    (&point_3)->is_warp_1 = _S532.is_warp_2;
-    (&point_3)->x_9 = _S527;
-    (&point_3)->y_5 = _S528;
-    (&point_3)->height_3 = _S532.height_9;
-    (&point_3)->normal_4 = _S532.normal_5;
-    (&point_3)->tangent_4 = _S532.tangent_5;
-    (&point_3)->roughness_8 = kernelContext_31->families_0[_S533].roughness_0;
+    (&point_3)->back_2 = _S535;
+    (&point_3)->hole_2 = _S536;
+    (&point_3)->is_warp_1 = _S538;
+    (&point_3)->x_9 = _S533;
+    (&point_3)->y_5 = _S534;
+    (&point_3)->height_3 = _S532->height_9;
+    (&point_3)->normal_4 = _S532->normal_5;
+    (&point_3)->tangent_4 = _S532->tangent_5;
+    (&point_3)->roughness_8 = kernelContext_33->families_0[_S539].roughness_0;
     (&point_3)->albedos_1 = albedos_2;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S540, const SearchQuality_0 thread* _S541, float _S542, float _S543, float3 _S544, KernelContext_0 thread* kernelContext_32)
+YarnPoint_0 locate_yarn_0(uint _S545, const SearchQuality_0 thread* _S546, float _S547, float _S548, float3 _S549, KernelContext_0 thread* kernelContext_34)
 {
-    bool _S545 = (_S544.z) < 0.0f;
-    Hit_0 _S546 = first_hit_0(_S540, _S541, _S542, _S543, to_face_frame_0(_S544, _S545), _S545, kernelContext_32);
-    YarnPoint_0 _S547 = yarn_point_at_0(_S540, _S546.x_10, _S546.y_6, _S545, _S546.hole_3, kernelContext_32);
-    return _S547;
+    bool _S550 = (_S549.z) < 0.0f;
+    Hit_0 _S551 = first_hit_0(_S545, _S546, _S547, _S548, to_face_frame_0(_S549, _S550), _S550, kernelContext_34);
+    SurfacePoint_0 _S552 = surface_at_0(_S545, _S551.x_10, _S551.y_6, _S550, kernelContext_34);
+    thread SurfacePoint_0 _S553 = _S552;
+    YarnPoint_0 _S554 = yarn_point_of_0(_S545, &_S553, _S551.x_10, _S551.y_6, _S550, _S551.hole_3, kernelContext_34);
+    return _S554;
 }
 
-float3 scattered_0(uint _S548, const YarnPoint_0 thread* _S549, float3 _S550, float3 _S551, KernelContext_0 thread* kernelContext_33)
+float3 scattered_0(uint _S555, const YarnPoint_0 thread* _S556, float3 _S557, float3 _S558, KernelContext_0 thread* kernelContext_35)
 {
-    Fabric_0 device* _S552 = kernelContext_33->fabrics_0+_S548;
-    float3 _S553 = float3(0.0f) ;
-    bool _S554 = !_S549->hole_2;
-    bool _S555;
-    if(_S554)
+    Fabric_0 device* _S559 = kernelContext_35->fabrics_0+_S555;
+    float3 _S560 = float3(0.0f) ;
+    bool _S561 = !_S556->hole_2;
+    bool _S562;
+    if(_S561)
     {
-        _S555 = (_S550.z) > 0.0f;
+        _S562 = (_S557.z) > 0.0f;
     }
     else
     {
-        _S555 = false;
+        _S562 = false;
     }
     float3 value_1;
-    if(_S555)
+    if(_S562)
     {
-        value_1 = (&_S549->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S550, _S549->normal_4, _S552->diffuse_blend_0))  + (&_S549->albedos_1)->specular_reflect_0 * float3(reflection_0(_S550, _S551, _S549->normal_4, _S549->tangent_4, _S549->roughness_8, _S552->optical_depth_0)) ;
+        value_1 = (&_S556->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S557, _S556->normal_4, _S559->diffuse_blend_0))  + (&_S556->albedos_1)->specular_reflect_0 * float3(reflection_0(_S557, _S558, _S556->normal_4, _S556->tangent_4, _S556->roughness_8, _S559->optical_depth_0)) ;
     }
     else
     {
-        if(_S554)
+        if(_S561)
         {
-            _S555 = (_S550.z) < 0.0f;
+            _S562 = (_S557.z) < 0.0f;
         }
         else
         {
-            _S555 = false;
+            _S562 = false;
         }
-        if(_S555)
+        if(_S562)
         {
-            value_1 = (&_S549->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S550, _S549->normal_4, _S552->diffuse_blend_0))  + (&_S549->albedos_1)->specular_transmit_0 * float3(transmission_0(_S550, _S551, _S549->normal_4, _S549->tangent_4, _S549->roughness_8, _S552->optical_depth_0)) ;
+            value_1 = (&_S556->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S557, _S556->normal_4, _S559->diffuse_blend_0))  + (&_S556->albedos_1)->specular_transmit_0 * float3(transmission_0(_S557, _S558, _S556->normal_4, _S556->tangent_4, _S556->roughness_8, _S559->optical_depth_0)) ;
         }
         else
         {
-            value_1 = _S553;
+            value_1 = _S560;
         }
     }
-    float _S556 = _S552->sheen_strength_0;
-    if((_S552->sheen_strength_0) <= 0.0f)
+    float _S563 = _S559->sheen_strength_0;
+    if((_S559->sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S557 = sheen_with_transmittance_0(_S550, _S551, _S556, _S552->sheen_roughness_0);
-    return float3(_S557.y)  * value_1 + float3(_S557.x) ;
+    float2 _S564 = sheen_with_transmittance_0(_S557, _S558, _S563, _S559->sheen_roughness_0);
+    return float3(_S564.y)  * value_1 + float3(_S564.x) ;
 }
 
-bool unoccluded_0(uint _S558, const SearchQuality_0 thread* _S559, float _S560, float _S561, float _S562, float3 _S563, bool _S564, KernelContext_0 thread* kernelContext_34)
+bool unoccluded_0(uint _S565, const SearchQuality_0 thread* _S566, float _S567, float _S568, float _S569, float3 _S570, bool _S571, KernelContext_0 thread* kernelContext_36)
 {
-    Fabric_0 device* _S565 = kernelContext_34->fabrics_0+_S558;
-    if((_S563.z) <= 0.0f)
+    Fabric_0 device* _S572 = kernelContext_36->fabrics_0+_S565;
+    if((_S570.z) <= 0.0f)
     {
         return false;
     }
-    float _S566 = max_height_along_0(_S558, _S560, _S561, _S562, _S563, _S564, kernelContext_34);
-    bool _S567 = is_free_0(_S558, _S559, float3(_S560, _S561, _S562 + _S565->lift_0), _S563, _S564, _S566, kernelContext_34);
-    return _S567;
+    float _S573 = max_height_along_0(_S565, _S567, _S568, _S569, _S570, _S571, kernelContext_36);
+    bool _S574 = is_free_0(_S565, _S566, float3(_S567, _S568, _S569 + _S572->lift_0), _S570, _S571, _S573, kernelContext_36);
+    return _S574;
 }
 
-bool is_lit_0(uint _S568, const SearchQuality_0 thread* _S569, const YarnPoint_0 thread* _S570, float3 _S571, KernelContext_0 thread* kernelContext_35)
+bool is_lit_0(uint _S575, const SearchQuality_0 thread* _S576, const YarnPoint_0 thread* _S577, float3 _S578, KernelContext_0 thread* kernelContext_37)
 {
-    if(_S570->hole_2)
+    if(_S577->hole_2)
     {
         return true;
     }
-    bool _S572 = _S570->back_2;
-    float3 _S573 = to_face_frame_0(_S571, _S570->back_2);
-    float _S574 = _S573.z;
-    bool _S575 = _S574 < 0.0f;
-    float3 _S576 = _S570->normal_4;
-    float _S577 = _S570->height_3;
+    bool _S579 = _S577->back_2;
+    float3 _S580 = to_face_frame_0(_S578, _S577->back_2);
+    float _S581 = _S580.z;
+    bool _S582 = _S581 < 0.0f;
+    float3 _S583 = _S577->normal_4;
+    float _S584 = _S577->height_3;
     float3 normal_6;
     float height_10;
-    if(_S575)
+    if(_S582)
     {
-        SurfacePoint_0 _S578 = surface_at_0(_S568, _S570->x_9, _S570->y_5, !_S572, kernelContext_35);
-        normal_6 = _S578.normal_5;
-        height_10 = _S578.height_9;
+        SurfacePoint_0 _S585 = surface_at_0(_S575, _S577->x_9, _S577->y_5, !_S579, kernelContext_37);
+        normal_6 = _S585.normal_5;
+        height_10 = _S585.height_9;
     }
     else
     {
-        normal_6 = _S576;
-        height_10 = _S577;
+        normal_6 = _S583;
+        height_10 = _S584;
     }
-    float3 _S579 = float3(_S573.xy, abs(_S574));
-    if((dot(normal_6, _S579)) <= 0.0f)
+    float3 _S586 = float3(_S580.xy, abs(_S581));
+    if((dot(normal_6, _S586)) <= 0.0f)
     {
         return false;
     }
-    bool _S580 = unoccluded_0(_S568, _S569, _S570->x_9, _S570->y_5, height_10, _S579, _S572 != _S575, kernelContext_35);
-    return _S580;
+    bool _S587 = unoccluded_0(_S575, _S576, _S577->x_9, _S577->y_5, height_10, _S586, _S579 != _S582, kernelContext_37);
+    return _S587;
 }
 
-float3 evaluate_0(uint _S581, const SearchQuality_0 thread* _S582, const YarnPoint_0 thread* _S583, float3 _S584, float3 _S585, KernelContext_0 thread* kernelContext_36)
+float3 evaluate_0(uint _S588, const SearchQuality_0 thread* _S589, const YarnPoint_0 thread* _S590, float3 _S591, float3 _S592, KernelContext_0 thread* kernelContext_38)
 {
-    float3 _S586 = scattered_0(_S581, _S583, to_face_frame_0(_S584, _S583->back_2), to_face_frame_0(_S585, _S583->back_2), kernelContext_36);
-    bool _S587;
-    if((max(_S586.x, max(_S586.y, _S586.z))) <= 0.0f)
+    float3 _S593 = scattered_0(_S588, _S590, to_face_frame_0(_S591, _S590->back_2), to_face_frame_0(_S592, _S590->back_2), kernelContext_38);
+    bool _S594;
+    if((max(_S593.x, max(_S593.y, _S593.z))) <= 0.0f)
     {
-        _S587 = true;
+        _S594 = true;
     }
     else
     {
-        bool _S588 = is_lit_0(_S581, _S582, _S583, _S584, kernelContext_36);
-        _S587 = !_S588;
+        bool _S595 = is_lit_0(_S588, _S589, _S590, _S591, kernelContext_38);
+        _S594 = !_S595;
     }
-    if(_S587)
+    if(_S594)
     {
         return float3(0.0f) ;
     }
-    return _S586;
+    return _S593;
 }
 
-float straight_through_0(uint _S589, const YarnPoint_0 thread* _S590, float3 _S591, KernelContext_0 thread* kernelContext_37)
+float straight_through_0(uint _S596, const YarnPoint_0 thread* _S597, float3 _S598, KernelContext_0 thread* kernelContext_39)
 {
-    Fabric_0 device* _S592 = kernelContext_37->fabrics_0+_S589;
-    if(!_S590->hole_2)
+    Fabric_0 device* _S599 = kernelContext_39->fabrics_0+_S596;
+    if(!_S597->hole_2)
     {
         return 0.0f;
     }
-    float _S593 = _S592->sheen_strength_0;
-    if((_S592->sheen_strength_0) <= 0.0f)
+    float _S600 = _S599->sheen_strength_0;
+    if((_S599->sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S593 * sheen_lobe_0(abs(_S591.z), _S592->sheen_roughness_0).z;
+    return 1.0f - _S600 * sheen_lobe_0(abs(_S598.z), _S599->sheen_roughness_0).z;
 }
 
-float4 direct_light_0(const Frame_0 thread* _S594, uint _S595, const VisiblePoint_0 thread* _S596, float2 _S597, KernelContext_0 thread* kernelContext_38)
+float4 light_of_point_0(const Frame_0 thread* _S601, uint _S602, const VisiblePoint_0 thread* _S603, float2 _S604, KernelContext_0 thread* kernelContext_40)
 {
-    SearchQuality_0 _S598 = default_quality_0();
-    float3 _S599 = to_local_0(_S596, _S596->view_0);
-    float _S600 = _S597.x;
-    float _S601 = _S597.y;
-    thread SearchQuality_0 _S602 = _S598;
-    YarnPoint_0 _S603 = locate_yarn_0(_S595, &_S602, _S600, _S601, _S599, kernelContext_38);
-    float3 _S604 = float3(0.0f) ;
+    SearchQuality_0 _S605 = default_quality_0();
+    float3 _S606 = to_local_0(_S603, _S603->view_0);
+    float _S607 = _S604.x;
+    float _S608 = _S604.y;
+    thread SearchQuality_0 _S609 = _S605;
+    YarnPoint_0 _S610 = locate_yarn_0(_S602, &_S609, _S607, _S608, _S606, kernelContext_40);
+    float3 _S611 = float3(0.0f) ;
     uint number_1 = 0U;
-    float3 radiance_1 = _S604;
+    float3 radiance_1 = _S611;
     for(;;)
     {
-        if(number_1 < (_S594->lights_0))
+        if(number_1 < (_S601->lights_0))
         {
         }
         else
         {
             break;
         }
-        thread Light_0 _S605 = kernelContext_38->lights_1[number_1];
+        thread Light_0 _S612 = kernelContext_40->lights_1[number_1];
         thread float3 irradiance_2;
-        float3 _S606 = towards_light_0(&_S605, _S596->position_0, &irradiance_2);
-        float3 _S607 = to_local_0(_S596, _S606);
-        thread SearchQuality_0 _S608 = _S598;
-        thread YarnPoint_0 _S609 = _S603;
-        float3 _S610 = evaluate_0(_S595, &_S608, &_S609, _S607, _S599, kernelContext_38);
-        float3 radiance_2 = radiance_1 + irradiance_2 * _S610;
+        float3 _S613 = towards_light_0(&_S612, _S603->position_0, &irradiance_2);
+        float3 _S614 = to_local_0(_S603, _S613);
+        thread SearchQuality_0 _S615 = _S605;
+        thread YarnPoint_0 _S616 = _S610;
+        float3 _S617 = evaluate_0(_S602, &_S615, &_S616, _S614, _S606, kernelContext_40);
+        float3 radiance_2 = radiance_1 + irradiance_2 * _S617;
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    thread YarnPoint_0 _S611 = _S603;
-    float _S612 = straight_through_0(_S595, &_S611, _S599, kernelContext_38);
-    return float4(radiance_1, 1.0f - _S612);
+    thread YarnPoint_0 _S618 = _S610;
+    float _S619 = straight_through_0(_S602, &_S618, _S606, kernelContext_40);
+    return float4(radiance_1, 1.0f - _S619);
 }
 
-[[kernel]] void shade(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], Light_0 device* lights_2 [[buffer(3)]], packed_float4 device* radiance_3 [[buffer(8)]])
+[[kernel]] void shade_points(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], Light_0 device* lights_2 [[buffer(3)]], packed_float4 device* radiance_3 [[buffer(8)]])
 {
-    uint _S613;
-    thread KernelContext_0 kernelContext_39;
-    (&kernelContext_39)->frames_0 = frames_1;
-    (&kernelContext_39)->visible_faces_0 = visible_faces_1;
-    (&kernelContext_39)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_39)->fabrics_0 = fabrics_1;
-    (&kernelContext_39)->corners_0 = corners_1;
-    (&kernelContext_39)->vertices_0 = vertices_1;
-    (&kernelContext_39)->families_0 = families_1;
-    (&kernelContext_39)->words_0 = words_1;
-    (&kernelContext_39)->lights_1 = lights_2;
-    (&kernelContext_39)->radiance_0 = radiance_3;
-    Frame_0 _S614 = frames_1[int(0)];
-    bool _S615;
-    if((id_0.x) >= (_S614.width_0))
+    uint _S620;
+    thread KernelContext_0 kernelContext_41;
+    (&kernelContext_41)->frames_0 = frames_1;
+    (&kernelContext_41)->visible_faces_0 = visible_faces_1;
+    (&kernelContext_41)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_41)->fabrics_0 = fabrics_1;
+    (&kernelContext_41)->corners_0 = corners_1;
+    (&kernelContext_41)->vertices_0 = vertices_1;
+    (&kernelContext_41)->families_0 = families_1;
+    (&kernelContext_41)->words_0 = words_1;
+    (&kernelContext_41)->lights_1 = lights_2;
+    (&kernelContext_41)->radiance_0 = radiance_3;
+    Frame_0 _S621 = frames_1[int(0)];
+    bool _S622;
+    if((id_0.x) >= (_S621.width_0))
     {
-        _S615 = true;
+        _S622 = true;
     }
     else
     {
-        _S615 = (id_0.y) >= (_S614.height_0);
+        _S622 = (id_0.y) >= (_S621.height_0);
     }
-    if(_S615)
+    if(_S622)
     {
         return;
     }
-    uint2 _S616 = id_0.xy;
-    uint _S617 = _S616.y * _S614.width_0 + _S616.x;
-    int3 _S618 = int3(int2(_S616), int(0));
-    uint _S619 = (((&kernelContext_39)->visible_faces_0).read(vec<uint,2>(((_S618)).xy), uint(((_S618)).z)).x);
-    thread float4 sum_0 = float4(0.0f) ;
-    if(_S619 > 0U)
+    uint2 _S623 = id_0.xy;
+    int3 _S624 = int3(int2(_S623), int(0));
+    uint _S625 = (((&kernelContext_41)->visible_faces_0).read(vec<uint,2>(((_S624)).xy), uint(((_S624)).z)).x);
+    float4 _S626 = float4(0.0f) ;
+    float4 sum_0;
+    if(_S625 > 0U)
     {
-        uint _S620 = _S619 - 1U;
-        uint _S621 = (&kernelContext_39)->face_fabrics_0[_S620];
-        thread Frame_0 _S622 = _S614;
-        VisiblePoint_0 _S623 = visible_point_0(&_S622, _S621, _S620, _S616, &kernelContext_39);
+        uint _S627 = _S625 - 1U;
+        uint _S628 = (&kernelContext_41)->face_fabrics_0[_S627];
+        thread Frame_0 _S629 = _S621;
+        VisiblePoint_0 _S630 = visible_point_0(&_S629, _S628, _S627, _S623, &kernelContext_41);
         uint k_0 = 0U;
+        sum_0 = _S626;
         for(;;)
         {
-            _S613 = _S614.samples_0;
-            if(k_0 < (_S614.samples_0))
+            _S620 = _S621.samples_0;
+            if(k_0 < (_S621.samples_0))
             {
             }
             else
             {
                 break;
             }
-            float2 _S624 = footprint_sample_0(_S616, _S614.pass_number_0 * _S614.samples_0 + k_0);
-            float2 _S625 = _S623.draft_0 + float2(_S624.x)  * _S623.draft_dx_0 + float2(_S624.y)  * _S623.draft_dy_0;
-            thread Frame_0 _S626 = _S614;
-            thread VisiblePoint_0 _S627 = _S623;
-            float4 _S628 = direct_light_0(&_S626, _S621, &_S627, _S625, &kernelContext_39);
-            sum_0 = sum_0 + _S628;
+            float2 _S631 = footprint_sample_0(_S623, _S621.pass_number_0 * _S621.samples_0 + k_0);
+            float2 _S632 = _S630.draft_0 + float2(_S631.x)  * _S630.draft_dx_0 + float2(_S631.y)  * _S630.draft_dy_0;
+            thread Frame_0 _S633 = _S621;
+            thread VisiblePoint_0 _S634 = _S630;
+            float4 _S635 = light_of_point_0(&_S633, _S628, &_S634, _S632, &kernelContext_41);
+            float4 sum_1 = sum_0 + _S635;
             k_0 = k_0 + 1U;
+            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / float4(float(_S613)) ;
-    }
-    sum_0.xyz = sum_0.xyz + float3((1.0f - sum_0.w))  * float3(_S614.background_red_0, _S614.background_green_0, _S614.background_blue_0);
-    packed_float4 device* _S629 = (&kernelContext_39)->radiance_0+_S617;
-    float4 _S630;
-    if((_S614.pass_number_0) == 0U)
-    {
-        _S630 = sum_0;
+        sum_0 = sum_0 / float4(float(_S620)) ;
     }
     else
     {
-        _S630 = float4(*((&kernelContext_39)->radiance_0+_S617))  + sum_0;
+        sum_0 = _S626;
     }
-    *_S629 = packed_float4(_S630) ;
+    thread Frame_0 _S636 = _S621;
+    accumulate_0(&_S636, _S623, sum_0, &kernelContext_41);
     return;
 }
 
