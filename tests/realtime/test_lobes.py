@@ -1,7 +1,7 @@
-"""The model lobes in Slang against its Python twin: the estimate over groups, mean albedos, whole footprints, frames.
+"""The model lobes in Slang against its Python twin: estimate over groups, mean albedos, footprints, frames.
 
-Fabrics here have no sheen. The bar is that of `queries.py`; a footprint whose tap or point falls on the edge of a cell or yarn
-may take the other side, which rounding decides.
+Fabrics here have no sheen. The bar is that of `queries.py`; a footprint whose tap or point falls on the edge
+of a cell or yarn may take the other side, which rounding decides.
 """
 
 from __future__ import annotations
@@ -82,9 +82,8 @@ def test_mean_albedos_of_coloured_threads() -> None:
     model = lobes_of("wool-houndstooth")
     queries = Queries(model)
     body = FOOTPRINT + "let a = albedos_over(fabric, p, back);"
-    results = (
-        "a.warp.diffuse_reflect.x; a.warp.specular_transmit.z; a.weft.diffuse_transmit.y; a.weft.specular_reflect.x"
-    )
+    results = "a.warp.diffuse_reflect.x; a.warp.specular_transmit.z;"
+        "a.weft.diffuse_transmit.y; a.weft.specular_reflect.x"
     found = mapped("albedos footprint", body, results, queries.arguments, queries.looks)
     warp, weft = model.means.over(queries.footprint, vectors(queries.view).z < 0)
     expected = [
@@ -110,7 +109,7 @@ def test_queries_of_lobes(name: str) -> None:
 
 
 def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
-    """Against the Python model at footprints that this test derives from the camera: half a metre of denim."""
+    """Against the Python model at footprints that this test derives from the camera."""
     size, side, distance = 32, 0.5, 0.6
     model = lobes_of("denim")
     camera = Camera((0, -0.6 * distance, 0.8 * distance))

@@ -12,7 +12,15 @@ import numpy as np
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.models.lobes import bsdf as lobe_bsdf
-from loomlight.models.lobes import coverage_lookup, density, hemisphere, packed_uint8, point_sampled, prefiltered, regimes
+from loomlight.models.lobes import (
+    coverage_lookup,
+    density,
+    hemisphere,
+    packed_uint8,
+    point_sampled,
+    prefiltered,
+    regimes,
+)
 from loomlight.models.lobes import tables as lobe_tables
 from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads

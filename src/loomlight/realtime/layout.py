@@ -41,8 +41,16 @@ FAMILY: Fields = (
     ("quantities", "uint", "1 and the principal coordinates of albedos; 1 where threads are alike"),
     ("colour_mean", "uint", "mean of the twelve albedos over the threads"),
     ("colour_axes", "uint", "albedos that a principal coordinate of 1 adds [quantities − 1, 12]"),
-    ("colour_threads", "uint", "quantities of each thread and their integrals before it [n + 1, 3, quantities]"),
-    ("colour_areas", "uint", "integrals over all crossings before, of threads on top [m + 1, n + 1, quantities]"),
+    (
+        "colour_threads",
+        "uint",
+        "quantities of each thread, and integrals before it [n + 1, 3, quantities]",
+    ),
+    (
+        "colour_areas",
+        "uint",
+        "summed areas of crossings with the family on top [m + 1, n + 1, quantities]",
+    ),
     ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
     ("crossing_area", "float", "mean visible area of a crossing"),
 )
