@@ -82,8 +82,10 @@ def test_mean_albedos_of_coloured_threads() -> None:
     model = lobes_of("wool-houndstooth")
     queries = Queries(model)
     body = FOOTPRINT + "let a = albedos_over(fabric, p, back);"
-    results = "a.warp.diffuse_reflect.x; a.warp.specular_transmit.z;"
+    results = (
+        "a.warp.diffuse_reflect.x; a.warp.specular_transmit.z;"
         "a.weft.diffuse_transmit.y; a.weft.specular_reflect.x"
+    )
     found = mapped("albedos footprint", body, results, queries.arguments, queries.looks)
     warp, weft = model.means.over(queries.footprint, vectors(queries.view).z < 0)
     expected = [
