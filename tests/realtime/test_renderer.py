@@ -164,4 +164,4 @@ def test_errors_are_sentences() -> None:
     with pytest.raises(InputError, match="no direction"):
         Camera((0, 0, 0)).axes(4, 4)
     with pytest.raises(InputError, match="samples = 0"):
-        Renderer([Cloth(flat, plain())], (4, 4)).render(Camera((0, 0, 1)), [], samples=0)
+        Renderer([Cloth(flat, plain())], (4, 4), "point").render(Camera((0, 0, 1)), [], samples=0)
