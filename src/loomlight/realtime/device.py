@@ -109,6 +109,9 @@ def wgpu_module() -> Any:
         MissingDependencyError: it is not installed.
     """
     _name_software_driver()
+    if "XDG_RUNTIME_DIR" not in os.environ:
+        # Mesa's layer that chooses among devices would look for a display, and complain that there is none.
+        os.environ.setdefault("NODEVICE_SELECT", "1")
     return import_extra("wgpu", "realtime", "Real-time rendering")
 
 
