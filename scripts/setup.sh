@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the virtual environment and sees to LLVM; called by make, safe to call again.
+# Makes the virtual environment and sees to LLVM and a software Vulkan driver; called by make, safe to call again.
 set -euo pipefail
 python=$1 venv=$2
 
@@ -31,3 +31,9 @@ if ! "$venv/bin/python" -m loomlight.core.llvm >/dev/null 2>&1; then
   fi
 fi
 "$venv/bin/python" -m loomlight.core.llvm
+
+# What the tests of real-time rendering need: a software Vulkan driver, and validators of shaders.
+if may_install && ! { ls /usr/share/vulkan/icd.d/lvp_icd.*json && command -v glslangValidator && command -v spirv-val; } >/dev/null 2>&1; then
+  as_root apt-get update -qq || true
+  for package in libvulkan1 mesa-vulkan-drivers glslang-tools spirv-tools; do apt_install "$package" || true; done
+fi

@@ -37,6 +37,7 @@ EXTRAS = {
     "onnxruntime": ("woven", "to encode fabrics for the network"),
     "zarr": ("data", "to write data sets"),
     "torch": ("train", "to train the network"),
+    "wgpu": ("realtime", "to render in real time"),
 }
 
 # In a process of its own: an LLVM that Dr.Jit finds but cannot use ends the process.
@@ -100,6 +101,7 @@ def findings() -> Iterator[Finding]:
     yield llvm
     yield _kernels()
     yield _cuda()
+    yield _adapter()
     if llvm.remedy is None:
         yield _variant()
 
@@ -157,6 +159,16 @@ def _cuda() -> Finding:
         found = "a device, but a first kernel does not run"
         return Finding("CUDA", found, "update its driver.", needed=False)
     return Finding("CUDA", "a device that runs kernels")
+
+
+def _adapter() -> Finding:
+    from loomlight.realtime.device import default_adapter
+
+    try:
+        adapter = default_adapter()
+    except LoomlightError as error:
+        return Finding("adapter", "none for real-time rendering", str(error), needed=False)
+    return Finding("adapter", f"{adapter.name}{', software' if adapter.is_software else ''}")
 
 
 def _variant() -> Finding:

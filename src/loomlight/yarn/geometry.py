@@ -24,6 +24,7 @@ from typing import Any
 
 import drjit as dr
 import numpy as np
+from numpy.typing import NDArray
 
 from loomlight.core.arrays import Float, FloatType, Mask, UInt, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, minimum
@@ -147,6 +148,11 @@ class YarnGeometry:
     def families(self) -> tuple[FamilyTables, FamilyTables]:
         """Where the threads of warp and weft lie."""
         return self._warp, self._weft
+
+    @property
+    def words(self) -> tuple[NDArray[np.uint32], NDArray[np.uint32]]:
+        """Run words of warp and weft at each crossing [picks, ends, 2], and the max-height pyramid."""
+        return self._words, self._max_heights
 
     @property
     def finest(self) -> tuple[float, float]:

@@ -1,0 +1,136 @@
+"""Constants of the Python modules for Slang: each is written once, where its formula stands.
+
+Most are private to their modules; this is the only other reader.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from loomlight.aggregate import footprint_albedos
+from loomlight.models.lobes import bsdf as lobe_bsdf
+from loomlight.models.lobes import (
+    coverage_lookup,
+    density,
+    hemisphere,
+    packed_uint8,
+    point_sampled,
+    prefiltered,
+    regimes,
+)
+from loomlight.models.lobes import tables as lobe_tables
+from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
+from loomlight.yarn import max_heights, rays, runs, search, threads
+
+_FLOATS: dict[str, float] = {
+    "INVERSE_SECTION_SINE": 1 / math.sin(threads.SECTION_ANGLE),
+    "INVERSE_CELL_MAX_LEVELS": 1 / runs.CELL_MAX_LEVELS,
+    "OUTLINE_EPSILON": search._EPSILON,
+    "NARROWEST_DIP": search._NARROWEST,
+    "STEPS_PER_THREAD": search.DEFAULT_QUALITY.steps_per_thread,
+    "STEPS_PER_RELIEF": search.DEFAULT_QUALITY.steps_per_relief,
+    "SHADOW_SHARE": search.DEFAULT_QUALITY.shadow_share,
+    "FLATTEST_SHARE": rays._FLATTEST,
+    "SMALLEST_COSINE": fibre._SMALLEST_COSINE,
+    "SMALLEST_SQUARED_SUM": fibre._SMALLEST_SQUARED_SUM,
+    "SMALLEST_SQUARED_LENGTH": directions.SMALLEST_SQUARED_LENGTH,
+    "SHEEN_SMALLEST": sheen._SMALLEST,
+    "SHEEN_SMALLEST_SCALE": sheen._SMALLEST_SCALE,
+    "SHEEN_LARGEST_SHEAR": sheen._LARGEST_SHEAR,
+    "SHEEN_CEILING": sheen_coefficients.CEILING,
+    "FIBRE_CELL_LENGTH": point._FIBRE_CELL_LENGTH,
+    "LARGEST_FIBRE_GAIN": variation._LARGEST_FIBRE_GAIN,
+    "MIN_NODE_COSINE": hemisphere.MIN_COSINE,
+    "TENT_VARIANCE": coverage_lookup.TENT_VARIANCE,
+    "TAP_SIZE": coverage_lookup.TAP_SIZE,
+    "MIN_TAP_SPACING": coverage_lookup.MIN_TAP_SPACING,
+    "MIN_FOOTPRINT": coverage_lookup._MIN_SIZE,
+    "GROUP_NARROWEST": density.NARROWEST,
+    "GROUP_SMALLEST_STEEPNESS": density.SMALLEST_STEEPNESS,
+    "GROUP_SMALLEST_COSINE": density.SMALLEST_COSINE,
+    "GROUP_SPREAD_LOSS": density.SPREAD_LOSS,
+    "GROUP_SMALLEST_PATH": density.SMALLEST_PATH,
+    "SPECULAR_CORRELATION": prefiltered.SPECULAR_CORRELATION,
+    "SMALLEST_GROUP_WEIGHT": lobe_bsdf.SMALLEST_WEIGHT,
+    "BLEND_FROM": math.log2(regimes._BLEND_RANGE[0]),
+    "BLEND_TO": math.log2(regimes._BLEND_RANGE[1]),
+    "SMALLEST_FOOTPRINT": regimes._NEAREST,
+    "MOST_POINTS": point_sampled.MOST_POINTS,
+    "POINTS_PER_THREAD": point_sampled._POINTS_PER_THREAD,
+    "FINEST_FOOTPRINT": math.log2(point_sampled._FINEST),
+    "COARSEST_FOOTPRINT": math.log2(point_sampled._COARSEST),
+    "COARSE_STEPS": point_sampled._COARSE.steps_per_thread,
+    "COARSE_SHADOW_SHARE": point_sampled._COARSE.shadow_share,
+    "COARSE_REFINEMENTS": point_sampled._COARSE.refinements,
+    "ALBEDO_NOISE_UNITS": footprint_albedos._NOISE_UNITS,
+    "ALBEDO_NOISE_FRACTION": footprint_albedos._NOISE_FRACTION,
+    "HIDDEN_WEIGHT": footprint_albedos._HIDDEN,
+}
+_VECTORS: dict[str, tuple[float, float]] = {
+    "DIFFUSE_CORRELATION": prefiltered.DIFFUSE_CORRELATION,
+    "TRANSMISSION_CORRELATION": prefiltered.TRANSMISSION_CORRELATION,
+}
+_VECTOR_ARRAYS: dict[str, Sequence[tuple[float, float]]] = {
+    "TAP_OFFSETS": coverage_lookup.TAP_OFFSETS,
+    "POINT_OFFSETS": point_sampled.POINT_OFFSETS,
+}
+_UINTS: dict[str, int] = {
+    "MOST_SAMPLES": search.DEFAULT_QUALITY.steps,
+    "REFINEMENTS": search.DEFAULT_QUALITY.refinements,
+    "NEWTON_STEPS": rays._NEWTON_STEPS,
+    "TILE_CELLS": max_heights.TILE_CELLS,
+    "FIBRE_STREAM": variation._FIBRE_STREAM,
+    "THREAD_STREAM": variation._THREAD_STREAM,
+    "AZIMUTHS": hemisphere.AZIMUTHS,
+    "RINGS": hemisphere.RINGS,
+    "NODES": hemisphere.NODES,
+    "TAPS": len(coverage_lookup.TAP_OFFSETS),
+    "WEIGHT_SUM": packed_uint8.WEIGHT_SUM,
+    "MOMENTS": lobe_tables.MOMENTS,
+}
+_POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
+    "sheen_scale": sheen_coefficients.SCALE,
+    "sheen_shear": sheen_coefficients.SHEAR,
+    "sheen_reflectance": sheen_coefficients.REFLECTANCE,
+    # atan(x)/x in powers of x².
+    "arc_tangent_quotient": [[coefficient] for coefficient in density._ARC_TANGENT],
+}
+
+
+def number_text(value: float) -> str:
+    """A literal that any shading language reads as the float32 nearest to `value`."""
+    text = f"{np.float32(value):.9g}"
+    return text if any(mark in text for mark in ".en") else f"{text}.0"
+
+
+def slang_constants() -> str:
+    """Slang declarations of all constants, and the polynomials of the sheen."""
+    lines = [f"static const float {name} = {number_text(value)};" for name, value in _FLOATS.items()]
+    lines += [f"static const uint {name} = {value}u;" for name, value in _UINTS.items()]
+    radii = ", ".join(number_text(radius) for radius in max_heights.PYRAMID_RADII)
+    lines.append(f"static const float PYRAMID_RADII[{len(max_heights.PYRAMID_RADII)}] = {{ {radii} }};")
+    for name, vector in _VECTORS.items():
+        lines.append(f"static const float2 {name} = {_vector(vector)};")
+    for name, vectors in _VECTOR_ARRAYS.items():
+        items = ", ".join(_vector(vector) for vector in vectors)
+        lines.append(f"static const float2 {name}[{len(vectors)}] = {{ {items} }};")
+    for name, rows in _POLYNOMIALS.items():
+        lines += ["", f"float {name}(float x, float y)", "{", "    var value = 0.0;"]
+        for row in reversed(rows):
+            lines.append(f"    value = value * x + ({_horner(row)});")
+        lines += ["    return value;", "}"]
+    return "\n".join(lines) + "\n"
+
+
+def _vector(numbers: tuple[float, float]) -> str:
+    return f"float2({number_text(numbers[0])}, {number_text(numbers[1])})"
+
+
+def _horner(row: Sequence[float]) -> str:
+    text = number_text(row[-1])
+    for coefficient in reversed(row[:-1]):
+        text = f"({text}) * y + {number_text(coefficient)}"
+    return text

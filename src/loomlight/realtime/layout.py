@@ -1,0 +1,199 @@
+"""Records that the host writes and shaders read, field by field, and where buffers are bound.
+
+From these descriptions come the Slang structs (`slang_structs`) and the NumPy types (`numpy_type`). Every
+field takes four bytes, so that all shading languages and NumPy agree on offsets without padding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+# (name, type, meaning); a type is float, uint, or the name of a record above.
+Fields = Sequence[tuple[str, str, str]]
+
+FAMILY: Fields = (
+    ("is_alike", "uint", "1 where all threads are alike: arithmetic instead of tables"),
+    ("count", "float", "threads in the repeat"),
+    ("inverse_count", "float", "1/count"),
+    ("half_inverse_count", "float", "0.5/count"),
+    ("size", "float", "of a cell of threads that are alike"),
+    ("inverse_size", "float", "1/size"),
+    ("half_width", "float", "of threads that are alike"),
+    ("start", "float", "of the first cell"),
+    ("period", "float", "size of the repeat across the family"),
+    ("inverse_period", "float", "1/period"),
+    ("bins", "float", "entries of the table of first threads"),
+    ("first_thread_table", "uint", "the first thread that meets each bin, a word each"),
+    ("place_table", "uint", "lower, upper, centre, half width of each thread, four words each"),
+    ("bend_table", "uint", "sin U, tan(U/2), arc, edge drop of each thread; one row where they are alike"),
+    ("height_scale", "float", "β"),
+    ("twist_sine", "float", "sin ψ"),
+    ("twist_cosine", "float", "cos ψ"),
+    ("level", "float", "height of one level of a cell's maximum, before β"),
+    ("roughness", "float", "α"),
+    ("albedo_table", "uint", "four albedos of each thread, twelve words each"),
+    ("albedo_stride", "uint", "words from one thread's albedos to the next; 0 where they are alike"),
+    ("before", "uint", "visible widths and cells of all threads before each [n + 1, 2]"),
+    ("visible_total", "float", "visible widths of all threads"),
+    ("smallest_box", "float", "least width of a box across the family"),
+    ("quantities", "uint", "1 and the principal coordinates of albedos; 1 where threads are alike"),
+    ("colour_mean", "uint", "mean of the twelve albedos over the threads"),
+    ("colour_axes", "uint", "albedos that a principal coordinate of 1 adds [quantities − 1, 12]"),
+    (
+        "colour_threads",
+        "uint",
+        "quantities of each thread, and integrals before it [n + 1, 3, quantities]",
+    ),
+    (
+        "colour_areas",
+        "uint",
+        "summed areas of crossings with the family on top [m + 1, n + 1, quantities]",
+    ),
+    ("area_unit", "float", "square millimetres that the integer 1 of these integrals stands for"),
+    ("crossing_area", "float", "mean visible area of a crossing"),
+)
+
+LOBES: Fields = (
+    ("is_baked", "uint", "0 where the fabric has no tables of lobes"),
+    ("inverse_base_size", "float", "1 / side of the squares of the pyramid's first level"),
+    ("last_level", "float", "of the coverage pyramid"),
+    ("levels", "uint", "first node, columns, rows of each level, four numbers each"),
+    ("face_nodes", "uint", "nodes of the pyramid of one face"),
+    ("packs", "uint", "packs of four groups; even"),
+    ("front_warp_packs", "uint", "how many, the first ones, are the warp's"),
+    ("back_warp_packs", "uint", "the same of the back"),
+    ("coverage", "uint", "bytes of the pyramid [2 faces, nodes, packs]"),
+    ("coverage_holes", "uint", "bytes of holes [2 faces, nodes], four a word"),
+    ("projected_area", "uint", "bytes [2 faces, hemisphere nodes, packs + 1]: square roots; holes last"),
+    ("light_visibility", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1"),
+    ("irradiance", "uint", "bytes [2 faces, 2 sides, hemisphere nodes, packs]: 255 is 1/π"),
+    ("moments", "uint", "numbers of each group [2 faces, 4 packs, 12]"),
+    ("front_hole_weight", "float", "weight of holes"),
+    ("back_hole_weight", "float", "the same of the back"),
+    ("threads_per_mm", "float", "1 / mean size of a thread"),
+    ("unit_level", "float", "log₂ of the length that separates the regimes"),
+)
+
+FABRIC: Fields = (
+    ("warp", "uint", "index of the record of the warp, threads along y"),
+    ("weft", "uint", "index of the record of the weft, threads along x"),
+    ("lobes", "Lobes", "tables of the model lobes"),
+    ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
+    ("ends", "uint", "threads of the warp in the repeat"),
+    ("max_heights", "uint", "max-height pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4]"),
+    ("max_height_columns", "uint", "⌈ends / 2⌉"),
+    ("height_low", "float", "no thread is lower"),
+    ("height_high", "float", "no thread is higher"),
+    ("lift", "float", "distance of a ray's origin above the surface"),
+    ("threads_per_x", "float", "1 / the finest cell along x"),
+    ("threads_per_y", "float", "1 / the finest cell along y"),
+    ("per_relief", "float", "1 / (height_high − height_low)"),
+    ("diffuse_blend", "float", "w, weight of the yarn normal in the diffuse term"),
+    ("optical_depth", "float", "Tρ of the fibre layer"),
+    ("sheen_strength", "float", "C, 0 to 1"),
+    ("sheen_roughness", "float", "0 to 1"),
+    ("fibre_noise", "float", "spread of the specular strength from fibre to fibre, 0 to 1"),
+    ("colour_noise", "float", "spread of the albedo from thread to thread, 0 to 1"),
+    ("seed", "uint", "of the noise"),
+    ("layer_bound", "float", "κ of the energy bound"),
+    ("fibre_size", "float", "width of a cell of fibre noise"),
+    ("uv_width", "float", "millimetres per unit of u"),
+    ("uv_height", "float", "millimetres per unit of v"),
+)
+
+LIGHT: Fields = (
+    ("is_point", "uint", "1 for a point light, 0 for a directional one"),
+    ("x", "float", "position, or unit direction towards the light"),
+    ("y", "float", ""),
+    ("z", "float", ""),
+    ("red", "float", "intensity, W/sr, or irradiance, W/m²"),
+    ("green", "float", ""),
+    ("blue", "float", ""),
+)
+
+FRAME: Fields = (
+    ("width", "uint", "pixels"),
+    ("height", "uint", "pixels"),
+    ("lights", "uint", "number of lights"),
+    ("samples", "uint", "points of a pixel's footprint that are shaded in one pass"),
+    ("pass_number", "uint", "of this pass, from 0: chooses the points"),
+    ("jitter_x", "float", "of the raster pass within the pixel, −0.5 to 0.5 pixels"),
+    ("jitter_y", "float", ""),
+    ("gain", "float", "2^exposure / passes so far"),
+    ("origin_x", "float", "of the camera"),
+    ("origin_y", "float", ""),
+    ("origin_z", "float", ""),
+    ("right_x", "float", "half the width of the picture at distance 1 from the camera, to its right"),
+    ("right_y", "float", ""),
+    ("right_z", "float", ""),
+    ("up_x", "float", "half its height, upwards"),
+    ("up_y", "float", ""),
+    ("up_z", "float", ""),
+    ("forward_x", "float", "unit vector"),
+    ("forward_y", "float", ""),
+    ("forward_z", "float", ""),
+    ("near", "float", "nearest distance that is drawn"),
+    ("background_red", "float", "linear radiance where there is no cloth"),
+    ("background_green", "float", ""),
+    ("background_blue", "float", ""),
+)
+
+VERTEX: Fields = (
+    ("x", "float", "position"),
+    ("y", "float", ""),
+    ("z", "float", ""),
+    ("normal_x", "float", "unit normal"),
+    ("normal_y", "float", ""),
+    ("normal_z", "float", ""),
+    ("u", "float", "uv"),
+    ("v", "float", ""),
+)
+
+RECORDS: dict[str, Fields] = {
+    "Family": FAMILY,
+    "Lobes": LOBES,
+    "Fabric": FABRIC,
+    "Light": LIGHT,
+    "Frame": FRAME,
+    "Vertex": VERTEX,
+}
+
+# Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.
+BUFFERS: dict[str, tuple[str, bool]] = {
+    "fabrics": ("Fabric", False),
+    "families": ("Family", False),
+    "words": ("uint", False),
+    "lights": ("Light", False),
+    "frames": ("Frame", False),
+    "vertices": ("Vertex", False),
+    "corners": ("uint", False),  # three vertices a face
+    "face_fabrics": ("uint", False),  # the fabric of each face
+    "radiance": ("float4", True),  # sums over passes, and the share of cloth
+    "pixels": ("uint", True),  # sRGB, 8 bits a channel
+}
+# Beside them, for entry points that read the raster pass.
+VISIBILITY_BINDING = len(BUFFERS)
+
+_NUMPY = {"float": np.float32, "uint": np.uint32}
+
+
+def numpy_type(record: str) -> np.dtype[np.void]:
+    """The NumPy type of a record, as it lies in a buffer."""
+    return np.dtype([(name, _NUMPY.get(kind) or numpy_type(kind)) for name, kind, _ in RECORDS[record]])
+
+
+def slang_structs() -> str:
+    """Slang structs of all records, and declarations of all buffers."""
+    lines: list[str] = []
+    for record, fields in RECORDS.items():
+        lines += [f"struct {record}", "{"]
+        for name, kind, meaning in fields:
+            lines.append(f"    {kind} {name};" + (f" // {meaning}" if meaning else ""))
+        lines += ["};", ""]
+    for binding, (name, (kind, writable)) in enumerate(BUFFERS.items()):
+        access = "RWStructuredBuffer" if writable else "StructuredBuffer"
+        lines.append(f"[[vk::binding({binding}, 0)]] {access}<{kind}> {name};")
+    lines.append(f"[[vk::binding({VISIBILITY_BINDING}, 0)]] Texture2D<uint> visible_faces;")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,109 @@
+#pragma pack_matrix(column_major)
+#ifdef SLANG_HLSL_ENABLE_NVAPI
+#include "nvHLSLExtns.h"
+#endif
+
+#ifndef __DXC_VERSION_MAJOR
+// warning X3557: loop doesn't seem to do anything, forcing loop to unroll
+#pragma warning(disable : 3557)
+#endif
+
+struct Frame_0
+{
+    uint width_0;
+    uint height_0;
+    uint lights_0;
+    uint samples_0;
+    uint pass_number_0;
+    float jitter_x_0;
+    float jitter_y_0;
+    float gain_0;
+    float origin_x_0;
+    float origin_y_0;
+    float origin_z_0;
+    float right_x_0;
+    float right_y_0;
+    float right_z_0;
+    float up_x_0;
+    float up_y_0;
+    float up_z_0;
+    float forward_x_0;
+    float forward_y_0;
+    float forward_z_0;
+    float near_0;
+    float background_red_0;
+    float background_green_0;
+    float background_blue_0;
+};
+
+StructuredBuffer<Frame_0 > frames_0 : register(t4);
+
+StructuredBuffer<uint > corners_0 : register(t6);
+
+struct Vertex_0
+{
+    float x_0;
+    float y_0;
+    float z_0;
+    float normal_x_0;
+    float normal_y_0;
+    float normal_z_0;
+    float u_0;
+    float v_0;
+};
+
+StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
+
+float3 position_of_0(Vertex_0 vertex_0)
+{
+    return float3(vertex_0.x_0, vertex_0.y_0, vertex_0.z_0);
+}
+
+float3 camera_origin_0(Frame_0 frame_0)
+{
+    return float3(frame_0.origin_x_0, frame_0.origin_y_0, frame_0.origin_z_0);
+}
+
+float3 camera_right_0(Frame_0 frame_1)
+{
+    return float3(frame_1.right_x_0, frame_1.right_y_0, frame_1.right_z_0);
+}
+
+float3 camera_up_0(Frame_0 frame_2)
+{
+    return float3(frame_2.up_x_0, frame_2.up_y_0, frame_2.up_z_0);
+}
+
+float3 camera_forward_0(Frame_0 frame_3)
+{
+    return float3(frame_3.forward_x_0, frame_3.forward_y_0, frame_3.forward_z_0);
+}
+
+float square_0(float3 v_1)
+{
+    return dot(v_1, v_1);
+}
+
+float4 to_clip_0(Frame_0 frame_4, float3 position_0)
+{
+    float3 _S1 = position_0 - camera_origin_0(frame_4);
+    float3 _S2 = camera_right_0(frame_4);
+    float3 _S3 = camera_up_0(frame_4);
+    float _S4 = dot(_S1, camera_forward_0(frame_4));
+    return float4(dot(_S1, _S2) / square_0(_S2) - 2.0f * frame_4.jitter_x_0 / float(frame_4.width_0) * _S4, dot(_S1, _S3) / square_0(_S3) + 2.0f * frame_4.jitter_y_0 / float(frame_4.height_0) * _S4, frame_4.near_0, _S4);
+}
+
+struct RasterOutput_0
+{
+    float4 position_1 : SV_Position;
+    nointerpolation uint face_0 : FACE;
+};
+
+RasterOutput_0 raster_vertex(uint index_0 : SV_VertexID)
+{
+    RasterOutput_0 output_0;
+    output_0.position_1 = to_clip_0(frames_0.Load(int(0)), position_of_0(vertices_0.Load(corners_0.Load(index_0))));
+    output_0.face_0 = index_0 / 3U;
+    return output_0;
+}
+

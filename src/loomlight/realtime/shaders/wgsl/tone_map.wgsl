@@ -1,0 +1,111 @@
+struct Frame_std430_0
+{
+    @align(4) width_0 : u32,
+    @align(4) height_0 : u32,
+    @align(4) lights_0 : u32,
+    @align(4) samples_0 : u32,
+    @align(4) pass_number_0 : u32,
+    @align(4) jitter_x_0 : f32,
+    @align(4) jitter_y_0 : f32,
+    @align(4) gain_0 : f32,
+    @align(4) origin_x_0 : f32,
+    @align(4) origin_y_0 : f32,
+    @align(4) origin_z_0 : f32,
+    @align(4) right_x_0 : f32,
+    @align(4) right_y_0 : f32,
+    @align(4) right_z_0 : f32,
+    @align(4) up_x_0 : f32,
+    @align(4) up_y_0 : f32,
+    @align(4) up_z_0 : f32,
+    @align(4) forward_x_0 : f32,
+    @align(4) forward_y_0 : f32,
+    @align(4) forward_z_0 : f32,
+    @align(4) near_0 : f32,
+    @align(4) background_red_0 : f32,
+    @align(4) background_green_0 : f32,
+    @align(4) background_blue_0 : f32,
+};
+
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+
+@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+
+@binding(9) @group(0) var<storage, read_write> pixels_0 : array<u32>;
+
+fn natural_logarithm_0( x_0 : f32) -> f32
+{
+    var _S1 : u32 = (bitcast<u32>((x_0)));
+    var exponent_0 : f32 = f32(i32((_S1 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S1 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var exponent_1 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var exponent_2 : f32 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var _S2 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
+}
+
+fn exponential_0( x_1 : f32) -> f32
+{
+    var _S3 : f32 = clamp(x_1, -87.0f, 88.0f);
+    var _S4 : f32 = floor(_S3 * 1.4426950216293335f + 0.5f);
+    var _S5 : f32 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
+    var _S6 : f32 = (bitcast<f32>(((u32(i32(_S4) + i32(127)) << (u32(23))))));
+    var _S7 : f32;
+    if(x_1 < -87.0f)
+    {
+        _S7 = 0.0f;
+    }
+    else
+    {
+        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0f) * _S6;
+    }
+    return _S7;
+}
+
+fn power_0( x_2 : f32,  exponent_3 : f32) -> f32
+{
+    return exponential_0(exponent_3 * natural_logarithm_0(max(x_2, 1.00000000317107685e-30f)));
+}
+
+fn encoded_0( linear_0 : f32) -> u32
+{
+    var _S8 : f32 = clamp(linear_0, 0.0f, 1.0f);
+    var _S9 : f32;
+    if(_S8 <= 0.00313080009073019f)
+    {
+        _S9 = 12.92000007629394531f * _S8;
+    }
+    else
+    {
+        _S9 = 1.0549999475479126f * power_0(_S8, 0.4166666567325592f) - 0.05499999970197678f;
+    }
+    return u32(_S9 * 255.0f + 0.5f);
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn tone_map(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    var _S10 : Frame_std430_0 = frames_0[i32(0)];
+    var _S11 : u32 = id_0.x;
+    if(_S11 >= (_S10.width_0 * _S10.height_0))
+    {
+        return;
+    }
+    var _S12 : vec3<f32> = radiance_0[_S11].xyz * vec3<f32>(_S10.gain_0);
+    pixels_0[_S11] = ((((((encoded_0(_S12.x)) | ((((encoded_0(_S12.y)) << (u32(8))))))) | ((((encoded_0(_S12.z)) << (u32(16))))))) | (u32(4278190080)));
+    return;
+}
+

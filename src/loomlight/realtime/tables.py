@@ -1,0 +1,254 @@
+"""Fabrics as shaders read them: one record a fabric, and 32-bit words of all tables."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.aggregate import footprint_albedos
+from loomlight.aggregate.footprint_albedos import FootprintAlbedos
+from loomlight.models.lobes import regimes
+from loomlight.models.lobes.tables import LobeTables
+from loomlight.realtime.layout import numpy_type
+from loomlight.scattering import point as point_model
+from loomlight.scattering.albedo import layer_albedo_bound
+from loomlight.scattering.appearance import Appearance, FamilyAppearance
+from loomlight.yarn import search
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout, FamilyLayout
+from loomlight.yarn.runs import CELL_MAX_LEVELS
+from loomlight.yarn.threads import FamilyTables
+
+_ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
+Words = NDArray[np.uint32]
+Record = NDArray[np.void]
+
+
+class WordTable:
+    """Tables of 32-bit words, one behind the other."""
+
+    def __init__(self) -> None:
+        self._parts: list[Words] = []
+        self.size = 0
+
+    def add(self, values: NDArray[np.generic]) -> int:
+        """Appends unsigned integers as they are or numbers as float32; the index of the first word."""
+        kind = np.uint32 if np.issubdtype(values.dtype, np.integer) else np.float32
+        words = np.ascontiguousarray(values, dtype=kind).ravel().view(np.uint32)
+        first = self.size
+        self._parts.append(words)
+        self.size += words.size
+        return first
+
+    def words(self) -> Words:
+        """All of them; at least one, as no buffer is empty."""
+        return np.concatenate(self._parts) if self._parts else np.zeros(1, np.uint32)
+
+
+@dataclass(frozen=True, eq=False)
+class Packed:
+    """Fabrics as buffers.
+
+    Attributes:
+        fabrics: records [n].
+        families: records of the warp and the weft of each [2 n].
+        words: of all tables.
+    """
+
+    fabrics: Record
+    families: Record
+    words: Words
+
+    def buffers(self) -> dict[str, NDArray[Any]]:
+        """Contents of buffers by name."""
+        return {"fabrics": self.fabrics, "families": self.families, "words": self.words}
+
+
+def pack_fabrics(
+    fabrics: Sequence[tuple[ClothLayout, Appearance]],
+    uv_size_mm: Sequence[tuple[float, float]] | None = None,
+    lobes: Sequence[LobeTables | None] | None = None,
+) -> Packed:
+    """Records of fabrics and the words of their tables.
+
+    Args:
+        uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
+        lobes: baked tables of each fabric; None for none.
+    """
+    table = WordTable()
+    records = np.zeros(len(fabrics), numpy_type("Fabric"))
+    families = np.zeros((len(fabrics), 2), numpy_type("Family"))
+    for number, (layout, appearance) in enumerate(fabrics):
+        size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
+        records[number]["warp"], records[number]["weft"] = 2 * number, 2 * number + 1
+        _pack_fabric(records[number], families[number], table, layout, appearance, size)
+        baked = None if lobes is None else lobes[number]
+        if baked is not None:
+            _pack_lobes(records["lobes"][number], table, baked, layout)
+    return Packed(records, families.ravel(), table.words())
+
+
+def _pack_fabric(
+    record: np.void,
+    families: Record,
+    table: WordTable,
+    layout: ClothLayout,
+    appearance: Appearance,
+    uv_size_mm: tuple[float, float],
+) -> None:
+    geometry = YarnGeometry(layout)
+    warp, weft = geometry.families
+    means = FootprintAlbedos(geometry, appearance)
+    _pack_family(families[0], table, warp, layout.warp, appearance.warp)
+    _pack_family(families[1], table, weft, layout.weft, appearance.weft)
+    for of_family, threads, colours in zip(families, (warp, weft), means._tables, strict=True):
+        _pack_colours(of_family, table, threads, colours)
+    run_words, max_heights = geometry.words
+    fine_x, fine_y = geometry.finest
+    low, high = geometry.height_bounds
+    variation = appearance.variation
+    values = {
+        "run_words": table.add(run_words),
+        "ends": run_words.shape[1],
+        "max_heights": table.add(max_heights),
+        "max_height_columns": max_heights.shape[1],
+        "height_low": low,
+        "height_high": high,
+        "lift": search._LIFT * min(fine_x, fine_y),
+        "threads_per_x": 1 / fine_x,
+        "threads_per_y": 1 / fine_y,
+        "per_relief": 1 / max(high - low, 1e-6),
+        "diffuse_blend": appearance.diffuse_blend,
+        "optical_depth": appearance.optical_depth,
+        "sheen_strength": appearance.sheen.strength,
+        "sheen_roughness": appearance.sheen.roughness,
+        "fibre_noise": variation.fibre_noise,
+        "colour_noise": variation.colour_noise,
+        "seed": variation.seed & 0xFFFFFFFF,
+        "layer_bound": layer_albedo_bound(appearance.optical_depth),
+        "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
+        "uv_width": uv_size_mm[0],
+        "uv_height": uv_size_mm[1],
+    }
+    for name, value in values.items():
+        record[name] = value
+
+
+def _pack_family(
+    record: np.void,
+    table: WordTable,
+    threads: FamilyTables,
+    layout: FamilyLayout,
+    appearance: FamilyAppearance,
+) -> None:
+    count = threads.lower.size
+    size = float(threads.upper[0] - threads.lower[0])
+    bins = math.ceil(threads.period / threads.finest) + 1
+    values = {
+        "is_alike": int(threads.uniform),
+        "count": count,
+        "inverse_count": 1 / count,
+        "half_inverse_count": 0.5 / count,
+        "size": size,
+        "inverse_size": 1 / size,
+        "half_width": threads.half_width[0],
+        "start": threads.lower[0],
+        "period": threads.period,
+        "inverse_period": 1 / threads.period,
+        "bins": bins,
+        "height_scale": layout.height_scale,
+        "twist_sine": math.sin(layout.twist),
+        "twist_cosine": math.cos(layout.twist),
+        "level": threads.highest / CELL_MAX_LEVELS,
+        "roughness": appearance.roughness,
+    }
+    rows = np.stack(
+        [
+            np.sin(threads.inclination),
+            np.tan(threads.inclination / 2),
+            threads.arc,
+            threads.edge_drop,
+        ],
+        axis=1,
+    )
+    values["bend_table"] = table.add(rows[:1] if threads.uniform else rows)
+    if not threads.uniform:
+        first = threads.lower[0]
+        lower, upper = threads.lower - first, threads.upper - first
+        edges = np.arange(bins) * (threads.period / bins)
+        first_threads = np.searchsorted(lower, edges, side="right") - 1
+        values["first_thread_table"] = table.add(first_threads)
+        values["place_table"] = table.add(
+            np.stack([lower, upper, threads.centre - first, threads.half_width], axis=1)
+        )
+    albedos = np.stack([np.asarray(getattr(appearance, name), np.float64) for name in _ALBEDOS], axis=1)
+    alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
+    values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
+    values["albedo_stride"] = 0 if alike else albedos[0].size
+    for name, value in values.items():
+        record[name] = value
+
+
+def _pack_colours(
+    record: np.void, table: WordTable, threads: FamilyTables, colours: footprint_albedos._FamilyTables
+) -> None:
+    lengths = np.stack([2 * threads.half_width, threads.upper - threads.lower], axis=1)
+    before = np.concatenate([np.zeros((1, 2)), np.cumsum(lengths, axis=0)])
+    quantities = len(colours.axes) + 1
+    values = {
+        "before": table.add(before),
+        "visible_total": before[-1, 0],
+        "smallest_box": footprint_albedos._SMALLEST_BOX * threads.period / threads.lower.size,
+        "quantities": quantities,
+        "colour_mean": table.add(colours.mean),
+        "colour_axes": table.add(colours.axes),
+        "area_unit": colours.unit,
+        "crossing_area": colours.crossing,
+    }
+    if quantities > 1:
+        values["colour_threads"] = table.add(colours.threads)
+        values["colour_areas"] = table.add(colours.areas[..., :quantities])
+    for name, value in values.items():
+        record[name] = value
+
+
+def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: ClothLayout) -> None:
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    thread = math.sqrt(width / ends * height / picks)
+    packs = lobes.packs
+    levels = np.pad(np.asarray(lobes.levels, np.float64), ((0, 0), (0, 1)))
+    values = {
+        "is_baked": 1,
+        "inverse_base_size": 1 / lobes.base_size,
+        "last_level": len(levels) - 1,
+        # Node indices stay below 2²⁴, which float32 holds exactly.
+        "levels": table.add(levels),
+        "face_nodes": lobes.coverage.shape[1],
+        "packs": packs,
+        "front_warp_packs": lobes.warp_packs[0],
+        "back_warp_packs": lobes.warp_packs[1],
+        "coverage": table.add(_words_of(lobes.coverage[..., : 4 * packs])),
+        "coverage_holes": table.add(_words_of(lobes.coverage[..., 4 * packs].ravel())),
+        "projected_area": table.add(_words_of(lobes.projected_area)),
+        "light_visibility": table.add(_words_of(lobes.light_visibility)),
+        "irradiance": table.add(_words_of(lobes.irradiance)),
+        "moments": table.add(lobes.moments),
+        "front_hole_weight": lobes.hole_weight[0],
+        "back_hole_weight": lobes.hole_weight[1],
+        "threads_per_mm": 1 / thread,
+        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * lobes.base_size)),
+    }
+    for name, value in values.items():
+        record[name] = value
+
+
+def _words_of(values: NDArray[np.uint8]) -> Words:
+    """Bytes as little-endian words, filled up with zeros at the end."""
+    flat = np.ascontiguousarray(values).ravel()
+    return np.pad(flat, (0, -flat.size % 4)).view("<u4").astype(np.uint32)

@@ -1,0 +1,101 @@
+"""Slang functions over arrays: an entry point is written around a few lines of Slang, compiled and run."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.realtime.device import default_adapter
+from loomlight.realtime.layout import BUFFERS
+from loomlight.realtime.slangc import compile_shader
+from loomlight.realtime.tables import pack_fabrics
+
+_GROUP = 64
+_FIRST_BINDING = len(BUFFERS) + 2
+
+
+def mapped(
+    modules: str,
+    body: str,
+    results: str,
+    arguments: Mapping[str, NDArray[Any]],
+    fabric: tuple[Any, ...] | None = None,
+) -> NDArray[np.float32]:
+    """What a few lines of Slang make of each row of the arguments: float32 [n, results].
+
+    Args:
+        modules: to import, separated by spaces.
+        body: statements that may use the arguments by name, and `fabric`.
+        results: numbers to return, expressions of type float, uint or bool separated by ";".
+        arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
+        fabric: layout, appearance, and tables of lobes where the lines need them.
+    """
+    count = len(next(iter(arguments.values())))
+    columns: list[NDArray[np.uint32]] = []
+    declarations = []
+    for name, values in arguments.items():
+        expression, more = _argument(np.asarray(values), len(columns))
+        declarations.append(f"    let {name} = {expression};")
+        columns += more
+    outputs = results.split(";")
+    source = [
+        *(f"import {module};" for module in ["generated", *modules.split()]),
+        f"[[vk::binding({_FIRST_BINDING}, 0)]] StructuredBuffer<uint> arguments;",
+        f"[[vk::binding({_FIRST_BINDING + 1}, 0)]] RWStructuredBuffer<float> results;",
+        "uint argument(uint column, uint row) { return arguments[1 + column * arguments[0] + row]; }",
+        f'[shader("compute")] [numthreads({_GROUP}, 1, 1)]',
+        "void map_rows(uint3 id : SV_DispatchThreadID)",
+        "{",
+        "    let i = id.x;",
+        "    if (i >= arguments[0]) return;",
+        *declarations,
+        *(["    let fabric = fabrics[0];"] if fabric is not None else []),
+        body,
+        *(f"    results[i * {len(outputs)} + {k}] = float({value});" for k, value in enumerate(outputs)),
+        "}",
+    ]
+    adapter = default_adapter()
+    wgsl = _compiled("\n".join(source))
+    data = np.concatenate([np.array([count], np.uint32), *columns])
+    buffers = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
+    if fabric is not None:
+        layout, appearance, *lobes = fabric
+        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None)
+        buffers |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
+    pipeline = adapter.pipeline(wgsl, "map_rows")
+    group = adapter.bindings(pipeline, wgsl, buffers)
+    encoder = adapter.device.create_command_encoder()
+    compute = encoder.begin_compute_pass()
+    compute.set_pipeline(pipeline)
+    compute.set_bind_group(0, group)
+    compute.dispatch_workgroups(-(-count // _GROUP))
+    compute.end()
+    adapter.device.queue.submit([encoder.finish()])
+    return adapter.read(buffers["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
+
+
+def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:
+    """The Slang expression of an argument whose first column has this number, and its columns."""
+    if values.dtype == bool:
+        return f"argument({column}, i) != 0u", [values.astype(np.uint32)]
+    if np.issubdtype(values.dtype, np.integer):
+        return f"argument({column}, i)", [values.astype(np.uint32)]
+    numbers = np.atleast_2d(values.T).astype(np.float32)
+    parts = ", ".join(f"asfloat(argument({column + k}, i))" for k in range(len(numbers)))
+    kind = "float" if values.ndim == 1 else f"float{len(numbers)}"
+    return f"{kind}({parts})", [np.ascontiguousarray(row).view(np.uint32) for row in numbers]
+
+
+@cache
+def _compiled(source: str) -> str:
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / f"map_{hashlib.sha1(source.encode()).hexdigest()[:8]}.slang"
+        file.write_text(source, encoding="utf-8")
+        return compile_shader(file, "wgsl", ["map_rows"]).decode()

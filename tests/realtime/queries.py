@@ -1,0 +1,72 @@
+"""Query sets of these tests, positions and directions as Slang and Dr.Jit take them; the bar of parity."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from drjit.llvm import Array3f, Bool, Float
+from numpy.typing import ArrayLike, NDArray
+
+from loomlight.scattering.appearance import Appearance, FamilyAppearance, Sheen, Variation
+from loomlight.yarn.layout import ClothLayout
+
+ABSOLUTE, RELATIVE = 1e-5, 1e-3
+
+
+def share_beyond(found: ArrayLike, expected: ArrayLike) -> float:
+    """Share of the numbers with |a − b| > 1e-5 + 1e-3·|b|; NaN counts."""
+    a, b = np.asarray(found, np.float64), np.asarray(expected, np.float64)
+    return float(np.mean(~(np.abs(a - b) <= ABSOLUTE + RELATIVE * np.abs(b))))
+
+
+def directions(rng: np.random.Generator, count: int) -> NDArray[np.float32]:
+    """Unit vectors all over the sphere [count, 3], at least 3° above or below the cloth."""
+    vectors = rng.normal(size=(count, 3))
+    vectors /= np.linalg.norm(vectors, axis=1, keepdims=True)
+    vectors[:, 2] = np.where(np.abs(vectors[:, 2]) < 0.05, 0.05, vectors[:, 2])
+    return np.float32(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+def vectors(rows: NDArray[np.float32]) -> Array3f:
+    """Rows [n, 3] as a Dr.Jit vector."""
+    return Array3f(*(np.ascontiguousarray(column) for column in rows.T))
+
+
+@dataclass
+class Places:
+    """Places on the cloth, some repeats away from the origin, on either face."""
+
+    x: NDArray[np.float32]
+    y: NDArray[np.float32]
+    back: NDArray[np.bool_]
+
+    def arguments(self) -> dict[str, NDArray[np.generic]]:
+        return {"x": self.x, "y": self.y, "back": self.back}
+
+    def arrays(self) -> tuple[Float, Float, Bool]:
+        return Float(self.x), Float(self.y), Bool(self.back)
+
+
+def places(rng: np.random.Generator, layout: ClothLayout, count: int) -> Places:
+    width, height = layout.size
+    return Places(
+        np.float32(rng.uniform(-3 * width, 3 * width, count)),
+        np.float32(rng.uniform(-3 * height, 3 * height, count)),
+        rng.random(count) < 0.5,
+    )
+
+
+def appearance(rng: np.random.Generator, layout: ClothLayout, sheen: bool, varies: bool) -> Appearance:
+    """Random albedos inside the energy bound; with `varies` they differ by thread and by noise."""
+
+    def family(count: int) -> FamilyAppearance:
+        rows = [rng.uniform(0, most, (count if varies else 1, 3)) for most in (0.4, 0.2, 0.3, 0.2)]
+        return FamilyAppearance(*(np.broadcast_to(row, (count, 3)) for row in rows), rng.uniform(0.1, 0.6))
+
+    return Appearance(
+        family(layout.warp.spacing.size),
+        family(layout.weft.spacing.size),
+        Sheen(0.5, 0.3) if sheen else Sheen(),
+        Variation(0.5, 0.5, 7) if varies else Variation(),
+    )

@@ -1,0 +1,98 @@
+"""Generated files are in step with their sources, and compilers of other makers accept them.
+
+Covers: realtime/constants.py
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from loomlight.realtime.build import ENTRIES, TARGETS, generated_files, generated_slang
+from loomlight.realtime.constants import number_text
+from loomlight.realtime.device import default_adapter
+from loomlight.realtime.slangc import SHADERS
+
+STAGES = ENTRIES["frame"]
+GLSLANG_STAGES = {"compute": "comp", "vertex": "vert", "fragment": "frag"}
+# In the header of SPIR-V and as the language of OpSource: older validators do not know Slang's number.
+OP_SOURCE, SLANG = 3, 11
+
+
+def test_generated_slang_is_in_step() -> None:
+    assert (SHADERS / "generated.slang").read_text(encoding="utf-8") == generated_slang()
+
+
+def test_generated_shaders_are_in_step() -> None:
+    """Run `python -m loomlight.realtime.build` after edits of Slang, or of what is generated."""
+    generated = generated_files()
+    stored = {
+        path.relative_to(SHADERS): path.read_bytes()
+        for target in TARGETS
+        for path in (SHADERS / target.name).iterdir()
+    }
+    assert sorted(stored) == sorted(generated)
+    assert [path for path in stored if stored[path] != generated[path]] == []
+
+
+def test_generated_text_names_no_file_of_a_machine() -> None:
+    for target in TARGETS:
+        for path in (SHADERS / target.name).iterdir():
+            assert b".slang" not in path.read_bytes(), path
+
+
+def test_shaders_need_neither_wide_numbers_nor_halves() -> None:
+    for path in (SHADERS / "wgsl").iterdir():
+        assert not re.search(r"\b(f64|i64|u64|f16)\b|enable ", path.read_text(encoding="utf-8")), path
+
+
+def run(*command: str | Path) -> None:
+    name = str(command[0])
+    if shutil.which(name) is None:
+        pytest.fail(f"{name} is missing: apt install glslang-tools spirv-tools", pytrace=False)
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("entry", STAGES)
+def test_glslang_compiles_glsl(entry: str, tmp_path: Path) -> None:
+    stage = GLSLANG_STAGES[STAGES[entry]]
+    source = SHADERS / "glsl" / f"{entry}.glsl"
+    run("glslangValidator", "-V", "-S", stage, "-o", tmp_path / "out.spv", source)
+
+
+@pytest.mark.parametrize("entry", STAGES)
+def test_glslang_compiles_hlsl(entry: str, tmp_path: Path) -> None:
+    stage = GLSLANG_STAGES[STAGES[entry]]
+    source = SHADERS / "hlsl" / f"{entry}.hlsl"
+    run("glslangValidator", "-D", "-V", "-S", stage, "-e", entry, "-o", tmp_path / "out.spv", source)
+
+
+@pytest.mark.parametrize("entry", STAGES)
+def test_spirv_is_valid(entry: str, tmp_path: Path) -> None:
+    words = np.fromfile(SHADERS / "spirv" / f"{entry}.spv", np.uint32)
+    at = 5  # behind the header
+    while at < words.size:
+        if words[at] & 0xFFFF == OP_SOURCE and words[at + 1] == SLANG:
+            words[at + 1] = 0  # unknown
+        at += int(words[at] >> 16)
+    words.tofile(tmp_path / "shader.spv")
+    run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "shader.spv")
+
+
+@pytest.mark.parametrize("entry", STAGES)
+def test_naga_compiles_wgsl(entry: str) -> None:
+    code = (SHADERS / "wgsl" / f"{entry}.wgsl").read_text(encoding="utf-8")
+    assert default_adapter().device.create_shader_module(code=code) is not None
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -2.5, 1e-20, 123456.7, 3.0e10, 0.1])
+def test_literals_are_exact(value: float) -> None:
+    text = number_text(value)
+    assert np.float32(text) == np.float32(value)
+    assert any(mark in text for mark in ".e")

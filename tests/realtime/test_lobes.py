@@ -1,0 +1,145 @@
+"""The model lobes in Slang against its Python twin: estimate over groups, mean albedos, footprints, frames.
+
+Fabrics here have no sheen. The bar is that of `queries.py`; a footprint whose tap or point falls on the edge
+of a cell or yarn may take the other side, which rounding decides.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from drjit.llvm import Array2f
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.fabric import load_fabric
+from loomlight.models.lobes.model import LobesModel
+from loomlight.models.registry import model_of
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
+from tests.realtime.mapped import mapped
+from tests.realtime.queries import directions, places, share_beyond, vectors
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+COUNT = 20_000
+MOST_FLIPS = 1e-3
+FOOTPRINT = "Footprint p; p.centre = float2(x, y); p.dx = dx; p.dy = dy; let back = view.z < 0.0;"
+fabrics = pytest.mark.parametrize("name", ["denim", "damask", "silk-satin"])
+
+
+def lobes_of(name: str) -> LobesModel:
+    return model_of(load_fabric(EXAMPLES / f"{name}.toml"), "lobes")
+
+
+class Queries:
+    """Footprints of 10 µm to 10 mm, elongated and turned, views and lights all over the sphere."""
+
+    def __init__(self, model: LobesModel, smallest: float = 0.01) -> None:
+        rng = np.random.default_rng(23)
+        at = places(rng, model.fabric.layout(), COUNT)
+        self.light, self.view = directions(rng, COUNT), directions(rng, COUNT)
+        side = np.exp(rng.uniform(np.log(smallest), np.log(10), COUNT))
+        angle, ratio = rng.uniform(0, 2 * np.pi, COUNT), rng.uniform(0.2, 1, COUNT)
+        cosine, sine = side * np.cos(angle), side * np.sin(angle)
+        self.dx = np.float32(np.stack([cosine, sine], axis=1))
+        self.dy = np.float32(np.stack([-ratio * sine, ratio * cosine], axis=1))
+        self.arguments = {
+            "x": at.x,
+            "y": at.y,
+            "light": self.light,
+            "view": self.view,
+            "dx": self.dx,
+            "dy": self.dy,
+        }
+        self.footprint = Footprint(Array2f(at.x, at.y), pairs(self.dx), pairs(self.dy))
+        self.looks = (model.fabric.layout(), model.fabric.appearance(), model.tables)
+
+
+def pairs(rows: NDArray[np.float32]) -> Array2f:
+    return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
+
+
+@fabrics
+def test_estimate_over_groups(name: str) -> None:
+    model = lobes_of(name)
+    queries = Queries(model)
+    body = (
+        FOOTPRINT + "let c = prefiltered_components(fabric, p, to_face_frame(light, back),"
+        "to_face_frame(view, back), back);"
+    )
+    results = "c.diffuse_warp; c.diffuse_weft; c.specular_warp; c.specular_weft; c.hole"
+    found = mapped("prefiltered footprint point", body, results, queries.arguments, queries.looks)
+    at = model.at(vectors(queries.view), queries.footprint)
+    hole, (sums,) = at.prefiltered([vectors(queries.light)], None, True)
+    parts = sums.components
+    expected = [parts.diffuse_warp, parts.diffuse_weft, parts.specular_warp, parts.specular_weft, hole]
+    for column, values in enumerate(expected):
+        assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
+
+
+def test_mean_albedos_of_coloured_threads() -> None:
+    model = lobes_of("wool-houndstooth")
+    queries = Queries(model)
+    body = FOOTPRINT + "let a = albedos_over(fabric, p, back);"
+    results = (
+        "a.warp.diffuse_reflect.x; a.warp.specular_transmit.z;"
+        "a.weft.diffuse_transmit.y; a.weft.specular_reflect.x"
+    )
+    found = mapped("albedos footprint", body, results, queries.arguments, queries.looks)
+    warp, weft = model.means.over(queries.footprint, vectors(queries.view).z < 0)
+    expected = [
+        warp.diffuse_reflect.x,
+        warp.specular_transmit.z,
+        weft.diffuse_transmit.y,
+        weft.specular_reflect.x,
+    ]
+    assert np.ptp(found[:, 0]) > 0.1
+    for column, values in enumerate(expected):
+        assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
+
+
+@fabrics
+def test_queries_of_lobes(name: str) -> None:
+    model = lobes_of(name)
+    queries = Queries(model)
+    body = FOOTPRINT + "let v = lobes_value(fabric, p, 1.0, light, view);"
+    found = mapped("lobes footprint", body, "v.x; v.y; v.z", queries.arguments, queries.looks)
+    value = np.array(model.at(vectors(queries.view), queries.footprint).value(vectors(queries.light)))
+    assert value.max() > 0.1
+    assert share_beyond(found.T, value) <= MOST_FLIPS
+
+
+def test_a_frame_shades_the_footprints_of_its_pixels() -> None:
+    """Against the Python model at footprints that this test derives from the camera."""
+    size, side, distance = 32, 0.5, 0.6
+    model = lobes_of("denim")
+    camera = Camera((0, -0.6 * distance, 0.8 * distance))
+    towards = np.array([0.5, 0.3, 0.8]) / np.linalg.norm([0.5, 0.3, 0.8])
+    renderer = Renderer([Cloth(rectangle(side, side), model.fabric)], (size, size), "lobes")
+    frame = renderer.render(camera, [DirectionalLight(towards, (1, 1, 1))], passes=1).linear[..., :3]
+
+    axes = camera.axes(size, size)
+
+    def on_cloth(row: NDArray[np.float64], column: NDArray[np.float64]) -> NDArray[np.float64]:
+        right, up = 2 * column[..., None] / size - 1, 1 - 2 * row[..., None] / size
+        ray = axes["forward"] + right * axes["right"] + up * axes["up"]
+        return axes["origin"] - ray * (axes["origin"][2] / ray[..., 2:])
+
+    row, column = (part.ravel() + 0.5 for part in np.mgrid[:size, :size].astype(float))
+    centre = on_cloth(row, column)
+    # uv is 100 mm a unit and spans the cloth.
+    scale, step = 100 / side, 1e-3
+    dx = (on_cloth(row, column + step) - on_cloth(row, column - step))[:, :2] * (scale / (2 * step))
+    dy = (on_cloth(row + step, column) - on_cloth(row - step, column))[:, :2] * (scale / (2 * step))
+    view = axes["origin"] - centre
+    view /= np.linalg.norm(view, axis=1, keepdims=True)
+    footprint = Footprint(
+        pairs(np.float32((centre[:, :2] + side / 2) * scale)), pairs(np.float32(dx)), pairs(np.float32(dy))
+    )
+    light = np.broadcast_to(np.float32(towards), view.shape)
+    expected = np.array(model.at(vectors(np.float32(view)), footprint).value(vectors(light))).T
+    error = np.abs(frame.reshape(-1, 3) - expected)
+    # Positions agree to 1e-5 of the picture: taps and points beside an edge take its other side.
+    assert np.mean(error > 1e-4 + 1e-2 * expected) < 0.02
+    assert frame.mean() == pytest.approx(expected.mean(), rel=1e-3)

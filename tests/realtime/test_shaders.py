@@ -1,0 +1,165 @@
+"""Slang functions against their Python twins on one set of arguments, then whole queries of the point model.
+
+The bar is |a − b| ≤ 1e-5 + 1e-3·|b| (`queries.py`). Searches along rays decide by comparisons, so a few
+queries in ten thousand fall on the other side of an edge; they are counted.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from drjit.llvm import Float
+
+from loomlight.scattering import diffuse, fibre, sheen
+from loomlight.scattering.point import PointModel, to_face_frame
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
+from loomlight.yarn.visibility import first_hit, unoccluded
+from tests.realtime.mapped import mapped
+from tests.realtime.queries import appearance, directions, places, share_beyond, vectors
+from tests.yarn.layouts import PLAIN, SATIN, TWILL, even_layout, random_layout
+
+COUNT = 20_000
+# Share of queries whose ray meets another edge, which rounding decides: most on a dense satin of 60°.
+MOST_FLIPS = 1e-3
+
+LAYOUTS = {
+    "plain": even_layout(PLAIN),
+    "twill": even_layout(TWILL),
+    "satin": even_layout(SATIN, gap=0.1, inclination=60),
+    "uneven": random_layout(np.random.default_rng(1), uneven=True),
+}
+layouts = pytest.mark.parametrize("layout", LAYOUTS.values(), ids=LAYOUTS)
+
+
+def generator() -> np.random.Generator:
+    return np.random.default_rng(22)
+
+
+def test_exponential_and_logarithm() -> None:
+    x = np.float32(np.linspace(-87, 88, COUNT))
+    found = mapped("numbers", "", "exponential(x); natural_logarithm(exponential(abs(x)))", {"x": x})
+    np.testing.assert_allclose(found[:, 0], np.exp(np.float64(x)), rtol=1e-6, atol=1e-37)
+    # ln amplifies nothing: its error is that of the exponential, absolutely.
+    np.testing.assert_allclose(found[:, 1], np.abs(x), rtol=1e-6, atol=1e-6)
+
+
+def test_sines_and_powers() -> None:
+    x = np.float32(np.linspace(-100, 100, COUNT))
+    results = "sc.x; sc.y; arc_sine(x / 100.0); power(abs(x) + 0.01, 0.4)"
+    found = mapped("numbers", "let sc = sine_cosine(x);", results, {"x": x})
+    wide = np.float64(x)
+    for column, expected in enumerate(
+        (np.sin(wide), np.cos(wide), np.arcsin(wide / 100), (np.abs(wide) + 0.01) ** 0.4)
+    ):
+        # A few units in the last place of float32.
+        np.testing.assert_allclose(found[:, column], expected, rtol=1e-6, atol=5e-7)
+
+
+@pytest.mark.parametrize("side", [1, -1], ids=["reflection", "transmission"])
+def test_fibre_layer(side: int) -> None:
+    rng = generator()
+    light, view, normal, tangent = (directions(rng, COUNT) for _ in range(4))
+    view *= np.sign(np.sum(view * normal, axis=1, keepdims=True))
+    light *= side * np.sign(np.sum(light * normal, axis=1, keepdims=True))
+    roughness = np.float32(rng.uniform(0.01, 1, COUNT))
+    name = "reflection" if side > 0 else "transmission"
+    arguments = {"light": light, "view": view, "normal": normal, "tangent": tangent, "roughness": roughness}
+    found = mapped("fibre", "", f"{name}(light, view, normal, tangent, roughness, 2.0)", arguments)[:, 0]
+    frame = (vectors(light), vectors(view), vectors(normal), vectors(tangent), Float(roughness), Float(2))
+    expected = getattr(fibre, name)(*frame)
+    assert found.min() >= 0
+    assert share_beyond(found, expected) == 0
+
+
+def test_diffuse_and_sheen() -> None:
+    rng = generator()
+    light, view, normal = (directions(rng, COUNT) for _ in range(3))
+    roughness = np.float32(rng.uniform(0, 1, COUNT))
+    body = "let sheen = sheen_with_transmittance(light, view, 0.7, roughness);"
+    results = "diffuse_reflection(light, normal, 0.3); sheen.x; sheen.y"
+    arguments = {"light": light, "view": view, "normal": normal, "roughness": roughness}
+    found = mapped("diffuse sheen", body, results, arguments)
+    expected = diffuse.diffuse_reflection(vectors(light), vectors(normal), Float(0.3))
+    assert share_beyond(found[:, 0], expected) == 0
+    lobe = sheen.sheen_with_transmittance(vectors(light), vectors(view), Float(0.7), Float(roughness))
+    assert share_beyond(found[:, 1], lobe[0]) == 0
+    assert share_beyond(found[:, 2], lobe[1]) == 0
+
+
+@layouts
+def test_surface(layout: ClothLayout) -> None:
+    rng = generator()
+    at = places(rng, layout, COUNT)
+    results = (
+        "p.hole; p.is_warp; p.height; p.normal.x; p.normal.y; p.normal.z;"
+        "p.tangent.x; p.tangent.y; p.tangent.z; p.across; p.fibre_across; p.fibre_along;"
+        "p.warp_thread; p.weft_thread"
+    )
+    body = "let p = surface_at(fabric, x, y, back);"
+    found = mapped("geometry", body, results, at.arguments(), (layout, appearance(rng, layout, False, False)))
+    point = YarnGeometry(layout).surface(*at.arrays())
+    hole = np.array(point.hole)
+    np.testing.assert_array_equal(found[:, 0] > 0, hole)
+    expected = [point.is_warp, point.height, *point.normal, *point.tangent, point.across]
+    expected += [point.fibre_across, point.fibre_along, point.warp_thread, point.weft_thread]
+    for column, values in enumerate(expected, start=1):
+        assert share_beyond(found[~hole, column], np.array(values, np.float64)[~hole]) == 0, column
+
+
+@layouts
+def test_view_and_shadow_rays(layout: ClothLayout) -> None:
+    rng = generator()
+    at = places(rng, layout, COUNT)
+    view = directions(rng, COUNT)
+    view[:, 2] = np.abs(view[:, 2])
+    body = (
+        "let hit = first_hit(fabric, default_quality(), x, y, view, back);"
+        "let point = surface_at(fabric, x, y, back);"
+        "let free = unoccluded(fabric, default_quality(), x, y, point.height, view, back);"
+    )
+    arguments = at.arguments() | {"view": view}
+    looks = (layout, appearance(rng, layout, False, False))
+    results = "hit.x; hit.y; hit.height; hit.hole; free"
+    found = mapped("visibility geometry search", body, results, arguments, looks)
+    geometry = YarnGeometry(layout)
+    x, y, back = at.arrays()
+    hit = first_hit(geometry, x, y, vectors(view), back)
+    surface = geometry.surface(x, y, back)
+    free = unoccluded(geometry, x, y, surface.height, vectors(view), back)
+    on_yarn = ~np.array(surface.hole)
+    hole = np.array(hit.hole)
+    assert np.mean((found[:, 3] > 0) != hole) <= MOST_FLIPS
+    for column, values in enumerate((hit.x, hit.y, hit.height)):
+        assert share_beyond(found[~hole, column], np.array(values)[~hole]) <= MOST_FLIPS
+    assert np.mean(found[on_yarn, 4] != np.array(free)[on_yarn]) <= MOST_FLIPS
+
+
+@layouts
+@pytest.mark.parametrize("varied", [False, True], ids=["alike", "varied"])
+def test_queries_of_the_point_model(layout: ClothLayout, varied: bool) -> None:
+    """f·cos and delta transmission of whole queries, reflection and transmission from both faces."""
+    rng = generator()
+    at = places(rng, layout, COUNT)
+    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    looks = appearance(rng, layout, sheen=varied, varies=varied)
+    body = (
+        "let q = default_quality(); let p = locate_yarn(fabric, q, x, y, view);"
+        "let f = evaluate(fabric, q, p, light, view);"
+    )
+    results = "f.x; f.y; f.z; straight_through(fabric, p, view)"
+    arguments = {"x": at.x, "y": at.y, "light": light, "view": view}
+    found = mapped("point search", body, results, arguments, (layout, looks))
+    model = PointModel(YarnGeometry(layout), looks)
+    x, y, _ = at.arrays()
+    point = model.locate(x, y, vectors(view))
+    value = np.array(model.evaluate(point, vectors(light), vectors(view)))
+    assert value.max() > 0.1
+    assert share_beyond(found[:, :3].T, value) <= MOST_FLIPS
+    assert share_beyond(found[:, 3], np.array(model.straight_through(point, vectors(view)))) <= MOST_FLIPS
+
+
+def test_view_from_behind_negates_z() -> None:
+    view = directions(generator(), 100)
+    found = mapped("point", "let v = to_face_frame(view, true);", "v.x; v.y; v.z", {"view": view})
+    np.testing.assert_array_equal(found.T, np.array(to_face_frame(vectors(view), True)))
