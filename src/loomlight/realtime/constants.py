@@ -54,6 +54,8 @@ _FLOATS: dict[str, float] = {
     "GROUP_SPREAD_LOSS": density.SPREAD_LOSS,
     "GROUP_SMALLEST_PATH": density.SMALLEST_PATH,
     "SPECULAR_CORRELATION": prefiltered.SPECULAR_CORRELATION,
+    "LARGEST_CORRELATION": prefiltered.LARGEST_CORRELATION,
+    "DIFFUSE_LOSS": prefiltered.DIFFUSE_LOSS,
     "SMALLEST_GROUP_WEIGHT": lobe_bsdf.SMALLEST_WEIGHT,
     "BLEND_FROM": math.log2(regimes._BLEND_RANGE[0]),
     "BLEND_TO": math.log2(regimes._BLEND_RANGE[1]),

@@ -315,23 +315,23 @@ __device__ float2  max_1(float2  x_13, float2  y_8)
 
 __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
     float2 {
-        0.0f, 0.0f
-    }, float2 {
         -0.3333333432674408f, -0.3333333432674408f
     }, float2 {
-        0.3333333432674408f, 0.3333333432674408f
-    }, float2 {
-        0.3333333432674408f, -0.3333333432674408f
+        -0.3333333432674408f, 0.0f
     }, float2 {
         -0.3333333432674408f, 0.3333333432674408f
     }, float2 {
+        0.0f, -0.3333333432674408f
+    }, float2 {
+        0.0f, 0.0f
+    }, float2 {
         0.0f, 0.3333333432674408f
     }, float2 {
-        0.0f, -0.3333333432674408f
+        0.3333333432674408f, -0.3333333432674408f
     }, float2 {
         0.3333333432674408f, 0.0f
     }, float2 {
-        -0.3333333432674408f, 0.0f
+        0.3333333432674408f, 0.3333333432674408f
     }
 };
 __device__ float lerp_1(float x_14, float y_9, float s_1)
@@ -687,7 +687,7 @@ __device__ SearchQuality_0 quality_of_0(float threads_0)
     float _S108 = lerp_1(2.5f, 5.0f, _S107);
     (&quality_0)->steps_per_thread_0 = _S108;
     (&quality_0)->steps_per_relief_0 = _S108;
-    (&quality_0)->shadow_share_0 = lerp_1(0.94999998807907104f, 1.0f, _S107);
+    (&quality_0)->shadow_share_0 = lerp_1(1.60000002384185791f, 1.0f, _S107);
     (&quality_0)->refinements_0 = uint(lerp_1(1.0f, 2.0f, _S107) + 0.5f);
     return quality_0;
 }
@@ -1789,17 +1789,17 @@ struct NodeTaps_0
 
 __device__ NodeTaps_0 node_taps_0(float3  direction_4)
 {
-    float _S273 = arc_tangent_0(direction_4.y, direction_4.x) * 2.5464789867401123f;
+    float _S273 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
     float _S274 = (F32_floor((_S273)));
     float _S275 = _S273 - _S274;
     float _S276 = (F32_sqrt((clamp_1((1.0f - (F32_abs((direction_4.z)))) / 0.97000002861022949f, 0.0f, 1.0f))));
     float _S277 = 7.0f * _S276 * (F32_sqrt((_S276)));
     float _S278 = (F32_min(((F32_floor((_S277)))), (6.0f)));
     float _S279 = _S277 - _S278;
-    uint _S280 = uint(int(_S274) + int(16)) % 16U;
+    uint _S280 = uint(int(_S274) + int(32)) % 32U;
     uint _S281 = uint(_S278);
     uint _S282 = _S280 * 8U + _S281;
-    uint _S283 = (_S280 + 1U) % 16U * 8U + _S281;
+    uint _S283 = (_S280 + 1U) % 32U * 8U + _S281;
     NodeTaps_0 taps_0;
     (&taps_0)->nodes_0 = make_uint4 (_S282, _S282 + 1U, _S283, _S283 + 1U);
     float _S284 = 1.0f - _S275;
@@ -1817,16 +1817,16 @@ __device__ float3  half_vector_0(float3  light_5, float3  view_4)
     return _S288 * make_float3 ((F32_rsqrt(((F32_max((square_0(_S288)), (9.999999960041972e-13f)))))));
 }
 
-__device__ float2  shadow_correlation_0(float3  light_6, float3  view_5)
+__device__ float3  shadow_correlation_0(float3  light_6, float3  view_5)
 {
     float2  _S289 = float2 {light_6.x, light_6.y};
     float2  _S290 = float2 {view_5.x, view_5.y};
     float _S291 = dot_1(_S289, _S290) / (F32_max(((F32_sqrt((dot_1(_S289, _S289) * dot_1(_S290, _S290))))), (9.99999997475242708e-07f)));
     if((light_6.z) < 0.0f)
     {
-        return make_float2 (-0.34999999403953552f + -0.20000000298023224f * _S291);
+        return make_float3 (make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S291).x, make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S291).y, 0.0f);
     }
-    return make_float2 ((F32_min((0.5f + 0.69999998807907104f * _S291), (1.0f))), 0.89999997615814209f);
+    return make_float3 ((F32_min((0.62000000476837158f + 0.62999999523162842f * _S291), (1.20000004768371582f))), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1877,9 +1877,9 @@ __device__ Group_0 group_at_0(uint row_1, float roughness_7)
     return group_0;
 }
 
-__device__ float2  visibility_gain_0(float2  correlations_0, float from_light_0, float from_view_0)
+__device__ float2  visibility_gain_0(float3  correlations_0, float from_light_0, float from_view_0)
 {
-    return max_1(correlations_0 * make_float2 (1.0f / (F32_max(((F32_max((from_light_0), (from_view_0)))), (0.00392156885936856f))) - 1.0f) + make_float2 (1.0f), make_float2 (0.0f));
+    return max_1(float2 {correlations_0.x, correlations_0.y} * make_float2 (1.0f / (F32_max(((F32_max((from_light_0), (from_view_0)))), (0.00392156885936856f))) - 1.0f) + make_float2 (1.0f - correlations_0.z * (1.0f - from_light_0), 1.0f), make_float2 (0.0f));
 }
 
 __device__ float Group_variance_along_0(Group_0 * this_5, float3  direction_5)
@@ -3740,20 +3740,17 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S965, Footprint_0 * _S966, bool 
     float _S969 = Footprint_spread_side_0(_S966);
     Lobes_0 _S970 = slang_ldg_1(&_S968->lobes_0);
     float _S971 = _S969 * _S970.inverse_base_size_0;
-    float _S972 = (F32_min((binary_logarithm_0((F32_max((0.60000002384185791f * _S971), (1.0f))))), (_S970.last_level_0)));
-    float _S973 = (F32_floor((_S972)));
-    float3  _S974 = pyramid_level_0(_S965, _S973);
-    float3  _S975 = pyramid_level_0(_S965, _S973 + 1.0f);
-    float _S976 = 1.0f / (F32_max((_S971), (9.99999997475242708e-07f)));
-    float _S977 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S976 * _S976), 0.0f, 1.0f))))), (0.3333333432674408f * _S976)))), (1.0f)));
-    uint _S978 = __ldg(&_S968->warp_0);
-    Family_0 _S979 = slang_ldg_4((&(globalParams_0->families_0)[_S978]));
-    uint _S980 = __ldg(&_S968->weft_0);
-    Family_0 _S981 = slang_ldg_4((&(globalParams_0->families_0)[_S980]));
-    float2  _S982 = make_float2 (_S979.inverse_period_0, _S981.inverse_period_0);
-    float2  _S983 = _S966->centre_0 * _S982;
-    float2  _S984 = _S966->dx_0 * _S982 * make_float2 (_S977);
-    float2  _S985 = _S966->dy_0 * _S982 * make_float2 (_S977);
+    float3  _S972 = pyramid_level_0(_S965, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S971), (1.0f))))))));
+    float _S973 = 1.0f / (F32_max((_S971), (9.99999997475242708e-07f)));
+    float _S974 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S973 * _S973), 0.0f, 1.0f))))), (0.3333333432674408f * _S973)))), (1.0f)));
+    uint _S975 = __ldg(&_S968->warp_0);
+    Family_0 _S976 = slang_ldg_4((&(globalParams_0->families_0)[_S975]));
+    uint _S977 = __ldg(&_S968->weft_0);
+    Family_0 _S978 = slang_ldg_4((&(globalParams_0->families_0)[_S977]));
+    float2  _S979 = make_float2 (_S976.inverse_period_0, _S978.inverse_period_0);
+    float2  _S980 = _S966->centre_0 * _S979;
+    float2  _S981 = _S966->dx_0 * _S979 * make_float2 (_S974);
+    float2  _S982 = _S966->dy_0 * _S979 * make_float2 (_S974);
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3765,37 +3762,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S965, Footprint_0 * _S966, bool 
         {
             break;
         }
-        float2  _S986 = _S983 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S984 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S985;
-        float3  _S987;
-        if((_S972 - _S973) > (1.0f - (float(number_1) + 0.5f) / 9.0f))
-        {
-            _S987 = _S975;
-        }
-        else
-        {
-            _S987 = _S974;
-        }
-        float _S988 = _S987.y;
-        float _S989 = wrapped_cell_0(_S986.x, _S988);
-        float _S990 = wrapped_cell_0(_S986.y, _S987.z);
-        uint _S991;
+        float2  _S983 = _S980 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S981 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S982;
+        float _S984 = _S972.y;
+        float _S985 = wrapped_cell_0(_S983.x, _S984);
+        float _S986 = wrapped_cell_0(_S983.y, _S972.z);
+        uint _S987;
         if(_S967)
         {
-            _S991 = _S970.face_nodes_0;
+            _S987 = _S970.face_nodes_0;
         }
         else
         {
-            _S991 = 0U;
+            _S987 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S991 + uint(_S990 * _S988 + _S989 + _S987.x);
+        (&taps_3)->nodes_1[number_1] = _S987 + uint(_S986 * _S984 + _S985 + _S972.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-__device__ float4  coverage_of_pack_0(uint _S992, CoverageTaps_0 * _S993, uint _S994)
+__device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _S990)
 {
-    Fabric_0 * _S995 = (&(globalParams_0->fabrics_0)[_S992]);
+    Fabric_0 * _S991 = (&(globalParams_0->fabrics_0)[_S988]);
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3808,10 +3796,10 @@ __device__ float4  coverage_of_pack_0(uint _S992, CoverageTaps_0 * _S993, uint _
         {
             break;
         }
-        Lobes_0 _S996 = slang_ldg_1(&_S995->lobes_0);
-        uint _S997 = __ldg((&(globalParams_0->words_0)[_S996.coverage_0 + _S993->nodes_1[number_2] * _S996.packs_0 + _S994]));
-        uint even_2 = even_1 + (_S997 & 16711935U);
-        uint odd_2 = odd_1 + ((_S997 >> int(8)) & 16711935U);
+        Lobes_0 _S992 = slang_ldg_1(&_S991->lobes_0);
+        uint _S993 = __ldg((&(globalParams_0->words_0)[_S992.coverage_0 + _S989->nodes_1[number_2] * _S992.packs_0 + _S990]));
+        uint even_2 = even_1 + (_S993 & 16711935U);
+        uint odd_2 = odd_1 + ((_S993 >> int(8)) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3819,9 +3807,9 @@ __device__ float4  coverage_of_pack_0(uint _S992, CoverageTaps_0 * _S993, uint _
     return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
 }
 
-__device__ float coverage_of_holes_0(uint _S998, CoverageTaps_0 * _S999)
+__device__ float coverage_of_holes_0(uint _S994, CoverageTaps_0 * _S995)
 {
-    Fabric_0 * _S1000 = (&(globalParams_0->fabrics_0)[_S998]);
+    Fabric_0 * _S996 = (&(globalParams_0->fabrics_0)[_S994]);
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3833,75 +3821,75 @@ __device__ float coverage_of_holes_0(uint _S998, CoverageTaps_0 * _S999)
         {
             break;
         }
-        uint _S1001 = _S999->nodes_1[number_3];
-        Lobes_0 _S1002 = slang_ldg_1(&_S1000->lobes_0);
-        uint _S1003 = __ldg((&(globalParams_0->words_0)[_S1002.coverage_holes_0 + _S1001 / 4U]));
-        uint total_1 = total_0 + ((_S1003 >> (8U * (_S1001 % 4U))) & 255U);
+        uint _S997 = _S995->nodes_1[number_3];
+        Lobes_0 _S998 = slang_ldg_1(&_S996->lobes_0);
+        uint _S999 = __ldg((&(globalParams_0->words_0)[_S998.coverage_holes_0 + _S997 / 4U]));
+        uint total_1 = total_0 + ((_S999 >> (8U * (_S997 % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S1004, CoverageTaps_0 * _S1005, NodeTaps_0 * _S1006, bool _S1007)
+__device__ float prefiltered_hole_0(uint _S1000, CoverageTaps_0 * _S1001, NodeTaps_0 * _S1002, bool _S1003)
 {
-    Lobes_0 _S1008 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S1004])->lobes_0);
-    float4  _S1009 = interpolate_table_0(_S1006, _S1008.projected_area_0 + _S1008.packs_0, _S1008.packs_0 + 1U);
-    float _S1010 = _S1009.x;
-    float _S1011;
-    if(_S1007)
+    Lobes_0 _S1004 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S1000])->lobes_0);
+    float4  _S1005 = interpolate_table_0(_S1002, _S1004.projected_area_0 + _S1004.packs_0, _S1004.packs_0 + 1U);
+    float _S1006 = _S1005.x;
+    float _S1007;
+    if(_S1003)
     {
-        _S1011 = _S1008.back_hole_weight_0;
+        _S1007 = _S1004.back_hole_weight_0;
     }
     else
     {
-        _S1011 = _S1008.front_hole_weight_0;
+        _S1007 = _S1004.front_hole_weight_0;
     }
-    float _S1012 = coverage_of_holes_0(_S1004, _S1005);
-    return (F32_min((_S1012 * _S1010 * _S1010 * _S1011), (1.0f)));
+    float _S1008 = coverage_of_holes_0(_S1000, _S1001);
+    return (F32_min((_S1008 * _S1006 * _S1006 * _S1007), (1.0f)));
 }
 
-__device__ Components_0 prefiltered_components_0(uint _S1013, Footprint_0 * _S1014, float3  _S1015, float3  _S1016, bool _S1017)
+__device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S1010, float3  _S1011, float3  _S1012, bool _S1013)
 {
-    Fabric_0 * _S1018 = (&(globalParams_0->fabrics_0)[_S1013]);
-    CoverageTaps_0 _S1019 = coverage_taps_0(_S1013, _S1014, _S1017);
-    NodeTaps_0 _S1020 = node_taps_0(_S1016);
-    NodeTaps_0 view_nodes_0 = _S1020;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S1015);
-    NodeTaps_0 seen_nodes_0 = _S1020;
-    uint _S1021;
-    if(_S1017)
+    Fabric_0 * _S1014 = (&(globalParams_0->fabrics_0)[_S1009]);
+    CoverageTaps_0 _S1015 = coverage_taps_0(_S1009, _S1010, _S1013);
+    NodeTaps_0 _S1016 = node_taps_0(_S1012);
+    NodeTaps_0 view_nodes_0 = _S1016;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S1011);
+    NodeTaps_0 seen_nodes_0 = _S1016;
+    uint _S1017;
+    if(_S1013)
     {
-        _S1021 = 1U;
+        _S1017 = 1U;
     }
     else
     {
-        _S1021 = 0U;
+        _S1017 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1021 * 128U);
-    uint _S1022 = 2U * _S1021;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1022 * 128U);
-    uint _S1023;
-    if((_S1015.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1017 * 256U);
+    uint _S1018 = 2U * _S1017;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1018 * 256U);
+    uint _S1019;
+    if((_S1011.z) < 0.0f)
     {
-        _S1023 = 1U;
-    }
-    else
-    {
-        _S1023 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1022 + _S1023) * 128U);
-    float3  _S1024 = half_vector_0(_S1015, _S1016);
-    float2  _S1025 = shadow_correlation_0(_S1015, _S1016);
-    if(_S1017)
-    {
-        Lobes_0 _S1026 = slang_ldg_1(&_S1018->lobes_0);
-        _S1023 = _S1026.back_warp_packs_0;
+        _S1019 = 1U;
     }
     else
     {
-        Lobes_0 _S1027 = slang_ldg_1(&_S1018->lobes_0);
-        _S1023 = _S1027.front_warp_packs_0;
+        _S1019 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1018 + _S1019) * 256U);
+    float3  _S1020 = half_vector_0(_S1011, _S1012);
+    float3  _S1021 = shadow_correlation_0(_S1011, _S1012);
+    if(_S1013)
+    {
+        Lobes_0 _S1022 = slang_ldg_1(&_S1014->lobes_0);
+        _S1019 = _S1022.back_warp_packs_0;
+    }
+    else
+    {
+        Lobes_0 _S1023 = slang_ldg_1(&_S1014->lobes_0);
+        _S1019 = _S1023.front_warp_packs_0;
     }
     Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3913,44 +3901,44 @@ __device__ Components_0 prefiltered_components_0(uint _S1013, Footprint_0 * _S10
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S1028 = slang_ldg_1(&_S1018->lobes_0);
-        if(pack_0 < (_S1028.packs_0))
+        Lobes_0 _S1024 = slang_ldg_1(&_S1014->lobes_0);
+        if(pack_0 < (_S1024.packs_0))
         {
         }
         else
         {
             break;
         }
-        CoverageTaps_0 _S1029 = _S1019;
-        float4  _S1030 = coverage_of_pack_0(_S1013, &_S1029, pack_0);
-        uint _S1031 = _S1028.projected_area_0 + pack_0;
-        uint _S1032 = _S1028.packs_0 + 1U;
-        NodeTaps_0 _S1033 = view_nodes_0;
-        float4  _S1034 = interpolate_table_0(&_S1033, _S1031, _S1032);
-        uint _S1035 = _S1028.light_visibility_0 + pack_0;
-        NodeTaps_0 _S1036 = seen_nodes_0;
-        float4  _S1037 = interpolate_table_0(&_S1036, _S1035, _S1028.packs_0);
-        float4  _S1038 = _S1037 / make_float4 (255.0f);
+        CoverageTaps_0 _S1025 = _S1015;
+        float4  _S1026 = coverage_of_pack_0(_S1009, &_S1025, pack_0);
+        uint _S1027 = _S1024.projected_area_0 + pack_0;
+        uint _S1028 = _S1024.packs_0 + 1U;
+        NodeTaps_0 _S1029 = view_nodes_0;
+        float4  _S1030 = interpolate_table_0(&_S1029, _S1027, _S1028);
+        uint _S1031 = _S1024.light_visibility_0 + pack_0;
+        NodeTaps_0 _S1032 = seen_nodes_0;
+        float4  _S1033 = interpolate_table_0(&_S1032, _S1031, _S1024.packs_0);
+        float4  _S1034 = _S1033 / make_float4 (255.0f);
+        NodeTaps_0 _S1035 = light_nodes_0;
+        float4  _S1036 = interpolate_table_0(&_S1035, _S1031, _S1024.packs_0);
+        float4  _S1037 = _S1036 / make_float4 (255.0f);
+        uint _S1038 = _S1024.irradiance_0 + pack_0;
         NodeTaps_0 _S1039 = light_nodes_0;
-        float4  _S1040 = interpolate_table_0(&_S1039, _S1035, _S1028.packs_0);
-        float4  _S1041 = _S1040 / make_float4 (255.0f);
-        uint _S1042 = _S1028.irradiance_0 + pack_0;
-        NodeTaps_0 _S1043 = light_nodes_0;
-        float4  _S1044 = interpolate_table_0(&_S1043, _S1042, _S1028.packs_0);
-        float4  _S1045 = _S1044 * make_float4 (0.00124827399849892f);
-        bool _S1046 = pack_0 < _S1023;
-        uint _S1047;
-        if(_S1046)
+        float4  _S1040 = interpolate_table_0(&_S1039, _S1038, _S1024.packs_0);
+        float4  _S1041 = _S1040 * make_float4 (0.00124827399849892f);
+        bool _S1042 = pack_0 < _S1019;
+        uint _S1043;
+        if(_S1042)
         {
-            uint _S1048 = __ldg(&_S1018->warp_0);
-            _S1047 = _S1048;
+            uint _S1044 = __ldg(&_S1014->warp_0);
+            _S1043 = _S1044;
         }
         else
         {
-            uint _S1049 = __ldg(&_S1018->weft_0);
-            _S1047 = _S1049;
+            uint _S1045 = __ldg(&_S1014->weft_0);
+            _S1043 = _S1045;
         }
-        Family_0 _S1050 = slang_ldg_4((&(globalParams_0->families_0)[_S1047]));
+        Family_0 _S1046 = slang_ldg_4((&(globalParams_0->families_0)[_S1043]));
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3963,407 +3951,407 @@ __device__ Components_0 prefiltered_components_0(uint _S1013, Footprint_0 * _S10
             {
                 break;
             }
-            Group_0 _S1051 = group_at_0(_S1028.moments_0 + 12U * (4U * (_S1021 * _S1028.packs_0 + pack_0) + number_4), _S1050.roughness_0);
-            float _S1052 = _slang_vector_get_element(_S1030, number_4) * _slang_vector_get_element(_S1034, number_4) * _slang_vector_get_element(_S1034, number_4) * _S1051.weight_1;
-            uint _S1053 = number_4;
-            float2  _S1054 = visibility_gain_0(_S1025, _slang_vector_get_element(_S1041, number_4), _slang_vector_get_element(_S1038, number_4));
-            float _S1055 = __ldg(&_S1018->optical_depth_0);
-            Group_0 _S1056 = _S1051;
-            float _S1057 = layer_value_0(&_S1056, _S1024, _S1015, _S1016, _S1055);
-            float _S1058 = _S1054.x;
-            float diffuse_1 = diffuse_0 + _S1052 * _slang_vector_get_element(_S1045, number_4) * _S1058;
-            float specular_1 = specular_0 + _S1052 * _S1057 * _slang_vector_get_element(_S1041, _S1053) * _S1054.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1052 * _slang_vector_get_element(_S1041, _S1053) * _S1058;
-            float total_3 = total_2 + _S1052;
+            Group_0 _S1047 = group_at_0(_S1024.moments_0 + 12U * (4U * (_S1017 * _S1024.packs_0 + pack_0) + number_4), _S1046.roughness_0);
+            float _S1048 = _slang_vector_get_element(_S1026, number_4) * _slang_vector_get_element(_S1030, number_4) * _slang_vector_get_element(_S1030, number_4) * _S1047.weight_1;
+            uint _S1049 = number_4;
+            float2  _S1050 = visibility_gain_0(_S1021, _slang_vector_get_element(_S1037, number_4), _slang_vector_get_element(_S1034, number_4));
+            float _S1051 = __ldg(&_S1014->optical_depth_0);
+            Group_0 _S1052 = _S1047;
+            float _S1053 = layer_value_0(&_S1052, _S1020, _S1011, _S1012, _S1051);
+            float _S1054 = _S1050.x;
+            float diffuse_1 = diffuse_0 + _S1048 * _slang_vector_get_element(_S1041, number_4) * _S1054;
+            float specular_1 = specular_0 + _S1048 * _S1053 * _slang_vector_get_element(_S1037, _S1049) * _S1050.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1048 * _slang_vector_get_element(_S1037, _S1049) * _S1054;
+            float total_3 = total_2 + _S1048;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S1059;
-        if(_S1046)
+        float _S1055;
+        if(_S1042)
         {
-            _S1059 = diffuse_0;
+            _S1055 = diffuse_0;
         }
         else
         {
-            _S1059 = 0.0f;
+            _S1055 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1059;
-        float _S1060;
-        if(_S1046)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1055;
+        float _S1056;
+        if(_S1042)
         {
-            _S1060 = 0.0f;
+            _S1056 = 0.0f;
         }
         else
         {
-            _S1060 = diffuse_0;
+            _S1056 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1060;
-        float _S1061;
-        if(_S1046)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1056;
+        float _S1057;
+        if(_S1042)
         {
-            _S1061 = specular_0;
+            _S1057 = specular_0;
         }
         else
         {
-            _S1061 = 0.0f;
+            _S1057 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1061;
-        float _S1062;
-        if(_S1046)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1057;
+        float _S1058;
+        if(_S1042)
         {
-            _S1062 = 0.0f;
+            _S1058 = 0.0f;
         }
         else
         {
-            _S1062 = specular_0;
+            _S1058 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1062;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1058;
         pack_0 = pack_0 + 1U;
     }
-    CoverageTaps_0 _S1063 = _S1019;
-    NodeTaps_0 _S1064 = view_nodes_0;
-    float _S1065 = prefiltered_hole_0(_S1013, &_S1063, &_S1064, _S1017);
-    (&sums_1)->hole_2 = _S1065;
-    float _S1066 = (1.0f - _S1065) / (F32_max((total_2), (9.999999960041972e-13f)));
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1066;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1066;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1066;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1066;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1066;
+    CoverageTaps_0 _S1059 = _S1015;
+    NodeTaps_0 _S1060 = view_nodes_0;
+    float _S1061 = prefiltered_hole_0(_S1009, &_S1059, &_S1060, _S1013);
+    (&sums_1)->hole_2 = _S1061;
+    float _S1062 = (1.0f - _S1061) / (F32_max((total_2), (9.999999960041972e-13f)));
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1062;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1062;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1062;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1062;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1062;
     return sums_1;
 }
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S1067, Footprint_0 * _S1068, bool _S1069)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S1063, Footprint_0 * _S1064, bool _S1065)
 {
-    Fabric_0 * _S1070 = (&(globalParams_0->fabrics_0)[_S1067]);
-    float2  _S1071 = sqrt_0(_S1068->dx_0 * _S1068->dx_0 + _S1068->dy_0 * _S1068->dy_0);
-    uint _S1072 = __ldg(&_S1070->warp_0);
-    float2  _S1073 = _S1068->centre_0;
-    Stretch_0 _S1074 = stretch_of_0(_S1072, _S1068->centre_0.x, _S1071.x);
-    uint _S1075 = __ldg(&_S1070->weft_0);
-    Stretch_0 _S1076 = stretch_of_0(_S1075, _S1073.y, _S1071.y);
+    Fabric_0 * _S1066 = (&(globalParams_0->fabrics_0)[_S1063]);
+    float2  _S1067 = sqrt_0(_S1064->dx_0 * _S1064->dx_0 + _S1064->dy_0 * _S1064->dy_0);
+    uint _S1068 = __ldg(&_S1066->warp_0);
+    float2  _S1069 = _S1064->centre_0;
+    Stretch_0 _S1070 = stretch_of_0(_S1068, _S1064->centre_0.x, _S1067.x);
+    uint _S1071 = __ldg(&_S1066->weft_0);
+    Stretch_0 _S1072 = stretch_of_0(_S1071, _S1069.y, _S1067.y);
     FamilyAlbedos_0 albedos_8;
-    Stretch_0 _S1077 = _S1074;
-    Stretch_0 _S1078 = _S1076;
-    Albedos_0 _S1079 = mean_albedos_0(_S1072, _S1075, &_S1077, &_S1078, _S1069);
-    (&albedos_8)->warp_2 = _S1079;
-    Stretch_0 _S1080 = _S1076;
-    Stretch_0 _S1081 = _S1074;
-    Albedos_0 _S1082 = mean_albedos_0(_S1075, _S1072, &_S1080, &_S1081, _S1069);
-    (&albedos_8)->weft_2 = _S1082;
+    Stretch_0 _S1073 = _S1070;
+    Stretch_0 _S1074 = _S1072;
+    Albedos_0 _S1075 = mean_albedos_0(_S1068, _S1071, &_S1073, &_S1074, _S1065);
+    (&albedos_8)->warp_2 = _S1075;
+    Stretch_0 _S1076 = _S1072;
+    Stretch_0 _S1077 = _S1070;
+    Albedos_0 _S1078 = mean_albedos_0(_S1071, _S1068, &_S1076, &_S1077, _S1065);
+    (&albedos_8)->weft_2 = _S1078;
     return albedos_8;
 }
 
-__device__ Estimate_0 lobes_estimate_0(uint _S1083, Footprint_0 * _S1084, float _S1085, float3  _S1086, float3  _S1087)
+__device__ Estimate_0 lobes_estimate_0(uint _S1079, Footprint_0 * _S1080, float _S1081, float3  _S1082, float3  _S1083)
 {
-    float _S1088;
-    Fabric_0 * _S1089 = (&(globalParams_0->fabrics_0)[_S1083]);
-    Regime_0 _S1090 = regime_of_0(_S1083, _S1084, _S1085);
-    bool _S1091 = (_S1087.z) < 0.0f;
-    float3  _S1092 = to_face_frame_0(_S1087, _S1091);
-    float _S1093 = __ldg(&_S1089->fibre_noise_0);
+    float _S1084;
+    Fabric_0 * _S1085 = (&(globalParams_0->fabrics_0)[_S1079]);
+    Regime_0 _S1086 = regime_of_0(_S1079, _S1080, _S1081);
+    bool _S1087 = (_S1083.z) < 0.0f;
+    float3  _S1088 = to_face_frame_0(_S1083, _S1087);
+    float _S1089 = __ldg(&_S1085->fibre_noise_0);
+    bool _S1090;
+    if(_S1089 > 0.0f)
+    {
+        _S1090 = true;
+    }
+    else
+    {
+        float _S1091 = __ldg(&_S1085->colour_noise_0);
+        _S1090 = _S1091 > 0.0f;
+    }
+    uint _S1092 = __ldg(&_S1085->warp_0);
+    Family_0 _S1093 = slang_ldg_4((&(globalParams_0->families_0)[_S1092]));
     bool _S1094;
-    if(_S1093 > 0.0f)
+    if((_S1093.quantities_0) > 1U)
     {
         _S1094 = true;
     }
     else
     {
-        float _S1095 = __ldg(&_S1089->colour_noise_0);
-        _S1094 = _S1095 > 0.0f;
+        uint _S1095 = __ldg(&_S1085->weft_0);
+        Family_0 _S1096 = slang_ldg_4((&(globalParams_0->families_0)[_S1095]));
+        _S1094 = (_S1096.quantities_0) > 1U;
     }
-    uint _S1096 = __ldg(&_S1089->warp_0);
-    Family_0 _S1097 = slang_ldg_4((&(globalParams_0->families_0)[_S1096]));
-    bool _S1098;
-    if((_S1097.quantities_0) > 1U)
+    float _S1097 = 1.0f - _S1086.prefiltered_0;
+    if(_S1097 > 0.0f)
     {
-        _S1098 = true;
-    }
-    else
-    {
-        uint _S1099 = __ldg(&_S1089->weft_0);
-        Family_0 _S1100 = slang_ldg_4((&(globalParams_0->families_0)[_S1099]));
-        _S1098 = (_S1100.quantities_0) > 1U;
-    }
-    float _S1101 = 1.0f - _S1090.prefiltered_0;
-    if(_S1101 > 0.0f)
-    {
-        if(_S1094)
+        if(_S1090)
         {
-            _S1098 = true;
+            _S1094 = true;
         }
-    }
-    else
-    {
-        _S1098 = false;
-    }
-    Footprint_0 box_0 = *_S1084;
-    float3  _S1102 = make_float3 (0.0f);
-    SurfacePoint_0 _S1103 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1102, _S1102, 0.0f, 0.0f, 0.0f);
-    float2  _S1104 = _S1084->centre_0;
-    Components_0 _S1105 = no_components_0();
-    int _S1106;
-    if(_S1098)
-    {
-        _S1106 = int(0);
-    }
-    else
-    {
-        _S1106 = int(1);
-    }
-    uint _S1107 = uint(_S1106);
-    Components_0 points_1 = _S1105;
-    float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S1103;
-    float2  central_place_0 = _S1104;
-    uint number_5 = _S1107;
-    for(;;)
-    {
-        float _S1108 = float(number_5);
-        _S1088 = _S1090.points_0;
-        if(_S1108 < (_S1090.points_0 + 1.0f))
-        {
-        }
-        else
-        {
-            break;
-        }
-        bool _S1109 = number_5 == 0U;
-        float2  _S1110;
-        if(_S1109)
-        {
-            _S1110 = make_float2 (0.0f);
-        }
-        else
-        {
-            _S1110 = POINT_OFFSETS_0[number_5 - 1U];
-        }
-        float2  _S1111 = _S1104 + make_float2 (_S1110.x) * _S1084->dx_0 + make_float2 (_S1110.y) * _S1084->dy_0;
-        float _S1112;
-        if(_S1109)
-        {
-            _S1112 = 0.0f;
-        }
-        else
-        {
-            _S1112 = _S1090.threads_1;
-        }
-        SearchQuality_0 _S1113 = quality_of_0(_S1112);
-        float _S1114 = _S1111.x;
-        float _S1115 = _S1111.y;
-        SearchQuality_0 _S1116 = _S1113;
-        Hit_0 _S1117 = first_hit_0(_S1083, &_S1116, _S1114, _S1115, _S1092, _S1091);
-        SurfacePoint_0 _S1118 = surface_at_0(_S1083, _S1117.x_27, _S1117.y_16, _S1091);
-        if(_S1109)
-        {
-            float central_weight_1;
-            if(_S1117.hole_5)
-            {
-                central_weight_1 = 0.0f;
-            }
-            else
-            {
-                central_weight_1 = _S1101;
-            }
-            float2  central_place_1 = make_float2 (_S1117.x_27, _S1117.y_16);
-            (&box_0)->centre_0 = lerp_2(_S1104, central_place_1, make_float2 (central_weight_1));
-            central_weight_0 = central_weight_1;
-            central_0 = _S1118;
-            central_place_0 = central_place_1;
-            number_5 = number_5 + 1U;
-            continue;
-        }
-        SurfacePoint_0 _S1119 = _S1118;
-        YarnPoint_0 _S1120 = yarn_point_of_0(_S1083, &_S1119, _S1117.x_27, _S1117.y_16, _S1091, _S1117.hole_5);
-        SearchQuality_0 _S1121 = _S1113;
-        YarnPoint_0 _S1122 = _S1120;
-        Components_0 _S1123 = components_of_point_0(_S1083, &_S1121, &_S1122, _S1086, _S1087);
-        float _S1124 = (F32_min((_S1090.points_0 - float(number_5 - 1U)), (1.0f)));
-        Components_0 _S1125 = points_1;
-        Components_0 _S1126 = _S1123;
-        Components_0 _S1127 = with_added_0(&_S1125, &_S1126, _S1124);
-        points_1 = _S1127;
-        number_5 = number_5 + 1U;
-    }
-    Estimate_0 estimate_0;
-    float _S1128 = _S1101 / (F32_max((_S1088), (1.0f)));
-    Components_0 _S1129 = _S1105;
-    Components_0 _S1130 = points_1;
-    Components_0 _S1131 = with_added_0(&_S1129, &_S1130, _S1128);
-    (&estimate_0)->components_0 = _S1131;
-    if((_S1090.prefiltered_0) > 0.0f)
-    {
-        Components_0 _S1132 = prefiltered_components_0(_S1083, _S1084, to_face_frame_0(_S1086, _S1091), _S1092, _S1091);
-        Components_0 _S1133 = (&estimate_0)->components_0;
-        Components_0 _S1134 = _S1132;
-        Components_0 _S1135 = with_added_0(&_S1133, &_S1134, _S1090.prefiltered_0);
-        (&estimate_0)->components_0 = _S1135;
-    }
-    Footprint_0 _S1136 = box_0;
-    FamilyAlbedos_0 _S1137 = albedos_over_0(_S1083, &_S1136, _S1091);
-    (&estimate_0)->albedos_4 = _S1137;
-    if(_S1094)
-    {
-        _S1094 = central_weight_0 > 0.0f;
     }
     else
     {
         _S1094 = false;
     }
+    Footprint_0 box_0 = *_S1080;
+    float3  _S1098 = make_float3 (0.0f);
+    SurfacePoint_0 _S1099 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1098, _S1098, 0.0f, 0.0f, 0.0f);
+    float2  _S1100 = _S1080->centre_0;
+    Components_0 _S1101 = no_components_0();
+    int _S1102;
     if(_S1094)
     {
-        SurfacePoint_0 _S1138 = central_0;
-        Albedos_0 _S1139;
-        if(central_0.is_warp_0)
-        {
-            _S1139 = (&(&estimate_0)->albedos_4)->warp_2;
-        }
-        else
-        {
-            _S1139 = (&(&estimate_0)->albedos_4)->weft_2;
-        }
-        float _S1140 = central_place_0.x;
-        float _S1141 = central_place_0.y;
-        SurfacePoint_0 _S1142 = central_0;
-        Albedos_0 _S1143 = _S1139;
-        Albedos_0 _S1144 = varied_at_0(_S1083, &_S1142, &_S1143, _S1140, _S1141);
-        Albedos_0 _S1145 = _S1139;
-        Albedos_0 _S1146 = _S1144;
-        Albedos_0 _S1147 = lerp_albedos_0(&_S1145, &_S1146, central_weight_0);
-        if(_S1138.is_warp_0)
-        {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S1147;
-        }
-        else
-        {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S1147;
-        }
-    }
-    return estimate_0;
-}
-
-__device__ float3  composed_0(uint _S1148, Components_0 * _S1149, FamilyAlbedos_0 * _S1150, float3  _S1151, float3  _S1152)
-{
-    Fabric_0 * _S1153 = (&(globalParams_0->fabrics_0)[_S1148]);
-    float _S1154 = _S1149->diffuse_warp_0;
-    float _S1155 = _S1149->diffuse_weft_0;
-    float _S1156 = _S1149->specular_warp_0;
-    float _S1157 = _S1149->specular_weft_0;
-    float3  _S1158 = (&_S1150->warp_2)->diffuse_reflect_0 * make_float3 (_S1149->diffuse_warp_0) + (&_S1150->weft_2)->diffuse_reflect_0 * make_float3 (_S1149->diffuse_weft_0) + (&_S1150->warp_2)->specular_reflect_0 * make_float3 (_S1149->specular_warp_0) + (&_S1150->weft_2)->specular_reflect_0 * make_float3 (_S1149->specular_weft_0);
-    float _S1159 = _S1152.z;
-    float3  body_0;
-    if((_S1151.z * _S1159) < 0.0f)
-    {
-        body_0 = (&_S1150->warp_2)->diffuse_transmit_0 * make_float3 (_S1154) + (&_S1150->weft_2)->diffuse_transmit_0 * make_float3 (_S1155) + (&_S1150->warp_2)->specular_transmit_0 * make_float3 (_S1156) + (&_S1150->weft_2)->specular_transmit_0 * make_float3 (_S1157);
+        _S1102 = int(0);
     }
     else
     {
-        body_0 = _S1158;
+        _S1102 = int(1);
     }
-    float _S1160 = __ldg(&_S1153->sheen_strength_0);
-    if(_S1160 <= 0.0f)
-    {
-        return body_0;
-    }
-    bool _S1161 = _S1159 < 0.0f;
-    float3  _S1162 = to_face_frame_0(_S1151, _S1161);
-    float3  _S1163 = to_face_frame_0(_S1152, _S1161);
-    float _S1164 = __ldg(&_S1153->sheen_roughness_0);
-    float2  _S1165 = sheen_with_transmittance_0(_S1162, _S1163, _S1160, _S1164);
-    return make_float3 (_S1165.y) * body_0 + make_float3 ((_S1149->light_visibility_1 + _S1149->hole_2) * _S1165.x);
-}
-
-__device__ float4  light_of_footprint_0(Frame_0 * _S1166, uint _S1167, VisiblePoint_0 * _S1168)
-{
-    Fabric_0 * _S1169 = (&(globalParams_0->fabrics_0)[_S1167]);
-    Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1168->draft_0;
-    (&footprint_0)->dx_0 = _S1168->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1168->draft_dy_0;
-    float3  _S1170 = to_local_0(_S1168, _S1168->view_0);
-    float3  _S1171 = make_float3 (0.0f);
-    uint number_6 = 0U;
-    float3  radiance_1 = _S1171;
-    float hole_7 = 0.0f;
+    uint _S1103 = uint(_S1102);
+    Components_0 points_1 = _S1101;
+    float central_weight_0 = 0.0f;
+    SurfacePoint_0 central_0 = _S1099;
+    float2  central_place_0 = _S1100;
+    uint number_5 = _S1103;
     for(;;)
     {
-        uint _S1172 = _S1166->lights_0;
-        if(number_6 < (U32_max((_S1166->lights_0), (1U))))
+        float _S1104 = float(number_5);
+        _S1084 = _S1086.points_0;
+        if(_S1104 < (_S1086.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        Light_0 _S1173 = slang_ldg_3((&(globalParams_0->lights_1)[number_6]));
-        Light_0 _S1174 = _S1173;
-        float3  irradiance_2;
-        float3  _S1175 = towards_light_0(&_S1174, _S1168->position_0, &irradiance_2);
-        float3  _S1176 = to_local_0(_S1168, _S1175);
-        Footprint_0 _S1177 = footprint_0;
-        Estimate_0 _S1178 = lobes_estimate_0(_S1167, &_S1177, 1.0f, _S1176, _S1170);
-        if(number_6 < _S1172)
+        bool _S1105 = number_5 == 0U;
+        float2  _S1106;
+        if(_S1105)
         {
-            Components_0 _S1179 = _S1178.components_0;
-            FamilyAlbedos_0 _S1180 = _S1178.albedos_4;
-            float3  _S1181 = composed_0(_S1167, &_S1179, &_S1180, _S1176, _S1170);
-            radiance_1 = radiance_1 + irradiance_2 * _S1181;
+            _S1106 = make_float2 (0.0f);
+        }
+        else
+        {
+            _S1106 = POINT_OFFSETS_0[number_5 - 1U];
+        }
+        float2  _S1107 = _S1100 + make_float2 (_S1106.x) * _S1080->dx_0 + make_float2 (_S1106.y) * _S1080->dy_0;
+        float _S1108;
+        if(_S1105)
+        {
+            _S1108 = 0.0f;
+        }
+        else
+        {
+            _S1108 = _S1086.threads_1;
+        }
+        SearchQuality_0 _S1109 = quality_of_0(_S1108);
+        float _S1110 = _S1107.x;
+        float _S1111 = _S1107.y;
+        SearchQuality_0 _S1112 = _S1109;
+        Hit_0 _S1113 = first_hit_0(_S1079, &_S1112, _S1110, _S1111, _S1088, _S1087);
+        SurfacePoint_0 _S1114 = surface_at_0(_S1079, _S1113.x_27, _S1113.y_16, _S1087);
+        if(_S1105)
+        {
+            float central_weight_1;
+            if(_S1113.hole_5)
+            {
+                central_weight_1 = 0.0f;
+            }
+            else
+            {
+                central_weight_1 = _S1097;
+            }
+            float2  central_place_1 = make_float2 (_S1113.x_27, _S1113.y_16);
+            (&box_0)->centre_0 = lerp_2(_S1100, central_place_1, make_float2 (central_weight_1));
+            central_weight_0 = central_weight_1;
+            central_0 = _S1114;
+            central_place_0 = central_place_1;
+            number_5 = number_5 + 1U;
+            continue;
+        }
+        SurfacePoint_0 _S1115 = _S1114;
+        YarnPoint_0 _S1116 = yarn_point_of_0(_S1079, &_S1115, _S1113.x_27, _S1113.y_16, _S1087, _S1113.hole_5);
+        SearchQuality_0 _S1117 = _S1109;
+        YarnPoint_0 _S1118 = _S1116;
+        Components_0 _S1119 = components_of_point_0(_S1079, &_S1117, &_S1118, _S1082, _S1083);
+        float _S1120 = (F32_min((_S1086.points_0 - float(number_5 - 1U)), (1.0f)));
+        Components_0 _S1121 = points_1;
+        Components_0 _S1122 = _S1119;
+        Components_0 _S1123 = with_added_0(&_S1121, &_S1122, _S1120);
+        points_1 = _S1123;
+        number_5 = number_5 + 1U;
+    }
+    Estimate_0 estimate_0;
+    float _S1124 = _S1097 / (F32_max((_S1084), (1.0f)));
+    Components_0 _S1125 = _S1101;
+    Components_0 _S1126 = points_1;
+    Components_0 _S1127 = with_added_0(&_S1125, &_S1126, _S1124);
+    (&estimate_0)->components_0 = _S1127;
+    if((_S1086.prefiltered_0) > 0.0f)
+    {
+        Components_0 _S1128 = prefiltered_components_0(_S1079, _S1080, to_face_frame_0(_S1082, _S1087), _S1088, _S1087);
+        Components_0 _S1129 = (&estimate_0)->components_0;
+        Components_0 _S1130 = _S1128;
+        Components_0 _S1131 = with_added_0(&_S1129, &_S1130, _S1086.prefiltered_0);
+        (&estimate_0)->components_0 = _S1131;
+    }
+    Footprint_0 _S1132 = box_0;
+    FamilyAlbedos_0 _S1133 = albedos_over_0(_S1079, &_S1132, _S1087);
+    (&estimate_0)->albedos_4 = _S1133;
+    if(_S1090)
+    {
+        _S1090 = central_weight_0 > 0.0f;
+    }
+    else
+    {
+        _S1090 = false;
+    }
+    if(_S1090)
+    {
+        SurfacePoint_0 _S1134 = central_0;
+        Albedos_0 _S1135;
+        if(central_0.is_warp_0)
+        {
+            _S1135 = (&(&estimate_0)->albedos_4)->warp_2;
+        }
+        else
+        {
+            _S1135 = (&(&estimate_0)->albedos_4)->weft_2;
+        }
+        float _S1136 = central_place_0.x;
+        float _S1137 = central_place_0.y;
+        SurfacePoint_0 _S1138 = central_0;
+        Albedos_0 _S1139 = _S1135;
+        Albedos_0 _S1140 = varied_at_0(_S1079, &_S1138, &_S1139, _S1136, _S1137);
+        Albedos_0 _S1141 = _S1135;
+        Albedos_0 _S1142 = _S1140;
+        Albedos_0 _S1143 = lerp_albedos_0(&_S1141, &_S1142, central_weight_0);
+        if(_S1134.is_warp_0)
+        {
+            (&(&estimate_0)->albedos_4)->warp_2 = _S1143;
+        }
+        else
+        {
+            (&(&estimate_0)->albedos_4)->weft_2 = _S1143;
+        }
+    }
+    return estimate_0;
+}
+
+__device__ float3  composed_0(uint _S1144, Components_0 * _S1145, FamilyAlbedos_0 * _S1146, float3  _S1147, float3  _S1148)
+{
+    Fabric_0 * _S1149 = (&(globalParams_0->fabrics_0)[_S1144]);
+    float _S1150 = _S1145->diffuse_warp_0;
+    float _S1151 = _S1145->diffuse_weft_0;
+    float _S1152 = _S1145->specular_warp_0;
+    float _S1153 = _S1145->specular_weft_0;
+    float3  _S1154 = (&_S1146->warp_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_warp_0) + (&_S1146->weft_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_weft_0) + (&_S1146->warp_2)->specular_reflect_0 * make_float3 (_S1145->specular_warp_0) + (&_S1146->weft_2)->specular_reflect_0 * make_float3 (_S1145->specular_weft_0);
+    float _S1155 = _S1148.z;
+    float3  body_0;
+    if((_S1147.z * _S1155) < 0.0f)
+    {
+        body_0 = (&_S1146->warp_2)->diffuse_transmit_0 * make_float3 (_S1150) + (&_S1146->weft_2)->diffuse_transmit_0 * make_float3 (_S1151) + (&_S1146->warp_2)->specular_transmit_0 * make_float3 (_S1152) + (&_S1146->weft_2)->specular_transmit_0 * make_float3 (_S1153);
+    }
+    else
+    {
+        body_0 = _S1154;
+    }
+    float _S1156 = __ldg(&_S1149->sheen_strength_0);
+    if(_S1156 <= 0.0f)
+    {
+        return body_0;
+    }
+    bool _S1157 = _S1155 < 0.0f;
+    float3  _S1158 = to_face_frame_0(_S1147, _S1157);
+    float3  _S1159 = to_face_frame_0(_S1148, _S1157);
+    float _S1160 = __ldg(&_S1149->sheen_roughness_0);
+    float2  _S1161 = sheen_with_transmittance_0(_S1158, _S1159, _S1156, _S1160);
+    return make_float3 (_S1161.y) * body_0 + make_float3 ((_S1145->light_visibility_1 + _S1145->hole_2) * _S1161.x);
+}
+
+__device__ float4  light_of_footprint_0(Frame_0 * _S1162, uint _S1163, VisiblePoint_0 * _S1164)
+{
+    Fabric_0 * _S1165 = (&(globalParams_0->fabrics_0)[_S1163]);
+    Footprint_0 footprint_0;
+    (&footprint_0)->centre_0 = _S1164->draft_0;
+    (&footprint_0)->dx_0 = _S1164->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1164->draft_dy_0;
+    float3  _S1166 = to_local_0(_S1164, _S1164->view_0);
+    float3  _S1167 = make_float3 (0.0f);
+    uint number_6 = 0U;
+    float3  radiance_1 = _S1167;
+    float hole_7 = 0.0f;
+    for(;;)
+    {
+        uint _S1168 = _S1162->lights_0;
+        if(number_6 < (U32_max((_S1162->lights_0), (1U))))
+        {
+        }
+        else
+        {
+            break;
+        }
+        Light_0 _S1169 = slang_ldg_3((&(globalParams_0->lights_1)[number_6]));
+        Light_0 _S1170 = _S1169;
+        float3  irradiance_2;
+        float3  _S1171 = towards_light_0(&_S1170, _S1164->position_0, &irradiance_2);
+        float3  _S1172 = to_local_0(_S1164, _S1171);
+        Footprint_0 _S1173 = footprint_0;
+        Estimate_0 _S1174 = lobes_estimate_0(_S1163, &_S1173, 1.0f, _S1172, _S1166);
+        if(number_6 < _S1168)
+        {
+            Components_0 _S1175 = _S1174.components_0;
+            FamilyAlbedos_0 _S1176 = _S1174.albedos_4;
+            float3  _S1177 = composed_0(_S1163, &_S1175, &_S1176, _S1172, _S1166);
+            radiance_1 = radiance_1 + irradiance_2 * _S1177;
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S1178.components_0.hole_2;
+        hole_7 = _S1174.components_0.hole_2;
     }
-    float _S1182 = __ldg(&_S1169->sheen_strength_0);
-    if(_S1182 > 0.0f)
+    float _S1178 = __ldg(&_S1165->sheen_strength_0);
+    if(_S1178 > 0.0f)
     {
-        float _S1183 = (F32_abs((_S1170.z)));
-        float _S1184 = __ldg(&_S1169->sheen_roughness_0);
-        hole_7 = hole_7 * (1.0f - _S1182 * sheen_lobe_0(_S1183, _S1184).z);
+        float _S1179 = (F32_abs((_S1166.z)));
+        float _S1180 = __ldg(&_S1165->sheen_roughness_0);
+        hole_7 = hole_7 * (1.0f - _S1178 * sheen_lobe_0(_S1179, _S1180).z);
     }
     return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - hole_7);
 }
 
 extern "C" __global__ void shade_lobes()
 {
-    uint3  _S1185 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S1186 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S1187;
-    if((_S1185.x) >= (_S1186.width_0))
+    uint3  _S1181 = blockIdx * blockDim + threadIdx;
+    Frame_0 _S1182 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
+    bool _S1183;
+    if((_S1181.x) >= (_S1182.width_0))
     {
-        _S1187 = true;
+        _S1183 = true;
     }
     else
     {
-        _S1187 = (_S1185.y) >= (_S1186.height_0);
+        _S1183 = (_S1181.y) >= (_S1182.height_0);
     }
-    if(_S1187)
+    if(_S1183)
     {
         return;
     }
-    uint2  _S1188 = uint2 {_S1185.x, _S1185.y};
-    int2  _S1189 = make_int2 ((int)_S1188.x, (int)_S1188.y);
-    int3  _S1190 = make_int3 (_S1189.x, _S1189.y, int(0));
-    uint _S1191 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S1190)).x, ((_S1190)).y, ((_S1190)).z));
-    float4  _S1192 = make_float4 (0.0f);
+    uint2  _S1184 = uint2 {_S1181.x, _S1181.y};
+    int2  _S1185 = make_int2 ((int)_S1184.x, (int)_S1184.y);
+    int3  _S1186 = make_int3 (_S1185.x, _S1185.y, int(0));
+    uint _S1187 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S1186)).x, ((_S1186)).y, ((_S1186)).z));
+    float4  _S1188 = make_float4 (0.0f);
     float4  sum_1;
-    if(_S1191 > 0U)
+    if(_S1187 > 0U)
     {
-        uint _S1193 = _S1191 - 1U;
-        uint _S1194 = __ldg((&(globalParams_0->face_fabrics_0)[_S1193]));
-        Frame_0 _S1195 = _S1186;
-        VisiblePoint_0 _S1196 = visible_point_0(&_S1195, _S1194, _S1193, _S1188);
-        Frame_0 _S1197 = _S1186;
-        VisiblePoint_0 _S1198 = _S1196;
-        float4  _S1199 = light_of_footprint_0(&_S1197, _S1194, &_S1198);
-        sum_1 = _S1199;
+        uint _S1189 = _S1187 - 1U;
+        uint _S1190 = __ldg((&(globalParams_0->face_fabrics_0)[_S1189]));
+        Frame_0 _S1191 = _S1182;
+        VisiblePoint_0 _S1192 = visible_point_0(&_S1191, _S1190, _S1189, _S1184);
+        Frame_0 _S1193 = _S1182;
+        VisiblePoint_0 _S1194 = _S1192;
+        float4  _S1195 = light_of_footprint_0(&_S1193, _S1190, &_S1194);
+        sum_1 = _S1195;
     }
     else
     {
-        sum_1 = _S1192;
+        sum_1 = _S1188;
     }
-    Frame_0 _S1200 = _S1186;
-    accumulate_0(&_S1200, _S1188, sum_1);
+    Frame_0 _S1196 = _S1182;
+    accumulate_0(&_S1196, _S1184, sum_1);
     return;
 }
 

@@ -173,7 +173,7 @@ vec3 saturate_0(vec3 x_2)
     return clamp(x_2, vec3(0.0), vec3(1.0));
 }
 
-const vec2  TAP_OFFSETS_0[9] = vec2[](vec2(0.0, 0.0), vec2(-0.3333333432674408, -0.3333333432674408), vec2(0.3333333432674408, 0.3333333432674408), vec2(0.3333333432674408, -0.3333333432674408), vec2(-0.3333333432674408, 0.3333333432674408), vec2(0.0, 0.3333333432674408), vec2(0.0, -0.3333333432674408), vec2(0.3333333432674408, 0.0), vec2(-0.3333333432674408, 0.0));
+const vec2  TAP_OFFSETS_0[9] = vec2[](vec2(-0.3333333432674408, -0.3333333432674408), vec2(-0.3333333432674408, 0.0), vec2(-0.3333333432674408, 0.3333333432674408), vec2(0.0, -0.3333333432674408), vec2(0.0, 0.0), vec2(0.0, 0.3333333432674408), vec2(0.3333333432674408, -0.3333333432674408), vec2(0.3333333432674408, 0.0), vec2(0.3333333432674408, 0.3333333432674408));
 const float  PYRAMID_RADII_0[4] = float[](1.0, 2.0, 4.0, 8.0);
 const vec2  POINT_OFFSETS_0[8] = vec2[](vec2(0.0, 0.0), vec2(-0.23010000586509705, 0.35670000314712524), vec2(0.36809998750686646, -0.22939999401569366), vec2(-0.28040000796318054, -0.34400001168251038), vec2(0.3465999960899353, 0.28859999775886536), vec2(-0.36349999904632568, 0.0511000007390976), vec2(0.09929999709129333, -0.35699999332427979), vec2(0.10710000246763229, 0.32879999279975891));
 vec3 position_of_0(Vertex_0 vertex_0)
@@ -365,7 +365,7 @@ SearchQuality_0 quality_of_0(float threads_0)
     float _S11 = mix(2.5, 5.0, _S10);
     quality_0.steps_per_thread_0 = _S11;
     quality_0.steps_per_relief_0 = _S11;
-    quality_0.shadow_share_0 = mix(0.94999998807907104, 1.0, _S10);
+    quality_0.shadow_share_0 = mix(1.60000002384185791, 1.0, _S10);
     quality_0.refinements_0 = uint(mix(1.0, 2.0, _S10) + 0.5);
     return quality_0;
 }
@@ -1417,17 +1417,17 @@ struct NodeTaps_0
 
 NodeTaps_0 node_taps_0(vec3 direction_4)
 {
-    float _S125 = arc_tangent_0(direction_4.y, direction_4.x) * 2.5464789867401123;
+    float _S125 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461;
     float _S126 = floor(_S125);
     float _S127 = _S125 - _S126;
     float _S128 = sqrt(clamp((1.0 - abs(direction_4.z)) / 0.97000002861022949, 0.0, 1.0));
     float _S129 = 7.0 * _S128 * sqrt(_S128);
     float _S130 = min(floor(_S129), 6.0);
     float _S131 = _S129 - _S130;
-    uint _S132 = uint(int(_S126) + 16) % 16U;
+    uint _S132 = uint(int(_S126) + 32) % 32U;
     uint _S133 = uint(_S130);
     uint _S134 = _S132 * 8U + _S133;
-    uint _S135 = (_S132 + 1U) % 16U * 8U + _S133;
+    uint _S135 = (_S132 + 1U) % 32U * 8U + _S133;
     NodeTaps_0 taps_0;
     taps_0.nodes_0 = uvec4(_S134, _S134 + 1U, _S135, _S135 + 1U);
     float _S136 = 1.0 - _S127;
@@ -1444,16 +1444,16 @@ vec3 half_vector_0(vec3 light_5, vec3 view_4)
     return _S139 * (inversesqrt((max(square_0(_S139), 9.999999960041972e-13))));
 }
 
-vec2 shadow_correlation_0(vec3 light_6, vec3 view_5)
+vec3 shadow_correlation_0(vec3 light_6, vec3 view_5)
 {
     vec2 _S140 = light_6.xy;
     vec2 _S141 = view_5.xy;
     float _S142 = dot(_S140, _S141) / max(sqrt(dot(_S140, _S140) * dot(_S141, _S141)), 9.99999997475242708e-07);
     if((light_6.z) < 0.0)
     {
-        return vec2(-0.34999999403953552 + -0.20000000298023224 * _S142);
+        return vec3(vec2(-0.09000000357627869 + -0.07999999821186066 * _S142), 0.0);
     }
-    return vec2(min(0.5 + 0.69999998807907104 * _S142, 1.0), 0.89999997615814209);
+    return vec3(min(0.62000000476837158 + 0.62999999523162842 * _S142, 1.20000004768371582), 0.62000000476837158, 0.37000000476837158);
 }
 
 vec4 bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1499,9 +1499,9 @@ Group_0 group_at_0(uint row_1, float roughness_7)
     return group_0;
 }
 
-vec2 visibility_gain_0(vec2 correlations_0, float from_light_0, float from_view_0)
+vec2 visibility_gain_0(vec3 correlations_0, float from_light_0, float from_view_0)
 {
-    return max(correlations_0 * (1.0 / max(max(from_light_0, from_view_0), 0.00392156885936856) - 1.0) + 1.0, vec2(0.0));
+    return max(correlations_0.xy * (1.0 / max(max(from_light_0, from_view_0), 0.00392156885936856) - 1.0) + vec2(1.0 - correlations_0.z * (1.0 - from_light_0), 1.0), vec2(0.0));
 }
 
 float Group_variance_along_0(Group_0 this_5, vec3 direction_5)
@@ -3084,16 +3084,13 @@ CoverageTaps_0 coverage_taps_0(uint _S535, Footprint_0 _S536, bool _S537)
 {
     Lobes_0 _S538 = fabrics_0._data[uint(_S535)].lobes_0;
     float _S539 = Footprint_spread_side_0(_S536) * fabrics_0._data[uint(_S535)].lobes_0.inverse_base_size_0;
-    float _S540 = min(binary_logarithm_0(max(0.60000002384185791 * _S539, 1.0)), fabrics_0._data[uint(_S535)].lobes_0.last_level_0);
-    float _S541 = floor(_S540);
-    vec3 _S542 = pyramid_level_0(_S535, _S541);
-    vec3 _S543 = pyramid_level_0(_S535, _S541 + 1.0);
-    float _S544 = 1.0 / max(_S539, 9.99999997475242708e-07);
-    float _S545 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S544 * _S544), 0.0, 1.0)), 0.3333333432674408 * _S544), 1.0);
-    vec2 _S546 = vec2(families_0._data[uint(fabrics_0._data[uint(_S535)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S535)].weft_0)].inverse_period_0);
-    vec2 _S547 = _S536.centre_0 * _S546;
-    vec2 _S548 = _S536.dx_0 * _S546 * _S545;
-    vec2 _S549 = _S536.dy_0 * _S546 * _S545;
+    vec3 _S540 = pyramid_level_0(_S535, floor(binary_logarithm_0(max(0.68000000715255737 * _S539, 1.0))));
+    float _S541 = 1.0 / max(_S539, 9.99999997475242708e-07);
+    float _S542 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S541 * _S541), 0.0, 1.0)), 0.3333333432674408 * _S541), 1.0);
+    vec2 _S543 = vec2(families_0._data[uint(fabrics_0._data[uint(_S535)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S535)].weft_0)].inverse_period_0);
+    vec2 _S544 = _S536.centre_0 * _S543;
+    vec2 _S545 = _S536.dx_0 * _S543 * _S542;
+    vec2 _S546 = _S536.dy_0 * _S543 * _S542;
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3105,35 +3102,26 @@ CoverageTaps_0 coverage_taps_0(uint _S535, Footprint_0 _S536, bool _S537)
         {
             break;
         }
-        vec2 _S550 = _S547 + TAP_OFFSETS_0[number_1].x * _S548 + TAP_OFFSETS_0[number_1].y * _S549;
-        vec3 _S551;
-        if((_S540 - _S541) > (1.0 - (float(number_1) + 0.5) / 9.0))
-        {
-            _S551 = _S543;
-        }
-        else
-        {
-            _S551 = _S542;
-        }
-        float _S552 = _S551.y;
-        float _S553 = wrapped_cell_0(_S550.x, _S552);
-        float _S554 = wrapped_cell_0(_S550.y, _S551.z);
-        uint _S555;
+        vec2 _S547 = _S544 + TAP_OFFSETS_0[number_1].x * _S545 + TAP_OFFSETS_0[number_1].y * _S546;
+        float _S548 = _S540.y;
+        float _S549 = wrapped_cell_0(_S547.x, _S548);
+        float _S550 = wrapped_cell_0(_S547.y, _S540.z);
+        uint _S551;
         if(_S537)
         {
-            _S555 = _S538.face_nodes_0;
+            _S551 = _S538.face_nodes_0;
         }
         else
         {
-            _S555 = 0U;
+            _S551 = 0U;
         }
-        taps_3.nodes_1[number_1] = _S555 + uint(_S554 * _S552 + _S553 + _S551.x);
+        taps_3.nodes_1[number_1] = _S551 + uint(_S550 * _S548 + _S549 + _S540.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-vec4 coverage_of_pack_0(uint _S556, CoverageTaps_0 _S557, uint _S558)
+vec4 coverage_of_pack_0(uint _S552, CoverageTaps_0 _S553, uint _S554)
 {
     uint number_2 = 0U;
     uint even_1 = 0U;
@@ -3147,9 +3135,9 @@ vec4 coverage_of_pack_0(uint _S556, CoverageTaps_0 _S557, uint _S558)
         {
             break;
         }
-        uint _S559 = words_0._data[uint(fabrics_0._data[uint(_S556)].lobes_0.coverage_0 + _S557.nodes_1[number_2] * fabrics_0._data[uint(_S556)].lobes_0.packs_0 + _S558)];
-        uint even_2 = even_1 + (_S559 & 16711935U);
-        uint odd_2 = odd_1 + ((_S559 >> 8) & 16711935U);
+        uint _S555 = words_0._data[uint(fabrics_0._data[uint(_S552)].lobes_0.coverage_0 + _S553.nodes_1[number_2] * fabrics_0._data[uint(_S552)].lobes_0.packs_0 + _S554)];
+        uint even_2 = even_1 + (_S555 & 16711935U);
+        uint odd_2 = odd_1 + ((_S555 >> 8) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3157,7 +3145,7 @@ vec4 coverage_of_pack_0(uint _S556, CoverageTaps_0 _S557, uint _S558)
     return bytes_of_sums_0(even_1, odd_1) / 9.0;
 }
 
-float coverage_of_holes_0(uint _S560, CoverageTaps_0 _S561)
+float coverage_of_holes_0(uint _S556, CoverageTaps_0 _S557)
 {
     uint number_3 = 0U;
     uint total_0 = 0U;
@@ -3170,67 +3158,67 @@ float coverage_of_holes_0(uint _S560, CoverageTaps_0 _S561)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S560)].lobes_0.coverage_holes_0 + _S561.nodes_1[number_3] / 4U)]) >> (8U * (_S561.nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S556)].lobes_0.coverage_holes_0 + _S557.nodes_1[number_3] / 4U)]) >> (8U * (_S557.nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S562, CoverageTaps_0 _S563, NodeTaps_0 _S564, bool _S565)
+float prefiltered_hole_0(uint _S558, CoverageTaps_0 _S559, NodeTaps_0 _S560, bool _S561)
 {
-    Lobes_0 _S566 = fabrics_0._data[uint(_S562)].lobes_0;
-    float _S567 = interpolate_table_0(_S564, fabrics_0._data[uint(_S562)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S562)].lobes_0.packs_0, fabrics_0._data[uint(_S562)].lobes_0.packs_0 + 1U).x;
-    float _S568;
-    if(_S565)
+    Lobes_0 _S562 = fabrics_0._data[uint(_S558)].lobes_0;
+    float _S563 = interpolate_table_0(_S560, fabrics_0._data[uint(_S558)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S558)].lobes_0.packs_0, fabrics_0._data[uint(_S558)].lobes_0.packs_0 + 1U).x;
+    float _S564;
+    if(_S561)
     {
-        _S568 = _S566.back_hole_weight_0;
+        _S564 = _S562.back_hole_weight_0;
     }
     else
     {
-        _S568 = _S566.front_hole_weight_0;
+        _S564 = _S562.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S562, _S563) * _S567 * _S567 * _S568, 1.0);
+    return min(coverage_of_holes_0(_S558, _S559) * _S563 * _S563 * _S564, 1.0);
 }
 
-Components_0 prefiltered_components_0(uint _S569, Footprint_0 _S570, vec3 _S571, vec3 _S572, bool _S573)
+Components_0 prefiltered_components_0(uint _S565, Footprint_0 _S566, vec3 _S567, vec3 _S568, bool _S569)
 {
-    CoverageTaps_0 _S574 = coverage_taps_0(_S569, _S570, _S573);
-    NodeTaps_0 _S575 = node_taps_0(_S572);
-    NodeTaps_0 view_nodes_0 = _S575;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S571);
-    NodeTaps_0 seen_nodes_0 = _S575;
-    uint _S576;
-    if(_S573)
+    CoverageTaps_0 _S570 = coverage_taps_0(_S565, _S566, _S569);
+    NodeTaps_0 _S571 = node_taps_0(_S568);
+    NodeTaps_0 view_nodes_0 = _S571;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S567);
+    NodeTaps_0 seen_nodes_0 = _S571;
+    uint _S572;
+    if(_S569)
     {
-        _S576 = 1U;
+        _S572 = 1U;
     }
     else
     {
-        _S576 = 0U;
+        _S572 = 0U;
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S576 * 128U;
-    uint _S577 = 2U * _S576;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S577 * 128U;
-    uint _S578;
-    if((_S571.z) < 0.0)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S572 * 256U;
+    uint _S573 = 2U * _S572;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S573 * 256U;
+    uint _S574;
+    if((_S567.z) < 0.0)
     {
-        _S578 = 1U;
-    }
-    else
-    {
-        _S578 = 0U;
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S577 + _S578) * 128U;
-    vec3 _S579 = half_vector_0(_S571, _S572);
-    vec2 _S580 = shadow_correlation_0(_S571, _S572);
-    if(_S573)
-    {
-        _S578 = fabrics_0._data[uint(_S569)].lobes_0.back_warp_packs_0;
+        _S574 = 1U;
     }
     else
     {
-        _S578 = fabrics_0._data[uint(_S569)].lobes_0.front_warp_packs_0;
+        _S574 = 0U;
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S573 + _S574) * 256U;
+    vec3 _S575 = half_vector_0(_S567, _S568);
+    vec3 _S576 = shadow_correlation_0(_S567, _S568);
+    if(_S569)
+    {
+        _S574 = fabrics_0._data[uint(_S565)].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S574 = fabrics_0._data[uint(_S565)].lobes_0.front_warp_packs_0;
     }
     Components_0 sums_1;
     sums_1.diffuse_warp_0 = 0.0;
@@ -3242,31 +3230,31 @@ Components_0 prefiltered_components_0(uint _S569, Footprint_0 _S570, vec3 _S571,
     float total_2 = 0.0;
     for(;;)
     {
-        Lobes_0 _S581 = fabrics_0._data[uint(_S569)].lobes_0;
-        if(pack_0 < (fabrics_0._data[uint(_S569)].lobes_0.packs_0))
+        Lobes_0 _S577 = fabrics_0._data[uint(_S565)].lobes_0;
+        if(pack_0 < (fabrics_0._data[uint(_S565)].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        vec4 _S582 = coverage_of_pack_0(_S569, _S574, pack_0);
-        vec4 _S583 = interpolate_table_0(view_nodes_0, _S581.projected_area_0 + pack_0, _S581.packs_0 + 1U);
-        uint _S584 = _S581.light_visibility_0 + pack_0;
-        vec4 _S585 = interpolate_table_0(seen_nodes_0, _S584, _S581.packs_0) / 255.0;
-        vec4 _S586 = interpolate_table_0(light_nodes_0, _S584, _S581.packs_0) / 255.0;
-        vec4 _S587 = interpolate_table_0(light_nodes_0, _S581.irradiance_0 + pack_0, _S581.packs_0) * 0.00124827399849892;
-        bool _S588 = pack_0 < _S578;
-        uint _S589;
-        if(_S588)
+        vec4 _S578 = coverage_of_pack_0(_S565, _S570, pack_0);
+        vec4 _S579 = interpolate_table_0(view_nodes_0, _S577.projected_area_0 + pack_0, _S577.packs_0 + 1U);
+        uint _S580 = _S577.light_visibility_0 + pack_0;
+        vec4 _S581 = interpolate_table_0(seen_nodes_0, _S580, _S577.packs_0) / 255.0;
+        vec4 _S582 = interpolate_table_0(light_nodes_0, _S580, _S577.packs_0) / 255.0;
+        vec4 _S583 = interpolate_table_0(light_nodes_0, _S577.irradiance_0 + pack_0, _S577.packs_0) * 0.00124827399849892;
+        bool _S584 = pack_0 < _S574;
+        uint _S585;
+        if(_S584)
         {
-            _S589 = fabrics_0._data[uint(_S569)].warp_0;
+            _S585 = fabrics_0._data[uint(_S565)].warp_0;
         }
         else
         {
-            _S589 = fabrics_0._data[uint(_S569)].weft_0;
+            _S585 = fabrics_0._data[uint(_S565)].weft_0;
         }
-        Family_0 _S590 = families_0._data[uint(_S589)];
+        Family_0 _S586 = families_0._data[uint(_S585)];
         uint number_4 = 0U;
         float diffuse_0 = 0.0;
         float specular_0 = 0.0;
@@ -3279,273 +3267,273 @@ Components_0 prefiltered_components_0(uint _S569, Footprint_0 _S570, vec3 _S571,
             {
                 break;
             }
-            Group_0 _S591 = group_at_0(_S581.moments_0 + 12U * (4U * (_S576 * _S581.packs_0 + pack_0) + number_4), _S590.roughness_0);
-            float _S592 = _S582[number_4] * _S583[number_4] * _S583[number_4] * _S591.weight_1;
-            vec2 _S593 = visibility_gain_0(_S580, _S586[number_4], _S585[number_4]);
-            float _S594 = _S593.x;
-            float diffuse_1 = diffuse_0 + _S592 * _S587[number_4] * _S594;
-            float specular_1 = specular_0 + _S592 * layer_value_0(_S591, _S579, _S571, _S572, fabrics_0._data[uint(_S569)].optical_depth_0) * _S586[number_4] * _S593.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S592 * _S586[number_4] * _S594;
-            float total_3 = total_2 + _S592;
+            Group_0 _S587 = group_at_0(_S577.moments_0 + 12U * (4U * (_S572 * _S577.packs_0 + pack_0) + number_4), _S586.roughness_0);
+            float _S588 = _S578[number_4] * _S579[number_4] * _S579[number_4] * _S587.weight_1;
+            vec2 _S589 = visibility_gain_0(_S576, _S582[number_4], _S581[number_4]);
+            float _S590 = _S589.x;
+            float diffuse_1 = diffuse_0 + _S588 * _S583[number_4] * _S590;
+            float specular_1 = specular_0 + _S588 * layer_value_0(_S587, _S575, _S567, _S568, fabrics_0._data[uint(_S565)].optical_depth_0) * _S582[number_4] * _S589.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S588 * _S582[number_4] * _S590;
+            float total_3 = total_2 + _S588;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S595;
-        if(_S588)
+        float _S591;
+        if(_S584)
         {
-            _S595 = diffuse_0;
+            _S591 = diffuse_0;
         }
         else
         {
-            _S595 = 0.0;
+            _S591 = 0.0;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S595;
-        float _S596;
-        if(_S588)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S591;
+        float _S592;
+        if(_S584)
         {
-            _S596 = 0.0;
+            _S592 = 0.0;
         }
         else
         {
-            _S596 = diffuse_0;
+            _S592 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S596;
-        float _S597;
-        if(_S588)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S592;
+        float _S593;
+        if(_S584)
         {
-            _S597 = specular_0;
+            _S593 = specular_0;
         }
         else
         {
-            _S597 = 0.0;
+            _S593 = 0.0;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S597;
-        float _S598;
-        if(_S588)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S593;
+        float _S594;
+        if(_S584)
         {
-            _S598 = 0.0;
+            _S594 = 0.0;
         }
         else
         {
-            _S598 = specular_0;
+            _S594 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S598;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S594;
         pack_0 = pack_0 + 1U;
     }
-    float _S599 = prefiltered_hole_0(_S569, _S574, view_nodes_0, _S573);
-    sums_1.hole_2 = _S599;
-    float _S600 = (1.0 - _S599) / max(total_2, 9.999999960041972e-13);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S600;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S600;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S600;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S600;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S600;
+    float _S595 = prefiltered_hole_0(_S565, _S570, view_nodes_0, _S569);
+    sums_1.hole_2 = _S595;
+    float _S596 = (1.0 - _S595) / max(total_2, 9.999999960041972e-13);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S596;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S596;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S596;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S596;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S596;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S601, Footprint_0 _S602, bool _S603)
+FamilyAlbedos_0 albedos_over_0(uint _S597, Footprint_0 _S598, bool _S599)
 {
-    vec2 _S604 = _S602.dx_0;
-    vec2 _S605 = _S602.dy_0;
-    vec2 _S606 = sqrt(_S604 * _S604 + _S605 * _S605);
-    Stretch_0 _S607 = stretch_of_0(fabrics_0._data[uint(_S601)].warp_0, _S602.centre_0.x, _S606.x);
-    Stretch_0 _S608 = stretch_of_0(fabrics_0._data[uint(_S601)].weft_0, _S602.centre_0.y, _S606.y);
+    vec2 _S600 = _S598.dx_0;
+    vec2 _S601 = _S598.dy_0;
+    vec2 _S602 = sqrt(_S600 * _S600 + _S601 * _S601);
+    Stretch_0 _S603 = stretch_of_0(fabrics_0._data[uint(_S597)].warp_0, _S598.centre_0.x, _S602.x);
+    Stretch_0 _S604 = stretch_of_0(fabrics_0._data[uint(_S597)].weft_0, _S598.centre_0.y, _S602.y);
     FamilyAlbedos_0 albedos_8;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S601)].warp_0, fabrics_0._data[uint(_S601)].weft_0, _S607, _S608, _S603);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S601)].weft_0, fabrics_0._data[uint(_S601)].warp_0, _S608, _S607, _S603);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S597)].warp_0, fabrics_0._data[uint(_S597)].weft_0, _S603, _S604, _S599);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S597)].weft_0, fabrics_0._data[uint(_S597)].warp_0, _S604, _S603, _S599);
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_0(uint _S609, Footprint_0 _S610, float _S611, vec3 _S612, vec3 _S613)
+Estimate_0 lobes_estimate_0(uint _S605, Footprint_0 _S606, float _S607, vec3 _S608, vec3 _S609)
 {
-    float _S614;
-    Regime_0 _S615 = regime_of_0(_S609, _S610, _S611);
-    bool _S616 = (_S613.z) < 0.0;
-    vec3 _S617 = to_face_frame_0(_S613, _S616);
-    bool _S618;
-    if((fabrics_0._data[uint(_S609)].fibre_noise_0) > 0.0)
+    float _S610;
+    Regime_0 _S611 = regime_of_0(_S605, _S606, _S607);
+    bool _S612 = (_S609.z) < 0.0;
+    vec3 _S613 = to_face_frame_0(_S609, _S612);
+    bool _S614;
+    if((fabrics_0._data[uint(_S605)].fibre_noise_0) > 0.0)
     {
-        _S618 = true;
+        _S614 = true;
     }
     else
     {
-        _S618 = (fabrics_0._data[uint(_S609)].colour_noise_0) > 0.0;
+        _S614 = (fabrics_0._data[uint(_S605)].colour_noise_0) > 0.0;
     }
-    bool _S619;
-    if((families_0._data[uint(fabrics_0._data[uint(_S609)].warp_0)].quantities_0) > 1U)
+    bool _S615;
+    if((families_0._data[uint(fabrics_0._data[uint(_S605)].warp_0)].quantities_0) > 1U)
     {
-        _S619 = true;
+        _S615 = true;
     }
     else
     {
-        _S619 = (families_0._data[uint(fabrics_0._data[uint(_S609)].weft_0)].quantities_0) > 1U;
+        _S615 = (families_0._data[uint(fabrics_0._data[uint(_S605)].weft_0)].quantities_0) > 1U;
     }
-    float _S620 = 1.0 - _S615.prefiltered_0;
-    if(_S620 > 0.0)
+    float _S616 = 1.0 - _S611.prefiltered_0;
+    if(_S616 > 0.0)
     {
-        if(_S618)
+        if(_S614)
         {
-            _S619 = true;
+            _S615 = true;
         }
     }
     else
     {
-        _S619 = false;
+        _S615 = false;
     }
-    Footprint_0 box_0 = _S610;
-    const vec3 _S621 = vec3(0.0);
-    SurfacePoint_0 _S622 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S621, _S621, 0.0, 0.0, 0.0);
-    Components_0 _S623 = no_components_0();
-    int _S624;
-    if(_S619)
+    Footprint_0 box_0 = _S606;
+    const vec3 _S617 = vec3(0.0);
+    SurfacePoint_0 _S618 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S617, _S617, 0.0, 0.0, 0.0);
+    Components_0 _S619 = no_components_0();
+    int _S620;
+    if(_S615)
     {
-        _S624 = 0;
+        _S620 = 0;
     }
     else
     {
-        _S624 = 1;
+        _S620 = 1;
     }
-    uint _S625 = uint(_S624);
-    Components_0 points_1 = _S623;
+    uint _S621 = uint(_S620);
+    Components_0 points_1 = _S619;
     float central_weight_0 = 0.0;
-    SurfacePoint_0 central_0 = _S622;
-    vec2 central_place_0 = _S610.centre_0;
-    uint number_5 = _S625;
+    SurfacePoint_0 central_0 = _S618;
+    vec2 central_place_0 = _S606.centre_0;
+    uint number_5 = _S621;
     for(;;)
     {
-        float _S626 = float(number_5);
-        _S614 = _S615.points_0;
-        if(_S626 < (_S615.points_0 + 1.0))
+        float _S622 = float(number_5);
+        _S610 = _S611.points_0;
+        if(_S622 < (_S611.points_0 + 1.0))
         {
         }
         else
         {
             break;
         }
-        bool _S627 = number_5 == 0U;
-        vec2 _S628;
-        if(_S627)
+        bool _S623 = number_5 == 0U;
+        vec2 _S624;
+        if(_S623)
         {
-            _S628 = vec2(0.0);
+            _S624 = vec2(0.0);
         }
         else
         {
-            _S628 = POINT_OFFSETS_0[number_5 - 1U];
+            _S624 = POINT_OFFSETS_0[number_5 - 1U];
         }
-        vec2 _S629 = _S610.centre_0 + _S628.x * _S610.dx_0 + _S628.y * _S610.dy_0;
-        float _S630;
-        if(_S627)
+        vec2 _S625 = _S606.centre_0 + _S624.x * _S606.dx_0 + _S624.y * _S606.dy_0;
+        float _S626;
+        if(_S623)
         {
-            _S630 = 0.0;
+            _S626 = 0.0;
         }
         else
         {
-            _S630 = _S615.threads_1;
+            _S626 = _S611.threads_1;
         }
-        SearchQuality_0 _S631 = quality_of_0(_S630);
-        Hit_0 _S632 = first_hit_0(_S609, _S631, _S629.x, _S629.y, _S617, _S616);
-        SurfacePoint_0 _S633 = surface_at_0(_S609, _S632.x_13, _S632.y_7, _S616);
-        if(_S627)
+        SearchQuality_0 _S627 = quality_of_0(_S626);
+        Hit_0 _S628 = first_hit_0(_S605, _S627, _S625.x, _S625.y, _S613, _S612);
+        SurfacePoint_0 _S629 = surface_at_0(_S605, _S628.x_13, _S628.y_7, _S612);
+        if(_S623)
         {
             float central_weight_1;
-            if(_S632.hole_5)
+            if(_S628.hole_5)
             {
                 central_weight_1 = 0.0;
             }
             else
             {
-                central_weight_1 = _S620;
+                central_weight_1 = _S616;
             }
-            vec2 central_place_1 = vec2(_S632.x_13, _S632.y_7);
-            box_0.centre_0 = mix(_S610.centre_0, central_place_1, vec2(central_weight_1));
+            vec2 central_place_1 = vec2(_S628.x_13, _S628.y_7);
+            box_0.centre_0 = mix(_S606.centre_0, central_place_1, vec2(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S633;
+            central_0 = _S629;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S609, _S631, yarn_point_of_0(_S609, _S633, _S632.x_13, _S632.y_7, _S616, _S632.hole_5), _S612, _S613), min(_S615.points_0 - float(number_5 - 1U), 1.0));
+        points_1 = with_added_0(points_1, components_of_point_0(_S605, _S627, yarn_point_of_0(_S605, _S629, _S628.x_13, _S628.y_7, _S612, _S628.hole_5), _S608, _S609), min(_S611.points_0 - float(number_5 - 1U), 1.0));
         number_5 = number_5 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S623, points_1, _S620 / max(_S614, 1.0));
-    if((_S615.prefiltered_0) > 0.0)
+    estimate_0.components_0 = with_added_0(_S619, points_1, _S616 / max(_S610, 1.0));
+    if((_S611.prefiltered_0) > 0.0)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S609, _S610, to_face_frame_0(_S612, _S616), _S617, _S616), _S615.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S605, _S606, to_face_frame_0(_S608, _S612), _S613, _S612), _S611.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S609, box_0, _S616);
-    if(_S618)
+    estimate_0.albedos_4 = albedos_over_0(_S605, box_0, _S612);
+    if(_S614)
     {
-        _S618 = central_weight_0 > 0.0;
+        _S614 = central_weight_0 > 0.0;
     }
     else
     {
-        _S618 = false;
+        _S614 = false;
     }
-    if(_S618)
+    if(_S614)
     {
-        SurfacePoint_0 _S634 = central_0;
-        Albedos_0 _S635;
+        SurfacePoint_0 _S630 = central_0;
+        Albedos_0 _S631;
         if(central_0.is_warp_0)
         {
-            _S635 = estimate_0.albedos_4.warp_2;
+            _S631 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S635 = estimate_0.albedos_4.weft_2;
+            _S631 = estimate_0.albedos_4.weft_2;
         }
-        Albedos_0 _S636 = lerp_albedos_0(_S635, varied_at_0(_S609, central_0, _S635, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S634.is_warp_0)
+        Albedos_0 _S632 = lerp_albedos_0(_S631, varied_at_0(_S605, central_0, _S631, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S630.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S636;
+            estimate_0.albedos_4.warp_2 = _S632;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S636;
+            estimate_0.albedos_4.weft_2 = _S632;
         }
     }
     return estimate_0;
 }
 
-vec3 composed_0(uint _S637, Components_0 _S638, FamilyAlbedos_0 _S639, vec3 _S640, vec3 _S641)
+vec3 composed_0(uint _S633, Components_0 _S634, FamilyAlbedos_0 _S635, vec3 _S636, vec3 _S637)
 {
-    vec3 _S642 = _S639.warp_2.diffuse_reflect_0 * _S638.diffuse_warp_0 + _S639.weft_2.diffuse_reflect_0 * _S638.diffuse_weft_0 + _S639.warp_2.specular_reflect_0 * _S638.specular_warp_0 + _S639.weft_2.specular_reflect_0 * _S638.specular_weft_0;
-    float _S643 = _S641.z;
+    vec3 _S638 = _S635.warp_2.diffuse_reflect_0 * _S634.diffuse_warp_0 + _S635.weft_2.diffuse_reflect_0 * _S634.diffuse_weft_0 + _S635.warp_2.specular_reflect_0 * _S634.specular_warp_0 + _S635.weft_2.specular_reflect_0 * _S634.specular_weft_0;
+    float _S639 = _S637.z;
     vec3 body_0;
-    if((_S640.z * _S643) < 0.0)
+    if((_S636.z * _S639) < 0.0)
     {
-        body_0 = _S639.warp_2.diffuse_transmit_0 * _S638.diffuse_warp_0 + _S639.weft_2.diffuse_transmit_0 * _S638.diffuse_weft_0 + _S639.warp_2.specular_transmit_0 * _S638.specular_warp_0 + _S639.weft_2.specular_transmit_0 * _S638.specular_weft_0;
+        body_0 = _S635.warp_2.diffuse_transmit_0 * _S634.diffuse_warp_0 + _S635.weft_2.diffuse_transmit_0 * _S634.diffuse_weft_0 + _S635.warp_2.specular_transmit_0 * _S634.specular_warp_0 + _S635.weft_2.specular_transmit_0 * _S634.specular_weft_0;
     }
     else
     {
-        body_0 = _S642;
+        body_0 = _S638;
     }
-    float _S644 = fabrics_0._data[uint(_S637)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S637)].sheen_strength_0) <= 0.0)
+    float _S640 = fabrics_0._data[uint(_S633)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S633)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S645 = _S643 < 0.0;
-    vec2 _S646 = sheen_with_transmittance_0(to_face_frame_0(_S640, _S645), to_face_frame_0(_S641, _S645), _S644, fabrics_0._data[uint(_S637)].sheen_roughness_0);
-    return _S646.y * body_0 + (_S638.light_visibility_1 + _S638.hole_2) * _S646.x;
+    bool _S641 = _S639 < 0.0;
+    vec2 _S642 = sheen_with_transmittance_0(to_face_frame_0(_S636, _S641), to_face_frame_0(_S637, _S641), _S640, fabrics_0._data[uint(_S633)].sheen_roughness_0);
+    return _S642.y * body_0 + (_S634.light_visibility_1 + _S634.hole_2) * _S642.x;
 }
 
-vec4 light_of_footprint_0(Frame_0 _S647, uint _S648, VisiblePoint_0 _S649)
+vec4 light_of_footprint_0(Frame_0 _S643, uint _S644, VisiblePoint_0 _S645)
 {
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S649.draft_0;
-    footprint_0.dx_0 = _S649.draft_dx_0;
-    footprint_0.dy_0 = _S649.draft_dy_0;
-    vec3 _S650 = to_local_0(_S649, _S649.view_0);
-    const vec3 _S651 = vec3(0.0);
+    footprint_0.centre_0 = _S645.draft_0;
+    footprint_0.dx_0 = _S645.draft_dx_0;
+    footprint_0.dy_0 = _S645.draft_dy_0;
+    vec3 _S646 = to_local_0(_S645, _S645.view_0);
+    const vec3 _S647 = vec3(0.0);
     uint number_6 = 0U;
-    vec3 radiance_1 = _S651;
+    vec3 radiance_1 = _S647;
     float hole_7 = 0.0;
     for(;;)
     {
-        if(number_6 < (max(_S647.lights_0, 1U)))
+        if(number_6 < (max(_S643.lights_0, 1U)))
         {
         }
         else
@@ -3553,20 +3541,20 @@ vec4 light_of_footprint_0(Frame_0 _S647, uint _S648, VisiblePoint_0 _S649)
             break;
         }
         vec3 irradiance_2;
-        vec3 _S652 = towards_light_0(lights_1._data[uint(number_6)], _S649.position_0, irradiance_2);
-        vec3 _S653 = to_local_0(_S649, _S652);
-        Estimate_0 _S654 = lobes_estimate_0(_S648, footprint_0, 1.0, _S653, _S650);
-        if(number_6 < (_S647.lights_0))
+        vec3 _S648 = towards_light_0(lights_1._data[uint(number_6)], _S645.position_0, irradiance_2);
+        vec3 _S649 = to_local_0(_S645, _S648);
+        Estimate_0 _S650 = lobes_estimate_0(_S644, footprint_0, 1.0, _S649, _S646);
+        if(number_6 < (_S643.lights_0))
         {
-            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S648, _S654.components_0, _S654.albedos_4, _S653, _S650);
+            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S644, _S650.components_0, _S650.albedos_4, _S649, _S646);
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S654.components_0.hole_2;
+        hole_7 = _S650.components_0.hole_2;
     }
-    float _S655 = fabrics_0._data[uint(_S648)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S648)].sheen_strength_0) > 0.0)
+    float _S651 = fabrics_0._data[uint(_S644)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S644)].sheen_strength_0) > 0.0)
     {
-        hole_7 = hole_7 * (1.0 - _S655 * sheen_lobe_0(abs(_S650.z), fabrics_0._data[uint(_S648)].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0 - _S651 * sheen_lobe_0(abs(_S646.z), fabrics_0._data[uint(_S644)].sheen_roughness_0).z);
     }
     return vec4(radiance_1, 1.0 - hole_7);
 }
@@ -3574,36 +3562,36 @@ vec4 light_of_footprint_0(Frame_0 _S647, uint _S648, VisiblePoint_0 _S649)
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    Frame_0 _S656 = frames_0._data[uint(0)];
-    bool _S657;
-    if((gl_GlobalInvocationID.x) >= (_S656.width_0))
+    Frame_0 _S652 = frames_0._data[uint(0)];
+    bool _S653;
+    if((gl_GlobalInvocationID.x) >= (_S652.width_0))
     {
-        _S657 = true;
+        _S653 = true;
     }
     else
     {
-        _S657 = (gl_GlobalInvocationID.y) >= (_S656.height_0);
+        _S653 = (gl_GlobalInvocationID.y) >= (_S652.height_0);
     }
-    if(_S657)
+    if(_S653)
     {
         return;
     }
-    uvec2 _S658 = gl_GlobalInvocationID.xy;
-    ivec3 _S659 = ivec3(ivec2(_S658), 0);
-    uint _S660 = (texelFetch((visible_faces_0), ((_S659)).xy, ((_S659)).z).x);
-    const vec4 _S661 = vec4(0.0);
+    uvec2 _S654 = gl_GlobalInvocationID.xy;
+    ivec3 _S655 = ivec3(ivec2(_S654), 0);
+    uint _S656 = (texelFetch((visible_faces_0), ((_S655)).xy, ((_S655)).z).x);
+    const vec4 _S657 = vec4(0.0);
     vec4 sum_1;
-    if(_S660 > 0U)
+    if(_S656 > 0U)
     {
-        uint _S662 = _S660 - 1U;
-        uint _S663 = face_fabrics_0._data[uint(_S662)];
-        sum_1 = light_of_footprint_0(_S656, _S663, visible_point_0(_S656, _S663, _S662, _S658));
+        uint _S658 = _S656 - 1U;
+        uint _S659 = face_fabrics_0._data[uint(_S658)];
+        sum_1 = light_of_footprint_0(_S652, _S659, visible_point_0(_S652, _S659, _S658, _S654));
     }
     else
     {
-        sum_1 = _S661;
+        sum_1 = _S657;
     }
-    accumulate_0(_S656, _S658, sum_1);
+    accumulate_0(_S652, _S654, sum_1);
     return;
 }
 

@@ -2,7 +2,7 @@
 #include <metal_math>
 #include <metal_texture>
 using namespace metal;
-constant array<float2, int(9)> TAP_OFFSETS_0 = { float2(0.0f, 0.0f), float2(-0.3333333432674408f, -0.3333333432674408f), float2(0.3333333432674408f, 0.3333333432674408f), float2(0.3333333432674408f, -0.3333333432674408f), float2(-0.3333333432674408f, 0.3333333432674408f), float2(0.0f, 0.3333333432674408f), float2(0.0f, -0.3333333432674408f), float2(0.3333333432674408f, 0.0f), float2(-0.3333333432674408f, 0.0f) };
+constant array<float2, int(9)> TAP_OFFSETS_0 = { float2(-0.3333333432674408f, -0.3333333432674408f), float2(-0.3333333432674408f, 0.0f), float2(-0.3333333432674408f, 0.3333333432674408f), float2(0.0f, -0.3333333432674408f), float2(0.0f, 0.0f), float2(0.0f, 0.3333333432674408f), float2(0.3333333432674408f, -0.3333333432674408f), float2(0.3333333432674408f, 0.0f), float2(0.3333333432674408f, 0.3333333432674408f) };
 constant array<float, int(4)> PYRAMID_RADII_0 = { 1.0f, 2.0f, 4.0f, 8.0f };
 constant array<float2, int(8)> POINT_OFFSETS_0 = { float2(0.0f, 0.0f), float2(-0.23010000586509705f, 0.35670000314712524f), float2(0.36809998750686646f, -0.22939999401569366f), float2(-0.28040000796318054f, -0.34400001168251038f), float2(0.3465999960899353f, 0.28859999775886536f), float2(-0.36349999904632568f, 0.0511000007390976f), float2(0.09929999709129333f, -0.35699999332427979f), float2(0.10710000246763229f, 0.32879999279975891f) };
 struct Vertex_0
@@ -243,7 +243,7 @@ SearchQuality_0 quality_of_0(float threads_0)
     float _S9 = mix(2.5f, 5.0f, _S8);
     (&quality_0)->steps_per_thread_0 = _S9;
     (&quality_0)->steps_per_relief_0 = _S9;
-    (&quality_0)->shadow_share_0 = mix(0.94999998807907104f, 1.0f, _S8);
+    (&quality_0)->shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S8);
     (&quality_0)->refinements_0 = uint(mix(1.0f, 2.0f, _S8) + 0.5f);
     return quality_0;
 }
@@ -1446,17 +1446,17 @@ struct NodeTaps_0
 
 NodeTaps_0 node_taps_0(float3 direction_4)
 {
-    float _S170 = arc_tangent_0(direction_4.y, direction_4.x) * 2.5464789867401123f;
+    float _S170 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
     float _S171 = floor(_S170);
     float _S172 = _S170 - _S171;
     float _S173 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
     float _S174 = 7.0f * _S173 * sqrt(_S173);
     float _S175 = min(floor(_S174), 6.0f);
     float _S176 = _S174 - _S175;
-    uint _S177 = uint(int(_S171) + int(16)) % 16U;
+    uint _S177 = uint(int(_S171) + int(32)) % 32U;
     uint _S178 = uint(_S175);
     uint _S179 = _S177 * 8U + _S178;
-    uint _S180 = (_S177 + 1U) % 16U * 8U + _S178;
+    uint _S180 = (_S177 + 1U) % 32U * 8U + _S178;
     thread NodeTaps_0 taps_0;
     (&taps_0)->nodes_0 = uint4(_S179, _S179 + 1U, _S180, _S180 + 1U);
     float _S181 = 1.0f - _S172;
@@ -1473,16 +1473,16 @@ float3 half_vector_0(float3 light_5, float3 view_4)
     return _S184 * float3(rsqrt(max(square_0(_S184), 9.999999960041972e-13f))) ;
 }
 
-float2 shadow_correlation_0(float3 light_6, float3 view_5)
+float3 shadow_correlation_0(float3 light_6, float3 view_5)
 {
     float2 _S185 = light_6.xy;
     float2 _S186 = view_5.xy;
     float _S187 = dot(_S185, _S186) / max(sqrt(dot(_S185, _S185) * dot(_S186, _S186)), 9.99999997475242708e-07f);
     if((light_6.z) < 0.0f)
     {
-        return float2((-0.34999999403953552f + -0.20000000298023224f * _S187)) ;
+        return float3(float2((-0.09000000357627869f + -0.07999999821186066f * _S187)) , 0.0f);
     }
-    return float2(min(0.5f + 0.69999998807907104f * _S187, 1.0f), 0.89999997615814209f);
+    return float3(min(0.62000000476837158f + 0.62999999523162842f * _S187, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 float4 bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1540,9 +1540,9 @@ Group_0 group_at_0(uint row_1, float roughness_7, KernelContext_0 thread* kernel
     return group_0;
 }
 
-float2 visibility_gain_0(float2 correlations_0, float from_light_0, float from_view_0)
+float2 visibility_gain_0(float3 correlations_0, float from_light_0, float from_view_0)
 {
-    return max(correlations_0 * float2((1.0f / max(max(from_light_0, from_view_0), 0.00392156885936856f) - 1.0f))  + float2(1.0f) , float2(0.0f) );
+    return max(correlations_0.xy * float2((1.0f / max(max(from_light_0, from_view_0), 0.00392156885936856f) - 1.0f))  + float2(1.0f - correlations_0.z * (1.0f - from_light_0), 1.0f), float2(0.0f) );
 }
 
 float Group_variance_along_0(const Group_0 thread* this_5, float3 direction_5)
@@ -3289,16 +3289,13 @@ CoverageTaps_0 coverage_taps_0(uint _S750, const Footprint_0 thread* _S751, bool
     float _S754 = Footprint_spread_side_0(_S751);
     Lobes_0 _S755 = _S753->lobes_0;
     float _S756 = _S754 * _S753->lobes_0.inverse_base_size_0;
-    float _S757 = min(binary_logarithm_0(max(0.60000002384185791f * _S756, 1.0f)), _S753->lobes_0.last_level_0);
-    float _S758 = floor(_S757);
-    float3 _S759 = pyramid_level_0(_S750, _S758, kernelContext_49);
-    float3 _S760 = pyramid_level_0(_S750, _S758 + 1.0f, kernelContext_49);
-    float _S761 = 1.0f / max(_S756, 9.99999997475242708e-07f);
-    float2 _S762 = float2(kernelContext_49->families_0[_S753->warp_0].inverse_period_0, kernelContext_49->families_0[_S753->weft_0].inverse_period_0);
-    float2 _S763 = _S751->centre_0 * _S762;
-    float2 _S764 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S761 * _S761), 0.0f, 1.0f)), 0.3333333432674408f * _S761), 1.0f)) ;
-    float2 _S765 = _S751->dx_0 * _S762 * _S764;
-    float2 _S766 = _S751->dy_0 * _S762 * _S764;
+    float3 _S757 = pyramid_level_0(_S750, floor(binary_logarithm_0(max(0.68000000715255737f * _S756, 1.0f))), kernelContext_49);
+    float _S758 = 1.0f / max(_S756, 9.99999997475242708e-07f);
+    float2 _S759 = float2(kernelContext_49->families_0[_S753->warp_0].inverse_period_0, kernelContext_49->families_0[_S753->weft_0].inverse_period_0);
+    float2 _S760 = _S751->centre_0 * _S759;
+    float2 _S761 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S758 * _S758), 0.0f, 1.0f)), 0.3333333432674408f * _S758), 1.0f)) ;
+    float2 _S762 = _S751->dx_0 * _S759 * _S761;
+    float2 _S763 = _S751->dy_0 * _S759 * _S761;
     thread CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3310,37 +3307,28 @@ CoverageTaps_0 coverage_taps_0(uint _S750, const Footprint_0 thread* _S751, bool
         {
             break;
         }
-        float2 _S767 = _S763 + float2(TAP_OFFSETS_0[number_1].x)  * _S765 + float2(TAP_OFFSETS_0[number_1].y)  * _S766;
-        float3 _S768;
-        if((_S757 - _S758) > (1.0f - (float(number_1) + 0.5f) / 9.0f))
-        {
-            _S768 = _S760;
-        }
-        else
-        {
-            _S768 = _S759;
-        }
-        float _S769 = _S768.y;
-        float _S770 = wrapped_cell_0(_S767.x, _S769);
-        float _S771 = wrapped_cell_0(_S767.y, _S768.z);
-        uint _S772;
+        float2 _S764 = _S760 + float2(TAP_OFFSETS_0[number_1].x)  * _S762 + float2(TAP_OFFSETS_0[number_1].y)  * _S763;
+        float _S765 = _S757.y;
+        float _S766 = wrapped_cell_0(_S764.x, _S765);
+        float _S767 = wrapped_cell_0(_S764.y, _S757.z);
+        uint _S768;
         if(_S752)
         {
-            _S772 = _S755.face_nodes_0;
+            _S768 = _S755.face_nodes_0;
         }
         else
         {
-            _S772 = 0U;
+            _S768 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S772 + uint(_S771 * _S769 + _S770 + _S768.x);
+        (&taps_3)->nodes_1[number_1] = _S768 + uint(_S767 * _S765 + _S766 + _S757.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-float4 coverage_of_pack_0(uint _S773, const CoverageTaps_0 thread* _S774, uint _S775, KernelContext_0 thread* kernelContext_50)
+float4 coverage_of_pack_0(uint _S769, const CoverageTaps_0 thread* _S770, uint _S771, KernelContext_0 thread* kernelContext_50)
 {
-    Fabric_0 device* _S776 = kernelContext_50->fabrics_0+_S773;
+    Fabric_0 device* _S772 = kernelContext_50->fabrics_0+_S769;
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3353,9 +3341,9 @@ float4 coverage_of_pack_0(uint _S773, const CoverageTaps_0 thread* _S774, uint _
         {
             break;
         }
-        uint _S777 = kernelContext_50->words_0[_S776->lobes_0.coverage_0 + _S774->nodes_1[number_2] * _S776->lobes_0.packs_0 + _S775];
-        uint even_2 = even_1 + (_S777 & 16711935U);
-        uint odd_2 = odd_1 + ((_S777 >> 8U) & 16711935U);
+        uint _S773 = kernelContext_50->words_0[_S772->lobes_0.coverage_0 + _S770->nodes_1[number_2] * _S772->lobes_0.packs_0 + _S771];
+        uint even_2 = even_1 + (_S773 & 16711935U);
+        uint odd_2 = odd_1 + ((_S773 >> 8U) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3363,9 +3351,9 @@ float4 coverage_of_pack_0(uint _S773, const CoverageTaps_0 thread* _S774, uint _
     return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
 }
 
-float coverage_of_holes_0(uint _S778, const CoverageTaps_0 thread* _S779, KernelContext_0 thread* kernelContext_51)
+float coverage_of_holes_0(uint _S774, const CoverageTaps_0 thread* _S775, KernelContext_0 thread* kernelContext_51)
 {
-    Fabric_0 device* _S780 = kernelContext_51->fabrics_0+_S778;
+    Fabric_0 device* _S776 = kernelContext_51->fabrics_0+_S774;
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3377,70 +3365,70 @@ float coverage_of_holes_0(uint _S778, const CoverageTaps_0 thread* _S779, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_51->words_0[_S780->lobes_0.coverage_holes_0 + _S779->nodes_1[number_3] / 4U] >> (8U * (_S779->nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_51->words_0[_S776->lobes_0.coverage_holes_0 + _S775->nodes_1[number_3] / 4U] >> (8U * (_S775->nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S781, const CoverageTaps_0 thread* _S782, const NodeTaps_0 thread* _S783, bool _S784, KernelContext_0 thread* kernelContext_52)
+float prefiltered_hole_0(uint _S777, const CoverageTaps_0 thread* _S778, const NodeTaps_0 thread* _S779, bool _S780, KernelContext_0 thread* kernelContext_52)
 {
-    Lobes_0 _S785 = (kernelContext_52->fabrics_0+_S781)->lobes_0;
-    float4 _S786 = interpolate_table_0(_S783, (kernelContext_52->fabrics_0+_S781)->lobes_0.projected_area_0 + (kernelContext_52->fabrics_0+_S781)->lobes_0.packs_0, (kernelContext_52->fabrics_0+_S781)->lobes_0.packs_0 + 1U, kernelContext_52);
-    float _S787 = _S786.x;
-    float _S788;
-    if(_S784)
+    Lobes_0 _S781 = (kernelContext_52->fabrics_0+_S777)->lobes_0;
+    float4 _S782 = interpolate_table_0(_S779, (kernelContext_52->fabrics_0+_S777)->lobes_0.projected_area_0 + (kernelContext_52->fabrics_0+_S777)->lobes_0.packs_0, (kernelContext_52->fabrics_0+_S777)->lobes_0.packs_0 + 1U, kernelContext_52);
+    float _S783 = _S782.x;
+    float _S784;
+    if(_S780)
     {
-        _S788 = _S785.back_hole_weight_0;
+        _S784 = _S781.back_hole_weight_0;
     }
     else
     {
-        _S788 = _S785.front_hole_weight_0;
+        _S784 = _S781.front_hole_weight_0;
     }
-    float _S789 = coverage_of_holes_0(_S781, _S782, kernelContext_52);
-    return min(_S789 * _S787 * _S787 * _S788, 1.0f);
+    float _S785 = coverage_of_holes_0(_S777, _S778, kernelContext_52);
+    return min(_S785 * _S783 * _S783 * _S784, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S790, const Footprint_0 thread* _S791, float3 _S792, float3 _S793, bool _S794, KernelContext_0 thread* kernelContext_53)
+Components_0 prefiltered_components_0(uint _S786, const Footprint_0 thread* _S787, float3 _S788, float3 _S789, bool _S790, KernelContext_0 thread* kernelContext_53)
 {
-    Fabric_0 device* _S795 = kernelContext_53->fabrics_0+_S790;
-    CoverageTaps_0 _S796 = coverage_taps_0(_S790, _S791, _S794, kernelContext_53);
-    NodeTaps_0 _S797 = node_taps_0(_S793);
-    thread NodeTaps_0 view_nodes_0 = _S797;
-    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S792);
-    thread NodeTaps_0 seen_nodes_0 = _S797;
-    uint _S798;
-    if(_S794)
+    Fabric_0 device* _S791 = kernelContext_53->fabrics_0+_S786;
+    CoverageTaps_0 _S792 = coverage_taps_0(_S786, _S787, _S790, kernelContext_53);
+    NodeTaps_0 _S793 = node_taps_0(_S789);
+    thread NodeTaps_0 view_nodes_0 = _S793;
+    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S788);
+    thread NodeTaps_0 seen_nodes_0 = _S793;
+    uint _S794;
+    if(_S790)
     {
-        _S798 = 1U;
+        _S794 = 1U;
     }
     else
     {
-        _S798 = 0U;
+        _S794 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S798 * 128U)) ;
-    uint _S799 = 2U * _S798;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S799 * 128U)) ;
-    uint _S800;
-    if((_S792.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S794 * 256U)) ;
+    uint _S795 = 2U * _S794;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S795 * 256U)) ;
+    uint _S796;
+    if((_S788.z) < 0.0f)
     {
-        _S800 = 1U;
-    }
-    else
-    {
-        _S800 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S799 + _S800) * 128U)) ;
-    float3 _S801 = half_vector_0(_S792, _S793);
-    float2 _S802 = shadow_correlation_0(_S792, _S793);
-    if(_S794)
-    {
-        _S800 = _S795->lobes_0.back_warp_packs_0;
+        _S796 = 1U;
     }
     else
     {
-        _S800 = _S795->lobes_0.front_warp_packs_0;
+        _S796 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S795 + _S796) * 256U)) ;
+    float3 _S797 = half_vector_0(_S788, _S789);
+    float3 _S798 = shadow_correlation_0(_S788, _S789);
+    if(_S790)
+    {
+        _S796 = _S791->lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S796 = _S791->lobes_0.front_warp_packs_0;
     }
     thread Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3452,43 +3440,43 @@ Components_0 prefiltered_components_0(uint _S790, const Footprint_0 thread* _S79
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S803 = _S795->lobes_0;
-        if(pack_0 < (_S795->lobes_0.packs_0))
+        Lobes_0 _S799 = _S791->lobes_0;
+        if(pack_0 < (_S791->lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        thread CoverageTaps_0 _S804 = _S796;
-        float4 _S805 = coverage_of_pack_0(_S790, &_S804, pack_0, kernelContext_53);
-        uint _S806 = _S803.projected_area_0 + pack_0;
-        uint _S807 = _S803.packs_0 + 1U;
-        thread NodeTaps_0 _S808 = view_nodes_0;
-        float4 _S809 = interpolate_table_0(&_S808, _S806, _S807, kernelContext_53);
-        uint _S810 = _S803.light_visibility_1 + pack_0;
-        thread NodeTaps_0 _S811 = seen_nodes_0;
-        float4 _S812 = interpolate_table_0(&_S811, _S810, _S803.packs_0, kernelContext_53);
-        float4 _S813 = float4(255.0f) ;
-        float4 _S814 = _S812 / _S813;
+        thread CoverageTaps_0 _S800 = _S792;
+        float4 _S801 = coverage_of_pack_0(_S786, &_S800, pack_0, kernelContext_53);
+        uint _S802 = _S799.projected_area_0 + pack_0;
+        uint _S803 = _S799.packs_0 + 1U;
+        thread NodeTaps_0 _S804 = view_nodes_0;
+        float4 _S805 = interpolate_table_0(&_S804, _S802, _S803, kernelContext_53);
+        uint _S806 = _S799.light_visibility_1 + pack_0;
+        thread NodeTaps_0 _S807 = seen_nodes_0;
+        float4 _S808 = interpolate_table_0(&_S807, _S806, _S799.packs_0, kernelContext_53);
+        float4 _S809 = float4(255.0f) ;
+        float4 _S810 = _S808 / _S809;
+        thread NodeTaps_0 _S811 = light_nodes_0;
+        float4 _S812 = interpolate_table_0(&_S811, _S806, _S799.packs_0, kernelContext_53);
+        float4 _S813 = _S812 / _S809;
+        uint _S814 = _S799.irradiance_1 + pack_0;
         thread NodeTaps_0 _S815 = light_nodes_0;
-        float4 _S816 = interpolate_table_0(&_S815, _S810, _S803.packs_0, kernelContext_53);
-        float4 _S817 = _S816 / _S813;
-        uint _S818 = _S803.irradiance_1 + pack_0;
-        thread NodeTaps_0 _S819 = light_nodes_0;
-        float4 _S820 = interpolate_table_0(&_S819, _S818, _S803.packs_0, kernelContext_53);
-        float4 _S821 = _S820 * float4(0.00124827399849892f) ;
-        bool _S822 = pack_0 < _S800;
-        uint _S823;
-        if(_S822)
+        float4 _S816 = interpolate_table_0(&_S815, _S814, _S799.packs_0, kernelContext_53);
+        float4 _S817 = _S816 * float4(0.00124827399849892f) ;
+        bool _S818 = pack_0 < _S796;
+        uint _S819;
+        if(_S818)
         {
-            _S823 = _S795->warp_0;
+            _S819 = _S791->warp_0;
         }
         else
         {
-            _S823 = _S795->weft_0;
+            _S819 = _S791->weft_0;
         }
-        Family_0 _S824 = kernelContext_53->families_0[_S823];
+        Family_0 _S820 = kernelContext_53->families_0[_S819];
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3501,349 +3489,349 @@ Components_0 prefiltered_components_0(uint _S790, const Footprint_0 thread* _S79
             {
                 break;
             }
-            Group_0 _S825 = group_at_0(_S803.moments_0 + 12U * (4U * (_S798 * _S803.packs_0 + pack_0) + number_4), _S824.roughness_0, kernelContext_53);
-            float _S826 = _S805[number_4] * _S809[number_4] * _S809[number_4] * _S825.weight_1;
-            float2 _S827 = visibility_gain_0(_S802, _S817[number_4], _S814[number_4]);
-            thread Group_0 _S828 = _S825;
-            float _S829 = layer_value_0(&_S828, _S801, _S792, _S793, _S795->optical_depth_0);
-            float _S830 = _S827.x;
-            float diffuse_1 = diffuse_0 + _S826 * _S821[number_4] * _S830;
-            float specular_1 = specular_0 + _S826 * _S829 * _S817[number_4] * _S827.y;
-            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S826 * _S817[number_4] * _S830;
-            float total_3 = total_2 + _S826;
+            Group_0 _S821 = group_at_0(_S799.moments_0 + 12U * (4U * (_S794 * _S799.packs_0 + pack_0) + number_4), _S820.roughness_0, kernelContext_53);
+            float _S822 = _S801[number_4] * _S805[number_4] * _S805[number_4] * _S821.weight_1;
+            float2 _S823 = visibility_gain_0(_S798, _S813[number_4], _S810[number_4]);
+            thread Group_0 _S824 = _S821;
+            float _S825 = layer_value_0(&_S824, _S797, _S788, _S789, _S791->optical_depth_0);
+            float _S826 = _S823.x;
+            float diffuse_1 = diffuse_0 + _S822 * _S817[number_4] * _S826;
+            float specular_1 = specular_0 + _S822 * _S825 * _S813[number_4] * _S823.y;
+            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S822 * _S813[number_4] * _S826;
+            float total_3 = total_2 + _S822;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S831;
-        if(_S822)
+        float _S827;
+        if(_S818)
         {
-            _S831 = diffuse_0;
+            _S827 = diffuse_0;
         }
         else
         {
-            _S831 = 0.0f;
+            _S827 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S831;
-        float _S832;
-        if(_S822)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S827;
+        float _S828;
+        if(_S818)
         {
-            _S832 = 0.0f;
+            _S828 = 0.0f;
         }
         else
         {
-            _S832 = diffuse_0;
+            _S828 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S832;
-        float _S833;
-        if(_S822)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S828;
+        float _S829;
+        if(_S818)
         {
-            _S833 = specular_0;
+            _S829 = specular_0;
         }
         else
         {
-            _S833 = 0.0f;
+            _S829 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S833;
-        float _S834;
-        if(_S822)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S829;
+        float _S830;
+        if(_S818)
         {
-            _S834 = 0.0f;
+            _S830 = 0.0f;
         }
         else
         {
-            _S834 = specular_0;
+            _S830 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S834;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S830;
         pack_0 = pack_0 + 1U;
     }
-    thread CoverageTaps_0 _S835 = _S796;
-    thread NodeTaps_0 _S836 = view_nodes_0;
-    float _S837 = prefiltered_hole_0(_S790, &_S835, &_S836, _S794, kernelContext_53);
-    (&sums_1)->hole_2 = _S837;
-    float _S838 = (1.0f - _S837) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S838;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S838;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S838;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S838;
-    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S838;
+    thread CoverageTaps_0 _S831 = _S792;
+    thread NodeTaps_0 _S832 = view_nodes_0;
+    float _S833 = prefiltered_hole_0(_S786, &_S831, &_S832, _S790, kernelContext_53);
+    (&sums_1)->hole_2 = _S833;
+    float _S834 = (1.0f - _S833) / max(total_2, 9.999999960041972e-13f);
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S834;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S834;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S834;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S834;
+    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S834;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S839, const Footprint_0 thread* _S840, bool _S841, KernelContext_0 thread* kernelContext_54)
+FamilyAlbedos_0 albedos_over_0(uint _S835, const Footprint_0 thread* _S836, bool _S837, KernelContext_0 thread* kernelContext_54)
 {
-    Fabric_0 device* _S842 = kernelContext_54->fabrics_0+_S839;
-    float2 _S843 = sqrt(_S840->dx_0 * _S840->dx_0 + _S840->dy_0 * _S840->dy_0);
-    uint _S844 = _S842->warp_0;
-    float2 _S845 = _S840->centre_0;
-    Stretch_0 _S846 = stretch_of_0(_S842->warp_0, _S840->centre_0.x, _S843.x, kernelContext_54);
-    uint _S847 = _S842->weft_0;
-    Stretch_0 _S848 = stretch_of_0(_S842->weft_0, _S845.y, _S843.y, kernelContext_54);
+    Fabric_0 device* _S838 = kernelContext_54->fabrics_0+_S835;
+    float2 _S839 = sqrt(_S836->dx_0 * _S836->dx_0 + _S836->dy_0 * _S836->dy_0);
+    uint _S840 = _S838->warp_0;
+    float2 _S841 = _S836->centre_0;
+    Stretch_0 _S842 = stretch_of_0(_S838->warp_0, _S836->centre_0.x, _S839.x, kernelContext_54);
+    uint _S843 = _S838->weft_0;
+    Stretch_0 _S844 = stretch_of_0(_S838->weft_0, _S841.y, _S839.y, kernelContext_54);
     thread FamilyAlbedos_0 albedos_7;
-    thread Stretch_0 _S849 = _S846;
-    thread Stretch_0 _S850 = _S848;
-    Albedos_0 _S851 = mean_albedos_0(_S844, _S847, &_S849, &_S850, _S841, kernelContext_54);
-    (&albedos_7)->warp_2 = _S851;
-    thread Stretch_0 _S852 = _S848;
-    thread Stretch_0 _S853 = _S846;
-    Albedos_0 _S854 = mean_albedos_0(_S847, _S844, &_S852, &_S853, _S841, kernelContext_54);
-    (&albedos_7)->weft_2 = _S854;
+    thread Stretch_0 _S845 = _S842;
+    thread Stretch_0 _S846 = _S844;
+    Albedos_0 _S847 = mean_albedos_0(_S840, _S843, &_S845, &_S846, _S837, kernelContext_54);
+    (&albedos_7)->warp_2 = _S847;
+    thread Stretch_0 _S848 = _S844;
+    thread Stretch_0 _S849 = _S842;
+    Albedos_0 _S850 = mean_albedos_0(_S843, _S840, &_S848, &_S849, _S837, kernelContext_54);
+    (&albedos_7)->weft_2 = _S850;
     return albedos_7;
 }
 
-Estimate_0 lobes_estimate_0(uint _S855, const Footprint_0 thread* _S856, float _S857, float3 _S858, float3 _S859, KernelContext_0 thread* kernelContext_55)
+Estimate_0 lobes_estimate_0(uint _S851, const Footprint_0 thread* _S852, float _S853, float3 _S854, float3 _S855, KernelContext_0 thread* kernelContext_55)
 {
-    float _S860;
-    Fabric_0 device* _S861 = kernelContext_55->fabrics_0+_S855;
-    Regime_0 _S862 = regime_of_0(_S855, _S856, _S857, kernelContext_55);
-    bool _S863 = (_S859.z) < 0.0f;
-    float3 _S864 = to_face_frame_0(_S859, _S863);
-    bool _S865;
-    if((_S861->fibre_noise_0) > 0.0f)
+    float _S856;
+    Fabric_0 device* _S857 = kernelContext_55->fabrics_0+_S851;
+    Regime_0 _S858 = regime_of_0(_S851, _S852, _S853, kernelContext_55);
+    bool _S859 = (_S855.z) < 0.0f;
+    float3 _S860 = to_face_frame_0(_S855, _S859);
+    bool _S861;
+    if((_S857->fibre_noise_0) > 0.0f)
     {
-        _S865 = true;
+        _S861 = true;
     }
     else
     {
-        _S865 = (_S861->colour_noise_0) > 0.0f;
+        _S861 = (_S857->colour_noise_0) > 0.0f;
     }
-    bool _S866;
-    if((kernelContext_55->families_0[_S861->warp_0].quantities_0) > 1U)
+    bool _S862;
+    if((kernelContext_55->families_0[_S857->warp_0].quantities_0) > 1U)
     {
-        _S866 = true;
+        _S862 = true;
     }
     else
     {
-        _S866 = (kernelContext_55->families_0[_S861->weft_0].quantities_0) > 1U;
+        _S862 = (kernelContext_55->families_0[_S857->weft_0].quantities_0) > 1U;
     }
-    float _S867 = 1.0f - _S862.prefiltered_0;
-    if(_S867 > 0.0f)
+    float _S863 = 1.0f - _S858.prefiltered_0;
+    if(_S863 > 0.0f)
     {
-        if(_S865)
+        if(_S861)
         {
-            _S866 = true;
+            _S862 = true;
         }
     }
     else
     {
-        _S866 = false;
+        _S862 = false;
     }
-    thread Footprint_0 box_0 = *_S856;
-    float3 _S868 = float3(0.0f) ;
-    SurfacePoint_0 _S869 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S868, _S868, 0.0f, 0.0f, 0.0f);
-    float2 _S870 = _S856->centre_0;
-    Components_0 _S871 = no_components_0();
-    int _S872;
-    if(_S866)
+    thread Footprint_0 box_0 = *_S852;
+    float3 _S864 = float3(0.0f) ;
+    SurfacePoint_0 _S865 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S864, _S864, 0.0f, 0.0f, 0.0f);
+    float2 _S866 = _S852->centre_0;
+    Components_0 _S867 = no_components_0();
+    int _S868;
+    if(_S862)
     {
-        _S872 = int(0);
+        _S868 = int(0);
     }
     else
     {
-        _S872 = int(1);
+        _S868 = int(1);
     }
-    uint _S873 = uint(_S872);
-    Components_0 points_1 = _S871;
+    uint _S869 = uint(_S868);
+    Components_0 points_1 = _S867;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S869;
-    float2 central_place_0 = _S870;
-    uint number_5 = _S873;
+    SurfacePoint_0 central_0 = _S865;
+    float2 central_place_0 = _S866;
+    uint number_5 = _S869;
     for(;;)
     {
-        float _S874 = float(number_5);
-        _S860 = _S862.points_0;
-        if(_S874 < (_S862.points_0 + 1.0f))
+        float _S870 = float(number_5);
+        _S856 = _S858.points_0;
+        if(_S870 < (_S858.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S875 = number_5 == 0U;
-        float2 _S876;
-        if(_S875)
+        bool _S871 = number_5 == 0U;
+        float2 _S872;
+        if(_S871)
         {
-            _S876 = float2(0.0f) ;
+            _S872 = float2(0.0f) ;
         }
         else
         {
-            _S876 = POINT_OFFSETS_0[number_5 - 1U];
+            _S872 = POINT_OFFSETS_0[number_5 - 1U];
         }
-        float2 _S877 = _S870 + float2(_S876.x)  * _S856->dx_0 + float2(_S876.y)  * _S856->dy_0;
-        float _S878;
-        if(_S875)
+        float2 _S873 = _S866 + float2(_S872.x)  * _S852->dx_0 + float2(_S872.y)  * _S852->dy_0;
+        float _S874;
+        if(_S871)
         {
-            _S878 = 0.0f;
+            _S874 = 0.0f;
         }
         else
         {
-            _S878 = _S862.threads_1;
+            _S874 = _S858.threads_1;
         }
-        SearchQuality_0 _S879 = quality_of_0(_S878);
-        float _S880 = _S877.x;
-        float _S881 = _S877.y;
-        thread SearchQuality_0 _S882 = _S879;
-        Hit_0 _S883 = first_hit_0(_S855, &_S882, _S880, _S881, _S864, _S863, kernelContext_55);
-        SurfacePoint_0 _S884 = surface_at_0(_S855, _S883.x_12, _S883.y_7, _S863, kernelContext_55);
-        if(_S875)
+        SearchQuality_0 _S875 = quality_of_0(_S874);
+        float _S876 = _S873.x;
+        float _S877 = _S873.y;
+        thread SearchQuality_0 _S878 = _S875;
+        Hit_0 _S879 = first_hit_0(_S851, &_S878, _S876, _S877, _S860, _S859, kernelContext_55);
+        SurfacePoint_0 _S880 = surface_at_0(_S851, _S879.x_12, _S879.y_7, _S859, kernelContext_55);
+        if(_S871)
         {
             float central_weight_1;
-            if(_S883.hole_5)
+            if(_S879.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S867;
+                central_weight_1 = _S863;
             }
-            float2 central_place_1 = float2(_S883.x_12, _S883.y_7);
-            (&box_0)->centre_0 = mix(_S870, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S879.x_12, _S879.y_7);
+            (&box_0)->centre_0 = mix(_S866, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S884;
+            central_0 = _S880;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S885 = _S884;
-        YarnPoint_0 _S886 = yarn_point_of_0(_S855, &_S885, _S883.x_12, _S883.y_7, _S863, _S883.hole_5, kernelContext_55);
-        thread SearchQuality_0 _S887 = _S879;
-        thread YarnPoint_0 _S888 = _S886;
-        Components_0 _S889 = components_of_point_0(_S855, &_S887, &_S888, _S858, _S859, kernelContext_55);
-        float _S890 = min(_S862.points_0 - float(number_5 - 1U), 1.0f);
-        thread Components_0 _S891 = points_1;
-        thread Components_0 _S892 = _S889;
-        Components_0 _S893 = with_added_0(&_S891, &_S892, _S890);
-        points_1 = _S893;
+        thread SurfacePoint_0 _S881 = _S880;
+        YarnPoint_0 _S882 = yarn_point_of_0(_S851, &_S881, _S879.x_12, _S879.y_7, _S859, _S879.hole_5, kernelContext_55);
+        thread SearchQuality_0 _S883 = _S875;
+        thread YarnPoint_0 _S884 = _S882;
+        Components_0 _S885 = components_of_point_0(_S851, &_S883, &_S884, _S854, _S855, kernelContext_55);
+        float _S886 = min(_S858.points_0 - float(number_5 - 1U), 1.0f);
+        thread Components_0 _S887 = points_1;
+        thread Components_0 _S888 = _S885;
+        Components_0 _S889 = with_added_0(&_S887, &_S888, _S886);
+        points_1 = _S889;
         number_5 = number_5 + 1U;
     }
     thread Estimate_0 estimate_0;
-    float _S894 = _S867 / max(_S860, 1.0f);
-    thread Components_0 _S895 = _S871;
-    thread Components_0 _S896 = points_1;
-    Components_0 _S897 = with_added_0(&_S895, &_S896, _S894);
-    (&estimate_0)->components_0 = _S897;
-    if((_S862.prefiltered_0) > 0.0f)
+    float _S890 = _S863 / max(_S856, 1.0f);
+    thread Components_0 _S891 = _S867;
+    thread Components_0 _S892 = points_1;
+    Components_0 _S893 = with_added_0(&_S891, &_S892, _S890);
+    (&estimate_0)->components_0 = _S893;
+    if((_S858.prefiltered_0) > 0.0f)
     {
-        Components_0 _S898 = prefiltered_components_0(_S855, _S856, to_face_frame_0(_S858, _S863), _S864, _S863, kernelContext_55);
-        thread Components_0 _S899 = (&estimate_0)->components_0;
-        thread Components_0 _S900 = _S898;
-        Components_0 _S901 = with_added_0(&_S899, &_S900, _S862.prefiltered_0);
-        (&estimate_0)->components_0 = _S901;
+        Components_0 _S894 = prefiltered_components_0(_S851, _S852, to_face_frame_0(_S854, _S859), _S860, _S859, kernelContext_55);
+        thread Components_0 _S895 = (&estimate_0)->components_0;
+        thread Components_0 _S896 = _S894;
+        Components_0 _S897 = with_added_0(&_S895, &_S896, _S858.prefiltered_0);
+        (&estimate_0)->components_0 = _S897;
     }
-    thread Footprint_0 _S902 = box_0;
-    FamilyAlbedos_0 _S903 = albedos_over_0(_S855, &_S902, _S863, kernelContext_55);
-    (&estimate_0)->albedos_4 = _S903;
-    if(_S865)
+    thread Footprint_0 _S898 = box_0;
+    FamilyAlbedos_0 _S899 = albedos_over_0(_S851, &_S898, _S859, kernelContext_55);
+    (&estimate_0)->albedos_4 = _S899;
+    if(_S861)
     {
-        _S865 = central_weight_0 > 0.0f;
+        _S861 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S865 = false;
+        _S861 = false;
     }
-    if(_S865)
+    if(_S861)
     {
-        SurfacePoint_0 _S904 = central_0;
-        Albedos_0 _S905;
+        SurfacePoint_0 _S900 = central_0;
+        Albedos_0 _S901;
         if(central_0.is_warp_0)
         {
-            _S905 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S901 = (&(&estimate_0)->albedos_4)->warp_2;
         }
         else
         {
-            _S905 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S901 = (&(&estimate_0)->albedos_4)->weft_2;
         }
-        float _S906 = central_place_0.x;
-        float _S907 = central_place_0.y;
-        thread SurfacePoint_0 _S908 = central_0;
-        thread Albedos_0 _S909 = _S905;
-        Albedos_0 _S910 = varied_at_0(_S855, &_S908, &_S909, _S906, _S907, kernelContext_55);
-        thread Albedos_0 _S911 = _S905;
-        thread Albedos_0 _S912 = _S910;
-        Albedos_0 _S913 = lerp_albedos_0(&_S911, &_S912, central_weight_0);
-        if(_S904.is_warp_0)
+        float _S902 = central_place_0.x;
+        float _S903 = central_place_0.y;
+        thread SurfacePoint_0 _S904 = central_0;
+        thread Albedos_0 _S905 = _S901;
+        Albedos_0 _S906 = varied_at_0(_S851, &_S904, &_S905, _S902, _S903, kernelContext_55);
+        thread Albedos_0 _S907 = _S901;
+        thread Albedos_0 _S908 = _S906;
+        Albedos_0 _S909 = lerp_albedos_0(&_S907, &_S908, central_weight_0);
+        if(_S900.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S913;
+            (&(&estimate_0)->albedos_4)->warp_2 = _S909;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S913;
+            (&(&estimate_0)->albedos_4)->weft_2 = _S909;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S914, const Components_0 thread* _S915, const FamilyAlbedos_0 thread* _S916, float3 _S917, float3 _S918, KernelContext_0 thread* kernelContext_56)
+float3 composed_0(uint _S910, const Components_0 thread* _S911, const FamilyAlbedos_0 thread* _S912, float3 _S913, float3 _S914, KernelContext_0 thread* kernelContext_56)
 {
-    Fabric_0 device* _S919 = kernelContext_56->fabrics_0+_S914;
-    float3 _S920 = float3(_S915->diffuse_warp_0) ;
-    float3 _S921 = float3(_S915->diffuse_weft_0) ;
-    float3 _S922 = float3(_S915->specular_warp_0) ;
-    float3 _S923 = float3(_S915->specular_weft_0) ;
-    float3 _S924 = (&_S916->warp_2)->diffuse_reflect_0 * _S920 + (&_S916->weft_2)->diffuse_reflect_0 * _S921 + (&_S916->warp_2)->specular_reflect_0 * _S922 + (&_S916->weft_2)->specular_reflect_0 * _S923;
-    float _S925 = _S918.z;
+    Fabric_0 device* _S915 = kernelContext_56->fabrics_0+_S910;
+    float3 _S916 = float3(_S911->diffuse_warp_0) ;
+    float3 _S917 = float3(_S911->diffuse_weft_0) ;
+    float3 _S918 = float3(_S911->specular_warp_0) ;
+    float3 _S919 = float3(_S911->specular_weft_0) ;
+    float3 _S920 = (&_S912->warp_2)->diffuse_reflect_0 * _S916 + (&_S912->weft_2)->diffuse_reflect_0 * _S917 + (&_S912->warp_2)->specular_reflect_0 * _S918 + (&_S912->weft_2)->specular_reflect_0 * _S919;
+    float _S921 = _S914.z;
     float3 body_0;
-    if((_S917.z * _S925) < 0.0f)
+    if((_S913.z * _S921) < 0.0f)
     {
-        body_0 = (&_S916->warp_2)->diffuse_transmit_0 * _S920 + (&_S916->weft_2)->diffuse_transmit_0 * _S921 + (&_S916->warp_2)->specular_transmit_0 * _S922 + (&_S916->weft_2)->specular_transmit_0 * _S923;
+        body_0 = (&_S912->warp_2)->diffuse_transmit_0 * _S916 + (&_S912->weft_2)->diffuse_transmit_0 * _S917 + (&_S912->warp_2)->specular_transmit_0 * _S918 + (&_S912->weft_2)->specular_transmit_0 * _S919;
     }
     else
     {
-        body_0 = _S924;
+        body_0 = _S920;
     }
-    float _S926 = _S919->sheen_strength_0;
-    if((_S919->sheen_strength_0) <= 0.0f)
+    float _S922 = _S915->sheen_strength_0;
+    if((_S915->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S927 = _S925 < 0.0f;
-    float2 _S928 = sheen_with_transmittance_0(to_face_frame_0(_S917, _S927), to_face_frame_0(_S918, _S927), _S926, _S919->sheen_roughness_0);
-    return float3(_S928.y)  * body_0 + float3(((_S915->light_visibility_0 + _S915->hole_2) * _S928.x)) ;
+    bool _S923 = _S921 < 0.0f;
+    float2 _S924 = sheen_with_transmittance_0(to_face_frame_0(_S913, _S923), to_face_frame_0(_S914, _S923), _S922, _S915->sheen_roughness_0);
+    return float3(_S924.y)  * body_0 + float3(((_S911->light_visibility_0 + _S911->hole_2) * _S924.x)) ;
 }
 
-float4 light_of_footprint_0(const Frame_0 thread* _S929, uint _S930, const VisiblePoint_0 thread* _S931, KernelContext_0 thread* kernelContext_57)
+float4 light_of_footprint_0(const Frame_0 thread* _S925, uint _S926, const VisiblePoint_0 thread* _S927, KernelContext_0 thread* kernelContext_57)
 {
-    Fabric_0 device* _S932 = kernelContext_57->fabrics_0+_S930;
+    Fabric_0 device* _S928 = kernelContext_57->fabrics_0+_S926;
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S931->draft_0;
-    (&footprint_0)->dx_0 = _S931->draft_dx_0;
-    (&footprint_0)->dy_0 = _S931->draft_dy_0;
-    float3 _S933 = to_local_0(_S931, _S931->view_0);
-    float3 _S934 = float3(0.0f) ;
+    (&footprint_0)->centre_0 = _S927->draft_0;
+    (&footprint_0)->dx_0 = _S927->draft_dx_0;
+    (&footprint_0)->dy_0 = _S927->draft_dy_0;
+    float3 _S929 = to_local_0(_S927, _S927->view_0);
+    float3 _S930 = float3(0.0f) ;
     uint number_6 = 0U;
-    float3 radiance_1 = _S934;
+    float3 radiance_1 = _S930;
     float hole_7 = 0.0f;
     for(;;)
     {
-        uint _S935 = _S929->lights_0;
-        if(number_6 < (max(_S929->lights_0, 1U)))
+        uint _S931 = _S925->lights_0;
+        if(number_6 < (max(_S925->lights_0, 1U)))
         {
         }
         else
         {
             break;
         }
-        thread Light_0 _S936 = kernelContext_57->lights_1[number_6];
+        thread Light_0 _S932 = kernelContext_57->lights_1[number_6];
         thread float3 irradiance_2;
-        float3 _S937 = towards_light_0(&_S936, _S931->position_0, &irradiance_2);
-        float3 _S938 = to_local_0(_S931, _S937);
-        thread Footprint_0 _S939 = footprint_0;
-        Estimate_0 _S940 = lobes_estimate_0(_S930, &_S939, 1.0f, _S938, _S933, kernelContext_57);
-        if(number_6 < _S935)
+        float3 _S933 = towards_light_0(&_S932, _S927->position_0, &irradiance_2);
+        float3 _S934 = to_local_0(_S927, _S933);
+        thread Footprint_0 _S935 = footprint_0;
+        Estimate_0 _S936 = lobes_estimate_0(_S926, &_S935, 1.0f, _S934, _S929, kernelContext_57);
+        if(number_6 < _S931)
         {
-            thread Components_0 _S941 = _S940.components_0;
-            thread FamilyAlbedos_0 _S942 = _S940.albedos_4;
-            float3 _S943 = composed_0(_S930, &_S941, &_S942, _S938, _S933, kernelContext_57);
-            radiance_1 = radiance_1 + irradiance_2 * _S943;
+            thread Components_0 _S937 = _S936.components_0;
+            thread FamilyAlbedos_0 _S938 = _S936.albedos_4;
+            float3 _S939 = composed_0(_S926, &_S937, &_S938, _S934, _S929, kernelContext_57);
+            radiance_1 = radiance_1 + irradiance_2 * _S939;
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S940.components_0.hole_2;
+        hole_7 = _S936.components_0.hole_2;
     }
-    float _S944 = _S932->sheen_strength_0;
-    if((_S932->sheen_strength_0) > 0.0f)
+    float _S940 = _S928->sheen_strength_0;
+    if((_S928->sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S944 * sheen_lobe_0(abs(_S933.z), _S932->sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S940 * sheen_lobe_0(abs(_S929.z), _S928->sheen_roughness_0).z);
     }
     return float4(radiance_1, 1.0f - hole_7);
 }
@@ -3861,42 +3849,42 @@ float4 light_of_footprint_0(const Frame_0 thread* _S929, uint _S930, const Visib
     (&kernelContext_58)->families_0 = families_1;
     (&kernelContext_58)->words_0 = words_1;
     (&kernelContext_58)->radiance_0 = radiance_2;
-    Frame_0 _S945 = frames_1[int(0)];
-    bool _S946;
-    if((id_0.x) >= (_S945.width_0))
+    Frame_0 _S941 = frames_1[int(0)];
+    bool _S942;
+    if((id_0.x) >= (_S941.width_0))
     {
-        _S946 = true;
+        _S942 = true;
     }
     else
     {
-        _S946 = (id_0.y) >= (_S945.height_0);
+        _S942 = (id_0.y) >= (_S941.height_0);
     }
-    if(_S946)
+    if(_S942)
     {
         return;
     }
-    uint2 _S947 = id_0.xy;
-    int3 _S948 = int3(int2(_S947), int(0));
-    uint _S949 = (((&kernelContext_58)->visible_faces_0).read(vec<uint,2>(((_S948)).xy), uint(((_S948)).z)).x);
-    float4 _S950 = float4(0.0f) ;
+    uint2 _S943 = id_0.xy;
+    int3 _S944 = int3(int2(_S943), int(0));
+    uint _S945 = (((&kernelContext_58)->visible_faces_0).read(vec<uint,2>(((_S944)).xy), uint(((_S944)).z)).x);
+    float4 _S946 = float4(0.0f) ;
     float4 sum_1;
-    if(_S949 > 0U)
+    if(_S945 > 0U)
     {
-        uint _S951 = _S949 - 1U;
-        uint _S952 = (&kernelContext_58)->face_fabrics_0[_S951];
-        thread Frame_0 _S953 = _S945;
-        VisiblePoint_0 _S954 = visible_point_0(&_S953, _S952, _S951, _S947, &kernelContext_58);
-        thread Frame_0 _S955 = _S945;
-        thread VisiblePoint_0 _S956 = _S954;
-        float4 _S957 = light_of_footprint_0(&_S955, _S952, &_S956, &kernelContext_58);
-        sum_1 = _S957;
+        uint _S947 = _S945 - 1U;
+        uint _S948 = (&kernelContext_58)->face_fabrics_0[_S947];
+        thread Frame_0 _S949 = _S941;
+        VisiblePoint_0 _S950 = visible_point_0(&_S949, _S948, _S947, _S943, &kernelContext_58);
+        thread Frame_0 _S951 = _S941;
+        thread VisiblePoint_0 _S952 = _S950;
+        float4 _S953 = light_of_footprint_0(&_S951, _S948, &_S952, &kernelContext_58);
+        sum_1 = _S953;
     }
     else
     {
-        sum_1 = _S950;
+        sum_1 = _S946;
     }
-    thread Frame_0 _S958 = _S945;
-    accumulate_0(&_S958, _S947, sum_1, &kernelContext_58);
+    thread Frame_0 _S954 = _S941;
+    accumulate_0(&_S954, _S943, sum_1, &kernelContext_58);
     return;
 }
 

@@ -159,7 +159,7 @@ fn rsqrt_0( x_2 : f32) -> f32
     return 1.0f / sqrt(x_2);
 }
 
-var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(0.0f, 0.0f), vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.0f) );
+var<private> TAP_OFFSETS_0 : array<vec2<f32>, i32(9)> = array<vec2<f32>, i32(9)>( vec2<f32>(-0.3333333432674408f, -0.3333333432674408f), vec2<f32>(-0.3333333432674408f, 0.0f), vec2<f32>(-0.3333333432674408f, 0.3333333432674408f), vec2<f32>(0.0f, -0.3333333432674408f), vec2<f32>(0.0f, 0.0f), vec2<f32>(0.0f, 0.3333333432674408f), vec2<f32>(0.3333333432674408f, -0.3333333432674408f), vec2<f32>(0.3333333432674408f, 0.0f), vec2<f32>(0.3333333432674408f, 0.3333333432674408f) );
 var<private> PYRAMID_RADII_0 : array<f32, i32(4)> = array<f32, i32(4)>( 1.0f, 2.0f, 4.0f, 8.0f );
 var<private> POINT_OFFSETS_0 : array<vec2<f32>, i32(8)> = array<vec2<f32>, i32(8)>( vec2<f32>(0.0f, 0.0f), vec2<f32>(-0.23010000586509705f, 0.35670000314712524f), vec2<f32>(0.36809998750686646f, -0.22939999401569366f), vec2<f32>(-0.28040000796318054f, -0.34400001168251038f), vec2<f32>(0.3465999960899353f, 0.28859999775886536f), vec2<f32>(-0.36349999904632568f, 0.0511000007390976f), vec2<f32>(0.09929999709129333f, -0.35699999332427979f), vec2<f32>(0.10710000246763229f, 0.32879999279975891f) );
 fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
@@ -351,7 +351,7 @@ fn quality_of_0( threads_0 : f32) -> SearchQuality_0
     var _S11 : f32 = mix(2.5f, 5.0f, _S10);
     quality_0.steps_per_thread_0 = _S11;
     quality_0.steps_per_relief_0 = _S11;
-    quality_0.shadow_share_0 = mix(0.94999998807907104f, 1.0f, _S10);
+    quality_0.shadow_share_0 = mix(1.60000002384185791f, 1.0f, _S10);
     quality_0.refinements_0 = u32(mix(1.0f, 2.0f, _S10) + 0.5f);
     return quality_0;
 }
@@ -1403,17 +1403,17 @@ struct NodeTaps_0
 
 fn node_taps_0( direction_4 : vec3<f32>) -> NodeTaps_0
 {
-    var _S125 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 2.5464789867401123f;
+    var _S125 : f32 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
     var _S126 : f32 = floor(_S125);
     var _S127 : f32 = _S125 - _S126;
     var _S128 : f32 = sqrt(clamp((1.0f - abs(direction_4.z)) / 0.97000002861022949f, 0.0f, 1.0f));
     var _S129 : f32 = 7.0f * _S128 * sqrt(_S128);
     var _S130 : f32 = min(floor(_S129), 6.0f);
     var _S131 : f32 = _S129 - _S130;
-    var _S132 : u32 = u32(i32(_S126) + i32(16)) % u32(16);
+    var _S132 : u32 = u32(i32(_S126) + i32(32)) % u32(32);
     var _S133 : u32 = u32(_S130);
     var _S134 : u32 = _S132 * u32(8) + _S133;
-    var _S135 : u32 = (_S132 + u32(1)) % u32(16) * u32(8) + _S133;
+    var _S135 : u32 = (_S132 + u32(1)) % u32(32) * u32(8) + _S133;
     var taps_0 : NodeTaps_0;
     taps_0.nodes_0 = vec4<u32>(_S134, _S134 + u32(1), _S135, _S135 + u32(1));
     var _S136 : f32 = 1.0f - _S127;
@@ -1430,16 +1430,16 @@ fn half_vector_0( light_5 : vec3<f32>,  view_4 : vec3<f32>) -> vec3<f32>
     return _S139 * vec3<f32>(rsqrt_0(max(square_0(_S139), 9.999999960041972e-13f)));
 }
 
-fn shadow_correlation_0( light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec2<f32>
+fn shadow_correlation_0( light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec3<f32>
 {
     var _S140 : vec2<f32> = light_6.xy;
     var _S141 : vec2<f32> = view_5.xy;
     var _S142 : f32 = dot(_S140, _S141) / max(sqrt(dot(_S140, _S140) * dot(_S141, _S141)), 9.99999997475242708e-07f);
     if((light_6.z) < 0.0f)
     {
-        return vec2<f32>((-0.34999999403953552f + -0.20000000298023224f * _S142));
+        return vec3<f32>(vec2<f32>((-0.09000000357627869f + -0.07999999821186066f * _S142)), 0.0f);
     }
-    return vec2<f32>(min(0.5f + 0.69999998807907104f * _S142, 1.0f), 0.89999997615814209f);
+    return vec3<f32>(min(0.62000000476837158f + 0.62999999523162842f * _S142, 1.20000004768371582f), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 fn bytes_of_sums_0( even_0 : u32,  odd_0 : u32) -> vec4<f32>
@@ -1486,9 +1486,9 @@ fn group_at_0( row_1 : u32,  roughness_7 : f32) -> Group_0
     return group_0;
 }
 
-fn visibility_gain_0( correlations_0 : vec2<f32>,  from_light_0 : f32,  from_view_0 : f32) -> vec2<f32>
+fn visibility_gain_0( correlations_0 : vec3<f32>,  from_light_0 : f32,  from_view_0 : f32) -> vec2<f32>
 {
-    return max(correlations_0 * vec2<f32>((1.0f / max(max(from_light_0, from_view_0), 0.00392156885936856f) - 1.0f)) + vec2<f32>(1.0f), vec2<f32>(0.0f));
+    return max(correlations_0.xy * vec2<f32>((1.0f / max(max(from_light_0, from_view_0), 0.00392156885936856f) - 1.0f)) + vec2<f32>(1.0f - correlations_0.z * (1.0f - from_light_0), 1.0f), vec2<f32>(0.0f));
 }
 
 fn Group_variance_along_0( this_5 : Group_0,  direction_5 : vec3<f32>) -> f32
@@ -3090,16 +3090,13 @@ fn coverage_taps_0( _S555 : u32,  _S556 : Footprint_0,  _S557 : bool) -> Coverag
 {
     var _S558 : Lobes_std430_0 = fabrics_0[_S555].lobes_0;
     var _S559 : f32 = Footprint_spread_side_0(_S556) * fabrics_0[_S555].lobes_0.inverse_base_size_0;
-    var _S560 : f32 = min(binary_logarithm_0(max(0.60000002384185791f * _S559, 1.0f)), fabrics_0[_S555].lobes_0.last_level_0);
-    var _S561 : f32 = floor(_S560);
-    var _S562 : vec3<f32> = pyramid_level_0(_S555, _S561);
-    var _S563 : vec3<f32> = pyramid_level_0(_S555, _S561 + 1.0f);
-    var _S564 : f32 = 1.0f / max(_S559, 9.99999997475242708e-07f);
-    var _S565 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S555].warp_0].inverse_period_0, families_0[fabrics_0[_S555].weft_0].inverse_period_0);
-    var _S566 : vec2<f32> = _S556.centre_0 * _S565;
-    var _S567 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S564 * _S564), 0.0f, 1.0f)), 0.3333333432674408f * _S564), 1.0f));
-    var _S568 : vec2<f32> = _S556.dx_0 * _S565 * _S567;
-    var _S569 : vec2<f32> = _S556.dy_0 * _S565 * _S567;
+    var _S560 : vec3<f32> = pyramid_level_0(_S555, floor(binary_logarithm_0(max(0.68000000715255737f * _S559, 1.0f))));
+    var _S561 : f32 = 1.0f / max(_S559, 9.99999997475242708e-07f);
+    var _S562 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S555].warp_0].inverse_period_0, families_0[fabrics_0[_S555].weft_0].inverse_period_0);
+    var _S563 : vec2<f32> = _S556.centre_0 * _S562;
+    var _S564 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S561 * _S561), 0.0f, 1.0f)), 0.3333333432674408f * _S561), 1.0f));
+    var _S565 : vec2<f32> = _S556.dx_0 * _S562 * _S564;
+    var _S566 : vec2<f32> = _S556.dy_0 * _S562 * _S564;
     var taps_3 : CoverageTaps_0;
     var number_1 : u32 = u32(0);
     for(;;)
@@ -3111,35 +3108,26 @@ fn coverage_taps_0( _S555 : u32,  _S556 : Footprint_0,  _S557 : bool) -> Coverag
         {
             break;
         }
-        var _S570 : vec2<f32> = _S566 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S568 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S569;
-        var _S571 : vec3<f32>;
-        if((_S560 - _S561) > (1.0f - (f32(number_1) + 0.5f) / 9.0f))
-        {
-            _S571 = _S563;
-        }
-        else
-        {
-            _S571 = _S562;
-        }
-        var _S572 : f32 = _S571.y;
-        var _S573 : f32 = wrapped_cell_0(_S570.x, _S572);
-        var _S574 : f32 = wrapped_cell_0(_S570.y, _S571.z);
-        var _S575 : u32;
+        var _S567 : vec2<f32> = _S563 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S565 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S566;
+        var _S568 : f32 = _S560.y;
+        var _S569 : f32 = wrapped_cell_0(_S567.x, _S568);
+        var _S570 : f32 = wrapped_cell_0(_S567.y, _S560.z);
+        var _S571 : u32;
         if(_S557)
         {
-            _S575 = _S558.face_nodes_0;
+            _S571 = _S558.face_nodes_0;
         }
         else
         {
-            _S575 = u32(0);
+            _S571 = u32(0);
         }
-        taps_3.nodes_1[number_1] = _S575 + u32(_S574 * _S572 + _S573 + _S571.x);
+        taps_3.nodes_1[number_1] = _S571 + u32(_S570 * _S568 + _S569 + _S560.x);
         number_1 = number_1 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_pack_0( _S576 : u32,  _S577 : CoverageTaps_0,  _S578 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S572 : u32,  _S573 : CoverageTaps_0,  _S574 : u32) -> vec4<f32>
 {
     var number_2 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3153,9 +3141,9 @@ fn coverage_of_pack_0( _S576 : u32,  _S577 : CoverageTaps_0,  _S578 : u32) -> ve
         {
             break;
         }
-        var _S579 : u32 = words_0[fabrics_0[_S576].lobes_0.coverage_0 + _S577.nodes_1[number_2] * fabrics_0[_S576].lobes_0.packs_0 + _S578];
-        var even_2 : u32 = even_1 + ((_S579 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S579 >> (u32(8)))) & (u32(16711935))));
+        var _S575 : u32 = words_0[fabrics_0[_S572].lobes_0.coverage_0 + _S573.nodes_1[number_2] * fabrics_0[_S572].lobes_0.packs_0 + _S574];
+        var even_2 : u32 = even_1 + ((_S575 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S575 >> (u32(8)))) & (u32(16711935))));
         number_2 = number_2 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3163,7 +3151,7 @@ fn coverage_of_pack_0( _S576 : u32,  _S577 : CoverageTaps_0,  _S578 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S580 : u32,  _S581 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S576 : u32,  _S577 : CoverageTaps_0) -> f32
 {
     var number_3 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3176,67 +3164,67 @@ fn coverage_of_holes_0( _S580 : u32,  _S581 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S580].lobes_0.coverage_holes_0 + _S581.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S581.nodes_1[number_3] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S576].lobes_0.coverage_holes_0 + _S577.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S577.nodes_1[number_3] % u32(4)))))) & (u32(255))));
         number_3 = number_3 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S582 : u32,  _S583 : CoverageTaps_0,  _S584 : NodeTaps_0,  _S585 : bool) -> f32
+fn prefiltered_hole_0( _S578 : u32,  _S579 : CoverageTaps_0,  _S580 : NodeTaps_0,  _S581 : bool) -> f32
 {
-    var _S586 : Lobes_std430_0 = fabrics_0[_S582].lobes_0;
-    var _S587 : f32 = interpolate_table_0(_S584, fabrics_0[_S582].lobes_0.projected_area_0 + fabrics_0[_S582].lobes_0.packs_0, fabrics_0[_S582].lobes_0.packs_0 + u32(1)).x;
-    var _S588 : f32;
-    if(_S585)
+    var _S582 : Lobes_std430_0 = fabrics_0[_S578].lobes_0;
+    var _S583 : f32 = interpolate_table_0(_S580, fabrics_0[_S578].lobes_0.projected_area_0 + fabrics_0[_S578].lobes_0.packs_0, fabrics_0[_S578].lobes_0.packs_0 + u32(1)).x;
+    var _S584 : f32;
+    if(_S581)
     {
-        _S588 = _S586.back_hole_weight_0;
+        _S584 = _S582.back_hole_weight_0;
     }
     else
     {
-        _S588 = _S586.front_hole_weight_0;
+        _S584 = _S582.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S582, _S583) * _S587 * _S587 * _S588, 1.0f);
+    return min(coverage_of_holes_0(_S578, _S579) * _S583 * _S583 * _S584, 1.0f);
 }
 
-fn prefiltered_components_0( _S589 : u32,  _S590 : Footprint_0,  _S591 : vec3<f32>,  _S592 : vec3<f32>,  _S593 : bool) -> Components_0
+fn prefiltered_components_0( _S585 : u32,  _S586 : Footprint_0,  _S587 : vec3<f32>,  _S588 : vec3<f32>,  _S589 : bool) -> Components_0
 {
-    var _S594 : CoverageTaps_0 = coverage_taps_0(_S589, _S590, _S593);
-    var _S595 : NodeTaps_0 = node_taps_0(_S592);
-    var view_nodes_0 : NodeTaps_0 = _S595;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S591);
-    var seen_nodes_0 : NodeTaps_0 = _S595;
-    var _S596 : u32;
-    if(_S593)
+    var _S590 : CoverageTaps_0 = coverage_taps_0(_S585, _S586, _S589);
+    var _S591 : NodeTaps_0 = node_taps_0(_S588);
+    var view_nodes_0 : NodeTaps_0 = _S591;
+    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S587);
+    var seen_nodes_0 : NodeTaps_0 = _S591;
+    var _S592 : u32;
+    if(_S589)
     {
-        _S596 = u32(1);
+        _S592 = u32(1);
     }
     else
     {
-        _S596 = u32(0);
+        _S592 = u32(0);
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S596 * u32(128)));
-    var _S597 : u32 = u32(2) * _S596;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S597 * u32(128)));
-    var _S598 : u32;
-    if((_S591.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S592 * u32(256)));
+    var _S593 : u32 = u32(2) * _S592;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S593 * u32(256)));
+    var _S594 : u32;
+    if((_S587.z) < 0.0f)
     {
-        _S598 = u32(1);
-    }
-    else
-    {
-        _S598 = u32(0);
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S597 + _S598) * u32(128)));
-    var _S599 : vec3<f32> = half_vector_0(_S591, _S592);
-    var _S600 : vec2<f32> = shadow_correlation_0(_S591, _S592);
-    if(_S593)
-    {
-        _S598 = fabrics_0[_S589].lobes_0.back_warp_packs_0;
+        _S594 = u32(1);
     }
     else
     {
-        _S598 = fabrics_0[_S589].lobes_0.front_warp_packs_0;
+        _S594 = u32(0);
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S593 + _S594) * u32(256)));
+    var _S595 : vec3<f32> = half_vector_0(_S587, _S588);
+    var _S596 : vec3<f32> = shadow_correlation_0(_S587, _S588);
+    if(_S589)
+    {
+        _S594 = fabrics_0[_S585].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S594 = fabrics_0[_S585].lobes_0.front_warp_packs_0;
     }
     var sums_1 : Components_0;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3248,32 +3236,32 @@ fn prefiltered_components_0( _S589 : u32,  _S590 : Footprint_0,  _S591 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        var _S601 : Lobes_std430_0 = fabrics_0[_S589].lobes_0;
-        if(pack_0 < (fabrics_0[_S589].lobes_0.packs_0))
+        var _S597 : Lobes_std430_0 = fabrics_0[_S585].lobes_0;
+        if(pack_0 < (fabrics_0[_S585].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S602 : vec4<f32> = coverage_of_pack_0(_S589, _S594, pack_0);
-        var _S603 : vec4<f32> = interpolate_table_0(view_nodes_0, _S601.projected_area_0 + pack_0, _S601.packs_0 + u32(1));
-        var _S604 : u32 = _S601.light_visibility_0 + pack_0;
-        var _S605 : vec4<f32> = vec4<f32>(255.0f);
-        var _S606 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S604, _S601.packs_0) / _S605;
-        var _S607 : vec4<f32> = interpolate_table_0(light_nodes_0, _S604, _S601.packs_0) / _S605;
-        var _S608 : vec4<f32> = interpolate_table_0(light_nodes_0, _S601.irradiance_0 + pack_0, _S601.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S609 : bool = pack_0 < _S598;
-        var _S610 : u32;
-        if(_S609)
+        var _S598 : vec4<f32> = coverage_of_pack_0(_S585, _S590, pack_0);
+        var _S599 : vec4<f32> = interpolate_table_0(view_nodes_0, _S597.projected_area_0 + pack_0, _S597.packs_0 + u32(1));
+        var _S600 : u32 = _S597.light_visibility_0 + pack_0;
+        var _S601 : vec4<f32> = vec4<f32>(255.0f);
+        var _S602 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S600, _S597.packs_0) / _S601;
+        var _S603 : vec4<f32> = interpolate_table_0(light_nodes_0, _S600, _S597.packs_0) / _S601;
+        var _S604 : vec4<f32> = interpolate_table_0(light_nodes_0, _S597.irradiance_0 + pack_0, _S597.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S605 : bool = pack_0 < _S594;
+        var _S606 : u32;
+        if(_S605)
         {
-            _S610 = fabrics_0[_S589].warp_0;
+            _S606 = fabrics_0[_S585].warp_0;
         }
         else
         {
-            _S610 = fabrics_0[_S589].weft_0;
+            _S606 = fabrics_0[_S585].weft_0;
         }
-        var _S611 : Family_std430_0 = families_0[_S610];
+        var _S607 : Family_std430_0 = families_0[_S606];
         var number_4 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3286,300 +3274,300 @@ fn prefiltered_components_0( _S589 : u32,  _S590 : Footprint_0,  _S591 : vec3<f3
             {
                 break;
             }
-            var _S612 : Group_0 = group_at_0(_S601.moments_0 + u32(12) * (u32(4) * (_S596 * _S601.packs_0 + pack_0) + number_4), _S611.roughness_0);
-            var _S613 : f32 = _S602[number_4] * _S603[number_4] * _S603[number_4] * _S612.weight_1;
-            var _S614 : vec2<f32> = visibility_gain_0(_S600, _S607[number_4], _S606[number_4]);
-            var _S615 : f32 = _S614.x;
-            var diffuse_1 : f32 = diffuse_0 + _S613 * _S608[number_4] * _S615;
-            var specular_1 : f32 = specular_0 + _S613 * layer_value_0(_S612, _S599, _S591, _S592, fabrics_0[_S589].optical_depth_0) * _S607[number_4] * _S614.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S613 * _S607[number_4] * _S615;
-            var total_3 : f32 = total_2 + _S613;
+            var _S608 : Group_0 = group_at_0(_S597.moments_0 + u32(12) * (u32(4) * (_S592 * _S597.packs_0 + pack_0) + number_4), _S607.roughness_0);
+            var _S609 : f32 = _S598[number_4] * _S599[number_4] * _S599[number_4] * _S608.weight_1;
+            var _S610 : vec2<f32> = visibility_gain_0(_S596, _S603[number_4], _S602[number_4]);
+            var _S611 : f32 = _S610.x;
+            var diffuse_1 : f32 = diffuse_0 + _S609 * _S604[number_4] * _S611;
+            var specular_1 : f32 = specular_0 + _S609 * layer_value_0(_S608, _S595, _S587, _S588, fabrics_0[_S585].optical_depth_0) * _S603[number_4] * _S610.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S609 * _S603[number_4] * _S611;
+            var total_3 : f32 = total_2 + _S609;
             number_4 = number_4 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        var _S616 : f32;
-        if(_S609)
+        var _S612 : f32;
+        if(_S605)
         {
-            _S616 = diffuse_0;
+            _S612 = diffuse_0;
         }
         else
         {
-            _S616 = 0.0f;
+            _S612 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S616;
-        var _S617 : f32;
-        if(_S609)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S612;
+        var _S613 : f32;
+        if(_S605)
         {
-            _S617 = 0.0f;
+            _S613 = 0.0f;
         }
         else
         {
-            _S617 = diffuse_0;
+            _S613 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S617;
-        var _S618 : f32;
-        if(_S609)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S613;
+        var _S614 : f32;
+        if(_S605)
         {
-            _S618 = specular_0;
+            _S614 = specular_0;
         }
         else
         {
-            _S618 = 0.0f;
+            _S614 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S618;
-        var _S619 : f32;
-        if(_S609)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S614;
+        var _S615 : f32;
+        if(_S605)
         {
-            _S619 = 0.0f;
+            _S615 = 0.0f;
         }
         else
         {
-            _S619 = specular_0;
+            _S615 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S619;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S615;
         pack_0 = pack_0 + u32(1);
     }
-    var _S620 : f32 = prefiltered_hole_0(_S589, _S594, view_nodes_0, _S593);
-    sums_1.hole_2 = _S620;
-    var _S621 : f32 = (1.0f - _S620) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S621;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S621;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S621;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S621;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S621;
+    var _S616 : f32 = prefiltered_hole_0(_S585, _S590, view_nodes_0, _S589);
+    sums_1.hole_2 = _S616;
+    var _S617 : f32 = (1.0f - _S616) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S617;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S617;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S617;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S617;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S617;
     return sums_1;
 }
 
-fn albedos_over_0( _S622 : u32,  _S623 : Footprint_0,  _S624 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S618 : u32,  _S619 : Footprint_0,  _S620 : bool) -> FamilyAlbedos_0
 {
-    var _S625 : vec2<f32> = _S623.dx_0;
-    var _S626 : vec2<f32> = _S623.dy_0;
-    var _S627 : vec2<f32> = sqrt(_S625 * _S625 + _S626 * _S626);
-    var _S628 : Stretch_0 = stretch_of_0(fabrics_0[_S622].warp_0, _S623.centre_0.x, _S627.x);
-    var _S629 : Stretch_0 = stretch_of_0(fabrics_0[_S622].weft_0, _S623.centre_0.y, _S627.y);
+    var _S621 : vec2<f32> = _S619.dx_0;
+    var _S622 : vec2<f32> = _S619.dy_0;
+    var _S623 : vec2<f32> = sqrt(_S621 * _S621 + _S622 * _S622);
+    var _S624 : Stretch_0 = stretch_of_0(fabrics_0[_S618].warp_0, _S619.centre_0.x, _S623.x);
+    var _S625 : Stretch_0 = stretch_of_0(fabrics_0[_S618].weft_0, _S619.centre_0.y, _S623.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S622].warp_0, fabrics_0[_S622].weft_0, _S628, _S629, _S624);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S622].weft_0, fabrics_0[_S622].warp_0, _S629, _S628, _S624);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S618].warp_0, fabrics_0[_S618].weft_0, _S624, _S625, _S620);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S618].weft_0, fabrics_0[_S618].warp_0, _S625, _S624, _S620);
     return albedos_8;
 }
 
-fn lobes_estimate_0( _S630 : u32,  _S631 : Footprint_0,  _S632 : f32,  _S633 : vec3<f32>,  _S634 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_0( _S626 : u32,  _S627 : Footprint_0,  _S628 : f32,  _S629 : vec3<f32>,  _S630 : vec3<f32>) -> Estimate_0
 {
-    var _S635 : f32;
-    var _S636 : Regime_0 = regime_of_0(_S630, _S631, _S632);
-    var _S637 : bool = (_S634.z) < 0.0f;
-    var _S638 : vec3<f32> = to_face_frame_0(_S634, _S637);
-    var _S639 : bool;
-    if((fabrics_0[_S630].fibre_noise_0) > 0.0f)
+    var _S631 : f32;
+    var _S632 : Regime_0 = regime_of_0(_S626, _S627, _S628);
+    var _S633 : bool = (_S630.z) < 0.0f;
+    var _S634 : vec3<f32> = to_face_frame_0(_S630, _S633);
+    var _S635 : bool;
+    if((fabrics_0[_S626].fibre_noise_0) > 0.0f)
     {
-        _S639 = true;
+        _S635 = true;
     }
     else
     {
-        _S639 = (fabrics_0[_S630].colour_noise_0) > 0.0f;
+        _S635 = (fabrics_0[_S626].colour_noise_0) > 0.0f;
     }
-    var _S640 : bool;
-    if((families_0[fabrics_0[_S630].warp_0].quantities_0) > u32(1))
+    var _S636 : bool;
+    if((families_0[fabrics_0[_S626].warp_0].quantities_0) > u32(1))
     {
-        _S640 = true;
+        _S636 = true;
     }
     else
     {
-        _S640 = (families_0[fabrics_0[_S630].weft_0].quantities_0) > u32(1);
+        _S636 = (families_0[fabrics_0[_S626].weft_0].quantities_0) > u32(1);
     }
-    var _S641 : f32 = 1.0f - _S636.prefiltered_0;
-    if(_S641 > 0.0f)
+    var _S637 : f32 = 1.0f - _S632.prefiltered_0;
+    if(_S637 > 0.0f)
     {
-        if(_S639)
+        if(_S635)
         {
-            _S640 = true;
+            _S636 = true;
         }
     }
     else
     {
-        _S640 = false;
+        _S636 = false;
     }
-    var box_0 : Footprint_0 = _S631;
-    var _S642 : vec3<f32> = vec3<f32>(0.0f);
-    var _S643 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S642, _S642, 0.0f, 0.0f, 0.0f);
-    var _S644 : Components_0 = no_components_0();
-    var _S645 : i32;
-    if(_S640)
+    var box_0 : Footprint_0 = _S627;
+    var _S638 : vec3<f32> = vec3<f32>(0.0f);
+    var _S639 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S638, _S638, 0.0f, 0.0f, 0.0f);
+    var _S640 : Components_0 = no_components_0();
+    var _S641 : i32;
+    if(_S636)
     {
-        _S645 = i32(0);
+        _S641 = i32(0);
     }
     else
     {
-        _S645 = i32(1);
+        _S641 = i32(1);
     }
-    var _S646 : u32 = u32(_S645);
-    var points_1 : Components_0 = _S644;
+    var _S642 : u32 = u32(_S641);
+    var points_1 : Components_0 = _S640;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S643;
-    var central_place_0 : vec2<f32> = _S631.centre_0;
-    var number_5 : u32 = _S646;
+    var central_0 : SurfacePoint_0 = _S639;
+    var central_place_0 : vec2<f32> = _S627.centre_0;
+    var number_5 : u32 = _S642;
     for(;;)
     {
-        var _S647 : f32 = f32(number_5);
-        _S635 = _S636.points_0;
-        if(_S647 < (_S636.points_0 + 1.0f))
+        var _S643 : f32 = f32(number_5);
+        _S631 = _S632.points_0;
+        if(_S643 < (_S632.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S648 : bool = number_5 == u32(0);
-        var _S649 : vec2<f32>;
-        if(_S648)
+        var _S644 : bool = number_5 == u32(0);
+        var _S645 : vec2<f32>;
+        if(_S644)
         {
-            _S649 = vec2<f32>(0.0f);
+            _S645 = vec2<f32>(0.0f);
         }
         else
         {
-            _S649 = POINT_OFFSETS_0[number_5 - u32(1)];
+            _S645 = POINT_OFFSETS_0[number_5 - u32(1)];
         }
-        var _S650 : vec2<f32> = _S631.centre_0 + vec2<f32>(_S649.x) * _S631.dx_0 + vec2<f32>(_S649.y) * _S631.dy_0;
-        var _S651 : f32;
-        if(_S648)
+        var _S646 : vec2<f32> = _S627.centre_0 + vec2<f32>(_S645.x) * _S627.dx_0 + vec2<f32>(_S645.y) * _S627.dy_0;
+        var _S647 : f32;
+        if(_S644)
         {
-            _S651 = 0.0f;
+            _S647 = 0.0f;
         }
         else
         {
-            _S651 = _S636.threads_1;
+            _S647 = _S632.threads_1;
         }
-        var _S652 : SearchQuality_0 = quality_of_0(_S651);
-        var _S653 : Hit_0 = first_hit_0(_S630, _S652, _S650.x, _S650.y, _S638, _S637);
-        var _S654 : SurfacePoint_0 = surface_at_0(_S630, _S653.x_13, _S653.y_7, _S637);
-        if(_S648)
+        var _S648 : SearchQuality_0 = quality_of_0(_S647);
+        var _S649 : Hit_0 = first_hit_0(_S626, _S648, _S646.x, _S646.y, _S634, _S633);
+        var _S650 : SurfacePoint_0 = surface_at_0(_S626, _S649.x_13, _S649.y_7, _S633);
+        if(_S644)
         {
             var central_weight_1 : f32;
-            if(_S653.hole_5)
+            if(_S649.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S641;
+                central_weight_1 = _S637;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S653.x_13, _S653.y_7);
-            box_0.centre_0 = mix(_S631.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_place_1 : vec2<f32> = vec2<f32>(_S649.x_13, _S649.y_7);
+            box_0.centre_0 = mix(_S627.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S654;
+            central_0 = _S650;
             central_place_0 = central_place_1;
             number_5 = number_5 + u32(1);
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S630, _S652, yarn_point_of_0(_S630, _S654, _S653.x_13, _S653.y_7, _S637, _S653.hole_5), _S633, _S634), min(_S636.points_0 - f32(number_5 - u32(1)), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S626, _S648, yarn_point_of_0(_S626, _S650, _S649.x_13, _S649.y_7, _S633, _S649.hole_5), _S629, _S630), min(_S632.points_0 - f32(number_5 - u32(1)), 1.0f));
         number_5 = number_5 + u32(1);
     }
     var estimate_0 : Estimate_0;
-    estimate_0.components_0 = with_added_0(_S644, points_1, _S641 / max(_S635, 1.0f));
-    if((_S636.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S640, points_1, _S637 / max(_S631, 1.0f));
+    if((_S632.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S630, _S631, to_face_frame_0(_S633, _S637), _S638, _S637), _S636.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S626, _S627, to_face_frame_0(_S629, _S633), _S634, _S633), _S632.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S630, box_0, _S637);
-    if(_S639)
+    estimate_0.albedos_4 = albedos_over_0(_S626, box_0, _S633);
+    if(_S635)
     {
-        _S639 = central_weight_0 > 0.0f;
+        _S635 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S639 = false;
+        _S635 = false;
     }
-    if(_S639)
+    if(_S635)
     {
-        var _S655 : SurfacePoint_0 = central_0;
-        var _S656 : Albedos_0;
+        var _S651 : SurfacePoint_0 = central_0;
+        var _S652 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S656 = estimate_0.albedos_4.warp_2;
+            _S652 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S656 = estimate_0.albedos_4.weft_2;
+            _S652 = estimate_0.albedos_4.weft_2;
         }
-        var _S657 : Albedos_0 = lerp_albedos_0(_S656, varied_at_0(_S630, central_0, _S656, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S655.is_warp_0)
+        var _S653 : Albedos_0 = lerp_albedos_0(_S652, varied_at_0(_S626, central_0, _S652, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S651.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S657;
+            estimate_0.albedos_4.warp_2 = _S653;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S657;
+            estimate_0.albedos_4.weft_2 = _S653;
         }
     }
     return estimate_0;
 }
 
-fn composed_0( _S658 : u32,  _S659 : Components_0,  _S660 : FamilyAlbedos_0,  _S661 : vec3<f32>,  _S662 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S654 : u32,  _S655 : Components_0,  _S656 : FamilyAlbedos_0,  _S657 : vec3<f32>,  _S658 : vec3<f32>) -> vec3<f32>
 {
-    var _S663 : vec3<f32> = vec3<f32>(_S659.diffuse_warp_0);
-    var _S664 : vec3<f32> = vec3<f32>(_S659.diffuse_weft_0);
-    var _S665 : vec3<f32> = vec3<f32>(_S659.specular_warp_0);
-    var _S666 : vec3<f32> = vec3<f32>(_S659.specular_weft_0);
-    var _S667 : vec3<f32> = _S660.warp_2.diffuse_reflect_0 * _S663 + _S660.weft_2.diffuse_reflect_0 * _S664 + _S660.warp_2.specular_reflect_0 * _S665 + _S660.weft_2.specular_reflect_0 * _S666;
-    var _S668 : f32 = _S662.z;
+    var _S659 : vec3<f32> = vec3<f32>(_S655.diffuse_warp_0);
+    var _S660 : vec3<f32> = vec3<f32>(_S655.diffuse_weft_0);
+    var _S661 : vec3<f32> = vec3<f32>(_S655.specular_warp_0);
+    var _S662 : vec3<f32> = vec3<f32>(_S655.specular_weft_0);
+    var _S663 : vec3<f32> = _S656.warp_2.diffuse_reflect_0 * _S659 + _S656.weft_2.diffuse_reflect_0 * _S660 + _S656.warp_2.specular_reflect_0 * _S661 + _S656.weft_2.specular_reflect_0 * _S662;
+    var _S664 : f32 = _S658.z;
     var body_0 : vec3<f32>;
-    if((_S661.z * _S668) < 0.0f)
+    if((_S657.z * _S664) < 0.0f)
     {
-        body_0 = _S660.warp_2.diffuse_transmit_0 * _S663 + _S660.weft_2.diffuse_transmit_0 * _S664 + _S660.warp_2.specular_transmit_0 * _S665 + _S660.weft_2.specular_transmit_0 * _S666;
+        body_0 = _S656.warp_2.diffuse_transmit_0 * _S659 + _S656.weft_2.diffuse_transmit_0 * _S660 + _S656.warp_2.specular_transmit_0 * _S661 + _S656.weft_2.specular_transmit_0 * _S662;
     }
     else
     {
-        body_0 = _S667;
+        body_0 = _S663;
     }
-    var _S669 : f32 = fabrics_0[_S658].sheen_strength_0;
-    if((fabrics_0[_S658].sheen_strength_0) <= 0.0f)
+    var _S665 : f32 = fabrics_0[_S654].sheen_strength_0;
+    if((fabrics_0[_S654].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S670 : bool = _S668 < 0.0f;
-    var _S671 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S661, _S670), to_face_frame_0(_S662, _S670), _S669, fabrics_0[_S658].sheen_roughness_0);
-    return vec3<f32>(_S671.y) * body_0 + vec3<f32>(((_S659.light_visibility_1 + _S659.hole_2) * _S671.x));
+    var _S666 : bool = _S664 < 0.0f;
+    var _S667 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S657, _S666), to_face_frame_0(_S658, _S666), _S665, fabrics_0[_S654].sheen_roughness_0);
+    return vec3<f32>(_S667.y) * body_0 + vec3<f32>(((_S655.light_visibility_1 + _S655.hole_2) * _S667.x));
 }
 
-fn light_of_footprint_0( _S672 : ptr<function, Frame_std430_0>,  _S673 : u32,  _S674 : VisiblePoint_0) -> vec4<f32>
+fn light_of_footprint_0( _S668 : ptr<function, Frame_std430_0>,  _S669 : u32,  _S670 : VisiblePoint_0) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S674.draft_0;
-    footprint_0.dx_0 = _S674.draft_dx_0;
-    footprint_0.dy_0 = _S674.draft_dy_0;
-    var _S675 : vec3<f32> = to_local_0(_S674, _S674.view_0);
-    var _S676 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S670.draft_0;
+    footprint_0.dx_0 = _S670.draft_dx_0;
+    footprint_0.dy_0 = _S670.draft_dy_0;
+    var _S671 : vec3<f32> = to_local_0(_S670, _S670.view_0);
+    var _S672 : vec3<f32> = vec3<f32>(0.0f);
     var number_6 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S676;
+    var radiance_1 : vec3<f32> = _S672;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        var _S677 : u32 = (*_S672).lights_0;
-        if(number_6 < (max((*_S672).lights_0, u32(1))))
+        var _S673 : u32 = (*_S668).lights_0;
+        if(number_6 < (max((*_S668).lights_0, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S678 : Light_std430_0 = lights_1[number_6];
+        var _S674 : Light_std430_0 = lights_1[number_6];
         var irradiance_2 : vec3<f32>;
-        var _S679 : vec3<f32> = towards_light_0(&(_S678), _S674.position_0, &(irradiance_2));
-        var _S680 : vec3<f32> = to_local_0(_S674, _S679);
-        var _S681 : Estimate_0 = lobes_estimate_0(_S673, footprint_0, 1.0f, _S680, _S675);
-        if(number_6 < _S677)
+        var _S675 : vec3<f32> = towards_light_0(&(_S674), _S670.position_0, &(irradiance_2));
+        var _S676 : vec3<f32> = to_local_0(_S670, _S675);
+        var _S677 : Estimate_0 = lobes_estimate_0(_S669, footprint_0, 1.0f, _S676, _S671);
+        if(number_6 < _S673)
         {
-            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S673, _S681.components_0, _S681.albedos_4, _S680, _S675);
+            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S669, _S677.components_0, _S677.albedos_4, _S676, _S671);
         }
         number_6 = number_6 + u32(1);
-        hole_7 = _S681.components_0.hole_2;
+        hole_7 = _S677.components_0.hole_2;
     }
-    var _S682 : f32 = fabrics_0[_S673].sheen_strength_0;
-    if((fabrics_0[_S673].sheen_strength_0) > 0.0f)
+    var _S678 : f32 = fabrics_0[_S669].sheen_strength_0;
+    if((fabrics_0[_S669].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S682 * sheen_lobe_0(abs(_S675.z), fabrics_0[_S673].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S678 * sheen_lobe_0(abs(_S671.z), fabrics_0[_S669].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3588,38 +3576,38 @@ fn light_of_footprint_0( _S672 : ptr<function, Frame_std430_0>,  _S673 : u32,  _
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S683 : Frame_std430_0 = frames_0[i32(0)];
-    var _S684 : bool;
-    if((id_0.x) >= (_S683.width_0))
+    var _S679 : Frame_std430_0 = frames_0[i32(0)];
+    var _S680 : bool;
+    if((id_0.x) >= (_S679.width_0))
     {
-        _S684 = true;
+        _S680 = true;
     }
     else
     {
-        _S684 = (id_0.y) >= (_S683.height_0);
+        _S680 = (id_0.y) >= (_S679.height_0);
     }
-    if(_S684)
+    if(_S680)
     {
         return;
     }
-    var _S685 : vec2<u32> = id_0.xy;
-    var _S686 : vec3<i32> = vec3<i32>(vec2<i32>(_S685), i32(0));
-    var _S687 : u32 = (textureLoad((visible_faces_0), ((_S686)).xy, ((_S686)).z).x);
-    var _S688 : vec4<f32> = vec4<f32>(0.0f);
+    var _S681 : vec2<u32> = id_0.xy;
+    var _S682 : vec3<i32> = vec3<i32>(vec2<i32>(_S681), i32(0));
+    var _S683 : u32 = (textureLoad((visible_faces_0), ((_S682)).xy, ((_S682)).z).x);
+    var _S684 : vec4<f32> = vec4<f32>(0.0f);
     var sum_1 : vec4<f32>;
-    if(_S687 > u32(0))
+    if(_S683 > u32(0))
     {
-        var _S689 : u32 = _S687 - u32(1);
-        var _S690 : u32 = face_fabrics_0[_S689];
-        var _S691 : VisiblePoint_0 = visible_point_0(&(_S683), _S690, _S689, _S685);
-        var _S692 : vec4<f32> = light_of_footprint_0(&(_S683), _S690, _S691);
-        sum_1 = _S692;
+        var _S685 : u32 = _S683 - u32(1);
+        var _S686 : u32 = face_fabrics_0[_S685];
+        var _S687 : VisiblePoint_0 = visible_point_0(&(_S679), _S686, _S685, _S681);
+        var _S688 : vec4<f32> = light_of_footprint_0(&(_S679), _S686, _S687);
+        sum_1 = _S688;
     }
     else
     {
-        sum_1 = _S688;
+        sum_1 = _S684;
     }
-    accumulate_0(&(_S683), _S685, sum_1);
+    accumulate_0(&(_S679), _S681, sum_1);
     return;
 }
 
