@@ -103,9 +103,12 @@ def test_pictures_of_it_are_those_of_mitsubas_diffuse() -> None:
         {"type": "twosided", "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.5}}},
     ):
         shown = build_scene("sphere", bsdf, size=(24, 24))
-        pictures.append(render(shown.scene, spp=64, integrator=shown.integrator))
-    # Means of 64 samples under one point light and its bounces.
-    np.testing.assert_allclose(pictures[0], pictures[1], rtol=0.02, atol=1e-3)
+        pictures.append(render(shown.scene, spp=1024, integrator=shown.integrator))
+    # At the film's border Mitsuba's filter is cut off, and that of cloth that filters is not.
+    found, wanted = (np.asarray(picture)[2:-2, 2:-2] for picture in pictures)
+    # Camera rays of cloth that filters are others: this is the noise of 1024 samples over edges.
+    np.testing.assert_allclose(found, wanted, rtol=0.02, atol=0.01 * wanted.max())
+    assert np.abs(found - wanted).mean() < 0.002 * wanted.mean()
 
 
 def test_it_is_a_row_of_the_query_benchmark() -> None:

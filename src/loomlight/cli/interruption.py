@@ -66,9 +66,9 @@ def supervised(work: Callable[[], int]) -> int:
         os.close(source)
         _channel = sink
         return work()
-    os.close(sink)
-    signal.signal(signal.SIGTERM, lambda *_: _end(process, signal.SIGTERM))
     try:
+        os.close(sink)
+        signal.signal(signal.SIGTERM, lambda *_: _end(process, signal.SIGTERM))
         return _code_of(os.waitpid(process, 0)[1])
     except KeyboardInterrupt:
         return _stopped(process, source)
