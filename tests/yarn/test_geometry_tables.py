@@ -23,6 +23,8 @@ def test_geometries_of_one_layout_share_their_tables(monkeypatch: pytest.MonkeyP
         return pack_runs(on_top)
 
     monkeypatch.setattr("loomlight.yarn.geometry_tables.pack_runs", counted)
+    # Other layouts of the same threads may be in memory still.
+    monkeypatch.setattr("loomlight.yarn.geometry_tables._cache", weakref.WeakKeyDictionary())
     layout = even_layout(TWILL)
     first, second = YarnGeometry(layout), YarnGeometry(layout)
     assert len(packed) == 2  # warp and weft
