@@ -15,6 +15,7 @@ from loomlight.cli.outputs import check_output, done
 from loomlight.cli.progress import progress
 from loomlight.cli.values import parse_numbers, parse_size, require_within
 from loomlight.core.errors import InputError
+from loomlight.core.files import replacing
 
 if TYPE_CHECKING:
     import numpy as np
@@ -171,11 +172,12 @@ class _Written:
         """Leaves what was there before if the picture cannot be finished; an interruption keeps it."""
         try:
             yield
-        except Exception as error:
+        except Exception as error:  # Whatever went wrong; it goes on.
             if was_interrupted(error):
                 raise
             if self._last is not None and self._before is None:
                 self._path.unlink(missing_ok=True)
             elif self._before is not None:
-                self._path.write_bytes(self._before)
+                with replacing(self._path) as temporary:
+                    temporary.write_bytes(self._before)
             raise

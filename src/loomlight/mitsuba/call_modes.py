@@ -33,6 +33,7 @@ def nested(method: _Method) -> _Method:
         with dr.scoped_set_flag(_LOOPS, True), dr.scoped_set_flag(_BRANCHES, True):
             return method(*arguments, **named)
 
+    # A type checker cannot see that `wraps` keeps the signature.
     return call  # type: ignore[return-value]
 
 
