@@ -17,10 +17,11 @@ from loomlight.models.woven.decoder import _matrices
 from loomlight.models.woven.footprint_coding import mean_pitch
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, shipped_weights
-from loomlight.realtime.networks import Elements, NumberTable, layer_starts, packed_layer, packed_numbers
+from loomlight.realtime.networks import Elements, NumberTable, layer_size, layer_starts, packed_layer, packed_numbers
 
 # Layers in the order of memory; see `woven_layers`.
-_LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT", "ANGULAR_1", "ANGULAR_2", "ANGULAR_3")
+_LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
+_ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
 _LAST = "LAST"
 Numbers: TypeAlias = NDArray[np.float32]
 Layer: TypeAlias = tuple[Numbers, Numbers | None]
@@ -42,9 +43,9 @@ def woven_layers(weights: Weights) -> dict[str, Layer]:
         (parts["hole last"], parts["hole last bias"]),
         (view, parts["0 bias"]),
         (parts["light"], None),
-        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, 5)),
+        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(_ANGULAR) + 2)),
     ]
-    return dict(zip((*_LAYERS, _LAST), layers, strict=True))
+    return dict(zip((*_LAYERS, *_ANGULAR, _LAST), layers, strict=True))
 
 
 def woven_uints() -> dict[str, int]:
@@ -53,6 +54,7 @@ def woven_uints() -> dict[str, int]:
     table = weights.table
     layers = woven_layers(weights)
     starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
+    at = dict(zip(layers, starts, strict=False))
     return {
         "WOVEN_HIDDEN": table.hidden,
         "WOVEN_LATENT": table.latent_size,
@@ -64,7 +66,9 @@ def woven_uints() -> dict[str, int]:
         "BUNDLES": architecture.BUNDLES,
         "BUNDLE_POSITIONS": architecture.BUNDLE_POSITIONS,
         "FINEST_LEVEL": footprint_coding.FINEST,
-        **{f"WOVEN_{name}": start for name, start in zip(layers, starts, strict=False)},
+        "WOVEN_ANGULAR_LAYERS": len(_ANGULAR),
+        "WOVEN_ANGULAR_SIZE": layer_size(table.hidden, table.hidden),
+        **{f"WOVEN_{name}": at[name] for name in (*_LAYERS, _ANGULAR[0], _LAST)},
     }
 
 
