@@ -56,6 +56,7 @@ ENTRIES = {
         "shade_lobes": "compute",
         "tone_map": "compute",
     },
+    "frame_woven": {"shade_woven": "compute"},
 }
 
 

@@ -74,6 +74,7 @@ _FLOATS: dict[str, float] = {
     "ALBEDO_NOISE_FRACTION": footprint_albedos._NOISE_FRACTION,
     "HIDDEN_WEIGHT": footprint_albedos._HIDDEN,
     "MAX_RATIO_OF_ONE_TAP": core_footprint._MAX_RATIO_OF_ONE_TAP,
+    "ONE_MINUS_EPSILON": 1 - 2.0**-24,
     "TURNED_SHARE": fibre._SHARE_TURNED[0],
     "TURNED_SHARE_SLOPE": fibre._SHARE_TURNED[1],
     "THROUGH_SHARE": fibre._SHARE_THROUGH[0],
