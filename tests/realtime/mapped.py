@@ -75,7 +75,10 @@ def mapped(
     adapter = default_adapter()
     wgsl = _compiled("\n".join(source))
     data = np.concatenate([np.array([count], np.uint32), *columns])
-    resources = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
+    resources = {
+        "arguments": adapter.storage(data),
+        "results": adapter.empty_storage(4 * count * len(outputs)),
+    }
     resources |= {name: adapter.storage(values) for name, values in (buffers or {}).items()}
     if fabric is not None:
         layout, appearance, *lobes = fabric

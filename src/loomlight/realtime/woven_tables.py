@@ -17,7 +17,14 @@ from loomlight.models.woven.decoder import _matrices
 from loomlight.models.woven.footprint_coding import mean_pitch
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, shipped_weights
-from loomlight.realtime.networks import Elements, NumberTable, layer_size, layer_starts, packed_layer, packed_numbers
+from loomlight.realtime.networks import (
+    Elements,
+    NumberTable,
+    layer_size,
+    layer_starts,
+    packed_layer,
+    packed_numbers,
+)
 
 # Layers in the order of memory; see `woven_layers`.
 _LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
