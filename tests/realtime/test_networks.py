@@ -5,6 +5,8 @@ Covers: realtime/networks.py
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -26,7 +28,7 @@ def network(shape: tuple[int, int, int, int]) -> tuple[Layers, Layers]:
     sizes = [inputs, *[width] * hidden, outputs]
     weights = [
         np.float32(np.float16(rng.normal(0, np.sqrt(2 / before), (after, before))))
-        for before, after in zip(sizes[:-1], sizes[1:], strict=True)
+        for before, after in pairwise(sizes)
     ]
     return weights, [np.float32(np.float16(rng.normal(0, 0.2, size))) for size in sizes[1:]]
 
@@ -55,7 +57,8 @@ def test_networks_are_numpys(name: str, storage: str) -> None:
     body = (
         f"float a[{inputs}]; float b[{outputs}];"
         f"for (int k = 0; k < {inputs}; k++) a[k] = x * float(k + 1);"
-        f"MLP<{inputs}, {width}, {hidden}, {outputs}, {kind}, LeakyRelu> net; net.weights.first = 0u; net.evaluate(a, b);"
+        f"MLP<{inputs}, {width}, {hidden}, {outputs}, {kind}, LeakyRelu> net;"
+        "net.weights.first = 0u; net.evaluate(a, b);"
     )
     results = ";".join(f"b[{k}]" for k in range(outputs))
     prologue = f"load_shared(0u, {len(elements)}u, id.x % 64u, 64u);" if storage == "shared" else ""

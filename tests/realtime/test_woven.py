@@ -1,4 +1,4 @@
-"""The model woven in Slang against Dr.Jit: components, holes and composed values of whole queries, and a frame.
+"""The model woven in Slang against Dr.Jit: components, holes and values of whole queries, and a frame.
 
 The bar is that of `queries.py`. No query searches along rays, so none may miss it.
 
@@ -65,7 +65,8 @@ def test_queries_of_woven(name: str) -> None:
     found = mapped(
         "woven footprint separable albedos",
         body,
-        "c.diffuse_warp; c.diffuse_weft; c.specular_warp; c.specular_weft; c.light_visibility; c.hole; f.x; f.y; f.z",
+        "c.diffuse_warp; c.diffuse_weft; c.specular_warp; c.specular_weft; c.light_visibility; c.hole;"
+        "f.x; f.y; f.z",
         {"x": at.x, "y": at.y, "light": light, "view": view, "dx": dx, "dy": dy},
         (model.fabric.layout(), model.fabric.appearance()),
         model,

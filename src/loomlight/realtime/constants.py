@@ -13,7 +13,6 @@ import numpy as np
 from loomlight.aggregate import footprint_albedos
 from loomlight.core import footprint as core_footprint
 from loomlight.models.lobes import bsdf as lobe_bsdf
-from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import (
     coverage_lookup,
     density,
@@ -23,9 +22,10 @@ from loomlight.models.lobes import (
     prefiltered,
     regimes,
 )
+from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
-from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
+from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
 _FLOATS: dict[str, float] = {

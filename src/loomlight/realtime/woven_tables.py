@@ -129,7 +129,7 @@ class WovenTables:
         """Appends latents and correction of a fabric, and its network unless it is here.
 
         Returns:
-            values of the record `Woven` by name, the table of levels [n, 4], and the lobe basis [2, bundles, 4].
+            values of the record `Woven` by name, the table of levels [n, 4], the lobe basis [2, bundles, 4].
 
         Raises:
             InputError: a network of another shape than that of the shaders.
