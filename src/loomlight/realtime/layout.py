@@ -223,5 +223,7 @@ def slang_structs() -> str:
     for binding, (name, (kind, writable)) in enumerate(BUFFERS.items()):
         access = "RWStructuredBuffer" if writable else "StructuredBuffer"
         lines.append(f"[[vk::binding({binding}, 0)]] {access}<{kind}> {name};")
+    binding = list(BUFFERS).index("packed_numbers")
+    lines.append(f"static const uint PACKED_NUMBERS_BINDING = {binding}u;")
     lines.append(f"[[vk::binding({VISIBILITY_BINDING}, 0)]] Texture2D<uint> visible_faces;")
     return "\n".join(lines) + "\n"
