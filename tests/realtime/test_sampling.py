@@ -91,7 +91,8 @@ LOBES_BODY = (
     "let hole = prefiltered_hole(fabric, g.taps, g.nodes, back);"
     "let s = sample_lobes(fabric, p, a, hole, view, choice, u);"
     "let d = lobes_pdf(fabric, p, a, hole, light, view);"
-    "let c = prefiltered_components(fabric, p, to_face_frame(s.light, back), to_face_frame(view, back), back);"
+    "let l = to_face_frame(s.light, back);"
+    "let c = prefiltered_components(fabric, p, l, to_face_frame(view, back), back);"
     "let f = composed(fabric, c, a, s.light, view);"
 )
 LOBES_MODULES = "lobes_sampling lobe_sampling prefiltered separable albedos point footprint"
@@ -162,7 +163,8 @@ def test_sampling_of_woven() -> None:
     sample = bsdf.sample(Float(numbers["choice"]), pairs(numbers["u"]))
     hole = np.array(bsdf.hole)
     body = FOOTPRINT + (
-        "let a = albedos_over(fabric, p, view.z < 0.0); let s = sample_woven(fabric, a, hole, view, choice, u);"
+        "let a = albedos_over(fabric, p, view.z < 0.0);"
+        "let s = sample_woven(fabric, a, hole, view, choice, u);"
         "let d = woven_pdf(fabric, a, hole, light, view); let f = float3(0.0);"
     )
     arguments = {"x": at.x, "y": at.y, "side": side, "light": light, "view": view, "hole": hole} | numbers
