@@ -291,13 +291,13 @@ __device__ float Identity_apply_0(float x_4)
     return x_4;
 }
 
-__device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, int count_1, bool adds_0, FixedArray<float, 96>  * inputs_1, FixedArray<float, 50>  * outputs_0)
+__device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, bool adds_0, FixedArray<float, 96>  * inputs_1, FixedArray<float, 50>  * outputs_0)
 {
-    uint _S12 = first_1 + uint(whole_parts_0((count_1 + int(7)) / int(8)));
+    uint _S12 = first_1 + uint(whole_parts_0(int(7)));
     int output_0 = int(0);
     for(;;)
     {
-        bool _S13 = output_0 < count_1;
+        bool _S13 = output_0 < int(50);
         if(_S13)
         {
         }
@@ -332,7 +332,7 @@ __device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, int count
             (*outputs_0)[output_0] = Identity_apply_0(_S18.x + _S19);
         }
         int _S20 = output_0 + int(1);
-        if(_S20 < count_1)
+        if(_S20 < int(50))
         {
             if(adds_0)
             {
@@ -345,7 +345,7 @@ __device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, int count
             (*outputs_0)[_S20] = Identity_apply_0(_S18.y + _S19);
         }
         int _S21 = output_0 + int(2);
-        if(_S21 < count_1)
+        if(_S21 < int(50))
         {
             if(adds_0)
             {
@@ -358,7 +358,7 @@ __device__ void dense_part_0(FloatWeights_0 * weights_1, uint first_1, int count
             (*outputs_0)[_S21] = Identity_apply_0(_S18.z + _S19);
         }
         int _S22 = output_0 + int(3);
-        if(_S22 < count_1)
+        if(_S22 < int(50))
         {
             if(adds_0)
             {
@@ -500,13 +500,13 @@ __device__ float4  tile_product_1(HalfWeights_0 * weights_2, uint row_1, FixedAr
     return sums_1;
 }
 
-__device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, int count_2, bool adds_1, FixedArray<float, 96>  * inputs_3, FixedArray<float, 52>  * outputs_1)
+__device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, bool adds_1, FixedArray<float, 96>  * inputs_3, FixedArray<float, 52>  * outputs_1)
 {
-    uint _S36 = first_3 + uint(whole_parts_0((count_2 + int(7)) / int(8)));
+    uint _S36 = first_3 + uint(whole_parts_0(int(7)));
     int output_1 = int(0);
     for(;;)
     {
-        bool _S37 = output_1 < count_2;
+        bool _S37 = output_1 < int(52);
         if(_S37)
         {
         }
@@ -541,7 +541,7 @@ __device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, int count_
             (*outputs_1)[output_1] = Identity_apply_0(_S42.x + _S43);
         }
         int _S44 = output_1 + int(1);
-        if(_S44 < count_2)
+        if(_S44 < int(52))
         {
             if(adds_1)
             {
@@ -554,7 +554,7 @@ __device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, int count_
             (*outputs_1)[_S44] = Identity_apply_0(_S42.y + _S43);
         }
         int _S45 = output_1 + int(2);
-        if(_S45 < count_2)
+        if(_S45 < int(52))
         {
             if(adds_1)
             {
@@ -567,7 +567,7 @@ __device__ void dense_part_1(HalfWeights_0 * weights_3, uint first_3, int count_
             (*outputs_1)[_S45] = Identity_apply_0(_S42.z + _S43);
         }
         int _S46 = output_1 + int(3);
-        if(_S46 < count_2)
+        if(_S46 < int(52))
         {
             if(adds_1)
             {
@@ -624,13 +624,13 @@ __device__ float4  tile_product_2(HalfWeights_0 * weights_4, uint row_2, FixedAr
     return sums_2;
 }
 
-__device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, int count_3, bool adds_2, FixedArray<float, 39>  * inputs_5, FixedArray<float, 96>  * outputs_2)
+__device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, bool adds_2, FixedArray<float, 39>  * inputs_5, FixedArray<float, 96>  * outputs_2)
 {
-    uint _S55 = first_4 + uint(whole_parts_0((count_3 + int(7)) / int(8)));
+    uint _S55 = first_4 + uint(whole_parts_0(int(12)));
     int output_2 = int(0);
     for(;;)
     {
-        bool _S56 = output_2 < count_3;
+        bool _S56 = output_2 < int(96);
         if(_S56)
         {
         }
@@ -665,7 +665,7 @@ __device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, int count_
             (*outputs_2)[output_2] = Identity_apply_0(_S61.x + _S62);
         }
         int _S63 = output_2 + int(1);
-        if(_S63 < count_3)
+        if(_S63 < int(96))
         {
             if(adds_2)
             {
@@ -678,7 +678,7 @@ __device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, int count_
             (*outputs_2)[_S63] = Identity_apply_0(_S61.y + _S62);
         }
         int _S64 = output_2 + int(2);
-        if(_S64 < count_3)
+        if(_S64 < int(96))
         {
             if(adds_2)
             {
@@ -691,7 +691,7 @@ __device__ void dense_part_2(HalfWeights_0 * weights_5, uint first_4, int count_
             (*outputs_2)[_S64] = Identity_apply_0(_S61.z + _S62);
         }
         int _S65 = output_2 + int(3);
-        if(_S65 < count_3)
+        if(_S65 < int(96))
         {
             if(adds_2)
             {
@@ -748,13 +748,13 @@ __device__ float4  tile_product_3(HalfWeights_0 * weights_6, uint row_3, FixedAr
     return sums_3;
 }
 
-__device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, int count_4, bool adds_3, FixedArray<float, 100>  * inputs_7, FixedArray<float, 96>  * outputs_3)
+__device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, bool adds_3, FixedArray<float, 100>  * inputs_7, FixedArray<float, 96>  * outputs_3)
 {
-    uint _S74 = first_5 + uint(whole_parts_0((count_4 + int(7)) / int(8)));
+    uint _S74 = first_5 + uint(whole_parts_0(int(12)));
     int output_3 = int(0);
     for(;;)
     {
-        bool _S75 = output_3 < count_4;
+        bool _S75 = output_3 < int(96);
         if(_S75)
         {
         }
@@ -789,7 +789,7 @@ __device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, int count_
             (*outputs_3)[output_3] = Identity_apply_0(_S80.x + _S81);
         }
         int _S82 = output_3 + int(1);
-        if(_S82 < count_4)
+        if(_S82 < int(96))
         {
             if(adds_3)
             {
@@ -802,7 +802,7 @@ __device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, int count_
             (*outputs_3)[_S82] = Identity_apply_0(_S80.y + _S81);
         }
         int _S83 = output_3 + int(2);
-        if(_S83 < count_4)
+        if(_S83 < int(96))
         {
             if(adds_3)
             {
@@ -815,7 +815,7 @@ __device__ void dense_part_3(HalfWeights_0 * weights_7, uint first_5, int count_
             (*outputs_3)[_S83] = Identity_apply_0(_S80.z + _S81);
         }
         int _S84 = output_3 + int(3);
-        if(_S84 < count_4)
+        if(_S84 < int(96))
         {
             if(adds_3)
             {
@@ -872,13 +872,13 @@ __device__ float4  tile_product_4(HalfWeights_0 * weights_8, uint row_4, FixedAr
     return sums_4;
 }
 
-__device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, int count_5, bool adds_4, FixedArray<float, 16>  * inputs_9, FixedArray<float, 1>  * outputs_4)
+__device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, bool adds_4, FixedArray<float, 16>  * inputs_9, FixedArray<float, 1>  * outputs_4)
 {
-    uint _S93 = first_6 + uint(whole_parts_0((count_5 + int(7)) / int(8)));
+    uint _S93 = first_6 + uint(whole_parts_0(int(1)));
     int output_4 = int(0);
     for(;;)
     {
-        bool _S94 = output_4 < count_5;
+        bool _S94 = output_4 < int(1);
         if(_S94)
         {
         }
@@ -913,7 +913,7 @@ __device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, int count_
             (*outputs_4)[output_4] = Identity_apply_0(_S99.x + _S100);
         }
         int _S101 = output_4 + int(1);
-        if(_S101 < count_5)
+        if(_S101 < int(1))
         {
             if(adds_4)
             {
@@ -926,7 +926,7 @@ __device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, int count_
             (*outputs_4)[_S101] = Identity_apply_0(_S99.y + _S100);
         }
         int _S102 = output_4 + int(2);
-        if(_S102 < count_5)
+        if(_S102 < int(1))
         {
             if(adds_4)
             {
@@ -939,7 +939,7 @@ __device__ void dense_part_4(HalfWeights_0 * weights_9, uint first_6, int count_
             (*outputs_4)[_S102] = Identity_apply_0(_S99.z + _S100);
         }
         int _S103 = output_4 + int(3);
-        if(_S103 < count_5)
+        if(_S103 < int(1))
         {
             if(adds_4)
             {
@@ -961,13 +961,13 @@ __device__ float LeakyRelu_apply_0(float x_8)
     return (F32_max((x_8), (x_8 * 0.00999999977648258f)));
 }
 
-__device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, int count_6, bool adds_5, FixedArray<float, 96>  * inputs_10, FixedArray<float, 96>  * outputs_5)
+__device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, bool adds_5, FixedArray<float, 96>  * inputs_10, FixedArray<float, 96>  * outputs_5)
 {
-    uint _S104 = first_7 + uint(whole_parts_0((count_6 + int(7)) / int(8)));
+    uint _S104 = first_7 + uint(whole_parts_0(int(12)));
     int output_5 = int(0);
     for(;;)
     {
-        bool _S105 = output_5 < count_6;
+        bool _S105 = output_5 < int(96);
         if(_S105)
         {
         }
@@ -1002,7 +1002,7 @@ __device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, int count
             (*outputs_5)[output_5] = LeakyRelu_apply_0(_S110.x + _S111);
         }
         int _S112 = output_5 + int(1);
-        if(_S112 < count_6)
+        if(_S112 < int(96))
         {
             if(adds_5)
             {
@@ -1015,7 +1015,7 @@ __device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, int count
             (*outputs_5)[_S112] = LeakyRelu_apply_0(_S110.y + _S111);
         }
         int _S113 = output_5 + int(2);
-        if(_S113 < count_6)
+        if(_S113 < int(96))
         {
             if(adds_5)
             {
@@ -1028,7 +1028,7 @@ __device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, int count
             (*outputs_5)[_S113] = LeakyRelu_apply_0(_S110.z + _S111);
         }
         int _S114 = output_5 + int(3);
-        if(_S114 < count_6)
+        if(_S114 < int(96))
         {
             if(adds_5)
             {
@@ -1045,13 +1045,13 @@ __device__ void dense_part_5(HalfWeights_0 * weights_10, uint first_7, int count
     return;
 }
 
-__device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, int count_7, bool adds_6, FixedArray<float, 100>  * inputs_11, FixedArray<float, 16>  * outputs_6)
+__device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, bool adds_6, FixedArray<float, 100>  * inputs_11, FixedArray<float, 16>  * outputs_6)
 {
-    uint _S115 = first_8 + uint(whole_parts_0((count_7 + int(7)) / int(8)));
+    uint _S115 = first_8 + uint(whole_parts_0(int(2)));
     int output_6 = int(0);
     for(;;)
     {
-        bool _S116 = output_6 < count_7;
+        bool _S116 = output_6 < int(16);
         if(_S116)
         {
         }
@@ -1086,7 +1086,7 @@ __device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, int count
             (*outputs_6)[output_6] = LeakyRelu_apply_0(_S121.x + _S122);
         }
         int _S123 = output_6 + int(1);
-        if(_S123 < count_7)
+        if(_S123 < int(16))
         {
             if(adds_6)
             {
@@ -1099,7 +1099,7 @@ __device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, int count
             (*outputs_6)[_S123] = LeakyRelu_apply_0(_S121.y + _S122);
         }
         int _S124 = output_6 + int(2);
-        if(_S124 < count_7)
+        if(_S124 < int(16))
         {
             if(adds_6)
             {
@@ -1112,7 +1112,7 @@ __device__ void dense_part_6(HalfWeights_0 * weights_11, uint first_8, int count
             (*outputs_6)[_S124] = LeakyRelu_apply_0(_S121.z + _S122);
         }
         int _S125 = output_6 + int(3);
-        if(_S125 < count_7)
+        if(_S125 < int(16))
         {
             if(adds_6)
             {
@@ -1169,13 +1169,13 @@ __device__ float4  tile_product_5(HalfWeights_0 * weights_12, uint row_5, FixedA
     return sums_5;
 }
 
-__device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, int count_8, bool adds_7, FixedArray<float, 88>  * inputs_13, FixedArray<float, 96>  * outputs_7)
+__device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, bool adds_7, FixedArray<float, 88>  * inputs_13, FixedArray<float, 96>  * outputs_7)
 {
-    uint _S134 = first_9 + uint(whole_parts_0((count_8 + int(7)) / int(8)));
+    uint _S134 = first_9 + uint(whole_parts_0(int(12)));
     int output_7 = int(0);
     for(;;)
     {
-        bool _S135 = output_7 < count_8;
+        bool _S135 = output_7 < int(96);
         if(_S135)
         {
         }
@@ -1210,7 +1210,7 @@ __device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, int count
             (*outputs_7)[output_7] = LeakyRelu_apply_0(_S140.x + _S141);
         }
         int _S142 = output_7 + int(1);
-        if(_S142 < count_8)
+        if(_S142 < int(96))
         {
             if(adds_7)
             {
@@ -1223,7 +1223,7 @@ __device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, int count
             (*outputs_7)[_S142] = LeakyRelu_apply_0(_S140.y + _S141);
         }
         int _S143 = output_7 + int(2);
-        if(_S143 < count_8)
+        if(_S143 < int(96))
         {
             if(adds_7)
             {
@@ -1236,7 +1236,7 @@ __device__ void dense_part_7(HalfWeights_0 * weights_13, uint first_9, int count
             (*outputs_7)[_S143] = LeakyRelu_apply_0(_S140.z + _S141);
         }
         int _S144 = output_7 + int(3);
-        if(_S144 < count_8)
+        if(_S144 < int(96))
         {
             if(adds_7)
             {
@@ -1348,25 +1348,25 @@ __device__ float lerp_0(float x_15, float y_9, float s_0)
 
 __device__ void dense_0(FloatWeights_0 * weights_14, uint first_10, bool adds_8, FixedArray<float, 96>  * inputs_14, FixedArray<float, 50>  * outputs_8)
 {
-    dense_part_0(weights_14, first_10, int(50), adds_8, inputs_14, outputs_8);
+    dense_part_0(weights_14, first_10, adds_8, inputs_14, outputs_8);
     return;
 }
 
 __device__ void dense_1(HalfWeights_0 * weights_15, uint first_11, bool adds_9, FixedArray<float, 96>  * inputs_15, FixedArray<float, 52>  * outputs_9)
 {
-    dense_part_1(weights_15, first_11, int(52), adds_9, inputs_15, outputs_9);
+    dense_part_1(weights_15, first_11, adds_9, inputs_15, outputs_9);
     return;
 }
 
 __device__ void dense_2(HalfWeights_0 * weights_16, uint first_12, bool adds_10, FixedArray<float, 96>  * inputs_16, FixedArray<float, 96>  * outputs_10)
 {
-    dense_part_5(weights_16, first_12, int(96), adds_10, inputs_16, outputs_10);
+    dense_part_5(weights_16, first_12, adds_10, inputs_16, outputs_10);
     return;
 }
 
 __device__ void dense_3(HalfWeights_0 * weights_17, uint first_13, bool adds_11, FixedArray<float, 39>  * inputs_17, FixedArray<float, 96>  * outputs_11)
 {
-    dense_part_2(weights_17, first_13, int(96), adds_11, inputs_17, outputs_11);
+    dense_part_2(weights_17, first_13, adds_11, inputs_17, outputs_11);
     return;
 }
 
@@ -1401,29 +1401,29 @@ __device__ float2  sqrt_0(float2  x_18)
 
 __device__ void dense_4(HalfWeights_0 * weights_18, uint first_14, bool adds_12, FixedArray<float, 100>  * inputs_18, FixedArray<float, 96>  * outputs_12)
 {
-    dense_part_3(weights_18, first_14, int(96), adds_12, inputs_18, outputs_12);
+    dense_part_3(weights_18, first_14, adds_12, inputs_18, outputs_12);
     return;
 }
 
 __device__ void dense_5(HalfWeights_0 * weights_19, uint first_15, bool adds_13, FixedArray<float, 16>  * inputs_19, FixedArray<float, 1>  * outputs_13)
 {
-    dense_part_4(weights_19, first_15, int(1), adds_13, inputs_19, outputs_13);
+    dense_part_4(weights_19, first_15, adds_13, inputs_19, outputs_13);
     return;
 }
 
 __device__ void dense_6(HalfWeights_0 * weights_20, uint first_16, bool adds_14, FixedArray<float, 100>  * inputs_20, FixedArray<float, 16>  * outputs_14)
 {
-    dense_part_6(weights_20, first_16, int(16), adds_14, inputs_20, outputs_14);
+    dense_part_6(weights_20, first_16, adds_14, inputs_20, outputs_14);
     return;
 }
 
-__device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, int count_9, bool adds_15, FixedArray<float, 96>  * inputs_21, FixedArray<float, 100>  * outputs_15)
+__device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, bool adds_15, FixedArray<float, 96>  * inputs_21, FixedArray<float, 100>  * outputs_15)
 {
-    uint _S145 = first_17 + uint(whole_parts_0((count_9 + int(7)) / int(8)));
+    uint _S145 = first_17 + uint(whole_parts_0(int(12)));
     int output_8 = int(0);
     for(;;)
     {
-        bool _S146 = output_8 < count_9;
+        bool _S146 = output_8 < int(96);
         if(_S146)
         {
         }
@@ -1458,7 +1458,7 @@ __device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, int coun
             (*outputs_15)[output_8] = LeakyRelu_apply_0(_S151.x + _S152);
         }
         int _S153 = output_8 + int(1);
-        if(_S153 < count_9)
+        if(_S153 < int(96))
         {
             if(adds_15)
             {
@@ -1471,7 +1471,7 @@ __device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, int coun
             (*outputs_15)[_S153] = LeakyRelu_apply_0(_S151.y + _S152);
         }
         int _S154 = output_8 + int(2);
-        if(_S154 < count_9)
+        if(_S154 < int(96))
         {
             if(adds_15)
             {
@@ -1484,7 +1484,7 @@ __device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, int coun
             (*outputs_15)[_S154] = LeakyRelu_apply_0(_S151.z + _S152);
         }
         int _S155 = output_8 + int(3);
-        if(_S155 < count_9)
+        if(_S155 < int(96))
         {
             if(adds_15)
             {
@@ -1503,7 +1503,7 @@ __device__ void dense_part_8(HalfWeights_0 * weights_21, uint first_17, int coun
 
 __device__ void dense_7(HalfWeights_0 * weights_22, uint first_18, bool adds_16, FixedArray<float, 88>  * inputs_22, FixedArray<float, 96>  * outputs_16)
 {
-    dense_part_7(weights_22, first_18, int(96), adds_16, inputs_22, outputs_16);
+    dense_part_7(weights_22, first_18, adds_16, inputs_22, outputs_16);
     return;
 }
 
@@ -1811,18 +1811,18 @@ __device__ float table_number_0(uint index_0)
     return (U32_asfloat((_S250)));
 }
 
-__device__ float wrapped_0(float index_1, float count_10)
+__device__ float wrapped_0(float index_1, float count_1)
 {
     float _S251;
     if(index_1 < 0.0f)
     {
-        _S251 = index_1 + count_10;
+        _S251 = index_1 + count_1;
     }
     else
     {
-        if(index_1 >= count_10)
+        if(index_1 >= count_1)
         {
-            _S251 = index_1 - count_10;
+            _S251 = index_1 - count_1;
         }
         else
         {
@@ -2153,7 +2153,7 @@ __device__ uint4  Stretch_differences_0(Stretch_0 * this_7, uint4  entries_0, ui
     return make_uint4 (_S369 + _S371, entries_0.w - _S367, entries_0.y - _S368, whole_0);
 }
 
-__device__ uint4  row_differences_0(Stretch_0 * across_1, uint row_7, uint count_11, uint quantities_1)
+__device__ uint4  row_differences_0(Stretch_0 * across_1, uint row_7, uint count_2, uint quantities_1)
 {
     uint _S372 = row_7 + (&across_1->low_7)->thread_1 * quantities_1;
     uint _S373 = row_7 + (&across_1->high_7)->thread_1 * quantities_1;
@@ -2162,7 +2162,7 @@ __device__ uint4  row_differences_0(Stretch_0 * across_1, uint row_7, uint count
     uint _S376 = __ldg((&(globalParams_0->words_0)[_S373]));
     uint _S377 = __ldg((&(globalParams_0->words_0)[_S373 + quantities_1]));
     uint4  _S378 = make_uint4 (_S374, _S375, _S376, _S377);
-    uint _S379 = __ldg((&(globalParams_0->words_0)[row_7 + count_11 * quantities_1]));
+    uint _S379 = __ldg((&(globalParams_0->words_0)[row_7 + count_2 * quantities_1]));
     uint4  _S380 = Stretch_differences_0(across_1, _S378, _S379);
     return _S380;
 }
@@ -2910,7 +2910,7 @@ __device__ void woven_view_0(uint _S641, Footprint_0 * _S642, float3  _S643, Wov
     dense_7(&_S653, 0U, false, &inputs_23, &hidden_0);
     HalfWeights_0 _S654 = weights_23;
     FixedArray<float, 100>  fused_0;
-    dense_part_8(&_S654, 1068U, int(96), false, &hidden_0, &fused_0);
+    dense_part_8(&_S654, 1068U, false, &hidden_0, &fused_0);
     fused_0[int(96)] = _S650.x;
     fused_0[int(97)] = _S650.y;
     float3  _S655 = crown_fibres_0(_S641, true, _S646);

@@ -268,13 +268,13 @@ float Identity_apply_0(float x_2)
     return x_2;
 }
 
-void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds_0, inout float  inputs_1[96], inout float  outputs_0[50])
+void dense_part_0(FloatWeights_0 weights_1, uint first_1, bool adds_0, inout float  inputs_1[96], inout float  outputs_0[50])
 {
-    uint _S10 = first_1 + uint(whole_parts_0((count_1 + 7) / 8));
+    uint _S10 = first_1 + uint(whole_parts_0(7));
     int output_0 = 0;
     for(;;)
     {
-        bool _S11 = output_0 < count_1;
+        bool _S11 = output_0 < 50;
         if(_S11)
         {
         }
@@ -309,7 +309,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[output_0] = Identity_apply_0(_S16[0] + _S17);
         }
         int _S18 = output_0 + 1;
-        if(_S18 < count_1)
+        if(_S18 < 50)
         {
             if(adds_0)
             {
@@ -322,7 +322,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[_S18] = Identity_apply_0(_S16[1] + _S17);
         }
         int _S19 = output_0 + 2;
-        if(_S19 < count_1)
+        if(_S19 < 50)
         {
             if(adds_0)
             {
@@ -335,7 +335,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[_S19] = Identity_apply_0(_S16[2] + _S17);
         }
         int _S20 = output_0 + 3;
-        if(_S20 < count_1)
+        if(_S20 < 50)
         {
             if(adds_0)
             {
@@ -410,13 +410,13 @@ vec4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2[9
     return sums_1;
 }
 
-void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_1, inout float  inputs_3[96], inout float  outputs_1[52])
+void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout float  inputs_3[96], inout float  outputs_1[52])
 {
-    uint _S29 = first_3 + uint(whole_parts_0((count_2 + 7) / 8));
+    uint _S29 = first_3 + uint(whole_parts_0(7));
     int output_1 = 0;
     for(;;)
     {
-        bool _S30 = output_1 < count_2;
+        bool _S30 = output_1 < 52;
         if(_S30)
         {
         }
@@ -451,7 +451,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[output_1] = Identity_apply_0(_S35[0] + _S36);
         }
         int _S37 = output_1 + 1;
-        if(_S37 < count_2)
+        if(_S37 < 52)
         {
             if(adds_1)
             {
@@ -464,7 +464,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[_S37] = Identity_apply_0(_S35[1] + _S36);
         }
         int _S38 = output_1 + 2;
-        if(_S38 < count_2)
+        if(_S38 < 52)
         {
             if(adds_1)
             {
@@ -477,7 +477,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[_S38] = Identity_apply_0(_S35[2] + _S36);
         }
         int _S39 = output_1 + 3;
-        if(_S39 < count_2)
+        if(_S39 < 52)
         {
             if(adds_1)
             {
@@ -534,13 +534,13 @@ vec4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4[3
     return sums_2;
 }
 
-void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_2, inout float  inputs_5[39], inout float  outputs_2[96])
+void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout float  inputs_5[39], inout float  outputs_2[96])
 {
-    uint _S48 = first_4 + uint(whole_parts_0((count_3 + 7) / 8));
+    uint _S48 = first_4 + uint(whole_parts_0(12));
     int output_2 = 0;
     for(;;)
     {
-        bool _S49 = output_2 < count_3;
+        bool _S49 = output_2 < 96;
         if(_S49)
         {
         }
@@ -575,7 +575,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[output_2] = Identity_apply_0(_S54[0] + _S55);
         }
         int _S56 = output_2 + 1;
-        if(_S56 < count_3)
+        if(_S56 < 96)
         {
             if(adds_2)
             {
@@ -588,7 +588,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[_S56] = Identity_apply_0(_S54[1] + _S55);
         }
         int _S57 = output_2 + 2;
-        if(_S57 < count_3)
+        if(_S57 < 96)
         {
             if(adds_2)
             {
@@ -601,7 +601,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[_S57] = Identity_apply_0(_S54[2] + _S55);
         }
         int _S58 = output_2 + 3;
-        if(_S58 < count_3)
+        if(_S58 < 96)
         {
             if(adds_2)
             {
@@ -658,13 +658,13 @@ vec4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6[1
     return sums_3;
 }
 
-void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_3, inout float  inputs_7[100], inout float  outputs_3[96])
+void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout float  inputs_7[100], inout float  outputs_3[96])
 {
-    uint _S67 = first_5 + uint(whole_parts_0((count_4 + 7) / 8));
+    uint _S67 = first_5 + uint(whole_parts_0(12));
     int output_3 = 0;
     for(;;)
     {
-        bool _S68 = output_3 < count_4;
+        bool _S68 = output_3 < 96;
         if(_S68)
         {
         }
@@ -699,7 +699,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[output_3] = Identity_apply_0(_S73[0] + _S74);
         }
         int _S75 = output_3 + 1;
-        if(_S75 < count_4)
+        if(_S75 < 96)
         {
             if(adds_3)
             {
@@ -712,7 +712,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[_S75] = Identity_apply_0(_S73[1] + _S74);
         }
         int _S76 = output_3 + 2;
-        if(_S76 < count_4)
+        if(_S76 < 96)
         {
             if(adds_3)
             {
@@ -725,7 +725,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[_S76] = Identity_apply_0(_S73[2] + _S74);
         }
         int _S77 = output_3 + 3;
-        if(_S77 < count_4)
+        if(_S77 < 96)
         {
             if(adds_3)
             {
@@ -782,13 +782,13 @@ vec4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8[1
     return sums_4;
 }
 
-void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_4, inout float  inputs_9[16], inout float  outputs_4[1])
+void dense_part_4(HalfWeights_0 weights_9, uint first_6, bool adds_4, inout float  inputs_9[16], inout float  outputs_4[1])
 {
-    uint _S86 = first_6 + uint(whole_parts_0((count_5 + 7) / 8));
+    uint _S86 = first_6 + uint(whole_parts_0(1));
     int output_4 = 0;
     for(;;)
     {
-        bool _S87 = output_4 < count_5;
+        bool _S87 = output_4 < 1;
         if(_S87)
         {
         }
@@ -823,7 +823,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[output_4] = Identity_apply_0(_S92[0] + _S93);
         }
         int _S94 = output_4 + 1;
-        if(_S94 < count_5)
+        if(_S94 < 1)
         {
             if(adds_4)
             {
@@ -836,7 +836,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[_S94] = Identity_apply_0(_S92[1] + _S93);
         }
         int _S95 = output_4 + 2;
-        if(_S95 < count_5)
+        if(_S95 < 1)
         {
             if(adds_4)
             {
@@ -849,7 +849,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[_S95] = Identity_apply_0(_S92[2] + _S93);
         }
         int _S96 = output_4 + 3;
-        if(_S96 < count_5)
+        if(_S96 < 1)
         {
             if(adds_4)
             {
@@ -871,13 +871,13 @@ float LeakyRelu_apply_0(float x_3)
     return max(x_3, x_3 * 0.00999999977648258);
 }
 
-void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds_5, inout float  inputs_10[96], inout float  outputs_5[96])
+void dense_part_5(HalfWeights_0 weights_10, uint first_7, bool adds_5, inout float  inputs_10[96], inout float  outputs_5[96])
 {
-    uint _S97 = first_7 + uint(whole_parts_0((count_6 + 7) / 8));
+    uint _S97 = first_7 + uint(whole_parts_0(12));
     int output_5 = 0;
     for(;;)
     {
-        bool _S98 = output_5 < count_6;
+        bool _S98 = output_5 < 96;
         if(_S98)
         {
         }
@@ -912,7 +912,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[output_5] = LeakyRelu_apply_0(_S103[0] + _S104);
         }
         int _S105 = output_5 + 1;
-        if(_S105 < count_6)
+        if(_S105 < 96)
         {
             if(adds_5)
             {
@@ -925,7 +925,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[_S105] = LeakyRelu_apply_0(_S103[1] + _S104);
         }
         int _S106 = output_5 + 2;
-        if(_S106 < count_6)
+        if(_S106 < 96)
         {
             if(adds_5)
             {
@@ -938,7 +938,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[_S106] = LeakyRelu_apply_0(_S103[2] + _S104);
         }
         int _S107 = output_5 + 3;
-        if(_S107 < count_6)
+        if(_S107 < 96)
         {
             if(adds_5)
             {
@@ -955,13 +955,13 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
     return;
 }
 
-void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds_6, inout float  inputs_11[100], inout float  outputs_6[16])
+void dense_part_6(HalfWeights_0 weights_11, uint first_8, bool adds_6, inout float  inputs_11[100], inout float  outputs_6[16])
 {
-    uint _S108 = first_8 + uint(whole_parts_0((count_7 + 7) / 8));
+    uint _S108 = first_8 + uint(whole_parts_0(2));
     int output_6 = 0;
     for(;;)
     {
-        bool _S109 = output_6 < count_7;
+        bool _S109 = output_6 < 16;
         if(_S109)
         {
         }
@@ -996,7 +996,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[output_6] = LeakyRelu_apply_0(_S114[0] + _S115);
         }
         int _S116 = output_6 + 1;
-        if(_S116 < count_7)
+        if(_S116 < 16)
         {
             if(adds_6)
             {
@@ -1009,7 +1009,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[_S116] = LeakyRelu_apply_0(_S114[1] + _S115);
         }
         int _S117 = output_6 + 2;
-        if(_S117 < count_7)
+        if(_S117 < 16)
         {
             if(adds_6)
             {
@@ -1022,7 +1022,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[_S117] = LeakyRelu_apply_0(_S114[2] + _S115);
         }
         int _S118 = output_6 + 3;
-        if(_S118 < count_7)
+        if(_S118 < 16)
         {
             if(adds_6)
             {
@@ -1079,13 +1079,13 @@ vec4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_12
     return sums_5;
 }
 
-void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds_7, inout float  inputs_13[88], inout float  outputs_7[96])
+void dense_part_7(HalfWeights_0 weights_13, uint first_9, bool adds_7, inout float  inputs_13[88], inout float  outputs_7[96])
 {
-    uint _S127 = first_9 + uint(whole_parts_0((count_8 + 7) / 8));
+    uint _S127 = first_9 + uint(whole_parts_0(12));
     int output_7 = 0;
     for(;;)
     {
-        bool _S128 = output_7 < count_8;
+        bool _S128 = output_7 < 96;
         if(_S128)
         {
         }
@@ -1120,7 +1120,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[output_7] = LeakyRelu_apply_0(_S133[0] + _S134);
         }
         int _S135 = output_7 + 1;
-        if(_S135 < count_8)
+        if(_S135 < 96)
         {
             if(adds_7)
             {
@@ -1133,7 +1133,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[_S135] = LeakyRelu_apply_0(_S133[1] + _S134);
         }
         int _S136 = output_7 + 2;
-        if(_S136 < count_8)
+        if(_S136 < 96)
         {
             if(adds_7)
             {
@@ -1146,7 +1146,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[_S136] = LeakyRelu_apply_0(_S133[2] + _S134);
         }
         int _S137 = output_7 + 3;
-        if(_S137 < count_8)
+        if(_S137 < 96)
         {
             if(adds_7)
             {
@@ -1165,25 +1165,25 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
 
 void dense_0(FloatWeights_0 weights_14, uint first_10, bool adds_8, inout float  inputs_14[96], inout float  outputs_8[50])
 {
-    dense_part_0(weights_14, first_10, 50, adds_8, inputs_14, outputs_8);
+    dense_part_0(weights_14, first_10, adds_8, inputs_14, outputs_8);
     return;
 }
 
 void dense_1(HalfWeights_0 weights_15, uint first_11, bool adds_9, inout float  inputs_15[96], inout float  outputs_9[52])
 {
-    dense_part_1(weights_15, first_11, 52, adds_9, inputs_15, outputs_9);
+    dense_part_1(weights_15, first_11, adds_9, inputs_15, outputs_9);
     return;
 }
 
 void dense_2(HalfWeights_0 weights_16, uint first_12, bool adds_10, inout float  inputs_16[96], inout float  outputs_10[96])
 {
-    dense_part_5(weights_16, first_12, 96, adds_10, inputs_16, outputs_10);
+    dense_part_5(weights_16, first_12, adds_10, inputs_16, outputs_10);
     return;
 }
 
 void dense_3(HalfWeights_0 weights_17, uint first_13, bool adds_11, inout float  inputs_17[39], inout float  outputs_11[96])
 {
-    dense_part_2(weights_17, first_13, 96, adds_11, inputs_17, outputs_11);
+    dense_part_2(weights_17, first_13, adds_11, inputs_17, outputs_11);
     return;
 }
 
@@ -1194,29 +1194,29 @@ vec3 saturate_0(vec3 x_4)
 
 void dense_4(HalfWeights_0 weights_18, uint first_14, bool adds_12, inout float  inputs_18[100], inout float  outputs_12[96])
 {
-    dense_part_3(weights_18, first_14, 96, adds_12, inputs_18, outputs_12);
+    dense_part_3(weights_18, first_14, adds_12, inputs_18, outputs_12);
     return;
 }
 
 void dense_5(HalfWeights_0 weights_19, uint first_15, bool adds_13, inout float  inputs_19[16], inout float  outputs_13[1])
 {
-    dense_part_4(weights_19, first_15, 1, adds_13, inputs_19, outputs_13);
+    dense_part_4(weights_19, first_15, adds_13, inputs_19, outputs_13);
     return;
 }
 
 void dense_6(HalfWeights_0 weights_20, uint first_16, bool adds_14, inout float  inputs_20[100], inout float  outputs_14[16])
 {
-    dense_part_6(weights_20, first_16, 16, adds_14, inputs_20, outputs_14);
+    dense_part_6(weights_20, first_16, adds_14, inputs_20, outputs_14);
     return;
 }
 
-void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool adds_15, inout float  inputs_21[96], inout float  outputs_15[100])
+void dense_part_8(HalfWeights_0 weights_21, uint first_17, bool adds_15, inout float  inputs_21[96], inout float  outputs_15[100])
 {
-    uint _S138 = first_17 + uint(whole_parts_0((count_9 + 7) / 8));
+    uint _S138 = first_17 + uint(whole_parts_0(12));
     int output_8 = 0;
     for(;;)
     {
-        bool _S139 = output_8 < count_9;
+        bool _S139 = output_8 < 96;
         if(_S139)
         {
         }
@@ -1251,7 +1251,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[output_8] = LeakyRelu_apply_0(_S144[0] + _S145);
         }
         int _S146 = output_8 + 1;
-        if(_S146 < count_9)
+        if(_S146 < 96)
         {
             if(adds_15)
             {
@@ -1264,7 +1264,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[_S146] = LeakyRelu_apply_0(_S144[1] + _S145);
         }
         int _S147 = output_8 + 2;
-        if(_S147 < count_9)
+        if(_S147 < 96)
         {
             if(adds_15)
             {
@@ -1277,7 +1277,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[_S147] = LeakyRelu_apply_0(_S144[2] + _S145);
         }
         int _S148 = output_8 + 3;
-        if(_S148 < count_9)
+        if(_S148 < 96)
         {
             if(adds_15)
             {
@@ -1296,7 +1296,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
 
 void dense_7(HalfWeights_0 weights_22, uint first_18, bool adds_16, inout float  inputs_22[88], inout float  outputs_16[96])
 {
-    dense_part_7(weights_22, first_18, 96, adds_16, inputs_22, outputs_16);
+    dense_part_7(weights_22, first_18, adds_16, inputs_22, outputs_16);
     return;
 }
 
@@ -1465,18 +1465,18 @@ float table_number_0(uint index_0)
     return uintBitsToFloat(words_0._data[uint(index_0)]);
 }
 
-float wrapped_0(float index_1, float count_10)
+float wrapped_0(float index_1, float count_1)
 {
     float _S180;
     if(index_1 < 0.0)
     {
-        _S180 = index_1 + count_10;
+        _S180 = index_1 + count_1;
     }
     else
     {
-        if(index_1 >= count_10)
+        if(index_1 >= count_1)
         {
-            _S180 = index_1 - count_10;
+            _S180 = index_1 - count_1;
         }
         else
         {
@@ -1718,11 +1718,11 @@ uvec4 Stretch_differences_0(Stretch_0 this_7, uvec4 entries_0, uint whole_0)
     return uvec4(_S214 + _S215, entries_0.w - _S212, entries_0.y - _S213, whole_0);
 }
 
-uvec4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_11, uint quantities_1)
+uvec4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_2, uint quantities_1)
 {
     uint _S216 = row_7 + across_1.low_7.thread_2 * quantities_1;
     uint _S217 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uvec4(words_0._data[uint(_S216)], words_0._data[uint(_S216 + quantities_1)], words_0._data[uint(_S217)], words_0._data[uint(_S217 + quantities_1)]), words_0._data[uint(row_7 + count_11 * quantities_1)]);
+    return Stretch_differences_0(across_1, uvec4(words_0._data[uint(_S216)], words_0._data[uint(_S216 + quantities_1)], words_0._data[uint(_S217)], words_0._data[uint(_S217 + quantities_1)]), words_0._data[uint(row_7 + count_2 * quantities_1)]);
 }
 
 vec4 Stretch_weights_0(Stretch_0 this_8)
@@ -2364,7 +2364,7 @@ void woven_view_0(uint _S385, Footprint_0 _S386, vec3 _S387, inout WovenView_0 _
     float  hidden_0[96];
     dense_7(weights_23, 0U, false, inputs_23, hidden_0);
     float  fused_0[100];
-    dense_part_8(weights_23, 1068U, 96, false, hidden_0, fused_0);
+    dense_part_8(weights_23, 1068U, false, hidden_0, fused_0);
     fused_0[96] = _S392.x;
     fused_0[97] = _S392.y;
     vec2 _S393 = _S392.xy;

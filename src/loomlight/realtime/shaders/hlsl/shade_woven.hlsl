@@ -263,13 +263,13 @@ float Identity_apply_0(float x_2)
     return x_2;
 }
 
-void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds_0, inout float  inputs_1[int(96)], inout float  outputs_0[int(50)])
+void dense_part_0(FloatWeights_0 weights_1, uint first_1, bool adds_0, inout float  inputs_1[int(96)], inout float  outputs_0[int(50)])
 {
-    uint _S10 = first_1 + uint(whole_parts_0((count_1 + int(7)) / int(8)));
+    uint _S10 = first_1 + uint(whole_parts_0(int(7)));
     int output_0 = int(0);
     for(;;)
     {
-        bool _S11 = output_0 < count_1;
+        bool _S11 = output_0 < int(50);
         if(_S11)
         {
         }
@@ -304,7 +304,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[output_0] = Identity_apply_0(_S16[int(0)] + _S17);
         }
         int _S18 = output_0 + int(1);
-        if(_S18 < count_1)
+        if(_S18 < int(50))
         {
             if(adds_0)
             {
@@ -317,7 +317,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[_S18] = Identity_apply_0(_S16[int(1)] + _S17);
         }
         int _S19 = output_0 + int(2);
-        if(_S19 < count_1)
+        if(_S19 < int(50))
         {
             if(adds_0)
             {
@@ -330,7 +330,7 @@ void dense_part_0(FloatWeights_0 weights_1, uint first_1, int count_1, bool adds
             outputs_0[_S19] = Identity_apply_0(_S16[int(2)] + _S17);
         }
         int _S20 = output_0 + int(3);
-        if(_S20 < count_1)
+        if(_S20 < int(50))
         {
             if(adds_0)
             {
@@ -409,13 +409,13 @@ float4 tile_product_1(HalfWeights_0 weights_2, uint row_1, inout float  inputs_2
     return sums_1;
 }
 
-void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_1, inout float  inputs_3[int(96)], inout float  outputs_1[int(52)])
+void dense_part_1(HalfWeights_0 weights_3, uint first_3, bool adds_1, inout float  inputs_3[int(96)], inout float  outputs_1[int(52)])
 {
-    uint _S33 = first_3 + uint(whole_parts_0((count_2 + int(7)) / int(8)));
+    uint _S33 = first_3 + uint(whole_parts_0(int(7)));
     int output_1 = int(0);
     for(;;)
     {
-        bool _S34 = output_1 < count_2;
+        bool _S34 = output_1 < int(52);
         if(_S34)
         {
         }
@@ -450,7 +450,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[output_1] = Identity_apply_0(_S39[int(0)] + _S40);
         }
         int _S41 = output_1 + int(1);
-        if(_S41 < count_2)
+        if(_S41 < int(52))
         {
             if(adds_1)
             {
@@ -463,7 +463,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[_S41] = Identity_apply_0(_S39[int(1)] + _S40);
         }
         int _S42 = output_1 + int(2);
-        if(_S42 < count_2)
+        if(_S42 < int(52))
         {
             if(adds_1)
             {
@@ -476,7 +476,7 @@ void dense_part_1(HalfWeights_0 weights_3, uint first_3, int count_2, bool adds_
             outputs_1[_S42] = Identity_apply_0(_S39[int(2)] + _S40);
         }
         int _S43 = output_1 + int(3);
-        if(_S43 < count_2)
+        if(_S43 < int(52))
         {
             if(adds_1)
             {
@@ -533,13 +533,13 @@ float4 tile_product_2(HalfWeights_0 weights_4, uint row_2, inout float  inputs_4
     return sums_2;
 }
 
-void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_2, inout float  inputs_5[int(39)], inout float  outputs_2[int(96)])
+void dense_part_2(HalfWeights_0 weights_5, uint first_4, bool adds_2, inout float  inputs_5[int(39)], inout float  outputs_2[int(96)])
 {
-    uint _S52 = first_4 + uint(whole_parts_0((count_3 + int(7)) / int(8)));
+    uint _S52 = first_4 + uint(whole_parts_0(int(12)));
     int output_2 = int(0);
     for(;;)
     {
-        bool _S53 = output_2 < count_3;
+        bool _S53 = output_2 < int(96);
         if(_S53)
         {
         }
@@ -574,7 +574,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[output_2] = Identity_apply_0(_S58[int(0)] + _S59);
         }
         int _S60 = output_2 + int(1);
-        if(_S60 < count_3)
+        if(_S60 < int(96))
         {
             if(adds_2)
             {
@@ -587,7 +587,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[_S60] = Identity_apply_0(_S58[int(1)] + _S59);
         }
         int _S61 = output_2 + int(2);
-        if(_S61 < count_3)
+        if(_S61 < int(96))
         {
             if(adds_2)
             {
@@ -600,7 +600,7 @@ void dense_part_2(HalfWeights_0 weights_5, uint first_4, int count_3, bool adds_
             outputs_2[_S61] = Identity_apply_0(_S58[int(2)] + _S59);
         }
         int _S62 = output_2 + int(3);
-        if(_S62 < count_3)
+        if(_S62 < int(96))
         {
             if(adds_2)
             {
@@ -657,13 +657,13 @@ float4 tile_product_3(HalfWeights_0 weights_6, uint row_3, inout float  inputs_6
     return sums_3;
 }
 
-void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_3, inout float  inputs_7[int(100)], inout float  outputs_3[int(96)])
+void dense_part_3(HalfWeights_0 weights_7, uint first_5, bool adds_3, inout float  inputs_7[int(100)], inout float  outputs_3[int(96)])
 {
-    uint _S71 = first_5 + uint(whole_parts_0((count_4 + int(7)) / int(8)));
+    uint _S71 = first_5 + uint(whole_parts_0(int(12)));
     int output_3 = int(0);
     for(;;)
     {
-        bool _S72 = output_3 < count_4;
+        bool _S72 = output_3 < int(96);
         if(_S72)
         {
         }
@@ -698,7 +698,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[output_3] = Identity_apply_0(_S77[int(0)] + _S78);
         }
         int _S79 = output_3 + int(1);
-        if(_S79 < count_4)
+        if(_S79 < int(96))
         {
             if(adds_3)
             {
@@ -711,7 +711,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[_S79] = Identity_apply_0(_S77[int(1)] + _S78);
         }
         int _S80 = output_3 + int(2);
-        if(_S80 < count_4)
+        if(_S80 < int(96))
         {
             if(adds_3)
             {
@@ -724,7 +724,7 @@ void dense_part_3(HalfWeights_0 weights_7, uint first_5, int count_4, bool adds_
             outputs_3[_S80] = Identity_apply_0(_S77[int(2)] + _S78);
         }
         int _S81 = output_3 + int(3);
-        if(_S81 < count_4)
+        if(_S81 < int(96))
         {
             if(adds_3)
             {
@@ -781,13 +781,13 @@ float4 tile_product_4(HalfWeights_0 weights_8, uint row_4, inout float  inputs_8
     return sums_4;
 }
 
-void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_4, inout float  inputs_9[int(16)], inout float  outputs_4[int(1)])
+void dense_part_4(HalfWeights_0 weights_9, uint first_6, bool adds_4, inout float  inputs_9[int(16)], inout float  outputs_4[int(1)])
 {
-    uint _S90 = first_6 + uint(whole_parts_0((count_5 + int(7)) / int(8)));
+    uint _S90 = first_6 + uint(whole_parts_0(int(1)));
     int output_4 = int(0);
     for(;;)
     {
-        bool _S91 = output_4 < count_5;
+        bool _S91 = output_4 < int(1);
         if(_S91)
         {
         }
@@ -822,7 +822,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[output_4] = Identity_apply_0(_S96[int(0)] + _S97);
         }
         int _S98 = output_4 + int(1);
-        if(_S98 < count_5)
+        if(_S98 < int(1))
         {
             if(adds_4)
             {
@@ -835,7 +835,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[_S98] = Identity_apply_0(_S96[int(1)] + _S97);
         }
         int _S99 = output_4 + int(2);
-        if(_S99 < count_5)
+        if(_S99 < int(1))
         {
             if(adds_4)
             {
@@ -848,7 +848,7 @@ void dense_part_4(HalfWeights_0 weights_9, uint first_6, int count_5, bool adds_
             outputs_4[_S99] = Identity_apply_0(_S96[int(2)] + _S97);
         }
         int _S100 = output_4 + int(3);
-        if(_S100 < count_5)
+        if(_S100 < int(1))
         {
             if(adds_4)
             {
@@ -870,13 +870,13 @@ float LeakyRelu_apply_0(float x_3)
     return max(x_3, x_3 * 0.00999999977648258f);
 }
 
-void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds_5, inout float  inputs_10[int(96)], inout float  outputs_5[int(96)])
+void dense_part_5(HalfWeights_0 weights_10, uint first_7, bool adds_5, inout float  inputs_10[int(96)], inout float  outputs_5[int(96)])
 {
-    uint _S101 = first_7 + uint(whole_parts_0((count_6 + int(7)) / int(8)));
+    uint _S101 = first_7 + uint(whole_parts_0(int(12)));
     int output_5 = int(0);
     for(;;)
     {
-        bool _S102 = output_5 < count_6;
+        bool _S102 = output_5 < int(96);
         if(_S102)
         {
         }
@@ -911,7 +911,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[output_5] = LeakyRelu_apply_0(_S107[int(0)] + _S108);
         }
         int _S109 = output_5 + int(1);
-        if(_S109 < count_6)
+        if(_S109 < int(96))
         {
             if(adds_5)
             {
@@ -924,7 +924,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[_S109] = LeakyRelu_apply_0(_S107[int(1)] + _S108);
         }
         int _S110 = output_5 + int(2);
-        if(_S110 < count_6)
+        if(_S110 < int(96))
         {
             if(adds_5)
             {
@@ -937,7 +937,7 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
             outputs_5[_S110] = LeakyRelu_apply_0(_S107[int(2)] + _S108);
         }
         int _S111 = output_5 + int(3);
-        if(_S111 < count_6)
+        if(_S111 < int(96))
         {
             if(adds_5)
             {
@@ -954,13 +954,13 @@ void dense_part_5(HalfWeights_0 weights_10, uint first_7, int count_6, bool adds
     return;
 }
 
-void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds_6, inout float  inputs_11[int(100)], inout float  outputs_6[int(16)])
+void dense_part_6(HalfWeights_0 weights_11, uint first_8, bool adds_6, inout float  inputs_11[int(100)], inout float  outputs_6[int(16)])
 {
-    uint _S112 = first_8 + uint(whole_parts_0((count_7 + int(7)) / int(8)));
+    uint _S112 = first_8 + uint(whole_parts_0(int(2)));
     int output_6 = int(0);
     for(;;)
     {
-        bool _S113 = output_6 < count_7;
+        bool _S113 = output_6 < int(16);
         if(_S113)
         {
         }
@@ -995,7 +995,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[output_6] = LeakyRelu_apply_0(_S118[int(0)] + _S119);
         }
         int _S120 = output_6 + int(1);
-        if(_S120 < count_7)
+        if(_S120 < int(16))
         {
             if(adds_6)
             {
@@ -1008,7 +1008,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[_S120] = LeakyRelu_apply_0(_S118[int(1)] + _S119);
         }
         int _S121 = output_6 + int(2);
-        if(_S121 < count_7)
+        if(_S121 < int(16))
         {
             if(adds_6)
             {
@@ -1021,7 +1021,7 @@ void dense_part_6(HalfWeights_0 weights_11, uint first_8, int count_7, bool adds
             outputs_6[_S121] = LeakyRelu_apply_0(_S118[int(2)] + _S119);
         }
         int _S122 = output_6 + int(3);
-        if(_S122 < count_7)
+        if(_S122 < int(16))
         {
             if(adds_6)
             {
@@ -1078,13 +1078,13 @@ float4 tile_product_5(HalfWeights_0 weights_12, uint row_5, inout float  inputs_
     return sums_5;
 }
 
-void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds_7, inout float  inputs_13[int(88)], inout float  outputs_7[int(96)])
+void dense_part_7(HalfWeights_0 weights_13, uint first_9, bool adds_7, inout float  inputs_13[int(88)], inout float  outputs_7[int(96)])
 {
-    uint _S131 = first_9 + uint(whole_parts_0((count_8 + int(7)) / int(8)));
+    uint _S131 = first_9 + uint(whole_parts_0(int(12)));
     int output_7 = int(0);
     for(;;)
     {
-        bool _S132 = output_7 < count_8;
+        bool _S132 = output_7 < int(96);
         if(_S132)
         {
         }
@@ -1119,7 +1119,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[output_7] = LeakyRelu_apply_0(_S137[int(0)] + _S138);
         }
         int _S139 = output_7 + int(1);
-        if(_S139 < count_8)
+        if(_S139 < int(96))
         {
             if(adds_7)
             {
@@ -1132,7 +1132,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[_S139] = LeakyRelu_apply_0(_S137[int(1)] + _S138);
         }
         int _S140 = output_7 + int(2);
-        if(_S140 < count_8)
+        if(_S140 < int(96))
         {
             if(adds_7)
             {
@@ -1145,7 +1145,7 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
             outputs_7[_S140] = LeakyRelu_apply_0(_S137[int(2)] + _S138);
         }
         int _S141 = output_7 + int(3);
-        if(_S141 < count_8)
+        if(_S141 < int(96))
         {
             if(adds_7)
             {
@@ -1164,53 +1164,53 @@ void dense_part_7(HalfWeights_0 weights_13, uint first_9, int count_8, bool adds
 
 void dense_0(FloatWeights_0 weights_14, uint first_10, bool adds_8, inout float  inputs_14[int(96)], inout float  outputs_8[int(50)])
 {
-    dense_part_0(weights_14, first_10, int(50), adds_8, inputs_14, outputs_8);
+    dense_part_0(weights_14, first_10, adds_8, inputs_14, outputs_8);
     return;
 }
 
 void dense_1(HalfWeights_0 weights_15, uint first_11, bool adds_9, inout float  inputs_15[int(96)], inout float  outputs_9[int(52)])
 {
-    dense_part_1(weights_15, first_11, int(52), adds_9, inputs_15, outputs_9);
+    dense_part_1(weights_15, first_11, adds_9, inputs_15, outputs_9);
     return;
 }
 
 void dense_2(HalfWeights_0 weights_16, uint first_12, bool adds_10, inout float  inputs_16[int(96)], inout float  outputs_10[int(96)])
 {
-    dense_part_5(weights_16, first_12, int(96), adds_10, inputs_16, outputs_10);
+    dense_part_5(weights_16, first_12, adds_10, inputs_16, outputs_10);
     return;
 }
 
 void dense_3(HalfWeights_0 weights_17, uint first_13, bool adds_11, inout float  inputs_17[int(39)], inout float  outputs_11[int(96)])
 {
-    dense_part_2(weights_17, first_13, int(96), adds_11, inputs_17, outputs_11);
+    dense_part_2(weights_17, first_13, adds_11, inputs_17, outputs_11);
     return;
 }
 
 void dense_4(HalfWeights_0 weights_18, uint first_14, bool adds_12, inout float  inputs_18[int(100)], inout float  outputs_12[int(96)])
 {
-    dense_part_3(weights_18, first_14, int(96), adds_12, inputs_18, outputs_12);
+    dense_part_3(weights_18, first_14, adds_12, inputs_18, outputs_12);
     return;
 }
 
 void dense_5(HalfWeights_0 weights_19, uint first_15, bool adds_13, inout float  inputs_19[int(16)], inout float  outputs_13[int(1)])
 {
-    dense_part_4(weights_19, first_15, int(1), adds_13, inputs_19, outputs_13);
+    dense_part_4(weights_19, first_15, adds_13, inputs_19, outputs_13);
     return;
 }
 
 void dense_6(HalfWeights_0 weights_20, uint first_16, bool adds_14, inout float  inputs_20[int(100)], inout float  outputs_14[int(16)])
 {
-    dense_part_6(weights_20, first_16, int(16), adds_14, inputs_20, outputs_14);
+    dense_part_6(weights_20, first_16, adds_14, inputs_20, outputs_14);
     return;
 }
 
-void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool adds_15, inout float  inputs_21[int(96)], inout float  outputs_15[int(100)])
+void dense_part_8(HalfWeights_0 weights_21, uint first_17, bool adds_15, inout float  inputs_21[int(96)], inout float  outputs_15[int(100)])
 {
-    uint _S142 = first_17 + uint(whole_parts_0((count_9 + int(7)) / int(8)));
+    uint _S142 = first_17 + uint(whole_parts_0(int(12)));
     int output_8 = int(0);
     for(;;)
     {
-        bool _S143 = output_8 < count_9;
+        bool _S143 = output_8 < int(96);
         if(_S143)
         {
         }
@@ -1245,7 +1245,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[output_8] = LeakyRelu_apply_0(_S148[int(0)] + _S149);
         }
         int _S150 = output_8 + int(1);
-        if(_S150 < count_9)
+        if(_S150 < int(96))
         {
             if(adds_15)
             {
@@ -1258,7 +1258,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[_S150] = LeakyRelu_apply_0(_S148[int(1)] + _S149);
         }
         int _S151 = output_8 + int(2);
-        if(_S151 < count_9)
+        if(_S151 < int(96))
         {
             if(adds_15)
             {
@@ -1271,7 +1271,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
             outputs_15[_S151] = LeakyRelu_apply_0(_S148[int(2)] + _S149);
         }
         int _S152 = output_8 + int(3);
-        if(_S152 < count_9)
+        if(_S152 < int(96))
         {
             if(adds_15)
             {
@@ -1290,7 +1290,7 @@ void dense_part_8(HalfWeights_0 weights_21, uint first_17, int count_9, bool add
 
 void dense_7(HalfWeights_0 weights_22, uint first_18, bool adds_16, inout float  inputs_22[int(88)], inout float  outputs_16[int(96)])
 {
-    dense_part_7(weights_22, first_18, int(96), adds_16, inputs_22, outputs_16);
+    dense_part_7(weights_22, first_18, adds_16, inputs_22, outputs_16);
     return;
 }
 
@@ -1459,18 +1459,18 @@ float table_number_0(uint index_0)
     return asfloat(words_0.Load(index_0));
 }
 
-float wrapped_0(float index_1, float count_10)
+float wrapped_0(float index_1, float count_1)
 {
     float _S184;
     if(index_1 < 0.0f)
     {
-        _S184 = index_1 + count_10;
+        _S184 = index_1 + count_1;
     }
     else
     {
-        if(index_1 >= count_10)
+        if(index_1 >= count_1)
         {
-            _S184 = index_1 - count_10;
+            _S184 = index_1 - count_1;
         }
         else
         {
@@ -1712,11 +1712,11 @@ uint4 Stretch_differences_0(Stretch_0 this_7, uint4 entries_0, uint whole_0)
     return uint4(_S218 + _S219, entries_0.w - _S216, entries_0.y - _S217, whole_0);
 }
 
-uint4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_11, uint quantities_1)
+uint4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_2, uint quantities_1)
 {
     uint _S220 = row_7 + across_1.low_7.thread_2 * quantities_1;
     uint _S221 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uint4(words_0.Load(_S220), words_0.Load(_S220 + quantities_1), words_0.Load(_S221), words_0.Load(_S221 + quantities_1)), words_0.Load(row_7 + count_11 * quantities_1));
+    return Stretch_differences_0(across_1, uint4(words_0.Load(_S220), words_0.Load(_S220 + quantities_1), words_0.Load(_S221), words_0.Load(_S221 + quantities_1)), words_0.Load(row_7 + count_2 * quantities_1));
 }
 
 float4 Stretch_weights_0(Stretch_0 this_8)
@@ -2358,7 +2358,7 @@ void woven_view_0(uint _S389, Footprint_0 _S390, float3 _S391, inout WovenView_0
     float  hidden_0[int(96)];
     dense_7(weights_23, 0U, false, inputs_23, hidden_0);
     float  fused_0[int(100)];
-    dense_part_8(weights_23, 1068U, int(96), false, hidden_0, fused_0);
+    dense_part_8(weights_23, 1068U, false, hidden_0, fused_0);
     fused_0[int(96)] = _S396.x;
     fused_0[int(97)] = _S396.y;
     float2 _S397 = _S396.xy;

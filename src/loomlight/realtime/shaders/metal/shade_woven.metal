@@ -250,13 +250,13 @@ float Identity_apply_0(float x_2)
     return x_2;
 }
 
-void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, int count_1, bool adds_0, array<float, int(96)> thread* inputs_1, array<float, int(50)> thread* outputs_0, KernelContext_0 thread* kernelContext_2)
+void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, bool adds_0, array<float, int(96)> thread* inputs_1, array<float, int(50)> thread* outputs_0, KernelContext_0 thread* kernelContext_2)
 {
-    uint _S10 = first_1 + uint(whole_parts_0((count_1 + int(7)) / int(8)));
+    uint _S10 = first_1 + uint(whole_parts_0(int(7)));
     int output_0 = int(0);
     for(;;)
     {
-        bool _S11 = output_0 < count_1;
+        bool _S11 = output_0 < int(50);
         if(_S11)
         {
         }
@@ -291,7 +291,7 @@ void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, int coun
             (*outputs_0)[output_0] = Identity_apply_0(_S16[int(0)] + _S17);
         }
         int _S18 = output_0 + int(1);
-        if(_S18 < count_1)
+        if(_S18 < int(50))
         {
             if(adds_0)
             {
@@ -304,7 +304,7 @@ void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, int coun
             (*outputs_0)[_S18] = Identity_apply_0(_S16[int(1)] + _S17);
         }
         int _S19 = output_0 + int(2);
-        if(_S19 < count_1)
+        if(_S19 < int(50))
         {
             if(adds_0)
             {
@@ -317,7 +317,7 @@ void dense_part_0(const FloatWeights_0 thread* weights_1, uint first_1, int coun
             (*outputs_0)[_S19] = Identity_apply_0(_S16[int(2)] + _S17);
         }
         int _S20 = output_0 + int(3);
-        if(_S20 < count_1)
+        if(_S20 < int(50))
         {
             if(adds_0)
             {
@@ -415,13 +415,13 @@ float4 tile_product_1(const HalfWeights_0 thread* weights_2, uint row_1, array<f
     return sums_1;
 }
 
-void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, int count_2, bool adds_1, array<float, int(96)> thread* inputs_3, array<float, int(52)> thread* outputs_1, KernelContext_0 thread* kernelContext_5)
+void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, bool adds_1, array<float, int(96)> thread* inputs_3, array<float, int(52)> thread* outputs_1, KernelContext_0 thread* kernelContext_5)
 {
-    uint _S33 = first_3 + uint(whole_parts_0((count_2 + int(7)) / int(8)));
+    uint _S33 = first_3 + uint(whole_parts_0(int(7)));
     int output_1 = int(0);
     for(;;)
     {
-        bool _S34 = output_1 < count_2;
+        bool _S34 = output_1 < int(52);
         if(_S34)
         {
         }
@@ -456,7 +456,7 @@ void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, int count
             (*outputs_1)[output_1] = Identity_apply_0(_S39[int(0)] + _S40);
         }
         int _S41 = output_1 + int(1);
-        if(_S41 < count_2)
+        if(_S41 < int(52))
         {
             if(adds_1)
             {
@@ -469,7 +469,7 @@ void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, int count
             (*outputs_1)[_S41] = Identity_apply_0(_S39[int(1)] + _S40);
         }
         int _S42 = output_1 + int(2);
-        if(_S42 < count_2)
+        if(_S42 < int(52))
         {
             if(adds_1)
             {
@@ -482,7 +482,7 @@ void dense_part_1(const HalfWeights_0 thread* weights_3, uint first_3, int count
             (*outputs_1)[_S42] = Identity_apply_0(_S39[int(2)] + _S40);
         }
         int _S43 = output_1 + int(3);
-        if(_S43 < count_2)
+        if(_S43 < int(52))
         {
             if(adds_1)
             {
@@ -539,13 +539,13 @@ float4 tile_product_2(const HalfWeights_0 thread* weights_4, uint row_2, array<f
     return sums_2;
 }
 
-void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, int count_3, bool adds_2, array<float, int(39)> thread* inputs_5, array<float, int(96)> thread* outputs_2, KernelContext_0 thread* kernelContext_7)
+void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, bool adds_2, array<float, int(39)> thread* inputs_5, array<float, int(96)> thread* outputs_2, KernelContext_0 thread* kernelContext_7)
 {
-    uint _S52 = first_4 + uint(whole_parts_0((count_3 + int(7)) / int(8)));
+    uint _S52 = first_4 + uint(whole_parts_0(int(12)));
     int output_2 = int(0);
     for(;;)
     {
-        bool _S53 = output_2 < count_3;
+        bool _S53 = output_2 < int(96);
         if(_S53)
         {
         }
@@ -580,7 +580,7 @@ void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, int count
             (*outputs_2)[output_2] = Identity_apply_0(_S58[int(0)] + _S59);
         }
         int _S60 = output_2 + int(1);
-        if(_S60 < count_3)
+        if(_S60 < int(96))
         {
             if(adds_2)
             {
@@ -593,7 +593,7 @@ void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, int count
             (*outputs_2)[_S60] = Identity_apply_0(_S58[int(1)] + _S59);
         }
         int _S61 = output_2 + int(2);
-        if(_S61 < count_3)
+        if(_S61 < int(96))
         {
             if(adds_2)
             {
@@ -606,7 +606,7 @@ void dense_part_2(const HalfWeights_0 thread* weights_5, uint first_4, int count
             (*outputs_2)[_S61] = Identity_apply_0(_S58[int(2)] + _S59);
         }
         int _S62 = output_2 + int(3);
-        if(_S62 < count_3)
+        if(_S62 < int(96))
         {
             if(adds_2)
             {
@@ -663,13 +663,13 @@ float4 tile_product_3(const HalfWeights_0 thread* weights_6, uint row_3, array<f
     return sums_3;
 }
 
-void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, int count_4, bool adds_3, array<float, int(100)> thread* inputs_7, array<float, int(96)> thread* outputs_3, KernelContext_0 thread* kernelContext_9)
+void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, bool adds_3, array<float, int(100)> thread* inputs_7, array<float, int(96)> thread* outputs_3, KernelContext_0 thread* kernelContext_9)
 {
-    uint _S71 = first_5 + uint(whole_parts_0((count_4 + int(7)) / int(8)));
+    uint _S71 = first_5 + uint(whole_parts_0(int(12)));
     int output_3 = int(0);
     for(;;)
     {
-        bool _S72 = output_3 < count_4;
+        bool _S72 = output_3 < int(96);
         if(_S72)
         {
         }
@@ -704,7 +704,7 @@ void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, int count
             (*outputs_3)[output_3] = Identity_apply_0(_S77[int(0)] + _S78);
         }
         int _S79 = output_3 + int(1);
-        if(_S79 < count_4)
+        if(_S79 < int(96))
         {
             if(adds_3)
             {
@@ -717,7 +717,7 @@ void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, int count
             (*outputs_3)[_S79] = Identity_apply_0(_S77[int(1)] + _S78);
         }
         int _S80 = output_3 + int(2);
-        if(_S80 < count_4)
+        if(_S80 < int(96))
         {
             if(adds_3)
             {
@@ -730,7 +730,7 @@ void dense_part_3(const HalfWeights_0 thread* weights_7, uint first_5, int count
             (*outputs_3)[_S80] = Identity_apply_0(_S77[int(2)] + _S78);
         }
         int _S81 = output_3 + int(3);
-        if(_S81 < count_4)
+        if(_S81 < int(96))
         {
             if(adds_3)
             {
@@ -787,13 +787,13 @@ float4 tile_product_4(const HalfWeights_0 thread* weights_8, uint row_4, array<f
     return sums_4;
 }
 
-void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, int count_5, bool adds_4, array<float, int(16)> thread* inputs_9, array<float, int(1)> thread* outputs_4, KernelContext_0 thread* kernelContext_11)
+void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, bool adds_4, array<float, int(16)> thread* inputs_9, array<float, int(1)> thread* outputs_4, KernelContext_0 thread* kernelContext_11)
 {
-    uint _S90 = first_6 + uint(whole_parts_0((count_5 + int(7)) / int(8)));
+    uint _S90 = first_6 + uint(whole_parts_0(int(1)));
     int output_4 = int(0);
     for(;;)
     {
-        bool _S91 = output_4 < count_5;
+        bool _S91 = output_4 < int(1);
         if(_S91)
         {
         }
@@ -828,7 +828,7 @@ void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, int count
             (*outputs_4)[output_4] = Identity_apply_0(_S96[int(0)] + _S97);
         }
         int _S98 = output_4 + int(1);
-        if(_S98 < count_5)
+        if(_S98 < int(1))
         {
             if(adds_4)
             {
@@ -841,7 +841,7 @@ void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, int count
             (*outputs_4)[_S98] = Identity_apply_0(_S96[int(1)] + _S97);
         }
         int _S99 = output_4 + int(2);
-        if(_S99 < count_5)
+        if(_S99 < int(1))
         {
             if(adds_4)
             {
@@ -854,7 +854,7 @@ void dense_part_4(const HalfWeights_0 thread* weights_9, uint first_6, int count
             (*outputs_4)[_S99] = Identity_apply_0(_S96[int(2)] + _S97);
         }
         int _S100 = output_4 + int(3);
-        if(_S100 < count_5)
+        if(_S100 < int(1))
         {
             if(adds_4)
             {
@@ -876,13 +876,13 @@ float LeakyRelu_apply_0(float x_3)
     return max(x_3, x_3 * 0.00999999977648258f);
 }
 
-void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, int count_6, bool adds_5, array<float, int(96)> thread* inputs_10, array<float, int(96)> thread* outputs_5, KernelContext_0 thread* kernelContext_12)
+void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, bool adds_5, array<float, int(96)> thread* inputs_10, array<float, int(96)> thread* outputs_5, KernelContext_0 thread* kernelContext_12)
 {
-    uint _S101 = first_7 + uint(whole_parts_0((count_6 + int(7)) / int(8)));
+    uint _S101 = first_7 + uint(whole_parts_0(int(12)));
     int output_5 = int(0);
     for(;;)
     {
-        bool _S102 = output_5 < count_6;
+        bool _S102 = output_5 < int(96);
         if(_S102)
         {
         }
@@ -917,7 +917,7 @@ void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, int coun
             (*outputs_5)[output_5] = LeakyRelu_apply_0(_S107[int(0)] + _S108);
         }
         int _S109 = output_5 + int(1);
-        if(_S109 < count_6)
+        if(_S109 < int(96))
         {
             if(adds_5)
             {
@@ -930,7 +930,7 @@ void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, int coun
             (*outputs_5)[_S109] = LeakyRelu_apply_0(_S107[int(1)] + _S108);
         }
         int _S110 = output_5 + int(2);
-        if(_S110 < count_6)
+        if(_S110 < int(96))
         {
             if(adds_5)
             {
@@ -943,7 +943,7 @@ void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, int coun
             (*outputs_5)[_S110] = LeakyRelu_apply_0(_S107[int(2)] + _S108);
         }
         int _S111 = output_5 + int(3);
-        if(_S111 < count_6)
+        if(_S111 < int(96))
         {
             if(adds_5)
             {
@@ -960,13 +960,13 @@ void dense_part_5(const HalfWeights_0 thread* weights_10, uint first_7, int coun
     return;
 }
 
-void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, int count_7, bool adds_6, array<float, int(100)> thread* inputs_11, array<float, int(16)> thread* outputs_6, KernelContext_0 thread* kernelContext_13)
+void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, bool adds_6, array<float, int(100)> thread* inputs_11, array<float, int(16)> thread* outputs_6, KernelContext_0 thread* kernelContext_13)
 {
-    uint _S112 = first_8 + uint(whole_parts_0((count_7 + int(7)) / int(8)));
+    uint _S112 = first_8 + uint(whole_parts_0(int(2)));
     int output_6 = int(0);
     for(;;)
     {
-        bool _S113 = output_6 < count_7;
+        bool _S113 = output_6 < int(16);
         if(_S113)
         {
         }
@@ -1001,7 +1001,7 @@ void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, int coun
             (*outputs_6)[output_6] = LeakyRelu_apply_0(_S118[int(0)] + _S119);
         }
         int _S120 = output_6 + int(1);
-        if(_S120 < count_7)
+        if(_S120 < int(16))
         {
             if(adds_6)
             {
@@ -1014,7 +1014,7 @@ void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, int coun
             (*outputs_6)[_S120] = LeakyRelu_apply_0(_S118[int(1)] + _S119);
         }
         int _S121 = output_6 + int(2);
-        if(_S121 < count_7)
+        if(_S121 < int(16))
         {
             if(adds_6)
             {
@@ -1027,7 +1027,7 @@ void dense_part_6(const HalfWeights_0 thread* weights_11, uint first_8, int coun
             (*outputs_6)[_S121] = LeakyRelu_apply_0(_S118[int(2)] + _S119);
         }
         int _S122 = output_6 + int(3);
-        if(_S122 < count_7)
+        if(_S122 < int(16))
         {
             if(adds_6)
             {
@@ -1084,13 +1084,13 @@ float4 tile_product_5(const HalfWeights_0 thread* weights_12, uint row_5, array<
     return sums_5;
 }
 
-void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, int count_8, bool adds_7, array<float, int(88)> thread* inputs_13, array<float, int(96)> thread* outputs_7, KernelContext_0 thread* kernelContext_15)
+void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, bool adds_7, array<float, int(88)> thread* inputs_13, array<float, int(96)> thread* outputs_7, KernelContext_0 thread* kernelContext_15)
 {
-    uint _S131 = first_9 + uint(whole_parts_0((count_8 + int(7)) / int(8)));
+    uint _S131 = first_9 + uint(whole_parts_0(int(12)));
     int output_7 = int(0);
     for(;;)
     {
-        bool _S132 = output_7 < count_8;
+        bool _S132 = output_7 < int(96);
         if(_S132)
         {
         }
@@ -1125,7 +1125,7 @@ void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, int coun
             (*outputs_7)[output_7] = LeakyRelu_apply_0(_S137[int(0)] + _S138);
         }
         int _S139 = output_7 + int(1);
-        if(_S139 < count_8)
+        if(_S139 < int(96))
         {
             if(adds_7)
             {
@@ -1138,7 +1138,7 @@ void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, int coun
             (*outputs_7)[_S139] = LeakyRelu_apply_0(_S137[int(1)] + _S138);
         }
         int _S140 = output_7 + int(2);
-        if(_S140 < count_8)
+        if(_S140 < int(96))
         {
             if(adds_7)
             {
@@ -1151,7 +1151,7 @@ void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, int coun
             (*outputs_7)[_S140] = LeakyRelu_apply_0(_S137[int(2)] + _S138);
         }
         int _S141 = output_7 + int(3);
-        if(_S141 < count_8)
+        if(_S141 < int(96))
         {
             if(adds_7)
             {
@@ -1170,53 +1170,53 @@ void dense_part_7(const HalfWeights_0 thread* weights_13, uint first_9, int coun
 
 void dense_0(const FloatWeights_0 thread* weights_14, uint first_10, bool adds_8, array<float, int(96)> thread* inputs_14, array<float, int(50)> thread* outputs_8, KernelContext_0 thread* kernelContext_16)
 {
-    dense_part_0(weights_14, first_10, int(50), adds_8, inputs_14, outputs_8, kernelContext_16);
+    dense_part_0(weights_14, first_10, adds_8, inputs_14, outputs_8, kernelContext_16);
     return;
 }
 
 void dense_1(const HalfWeights_0 thread* weights_15, uint first_11, bool adds_9, array<float, int(96)> thread* inputs_15, array<float, int(52)> thread* outputs_9, KernelContext_0 thread* kernelContext_17)
 {
-    dense_part_1(weights_15, first_11, int(52), adds_9, inputs_15, outputs_9, kernelContext_17);
+    dense_part_1(weights_15, first_11, adds_9, inputs_15, outputs_9, kernelContext_17);
     return;
 }
 
 void dense_2(const HalfWeights_0 thread* weights_16, uint first_12, bool adds_10, array<float, int(96)> thread* inputs_16, array<float, int(96)> thread* outputs_10, KernelContext_0 thread* kernelContext_18)
 {
-    dense_part_5(weights_16, first_12, int(96), adds_10, inputs_16, outputs_10, kernelContext_18);
+    dense_part_5(weights_16, first_12, adds_10, inputs_16, outputs_10, kernelContext_18);
     return;
 }
 
 void dense_3(const HalfWeights_0 thread* weights_17, uint first_13, bool adds_11, array<float, int(39)> thread* inputs_17, array<float, int(96)> thread* outputs_11, KernelContext_0 thread* kernelContext_19)
 {
-    dense_part_2(weights_17, first_13, int(96), adds_11, inputs_17, outputs_11, kernelContext_19);
+    dense_part_2(weights_17, first_13, adds_11, inputs_17, outputs_11, kernelContext_19);
     return;
 }
 
 void dense_4(const HalfWeights_0 thread* weights_18, uint first_14, bool adds_12, array<float, int(100)> thread* inputs_18, array<float, int(96)> thread* outputs_12, KernelContext_0 thread* kernelContext_20)
 {
-    dense_part_3(weights_18, first_14, int(96), adds_12, inputs_18, outputs_12, kernelContext_20);
+    dense_part_3(weights_18, first_14, adds_12, inputs_18, outputs_12, kernelContext_20);
     return;
 }
 
 void dense_5(const HalfWeights_0 thread* weights_19, uint first_15, bool adds_13, array<float, int(16)> thread* inputs_19, array<float, int(1)> thread* outputs_13, KernelContext_0 thread* kernelContext_21)
 {
-    dense_part_4(weights_19, first_15, int(1), adds_13, inputs_19, outputs_13, kernelContext_21);
+    dense_part_4(weights_19, first_15, adds_13, inputs_19, outputs_13, kernelContext_21);
     return;
 }
 
 void dense_6(const HalfWeights_0 thread* weights_20, uint first_16, bool adds_14, array<float, int(100)> thread* inputs_20, array<float, int(16)> thread* outputs_14, KernelContext_0 thread* kernelContext_22)
 {
-    dense_part_6(weights_20, first_16, int(16), adds_14, inputs_20, outputs_14, kernelContext_22);
+    dense_part_6(weights_20, first_16, adds_14, inputs_20, outputs_14, kernelContext_22);
     return;
 }
 
-void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, int count_9, bool adds_15, array<float, int(96)> thread* inputs_21, array<float, int(100)> thread* outputs_15, KernelContext_0 thread* kernelContext_23)
+void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, bool adds_15, array<float, int(96)> thread* inputs_21, array<float, int(100)> thread* outputs_15, KernelContext_0 thread* kernelContext_23)
 {
-    uint _S142 = first_17 + uint(whole_parts_0((count_9 + int(7)) / int(8)));
+    uint _S142 = first_17 + uint(whole_parts_0(int(12)));
     int output_8 = int(0);
     for(;;)
     {
-        bool _S143 = output_8 < count_9;
+        bool _S143 = output_8 < int(96);
         if(_S143)
         {
         }
@@ -1251,7 +1251,7 @@ void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, int cou
             (*outputs_15)[output_8] = LeakyRelu_apply_0(_S148[int(0)] + _S149);
         }
         int _S150 = output_8 + int(1);
-        if(_S150 < count_9)
+        if(_S150 < int(96))
         {
             if(adds_15)
             {
@@ -1264,7 +1264,7 @@ void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, int cou
             (*outputs_15)[_S150] = LeakyRelu_apply_0(_S148[int(1)] + _S149);
         }
         int _S151 = output_8 + int(2);
-        if(_S151 < count_9)
+        if(_S151 < int(96))
         {
             if(adds_15)
             {
@@ -1277,7 +1277,7 @@ void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, int cou
             (*outputs_15)[_S151] = LeakyRelu_apply_0(_S148[int(2)] + _S149);
         }
         int _S152 = output_8 + int(3);
-        if(_S152 < count_9)
+        if(_S152 < int(96))
         {
             if(adds_15)
             {
@@ -1296,7 +1296,7 @@ void dense_part_8(const HalfWeights_0 thread* weights_21, uint first_17, int cou
 
 void dense_7(const HalfWeights_0 thread* weights_22, uint first_18, bool adds_16, array<float, int(88)> thread* inputs_22, array<float, int(96)> thread* outputs_16, KernelContext_0 thread* kernelContext_24)
 {
-    dense_part_7(weights_22, first_18, int(96), adds_16, inputs_22, outputs_16, kernelContext_24);
+    dense_part_7(weights_22, first_18, adds_16, inputs_22, outputs_16, kernelContext_24);
     return;
 }
 
@@ -1470,18 +1470,18 @@ float table_number_1(uint index_1, KernelContext_0 thread* kernelContext_26)
     return (as_type<float>((kernelContext_26->words_0[index_1])));
 }
 
-float wrapped_0(float index_2, float count_10)
+float wrapped_0(float index_2, float count_1)
 {
     float _S184;
     if(index_2 < 0.0f)
     {
-        _S184 = index_2 + count_10;
+        _S184 = index_2 + count_1;
     }
     else
     {
-        if(index_2 >= count_10)
+        if(index_2 >= count_1)
         {
-            _S184 = index_2 - count_10;
+            _S184 = index_2 - count_1;
         }
         else
         {
@@ -1759,11 +1759,11 @@ uint4 Stretch_differences_0(const Stretch_0 thread* this_8, uint4 entries_0, uin
     return uint4(_S248 + _S250, entries_0.w - _S246, entries_0.y - _S247, whole_0);
 }
 
-uint4 row_differences_0(const Stretch_0 thread* across_1, uint row_7, uint count_11, uint quantities_1, KernelContext_0 thread* kernelContext_37)
+uint4 row_differences_0(const Stretch_0 thread* across_1, uint row_7, uint count_2, uint quantities_1, KernelContext_0 thread* kernelContext_37)
 {
     uint _S251 = row_7 + (&across_1->low_7)->thread_2 * quantities_1;
     uint _S252 = row_7 + (&across_1->high_7)->thread_2 * quantities_1;
-    uint4 _S253 = Stretch_differences_0(across_1, uint4(kernelContext_37->words_0[_S251], kernelContext_37->words_0[_S251 + quantities_1], kernelContext_37->words_0[_S252], kernelContext_37->words_0[_S252 + quantities_1]), kernelContext_37->words_0[row_7 + count_11 * quantities_1]);
+    uint4 _S253 = Stretch_differences_0(across_1, uint4(kernelContext_37->words_0[_S251], kernelContext_37->words_0[_S251 + quantities_1], kernelContext_37->words_0[_S252], kernelContext_37->words_0[_S252 + quantities_1]), kernelContext_37->words_0[row_7 + count_2 * quantities_1]);
     return _S253;
 }
 
@@ -2452,7 +2452,7 @@ void woven_view_0(uint _S462, const Footprint_0 thread* _S463, float3 _S464, Wov
     dense_7(&_S473, 0U, false, &inputs_23, &hidden_0, kernelContext_48);
     thread HalfWeights_0 _S474 = weights_23;
     thread array<float, int(100)> fused_0;
-    dense_part_8(&_S474, 1068U, int(96), false, &hidden_0, &fused_0, kernelContext_48);
+    dense_part_8(&_S474, 1068U, false, &hidden_0, &fused_0, kernelContext_48);
     fused_0[int(96)] = _S471.x;
     fused_0[int(97)] = _S471.y;
     float3 _S475 = crown_fibres_0(_S462, true, _S467, kernelContext_48);

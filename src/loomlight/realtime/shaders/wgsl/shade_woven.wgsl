@@ -253,13 +253,13 @@ fn Identity_apply_0( x_2 : f32) -> f32
     return x_2;
 }
 
-fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  count_1 : i32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(96)>>,  outputs_0 : ptr<function, array<f32, i32(50)>>)
+fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(96)>>,  outputs_0 : ptr<function, array<f32, i32(50)>>)
 {
-    var _S10 : u32 = first_1 + u32(whole_parts_0((count_1 + i32(7)) / i32(8)));
+    var _S10 : u32 = first_1 + u32(whole_parts_0(i32(7)));
     var output_0 : i32 = i32(0);
     for(;;)
     {
-        var _S11 : bool = output_0 < count_1;
+        var _S11 : bool = output_0 < i32(50);
         if(_S11)
         {
         }
@@ -294,7 +294,7 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  count_1 : i32,  ad
             (*outputs_0)[output_0] = Identity_apply_0(_S16[i32(0)] + _S17);
         }
         var _S18 : i32 = output_0 + i32(1);
-        if(_S18 < count_1)
+        if(_S18 < i32(50))
         {
             if(adds_0)
             {
@@ -307,7 +307,7 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  count_1 : i32,  ad
             (*outputs_0)[_S18] = Identity_apply_0(_S16[i32(1)] + _S17);
         }
         var _S19 : i32 = output_0 + i32(2);
-        if(_S19 < count_1)
+        if(_S19 < i32(50))
         {
             if(adds_0)
             {
@@ -320,7 +320,7 @@ fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  count_1 : i32,  ad
             (*outputs_0)[_S19] = Identity_apply_0(_S16[i32(2)] + _S17);
         }
         var _S20 : i32 = output_0 + i32(3);
-        if(_S20 < count_1)
+        if(_S20 < i32(50))
         {
             if(adds_0)
             {
@@ -395,13 +395,13 @@ fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<func
     return sums_1;
 }
 
-fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  count_2 : i32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(96)>>,  outputs_1 : ptr<function, array<f32, i32(52)>>)
+fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(96)>>,  outputs_1 : ptr<function, array<f32, i32(52)>>)
 {
-    var _S29 : u32 = first_3 + u32(whole_parts_0((count_2 + i32(7)) / i32(8)));
+    var _S29 : u32 = first_3 + u32(whole_parts_0(i32(7)));
     var output_1 : i32 = i32(0);
     for(;;)
     {
-        var _S30 : bool = output_1 < count_2;
+        var _S30 : bool = output_1 < i32(52);
         if(_S30)
         {
         }
@@ -436,7 +436,7 @@ fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  count_2 : i32,  add
             (*outputs_1)[output_1] = Identity_apply_0(_S35[i32(0)] + _S36);
         }
         var _S37 : i32 = output_1 + i32(1);
-        if(_S37 < count_2)
+        if(_S37 < i32(52))
         {
             if(adds_1)
             {
@@ -449,7 +449,7 @@ fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  count_2 : i32,  add
             (*outputs_1)[_S37] = Identity_apply_0(_S35[i32(1)] + _S36);
         }
         var _S38 : i32 = output_1 + i32(2);
-        if(_S38 < count_2)
+        if(_S38 < i32(52))
         {
             if(adds_1)
             {
@@ -462,7 +462,7 @@ fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  count_2 : i32,  add
             (*outputs_1)[_S38] = Identity_apply_0(_S35[i32(2)] + _S36);
         }
         var _S39 : i32 = output_1 + i32(3);
-        if(_S39 < count_2)
+        if(_S39 < i32(52))
         {
             if(adds_1)
             {
@@ -519,13 +519,13 @@ fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<func
     return sums_2;
 }
 
-fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  count_3 : i32,  adds_2 : bool,  inputs_5 : ptr<function, array<f32, i32(39)>>,  outputs_2 : ptr<function, array<f32, i32(96)>>)
+fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inputs_5 : ptr<function, array<f32, i32(39)>>,  outputs_2 : ptr<function, array<f32, i32(96)>>)
 {
-    var _S48 : u32 = first_4 + u32(whole_parts_0((count_3 + i32(7)) / i32(8)));
+    var _S48 : u32 = first_4 + u32(whole_parts_0(i32(12)));
     var output_2 : i32 = i32(0);
     for(;;)
     {
-        var _S49 : bool = output_2 < count_3;
+        var _S49 : bool = output_2 < i32(96);
         if(_S49)
         {
         }
@@ -560,7 +560,7 @@ fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  count_3 : i32,  add
             (*outputs_2)[output_2] = Identity_apply_0(_S54[i32(0)] + _S55);
         }
         var _S56 : i32 = output_2 + i32(1);
-        if(_S56 < count_3)
+        if(_S56 < i32(96))
         {
             if(adds_2)
             {
@@ -573,7 +573,7 @@ fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  count_3 : i32,  add
             (*outputs_2)[_S56] = Identity_apply_0(_S54[i32(1)] + _S55);
         }
         var _S57 : i32 = output_2 + i32(2);
-        if(_S57 < count_3)
+        if(_S57 < i32(96))
         {
             if(adds_2)
             {
@@ -586,7 +586,7 @@ fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  count_3 : i32,  add
             (*outputs_2)[_S57] = Identity_apply_0(_S54[i32(2)] + _S55);
         }
         var _S58 : i32 = output_2 + i32(3);
-        if(_S58 < count_3)
+        if(_S58 < i32(96))
         {
             if(adds_2)
             {
@@ -643,13 +643,13 @@ fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<func
     return sums_3;
 }
 
-fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  count_4 : i32,  adds_3 : bool,  inputs_7 : ptr<function, array<f32, i32(100)>>,  outputs_3 : ptr<function, array<f32, i32(96)>>)
+fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inputs_7 : ptr<function, array<f32, i32(100)>>,  outputs_3 : ptr<function, array<f32, i32(96)>>)
 {
-    var _S67 : u32 = first_5 + u32(whole_parts_0((count_4 + i32(7)) / i32(8)));
+    var _S67 : u32 = first_5 + u32(whole_parts_0(i32(12)));
     var output_3 : i32 = i32(0);
     for(;;)
     {
-        var _S68 : bool = output_3 < count_4;
+        var _S68 : bool = output_3 < i32(96);
         if(_S68)
         {
         }
@@ -684,7 +684,7 @@ fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  count_4 : i32,  add
             (*outputs_3)[output_3] = Identity_apply_0(_S73[i32(0)] + _S74);
         }
         var _S75 : i32 = output_3 + i32(1);
-        if(_S75 < count_4)
+        if(_S75 < i32(96))
         {
             if(adds_3)
             {
@@ -697,7 +697,7 @@ fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  count_4 : i32,  add
             (*outputs_3)[_S75] = Identity_apply_0(_S73[i32(1)] + _S74);
         }
         var _S76 : i32 = output_3 + i32(2);
-        if(_S76 < count_4)
+        if(_S76 < i32(96))
         {
             if(adds_3)
             {
@@ -710,7 +710,7 @@ fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  count_4 : i32,  add
             (*outputs_3)[_S76] = Identity_apply_0(_S73[i32(2)] + _S74);
         }
         var _S77 : i32 = output_3 + i32(3);
-        if(_S77 < count_4)
+        if(_S77 < i32(96))
         {
             if(adds_3)
             {
@@ -767,13 +767,13 @@ fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<func
     return sums_4;
 }
 
-fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  count_5 : i32,  adds_4 : bool,  inputs_9 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(1)>>)
+fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  adds_4 : bool,  inputs_9 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(1)>>)
 {
-    var _S86 : u32 = first_6 + u32(whole_parts_0((count_5 + i32(7)) / i32(8)));
+    var _S86 : u32 = first_6 + u32(whole_parts_0(i32(1)));
     var output_4 : i32 = i32(0);
     for(;;)
     {
-        var _S87 : bool = output_4 < count_5;
+        var _S87 : bool = output_4 < i32(1);
         if(_S87)
         {
         }
@@ -808,7 +808,7 @@ fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  count_5 : i32,  add
             (*outputs_4)[output_4] = Identity_apply_0(_S92[i32(0)] + _S93);
         }
         var _S94 : i32 = output_4 + i32(1);
-        if(_S94 < count_5)
+        if(_S94 < i32(1))
         {
             if(adds_4)
             {
@@ -821,7 +821,7 @@ fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  count_5 : i32,  add
             (*outputs_4)[_S94] = Identity_apply_0(_S92[i32(1)] + _S93);
         }
         var _S95 : i32 = output_4 + i32(2);
-        if(_S95 < count_5)
+        if(_S95 < i32(1))
         {
             if(adds_4)
             {
@@ -834,7 +834,7 @@ fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  count_5 : i32,  add
             (*outputs_4)[_S95] = Identity_apply_0(_S92[i32(2)] + _S93);
         }
         var _S96 : i32 = output_4 + i32(3);
-        if(_S96 < count_5)
+        if(_S96 < i32(1))
         {
             if(adds_4)
             {
@@ -856,13 +856,13 @@ fn LeakyRelu_apply_0( x_3 : f32) -> f32
     return max(x_3, x_3 * 0.00999999977648258f);
 }
 
-fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  count_6 : i32,  adds_5 : bool,  inputs_10 : ptr<function, array<f32, i32(96)>>,  outputs_5 : ptr<function, array<f32, i32(96)>>)
+fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  adds_5 : bool,  inputs_10 : ptr<function, array<f32, i32(96)>>,  outputs_5 : ptr<function, array<f32, i32(96)>>)
 {
-    var _S97 : u32 = first_7 + u32(whole_parts_0((count_6 + i32(7)) / i32(8)));
+    var _S97 : u32 = first_7 + u32(whole_parts_0(i32(12)));
     var output_5 : i32 = i32(0);
     for(;;)
     {
-        var _S98 : bool = output_5 < count_6;
+        var _S98 : bool = output_5 < i32(96);
         if(_S98)
         {
         }
@@ -897,7 +897,7 @@ fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  count_6 : i32,  ad
             (*outputs_5)[output_5] = LeakyRelu_apply_0(_S103[i32(0)] + _S104);
         }
         var _S105 : i32 = output_5 + i32(1);
-        if(_S105 < count_6)
+        if(_S105 < i32(96))
         {
             if(adds_5)
             {
@@ -910,7 +910,7 @@ fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  count_6 : i32,  ad
             (*outputs_5)[_S105] = LeakyRelu_apply_0(_S103[i32(1)] + _S104);
         }
         var _S106 : i32 = output_5 + i32(2);
-        if(_S106 < count_6)
+        if(_S106 < i32(96))
         {
             if(adds_5)
             {
@@ -923,7 +923,7 @@ fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  count_6 : i32,  ad
             (*outputs_5)[_S106] = LeakyRelu_apply_0(_S103[i32(2)] + _S104);
         }
         var _S107 : i32 = output_5 + i32(3);
-        if(_S107 < count_6)
+        if(_S107 < i32(96))
         {
             if(adds_5)
             {
@@ -940,13 +940,13 @@ fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  count_6 : i32,  ad
     return;
 }
 
-fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  count_7 : i32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(100)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
+fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(100)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
 {
-    var _S108 : u32 = first_8 + u32(whole_parts_0((count_7 + i32(7)) / i32(8)));
+    var _S108 : u32 = first_8 + u32(whole_parts_0(i32(2)));
     var output_6 : i32 = i32(0);
     for(;;)
     {
-        var _S109 : bool = output_6 < count_7;
+        var _S109 : bool = output_6 < i32(16);
         if(_S109)
         {
         }
@@ -981,7 +981,7 @@ fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  count_7 : i32,  ad
             (*outputs_6)[output_6] = LeakyRelu_apply_0(_S114[i32(0)] + _S115);
         }
         var _S116 : i32 = output_6 + i32(1);
-        if(_S116 < count_7)
+        if(_S116 < i32(16))
         {
             if(adds_6)
             {
@@ -994,7 +994,7 @@ fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  count_7 : i32,  ad
             (*outputs_6)[_S116] = LeakyRelu_apply_0(_S114[i32(1)] + _S115);
         }
         var _S117 : i32 = output_6 + i32(2);
-        if(_S117 < count_7)
+        if(_S117 < i32(16))
         {
             if(adds_6)
             {
@@ -1007,7 +1007,7 @@ fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  count_7 : i32,  ad
             (*outputs_6)[_S117] = LeakyRelu_apply_0(_S114[i32(2)] + _S115);
         }
         var _S118 : i32 = output_6 + i32(3);
-        if(_S118 < count_7)
+        if(_S118 < i32(16))
         {
             if(adds_6)
             {
@@ -1064,13 +1064,13 @@ fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<fu
     return sums_5;
 }
 
-fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  count_8 : i32,  adds_7 : bool,  inputs_13 : ptr<function, array<f32, i32(88)>>,  outputs_7 : ptr<function, array<f32, i32(96)>>)
+fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  adds_7 : bool,  inputs_13 : ptr<function, array<f32, i32(88)>>,  outputs_7 : ptr<function, array<f32, i32(96)>>)
 {
-    var _S127 : u32 = first_9 + u32(whole_parts_0((count_8 + i32(7)) / i32(8)));
+    var _S127 : u32 = first_9 + u32(whole_parts_0(i32(12)));
     var output_7 : i32 = i32(0);
     for(;;)
     {
-        var _S128 : bool = output_7 < count_8;
+        var _S128 : bool = output_7 < i32(96);
         if(_S128)
         {
         }
@@ -1105,7 +1105,7 @@ fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  count_8 : i32,  ad
             (*outputs_7)[output_7] = LeakyRelu_apply_0(_S133[i32(0)] + _S134);
         }
         var _S135 : i32 = output_7 + i32(1);
-        if(_S135 < count_8)
+        if(_S135 < i32(96))
         {
             if(adds_7)
             {
@@ -1118,7 +1118,7 @@ fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  count_8 : i32,  ad
             (*outputs_7)[_S135] = LeakyRelu_apply_0(_S133[i32(1)] + _S134);
         }
         var _S136 : i32 = output_7 + i32(2);
-        if(_S136 < count_8)
+        if(_S136 < i32(96))
         {
             if(adds_7)
             {
@@ -1131,7 +1131,7 @@ fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  count_8 : i32,  ad
             (*outputs_7)[_S136] = LeakyRelu_apply_0(_S133[i32(2)] + _S134);
         }
         var _S137 : i32 = output_7 + i32(3);
-        if(_S137 < count_8)
+        if(_S137 < i32(96))
         {
             if(adds_7)
             {
@@ -1155,53 +1155,53 @@ fn rsqrt_0( x_4 : f32) -> f32
 
 fn dense_0( weights_14 : FloatWeights_0,  first_10 : u32,  adds_8 : bool,  inputs_14 : ptr<function, array<f32, i32(96)>>,  outputs_8 : ptr<function, array<f32, i32(50)>>)
 {
-    dense_part_0(weights_14, first_10, i32(50), adds_8, &((*inputs_14)), &((*outputs_8)));
+    dense_part_0(weights_14, first_10, adds_8, &((*inputs_14)), &((*outputs_8)));
     return;
 }
 
 fn dense_1( weights_15 : HalfWeights_0,  first_11 : u32,  adds_9 : bool,  inputs_15 : ptr<function, array<f32, i32(96)>>,  outputs_9 : ptr<function, array<f32, i32(52)>>)
 {
-    dense_part_1(weights_15, first_11, i32(52), adds_9, &((*inputs_15)), &((*outputs_9)));
+    dense_part_1(weights_15, first_11, adds_9, &((*inputs_15)), &((*outputs_9)));
     return;
 }
 
 fn dense_2( weights_16 : HalfWeights_0,  first_12 : u32,  adds_10 : bool,  inputs_16 : ptr<function, array<f32, i32(96)>>,  outputs_10 : ptr<function, array<f32, i32(96)>>)
 {
-    dense_part_5(weights_16, first_12, i32(96), adds_10, &((*inputs_16)), &((*outputs_10)));
+    dense_part_5(weights_16, first_12, adds_10, &((*inputs_16)), &((*outputs_10)));
     return;
 }
 
 fn dense_3( weights_17 : HalfWeights_0,  first_13 : u32,  adds_11 : bool,  inputs_17 : ptr<function, array<f32, i32(39)>>,  outputs_11 : ptr<function, array<f32, i32(96)>>)
 {
-    dense_part_2(weights_17, first_13, i32(96), adds_11, &((*inputs_17)), &((*outputs_11)));
+    dense_part_2(weights_17, first_13, adds_11, &((*inputs_17)), &((*outputs_11)));
     return;
 }
 
 fn dense_4( weights_18 : HalfWeights_0,  first_14 : u32,  adds_12 : bool,  inputs_18 : ptr<function, array<f32, i32(100)>>,  outputs_12 : ptr<function, array<f32, i32(96)>>)
 {
-    dense_part_3(weights_18, first_14, i32(96), adds_12, &((*inputs_18)), &((*outputs_12)));
+    dense_part_3(weights_18, first_14, adds_12, &((*inputs_18)), &((*outputs_12)));
     return;
 }
 
 fn dense_5( weights_19 : HalfWeights_0,  first_15 : u32,  adds_13 : bool,  inputs_19 : ptr<function, array<f32, i32(16)>>,  outputs_13 : ptr<function, array<f32, i32(1)>>)
 {
-    dense_part_4(weights_19, first_15, i32(1), adds_13, &((*inputs_19)), &((*outputs_13)));
+    dense_part_4(weights_19, first_15, adds_13, &((*inputs_19)), &((*outputs_13)));
     return;
 }
 
 fn dense_6( weights_20 : HalfWeights_0,  first_16 : u32,  adds_14 : bool,  inputs_20 : ptr<function, array<f32, i32(100)>>,  outputs_14 : ptr<function, array<f32, i32(16)>>)
 {
-    dense_part_6(weights_20, first_16, i32(16), adds_14, &((*inputs_20)), &((*outputs_14)));
+    dense_part_6(weights_20, first_16, adds_14, &((*inputs_20)), &((*outputs_14)));
     return;
 }
 
-fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  count_9 : i32,  adds_15 : bool,  inputs_21 : ptr<function, array<f32, i32(96)>>,  outputs_15 : ptr<function, array<f32, i32(100)>>)
+fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  adds_15 : bool,  inputs_21 : ptr<function, array<f32, i32(96)>>,  outputs_15 : ptr<function, array<f32, i32(100)>>)
 {
-    var _S138 : u32 = first_17 + u32(whole_parts_0((count_9 + i32(7)) / i32(8)));
+    var _S138 : u32 = first_17 + u32(whole_parts_0(i32(12)));
     var output_8 : i32 = i32(0);
     for(;;)
     {
-        var _S139 : bool = output_8 < count_9;
+        var _S139 : bool = output_8 < i32(96);
         if(_S139)
         {
         }
@@ -1236,7 +1236,7 @@ fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  count_9 : i32,  a
             (*outputs_15)[output_8] = LeakyRelu_apply_0(_S144[i32(0)] + _S145);
         }
         var _S146 : i32 = output_8 + i32(1);
-        if(_S146 < count_9)
+        if(_S146 < i32(96))
         {
             if(adds_15)
             {
@@ -1249,7 +1249,7 @@ fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  count_9 : i32,  a
             (*outputs_15)[_S146] = LeakyRelu_apply_0(_S144[i32(1)] + _S145);
         }
         var _S147 : i32 = output_8 + i32(2);
-        if(_S147 < count_9)
+        if(_S147 < i32(96))
         {
             if(adds_15)
             {
@@ -1262,7 +1262,7 @@ fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  count_9 : i32,  a
             (*outputs_15)[_S147] = LeakyRelu_apply_0(_S144[i32(2)] + _S145);
         }
         var _S148 : i32 = output_8 + i32(3);
-        if(_S148 < count_9)
+        if(_S148 < i32(96))
         {
             if(adds_15)
             {
@@ -1281,7 +1281,7 @@ fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  count_9 : i32,  a
 
 fn dense_7( weights_22 : HalfWeights_0,  first_18 : u32,  adds_16 : bool,  inputs_22 : ptr<function, array<f32, i32(88)>>,  outputs_16 : ptr<function, array<f32, i32(96)>>)
 {
-    dense_part_7(weights_22, first_18, i32(96), adds_16, &((*inputs_22)), &((*outputs_16)));
+    dense_part_7(weights_22, first_18, adds_16, &((*inputs_22)), &((*outputs_16)));
     return;
 }
 
@@ -1450,18 +1450,18 @@ fn table_number_0( index_0 : u32) -> f32
     return (bitcast<f32>((words_0[index_0])));
 }
 
-fn wrapped_0( index_1 : f32,  count_10 : f32) -> f32
+fn wrapped_0( index_1 : f32,  count_1 : f32) -> f32
 {
     var _S180 : f32;
     if(index_1 < 0.0f)
     {
-        _S180 = index_1 + count_10;
+        _S180 = index_1 + count_1;
     }
     else
     {
-        if(index_1 >= count_10)
+        if(index_1 >= count_1)
         {
-            _S180 = index_1 - count_10;
+            _S180 = index_1 - count_1;
         }
         else
         {
@@ -1703,11 +1703,11 @@ fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 :
     return vec4<u32>(_S214 + _S215, entries_0.w - _S212, entries_0.y - _S213, whole_0);
 }
 
-fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_11 : u32,  quantities_1 : u32) -> vec4<u32>
+fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
     var _S216 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
     var _S217 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S216], words_0[_S216 + quantities_1], words_0[_S217], words_0[_S217 + quantities_1]), words_0[row_7 + count_11 * quantities_1]);
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S216], words_0[_S216 + quantities_1], words_0[_S217], words_0[_S217 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
@@ -2365,7 +2365,7 @@ fn woven_view_0( _S401 : u32,  _S402 : Footprint_0,  _S403 : vec3<f32>,  _S404 :
     var hidden_0 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_0));
     var fused_0 : array<f32, i32(100)>;
-    dense_part_8(weights_23, u32(1068), i32(96), false, &(hidden_0), &(fused_0));
+    dense_part_8(weights_23, u32(1068), false, &(hidden_0), &(fused_0));
     fused_0[i32(96)] = _S408.x;
     fused_0[i32(97)] = _S408.y;
     var _S409 : vec2<f32> = _S408.xy;
