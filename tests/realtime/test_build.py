@@ -87,7 +87,7 @@ def test_spirv_is_valid(entry: str, tmp_path: Path) -> None:
 
 
 def test_cooperative_variants_use_cooperative_vectors() -> None:
-    """Debian's validator is older than the extension; `docs/notes/realtime.md` says with what they were checked."""
+    """Debian's validator is older than the extension: `docs/notes/realtime.md` says what checked them."""
     words = np.fromfile(SHADERS / "spirv" / "shade_woven_cooperative.spv", np.uint32)
     found, at = set(), 5
     while at < words.size:

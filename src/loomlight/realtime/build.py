@@ -45,8 +45,8 @@ TARGETS = (
     Target("metal", "metal"),
     Target("cuda", "cu", (), ("compute",)),
 )
-# Variants of entry points whose networks run by cooperative vectors, where a target has them for compute shaders (CUDA
-# has them in OptiX programs alone): engines may choose them, nothing needs them.
+# Variants of entry points whose networks run by cooperative vectors, where a target has them for compute
+# shaders (CUDA has them in OptiX programs alone): engines may choose them, nothing needs them.
 COOPERATIVE_TARGETS = (
     Target("hlsl", "hlsl", ("-profile", "sm_6_9")),
     Target("spirv", "spv", ("-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")),
