@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import BUFFERS
 from loomlight.realtime.slangc import compile_shader
@@ -27,6 +28,10 @@ def mapped(
     results: str,
     arguments: Mapping[str, NDArray[Any]],
     fabric: tuple[Any, ...] | None = None,
+    woven: WovenModel | None = None,
+    buffers: Mapping[str, NDArray[Any]] | None = None,
+    declarations: str = "",
+    prologue: str = "",
 ) -> NDArray[np.float32]:
     """What a few lines of Slang make of each row of the arguments: float32 [n, results].
 
@@ -36,13 +41,17 @@ def mapped(
         results: numbers to return, expressions of type float, uint or bool separated by ";".
         arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
         fabric: layout, appearance, and tables of lobes where the lines need them.
+        woven: the model of that fabric whose latents the lines need.
+        buffers: contents of further buffers that the modules read.
+        declarations: before the entry point.
+        prologue: statements that threads without a row run too, such as barriers.
     """
     count = len(next(iter(arguments.values())))
     columns: list[NDArray[np.uint32]] = []
-    declarations = []
+    lets = []
     for name, values in arguments.items():
         expression, more = _argument(np.asarray(values), len(columns))
-        declarations.append(f"    let {name} = {expression};")
+        lets.append(f"    let {name} = {expression};")
         columns += more
     outputs = results.split(";")
     source = [
@@ -50,12 +59,14 @@ def mapped(
         f"[[vk::binding({_FIRST_BINDING}, 0)]] StructuredBuffer<uint> arguments;",
         f"[[vk::binding({_FIRST_BINDING + 1}, 0)]] RWStructuredBuffer<float> results;",
         "uint argument(uint column, uint row) { return arguments[1 + column * arguments[0] + row]; }",
+        declarations,
         f'[shader("compute")] [numthreads({_GROUP}, 1, 1)]',
         "void map_rows(uint3 id : SV_DispatchThreadID)",
         "{",
         "    let i = id.x;",
+        prologue,
         "    if (i >= arguments[0]) return;",
-        *declarations,
+        *lets,
         *(["    let fabric = fabrics[0];"] if fabric is not None else []),
         body,
         *(f"    results[i * {len(outputs)} + {k}] = float({value});" for k, value in enumerate(outputs)),
@@ -64,13 +75,17 @@ def mapped(
     adapter = default_adapter()
     wgsl = _compiled("\n".join(source))
     data = np.concatenate([np.array([count], np.uint32), *columns])
-    buffers = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
+    resources = {
+        "arguments": adapter.storage(data),
+        "results": adapter.empty_storage(4 * count * len(outputs)),
+    }
+    resources |= {name: adapter.storage(values) for name, values in (buffers or {}).items()}
     if fabric is not None:
         layout, appearance, *lobes = fabric
-        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None)
-        buffers |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
+        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None, woven=[woven])
+        resources |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
     pipeline = adapter.pipeline(wgsl, "map_rows")
-    group = adapter.bindings(pipeline, wgsl, buffers)
+    group = adapter.bindings(pipeline, wgsl, resources)
     encoder = adapter.device.create_command_encoder()
     compute = encoder.begin_compute_pass()
     compute.set_pipeline(pipeline)
@@ -78,7 +93,7 @@ def mapped(
     compute.dispatch_workgroups(-(-count // _GROUP))
     compute.end()
     adapter.device.queue.submit([encoder.finish()])
-    return adapter.read(buffers["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
+    return adapter.read(resources["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:

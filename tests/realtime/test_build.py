@@ -18,10 +18,11 @@ from loomlight.realtime.constants import number_text
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.slangc import SHADERS
 
-STAGES = ENTRIES["frame"]
+STAGES = {entry: stage for entries in ENTRIES.values() for entry, stage in entries.items()}
 GLSLANG_STAGES = {"compute": "comp", "vertex": "vert", "fragment": "frag"}
 # In the header of SPIR-V and as the language of OpSource: older validators do not know Slang's number.
 OP_SOURCE, SLANG = 3, 11
+COOPERATIVE_MULTIPLY_ADD = 5292  # OpCooperativeVectorMatrixMulAddNV
 
 
 def test_generated_slang_is_in_step() -> None:
@@ -83,6 +84,22 @@ def test_spirv_is_valid(entry: str, tmp_path: Path) -> None:
         at += int(words[at] >> 16)
     words.tofile(tmp_path / "shader.spv")
     run("spirv-val", "--target-env", "vulkan1.1", tmp_path / "shader.spv")
+
+
+def test_cooperative_variants_use_cooperative_vectors() -> None:
+    """Debian's validator is older than the extension: `docs/notes/realtime.md` says what checked them."""
+    words = np.fromfile(SHADERS / "spirv" / "shade_woven_cooperative.spv", np.uint32)
+    found, at = set(), 5
+    while at < words.size:
+        found.add(int(words[at] & 0xFFFF))
+        at += int(words[at] >> 16)
+    assert COOPERATIVE_MULTIPLY_ADD in found
+    hlsl = (SHADERS / "hlsl" / "shade_woven_cooperative.hlsl").read_text(encoding="utf-8")
+    assert "dx/linalg.h" in hlsl
+    # None is required: the ordinary shaders know nothing of them.
+    for path in SHADERS.glob("*/shade_*"):
+        if path.suffix not in (".spv", ".cu") and "cooperative" not in path.name:
+            assert "linalg" not in path.read_text(encoding="utf-8"), path
 
 
 @pytest.mark.parametrize("entry", STAGES)

@@ -45,6 +45,13 @@ TARGETS = (
     Target("metal", "metal"),
     Target("cuda", "cu", (), ("compute",)),
 )
+# Variants of entry points whose networks run by cooperative vectors, where a target has them for compute
+# shaders (CUDA has them in OptiX programs alone): engines may choose them, nothing needs them.
+COOPERATIVE_TARGETS = (
+    Target("hlsl", "hlsl", ("-profile", "sm_6_9")),
+    Target("spirv", "spv", ("-profile", "spirv_1_6", "-O0", "-skip-spirv-validation")),
+)
+COOPERATIVE_ENTRIES = {"frame_woven": ("shade_woven",)}
 # Line numbers would name files of the machine that built it.
 _OPTIONS = ("-line-directive-mode", "none")
 # Entry points by file of `shaders/`, with their stages.
@@ -56,6 +63,7 @@ ENTRIES = {
         "shade_lobes": "compute",
         "tone_map": "compute",
     },
+    "frame_woven": {"shade_woven": "compute"},
 }
 
 
@@ -83,6 +91,12 @@ def generated_files() -> dict[Path, bytes]:
                     if target.name == "cuda":
                         text = b"#include <slang-cuda-prelude.h>\n" + text.removeprefix(prelude)
                     files[path] = text
+    for module, names in COOPERATIVE_ENTRIES.items():
+        for target in COOPERATIVE_TARGETS:
+            for entry in names:
+                options = (*_OPTIONS, *target.options, "-DCOOPERATIVE")
+                path = Path(target.name) / f"{entry}_cooperative.{target.suffix}"
+                files[path] = compile_shader(SHADERS / f"{module}.slang", target.name, [entry], options)
     return files
 
 

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from loomlight.aggregate import footprint_albedos
+from loomlight.core import footprint as core_footprint
 from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import (
     coverage_lookup,
@@ -21,7 +22,9 @@ from loomlight.models.lobes import (
     prefiltered,
     regimes,
 )
+from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
+from loomlight.realtime.woven_tables import woven_floats, woven_uints
 from loomlight.scattering import directions, fibre, point, sheen, sheen_coefficients, variation
 from loomlight.yarn import max_heights, rays, runs, search, threads
 
@@ -70,6 +73,18 @@ _FLOATS: dict[str, float] = {
     "ALBEDO_NOISE_UNITS": footprint_albedos._NOISE_UNITS,
     "ALBEDO_NOISE_FRACTION": footprint_albedos._NOISE_FRACTION,
     "HIDDEN_WEIGHT": footprint_albedos._HIDDEN,
+    "MAX_RATIO_OF_ONE_TAP": core_footprint._MAX_RATIO_OF_ONE_TAP,
+    "ONE_MINUS_EPSILON": 1 - 2.0**-24,
+    "TURNED_SHARE": fibre._SHARE_TURNED[0],
+    "TURNED_SHARE_SLOPE": fibre._SHARE_TURNED[1],
+    "THROUGH_SHARE": fibre._SHARE_THROUGH[0],
+    "THROUGH_SHARE_SLOPE": fibre._SHARE_THROUGH[1],
+    "TYPICAL_DEPTH": fibre._TYPICAL_DEPTH,
+    "LAYER_REFLECTS": lobe_proposal._LAYER_REFLECTS,
+    "LAYER_TRANSMITS": lobe_proposal._LAYER_TRANSMITS,
+    "COSINE_PROBABILITY": lobe_proposal._COSINE_PROBABILITY,
+    "PROPOSAL_MIN_WEIGHT": lobe_proposal._MIN_WEIGHT,
+    "SPREAD_WIDTH": lobe_proposal.SPREAD_WIDTH,
 }
 _VECTORS: dict[str, tuple[float, float]] = {
     "DIFFUSE_CORRELATION": prefiltered.DIFFUSE_CORRELATION,
@@ -89,6 +104,7 @@ _UINTS: dict[str, int] = {
     "AZIMUTHS": hemisphere.AZIMUTHS,
     "RINGS": hemisphere.RINGS,
     "NODES": hemisphere.NODES,
+    "ANISOTROPIC_TAPS": core_footprint.ANISOTROPIC_TAPS,
     "TAPS": len(coverage_lookup.TAP_OFFSETS),
     "WEIGHT_SUM": packed_uint8.WEIGHT_SUM,
     "MOMENTS": lobe_tables.MOMENTS,
@@ -110,8 +126,9 @@ def number_text(value: float) -> str:
 
 def slang_constants() -> str:
     """Slang declarations of all constants, and the polynomials of the sheen."""
-    lines = [f"static const float {name} = {number_text(value)};" for name, value in _FLOATS.items()]
-    lines += [f"static const uint {name} = {value}u;" for name, value in _UINTS.items()]
+    floats, uints = _FLOATS | woven_floats(), _UINTS | woven_uints()
+    lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
+    lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]
     radii = ", ".join(number_text(radius) for radius in max_heights.PYRAMID_RADII)
     lines.append(f"static const float PYRAMID_RADII[{len(max_heights.PYRAMID_RADII)}] = {{ {radii} }};")
     for name, vector in _VECTORS.items():

@@ -76,10 +76,36 @@ LOBES: Fields = (
     ("unit_level", "float", "log₂ of the length that separates the regimes"),
 )
 
+WOVEN: Fields = (
+    ("is_encoded", "uint", "0 where the fabric has no latents"),
+    ("network", "uint", "first element of the layers in packed_numbers"),
+    ("latents", "uint", "first element of the latents [2 faces, texels, WOVEN_LATENT], halves"),
+    ("texels", "uint", "of one face"),
+    ("levels", "uint", "first texel, columns, rows, texels a thread of each level, four numbers each"),
+    ("top_level", "uint", "the mean of the repeat"),
+    ("ends", "float", "threads of the warp in the repeat of the latents"),
+    ("picks", "float", "the same of the weft"),
+    ("ends_per_mm", "float", ""),
+    ("picks_per_mm", "float", ""),
+    ("pitch", "float", "geometric mean of the spacings of both families"),
+    ("warp_x", "float", "fibre direction on the crown of a yarn of the warp, of the front"),
+    ("warp_y", "float", ""),
+    ("warp_roughness", "float", "α that the network sees"),
+    ("weft_x", "float", "the same of the weft"),
+    ("weft_y", "float", ""),
+    ("weft_roughness", "float", ""),
+    ("warp_lobe_roughness", "float", "α of the lobe that directions are sampled with"),
+    ("weft_lobe_roughness", "float", ""),
+    ("bundles", "uint", "b and a of each lobe of the basis [2 families, BUNDLES, 4]"),
+    ("is_corrected", "uint", "1 where the last layer is fitted to the fabric"),
+    ("correction", "uint", "first element of that layer in packed_numbers, singles"),
+)
+
 FABRIC: Fields = (
     ("warp", "uint", "index of the record of the warp, threads along y"),
     ("weft", "uint", "index of the record of the weft, threads along x"),
     ("lobes", "Lobes", "tables of the model lobes"),
+    ("woven", "Woven", "latents of the model woven"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
     ("max_heights", "uint", "max-height pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4]"),
@@ -154,6 +180,7 @@ VERTEX: Fields = (
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     "Lobes": LOBES,
+    "Woven": WOVEN,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,
@@ -172,6 +199,7 @@ BUFFERS: dict[str, tuple[str, bool]] = {
     "face_fabrics": ("uint", False),  # the fabric of each face
     "radiance": ("float4", True),  # sums over passes, and the share of cloth
     "pixels": ("uint", True),  # sRGB, 8 bits a channel
+    "packed_numbers": ("uint4", False),  # networks and latents: eight halves or four singles an element
 }
 # Beside them, for entry points that read the raster pass.
 VISIBILITY_BINDING = len(BUFFERS)
@@ -195,5 +223,7 @@ def slang_structs() -> str:
     for binding, (name, (kind, writable)) in enumerate(BUFFERS.items()):
         access = "RWStructuredBuffer" if writable else "StructuredBuffer"
         lines.append(f"[[vk::binding({binding}, 0)]] {access}<{kind}> {name};")
+    binding = list(BUFFERS).index("packed_numbers")
+    lines.append(f"static const uint PACKED_NUMBERS_BINDING = {binding}u;")
     lines.append(f"[[vk::binding({VISIBILITY_BINDING}, 0)]] Texture2D<uint> visible_faces;")
     return "\n".join(lines) + "\n"

@@ -13,6 +13,7 @@ from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
@@ -20,7 +21,7 @@ from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.tables import pack_fabrics
 
 # Entry points of the models.
-_ENTRIES = {"lobes": "shade_lobes", "point": "shade_points"}
+_ENTRIES = {"lobes": "shade_lobes", "point": "shade_points", "woven": "shade_woven"}
 _GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 sequence
 
 
@@ -45,7 +46,7 @@ class Renderer:
     Attributes:
         adapter: the graphics adapter that computes.
         size: width and height of frames, pixels.
-        model: lobes or point.
+        model: lobes, woven or point.
     """
 
     def __init__(
@@ -59,7 +60,7 @@ class Renderer:
 
         Args:
             size: width and height of frames, pixels.
-            model: lobes, which averages over the footprints of pixels, or point, which samples them.
+            model: lobes or woven, which average over the footprints of pixels, or point, which samples them.
 
         Raises:
             InputError: no cloth, a size out of range, or an unknown model.
@@ -160,12 +161,16 @@ class Renderer:
             [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths],
             [cloth.uv_size_mm for cloth in self._cloths],
             [self._baked(cloth.fabric) for cloth in self._cloths],
+            [self._encoded(cloth.fabric) for cloth in self._cloths],
         )
         for name, values in packed.buffers().items():
             self._store(name, values)
 
     def _baked(self, fabric: Fabric) -> LobeTables | None:
         return tables_of(fabric, DEFAULT_GROUPS) if self.model == "lobes" else None
+
+    def _encoded(self, fabric: Fabric) -> WovenModel | None:
+        return WovenModel.for_source(fabric) if self.model == "woven" else None
 
     def _upload_targets(self) -> None:
         wgpu = wgpu_module()

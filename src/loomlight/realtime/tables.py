@@ -14,7 +14,10 @@ from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.models.lobes import regimes
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.layout import numpy_type
+from loomlight.realtime.networks import Elements
+from loomlight.realtime.woven_tables import WovenTables
 from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
 from loomlight.scattering.appearance import Appearance, FamilyAppearance
@@ -58,29 +61,42 @@ class Packed:
         fabrics: records [n].
         families: records of the warp and the weft of each [2 n].
         words: of all tables.
+        packed_numbers: networks and latents [m, 4].
     """
 
     fabrics: Record
     families: Record
     words: Words
+    packed_numbers: Elements
 
     def buffers(self) -> dict[str, NDArray[Any]]:
         """Contents of buffers by name."""
-        return {"fabrics": self.fabrics, "families": self.families, "words": self.words}
+        return {
+            "fabrics": self.fabrics,
+            "families": self.families,
+            "words": self.words,
+            "packed_numbers": self.packed_numbers,
+        }
 
 
 def pack_fabrics(
     fabrics: Sequence[tuple[ClothLayout, Appearance]],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
     lobes: Sequence[LobeTables | None] | None = None,
+    woven: Sequence[WovenModel | None] | None = None,
 ) -> Packed:
     """Records of fabrics and the words of their tables.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
         lobes: baked tables of each fabric; None for none.
+        woven: the encoded model of each fabric; None for none. A network that several share is stored once.
+
+    Raises:
+        InputError: a network of woven of another shape than that of the shaders.
     """
     table = WordTable()
+    encoded = WovenTables()
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     families = np.zeros((len(fabrics), 2), numpy_type("Family"))
     for number, (layout, appearance) in enumerate(fabrics):
@@ -90,7 +106,13 @@ def pack_fabrics(
         baked = None if lobes is None else lobes[number]
         if baked is not None:
             _pack_lobes(records["lobes"][number], table, baked, layout)
-    return Packed(records, families.ravel(), table.words())
+        model = None if woven is None else woven[number]
+        if model is not None:
+            values, levels, bundles = encoded.add(model)
+            values |= {"levels": table.add(levels), "bundles": table.add(bundles)}
+            for name, value in values.items():
+                records["woven"][number][name] = value
+    return Packed(records, families.ravel(), table.words(), encoded.elements())
 
 
 def _pack_fabric(

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -147,6 +174,7 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     CUtexObject visible_faces_0;
 };
 
@@ -2543,7 +2571,7 @@ __device__ Crossing_0 crossing_at_0(uint _S566, float _S567, float _S568, bool _
     (&crossing_3)->weft_1 = locate_0(_S572, _S568);
     uint _S573 = __ldg(&_S570->run_words_0);
     uint _S574 = (&(&crossing_3)->weft_1)->thread_0;
-    uint _S575 = __ldg(&_S570->ends_0);
+    uint _S575 = __ldg(&_S570->ends_1);
     uint _S576 = _S573 + 2U * (_S574 * _S575 + (&(&crossing_3)->warp_1)->thread_0);
     uint _S577 = __ldg((&(globalParams_0->words_0)[_S576]));
     (&crossing_3)->warp_word_0 = _S577;

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -147,6 +174,7 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     CUtexObject visible_faces_0;
 };
 
@@ -1784,7 +1812,7 @@ __device__ Crossing_0 crossing_at_0(uint _S343, float _S344, float _S345, bool _
     (&crossing_2)->weft_1 = locate_0(_S349, _S345);
     uint _S350 = __ldg(&_S347->run_words_0);
     uint _S351 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S352 = __ldg(&_S347->ends_0);
+    uint _S352 = __ldg(&_S347->ends_1);
     uint _S353 = _S350 + 2U * (_S351 * _S352 + (&(&crossing_2)->warp_1)->thread_1);
     uint _S354 = __ldg((&(globalParams_0->words_0)[_S353]));
     (&crossing_2)->warp_word_0 = _S354;

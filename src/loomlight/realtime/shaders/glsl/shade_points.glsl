@@ -33,7 +33,7 @@ struct Frame_0
 layout(std430, binding = 4) readonly buffer StructuredBuffer_Frame_t_0 {
     Frame_0 _data[];
 } frames_0;
-layout(binding = 10)
+layout(binding = 11)
 uniform utexture2D visible_faces_0;
 
 layout(std430, binding = 7) readonly buffer StructuredBuffer_uint_t_0 {
@@ -61,13 +61,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -1493,7 +1520,7 @@ Crossing_0 crossing_at_0(uint _S184, float _S185, float _S186, bool _S187)
     Crossing_0 crossing_2;
     crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S184)].warp_0, _S185);
     crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S184)].weft_0, _S186);
-    uint _S188 = fabrics_0._data[uint(_S184)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S184)].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S188 = fabrics_0._data[uint(_S184)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S184)].ends_1 + crossing_2.warp_1.thread_1);
     uint _S189 = words_0._data[uint(_S188)];
     crossing_2.warp_word_0 = _S189;
     crossing_2.weft_word_0 = words_0._data[uint(_S188 + 1U)];

@@ -38,7 +38,7 @@ struct Frame_0
 
 StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-Texture2D<uint > visible_faces_0 : register(t8);
+Texture2D<uint > visible_faces_0 : register(t9);
 
 StructuredBuffer<uint > face_fabrics_0 : register(t7);
 
@@ -64,13 +64,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -2033,7 +2060,7 @@ Crossing_0 crossing_at_0(uint _S294, float _S295, float _S296, bool _S297)
     Crossing_0 crossing_3;
     crossing_3.warp_1 = locate_0(fabrics_0[_S294].warp_0, _S295);
     crossing_3.weft_1 = locate_0(fabrics_0[_S294].weft_0, _S296);
-    uint _S298 = fabrics_0[_S294].run_words_0 + 2U * (crossing_3.weft_1.thread_0 * fabrics_0[_S294].ends_0 + crossing_3.warp_1.thread_0);
+    uint _S298 = fabrics_0[_S294].run_words_0 + 2U * (crossing_3.weft_1.thread_0 * fabrics_0[_S294].ends_1 + crossing_3.warp_1.thread_0);
     uint _S299 = words_0.Load(_S298);
     crossing_3.warp_word_0 = _S299;
     crossing_3.weft_word_0 = words_0.Load(_S298 + 1U);

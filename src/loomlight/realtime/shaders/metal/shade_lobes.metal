@@ -270,13 +270,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -2152,7 +2179,7 @@ Crossing_0 crossing_at_0(uint _S412, float _S413, float _S414, bool _S415, Kerne
     (&crossing_3)->warp_1 = _S417;
     Cell_0 _S418 = locate_0(_S416->weft_0, _S414, kernelContext_28);
     (&crossing_3)->weft_1 = _S418;
-    uint _S419 = _S416->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_0 * _S416->ends_0 + (&(&crossing_3)->warp_1)->thread_0);
+    uint _S419 = _S416->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_0 * _S416->ends_1 + (&(&crossing_3)->warp_1)->thread_0);
     uint _S420 = kernelContext_28->words_0[_S419];
     (&crossing_3)->warp_word_0 = _S420;
     (&crossing_3)->weft_word_0 = kernelContext_28->words_0[_S419 + 1U];

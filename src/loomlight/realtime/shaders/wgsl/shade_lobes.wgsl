@@ -28,7 +28,7 @@ struct Frame_std430_0
 
 @binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
 
-@binding(10) @group(0) var visible_faces_0 : texture_2d<u32>;
+@binding(11) @group(0) var visible_faces_0 : texture_2d<u32>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -54,13 +54,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -2045,7 +2072,7 @@ fn crossing_at_0( _S311 : u32,  _S312 : f32,  _S313 : f32,  _S314 : bool) -> Cro
     var crossing_3 : Crossing_0;
     crossing_3.warp_1 = locate_0(fabrics_0[_S311].warp_0, _S312);
     crossing_3.weft_1 = locate_0(fabrics_0[_S311].weft_0, _S313);
-    var _S315 : u32 = fabrics_0[_S311].run_words_0 + u32(2) * (crossing_3.weft_1.thread_0 * fabrics_0[_S311].ends_0 + crossing_3.warp_1.thread_0);
+    var _S315 : u32 = fabrics_0[_S311].run_words_0 + u32(2) * (crossing_3.weft_1.thread_0 * fabrics_0[_S311].ends_1 + crossing_3.warp_1.thread_0);
     var _S316 : u32 = words_0[_S315];
     crossing_3.warp_word_0 = _S316;
     crossing_3.weft_word_0 = words_0[_S315 + u32(1)];

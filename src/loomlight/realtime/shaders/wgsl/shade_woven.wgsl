@@ -1,0 +1,2797 @@
+struct Frame_std430_0
+{
+    @align(4) width_0 : u32,
+    @align(4) height_0 : u32,
+    @align(4) lights_0 : u32,
+    @align(4) samples_0 : u32,
+    @align(4) pass_number_0 : u32,
+    @align(4) jitter_x_0 : f32,
+    @align(4) jitter_y_0 : f32,
+    @align(4) gain_0 : f32,
+    @align(4) origin_x_0 : f32,
+    @align(4) origin_y_0 : f32,
+    @align(4) origin_z_0 : f32,
+    @align(4) right_x_0 : f32,
+    @align(4) right_y_0 : f32,
+    @align(4) right_z_0 : f32,
+    @align(4) up_x_0 : f32,
+    @align(4) up_y_0 : f32,
+    @align(4) up_z_0 : f32,
+    @align(4) forward_x_0 : f32,
+    @align(4) forward_y_0 : f32,
+    @align(4) forward_z_0 : f32,
+    @align(4) near_0 : f32,
+    @align(4) background_red_0 : f32,
+    @align(4) background_green_0 : f32,
+    @align(4) background_blue_0 : f32,
+};
+
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+
+@binding(11) @group(0) var visible_faces_0 : texture_2d<u32>;
+
+@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+
+struct Lobes_std430_0
+{
+    @align(4) is_baked_0 : u32,
+    @align(4) inverse_base_size_0 : f32,
+    @align(4) last_level_0 : f32,
+    @align(4) levels_0 : u32,
+    @align(4) face_nodes_0 : u32,
+    @align(4) packs_0 : u32,
+    @align(4) front_warp_packs_0 : u32,
+    @align(4) back_warp_packs_0 : u32,
+    @align(4) coverage_0 : u32,
+    @align(4) coverage_holes_0 : u32,
+    @align(4) projected_area_0 : u32,
+    @align(4) light_visibility_0 : u32,
+    @align(4) irradiance_0 : u32,
+    @align(4) moments_0 : u32,
+    @align(4) front_hole_weight_0 : f32,
+    @align(4) back_hole_weight_0 : f32,
+    @align(4) threads_per_mm_0 : f32,
+    @align(4) unit_level_0 : f32,
+};
+
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
+struct Fabric_std430_0
+{
+    @align(4) warp_0 : u32,
+    @align(4) weft_0 : u32,
+    @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
+    @align(4) run_words_0 : u32,
+    @align(4) ends_1 : u32,
+    @align(4) max_heights_0 : u32,
+    @align(4) max_height_columns_0 : u32,
+    @align(4) height_low_0 : f32,
+    @align(4) height_high_0 : f32,
+    @align(4) lift_0 : f32,
+    @align(4) threads_per_x_0 : f32,
+    @align(4) threads_per_y_0 : f32,
+    @align(4) per_relief_0 : f32,
+    @align(4) diffuse_blend_0 : f32,
+    @align(4) optical_depth_0 : f32,
+    @align(4) sheen_strength_0 : f32,
+    @align(4) sheen_roughness_0 : f32,
+    @align(4) fibre_noise_0 : f32,
+    @align(4) colour_noise_0 : f32,
+    @align(4) seed_0 : u32,
+    @align(4) layer_bound_0 : f32,
+    @align(4) fibre_size_0 : f32,
+    @align(4) uv_width_0 : f32,
+    @align(4) uv_height_0 : f32,
+};
+
+@binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
+
+@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
+
+struct Vertex_std430_0
+{
+    @align(4) x_0 : f32,
+    @align(4) y_0 : f32,
+    @align(4) z_0 : f32,
+    @align(4) normal_x_0 : f32,
+    @align(4) normal_y_0 : f32,
+    @align(4) normal_z_0 : f32,
+    @align(4) u_0 : f32,
+    @align(4) v_0 : f32,
+};
+
+@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
+
+@binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
+
+@binding(2) @group(0) var<storage, read> words_0 : array<u32>;
+
+struct Family_std430_0
+{
+    @align(4) is_alike_0 : u32,
+    @align(4) count_0 : f32,
+    @align(4) inverse_count_0 : f32,
+    @align(4) half_inverse_count_0 : f32,
+    @align(4) size_0 : f32,
+    @align(4) inverse_size_0 : f32,
+    @align(4) half_width_0 : f32,
+    @align(4) start_0 : f32,
+    @align(4) period_0 : f32,
+    @align(4) inverse_period_0 : f32,
+    @align(4) bins_0 : f32,
+    @align(4) first_thread_table_0 : u32,
+    @align(4) place_table_0 : u32,
+    @align(4) bend_table_0 : u32,
+    @align(4) height_scale_0 : f32,
+    @align(4) twist_sine_0 : f32,
+    @align(4) twist_cosine_0 : f32,
+    @align(4) level_0 : f32,
+    @align(4) roughness_0 : f32,
+    @align(4) albedo_table_0 : u32,
+    @align(4) albedo_stride_0 : u32,
+    @align(4) before_0 : u32,
+    @align(4) visible_total_0 : f32,
+    @align(4) smallest_box_0 : f32,
+    @align(4) quantities_0 : u32,
+    @align(4) colour_mean_0 : u32,
+    @align(4) colour_axes_0 : u32,
+    @align(4) colour_threads_0 : u32,
+    @align(4) colour_areas_0 : u32,
+    @align(4) area_unit_0 : f32,
+    @align(4) crossing_area_0 : f32,
+};
+
+@binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
+struct Light_std430_0
+{
+    @align(4) is_point_0 : u32,
+    @align(4) x_1 : f32,
+    @align(4) y_1 : f32,
+    @align(4) z_1 : f32,
+    @align(4) red_0 : f32,
+    @align(4) green_0 : f32,
+    @align(4) blue_0 : f32,
+};
+
+@binding(3) @group(0) var<storage, read> lights_1 : array<Light_std430_0>;
+
+@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+
+struct FloatWeights_0
+{
+     first_0 : u32,
+};
+
+struct Eight_0
+{
+     low_0 : vec4<f32>,
+     high_0 : vec4<f32>,
+};
+
+fn FloatWeights_eight_0( this_0 : FloatWeights_0,  element_0 : u32) -> Eight_0
+{
+    var numbers_0 : Eight_0;
+    var _S1 : u32 = this_0.first_0 + u32(2) * element_0;
+    numbers_0.low_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S1])));
+    numbers_0.high_0 = (bitcast<vec4<f32>>((packed_numbers_0[_S1 + u32(1)])));
+    return numbers_0;
+}
+
+fn tile_product_0( weights_0 : FloatWeights_0,  row_0 : u32,  inputs_0 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
+{
+    var sums_0 : vec4<f32> = vec4<f32>(0.0f);
+    var column_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_0 < u32(12))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_1 : vec4<f32>;
+        var high_1 : vec4<f32>;
+        var _S2 : i32 = i32(u32(8) * column_0);
+        low_1[i32(0)] = (*inputs_0)[_S2];
+        high_1[i32(0)] = (*inputs_0)[_S2 + i32(4)];
+        var _S3 : i32 = _S2 + i32(1);
+        low_1[i32(1)] = (*inputs_0)[_S3];
+        high_1[i32(1)] = (*inputs_0)[_S3 + i32(4)];
+        var _S4 : i32 = _S2 + i32(2);
+        low_1[i32(2)] = (*inputs_0)[_S4];
+        high_1[i32(2)] = (*inputs_0)[_S4 + i32(4)];
+        var _S5 : i32 = _S2 + i32(3);
+        low_1[i32(3)] = (*inputs_0)[_S5];
+        high_1[i32(3)] = (*inputs_0)[_S5 + i32(4)];
+        var _S6 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + column_0);
+        sums_0[i32(0)] = sums_0[i32(0)] + (dot(_S6.low_0, low_1) + dot(_S6.high_0, high_1));
+        var _S7 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(12) + column_0);
+        sums_0[i32(1)] = sums_0[i32(1)] + (dot(_S7.low_0, low_1) + dot(_S7.high_0, high_1));
+        var _S8 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(24) + column_0);
+        sums_0[i32(2)] = sums_0[i32(2)] + (dot(_S8.low_0, low_1) + dot(_S8.high_0, high_1));
+        var _S9 : Eight_0 = FloatWeights_eight_0(weights_0, row_0 + u32(36) + column_0);
+        sums_0[i32(3)] = sums_0[i32(3)] + (dot(_S9.low_0, low_1) + dot(_S9.high_0, high_1));
+        column_0 = column_0 + u32(1);
+    }
+    return sums_0;
+}
+
+fn whole_parts_0( elements_0 : i32) -> i32
+{
+    return (elements_0 + i32(3)) / i32(4) * i32(4);
+}
+
+fn Identity_apply_0( x_2 : f32) -> f32
+{
+    return x_2;
+}
+
+fn dense_part_0( weights_1 : FloatWeights_0,  first_1 : u32,  adds_0 : bool,  inputs_1 : ptr<function, array<f32, i32(96)>>,  outputs_0 : ptr<function, array<f32, i32(50)>>)
+{
+    var _S10 : u32 = first_1 + u32(whole_parts_0(i32(7)));
+    var output_0 : i32 = i32(0);
+    for(;;)
+    {
+        var _S11 : bool = output_0 < i32(50);
+        if(_S11)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S12 : u32 = u32(output_0);
+        var _S13 : Eight_0 = FloatWeights_eight_0(weights_1, first_1 + _S12 / u32(8));
+        var _S14 : vec4<f32> = tile_product_0(weights_1, _S10 + _S12 * u32(12), &((*inputs_1)));
+        var _S15 : vec4<f32>;
+        if(((output_0 & (i32(4)))) != i32(0))
+        {
+            _S15 = _S13.high_0;
+        }
+        else
+        {
+            _S15 = _S13.low_0;
+        }
+        var _S16 : vec4<f32> = _S14 + _S15;
+        var _S17 : f32;
+        if(_S11)
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[output_0];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[output_0] = Identity_apply_0(_S16[i32(0)] + _S17);
+        }
+        var _S18 : i32 = output_0 + i32(1);
+        if(_S18 < i32(50))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S18];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S18] = Identity_apply_0(_S16[i32(1)] + _S17);
+        }
+        var _S19 : i32 = output_0 + i32(2);
+        if(_S19 < i32(50))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S19];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S19] = Identity_apply_0(_S16[i32(2)] + _S17);
+        }
+        var _S20 : i32 = output_0 + i32(3);
+        if(_S20 < i32(50))
+        {
+            if(adds_0)
+            {
+                _S17 = (*outputs_0)[_S20];
+            }
+            else
+            {
+                _S17 = 0.0f;
+            }
+            (*outputs_0)[_S20] = Identity_apply_0(_S16[i32(3)] + _S17);
+        }
+        output_0 = output_0 + i32(4);
+    }
+    return;
+}
+
+struct HalfWeights_0
+{
+     first_2 : u32,
+};
+
+fn eight_halves_0( packed_0 : vec4<u32>) -> Eight_0
+{
+    var numbers_1 : Eight_0;
+    numbers_1.low_0 = vec4<f32>(unpack2x16float(packed_0.x), unpack2x16float(packed_0.y));
+    numbers_1.high_0 = vec4<f32>(unpack2x16float(packed_0.z), unpack2x16float(packed_0.w));
+    return numbers_1;
+}
+
+fn HalfWeights_eight_0( this_1 : HalfWeights_0,  element_1 : u32) -> Eight_0
+{
+    return eight_halves_0(packed_numbers_0[this_1.first_2 + element_1]);
+}
+
+fn tile_product_1( weights_2 : HalfWeights_0,  row_1 : u32,  inputs_2 : ptr<function, array<f32, i32(96)>>) -> vec4<f32>
+{
+    var sums_1 : vec4<f32> = vec4<f32>(0.0f);
+    var column_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_1 < u32(12))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_2 : vec4<f32>;
+        var high_2 : vec4<f32>;
+        var _S21 : i32 = i32(u32(8) * column_1);
+        low_2[i32(0)] = (*inputs_2)[_S21];
+        high_2[i32(0)] = (*inputs_2)[_S21 + i32(4)];
+        var _S22 : i32 = _S21 + i32(1);
+        low_2[i32(1)] = (*inputs_2)[_S22];
+        high_2[i32(1)] = (*inputs_2)[_S22 + i32(4)];
+        var _S23 : i32 = _S21 + i32(2);
+        low_2[i32(2)] = (*inputs_2)[_S23];
+        high_2[i32(2)] = (*inputs_2)[_S23 + i32(4)];
+        var _S24 : i32 = _S21 + i32(3);
+        low_2[i32(3)] = (*inputs_2)[_S24];
+        high_2[i32(3)] = (*inputs_2)[_S24 + i32(4)];
+        var _S25 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + column_1);
+        sums_1[i32(0)] = sums_1[i32(0)] + (dot(_S25.low_0, low_2) + dot(_S25.high_0, high_2));
+        var _S26 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(12) + column_1);
+        sums_1[i32(1)] = sums_1[i32(1)] + (dot(_S26.low_0, low_2) + dot(_S26.high_0, high_2));
+        var _S27 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(24) + column_1);
+        sums_1[i32(2)] = sums_1[i32(2)] + (dot(_S27.low_0, low_2) + dot(_S27.high_0, high_2));
+        var _S28 : Eight_0 = HalfWeights_eight_0(weights_2, row_1 + u32(36) + column_1);
+        sums_1[i32(3)] = sums_1[i32(3)] + (dot(_S28.low_0, low_2) + dot(_S28.high_0, high_2));
+        column_1 = column_1 + u32(1);
+    }
+    return sums_1;
+}
+
+fn dense_part_1( weights_3 : HalfWeights_0,  first_3 : u32,  adds_1 : bool,  inputs_3 : ptr<function, array<f32, i32(96)>>,  outputs_1 : ptr<function, array<f32, i32(52)>>)
+{
+    var _S29 : u32 = first_3 + u32(whole_parts_0(i32(7)));
+    var output_1 : i32 = i32(0);
+    for(;;)
+    {
+        var _S30 : bool = output_1 < i32(52);
+        if(_S30)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S31 : u32 = u32(output_1);
+        var _S32 : Eight_0 = HalfWeights_eight_0(weights_3, first_3 + _S31 / u32(8));
+        var _S33 : vec4<f32> = tile_product_1(weights_3, _S29 + _S31 * u32(12), &((*inputs_3)));
+        var _S34 : vec4<f32>;
+        if(((output_1 & (i32(4)))) != i32(0))
+        {
+            _S34 = _S32.high_0;
+        }
+        else
+        {
+            _S34 = _S32.low_0;
+        }
+        var _S35 : vec4<f32> = _S33 + _S34;
+        var _S36 : f32;
+        if(_S30)
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[output_1];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[output_1] = Identity_apply_0(_S35[i32(0)] + _S36);
+        }
+        var _S37 : i32 = output_1 + i32(1);
+        if(_S37 < i32(52))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S37];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S37] = Identity_apply_0(_S35[i32(1)] + _S36);
+        }
+        var _S38 : i32 = output_1 + i32(2);
+        if(_S38 < i32(52))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S38];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S38] = Identity_apply_0(_S35[i32(2)] + _S36);
+        }
+        var _S39 : i32 = output_1 + i32(3);
+        if(_S39 < i32(52))
+        {
+            if(adds_1)
+            {
+                _S36 = (*outputs_1)[_S39];
+            }
+            else
+            {
+                _S36 = 0.0f;
+            }
+            (*outputs_1)[_S39] = Identity_apply_0(_S35[i32(3)] + _S36);
+        }
+        output_1 = output_1 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_2( weights_4 : HalfWeights_0,  row_2 : u32,  inputs_4 : ptr<function, array<f32, i32(39)>>) -> vec4<f32>
+{
+    var sums_2 : vec4<f32> = vec4<f32>(0.0f);
+    var column_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_2 < u32(5))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_3 : vec4<f32>;
+        var high_3 : vec4<f32>;
+        var _S40 : i32 = i32(u32(8) * column_2);
+        low_3[i32(0)] = (*inputs_4)[min(_S40, i32(38))];
+        high_3[i32(0)] = (*inputs_4)[min(_S40 + i32(4), i32(38))];
+        var _S41 : i32 = _S40 + i32(1);
+        low_3[i32(1)] = (*inputs_4)[min(_S41, i32(38))];
+        high_3[i32(1)] = (*inputs_4)[min(_S41 + i32(4), i32(38))];
+        var _S42 : i32 = _S40 + i32(2);
+        low_3[i32(2)] = (*inputs_4)[min(_S42, i32(38))];
+        high_3[i32(2)] = (*inputs_4)[min(_S42 + i32(4), i32(38))];
+        var _S43 : i32 = _S40 + i32(3);
+        low_3[i32(3)] = (*inputs_4)[min(_S43, i32(38))];
+        high_3[i32(3)] = (*inputs_4)[min(_S43 + i32(4), i32(38))];
+        var _S44 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + column_2);
+        sums_2[i32(0)] = sums_2[i32(0)] + (dot(_S44.low_0, low_3) + dot(_S44.high_0, high_3));
+        var _S45 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(5) + column_2);
+        sums_2[i32(1)] = sums_2[i32(1)] + (dot(_S45.low_0, low_3) + dot(_S45.high_0, high_3));
+        var _S46 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(10) + column_2);
+        sums_2[i32(2)] = sums_2[i32(2)] + (dot(_S46.low_0, low_3) + dot(_S46.high_0, high_3));
+        var _S47 : Eight_0 = HalfWeights_eight_0(weights_4, row_2 + u32(15) + column_2);
+        sums_2[i32(3)] = sums_2[i32(3)] + (dot(_S47.low_0, low_3) + dot(_S47.high_0, high_3));
+        column_2 = column_2 + u32(1);
+    }
+    return sums_2;
+}
+
+fn dense_part_2( weights_5 : HalfWeights_0,  first_4 : u32,  adds_2 : bool,  inputs_5 : ptr<function, array<f32, i32(39)>>,  outputs_2 : ptr<function, array<f32, i32(96)>>)
+{
+    var _S48 : u32 = first_4 + u32(whole_parts_0(i32(12)));
+    var output_2 : i32 = i32(0);
+    for(;;)
+    {
+        var _S49 : bool = output_2 < i32(96);
+        if(_S49)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S50 : u32 = u32(output_2);
+        var _S51 : Eight_0 = HalfWeights_eight_0(weights_5, first_4 + _S50 / u32(8));
+        var _S52 : vec4<f32> = tile_product_2(weights_5, _S48 + _S50 * u32(5), &((*inputs_5)));
+        var _S53 : vec4<f32>;
+        if(((output_2 & (i32(4)))) != i32(0))
+        {
+            _S53 = _S51.high_0;
+        }
+        else
+        {
+            _S53 = _S51.low_0;
+        }
+        var _S54 : vec4<f32> = _S52 + _S53;
+        var _S55 : f32;
+        if(_S49)
+        {
+            if(adds_2)
+            {
+                _S55 = (*outputs_2)[output_2];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_2)[output_2] = Identity_apply_0(_S54[i32(0)] + _S55);
+        }
+        var _S56 : i32 = output_2 + i32(1);
+        if(_S56 < i32(96))
+        {
+            if(adds_2)
+            {
+                _S55 = (*outputs_2)[_S56];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_2)[_S56] = Identity_apply_0(_S54[i32(1)] + _S55);
+        }
+        var _S57 : i32 = output_2 + i32(2);
+        if(_S57 < i32(96))
+        {
+            if(adds_2)
+            {
+                _S55 = (*outputs_2)[_S57];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_2)[_S57] = Identity_apply_0(_S54[i32(2)] + _S55);
+        }
+        var _S58 : i32 = output_2 + i32(3);
+        if(_S58 < i32(96))
+        {
+            if(adds_2)
+            {
+                _S55 = (*outputs_2)[_S58];
+            }
+            else
+            {
+                _S55 = 0.0f;
+            }
+            (*outputs_2)[_S58] = Identity_apply_0(_S54[i32(3)] + _S55);
+        }
+        output_2 = output_2 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_3( weights_6 : HalfWeights_0,  row_3 : u32,  inputs_6 : ptr<function, array<f32, i32(100)>>) -> vec4<f32>
+{
+    var sums_3 : vec4<f32> = vec4<f32>(0.0f);
+    var column_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_3 < u32(13))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_4 : vec4<f32>;
+        var high_4 : vec4<f32>;
+        var _S59 : i32 = i32(u32(8) * column_3);
+        low_4[i32(0)] = (*inputs_6)[min(_S59, i32(99))];
+        high_4[i32(0)] = (*inputs_6)[min(_S59 + i32(4), i32(99))];
+        var _S60 : i32 = _S59 + i32(1);
+        low_4[i32(1)] = (*inputs_6)[min(_S60, i32(99))];
+        high_4[i32(1)] = (*inputs_6)[min(_S60 + i32(4), i32(99))];
+        var _S61 : i32 = _S59 + i32(2);
+        low_4[i32(2)] = (*inputs_6)[min(_S61, i32(99))];
+        high_4[i32(2)] = (*inputs_6)[min(_S61 + i32(4), i32(99))];
+        var _S62 : i32 = _S59 + i32(3);
+        low_4[i32(3)] = (*inputs_6)[min(_S62, i32(99))];
+        high_4[i32(3)] = (*inputs_6)[min(_S62 + i32(4), i32(99))];
+        var _S63 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + column_3);
+        sums_3[i32(0)] = sums_3[i32(0)] + (dot(_S63.low_0, low_4) + dot(_S63.high_0, high_4));
+        var _S64 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(13) + column_3);
+        sums_3[i32(1)] = sums_3[i32(1)] + (dot(_S64.low_0, low_4) + dot(_S64.high_0, high_4));
+        var _S65 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(26) + column_3);
+        sums_3[i32(2)] = sums_3[i32(2)] + (dot(_S65.low_0, low_4) + dot(_S65.high_0, high_4));
+        var _S66 : Eight_0 = HalfWeights_eight_0(weights_6, row_3 + u32(39) + column_3);
+        sums_3[i32(3)] = sums_3[i32(3)] + (dot(_S66.low_0, low_4) + dot(_S66.high_0, high_4));
+        column_3 = column_3 + u32(1);
+    }
+    return sums_3;
+}
+
+fn dense_part_3( weights_7 : HalfWeights_0,  first_5 : u32,  adds_3 : bool,  inputs_7 : ptr<function, array<f32, i32(100)>>,  outputs_3 : ptr<function, array<f32, i32(96)>>)
+{
+    var _S67 : u32 = first_5 + u32(whole_parts_0(i32(12)));
+    var output_3 : i32 = i32(0);
+    for(;;)
+    {
+        var _S68 : bool = output_3 < i32(96);
+        if(_S68)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S69 : u32 = u32(output_3);
+        var _S70 : Eight_0 = HalfWeights_eight_0(weights_7, first_5 + _S69 / u32(8));
+        var _S71 : vec4<f32> = tile_product_3(weights_7, _S67 + _S69 * u32(13), &((*inputs_7)));
+        var _S72 : vec4<f32>;
+        if(((output_3 & (i32(4)))) != i32(0))
+        {
+            _S72 = _S70.high_0;
+        }
+        else
+        {
+            _S72 = _S70.low_0;
+        }
+        var _S73 : vec4<f32> = _S71 + _S72;
+        var _S74 : f32;
+        if(_S68)
+        {
+            if(adds_3)
+            {
+                _S74 = (*outputs_3)[output_3];
+            }
+            else
+            {
+                _S74 = 0.0f;
+            }
+            (*outputs_3)[output_3] = Identity_apply_0(_S73[i32(0)] + _S74);
+        }
+        var _S75 : i32 = output_3 + i32(1);
+        if(_S75 < i32(96))
+        {
+            if(adds_3)
+            {
+                _S74 = (*outputs_3)[_S75];
+            }
+            else
+            {
+                _S74 = 0.0f;
+            }
+            (*outputs_3)[_S75] = Identity_apply_0(_S73[i32(1)] + _S74);
+        }
+        var _S76 : i32 = output_3 + i32(2);
+        if(_S76 < i32(96))
+        {
+            if(adds_3)
+            {
+                _S74 = (*outputs_3)[_S76];
+            }
+            else
+            {
+                _S74 = 0.0f;
+            }
+            (*outputs_3)[_S76] = Identity_apply_0(_S73[i32(2)] + _S74);
+        }
+        var _S77 : i32 = output_3 + i32(3);
+        if(_S77 < i32(96))
+        {
+            if(adds_3)
+            {
+                _S74 = (*outputs_3)[_S77];
+            }
+            else
+            {
+                _S74 = 0.0f;
+            }
+            (*outputs_3)[_S77] = Identity_apply_0(_S73[i32(3)] + _S74);
+        }
+        output_3 = output_3 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_4( weights_8 : HalfWeights_0,  row_4 : u32,  inputs_8 : ptr<function, array<f32, i32(16)>>) -> vec4<f32>
+{
+    var sums_4 : vec4<f32> = vec4<f32>(0.0f);
+    var column_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_4 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_5 : vec4<f32>;
+        var high_5 : vec4<f32>;
+        var _S78 : i32 = i32(u32(8) * column_4);
+        low_5[i32(0)] = (*inputs_8)[_S78];
+        high_5[i32(0)] = (*inputs_8)[_S78 + i32(4)];
+        var _S79 : i32 = _S78 + i32(1);
+        low_5[i32(1)] = (*inputs_8)[_S79];
+        high_5[i32(1)] = (*inputs_8)[_S79 + i32(4)];
+        var _S80 : i32 = _S78 + i32(2);
+        low_5[i32(2)] = (*inputs_8)[_S80];
+        high_5[i32(2)] = (*inputs_8)[_S80 + i32(4)];
+        var _S81 : i32 = _S78 + i32(3);
+        low_5[i32(3)] = (*inputs_8)[_S81];
+        high_5[i32(3)] = (*inputs_8)[_S81 + i32(4)];
+        var _S82 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + column_4);
+        sums_4[i32(0)] = sums_4[i32(0)] + (dot(_S82.low_0, low_5) + dot(_S82.high_0, high_5));
+        var _S83 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(2) + column_4);
+        sums_4[i32(1)] = sums_4[i32(1)] + (dot(_S83.low_0, low_5) + dot(_S83.high_0, high_5));
+        var _S84 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(4) + column_4);
+        sums_4[i32(2)] = sums_4[i32(2)] + (dot(_S84.low_0, low_5) + dot(_S84.high_0, high_5));
+        var _S85 : Eight_0 = HalfWeights_eight_0(weights_8, row_4 + u32(6) + column_4);
+        sums_4[i32(3)] = sums_4[i32(3)] + (dot(_S85.low_0, low_5) + dot(_S85.high_0, high_5));
+        column_4 = column_4 + u32(1);
+    }
+    return sums_4;
+}
+
+fn dense_part_4( weights_9 : HalfWeights_0,  first_6 : u32,  adds_4 : bool,  inputs_9 : ptr<function, array<f32, i32(16)>>,  outputs_4 : ptr<function, array<f32, i32(1)>>)
+{
+    var _S86 : u32 = first_6 + u32(whole_parts_0(i32(1)));
+    var output_4 : i32 = i32(0);
+    for(;;)
+    {
+        var _S87 : bool = output_4 < i32(1);
+        if(_S87)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S88 : u32 = u32(output_4);
+        var _S89 : Eight_0 = HalfWeights_eight_0(weights_9, first_6 + _S88 / u32(8));
+        var _S90 : vec4<f32> = tile_product_4(weights_9, _S86 + _S88 * u32(2), &((*inputs_9)));
+        var _S91 : vec4<f32>;
+        if(((output_4 & (i32(4)))) != i32(0))
+        {
+            _S91 = _S89.high_0;
+        }
+        else
+        {
+            _S91 = _S89.low_0;
+        }
+        var _S92 : vec4<f32> = _S90 + _S91;
+        var _S93 : f32;
+        if(_S87)
+        {
+            if(adds_4)
+            {
+                _S93 = (*outputs_4)[output_4];
+            }
+            else
+            {
+                _S93 = 0.0f;
+            }
+            (*outputs_4)[output_4] = Identity_apply_0(_S92[i32(0)] + _S93);
+        }
+        var _S94 : i32 = output_4 + i32(1);
+        if(_S94 < i32(1))
+        {
+            if(adds_4)
+            {
+                _S93 = (*outputs_4)[_S94];
+            }
+            else
+            {
+                _S93 = 0.0f;
+            }
+            (*outputs_4)[_S94] = Identity_apply_0(_S92[i32(1)] + _S93);
+        }
+        var _S95 : i32 = output_4 + i32(2);
+        if(_S95 < i32(1))
+        {
+            if(adds_4)
+            {
+                _S93 = (*outputs_4)[_S95];
+            }
+            else
+            {
+                _S93 = 0.0f;
+            }
+            (*outputs_4)[_S95] = Identity_apply_0(_S92[i32(2)] + _S93);
+        }
+        var _S96 : i32 = output_4 + i32(3);
+        if(_S96 < i32(1))
+        {
+            if(adds_4)
+            {
+                _S93 = (*outputs_4)[_S96];
+            }
+            else
+            {
+                _S93 = 0.0f;
+            }
+            (*outputs_4)[_S96] = Identity_apply_0(_S92[i32(3)] + _S93);
+        }
+        output_4 = output_4 + i32(4);
+    }
+    return;
+}
+
+fn LeakyRelu_apply_0( x_3 : f32) -> f32
+{
+    return max(x_3, x_3 * 0.00999999977648258f);
+}
+
+fn dense_part_5( weights_10 : HalfWeights_0,  first_7 : u32,  adds_5 : bool,  inputs_10 : ptr<function, array<f32, i32(96)>>,  outputs_5 : ptr<function, array<f32, i32(96)>>)
+{
+    var _S97 : u32 = first_7 + u32(whole_parts_0(i32(12)));
+    var output_5 : i32 = i32(0);
+    for(;;)
+    {
+        var _S98 : bool = output_5 < i32(96);
+        if(_S98)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S99 : u32 = u32(output_5);
+        var _S100 : Eight_0 = HalfWeights_eight_0(weights_10, first_7 + _S99 / u32(8));
+        var _S101 : vec4<f32> = tile_product_1(weights_10, _S97 + _S99 * u32(12), &((*inputs_10)));
+        var _S102 : vec4<f32>;
+        if(((output_5 & (i32(4)))) != i32(0))
+        {
+            _S102 = _S100.high_0;
+        }
+        else
+        {
+            _S102 = _S100.low_0;
+        }
+        var _S103 : vec4<f32> = _S101 + _S102;
+        var _S104 : f32;
+        if(_S98)
+        {
+            if(adds_5)
+            {
+                _S104 = (*outputs_5)[output_5];
+            }
+            else
+            {
+                _S104 = 0.0f;
+            }
+            (*outputs_5)[output_5] = LeakyRelu_apply_0(_S103[i32(0)] + _S104);
+        }
+        var _S105 : i32 = output_5 + i32(1);
+        if(_S105 < i32(96))
+        {
+            if(adds_5)
+            {
+                _S104 = (*outputs_5)[_S105];
+            }
+            else
+            {
+                _S104 = 0.0f;
+            }
+            (*outputs_5)[_S105] = LeakyRelu_apply_0(_S103[i32(1)] + _S104);
+        }
+        var _S106 : i32 = output_5 + i32(2);
+        if(_S106 < i32(96))
+        {
+            if(adds_5)
+            {
+                _S104 = (*outputs_5)[_S106];
+            }
+            else
+            {
+                _S104 = 0.0f;
+            }
+            (*outputs_5)[_S106] = LeakyRelu_apply_0(_S103[i32(2)] + _S104);
+        }
+        var _S107 : i32 = output_5 + i32(3);
+        if(_S107 < i32(96))
+        {
+            if(adds_5)
+            {
+                _S104 = (*outputs_5)[_S107];
+            }
+            else
+            {
+                _S104 = 0.0f;
+            }
+            (*outputs_5)[_S107] = LeakyRelu_apply_0(_S103[i32(3)] + _S104);
+        }
+        output_5 = output_5 + i32(4);
+    }
+    return;
+}
+
+fn dense_part_6( weights_11 : HalfWeights_0,  first_8 : u32,  adds_6 : bool,  inputs_11 : ptr<function, array<f32, i32(100)>>,  outputs_6 : ptr<function, array<f32, i32(16)>>)
+{
+    var _S108 : u32 = first_8 + u32(whole_parts_0(i32(2)));
+    var output_6 : i32 = i32(0);
+    for(;;)
+    {
+        var _S109 : bool = output_6 < i32(16);
+        if(_S109)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S110 : u32 = u32(output_6);
+        var _S111 : Eight_0 = HalfWeights_eight_0(weights_11, first_8 + _S110 / u32(8));
+        var _S112 : vec4<f32> = tile_product_3(weights_11, _S108 + _S110 * u32(13), &((*inputs_11)));
+        var _S113 : vec4<f32>;
+        if(((output_6 & (i32(4)))) != i32(0))
+        {
+            _S113 = _S111.high_0;
+        }
+        else
+        {
+            _S113 = _S111.low_0;
+        }
+        var _S114 : vec4<f32> = _S112 + _S113;
+        var _S115 : f32;
+        if(_S109)
+        {
+            if(adds_6)
+            {
+                _S115 = (*outputs_6)[output_6];
+            }
+            else
+            {
+                _S115 = 0.0f;
+            }
+            (*outputs_6)[output_6] = LeakyRelu_apply_0(_S114[i32(0)] + _S115);
+        }
+        var _S116 : i32 = output_6 + i32(1);
+        if(_S116 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S115 = (*outputs_6)[_S116];
+            }
+            else
+            {
+                _S115 = 0.0f;
+            }
+            (*outputs_6)[_S116] = LeakyRelu_apply_0(_S114[i32(1)] + _S115);
+        }
+        var _S117 : i32 = output_6 + i32(2);
+        if(_S117 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S115 = (*outputs_6)[_S117];
+            }
+            else
+            {
+                _S115 = 0.0f;
+            }
+            (*outputs_6)[_S117] = LeakyRelu_apply_0(_S114[i32(2)] + _S115);
+        }
+        var _S118 : i32 = output_6 + i32(3);
+        if(_S118 < i32(16))
+        {
+            if(adds_6)
+            {
+                _S115 = (*outputs_6)[_S118];
+            }
+            else
+            {
+                _S115 = 0.0f;
+            }
+            (*outputs_6)[_S118] = LeakyRelu_apply_0(_S114[i32(3)] + _S115);
+        }
+        output_6 = output_6 + i32(4);
+    }
+    return;
+}
+
+fn tile_product_5( weights_12 : HalfWeights_0,  row_5 : u32,  inputs_12 : ptr<function, array<f32, i32(88)>>) -> vec4<f32>
+{
+    var sums_5 : vec4<f32> = vec4<f32>(0.0f);
+    var column_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(column_5 < u32(11))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var low_6 : vec4<f32>;
+        var high_6 : vec4<f32>;
+        var _S119 : i32 = i32(u32(8) * column_5);
+        low_6[i32(0)] = (*inputs_12)[_S119];
+        high_6[i32(0)] = (*inputs_12)[_S119 + i32(4)];
+        var _S120 : i32 = _S119 + i32(1);
+        low_6[i32(1)] = (*inputs_12)[_S120];
+        high_6[i32(1)] = (*inputs_12)[_S120 + i32(4)];
+        var _S121 : i32 = _S119 + i32(2);
+        low_6[i32(2)] = (*inputs_12)[_S121];
+        high_6[i32(2)] = (*inputs_12)[_S121 + i32(4)];
+        var _S122 : i32 = _S119 + i32(3);
+        low_6[i32(3)] = (*inputs_12)[_S122];
+        high_6[i32(3)] = (*inputs_12)[_S122 + i32(4)];
+        var _S123 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + column_5);
+        sums_5[i32(0)] = sums_5[i32(0)] + (dot(_S123.low_0, low_6) + dot(_S123.high_0, high_6));
+        var _S124 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(11) + column_5);
+        sums_5[i32(1)] = sums_5[i32(1)] + (dot(_S124.low_0, low_6) + dot(_S124.high_0, high_6));
+        var _S125 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(22) + column_5);
+        sums_5[i32(2)] = sums_5[i32(2)] + (dot(_S125.low_0, low_6) + dot(_S125.high_0, high_6));
+        var _S126 : Eight_0 = HalfWeights_eight_0(weights_12, row_5 + u32(33) + column_5);
+        sums_5[i32(3)] = sums_5[i32(3)] + (dot(_S126.low_0, low_6) + dot(_S126.high_0, high_6));
+        column_5 = column_5 + u32(1);
+    }
+    return sums_5;
+}
+
+fn dense_part_7( weights_13 : HalfWeights_0,  first_9 : u32,  adds_7 : bool,  inputs_13 : ptr<function, array<f32, i32(88)>>,  outputs_7 : ptr<function, array<f32, i32(96)>>)
+{
+    var _S127 : u32 = first_9 + u32(whole_parts_0(i32(12)));
+    var output_7 : i32 = i32(0);
+    for(;;)
+    {
+        var _S128 : bool = output_7 < i32(96);
+        if(_S128)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S129 : u32 = u32(output_7);
+        var _S130 : Eight_0 = HalfWeights_eight_0(weights_13, first_9 + _S129 / u32(8));
+        var _S131 : vec4<f32> = tile_product_5(weights_13, _S127 + _S129 * u32(11), &((*inputs_13)));
+        var _S132 : vec4<f32>;
+        if(((output_7 & (i32(4)))) != i32(0))
+        {
+            _S132 = _S130.high_0;
+        }
+        else
+        {
+            _S132 = _S130.low_0;
+        }
+        var _S133 : vec4<f32> = _S131 + _S132;
+        var _S134 : f32;
+        if(_S128)
+        {
+            if(adds_7)
+            {
+                _S134 = (*outputs_7)[output_7];
+            }
+            else
+            {
+                _S134 = 0.0f;
+            }
+            (*outputs_7)[output_7] = LeakyRelu_apply_0(_S133[i32(0)] + _S134);
+        }
+        var _S135 : i32 = output_7 + i32(1);
+        if(_S135 < i32(96))
+        {
+            if(adds_7)
+            {
+                _S134 = (*outputs_7)[_S135];
+            }
+            else
+            {
+                _S134 = 0.0f;
+            }
+            (*outputs_7)[_S135] = LeakyRelu_apply_0(_S133[i32(1)] + _S134);
+        }
+        var _S136 : i32 = output_7 + i32(2);
+        if(_S136 < i32(96))
+        {
+            if(adds_7)
+            {
+                _S134 = (*outputs_7)[_S136];
+            }
+            else
+            {
+                _S134 = 0.0f;
+            }
+            (*outputs_7)[_S136] = LeakyRelu_apply_0(_S133[i32(2)] + _S134);
+        }
+        var _S137 : i32 = output_7 + i32(3);
+        if(_S137 < i32(96))
+        {
+            if(adds_7)
+            {
+                _S134 = (*outputs_7)[_S137];
+            }
+            else
+            {
+                _S134 = 0.0f;
+            }
+            (*outputs_7)[_S137] = LeakyRelu_apply_0(_S133[i32(3)] + _S134);
+        }
+        output_7 = output_7 + i32(4);
+    }
+    return;
+}
+
+fn rsqrt_0( x_4 : f32) -> f32
+{
+    return 1.0f / sqrt(x_4);
+}
+
+fn dense_0( weights_14 : FloatWeights_0,  first_10 : u32,  adds_8 : bool,  inputs_14 : ptr<function, array<f32, i32(96)>>,  outputs_8 : ptr<function, array<f32, i32(50)>>)
+{
+    dense_part_0(weights_14, first_10, adds_8, &((*inputs_14)), &((*outputs_8)));
+    return;
+}
+
+fn dense_1( weights_15 : HalfWeights_0,  first_11 : u32,  adds_9 : bool,  inputs_15 : ptr<function, array<f32, i32(96)>>,  outputs_9 : ptr<function, array<f32, i32(52)>>)
+{
+    dense_part_1(weights_15, first_11, adds_9, &((*inputs_15)), &((*outputs_9)));
+    return;
+}
+
+fn dense_2( weights_16 : HalfWeights_0,  first_12 : u32,  adds_10 : bool,  inputs_16 : ptr<function, array<f32, i32(96)>>,  outputs_10 : ptr<function, array<f32, i32(96)>>)
+{
+    dense_part_5(weights_16, first_12, adds_10, &((*inputs_16)), &((*outputs_10)));
+    return;
+}
+
+fn dense_3( weights_17 : HalfWeights_0,  first_13 : u32,  adds_11 : bool,  inputs_17 : ptr<function, array<f32, i32(39)>>,  outputs_11 : ptr<function, array<f32, i32(96)>>)
+{
+    dense_part_2(weights_17, first_13, adds_11, &((*inputs_17)), &((*outputs_11)));
+    return;
+}
+
+fn dense_4( weights_18 : HalfWeights_0,  first_14 : u32,  adds_12 : bool,  inputs_18 : ptr<function, array<f32, i32(100)>>,  outputs_12 : ptr<function, array<f32, i32(96)>>)
+{
+    dense_part_3(weights_18, first_14, adds_12, &((*inputs_18)), &((*outputs_12)));
+    return;
+}
+
+fn dense_5( weights_19 : HalfWeights_0,  first_15 : u32,  adds_13 : bool,  inputs_19 : ptr<function, array<f32, i32(16)>>,  outputs_13 : ptr<function, array<f32, i32(1)>>)
+{
+    dense_part_4(weights_19, first_15, adds_13, &((*inputs_19)), &((*outputs_13)));
+    return;
+}
+
+fn dense_6( weights_20 : HalfWeights_0,  first_16 : u32,  adds_14 : bool,  inputs_20 : ptr<function, array<f32, i32(100)>>,  outputs_14 : ptr<function, array<f32, i32(16)>>)
+{
+    dense_part_6(weights_20, first_16, adds_14, &((*inputs_20)), &((*outputs_14)));
+    return;
+}
+
+fn dense_part_8( weights_21 : HalfWeights_0,  first_17 : u32,  adds_15 : bool,  inputs_21 : ptr<function, array<f32, i32(96)>>,  outputs_15 : ptr<function, array<f32, i32(100)>>)
+{
+    var _S138 : u32 = first_17 + u32(whole_parts_0(i32(12)));
+    var output_8 : i32 = i32(0);
+    for(;;)
+    {
+        var _S139 : bool = output_8 < i32(96);
+        if(_S139)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S140 : u32 = u32(output_8);
+        var _S141 : Eight_0 = HalfWeights_eight_0(weights_21, first_17 + _S140 / u32(8));
+        var _S142 : vec4<f32> = tile_product_1(weights_21, _S138 + _S140 * u32(12), &((*inputs_21)));
+        var _S143 : vec4<f32>;
+        if(((output_8 & (i32(4)))) != i32(0))
+        {
+            _S143 = _S141.high_0;
+        }
+        else
+        {
+            _S143 = _S141.low_0;
+        }
+        var _S144 : vec4<f32> = _S142 + _S143;
+        var _S145 : f32;
+        if(_S139)
+        {
+            if(adds_15)
+            {
+                _S145 = (*outputs_15)[output_8];
+            }
+            else
+            {
+                _S145 = 0.0f;
+            }
+            (*outputs_15)[output_8] = LeakyRelu_apply_0(_S144[i32(0)] + _S145);
+        }
+        var _S146 : i32 = output_8 + i32(1);
+        if(_S146 < i32(96))
+        {
+            if(adds_15)
+            {
+                _S145 = (*outputs_15)[_S146];
+            }
+            else
+            {
+                _S145 = 0.0f;
+            }
+            (*outputs_15)[_S146] = LeakyRelu_apply_0(_S144[i32(1)] + _S145);
+        }
+        var _S147 : i32 = output_8 + i32(2);
+        if(_S147 < i32(96))
+        {
+            if(adds_15)
+            {
+                _S145 = (*outputs_15)[_S147];
+            }
+            else
+            {
+                _S145 = 0.0f;
+            }
+            (*outputs_15)[_S147] = LeakyRelu_apply_0(_S144[i32(2)] + _S145);
+        }
+        var _S148 : i32 = output_8 + i32(3);
+        if(_S148 < i32(96))
+        {
+            if(adds_15)
+            {
+                _S145 = (*outputs_15)[_S148];
+            }
+            else
+            {
+                _S145 = 0.0f;
+            }
+            (*outputs_15)[_S148] = LeakyRelu_apply_0(_S144[i32(3)] + _S145);
+        }
+        output_8 = output_8 + i32(4);
+    }
+    return;
+}
+
+fn dense_7( weights_22 : HalfWeights_0,  first_18 : u32,  adds_16 : bool,  inputs_22 : ptr<function, array<f32, i32(88)>>,  outputs_16 : ptr<function, array<f32, i32(96)>>)
+{
+    dense_part_7(weights_22, first_18, adds_16, &((*inputs_22)), &((*outputs_16)));
+    return;
+}
+
+fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+}
+
+fn square_0( v_1 : vec3<f32>) -> f32
+{
+    return dot(v_1, v_1);
+}
+
+fn camera_right_0( frame_0 : ptr<function, Frame_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*frame_0).right_x_0, (*frame_0).right_y_0, (*frame_0).right_z_0);
+}
+
+fn camera_up_0( frame_1 : ptr<function, Frame_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*frame_1).up_x_0, (*frame_1).up_y_0, (*frame_1).up_z_0);
+}
+
+fn camera_forward_0( frame_2 : ptr<function, Frame_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*frame_2).forward_x_0, (*frame_2).forward_y_0, (*frame_2).forward_z_0);
+}
+
+fn camera_origin_0( frame_3 : ptr<function, Frame_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*frame_3).origin_x_0, (*frame_3).origin_y_0, (*frame_3).origin_z_0);
+}
+
+fn normal_of_0( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_1).normal_x_0, (*vertex_1).normal_y_0, (*vertex_1).normal_z_0);
+}
+
+struct VisiblePoint_0
+{
+     position_0 : vec3<f32>,
+     view_0 : vec3<f32>,
+     axis_x_0 : vec3<f32>,
+     axis_y_0 : vec3<f32>,
+     normal_0 : vec3<f32>,
+     draft_0 : vec2<f32>,
+     draft_dx_0 : vec2<f32>,
+     draft_dy_0 : vec2<f32>,
+};
+
+fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+}
+
+fn square_1( x_5 : f32) -> f32
+{
+    return x_5 * x_5;
+}
+
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
+{
+    var _S149 : f32 = footprint_0.dx_0.x;
+    var _S150 : f32 = footprint_0.dy_0.x;
+    var _S151 : f32 = _S149 * _S149 + _S150 * _S150;
+    var _S152 : f32 = footprint_0.dx_0.y;
+    var _S153 : f32 = footprint_0.dy_0.y;
+    var _S154 : f32 = _S152 * _S152 + _S153 * _S153;
+    var _S155 : f32 = _S149 * _S152 + _S150 * _S153;
+    var _S156 : f32 = 0.5f * (_S151 - _S154);
+    var _S157 : f32 = 0.5f * (_S151 + _S154);
+    var _S158 : f32 = sqrt(_S156 * _S156 + _S155 * _S155);
+    var _S159 : f32 = _S157 + _S158;
+    var _S160 : f32 = max(_S159 - 1.5f * max(_S157 - _S158, 0.0f), 0.0f);
+    var _S161 : f32 = square_1(4.0f);
+    var _S162 : f32 = max(_S157 - 0.5f * _S160, _S159 / _S161);
+    var _S163 : f32 = sqrt(max(min(_S160, _S159 - _S162), 0.0f) / (_S161 - 1.0f));
+    var _S164 : f32 = _S156 / max(_S158, 1.00000000317107685e-30f);
+    var _S165 : f32 = sqrt(max(0.5f * (1.0f - _S164), 0.0f));
+    var _S166 : f32 = sqrt(_S162);
+    var _S167 : f32 = _S163 * sqrt(max(0.5f * (1.0f + _S164), 0.0f));
+    var _S168 : f32;
+    if(_S155 < 0.0f)
+    {
+        _S168 = - _S163 * _S165;
+    }
+    else
+    {
+        _S168 = _S163 * _S165;
+    }
+    return vec3<f32>(_S166, _S167, _S168);
+}
+
+struct AnisotropicTaps_0
+{
+     centre_1 : vec2<f32>,
+     side_0 : f32,
+     first_19 : vec2<f32>,
+     second_0 : vec2<f32>,
+};
+
+fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
+{
+    var _S169 : f32 = this_2.first_19.x;
+    var _S170 : f32 = this_2.second_0.x;
+    var _S171 : f32 = this_2.side_0;
+    var _S172 : f32 = _S171 * _S171;
+    var _S173 : f32 = this_2.first_19.y;
+    var _S174 : f32 = this_2.second_0.y;
+    var _S175 : f32 = 12.0f * (_S169 * _S173 + _S170 * _S174);
+    return sqrt(sqrt(max((12.0f * (_S169 * _S169 + _S170 * _S170) + _S172) * (12.0f * (_S173 * _S173 + _S174 * _S174) + _S172) - _S175 * _S175, square_1(_S172))));
+}
+
+fn natural_logarithm_0( x_6 : f32) -> f32
+{
+    var _S176 : u32 = (bitcast<u32>((x_6)));
+    var exponent_0 : f32 = f32(i32((_S176 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S176 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_1 : f32;
+    var exponent_1 : f32;
+    if(m_0 < 0.70710676908493042f)
+    {
+        var exponent_2 : f32 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    var m_2 : f32 = m_1 - 1.0f;
+    var _S177 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S177 - exponent_1 * 0.00021219444170129f - 0.5f * _S177) + exponent_1 * 0.693359375f;
+}
+
+fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
+{
+    return vec3<f32>(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
+}
+
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+{
+    var _S178 : vec2<f32> = direction_1.xy;
+    var _S179 : f32;
+    if(back_0)
+    {
+        _S179 = - direction_1.z;
+    }
+    else
+    {
+        _S179 = direction_1.z;
+    }
+    return vec3<f32>(_S178, _S179);
+}
+
+fn table_number_0( index_0 : u32) -> f32
+{
+    return (bitcast<f32>((words_0[index_0])));
+}
+
+fn wrapped_0( index_1 : f32,  count_1 : f32) -> f32
+{
+    var _S180 : f32;
+    if(index_1 < 0.0f)
+    {
+        _S180 = index_1 + count_1;
+    }
+    else
+    {
+        if(index_1 >= count_1)
+        {
+            _S180 = index_1 - count_1;
+        }
+        else
+        {
+            _S180 = index_1;
+        }
+    }
+    return _S180;
+}
+
+fn binary_logarithm_0( x_7 : f32) -> f32
+{
+    return natural_logarithm_0(x_7) * 1.4426950216293335f;
+}
+
+fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
+{
+    var _S181 : vec2<f32> = vec2<f32>(0.0f);
+    var _S182 : bool;
+    if((any(((this_3.first_19) != _S181))))
+    {
+        _S182 = true;
+    }
+    else
+    {
+        _S182 = (any(((this_3.second_0) != _S181)));
+    }
+    return _S182;
+}
+
+fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
+{
+    var _S183 : f32;
+    if(number_0 >= u32(2))
+    {
+        _S183 = 1.0f;
+    }
+    else
+    {
+        _S183 = -1.0f;
+    }
+    var _S184 : f32;
+    if(((number_0 & (u32(1)))) != u32(0))
+    {
+        _S184 = 1.0f;
+    }
+    else
+    {
+        _S184 = -1.0f;
+    }
+    return this_4.centre_1 + vec2<f32>(_S183) * this_4.first_19 + vec2<f32>(_S184) * this_4.second_0;
+}
+
+fn bump_0( distance_0 : f32) -> f32
+{
+    var _S185 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S185 * _S185;
+}
+
+fn correction_weight_of_0( coded_size_0 : f32) -> f32
+{
+    return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
+}
+
+fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
+{
+    var _S186 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S186, fma(- _S186, families_0[family_0].count_0, index_2));
+}
+
+struct Cell_0
+{
+     thread_0 : u32,
+     across_0 : f32,
+     half_width_1 : f32,
+     below_0 : f32,
+     above_0 : f32,
+};
+
+fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
+{
+    var _S187 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var cell_0 : Cell_0;
+    var _S188 : f32 = fma(- _S187, families_0[family_1].size_0, position_1);
+    cell_0.below_0 = _S188;
+    cell_0.above_0 = families_0[family_1].size_0 - _S188;
+    cell_0.across_0 = _S188 - 0.5f * families_0[family_1].size_0;
+    cell_0.half_width_1 = families_0[family_1].half_width_0;
+    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S187).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    return cell_0;
+}
+
+fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
+{
+    var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
+    var turns_1 : f32 = turns_0 - floor(turns_0);
+    var _S189 : f32 = turns_1 * families_0[family_2].period_0;
+    var thread_1 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
+    var _S190 : u32;
+    if(_S189 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1))))
+    {
+        _S190 = u32(1);
+    }
+    else
+    {
+        _S190 = u32(0);
+    }
+    var _S191 : u32 = min(thread_1 + _S190, u32(families_0[family_2].count_0) - u32(1));
+    var _S192 : u32 = families_0[family_2].place_table_0 + _S191 * u32(4);
+    var cell_1 : Cell_0;
+    cell_1.thread_0 = _S191;
+    cell_1.below_0 = _S189 - table_number_0(_S192);
+    cell_1.above_0 = table_number_0(_S192 + u32(1)) - _S189;
+    cell_1.across_0 = _S189 - table_number_0(_S192 + u32(2));
+    cell_1.half_width_1 = table_number_0(_S192 + u32(3));
+    return cell_1;
+}
+
+fn locate_0( family_3 : u32,  position_3 : f32) -> Cell_0
+{
+    if((families_0[family_3].is_alike_0) != u32(0))
+    {
+        return locate_alike_0(family_3, position_3);
+    }
+    return locate_varied_0(family_3, position_3);
+}
+
+struct Bound_0
+{
+     thread_2 : u32,
+     turns_2 : f32,
+     cell_2 : f32,
+     visible_0 : f32,
+     width_1 : f32,
+     gap_0 : f32,
+};
+
+fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
+{
+    var _S193 : Cell_0 = locate_0(family_4, position_4);
+    var _S194 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S193.thread_0 + u32(1));
+    var bound_0 : Bound_0;
+    bound_0.thread_2 = _S193.thread_0;
+    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S194 - _S193.below_0) * families_0[family_4].inverse_period_0);
+    bound_0.cell_2 = _S193.below_0;
+    var _S195 : f32 = 2.0f * _S193.half_width_1;
+    bound_0.width_1 = _S195;
+    bound_0.visible_0 = clamp((_S193.across_0 + _S193.half_width_1) / _S195, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S193.below_0, _S193.below_0 - _S193.across_0 - _S193.half_width_1) + max(_S193.across_0 - _S193.half_width_1, 0.0f);
+    return bound_0;
+}
+
+struct Stretch_0
+{
+     low_7 : Bound_0,
+     high_7 : Bound_0,
+};
+
+fn stretch_of_0( family_5 : u32,  centre_2 : f32,  size_1 : f32) -> Stretch_0
+{
+    var _S196 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    var _S197 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
+    var stretch_0 : Stretch_0;
+    stretch_0.low_7 = bound_at_0(family_5, _S196 - _S197);
+    stretch_0.high_7 = bound_at_0(family_5, _S196 + _S197);
+    return stretch_0;
+}
+
+fn table_colour_0( index_3 : u32) -> vec3<f32>
+{
+    return vec3<f32>(table_number_0(index_3), table_number_0(index_3 + u32(1)), table_number_0(index_3 + u32(2)));
+}
+
+struct Albedos_0
+{
+     diffuse_reflect_0 : vec3<f32>,
+     diffuse_transmit_0 : vec3<f32>,
+     specular_reflect_0 : vec3<f32>,
+     specular_transmit_0 : vec3<f32>,
+};
+
+fn table_albedos_0( row_6 : u32) -> Albedos_0
+{
+    var albedos_0 : Albedos_0;
+    albedos_0.diffuse_reflect_0 = table_colour_0(row_6);
+    albedos_0.diffuse_transmit_0 = table_colour_0(row_6 + u32(3));
+    albedos_0.specular_reflect_0 = table_colour_0(row_6 + u32(6));
+    albedos_0.specular_transmit_0 = table_colour_0(row_6 + u32(9));
+    return albedos_0;
+}
+
+fn Stretch_turns_0( this_5 : Stretch_0) -> f32
+{
+    return this_5.high_7.turns_2 - this_5.low_7.turns_2;
+}
+
+fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
+{
+    var _S198 : f32 = Stretch_turns_0(stretch_1);
+    var _S199 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_2;
+    var _S200 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_2;
+    var _S201 : f32 = table_number_0(_S200) - table_number_0(_S199);
+    var _S202 : f32 = table_number_0(_S200 + u32(1)) - table_number_0(_S199 + u32(1));
+    return vec3<f32>(_S201 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S198 * families_0[family_6].visible_total_0, _S202 - _S201 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S198 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S202 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S198 * families_0[family_6].period_0);
+}
+
+fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
+{
+    var _S203 : Family_std430_0 = families_0[family_7];
+    var _S204 : u32 = u32(3) * _S203.quantities_0;
+    var _S205 : u32 = families_0[family_7].colour_threads_0 + _S204 * stretch_2.low_7.thread_2 + quantity_0;
+    var _S206 : u32 = families_0[family_7].colour_threads_0 + _S204 * stretch_2.high_7.thread_2 + quantity_0;
+    var _S207 : u32 = families_0[family_7].colour_threads_0 + _S204 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S208 : f32 = table_number_0(_S205);
+    var _S209 : f32 = table_number_0(_S206);
+    var _S210 : f32 = Stretch_turns_0(stretch_2);
+    var _S211 : u32 = u32(2) * _S203.quantities_0;
+    return vec2<f32>(table_number_0(_S206 + _S203.quantities_0) - table_number_0(_S205 + _S203.quantities_0) + _S209 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S208 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S210 * table_number_0(_S207 + _S203.quantities_0), table_number_0(_S206 + _S211) - table_number_0(_S205 + _S211) + _S209 * stretch_2.high_7.cell_2 - _S208 * stretch_2.low_7.cell_2 + _S210 * table_number_0(_S207 + _S211));
+}
+
+fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
+{
+    return (this_6.high_7.thread_2) < (this_6.low_7.thread_2);
+}
+
+fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
+{
+    var _S212 : u32 = entries_0.z;
+    var _S213 : u32 = entries_0.x;
+    var _S214 : u32 = _S212 - _S213;
+    var _S215 : u32;
+    if(Stretch_wraps_0(this_7))
+    {
+        _S215 = whole_0;
+    }
+    else
+    {
+        _S215 = u32(0);
+    }
+    return vec4<u32>(_S214 + _S215, entries_0.w - _S212, entries_0.y - _S213, whole_0);
+}
+
+fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
+{
+    var _S216 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    var _S217 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S216], words_0[_S216 + quantities_1], words_0[_S217], words_0[_S217 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+}
+
+fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
+{
+    var _S218 : f32 = - this_8.low_7.visible_0;
+    var _S219 : f32 = Stretch_turns_0(this_8);
+    var _S220 : f32;
+    if(Stretch_wraps_0(this_8))
+    {
+        _S220 = 1.0f;
+    }
+    else
+    {
+        _S220 = 0.0f;
+    }
+    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S218, _S219 - _S220);
+}
+
+fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
+{
+    var _S221 : u32 = u32(families_0[family_8].count_0);
+    var _S222 : u32 = (_S221 + u32(1)) * families_0[family_8].quantities_0;
+    var _S223 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S224 : vec4<u32> = row_differences_0(across_2, _S223 + along_0.low_7.thread_2 * _S222, _S221, families_0[family_8].quantities_0);
+    var _S225 : vec4<u32> = row_differences_0(across_2, _S223 + (along_0.low_7.thread_2 + u32(1)) * _S222, _S221, families_0[family_8].quantities_0);
+    var _S226 : vec4<u32> = row_differences_0(across_2, _S223 + along_0.high_7.thread_2 * _S222, _S221, families_0[family_8].quantities_0);
+    var _S227 : vec4<u32> = row_differences_0(across_2, _S223 + (along_0.high_7.thread_2 + u32(1)) * _S222, _S221, families_0[family_8].quantities_0);
+    var _S228 : vec4<u32> = row_differences_0(across_2, _S223 + crossing_count_0 * _S222, _S221, families_0[family_8].quantities_0);
+    var _S229 : vec4<u32> = _S226 - _S224;
+    var _S230 : vec4<u32>;
+    if(Stretch_wraps_0(along_0))
+    {
+        _S230 = _S228;
+    }
+    else
+    {
+        _S230 = vec4<u32>(vec4<i32>(i32(0)));
+    }
+    var _S231 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S229 + _S230)), _S231), dot(vec4<f32>(vec4<i32>(_S227 - _S226)), _S231), dot(vec4<f32>(vec4<i32>(_S225 - _S224)), _S231), dot(vec4<f32>(vec4<i32>(_S228)), _S231)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+}
+
+fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
+{
+    var _S232 : Albedos_0 = table_albedos_0(row_8);
+    var sum_0 : Albedos_0;
+    var _S233 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S233 * _S232.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S233 * _S232.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S233 * _S232.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S233 * _S232.specular_transmit_0;
+    return sum_0;
+}
+
+fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_1 : bool) -> Albedos_0
+{
+    var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_9].colour_mean_0);
+    if((families_0[family_9].quantities_0) == u32(1))
+    {
+        return albedos_2;
+    }
+    var _S234 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var is_exposed_0 : bool = false;
+    var weight_1 : f32 = 0.0f;
+    var quantity_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(quantity_2 < (families_0[family_9].quantities_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S235 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S236 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S237 : f32 = _S235.x;
+        var _S238 : f32 = _S237 * _S234.x;
+        var _S239 : f32;
+        if(back_1)
+        {
+            _S239 = _S238 - _S236;
+        }
+        else
+        {
+            _S239 = _S236;
+        }
+        var _S240 : bool = quantity_2 == u32(0);
+        if(_S240)
+        {
+            is_exposed_0 = _S239 > (16.0f * families_0[family_9].area_unit_0 * min(_S238 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S238);
+        }
+        var _S241 : f32 = _S237 * _S234.y;
+        var _S242 : f32;
+        if(is_exposed_0)
+        {
+            _S242 = _S239;
+        }
+        else
+        {
+            _S242 = 0.0f;
+        }
+        var _S243 : f32 = _S241 + _S242 + 0.000244140625f * _S234.z * _S235.y;
+        if(_S240)
+        {
+            weight_1 = 1.0f / max(_S243, 9.99999968265522539e-21f);
+        }
+        else
+        {
+            albedos_2 = with_added_albedos_0(albedos_2, _S243 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+        }
+        quantity_2 = quantity_2 + u32(1);
+    }
+    albedos_2.diffuse_reflect_0 = saturate(albedos_2.diffuse_reflect_0);
+    albedos_2.diffuse_transmit_0 = saturate(albedos_2.diffuse_transmit_0);
+    albedos_2.specular_reflect_0 = saturate(albedos_2.specular_reflect_0);
+    albedos_2.specular_transmit_0 = saturate(albedos_2.specular_transmit_0);
+    return albedos_2;
+}
+
+fn towards_light_0( light_0 : ptr<function, Light_std430_0>,  position_5 : vec3<f32>,  irradiance_1 : ptr<function, vec3<f32>>) -> vec3<f32>
+{
+    (*irradiance_1) = vec3<f32>((*light_0).red_0, (*light_0).green_0, (*light_0).blue_0);
+    var _S244 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
+    if(((*light_0).is_point_0) == u32(0))
+    {
+        return _S244;
+    }
+    var _S245 : vec3<f32> = _S244 - position_5;
+    (*irradiance_1) = (*irradiance_1) / vec3<f32>(max(square_0(_S245), 9.999999960041972e-13f));
+    return normalize(_S245);
+}
+
+fn exponential_0( x_8 : f32) -> f32
+{
+    var _S246 : f32 = clamp(x_8, -87.0f, 88.0f);
+    var _S247 : f32 = floor(_S246 * 1.4426950216293335f + 0.5f);
+    var _S248 : f32 = _S246 - _S247 * 0.693359375f + _S247 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S248 + 0.00139819993637502f) * _S248 + 0.00833345204591751f) * _S248 + 0.04166579619050026f) * _S248 + 0.1666666567325592f) * _S248 + 0.5f;
+    var _S249 : f32 = (bitcast<f32>(((u32(i32(_S247) + i32(127)) << (u32(23))))));
+    var _S250 : f32;
+    if(x_8 < -87.0f)
+    {
+        _S250 = 0.0f;
+    }
+    else
+    {
+        _S250 = (p_0 * _S248 * _S248 + _S248 + 1.0f) * _S249;
+    }
+    return _S250;
+}
+
+fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
+{
+    return (exponential_0(clamp(output_9, 0.0f, 8.0f)) - 1.0f) * scale_0;
+}
+
+fn mirrored_bundle_0( bundle_0 : u32) -> u32
+{
+    var _S251 : u32 = bundle_0 / u32(3);
+    var _S252 : u32 = bundle_0 % u32(3);
+    var _S253 : u32;
+    if(bundle_0 == u32(24))
+    {
+        _S253 = bundle_0;
+    }
+    else
+    {
+        _S253 = _S251 * u32(3) + u32(3) - u32(1) - _S252;
+    }
+    return _S253;
+}
+
+fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
+{
+    var _S254 : f32 = max(abs(light_1.z), 0.00100000004749745f);
+    var _S255 : vec2<f32> = light_1.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S254, (0.59700000286102295f * _S254 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S255, view_1.xy) * rsqrt_0(max(dot(_S255, _S255), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+}
+
+fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
+{
+    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+}
+
+fn sheen_shear_0( x_10 : f32,  y_3 : f32) -> f32
+{
+    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+}
+
+fn sheen_reflectance_0( x_11 : f32,  y_4 : f32) -> f32
+{
+    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+}
+
+fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
+{
+    var _S256 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S257 : f32 = 2.0f * sqrt(_S256) - 1.0f;
+    var _S258 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S257, _S258), 0.00999999977648258f, 1.0f), clamp((1.0f - _S256) * sheen_shear_0(_S257, _S258), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S257, _S258), -60.0f, 60.0f))));
+}
+
+fn transformed_cosine_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+{
+    var _S259 : f32 = light_2.z;
+    var _S260 : bool;
+    if(_S259 <= 0.0f)
+    {
+        _S260 = true;
+    }
+    else
+    {
+        _S260 = (view_2.z) <= 0.0f;
+    }
+    if(_S260)
+    {
+        return 0.0f;
+    }
+    var _S261 : vec2<f32> = view_2.xy;
+    var _S262 : f32 = dot(_S261, _S261);
+    var _S263 : vec2<f32>;
+    if(_S262 > 9.99999968265522539e-21f)
+    {
+        _S263 = _S261 * vec2<f32>(rsqrt_0(_S262));
+    }
+    else
+    {
+        _S263 = vec2<f32>(1.0f, 0.0f);
+    }
+    var _S264 : f32 = scale_1 * dot(light_2.xy, _S263) + shear_0 * _S259;
+    var _S265 : f32 = scale_1 * (light_2.y * _S263.x - light_2.x * _S263.y);
+    var _S266 : f32 = _S264 * _S264 + _S265 * _S265 + _S259 * _S259;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S259 / max(_S266 * _S266, 9.99999968265522539e-21f);
+}
+
+fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+{
+    var _S267 : vec3<f32> = sheen_lobe_0(view_3.z, roughness_2);
+    var _S268 : f32 = strength_0 * _S267.z;
+    return vec2<f32>(_S268 * transformed_cosine_0(light_3, view_3, _S267.x, _S267.y), 1.0f - _S268);
+}
+
+fn accumulate_0( frame_4 : ptr<function, Frame_std430_0>,  pixel_0 : vec2<u32>,  light_4 : vec4<f32>)
+{
+    var _S269 : u32 = pixel_0.y * (*frame_4).width_0 + pixel_0.x;
+    var _S270 : f32 = light_4.w;
+    var _S271 : vec4<f32> = vec4<f32>(light_4.xyz + vec3<f32>((1.0f - _S270)) * vec3<f32>((*frame_4).background_red_0, (*frame_4).background_green_0, (*frame_4).background_blue_0), _S270);
+    var _S272 : vec4<f32>;
+    if(((*frame_4).pass_number_0) == u32(0))
+    {
+        _S272 = _S271;
+    }
+    else
+    {
+        _S272 = radiance_0[_S269] + _S271;
+    }
+    radiance_0[_S269] = _S272;
+    return;
+}
+
+fn visible_point_0( _S273 : ptr<function, Frame_std430_0>,  _S274 : u32,  _S275 : u32,  _S276 : vec2<u32>) -> VisiblePoint_0
+{
+    var _S277 : u32 = u32(3) * _S275;
+    var _S278 : Vertex_std430_0 = vertices_0[corners_0[_S277]];
+    var _S279 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(1)]];
+    var _S280 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(2)]];
+    var _S281 : vec3<f32> = position_of_0(&(_S279));
+    var _S282 : vec3<f32> = position_of_0(&(_S278));
+    var _S283 : vec3<f32> = _S281 - _S282;
+    var _S284 : vec3<f32> = position_of_0(&(_S280));
+    var _S285 : vec3<f32> = _S284 - _S282;
+    var _S286 : vec3<f32> = cross(_S283, _S285);
+    var _S287 : f32 = 1.0f / max(square_0(_S286), 1.00000000317107685e-30f);
+    var _S288 : vec3<f32> = camera_right_0(&((*_S273)));
+    var _S289 : f32 = f32((*_S273).width_0);
+    var _S290 : vec3<f32> = _S288 * vec3<f32>((2.0f / _S289));
+    var _S291 : vec3<f32> = camera_up_0(&((*_S273)));
+    var _S292 : f32 = f32((*_S273).height_0);
+    var _S293 : vec3<f32> = _S291 * vec3<f32>((-2.0f / _S292));
+    var _S294 : f32 = f32(_S276.x) + 0.5f - 0.5f * _S289;
+    var _S295 : f32 = f32(_S276.y) + 0.5f - 0.5f * _S292;
+    var _S296 : vec3<f32> = camera_forward_0(&((*_S273)));
+    var _S297 : vec3<f32> = _S296 + vec3<f32>(_S294) * _S290 + vec3<f32>(_S295) * _S293;
+    var _S298 : f32 = dot(_S297, _S286);
+    var _S299 : f32;
+    if((abs(_S298)) > 1.00000000317107685e-30f)
+    {
+        _S299 = _S298;
+    }
+    else
+    {
+        _S299 = 1.00000000317107685e-30f;
+    }
+    var _S300 : f32 = 1.0f / _S299;
+    var _S301 : vec3<f32> = camera_origin_0(&((*_S273)));
+    var _S302 : vec3<f32> = _S282 - _S301;
+    var _S303 : vec3<f32> = vec3<f32>((dot(_S302, _S286) * _S300));
+    var _S304 : vec3<f32> = _S297 * _S303 - _S302;
+    var _S305 : vec3<f32> = _S303 * (_S290 - _S297 * vec3<f32>((dot(_S290, _S286) * _S300)));
+    var _S306 : vec3<f32> = _S303 * (_S293 - _S297 * vec3<f32>((dot(_S293, _S286) * _S300)));
+    var _S307 : vec3<f32> = vec3<f32>(_S287);
+    var _S308 : vec3<f32> = cross(_S285, _S286) * _S307;
+    var _S309 : vec3<f32> = cross(_S286, _S283) * _S307;
+    var _S310 : f32 = dot(_S304, _S308);
+    var _S311 : f32 = dot(_S304, _S309);
+    var _S312 : f32 = _S279.u_0 - _S278.u_0;
+    var _S313 : f32 = _S279.v_0 - _S278.v_0;
+    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
+    var _S315 : f32 = _S280.u_0 - _S278.u_0;
+    var _S316 : f32 = _S280.v_0 - _S278.v_0;
+    var _S317 : vec2<f32> = vec2<f32>(_S315, _S316);
+    var _S318 : vec2<f32> = vec2<f32>(_S278.u_0, _S278.v_0) + vec2<f32>(_S310) * _S314 + vec2<f32>(_S311) * _S317;
+    var _S319 : vec2<f32> = vec2<f32>(dot(_S305, _S308)) * _S314 + vec2<f32>(dot(_S305, _S309)) * _S317;
+    var _S320 : vec2<f32> = vec2<f32>(dot(_S306, _S308)) * _S314 + vec2<f32>(dot(_S306, _S309)) * _S317;
+    if((_S312 * _S316 - _S313 * _S315) < 0.0f)
+    {
+        _S299 = -1.0f;
+    }
+    else
+    {
+        _S299 = 1.0f;
+    }
+    var _S321 : vec3<f32> = vec3<f32>(_S299) * (vec3<f32>(_S316) * _S283 - vec3<f32>(_S313) * _S285);
+    var _S322 : vec3<f32> = vec3<f32>(_S299) * (vec3<f32>(_S312) * _S285 - vec3<f32>(_S315) * _S283);
+    var point_1 : VisiblePoint_0;
+    var _S323 : f32 = 1.0f - _S310 - _S311;
+    var _S324 : vec3<f32> = normal_of_0(&(_S278));
+    var _S325 : vec3<f32> = vec3<f32>(_S323) * _S324;
+    var _S326 : vec3<f32> = normal_of_0(&(_S279));
+    var _S327 : vec3<f32> = _S325 + vec3<f32>(_S310) * _S326;
+    var _S328 : vec3<f32> = normal_of_0(&(_S280));
+    var _S329 : vec3<f32> = normalize(_S327 + vec3<f32>(_S311) * _S328);
+    point_1.normal_0 = _S329;
+    var _S330 : vec3<f32> = normalize(_S321 - _S329 * vec3<f32>(dot(_S329, _S321)));
+    point_1.axis_x_0 = _S330;
+    point_1.axis_y_0 = cross(_S329, _S330);
+    point_1.position_0 = _S282 + _S304;
+    point_1.view_0 = (vec3<f32>(0) - normalize(_S297));
+    var _S331 : bool = (dot(cross(_S321, _S322), _S329)) < 0.0f;
+    var _S332 : f32 = fabrics_0[_S274].uv_width_0;
+    if(_S331)
+    {
+        _S299 = - fabrics_0[_S274].uv_height_0;
+    }
+    else
+    {
+        _S299 = fabrics_0[_S274].uv_height_0;
+    }
+    var _S333 : vec2<f32> = vec2<f32>(_S332, _S299);
+    var _S334 : vec2<f32> = _S318 * _S333;
+    if(_S331)
+    {
+        _S299 = fabrics_0[_S274].uv_height_0;
+    }
+    else
+    {
+        _S299 = 0.0f;
+    }
+    point_1.draft_0 = _S334 + vec2<f32>(0.0f, _S299);
+    point_1.draft_dx_0 = _S319 * _S333;
+    point_1.draft_dy_0 = _S320 * _S333;
+    return point_1;
+}
+
+struct WovenView_0
+{
+     sums_6 : array<f32, i32(96)>,
+     hole_0 : f32,
+     correction_weight_0 : f32,
+     view_4 : vec3<f32>,
+     back_2 : bool,
+};
+
+fn anisotropic_taps_0( _S335 : u32,  _S336 : Footprint_0) -> AnisotropicTaps_0
+{
+    var _S337 : vec3<f32> = row_of_taps_0(_S336);
+    var _S338 : vec2<f32> = _S336.dx_0;
+    var _S339 : vec2<f32> = _S336.dy_0;
+    var _S340 : f32 = dot(_S338, _S338) + dot(_S339, _S339);
+    var _S341 : f32 = _S336.dx_0.x * _S336.dy_0.y - _S336.dx_0.y * _S336.dy_0.x;
+    var _S342 : f32 = 0.5f * (_S340 + sqrt(max(_S340 * _S340 - 4.0f * _S341 * _S341, 0.0f)));
+    var _S343 : Woven_std430_0 = fabrics_0[_S335].woven_0;
+    var _S344 : bool;
+    if(_S342 < (5.5f * (_S340 - _S342)))
+    {
+        _S344 = _S340 > (8.0f * _S343.pitch_0 * _S343.pitch_0);
+    }
+    else
+    {
+        _S344 = false;
+    }
+    var _S345 : vec2<f32> = vec2<f32>(_S343.ends_per_mm_0, _S343.picks_per_mm_0);
+    var taps_1 : AnisotropicTaps_0;
+    taps_1.centre_1 = _S336.centre_0 * _S345;
+    var _S346 : f32;
+    if(_S344)
+    {
+        _S346 = sqrt(0.125f * _S340);
+    }
+    else
+    {
+        _S346 = _S337.x;
+    }
+    taps_1.side_0 = _S346 / _S343.pitch_0;
+    var _S347 : vec2<f32>;
+    if(_S344)
+    {
+        _S347 = vec2<f32>(0.25f) * _S336.dx_0;
+    }
+    else
+    {
+        _S347 = _S337.yz;
+    }
+    taps_1.first_19 = _S347 * _S345;
+    if(_S344)
+    {
+        _S347 = vec2<f32>(0.25f) * _S336.dy_0;
+    }
+    else
+    {
+        _S347 = vec2<f32>(0.5f) * _S337.yz;
+    }
+    taps_1.second_0 = _S347 * _S345;
+    return taps_1;
+}
+
+fn add_texel_0( _S348 : u32,  _S349 : u32,  _S350 : f32,  _S351 : ptr<function, array<f32, i32(88)>>)
+{
+    var _S352 : u32 = fabrics_0[_S348].woven_0.latents_0 + _S349 * u32(8);
+    var part_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(part_0 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S353 : Eight_0 = eight_halves_0(packed_numbers_0[_S352 + part_0]);
+        var _S354 : i32 = i32(u32(8) * part_0);
+        (*_S351)[_S354] = (*_S351)[_S354] + _S350 * _S353.low_0[i32(0)];
+        (*_S351)[_S354 + i32(4)] = (*_S351)[_S354 + i32(4)] + _S350 * _S353.high_0[i32(0)];
+        var _S355 : i32 = _S354 + i32(1);
+        (*_S351)[_S355] = (*_S351)[_S355] + _S350 * _S353.low_0[i32(1)];
+        (*_S351)[_S355 + i32(4)] = (*_S351)[_S355 + i32(4)] + _S350 * _S353.high_0[i32(1)];
+        var _S356 : i32 = _S354 + i32(2);
+        (*_S351)[_S356] = (*_S351)[_S356] + _S350 * _S353.low_0[i32(2)];
+        (*_S351)[_S356 + i32(4)] = (*_S351)[_S356 + i32(4)] + _S350 * _S353.high_0[i32(2)];
+        var _S357 : i32 = _S354 + i32(3);
+        (*_S351)[_S357] = (*_S351)[_S357] + _S350 * _S353.low_0[i32(3)];
+        (*_S351)[_S357 + i32(4)] = (*_S351)[_S357 + i32(4)] + _S350 * _S353.high_0[i32(3)];
+        part_0 = part_0 + u32(1);
+    }
+    return;
+}
+
+fn add_level_0( _S358 : u32,  _S359 : u32,  _S360 : bool,  _S361 : vec2<f32>,  _S362 : f32,  _S363 : ptr<function, array<f32, i32(88)>>)
+{
+    var _S364 : Woven_std430_0 = fabrics_0[_S358].woven_0;
+    var _S365 : u32 = fabrics_0[_S358].woven_0.levels_1 + u32(4) * _S359;
+    var _S366 : f32 = table_number_0(_S365);
+    var _S367 : f32 = table_number_0(_S365 + u32(1));
+    var _S368 : f32 = table_number_0(_S365 + u32(2));
+    var _S369 : bool;
+    if(_S359 > u32(3))
+    {
+        _S369 = _S359 < (_S364.top_level_0);
+    }
+    else
+    {
+        _S369 = false;
+    }
+    var _S370 : vec2<f32> = _S361 * vec2<f32>(table_number_0(_S365 + u32(3)));
+    var _S371 : f32;
+    if(_S369)
+    {
+        _S371 = 1.0f;
+    }
+    else
+    {
+        _S371 = 0.5f;
+    }
+    var _S372 : vec2<f32> = _S370 - vec2<f32>(_S371);
+    var _S373 : vec2<f32> = floor(_S372);
+    var _S374 : vec2<f32> = _S372 - _S373;
+    var corner_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(corner_0 < u32(4))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S375 : f32 = f32((corner_0 & (u32(1))));
+        var _S376 : f32 = f32((corner_0 >> (u32(1))));
+        var _S377 : vec2<f32> = mix(vec2<f32>(1.0f) - _S374, _S374, vec2<f32>(_S375, _S376));
+        var _S378 : u32 = u32(_S366 + wrapped_0(_S373.y + _S376, _S368) * _S367 + wrapped_0(_S373.x + _S375, _S367));
+        var _S379 : u32;
+        if(_S360)
+        {
+            _S379 = _S364.texels_0;
+        }
+        else
+        {
+            _S379 = u32(0);
+        }
+        add_texel_0(_S358, _S378 + _S379, _S362 * _S377.x * _S377.y, &((*_S363)));
+        corner_0 = corner_0 + u32(1);
+    }
+    return;
+}
+
+fn code_footprint_0( _S380 : u32,  _S381 : AnisotropicTaps_0,  _S382 : vec3<f32>,  _S383 : bool,  _S384 : ptr<function, array<f32, i32(88)>>)
+{
+    var offset_0 : f32;
+    var k_0 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_0 < i32(64))
+        {
+        }
+        else
+        {
+            break;
+        }
+        (*_S384)[k_0] = 0.0f;
+        k_0 = k_0 + i32(1);
+    }
+    var _S385 : vec2<f32> = vec2<f32>(fabrics_0[_S380].woven_0.ends_0, fabrics_0[_S380].woven_0.picks_0);
+    var _S386 : f32 = f32(fabrics_0[_S380].woven_0.top_level_0);
+    var _S387 : f32 = clamp(binary_logarithm_0(max(_S381.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S386);
+    var _S388 : f32 = min(floor(_S387), _S386 - 1.0f);
+    var _S389 : u32;
+    if(AnisotropicTaps_has_steps_0(_S381))
+    {
+        _S389 = u32(4);
+    }
+    else
+    {
+        _S389 = u32(1);
+    }
+    var number_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(number_1 < (u32(2) * _S389))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S390 : vec2<f32> = AnisotropicTaps_place_0(_S381, (number_1 >> (u32(1))));
+        var _S391 : vec2<f32> = clamp(_S390 - _S385 * floor(_S390 / _S385), vec2<f32>(0.0f), _S385);
+        var _S392 : bool = ((number_1 & (u32(1)))) != u32(0);
+        if(_S392)
+        {
+            offset_0 = _S387 - _S388;
+        }
+        else
+        {
+            offset_0 = 1.0f - (_S387 - _S388);
+        }
+        var _S393 : f32 = offset_0 / f32(_S389);
+        var _S394 : u32 = u32(_S388);
+        var _S395 : u32;
+        if(_S392)
+        {
+            _S395 = u32(1);
+        }
+        else
+        {
+            _S395 = u32(0);
+        }
+        add_level_0(_S380, _S394 + _S395, _S383, _S391, _S393, &((*_S384)));
+        number_1 = number_1 + u32(1);
+    }
+    var number_2 : i32 = i32(0);
+    for(;;)
+    {
+        if(number_2 < i32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var bin_0 : i32 = i32(0);
+        for(;;)
+        {
+            if(bin_0 < i32(8))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var offset_1 : f32 = _S382[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
+            if(number_2 < i32(2))
+            {
+                offset_0 = offset_1 - round(offset_1);
+            }
+            else
+            {
+                offset_0 = offset_1;
+            }
+            (*_S384)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            bin_0 = bin_0 + i32(1);
+        }
+        number_2 = number_2 + i32(1);
+    }
+    return;
+}
+
+fn crown_fibres_0( _S396 : u32,  _S397 : bool,  _S398 : bool) -> vec3<f32>
+{
+    var _S399 : f32;
+    if(_S397)
+    {
+        if(_S398)
+        {
+            _S399 = - fabrics_0[_S396].woven_0.warp_x_0;
+        }
+        else
+        {
+            _S399 = fabrics_0[_S396].woven_0.warp_x_0;
+        }
+        return vec3<f32>(_S399, fabrics_0[_S396].woven_0.warp_y_0, fabrics_0[_S396].woven_0.warp_roughness_0);
+    }
+    var _S400 : Woven_std430_0 = fabrics_0[_S396].woven_0;
+    if(_S398)
+    {
+        _S399 = - _S400.weft_y_0;
+    }
+    else
+    {
+        _S399 = _S400.weft_y_0;
+    }
+    return vec3<f32>(_S400.weft_x_0, _S399, _S400.weft_roughness_0);
+}
+
+fn woven_view_0( _S401 : u32,  _S402 : Footprint_0,  _S403 : vec3<f32>,  _S404 : ptr<function, WovenView_0>)
+{
+    var _S405 : bool = (_S403.z) < 0.0f;
+    var _S406 : AnisotropicTaps_0 = anisotropic_taps_0(_S401, _S402);
+    var _S407 : vec3<f32> = footprint_coordinates_0(_S406);
+    var _S408 : vec3<f32> = to_face_frame_0(_S403, _S405);
+    var weights_23 : HalfWeights_0;
+    weights_23.first_2 = fabrics_0[_S401].woven_0.network_0;
+    var inputs_23 : array<f32, i32(88)>;
+    code_footprint_0(_S401, _S406, _S407, _S405, &(inputs_23));
+    var hidden_0 : array<f32, i32(96)>;
+    dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_0));
+    var fused_0 : array<f32, i32(100)>;
+    dense_part_8(weights_23, u32(1068), false, &(hidden_0), &(fused_0));
+    fused_0[i32(96)] = _S408.x;
+    fused_0[i32(97)] = _S408.y;
+    var _S409 : vec2<f32> = _S408.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S401, true, _S405).xy, _S409);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S401, false, _S405).xy, _S409);
+    var of_hole_0 : array<f32, i32(16)>;
+    dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
+    var hole_1 : array<f32, i32(1)>;
+    dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
+    var _S410 : array<f32, i32(96)> = (*_S404).sums_6;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S410));
+    (*_S404).sums_6 = _S410;
+    (*_S404).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S404).correction_weight_0 = correction_weight_of_0(_S407.z);
+    (*_S404).view_4 = _S408;
+    (*_S404).back_2 = _S405;
+    return;
+}
+
+struct FamilyAlbedos_0
+{
+     warp_1 : Albedos_0,
+     weft_1 : Albedos_0,
+};
+
+fn albedos_over_0( _S411 : u32,  _S412 : Footprint_0,  _S413 : bool) -> FamilyAlbedos_0
+{
+    var _S414 : vec2<f32> = _S412.dx_0;
+    var _S415 : vec2<f32> = _S412.dy_0;
+    var _S416 : vec2<f32> = sqrt(_S414 * _S414 + _S415 * _S415);
+    var _S417 : Stretch_0 = stretch_of_0(fabrics_0[_S411].warp_0, _S412.centre_0.x, _S416.x);
+    var _S418 : Stretch_0 = stretch_of_0(fabrics_0[_S411].weft_0, _S412.centre_0.y, _S416.y);
+    var albedos_3 : FamilyAlbedos_0;
+    albedos_3.warp_1 = mean_albedos_0(fabrics_0[_S411].warp_0, fabrics_0[_S411].weft_0, _S417, _S418, _S413);
+    albedos_3.weft_1 = mean_albedos_0(fabrics_0[_S411].weft_0, fabrics_0[_S411].warp_0, _S418, _S417, _S413);
+    return albedos_3;
+}
+
+struct Components_0
+{
+     diffuse_warp_0 : f32,
+     diffuse_weft_0 : f32,
+     specular_warp_0 : f32,
+     specular_weft_0 : f32,
+     light_visibility_1 : f32,
+     hole_2 : f32,
+};
+
+fn code_light_0( _S419 : u32,  _S420 : vec3<f32>,  _S421 : vec3<f32>,  _S422 : bool,  _S423 : ptr<function, array<f32, i32(39)>>)
+{
+    (*_S423)[i32(0)] = _S420.x;
+    (*_S423)[i32(1)] = _S420.y;
+    (*_S423)[i32(2)] = _S420.z;
+    var _S424 : vec3<f32> = _S420 + _S421;
+    var _S425 : f32 = _S424.z;
+    var _S426 : f32 = _S425 * _S425 + 0.00009999999747379f;
+    var _S427 : vec2<f32> = _S424.xy;
+    var _S428 : f32 = 1.0f / (dot(_S427, _S427) + _S426);
+    var family_10 : i32 = i32(0);
+    for(;;)
+    {
+        if(family_10 < i32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S429 : vec3<f32> = crown_fibres_0(_S419, family_10 == i32(0), _S422);
+        var _S430 : vec2<f32> = _S429.xy;
+        (*_S423)[i32(3) + family_10] = dot(_S430, _S420.xy);
+        var _S431 : f32 = dot(_S430, _S427);
+        var _S432 : f32 = _S431 * _S431;
+        var _S433 : f32 = (0.75f * _S431 / (0.5f * sqrt(_S432 + _S426) + abs(_S431)) + 0.5f) * 8.0f;
+        var bin_1 : i32 = i32(0);
+        for(;;)
+        {
+            if(bin_1 < i32(16))
+            {
+            }
+            else
+            {
+                break;
+            }
+            (*_S423)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S433 - (f32(bin_1) + 0.5f) / 2.0f);
+            bin_1 = bin_1 + i32(1);
+        }
+        var _S434 : f32 = _S429.z;
+        var _S435 : f32 = _S434 * _S434;
+        var _S436 : f32 = _S432 * _S428 * (1.0f - _S435) + _S435;
+        (*_S423)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S435 * _S434 / (_S436 * _S436));
+        family_10 = family_10 + i32(1);
+    }
+    return;
+}
+
+fn mixed_bundles_0( _S437 : u32,  _S438 : u32,  _S439 : u32,  _S440 : vec3<f32>,  _S441 : vec3<f32>,  _S442 : bool,  _S443 : ptr<function, array<f32, i32(52)>>) -> f32
+{
+    var _S444 : vec3<f32> = _S440 + _S441;
+    var _S445 : f32 = 1.0f / (square_0(_S444) + 0.00009999999747379f);
+    var _S446 : bool;
+    if(_S438 == u32(0))
+    {
+        _S446 = _S442;
+    }
+    else
+    {
+        _S446 = false;
+    }
+    var _S447 : f32;
+    if(_S446)
+    {
+        _S447 = - _S444.x;
+    }
+    else
+    {
+        _S447 = _S444.x;
+    }
+    if(_S438 == u32(1))
+    {
+        _S446 = _S442;
+    }
+    else
+    {
+        _S446 = false;
+    }
+    var _S448 : f32;
+    if(_S446)
+    {
+        _S448 = - _S444.y;
+    }
+    else
+    {
+        _S448 = _S444.y;
+    }
+    var bundle_1 : u32 = u32(0);
+    var sum_1 : f32 = 0.0f;
+    for(;;)
+    {
+        if(bundle_1 < u32(25))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S449 : u32 = _S438 * u32(25);
+        var _S450 : u32 = fabrics_0[_S437].woven_0.bundles_0 + u32(4) * (_S449 + bundle_1);
+        var _S451 : f32 = dot(vec3<f32>(table_number_0(_S450), table_number_0(_S450 + u32(1)), table_number_0(_S450 + u32(2))), vec3<f32>(_S447, _S448, _S444.z));
+        var _S452 : f32 = _S451 * _S451 * _S445 + table_number_0(_S450 + u32(3));
+        var _S453 : u32 = _S439 + _S449;
+        var _S454 : u32;
+        if(_S442)
+        {
+            _S454 = mirrored_bundle_0(bundle_1);
+        }
+        else
+        {
+            _S454 = bundle_1;
+        }
+        var sum_2 : f32 = sum_1 + max((*_S443)[_S453 + _S454], (*_S443)[_S453 + _S454] * 0.00999999977648258f) / (_S452 * _S452);
+        bundle_1 = bundle_1 + u32(1);
+        sum_1 = sum_2;
+    }
+    return 0.01999999955296516f * sum_1;
+}
+
+fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 : vec3<f32>) -> Components_0
+{
+    var _S458 : f32;
+    var _S459 : bool = (*_S456).back_2;
+    var _S460 : vec3<f32> = to_face_frame_0(_S457, (*_S456).back_2);
+    var _S461 : vec3<f32> = (*_S456).view_4;
+    var weights_24 : HalfWeights_0;
+    var _S462 : Woven_std430_0 = fabrics_0[_S455].woven_0;
+    weights_24.first_2 = fabrics_0[_S455].woven_0.network_0;
+    var directions_0 : array<f32, i32(39)>;
+    code_light_0(_S455, _S460, (*_S456).view_4, (*_S456).back_2, &(directions_0));
+    var skip_0 : array<f32, i32(96)>;
+    var k_1 : i32 = i32(0);
+    for(;;)
+    {
+        if(k_1 < i32(96))
+        {
+        }
+        else
+        {
+            break;
+        }
+        skip_0[k_1] = (*_S456).sums_6[k_1];
+        k_1 = k_1 + i32(1);
+    }
+    dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
+    var hidden_1 : array<f32, i32(96)>;
+    var next_0 : array<f32, i32(96)>;
+    k_1 = i32(0);
+    for(;;)
+    {
+        if(k_1 < i32(96))
+        {
+        }
+        else
+        {
+            break;
+        }
+        hidden_1[k_1] = LeakyRelu_apply_0(skip_0[k_1]);
+        k_1 = k_1 + i32(1);
+    }
+    var layer_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(layer_0 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        k_1 = i32(0);
+        for(;;)
+        {
+            if(k_1 < i32(96))
+            {
+            }
+            else
+            {
+                break;
+            }
+            if(layer_0 == u32(1))
+            {
+                _S458 = skip_0[k_1];
+            }
+            else
+            {
+                _S458 = 0.0f;
+            }
+            next_0[k_1] = _S458;
+            k_1 = k_1 + i32(1);
+        }
+        dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_1), &(next_0));
+        var k_2 : i32 = i32(0);
+        for(;;)
+        {
+            if(k_2 < i32(96))
+            {
+            }
+            else
+            {
+                break;
+            }
+            hidden_1[k_2] = next_0[k_2];
+            k_2 = k_2 + i32(1);
+        }
+        layer_0 = layer_0 + u32(1);
+    }
+    var outputs_17 : array<f32, i32(52)>;
+    dense_1(weights_24, u32(7700), false, &(hidden_1), &(outputs_17));
+    var _S463 : bool;
+    if((_S462.is_corrected_0) != u32(0))
+    {
+        _S463 = (_S460.z) > 0.0f;
+    }
+    else
+    {
+        _S463 = false;
+    }
+    if(_S463)
+    {
+        _S463 = ((*_S456).correction_weight_0) > 0.0f;
+    }
+    else
+    {
+        _S463 = false;
+    }
+    if(_S463)
+    {
+        var fitted_0 : FloatWeights_0;
+        fitted_0.first_0 = _S462.correction_0;
+        var change_0 : array<f32, i32(50)>;
+        dense_0(fitted_0, u32(0), false, &(hidden_1), &(change_0));
+        k_1 = i32(0);
+        for(;;)
+        {
+            if(k_1 < i32(50))
+            {
+            }
+            else
+            {
+                break;
+            }
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S456).correction_weight_0 * change_0[k_1];
+            k_1 = k_1 + i32(1);
+        }
+    }
+    if((_S460.z) > 0.0f)
+    {
+        _S458 = 0.00999999977648258f;
+    }
+    else
+    {
+        _S458 = 0.00100000004749745f;
+    }
+    var result_0 : Components_0;
+    var _S464 : f32 = unmapped_0(outputs_17[i32(0)], _S458);
+    result_0.diffuse_warp_0 = _S464;
+    var _S465 : f32 = unmapped_0(outputs_17[i32(1)], _S458);
+    result_0.diffuse_weft_0 = _S465;
+    var _S466 : f32 = 2979.9580078125f * _S458;
+    var _S467 : f32 = mixed_bundles_0(_S455, u32(0), u32(2), _S460, _S461, _S459, &(outputs_17));
+    result_0.specular_warp_0 = clamp(_S467, 0.0f, _S466);
+    var _S468 : f32 = mixed_bundles_0(_S455, u32(1), u32(2), _S460, _S461, _S459, &(outputs_17));
+    result_0.specular_weft_0 = clamp(_S468, 0.0f, _S466);
+    result_0.hole_2 = (*_S456).hole_0;
+    result_0.light_visibility_1 = min(light_visibility_of_0(_S464 + _S465, _S460, _S461, fabrics_0[_S455].diffuse_blend_0), 1.0f - (*_S456).hole_0);
+    return result_0;
+}
+
+fn composed_0( _S469 : u32,  _S470 : Components_0,  _S471 : FamilyAlbedos_0,  _S472 : vec3<f32>,  _S473 : vec3<f32>) -> vec3<f32>
+{
+    var _S474 : vec3<f32> = vec3<f32>(_S470.diffuse_warp_0);
+    var _S475 : vec3<f32> = vec3<f32>(_S470.diffuse_weft_0);
+    var _S476 : vec3<f32> = vec3<f32>(_S470.specular_warp_0);
+    var _S477 : vec3<f32> = vec3<f32>(_S470.specular_weft_0);
+    var _S478 : vec3<f32> = _S471.warp_1.diffuse_reflect_0 * _S474 + _S471.weft_1.diffuse_reflect_0 * _S475 + _S471.warp_1.specular_reflect_0 * _S476 + _S471.weft_1.specular_reflect_0 * _S477;
+    var _S479 : f32 = _S473.z;
+    var body_0 : vec3<f32>;
+    if((_S472.z * _S479) < 0.0f)
+    {
+        body_0 = _S471.warp_1.diffuse_transmit_0 * _S474 + _S471.weft_1.diffuse_transmit_0 * _S475 + _S471.warp_1.specular_transmit_0 * _S476 + _S471.weft_1.specular_transmit_0 * _S477;
+    }
+    else
+    {
+        body_0 = _S478;
+    }
+    var _S480 : f32 = fabrics_0[_S469].sheen_strength_0;
+    if((fabrics_0[_S469].sheen_strength_0) <= 0.0f)
+    {
+        return body_0;
+    }
+    var _S481 : bool = _S479 < 0.0f;
+    var _S482 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S472, _S481), to_face_frame_0(_S473, _S481), _S480, fabrics_0[_S469].sheen_roughness_0);
+    return vec3<f32>(_S482.y) * body_0 + vec3<f32>(((_S470.light_visibility_1 + _S470.hole_2) * _S482.x));
+}
+
+fn light_of_woven_0( _S483 : ptr<function, Frame_std430_0>,  _S484 : u32,  _S485 : VisiblePoint_0) -> vec4<f32>
+{
+    var footprint_1 : Footprint_0;
+    footprint_1.centre_0 = _S485.draft_0;
+    footprint_1.dx_0 = _S485.draft_dx_0;
+    footprint_1.dy_0 = _S485.draft_dy_0;
+    var _S486 : vec3<f32> = to_local_0(_S485, _S485.view_0);
+    var activations_0 : WovenView_0;
+    woven_view_0(_S484, footprint_1, _S486, &(activations_0));
+    var _S487 : f32 = _S486.z;
+    var _S488 : FamilyAlbedos_0 = albedos_over_0(_S484, footprint_1, _S487 < 0.0f);
+    var _S489 : vec3<f32> = vec3<f32>(0.0f);
+    var number_3 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S489;
+    for(;;)
+    {
+        if(number_3 < ((*_S483).lights_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S490 : Light_std430_0 = lights_1[number_3];
+        var irradiance_2 : vec3<f32>;
+        var _S491 : vec3<f32> = towards_light_0(&(_S490), _S485.position_0, &(irradiance_2));
+        var _S492 : vec3<f32> = to_local_0(_S485, _S491);
+        var _S493 : Components_0 = woven_components_0(_S484, &(activations_0), _S492);
+        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * composed_0(_S484, _S493, _S488, _S492, _S486);
+        number_3 = number_3 + u32(1);
+        radiance_1 = radiance_2;
+    }
+    var hole_3 : f32 = activations_0.hole_0;
+    var _S494 : f32 = fabrics_0[_S484].sheen_strength_0;
+    var hole_4 : f32;
+    if((fabrics_0[_S484].sheen_strength_0) > 0.0f)
+    {
+        hole_4 = hole_3 * (1.0f - _S494 * sheen_lobe_0(abs(_S487), fabrics_0[_S484].sheen_roughness_0).z);
+    }
+    else
+    {
+        hole_4 = hole_3;
+    }
+    return vec4<f32>(radiance_1, 1.0f - hole_4);
+}
+
+@compute
+@workgroup_size(8, 8, 1)
+fn shade_woven(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    var _S495 : Frame_std430_0 = frames_0[i32(0)];
+    var _S496 : bool;
+    if((id_0.x) >= (_S495.width_0))
+    {
+        _S496 = true;
+    }
+    else
+    {
+        _S496 = (id_0.y) >= (_S495.height_0);
+    }
+    if(_S496)
+    {
+        return;
+    }
+    var _S497 : vec2<u32> = id_0.xy;
+    var _S498 : vec3<i32> = vec3<i32>(vec2<i32>(_S497), i32(0));
+    var _S499 : u32 = (textureLoad((visible_faces_0), ((_S498)).xy, ((_S498)).z).x);
+    var _S500 : vec4<f32> = vec4<f32>(0.0f);
+    var sum_3 : vec4<f32>;
+    if(_S499 > u32(0))
+    {
+        var _S501 : u32 = _S499 - u32(1);
+        var _S502 : u32 = face_fabrics_0[_S501];
+        var _S503 : VisiblePoint_0 = visible_point_0(&(_S495), _S502, _S501, _S497);
+        var _S504 : vec4<f32> = light_of_woven_0(&(_S495), _S502, _S503);
+        sum_3 = _S504;
+    }
+    else
+    {
+        sum_3 = _S500;
+    }
+    accumulate_0(&(_S495), _S497, sum_3);
+    return;
+}
+

@@ -1,0 +1,187 @@
+"""The model woven as shaders read it: the network once, and latents, fibres and corrections of each fabric.
+
+Shaders are compiled for the shape of the network that comes with the package; other weights of that shape
+serve as well.
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.models.woven import architecture, footprint_coding, light_visibility, proposal
+from loomlight.models.woven.decoder import _matrices
+from loomlight.models.woven.footprint_coding import mean_pitch
+from loomlight.models.woven.model import WovenModel
+from loomlight.models.woven.weights import Weights, shipped_weights
+from loomlight.realtime.networks import (
+    Elements,
+    NumberTable,
+    layer_size,
+    layer_starts,
+    packed_layer,
+    packed_numbers,
+)
+
+# Layers in the order of memory; see `woven_layers`.
+_LAYERS = ("FUSION_0", "FUSION_1", "HOLE_0", "HOLE_1", "VIEW", "LIGHT")
+_ANGULAR = ("ANGULAR", "ANGULAR_2", "ANGULAR_3")
+_LAST = "LAST"
+Numbers: TypeAlias = NDArray[np.float32]
+Layer: TypeAlias = tuple[Numbers, Numbers | None]
+
+
+def woven_layers(weights: Weights) -> dict[str, Layer]:
+    """Weights and biases of the decoder's layers, split by their inputs as `woven.slang` evaluates them.
+
+    The hole reads the inputs of the view's layer, whose last ones it does not use.
+    """
+    parts = _matrices(weights)
+    hole = np.concatenate([parts["hole spatial"], parts["hole view"]], axis=1)
+    view = np.concatenate([parts["spatial"], parts["view"]], axis=1)
+    hole = np.pad(hole, ((0, 0), (0, view.shape[1] - hole.shape[1])))
+    layers: list[Layer] = [
+        (weights.tensor("decoder.fusion.0.weight"), weights.tensor("decoder.fusion.0.bias")),
+        (parts["fusion"], parts["fusion bias"]),
+        (hole, parts["hole bias"]),
+        (parts["hole last"], parts["hole last bias"]),
+        (view, parts["0 bias"]),
+        (parts["light"], None),
+        *((parts[f"{number}"], parts[f"{number} bias"]) for number in range(1, len(_ANGULAR) + 2)),
+    ]
+    return dict(zip((*_LAYERS, *_ANGULAR, _LAST), layers, strict=True))
+
+
+def woven_uints() -> dict[str, int]:
+    """Constants of `woven.slang` that are whole numbers: widths, and where layers begin."""
+    weights = shipped_weights()
+    table = weights.table
+    layers = woven_layers(weights)
+    starts = layer_starts([(weight.shape[1], weight.shape[0]) for weight, _ in layers.values()])
+    at = dict(zip(layers, starts, strict=False))
+    return {
+        "WOVEN_HIDDEN": table.hidden,
+        "WOVEN_LATENT": table.latent_size,
+        "WOVEN_HOLE_HIDDEN": layers["HOLE_0"][0].shape[0],
+        "WOVEN_BINS": architecture.BINS,
+        "WOVEN_INCLINATION_BINS": architecture.INCLINATION_BINS,
+        "WOVEN_LIGHT_INPUTS": 3 + architecture.LIGHT_FEATURES,
+        "WOVEN_VIEW_INPUTS": table.hidden + 2 + architecture.VIEW_FEATURES,
+        "BUNDLES": architecture.BUNDLES,
+        "BUNDLE_POSITIONS": architecture.BUNDLE_POSITIONS,
+        "FINEST_LEVEL": footprint_coding.FINEST,
+        "WOVEN_ANGULAR_LAYERS": len(_ANGULAR),
+        "WOVEN_ANGULAR_SIZE": layer_size(table.hidden, table.hidden),
+        **{f"WOVEN_{name}": at[name] for name in (*_LAYERS, _ANGULAR[0], _LAST)},
+    }
+
+
+def woven_floats() -> dict[str, float]:
+    """Constants of `woven.slang` and of its sampling that are numbers."""
+    smallest, largest = footprint_coding._FIELD_SIZES
+    first, full = (
+        float(footprint_coding.log_fraction(np.float64(threads), smallest, largest))
+        for threads in footprint_coding._CORRECTED
+    )
+    return {
+        "LEAKY_SLOPE": architecture.SLOPE,
+        "BLOB_RADIUS": architecture.BLOB_RADIUS,
+        "INCLINATION_RADIUS": architecture.INCLINATION_RADIUS,
+        "INCLINATION_CROWDING": architecture.INCLINATION_CROWDING,
+        "DENSITY_GAIN": architecture.DENSITY_GAIN,
+        "DENSITY_SCALE": architecture.DENSITY_SCALE,
+        "OPPOSITE": architecture.OPPOSITE,
+        "BUNDLE_UNIT": architecture.BUNDLE_UNIT,
+        "REFLECTION_SCALE": 1 / architecture.REFLECTION_GAIN,
+        "TRANSMISSION_SCALE": 1 / architecture.TRANSMISSION_GAIN,
+        "LARGEST_OUTPUT": architecture.LARGEST_OUTPUT,
+        "LARGEST_COMPONENT": float(np.expm1(architecture.LARGEST_OUTPUT)),
+        "MOST_COMPACT": footprint_coding._MOST_COMPACT,
+        "SMALLEST_CODED_SIZE": smallest,
+        "PER_LOG_SIZE": 1 / float(np.log(largest / smallest)),
+        "CORRECTED_FROM": first,
+        "PER_CORRECTED_SPAN": 1 / (full - first),
+        "FACING_CONSTANT": light_visibility.FACING[0],
+        "FACING_BY_COSINE": light_visibility.FACING[1],
+        "FACING_BY_AZIMUTH": light_visibility.FACING[2],
+        "FACING_SMALLEST_COSINE": light_visibility._SMALLEST_COSINE,
+        "WOVEN_UNIFORM_PROBABILITY": proposal._UNIFORM_PROBABILITY,
+        "WOVEN_MOST_FIBRES": proposal._MOST_FIBRES,
+        "WOVEN_MIN_WEIGHT": proposal._MIN_WEIGHT,
+    }
+
+
+class WovenTables:
+    """Networks and latents of any number of fabrics as elements."""
+
+    def __init__(self) -> None:
+        self._table = NumberTable()
+        self._networks: dict[str, int] = {}
+
+    def elements(self) -> Elements:
+        """All of them; at least one."""
+        return self._table.elements()
+
+    def add(self, model: WovenModel) -> tuple[dict[str, float], Numbers, Numbers]:
+        """Appends latents and correction of a fabric, and its network unless it is here.
+
+        Returns:
+            values of the record `Woven` by name, the table of levels [n, 4], the lobe basis [2, bundles, 4].
+
+        Raises:
+            InputError: a network of another shape than that of the shaders.
+        """
+        encoded, layout, table = model.encoded, model.fabric.layout(), self._table
+        picks, ends = layout.warp_on_top.shape
+        width, height = layout.size
+        warp, weft = encoded.fibres.face(False)
+        lobe_warp, lobe_weft = encoded.fibres.lobe_roughness()
+        values: dict[str, float] = {
+            "is_encoded": 1,
+            "network": self._network(model.weights),
+            "latents": table.add(packed_numbers(np.concatenate(encoded.faces))),
+            "texels": len(encoded.faces[0]),
+            "top_level": len(encoded.levels) - 1,
+            "ends": encoded.ends,
+            "picks": encoded.picks,
+            "ends_per_mm": ends / width,
+            "picks_per_mm": picks / height,
+            "pitch": mean_pitch(layout),
+            "warp_x": warp[0],
+            "warp_y": warp[1],
+            "warp_roughness": warp[2],
+            "weft_x": weft[0],
+            "weft_y": weft[1],
+            "weft_roughness": weft[2],
+            "warp_lobe_roughness": lobe_warp,
+            "weft_lobe_roughness": lobe_weft,
+        }
+        if encoded.correction is not None:
+            # In single precision, as in files: halves would round it.
+            layer = packed_layer(encoded.correction[:, :-1], encoded.correction[:, -1], half=False)
+            values |= {"is_corrected": 1, "correction": table.add(layer)}
+        levels = [(level.first, level.columns, level.rows, level.per_thread) for level in encoded.levels]
+        return values, np.array(levels, np.float32), encoded.fibres.bundles(False)
+
+    def _network(self, weights: Weights) -> int:
+        """The first element of a network."""
+        if weights.sha256 not in self._networks:
+            _require_shape(weights)
+            layers = woven_layers(weights).values()
+            elements = np.concatenate([packed_layer(weight, bias) for weight, bias in layers])
+            self._networks[weights.sha256] = self._table.add(elements)
+        return self._networks[weights.sha256]
+
+
+def _require_shape(weights: Weights) -> None:
+    shipped = shipped_weights()
+    if weights.table.model_copy(update={"width": shipped.table.width}) != shipped.table or (
+        weights.linear_diffuse != shipped.linear_diffuse
+    ):
+        raise InputError(
+            f"{weights.source}: real-time shaders are compiled for networks of the shape of the shipped one, "
+            f"of width {shipped.table.hidden}: train such a network, or leave weights away."
+        )
