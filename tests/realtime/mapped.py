@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import BUFFERS
 from loomlight.realtime.slangc import compile_shader
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.tables import Packed, pack_fabrics
 
 _GROUP = 64
 _FIRST_BINDING = len(BUFFERS) + 2
@@ -26,7 +26,7 @@ def mapped(
     body: str,
     results: str,
     arguments: Mapping[str, NDArray[Any]],
-    fabric: tuple[Any, ...] | None = None,
+    fabric: tuple[Any, ...] | Packed | None = None,
 ) -> NDArray[np.float32]:
     """What a few lines of Slang make of each row of the arguments: float32 [n, results].
 
@@ -35,7 +35,8 @@ def mapped(
         body: statements that may use the arguments by name, and `fabric`.
         results: numbers to return, expressions of type float, uint or bool separated by ";".
         arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
-        fabric: layout, appearance, and tables of lobes where the lines need them.
+        fabric: layout, appearance, and tables of lobes where the lines need them; or packed fabrics, of which
+            the first is meant.
     """
     count = len(next(iter(arguments.values())))
     columns: list[NDArray[np.uint32]] = []
@@ -66,8 +67,7 @@ def mapped(
     data = np.concatenate([np.array([count], np.uint32), *columns])
     buffers = {"arguments": adapter.storage(data), "results": adapter.empty_storage(4 * count * len(outputs))}
     if fabric is not None:
-        layout, appearance, *lobes = fabric
-        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None)
+        packed = fabric if isinstance(fabric, Packed) else _pack(*fabric)
         buffers |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
     pipeline = adapter.pipeline(wgsl, "map_rows")
     group = adapter.bindings(pipeline, wgsl, buffers)
@@ -79,6 +79,10 @@ def mapped(
     compute.end()
     adapter.device.queue.submit([encoder.finish()])
     return adapter.read(buffers["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
+
+
+def _pack(layout: Any, appearance: Any, *lobes: Any) -> Packed:
+    return pack_fabrics([(layout, appearance)], lobes=lobes or None)
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:
