@@ -135,6 +135,63 @@ struct Vertex_0
     float v_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_1;
+    float picks_0;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -147,12 +204,21 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float3  max_0(float3  x_2, float3  y_2)
+__device__ float3  max_0(float3  x_3, float3  y_3)
 {
     float3  result_0;
     int i_0 = int(0);
@@ -165,13 +231,13 @@ __device__ float3  max_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_2, i_0)), (_slang_vector_get_element(y_2, i_0))));
+        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_3, i_0)), (_slang_vector_get_element(y_3, i_0))));
         i_0 = i_0 + int(1);
     }
     return result_0;
 }
 
-__device__ float3  min_0(float3  x_3, float3  y_3)
+__device__ float3  min_0(float3  x_4, float3  y_4)
 {
     float3  result_1;
     int i_1 = int(0);
@@ -184,18 +250,18 @@ __device__ float3  min_0(float3  x_3, float3  y_3)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_3, i_1)), (_slang_vector_get_element(y_3, i_1))));
+        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_4, i_1)), (_slang_vector_get_element(y_4, i_1))));
         i_1 = i_1 + int(1);
     }
     return result_1;
 }
 
-__device__ float3  clamp_0(float3  x_4, float3  minBound_0, float3  maxBound_0)
+__device__ float3  clamp_0(float3  x_5, float3  minBound_0, float3  maxBound_0)
 {
-    return min_0(max_0(x_4, minBound_0), maxBound_0);
+    return min_0(max_0(x_5, minBound_0), maxBound_0);
 }
 
-__device__ float dot_0(float3  x_5, float3  y_4)
+__device__ float dot_0(float3  x_6, float3  y_5)
 {
     int i_2 = int(0);
     float result_2 = 0.0f;
@@ -208,19 +274,19 @@ __device__ float dot_0(float3  x_5, float3  y_4)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_5, i_2) * _slang_vector_get_element(y_4, i_2);
+        float result_3 = result_2 + _slang_vector_get_element(x_6, i_2) * _slang_vector_get_element(y_5, i_2);
         i_2 = i_2 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float length_0(float3  x_6)
+__device__ float length_0(float3  x_7)
 {
-    return (F32_sqrt((dot_0(x_6, x_6))));
+    return (F32_sqrt((dot_0(x_7, x_7))));
 }
 
-__device__ float dot_1(float2  x_7, float2  y_5)
+__device__ float dot_1(float2  x_8, float2  y_6)
 {
     int i_3 = int(0);
     float result_4 = 0.0f;
@@ -233,29 +299,29 @@ __device__ float dot_1(float2  x_7, float2  y_5)
         {
             break;
         }
-        float result_5 = result_4 + _slang_vector_get_element(x_7, i_3) * _slang_vector_get_element(y_5, i_3);
+        float result_5 = result_4 + _slang_vector_get_element(x_8, i_3) * _slang_vector_get_element(y_6, i_3);
         i_3 = i_3 + int(1);
         result_4 = result_5;
     }
     return result_4;
 }
 
-__device__ float clamp_1(float x_8, float minBound_1, float maxBound_1)
+__device__ float clamp_1(float x_9, float minBound_1, float maxBound_1)
 {
-    return (F32_min(((F32_max((x_8), (minBound_1)))), (maxBound_1)));
+    return (F32_min(((F32_max((x_9), (minBound_1)))), (maxBound_1)));
 }
 
-__device__ float3  lerp_0(float3  x_9, float3  y_6, float3  s_0)
+__device__ float3  lerp_0(float3  x_10, float3  y_7, float3  s_0)
 {
-    return x_9 + (y_6 - x_9) * s_0;
+    return x_10 + (y_7 - x_10) * s_0;
 }
 
-__device__ float3  saturate_0(float3  x_10)
+__device__ float3  saturate_0(float3  x_11)
 {
-    return clamp_0(x_10, make_float3 (0.0f), make_float3 (1.0f));
+    return clamp_0(x_11, make_float3 (0.0f), make_float3 (1.0f));
 }
 
-__device__ float dot_2(float4  x_11, float4  y_7)
+__device__ float dot_2(float4  x_12, float4  y_8)
 {
     int i_4 = int(0);
     float result_6 = 0.0f;
@@ -268,14 +334,14 @@ __device__ float dot_2(float4  x_11, float4  y_7)
         {
             break;
         }
-        float result_7 = result_6 + _slang_vector_get_element(x_11, i_4) * _slang_vector_get_element(y_7, i_4);
+        float result_7 = result_6 + _slang_vector_get_element(x_12, i_4) * _slang_vector_get_element(y_8, i_4);
         i_4 = i_4 + int(1);
         result_6 = result_7;
     }
     return result_6;
 }
 
-__device__ float2  sqrt_0(float2  x_12)
+__device__ float2  sqrt_0(float2  x_13)
 {
     float2  result_8;
     int i_5 = int(0);
@@ -288,13 +354,13 @@ __device__ float2  sqrt_0(float2  x_12)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_12, i_5))));
+        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_13, i_5))));
         i_5 = i_5 + int(1);
     }
     return result_8;
 }
 
-__device__ float2  max_1(float2  x_13, float2  y_8)
+__device__ float2  max_1(float2  x_14, float2  y_9)
 {
     float2  result_9;
     int i_6 = int(0);
@@ -307,7 +373,7 @@ __device__ float2  max_1(float2  x_13, float2  y_8)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_13, i_6)), (_slang_vector_get_element(y_8, i_6))));
+        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_14, i_6)), (_slang_vector_get_element(y_9, i_6))));
         i_6 = i_6 + int(1);
     }
     return result_9;
@@ -334,19 +400,19 @@ __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
         0.3333333432674408f, 0.3333333432674408f
     }
 };
-__device__ float lerp_1(float x_14, float y_9, float s_1)
+__device__ float lerp_1(float x_15, float y_10, float s_1)
 {
-    return x_14 + (y_9 - x_14) * s_1;
+    return x_15 + (y_10 - x_15) * s_1;
 }
 
-__device__ float2  lerp_2(float2  x_15, float2  y_10, float2  s_2)
+__device__ float2  lerp_2(float2  x_16, float2  y_11, float2  s_2)
 {
-    return x_15 + (y_10 - x_15) * s_2;
+    return x_16 + (y_11 - x_16) * s_2;
 }
 
-__device__ float3  normalize_0(float3  x_16)
+__device__ float3  normalize_0(float3  x_17)
 {
-    return x_16 / make_float3 (length_0(x_16));
+    return x_17 / make_float3 (length_0(x_17));
 }
 
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
@@ -540,9 +606,9 @@ __device__ float Footprint_spread_side_0(Footprint_0 * this_0)
     return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
 }
 
-__device__ float natural_logarithm_0(float x_17)
+__device__ float natural_logarithm_0(float x_18)
 {
-    uint _S70 = (F32_asuint((x_17)));
+    uint _S70 = (F32_asuint((x_18)));
     float exponent_0 = float(int(_S70 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S70 & 8388607U) | 1056964608U)));
     float m_1;
@@ -563,9 +629,9 @@ __device__ float natural_logarithm_0(float x_17)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S71 - exponent_1 * 0.00021219444170129f - 0.5f * _S71) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_18)
+__device__ float binary_logarithm_0(float x_19)
 {
-    return natural_logarithm_0(x_18) * 1.4426950216293335f;
+    return natural_logarithm_0(x_19) * 1.4426950216293335f;
 }
 
 __device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
@@ -1018,9 +1084,9 @@ __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_4, Cell_0 * cros
     return run_0;
 }
 
-__device__ float square_1(float x_19)
+__device__ float square_1(float x_20)
 {
-    return x_19 * x_19;
+    return x_20 * x_20;
 }
 
 struct Section_0
@@ -1528,9 +1594,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S237 * _S235, _S237 * across_slope_0 * along_slope_0 + cosine_0 * _S236);
 }
 
-__device__ float arc_sine_0(float x_20)
+__device__ float arc_sine_0(float x_21)
 {
-    float _S238 = (F32_abs((x_20)));
+    float _S238 = (F32_abs((x_21)));
     bool _S239 = _S238 > 0.5f;
     float _S240;
     if(_S239)
@@ -1559,7 +1625,7 @@ __device__ float arc_sine_0(float x_20)
     {
         _S240 = _S242;
     }
-    if(x_20 < 0.0f)
+    if(x_21 < 0.0f)
     {
         _S240 = - _S240;
     }
@@ -1640,15 +1706,15 @@ __device__ float projected_area_1(float3  direction_3, float3  tangent_2, float 
     return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S249 * _S249 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
-__device__ float exponential_0(float x_21)
+__device__ float exponential_0(float x_22)
 {
-    float _S250 = clamp_1(x_21, -87.0f, 88.0f);
+    float _S250 = clamp_1(x_22, -87.0f, 88.0f);
     float _S251 = (F32_floor((_S250 * 1.4426950216293335f + 0.5f)));
     float _S252 = _S250 - _S251 * 0.693359375f + _S251 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S252 + 0.00139819993637502f) * _S252 + 0.00833345204591751f) * _S252 + 0.04166579619050026f) * _S252 + 0.1666666567325592f) * _S252 + 0.5f;
     float _S253 = (U32_asfloat((uint(int(_S251) + int(127)) << int(23))));
     float _S254;
-    if(x_21 < -87.0f)
+    if(x_22 < -87.0f)
     {
         _S254 = 0.0f;
     }
@@ -1745,9 +1811,9 @@ __device__ float wrapped_cell_0(float position_5, float count_1)
     return (F32_min(((F32_floor(((position_5 - (F32_floor((position_5)))) * count_1)))), (count_1 - 1.0f)));
 }
 
-__device__ float arc_tangent_quotient_0(float x_22, float y_11)
+__device__ float arc_tangent_quotient_0(float x_23, float y_12)
 {
-    return ((((((0.0f * x_22 + 0.00809729471802711f) * x_22 + -0.0377517081797123f) * x_22 + 0.08475969731807709f) * x_22 + -0.13537675142288208f) * x_22 + 0.19895026087760925f) * x_22 + -0.33327975869178772f) * x_22 + 0.99999970197677612f;
+    return ((((((0.0f * x_23 + 0.00809729471802711f) * x_23 + -0.0377517081797123f) * x_23 + 0.08475969731807709f) * x_23 + -0.13537675142288208f) * x_23 + 0.19895026087760925f) * x_23 + -0.33327975869178772f) * x_23 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1755,10 +1821,10 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_12, float x_23)
+__device__ float arc_tangent_0(float y_13, float x_24)
 {
-    float _S271 = (F32_abs((x_23)));
-    float _S272 = (F32_abs((y_12)));
+    float _S271 = (F32_abs((x_24)));
+    float _S272 = (F32_abs((y_13)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S271), (_S272))) / (F32_max(((F32_max((_S271), (_S272)))), (1.00000000317107685e-30f))));
     float angle_1;
     if(_S272 > _S271)
@@ -1769,11 +1835,11 @@ __device__ float arc_tangent_0(float y_12, float x_23)
     {
         angle_1 = angle_0;
     }
-    if(x_23 < 0.0f)
+    if(x_24 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
-    if(y_12 < 0.0f)
+    if(y_13 < 0.0f)
     {
         angle_1 = - angle_1;
     }
@@ -1834,10 +1900,10 @@ __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
     return make_float4 (float(even_0 & 65535U), float(odd_0 & 65535U), float(even_0 >> int(16)), float(odd_0 >> int(16)));
 }
 
-__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
+__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_2)
 {
-    uint4  _S292 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
-    uint4  _S293 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S292 = (packs_2 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S293 = ((packs_2 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
     return bytes_of_sums_0(_S292.x + _S292.y + _S292.z + _S292.w, _S293.x + _S293.y + _S293.z + _S293.w) * make_float4 (taps_1->inverse_sum_0);
 }
 
@@ -2270,19 +2336,19 @@ __device__ Albedos_0 lerp_albedos_0(Albedos_0 * first_2, Albedos_0 * second_1, f
     return albedos_3;
 }
 
-__device__ float sheen_scale_0(float x_24, float y_13)
+__device__ float sheen_scale_0(float x_25, float y_14)
 {
-    return (((((0.0f * x_24 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_24 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_24 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_24 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_24 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_24 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
+    return (((((0.0f * x_25 + (((((-1.1402510404586792f * y_14 + 0.40672621130943298f) * y_14 + 1.65398800373077393f) * y_14 + -1.29730904102325439f) * y_14 + 0.30570998787879944f) * y_14 + -0.0220868494361639f)) * x_25 + (((((-0.21142719686031342f * y_14 + 1.05947399139404297f) * y_14 + -0.41116121411323547f) * y_14 + -0.93859231472015381f) * y_14 + 0.51606941223144531f) * y_14 + 0.05409301072359085f)) * x_25 + (((((1.22944498062133789f * y_14 + -0.45962560176849365f) * y_14 + -1.63861405849456787f) * y_14 + 1.33565104007720947f) * y_14 + -0.45725581049919128f) * y_14 + 0.08243165910243988f)) * x_25 + (((((0.39779931306838989f * y_14 + -1.18879103660583496f) * y_14 + 0.28251591324806213f) * y_14 + 1.168984055519104f) * y_14 + -0.76864629983901978f) * y_14 + 0.0091691892594099f)) * x_25 + (((((-0.26563560962677002f * y_14 + -0.19379159808158875f) * y_14 + 0.2677634060382843f) * y_14 + 0.00270519289188087f) * y_14 + 0.14349560439586639f) * y_14 + 0.10290180146694183f)) * x_25 + (((((-0.20701569318771362f * y_14 + 0.24526430666446686f) * y_14 + 0.19551840424537659f) * y_14 + 0.07586126774549484f) * y_14 + 0.38894739747047424f) * y_14 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_25, float y_14)
+__device__ float sheen_shear_0(float x_26, float y_15)
 {
-    return ((((0.0f * x_25 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_25 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_25 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_25 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_25 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+    return ((((0.0f * x_26 + (((((-0.10608240216970444f * y_15 + 1.99214303493499756f) * y_15 + -1.42255294322967529f) * y_15 + -1.09495604038238525f) * y_15 + 0.59180057048797607f) * y_15 + 0.06902855634689331f)) * x_26 + (((((-0.46220690011978149f * y_15 + -0.29113379120826721f) * y_15 + 1.39025199413299561f) * y_15 + 0.35589990019798279f) * y_15 + -1.17120099067687988f) * y_15 + 0.15940259397029877f)) * x_26 + (((((2.26068711280822754f * y_15 + -3.64728999137878418f) * y_15 + -0.72173482179641724f) * y_15 + 3.07659196853637695f) * y_15 + -0.6827620267868042f) * y_15 + -0.3039557933807373f)) * x_26 + (((((0.81201767921447754f * y_15 + 0.36014080047607422f) * y_15 + -1.72646903991699219f) * y_15 + -0.22630110383033752f) * y_15 + 0.89514690637588501f) * y_15 + -0.10397960245609283f)) * x_26 + (((((-0.37648698687553406f * y_15 + 1.10974001884460449f) * y_15 + 0.17824520170688629f) * y_15 + -1.04968702793121338f) * y_15 + 0.1461234986782074f) * y_15 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_26, float y_15)
+__device__ float sheen_reflectance_0(float x_27, float y_16)
 {
-    return ((((0.0f * x_26 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_26 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_26 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_26 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_26 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
+    return ((((0.0f * x_27 + (((((12.95646953582763672f * y_16 + -21.38032913208007812f) * y_16 + -7.37853097915649414f) * y_16 + 34.55607986450195312f) * y_16 + -23.61347007751464844f) * y_16 + 5.00126314163208008f)) * x_27 + (((((10.91487026214599609f * y_16 + -6.08202791213989258f) * y_16 + -38.2036285400390625f) * y_16 + 53.3440399169921875f) * y_16 + -21.91996002197265625f) * y_16 + 2.01606011390686035f)) * x_27 + (((((-14.52206039428710938f * y_16 + 36.803619384765625f) * y_16 + -22.94047927856445312f) * y_16 + -10.07973003387451172f) * y_16 + 15.77003955841064453f) * y_16 + -4.92722177505493164f)) * x_27 + (((((-7.62505722045898438f * y_16 + 1.27310299873352051f) * y_16 + 31.19523048400878906f) * y_16 + -44.39989852905273438f) * y_16 + 26.44947052001953125f) * y_16 + -8.73507976531982422f)) * x_27 + (((((5.65633487701416016f * y_16 + -17.66820907592773438f) * y_16 + 24.65356063842773438f) * y_16 + -19.38941001892089844f) * y_16 + 11.06159019470214844f) * y_16 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_8)
@@ -2484,7 +2550,7 @@ struct Regime_0
 {
     float prefiltered_0;
     float threads_1;
-    float points_0;
+    float points_1;
 };
 
 __device__ Regime_0 regime_of_0(uint _S555, Footprint_0 * _S556, float _S557)
@@ -2508,14 +2574,14 @@ __device__ Regime_0 regime_of_0(uint _S555, Footprint_0 * _S556, float _S557)
     {
         _S565 = 0.0f;
     }
-    (&regime_0)->points_0 = _S565;
+    (&regime_0)->points_1 = _S565;
     return regime_0;
 }
 
 struct Hit_0
 {
-    float x_27;
-    float y_16;
+    float x_28;
+    float y_17;
     bool hole_5;
     float height_5;
 };
@@ -3291,137 +3357,145 @@ __device__ float refined_height_0(uint _S788, ViewRay_0 * _S789, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S810, SearchQuality_0 * _S811, float _S812, float _S813, float3  _S814, bool _S815)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S810, SearchQuality_0 * _S811, float _S812, float _S813, float3  _S814, bool _S815)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_27 = _S812;
-    (&hit_0)->y_16 = _S813;
-    (&hit_0)->height_5 = 0.0f;
-    bool _S816 = passes_through_0(_S810, _S811, _S812, _S813, _S814, _S815);
-    (&hit_0)->hole_5 = _S816;
-    if(_S816)
-    {
-        return hit_0;
-    }
-    float _S817 = (F32_max((_S814.z), (0.00009999999747379f)));
+    float _S816 = (F32_max((_S814.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S812, _S813);
-    float2  _S818 = float2 {_S814.x, _S814.y} / make_float2 (_S817);
-    (&ray_0)->slope_1 = _S818;
-    float2  _S819 = - _S818;
-    float _S820 = steps_per_length_0(_S810, _S811, _S814);
-    StepControl_0 _S821 = step_control_0(_S819, 1.0f / (F32_max((_S820 / _S817), (9.99999971718068537e-10f))));
-    ViewRay_0 _S822 = ray_0;
-    StepControl_0 _S823 = _S821;
-    ViewRayEnd_0 _S824 = search_down_0(_S810, &_S822, &_S823, _S815);
-    ViewRay_0 _S825 = ray_0;
-    StepControl_0 _S826 = _S821;
-    ViewRayEnd_0 _S827 = _S824;
-    float _S828 = refined_height_0(_S810, &_S825, &_S826, _S815, &_S827, _S811->refinements_0);
-    (&hit_0)->height_5 = _S828;
-    ViewRay_0 _S829 = ray_0;
-    float2  _S830 = ViewRay_at_0(&_S829, _S828);
-    (&hit_0)->x_27 = _S830.x;
-    (&hit_0)->y_16 = _S830.y;
+    float2  _S817 = float2 {_S814.x, _S814.y} / make_float2 (_S816);
+    (&ray_0)->slope_1 = _S817;
+    float2  _S818 = - _S817;
+    float _S819 = steps_per_length_0(_S810, _S811, _S814);
+    StepControl_0 _S820 = step_control_0(_S818, 1.0f / (F32_max((_S819 / _S816), (9.99999971718068537e-10f))));
+    ViewRay_0 _S821 = ray_0;
+    StepControl_0 _S822 = _S820;
+    ViewRayEnd_0 _S823 = search_down_0(_S810, &_S821, &_S822, _S815);
+    Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    ViewRay_0 _S824 = ray_0;
+    StepControl_0 _S825 = _S820;
+    ViewRayEnd_0 _S826 = _S823;
+    float _S827 = refined_height_0(_S810, &_S824, &_S825, _S815, &_S826, _S811->refinements_0);
+    (&hit_0)->height_5 = _S827;
+    ViewRay_0 _S828 = ray_0;
+    float2  _S829 = ViewRay_at_0(&_S828, _S827);
+    (&hit_0)->x_28 = _S829.x;
+    (&hit_0)->y_17 = _S829.y;
     return hit_0;
 }
 
-__device__ SurfacePoint_0 surface_at_0(uint _S831, float _S832, float _S833, bool _S834)
+__device__ Hit_0 first_hit_0(uint _S830, SearchQuality_0 * _S831, float _S832, float _S833, float3  _S834, bool _S835)
 {
-    Fabric_0 * _S835 = (&(globalParams_0->fabrics_0)[_S831]);
-    Sample_0 _S836 = sample_at_0(_S831, _S832, _S833, _S834);
-    float _S837;
-    if(_S836.shown_3.is_warp_2)
+    bool _S836 = passes_through_0(_S830, _S831, _S832, _S833, _S834, _S835);
+    if(!_S836)
     {
-        _S837 = _S836.crossing_2.warp_1.half_width_1;
+        Hit_0 _S837 = first_hit_of_yarn_0(_S830, _S831, _S832, _S833, _S834, _S835);
+        return _S837;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_28 = _S832;
+    (&hit_1)->y_17 = _S833;
+    (&hit_1)->height_5 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+__device__ SurfacePoint_0 surface_at_0(uint _S838, float _S839, float _S840, bool _S841)
+{
+    Fabric_0 * _S842 = (&(globalParams_0->fabrics_0)[_S838]);
+    Sample_0 _S843 = sample_at_0(_S838, _S839, _S840, _S841);
+    float _S844;
+    if(_S843.shown_3.is_warp_2)
+    {
+        _S844 = _S843.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S837 = _S836.crossing_2.weft_1.half_width_1;
+        _S844 = _S843.crossing_2.weft_1.half_width_1;
     }
-    uint _S838;
-    if(_S836.shown_3.is_warp_2)
+    uint _S845;
+    if(_S843.shown_3.is_warp_2)
     {
-        uint _S839 = __ldg(&_S835->warp_0);
-        _S838 = _S839;
-    }
-    else
-    {
-        uint _S840 = __ldg(&_S835->weft_0);
-        _S838 = _S840;
-    }
-    Family_0 _S841 = slang_ldg_4((&(globalParams_0->families_0)[_S838]));
-    float _S842;
-    if(_S834)
-    {
-        _S842 = -1.0f;
+        uint _S846 = __ldg(&_S842->warp_0);
+        _S845 = _S846;
     }
     else
     {
-        _S842 = 1.0f;
+        uint _S847 = __ldg(&_S842->weft_0);
+        _S845 = _S847;
     }
-    float _S843 = _S841.twist_sine_0 * _S842;
-    Family_0 _S844 = slang_ldg_4((&(globalParams_0->families_0)[_S838]));
-    if(_S836.shown_3.is_warp_2)
+    Family_0 _S848 = slang_ldg_4((&(globalParams_0->families_0)[_S845]));
+    float _S849;
+    if(_S841)
     {
-        _S842 = 1.0f;
-    }
-    else
-    {
-        _S842 = -1.0f;
-    }
-    float2  _S845 = fibre_direction_0(_S836.slope_across_0, _S842 * _S836.slope_along_0, _S843, _S844.twist_cosine_0);
-    float _S846;
-    if(_S836.shown_3.is_warp_2)
-    {
-        _S846 = _S836.slope_x_1;
+        _S849 = -1.0f;
     }
     else
     {
-        _S846 = _S836.slope_y_1;
+        _S849 = 1.0f;
     }
-    float _S847;
-    if(_S836.shown_3.is_warp_2)
+    float _S850 = _S848.twist_sine_0 * _S849;
+    Family_0 _S851 = slang_ldg_4((&(globalParams_0->families_0)[_S845]));
+    if(_S843.shown_3.is_warp_2)
     {
-        _S847 = _S836.slope_y_1;
-    }
-    else
-    {
-        _S847 = _S836.slope_x_1;
-    }
-    float _S848 = _S845.x;
-    float _S849 = _S845.y;
-    float _S850 = _S846 * _S848 + _S842 * _S847 * _S849;
-    float _S851 = _S837 * 1.0154266357421875f;
-    float _S852 = _S851 * arc_sine_0(clamp_1(_S836.section_1.across_3 / _S851, -1.0f, 1.0f));
-    if(_S836.shown_3.is_warp_2)
-    {
-        _S837 = _S833;
+        _S849 = 1.0f;
     }
     else
     {
-        _S837 = - _S832;
+        _S849 = -1.0f;
+    }
+    float2  _S852 = fibre_direction_0(_S843.slope_across_0, _S849 * _S843.slope_along_0, _S850, _S851.twist_cosine_0);
+    float _S853;
+    if(_S843.shown_3.is_warp_2)
+    {
+        _S853 = _S843.slope_x_1;
+    }
+    else
+    {
+        _S853 = _S843.slope_y_1;
+    }
+    float _S854;
+    if(_S843.shown_3.is_warp_2)
+    {
+        _S854 = _S843.slope_y_1;
+    }
+    else
+    {
+        _S854 = _S843.slope_x_1;
+    }
+    float _S855 = _S852.x;
+    float _S856 = _S852.y;
+    float _S857 = _S853 * _S855 + _S849 * _S854 * _S856;
+    float _S858 = _S844 * 1.0154266357421875f;
+    float _S859 = _S858 * arc_sine_0(clamp_1(_S843.section_1.across_3 / _S858, -1.0f, 1.0f));
+    if(_S843.shown_3.is_warp_2)
+    {
+        _S844 = _S840;
+    }
+    else
+    {
+        _S844 = - _S839;
     }
     SurfacePoint_0 point_2;
-    (&point_2)->hole_0 = _S836.shown_3.hole_3;
-    (&point_2)->is_warp_0 = _S836.shown_3.is_warp_2;
-    (&point_2)->warp_thread_0 = _S836.crossing_2.warp_1.thread_0;
-    (&point_2)->weft_thread_0 = _S836.crossing_2.weft_1.thread_0;
-    (&point_2)->height_1 = _S836.height_6;
-    (&point_2)->normal_1 = normalize_0(make_float3 (- _S836.slope_x_1, - _S836.slope_y_1, 1.0f));
-    float3  _S853;
-    if(_S836.shown_3.is_warp_2)
+    (&point_2)->hole_0 = _S843.shown_3.hole_3;
+    (&point_2)->is_warp_0 = _S843.shown_3.is_warp_2;
+    (&point_2)->warp_thread_0 = _S843.crossing_2.warp_1.thread_0;
+    (&point_2)->weft_thread_0 = _S843.crossing_2.weft_1.thread_0;
+    (&point_2)->height_1 = _S843.height_6;
+    (&point_2)->normal_1 = normalize_0(make_float3 (- _S843.slope_x_1, - _S843.slope_y_1, 1.0f));
+    float3  _S860;
+    if(_S843.shown_3.is_warp_2)
     {
-        _S853 = make_float3 (_S848, _S849, _S850);
+        _S860 = make_float3 (_S855, _S856, _S857);
     }
     else
     {
-        _S853 = make_float3 (- _S849, _S848, _S850);
+        _S860 = make_float3 (- _S856, _S855, _S857);
     }
-    (&point_2)->tangent_0 = normalize_0(_S853);
-    (&point_2)->across_0 = _S836.section_1.across_3;
-    (&point_2)->fibre_across_0 = _S852 * _S844.twist_cosine_0 + _S837 * _S843;
-    (&point_2)->fibre_along_0 = _S837 * _S844.twist_cosine_0 - _S852 * _S843;
+    (&point_2)->tangent_0 = normalize_0(_S860);
+    (&point_2)->across_0 = _S843.section_1.across_3;
+    (&point_2)->fibre_across_0 = _S859 * _S851.twist_cosine_0 + _S844 * _S850;
+    (&point_2)->fibre_along_0 = _S844 * _S851.twist_cosine_0 - _S859 * _S850;
     return point_2;
 }
 
@@ -3430,8 +3504,8 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_28;
-    float y_17;
+    float x_29;
+    float y_18;
     float height_10;
     float3  normal_7;
     float3  tangent_7;
@@ -3439,285 +3513,285 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-__device__ Albedos_0 vary_albedos_0(uint _S854, Albedos_0 * _S855, uint _S856, uint _S857)
+__device__ Albedos_0 vary_albedos_0(uint _S861, Albedos_0 * _S862, uint _S863, uint _S864)
 {
-    Fabric_0 * _S858 = (&(globalParams_0->fabrics_0)[_S854]);
-    float3  _S859 = _S855->specular_reflect_0;
-    float3  _S860 = _S855->specular_transmit_0;
-    float3  _S861 = max_0(_S855->specular_reflect_0, _S855->specular_transmit_0);
-    float3  _S862 = _S855->diffuse_reflect_0;
-    float3  _S863 = _S855->diffuse_transmit_0;
-    float3  _S864 = _S855->diffuse_reflect_0 + _S855->diffuse_transmit_0;
-    float _S865 = __ldg(&_S858->colour_noise_0);
-    uint _S866 = __ldg(&_S858->seed_0);
-    float _S867 = thread_gain_0(_S856, _S865, _S866);
-    float _S868 = __ldg(&_S858->layer_bound_0);
-    float _S869 = bounded_gain_0(_S867, _S864, make_float3 (1.0f) - make_float3 (_S868) * _S861);
-    float3  _S870 = min_0((make_float3 (1.0f) - make_float3 (_S869) * _S864) / make_float3 (_S868), make_float3 (1.0f));
-    float _S871 = __ldg(&_S858->fibre_noise_0);
-    float _S872 = bounded_gain_0(fibre_gain_0(_S856, _S857, _S871, _S866), _S861, _S870);
+    Fabric_0 * _S865 = (&(globalParams_0->fabrics_0)[_S861]);
+    float3  _S866 = _S862->specular_reflect_0;
+    float3  _S867 = _S862->specular_transmit_0;
+    float3  _S868 = max_0(_S862->specular_reflect_0, _S862->specular_transmit_0);
+    float3  _S869 = _S862->diffuse_reflect_0;
+    float3  _S870 = _S862->diffuse_transmit_0;
+    float3  _S871 = _S862->diffuse_reflect_0 + _S862->diffuse_transmit_0;
+    float _S872 = __ldg(&_S865->colour_noise_0);
+    uint _S873 = __ldg(&_S865->seed_0);
+    float _S874 = thread_gain_0(_S863, _S872, _S873);
+    float _S875 = __ldg(&_S865->layer_bound_0);
+    float _S876 = bounded_gain_0(_S874, _S871, make_float3 (1.0f) - make_float3 (_S875) * _S868);
+    float3  _S877 = min_0((make_float3 (1.0f) - make_float3 (_S876) * _S871) / make_float3 (_S875), make_float3 (1.0f));
+    float _S878 = __ldg(&_S865->fibre_noise_0);
+    float _S879 = bounded_gain_0(fibre_gain_0(_S863, _S864, _S878, _S873), _S868, _S877);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S869) * _S862;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S869) * _S863;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S872) * _S859;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S872) * _S860;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S876) * _S869;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S876) * _S870;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S879) * _S866;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S879) * _S867;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S873, SurfacePoint_0 * _S874, Albedos_0 * _S875, float _S876, float _S877)
+__device__ Albedos_0 varied_at_0(uint _S880, SurfacePoint_0 * _S881, Albedos_0 * _S882, float _S883, float _S884)
 {
-    Fabric_0 * _S878 = (&(globalParams_0->fabrics_0)[_S873]);
-    bool _S879 = _S874->is_warp_0;
-    float _S880;
-    if(_S874->is_warp_0)
+    Fabric_0 * _S885 = (&(globalParams_0->fabrics_0)[_S880]);
+    bool _S886 = _S881->is_warp_0;
+    float _S887;
+    if(_S881->is_warp_0)
     {
-        _S880 = _S876;
+        _S887 = _S883;
     }
     else
     {
-        _S880 = _S877;
+        _S887 = _S884;
     }
-    float _S881 = _S880 - _S874->across_0;
-    uint _S882;
-    if(_S879)
+    float _S888 = _S887 - _S881->across_0;
+    uint _S889;
+    if(_S886)
     {
-        uint _S883 = __ldg(&_S878->warp_0);
-        _S882 = _S883;
+        uint _S890 = __ldg(&_S885->warp_0);
+        _S889 = _S890;
     }
     else
     {
-        uint _S884 = __ldg(&_S878->weft_0);
-        _S882 = _S884;
+        uint _S891 = __ldg(&_S885->weft_0);
+        _S889 = _S891;
     }
-    Family_0 _S885 = slang_ldg_4((&(globalParams_0->families_0)[_S882]));
-    Family_0 _S886 = slang_ldg_4((&(globalParams_0->families_0)[_S882]));
-    int _S887 = int(_S886.count_0);
-    if(_S879)
+    Family_0 _S892 = slang_ldg_4((&(globalParams_0->families_0)[_S889]));
+    Family_0 _S893 = slang_ldg_4((&(globalParams_0->families_0)[_S889]));
+    int _S894 = int(_S893.count_0);
+    if(_S886)
     {
-        _S882 = _S874->warp_thread_0;
+        _S889 = _S881->warp_thread_0;
     }
     else
     {
-        _S882 = _S874->weft_thread_0;
+        _S889 = _S881->weft_thread_0;
     }
-    uint _S888 = uint(int((F32_floor((_S881 / _S885.period_0)))) * _S887 + int(_S882)) * 2U;
-    if(_S879)
+    uint _S895 = uint(int((F32_floor((_S888 / _S892.period_0)))) * _S894 + int(_S889)) * 2U;
+    if(_S886)
     {
-        _S882 = 1U;
+        _S889 = 1U;
     }
     else
     {
-        _S882 = 0U;
+        _S889 = 0U;
     }
-    uint _S889 = _S888 + _S882;
-    float _S890 = _S874->fibre_across_0;
-    float _S891 = __ldg(&_S878->fibre_size_0);
-    float _S892 = (F32_floor((_S890 / _S891)));
-    Albedos_0 _S893 = vary_albedos_0(_S873, _S875, _S889, uint(int(_S892)) * 65536U + uint(int((F32_floor((_S874->fibre_along_0 / (_S891 * 40.0f) + 0.61799997091293335f * _S892))))));
-    return _S893;
+    uint _S896 = _S895 + _S889;
+    float _S897 = _S881->fibre_across_0;
+    float _S898 = __ldg(&_S885->fibre_size_0);
+    float _S899 = (F32_floor((_S897 / _S898)));
+    Albedos_0 _S900 = vary_albedos_0(_S880, _S882, _S896, uint(int(_S899)) * 65536U + uint(int((F32_floor((_S881->fibre_along_0 / (_S898 * 40.0f) + 0.61799997091293335f * _S899))))));
+    return _S900;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S894, SurfacePoint_0 * _S895, float _S896, float _S897, bool _S898, bool _S899)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S901, SurfacePoint_0 * _S902, float _S903, float _S904, bool _S905, bool _S906)
 {
-    Fabric_0 * _S900 = (&(globalParams_0->fabrics_0)[_S894]);
-    bool _S901 = _S895->is_warp_0;
-    uint _S902;
-    if(_S895->is_warp_0)
+    Fabric_0 * _S907 = (&(globalParams_0->fabrics_0)[_S901]);
+    bool _S908 = _S902->is_warp_0;
+    uint _S909;
+    if(_S902->is_warp_0)
     {
-        uint _S903 = __ldg(&_S900->warp_0);
-        _S902 = _S903;
+        uint _S910 = __ldg(&_S907->warp_0);
+        _S909 = _S910;
     }
     else
     {
-        uint _S904 = __ldg(&_S900->weft_0);
-        _S902 = _S904;
+        uint _S911 = __ldg(&_S907->weft_0);
+        _S909 = _S911;
     }
-    uint _S905;
-    if(_S901)
+    uint _S912;
+    if(_S908)
     {
-        _S905 = _S895->warp_thread_0;
-    }
-    else
-    {
-        _S905 = _S895->weft_thread_0;
-    }
-    Albedos_0 albedos_6 = albedos_of_0(_S902, _S905);
-    float _S906 = __ldg(&_S900->fibre_noise_0);
-    bool _S907;
-    if(_S906 > 0.0f)
-    {
-        _S907 = true;
+        _S912 = _S902->warp_thread_0;
     }
     else
     {
-        float _S908 = __ldg(&_S900->colour_noise_0);
-        _S907 = _S908 > 0.0f;
+        _S912 = _S902->weft_thread_0;
+    }
+    Albedos_0 albedos_6 = albedos_of_0(_S909, _S912);
+    float _S913 = __ldg(&_S907->fibre_noise_0);
+    bool _S914;
+    if(_S913 > 0.0f)
+    {
+        _S914 = true;
+    }
+    else
+    {
+        float _S915 = __ldg(&_S907->colour_noise_0);
+        _S914 = _S915 > 0.0f;
     }
     Albedos_0 albedos_7;
-    if(_S907)
+    if(_S914)
     {
-        Albedos_0 _S909 = albedos_6;
-        Albedos_0 _S910 = varied_at_0(_S894, _S895, &_S909, _S896, _S897);
-        albedos_7 = _S910;
+        Albedos_0 _S916 = albedos_6;
+        Albedos_0 _S917 = varied_at_0(_S901, _S902, &_S916, _S903, _S904);
+        albedos_7 = _S917;
     }
     else
     {
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_3;
-    (&point_3)->back_3 = _S898;
-    (&point_3)->hole_6 = _S899;
-    (&point_3)->is_warp_3 = _S901;
-    (&point_3)->x_28 = _S896;
-    (&point_3)->y_17 = _S897;
-    (&point_3)->height_10 = _S895->height_1;
-    (&point_3)->normal_7 = _S895->normal_1;
-    (&point_3)->tangent_7 = _S895->tangent_0;
-    Family_0 _S911 = slang_ldg_4((&(globalParams_0->families_0)[_S902]));
-    (&point_3)->roughness_10 = _S911.roughness_0;
+    (&point_3)->back_3 = _S905;
+    (&point_3)->hole_6 = _S906;
+    (&point_3)->is_warp_3 = _S908;
+    (&point_3)->x_29 = _S903;
+    (&point_3)->y_18 = _S904;
+    (&point_3)->height_10 = _S902->height_1;
+    (&point_3)->normal_7 = _S902->normal_1;
+    (&point_3)->tangent_7 = _S902->tangent_0;
+    Family_0 _S918 = slang_ldg_4((&(globalParams_0->families_0)[_S909]));
+    (&point_3)->roughness_10 = _S918.roughness_0;
     (&point_3)->albedos_5 = albedos_7;
     return point_3;
 }
 
-__device__ bool unoccluded_0(uint _S912, SearchQuality_0 * _S913, float _S914, float _S915, float _S916, float3  _S917, bool _S918)
+__device__ bool unoccluded_0(uint _S919, SearchQuality_0 * _S920, float _S921, float _S922, float _S923, float3  _S924, bool _S925)
 {
-    Fabric_0 * _S919 = (&(globalParams_0->fabrics_0)[_S912]);
-    if((_S917.z) <= 0.0f)
+    Fabric_0 * _S926 = (&(globalParams_0->fabrics_0)[_S919]);
+    if((_S924.z) <= 0.0f)
     {
         return false;
     }
-    float _S920 = max_height_along_0(_S912, _S914, _S915, _S916, _S917, _S918);
-    float _S921 = __ldg(&_S919->lift_0);
-    bool _S922 = is_free_0(_S912, _S913, make_float3 (_S914, _S915, _S916 + _S921), _S917, _S918, _S920);
-    return _S922;
+    float _S927 = max_height_along_0(_S919, _S921, _S922, _S923, _S924, _S925);
+    float _S928 = __ldg(&_S926->lift_0);
+    bool _S929 = is_free_0(_S919, _S920, make_float3 (_S921, _S922, _S923 + _S928), _S924, _S925, _S927);
+    return _S929;
 }
 
-__device__ bool is_lit_0(uint _S923, SearchQuality_0 * _S924, YarnPoint_0 * _S925, float3  _S926)
+__device__ bool is_lit_0(uint _S930, SearchQuality_0 * _S931, YarnPoint_0 * _S932, float3  _S933)
 {
-    if(_S925->hole_6)
+    if(_S932->hole_6)
     {
         return true;
     }
-    bool _S927 = _S925->back_3;
-    float3  _S928 = to_face_frame_0(_S926, _S925->back_3);
-    float _S929 = _S928.z;
-    bool _S930 = _S929 < 0.0f;
-    float3  _S931 = _S925->normal_7;
-    float _S932 = _S925->height_10;
+    bool _S934 = _S932->back_3;
+    float3  _S935 = to_face_frame_0(_S933, _S932->back_3);
+    float _S936 = _S935.z;
+    bool _S937 = _S936 < 0.0f;
+    float3  _S938 = _S932->normal_7;
+    float _S939 = _S932->height_10;
     float3  normal_8;
     float height_11;
-    if(_S930)
+    if(_S937)
     {
-        SurfacePoint_0 _S933 = surface_at_0(_S923, _S925->x_28, _S925->y_17, !_S927);
-        normal_8 = _S933.normal_1;
-        height_11 = _S933.height_1;
+        SurfacePoint_0 _S940 = surface_at_0(_S930, _S932->x_29, _S932->y_18, !_S934);
+        normal_8 = _S940.normal_1;
+        height_11 = _S940.height_1;
     }
     else
     {
-        normal_8 = _S931;
-        height_11 = _S932;
+        normal_8 = _S938;
+        height_11 = _S939;
     }
-    float3  _S934 = make_float3 (float2 {_S928.x, _S928.y}.x, float2 {_S928.x, _S928.y}.y, (F32_abs((_S929))));
-    if((dot_0(normal_8, _S934)) <= 0.0f)
+    float3  _S941 = make_float3 (float2 {_S935.x, _S935.y}.x, float2 {_S935.x, _S935.y}.y, (F32_abs((_S936))));
+    if((dot_0(normal_8, _S941)) <= 0.0f)
     {
         return false;
     }
-    bool _S935 = unoccluded_0(_S923, _S924, _S925->x_28, _S925->y_17, height_11, _S934, _S927 != _S930);
-    return _S935;
+    bool _S942 = unoccluded_0(_S930, _S931, _S932->x_29, _S932->y_18, height_11, _S941, _S934 != _S937);
+    return _S942;
 }
 
-__device__ Components_0 components_of_point_0(uint _S936, SearchQuality_0 * _S937, YarnPoint_0 * _S938, float3  _S939, float3  _S940)
+__device__ Components_0 components_of_point_0(uint _S943, SearchQuality_0 * _S944, YarnPoint_0 * _S945, float3  _S946, float3  _S947)
 {
-    Fabric_0 * _S941 = (&(globalParams_0->fabrics_0)[_S936]);
+    Fabric_0 * _S948 = (&(globalParams_0->fabrics_0)[_S943]);
     Components_0 result_11 = no_components_0();
-    bool _S942 = _S938->hole_6;
-    float _S943;
-    if(_S938->hole_6)
+    bool _S949 = _S945->hole_6;
+    float _S950;
+    if(_S945->hole_6)
     {
-        _S943 = 1.0f;
+        _S950 = 1.0f;
     }
     else
     {
-        _S943 = 0.0f;
+        _S950 = 0.0f;
     }
-    (&result_11)->hole_2 = _S943;
-    bool _S944;
-    if(_S942)
+    (&result_11)->hole_2 = _S950;
+    bool _S951;
+    if(_S949)
     {
-        _S944 = true;
+        _S951 = true;
     }
     else
     {
-        bool _S945 = is_lit_0(_S936, _S937, _S938, _S939);
-        _S944 = !_S945;
+        bool _S952 = is_lit_0(_S943, _S944, _S945, _S946);
+        _S951 = !_S952;
     }
-    if(_S944)
+    if(_S951)
     {
         return result_11;
     }
-    float3  _S946 = to_face_frame_0(_S939, _S938->back_3);
-    float3  _S947 = to_face_frame_0(_S940, _S938->back_3);
-    bool _S948 = (_S946.z) < 0.0f;
-    float3  _S949;
-    if(_S948)
+    float3  _S953 = to_face_frame_0(_S946, _S945->back_3);
+    float3  _S954 = to_face_frame_0(_S947, _S945->back_3);
+    bool _S955 = (_S953.z) < 0.0f;
+    float3  _S956;
+    if(_S955)
     {
-        _S949 = - _S946;
+        _S956 = - _S953;
     }
     else
     {
-        _S949 = _S946;
+        _S956 = _S953;
     }
-    float3  _S950 = _S938->normal_7;
-    float _S951 = __ldg(&_S941->diffuse_blend_0);
-    float _S952 = diffuse_reflection_0(_S949, _S950, _S951);
-    if(_S948)
+    float3  _S957 = _S945->normal_7;
+    float _S958 = __ldg(&_S948->diffuse_blend_0);
+    float _S959 = diffuse_reflection_0(_S956, _S957, _S958);
+    if(_S955)
     {
-        float3  _S953 = _S938->tangent_7;
-        float _S954 = _S938->roughness_10;
-        float _S955 = __ldg(&_S941->optical_depth_0);
-        _S943 = transmission_0(_S946, _S947, _S950, _S953, _S954, _S955);
+        float3  _S960 = _S945->tangent_7;
+        float _S961 = _S945->roughness_10;
+        float _S962 = __ldg(&_S948->optical_depth_0);
+        _S950 = transmission_0(_S953, _S954, _S957, _S960, _S961, _S962);
     }
     else
     {
-        float3  _S956 = _S938->tangent_7;
-        float _S957 = _S938->roughness_10;
-        float _S958 = __ldg(&_S941->optical_depth_0);
-        _S943 = reflection_0(_S946, _S947, _S950, _S956, _S957, _S958);
+        float3  _S963 = _S945->tangent_7;
+        float _S964 = _S945->roughness_10;
+        float _S965 = __ldg(&_S948->optical_depth_0);
+        _S950 = reflection_0(_S953, _S954, _S957, _S963, _S964, _S965);
     }
-    bool _S959 = _S938->is_warp_3;
-    float _S960;
-    if(_S938->is_warp_3)
+    bool _S966 = _S945->is_warp_3;
+    float _S967;
+    if(_S945->is_warp_3)
     {
-        _S960 = _S952;
+        _S967 = _S959;
     }
     else
     {
-        _S960 = 0.0f;
+        _S967 = 0.0f;
     }
-    (&result_11)->diffuse_warp_0 = _S960;
-    if(_S959)
+    (&result_11)->diffuse_warp_0 = _S967;
+    if(_S966)
     {
-        _S960 = 0.0f;
+        _S967 = 0.0f;
     }
     else
     {
-        _S960 = _S952;
+        _S967 = _S959;
     }
-    (&result_11)->diffuse_weft_0 = _S960;
-    if(_S959)
+    (&result_11)->diffuse_weft_0 = _S967;
+    if(_S966)
     {
-        _S960 = _S943;
+        _S967 = _S950;
     }
     else
     {
-        _S960 = 0.0f;
+        _S967 = 0.0f;
     }
-    (&result_11)->specular_warp_0 = _S960;
-    if(_S959)
+    (&result_11)->specular_warp_0 = _S967;
+    if(_S966)
     {
-        _S943 = 0.0f;
+        _S950 = 0.0f;
     }
-    (&result_11)->specular_weft_0 = _S943;
+    (&result_11)->specular_weft_0 = _S950;
     (&result_11)->light_visibility_1 = 1.0f;
     return result_11;
 }
@@ -3727,30 +3801,30 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S961, float _S962)
+__device__ float3  pyramid_level_0(uint _S968, float _S969)
 {
-    Lobes_0 _S963 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S961])->lobes_0);
-    uint _S964 = _S963.levels_0 + 4U * uint((F32_min((_S962), (_S963.last_level_0))));
-    return make_float3 (table_number_0(_S964), table_number_0(_S964 + 1U), table_number_0(_S964 + 2U));
+    Lobes_0 _S970 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S968])->lobes_0);
+    uint _S971 = _S970.levels_0 + 4U * uint((F32_min((_S969), (_S970.last_level_0))));
+    return make_float3 (table_number_0(_S971), table_number_0(_S971 + 1U), table_number_0(_S971 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S965, Footprint_0 * _S966, bool _S967)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S972, Footprint_0 * _S973, bool _S974)
 {
-    Fabric_0 * _S968 = (&(globalParams_0->fabrics_0)[_S965]);
-    float _S969 = Footprint_spread_side_0(_S966);
-    Lobes_0 _S970 = slang_ldg_1(&_S968->lobes_0);
-    float _S971 = _S969 * _S970.inverse_base_size_0;
-    float3  _S972 = pyramid_level_0(_S965, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S971), (1.0f))))))));
-    float _S973 = 1.0f / (F32_max((_S971), (9.99999997475242708e-07f)));
-    float _S974 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S973 * _S973), 0.0f, 1.0f))))), (0.3333333432674408f * _S973)))), (1.0f)));
-    uint _S975 = __ldg(&_S968->warp_0);
-    Family_0 _S976 = slang_ldg_4((&(globalParams_0->families_0)[_S975]));
-    uint _S977 = __ldg(&_S968->weft_0);
-    Family_0 _S978 = slang_ldg_4((&(globalParams_0->families_0)[_S977]));
-    float2  _S979 = make_float2 (_S976.inverse_period_0, _S978.inverse_period_0);
-    float2  _S980 = _S966->centre_0 * _S979;
-    float2  _S981 = _S966->dx_0 * _S979 * make_float2 (_S974);
-    float2  _S982 = _S966->dy_0 * _S979 * make_float2 (_S974);
+    Fabric_0 * _S975 = (&(globalParams_0->fabrics_0)[_S972]);
+    float _S976 = Footprint_spread_side_0(_S973);
+    Lobes_0 _S977 = slang_ldg_1(&_S975->lobes_0);
+    float _S978 = _S976 * _S977.inverse_base_size_0;
+    float3  _S979 = pyramid_level_0(_S972, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S978), (1.0f))))))));
+    float _S980 = 1.0f / (F32_max((_S978), (9.99999997475242708e-07f)));
+    float _S981 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S980 * _S980), 0.0f, 1.0f))))), (0.3333333432674408f * _S980)))), (1.0f)));
+    uint _S982 = __ldg(&_S975->warp_0);
+    Family_0 _S983 = slang_ldg_4((&(globalParams_0->families_0)[_S982]));
+    uint _S984 = __ldg(&_S975->weft_0);
+    Family_0 _S985 = slang_ldg_4((&(globalParams_0->families_0)[_S984]));
+    float2  _S986 = make_float2 (_S983.inverse_period_0, _S985.inverse_period_0);
+    float2  _S987 = _S973->centre_0 * _S986;
+    float2  _S988 = _S973->dx_0 * _S986 * make_float2 (_S981);
+    float2  _S989 = _S973->dy_0 * _S986 * make_float2 (_S981);
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3762,28 +3836,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S965, Footprint_0 * _S966, bool 
         {
             break;
         }
-        float2  _S983 = _S980 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S981 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S982;
-        float _S984 = _S972.y;
-        float _S985 = wrapped_cell_0(_S983.x, _S984);
-        float _S986 = wrapped_cell_0(_S983.y, _S972.z);
-        uint _S987;
-        if(_S967)
+        float2  _S990 = _S987 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S988 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S989;
+        float _S991 = _S979.y;
+        float _S992 = wrapped_cell_0(_S990.x, _S991);
+        float _S993 = wrapped_cell_0(_S990.y, _S979.z);
+        uint _S994;
+        if(_S974)
         {
-            _S987 = _S970.face_nodes_0;
+            _S994 = _S977.face_nodes_0;
         }
         else
         {
-            _S987 = 0U;
+            _S994 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S987 + uint(_S986 * _S984 + _S985 + _S972.x);
+        (&taps_3)->nodes_1[number_1] = _S994 + uint(_S993 * _S991 + _S992 + _S979.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-__device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _S990)
+__device__ float4  coverage_of_pack_0(uint _S995, CoverageTaps_0 * _S996, uint _S997)
 {
-    Fabric_0 * _S991 = (&(globalParams_0->fabrics_0)[_S988]);
+    Fabric_0 * _S998 = (&(globalParams_0->fabrics_0)[_S995]);
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3796,10 +3870,10 @@ __device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _
         {
             break;
         }
-        Lobes_0 _S992 = slang_ldg_1(&_S991->lobes_0);
-        uint _S993 = __ldg((&(globalParams_0->words_0)[_S992.coverage_0 + _S989->nodes_1[number_2] * _S992.packs_0 + _S990]));
-        uint even_2 = even_1 + (_S993 & 16711935U);
-        uint odd_2 = odd_1 + ((_S993 >> int(8)) & 16711935U);
+        Lobes_0 _S999 = slang_ldg_1(&_S998->lobes_0);
+        uint _S1000 = __ldg((&(globalParams_0->words_0)[_S999.coverage_0 + _S996->nodes_1[number_2] * _S999.packs_0 + _S997]));
+        uint even_2 = even_1 + (_S1000 & 16711935U);
+        uint odd_2 = odd_1 + ((_S1000 >> int(8)) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3807,9 +3881,9 @@ __device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _
     return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
 }
 
-__device__ float coverage_of_holes_0(uint _S994, CoverageTaps_0 * _S995)
+__device__ float coverage_of_holes_0(uint _S1001, CoverageTaps_0 * _S1002)
 {
-    Fabric_0 * _S996 = (&(globalParams_0->fabrics_0)[_S994]);
+    Fabric_0 * _S1003 = (&(globalParams_0->fabrics_0)[_S1001]);
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3821,75 +3895,75 @@ __device__ float coverage_of_holes_0(uint _S994, CoverageTaps_0 * _S995)
         {
             break;
         }
-        uint _S997 = _S995->nodes_1[number_3];
-        Lobes_0 _S998 = slang_ldg_1(&_S996->lobes_0);
-        uint _S999 = __ldg((&(globalParams_0->words_0)[_S998.coverage_holes_0 + _S997 / 4U]));
-        uint total_1 = total_0 + ((_S999 >> (8U * (_S997 % 4U))) & 255U);
+        uint _S1004 = _S1002->nodes_1[number_3];
+        Lobes_0 _S1005 = slang_ldg_1(&_S1003->lobes_0);
+        uint _S1006 = __ldg((&(globalParams_0->words_0)[_S1005.coverage_holes_0 + _S1004 / 4U]));
+        uint total_1 = total_0 + ((_S1006 >> (8U * (_S1004 % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S1000, CoverageTaps_0 * _S1001, NodeTaps_0 * _S1002, bool _S1003)
+__device__ float prefiltered_hole_0(uint _S1007, CoverageTaps_0 * _S1008, NodeTaps_0 * _S1009, bool _S1010)
 {
-    Lobes_0 _S1004 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S1000])->lobes_0);
-    float4  _S1005 = interpolate_table_0(_S1002, _S1004.projected_area_0 + _S1004.packs_0, _S1004.packs_0 + 1U);
-    float _S1006 = _S1005.x;
-    float _S1007;
-    if(_S1003)
+    Lobes_0 _S1011 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S1007])->lobes_0);
+    float4  _S1012 = interpolate_table_0(_S1009, _S1011.projected_area_0 + _S1011.packs_0, _S1011.packs_0 + 1U);
+    float _S1013 = _S1012.x;
+    float _S1014;
+    if(_S1010)
     {
-        _S1007 = _S1004.back_hole_weight_0;
+        _S1014 = _S1011.back_hole_weight_0;
     }
     else
     {
-        _S1007 = _S1004.front_hole_weight_0;
+        _S1014 = _S1011.front_hole_weight_0;
     }
-    float _S1008 = coverage_of_holes_0(_S1000, _S1001);
-    return (F32_min((_S1008 * _S1006 * _S1006 * _S1007), (1.0f)));
+    float _S1015 = coverage_of_holes_0(_S1007, _S1008);
+    return (F32_min((_S1015 * _S1013 * _S1013 * _S1014), (1.0f)));
 }
 
-__device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S1010, float3  _S1011, float3  _S1012, bool _S1013)
+__device__ Components_0 prefiltered_components_0(uint _S1016, Footprint_0 * _S1017, float3  _S1018, float3  _S1019, bool _S1020)
 {
-    Fabric_0 * _S1014 = (&(globalParams_0->fabrics_0)[_S1009]);
-    CoverageTaps_0 _S1015 = coverage_taps_0(_S1009, _S1010, _S1013);
-    NodeTaps_0 _S1016 = node_taps_0(_S1012);
-    NodeTaps_0 view_nodes_0 = _S1016;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S1011);
-    NodeTaps_0 seen_nodes_0 = _S1016;
-    uint _S1017;
-    if(_S1013)
+    Fabric_0 * _S1021 = (&(globalParams_0->fabrics_0)[_S1016]);
+    CoverageTaps_0 _S1022 = coverage_taps_0(_S1016, _S1017, _S1020);
+    NodeTaps_0 _S1023 = node_taps_0(_S1019);
+    NodeTaps_0 view_nodes_0 = _S1023;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S1018);
+    NodeTaps_0 seen_nodes_0 = _S1023;
+    uint _S1024;
+    if(_S1020)
     {
-        _S1017 = 1U;
+        _S1024 = 1U;
     }
     else
     {
-        _S1017 = 0U;
+        _S1024 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1017 * 256U);
-    uint _S1018 = 2U * _S1017;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1018 * 256U);
-    uint _S1019;
-    if((_S1011.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1024 * 256U);
+    uint _S1025 = 2U * _S1024;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1025 * 256U);
+    uint _S1026;
+    if((_S1018.z) < 0.0f)
     {
-        _S1019 = 1U;
-    }
-    else
-    {
-        _S1019 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1018 + _S1019) * 256U);
-    float3  _S1020 = half_vector_0(_S1011, _S1012);
-    float3  _S1021 = shadow_correlation_0(_S1011, _S1012);
-    if(_S1013)
-    {
-        Lobes_0 _S1022 = slang_ldg_1(&_S1014->lobes_0);
-        _S1019 = _S1022.back_warp_packs_0;
+        _S1026 = 1U;
     }
     else
     {
-        Lobes_0 _S1023 = slang_ldg_1(&_S1014->lobes_0);
-        _S1019 = _S1023.front_warp_packs_0;
+        _S1026 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1025 + _S1026) * 256U);
+    float3  _S1027 = half_vector_0(_S1018, _S1019);
+    float3  _S1028 = shadow_correlation_0(_S1018, _S1019);
+    if(_S1020)
+    {
+        Lobes_0 _S1029 = slang_ldg_1(&_S1021->lobes_0);
+        _S1026 = _S1029.back_warp_packs_0;
+    }
+    else
+    {
+        Lobes_0 _S1030 = slang_ldg_1(&_S1021->lobes_0);
+        _S1026 = _S1030.front_warp_packs_0;
     }
     Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3901,44 +3975,44 @@ __device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S10
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S1024 = slang_ldg_1(&_S1014->lobes_0);
-        if(pack_0 < (_S1024.packs_0))
+        Lobes_0 _S1031 = slang_ldg_1(&_S1021->lobes_0);
+        if(pack_0 < (_S1031.packs_0))
         {
         }
         else
         {
             break;
         }
-        CoverageTaps_0 _S1025 = _S1015;
-        float4  _S1026 = coverage_of_pack_0(_S1009, &_S1025, pack_0);
-        uint _S1027 = _S1024.projected_area_0 + pack_0;
-        uint _S1028 = _S1024.packs_0 + 1U;
-        NodeTaps_0 _S1029 = view_nodes_0;
-        float4  _S1030 = interpolate_table_0(&_S1029, _S1027, _S1028);
-        uint _S1031 = _S1024.light_visibility_0 + pack_0;
-        NodeTaps_0 _S1032 = seen_nodes_0;
-        float4  _S1033 = interpolate_table_0(&_S1032, _S1031, _S1024.packs_0);
-        float4  _S1034 = _S1033 / make_float4 (255.0f);
-        NodeTaps_0 _S1035 = light_nodes_0;
-        float4  _S1036 = interpolate_table_0(&_S1035, _S1031, _S1024.packs_0);
-        float4  _S1037 = _S1036 / make_float4 (255.0f);
-        uint _S1038 = _S1024.irradiance_0 + pack_0;
-        NodeTaps_0 _S1039 = light_nodes_0;
-        float4  _S1040 = interpolate_table_0(&_S1039, _S1038, _S1024.packs_0);
-        float4  _S1041 = _S1040 * make_float4 (0.00124827399849892f);
-        bool _S1042 = pack_0 < _S1019;
-        uint _S1043;
-        if(_S1042)
+        CoverageTaps_0 _S1032 = _S1022;
+        float4  _S1033 = coverage_of_pack_0(_S1016, &_S1032, pack_0);
+        uint _S1034 = _S1031.projected_area_0 + pack_0;
+        uint _S1035 = _S1031.packs_0 + 1U;
+        NodeTaps_0 _S1036 = view_nodes_0;
+        float4  _S1037 = interpolate_table_0(&_S1036, _S1034, _S1035);
+        uint _S1038 = _S1031.light_visibility_0 + pack_0;
+        NodeTaps_0 _S1039 = seen_nodes_0;
+        float4  _S1040 = interpolate_table_0(&_S1039, _S1038, _S1031.packs_0);
+        float4  _S1041 = _S1040 / make_float4 (255.0f);
+        NodeTaps_0 _S1042 = light_nodes_0;
+        float4  _S1043 = interpolate_table_0(&_S1042, _S1038, _S1031.packs_0);
+        float4  _S1044 = _S1043 / make_float4 (255.0f);
+        uint _S1045 = _S1031.irradiance_0 + pack_0;
+        NodeTaps_0 _S1046 = light_nodes_0;
+        float4  _S1047 = interpolate_table_0(&_S1046, _S1045, _S1031.packs_0);
+        float4  _S1048 = _S1047 * make_float4 (0.00124827399849892f);
+        bool _S1049 = pack_0 < _S1026;
+        uint _S1050;
+        if(_S1049)
         {
-            uint _S1044 = __ldg(&_S1014->warp_0);
-            _S1043 = _S1044;
+            uint _S1051 = __ldg(&_S1021->warp_0);
+            _S1050 = _S1051;
         }
         else
         {
-            uint _S1045 = __ldg(&_S1014->weft_0);
-            _S1043 = _S1045;
+            uint _S1052 = __ldg(&_S1021->weft_0);
+            _S1050 = _S1052;
         }
-        Family_0 _S1046 = slang_ldg_4((&(globalParams_0->families_0)[_S1043]));
+        Family_0 _S1053 = slang_ldg_4((&(globalParams_0->families_0)[_S1050]));
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3951,407 +4025,407 @@ __device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S10
             {
                 break;
             }
-            Group_0 _S1047 = group_at_0(_S1024.moments_0 + 12U * (4U * (_S1017 * _S1024.packs_0 + pack_0) + number_4), _S1046.roughness_0);
-            float _S1048 = _slang_vector_get_element(_S1026, number_4) * _slang_vector_get_element(_S1030, number_4) * _slang_vector_get_element(_S1030, number_4) * _S1047.weight_1;
-            uint _S1049 = number_4;
-            float2  _S1050 = visibility_gain_0(_S1021, _slang_vector_get_element(_S1037, number_4), _slang_vector_get_element(_S1034, number_4));
-            float _S1051 = __ldg(&_S1014->optical_depth_0);
-            Group_0 _S1052 = _S1047;
-            float _S1053 = layer_value_0(&_S1052, _S1020, _S1011, _S1012, _S1051);
-            float _S1054 = _S1050.x;
-            float diffuse_1 = diffuse_0 + _S1048 * _slang_vector_get_element(_S1041, number_4) * _S1054;
-            float specular_1 = specular_0 + _S1048 * _S1053 * _slang_vector_get_element(_S1037, _S1049) * _S1050.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1048 * _slang_vector_get_element(_S1037, _S1049) * _S1054;
-            float total_3 = total_2 + _S1048;
+            Group_0 _S1054 = group_at_0(_S1031.moments_0 + 12U * (4U * (_S1024 * _S1031.packs_0 + pack_0) + number_4), _S1053.roughness_0);
+            float _S1055 = _slang_vector_get_element(_S1033, number_4) * _slang_vector_get_element(_S1037, number_4) * _slang_vector_get_element(_S1037, number_4) * _S1054.weight_1;
+            uint _S1056 = number_4;
+            float2  _S1057 = visibility_gain_0(_S1028, _slang_vector_get_element(_S1044, number_4), _slang_vector_get_element(_S1041, number_4));
+            float _S1058 = __ldg(&_S1021->optical_depth_0);
+            Group_0 _S1059 = _S1054;
+            float _S1060 = layer_value_0(&_S1059, _S1027, _S1018, _S1019, _S1058);
+            float _S1061 = _S1057.x;
+            float diffuse_1 = diffuse_0 + _S1055 * _slang_vector_get_element(_S1048, number_4) * _S1061;
+            float specular_1 = specular_0 + _S1055 * _S1060 * _slang_vector_get_element(_S1044, _S1056) * _S1057.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1055 * _slang_vector_get_element(_S1044, _S1056) * _S1061;
+            float total_3 = total_2 + _S1055;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S1055;
-        if(_S1042)
+        float _S1062;
+        if(_S1049)
         {
-            _S1055 = diffuse_0;
+            _S1062 = diffuse_0;
         }
         else
         {
-            _S1055 = 0.0f;
+            _S1062 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1055;
-        float _S1056;
-        if(_S1042)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1062;
+        float _S1063;
+        if(_S1049)
         {
-            _S1056 = 0.0f;
+            _S1063 = 0.0f;
         }
         else
         {
-            _S1056 = diffuse_0;
+            _S1063 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1056;
-        float _S1057;
-        if(_S1042)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1063;
+        float _S1064;
+        if(_S1049)
         {
-            _S1057 = specular_0;
+            _S1064 = specular_0;
         }
         else
         {
-            _S1057 = 0.0f;
+            _S1064 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1057;
-        float _S1058;
-        if(_S1042)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1064;
+        float _S1065;
+        if(_S1049)
         {
-            _S1058 = 0.0f;
+            _S1065 = 0.0f;
         }
         else
         {
-            _S1058 = specular_0;
+            _S1065 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1058;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1065;
         pack_0 = pack_0 + 1U;
     }
-    CoverageTaps_0 _S1059 = _S1015;
-    NodeTaps_0 _S1060 = view_nodes_0;
-    float _S1061 = prefiltered_hole_0(_S1009, &_S1059, &_S1060, _S1013);
-    (&sums_1)->hole_2 = _S1061;
-    float _S1062 = (1.0f - _S1061) / (F32_max((total_2), (9.999999960041972e-13f)));
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1062;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1062;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1062;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1062;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1062;
+    CoverageTaps_0 _S1066 = _S1022;
+    NodeTaps_0 _S1067 = view_nodes_0;
+    float _S1068 = prefiltered_hole_0(_S1016, &_S1066, &_S1067, _S1020);
+    (&sums_1)->hole_2 = _S1068;
+    float _S1069 = (1.0f - _S1068) / (F32_max((total_2), (9.999999960041972e-13f)));
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1069;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1069;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1069;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1069;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1069;
     return sums_1;
 }
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S1063, Footprint_0 * _S1064, bool _S1065)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S1070, Footprint_0 * _S1071, bool _S1072)
 {
-    Fabric_0 * _S1066 = (&(globalParams_0->fabrics_0)[_S1063]);
-    float2  _S1067 = sqrt_0(_S1064->dx_0 * _S1064->dx_0 + _S1064->dy_0 * _S1064->dy_0);
-    uint _S1068 = __ldg(&_S1066->warp_0);
-    float2  _S1069 = _S1064->centre_0;
-    Stretch_0 _S1070 = stretch_of_0(_S1068, _S1064->centre_0.x, _S1067.x);
-    uint _S1071 = __ldg(&_S1066->weft_0);
-    Stretch_0 _S1072 = stretch_of_0(_S1071, _S1069.y, _S1067.y);
+    Fabric_0 * _S1073 = (&(globalParams_0->fabrics_0)[_S1070]);
+    float2  _S1074 = sqrt_0(_S1071->dx_0 * _S1071->dx_0 + _S1071->dy_0 * _S1071->dy_0);
+    uint _S1075 = __ldg(&_S1073->warp_0);
+    float2  _S1076 = _S1071->centre_0;
+    Stretch_0 _S1077 = stretch_of_0(_S1075, _S1071->centre_0.x, _S1074.x);
+    uint _S1078 = __ldg(&_S1073->weft_0);
+    Stretch_0 _S1079 = stretch_of_0(_S1078, _S1076.y, _S1074.y);
     FamilyAlbedos_0 albedos_8;
-    Stretch_0 _S1073 = _S1070;
-    Stretch_0 _S1074 = _S1072;
-    Albedos_0 _S1075 = mean_albedos_0(_S1068, _S1071, &_S1073, &_S1074, _S1065);
-    (&albedos_8)->warp_2 = _S1075;
-    Stretch_0 _S1076 = _S1072;
-    Stretch_0 _S1077 = _S1070;
-    Albedos_0 _S1078 = mean_albedos_0(_S1071, _S1068, &_S1076, &_S1077, _S1065);
-    (&albedos_8)->weft_2 = _S1078;
+    Stretch_0 _S1080 = _S1077;
+    Stretch_0 _S1081 = _S1079;
+    Albedos_0 _S1082 = mean_albedos_0(_S1075, _S1078, &_S1080, &_S1081, _S1072);
+    (&albedos_8)->warp_2 = _S1082;
+    Stretch_0 _S1083 = _S1079;
+    Stretch_0 _S1084 = _S1077;
+    Albedos_0 _S1085 = mean_albedos_0(_S1078, _S1075, &_S1083, &_S1084, _S1072);
+    (&albedos_8)->weft_2 = _S1085;
     return albedos_8;
 }
 
-__device__ Estimate_0 lobes_estimate_0(uint _S1079, Footprint_0 * _S1080, float _S1081, float3  _S1082, float3  _S1083)
+__device__ Estimate_0 lobes_estimate_0(uint _S1086, Footprint_0 * _S1087, float _S1088, float3  _S1089, float3  _S1090)
 {
-    float _S1084;
-    Fabric_0 * _S1085 = (&(globalParams_0->fabrics_0)[_S1079]);
-    Regime_0 _S1086 = regime_of_0(_S1079, _S1080, _S1081);
-    bool _S1087 = (_S1083.z) < 0.0f;
-    float3  _S1088 = to_face_frame_0(_S1083, _S1087);
-    float _S1089 = __ldg(&_S1085->fibre_noise_0);
-    bool _S1090;
-    if(_S1089 > 0.0f)
+    float _S1091;
+    Fabric_0 * _S1092 = (&(globalParams_0->fabrics_0)[_S1086]);
+    Regime_0 _S1093 = regime_of_0(_S1086, _S1087, _S1088);
+    bool _S1094 = (_S1090.z) < 0.0f;
+    float3  _S1095 = to_face_frame_0(_S1090, _S1094);
+    float _S1096 = __ldg(&_S1092->fibre_noise_0);
+    bool _S1097;
+    if(_S1096 > 0.0f)
     {
-        _S1090 = true;
+        _S1097 = true;
     }
     else
     {
-        float _S1091 = __ldg(&_S1085->colour_noise_0);
-        _S1090 = _S1091 > 0.0f;
+        float _S1098 = __ldg(&_S1092->colour_noise_0);
+        _S1097 = _S1098 > 0.0f;
     }
-    uint _S1092 = __ldg(&_S1085->warp_0);
-    Family_0 _S1093 = slang_ldg_4((&(globalParams_0->families_0)[_S1092]));
-    bool _S1094;
-    if((_S1093.quantities_0) > 1U)
+    uint _S1099 = __ldg(&_S1092->warp_0);
+    Family_0 _S1100 = slang_ldg_4((&(globalParams_0->families_0)[_S1099]));
+    bool _S1101;
+    if((_S1100.quantities_0) > 1U)
     {
-        _S1094 = true;
+        _S1101 = true;
     }
     else
     {
-        uint _S1095 = __ldg(&_S1085->weft_0);
-        Family_0 _S1096 = slang_ldg_4((&(globalParams_0->families_0)[_S1095]));
-        _S1094 = (_S1096.quantities_0) > 1U;
+        uint _S1102 = __ldg(&_S1092->weft_0);
+        Family_0 _S1103 = slang_ldg_4((&(globalParams_0->families_0)[_S1102]));
+        _S1101 = (_S1103.quantities_0) > 1U;
     }
-    float _S1097 = 1.0f - _S1086.prefiltered_0;
-    if(_S1097 > 0.0f)
+    float _S1104 = 1.0f - _S1093.prefiltered_0;
+    if(_S1104 > 0.0f)
     {
-        if(_S1090)
+        if(_S1097)
         {
-            _S1094 = true;
+            _S1101 = true;
         }
     }
     else
     {
-        _S1094 = false;
+        _S1101 = false;
     }
-    Footprint_0 box_0 = *_S1080;
-    float3  _S1098 = make_float3 (0.0f);
-    SurfacePoint_0 _S1099 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1098, _S1098, 0.0f, 0.0f, 0.0f);
-    float2  _S1100 = _S1080->centre_0;
-    Components_0 _S1101 = no_components_0();
-    int _S1102;
-    if(_S1094)
+    Footprint_0 box_0 = *_S1087;
+    float3  _S1105 = make_float3 (0.0f);
+    SurfacePoint_0 _S1106 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1105, _S1105, 0.0f, 0.0f, 0.0f);
+    float2  _S1107 = _S1087->centre_0;
+    Components_0 _S1108 = no_components_0();
+    int _S1109;
+    if(_S1101)
     {
-        _S1102 = int(0);
+        _S1109 = int(0);
     }
     else
     {
-        _S1102 = int(1);
+        _S1109 = int(1);
     }
-    uint _S1103 = uint(_S1102);
-    Components_0 points_1 = _S1101;
+    uint _S1110 = uint(_S1109);
+    Components_0 points_2 = _S1108;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S1099;
-    float2  central_place_0 = _S1100;
-    uint number_5 = _S1103;
+    SurfacePoint_0 central_0 = _S1106;
+    float2  central_place_0 = _S1107;
+    uint number_5 = _S1110;
     for(;;)
     {
-        float _S1104 = float(number_5);
-        _S1084 = _S1086.points_0;
-        if(_S1104 < (_S1086.points_0 + 1.0f))
+        float _S1111 = float(number_5);
+        _S1091 = _S1093.points_1;
+        if(_S1111 < (_S1093.points_1 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S1105 = number_5 == 0U;
-        float2  _S1106;
-        if(_S1105)
+        bool _S1112 = number_5 == 0U;
+        float2  _S1113;
+        if(_S1112)
         {
-            _S1106 = make_float2 (0.0f);
+            _S1113 = make_float2 (0.0f);
         }
         else
         {
-            _S1106 = POINT_OFFSETS_0[number_5 - 1U];
+            _S1113 = POINT_OFFSETS_0[number_5 - 1U];
         }
-        float2  _S1107 = _S1100 + make_float2 (_S1106.x) * _S1080->dx_0 + make_float2 (_S1106.y) * _S1080->dy_0;
-        float _S1108;
-        if(_S1105)
+        float2  _S1114 = _S1107 + make_float2 (_S1113.x) * _S1087->dx_0 + make_float2 (_S1113.y) * _S1087->dy_0;
+        float _S1115;
+        if(_S1112)
         {
-            _S1108 = 0.0f;
+            _S1115 = 0.0f;
         }
         else
         {
-            _S1108 = _S1086.threads_1;
+            _S1115 = _S1093.threads_1;
         }
-        SearchQuality_0 _S1109 = quality_of_0(_S1108);
-        float _S1110 = _S1107.x;
-        float _S1111 = _S1107.y;
-        SearchQuality_0 _S1112 = _S1109;
-        Hit_0 _S1113 = first_hit_0(_S1079, &_S1112, _S1110, _S1111, _S1088, _S1087);
-        SurfacePoint_0 _S1114 = surface_at_0(_S1079, _S1113.x_27, _S1113.y_16, _S1087);
-        if(_S1105)
+        SearchQuality_0 _S1116 = quality_of_0(_S1115);
+        float _S1117 = _S1114.x;
+        float _S1118 = _S1114.y;
+        SearchQuality_0 _S1119 = _S1116;
+        Hit_0 _S1120 = first_hit_0(_S1086, &_S1119, _S1117, _S1118, _S1095, _S1094);
+        SurfacePoint_0 _S1121 = surface_at_0(_S1086, _S1120.x_28, _S1120.y_17, _S1094);
+        if(_S1112)
         {
             float central_weight_1;
-            if(_S1113.hole_5)
+            if(_S1120.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S1097;
+                central_weight_1 = _S1104;
             }
-            float2  central_place_1 = make_float2 (_S1113.x_27, _S1113.y_16);
-            (&box_0)->centre_0 = lerp_2(_S1100, central_place_1, make_float2 (central_weight_1));
+            float2  central_place_1 = make_float2 (_S1120.x_28, _S1120.y_17);
+            (&box_0)->centre_0 = lerp_2(_S1107, central_place_1, make_float2 (central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S1114;
+            central_0 = _S1121;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        SurfacePoint_0 _S1115 = _S1114;
-        YarnPoint_0 _S1116 = yarn_point_of_0(_S1079, &_S1115, _S1113.x_27, _S1113.y_16, _S1087, _S1113.hole_5);
-        SearchQuality_0 _S1117 = _S1109;
-        YarnPoint_0 _S1118 = _S1116;
-        Components_0 _S1119 = components_of_point_0(_S1079, &_S1117, &_S1118, _S1082, _S1083);
-        float _S1120 = (F32_min((_S1086.points_0 - float(number_5 - 1U)), (1.0f)));
-        Components_0 _S1121 = points_1;
-        Components_0 _S1122 = _S1119;
-        Components_0 _S1123 = with_added_0(&_S1121, &_S1122, _S1120);
-        points_1 = _S1123;
+        SurfacePoint_0 _S1122 = _S1121;
+        YarnPoint_0 _S1123 = yarn_point_of_0(_S1086, &_S1122, _S1120.x_28, _S1120.y_17, _S1094, _S1120.hole_5);
+        SearchQuality_0 _S1124 = _S1116;
+        YarnPoint_0 _S1125 = _S1123;
+        Components_0 _S1126 = components_of_point_0(_S1086, &_S1124, &_S1125, _S1089, _S1090);
+        float _S1127 = (F32_min((_S1093.points_1 - float(number_5 - 1U)), (1.0f)));
+        Components_0 _S1128 = points_2;
+        Components_0 _S1129 = _S1126;
+        Components_0 _S1130 = with_added_0(&_S1128, &_S1129, _S1127);
+        points_2 = _S1130;
         number_5 = number_5 + 1U;
     }
     Estimate_0 estimate_0;
-    float _S1124 = _S1097 / (F32_max((_S1084), (1.0f)));
-    Components_0 _S1125 = _S1101;
-    Components_0 _S1126 = points_1;
-    Components_0 _S1127 = with_added_0(&_S1125, &_S1126, _S1124);
-    (&estimate_0)->components_0 = _S1127;
-    if((_S1086.prefiltered_0) > 0.0f)
+    float _S1131 = _S1104 / (F32_max((_S1091), (1.0f)));
+    Components_0 _S1132 = _S1108;
+    Components_0 _S1133 = points_2;
+    Components_0 _S1134 = with_added_0(&_S1132, &_S1133, _S1131);
+    (&estimate_0)->components_0 = _S1134;
+    if((_S1093.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1128 = prefiltered_components_0(_S1079, _S1080, to_face_frame_0(_S1082, _S1087), _S1088, _S1087);
-        Components_0 _S1129 = (&estimate_0)->components_0;
-        Components_0 _S1130 = _S1128;
-        Components_0 _S1131 = with_added_0(&_S1129, &_S1130, _S1086.prefiltered_0);
-        (&estimate_0)->components_0 = _S1131;
+        Components_0 _S1135 = prefiltered_components_0(_S1086, _S1087, to_face_frame_0(_S1089, _S1094), _S1095, _S1094);
+        Components_0 _S1136 = (&estimate_0)->components_0;
+        Components_0 _S1137 = _S1135;
+        Components_0 _S1138 = with_added_0(&_S1136, &_S1137, _S1093.prefiltered_0);
+        (&estimate_0)->components_0 = _S1138;
     }
-    Footprint_0 _S1132 = box_0;
-    FamilyAlbedos_0 _S1133 = albedos_over_0(_S1079, &_S1132, _S1087);
-    (&estimate_0)->albedos_4 = _S1133;
-    if(_S1090)
+    Footprint_0 _S1139 = box_0;
+    FamilyAlbedos_0 _S1140 = albedos_over_0(_S1086, &_S1139, _S1094);
+    (&estimate_0)->albedos_4 = _S1140;
+    if(_S1097)
     {
-        _S1090 = central_weight_0 > 0.0f;
+        _S1097 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S1090 = false;
+        _S1097 = false;
     }
-    if(_S1090)
+    if(_S1097)
     {
-        SurfacePoint_0 _S1134 = central_0;
-        Albedos_0 _S1135;
+        SurfacePoint_0 _S1141 = central_0;
+        Albedos_0 _S1142;
         if(central_0.is_warp_0)
         {
-            _S1135 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S1142 = (&(&estimate_0)->albedos_4)->warp_2;
         }
         else
         {
-            _S1135 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S1142 = (&(&estimate_0)->albedos_4)->weft_2;
         }
-        float _S1136 = central_place_0.x;
-        float _S1137 = central_place_0.y;
-        SurfacePoint_0 _S1138 = central_0;
-        Albedos_0 _S1139 = _S1135;
-        Albedos_0 _S1140 = varied_at_0(_S1079, &_S1138, &_S1139, _S1136, _S1137);
-        Albedos_0 _S1141 = _S1135;
-        Albedos_0 _S1142 = _S1140;
-        Albedos_0 _S1143 = lerp_albedos_0(&_S1141, &_S1142, central_weight_0);
-        if(_S1134.is_warp_0)
+        float _S1143 = central_place_0.x;
+        float _S1144 = central_place_0.y;
+        SurfacePoint_0 _S1145 = central_0;
+        Albedos_0 _S1146 = _S1142;
+        Albedos_0 _S1147 = varied_at_0(_S1086, &_S1145, &_S1146, _S1143, _S1144);
+        Albedos_0 _S1148 = _S1142;
+        Albedos_0 _S1149 = _S1147;
+        Albedos_0 _S1150 = lerp_albedos_0(&_S1148, &_S1149, central_weight_0);
+        if(_S1141.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S1143;
+            (&(&estimate_0)->albedos_4)->warp_2 = _S1150;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S1143;
+            (&(&estimate_0)->albedos_4)->weft_2 = _S1150;
         }
     }
     return estimate_0;
 }
 
-__device__ float3  composed_0(uint _S1144, Components_0 * _S1145, FamilyAlbedos_0 * _S1146, float3  _S1147, float3  _S1148)
+__device__ float3  composed_0(uint _S1151, Components_0 * _S1152, FamilyAlbedos_0 * _S1153, float3  _S1154, float3  _S1155)
 {
-    Fabric_0 * _S1149 = (&(globalParams_0->fabrics_0)[_S1144]);
-    float _S1150 = _S1145->diffuse_warp_0;
-    float _S1151 = _S1145->diffuse_weft_0;
-    float _S1152 = _S1145->specular_warp_0;
-    float _S1153 = _S1145->specular_weft_0;
-    float3  _S1154 = (&_S1146->warp_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_warp_0) + (&_S1146->weft_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_weft_0) + (&_S1146->warp_2)->specular_reflect_0 * make_float3 (_S1145->specular_warp_0) + (&_S1146->weft_2)->specular_reflect_0 * make_float3 (_S1145->specular_weft_0);
-    float _S1155 = _S1148.z;
+    Fabric_0 * _S1156 = (&(globalParams_0->fabrics_0)[_S1151]);
+    float _S1157 = _S1152->diffuse_warp_0;
+    float _S1158 = _S1152->diffuse_weft_0;
+    float _S1159 = _S1152->specular_warp_0;
+    float _S1160 = _S1152->specular_weft_0;
+    float3  _S1161 = (&_S1153->warp_2)->diffuse_reflect_0 * make_float3 (_S1152->diffuse_warp_0) + (&_S1153->weft_2)->diffuse_reflect_0 * make_float3 (_S1152->diffuse_weft_0) + (&_S1153->warp_2)->specular_reflect_0 * make_float3 (_S1152->specular_warp_0) + (&_S1153->weft_2)->specular_reflect_0 * make_float3 (_S1152->specular_weft_0);
+    float _S1162 = _S1155.z;
     float3  body_0;
-    if((_S1147.z * _S1155) < 0.0f)
+    if((_S1154.z * _S1162) < 0.0f)
     {
-        body_0 = (&_S1146->warp_2)->diffuse_transmit_0 * make_float3 (_S1150) + (&_S1146->weft_2)->diffuse_transmit_0 * make_float3 (_S1151) + (&_S1146->warp_2)->specular_transmit_0 * make_float3 (_S1152) + (&_S1146->weft_2)->specular_transmit_0 * make_float3 (_S1153);
+        body_0 = (&_S1153->warp_2)->diffuse_transmit_0 * make_float3 (_S1157) + (&_S1153->weft_2)->diffuse_transmit_0 * make_float3 (_S1158) + (&_S1153->warp_2)->specular_transmit_0 * make_float3 (_S1159) + (&_S1153->weft_2)->specular_transmit_0 * make_float3 (_S1160);
     }
     else
     {
-        body_0 = _S1154;
+        body_0 = _S1161;
     }
-    float _S1156 = __ldg(&_S1149->sheen_strength_0);
-    if(_S1156 <= 0.0f)
+    float _S1163 = __ldg(&_S1156->sheen_strength_0);
+    if(_S1163 <= 0.0f)
     {
         return body_0;
     }
-    bool _S1157 = _S1155 < 0.0f;
-    float3  _S1158 = to_face_frame_0(_S1147, _S1157);
-    float3  _S1159 = to_face_frame_0(_S1148, _S1157);
-    float _S1160 = __ldg(&_S1149->sheen_roughness_0);
-    float2  _S1161 = sheen_with_transmittance_0(_S1158, _S1159, _S1156, _S1160);
-    return make_float3 (_S1161.y) * body_0 + make_float3 ((_S1145->light_visibility_1 + _S1145->hole_2) * _S1161.x);
+    bool _S1164 = _S1162 < 0.0f;
+    float3  _S1165 = to_face_frame_0(_S1154, _S1164);
+    float3  _S1166 = to_face_frame_0(_S1155, _S1164);
+    float _S1167 = __ldg(&_S1156->sheen_roughness_0);
+    float2  _S1168 = sheen_with_transmittance_0(_S1165, _S1166, _S1163, _S1167);
+    return make_float3 (_S1168.y) * body_0 + make_float3 ((_S1152->light_visibility_1 + _S1152->hole_2) * _S1168.x);
 }
 
-__device__ float4  light_of_footprint_0(Frame_0 * _S1162, uint _S1163, VisiblePoint_0 * _S1164)
+__device__ float4  light_of_footprint_0(Frame_0 * _S1169, uint _S1170, VisiblePoint_0 * _S1171)
 {
-    Fabric_0 * _S1165 = (&(globalParams_0->fabrics_0)[_S1163]);
+    Fabric_0 * _S1172 = (&(globalParams_0->fabrics_0)[_S1170]);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1164->draft_0;
-    (&footprint_0)->dx_0 = _S1164->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1164->draft_dy_0;
-    float3  _S1166 = to_local_0(_S1164, _S1164->view_0);
-    float3  _S1167 = make_float3 (0.0f);
+    (&footprint_0)->centre_0 = _S1171->draft_0;
+    (&footprint_0)->dx_0 = _S1171->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1171->draft_dy_0;
+    float3  _S1173 = to_local_0(_S1171, _S1171->view_0);
+    float3  _S1174 = make_float3 (0.0f);
     uint number_6 = 0U;
-    float3  radiance_1 = _S1167;
+    float3  radiance_1 = _S1174;
     float hole_7 = 0.0f;
     for(;;)
     {
-        uint _S1168 = _S1162->lights_0;
-        if(number_6 < (U32_max((_S1162->lights_0), (1U))))
+        uint _S1175 = _S1169->lights_0;
+        if(number_6 < (U32_max((_S1169->lights_0), (1U))))
         {
         }
         else
         {
             break;
         }
-        Light_0 _S1169 = slang_ldg_3((&(globalParams_0->lights_1)[number_6]));
-        Light_0 _S1170 = _S1169;
+        Light_0 _S1176 = slang_ldg_3((&(globalParams_0->lights_1)[number_6]));
+        Light_0 _S1177 = _S1176;
         float3  irradiance_2;
-        float3  _S1171 = towards_light_0(&_S1170, _S1164->position_0, &irradiance_2);
-        float3  _S1172 = to_local_0(_S1164, _S1171);
-        Footprint_0 _S1173 = footprint_0;
-        Estimate_0 _S1174 = lobes_estimate_0(_S1163, &_S1173, 1.0f, _S1172, _S1166);
-        if(number_6 < _S1168)
+        float3  _S1178 = towards_light_0(&_S1177, _S1171->position_0, &irradiance_2);
+        float3  _S1179 = to_local_0(_S1171, _S1178);
+        Footprint_0 _S1180 = footprint_0;
+        Estimate_0 _S1181 = lobes_estimate_0(_S1170, &_S1180, 1.0f, _S1179, _S1173);
+        if(number_6 < _S1175)
         {
-            Components_0 _S1175 = _S1174.components_0;
-            FamilyAlbedos_0 _S1176 = _S1174.albedos_4;
-            float3  _S1177 = composed_0(_S1163, &_S1175, &_S1176, _S1172, _S1166);
-            radiance_1 = radiance_1 + irradiance_2 * _S1177;
+            Components_0 _S1182 = _S1181.components_0;
+            FamilyAlbedos_0 _S1183 = _S1181.albedos_4;
+            float3  _S1184 = composed_0(_S1170, &_S1182, &_S1183, _S1179, _S1173);
+            radiance_1 = radiance_1 + irradiance_2 * _S1184;
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S1174.components_0.hole_2;
+        hole_7 = _S1181.components_0.hole_2;
     }
-    float _S1178 = __ldg(&_S1165->sheen_strength_0);
-    if(_S1178 > 0.0f)
+    float _S1185 = __ldg(&_S1172->sheen_strength_0);
+    if(_S1185 > 0.0f)
     {
-        float _S1179 = (F32_abs((_S1166.z)));
-        float _S1180 = __ldg(&_S1165->sheen_roughness_0);
-        hole_7 = hole_7 * (1.0f - _S1178 * sheen_lobe_0(_S1179, _S1180).z);
+        float _S1186 = (F32_abs((_S1173.z)));
+        float _S1187 = __ldg(&_S1172->sheen_roughness_0);
+        hole_7 = hole_7 * (1.0f - _S1185 * sheen_lobe_0(_S1186, _S1187).z);
     }
     return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - hole_7);
 }
 
 extern "C" __global__ void shade_lobes()
 {
-    uint3  _S1181 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S1182 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S1183;
-    if((_S1181.x) >= (_S1182.width_0))
+    uint3  _S1188 = blockIdx * blockDim + threadIdx;
+    Frame_0 _S1189 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
+    bool _S1190;
+    if((_S1188.x) >= (_S1189.width_0))
     {
-        _S1183 = true;
+        _S1190 = true;
     }
     else
     {
-        _S1183 = (_S1181.y) >= (_S1182.height_0);
+        _S1190 = (_S1188.y) >= (_S1189.height_0);
     }
-    if(_S1183)
+    if(_S1190)
     {
         return;
     }
-    uint2  _S1184 = uint2 {_S1181.x, _S1181.y};
-    int2  _S1185 = make_int2 ((int)_S1184.x, (int)_S1184.y);
-    int3  _S1186 = make_int3 (_S1185.x, _S1185.y, int(0));
-    uint _S1187 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S1186)).x, ((_S1186)).y, ((_S1186)).z));
-    float4  _S1188 = make_float4 (0.0f);
+    uint2  _S1191 = uint2 {_S1188.x, _S1188.y};
+    int2  _S1192 = make_int2 ((int)_S1191.x, (int)_S1191.y);
+    int3  _S1193 = make_int3 (_S1192.x, _S1192.y, int(0));
+    uint _S1194 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S1193)).x, ((_S1193)).y, ((_S1193)).z));
+    float4  _S1195 = make_float4 (0.0f);
     float4  sum_1;
-    if(_S1187 > 0U)
+    if(_S1194 > 0U)
     {
-        uint _S1189 = _S1187 - 1U;
-        uint _S1190 = __ldg((&(globalParams_0->face_fabrics_0)[_S1189]));
-        Frame_0 _S1191 = _S1182;
-        VisiblePoint_0 _S1192 = visible_point_0(&_S1191, _S1190, _S1189, _S1184);
-        Frame_0 _S1193 = _S1182;
-        VisiblePoint_0 _S1194 = _S1192;
-        float4  _S1195 = light_of_footprint_0(&_S1193, _S1190, &_S1194);
-        sum_1 = _S1195;
+        uint _S1196 = _S1194 - 1U;
+        uint _S1197 = __ldg((&(globalParams_0->face_fabrics_0)[_S1196]));
+        Frame_0 _S1198 = _S1189;
+        VisiblePoint_0 _S1199 = visible_point_0(&_S1198, _S1197, _S1196, _S1191);
+        Frame_0 _S1200 = _S1189;
+        VisiblePoint_0 _S1201 = _S1199;
+        float4  _S1202 = light_of_footprint_0(&_S1200, _S1197, &_S1201);
+        sum_1 = _S1202;
     }
     else
     {
-        sum_1 = _S1188;
+        sum_1 = _S1195;
     }
-    Frame_0 _S1196 = _S1182;
-    accumulate_0(&_S1196, _S1184, sum_1);
+    Frame_0 _S1203 = _S1189;
+    accumulate_0(&_S1203, _S1191, sum_1);
     return;
 }
 

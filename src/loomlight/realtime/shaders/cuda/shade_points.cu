@@ -135,6 +135,63 @@ struct Vertex_0
     float v_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_1;
+    float picks_0;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -147,12 +204,21 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float dot_0(float3  x_2, float3  y_2)
+__device__ float dot_0(float3  x_3, float3  y_3)
 {
     int i_0 = int(0);
     float result_0 = 0.0f;
@@ -165,19 +231,19 @@ __device__ float dot_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        float result_1 = result_0 + _slang_vector_get_element(x_3, i_0) * _slang_vector_get_element(y_3, i_0);
         i_0 = i_0 + int(1);
         result_0 = result_1;
     }
     return result_0;
 }
 
-__device__ float length_0(float3  x_3)
+__device__ float length_0(float3  x_4)
 {
-    return (F32_sqrt((dot_0(x_3, x_3))));
+    return (F32_sqrt((dot_0(x_4, x_4))));
 }
 
-__device__ float dot_1(float2  x_4, float2  y_3)
+__device__ float dot_1(float2  x_5, float2  y_4)
 {
     int i_1 = int(0);
     float result_2 = 0.0f;
@@ -190,29 +256,29 @@ __device__ float dot_1(float2  x_4, float2  y_3)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_4, i_1) * _slang_vector_get_element(y_3, i_1);
+        float result_3 = result_2 + _slang_vector_get_element(x_5, i_1) * _slang_vector_get_element(y_4, i_1);
         i_1 = i_1 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float clamp_0(float x_5, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_6, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_5), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_6), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ float lerp_0(float x_6, float y_4, float s_0)
+__device__ float lerp_0(float x_7, float y_5, float s_0)
 {
-    return x_6 + (y_4 - x_6) * s_0;
+    return x_7 + (y_5 - x_7) * s_0;
 }
 
-__device__ float3  normalize_0(float3  x_7)
+__device__ float3  normalize_0(float3  x_8)
 {
-    return x_7 / make_float3 (length_0(x_7));
+    return x_8 / make_float3 (length_0(x_8));
 }
 
-__device__ float3  min_0(float3  x_8, float3  y_5)
+__device__ float3  min_0(float3  x_9, float3  y_6)
 {
     float3  result_4;
     int i_2 = int(0);
@@ -225,13 +291,13 @@ __device__ float3  min_0(float3  x_8, float3  y_5)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_8, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_9, i_2)), (_slang_vector_get_element(y_6, i_2))));
         i_2 = i_2 + int(1);
     }
     return result_4;
 }
 
-__device__ float3  max_0(float3  x_9, float3  y_6)
+__device__ float3  max_0(float3  x_10, float3  y_7)
 {
     float3  result_5;
     int i_3 = int(0);
@@ -244,7 +310,7 @@ __device__ float3  max_0(float3  x_9, float3  y_6)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_9, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_10, i_3)), (_slang_vector_get_element(y_7, i_3))));
         i_3 = i_3 + int(1);
     }
     return result_5;
@@ -253,7 +319,7 @@ __device__ float3  max_0(float3  x_9, float3  y_6)
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
-__device__ float2  frac_0(float2  x_10)
+__device__ float2  frac_0(float2  x_11)
 {
     float2  result_6;
     int i_4 = int(0);
@@ -266,7 +332,7 @@ __device__ float2  frac_0(float2  x_10)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_10, i_4))));
+        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_11, i_4))));
         i_4 = i_4 + int(1);
     }
     return result_6;
@@ -794,9 +860,9 @@ __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 * cros
     return run_0;
 }
 
-__device__ float square_1(float x_11)
+__device__ float square_1(float x_12)
 {
-    return x_11 * x_11;
+    return x_12 * x_12;
 }
 
 struct Section_0
@@ -1304,9 +1370,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S207 * _S205, _S207 * across_slope_0 * along_slope_0 + cosine_0 * _S206);
 }
 
-__device__ float arc_sine_0(float x_12)
+__device__ float arc_sine_0(float x_13)
 {
-    float _S208 = (F32_abs((x_12)));
+    float _S208 = (F32_abs((x_13)));
     bool _S209 = _S208 > 0.5f;
     float _S210;
     if(_S209)
@@ -1335,7 +1401,7 @@ __device__ float arc_sine_0(float x_12)
     {
         _S210 = _S212;
     }
-    if(x_12 < 0.0f)
+    if(x_13 < 0.0f)
     {
         _S210 = - _S210;
     }
@@ -1383,9 +1449,9 @@ __device__ float bounded_gain_0(float gain_1, float3  albedo_0, float3  room_0)
     return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S215.x), (_S215.y)))), (_S215.z)))), (0.0f))))));
 }
 
-__device__ float natural_logarithm_0(float x_13)
+__device__ float natural_logarithm_0(float x_14)
 {
-    uint _S216 = (F32_asuint((x_13)));
+    uint _S216 = (F32_asuint((x_14)));
     float exponent_0 = float(int(_S216 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S216 & 8388607U) | 1056964608U)));
     float m_1;
@@ -1453,15 +1519,15 @@ __device__ float projected_area_1(float3  direction_3, float3  tangent_0, float 
     return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S229 * _S229 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
-__device__ float exponential_0(float x_14)
+__device__ float exponential_0(float x_15)
 {
-    float _S230 = clamp_0(x_14, -87.0f, 88.0f);
+    float _S230 = clamp_0(x_15, -87.0f, 88.0f);
     float _S231 = (F32_floor((_S230 * 1.4426950216293335f + 0.5f)));
     float _S232 = _S230 - _S231 * 0.693359375f + _S231 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S232 + 0.00139819993637502f) * _S232 + 0.00833345204591751f) * _S232 + 0.04166579619050026f) * _S232 + 0.1666666567325592f) * _S232 + 0.5f;
     float _S233 = (U32_asfloat((uint(int(_S231) + int(127)) << int(23))));
     float _S234;
-    if(x_14 < -87.0f)
+    if(x_15 < -87.0f)
     {
         _S234 = 0.0f;
     }
@@ -1541,19 +1607,19 @@ __device__ float transmission_0(float3  light_4, float3  view_3, float3  normal_
     return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S249), (_S250)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S249 - _S250)))) * _S248;
 }
 
-__device__ float sheen_scale_0(float x_15, float y_7)
+__device__ float sheen_scale_0(float x_16, float y_8)
 {
-    return (((((0.0f * x_15 + (((((-1.1402510404586792f * y_7 + 0.40672621130943298f) * y_7 + 1.65398800373077393f) * y_7 + -1.29730904102325439f) * y_7 + 0.30570998787879944f) * y_7 + -0.0220868494361639f)) * x_15 + (((((-0.21142719686031342f * y_7 + 1.05947399139404297f) * y_7 + -0.41116121411323547f) * y_7 + -0.93859231472015381f) * y_7 + 0.51606941223144531f) * y_7 + 0.05409301072359085f)) * x_15 + (((((1.22944498062133789f * y_7 + -0.45962560176849365f) * y_7 + -1.63861405849456787f) * y_7 + 1.33565104007720947f) * y_7 + -0.45725581049919128f) * y_7 + 0.08243165910243988f)) * x_15 + (((((0.39779931306838989f * y_7 + -1.18879103660583496f) * y_7 + 0.28251591324806213f) * y_7 + 1.168984055519104f) * y_7 + -0.76864629983901978f) * y_7 + 0.0091691892594099f)) * x_15 + (((((-0.26563560962677002f * y_7 + -0.19379159808158875f) * y_7 + 0.2677634060382843f) * y_7 + 0.00270519289188087f) * y_7 + 0.14349560439586639f) * y_7 + 0.10290180146694183f)) * x_15 + (((((-0.20701569318771362f * y_7 + 0.24526430666446686f) * y_7 + 0.19551840424537659f) * y_7 + 0.07586126774549484f) * y_7 + 0.38894739747047424f) * y_7 + 0.15043120086193085f);
+    return (((((0.0f * x_16 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_16 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_16 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_16 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_16 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_16 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_16, float y_8)
+__device__ float sheen_shear_0(float x_17, float y_9)
 {
-    return ((((0.0f * x_16 + (((((-0.10608240216970444f * y_8 + 1.99214303493499756f) * y_8 + -1.42255294322967529f) * y_8 + -1.09495604038238525f) * y_8 + 0.59180057048797607f) * y_8 + 0.06902855634689331f)) * x_16 + (((((-0.46220690011978149f * y_8 + -0.29113379120826721f) * y_8 + 1.39025199413299561f) * y_8 + 0.35589990019798279f) * y_8 + -1.17120099067687988f) * y_8 + 0.15940259397029877f)) * x_16 + (((((2.26068711280822754f * y_8 + -3.64728999137878418f) * y_8 + -0.72173482179641724f) * y_8 + 3.07659196853637695f) * y_8 + -0.6827620267868042f) * y_8 + -0.3039557933807373f)) * x_16 + (((((0.81201767921447754f * y_8 + 0.36014080047607422f) * y_8 + -1.72646903991699219f) * y_8 + -0.22630110383033752f) * y_8 + 0.89514690637588501f) * y_8 + -0.10397960245609283f)) * x_16 + (((((-0.37648698687553406f * y_8 + 1.10974001884460449f) * y_8 + 0.17824520170688629f) * y_8 + -1.04968702793121338f) * y_8 + 0.1461234986782074f) * y_8 + -0.00475129019469023f);
+    return ((((0.0f * x_17 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_17 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_17 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_17 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_17 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_17, float y_9)
+__device__ float sheen_reflectance_0(float x_18, float y_10)
 {
-    return ((((0.0f * x_17 + (((((12.95646953582763672f * y_9 + -21.38032913208007812f) * y_9 + -7.37853097915649414f) * y_9 + 34.55607986450195312f) * y_9 + -23.61347007751464844f) * y_9 + 5.00126314163208008f)) * x_17 + (((((10.91487026214599609f * y_9 + -6.08202791213989258f) * y_9 + -38.2036285400390625f) * y_9 + 53.3440399169921875f) * y_9 + -21.91996002197265625f) * y_9 + 2.01606011390686035f)) * x_17 + (((((-14.52206039428710938f * y_9 + 36.803619384765625f) * y_9 + -22.94047927856445312f) * y_9 + -10.07973003387451172f) * y_9 + 15.77003955841064453f) * y_9 + -4.92722177505493164f)) * x_17 + (((((-7.62505722045898438f * y_9 + 1.27310299873352051f) * y_9 + 31.19523048400878906f) * y_9 + -44.39989852905273438f) * y_9 + 26.44947052001953125f) * y_9 + -8.73507976531982422f)) * x_17 + (((((5.65633487701416016f * y_9 + -17.66820907592773438f) * y_9 + 24.65356063842773438f) * y_9 + -19.38941001892089844f) * y_9 + 11.06159019470214844f) * y_9 + -3.06573700904846191f);
+    return ((((0.0f * x_18 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_18 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_18 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_18 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_18 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_6)
@@ -1744,8 +1810,8 @@ struct YarnPoint_0
     bool back_2;
     bool hole_2;
     bool is_warp_1;
-    float x_18;
-    float y_10;
+    float x_19;
+    float y_11;
     float height_3;
     float3  normal_4;
     float3  tangent_4;
@@ -1755,8 +1821,8 @@ struct YarnPoint_0
 
 struct Hit_0
 {
-    float x_19;
-    float y_11;
+    float x_20;
+    float y_12;
     bool hole_3;
     float height_4;
 };
@@ -2532,39 +2598,47 @@ __device__ float refined_height_0(uint _S565, ViewRay_0 * _S566, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S587, SearchQuality_0 * _S588, float _S589, float _S590, float3  _S591, bool _S592)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S587, SearchQuality_0 * _S588, float _S589, float _S590, float3  _S591, bool _S592)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_19 = _S589;
-    (&hit_0)->y_11 = _S590;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S593 = passes_through_0(_S587, _S588, _S589, _S590, _S591, _S592);
-    (&hit_0)->hole_3 = _S593;
-    if(_S593)
-    {
-        return hit_0;
-    }
-    float _S594 = (F32_max((_S591.z), (0.00009999999747379f)));
+    float _S593 = (F32_max((_S591.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S589, _S590);
-    float2  _S595 = float2 {_S591.x, _S591.y} / make_float2 (_S594);
-    (&ray_0)->slope_1 = _S595;
-    float2  _S596 = - _S595;
-    float _S597 = steps_per_length_0(_S587, _S588, _S591);
-    StepControl_0 _S598 = step_control_0(_S596, 1.0f / (F32_max((_S597 / _S594), (9.99999971718068537e-10f))));
-    ViewRay_0 _S599 = ray_0;
-    StepControl_0 _S600 = _S598;
-    ViewRayEnd_0 _S601 = search_down_0(_S587, &_S599, &_S600, _S592);
-    ViewRay_0 _S602 = ray_0;
-    StepControl_0 _S603 = _S598;
-    ViewRayEnd_0 _S604 = _S601;
-    float _S605 = refined_height_0(_S587, &_S602, &_S603, _S592, &_S604, _S588->refinements_0);
-    (&hit_0)->height_4 = _S605;
-    ViewRay_0 _S606 = ray_0;
-    float2  _S607 = ViewRay_at_0(&_S606, _S605);
-    (&hit_0)->x_19 = _S607.x;
-    (&hit_0)->y_11 = _S607.y;
+    float2  _S594 = float2 {_S591.x, _S591.y} / make_float2 (_S593);
+    (&ray_0)->slope_1 = _S594;
+    float2  _S595 = - _S594;
+    float _S596 = steps_per_length_0(_S587, _S588, _S591);
+    StepControl_0 _S597 = step_control_0(_S595, 1.0f / (F32_max((_S596 / _S593), (9.99999971718068537e-10f))));
+    ViewRay_0 _S598 = ray_0;
+    StepControl_0 _S599 = _S597;
+    ViewRayEnd_0 _S600 = search_down_0(_S587, &_S598, &_S599, _S592);
+    Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    ViewRay_0 _S601 = ray_0;
+    StepControl_0 _S602 = _S597;
+    ViewRayEnd_0 _S603 = _S600;
+    float _S604 = refined_height_0(_S587, &_S601, &_S602, _S592, &_S603, _S588->refinements_0);
+    (&hit_0)->height_4 = _S604;
+    ViewRay_0 _S605 = ray_0;
+    float2  _S606 = ViewRay_at_0(&_S605, _S604);
+    (&hit_0)->x_20 = _S606.x;
+    (&hit_0)->y_12 = _S606.y;
     return hit_0;
+}
+
+__device__ Hit_0 first_hit_0(uint _S607, SearchQuality_0 * _S608, float _S609, float _S610, float3  _S611, bool _S612)
+{
+    bool _S613 = passes_through_0(_S607, _S608, _S609, _S610, _S611, _S612);
+    if(!_S613)
+    {
+        Hit_0 _S614 = first_hit_of_yarn_0(_S607, _S608, _S609, _S610, _S611, _S612);
+        return _S614;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_20 = _S609;
+    (&hit_1)->y_12 = _S610;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2581,500 +2655,500 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-__device__ SurfacePoint_0 surface_at_0(uint _S608, float _S609, float _S610, bool _S611)
+__device__ SurfacePoint_0 surface_at_0(uint _S615, float _S616, float _S617, bool _S618)
 {
-    Fabric_0 * _S612 = (&(globalParams_0->fabrics_0)[_S608]);
-    Sample_0 _S613 = sample_at_0(_S608, _S609, _S610, _S611);
-    float _S614;
-    if(_S613.shown_3.is_warp_0)
+    Fabric_0 * _S619 = (&(globalParams_0->fabrics_0)[_S615]);
+    Sample_0 _S620 = sample_at_0(_S615, _S616, _S617, _S618);
+    float _S621;
+    if(_S620.shown_3.is_warp_0)
     {
-        _S614 = _S613.crossing_1.warp_1.half_width_1;
+        _S621 = _S620.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S614 = _S613.crossing_1.weft_1.half_width_1;
+        _S621 = _S620.crossing_1.weft_1.half_width_1;
     }
-    uint _S615;
-    if(_S613.shown_3.is_warp_0)
+    uint _S622;
+    if(_S620.shown_3.is_warp_0)
     {
-        uint _S616 = __ldg(&_S612->warp_0);
-        _S615 = _S616;
-    }
-    else
-    {
-        uint _S617 = __ldg(&_S612->weft_0);
-        _S615 = _S617;
-    }
-    Family_0 _S618 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
-    float _S619;
-    if(_S611)
-    {
-        _S619 = -1.0f;
+        uint _S623 = __ldg(&_S619->warp_0);
+        _S622 = _S623;
     }
     else
     {
-        _S619 = 1.0f;
+        uint _S624 = __ldg(&_S619->weft_0);
+        _S622 = _S624;
     }
-    float _S620 = _S618.twist_sine_0 * _S619;
-    Family_0 _S621 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
-    if(_S613.shown_3.is_warp_0)
+    Family_0 _S625 = slang_ldg_2((&(globalParams_0->families_0)[_S622]));
+    float _S626;
+    if(_S618)
     {
-        _S619 = 1.0f;
-    }
-    else
-    {
-        _S619 = -1.0f;
-    }
-    float2  _S622 = fibre_direction_0(_S613.slope_across_0, _S619 * _S613.slope_along_0, _S620, _S621.twist_cosine_0);
-    float _S623;
-    if(_S613.shown_3.is_warp_0)
-    {
-        _S623 = _S613.slope_x_1;
+        _S626 = -1.0f;
     }
     else
     {
-        _S623 = _S613.slope_y_1;
+        _S626 = 1.0f;
     }
-    float _S624;
-    if(_S613.shown_3.is_warp_0)
+    float _S627 = _S625.twist_sine_0 * _S626;
+    Family_0 _S628 = slang_ldg_2((&(globalParams_0->families_0)[_S622]));
+    if(_S620.shown_3.is_warp_0)
     {
-        _S624 = _S613.slope_y_1;
-    }
-    else
-    {
-        _S624 = _S613.slope_x_1;
-    }
-    float _S625 = _S622.x;
-    float _S626 = _S622.y;
-    float _S627 = _S623 * _S625 + _S619 * _S624 * _S626;
-    float _S628 = _S614 * 1.0154266357421875f;
-    float _S629 = _S628 * arc_sine_0(clamp_0(_S613.section_1.across_1 / _S628, -1.0f, 1.0f));
-    if(_S613.shown_3.is_warp_0)
-    {
-        _S614 = _S610;
+        _S626 = 1.0f;
     }
     else
     {
-        _S614 = - _S609;
+        _S626 = -1.0f;
+    }
+    float2  _S629 = fibre_direction_0(_S620.slope_across_0, _S626 * _S620.slope_along_0, _S627, _S628.twist_cosine_0);
+    float _S630;
+    if(_S620.shown_3.is_warp_0)
+    {
+        _S630 = _S620.slope_x_1;
+    }
+    else
+    {
+        _S630 = _S620.slope_y_1;
+    }
+    float _S631;
+    if(_S620.shown_3.is_warp_0)
+    {
+        _S631 = _S620.slope_y_1;
+    }
+    else
+    {
+        _S631 = _S620.slope_x_1;
+    }
+    float _S632 = _S629.x;
+    float _S633 = _S629.y;
+    float _S634 = _S630 * _S632 + _S626 * _S631 * _S633;
+    float _S635 = _S621 * 1.0154266357421875f;
+    float _S636 = _S635 * arc_sine_0(clamp_0(_S620.section_1.across_1 / _S635, -1.0f, 1.0f));
+    if(_S620.shown_3.is_warp_0)
+    {
+        _S621 = _S617;
+    }
+    else
+    {
+        _S621 = - _S616;
     }
     SurfacePoint_0 point_2;
-    (&point_2)->hole_4 = _S613.shown_3.hole_0;
-    (&point_2)->is_warp_2 = _S613.shown_3.is_warp_0;
-    (&point_2)->warp_thread_0 = _S613.crossing_1.warp_1.thread_1;
-    (&point_2)->weft_thread_0 = _S613.crossing_1.weft_1.thread_1;
-    (&point_2)->height_9 = _S613.height_5;
-    (&point_2)->normal_5 = normalize_0(make_float3 (- _S613.slope_x_1, - _S613.slope_y_1, 1.0f));
-    float3  _S630;
-    if(_S613.shown_3.is_warp_0)
+    (&point_2)->hole_4 = _S620.shown_3.hole_0;
+    (&point_2)->is_warp_2 = _S620.shown_3.is_warp_0;
+    (&point_2)->warp_thread_0 = _S620.crossing_1.warp_1.thread_1;
+    (&point_2)->weft_thread_0 = _S620.crossing_1.weft_1.thread_1;
+    (&point_2)->height_9 = _S620.height_5;
+    (&point_2)->normal_5 = normalize_0(make_float3 (- _S620.slope_x_1, - _S620.slope_y_1, 1.0f));
+    float3  _S637;
+    if(_S620.shown_3.is_warp_0)
     {
-        _S630 = make_float3 (_S625, _S626, _S627);
+        _S637 = make_float3 (_S632, _S633, _S634);
     }
     else
     {
-        _S630 = make_float3 (- _S626, _S625, _S627);
+        _S637 = make_float3 (- _S633, _S632, _S634);
     }
-    (&point_2)->tangent_5 = normalize_0(_S630);
-    (&point_2)->across_2 = _S613.section_1.across_1;
-    (&point_2)->fibre_across_0 = _S629 * _S621.twist_cosine_0 + _S614 * _S620;
-    (&point_2)->fibre_along_0 = _S614 * _S621.twist_cosine_0 - _S629 * _S620;
+    (&point_2)->tangent_5 = normalize_0(_S637);
+    (&point_2)->across_2 = _S620.section_1.across_1;
+    (&point_2)->fibre_across_0 = _S636 * _S628.twist_cosine_0 + _S621 * _S627;
+    (&point_2)->fibre_along_0 = _S621 * _S628.twist_cosine_0 - _S636 * _S627;
     return point_2;
 }
 
-__device__ Albedos_0 vary_albedos_0(uint _S631, Albedos_0 * _S632, uint _S633, uint _S634)
+__device__ Albedos_0 vary_albedos_0(uint _S638, Albedos_0 * _S639, uint _S640, uint _S641)
 {
-    Fabric_0 * _S635 = (&(globalParams_0->fabrics_0)[_S631]);
-    float3  _S636 = _S632->specular_reflect_0;
-    float3  _S637 = _S632->specular_transmit_0;
-    float3  _S638 = max_0(_S632->specular_reflect_0, _S632->specular_transmit_0);
-    float3  _S639 = _S632->diffuse_reflect_0;
-    float3  _S640 = _S632->diffuse_transmit_0;
-    float3  _S641 = _S632->diffuse_reflect_0 + _S632->diffuse_transmit_0;
-    float _S642 = __ldg(&_S635->colour_noise_0);
-    uint _S643 = __ldg(&_S635->seed_0);
-    float _S644 = thread_gain_0(_S633, _S642, _S643);
-    float _S645 = __ldg(&_S635->layer_bound_0);
-    float _S646 = bounded_gain_0(_S644, _S641, make_float3 (1.0f) - make_float3 (_S645) * _S638);
-    float3  _S647 = min_0((make_float3 (1.0f) - make_float3 (_S646) * _S641) / make_float3 (_S645), make_float3 (1.0f));
-    float _S648 = __ldg(&_S635->fibre_noise_0);
-    float _S649 = bounded_gain_0(fibre_gain_0(_S633, _S634, _S648, _S643), _S638, _S647);
+    Fabric_0 * _S642 = (&(globalParams_0->fabrics_0)[_S638]);
+    float3  _S643 = _S639->specular_reflect_0;
+    float3  _S644 = _S639->specular_transmit_0;
+    float3  _S645 = max_0(_S639->specular_reflect_0, _S639->specular_transmit_0);
+    float3  _S646 = _S639->diffuse_reflect_0;
+    float3  _S647 = _S639->diffuse_transmit_0;
+    float3  _S648 = _S639->diffuse_reflect_0 + _S639->diffuse_transmit_0;
+    float _S649 = __ldg(&_S642->colour_noise_0);
+    uint _S650 = __ldg(&_S642->seed_0);
+    float _S651 = thread_gain_0(_S640, _S649, _S650);
+    float _S652 = __ldg(&_S642->layer_bound_0);
+    float _S653 = bounded_gain_0(_S651, _S648, make_float3 (1.0f) - make_float3 (_S652) * _S645);
+    float3  _S654 = min_0((make_float3 (1.0f) - make_float3 (_S653) * _S648) / make_float3 (_S652), make_float3 (1.0f));
+    float _S655 = __ldg(&_S642->fibre_noise_0);
+    float _S656 = bounded_gain_0(fibre_gain_0(_S640, _S641, _S655, _S650), _S645, _S654);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S646) * _S639;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S646) * _S640;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S649) * _S636;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S649) * _S637;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S653) * _S646;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S653) * _S647;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S656) * _S643;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S656) * _S644;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S650, SurfacePoint_0 * _S651, Albedos_0 * _S652, float _S653, float _S654)
+__device__ Albedos_0 varied_at_0(uint _S657, SurfacePoint_0 * _S658, Albedos_0 * _S659, float _S660, float _S661)
 {
-    Fabric_0 * _S655 = (&(globalParams_0->fabrics_0)[_S650]);
-    bool _S656 = _S651->is_warp_2;
-    float _S657;
-    if(_S651->is_warp_2)
+    Fabric_0 * _S662 = (&(globalParams_0->fabrics_0)[_S657]);
+    bool _S663 = _S658->is_warp_2;
+    float _S664;
+    if(_S658->is_warp_2)
     {
-        _S657 = _S653;
+        _S664 = _S660;
     }
     else
     {
-        _S657 = _S654;
+        _S664 = _S661;
     }
-    float _S658 = _S657 - _S651->across_2;
-    uint _S659;
-    if(_S656)
+    float _S665 = _S664 - _S658->across_2;
+    uint _S666;
+    if(_S663)
     {
-        uint _S660 = __ldg(&_S655->warp_0);
-        _S659 = _S660;
+        uint _S667 = __ldg(&_S662->warp_0);
+        _S666 = _S667;
     }
     else
     {
-        uint _S661 = __ldg(&_S655->weft_0);
-        _S659 = _S661;
+        uint _S668 = __ldg(&_S662->weft_0);
+        _S666 = _S668;
     }
-    Family_0 _S662 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
-    Family_0 _S663 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
-    int _S664 = int(_S663.count_0);
-    if(_S656)
+    Family_0 _S669 = slang_ldg_2((&(globalParams_0->families_0)[_S666]));
+    Family_0 _S670 = slang_ldg_2((&(globalParams_0->families_0)[_S666]));
+    int _S671 = int(_S670.count_0);
+    if(_S663)
     {
-        _S659 = _S651->warp_thread_0;
+        _S666 = _S658->warp_thread_0;
     }
     else
     {
-        _S659 = _S651->weft_thread_0;
+        _S666 = _S658->weft_thread_0;
     }
-    uint _S665 = uint(int((F32_floor((_S658 / _S662.period_0)))) * _S664 + int(_S659)) * 2U;
-    if(_S656)
+    uint _S672 = uint(int((F32_floor((_S665 / _S669.period_0)))) * _S671 + int(_S666)) * 2U;
+    if(_S663)
     {
-        _S659 = 1U;
+        _S666 = 1U;
     }
     else
     {
-        _S659 = 0U;
+        _S666 = 0U;
     }
-    uint _S666 = _S665 + _S659;
-    float _S667 = _S651->fibre_across_0;
-    float _S668 = __ldg(&_S655->fibre_size_0);
-    float _S669 = (F32_floor((_S667 / _S668)));
-    Albedos_0 _S670 = vary_albedos_0(_S650, _S652, _S666, uint(int(_S669)) * 65536U + uint(int((F32_floor((_S651->fibre_along_0 / (_S668 * 40.0f) + 0.61799997091293335f * _S669))))));
-    return _S670;
+    uint _S673 = _S672 + _S666;
+    float _S674 = _S658->fibre_across_0;
+    float _S675 = __ldg(&_S662->fibre_size_0);
+    float _S676 = (F32_floor((_S674 / _S675)));
+    Albedos_0 _S677 = vary_albedos_0(_S657, _S659, _S673, uint(int(_S676)) * 65536U + uint(int((F32_floor((_S658->fibre_along_0 / (_S675 * 40.0f) + 0.61799997091293335f * _S676))))));
+    return _S677;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S671, SurfacePoint_0 * _S672, float _S673, float _S674, bool _S675, bool _S676)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S678, SurfacePoint_0 * _S679, float _S680, float _S681, bool _S682, bool _S683)
 {
-    Fabric_0 * _S677 = (&(globalParams_0->fabrics_0)[_S671]);
-    bool _S678 = _S672->is_warp_2;
-    uint _S679;
-    if(_S672->is_warp_2)
+    Fabric_0 * _S684 = (&(globalParams_0->fabrics_0)[_S678]);
+    bool _S685 = _S679->is_warp_2;
+    uint _S686;
+    if(_S679->is_warp_2)
     {
-        uint _S680 = __ldg(&_S677->warp_0);
-        _S679 = _S680;
+        uint _S687 = __ldg(&_S684->warp_0);
+        _S686 = _S687;
     }
     else
     {
-        uint _S681 = __ldg(&_S677->weft_0);
-        _S679 = _S681;
+        uint _S688 = __ldg(&_S684->weft_0);
+        _S686 = _S688;
     }
-    uint _S682;
-    if(_S678)
+    uint _S689;
+    if(_S685)
     {
-        _S682 = _S672->warp_thread_0;
-    }
-    else
-    {
-        _S682 = _S672->weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S679, _S682);
-    float _S683 = __ldg(&_S677->fibre_noise_0);
-    bool _S684;
-    if(_S683 > 0.0f)
-    {
-        _S684 = true;
+        _S689 = _S679->warp_thread_0;
     }
     else
     {
-        float _S685 = __ldg(&_S677->colour_noise_0);
-        _S684 = _S685 > 0.0f;
+        _S689 = _S679->weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S686, _S689);
+    float _S690 = __ldg(&_S684->fibre_noise_0);
+    bool _S691;
+    if(_S690 > 0.0f)
+    {
+        _S691 = true;
+    }
+    else
+    {
+        float _S692 = __ldg(&_S684->colour_noise_0);
+        _S691 = _S692 > 0.0f;
     }
     Albedos_0 albedos_3;
-    if(_S684)
+    if(_S691)
     {
-        Albedos_0 _S686 = albedos_2;
-        Albedos_0 _S687 = varied_at_0(_S671, _S672, &_S686, _S673, _S674);
-        albedos_3 = _S687;
+        Albedos_0 _S693 = albedos_2;
+        Albedos_0 _S694 = varied_at_0(_S678, _S679, &_S693, _S680, _S681);
+        albedos_3 = _S694;
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_3;
-    (&point_3)->back_2 = _S675;
-    (&point_3)->hole_2 = _S676;
-    (&point_3)->is_warp_1 = _S678;
-    (&point_3)->x_18 = _S673;
-    (&point_3)->y_10 = _S674;
-    (&point_3)->height_3 = _S672->height_9;
-    (&point_3)->normal_4 = _S672->normal_5;
-    (&point_3)->tangent_4 = _S672->tangent_5;
-    Family_0 _S688 = slang_ldg_2((&(globalParams_0->families_0)[_S679]));
-    (&point_3)->roughness_8 = _S688.roughness_0;
+    (&point_3)->back_2 = _S682;
+    (&point_3)->hole_2 = _S683;
+    (&point_3)->is_warp_1 = _S685;
+    (&point_3)->x_19 = _S680;
+    (&point_3)->y_11 = _S681;
+    (&point_3)->height_3 = _S679->height_9;
+    (&point_3)->normal_4 = _S679->normal_5;
+    (&point_3)->tangent_4 = _S679->tangent_5;
+    Family_0 _S695 = slang_ldg_2((&(globalParams_0->families_0)[_S686]));
+    (&point_3)->roughness_8 = _S695.roughness_0;
     (&point_3)->albedos_1 = albedos_3;
     return point_3;
 }
 
-__device__ YarnPoint_0 locate_yarn_0(uint _S689, SearchQuality_0 * _S690, float _S691, float _S692, float3  _S693)
+__device__ YarnPoint_0 locate_yarn_0(uint _S696, SearchQuality_0 * _S697, float _S698, float _S699, float3  _S700)
 {
-    bool _S694 = (_S693.z) < 0.0f;
-    Hit_0 _S695 = first_hit_0(_S689, _S690, _S691, _S692, to_face_frame_0(_S693, _S694), _S694);
-    SurfacePoint_0 _S696 = surface_at_0(_S689, _S695.x_19, _S695.y_11, _S694);
-    SurfacePoint_0 _S697 = _S696;
-    YarnPoint_0 _S698 = yarn_point_of_0(_S689, &_S697, _S695.x_19, _S695.y_11, _S694, _S695.hole_3);
-    return _S698;
+    bool _S701 = (_S700.z) < 0.0f;
+    Hit_0 _S702 = first_hit_0(_S696, _S697, _S698, _S699, to_face_frame_0(_S700, _S701), _S701);
+    SurfacePoint_0 _S703 = surface_at_0(_S696, _S702.x_20, _S702.y_12, _S701);
+    SurfacePoint_0 _S704 = _S703;
+    YarnPoint_0 _S705 = yarn_point_of_0(_S696, &_S704, _S702.x_20, _S702.y_12, _S701, _S702.hole_3);
+    return _S705;
 }
 
-__device__ float3  scattered_0(uint _S699, YarnPoint_0 * _S700, float3  _S701, float3  _S702)
+__device__ float3  scattered_0(uint _S706, YarnPoint_0 * _S707, float3  _S708, float3  _S709)
 {
-    Fabric_0 * _S703 = (&(globalParams_0->fabrics_0)[_S699]);
-    float3  _S704 = make_float3 (0.0f);
-    bool _S705 = !_S700->hole_2;
-    bool _S706;
-    if(_S705)
+    Fabric_0 * _S710 = (&(globalParams_0->fabrics_0)[_S706]);
+    float3  _S711 = make_float3 (0.0f);
+    bool _S712 = !_S707->hole_2;
+    bool _S713;
+    if(_S712)
     {
-        _S706 = (_S701.z) > 0.0f;
+        _S713 = (_S708.z) > 0.0f;
     }
     else
     {
-        _S706 = false;
+        _S713 = false;
     }
     float3  value_1;
-    if(_S706)
+    if(_S713)
     {
-        float3  _S707 = (&_S700->albedos_1)->diffuse_reflect_0;
-        float3  _S708 = _S700->normal_4;
-        float _S709 = __ldg(&_S703->diffuse_blend_0);
-        float3  _S710 = _S707 * make_float3 (diffuse_reflection_0(_S701, _S708, _S709));
-        float3  _S711 = (&_S700->albedos_1)->specular_reflect_0;
-        float3  _S712 = _S700->tangent_4;
-        float _S713 = _S700->roughness_8;
-        float _S714 = __ldg(&_S703->optical_depth_0);
-        value_1 = _S710 + _S711 * make_float3 (reflection_0(_S701, _S702, _S708, _S712, _S713, _S714));
+        float3  _S714 = (&_S707->albedos_1)->diffuse_reflect_0;
+        float3  _S715 = _S707->normal_4;
+        float _S716 = __ldg(&_S710->diffuse_blend_0);
+        float3  _S717 = _S714 * make_float3 (diffuse_reflection_0(_S708, _S715, _S716));
+        float3  _S718 = (&_S707->albedos_1)->specular_reflect_0;
+        float3  _S719 = _S707->tangent_4;
+        float _S720 = _S707->roughness_8;
+        float _S721 = __ldg(&_S710->optical_depth_0);
+        value_1 = _S717 + _S718 * make_float3 (reflection_0(_S708, _S709, _S715, _S719, _S720, _S721));
     }
     else
     {
-        if(_S705)
+        if(_S712)
         {
-            _S706 = (_S701.z) < 0.0f;
+            _S713 = (_S708.z) < 0.0f;
         }
         else
         {
-            _S706 = false;
+            _S713 = false;
         }
-        if(_S706)
+        if(_S713)
         {
-            float3  _S715 = (&_S700->albedos_1)->diffuse_transmit_0;
-            float3  _S716 = - _S701;
-            float3  _S717 = _S700->normal_4;
-            float _S718 = __ldg(&_S703->diffuse_blend_0);
-            float3  _S719 = _S715 * make_float3 (diffuse_reflection_0(_S716, _S717, _S718));
-            float3  _S720 = (&_S700->albedos_1)->specular_transmit_0;
-            float3  _S721 = _S700->tangent_4;
-            float _S722 = _S700->roughness_8;
-            float _S723 = __ldg(&_S703->optical_depth_0);
-            value_1 = _S719 + _S720 * make_float3 (transmission_0(_S701, _S702, _S717, _S721, _S722, _S723));
+            float3  _S722 = (&_S707->albedos_1)->diffuse_transmit_0;
+            float3  _S723 = - _S708;
+            float3  _S724 = _S707->normal_4;
+            float _S725 = __ldg(&_S710->diffuse_blend_0);
+            float3  _S726 = _S722 * make_float3 (diffuse_reflection_0(_S723, _S724, _S725));
+            float3  _S727 = (&_S707->albedos_1)->specular_transmit_0;
+            float3  _S728 = _S707->tangent_4;
+            float _S729 = _S707->roughness_8;
+            float _S730 = __ldg(&_S710->optical_depth_0);
+            value_1 = _S726 + _S727 * make_float3 (transmission_0(_S708, _S709, _S724, _S728, _S729, _S730));
         }
         else
         {
-            value_1 = _S704;
+            value_1 = _S711;
         }
     }
-    float _S724 = __ldg(&_S703->sheen_strength_0);
-    if(_S724 <= 0.0f)
+    float _S731 = __ldg(&_S710->sheen_strength_0);
+    if(_S731 <= 0.0f)
     {
         return value_1;
     }
-    float _S725 = __ldg(&_S703->sheen_roughness_0);
-    float2  _S726 = sheen_with_transmittance_0(_S701, _S702, _S724, _S725);
-    return make_float3 (_S726.y) * value_1 + make_float3 (_S726.x);
+    float _S732 = __ldg(&_S710->sheen_roughness_0);
+    float2  _S733 = sheen_with_transmittance_0(_S708, _S709, _S731, _S732);
+    return make_float3 (_S733.y) * value_1 + make_float3 (_S733.x);
 }
 
-__device__ bool unoccluded_0(uint _S727, SearchQuality_0 * _S728, float _S729, float _S730, float _S731, float3  _S732, bool _S733)
+__device__ bool unoccluded_0(uint _S734, SearchQuality_0 * _S735, float _S736, float _S737, float _S738, float3  _S739, bool _S740)
 {
-    Fabric_0 * _S734 = (&(globalParams_0->fabrics_0)[_S727]);
-    if((_S732.z) <= 0.0f)
+    Fabric_0 * _S741 = (&(globalParams_0->fabrics_0)[_S734]);
+    if((_S739.z) <= 0.0f)
     {
         return false;
     }
-    float _S735 = max_height_along_0(_S727, _S729, _S730, _S731, _S732, _S733);
-    float _S736 = __ldg(&_S734->lift_0);
-    bool _S737 = is_free_0(_S727, _S728, make_float3 (_S729, _S730, _S731 + _S736), _S732, _S733, _S735);
-    return _S737;
+    float _S742 = max_height_along_0(_S734, _S736, _S737, _S738, _S739, _S740);
+    float _S743 = __ldg(&_S741->lift_0);
+    bool _S744 = is_free_0(_S734, _S735, make_float3 (_S736, _S737, _S738 + _S743), _S739, _S740, _S742);
+    return _S744;
 }
 
-__device__ bool is_lit_0(uint _S738, SearchQuality_0 * _S739, YarnPoint_0 * _S740, float3  _S741)
+__device__ bool is_lit_0(uint _S745, SearchQuality_0 * _S746, YarnPoint_0 * _S747, float3  _S748)
 {
-    if(_S740->hole_2)
+    if(_S747->hole_2)
     {
         return true;
     }
-    bool _S742 = _S740->back_2;
-    float3  _S743 = to_face_frame_0(_S741, _S740->back_2);
-    float _S744 = _S743.z;
-    bool _S745 = _S744 < 0.0f;
-    float3  _S746 = _S740->normal_4;
-    float _S747 = _S740->height_3;
+    bool _S749 = _S747->back_2;
+    float3  _S750 = to_face_frame_0(_S748, _S747->back_2);
+    float _S751 = _S750.z;
+    bool _S752 = _S751 < 0.0f;
+    float3  _S753 = _S747->normal_4;
+    float _S754 = _S747->height_3;
     float3  normal_6;
     float height_10;
-    if(_S745)
+    if(_S752)
     {
-        SurfacePoint_0 _S748 = surface_at_0(_S738, _S740->x_18, _S740->y_10, !_S742);
-        normal_6 = _S748.normal_5;
-        height_10 = _S748.height_9;
+        SurfacePoint_0 _S755 = surface_at_0(_S745, _S747->x_19, _S747->y_11, !_S749);
+        normal_6 = _S755.normal_5;
+        height_10 = _S755.height_9;
     }
     else
     {
-        normal_6 = _S746;
-        height_10 = _S747;
+        normal_6 = _S753;
+        height_10 = _S754;
     }
-    float3  _S749 = make_float3 (float2 {_S743.x, _S743.y}.x, float2 {_S743.x, _S743.y}.y, (F32_abs((_S744))));
-    if((dot_0(normal_6, _S749)) <= 0.0f)
+    float3  _S756 = make_float3 (float2 {_S750.x, _S750.y}.x, float2 {_S750.x, _S750.y}.y, (F32_abs((_S751))));
+    if((dot_0(normal_6, _S756)) <= 0.0f)
     {
         return false;
     }
-    bool _S750 = unoccluded_0(_S738, _S739, _S740->x_18, _S740->y_10, height_10, _S749, _S742 != _S745);
-    return _S750;
+    bool _S757 = unoccluded_0(_S745, _S746, _S747->x_19, _S747->y_11, height_10, _S756, _S749 != _S752);
+    return _S757;
 }
 
-__device__ float3  evaluate_0(uint _S751, SearchQuality_0 * _S752, YarnPoint_0 * _S753, float3  _S754, float3  _S755)
+__device__ float3  evaluate_0(uint _S758, SearchQuality_0 * _S759, YarnPoint_0 * _S760, float3  _S761, float3  _S762)
 {
-    float3  _S756 = scattered_0(_S751, _S753, to_face_frame_0(_S754, _S753->back_2), to_face_frame_0(_S755, _S753->back_2));
-    bool _S757;
-    if((F32_max((_S756.x), ((F32_max((_S756.y), (_S756.z)))))) <= 0.0f)
+    float3  _S763 = scattered_0(_S758, _S760, to_face_frame_0(_S761, _S760->back_2), to_face_frame_0(_S762, _S760->back_2));
+    bool _S764;
+    if((F32_max((_S763.x), ((F32_max((_S763.y), (_S763.z)))))) <= 0.0f)
     {
-        _S757 = true;
+        _S764 = true;
     }
     else
     {
-        bool _S758 = is_lit_0(_S751, _S752, _S753, _S754);
-        _S757 = !_S758;
+        bool _S765 = is_lit_0(_S758, _S759, _S760, _S761);
+        _S764 = !_S765;
     }
-    if(_S757)
+    if(_S764)
     {
         return make_float3 (0.0f);
     }
-    return _S756;
+    return _S763;
 }
 
-__device__ float straight_through_0(uint _S759, YarnPoint_0 * _S760, float3  _S761)
+__device__ float straight_through_0(uint _S766, YarnPoint_0 * _S767, float3  _S768)
 {
-    Fabric_0 * _S762 = (&(globalParams_0->fabrics_0)[_S759]);
-    if(!_S760->hole_2)
+    Fabric_0 * _S769 = (&(globalParams_0->fabrics_0)[_S766]);
+    if(!_S767->hole_2)
     {
         return 0.0f;
     }
-    float _S763 = __ldg(&_S762->sheen_strength_0);
-    if(_S763 <= 0.0f)
+    float _S770 = __ldg(&_S769->sheen_strength_0);
+    if(_S770 <= 0.0f)
     {
         return 1.0f;
     }
-    float _S764 = (F32_abs((_S761.z)));
-    float _S765 = __ldg(&_S762->sheen_roughness_0);
-    return 1.0f - _S763 * sheen_lobe_0(_S764, _S765).z;
+    float _S771 = (F32_abs((_S768.z)));
+    float _S772 = __ldg(&_S769->sheen_roughness_0);
+    return 1.0f - _S770 * sheen_lobe_0(_S771, _S772).z;
 }
 
-__device__ float4  light_of_point_0(Frame_0 * _S766, uint _S767, VisiblePoint_0 * _S768, float2  _S769)
+__device__ float4  light_of_point_0(Frame_0 * _S773, uint _S774, VisiblePoint_0 * _S775, float2  _S776)
 {
-    SearchQuality_0 _S770 = default_quality_0();
-    float3  _S771 = to_local_0(_S768, _S768->view_0);
-    float _S772 = _S769.x;
-    float _S773 = _S769.y;
-    SearchQuality_0 _S774 = _S770;
-    YarnPoint_0 _S775 = locate_yarn_0(_S767, &_S774, _S772, _S773, _S771);
-    float3  _S776 = make_float3 (0.0f);
+    SearchQuality_0 _S777 = default_quality_0();
+    float3  _S778 = to_local_0(_S775, _S775->view_0);
+    float _S779 = _S776.x;
+    float _S780 = _S776.y;
+    SearchQuality_0 _S781 = _S777;
+    YarnPoint_0 _S782 = locate_yarn_0(_S774, &_S781, _S779, _S780, _S778);
+    float3  _S783 = make_float3 (0.0f);
     uint number_1 = 0U;
-    float3  radiance_1 = _S776;
+    float3  radiance_1 = _S783;
     for(;;)
     {
-        if(number_1 < (_S766->lights_0))
+        if(number_1 < (_S773->lights_0))
         {
         }
         else
         {
             break;
         }
-        Light_0 _S777 = slang_ldg_3((&(globalParams_0->lights_1)[number_1]));
-        Light_0 _S778 = _S777;
+        Light_0 _S784 = slang_ldg_3((&(globalParams_0->lights_1)[number_1]));
+        Light_0 _S785 = _S784;
         float3  irradiance_2;
-        float3  _S779 = towards_light_0(&_S778, _S768->position_0, &irradiance_2);
-        float3  _S780 = to_local_0(_S768, _S779);
-        SearchQuality_0 _S781 = _S770;
-        YarnPoint_0 _S782 = _S775;
-        float3  _S783 = evaluate_0(_S767, &_S781, &_S782, _S780, _S771);
-        float3  radiance_2 = radiance_1 + irradiance_2 * _S783;
+        float3  _S786 = towards_light_0(&_S785, _S775->position_0, &irradiance_2);
+        float3  _S787 = to_local_0(_S775, _S786);
+        SearchQuality_0 _S788 = _S777;
+        YarnPoint_0 _S789 = _S782;
+        float3  _S790 = evaluate_0(_S774, &_S788, &_S789, _S787, _S778);
+        float3  radiance_2 = radiance_1 + irradiance_2 * _S790;
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    YarnPoint_0 _S784 = _S775;
-    float _S785 = straight_through_0(_S767, &_S784, _S771);
-    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S785);
+    YarnPoint_0 _S791 = _S782;
+    float _S792 = straight_through_0(_S774, &_S791, _S778);
+    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S792);
 }
 
 extern "C" __global__ void shade_points()
 {
-    uint _S786;
-    uint3  _S787 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S788 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S789;
-    if((_S787.x) >= (_S788.width_0))
+    uint _S793;
+    uint3  _S794 = blockIdx * blockDim + threadIdx;
+    Frame_0 _S795 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
+    bool _S796;
+    if((_S794.x) >= (_S795.width_0))
     {
-        _S789 = true;
+        _S796 = true;
     }
     else
     {
-        _S789 = (_S787.y) >= (_S788.height_0);
+        _S796 = (_S794.y) >= (_S795.height_0);
     }
-    if(_S789)
+    if(_S796)
     {
         return;
     }
-    uint2  _S790 = uint2 {_S787.x, _S787.y};
-    int2  _S791 = make_int2 ((int)_S790.x, (int)_S790.y);
-    int3  _S792 = make_int3 (_S791.x, _S791.y, int(0));
-    uint _S793 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S792)).x, ((_S792)).y, ((_S792)).z));
-    float4  _S794 = make_float4 (0.0f);
+    uint2  _S797 = uint2 {_S794.x, _S794.y};
+    int2  _S798 = make_int2 ((int)_S797.x, (int)_S797.y);
+    int3  _S799 = make_int3 (_S798.x, _S798.y, int(0));
+    uint _S800 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S799)).x, ((_S799)).y, ((_S799)).z));
+    float4  _S801 = make_float4 (0.0f);
     float4  sum_0;
-    if(_S793 > 0U)
+    if(_S800 > 0U)
     {
-        uint _S795 = _S793 - 1U;
-        uint _S796 = __ldg((&(globalParams_0->face_fabrics_0)[_S795]));
-        Frame_0 _S797 = _S788;
-        VisiblePoint_0 _S798 = visible_point_0(&_S797, _S796, _S795, _S790);
+        uint _S802 = _S800 - 1U;
+        uint _S803 = __ldg((&(globalParams_0->face_fabrics_0)[_S802]));
+        Frame_0 _S804 = _S795;
+        VisiblePoint_0 _S805 = visible_point_0(&_S804, _S803, _S802, _S797);
         uint k_0 = 0U;
-        sum_0 = _S794;
+        sum_0 = _S801;
         for(;;)
         {
-            _S786 = _S788.samples_0;
-            if(k_0 < (_S788.samples_0))
+            _S793 = _S795.samples_0;
+            if(k_0 < (_S795.samples_0))
             {
             }
             else
             {
                 break;
             }
-            float2  _S799 = footprint_sample_0(_S790, _S788.pass_number_0 * _S788.samples_0 + k_0);
-            float2  _S800 = _S798.draft_0 + make_float2 (_S799.x) * _S798.draft_dx_0 + make_float2 (_S799.y) * _S798.draft_dy_0;
-            Frame_0 _S801 = _S788;
-            VisiblePoint_0 _S802 = _S798;
-            float4  _S803 = light_of_point_0(&_S801, _S796, &_S802, _S800);
-            float4  sum_1 = sum_0 + _S803;
+            float2  _S806 = footprint_sample_0(_S797, _S795.pass_number_0 * _S795.samples_0 + k_0);
+            float2  _S807 = _S805.draft_0 + make_float2 (_S806.x) * _S805.draft_dx_0 + make_float2 (_S806.y) * _S805.draft_dy_0;
+            Frame_0 _S808 = _S795;
+            VisiblePoint_0 _S809 = _S805;
+            float4  _S810 = light_of_point_0(&_S808, _S803, &_S809, _S807);
+            float4  sum_1 = sum_0 + _S810;
             k_0 = k_0 + 1U;
             sum_0 = sum_1;
         }
-        sum_0 = sum_0 / make_float4 (float(_S786));
+        sum_0 = sum_0 / make_float4 (float(_S793));
     }
     else
     {
-        sum_0 = _S794;
+        sum_0 = _S801;
     }
-    Frame_0 _S804 = _S788;
-    accumulate_0(&_S804, _S790, sum_0);
+    Frame_0 _S811 = _S795;
+    accumulate_0(&_S811, _S797, sum_0);
     return;
 }
 

@@ -135,6 +135,63 @@ struct Vertex_0
     float v_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_1;
+    float picks_0;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -147,14 +204,23 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float clamp_0(float x_2, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_3, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_2), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_3), (minBound_0)))), (maxBound_0)));
 }
 
 __device__ Frame_0 slang_ldg_0(Frame_0 * ptr_0)
@@ -187,9 +253,9 @@ __device__ Frame_0 slang_ldg_0(Frame_0 * ptr_0)
     return _S25;
 }
 
-__device__ float natural_logarithm_0(float x_3)
+__device__ float natural_logarithm_0(float x_4)
 {
-    uint _S26 = (F32_asuint((x_3)));
+    uint _S26 = (F32_asuint((x_4)));
     float exponent_0 = float(int(_S26 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S26 & 8388607U) | 1056964608U)));
     float m_1;
@@ -210,15 +276,15 @@ __device__ float natural_logarithm_0(float x_3)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S27 - exponent_1 * 0.00021219444170129f - 0.5f * _S27) + exponent_1 * 0.693359375f;
 }
 
-__device__ float exponential_0(float x_4)
+__device__ float exponential_0(float x_5)
 {
-    float _S28 = clamp_0(x_4, -87.0f, 88.0f);
+    float _S28 = clamp_0(x_5, -87.0f, 88.0f);
     float _S29 = (F32_floor((_S28 * 1.4426950216293335f + 0.5f)));
     float _S30 = _S28 - _S29 * 0.693359375f + _S29 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S30 + 0.00139819993637502f) * _S30 + 0.00833345204591751f) * _S30 + 0.04166579619050026f) * _S30 + 0.1666666567325592f) * _S30 + 0.5f;
     float _S31 = (U32_asfloat((uint(int(_S29) + int(127)) << int(23))));
     float _S32;
-    if(x_4 < -87.0f)
+    if(x_5 < -87.0f)
     {
         _S32 = 0.0f;
     }
@@ -229,9 +295,9 @@ __device__ float exponential_0(float x_4)
     return _S32;
 }
 
-__device__ float power_0(float x_5, float exponent_3)
+__device__ float power_0(float x_6, float exponent_3)
 {
-    return exponential_0(exponent_3 * natural_logarithm_0((F32_max((x_5), (1.00000000317107685e-30f)))));
+    return exponential_0(exponent_3 * natural_logarithm_0((F32_max((x_6), (1.00000000317107685e-30f)))));
 }
 
 __device__ uint encoded_0(float linear_0)
