@@ -16,7 +16,7 @@ from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.layout import BUFFERS
 from loomlight.realtime.slangc import compile_shader
-from loomlight.realtime.tables import pack_fabrics
+from loomlight.realtime.tables import Packed, pack_fabrics
 
 _GROUP = 64
 _FIRST_BINDING = len(BUFFERS) + 2
@@ -27,7 +27,7 @@ def mapped(
     body: str,
     results: str,
     arguments: Mapping[str, NDArray[Any]],
-    fabric: tuple[Any, ...] | None = None,
+    fabric: tuple[Any, ...] | Packed | None = None,
     woven: WovenModel | None = None,
     buffers: Mapping[str, NDArray[Any]] | None = None,
     declarations: str = "",
@@ -40,7 +40,8 @@ def mapped(
         body: statements that may use the arguments by name, and `fabric`.
         results: numbers to return, expressions of type float, uint or bool separated by ";".
         arguments: float [n] or [n, 2 or 3], or bool or unsigned [n].
-        fabric: layout, appearance, and tables of lobes where the lines need them.
+        fabric: layout, appearance, and tables of lobes where the lines need them; or packed fabrics, of which
+            the first is meant.
         woven: the model of that fabric whose latents the lines need.
         buffers: contents of further buffers that the modules read.
         declarations: before the entry point.
@@ -81,8 +82,7 @@ def mapped(
     }
     resources |= {name: adapter.storage(values) for name, values in (buffers or {}).items()}
     if fabric is not None:
-        layout, appearance, *lobes = fabric
-        packed = pack_fabrics([(layout, appearance)], lobes=lobes or None, woven=[woven])
+        packed = fabric if isinstance(fabric, Packed) else _pack(*fabric, woven=woven)
         resources |= {name: adapter.storage(values) for name, values in packed.buffers().items()}
     pipeline = adapter.pipeline(wgsl, "map_rows")
     group = adapter.bindings(pipeline, wgsl, resources)
@@ -94,6 +94,10 @@ def mapped(
     compute.end()
     adapter.device.queue.submit([encoder.finish()])
     return adapter.read(resources["results"], np.float32, count * len(outputs)).reshape(count, len(outputs))
+
+
+def _pack(layout: Any, appearance: Any, *lobes: Any, woven: WovenModel | None) -> Packed:
+    return pack_fabrics([(layout, appearance)], lobes=lobes or None, woven=[woven])
 
 
 def _argument(values: NDArray[Any], column: int) -> tuple[str, list[NDArray[np.uint32]]]:

@@ -78,6 +78,18 @@ def test_estimate_over_groups(name: str) -> None:
         assert share_beyond(found[:, column], np.array(values)) <= MOST_FLIPS
 
 
+def test_a_frame_of_tables_baked_on_the_adapter_is_that_of_python() -> None:
+    cloth = Cloth(rectangle(0.5, 0.5), load_fabric(EXAMPLES / "silk-satin.toml"))
+    light = [DirectionalLight((0.5, 0.3, 0.8), (1, 1, 1))]
+    camera = Camera((0, -0.4, 0.5))
+    frames = [
+        Renderer([cloth], (16, 16), "lobes", bake=place).render(camera, light, passes=1).linear
+        for place in ("cpu", "gpu")
+    ]
+    assert frames[0].max() > 0.1
+    assert share_beyond(frames[1], frames[0]) <= MOST_FLIPS
+
+
 def test_mean_albedos_of_coloured_threads() -> None:
     model = lobes_of("wool-houndstooth")
     queries = Queries(model)

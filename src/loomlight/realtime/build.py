@@ -12,6 +12,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from loomlight.core.files import replacing
+from loomlight.realtime.bake import manifest
 from loomlight.realtime.constants import slang_constants
 from loomlight.realtime.layout import slang_structs
 from loomlight.realtime.slangc import SHADERS, compile_shader
@@ -64,7 +65,48 @@ ENTRIES = {
         "tone_map": "compute",
     },
     "frame_woven": {"shade_woven": "compute"},
+    "bake_rays": dict.fromkeys(
+        (
+            "bake_top_down",
+            "bake_views",
+            "bake_gap_starts",
+            "bake_nulls",
+            "bake_shadows",
+            "bake_texels",
+        ),
+        "compute",
+    ),
+    "bake_points": dict.fromkeys(("bake_gaps", "bake_points"), "compute"),
+    "bake_groups": dict.fromkeys(("bake_bisect", "bake_refine", "bake_assign"), "compute"),
+    "bake_tables": dict.fromkeys(
+        (
+            "bake_view_sums",
+            "bake_light_sums",
+            "bake_zenith",
+            "bake_moments",
+            "bake_areas",
+            "bake_area_scales",
+            "bake_pack_areas",
+            "bake_pack_light",
+            "bake_pack_moments",
+        ),
+        "compute",
+    ),
+    "bake_coverage": dict.fromkeys(
+        (
+            "bake_first_level",
+            "bake_row_totals",
+            "bake_coverage_scales",
+            "bake_downsample",
+            "bake_pack_coverage",
+            "bake_pack_holes",
+        ),
+        "compute",
+    ),
 }
+# Engines read tables and do not bake them: these modules are for WebGPU hosts, this package's and pages. All
+# kernels of a module are in one file.
+WGSL_ONLY = tuple(module for module in ENTRIES if module.startswith("bake_"))
 
 
 def generated_slang() -> str:
@@ -82,6 +124,10 @@ def generated_files() -> dict[Path, bytes]:
     files: dict[Path, bytes] = {}
     prelude = _cuda_prelude()
     for module, entries in ENTRIES.items():
+        if module in WGSL_ONLY:
+            text = compile_shader(SHADERS / f"{module}.slang", "wgsl", list(entries), _OPTIONS)
+            files[Path("wgsl") / f"{module}.wgsl"] = text
+            continue
         for target in TARGETS:
             for entry, stage in entries.items():
                 if stage in target.stages:
@@ -117,6 +163,7 @@ def main() -> None:
         target.parent.mkdir(exist_ok=True)
         _write(target, content)
         print(path)
+    _write(SHADERS / "bake.json", manifest().encode())  # reads the shaders
 
 
 def _write(path: Path, content: bytes) -> None:

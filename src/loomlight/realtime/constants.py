@@ -12,16 +12,23 @@ import numpy as np
 
 from loomlight.aggregate import footprint_albedos
 from loomlight.core import footprint as core_footprint
-from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import (
+    accumulation,
+    cloth_samples,
+    clustering,
     coverage_lookup,
+    coverage_pyramid,
     density,
+    groups,
     hemisphere,
     packed_uint8,
     point_sampled,
     prefiltered,
     regimes,
+    visibility_rays,
+    visibility_tables,
 )
+from loomlight.models.lobes import bsdf as lobe_bsdf
 from loomlight.models.lobes import proposal as lobe_proposal
 from loomlight.models.lobes import tables as lobe_tables
 from loomlight.realtime.woven_tables import woven_floats, woven_uints
@@ -85,6 +92,13 @@ _FLOATS: dict[str, float] = {
     "COSINE_PROBABILITY": lobe_proposal._COSINE_PROBABILITY,
     "PROPOSAL_MIN_WEIGHT": lobe_proposal._MIN_WEIGHT,
     "SPREAD_WIDTH": lobe_proposal.SPREAD_WIDTH,
+    "BAKE_STEPS_PER_THREAD": visibility_rays._QUALITY.steps_per_thread,
+    "BAKE_STEPS_PER_RELIEF": visibility_rays._QUALITY.steps_per_relief,
+    "BAKE_SHADOW_SHARE": visibility_rays._QUALITY.shadow_share,
+    "NORMAL_WEIGHT": groups.NORMAL_WEIGHT,
+    "MIN_VIEW_HITS": groups._MIN_VIEW_HITS,
+    "SMOOTHING_RAYS": visibility_tables._NEIGHBOURS,
+    "LEAST_DIFFUSE": visibility_tables._LEAST_DIFFUSE,
 }
 _VECTORS: dict[str, tuple[float, float]] = {
     "DIFFUSE_CORRELATION": prefiltered.DIFFUSE_CORRELATION,
@@ -108,6 +122,38 @@ _UINTS: dict[str, int] = {
     "TAPS": len(coverage_lookup.TAP_OFFSETS),
     "WEIGHT_SUM": packed_uint8.WEIGHT_SUM,
     "MOMENTS": lobe_tables.MOMENTS,
+    "BAKE_REFINEMENTS": visibility_rays._QUALITY.refinements,
+    "VIEW_STEP": visibility_rays._VIEW_STEP,
+    "MAX_GAP_RAYS": visibility_rays._MAX_GAP_RAYS,
+    "SAMPLED_VIEWS": visibility_rays._SAMPLED_VIEWS,
+    "TOP_DOWN_SAMPLES": cloth_samples.TOP_DOWN_SAMPLES,
+    **{f"RECURRENCE_{i}": factor for i, factor in enumerate(cloth_samples._RECURRENCE, 1)},
+    # A list of samples holds those of all views, or all top-down samples.
+    "MOST_SAMPLES_OF_FACE": max(
+        cloth_samples.TOP_DOWN_SAMPLES, hemisphere.NODES * visibility_rays._SAMPLED_VIEWS
+    ),
+    "CLUSTERED_SAMPLES": groups._CLUSTERED_SAMPLES,
+    "MIN_VIEW_SAMPLES": groups._MIN_VIEW_SAMPLES,
+    "GOLDEN_FRACTION": groups._GOLDEN,
+    "AXIS_SQUARINGS": clustering._SQUARINGS,
+    "BOUNDARY_STEPS": clustering._BOUNDARY_STEPS,
+    "REFINING_STEPS": clustering._REFINING_STEPS,
+    "VIEW_SUMS": accumulation.VIEW_SUMS,
+    "LIGHT_SUMS": accumulation.LIGHT_SUMS,
+    "TEXEL_JITTER_X": coverage_pyramid._ACROSS,
+    "TEXEL_JITTER_Y": coverage_pyramid._ALONG,
+    # Words of the bake's facts: of each family the views that hit it and the points that are clustered; gaps,
+    # and rays through gaps; of each family the clusters that its points make; of each face the warp's groups.
+    "FACT_SEEN": 0,
+    "FACT_POINTS": 4,
+    "FACT_GAPS": 8,
+    "FACT_GAP_RAYS": 9,
+    "FACT_DISTINCT": 10,
+    "FACT_WARP_COUNT": 14,
+}
+_FLOAT_ARRAYS: dict[str, Sequence[float]] = {
+    "PYRAMID_RADII": max_heights.PYRAMID_RADII,
+    "RING_COSINES": [float(z) for z in hemisphere.node_directions()[: hemisphere.RINGS, 2]],
 }
 _POLYNOMIALS: dict[str, Sequence[Sequence[float]]] = {
     "sheen_scale": sheen_coefficients.SCALE,
@@ -129,8 +175,9 @@ def slang_constants() -> str:
     floats, uints = _FLOATS | woven_floats(), _UINTS | woven_uints()
     lines = [f"static const float {name} = {number_text(value)};" for name, value in floats.items()]
     lines += [f"static const uint {name} = {value}u;" for name, value in uints.items()]
-    radii = ", ".join(number_text(radius) for radius in max_heights.PYRAMID_RADII)
-    lines.append(f"static const float PYRAMID_RADII[{len(max_heights.PYRAMID_RADII)}] = {{ {radii} }};")
+    for name, numbers in _FLOAT_ARRAYS.items():
+        texts = ", ".join(number_text(number) for number in numbers)
+        lines.append(f"static const float {name}[{len(numbers)}] = {{ {texts} }};")
     for name, vector in _VECTORS.items():
         lines.append(f"static const float2 {name} = {_vector(vector)};")
     for name, vectors in _VECTOR_ARRAYS.items():

@@ -177,6 +177,61 @@ VERTEX: Fields = (
     ("v", "float", ""),
 )
 
+SURFACE_HIT: Fields = (
+    ("x", "float", "position on the cloth"),
+    ("y", "float", ""),
+    ("flags", "uint", "bits of `bake.slang`: family, hole, passing, group"),
+    ("normal_x", "float", "unit normal, in the frame of the face"),
+    ("normal_y", "float", ""),
+    ("normal_z", "float", ""),
+    ("tangent_x", "float", "unit fibre direction"),
+    ("tangent_y", "float", ""),
+    ("tangent_z", "float", ""),
+)
+
+BAKE: Fields = (
+    ("fabric", "uint", "index of the fabric whose tables of lobes are baked"),
+    ("per_family", "uint", "groups of each family, on average"),
+    ("packs", "uint", "packs of four groups; even"),
+    ("max_clusters", "uint", "most clusters of a family"),
+    ("rays", "uint", "view rays, and shadow rays, of each face and node"),
+    ("ends", "float", "threads of the warp in the repeat"),
+    ("picks", "float", "threads of the weft"),
+    ("spacing_x", "float", "width of the repeat / ends"),
+    ("spacing_y", "float", "height of the repeat / picks"),
+    ("columns", "uint", "nodes of the coverage pyramid's first level"),
+    ("rows", "uint", ""),
+    ("face_nodes", "uint", "nodes of all levels of a face"),
+    ("texels_across", "uint", "texels of a cell around a node"),
+    ("texels_along", "uint", ""),
+    ("texel_x", "float", "width of a texel"),
+    ("texel_y", "float", "height of a texel"),
+    ("far_weight", "float", "of nodes one and a half spacings away in a level made from the one below"),
+    ("moments_table", "uint", "where the fabric's table of moments begins"),
+    ("record_warp_packs", "uint", "word of the buffer of fabrics where the record has its two warp_packs"),
+    ("record_hole_weights", "uint", "and its two hole_weights"),
+    ("facts", "uint", "where in `scratch`: counts of samples and groups"),
+    ("gaps", "uint", "positions in gaps, two numbers each"),
+    ("gap_nulls", "uint", "whether rays through gaps pass [nodes, MAX_GAP_RAYS]"),
+    ("lit", "uint", "bits of each shadow ray [2 faces, nodes, rays]"),
+    ("lists", "uint", "samples of each family, and gaps [5, MOST_SAMPLES_OF_FACE]"),
+    ("points", "uint", "points that are clustered [4, CLUSTERED_SAMPLES, 6]"),
+    ("clusters", "uint", "clusters of the last split [4, max_clusters, 32]"),
+    ("cluster_means", "uint", "means of k clusters [4, max_clusters, max_clusters, 6]"),
+    ("cluster_errors", "uint", "squared errors of k clusters [4, max_clusters]"),
+    ("centroids", "uint", "of groups [2 faces, groups, 6]"),
+    ("view_sums", "uint", "[2 faces, nodes, groups, VIEW_SUMS]"),
+    ("light_sums", "uint", "[2 faces, nodes, groups, LIGHT_SUMS]"),
+    ("group_moments", "uint", "[2 faces, groups, MOMENTS]"),
+    ("areas", "uint", "projected areas [2 faces, nodes, groups + 1]"),
+    ("area_scales", "uint", "largest of them [2 faces, groups + 1]"),
+    ("row_totals", "uint", "counts of a row of the first level [rows, 4·(packs + 1)]"),
+    ("row_largest", "uint", "largest means of a row [rows, 4·(packs + 1)]"),
+    ("coverage_means", "uint", "of the whole repeat [2 faces, 4·(packs + 1)]"),
+    ("coverage_scales", "uint", "that a byte of 255 stands for [2 faces, 4·(packs + 1)]"),
+    ("hole_bytes", "uint", "a word a node [2 faces, face_nodes]"),
+)
+
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     "Lobes": LOBES,
@@ -185,6 +240,8 @@ RECORDS: dict[str, Fields] = {
     "Light": LIGHT,
     "Frame": FRAME,
     "Vertex": VERTEX,
+    "SurfaceHit": SURFACE_HIT,
+    "Bake": BAKE,
 }
 
 # Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.
@@ -203,6 +260,20 @@ BUFFERS: dict[str, tuple[str, bool]] = {
 }
 # Beside them, for entry points that read the raster pass.
 VISIBILITY_BINDING = len(BUFFERS)
+# Buffers of the kernels that bake, behind those. `tables` is the buffer of words as kernels write it, and
+# `record_words` that of fabrics; `texel_counters` is `texel_counts` while threads add to it.
+BAKE_BUFFERS: dict[str, tuple[str, bool]] = {
+    "bakes": ("Bake", False),
+    "steps": ("uint", False),
+    "hits": ("SurfaceHit", True),
+    "scratch": ("uint", True),
+    "texel_counters": ("Atomic<uint>", True),
+    "texel_counts": ("uint", False),
+    "coverage_pyramid": ("float4", True),
+    "tables": ("uint", True),
+    "record_words": ("uint", True),
+}
+_FIRST_BAKE_BINDING = VISIBILITY_BINDING + 1
 
 _NUMPY = {"float": np.float32, "uint": np.uint32}
 
@@ -210,6 +281,13 @@ _NUMPY = {"float": np.float32, "uint": np.uint32}
 def numpy_type(record: str) -> np.dtype[np.void]:
     """The NumPy type of a record, as it lies in a buffer."""
     return np.dtype([(name, _NUMPY.get(kind) or numpy_type(kind)) for name, kind, _ in RECORDS[record]])
+
+
+def offset_of(record: str, field: str) -> int:
+    """Bytes from the beginning of a record to a field."""
+    fields = numpy_type(record).fields
+    assert fields is not None  # of every structured type
+    return int(fields[field][1])
 
 
 def slang_structs() -> str:
@@ -220,7 +298,8 @@ def slang_structs() -> str:
         for name, kind, meaning in fields:
             lines.append(f"    {kind} {name};" + (f" // {meaning}" if meaning else ""))
         lines += ["};", ""]
-    for binding, (name, (kind, writable)) in enumerate(BUFFERS.items()):
+    bindings = [*enumerate(BUFFERS.items()), *enumerate(BAKE_BUFFERS.items(), _FIRST_BAKE_BINDING)]
+    for binding, (name, (kind, writable)) in bindings:
         access = "RWStructuredBuffer" if writable else "StructuredBuffer"
         lines.append(f"[[vk::binding({binding}, 0)]] {access}<{kind}> {name};")
     binding = list(BUFFERS).index("packed_numbers")

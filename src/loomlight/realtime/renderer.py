@@ -15,6 +15,7 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
+from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
 from loomlight.realtime.slangc import SHADERS
@@ -55,15 +56,17 @@ class Renderer:
         size: tuple[int, int] = (512, 512),
         model: str = "lobes",
         adapter: Adapter | None = None,
+        bake: str = "cpu",
     ) -> None:
         """Bakes and uploads meshes and fabrics.
 
         Args:
             size: width and height of frames, pixels.
             model: lobes or woven, which average over the footprints of pixels, or point, which samples them.
+            bake: where tables of lobes are baked: cpu, or gpu, where an edit never leaves the adapter.
 
         Raises:
-            InputError: no cloth, a size out of range, or an unknown model.
+            InputError: no cloth, a size out of range, or an unknown model or place to bake.
             MissingDependencyError: no adapter, wgpu is not installed, or the adapter's limits are too small.
         """
         width, height = size
@@ -73,12 +76,16 @@ class Renderer:
             raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
         if model not in _ENTRIES:
             raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
+        if bake not in ("cpu", "gpu"):
+            raise InputError(f'bake = "{bake}" is unknown: use cpu or gpu.')
         self.adapter = default_adapter() if adapter is None else adapter
         self.size = size
         self.model = model
         self._cloths = list(cloths)
         self._face_count = sum(len(cloth.mesh.faces) for cloth in cloths)
         self._resources: dict[str, Any] = {}
+        self._bakes_on_adapter = bake == "gpu" and model == "lobes"
+        self._fabric_buffers: FabricBuffers | None = None
         self._upload_meshes()
         self._upload_fabrics()
         self._upload_targets()
@@ -88,7 +95,11 @@ class Renderer:
         """Another fabric for cloth `number`: tables are rewritten, and no pipeline is compiled."""
         cloth = self._cloths[number]
         self._cloths[number] = Cloth(cloth.mesh, fabric, cloth.uv_size_mm)
-        self._upload_fabrics()
+        if self._fabric_buffers is None:
+            self._upload_fabrics()
+        else:
+            self._fabric_buffers.set_fabric(number, (fabric.layout(), fabric.appearance()))
+            self._resources.update(self._fabric_buffers.buffers)
 
     def render(
         self,
@@ -157,9 +168,15 @@ class Renderer:
         self._store("face_fabrics", numbers)
 
     def _upload_fabrics(self) -> None:
+        looks = [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths]
+        uv_size_mm = [cloth.uv_size_mm for cloth in self._cloths]
+        if self._bakes_on_adapter:
+            self._fabric_buffers = FabricBuffers(self.adapter, looks, uv_size_mm)
+            self._resources.update(self._fabric_buffers.buffers)
+            return
         packed = pack_fabrics(
-            [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths],
-            [cloth.uv_size_mm for cloth in self._cloths],
+            looks,
+            uv_size_mm,
             [self._baked(cloth.fabric) for cloth in self._cloths],
             [self._encoded(cloth.fabric) for cloth in self._cloths],
         )

@@ -15,6 +15,7 @@ from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.models.lobes import regimes
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.woven.model import WovenModel
+from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.networks import Elements
 from loomlight.realtime.woven_tables import WovenTables
@@ -47,6 +48,10 @@ class WordTable:
         self._parts.append(words)
         self.size += words.size
         return first
+
+    def reserve(self, count: int) -> int:
+        """Appends so many words of 0; the index of the first."""
+        return self.add(np.zeros(count, np.uint32))
 
     def words(self) -> Words:
         """All of them; at least one, as no buffer is empty."""
@@ -82,14 +87,15 @@ class Packed:
 def pack_fabrics(
     fabrics: Sequence[tuple[ClothLayout, Appearance]],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
-    lobes: Sequence[LobeTables | None] | None = None,
+    lobes: Sequence[LobeTables | BakePlan | None] | None = None,
     woven: Sequence[WovenModel | None] | None = None,
 ) -> Packed:
     """Records of fabrics and the words of their tables.
 
     Args:
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
-        lobes: baked tables of each fabric; None for none.
+        lobes: baked tables of each fabric; plans of tables that kernels will bake, whose words are left 0;
+            None for none.
         woven: the encoded model of each fabric; None for none. A network that several share is stored once.
 
     Raises:
@@ -104,7 +110,9 @@ def pack_fabrics(
         records[number]["warp"], records[number]["weft"] = 2 * number, 2 * number + 1
         _pack_fabric(records[number], families[number], table, layout, appearance, size)
         baked = None if lobes is None else lobes[number]
-        if baked is not None:
+        if isinstance(baked, BakePlan):
+            _reserve_lobes(records["lobes"][number], table, baked, layout)
+        elif baked is not None:
             _pack_lobes(records["lobes"][number], table, baked, layout)
         model = None if woven is None else woven[number]
         if model is not None:
@@ -240,19 +248,8 @@ def _pack_colours(
 
 
 def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: ClothLayout) -> None:
-    width, height = layout.size
-    picks, ends = layout.warp_on_top.shape
-    thread = math.sqrt(width / ends * height / picks)
     packs = lobes.packs
-    levels = np.pad(np.asarray(lobes.levels, np.float64), ((0, 0), (0, 1)))
-    values = {
-        "is_baked": 1,
-        "inverse_base_size": 1 / lobes.base_size,
-        "last_level": len(levels) - 1,
-        # Node indices stay below 2²⁴, which float32 holds exactly.
-        "levels": table.add(levels),
-        "face_nodes": lobes.coverage.shape[1],
-        "packs": packs,
+    values = _common_fields(table, lobes.levels, lobes.base_size, packs, layout) | {
         "front_warp_packs": lobes.warp_packs[0],
         "back_warp_packs": lobes.warp_packs[1],
         "coverage": table.add(_words_of(lobes.coverage[..., : 4 * packs])),
@@ -263,11 +260,38 @@ def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: Cl
         "moments": table.add(lobes.moments),
         "front_hole_weight": lobes.hole_weight[0],
         "back_hole_weight": lobes.hole_weight[1],
-        "threads_per_mm": 1 / thread,
-        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * lobes.base_size)),
     }
     for name, value in values.items():
         record[name] = value
+
+
+def _reserve_lobes(record: np.void, table: WordTable, plan: BakePlan, layout: ClothLayout) -> None:
+    """The same for tables that kernels write: what they find out themselves stays 0."""
+    values = _common_fields(table, plan.levels, plan.base_size, plan.sizes["packs"], layout)
+    values |= {name: table.reserve(size) for name, size in plan.table_sizes.items()}
+    for name, value in values.items():
+        record[name] = value
+
+
+def _common_fields(
+    table: WordTable, pyramid: NDArray[np.int64], base_size: float, packs: int, layout: ClothLayout
+) -> dict[str, float]:
+    """Fields that follow from the draft and the number of groups, and the table of levels."""
+    width, height = layout.size
+    picks, ends = layout.warp_on_top.shape
+    thread = math.sqrt(width / ends * height / picks)
+    levels = np.pad(np.asarray(pyramid, np.float64), ((0, 0), (0, 1)))
+    return {
+        "is_baked": 1,
+        "inverse_base_size": 1 / base_size,
+        "last_level": len(levels) - 1,
+        # Node indices stay below 2²⁴, which float32 holds exactly.
+        "levels": table.add(levels),
+        "face_nodes": int(pyramid[-1, 0]) + 1,
+        "packs": packs,
+        "threads_per_mm": 1 / thread,
+        "unit_level": math.log2(max(thread, regimes._SQUARE_SCALE * base_size)),
+    }
 
 
 def _words_of(values: NDArray[np.uint8]) -> Words:

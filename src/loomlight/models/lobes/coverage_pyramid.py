@@ -143,10 +143,7 @@ def count_cells(
     spacing = spacing_of(geometry, per_family)
     columns, rows = (_nodes_along(side, spacing) for side in geometry.size)
     picks, ends = geometry.layout.warp_on_top.shape
-    across, along = (
-        max(_TEXELS_PER_NODE, min(math.ceil(_TEXELS_PER_THREAD * threads / count), _MOST_TEXELS_PER_NODE))
-        for threads, count in ((ends, columns), (picks, rows))
-    )
+    across, along = (texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows)))
     texels = _Texels(types, geometry.size, (columns, rows), (across, along), per_family)
     if texels.count <= _BATCH:
         packed = _count_all(cloth, nearest, FrozenArg(texels), texels.count, texels.words)
@@ -164,6 +161,11 @@ def _nodes_along(side: float, spacing: Spacing) -> int:
     """Nodes of the first level along one side of the repeat."""
     count = max(1, math.ceil(spacing.nodes * side / spacing.base_size - 1e-6))
     return count if count <= _EVEN_FROM else -(-count // _EVEN_STEP) * _EVEN_STEP
+
+
+def texels_along(threads: int, nodes: int) -> int:
+    """Texels of a cell along one axis of a repeat of so many threads."""
+    return max(_TEXELS_PER_NODE, min(math.ceil(_TEXELS_PER_THREAD * threads / nodes), _MOST_TEXELS_PER_NODE))
 
 
 class _Texels:

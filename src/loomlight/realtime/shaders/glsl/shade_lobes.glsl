@@ -2726,25 +2726,18 @@ float refined_height_0(uint _S428, ViewRay_0 _S429, StepControl_0 _S430, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S442, SearchQuality_0 _S443, float _S444, float _S445, vec3 _S446, bool _S447)
+Hit_0 first_hit_of_yarn_0(uint _S442, SearchQuality_0 _S443, float _S444, float _S445, vec3 _S446, bool _S447)
 {
-    Hit_0 hit_0;
-    hit_0.x_13 = _S444;
-    hit_0.y_7 = _S445;
-    hit_0.height_5 = 0.0;
-    bool _S448 = passes_through_0(_S442, _S443, _S444, _S445, _S446, _S447);
-    hit_0.hole_5 = _S448;
-    if(_S448)
-    {
-        return hit_0;
-    }
-    float _S449 = max(_S446.z, 0.00009999999747379);
+    float _S448 = max(_S446.z, 0.00009999999747379);
     ViewRay_0 ray_0;
     ray_0.origin_0 = vec2(_S444, _S445);
-    vec2 _S450 = _S446.xy / _S449;
-    ray_0.slope_1 = _S450;
-    StepControl_0 _S451 = step_control_0(- _S450, 1.0 / max(steps_per_length_0(_S442, _S443, _S446) / _S449, 9.99999971718068537e-10));
-    float _S452 = refined_height_0(_S442, ray_0, _S451, _S447, search_down_0(_S442, ray_0, _S451, _S447), _S443.refinements_0);
+    vec2 _S449 = _S446.xy / _S448;
+    ray_0.slope_1 = _S449;
+    StepControl_0 _S450 = step_control_0(- _S449, 1.0 / max(steps_per_length_0(_S442, _S443, _S446) / _S448, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S451 = search_down_0(_S442, ray_0, _S450, _S447);
+    Hit_0 hit_0;
+    hit_0.hole_5 = false;
+    float _S452 = refined_height_0(_S442, ray_0, _S450, _S447, _S451, _S443.refinements_0);
     hit_0.height_5 = _S452;
     vec2 _S453 = ViewRay_at_0(ray_0, _S452);
     hit_0.x_13 = _S453.x;
@@ -2752,99 +2745,113 @@ Hit_0 first_hit_0(uint _S442, SearchQuality_0 _S443, float _S444, float _S445, v
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S454, float _S455, float _S456, bool _S457)
+Hit_0 first_hit_0(uint _S454, SearchQuality_0 _S455, float _S456, float _S457, vec3 _S458, bool _S459)
 {
-    Sample_0 _S458 = sample_at_0(_S454, _S455, _S456, _S457);
-    float _S459;
-    if(_S458.shown_3.is_warp_2)
+    if(!passes_through_0(_S454, _S455, _S456, _S457, _S458, _S459))
     {
-        _S459 = _S458.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S454, _S455, _S456, _S457, _S458, _S459);
+    }
+    Hit_0 hit_1;
+    hit_1.x_13 = _S456;
+    hit_1.y_7 = _S457;
+    hit_1.height_5 = 0.0;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S460, float _S461, float _S462, bool _S463)
+{
+    Sample_0 _S464 = sample_at_0(_S460, _S461, _S462, _S463);
+    float _S465;
+    if(_S464.shown_3.is_warp_2)
+    {
+        _S465 = _S464.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S459 = _S458.crossing_2.weft_1.half_width_1;
+        _S465 = _S464.crossing_2.weft_1.half_width_1;
     }
-    uint _S460;
-    if(_S458.shown_3.is_warp_2)
+    uint _S466;
+    if(_S464.shown_3.is_warp_2)
     {
-        _S460 = fabrics_0._data[uint(_S454)].warp_0;
-    }
-    else
-    {
-        _S460 = fabrics_0._data[uint(_S454)].weft_0;
-    }
-    Family_0 _S461 = families_0._data[uint(_S460)];
-    float _S462;
-    if(_S457)
-    {
-        _S462 = -1.0;
+        _S466 = fabrics_0._data[uint(_S460)].warp_0;
     }
     else
     {
-        _S462 = 1.0;
+        _S466 = fabrics_0._data[uint(_S460)].weft_0;
     }
-    float _S463 = _S461.twist_sine_0 * _S462;
-    Family_0 _S464 = families_0._data[uint(_S460)];
-    if(_S458.shown_3.is_warp_2)
+    Family_0 _S467 = families_0._data[uint(_S466)];
+    float _S468;
+    if(_S463)
     {
-        _S462 = 1.0;
-    }
-    else
-    {
-        _S462 = -1.0;
-    }
-    vec2 _S465 = fibre_direction_0(_S458.slope_across_0, _S462 * _S458.slope_along_0, _S463, _S464.twist_cosine_0);
-    float _S466;
-    if(_S458.shown_3.is_warp_2)
-    {
-        _S466 = _S458.slope_x_1;
+        _S468 = -1.0;
     }
     else
     {
-        _S466 = _S458.slope_y_1;
+        _S468 = 1.0;
     }
-    float _S467;
-    if(_S458.shown_3.is_warp_2)
+    float _S469 = _S467.twist_sine_0 * _S468;
+    Family_0 _S470 = families_0._data[uint(_S466)];
+    if(_S464.shown_3.is_warp_2)
     {
-        _S467 = _S458.slope_y_1;
-    }
-    else
-    {
-        _S467 = _S458.slope_x_1;
-    }
-    float _S468 = _S465.x;
-    float _S469 = _S465.y;
-    float _S470 = _S466 * _S468 + _S462 * _S467 * _S469;
-    float _S471 = _S459 * 1.0154266357421875;
-    float _S472 = _S471 * arc_sine_0(clamp(_S458.section_1.across_3 / _S471, -1.0, 1.0));
-    if(_S458.shown_3.is_warp_2)
-    {
-        _S459 = _S456;
+        _S468 = 1.0;
     }
     else
     {
-        _S459 = - _S455;
+        _S468 = -1.0;
+    }
+    vec2 _S471 = fibre_direction_0(_S464.slope_across_0, _S468 * _S464.slope_along_0, _S469, _S470.twist_cosine_0);
+    float _S472;
+    if(_S464.shown_3.is_warp_2)
+    {
+        _S472 = _S464.slope_x_1;
+    }
+    else
+    {
+        _S472 = _S464.slope_y_1;
+    }
+    float _S473;
+    if(_S464.shown_3.is_warp_2)
+    {
+        _S473 = _S464.slope_y_1;
+    }
+    else
+    {
+        _S473 = _S464.slope_x_1;
+    }
+    float _S474 = _S471.x;
+    float _S475 = _S471.y;
+    float _S476 = _S472 * _S474 + _S468 * _S473 * _S475;
+    float _S477 = _S465 * 1.0154266357421875;
+    float _S478 = _S477 * arc_sine_0(clamp(_S464.section_1.across_3 / _S477, -1.0, 1.0));
+    if(_S464.shown_3.is_warp_2)
+    {
+        _S465 = _S462;
+    }
+    else
+    {
+        _S465 = - _S461;
     }
     SurfacePoint_0 point_2;
-    point_2.hole_0 = _S458.shown_3.hole_3;
-    point_2.is_warp_0 = _S458.shown_3.is_warp_2;
-    point_2.warp_thread_0 = _S458.crossing_2.warp_1.thread_0;
-    point_2.weft_thread_0 = _S458.crossing_2.weft_1.thread_0;
-    point_2.height_1 = _S458.height_6;
-    point_2.normal_1 = normalize(vec3(- _S458.slope_x_1, - _S458.slope_y_1, 1.0));
-    vec3 _S473;
-    if(_S458.shown_3.is_warp_2)
+    point_2.hole_0 = _S464.shown_3.hole_3;
+    point_2.is_warp_0 = _S464.shown_3.is_warp_2;
+    point_2.warp_thread_0 = _S464.crossing_2.warp_1.thread_0;
+    point_2.weft_thread_0 = _S464.crossing_2.weft_1.thread_0;
+    point_2.height_1 = _S464.height_6;
+    point_2.normal_1 = normalize(vec3(- _S464.slope_x_1, - _S464.slope_y_1, 1.0));
+    vec3 _S479;
+    if(_S464.shown_3.is_warp_2)
     {
-        _S473 = vec3(_S468, _S469, _S470);
+        _S479 = vec3(_S474, _S475, _S476);
     }
     else
     {
-        _S473 = vec3(- _S469, _S468, _S470);
+        _S479 = vec3(- _S475, _S474, _S476);
     }
-    point_2.tangent_0 = normalize(_S473);
-    point_2.across_0 = _S458.section_1.across_3;
-    point_2.fibre_across_0 = _S472 * _S464.twist_cosine_0 + _S459 * _S463;
-    point_2.fibre_along_0 = _S459 * _S464.twist_cosine_0 - _S472 * _S463;
+    point_2.tangent_0 = normalize(_S479);
+    point_2.across_0 = _S464.section_1.across_3;
+    point_2.fibre_across_0 = _S478 * _S470.twist_cosine_0 + _S465 * _S469;
+    point_2.fibre_along_0 = _S465 * _S470.twist_cosine_0 - _S478 * _S469;
     return point_2;
 }
 
@@ -2862,236 +2869,236 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-Albedos_0 vary_albedos_0(uint _S474, Albedos_0 _S475, uint _S476, uint _S477)
+Albedos_0 vary_albedos_0(uint _S480, Albedos_0 _S481, uint _S482, uint _S483)
 {
-    vec3 _S478 = max(_S475.specular_reflect_0, _S475.specular_transmit_0);
-    vec3 _S479 = _S475.diffuse_reflect_0 + _S475.diffuse_transmit_0;
-    float _S480 = bounded_gain_0(thread_gain_0(_S476, fabrics_0._data[uint(_S474)].colour_noise_0, fabrics_0._data[uint(_S474)].seed_0), _S479, 1.0 - fabrics_0._data[uint(_S474)].layer_bound_0 * _S478);
-    float _S481 = bounded_gain_0(fibre_gain_0(_S476, _S477, fabrics_0._data[uint(_S474)].fibre_noise_0, fabrics_0._data[uint(_S474)].seed_0), _S478, min((1.0 - _S480 * _S479) / fabrics_0._data[uint(_S474)].layer_bound_0, vec3(1.0)));
+    vec3 _S484 = max(_S481.specular_reflect_0, _S481.specular_transmit_0);
+    vec3 _S485 = _S481.diffuse_reflect_0 + _S481.diffuse_transmit_0;
+    float _S486 = bounded_gain_0(thread_gain_0(_S482, fabrics_0._data[uint(_S480)].colour_noise_0, fabrics_0._data[uint(_S480)].seed_0), _S485, 1.0 - fabrics_0._data[uint(_S480)].layer_bound_0 * _S484);
+    float _S487 = bounded_gain_0(fibre_gain_0(_S482, _S483, fabrics_0._data[uint(_S480)].fibre_noise_0, fabrics_0._data[uint(_S480)].seed_0), _S484, min((1.0 - _S486 * _S485) / fabrics_0._data[uint(_S480)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S480 * _S475.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S480 * _S475.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S481 * _S475.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S481 * _S475.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S486 * _S481.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S486 * _S481.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S487 * _S481.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S487 * _S481.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S482, SurfacePoint_0 _S483, Albedos_0 _S484, float _S485, float _S486)
+Albedos_0 varied_at_0(uint _S488, SurfacePoint_0 _S489, Albedos_0 _S490, float _S491, float _S492)
 {
-    float _S487;
-    if(_S483.is_warp_0)
+    float _S493;
+    if(_S489.is_warp_0)
     {
-        _S487 = _S485;
+        _S493 = _S491;
     }
     else
     {
-        _S487 = _S486;
+        _S493 = _S492;
     }
-    float _S488 = _S487 - _S483.across_0;
-    uint _S489;
-    if(_S483.is_warp_0)
+    float _S494 = _S493 - _S489.across_0;
+    uint _S495;
+    if(_S489.is_warp_0)
     {
-        _S489 = fabrics_0._data[uint(_S482)].warp_0;
+        _S495 = fabrics_0._data[uint(_S488)].warp_0;
     }
     else
     {
-        _S489 = fabrics_0._data[uint(_S482)].weft_0;
+        _S495 = fabrics_0._data[uint(_S488)].weft_0;
     }
-    Family_0 _S490 = families_0._data[uint(_S489)];
-    int _S491 = int(families_0._data[uint(_S489)].count_0);
-    if(_S483.is_warp_0)
+    Family_0 _S496 = families_0._data[uint(_S495)];
+    int _S497 = int(families_0._data[uint(_S495)].count_0);
+    if(_S489.is_warp_0)
     {
-        _S489 = _S483.warp_thread_0;
+        _S495 = _S489.warp_thread_0;
     }
     else
     {
-        _S489 = _S483.weft_thread_0;
+        _S495 = _S489.weft_thread_0;
     }
-    uint _S492 = uint(int(floor(_S488 / _S490.period_0)) * _S491 + int(_S489)) * 2U;
-    if(_S483.is_warp_0)
+    uint _S498 = uint(int(floor(_S494 / _S496.period_0)) * _S497 + int(_S495)) * 2U;
+    if(_S489.is_warp_0)
     {
-        _S489 = 1U;
+        _S495 = 1U;
     }
     else
     {
-        _S489 = 0U;
+        _S495 = 0U;
     }
-    float _S493 = floor(_S483.fibre_across_0 / fabrics_0._data[uint(_S482)].fibre_size_0);
-    return vary_albedos_0(_S482, _S484, _S492 + _S489, uint(int(_S493)) * 65536U + uint(int(floor(_S483.fibre_along_0 / (fabrics_0._data[uint(_S482)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S493))));
+    float _S499 = floor(_S489.fibre_across_0 / fabrics_0._data[uint(_S488)].fibre_size_0);
+    return vary_albedos_0(_S488, _S490, _S498 + _S495, uint(int(_S499)) * 65536U + uint(int(floor(_S489.fibre_along_0 / (fabrics_0._data[uint(_S488)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S499))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S494, SurfacePoint_0 _S495, float _S496, float _S497, bool _S498, bool _S499)
+YarnPoint_0 yarn_point_of_0(uint _S500, SurfacePoint_0 _S501, float _S502, float _S503, bool _S504, bool _S505)
 {
-    uint _S500;
-    if(_S495.is_warp_0)
+    uint _S506;
+    if(_S501.is_warp_0)
     {
-        _S500 = fabrics_0._data[uint(_S494)].warp_0;
+        _S506 = fabrics_0._data[uint(_S500)].warp_0;
     }
     else
     {
-        _S500 = fabrics_0._data[uint(_S494)].weft_0;
+        _S506 = fabrics_0._data[uint(_S500)].weft_0;
     }
-    uint _S501;
-    if(_S495.is_warp_0)
+    uint _S507;
+    if(_S501.is_warp_0)
     {
-        _S501 = _S495.warp_thread_0;
-    }
-    else
-    {
-        _S501 = _S495.weft_thread_0;
-    }
-    Albedos_0 albedos_6 = albedos_of_0(_S500, _S501);
-    bool _S502;
-    if((fabrics_0._data[uint(_S494)].fibre_noise_0) > 0.0)
-    {
-        _S502 = true;
+        _S507 = _S501.warp_thread_0;
     }
     else
     {
-        _S502 = (fabrics_0._data[uint(_S494)].colour_noise_0) > 0.0;
+        _S507 = _S501.weft_thread_0;
+    }
+    Albedos_0 albedos_6 = albedos_of_0(_S506, _S507);
+    bool _S508;
+    if((fabrics_0._data[uint(_S500)].fibre_noise_0) > 0.0)
+    {
+        _S508 = true;
+    }
+    else
+    {
+        _S508 = (fabrics_0._data[uint(_S500)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_7;
-    if(_S502)
+    if(_S508)
     {
-        albedos_7 = varied_at_0(_S494, _S495, albedos_6, _S496, _S497);
+        albedos_7 = varied_at_0(_S500, _S501, albedos_6, _S502, _S503);
     }
     else
     {
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_3;
-    point_3.back_3 = _S498;
-    point_3.hole_6 = _S499;
-    point_3.is_warp_3 = _S495.is_warp_0;
-    point_3.x_14 = _S496;
-    point_3.y_8 = _S497;
-    point_3.height_10 = _S495.height_1;
-    point_3.normal_7 = _S495.normal_1;
-    point_3.tangent_7 = _S495.tangent_0;
-    point_3.roughness_10 = families_0._data[uint(_S500)].roughness_0;
+    point_3.back_3 = _S504;
+    point_3.hole_6 = _S505;
+    point_3.is_warp_3 = _S501.is_warp_0;
+    point_3.x_14 = _S502;
+    point_3.y_8 = _S503;
+    point_3.height_10 = _S501.height_1;
+    point_3.normal_7 = _S501.normal_1;
+    point_3.tangent_7 = _S501.tangent_0;
+    point_3.roughness_10 = families_0._data[uint(_S506)].roughness_0;
     point_3.albedos_5 = albedos_7;
     return point_3;
 }
 
-bool unoccluded_0(uint _S503, SearchQuality_0 _S504, float _S505, float _S506, float _S507, vec3 _S508, bool _S509)
+bool unoccluded_0(uint _S509, SearchQuality_0 _S510, float _S511, float _S512, float _S513, vec3 _S514, bool _S515)
 {
-    if((_S508.z) <= 0.0)
+    if((_S514.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S503, _S504, vec3(_S505, _S506, _S507 + fabrics_0._data[uint(_S503)].lift_0), _S508, _S509, max_height_along_0(_S503, _S505, _S506, _S507, _S508, _S509));
+    return is_free_0(_S509, _S510, vec3(_S511, _S512, _S513 + fabrics_0._data[uint(_S509)].lift_0), _S514, _S515, max_height_along_0(_S509, _S511, _S512, _S513, _S514, _S515));
 }
 
-bool is_lit_0(uint _S510, SearchQuality_0 _S511, YarnPoint_0 _S512, vec3 _S513)
+bool is_lit_0(uint _S516, SearchQuality_0 _S517, YarnPoint_0 _S518, vec3 _S519)
 {
-    if(_S512.hole_6)
+    if(_S518.hole_6)
     {
         return true;
     }
-    vec3 _S514 = to_face_frame_0(_S513, _S512.back_3);
-    float _S515 = _S514.z;
-    bool _S516 = _S515 < 0.0;
+    vec3 _S520 = to_face_frame_0(_S519, _S518.back_3);
+    float _S521 = _S520.z;
+    bool _S522 = _S521 < 0.0;
     vec3 normal_8;
     float height_11;
-    if(_S516)
+    if(_S522)
     {
-        SurfacePoint_0 _S517 = surface_at_0(_S510, _S512.x_14, _S512.y_8, !_S512.back_3);
-        normal_8 = _S517.normal_1;
-        height_11 = _S517.height_1;
+        SurfacePoint_0 _S523 = surface_at_0(_S516, _S518.x_14, _S518.y_8, !_S518.back_3);
+        normal_8 = _S523.normal_1;
+        height_11 = _S523.height_1;
     }
     else
     {
-        normal_8 = _S512.normal_7;
-        height_11 = _S512.height_10;
+        normal_8 = _S518.normal_7;
+        height_11 = _S518.height_10;
     }
-    vec3 _S518 = vec3(_S514.xy, abs(_S515));
-    if((dot(normal_8, _S518)) <= 0.0)
+    vec3 _S524 = vec3(_S520.xy, abs(_S521));
+    if((dot(normal_8, _S524)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S510, _S511, _S512.x_14, _S512.y_8, height_11, _S518, (_S512.back_3) != _S516);
+    return unoccluded_0(_S516, _S517, _S518.x_14, _S518.y_8, height_11, _S524, (_S518.back_3) != _S522);
 }
 
-Components_0 components_of_point_0(uint _S519, SearchQuality_0 _S520, YarnPoint_0 _S521, vec3 _S522, vec3 _S523)
+Components_0 components_of_point_0(uint _S525, SearchQuality_0 _S526, YarnPoint_0 _S527, vec3 _S528, vec3 _S529)
 {
     Components_0 result_1 = no_components_0();
-    float _S524;
-    if(_S521.hole_6)
+    float _S530;
+    if(_S527.hole_6)
     {
-        _S524 = 1.0;
+        _S530 = 1.0;
     }
     else
     {
-        _S524 = 0.0;
+        _S530 = 0.0;
     }
-    result_1.hole_2 = _S524;
-    bool _S525;
-    if(_S521.hole_6)
+    result_1.hole_2 = _S530;
+    bool _S531;
+    if(_S527.hole_6)
     {
-        _S525 = true;
+        _S531 = true;
     }
     else
     {
-        _S525 = !is_lit_0(_S519, _S520, _S521, _S522);
+        _S531 = !is_lit_0(_S525, _S526, _S527, _S528);
     }
-    if(_S525)
+    if(_S531)
     {
         return result_1;
     }
-    vec3 _S526 = to_face_frame_0(_S522, _S521.back_3);
-    vec3 _S527 = to_face_frame_0(_S523, _S521.back_3);
-    bool _S528 = (_S526.z) < 0.0;
-    vec3 _S529;
-    if(_S528)
+    vec3 _S532 = to_face_frame_0(_S528, _S527.back_3);
+    vec3 _S533 = to_face_frame_0(_S529, _S527.back_3);
+    bool _S534 = (_S532.z) < 0.0;
+    vec3 _S535;
+    if(_S534)
     {
-        _S529 = - _S526;
+        _S535 = - _S532;
     }
     else
     {
-        _S529 = _S526;
+        _S535 = _S532;
     }
-    float _S530 = diffuse_reflection_0(_S529, _S521.normal_7, fabrics_0._data[uint(_S519)].diffuse_blend_0);
-    if(_S528)
+    float _S536 = diffuse_reflection_0(_S535, _S527.normal_7, fabrics_0._data[uint(_S525)].diffuse_blend_0);
+    if(_S534)
     {
-        _S524 = transmission_0(_S526, _S527, _S521.normal_7, _S521.tangent_7, _S521.roughness_10, fabrics_0._data[uint(_S519)].optical_depth_0);
+        _S530 = transmission_0(_S532, _S533, _S527.normal_7, _S527.tangent_7, _S527.roughness_10, fabrics_0._data[uint(_S525)].optical_depth_0);
     }
     else
     {
-        _S524 = reflection_0(_S526, _S527, _S521.normal_7, _S521.tangent_7, _S521.roughness_10, fabrics_0._data[uint(_S519)].optical_depth_0);
+        _S530 = reflection_0(_S532, _S533, _S527.normal_7, _S527.tangent_7, _S527.roughness_10, fabrics_0._data[uint(_S525)].optical_depth_0);
     }
-    float _S531;
-    if(_S521.is_warp_3)
+    float _S537;
+    if(_S527.is_warp_3)
     {
-        _S531 = _S530;
+        _S537 = _S536;
     }
     else
     {
-        _S531 = 0.0;
+        _S537 = 0.0;
     }
-    result_1.diffuse_warp_0 = _S531;
-    if(_S521.is_warp_3)
+    result_1.diffuse_warp_0 = _S537;
+    if(_S527.is_warp_3)
     {
-        _S531 = 0.0;
+        _S537 = 0.0;
     }
     else
     {
-        _S531 = _S530;
+        _S537 = _S536;
     }
-    result_1.diffuse_weft_0 = _S531;
-    if(_S521.is_warp_3)
+    result_1.diffuse_weft_0 = _S537;
+    if(_S527.is_warp_3)
     {
-        _S531 = _S524;
+        _S537 = _S530;
     }
     else
     {
-        _S531 = 0.0;
+        _S537 = 0.0;
     }
-    result_1.specular_warp_0 = _S531;
-    if(_S521.is_warp_3)
+    result_1.specular_warp_0 = _S537;
+    if(_S527.is_warp_3)
     {
-        _S524 = 0.0;
+        _S530 = 0.0;
     }
-    result_1.specular_weft_0 = _S524;
+    result_1.specular_weft_0 = _S530;
     result_1.light_visibility_1 = 1.0;
     return result_1;
 }
@@ -3101,23 +3108,23 @@ struct CoverageTaps_0
     uint  nodes_1[9];
 };
 
-vec3 pyramid_level_0(uint _S532, float _S533)
+vec3 pyramid_level_0(uint _S538, float _S539)
 {
-    uint _S534 = fabrics_0._data[uint(_S532)].lobes_0.levels_0 + 4U * uint(min(_S533, fabrics_0._data[uint(_S532)].lobes_0.last_level_0));
-    return vec3(table_number_0(_S534), table_number_0(_S534 + 1U), table_number_0(_S534 + 2U));
+    uint _S540 = fabrics_0._data[uint(_S538)].lobes_0.levels_0 + 4U * uint(min(_S539, fabrics_0._data[uint(_S538)].lobes_0.last_level_0));
+    return vec3(table_number_0(_S540), table_number_0(_S540 + 1U), table_number_0(_S540 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S535, Footprint_0 _S536, bool _S537)
+CoverageTaps_0 coverage_taps_0(uint _S541, Footprint_0 _S542, bool _S543)
 {
-    Lobes_0 _S538 = fabrics_0._data[uint(_S535)].lobes_0;
-    float _S539 = Footprint_spread_side_0(_S536) * fabrics_0._data[uint(_S535)].lobes_0.inverse_base_size_0;
-    vec3 _S540 = pyramid_level_0(_S535, floor(binary_logarithm_0(max(0.68000000715255737 * _S539, 1.0))));
-    float _S541 = 1.0 / max(_S539, 9.99999997475242708e-07);
-    float _S542 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S541 * _S541), 0.0, 1.0)), 0.3333333432674408 * _S541), 1.0);
-    vec2 _S543 = vec2(families_0._data[uint(fabrics_0._data[uint(_S535)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S535)].weft_0)].inverse_period_0);
-    vec2 _S544 = _S536.centre_0 * _S543;
-    vec2 _S545 = _S536.dx_0 * _S543 * _S542;
-    vec2 _S546 = _S536.dy_0 * _S543 * _S542;
+    Lobes_0 _S544 = fabrics_0._data[uint(_S541)].lobes_0;
+    float _S545 = Footprint_spread_side_0(_S542) * fabrics_0._data[uint(_S541)].lobes_0.inverse_base_size_0;
+    vec3 _S546 = pyramid_level_0(_S541, floor(binary_logarithm_0(max(0.68000000715255737 * _S545, 1.0))));
+    float _S547 = 1.0 / max(_S545, 9.99999997475242708e-07);
+    float _S548 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S547 * _S547), 0.0, 1.0)), 0.3333333432674408 * _S547), 1.0);
+    vec2 _S549 = vec2(families_0._data[uint(fabrics_0._data[uint(_S541)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S541)].weft_0)].inverse_period_0);
+    vec2 _S550 = _S542.centre_0 * _S549;
+    vec2 _S551 = _S542.dx_0 * _S549 * _S548;
+    vec2 _S552 = _S542.dy_0 * _S549 * _S548;
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3129,26 +3136,26 @@ CoverageTaps_0 coverage_taps_0(uint _S535, Footprint_0 _S536, bool _S537)
         {
             break;
         }
-        vec2 _S547 = _S544 + TAP_OFFSETS_0[number_1].x * _S545 + TAP_OFFSETS_0[number_1].y * _S546;
-        float _S548 = _S540.y;
-        float _S549 = wrapped_cell_0(_S547.x, _S548);
-        float _S550 = wrapped_cell_0(_S547.y, _S540.z);
-        uint _S551;
-        if(_S537)
+        vec2 _S553 = _S550 + TAP_OFFSETS_0[number_1].x * _S551 + TAP_OFFSETS_0[number_1].y * _S552;
+        float _S554 = _S546.y;
+        float _S555 = wrapped_cell_0(_S553.x, _S554);
+        float _S556 = wrapped_cell_0(_S553.y, _S546.z);
+        uint _S557;
+        if(_S543)
         {
-            _S551 = _S538.face_nodes_0;
+            _S557 = _S544.face_nodes_0;
         }
         else
         {
-            _S551 = 0U;
+            _S557 = 0U;
         }
-        taps_3.nodes_1[number_1] = _S551 + uint(_S550 * _S548 + _S549 + _S540.x);
+        taps_3.nodes_1[number_1] = _S557 + uint(_S556 * _S554 + _S555 + _S546.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-vec4 coverage_of_pack_0(uint _S552, CoverageTaps_0 _S553, uint _S554)
+vec4 coverage_of_pack_0(uint _S558, CoverageTaps_0 _S559, uint _S560)
 {
     uint number_2 = 0U;
     uint even_1 = 0U;
@@ -3162,9 +3169,9 @@ vec4 coverage_of_pack_0(uint _S552, CoverageTaps_0 _S553, uint _S554)
         {
             break;
         }
-        uint _S555 = words_0._data[uint(fabrics_0._data[uint(_S552)].lobes_0.coverage_0 + _S553.nodes_1[number_2] * fabrics_0._data[uint(_S552)].lobes_0.packs_0 + _S554)];
-        uint even_2 = even_1 + (_S555 & 16711935U);
-        uint odd_2 = odd_1 + ((_S555 >> 8) & 16711935U);
+        uint _S561 = words_0._data[uint(fabrics_0._data[uint(_S558)].lobes_0.coverage_0 + _S559.nodes_1[number_2] * fabrics_0._data[uint(_S558)].lobes_0.packs_0 + _S560)];
+        uint even_2 = even_1 + (_S561 & 16711935U);
+        uint odd_2 = odd_1 + ((_S561 >> 8) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3172,7 +3179,7 @@ vec4 coverage_of_pack_0(uint _S552, CoverageTaps_0 _S553, uint _S554)
     return bytes_of_sums_0(even_1, odd_1) / 9.0;
 }
 
-float coverage_of_holes_0(uint _S556, CoverageTaps_0 _S557)
+float coverage_of_holes_0(uint _S562, CoverageTaps_0 _S563)
 {
     uint number_3 = 0U;
     uint total_0 = 0U;
@@ -3185,67 +3192,67 @@ float coverage_of_holes_0(uint _S556, CoverageTaps_0 _S557)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S556)].lobes_0.coverage_holes_0 + _S557.nodes_1[number_3] / 4U)]) >> (8U * (_S557.nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S562)].lobes_0.coverage_holes_0 + _S563.nodes_1[number_3] / 4U)]) >> (8U * (_S563.nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S558, CoverageTaps_0 _S559, NodeTaps_0 _S560, bool _S561)
+float prefiltered_hole_0(uint _S564, CoverageTaps_0 _S565, NodeTaps_0 _S566, bool _S567)
 {
-    Lobes_0 _S562 = fabrics_0._data[uint(_S558)].lobes_0;
-    float _S563 = interpolate_table_0(_S560, fabrics_0._data[uint(_S558)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S558)].lobes_0.packs_0, fabrics_0._data[uint(_S558)].lobes_0.packs_0 + 1U).x;
-    float _S564;
-    if(_S561)
+    Lobes_0 _S568 = fabrics_0._data[uint(_S564)].lobes_0;
+    float _S569 = interpolate_table_0(_S566, fabrics_0._data[uint(_S564)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S564)].lobes_0.packs_0, fabrics_0._data[uint(_S564)].lobes_0.packs_0 + 1U).x;
+    float _S570;
+    if(_S567)
     {
-        _S564 = _S562.back_hole_weight_0;
+        _S570 = _S568.back_hole_weight_0;
     }
     else
     {
-        _S564 = _S562.front_hole_weight_0;
+        _S570 = _S568.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S558, _S559) * _S563 * _S563 * _S564, 1.0);
+    return min(coverage_of_holes_0(_S564, _S565) * _S569 * _S569 * _S570, 1.0);
 }
 
-Components_0 prefiltered_components_0(uint _S565, Footprint_0 _S566, vec3 _S567, vec3 _S568, bool _S569)
+Components_0 prefiltered_components_0(uint _S571, Footprint_0 _S572, vec3 _S573, vec3 _S574, bool _S575)
 {
-    CoverageTaps_0 _S570 = coverage_taps_0(_S565, _S566, _S569);
-    NodeTaps_0 _S571 = node_taps_0(_S568);
-    NodeTaps_0 view_nodes_0 = _S571;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S567);
-    NodeTaps_0 seen_nodes_0 = _S571;
-    uint _S572;
-    if(_S569)
+    CoverageTaps_0 _S576 = coverage_taps_0(_S571, _S572, _S575);
+    NodeTaps_0 _S577 = node_taps_0(_S574);
+    NodeTaps_0 view_nodes_0 = _S577;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S573);
+    NodeTaps_0 seen_nodes_0 = _S577;
+    uint _S578;
+    if(_S575)
     {
-        _S572 = 1U;
+        _S578 = 1U;
     }
     else
     {
-        _S572 = 0U;
+        _S578 = 0U;
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S572 * 256U;
-    uint _S573 = 2U * _S572;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S573 * 256U;
-    uint _S574;
-    if((_S567.z) < 0.0)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S578 * 256U;
+    uint _S579 = 2U * _S578;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S579 * 256U;
+    uint _S580;
+    if((_S573.z) < 0.0)
     {
-        _S574 = 1U;
-    }
-    else
-    {
-        _S574 = 0U;
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S573 + _S574) * 256U;
-    vec3 _S575 = half_vector_0(_S567, _S568);
-    vec3 _S576 = shadow_correlation_0(_S567, _S568);
-    if(_S569)
-    {
-        _S574 = fabrics_0._data[uint(_S565)].lobes_0.back_warp_packs_0;
+        _S580 = 1U;
     }
     else
     {
-        _S574 = fabrics_0._data[uint(_S565)].lobes_0.front_warp_packs_0;
+        _S580 = 0U;
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S579 + _S580) * 256U;
+    vec3 _S581 = half_vector_0(_S573, _S574);
+    vec3 _S582 = shadow_correlation_0(_S573, _S574);
+    if(_S575)
+    {
+        _S580 = fabrics_0._data[uint(_S571)].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S580 = fabrics_0._data[uint(_S571)].lobes_0.front_warp_packs_0;
     }
     Components_0 sums_1;
     sums_1.diffuse_warp_0 = 0.0;
@@ -3257,31 +3264,31 @@ Components_0 prefiltered_components_0(uint _S565, Footprint_0 _S566, vec3 _S567,
     float total_2 = 0.0;
     for(;;)
     {
-        Lobes_0 _S577 = fabrics_0._data[uint(_S565)].lobes_0;
-        if(pack_0 < (fabrics_0._data[uint(_S565)].lobes_0.packs_0))
+        Lobes_0 _S583 = fabrics_0._data[uint(_S571)].lobes_0;
+        if(pack_0 < (fabrics_0._data[uint(_S571)].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        vec4 _S578 = coverage_of_pack_0(_S565, _S570, pack_0);
-        vec4 _S579 = interpolate_table_0(view_nodes_0, _S577.projected_area_0 + pack_0, _S577.packs_0 + 1U);
-        uint _S580 = _S577.light_visibility_0 + pack_0;
-        vec4 _S581 = interpolate_table_0(seen_nodes_0, _S580, _S577.packs_0) / 255.0;
-        vec4 _S582 = interpolate_table_0(light_nodes_0, _S580, _S577.packs_0) / 255.0;
-        vec4 _S583 = interpolate_table_0(light_nodes_0, _S577.irradiance_0 + pack_0, _S577.packs_0) * 0.00124827399849892;
-        bool _S584 = pack_0 < _S574;
-        uint _S585;
-        if(_S584)
+        vec4 _S584 = coverage_of_pack_0(_S571, _S576, pack_0);
+        vec4 _S585 = interpolate_table_0(view_nodes_0, _S583.projected_area_0 + pack_0, _S583.packs_0 + 1U);
+        uint _S586 = _S583.light_visibility_0 + pack_0;
+        vec4 _S587 = interpolate_table_0(seen_nodes_0, _S586, _S583.packs_0) / 255.0;
+        vec4 _S588 = interpolate_table_0(light_nodes_0, _S586, _S583.packs_0) / 255.0;
+        vec4 _S589 = interpolate_table_0(light_nodes_0, _S583.irradiance_0 + pack_0, _S583.packs_0) * 0.00124827399849892;
+        bool _S590 = pack_0 < _S580;
+        uint _S591;
+        if(_S590)
         {
-            _S585 = fabrics_0._data[uint(_S565)].warp_0;
+            _S591 = fabrics_0._data[uint(_S571)].warp_0;
         }
         else
         {
-            _S585 = fabrics_0._data[uint(_S565)].weft_0;
+            _S591 = fabrics_0._data[uint(_S571)].weft_0;
         }
-        Family_0 _S586 = families_0._data[uint(_S585)];
+        Family_0 _S592 = families_0._data[uint(_S591)];
         uint number_4 = 0U;
         float diffuse_0 = 0.0;
         float specular_0 = 0.0;
@@ -3294,273 +3301,273 @@ Components_0 prefiltered_components_0(uint _S565, Footprint_0 _S566, vec3 _S567,
             {
                 break;
             }
-            Group_0 _S587 = group_at_0(_S577.moments_0 + 12U * (4U * (_S572 * _S577.packs_0 + pack_0) + number_4), _S586.roughness_0);
-            float _S588 = _S578[number_4] * _S579[number_4] * _S579[number_4] * _S587.weight_1;
-            vec2 _S589 = visibility_gain_0(_S576, _S582[number_4], _S581[number_4]);
-            float _S590 = _S589.x;
-            float diffuse_1 = diffuse_0 + _S588 * _S583[number_4] * _S590;
-            float specular_1 = specular_0 + _S588 * layer_value_0(_S587, _S575, _S567, _S568, fabrics_0._data[uint(_S565)].optical_depth_0) * _S582[number_4] * _S589.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S588 * _S582[number_4] * _S590;
-            float total_3 = total_2 + _S588;
+            Group_0 _S593 = group_at_0(_S583.moments_0 + 12U * (4U * (_S578 * _S583.packs_0 + pack_0) + number_4), _S592.roughness_0);
+            float _S594 = _S584[number_4] * _S585[number_4] * _S585[number_4] * _S593.weight_1;
+            vec2 _S595 = visibility_gain_0(_S582, _S588[number_4], _S587[number_4]);
+            float _S596 = _S595.x;
+            float diffuse_1 = diffuse_0 + _S594 * _S589[number_4] * _S596;
+            float specular_1 = specular_0 + _S594 * layer_value_0(_S593, _S581, _S573, _S574, fabrics_0._data[uint(_S571)].optical_depth_0) * _S588[number_4] * _S595.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S594 * _S588[number_4] * _S596;
+            float total_3 = total_2 + _S594;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S591;
-        if(_S584)
+        float _S597;
+        if(_S590)
         {
-            _S591 = diffuse_0;
+            _S597 = diffuse_0;
         }
         else
         {
-            _S591 = 0.0;
+            _S597 = 0.0;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S591;
-        float _S592;
-        if(_S584)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S597;
+        float _S598;
+        if(_S590)
         {
-            _S592 = 0.0;
+            _S598 = 0.0;
         }
         else
         {
-            _S592 = diffuse_0;
+            _S598 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S592;
-        float _S593;
-        if(_S584)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S598;
+        float _S599;
+        if(_S590)
         {
-            _S593 = specular_0;
+            _S599 = specular_0;
         }
         else
         {
-            _S593 = 0.0;
+            _S599 = 0.0;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S593;
-        float _S594;
-        if(_S584)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S599;
+        float _S600;
+        if(_S590)
         {
-            _S594 = 0.0;
+            _S600 = 0.0;
         }
         else
         {
-            _S594 = specular_0;
+            _S600 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S594;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S600;
         pack_0 = pack_0 + 1U;
     }
-    float _S595 = prefiltered_hole_0(_S565, _S570, view_nodes_0, _S569);
-    sums_1.hole_2 = _S595;
-    float _S596 = (1.0 - _S595) / max(total_2, 9.999999960041972e-13);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S596;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S596;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S596;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S596;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S596;
+    float _S601 = prefiltered_hole_0(_S571, _S576, view_nodes_0, _S575);
+    sums_1.hole_2 = _S601;
+    float _S602 = (1.0 - _S601) / max(total_2, 9.999999960041972e-13);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S602;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S602;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S602;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S602;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S602;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S597, Footprint_0 _S598, bool _S599)
+FamilyAlbedos_0 albedos_over_0(uint _S603, Footprint_0 _S604, bool _S605)
 {
-    vec2 _S600 = _S598.dx_0;
-    vec2 _S601 = _S598.dy_0;
-    vec2 _S602 = sqrt(_S600 * _S600 + _S601 * _S601);
-    Stretch_0 _S603 = stretch_of_0(fabrics_0._data[uint(_S597)].warp_0, _S598.centre_0.x, _S602.x);
-    Stretch_0 _S604 = stretch_of_0(fabrics_0._data[uint(_S597)].weft_0, _S598.centre_0.y, _S602.y);
+    vec2 _S606 = _S604.dx_0;
+    vec2 _S607 = _S604.dy_0;
+    vec2 _S608 = sqrt(_S606 * _S606 + _S607 * _S607);
+    Stretch_0 _S609 = stretch_of_0(fabrics_0._data[uint(_S603)].warp_0, _S604.centre_0.x, _S608.x);
+    Stretch_0 _S610 = stretch_of_0(fabrics_0._data[uint(_S603)].weft_0, _S604.centre_0.y, _S608.y);
     FamilyAlbedos_0 albedos_8;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S597)].warp_0, fabrics_0._data[uint(_S597)].weft_0, _S603, _S604, _S599);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S597)].weft_0, fabrics_0._data[uint(_S597)].warp_0, _S604, _S603, _S599);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S603)].warp_0, fabrics_0._data[uint(_S603)].weft_0, _S609, _S610, _S605);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S603)].weft_0, fabrics_0._data[uint(_S603)].warp_0, _S610, _S609, _S605);
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_0(uint _S605, Footprint_0 _S606, float _S607, vec3 _S608, vec3 _S609)
+Estimate_0 lobes_estimate_0(uint _S611, Footprint_0 _S612, float _S613, vec3 _S614, vec3 _S615)
 {
-    float _S610;
-    Regime_0 _S611 = regime_of_0(_S605, _S606, _S607);
-    bool _S612 = (_S609.z) < 0.0;
-    vec3 _S613 = to_face_frame_0(_S609, _S612);
-    bool _S614;
-    if((fabrics_0._data[uint(_S605)].fibre_noise_0) > 0.0)
+    float _S616;
+    Regime_0 _S617 = regime_of_0(_S611, _S612, _S613);
+    bool _S618 = (_S615.z) < 0.0;
+    vec3 _S619 = to_face_frame_0(_S615, _S618);
+    bool _S620;
+    if((fabrics_0._data[uint(_S611)].fibre_noise_0) > 0.0)
     {
-        _S614 = true;
+        _S620 = true;
     }
     else
     {
-        _S614 = (fabrics_0._data[uint(_S605)].colour_noise_0) > 0.0;
+        _S620 = (fabrics_0._data[uint(_S611)].colour_noise_0) > 0.0;
     }
-    bool _S615;
-    if((families_0._data[uint(fabrics_0._data[uint(_S605)].warp_0)].quantities_0) > 1U)
+    bool _S621;
+    if((families_0._data[uint(fabrics_0._data[uint(_S611)].warp_0)].quantities_0) > 1U)
     {
-        _S615 = true;
+        _S621 = true;
     }
     else
     {
-        _S615 = (families_0._data[uint(fabrics_0._data[uint(_S605)].weft_0)].quantities_0) > 1U;
+        _S621 = (families_0._data[uint(fabrics_0._data[uint(_S611)].weft_0)].quantities_0) > 1U;
     }
-    float _S616 = 1.0 - _S611.prefiltered_0;
-    if(_S616 > 0.0)
+    float _S622 = 1.0 - _S617.prefiltered_0;
+    if(_S622 > 0.0)
     {
-        if(_S614)
+        if(_S620)
         {
-            _S615 = true;
+            _S621 = true;
         }
     }
     else
     {
-        _S615 = false;
+        _S621 = false;
     }
-    Footprint_0 box_0 = _S606;
-    const vec3 _S617 = vec3(0.0);
-    SurfacePoint_0 _S618 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S617, _S617, 0.0, 0.0, 0.0);
-    Components_0 _S619 = no_components_0();
-    int _S620;
-    if(_S615)
+    Footprint_0 box_0 = _S612;
+    const vec3 _S623 = vec3(0.0);
+    SurfacePoint_0 _S624 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S623, _S623, 0.0, 0.0, 0.0);
+    Components_0 _S625 = no_components_0();
+    int _S626;
+    if(_S621)
     {
-        _S620 = 0;
+        _S626 = 0;
     }
     else
     {
-        _S620 = 1;
+        _S626 = 1;
     }
-    uint _S621 = uint(_S620);
-    Components_0 points_1 = _S619;
+    uint _S627 = uint(_S626);
+    Components_0 points_1 = _S625;
     float central_weight_0 = 0.0;
-    SurfacePoint_0 central_0 = _S618;
-    vec2 central_place_0 = _S606.centre_0;
-    uint number_5 = _S621;
+    SurfacePoint_0 central_0 = _S624;
+    vec2 central_place_0 = _S612.centre_0;
+    uint number_5 = _S627;
     for(;;)
     {
-        float _S622 = float(number_5);
-        _S610 = _S611.points_0;
-        if(_S622 < (_S611.points_0 + 1.0))
+        float _S628 = float(number_5);
+        _S616 = _S617.points_0;
+        if(_S628 < (_S617.points_0 + 1.0))
         {
         }
         else
         {
             break;
         }
-        bool _S623 = number_5 == 0U;
-        vec2 _S624;
-        if(_S623)
+        bool _S629 = number_5 == 0U;
+        vec2 _S630;
+        if(_S629)
         {
-            _S624 = vec2(0.0);
+            _S630 = vec2(0.0);
         }
         else
         {
-            _S624 = POINT_OFFSETS_0[number_5 - 1U];
+            _S630 = POINT_OFFSETS_0[number_5 - 1U];
         }
-        vec2 _S625 = _S606.centre_0 + _S624.x * _S606.dx_0 + _S624.y * _S606.dy_0;
-        float _S626;
-        if(_S623)
+        vec2 _S631 = _S612.centre_0 + _S630.x * _S612.dx_0 + _S630.y * _S612.dy_0;
+        float _S632;
+        if(_S629)
         {
-            _S626 = 0.0;
+            _S632 = 0.0;
         }
         else
         {
-            _S626 = _S611.threads_1;
+            _S632 = _S617.threads_1;
         }
-        SearchQuality_0 _S627 = quality_of_0(_S626);
-        Hit_0 _S628 = first_hit_0(_S605, _S627, _S625.x, _S625.y, _S613, _S612);
-        SurfacePoint_0 _S629 = surface_at_0(_S605, _S628.x_13, _S628.y_7, _S612);
-        if(_S623)
+        SearchQuality_0 _S633 = quality_of_0(_S632);
+        Hit_0 _S634 = first_hit_0(_S611, _S633, _S631.x, _S631.y, _S619, _S618);
+        SurfacePoint_0 _S635 = surface_at_0(_S611, _S634.x_13, _S634.y_7, _S618);
+        if(_S629)
         {
             float central_weight_1;
-            if(_S628.hole_5)
+            if(_S634.hole_5)
             {
                 central_weight_1 = 0.0;
             }
             else
             {
-                central_weight_1 = _S616;
+                central_weight_1 = _S622;
             }
-            vec2 central_place_1 = vec2(_S628.x_13, _S628.y_7);
-            box_0.centre_0 = mix(_S606.centre_0, central_place_1, vec2(central_weight_1));
+            vec2 central_place_1 = vec2(_S634.x_13, _S634.y_7);
+            box_0.centre_0 = mix(_S612.centre_0, central_place_1, vec2(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S629;
+            central_0 = _S635;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S605, _S627, yarn_point_of_0(_S605, _S629, _S628.x_13, _S628.y_7, _S612, _S628.hole_5), _S608, _S609), min(_S611.points_0 - float(number_5 - 1U), 1.0));
+        points_1 = with_added_0(points_1, components_of_point_0(_S611, _S633, yarn_point_of_0(_S611, _S635, _S634.x_13, _S634.y_7, _S618, _S634.hole_5), _S614, _S615), min(_S617.points_0 - float(number_5 - 1U), 1.0));
         number_5 = number_5 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S619, points_1, _S616 / max(_S610, 1.0));
-    if((_S611.prefiltered_0) > 0.0)
+    estimate_0.components_0 = with_added_0(_S625, points_1, _S622 / max(_S616, 1.0));
+    if((_S617.prefiltered_0) > 0.0)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S605, _S606, to_face_frame_0(_S608, _S612), _S613, _S612), _S611.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S611, _S612, to_face_frame_0(_S614, _S618), _S619, _S618), _S617.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S605, box_0, _S612);
-    if(_S614)
+    estimate_0.albedos_4 = albedos_over_0(_S611, box_0, _S618);
+    if(_S620)
     {
-        _S614 = central_weight_0 > 0.0;
+        _S620 = central_weight_0 > 0.0;
     }
     else
     {
-        _S614 = false;
+        _S620 = false;
     }
-    if(_S614)
+    if(_S620)
     {
-        SurfacePoint_0 _S630 = central_0;
-        Albedos_0 _S631;
+        SurfacePoint_0 _S636 = central_0;
+        Albedos_0 _S637;
         if(central_0.is_warp_0)
         {
-            _S631 = estimate_0.albedos_4.warp_2;
+            _S637 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S631 = estimate_0.albedos_4.weft_2;
+            _S637 = estimate_0.albedos_4.weft_2;
         }
-        Albedos_0 _S632 = lerp_albedos_0(_S631, varied_at_0(_S605, central_0, _S631, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S630.is_warp_0)
+        Albedos_0 _S638 = lerp_albedos_0(_S637, varied_at_0(_S611, central_0, _S637, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S636.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S632;
+            estimate_0.albedos_4.warp_2 = _S638;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S632;
+            estimate_0.albedos_4.weft_2 = _S638;
         }
     }
     return estimate_0;
 }
 
-vec3 composed_0(uint _S633, Components_0 _S634, FamilyAlbedos_0 _S635, vec3 _S636, vec3 _S637)
+vec3 composed_0(uint _S639, Components_0 _S640, FamilyAlbedos_0 _S641, vec3 _S642, vec3 _S643)
 {
-    vec3 _S638 = _S635.warp_2.diffuse_reflect_0 * _S634.diffuse_warp_0 + _S635.weft_2.diffuse_reflect_0 * _S634.diffuse_weft_0 + _S635.warp_2.specular_reflect_0 * _S634.specular_warp_0 + _S635.weft_2.specular_reflect_0 * _S634.specular_weft_0;
-    float _S639 = _S637.z;
+    vec3 _S644 = _S641.warp_2.diffuse_reflect_0 * _S640.diffuse_warp_0 + _S641.weft_2.diffuse_reflect_0 * _S640.diffuse_weft_0 + _S641.warp_2.specular_reflect_0 * _S640.specular_warp_0 + _S641.weft_2.specular_reflect_0 * _S640.specular_weft_0;
+    float _S645 = _S643.z;
     vec3 body_0;
-    if((_S636.z * _S639) < 0.0)
+    if((_S642.z * _S645) < 0.0)
     {
-        body_0 = _S635.warp_2.diffuse_transmit_0 * _S634.diffuse_warp_0 + _S635.weft_2.diffuse_transmit_0 * _S634.diffuse_weft_0 + _S635.warp_2.specular_transmit_0 * _S634.specular_warp_0 + _S635.weft_2.specular_transmit_0 * _S634.specular_weft_0;
+        body_0 = _S641.warp_2.diffuse_transmit_0 * _S640.diffuse_warp_0 + _S641.weft_2.diffuse_transmit_0 * _S640.diffuse_weft_0 + _S641.warp_2.specular_transmit_0 * _S640.specular_warp_0 + _S641.weft_2.specular_transmit_0 * _S640.specular_weft_0;
     }
     else
     {
-        body_0 = _S638;
+        body_0 = _S644;
     }
-    float _S640 = fabrics_0._data[uint(_S633)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S633)].sheen_strength_0) <= 0.0)
+    float _S646 = fabrics_0._data[uint(_S639)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S639)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S641 = _S639 < 0.0;
-    vec2 _S642 = sheen_with_transmittance_0(to_face_frame_0(_S636, _S641), to_face_frame_0(_S637, _S641), _S640, fabrics_0._data[uint(_S633)].sheen_roughness_0);
-    return _S642.y * body_0 + (_S634.light_visibility_1 + _S634.hole_2) * _S642.x;
+    bool _S647 = _S645 < 0.0;
+    vec2 _S648 = sheen_with_transmittance_0(to_face_frame_0(_S642, _S647), to_face_frame_0(_S643, _S647), _S646, fabrics_0._data[uint(_S639)].sheen_roughness_0);
+    return _S648.y * body_0 + (_S640.light_visibility_1 + _S640.hole_2) * _S648.x;
 }
 
-vec4 light_of_footprint_0(Frame_0 _S643, uint _S644, VisiblePoint_0 _S645)
+vec4 light_of_footprint_0(Frame_0 _S649, uint _S650, VisiblePoint_0 _S651)
 {
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S645.draft_0;
-    footprint_0.dx_0 = _S645.draft_dx_0;
-    footprint_0.dy_0 = _S645.draft_dy_0;
-    vec3 _S646 = to_local_0(_S645, _S645.view_0);
-    const vec3 _S647 = vec3(0.0);
+    footprint_0.centre_0 = _S651.draft_0;
+    footprint_0.dx_0 = _S651.draft_dx_0;
+    footprint_0.dy_0 = _S651.draft_dy_0;
+    vec3 _S652 = to_local_0(_S651, _S651.view_0);
+    const vec3 _S653 = vec3(0.0);
     uint number_6 = 0U;
-    vec3 radiance_1 = _S647;
+    vec3 radiance_1 = _S653;
     float hole_7 = 0.0;
     for(;;)
     {
-        if(number_6 < (max(_S643.lights_0, 1U)))
+        if(number_6 < (max(_S649.lights_0, 1U)))
         {
         }
         else
@@ -3568,20 +3575,20 @@ vec4 light_of_footprint_0(Frame_0 _S643, uint _S644, VisiblePoint_0 _S645)
             break;
         }
         vec3 irradiance_2;
-        vec3 _S648 = towards_light_0(lights_1._data[uint(number_6)], _S645.position_0, irradiance_2);
-        vec3 _S649 = to_local_0(_S645, _S648);
-        Estimate_0 _S650 = lobes_estimate_0(_S644, footprint_0, 1.0, _S649, _S646);
-        if(number_6 < (_S643.lights_0))
+        vec3 _S654 = towards_light_0(lights_1._data[uint(number_6)], _S651.position_0, irradiance_2);
+        vec3 _S655 = to_local_0(_S651, _S654);
+        Estimate_0 _S656 = lobes_estimate_0(_S650, footprint_0, 1.0, _S655, _S652);
+        if(number_6 < (_S649.lights_0))
         {
-            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S644, _S650.components_0, _S650.albedos_4, _S649, _S646);
+            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S650, _S656.components_0, _S656.albedos_4, _S655, _S652);
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S650.components_0.hole_2;
+        hole_7 = _S656.components_0.hole_2;
     }
-    float _S651 = fabrics_0._data[uint(_S644)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S644)].sheen_strength_0) > 0.0)
+    float _S657 = fabrics_0._data[uint(_S650)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S650)].sheen_strength_0) > 0.0)
     {
-        hole_7 = hole_7 * (1.0 - _S651 * sheen_lobe_0(abs(_S646.z), fabrics_0._data[uint(_S644)].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0 - _S657 * sheen_lobe_0(abs(_S652.z), fabrics_0._data[uint(_S650)].sheen_roughness_0).z);
     }
     return vec4(radiance_1, 1.0 - hole_7);
 }
@@ -3589,36 +3596,36 @@ vec4 light_of_footprint_0(Frame_0 _S643, uint _S644, VisiblePoint_0 _S645)
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    Frame_0 _S652 = frames_0._data[uint(0)];
-    bool _S653;
-    if((gl_GlobalInvocationID.x) >= (_S652.width_0))
+    Frame_0 _S658 = frames_0._data[uint(0)];
+    bool _S659;
+    if((gl_GlobalInvocationID.x) >= (_S658.width_0))
     {
-        _S653 = true;
+        _S659 = true;
     }
     else
     {
-        _S653 = (gl_GlobalInvocationID.y) >= (_S652.height_0);
+        _S659 = (gl_GlobalInvocationID.y) >= (_S658.height_0);
     }
-    if(_S653)
+    if(_S659)
     {
         return;
     }
-    uvec2 _S654 = gl_GlobalInvocationID.xy;
-    ivec3 _S655 = ivec3(ivec2(_S654), 0);
-    uint _S656 = (texelFetch((visible_faces_0), ((_S655)).xy, ((_S655)).z).x);
-    const vec4 _S657 = vec4(0.0);
+    uvec2 _S660 = gl_GlobalInvocationID.xy;
+    ivec3 _S661 = ivec3(ivec2(_S660), 0);
+    uint _S662 = (texelFetch((visible_faces_0), ((_S661)).xy, ((_S661)).z).x);
+    const vec4 _S663 = vec4(0.0);
     vec4 sum_1;
-    if(_S656 > 0U)
+    if(_S662 > 0U)
     {
-        uint _S658 = _S656 - 1U;
-        uint _S659 = face_fabrics_0._data[uint(_S658)];
-        sum_1 = light_of_footprint_0(_S652, _S659, visible_point_0(_S652, _S659, _S658, _S654));
+        uint _S664 = _S662 - 1U;
+        uint _S665 = face_fabrics_0._data[uint(_S664)];
+        sum_1 = light_of_footprint_0(_S658, _S665, visible_point_0(_S658, _S665, _S664, _S660));
     }
     else
     {
-        sum_1 = _S657;
+        sum_1 = _S663;
     }
-    accumulate_0(_S652, _S654, sum_1);
+    accumulate_0(_S658, _S660, sum_1);
     return;
 }
 

@@ -2177,30 +2177,37 @@ float refined_height_0(uint _S318, ViewRay_0 _S319, StepControl_0 _S320, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S332, SearchQuality_0 _S333, float _S334, float _S335, vec3 _S336, bool _S337)
+Hit_0 first_hit_of_yarn_0(uint _S332, SearchQuality_0 _S333, float _S334, float _S335, vec3 _S336, bool _S337)
 {
-    Hit_0 hit_0;
-    hit_0.x_10 = _S334;
-    hit_0.y_6 = _S335;
-    hit_0.height_4 = 0.0;
-    bool _S338 = passes_through_0(_S332, _S333, _S334, _S335, _S336, _S337);
-    hit_0.hole_3 = _S338;
-    if(_S338)
-    {
-        return hit_0;
-    }
-    float _S339 = max(_S336.z, 0.00009999999747379);
+    float _S338 = max(_S336.z, 0.00009999999747379);
     ViewRay_0 ray_0;
     ray_0.origin_0 = vec2(_S334, _S335);
-    vec2 _S340 = _S336.xy / _S339;
-    ray_0.slope_1 = _S340;
-    StepControl_0 _S341 = step_control_0(- _S340, 1.0 / max(steps_per_length_0(_S332, _S333, _S336) / _S339, 9.99999971718068537e-10));
-    float _S342 = refined_height_0(_S332, ray_0, _S341, _S337, search_down_0(_S332, ray_0, _S341, _S337), _S333.refinements_0);
+    vec2 _S339 = _S336.xy / _S338;
+    ray_0.slope_1 = _S339;
+    StepControl_0 _S340 = step_control_0(- _S339, 1.0 / max(steps_per_length_0(_S332, _S333, _S336) / _S338, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S341 = search_down_0(_S332, ray_0, _S340, _S337);
+    Hit_0 hit_0;
+    hit_0.hole_3 = false;
+    float _S342 = refined_height_0(_S332, ray_0, _S340, _S337, _S341, _S333.refinements_0);
     hit_0.height_4 = _S342;
     vec2 _S343 = ViewRay_at_0(ray_0, _S342);
     hit_0.x_10 = _S343.x;
     hit_0.y_6 = _S343.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S344, SearchQuality_0 _S345, float _S346, float _S347, vec3 _S348, bool _S349)
+{
+    if(!passes_through_0(_S344, _S345, _S346, _S347, _S348, _S349))
+    {
+        return first_hit_of_yarn_0(_S344, _S345, _S346, _S347, _S348, _S349);
+    }
+    Hit_0 hit_1;
+    hit_1.x_10 = _S346;
+    hit_1.y_6 = _S347;
+    hit_1.height_4 = 0.0;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2217,349 +2224,349 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S344, float _S345, float _S346, bool _S347)
+SurfacePoint_0 surface_at_0(uint _S350, float _S351, float _S352, bool _S353)
 {
-    Sample_0 _S348 = sample_at_0(_S344, _S345, _S346, _S347);
-    float _S349;
-    if(_S348.shown_3.is_warp_0)
+    Sample_0 _S354 = sample_at_0(_S350, _S351, _S352, _S353);
+    float _S355;
+    if(_S354.shown_3.is_warp_0)
     {
-        _S349 = _S348.crossing_1.warp_1.half_width_1;
+        _S355 = _S354.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S349 = _S348.crossing_1.weft_1.half_width_1;
+        _S355 = _S354.crossing_1.weft_1.half_width_1;
     }
-    uint _S350;
-    if(_S348.shown_3.is_warp_0)
+    uint _S356;
+    if(_S354.shown_3.is_warp_0)
     {
-        _S350 = fabrics_0._data[uint(_S344)].warp_0;
-    }
-    else
-    {
-        _S350 = fabrics_0._data[uint(_S344)].weft_0;
-    }
-    Family_0 _S351 = families_0._data[uint(_S350)];
-    float _S352;
-    if(_S347)
-    {
-        _S352 = -1.0;
+        _S356 = fabrics_0._data[uint(_S350)].warp_0;
     }
     else
     {
-        _S352 = 1.0;
+        _S356 = fabrics_0._data[uint(_S350)].weft_0;
     }
-    float _S353 = _S351.twist_sine_0 * _S352;
-    Family_0 _S354 = families_0._data[uint(_S350)];
-    if(_S348.shown_3.is_warp_0)
+    Family_0 _S357 = families_0._data[uint(_S356)];
+    float _S358;
+    if(_S353)
     {
-        _S352 = 1.0;
-    }
-    else
-    {
-        _S352 = -1.0;
-    }
-    vec2 _S355 = fibre_direction_0(_S348.slope_across_0, _S352 * _S348.slope_along_0, _S353, _S354.twist_cosine_0);
-    float _S356;
-    if(_S348.shown_3.is_warp_0)
-    {
-        _S356 = _S348.slope_x_1;
+        _S358 = -1.0;
     }
     else
     {
-        _S356 = _S348.slope_y_1;
+        _S358 = 1.0;
     }
-    float _S357;
-    if(_S348.shown_3.is_warp_0)
+    float _S359 = _S357.twist_sine_0 * _S358;
+    Family_0 _S360 = families_0._data[uint(_S356)];
+    if(_S354.shown_3.is_warp_0)
     {
-        _S357 = _S348.slope_y_1;
-    }
-    else
-    {
-        _S357 = _S348.slope_x_1;
-    }
-    float _S358 = _S355.x;
-    float _S359 = _S355.y;
-    float _S360 = _S356 * _S358 + _S352 * _S357 * _S359;
-    float _S361 = _S349 * 1.0154266357421875;
-    float _S362 = _S361 * arc_sine_0(clamp(_S348.section_1.across_1 / _S361, -1.0, 1.0));
-    if(_S348.shown_3.is_warp_0)
-    {
-        _S349 = _S346;
+        _S358 = 1.0;
     }
     else
     {
-        _S349 = - _S345;
+        _S358 = -1.0;
+    }
+    vec2 _S361 = fibre_direction_0(_S354.slope_across_0, _S358 * _S354.slope_along_0, _S359, _S360.twist_cosine_0);
+    float _S362;
+    if(_S354.shown_3.is_warp_0)
+    {
+        _S362 = _S354.slope_x_1;
+    }
+    else
+    {
+        _S362 = _S354.slope_y_1;
+    }
+    float _S363;
+    if(_S354.shown_3.is_warp_0)
+    {
+        _S363 = _S354.slope_y_1;
+    }
+    else
+    {
+        _S363 = _S354.slope_x_1;
+    }
+    float _S364 = _S361.x;
+    float _S365 = _S361.y;
+    float _S366 = _S362 * _S364 + _S358 * _S363 * _S365;
+    float _S367 = _S355 * 1.0154266357421875;
+    float _S368 = _S367 * arc_sine_0(clamp(_S354.section_1.across_1 / _S367, -1.0, 1.0));
+    if(_S354.shown_3.is_warp_0)
+    {
+        _S355 = _S352;
+    }
+    else
+    {
+        _S355 = - _S351;
     }
     SurfacePoint_0 point_2;
-    point_2.hole_4 = _S348.shown_3.hole_0;
-    point_2.is_warp_2 = _S348.shown_3.is_warp_0;
-    point_2.warp_thread_0 = _S348.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S348.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S348.height_5;
-    point_2.normal_5 = normalize(vec3(- _S348.slope_x_1, - _S348.slope_y_1, 1.0));
-    vec3 _S363;
-    if(_S348.shown_3.is_warp_0)
+    point_2.hole_4 = _S354.shown_3.hole_0;
+    point_2.is_warp_2 = _S354.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S354.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S354.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S354.height_5;
+    point_2.normal_5 = normalize(vec3(- _S354.slope_x_1, - _S354.slope_y_1, 1.0));
+    vec3 _S369;
+    if(_S354.shown_3.is_warp_0)
     {
-        _S363 = vec3(_S358, _S359, _S360);
+        _S369 = vec3(_S364, _S365, _S366);
     }
     else
     {
-        _S363 = vec3(- _S359, _S358, _S360);
+        _S369 = vec3(- _S365, _S364, _S366);
     }
-    point_2.tangent_5 = normalize(_S363);
-    point_2.across_2 = _S348.section_1.across_1;
-    point_2.fibre_across_0 = _S362 * _S354.twist_cosine_0 + _S349 * _S353;
-    point_2.fibre_along_0 = _S349 * _S354.twist_cosine_0 - _S362 * _S353;
+    point_2.tangent_5 = normalize(_S369);
+    point_2.across_2 = _S354.section_1.across_1;
+    point_2.fibre_across_0 = _S368 * _S360.twist_cosine_0 + _S355 * _S359;
+    point_2.fibre_along_0 = _S355 * _S360.twist_cosine_0 - _S368 * _S359;
     return point_2;
 }
 
-Albedos_0 vary_albedos_0(uint _S364, Albedos_0 _S365, uint _S366, uint _S367)
+Albedos_0 vary_albedos_0(uint _S370, Albedos_0 _S371, uint _S372, uint _S373)
 {
-    vec3 _S368 = max(_S365.specular_reflect_0, _S365.specular_transmit_0);
-    vec3 _S369 = _S365.diffuse_reflect_0 + _S365.diffuse_transmit_0;
-    float _S370 = bounded_gain_0(thread_gain_0(_S366, fabrics_0._data[uint(_S364)].colour_noise_0, fabrics_0._data[uint(_S364)].seed_0), _S369, 1.0 - fabrics_0._data[uint(_S364)].layer_bound_0 * _S368);
-    float _S371 = bounded_gain_0(fibre_gain_0(_S366, _S367, fabrics_0._data[uint(_S364)].fibre_noise_0, fabrics_0._data[uint(_S364)].seed_0), _S368, min((1.0 - _S370 * _S369) / fabrics_0._data[uint(_S364)].layer_bound_0, vec3(1.0)));
+    vec3 _S374 = max(_S371.specular_reflect_0, _S371.specular_transmit_0);
+    vec3 _S375 = _S371.diffuse_reflect_0 + _S371.diffuse_transmit_0;
+    float _S376 = bounded_gain_0(thread_gain_0(_S372, fabrics_0._data[uint(_S370)].colour_noise_0, fabrics_0._data[uint(_S370)].seed_0), _S375, 1.0 - fabrics_0._data[uint(_S370)].layer_bound_0 * _S374);
+    float _S377 = bounded_gain_0(fibre_gain_0(_S372, _S373, fabrics_0._data[uint(_S370)].fibre_noise_0, fabrics_0._data[uint(_S370)].seed_0), _S374, min((1.0 - _S376 * _S375) / fabrics_0._data[uint(_S370)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S370 * _S365.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S370 * _S365.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S371 * _S365.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S371 * _S365.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S376 * _S371.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S376 * _S371.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S377 * _S371.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S377 * _S371.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S372, SurfacePoint_0 _S373, Albedos_0 _S374, float _S375, float _S376)
+Albedos_0 varied_at_0(uint _S378, SurfacePoint_0 _S379, Albedos_0 _S380, float _S381, float _S382)
 {
-    float _S377;
-    if(_S373.is_warp_2)
+    float _S383;
+    if(_S379.is_warp_2)
     {
-        _S377 = _S375;
+        _S383 = _S381;
     }
     else
     {
-        _S377 = _S376;
+        _S383 = _S382;
     }
-    float _S378 = _S377 - _S373.across_2;
-    uint _S379;
-    if(_S373.is_warp_2)
+    float _S384 = _S383 - _S379.across_2;
+    uint _S385;
+    if(_S379.is_warp_2)
     {
-        _S379 = fabrics_0._data[uint(_S372)].warp_0;
+        _S385 = fabrics_0._data[uint(_S378)].warp_0;
     }
     else
     {
-        _S379 = fabrics_0._data[uint(_S372)].weft_0;
+        _S385 = fabrics_0._data[uint(_S378)].weft_0;
     }
-    Family_0 _S380 = families_0._data[uint(_S379)];
-    int _S381 = int(families_0._data[uint(_S379)].count_0);
-    if(_S373.is_warp_2)
+    Family_0 _S386 = families_0._data[uint(_S385)];
+    int _S387 = int(families_0._data[uint(_S385)].count_0);
+    if(_S379.is_warp_2)
     {
-        _S379 = _S373.warp_thread_0;
+        _S385 = _S379.warp_thread_0;
     }
     else
     {
-        _S379 = _S373.weft_thread_0;
+        _S385 = _S379.weft_thread_0;
     }
-    uint _S382 = uint(int(floor(_S378 / _S380.period_0)) * _S381 + int(_S379)) * 2U;
-    if(_S373.is_warp_2)
+    uint _S388 = uint(int(floor(_S384 / _S386.period_0)) * _S387 + int(_S385)) * 2U;
+    if(_S379.is_warp_2)
     {
-        _S379 = 1U;
+        _S385 = 1U;
     }
     else
     {
-        _S379 = 0U;
+        _S385 = 0U;
     }
-    float _S383 = floor(_S373.fibre_across_0 / fabrics_0._data[uint(_S372)].fibre_size_0);
-    return vary_albedos_0(_S372, _S374, _S382 + _S379, uint(int(_S383)) * 65536U + uint(int(floor(_S373.fibre_along_0 / (fabrics_0._data[uint(_S372)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S383))));
+    float _S389 = floor(_S379.fibre_across_0 / fabrics_0._data[uint(_S378)].fibre_size_0);
+    return vary_albedos_0(_S378, _S380, _S388 + _S385, uint(int(_S389)) * 65536U + uint(int(floor(_S379.fibre_along_0 / (fabrics_0._data[uint(_S378)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S389))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S384, SurfacePoint_0 _S385, float _S386, float _S387, bool _S388, bool _S389)
+YarnPoint_0 yarn_point_of_0(uint _S390, SurfacePoint_0 _S391, float _S392, float _S393, bool _S394, bool _S395)
 {
-    uint _S390;
-    if(_S385.is_warp_2)
+    uint _S396;
+    if(_S391.is_warp_2)
     {
-        _S390 = fabrics_0._data[uint(_S384)].warp_0;
+        _S396 = fabrics_0._data[uint(_S390)].warp_0;
     }
     else
     {
-        _S390 = fabrics_0._data[uint(_S384)].weft_0;
+        _S396 = fabrics_0._data[uint(_S390)].weft_0;
     }
-    uint _S391;
-    if(_S385.is_warp_2)
+    uint _S397;
+    if(_S391.is_warp_2)
     {
-        _S391 = _S385.warp_thread_0;
-    }
-    else
-    {
-        _S391 = _S385.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S390, _S391);
-    bool _S392;
-    if((fabrics_0._data[uint(_S384)].fibre_noise_0) > 0.0)
-    {
-        _S392 = true;
+        _S397 = _S391.warp_thread_0;
     }
     else
     {
-        _S392 = (fabrics_0._data[uint(_S384)].colour_noise_0) > 0.0;
+        _S397 = _S391.weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S396, _S397);
+    bool _S398;
+    if((fabrics_0._data[uint(_S390)].fibre_noise_0) > 0.0)
+    {
+        _S398 = true;
+    }
+    else
+    {
+        _S398 = (fabrics_0._data[uint(_S390)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_3;
-    if(_S392)
+    if(_S398)
     {
-        albedos_3 = varied_at_0(_S384, _S385, albedos_2, _S386, _S387);
+        albedos_3 = varied_at_0(_S390, _S391, albedos_2, _S392, _S393);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_3;
-    point_3.back_2 = _S388;
-    point_3.hole_2 = _S389;
-    point_3.is_warp_1 = _S385.is_warp_2;
-    point_3.x_9 = _S386;
-    point_3.y_5 = _S387;
-    point_3.height_3 = _S385.height_9;
-    point_3.normal_4 = _S385.normal_5;
-    point_3.tangent_4 = _S385.tangent_5;
-    point_3.roughness_8 = families_0._data[uint(_S390)].roughness_0;
+    point_3.back_2 = _S394;
+    point_3.hole_2 = _S395;
+    point_3.is_warp_1 = _S391.is_warp_2;
+    point_3.x_9 = _S392;
+    point_3.y_5 = _S393;
+    point_3.height_3 = _S391.height_9;
+    point_3.normal_4 = _S391.normal_5;
+    point_3.tangent_4 = _S391.tangent_5;
+    point_3.roughness_8 = families_0._data[uint(_S396)].roughness_0;
     point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S393, SearchQuality_0 _S394, float _S395, float _S396, vec3 _S397)
+YarnPoint_0 locate_yarn_0(uint _S399, SearchQuality_0 _S400, float _S401, float _S402, vec3 _S403)
 {
-    bool _S398 = (_S397.z) < 0.0;
-    Hit_0 _S399 = first_hit_0(_S393, _S394, _S395, _S396, to_face_frame_0(_S397, _S398), _S398);
-    return yarn_point_of_0(_S393, surface_at_0(_S393, _S399.x_10, _S399.y_6, _S398), _S399.x_10, _S399.y_6, _S398, _S399.hole_3);
+    bool _S404 = (_S403.z) < 0.0;
+    Hit_0 _S405 = first_hit_0(_S399, _S400, _S401, _S402, to_face_frame_0(_S403, _S404), _S404);
+    return yarn_point_of_0(_S399, surface_at_0(_S399, _S405.x_10, _S405.y_6, _S404), _S405.x_10, _S405.y_6, _S404, _S405.hole_3);
 }
 
-vec3 scattered_0(uint _S400, YarnPoint_0 _S401, vec3 _S402, vec3 _S403)
+vec3 scattered_0(uint _S406, YarnPoint_0 _S407, vec3 _S408, vec3 _S409)
 {
-    const vec3 _S404 = vec3(0.0);
-    bool _S405 = !_S401.hole_2;
-    bool _S406;
-    if(_S405)
+    const vec3 _S410 = vec3(0.0);
+    bool _S411 = !_S407.hole_2;
+    bool _S412;
+    if(_S411)
     {
-        _S406 = (_S402.z) > 0.0;
+        _S412 = (_S408.z) > 0.0;
     }
     else
     {
-        _S406 = false;
+        _S412 = false;
     }
     vec3 value_1;
-    if(_S406)
+    if(_S412)
     {
-        value_1 = _S401.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S402, _S401.normal_4, fabrics_0._data[uint(_S400)].diffuse_blend_0) + _S401.albedos_1.specular_reflect_0 * reflection_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0._data[uint(_S400)].optical_depth_0);
+        value_1 = _S407.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S408, _S407.normal_4, fabrics_0._data[uint(_S406)].diffuse_blend_0) + _S407.albedos_1.specular_reflect_0 * reflection_0(_S408, _S409, _S407.normal_4, _S407.tangent_4, _S407.roughness_8, fabrics_0._data[uint(_S406)].optical_depth_0);
     }
     else
     {
-        if(_S405)
+        if(_S411)
         {
-            _S406 = (_S402.z) < 0.0;
+            _S412 = (_S408.z) < 0.0;
         }
         else
         {
-            _S406 = false;
+            _S412 = false;
         }
-        if(_S406)
+        if(_S412)
         {
-            value_1 = _S401.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S402, _S401.normal_4, fabrics_0._data[uint(_S400)].diffuse_blend_0) + _S401.albedos_1.specular_transmit_0 * transmission_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0._data[uint(_S400)].optical_depth_0);
+            value_1 = _S407.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S408, _S407.normal_4, fabrics_0._data[uint(_S406)].diffuse_blend_0) + _S407.albedos_1.specular_transmit_0 * transmission_0(_S408, _S409, _S407.normal_4, _S407.tangent_4, _S407.roughness_8, fabrics_0._data[uint(_S406)].optical_depth_0);
         }
         else
         {
-            value_1 = _S404;
+            value_1 = _S410;
         }
     }
-    float _S407 = fabrics_0._data[uint(_S400)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S400)].sheen_strength_0) <= 0.0)
+    float _S413 = fabrics_0._data[uint(_S406)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S406)].sheen_strength_0) <= 0.0)
     {
         return value_1;
     }
-    vec2 _S408 = sheen_with_transmittance_0(_S402, _S403, _S407, fabrics_0._data[uint(_S400)].sheen_roughness_0);
-    return _S408.y * value_1 + _S408.x;
+    vec2 _S414 = sheen_with_transmittance_0(_S408, _S409, _S413, fabrics_0._data[uint(_S406)].sheen_roughness_0);
+    return _S414.y * value_1 + _S414.x;
 }
 
-bool unoccluded_0(uint _S409, SearchQuality_0 _S410, float _S411, float _S412, float _S413, vec3 _S414, bool _S415)
+bool unoccluded_0(uint _S415, SearchQuality_0 _S416, float _S417, float _S418, float _S419, vec3 _S420, bool _S421)
 {
-    if((_S414.z) <= 0.0)
+    if((_S420.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S409, _S410, vec3(_S411, _S412, _S413 + fabrics_0._data[uint(_S409)].lift_0), _S414, _S415, max_height_along_0(_S409, _S411, _S412, _S413, _S414, _S415));
+    return is_free_0(_S415, _S416, vec3(_S417, _S418, _S419 + fabrics_0._data[uint(_S415)].lift_0), _S420, _S421, max_height_along_0(_S415, _S417, _S418, _S419, _S420, _S421));
 }
 
-bool is_lit_0(uint _S416, SearchQuality_0 _S417, YarnPoint_0 _S418, vec3 _S419)
+bool is_lit_0(uint _S422, SearchQuality_0 _S423, YarnPoint_0 _S424, vec3 _S425)
 {
-    if(_S418.hole_2)
+    if(_S424.hole_2)
     {
         return true;
     }
-    vec3 _S420 = to_face_frame_0(_S419, _S418.back_2);
-    float _S421 = _S420.z;
-    bool _S422 = _S421 < 0.0;
+    vec3 _S426 = to_face_frame_0(_S425, _S424.back_2);
+    float _S427 = _S426.z;
+    bool _S428 = _S427 < 0.0;
     vec3 normal_6;
     float height_10;
-    if(_S422)
+    if(_S428)
     {
-        SurfacePoint_0 _S423 = surface_at_0(_S416, _S418.x_9, _S418.y_5, !_S418.back_2);
-        normal_6 = _S423.normal_5;
-        height_10 = _S423.height_9;
+        SurfacePoint_0 _S429 = surface_at_0(_S422, _S424.x_9, _S424.y_5, !_S424.back_2);
+        normal_6 = _S429.normal_5;
+        height_10 = _S429.height_9;
     }
     else
     {
-        normal_6 = _S418.normal_4;
-        height_10 = _S418.height_3;
+        normal_6 = _S424.normal_4;
+        height_10 = _S424.height_3;
     }
-    vec3 _S424 = vec3(_S420.xy, abs(_S421));
-    if((dot(normal_6, _S424)) <= 0.0)
+    vec3 _S430 = vec3(_S426.xy, abs(_S427));
+    if((dot(normal_6, _S430)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S416, _S417, _S418.x_9, _S418.y_5, height_10, _S424, (_S418.back_2) != _S422);
+    return unoccluded_0(_S422, _S423, _S424.x_9, _S424.y_5, height_10, _S430, (_S424.back_2) != _S428);
 }
 
-vec3 evaluate_0(uint _S425, SearchQuality_0 _S426, YarnPoint_0 _S427, vec3 _S428, vec3 _S429)
+vec3 evaluate_0(uint _S431, SearchQuality_0 _S432, YarnPoint_0 _S433, vec3 _S434, vec3 _S435)
 {
-    vec3 _S430 = scattered_0(_S425, _S427, to_face_frame_0(_S428, _S427.back_2), to_face_frame_0(_S429, _S427.back_2));
-    bool _S431;
-    if((max(_S430.x, max(_S430.y, _S430.z))) <= 0.0)
+    vec3 _S436 = scattered_0(_S431, _S433, to_face_frame_0(_S434, _S433.back_2), to_face_frame_0(_S435, _S433.back_2));
+    bool _S437;
+    if((max(_S436.x, max(_S436.y, _S436.z))) <= 0.0)
     {
-        _S431 = true;
+        _S437 = true;
     }
     else
     {
-        _S431 = !is_lit_0(_S425, _S426, _S427, _S428);
+        _S437 = !is_lit_0(_S431, _S432, _S433, _S434);
     }
-    if(_S431)
+    if(_S437)
     {
         return vec3(0.0);
     }
-    return _S430;
+    return _S436;
 }
 
-float straight_through_0(uint _S432, YarnPoint_0 _S433, vec3 _S434)
+float straight_through_0(uint _S438, YarnPoint_0 _S439, vec3 _S440)
 {
-    if(!_S433.hole_2)
+    if(!_S439.hole_2)
     {
         return 0.0;
     }
-    float _S435 = fabrics_0._data[uint(_S432)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S432)].sheen_strength_0) <= 0.0)
+    float _S441 = fabrics_0._data[uint(_S438)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S438)].sheen_strength_0) <= 0.0)
     {
         return 1.0;
     }
-    return 1.0 - _S435 * sheen_lobe_0(abs(_S434.z), fabrics_0._data[uint(_S432)].sheen_roughness_0).z;
+    return 1.0 - _S441 * sheen_lobe_0(abs(_S440.z), fabrics_0._data[uint(_S438)].sheen_roughness_0).z;
 }
 
-vec4 light_of_point_0(Frame_0 _S436, uint _S437, VisiblePoint_0 _S438, vec2 _S439)
+vec4 light_of_point_0(Frame_0 _S442, uint _S443, VisiblePoint_0 _S444, vec2 _S445)
 {
-    SearchQuality_0 _S440 = default_quality_0();
-    vec3 _S441 = to_local_0(_S438, _S438.view_0);
-    YarnPoint_0 _S442 = locate_yarn_0(_S437, _S440, _S439.x, _S439.y, _S441);
-    const vec3 _S443 = vec3(0.0);
+    SearchQuality_0 _S446 = default_quality_0();
+    vec3 _S447 = to_local_0(_S444, _S444.view_0);
+    YarnPoint_0 _S448 = locate_yarn_0(_S443, _S446, _S445.x, _S445.y, _S447);
+    const vec3 _S449 = vec3(0.0);
     uint number_1 = 0U;
-    vec3 radiance_1 = _S443;
+    vec3 radiance_1 = _S449;
     for(;;)
     {
-        if(number_1 < (_S436.lights_0))
+        if(number_1 < (_S442.lights_0))
         {
         }
         else
@@ -2567,66 +2574,66 @@ vec4 light_of_point_0(Frame_0 _S436, uint _S437, VisiblePoint_0 _S438, vec2 _S43
             break;
         }
         vec3 irradiance_2;
-        vec3 _S444 = towards_light_0(lights_1._data[uint(number_1)], _S438.position_0, irradiance_2);
-        vec3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S437, _S440, _S442, to_local_0(_S438, _S444), _S441);
+        vec3 _S450 = towards_light_0(lights_1._data[uint(number_1)], _S444.position_0, irradiance_2);
+        vec3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S443, _S446, _S448, to_local_0(_S444, _S450), _S447);
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    return vec4(radiance_1, 1.0 - straight_through_0(_S437, _S442, _S441));
+    return vec4(radiance_1, 1.0 - straight_through_0(_S443, _S448, _S447));
 }
 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S445;
-    Frame_0 _S446 = frames_0._data[uint(0)];
-    bool _S447;
-    if((gl_GlobalInvocationID.x) >= (_S446.width_0))
+    uint _S451;
+    Frame_0 _S452 = frames_0._data[uint(0)];
+    bool _S453;
+    if((gl_GlobalInvocationID.x) >= (_S452.width_0))
     {
-        _S447 = true;
+        _S453 = true;
     }
     else
     {
-        _S447 = (gl_GlobalInvocationID.y) >= (_S446.height_0);
+        _S453 = (gl_GlobalInvocationID.y) >= (_S452.height_0);
     }
-    if(_S447)
+    if(_S453)
     {
         return;
     }
-    uvec2 _S448 = gl_GlobalInvocationID.xy;
-    ivec3 _S449 = ivec3(ivec2(_S448), 0);
-    uint _S450 = (texelFetch((visible_faces_0), ((_S449)).xy, ((_S449)).z).x);
-    const vec4 _S451 = vec4(0.0);
+    uvec2 _S454 = gl_GlobalInvocationID.xy;
+    ivec3 _S455 = ivec3(ivec2(_S454), 0);
+    uint _S456 = (texelFetch((visible_faces_0), ((_S455)).xy, ((_S455)).z).x);
+    const vec4 _S457 = vec4(0.0);
     vec4 sum_0;
-    if(_S450 > 0U)
+    if(_S456 > 0U)
     {
-        uint _S452 = _S450 - 1U;
-        uint _S453 = face_fabrics_0._data[uint(_S452)];
-        VisiblePoint_0 _S454 = visible_point_0(_S446, _S453, _S452, _S448);
+        uint _S458 = _S456 - 1U;
+        uint _S459 = face_fabrics_0._data[uint(_S458)];
+        VisiblePoint_0 _S460 = visible_point_0(_S452, _S459, _S458, _S454);
         uint k_0 = 0U;
-        sum_0 = _S451;
+        sum_0 = _S457;
         for(;;)
         {
-            _S445 = _S446.samples_0;
-            if(k_0 < (_S446.samples_0))
+            _S451 = _S452.samples_0;
+            if(k_0 < (_S452.samples_0))
             {
             }
             else
             {
                 break;
             }
-            vec2 _S455 = footprint_sample_0(_S448, _S446.pass_number_0 * _S446.samples_0 + k_0);
-            vec4 sum_1 = sum_0 + light_of_point_0(_S446, _S453, _S454, _S454.draft_0 + _S455.x * _S454.draft_dx_0 + _S455.y * _S454.draft_dy_0);
+            vec2 _S461 = footprint_sample_0(_S454, _S452.pass_number_0 * _S452.samples_0 + k_0);
+            vec4 sum_1 = sum_0 + light_of_point_0(_S452, _S459, _S460, _S460.draft_0 + _S461.x * _S460.draft_dx_0 + _S461.y * _S460.draft_dy_0);
             k_0 = k_0 + 1U;
             sum_0 = sum_1;
         }
-        sum_0 = sum_0 / float(_S445);
+        sum_0 = sum_0 / float(_S451);
     }
     else
     {
-        sum_0 = _S451;
+        sum_0 = _S457;
     }
-    accumulate_0(_S446, _S448, sum_0);
+    accumulate_0(_S452, _S454, sum_0);
     return;
 }
 

@@ -2893,135 +2893,143 @@ float refined_height_0(uint _S600, const ViewRay_0 thread* _S601, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S620, const SearchQuality_0 thread* _S621, float _S622, float _S623, float3 _S624, bool _S625, KernelContext_0 thread* kernelContext_40)
+Hit_0 first_hit_of_yarn_0(uint _S620, const SearchQuality_0 thread* _S621, float _S622, float _S623, float3 _S624, bool _S625, KernelContext_0 thread* kernelContext_40)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_12 = _S622;
-    (&hit_0)->y_7 = _S623;
-    (&hit_0)->height_5 = 0.0f;
-    bool _S626 = passes_through_0(_S620, _S621, _S622, _S623, _S624, _S625, kernelContext_40);
-    (&hit_0)->hole_5 = _S626;
-    if(_S626)
-    {
-        return hit_0;
-    }
-    float _S627 = max(_S624.z, 0.00009999999747379f);
+    float _S626 = max(_S624.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S622, _S623);
-    float2 _S628 = _S624.xy / float2(_S627) ;
-    (&ray_0)->slope_1 = _S628;
-    float2 _S629 = - _S628;
-    float _S630 = steps_per_length_0(_S620, _S621, _S624, kernelContext_40);
-    StepControl_0 _S631 = step_control_0(_S629, 1.0f / max(_S630 / _S627, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S632 = ray_0;
-    thread StepControl_0 _S633 = _S631;
-    ViewRayEnd_0 _S634 = search_down_0(_S620, &_S632, &_S633, _S625, kernelContext_40);
-    thread ViewRay_0 _S635 = ray_0;
-    thread StepControl_0 _S636 = _S631;
-    thread ViewRayEnd_0 _S637 = _S634;
-    float _S638 = refined_height_0(_S620, &_S635, &_S636, _S625, &_S637, _S621->refinements_0, kernelContext_40);
-    (&hit_0)->height_5 = _S638;
-    thread ViewRay_0 _S639 = ray_0;
-    float2 _S640 = ViewRay_at_0(&_S639, _S638);
-    (&hit_0)->x_12 = _S640.x;
-    (&hit_0)->y_7 = _S640.y;
+    float2 _S627 = _S624.xy / float2(_S626) ;
+    (&ray_0)->slope_1 = _S627;
+    float2 _S628 = - _S627;
+    float _S629 = steps_per_length_0(_S620, _S621, _S624, kernelContext_40);
+    StepControl_0 _S630 = step_control_0(_S628, 1.0f / max(_S629 / _S626, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S631 = ray_0;
+    thread StepControl_0 _S632 = _S630;
+    ViewRayEnd_0 _S633 = search_down_0(_S620, &_S631, &_S632, _S625, kernelContext_40);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    thread ViewRay_0 _S634 = ray_0;
+    thread StepControl_0 _S635 = _S630;
+    thread ViewRayEnd_0 _S636 = _S633;
+    float _S637 = refined_height_0(_S620, &_S634, &_S635, _S625, &_S636, _S621->refinements_0, kernelContext_40);
+    (&hit_0)->height_5 = _S637;
+    thread ViewRay_0 _S638 = ray_0;
+    float2 _S639 = ViewRay_at_0(&_S638, _S637);
+    (&hit_0)->x_12 = _S639.x;
+    (&hit_0)->y_7 = _S639.y;
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S641, float _S642, float _S643, bool _S644, KernelContext_0 thread* kernelContext_41)
+Hit_0 first_hit_0(uint _S640, const SearchQuality_0 thread* _S641, float _S642, float _S643, float3 _S644, bool _S645, KernelContext_0 thread* kernelContext_41)
 {
-    Fabric_0 device* _S645 = kernelContext_41->fabrics_0+_S641;
-    Sample_0 _S646 = sample_at_0(_S641, _S642, _S643, _S644, kernelContext_41);
-    float _S647;
-    if(_S646.shown_3.is_warp_2)
+    bool _S646 = passes_through_0(_S640, _S641, _S642, _S643, _S644, _S645, kernelContext_41);
+    if(!_S646)
     {
-        _S647 = _S646.crossing_2.warp_1.half_width_1;
+        Hit_0 _S647 = first_hit_of_yarn_0(_S640, _S641, _S642, _S643, _S644, _S645, kernelContext_41);
+        return _S647;
     }
-    else
-    {
-        _S647 = _S646.crossing_2.weft_1.half_width_1;
-    }
-    uint _S648;
-    if(_S646.shown_3.is_warp_2)
-    {
-        _S648 = _S645->warp_0;
-    }
-    else
-    {
-        _S648 = _S645->weft_0;
-    }
-    Family_0 _S649 = kernelContext_41->families_0[_S648];
-    float _S650;
-    if(_S644)
-    {
-        _S650 = -1.0f;
-    }
-    else
-    {
-        _S650 = 1.0f;
-    }
-    float _S651 = _S649.twist_sine_0 * _S650;
-    Family_0 _S652 = kernelContext_41->families_0[_S648];
-    if(_S646.shown_3.is_warp_2)
-    {
-        _S650 = 1.0f;
-    }
-    else
-    {
-        _S650 = -1.0f;
-    }
-    float2 _S653 = fibre_direction_0(_S646.slope_across_0, _S650 * _S646.slope_along_0, _S651, _S652.twist_cosine_0);
+    thread Hit_0 hit_1;
+    (&hit_1)->x_12 = _S642;
+    (&hit_1)->y_7 = _S643;
+    (&hit_1)->height_5 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S648, float _S649, float _S650, bool _S651, KernelContext_0 thread* kernelContext_42)
+{
+    Fabric_0 device* _S652 = kernelContext_42->fabrics_0+_S648;
+    Sample_0 _S653 = sample_at_0(_S648, _S649, _S650, _S651, kernelContext_42);
     float _S654;
-    if(_S646.shown_3.is_warp_2)
+    if(_S653.shown_3.is_warp_2)
     {
-        _S654 = _S646.slope_x_1;
+        _S654 = _S653.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S654 = _S646.slope_y_1;
+        _S654 = _S653.crossing_2.weft_1.half_width_1;
     }
-    float _S655;
-    if(_S646.shown_3.is_warp_2)
+    uint _S655;
+    if(_S653.shown_3.is_warp_2)
     {
-        _S655 = _S646.slope_y_1;
-    }
-    else
-    {
-        _S655 = _S646.slope_x_1;
-    }
-    float _S656 = _S653.x;
-    float _S657 = _S653.y;
-    float _S658 = _S654 * _S656 + _S650 * _S655 * _S657;
-    float _S659 = _S647 * 1.0154266357421875f;
-    float _S660 = _S659 * arc_sine_0(clamp(_S646.section_1.across_3 / _S659, -1.0f, 1.0f));
-    if(_S646.shown_3.is_warp_2)
-    {
-        _S647 = _S643;
+        _S655 = _S652->warp_0;
     }
     else
     {
-        _S647 = - _S642;
+        _S655 = _S652->weft_0;
+    }
+    Family_0 _S656 = kernelContext_42->families_0[_S655];
+    float _S657;
+    if(_S651)
+    {
+        _S657 = -1.0f;
+    }
+    else
+    {
+        _S657 = 1.0f;
+    }
+    float _S658 = _S656.twist_sine_0 * _S657;
+    Family_0 _S659 = kernelContext_42->families_0[_S655];
+    if(_S653.shown_3.is_warp_2)
+    {
+        _S657 = 1.0f;
+    }
+    else
+    {
+        _S657 = -1.0f;
+    }
+    float2 _S660 = fibre_direction_0(_S653.slope_across_0, _S657 * _S653.slope_along_0, _S658, _S659.twist_cosine_0);
+    float _S661;
+    if(_S653.shown_3.is_warp_2)
+    {
+        _S661 = _S653.slope_x_1;
+    }
+    else
+    {
+        _S661 = _S653.slope_y_1;
+    }
+    float _S662;
+    if(_S653.shown_3.is_warp_2)
+    {
+        _S662 = _S653.slope_y_1;
+    }
+    else
+    {
+        _S662 = _S653.slope_x_1;
+    }
+    float _S663 = _S660.x;
+    float _S664 = _S660.y;
+    float _S665 = _S661 * _S663 + _S657 * _S662 * _S664;
+    float _S666 = _S654 * 1.0154266357421875f;
+    float _S667 = _S666 * arc_sine_0(clamp(_S653.section_1.across_3 / _S666, -1.0f, 1.0f));
+    if(_S653.shown_3.is_warp_2)
+    {
+        _S654 = _S650;
+    }
+    else
+    {
+        _S654 = - _S649;
     }
     thread SurfacePoint_0 point_2;
-    (&point_2)->hole_0 = _S646.shown_3.hole_3;
-    (&point_2)->is_warp_0 = _S646.shown_3.is_warp_2;
-    (&point_2)->warp_thread_0 = _S646.crossing_2.warp_1.thread_0;
-    (&point_2)->weft_thread_0 = _S646.crossing_2.weft_1.thread_0;
-    (&point_2)->height_1 = _S646.height_6;
-    (&point_2)->normal_1 = normalize(float3(- _S646.slope_x_1, - _S646.slope_y_1, 1.0f));
-    float3 _S661;
-    if(_S646.shown_3.is_warp_2)
+    (&point_2)->hole_0 = _S653.shown_3.hole_3;
+    (&point_2)->is_warp_0 = _S653.shown_3.is_warp_2;
+    (&point_2)->warp_thread_0 = _S653.crossing_2.warp_1.thread_0;
+    (&point_2)->weft_thread_0 = _S653.crossing_2.weft_1.thread_0;
+    (&point_2)->height_1 = _S653.height_6;
+    (&point_2)->normal_1 = normalize(float3(- _S653.slope_x_1, - _S653.slope_y_1, 1.0f));
+    float3 _S668;
+    if(_S653.shown_3.is_warp_2)
     {
-        _S661 = float3(_S656, _S657, _S658);
+        _S668 = float3(_S663, _S664, _S665);
     }
     else
     {
-        _S661 = float3(- _S657, _S656, _S658);
+        _S668 = float3(- _S664, _S663, _S665);
     }
-    (&point_2)->tangent_0 = normalize(_S661);
-    (&point_2)->across_0 = _S646.section_1.across_3;
-    (&point_2)->fibre_across_0 = _S660 * _S652.twist_cosine_0 + _S647 * _S651;
-    (&point_2)->fibre_along_0 = _S647 * _S652.twist_cosine_0 - _S660 * _S651;
+    (&point_2)->tangent_0 = normalize(_S668);
+    (&point_2)->across_0 = _S653.section_1.across_3;
+    (&point_2)->fibre_across_0 = _S667 * _S659.twist_cosine_0 + _S654 * _S658;
+    (&point_2)->fibre_along_0 = _S654 * _S659.twist_cosine_0 - _S667 * _S658;
     return point_2;
 }
 
@@ -3039,259 +3047,259 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-Albedos_0 vary_albedos_0(uint _S662, const Albedos_0 thread* _S663, uint _S664, uint _S665, KernelContext_0 thread* kernelContext_42)
+Albedos_0 vary_albedos_0(uint _S669, const Albedos_0 thread* _S670, uint _S671, uint _S672, KernelContext_0 thread* kernelContext_43)
 {
-    Fabric_0 device* _S666 = kernelContext_42->fabrics_0+_S662;
-    float3 _S667 = max(_S663->specular_reflect_0, _S663->specular_transmit_0);
-    float3 _S668 = _S663->diffuse_reflect_0 + _S663->diffuse_transmit_0;
-    float3 _S669 = float3(_S666->layer_bound_0) ;
-    float3 _S670 = float3(1.0f) ;
-    float3 _S671 = float3(bounded_gain_0(thread_gain_0(_S664, _S666->colour_noise_0, _S666->seed_0), _S668, _S670 - _S669 * _S667)) ;
-    float _S672 = bounded_gain_0(fibre_gain_0(_S664, _S665, _S666->fibre_noise_0, _S666->seed_0), _S667, min((_S670 - _S671 * _S668) / _S669, float3(1.0f) ));
+    Fabric_0 device* _S673 = kernelContext_43->fabrics_0+_S669;
+    float3 _S674 = max(_S670->specular_reflect_0, _S670->specular_transmit_0);
+    float3 _S675 = _S670->diffuse_reflect_0 + _S670->diffuse_transmit_0;
+    float3 _S676 = float3(_S673->layer_bound_0) ;
+    float3 _S677 = float3(1.0f) ;
+    float3 _S678 = float3(bounded_gain_0(thread_gain_0(_S671, _S673->colour_noise_0, _S673->seed_0), _S675, _S677 - _S676 * _S674)) ;
+    float _S679 = bounded_gain_0(fibre_gain_0(_S671, _S672, _S673->fibre_noise_0, _S673->seed_0), _S674, min((_S677 - _S678 * _S675) / _S676, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S671 * _S663->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S671 * _S663->diffuse_transmit_0;
-    float3 _S673 = float3(_S672) ;
-    (&varied_0)->specular_reflect_0 = _S673 * _S663->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S673 * _S663->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S678 * _S670->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S678 * _S670->diffuse_transmit_0;
+    float3 _S680 = float3(_S679) ;
+    (&varied_0)->specular_reflect_0 = _S680 * _S670->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S680 * _S670->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S674, const SurfacePoint_0 thread* _S675, const Albedos_0 thread* _S676, float _S677, float _S678, KernelContext_0 thread* kernelContext_43)
+Albedos_0 varied_at_0(uint _S681, const SurfacePoint_0 thread* _S682, const Albedos_0 thread* _S683, float _S684, float _S685, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S679 = kernelContext_43->fabrics_0+_S674;
-    bool _S680 = _S675->is_warp_0;
-    float _S681;
-    if(_S675->is_warp_0)
+    Fabric_0 device* _S686 = kernelContext_44->fabrics_0+_S681;
+    bool _S687 = _S682->is_warp_0;
+    float _S688;
+    if(_S682->is_warp_0)
     {
-        _S681 = _S677;
+        _S688 = _S684;
     }
     else
     {
-        _S681 = _S678;
+        _S688 = _S685;
     }
-    float _S682 = _S681 - _S675->across_0;
-    uint _S683;
-    if(_S680)
+    float _S689 = _S688 - _S682->across_0;
+    uint _S690;
+    if(_S687)
     {
-        _S683 = _S679->warp_0;
+        _S690 = _S686->warp_0;
     }
     else
     {
-        _S683 = _S679->weft_0;
+        _S690 = _S686->weft_0;
     }
-    Family_0 _S684 = kernelContext_43->families_0[_S683];
-    int _S685 = int(kernelContext_43->families_0[_S683].count_0);
-    if(_S680)
+    Family_0 _S691 = kernelContext_44->families_0[_S690];
+    int _S692 = int(kernelContext_44->families_0[_S690].count_0);
+    if(_S687)
     {
-        _S683 = _S675->warp_thread_0;
+        _S690 = _S682->warp_thread_0;
     }
     else
     {
-        _S683 = _S675->weft_thread_0;
+        _S690 = _S682->weft_thread_0;
     }
-    uint _S686 = uint(int(floor(_S682 / _S684.period_0)) * _S685 + int(_S683)) * 2U;
-    if(_S680)
+    uint _S693 = uint(int(floor(_S689 / _S691.period_0)) * _S692 + int(_S690)) * 2U;
+    if(_S687)
     {
-        _S683 = 1U;
+        _S690 = 1U;
     }
     else
     {
-        _S683 = 0U;
+        _S690 = 0U;
     }
-    float _S687 = floor(_S675->fibre_across_0 / _S679->fibre_size_0);
-    Albedos_0 _S688 = vary_albedos_0(_S674, _S676, _S686 + _S683, uint(int(_S687)) * 65536U + uint(int(floor(_S675->fibre_along_0 / (_S679->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S687))), kernelContext_43);
-    return _S688;
+    float _S694 = floor(_S682->fibre_across_0 / _S686->fibre_size_0);
+    Albedos_0 _S695 = vary_albedos_0(_S681, _S683, _S693 + _S690, uint(int(_S694)) * 65536U + uint(int(floor(_S682->fibre_along_0 / (_S686->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S694))), kernelContext_44);
+    return _S695;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S689, const SurfacePoint_0 thread* _S690, float _S691, float _S692, bool _S693, bool _S694, KernelContext_0 thread* kernelContext_44)
+YarnPoint_0 yarn_point_of_0(uint _S696, const SurfacePoint_0 thread* _S697, float _S698, float _S699, bool _S700, bool _S701, KernelContext_0 thread* kernelContext_45)
 {
-    Fabric_0 device* _S695 = kernelContext_44->fabrics_0+_S689;
-    bool _S696 = _S690->is_warp_0;
-    uint _S697;
-    if(_S690->is_warp_0)
+    Fabric_0 device* _S702 = kernelContext_45->fabrics_0+_S696;
+    bool _S703 = _S697->is_warp_0;
+    uint _S704;
+    if(_S697->is_warp_0)
     {
-        _S697 = _S695->warp_0;
+        _S704 = _S702->warp_0;
     }
     else
     {
-        _S697 = _S695->weft_0;
+        _S704 = _S702->weft_0;
     }
-    uint _S698;
-    if(_S696)
+    uint _S705;
+    if(_S703)
     {
-        _S698 = _S690->warp_thread_0;
-    }
-    else
-    {
-        _S698 = _S690->weft_thread_0;
-    }
-    Albedos_0 _S699 = albedos_of_0(_S697, _S698, kernelContext_44);
-    bool _S700;
-    if((_S695->fibre_noise_0) > 0.0f)
-    {
-        _S700 = true;
+        _S705 = _S697->warp_thread_0;
     }
     else
     {
-        _S700 = (_S695->colour_noise_0) > 0.0f;
+        _S705 = _S697->weft_thread_0;
+    }
+    Albedos_0 _S706 = albedos_of_0(_S704, _S705, kernelContext_45);
+    bool _S707;
+    if((_S702->fibre_noise_0) > 0.0f)
+    {
+        _S707 = true;
+    }
+    else
+    {
+        _S707 = (_S702->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_6;
-    if(_S700)
+    if(_S707)
     {
-        thread Albedos_0 _S701 = _S699;
-        Albedos_0 _S702 = varied_at_0(_S689, _S690, &_S701, _S691, _S692, kernelContext_44);
-        albedos_6 = _S702;
+        thread Albedos_0 _S708 = _S706;
+        Albedos_0 _S709 = varied_at_0(_S696, _S697, &_S708, _S698, _S699, kernelContext_45);
+        albedos_6 = _S709;
     }
     else
     {
-        albedos_6 = _S699;
+        albedos_6 = _S706;
     }
     thread YarnPoint_0 point_3;
-    (&point_3)->back_3 = _S693;
-    (&point_3)->hole_6 = _S694;
-    (&point_3)->is_warp_3 = _S696;
-    (&point_3)->x_13 = _S691;
-    (&point_3)->y_8 = _S692;
-    (&point_3)->height_10 = _S690->height_1;
-    (&point_3)->normal_7 = _S690->normal_1;
-    (&point_3)->tangent_7 = _S690->tangent_0;
-    (&point_3)->roughness_10 = kernelContext_44->families_0[_S697].roughness_0;
+    (&point_3)->back_3 = _S700;
+    (&point_3)->hole_6 = _S701;
+    (&point_3)->is_warp_3 = _S703;
+    (&point_3)->x_13 = _S698;
+    (&point_3)->y_8 = _S699;
+    (&point_3)->height_10 = _S697->height_1;
+    (&point_3)->normal_7 = _S697->normal_1;
+    (&point_3)->tangent_7 = _S697->tangent_0;
+    (&point_3)->roughness_10 = kernelContext_45->families_0[_S704].roughness_0;
     (&point_3)->albedos_5 = albedos_6;
     return point_3;
 }
 
-bool unoccluded_0(uint _S703, const SearchQuality_0 thread* _S704, float _S705, float _S706, float _S707, float3 _S708, bool _S709, KernelContext_0 thread* kernelContext_45)
+bool unoccluded_0(uint _S710, const SearchQuality_0 thread* _S711, float _S712, float _S713, float _S714, float3 _S715, bool _S716, KernelContext_0 thread* kernelContext_46)
 {
-    Fabric_0 device* _S710 = kernelContext_45->fabrics_0+_S703;
-    if((_S708.z) <= 0.0f)
+    Fabric_0 device* _S717 = kernelContext_46->fabrics_0+_S710;
+    if((_S715.z) <= 0.0f)
     {
         return false;
     }
-    float _S711 = max_height_along_0(_S703, _S705, _S706, _S707, _S708, _S709, kernelContext_45);
-    bool _S712 = is_free_0(_S703, _S704, float3(_S705, _S706, _S707 + _S710->lift_0), _S708, _S709, _S711, kernelContext_45);
-    return _S712;
+    float _S718 = max_height_along_0(_S710, _S712, _S713, _S714, _S715, _S716, kernelContext_46);
+    bool _S719 = is_free_0(_S710, _S711, float3(_S712, _S713, _S714 + _S717->lift_0), _S715, _S716, _S718, kernelContext_46);
+    return _S719;
 }
 
-bool is_lit_0(uint _S713, const SearchQuality_0 thread* _S714, const YarnPoint_0 thread* _S715, float3 _S716, KernelContext_0 thread* kernelContext_46)
+bool is_lit_0(uint _S720, const SearchQuality_0 thread* _S721, const YarnPoint_0 thread* _S722, float3 _S723, KernelContext_0 thread* kernelContext_47)
 {
-    if(_S715->hole_6)
+    if(_S722->hole_6)
     {
         return true;
     }
-    bool _S717 = _S715->back_3;
-    float3 _S718 = to_face_frame_0(_S716, _S715->back_3);
-    float _S719 = _S718.z;
-    bool _S720 = _S719 < 0.0f;
-    float3 _S721 = _S715->normal_7;
-    float _S722 = _S715->height_10;
+    bool _S724 = _S722->back_3;
+    float3 _S725 = to_face_frame_0(_S723, _S722->back_3);
+    float _S726 = _S725.z;
+    bool _S727 = _S726 < 0.0f;
+    float3 _S728 = _S722->normal_7;
+    float _S729 = _S722->height_10;
     float3 normal_8;
     float height_11;
-    if(_S720)
+    if(_S727)
     {
-        SurfacePoint_0 _S723 = surface_at_0(_S713, _S715->x_13, _S715->y_8, !_S717, kernelContext_46);
-        normal_8 = _S723.normal_1;
-        height_11 = _S723.height_1;
+        SurfacePoint_0 _S730 = surface_at_0(_S720, _S722->x_13, _S722->y_8, !_S724, kernelContext_47);
+        normal_8 = _S730.normal_1;
+        height_11 = _S730.height_1;
     }
     else
     {
-        normal_8 = _S721;
-        height_11 = _S722;
+        normal_8 = _S728;
+        height_11 = _S729;
     }
-    float3 _S724 = float3(_S718.xy, abs(_S719));
-    if((dot(normal_8, _S724)) <= 0.0f)
+    float3 _S731 = float3(_S725.xy, abs(_S726));
+    if((dot(normal_8, _S731)) <= 0.0f)
     {
         return false;
     }
-    bool _S725 = unoccluded_0(_S713, _S714, _S715->x_13, _S715->y_8, height_11, _S724, _S717 != _S720, kernelContext_46);
-    return _S725;
+    bool _S732 = unoccluded_0(_S720, _S721, _S722->x_13, _S722->y_8, height_11, _S731, _S724 != _S727, kernelContext_47);
+    return _S732;
 }
 
-Components_0 components_of_point_0(uint _S726, const SearchQuality_0 thread* _S727, const YarnPoint_0 thread* _S728, float3 _S729, float3 _S730, KernelContext_0 thread* kernelContext_47)
+Components_0 components_of_point_0(uint _S733, const SearchQuality_0 thread* _S734, const YarnPoint_0 thread* _S735, float3 _S736, float3 _S737, KernelContext_0 thread* kernelContext_48)
 {
-    Fabric_0 device* _S731 = kernelContext_47->fabrics_0+_S726;
+    Fabric_0 device* _S738 = kernelContext_48->fabrics_0+_S733;
     thread Components_0 result_1 = no_components_0();
-    bool _S732 = _S728->hole_6;
-    float _S733;
-    if(_S728->hole_6)
+    bool _S739 = _S735->hole_6;
+    float _S740;
+    if(_S735->hole_6)
     {
-        _S733 = 1.0f;
+        _S740 = 1.0f;
     }
     else
     {
-        _S733 = 0.0f;
+        _S740 = 0.0f;
     }
-    (&result_1)->hole_2 = _S733;
-    bool _S734;
-    if(_S732)
+    (&result_1)->hole_2 = _S740;
+    bool _S741;
+    if(_S739)
     {
-        _S734 = true;
+        _S741 = true;
     }
     else
     {
-        bool _S735 = is_lit_0(_S726, _S727, _S728, _S729, kernelContext_47);
-        _S734 = !_S735;
+        bool _S742 = is_lit_0(_S733, _S734, _S735, _S736, kernelContext_48);
+        _S741 = !_S742;
     }
-    if(_S734)
+    if(_S741)
     {
         return result_1;
     }
-    float3 _S736 = to_face_frame_0(_S729, _S728->back_3);
-    float3 _S737 = to_face_frame_0(_S730, _S728->back_3);
-    bool _S738 = (_S736.z) < 0.0f;
-    float3 _S739;
-    if(_S738)
+    float3 _S743 = to_face_frame_0(_S736, _S735->back_3);
+    float3 _S744 = to_face_frame_0(_S737, _S735->back_3);
+    bool _S745 = (_S743.z) < 0.0f;
+    float3 _S746;
+    if(_S745)
     {
-        _S739 = - _S736;
+        _S746 = - _S743;
     }
     else
     {
-        _S739 = _S736;
+        _S746 = _S743;
     }
-    float3 _S740 = _S728->normal_7;
-    float _S741 = diffuse_reflection_0(_S739, _S728->normal_7, _S731->diffuse_blend_0);
-    if(_S738)
+    float3 _S747 = _S735->normal_7;
+    float _S748 = diffuse_reflection_0(_S746, _S735->normal_7, _S738->diffuse_blend_0);
+    if(_S745)
     {
-        _S733 = transmission_0(_S736, _S737, _S740, _S728->tangent_7, _S728->roughness_10, _S731->optical_depth_0);
+        _S740 = transmission_0(_S743, _S744, _S747, _S735->tangent_7, _S735->roughness_10, _S738->optical_depth_0);
     }
     else
     {
-        _S733 = reflection_0(_S736, _S737, _S740, _S728->tangent_7, _S728->roughness_10, _S731->optical_depth_0);
+        _S740 = reflection_0(_S743, _S744, _S747, _S735->tangent_7, _S735->roughness_10, _S738->optical_depth_0);
     }
-    bool _S742 = _S728->is_warp_3;
-    float _S743;
-    if(_S728->is_warp_3)
+    bool _S749 = _S735->is_warp_3;
+    float _S750;
+    if(_S735->is_warp_3)
     {
-        _S743 = _S741;
+        _S750 = _S748;
     }
     else
     {
-        _S743 = 0.0f;
+        _S750 = 0.0f;
     }
-    (&result_1)->diffuse_warp_0 = _S743;
-    if(_S742)
+    (&result_1)->diffuse_warp_0 = _S750;
+    if(_S749)
     {
-        _S743 = 0.0f;
+        _S750 = 0.0f;
     }
     else
     {
-        _S743 = _S741;
+        _S750 = _S748;
     }
-    (&result_1)->diffuse_weft_0 = _S743;
-    if(_S742)
+    (&result_1)->diffuse_weft_0 = _S750;
+    if(_S749)
     {
-        _S743 = _S733;
+        _S750 = _S740;
     }
     else
     {
-        _S743 = 0.0f;
+        _S750 = 0.0f;
     }
-    (&result_1)->specular_warp_0 = _S743;
-    if(_S742)
+    (&result_1)->specular_warp_0 = _S750;
+    if(_S749)
     {
-        _S733 = 0.0f;
+        _S740 = 0.0f;
     }
-    (&result_1)->specular_weft_0 = _S733;
+    (&result_1)->specular_weft_0 = _S740;
     (&result_1)->light_visibility_0 = 1.0f;
     return result_1;
 }
@@ -3301,28 +3309,28 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S744, float _S745, KernelContext_0 thread* kernelContext_48)
+float3 pyramid_level_0(uint _S751, float _S752, KernelContext_0 thread* kernelContext_49)
 {
-    uint _S746 = (kernelContext_48->fabrics_0+_S744)->lobes_0.levels_0 + 4U * uint(min(_S745, (kernelContext_48->fabrics_0+_S744)->lobes_0.last_level_0));
-    float _S747 = table_number_0(_S746, kernelContext_48);
-    float _S748 = table_number_0(_S746 + 1U, kernelContext_48);
-    float _S749 = table_number_0(_S746 + 2U, kernelContext_48);
-    return float3(_S747, _S748, _S749);
+    uint _S753 = (kernelContext_49->fabrics_0+_S751)->lobes_0.levels_0 + 4U * uint(min(_S752, (kernelContext_49->fabrics_0+_S751)->lobes_0.last_level_0));
+    float _S754 = table_number_0(_S753, kernelContext_49);
+    float _S755 = table_number_0(_S753 + 1U, kernelContext_49);
+    float _S756 = table_number_0(_S753 + 2U, kernelContext_49);
+    return float3(_S754, _S755, _S756);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S750, const Footprint_0 thread* _S751, bool _S752, KernelContext_0 thread* kernelContext_49)
+CoverageTaps_0 coverage_taps_0(uint _S757, const Footprint_0 thread* _S758, bool _S759, KernelContext_0 thread* kernelContext_50)
 {
-    Fabric_0 device* _S753 = kernelContext_49->fabrics_0+_S750;
-    float _S754 = Footprint_spread_side_0(_S751);
-    Lobes_0 _S755 = _S753->lobes_0;
-    float _S756 = _S754 * _S753->lobes_0.inverse_base_size_0;
-    float3 _S757 = pyramid_level_0(_S750, floor(binary_logarithm_0(max(0.68000000715255737f * _S756, 1.0f))), kernelContext_49);
-    float _S758 = 1.0f / max(_S756, 9.99999997475242708e-07f);
-    float2 _S759 = float2(kernelContext_49->families_0[_S753->warp_0].inverse_period_0, kernelContext_49->families_0[_S753->weft_0].inverse_period_0);
-    float2 _S760 = _S751->centre_0 * _S759;
-    float2 _S761 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S758 * _S758), 0.0f, 1.0f)), 0.3333333432674408f * _S758), 1.0f)) ;
-    float2 _S762 = _S751->dx_0 * _S759 * _S761;
-    float2 _S763 = _S751->dy_0 * _S759 * _S761;
+    Fabric_0 device* _S760 = kernelContext_50->fabrics_0+_S757;
+    float _S761 = Footprint_spread_side_0(_S758);
+    Lobes_0 _S762 = _S760->lobes_0;
+    float _S763 = _S761 * _S760->lobes_0.inverse_base_size_0;
+    float3 _S764 = pyramid_level_0(_S757, floor(binary_logarithm_0(max(0.68000000715255737f * _S763, 1.0f))), kernelContext_50);
+    float _S765 = 1.0f / max(_S763, 9.99999997475242708e-07f);
+    float2 _S766 = float2(kernelContext_50->families_0[_S760->warp_0].inverse_period_0, kernelContext_50->families_0[_S760->weft_0].inverse_period_0);
+    float2 _S767 = _S758->centre_0 * _S766;
+    float2 _S768 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S765 * _S765), 0.0f, 1.0f)), 0.3333333432674408f * _S765), 1.0f)) ;
+    float2 _S769 = _S758->dx_0 * _S766 * _S768;
+    float2 _S770 = _S758->dy_0 * _S766 * _S768;
     thread CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3334,28 +3342,28 @@ CoverageTaps_0 coverage_taps_0(uint _S750, const Footprint_0 thread* _S751, bool
         {
             break;
         }
-        float2 _S764 = _S760 + float2(TAP_OFFSETS_0[number_1].x)  * _S762 + float2(TAP_OFFSETS_0[number_1].y)  * _S763;
-        float _S765 = _S757.y;
-        float _S766 = wrapped_cell_0(_S764.x, _S765);
-        float _S767 = wrapped_cell_0(_S764.y, _S757.z);
-        uint _S768;
-        if(_S752)
+        float2 _S771 = _S767 + float2(TAP_OFFSETS_0[number_1].x)  * _S769 + float2(TAP_OFFSETS_0[number_1].y)  * _S770;
+        float _S772 = _S764.y;
+        float _S773 = wrapped_cell_0(_S771.x, _S772);
+        float _S774 = wrapped_cell_0(_S771.y, _S764.z);
+        uint _S775;
+        if(_S759)
         {
-            _S768 = _S755.face_nodes_0;
+            _S775 = _S762.face_nodes_0;
         }
         else
         {
-            _S768 = 0U;
+            _S775 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S768 + uint(_S767 * _S765 + _S766 + _S757.x);
+        (&taps_3)->nodes_1[number_1] = _S775 + uint(_S774 * _S772 + _S773 + _S764.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-float4 coverage_of_pack_0(uint _S769, const CoverageTaps_0 thread* _S770, uint _S771, KernelContext_0 thread* kernelContext_50)
+float4 coverage_of_pack_0(uint _S776, const CoverageTaps_0 thread* _S777, uint _S778, KernelContext_0 thread* kernelContext_51)
 {
-    Fabric_0 device* _S772 = kernelContext_50->fabrics_0+_S769;
+    Fabric_0 device* _S779 = kernelContext_51->fabrics_0+_S776;
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3368,9 +3376,9 @@ float4 coverage_of_pack_0(uint _S769, const CoverageTaps_0 thread* _S770, uint _
         {
             break;
         }
-        uint _S773 = kernelContext_50->words_0[_S772->lobes_0.coverage_0 + _S770->nodes_1[number_2] * _S772->lobes_0.packs_0 + _S771];
-        uint even_2 = even_1 + (_S773 & 16711935U);
-        uint odd_2 = odd_1 + ((_S773 >> 8U) & 16711935U);
+        uint _S780 = kernelContext_51->words_0[_S779->lobes_0.coverage_0 + _S777->nodes_1[number_2] * _S779->lobes_0.packs_0 + _S778];
+        uint even_2 = even_1 + (_S780 & 16711935U);
+        uint odd_2 = odd_1 + ((_S780 >> 8U) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3378,9 +3386,9 @@ float4 coverage_of_pack_0(uint _S769, const CoverageTaps_0 thread* _S770, uint _
     return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
 }
 
-float coverage_of_holes_0(uint _S774, const CoverageTaps_0 thread* _S775, KernelContext_0 thread* kernelContext_51)
+float coverage_of_holes_0(uint _S781, const CoverageTaps_0 thread* _S782, KernelContext_0 thread* kernelContext_52)
 {
-    Fabric_0 device* _S776 = kernelContext_51->fabrics_0+_S774;
+    Fabric_0 device* _S783 = kernelContext_52->fabrics_0+_S781;
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3392,70 +3400,70 @@ float coverage_of_holes_0(uint _S774, const CoverageTaps_0 thread* _S775, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_51->words_0[_S776->lobes_0.coverage_holes_0 + _S775->nodes_1[number_3] / 4U] >> (8U * (_S775->nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_52->words_0[_S783->lobes_0.coverage_holes_0 + _S782->nodes_1[number_3] / 4U] >> (8U * (_S782->nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S777, const CoverageTaps_0 thread* _S778, const NodeTaps_0 thread* _S779, bool _S780, KernelContext_0 thread* kernelContext_52)
+float prefiltered_hole_0(uint _S784, const CoverageTaps_0 thread* _S785, const NodeTaps_0 thread* _S786, bool _S787, KernelContext_0 thread* kernelContext_53)
 {
-    Lobes_0 _S781 = (kernelContext_52->fabrics_0+_S777)->lobes_0;
-    float4 _S782 = interpolate_table_0(_S779, (kernelContext_52->fabrics_0+_S777)->lobes_0.projected_area_0 + (kernelContext_52->fabrics_0+_S777)->lobes_0.packs_0, (kernelContext_52->fabrics_0+_S777)->lobes_0.packs_0 + 1U, kernelContext_52);
-    float _S783 = _S782.x;
-    float _S784;
-    if(_S780)
+    Lobes_0 _S788 = (kernelContext_53->fabrics_0+_S784)->lobes_0;
+    float4 _S789 = interpolate_table_0(_S786, (kernelContext_53->fabrics_0+_S784)->lobes_0.projected_area_0 + (kernelContext_53->fabrics_0+_S784)->lobes_0.packs_0, (kernelContext_53->fabrics_0+_S784)->lobes_0.packs_0 + 1U, kernelContext_53);
+    float _S790 = _S789.x;
+    float _S791;
+    if(_S787)
     {
-        _S784 = _S781.back_hole_weight_0;
+        _S791 = _S788.back_hole_weight_0;
     }
     else
     {
-        _S784 = _S781.front_hole_weight_0;
+        _S791 = _S788.front_hole_weight_0;
     }
-    float _S785 = coverage_of_holes_0(_S777, _S778, kernelContext_52);
-    return min(_S785 * _S783 * _S783 * _S784, 1.0f);
+    float _S792 = coverage_of_holes_0(_S784, _S785, kernelContext_53);
+    return min(_S792 * _S790 * _S790 * _S791, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S786, const Footprint_0 thread* _S787, float3 _S788, float3 _S789, bool _S790, KernelContext_0 thread* kernelContext_53)
+Components_0 prefiltered_components_0(uint _S793, const Footprint_0 thread* _S794, float3 _S795, float3 _S796, bool _S797, KernelContext_0 thread* kernelContext_54)
 {
-    Fabric_0 device* _S791 = kernelContext_53->fabrics_0+_S786;
-    CoverageTaps_0 _S792 = coverage_taps_0(_S786, _S787, _S790, kernelContext_53);
-    NodeTaps_0 _S793 = node_taps_0(_S789);
-    thread NodeTaps_0 view_nodes_0 = _S793;
-    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S788);
-    thread NodeTaps_0 seen_nodes_0 = _S793;
-    uint _S794;
-    if(_S790)
+    Fabric_0 device* _S798 = kernelContext_54->fabrics_0+_S793;
+    CoverageTaps_0 _S799 = coverage_taps_0(_S793, _S794, _S797, kernelContext_54);
+    NodeTaps_0 _S800 = node_taps_0(_S796);
+    thread NodeTaps_0 view_nodes_0 = _S800;
+    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S795);
+    thread NodeTaps_0 seen_nodes_0 = _S800;
+    uint _S801;
+    if(_S797)
     {
-        _S794 = 1U;
+        _S801 = 1U;
     }
     else
     {
-        _S794 = 0U;
+        _S801 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S794 * 256U)) ;
-    uint _S795 = 2U * _S794;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S795 * 256U)) ;
-    uint _S796;
-    if((_S788.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S801 * 256U)) ;
+    uint _S802 = 2U * _S801;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S802 * 256U)) ;
+    uint _S803;
+    if((_S795.z) < 0.0f)
     {
-        _S796 = 1U;
-    }
-    else
-    {
-        _S796 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S795 + _S796) * 256U)) ;
-    float3 _S797 = half_vector_0(_S788, _S789);
-    float3 _S798 = shadow_correlation_0(_S788, _S789);
-    if(_S790)
-    {
-        _S796 = _S791->lobes_0.back_warp_packs_0;
+        _S803 = 1U;
     }
     else
     {
-        _S796 = _S791->lobes_0.front_warp_packs_0;
+        _S803 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S802 + _S803) * 256U)) ;
+    float3 _S804 = half_vector_0(_S795, _S796);
+    float3 _S805 = shadow_correlation_0(_S795, _S796);
+    if(_S797)
+    {
+        _S803 = _S798->lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S803 = _S798->lobes_0.front_warp_packs_0;
     }
     thread Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3467,43 +3475,43 @@ Components_0 prefiltered_components_0(uint _S786, const Footprint_0 thread* _S78
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S799 = _S791->lobes_0;
-        if(pack_0 < (_S791->lobes_0.packs_0))
+        Lobes_0 _S806 = _S798->lobes_0;
+        if(pack_0 < (_S798->lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        thread CoverageTaps_0 _S800 = _S792;
-        float4 _S801 = coverage_of_pack_0(_S786, &_S800, pack_0, kernelContext_53);
-        uint _S802 = _S799.projected_area_0 + pack_0;
-        uint _S803 = _S799.packs_0 + 1U;
-        thread NodeTaps_0 _S804 = view_nodes_0;
-        float4 _S805 = interpolate_table_0(&_S804, _S802, _S803, kernelContext_53);
-        uint _S806 = _S799.light_visibility_1 + pack_0;
-        thread NodeTaps_0 _S807 = seen_nodes_0;
-        float4 _S808 = interpolate_table_0(&_S807, _S806, _S799.packs_0, kernelContext_53);
-        float4 _S809 = float4(255.0f) ;
-        float4 _S810 = _S808 / _S809;
-        thread NodeTaps_0 _S811 = light_nodes_0;
-        float4 _S812 = interpolate_table_0(&_S811, _S806, _S799.packs_0, kernelContext_53);
-        float4 _S813 = _S812 / _S809;
-        uint _S814 = _S799.irradiance_1 + pack_0;
-        thread NodeTaps_0 _S815 = light_nodes_0;
-        float4 _S816 = interpolate_table_0(&_S815, _S814, _S799.packs_0, kernelContext_53);
-        float4 _S817 = _S816 * float4(0.00124827399849892f) ;
-        bool _S818 = pack_0 < _S796;
-        uint _S819;
-        if(_S818)
+        thread CoverageTaps_0 _S807 = _S799;
+        float4 _S808 = coverage_of_pack_0(_S793, &_S807, pack_0, kernelContext_54);
+        uint _S809 = _S806.projected_area_0 + pack_0;
+        uint _S810 = _S806.packs_0 + 1U;
+        thread NodeTaps_0 _S811 = view_nodes_0;
+        float4 _S812 = interpolate_table_0(&_S811, _S809, _S810, kernelContext_54);
+        uint _S813 = _S806.light_visibility_1 + pack_0;
+        thread NodeTaps_0 _S814 = seen_nodes_0;
+        float4 _S815 = interpolate_table_0(&_S814, _S813, _S806.packs_0, kernelContext_54);
+        float4 _S816 = float4(255.0f) ;
+        float4 _S817 = _S815 / _S816;
+        thread NodeTaps_0 _S818 = light_nodes_0;
+        float4 _S819 = interpolate_table_0(&_S818, _S813, _S806.packs_0, kernelContext_54);
+        float4 _S820 = _S819 / _S816;
+        uint _S821 = _S806.irradiance_1 + pack_0;
+        thread NodeTaps_0 _S822 = light_nodes_0;
+        float4 _S823 = interpolate_table_0(&_S822, _S821, _S806.packs_0, kernelContext_54);
+        float4 _S824 = _S823 * float4(0.00124827399849892f) ;
+        bool _S825 = pack_0 < _S803;
+        uint _S826;
+        if(_S825)
         {
-            _S819 = _S791->warp_0;
+            _S826 = _S798->warp_0;
         }
         else
         {
-            _S819 = _S791->weft_0;
+            _S826 = _S798->weft_0;
         }
-        Family_0 _S820 = kernelContext_53->families_0[_S819];
+        Family_0 _S827 = kernelContext_54->families_0[_S826];
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3516,402 +3524,402 @@ Components_0 prefiltered_components_0(uint _S786, const Footprint_0 thread* _S78
             {
                 break;
             }
-            Group_0 _S821 = group_at_0(_S799.moments_0 + 12U * (4U * (_S794 * _S799.packs_0 + pack_0) + number_4), _S820.roughness_0, kernelContext_53);
-            float _S822 = _S801[number_4] * _S805[number_4] * _S805[number_4] * _S821.weight_1;
-            float2 _S823 = visibility_gain_0(_S798, _S813[number_4], _S810[number_4]);
-            thread Group_0 _S824 = _S821;
-            float _S825 = layer_value_0(&_S824, _S797, _S788, _S789, _S791->optical_depth_0);
-            float _S826 = _S823.x;
-            float diffuse_1 = diffuse_0 + _S822 * _S817[number_4] * _S826;
-            float specular_1 = specular_0 + _S822 * _S825 * _S813[number_4] * _S823.y;
-            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S822 * _S813[number_4] * _S826;
-            float total_3 = total_2 + _S822;
+            Group_0 _S828 = group_at_0(_S806.moments_0 + 12U * (4U * (_S801 * _S806.packs_0 + pack_0) + number_4), _S827.roughness_0, kernelContext_54);
+            float _S829 = _S808[number_4] * _S812[number_4] * _S812[number_4] * _S828.weight_1;
+            float2 _S830 = visibility_gain_0(_S805, _S820[number_4], _S817[number_4]);
+            thread Group_0 _S831 = _S828;
+            float _S832 = layer_value_0(&_S831, _S804, _S795, _S796, _S798->optical_depth_0);
+            float _S833 = _S830.x;
+            float diffuse_1 = diffuse_0 + _S829 * _S824[number_4] * _S833;
+            float specular_1 = specular_0 + _S829 * _S832 * _S820[number_4] * _S830.y;
+            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S829 * _S820[number_4] * _S833;
+            float total_3 = total_2 + _S829;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S827;
-        if(_S818)
+        float _S834;
+        if(_S825)
         {
-            _S827 = diffuse_0;
+            _S834 = diffuse_0;
         }
         else
         {
-            _S827 = 0.0f;
+            _S834 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S827;
-        float _S828;
-        if(_S818)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S834;
+        float _S835;
+        if(_S825)
         {
-            _S828 = 0.0f;
+            _S835 = 0.0f;
         }
         else
         {
-            _S828 = diffuse_0;
+            _S835 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S828;
-        float _S829;
-        if(_S818)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S835;
+        float _S836;
+        if(_S825)
         {
-            _S829 = specular_0;
+            _S836 = specular_0;
         }
         else
         {
-            _S829 = 0.0f;
+            _S836 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S829;
-        float _S830;
-        if(_S818)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S836;
+        float _S837;
+        if(_S825)
         {
-            _S830 = 0.0f;
+            _S837 = 0.0f;
         }
         else
         {
-            _S830 = specular_0;
+            _S837 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S830;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S837;
         pack_0 = pack_0 + 1U;
     }
-    thread CoverageTaps_0 _S831 = _S792;
-    thread NodeTaps_0 _S832 = view_nodes_0;
-    float _S833 = prefiltered_hole_0(_S786, &_S831, &_S832, _S790, kernelContext_53);
-    (&sums_1)->hole_2 = _S833;
-    float _S834 = (1.0f - _S833) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S834;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S834;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S834;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S834;
-    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S834;
+    thread CoverageTaps_0 _S838 = _S799;
+    thread NodeTaps_0 _S839 = view_nodes_0;
+    float _S840 = prefiltered_hole_0(_S793, &_S838, &_S839, _S797, kernelContext_54);
+    (&sums_1)->hole_2 = _S840;
+    float _S841 = (1.0f - _S840) / max(total_2, 9.999999960041972e-13f);
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S841;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S841;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S841;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S841;
+    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S841;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S835, const Footprint_0 thread* _S836, bool _S837, KernelContext_0 thread* kernelContext_54)
+FamilyAlbedos_0 albedos_over_0(uint _S842, const Footprint_0 thread* _S843, bool _S844, KernelContext_0 thread* kernelContext_55)
 {
-    Fabric_0 device* _S838 = kernelContext_54->fabrics_0+_S835;
-    float2 _S839 = sqrt(_S836->dx_0 * _S836->dx_0 + _S836->dy_0 * _S836->dy_0);
-    uint _S840 = _S838->warp_0;
-    float2 _S841 = _S836->centre_0;
-    Stretch_0 _S842 = stretch_of_0(_S838->warp_0, _S836->centre_0.x, _S839.x, kernelContext_54);
-    uint _S843 = _S838->weft_0;
-    Stretch_0 _S844 = stretch_of_0(_S838->weft_0, _S841.y, _S839.y, kernelContext_54);
+    Fabric_0 device* _S845 = kernelContext_55->fabrics_0+_S842;
+    float2 _S846 = sqrt(_S843->dx_0 * _S843->dx_0 + _S843->dy_0 * _S843->dy_0);
+    uint _S847 = _S845->warp_0;
+    float2 _S848 = _S843->centre_0;
+    Stretch_0 _S849 = stretch_of_0(_S845->warp_0, _S843->centre_0.x, _S846.x, kernelContext_55);
+    uint _S850 = _S845->weft_0;
+    Stretch_0 _S851 = stretch_of_0(_S845->weft_0, _S848.y, _S846.y, kernelContext_55);
     thread FamilyAlbedos_0 albedos_7;
-    thread Stretch_0 _S845 = _S842;
-    thread Stretch_0 _S846 = _S844;
-    Albedos_0 _S847 = mean_albedos_0(_S840, _S843, &_S845, &_S846, _S837, kernelContext_54);
-    (&albedos_7)->warp_2 = _S847;
-    thread Stretch_0 _S848 = _S844;
-    thread Stretch_0 _S849 = _S842;
-    Albedos_0 _S850 = mean_albedos_0(_S843, _S840, &_S848, &_S849, _S837, kernelContext_54);
-    (&albedos_7)->weft_2 = _S850;
+    thread Stretch_0 _S852 = _S849;
+    thread Stretch_0 _S853 = _S851;
+    Albedos_0 _S854 = mean_albedos_0(_S847, _S850, &_S852, &_S853, _S844, kernelContext_55);
+    (&albedos_7)->warp_2 = _S854;
+    thread Stretch_0 _S855 = _S851;
+    thread Stretch_0 _S856 = _S849;
+    Albedos_0 _S857 = mean_albedos_0(_S850, _S847, &_S855, &_S856, _S844, kernelContext_55);
+    (&albedos_7)->weft_2 = _S857;
     return albedos_7;
 }
 
-Estimate_0 lobes_estimate_0(uint _S851, const Footprint_0 thread* _S852, float _S853, float3 _S854, float3 _S855, KernelContext_0 thread* kernelContext_55)
+Estimate_0 lobes_estimate_0(uint _S858, const Footprint_0 thread* _S859, float _S860, float3 _S861, float3 _S862, KernelContext_0 thread* kernelContext_56)
 {
-    float _S856;
-    Fabric_0 device* _S857 = kernelContext_55->fabrics_0+_S851;
-    Regime_0 _S858 = regime_of_0(_S851, _S852, _S853, kernelContext_55);
-    bool _S859 = (_S855.z) < 0.0f;
-    float3 _S860 = to_face_frame_0(_S855, _S859);
-    bool _S861;
-    if((_S857->fibre_noise_0) > 0.0f)
+    float _S863;
+    Fabric_0 device* _S864 = kernelContext_56->fabrics_0+_S858;
+    Regime_0 _S865 = regime_of_0(_S858, _S859, _S860, kernelContext_56);
+    bool _S866 = (_S862.z) < 0.0f;
+    float3 _S867 = to_face_frame_0(_S862, _S866);
+    bool _S868;
+    if((_S864->fibre_noise_0) > 0.0f)
     {
-        _S861 = true;
+        _S868 = true;
     }
     else
     {
-        _S861 = (_S857->colour_noise_0) > 0.0f;
+        _S868 = (_S864->colour_noise_0) > 0.0f;
     }
-    bool _S862;
-    if((kernelContext_55->families_0[_S857->warp_0].quantities_0) > 1U)
+    bool _S869;
+    if((kernelContext_56->families_0[_S864->warp_0].quantities_0) > 1U)
     {
-        _S862 = true;
+        _S869 = true;
     }
     else
     {
-        _S862 = (kernelContext_55->families_0[_S857->weft_0].quantities_0) > 1U;
+        _S869 = (kernelContext_56->families_0[_S864->weft_0].quantities_0) > 1U;
     }
-    float _S863 = 1.0f - _S858.prefiltered_0;
-    if(_S863 > 0.0f)
+    float _S870 = 1.0f - _S865.prefiltered_0;
+    if(_S870 > 0.0f)
     {
-        if(_S861)
+        if(_S868)
         {
-            _S862 = true;
+            _S869 = true;
         }
     }
     else
     {
-        _S862 = false;
+        _S869 = false;
     }
-    thread Footprint_0 box_0 = *_S852;
-    float3 _S864 = float3(0.0f) ;
-    SurfacePoint_0 _S865 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S864, _S864, 0.0f, 0.0f, 0.0f);
-    float2 _S866 = _S852->centre_0;
-    Components_0 _S867 = no_components_0();
-    int _S868;
-    if(_S862)
+    thread Footprint_0 box_0 = *_S859;
+    float3 _S871 = float3(0.0f) ;
+    SurfacePoint_0 _S872 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S871, _S871, 0.0f, 0.0f, 0.0f);
+    float2 _S873 = _S859->centre_0;
+    Components_0 _S874 = no_components_0();
+    int _S875;
+    if(_S869)
     {
-        _S868 = int(0);
+        _S875 = int(0);
     }
     else
     {
-        _S868 = int(1);
+        _S875 = int(1);
     }
-    uint _S869 = uint(_S868);
-    Components_0 points_1 = _S867;
+    uint _S876 = uint(_S875);
+    Components_0 points_1 = _S874;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S865;
-    float2 central_place_0 = _S866;
-    uint number_5 = _S869;
+    SurfacePoint_0 central_0 = _S872;
+    float2 central_place_0 = _S873;
+    uint number_5 = _S876;
     for(;;)
     {
-        float _S870 = float(number_5);
-        _S856 = _S858.points_0;
-        if(_S870 < (_S858.points_0 + 1.0f))
+        float _S877 = float(number_5);
+        _S863 = _S865.points_0;
+        if(_S877 < (_S865.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S871 = number_5 == 0U;
-        float2 _S872;
-        if(_S871)
+        bool _S878 = number_5 == 0U;
+        float2 _S879;
+        if(_S878)
         {
-            _S872 = float2(0.0f) ;
+            _S879 = float2(0.0f) ;
         }
         else
         {
-            _S872 = POINT_OFFSETS_0[number_5 - 1U];
+            _S879 = POINT_OFFSETS_0[number_5 - 1U];
         }
-        float2 _S873 = _S866 + float2(_S872.x)  * _S852->dx_0 + float2(_S872.y)  * _S852->dy_0;
-        float _S874;
-        if(_S871)
+        float2 _S880 = _S873 + float2(_S879.x)  * _S859->dx_0 + float2(_S879.y)  * _S859->dy_0;
+        float _S881;
+        if(_S878)
         {
-            _S874 = 0.0f;
+            _S881 = 0.0f;
         }
         else
         {
-            _S874 = _S858.threads_1;
+            _S881 = _S865.threads_1;
         }
-        SearchQuality_0 _S875 = quality_of_0(_S874);
-        float _S876 = _S873.x;
-        float _S877 = _S873.y;
-        thread SearchQuality_0 _S878 = _S875;
-        Hit_0 _S879 = first_hit_0(_S851, &_S878, _S876, _S877, _S860, _S859, kernelContext_55);
-        SurfacePoint_0 _S880 = surface_at_0(_S851, _S879.x_12, _S879.y_7, _S859, kernelContext_55);
-        if(_S871)
+        SearchQuality_0 _S882 = quality_of_0(_S881);
+        float _S883 = _S880.x;
+        float _S884 = _S880.y;
+        thread SearchQuality_0 _S885 = _S882;
+        Hit_0 _S886 = first_hit_0(_S858, &_S885, _S883, _S884, _S867, _S866, kernelContext_56);
+        SurfacePoint_0 _S887 = surface_at_0(_S858, _S886.x_12, _S886.y_7, _S866, kernelContext_56);
+        if(_S878)
         {
             float central_weight_1;
-            if(_S879.hole_5)
+            if(_S886.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S863;
+                central_weight_1 = _S870;
             }
-            float2 central_place_1 = float2(_S879.x_12, _S879.y_7);
-            (&box_0)->centre_0 = mix(_S866, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S886.x_12, _S886.y_7);
+            (&box_0)->centre_0 = mix(_S873, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S880;
+            central_0 = _S887;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S881 = _S880;
-        YarnPoint_0 _S882 = yarn_point_of_0(_S851, &_S881, _S879.x_12, _S879.y_7, _S859, _S879.hole_5, kernelContext_55);
-        thread SearchQuality_0 _S883 = _S875;
-        thread YarnPoint_0 _S884 = _S882;
-        Components_0 _S885 = components_of_point_0(_S851, &_S883, &_S884, _S854, _S855, kernelContext_55);
-        float _S886 = min(_S858.points_0 - float(number_5 - 1U), 1.0f);
-        thread Components_0 _S887 = points_1;
-        thread Components_0 _S888 = _S885;
-        Components_0 _S889 = with_added_0(&_S887, &_S888, _S886);
-        points_1 = _S889;
+        thread SurfacePoint_0 _S888 = _S887;
+        YarnPoint_0 _S889 = yarn_point_of_0(_S858, &_S888, _S886.x_12, _S886.y_7, _S866, _S886.hole_5, kernelContext_56);
+        thread SearchQuality_0 _S890 = _S882;
+        thread YarnPoint_0 _S891 = _S889;
+        Components_0 _S892 = components_of_point_0(_S858, &_S890, &_S891, _S861, _S862, kernelContext_56);
+        float _S893 = min(_S865.points_0 - float(number_5 - 1U), 1.0f);
+        thread Components_0 _S894 = points_1;
+        thread Components_0 _S895 = _S892;
+        Components_0 _S896 = with_added_0(&_S894, &_S895, _S893);
+        points_1 = _S896;
         number_5 = number_5 + 1U;
     }
     thread Estimate_0 estimate_0;
-    float _S890 = _S863 / max(_S856, 1.0f);
-    thread Components_0 _S891 = _S867;
-    thread Components_0 _S892 = points_1;
-    Components_0 _S893 = with_added_0(&_S891, &_S892, _S890);
-    (&estimate_0)->components_0 = _S893;
-    if((_S858.prefiltered_0) > 0.0f)
+    float _S897 = _S870 / max(_S863, 1.0f);
+    thread Components_0 _S898 = _S874;
+    thread Components_0 _S899 = points_1;
+    Components_0 _S900 = with_added_0(&_S898, &_S899, _S897);
+    (&estimate_0)->components_0 = _S900;
+    if((_S865.prefiltered_0) > 0.0f)
     {
-        Components_0 _S894 = prefiltered_components_0(_S851, _S852, to_face_frame_0(_S854, _S859), _S860, _S859, kernelContext_55);
-        thread Components_0 _S895 = (&estimate_0)->components_0;
-        thread Components_0 _S896 = _S894;
-        Components_0 _S897 = with_added_0(&_S895, &_S896, _S858.prefiltered_0);
-        (&estimate_0)->components_0 = _S897;
+        Components_0 _S901 = prefiltered_components_0(_S858, _S859, to_face_frame_0(_S861, _S866), _S867, _S866, kernelContext_56);
+        thread Components_0 _S902 = (&estimate_0)->components_0;
+        thread Components_0 _S903 = _S901;
+        Components_0 _S904 = with_added_0(&_S902, &_S903, _S865.prefiltered_0);
+        (&estimate_0)->components_0 = _S904;
     }
-    thread Footprint_0 _S898 = box_0;
-    FamilyAlbedos_0 _S899 = albedos_over_0(_S851, &_S898, _S859, kernelContext_55);
-    (&estimate_0)->albedos_4 = _S899;
-    if(_S861)
+    thread Footprint_0 _S905 = box_0;
+    FamilyAlbedos_0 _S906 = albedos_over_0(_S858, &_S905, _S866, kernelContext_56);
+    (&estimate_0)->albedos_4 = _S906;
+    if(_S868)
     {
-        _S861 = central_weight_0 > 0.0f;
+        _S868 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S861 = false;
+        _S868 = false;
     }
-    if(_S861)
+    if(_S868)
     {
-        SurfacePoint_0 _S900 = central_0;
-        Albedos_0 _S901;
+        SurfacePoint_0 _S907 = central_0;
+        Albedos_0 _S908;
         if(central_0.is_warp_0)
         {
-            _S901 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S908 = (&(&estimate_0)->albedos_4)->warp_2;
         }
         else
         {
-            _S901 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S908 = (&(&estimate_0)->albedos_4)->weft_2;
         }
-        float _S902 = central_place_0.x;
-        float _S903 = central_place_0.y;
-        thread SurfacePoint_0 _S904 = central_0;
-        thread Albedos_0 _S905 = _S901;
-        Albedos_0 _S906 = varied_at_0(_S851, &_S904, &_S905, _S902, _S903, kernelContext_55);
-        thread Albedos_0 _S907 = _S901;
-        thread Albedos_0 _S908 = _S906;
-        Albedos_0 _S909 = lerp_albedos_0(&_S907, &_S908, central_weight_0);
-        if(_S900.is_warp_0)
+        float _S909 = central_place_0.x;
+        float _S910 = central_place_0.y;
+        thread SurfacePoint_0 _S911 = central_0;
+        thread Albedos_0 _S912 = _S908;
+        Albedos_0 _S913 = varied_at_0(_S858, &_S911, &_S912, _S909, _S910, kernelContext_56);
+        thread Albedos_0 _S914 = _S908;
+        thread Albedos_0 _S915 = _S913;
+        Albedos_0 _S916 = lerp_albedos_0(&_S914, &_S915, central_weight_0);
+        if(_S907.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S909;
+            (&(&estimate_0)->albedos_4)->warp_2 = _S916;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S909;
+            (&(&estimate_0)->albedos_4)->weft_2 = _S916;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S910, const Components_0 thread* _S911, const FamilyAlbedos_0 thread* _S912, float3 _S913, float3 _S914, KernelContext_0 thread* kernelContext_56)
+float3 composed_0(uint _S917, const Components_0 thread* _S918, const FamilyAlbedos_0 thread* _S919, float3 _S920, float3 _S921, KernelContext_0 thread* kernelContext_57)
 {
-    Fabric_0 device* _S915 = kernelContext_56->fabrics_0+_S910;
-    float3 _S916 = float3(_S911->diffuse_warp_0) ;
-    float3 _S917 = float3(_S911->diffuse_weft_0) ;
-    float3 _S918 = float3(_S911->specular_warp_0) ;
-    float3 _S919 = float3(_S911->specular_weft_0) ;
-    float3 _S920 = (&_S912->warp_2)->diffuse_reflect_0 * _S916 + (&_S912->weft_2)->diffuse_reflect_0 * _S917 + (&_S912->warp_2)->specular_reflect_0 * _S918 + (&_S912->weft_2)->specular_reflect_0 * _S919;
-    float _S921 = _S914.z;
+    Fabric_0 device* _S922 = kernelContext_57->fabrics_0+_S917;
+    float3 _S923 = float3(_S918->diffuse_warp_0) ;
+    float3 _S924 = float3(_S918->diffuse_weft_0) ;
+    float3 _S925 = float3(_S918->specular_warp_0) ;
+    float3 _S926 = float3(_S918->specular_weft_0) ;
+    float3 _S927 = (&_S919->warp_2)->diffuse_reflect_0 * _S923 + (&_S919->weft_2)->diffuse_reflect_0 * _S924 + (&_S919->warp_2)->specular_reflect_0 * _S925 + (&_S919->weft_2)->specular_reflect_0 * _S926;
+    float _S928 = _S921.z;
     float3 body_0;
-    if((_S913.z * _S921) < 0.0f)
+    if((_S920.z * _S928) < 0.0f)
     {
-        body_0 = (&_S912->warp_2)->diffuse_transmit_0 * _S916 + (&_S912->weft_2)->diffuse_transmit_0 * _S917 + (&_S912->warp_2)->specular_transmit_0 * _S918 + (&_S912->weft_2)->specular_transmit_0 * _S919;
+        body_0 = (&_S919->warp_2)->diffuse_transmit_0 * _S923 + (&_S919->weft_2)->diffuse_transmit_0 * _S924 + (&_S919->warp_2)->specular_transmit_0 * _S925 + (&_S919->weft_2)->specular_transmit_0 * _S926;
     }
     else
     {
-        body_0 = _S920;
+        body_0 = _S927;
     }
-    float _S922 = _S915->sheen_strength_0;
-    if((_S915->sheen_strength_0) <= 0.0f)
+    float _S929 = _S922->sheen_strength_0;
+    if((_S922->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S923 = _S921 < 0.0f;
-    float2 _S924 = sheen_with_transmittance_0(to_face_frame_0(_S913, _S923), to_face_frame_0(_S914, _S923), _S922, _S915->sheen_roughness_0);
-    return float3(_S924.y)  * body_0 + float3(((_S911->light_visibility_0 + _S911->hole_2) * _S924.x)) ;
+    bool _S930 = _S928 < 0.0f;
+    float2 _S931 = sheen_with_transmittance_0(to_face_frame_0(_S920, _S930), to_face_frame_0(_S921, _S930), _S929, _S922->sheen_roughness_0);
+    return float3(_S931.y)  * body_0 + float3(((_S918->light_visibility_0 + _S918->hole_2) * _S931.x)) ;
 }
 
-float4 light_of_footprint_0(const Frame_0 thread* _S925, uint _S926, const VisiblePoint_0 thread* _S927, KernelContext_0 thread* kernelContext_57)
+float4 light_of_footprint_0(const Frame_0 thread* _S932, uint _S933, const VisiblePoint_0 thread* _S934, KernelContext_0 thread* kernelContext_58)
 {
-    Fabric_0 device* _S928 = kernelContext_57->fabrics_0+_S926;
+    Fabric_0 device* _S935 = kernelContext_58->fabrics_0+_S933;
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S927->draft_0;
-    (&footprint_0)->dx_0 = _S927->draft_dx_0;
-    (&footprint_0)->dy_0 = _S927->draft_dy_0;
-    float3 _S929 = to_local_0(_S927, _S927->view_0);
-    float3 _S930 = float3(0.0f) ;
+    (&footprint_0)->centre_0 = _S934->draft_0;
+    (&footprint_0)->dx_0 = _S934->draft_dx_0;
+    (&footprint_0)->dy_0 = _S934->draft_dy_0;
+    float3 _S936 = to_local_0(_S934, _S934->view_0);
+    float3 _S937 = float3(0.0f) ;
     uint number_6 = 0U;
-    float3 radiance_1 = _S930;
+    float3 radiance_1 = _S937;
     float hole_7 = 0.0f;
     for(;;)
     {
-        uint _S931 = _S925->lights_0;
-        if(number_6 < (max(_S925->lights_0, 1U)))
+        uint _S938 = _S932->lights_0;
+        if(number_6 < (max(_S932->lights_0, 1U)))
         {
         }
         else
         {
             break;
         }
-        thread Light_0 _S932 = kernelContext_57->lights_1[number_6];
+        thread Light_0 _S939 = kernelContext_58->lights_1[number_6];
         thread float3 irradiance_2;
-        float3 _S933 = towards_light_0(&_S932, _S927->position_0, &irradiance_2);
-        float3 _S934 = to_local_0(_S927, _S933);
-        thread Footprint_0 _S935 = footprint_0;
-        Estimate_0 _S936 = lobes_estimate_0(_S926, &_S935, 1.0f, _S934, _S929, kernelContext_57);
-        if(number_6 < _S931)
+        float3 _S940 = towards_light_0(&_S939, _S934->position_0, &irradiance_2);
+        float3 _S941 = to_local_0(_S934, _S940);
+        thread Footprint_0 _S942 = footprint_0;
+        Estimate_0 _S943 = lobes_estimate_0(_S933, &_S942, 1.0f, _S941, _S936, kernelContext_58);
+        if(number_6 < _S938)
         {
-            thread Components_0 _S937 = _S936.components_0;
-            thread FamilyAlbedos_0 _S938 = _S936.albedos_4;
-            float3 _S939 = composed_0(_S926, &_S937, &_S938, _S934, _S929, kernelContext_57);
-            radiance_1 = radiance_1 + irradiance_2 * _S939;
+            thread Components_0 _S944 = _S943.components_0;
+            thread FamilyAlbedos_0 _S945 = _S943.albedos_4;
+            float3 _S946 = composed_0(_S933, &_S944, &_S945, _S941, _S936, kernelContext_58);
+            radiance_1 = radiance_1 + irradiance_2 * _S946;
         }
         number_6 = number_6 + 1U;
-        hole_7 = _S936.components_0.hole_2;
+        hole_7 = _S943.components_0.hole_2;
     }
-    float _S940 = _S928->sheen_strength_0;
-    if((_S928->sheen_strength_0) > 0.0f)
+    float _S947 = _S935->sheen_strength_0;
+    if((_S935->sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S940 * sheen_lobe_0(abs(_S929.z), _S928->sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S947 * sheen_lobe_0(abs(_S936.z), _S935->sheen_roughness_0).z);
     }
     return float4(radiance_1, 1.0f - hole_7);
 }
 
 [[kernel]] void shade_lobes(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], packed_float4 device* radiance_2 [[buffer(8)]])
 {
-    thread KernelContext_0 kernelContext_58;
-    (&kernelContext_58)->frames_0 = frames_1;
-    (&kernelContext_58)->visible_faces_0 = visible_faces_1;
-    (&kernelContext_58)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_58)->fabrics_0 = fabrics_1;
-    (&kernelContext_58)->corners_0 = corners_1;
-    (&kernelContext_58)->vertices_0 = vertices_1;
-    (&kernelContext_58)->lights_1 = lights_2;
-    (&kernelContext_58)->families_0 = families_1;
-    (&kernelContext_58)->words_0 = words_1;
-    (&kernelContext_58)->radiance_0 = radiance_2;
-    Frame_0 _S941 = frames_1[int(0)];
-    bool _S942;
-    if((id_0.x) >= (_S941.width_0))
+    thread KernelContext_0 kernelContext_59;
+    (&kernelContext_59)->frames_0 = frames_1;
+    (&kernelContext_59)->visible_faces_0 = visible_faces_1;
+    (&kernelContext_59)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_59)->fabrics_0 = fabrics_1;
+    (&kernelContext_59)->corners_0 = corners_1;
+    (&kernelContext_59)->vertices_0 = vertices_1;
+    (&kernelContext_59)->lights_1 = lights_2;
+    (&kernelContext_59)->families_0 = families_1;
+    (&kernelContext_59)->words_0 = words_1;
+    (&kernelContext_59)->radiance_0 = radiance_2;
+    Frame_0 _S948 = frames_1[int(0)];
+    bool _S949;
+    if((id_0.x) >= (_S948.width_0))
     {
-        _S942 = true;
+        _S949 = true;
     }
     else
     {
-        _S942 = (id_0.y) >= (_S941.height_0);
+        _S949 = (id_0.y) >= (_S948.height_0);
     }
-    if(_S942)
+    if(_S949)
     {
         return;
     }
-    uint2 _S943 = id_0.xy;
-    int3 _S944 = int3(int2(_S943), int(0));
-    uint _S945 = (((&kernelContext_58)->visible_faces_0).read(vec<uint,2>(((_S944)).xy), uint(((_S944)).z)).x);
-    float4 _S946 = float4(0.0f) ;
+    uint2 _S950 = id_0.xy;
+    int3 _S951 = int3(int2(_S950), int(0));
+    uint _S952 = (((&kernelContext_59)->visible_faces_0).read(vec<uint,2>(((_S951)).xy), uint(((_S951)).z)).x);
+    float4 _S953 = float4(0.0f) ;
     float4 sum_1;
-    if(_S945 > 0U)
+    if(_S952 > 0U)
     {
-        uint _S947 = _S945 - 1U;
-        uint _S948 = (&kernelContext_58)->face_fabrics_0[_S947];
-        thread Frame_0 _S949 = _S941;
-        VisiblePoint_0 _S950 = visible_point_0(&_S949, _S948, _S947, _S943, &kernelContext_58);
-        thread Frame_0 _S951 = _S941;
-        thread VisiblePoint_0 _S952 = _S950;
-        float4 _S953 = light_of_footprint_0(&_S951, _S948, &_S952, &kernelContext_58);
-        sum_1 = _S953;
+        uint _S954 = _S952 - 1U;
+        uint _S955 = (&kernelContext_59)->face_fabrics_0[_S954];
+        thread Frame_0 _S956 = _S948;
+        VisiblePoint_0 _S957 = visible_point_0(&_S956, _S955, _S954, _S950, &kernelContext_59);
+        thread Frame_0 _S958 = _S948;
+        thread VisiblePoint_0 _S959 = _S957;
+        float4 _S960 = light_of_footprint_0(&_S958, _S955, &_S959, &kernelContext_59);
+        sum_1 = _S960;
     }
     else
     {
-        sum_1 = _S946;
+        sum_1 = _S953;
     }
-    thread Frame_0 _S954 = _S941;
-    accumulate_0(&_S954, _S943, sum_1, &kernelContext_58);
+    thread Frame_0 _S961 = _S948;
+    accumulate_0(&_S961, _S950, sum_1, &kernelContext_59);
     return;
 }
 

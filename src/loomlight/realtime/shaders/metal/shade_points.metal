@@ -2296,39 +2296,47 @@ float refined_height_0(uint _S442, const ViewRay_0 thread* _S443, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S462, const SearchQuality_0 thread* _S463, float _S464, float _S465, float3 _S466, bool _S467, KernelContext_0 thread* kernelContext_29)
+Hit_0 first_hit_of_yarn_0(uint _S462, const SearchQuality_0 thread* _S463, float _S464, float _S465, float3 _S466, bool _S467, KernelContext_0 thread* kernelContext_29)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_10 = _S464;
-    (&hit_0)->y_6 = _S465;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S468 = passes_through_0(_S462, _S463, _S464, _S465, _S466, _S467, kernelContext_29);
-    (&hit_0)->hole_3 = _S468;
-    if(_S468)
-    {
-        return hit_0;
-    }
-    float _S469 = max(_S466.z, 0.00009999999747379f);
+    float _S468 = max(_S466.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S464, _S465);
-    float2 _S470 = _S466.xy / float2(_S469) ;
-    (&ray_0)->slope_1 = _S470;
-    float2 _S471 = - _S470;
-    float _S472 = steps_per_length_0(_S462, _S463, _S466, kernelContext_29);
-    StepControl_0 _S473 = step_control_0(_S471, 1.0f / max(_S472 / _S469, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S474 = ray_0;
-    thread StepControl_0 _S475 = _S473;
-    ViewRayEnd_0 _S476 = search_down_0(_S462, &_S474, &_S475, _S467, kernelContext_29);
-    thread ViewRay_0 _S477 = ray_0;
-    thread StepControl_0 _S478 = _S473;
-    thread ViewRayEnd_0 _S479 = _S476;
-    float _S480 = refined_height_0(_S462, &_S477, &_S478, _S467, &_S479, _S463->refinements_0, kernelContext_29);
-    (&hit_0)->height_4 = _S480;
-    thread ViewRay_0 _S481 = ray_0;
-    float2 _S482 = ViewRay_at_0(&_S481, _S480);
-    (&hit_0)->x_10 = _S482.x;
-    (&hit_0)->y_6 = _S482.y;
+    float2 _S469 = _S466.xy / float2(_S468) ;
+    (&ray_0)->slope_1 = _S469;
+    float2 _S470 = - _S469;
+    float _S471 = steps_per_length_0(_S462, _S463, _S466, kernelContext_29);
+    StepControl_0 _S472 = step_control_0(_S470, 1.0f / max(_S471 / _S468, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S473 = ray_0;
+    thread StepControl_0 _S474 = _S472;
+    ViewRayEnd_0 _S475 = search_down_0(_S462, &_S473, &_S474, _S467, kernelContext_29);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    thread ViewRay_0 _S476 = ray_0;
+    thread StepControl_0 _S477 = _S472;
+    thread ViewRayEnd_0 _S478 = _S475;
+    float _S479 = refined_height_0(_S462, &_S476, &_S477, _S467, &_S478, _S463->refinements_0, kernelContext_29);
+    (&hit_0)->height_4 = _S479;
+    thread ViewRay_0 _S480 = ray_0;
+    float2 _S481 = ViewRay_at_0(&_S480, _S479);
+    (&hit_0)->x_10 = _S481.x;
+    (&hit_0)->y_6 = _S481.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S482, const SearchQuality_0 thread* _S483, float _S484, float _S485, float3 _S486, bool _S487, KernelContext_0 thread* kernelContext_30)
+{
+    bool _S488 = passes_through_0(_S482, _S483, _S484, _S485, _S486, _S487, kernelContext_30);
+    if(!_S488)
+    {
+        Hit_0 _S489 = first_hit_of_yarn_0(_S482, _S483, _S484, _S485, _S486, _S487, kernelContext_30);
+        return _S489;
+    }
+    thread Hit_0 hit_1;
+    (&hit_1)->x_10 = _S484;
+    (&hit_1)->y_6 = _S485;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2345,467 +2353,467 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S483, float _S484, float _S485, bool _S486, KernelContext_0 thread* kernelContext_30)
+SurfacePoint_0 surface_at_0(uint _S490, float _S491, float _S492, bool _S493, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S487 = kernelContext_30->fabrics_0+_S483;
-    Sample_0 _S488 = sample_at_0(_S483, _S484, _S485, _S486, kernelContext_30);
-    float _S489;
-    if(_S488.shown_3.is_warp_0)
-    {
-        _S489 = _S488.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S489 = _S488.crossing_1.weft_1.half_width_1;
-    }
-    uint _S490;
-    if(_S488.shown_3.is_warp_0)
-    {
-        _S490 = _S487->warp_0;
-    }
-    else
-    {
-        _S490 = _S487->weft_0;
-    }
-    Family_0 _S491 = kernelContext_30->families_0[_S490];
-    float _S492;
-    if(_S486)
-    {
-        _S492 = -1.0f;
-    }
-    else
-    {
-        _S492 = 1.0f;
-    }
-    float _S493 = _S491.twist_sine_0 * _S492;
-    Family_0 _S494 = kernelContext_30->families_0[_S490];
-    if(_S488.shown_3.is_warp_0)
-    {
-        _S492 = 1.0f;
-    }
-    else
-    {
-        _S492 = -1.0f;
-    }
-    float2 _S495 = fibre_direction_0(_S488.slope_across_0, _S492 * _S488.slope_along_0, _S493, _S494.twist_cosine_0);
+    Fabric_0 device* _S494 = kernelContext_31->fabrics_0+_S490;
+    Sample_0 _S495 = sample_at_0(_S490, _S491, _S492, _S493, kernelContext_31);
     float _S496;
-    if(_S488.shown_3.is_warp_0)
+    if(_S495.shown_3.is_warp_0)
     {
-        _S496 = _S488.slope_x_1;
+        _S496 = _S495.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S496 = _S488.slope_y_1;
+        _S496 = _S495.crossing_1.weft_1.half_width_1;
     }
-    float _S497;
-    if(_S488.shown_3.is_warp_0)
+    uint _S497;
+    if(_S495.shown_3.is_warp_0)
     {
-        _S497 = _S488.slope_y_1;
-    }
-    else
-    {
-        _S497 = _S488.slope_x_1;
-    }
-    float _S498 = _S495.x;
-    float _S499 = _S495.y;
-    float _S500 = _S496 * _S498 + _S492 * _S497 * _S499;
-    float _S501 = _S489 * 1.0154266357421875f;
-    float _S502 = _S501 * arc_sine_0(clamp(_S488.section_1.across_1 / _S501, -1.0f, 1.0f));
-    if(_S488.shown_3.is_warp_0)
-    {
-        _S489 = _S485;
+        _S497 = _S494->warp_0;
     }
     else
     {
-        _S489 = - _S484;
+        _S497 = _S494->weft_0;
+    }
+    Family_0 _S498 = kernelContext_31->families_0[_S497];
+    float _S499;
+    if(_S493)
+    {
+        _S499 = -1.0f;
+    }
+    else
+    {
+        _S499 = 1.0f;
+    }
+    float _S500 = _S498.twist_sine_0 * _S499;
+    Family_0 _S501 = kernelContext_31->families_0[_S497];
+    if(_S495.shown_3.is_warp_0)
+    {
+        _S499 = 1.0f;
+    }
+    else
+    {
+        _S499 = -1.0f;
+    }
+    float2 _S502 = fibre_direction_0(_S495.slope_across_0, _S499 * _S495.slope_along_0, _S500, _S501.twist_cosine_0);
+    float _S503;
+    if(_S495.shown_3.is_warp_0)
+    {
+        _S503 = _S495.slope_x_1;
+    }
+    else
+    {
+        _S503 = _S495.slope_y_1;
+    }
+    float _S504;
+    if(_S495.shown_3.is_warp_0)
+    {
+        _S504 = _S495.slope_y_1;
+    }
+    else
+    {
+        _S504 = _S495.slope_x_1;
+    }
+    float _S505 = _S502.x;
+    float _S506 = _S502.y;
+    float _S507 = _S503 * _S505 + _S499 * _S504 * _S506;
+    float _S508 = _S496 * 1.0154266357421875f;
+    float _S509 = _S508 * arc_sine_0(clamp(_S495.section_1.across_1 / _S508, -1.0f, 1.0f));
+    if(_S495.shown_3.is_warp_0)
+    {
+        _S496 = _S492;
+    }
+    else
+    {
+        _S496 = - _S491;
     }
     thread SurfacePoint_0 point_2;
-    (&point_2)->hole_4 = _S488.shown_3.hole_0;
-    (&point_2)->is_warp_2 = _S488.shown_3.is_warp_0;
-    (&point_2)->warp_thread_0 = _S488.crossing_1.warp_1.thread_1;
-    (&point_2)->weft_thread_0 = _S488.crossing_1.weft_1.thread_1;
-    (&point_2)->height_9 = _S488.height_5;
-    (&point_2)->normal_5 = normalize(float3(- _S488.slope_x_1, - _S488.slope_y_1, 1.0f));
-    float3 _S503;
-    if(_S488.shown_3.is_warp_0)
+    (&point_2)->hole_4 = _S495.shown_3.hole_0;
+    (&point_2)->is_warp_2 = _S495.shown_3.is_warp_0;
+    (&point_2)->warp_thread_0 = _S495.crossing_1.warp_1.thread_1;
+    (&point_2)->weft_thread_0 = _S495.crossing_1.weft_1.thread_1;
+    (&point_2)->height_9 = _S495.height_5;
+    (&point_2)->normal_5 = normalize(float3(- _S495.slope_x_1, - _S495.slope_y_1, 1.0f));
+    float3 _S510;
+    if(_S495.shown_3.is_warp_0)
     {
-        _S503 = float3(_S498, _S499, _S500);
+        _S510 = float3(_S505, _S506, _S507);
     }
     else
     {
-        _S503 = float3(- _S499, _S498, _S500);
+        _S510 = float3(- _S506, _S505, _S507);
     }
-    (&point_2)->tangent_5 = normalize(_S503);
-    (&point_2)->across_2 = _S488.section_1.across_1;
-    (&point_2)->fibre_across_0 = _S502 * _S494.twist_cosine_0 + _S489 * _S493;
-    (&point_2)->fibre_along_0 = _S489 * _S494.twist_cosine_0 - _S502 * _S493;
+    (&point_2)->tangent_5 = normalize(_S510);
+    (&point_2)->across_2 = _S495.section_1.across_1;
+    (&point_2)->fibre_across_0 = _S509 * _S501.twist_cosine_0 + _S496 * _S500;
+    (&point_2)->fibre_along_0 = _S496 * _S501.twist_cosine_0 - _S509 * _S500;
     return point_2;
 }
 
-Albedos_0 vary_albedos_0(uint _S504, const Albedos_0 thread* _S505, uint _S506, uint _S507, KernelContext_0 thread* kernelContext_31)
+Albedos_0 vary_albedos_0(uint _S511, const Albedos_0 thread* _S512, uint _S513, uint _S514, KernelContext_0 thread* kernelContext_32)
 {
-    Fabric_0 device* _S508 = kernelContext_31->fabrics_0+_S504;
-    float3 _S509 = max(_S505->specular_reflect_0, _S505->specular_transmit_0);
-    float3 _S510 = _S505->diffuse_reflect_0 + _S505->diffuse_transmit_0;
-    float3 _S511 = float3(_S508->layer_bound_0) ;
-    float3 _S512 = float3(1.0f) ;
-    float3 _S513 = float3(bounded_gain_0(thread_gain_0(_S506, _S508->colour_noise_0, _S508->seed_0), _S510, _S512 - _S511 * _S509)) ;
-    float _S514 = bounded_gain_0(fibre_gain_0(_S506, _S507, _S508->fibre_noise_0, _S508->seed_0), _S509, min((_S512 - _S513 * _S510) / _S511, float3(1.0f) ));
+    Fabric_0 device* _S515 = kernelContext_32->fabrics_0+_S511;
+    float3 _S516 = max(_S512->specular_reflect_0, _S512->specular_transmit_0);
+    float3 _S517 = _S512->diffuse_reflect_0 + _S512->diffuse_transmit_0;
+    float3 _S518 = float3(_S515->layer_bound_0) ;
+    float3 _S519 = float3(1.0f) ;
+    float3 _S520 = float3(bounded_gain_0(thread_gain_0(_S513, _S515->colour_noise_0, _S515->seed_0), _S517, _S519 - _S518 * _S516)) ;
+    float _S521 = bounded_gain_0(fibre_gain_0(_S513, _S514, _S515->fibre_noise_0, _S515->seed_0), _S516, min((_S519 - _S520 * _S517) / _S518, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S513 * _S505->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S513 * _S505->diffuse_transmit_0;
-    float3 _S515 = float3(_S514) ;
-    (&varied_0)->specular_reflect_0 = _S515 * _S505->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S515 * _S505->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S520 * _S512->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S520 * _S512->diffuse_transmit_0;
+    float3 _S522 = float3(_S521) ;
+    (&varied_0)->specular_reflect_0 = _S522 * _S512->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S522 * _S512->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S516, const SurfacePoint_0 thread* _S517, const Albedos_0 thread* _S518, float _S519, float _S520, KernelContext_0 thread* kernelContext_32)
+Albedos_0 varied_at_0(uint _S523, const SurfacePoint_0 thread* _S524, const Albedos_0 thread* _S525, float _S526, float _S527, KernelContext_0 thread* kernelContext_33)
 {
-    Fabric_0 device* _S521 = kernelContext_32->fabrics_0+_S516;
-    bool _S522 = _S517->is_warp_2;
-    float _S523;
-    if(_S517->is_warp_2)
+    Fabric_0 device* _S528 = kernelContext_33->fabrics_0+_S523;
+    bool _S529 = _S524->is_warp_2;
+    float _S530;
+    if(_S524->is_warp_2)
     {
-        _S523 = _S519;
+        _S530 = _S526;
     }
     else
     {
-        _S523 = _S520;
+        _S530 = _S527;
     }
-    float _S524 = _S523 - _S517->across_2;
-    uint _S525;
-    if(_S522)
+    float _S531 = _S530 - _S524->across_2;
+    uint _S532;
+    if(_S529)
     {
-        _S525 = _S521->warp_0;
+        _S532 = _S528->warp_0;
     }
     else
     {
-        _S525 = _S521->weft_0;
+        _S532 = _S528->weft_0;
     }
-    Family_0 _S526 = kernelContext_32->families_0[_S525];
-    int _S527 = int(kernelContext_32->families_0[_S525].count_0);
-    if(_S522)
+    Family_0 _S533 = kernelContext_33->families_0[_S532];
+    int _S534 = int(kernelContext_33->families_0[_S532].count_0);
+    if(_S529)
     {
-        _S525 = _S517->warp_thread_0;
+        _S532 = _S524->warp_thread_0;
     }
     else
     {
-        _S525 = _S517->weft_thread_0;
+        _S532 = _S524->weft_thread_0;
     }
-    uint _S528 = uint(int(floor(_S524 / _S526.period_0)) * _S527 + int(_S525)) * 2U;
-    if(_S522)
+    uint _S535 = uint(int(floor(_S531 / _S533.period_0)) * _S534 + int(_S532)) * 2U;
+    if(_S529)
     {
-        _S525 = 1U;
+        _S532 = 1U;
     }
     else
     {
-        _S525 = 0U;
+        _S532 = 0U;
     }
-    float _S529 = floor(_S517->fibre_across_0 / _S521->fibre_size_0);
-    Albedos_0 _S530 = vary_albedos_0(_S516, _S518, _S528 + _S525, uint(int(_S529)) * 65536U + uint(int(floor(_S517->fibre_along_0 / (_S521->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S529))), kernelContext_32);
-    return _S530;
+    float _S536 = floor(_S524->fibre_across_0 / _S528->fibre_size_0);
+    Albedos_0 _S537 = vary_albedos_0(_S523, _S525, _S535 + _S532, uint(int(_S536)) * 65536U + uint(int(floor(_S524->fibre_along_0 / (_S528->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S536))), kernelContext_33);
+    return _S537;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S531, const SurfacePoint_0 thread* _S532, float _S533, float _S534, bool _S535, bool _S536, KernelContext_0 thread* kernelContext_33)
+YarnPoint_0 yarn_point_of_0(uint _S538, const SurfacePoint_0 thread* _S539, float _S540, float _S541, bool _S542, bool _S543, KernelContext_0 thread* kernelContext_34)
 {
-    Fabric_0 device* _S537 = kernelContext_33->fabrics_0+_S531;
-    bool _S538 = _S532->is_warp_2;
-    uint _S539;
-    if(_S532->is_warp_2)
+    Fabric_0 device* _S544 = kernelContext_34->fabrics_0+_S538;
+    bool _S545 = _S539->is_warp_2;
+    uint _S546;
+    if(_S539->is_warp_2)
     {
-        _S539 = _S537->warp_0;
+        _S546 = _S544->warp_0;
     }
     else
     {
-        _S539 = _S537->weft_0;
+        _S546 = _S544->weft_0;
     }
-    uint _S540;
-    if(_S538)
+    uint _S547;
+    if(_S545)
     {
-        _S540 = _S532->warp_thread_0;
-    }
-    else
-    {
-        _S540 = _S532->weft_thread_0;
-    }
-    Albedos_0 _S541 = albedos_of_0(_S539, _S540, kernelContext_33);
-    bool _S542;
-    if((_S537->fibre_noise_0) > 0.0f)
-    {
-        _S542 = true;
+        _S547 = _S539->warp_thread_0;
     }
     else
     {
-        _S542 = (_S537->colour_noise_0) > 0.0f;
+        _S547 = _S539->weft_thread_0;
+    }
+    Albedos_0 _S548 = albedos_of_0(_S546, _S547, kernelContext_34);
+    bool _S549;
+    if((_S544->fibre_noise_0) > 0.0f)
+    {
+        _S549 = true;
+    }
+    else
+    {
+        _S549 = (_S544->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_2;
-    if(_S542)
+    if(_S549)
     {
-        thread Albedos_0 _S543 = _S541;
-        Albedos_0 _S544 = varied_at_0(_S531, _S532, &_S543, _S533, _S534, kernelContext_33);
-        albedos_2 = _S544;
+        thread Albedos_0 _S550 = _S548;
+        Albedos_0 _S551 = varied_at_0(_S538, _S539, &_S550, _S540, _S541, kernelContext_34);
+        albedos_2 = _S551;
     }
     else
     {
-        albedos_2 = _S541;
+        albedos_2 = _S548;
     }
     thread YarnPoint_0 point_3;
-    (&point_3)->back_2 = _S535;
-    (&point_3)->hole_2 = _S536;
-    (&point_3)->is_warp_1 = _S538;
-    (&point_3)->x_9 = _S533;
-    (&point_3)->y_5 = _S534;
-    (&point_3)->height_3 = _S532->height_9;
-    (&point_3)->normal_4 = _S532->normal_5;
-    (&point_3)->tangent_4 = _S532->tangent_5;
-    (&point_3)->roughness_8 = kernelContext_33->families_0[_S539].roughness_0;
+    (&point_3)->back_2 = _S542;
+    (&point_3)->hole_2 = _S543;
+    (&point_3)->is_warp_1 = _S545;
+    (&point_3)->x_9 = _S540;
+    (&point_3)->y_5 = _S541;
+    (&point_3)->height_3 = _S539->height_9;
+    (&point_3)->normal_4 = _S539->normal_5;
+    (&point_3)->tangent_4 = _S539->tangent_5;
+    (&point_3)->roughness_8 = kernelContext_34->families_0[_S546].roughness_0;
     (&point_3)->albedos_1 = albedos_2;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S545, const SearchQuality_0 thread* _S546, float _S547, float _S548, float3 _S549, KernelContext_0 thread* kernelContext_34)
+YarnPoint_0 locate_yarn_0(uint _S552, const SearchQuality_0 thread* _S553, float _S554, float _S555, float3 _S556, KernelContext_0 thread* kernelContext_35)
 {
-    bool _S550 = (_S549.z) < 0.0f;
-    Hit_0 _S551 = first_hit_0(_S545, _S546, _S547, _S548, to_face_frame_0(_S549, _S550), _S550, kernelContext_34);
-    SurfacePoint_0 _S552 = surface_at_0(_S545, _S551.x_10, _S551.y_6, _S550, kernelContext_34);
-    thread SurfacePoint_0 _S553 = _S552;
-    YarnPoint_0 _S554 = yarn_point_of_0(_S545, &_S553, _S551.x_10, _S551.y_6, _S550, _S551.hole_3, kernelContext_34);
-    return _S554;
+    bool _S557 = (_S556.z) < 0.0f;
+    Hit_0 _S558 = first_hit_0(_S552, _S553, _S554, _S555, to_face_frame_0(_S556, _S557), _S557, kernelContext_35);
+    SurfacePoint_0 _S559 = surface_at_0(_S552, _S558.x_10, _S558.y_6, _S557, kernelContext_35);
+    thread SurfacePoint_0 _S560 = _S559;
+    YarnPoint_0 _S561 = yarn_point_of_0(_S552, &_S560, _S558.x_10, _S558.y_6, _S557, _S558.hole_3, kernelContext_35);
+    return _S561;
 }
 
-float3 scattered_0(uint _S555, const YarnPoint_0 thread* _S556, float3 _S557, float3 _S558, KernelContext_0 thread* kernelContext_35)
+float3 scattered_0(uint _S562, const YarnPoint_0 thread* _S563, float3 _S564, float3 _S565, KernelContext_0 thread* kernelContext_36)
 {
-    Fabric_0 device* _S559 = kernelContext_35->fabrics_0+_S555;
-    float3 _S560 = float3(0.0f) ;
-    bool _S561 = !_S556->hole_2;
-    bool _S562;
-    if(_S561)
+    Fabric_0 device* _S566 = kernelContext_36->fabrics_0+_S562;
+    float3 _S567 = float3(0.0f) ;
+    bool _S568 = !_S563->hole_2;
+    bool _S569;
+    if(_S568)
     {
-        _S562 = (_S557.z) > 0.0f;
+        _S569 = (_S564.z) > 0.0f;
     }
     else
     {
-        _S562 = false;
+        _S569 = false;
     }
     float3 value_1;
-    if(_S562)
+    if(_S569)
     {
-        value_1 = (&_S556->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S557, _S556->normal_4, _S559->diffuse_blend_0))  + (&_S556->albedos_1)->specular_reflect_0 * float3(reflection_0(_S557, _S558, _S556->normal_4, _S556->tangent_4, _S556->roughness_8, _S559->optical_depth_0)) ;
+        value_1 = (&_S563->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S564, _S563->normal_4, _S566->diffuse_blend_0))  + (&_S563->albedos_1)->specular_reflect_0 * float3(reflection_0(_S564, _S565, _S563->normal_4, _S563->tangent_4, _S563->roughness_8, _S566->optical_depth_0)) ;
     }
     else
     {
-        if(_S561)
+        if(_S568)
         {
-            _S562 = (_S557.z) < 0.0f;
+            _S569 = (_S564.z) < 0.0f;
         }
         else
         {
-            _S562 = false;
+            _S569 = false;
         }
-        if(_S562)
+        if(_S569)
         {
-            value_1 = (&_S556->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S557, _S556->normal_4, _S559->diffuse_blend_0))  + (&_S556->albedos_1)->specular_transmit_0 * float3(transmission_0(_S557, _S558, _S556->normal_4, _S556->tangent_4, _S556->roughness_8, _S559->optical_depth_0)) ;
+            value_1 = (&_S563->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S564, _S563->normal_4, _S566->diffuse_blend_0))  + (&_S563->albedos_1)->specular_transmit_0 * float3(transmission_0(_S564, _S565, _S563->normal_4, _S563->tangent_4, _S563->roughness_8, _S566->optical_depth_0)) ;
         }
         else
         {
-            value_1 = _S560;
+            value_1 = _S567;
         }
     }
-    float _S563 = _S559->sheen_strength_0;
-    if((_S559->sheen_strength_0) <= 0.0f)
+    float _S570 = _S566->sheen_strength_0;
+    if((_S566->sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S564 = sheen_with_transmittance_0(_S557, _S558, _S563, _S559->sheen_roughness_0);
-    return float3(_S564.y)  * value_1 + float3(_S564.x) ;
+    float2 _S571 = sheen_with_transmittance_0(_S564, _S565, _S570, _S566->sheen_roughness_0);
+    return float3(_S571.y)  * value_1 + float3(_S571.x) ;
 }
 
-bool unoccluded_0(uint _S565, const SearchQuality_0 thread* _S566, float _S567, float _S568, float _S569, float3 _S570, bool _S571, KernelContext_0 thread* kernelContext_36)
+bool unoccluded_0(uint _S572, const SearchQuality_0 thread* _S573, float _S574, float _S575, float _S576, float3 _S577, bool _S578, KernelContext_0 thread* kernelContext_37)
 {
-    Fabric_0 device* _S572 = kernelContext_36->fabrics_0+_S565;
-    if((_S570.z) <= 0.0f)
+    Fabric_0 device* _S579 = kernelContext_37->fabrics_0+_S572;
+    if((_S577.z) <= 0.0f)
     {
         return false;
     }
-    float _S573 = max_height_along_0(_S565, _S567, _S568, _S569, _S570, _S571, kernelContext_36);
-    bool _S574 = is_free_0(_S565, _S566, float3(_S567, _S568, _S569 + _S572->lift_0), _S570, _S571, _S573, kernelContext_36);
-    return _S574;
+    float _S580 = max_height_along_0(_S572, _S574, _S575, _S576, _S577, _S578, kernelContext_37);
+    bool _S581 = is_free_0(_S572, _S573, float3(_S574, _S575, _S576 + _S579->lift_0), _S577, _S578, _S580, kernelContext_37);
+    return _S581;
 }
 
-bool is_lit_0(uint _S575, const SearchQuality_0 thread* _S576, const YarnPoint_0 thread* _S577, float3 _S578, KernelContext_0 thread* kernelContext_37)
+bool is_lit_0(uint _S582, const SearchQuality_0 thread* _S583, const YarnPoint_0 thread* _S584, float3 _S585, KernelContext_0 thread* kernelContext_38)
 {
-    if(_S577->hole_2)
+    if(_S584->hole_2)
     {
         return true;
     }
-    bool _S579 = _S577->back_2;
-    float3 _S580 = to_face_frame_0(_S578, _S577->back_2);
-    float _S581 = _S580.z;
-    bool _S582 = _S581 < 0.0f;
-    float3 _S583 = _S577->normal_4;
-    float _S584 = _S577->height_3;
+    bool _S586 = _S584->back_2;
+    float3 _S587 = to_face_frame_0(_S585, _S584->back_2);
+    float _S588 = _S587.z;
+    bool _S589 = _S588 < 0.0f;
+    float3 _S590 = _S584->normal_4;
+    float _S591 = _S584->height_3;
     float3 normal_6;
     float height_10;
-    if(_S582)
+    if(_S589)
     {
-        SurfacePoint_0 _S585 = surface_at_0(_S575, _S577->x_9, _S577->y_5, !_S579, kernelContext_37);
-        normal_6 = _S585.normal_5;
-        height_10 = _S585.height_9;
+        SurfacePoint_0 _S592 = surface_at_0(_S582, _S584->x_9, _S584->y_5, !_S586, kernelContext_38);
+        normal_6 = _S592.normal_5;
+        height_10 = _S592.height_9;
     }
     else
     {
-        normal_6 = _S583;
-        height_10 = _S584;
+        normal_6 = _S590;
+        height_10 = _S591;
     }
-    float3 _S586 = float3(_S580.xy, abs(_S581));
-    if((dot(normal_6, _S586)) <= 0.0f)
+    float3 _S593 = float3(_S587.xy, abs(_S588));
+    if((dot(normal_6, _S593)) <= 0.0f)
     {
         return false;
     }
-    bool _S587 = unoccluded_0(_S575, _S576, _S577->x_9, _S577->y_5, height_10, _S586, _S579 != _S582, kernelContext_37);
-    return _S587;
+    bool _S594 = unoccluded_0(_S582, _S583, _S584->x_9, _S584->y_5, height_10, _S593, _S586 != _S589, kernelContext_38);
+    return _S594;
 }
 
-float3 evaluate_0(uint _S588, const SearchQuality_0 thread* _S589, const YarnPoint_0 thread* _S590, float3 _S591, float3 _S592, KernelContext_0 thread* kernelContext_38)
+float3 evaluate_0(uint _S595, const SearchQuality_0 thread* _S596, const YarnPoint_0 thread* _S597, float3 _S598, float3 _S599, KernelContext_0 thread* kernelContext_39)
 {
-    float3 _S593 = scattered_0(_S588, _S590, to_face_frame_0(_S591, _S590->back_2), to_face_frame_0(_S592, _S590->back_2), kernelContext_38);
-    bool _S594;
-    if((max(_S593.x, max(_S593.y, _S593.z))) <= 0.0f)
+    float3 _S600 = scattered_0(_S595, _S597, to_face_frame_0(_S598, _S597->back_2), to_face_frame_0(_S599, _S597->back_2), kernelContext_39);
+    bool _S601;
+    if((max(_S600.x, max(_S600.y, _S600.z))) <= 0.0f)
     {
-        _S594 = true;
+        _S601 = true;
     }
     else
     {
-        bool _S595 = is_lit_0(_S588, _S589, _S590, _S591, kernelContext_38);
-        _S594 = !_S595;
+        bool _S602 = is_lit_0(_S595, _S596, _S597, _S598, kernelContext_39);
+        _S601 = !_S602;
     }
-    if(_S594)
+    if(_S601)
     {
         return float3(0.0f) ;
     }
-    return _S593;
+    return _S600;
 }
 
-float straight_through_0(uint _S596, const YarnPoint_0 thread* _S597, float3 _S598, KernelContext_0 thread* kernelContext_39)
+float straight_through_0(uint _S603, const YarnPoint_0 thread* _S604, float3 _S605, KernelContext_0 thread* kernelContext_40)
 {
-    Fabric_0 device* _S599 = kernelContext_39->fabrics_0+_S596;
-    if(!_S597->hole_2)
+    Fabric_0 device* _S606 = kernelContext_40->fabrics_0+_S603;
+    if(!_S604->hole_2)
     {
         return 0.0f;
     }
-    float _S600 = _S599->sheen_strength_0;
-    if((_S599->sheen_strength_0) <= 0.0f)
+    float _S607 = _S606->sheen_strength_0;
+    if((_S606->sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S600 * sheen_lobe_0(abs(_S598.z), _S599->sheen_roughness_0).z;
+    return 1.0f - _S607 * sheen_lobe_0(abs(_S605.z), _S606->sheen_roughness_0).z;
 }
 
-float4 light_of_point_0(const Frame_0 thread* _S601, uint _S602, const VisiblePoint_0 thread* _S603, float2 _S604, KernelContext_0 thread* kernelContext_40)
+float4 light_of_point_0(const Frame_0 thread* _S608, uint _S609, const VisiblePoint_0 thread* _S610, float2 _S611, KernelContext_0 thread* kernelContext_41)
 {
-    SearchQuality_0 _S605 = default_quality_0();
-    float3 _S606 = to_local_0(_S603, _S603->view_0);
-    float _S607 = _S604.x;
-    float _S608 = _S604.y;
-    thread SearchQuality_0 _S609 = _S605;
-    YarnPoint_0 _S610 = locate_yarn_0(_S602, &_S609, _S607, _S608, _S606, kernelContext_40);
-    float3 _S611 = float3(0.0f) ;
+    SearchQuality_0 _S612 = default_quality_0();
+    float3 _S613 = to_local_0(_S610, _S610->view_0);
+    float _S614 = _S611.x;
+    float _S615 = _S611.y;
+    thread SearchQuality_0 _S616 = _S612;
+    YarnPoint_0 _S617 = locate_yarn_0(_S609, &_S616, _S614, _S615, _S613, kernelContext_41);
+    float3 _S618 = float3(0.0f) ;
     uint number_1 = 0U;
-    float3 radiance_1 = _S611;
+    float3 radiance_1 = _S618;
     for(;;)
     {
-        if(number_1 < (_S601->lights_0))
+        if(number_1 < (_S608->lights_0))
         {
         }
         else
         {
             break;
         }
-        thread Light_0 _S612 = kernelContext_40->lights_1[number_1];
+        thread Light_0 _S619 = kernelContext_41->lights_1[number_1];
         thread float3 irradiance_2;
-        float3 _S613 = towards_light_0(&_S612, _S603->position_0, &irradiance_2);
-        float3 _S614 = to_local_0(_S603, _S613);
-        thread SearchQuality_0 _S615 = _S605;
-        thread YarnPoint_0 _S616 = _S610;
-        float3 _S617 = evaluate_0(_S602, &_S615, &_S616, _S614, _S606, kernelContext_40);
-        float3 radiance_2 = radiance_1 + irradiance_2 * _S617;
+        float3 _S620 = towards_light_0(&_S619, _S610->position_0, &irradiance_2);
+        float3 _S621 = to_local_0(_S610, _S620);
+        thread SearchQuality_0 _S622 = _S612;
+        thread YarnPoint_0 _S623 = _S617;
+        float3 _S624 = evaluate_0(_S609, &_S622, &_S623, _S621, _S613, kernelContext_41);
+        float3 radiance_2 = radiance_1 + irradiance_2 * _S624;
         number_1 = number_1 + 1U;
         radiance_1 = radiance_2;
     }
-    thread YarnPoint_0 _S618 = _S610;
-    float _S619 = straight_through_0(_S602, &_S618, _S606, kernelContext_40);
-    return float4(radiance_1, 1.0f - _S619);
+    thread YarnPoint_0 _S625 = _S617;
+    float _S626 = straight_through_0(_S609, &_S625, _S613, kernelContext_41);
+    return float4(radiance_1, 1.0f - _S626);
 }
 
 [[kernel]] void shade_points(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], Light_0 device* lights_2 [[buffer(3)]], packed_float4 device* radiance_3 [[buffer(8)]])
 {
-    uint _S620;
-    thread KernelContext_0 kernelContext_41;
-    (&kernelContext_41)->frames_0 = frames_1;
-    (&kernelContext_41)->visible_faces_0 = visible_faces_1;
-    (&kernelContext_41)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_41)->fabrics_0 = fabrics_1;
-    (&kernelContext_41)->corners_0 = corners_1;
-    (&kernelContext_41)->vertices_0 = vertices_1;
-    (&kernelContext_41)->families_0 = families_1;
-    (&kernelContext_41)->words_0 = words_1;
-    (&kernelContext_41)->lights_1 = lights_2;
-    (&kernelContext_41)->radiance_0 = radiance_3;
-    Frame_0 _S621 = frames_1[int(0)];
-    bool _S622;
-    if((id_0.x) >= (_S621.width_0))
+    uint _S627;
+    thread KernelContext_0 kernelContext_42;
+    (&kernelContext_42)->frames_0 = frames_1;
+    (&kernelContext_42)->visible_faces_0 = visible_faces_1;
+    (&kernelContext_42)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_42)->fabrics_0 = fabrics_1;
+    (&kernelContext_42)->corners_0 = corners_1;
+    (&kernelContext_42)->vertices_0 = vertices_1;
+    (&kernelContext_42)->families_0 = families_1;
+    (&kernelContext_42)->words_0 = words_1;
+    (&kernelContext_42)->lights_1 = lights_2;
+    (&kernelContext_42)->radiance_0 = radiance_3;
+    Frame_0 _S628 = frames_1[int(0)];
+    bool _S629;
+    if((id_0.x) >= (_S628.width_0))
     {
-        _S622 = true;
+        _S629 = true;
     }
     else
     {
-        _S622 = (id_0.y) >= (_S621.height_0);
+        _S629 = (id_0.y) >= (_S628.height_0);
     }
-    if(_S622)
+    if(_S629)
     {
         return;
     }
-    uint2 _S623 = id_0.xy;
-    int3 _S624 = int3(int2(_S623), int(0));
-    uint _S625 = (((&kernelContext_41)->visible_faces_0).read(vec<uint,2>(((_S624)).xy), uint(((_S624)).z)).x);
-    float4 _S626 = float4(0.0f) ;
+    uint2 _S630 = id_0.xy;
+    int3 _S631 = int3(int2(_S630), int(0));
+    uint _S632 = (((&kernelContext_42)->visible_faces_0).read(vec<uint,2>(((_S631)).xy), uint(((_S631)).z)).x);
+    float4 _S633 = float4(0.0f) ;
     float4 sum_0;
-    if(_S625 > 0U)
+    if(_S632 > 0U)
     {
-        uint _S627 = _S625 - 1U;
-        uint _S628 = (&kernelContext_41)->face_fabrics_0[_S627];
-        thread Frame_0 _S629 = _S621;
-        VisiblePoint_0 _S630 = visible_point_0(&_S629, _S628, _S627, _S623, &kernelContext_41);
+        uint _S634 = _S632 - 1U;
+        uint _S635 = (&kernelContext_42)->face_fabrics_0[_S634];
+        thread Frame_0 _S636 = _S628;
+        VisiblePoint_0 _S637 = visible_point_0(&_S636, _S635, _S634, _S630, &kernelContext_42);
         uint k_0 = 0U;
-        sum_0 = _S626;
+        sum_0 = _S633;
         for(;;)
         {
-            _S620 = _S621.samples_0;
-            if(k_0 < (_S621.samples_0))
+            _S627 = _S628.samples_0;
+            if(k_0 < (_S628.samples_0))
             {
             }
             else
             {
                 break;
             }
-            float2 _S631 = footprint_sample_0(_S623, _S621.pass_number_0 * _S621.samples_0 + k_0);
-            float2 _S632 = _S630.draft_0 + float2(_S631.x)  * _S630.draft_dx_0 + float2(_S631.y)  * _S630.draft_dy_0;
-            thread Frame_0 _S633 = _S621;
-            thread VisiblePoint_0 _S634 = _S630;
-            float4 _S635 = light_of_point_0(&_S633, _S628, &_S634, _S632, &kernelContext_41);
-            float4 sum_1 = sum_0 + _S635;
+            float2 _S638 = footprint_sample_0(_S630, _S628.pass_number_0 * _S628.samples_0 + k_0);
+            float2 _S639 = _S637.draft_0 + float2(_S638.x)  * _S637.draft_dx_0 + float2(_S638.y)  * _S637.draft_dy_0;
+            thread Frame_0 _S640 = _S628;
+            thread VisiblePoint_0 _S641 = _S637;
+            float4 _S642 = light_of_point_0(&_S640, _S635, &_S641, _S639, &kernelContext_42);
+            float4 sum_1 = sum_0 + _S642;
             k_0 = k_0 + 1U;
             sum_0 = sum_1;
         }
-        sum_0 = sum_0 / float4(float(_S620)) ;
+        sum_0 = sum_0 / float4(float(_S627)) ;
     }
     else
     {
-        sum_0 = _S626;
+        sum_0 = _S633;
     }
-    thread Frame_0 _S636 = _S621;
-    accumulate_0(&_S636, _S623, sum_0, &kernelContext_41);
+    thread Frame_0 _S643 = _S628;
+    accumulate_0(&_S643, _S630, sum_0, &kernelContext_42);
     return;
 }
 

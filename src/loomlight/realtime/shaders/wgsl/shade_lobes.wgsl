@@ -2729,25 +2729,18 @@ fn refined_height_0( _S445 : u32,  _S446 : ViewRay_0,  _S447 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S459 : u32,  _S460 : SearchQuality_0,  _S461 : f32,  _S462 : f32,  _S463 : vec3<f32>,  _S464 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S459 : u32,  _S460 : SearchQuality_0,  _S461 : f32,  _S462 : f32,  _S463 : vec3<f32>,  _S464 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_13 = _S461;
-    hit_0.y_7 = _S462;
-    hit_0.height_5 = 0.0f;
-    var _S465 : bool = passes_through_0(_S459, _S460, _S461, _S462, _S463, _S464);
-    hit_0.hole_5 = _S465;
-    if(_S465)
-    {
-        return hit_0;
-    }
-    var _S466 : f32 = max(_S463.z, 0.00009999999747379f);
+    var _S465 : f32 = max(_S463.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S461, _S462);
-    var _S467 : vec2<f32> = _S463.xy / vec2<f32>(_S466);
-    ray_0.slope_1 = _S467;
-    var _S468 : StepControl_0 = step_control_0((vec2<f32>(0) - _S467), 1.0f / max(steps_per_length_0(_S459, _S460, _S463) / _S466, 9.99999971718068537e-10f));
-    var _S469 : f32 = refined_height_0(_S459, ray_0, _S468, _S464, search_down_0(_S459, ray_0, _S468, _S464), _S460.refinements_0);
+    var _S466 : vec2<f32> = _S463.xy / vec2<f32>(_S465);
+    ray_0.slope_1 = _S466;
+    var _S467 : StepControl_0 = step_control_0((vec2<f32>(0) - _S466), 1.0f / max(steps_per_length_0(_S459, _S460, _S463) / _S465, 9.99999971718068537e-10f));
+    var _S468 : ViewRayEnd_0 = search_down_0(_S459, ray_0, _S467, _S464);
+    var hit_0 : Hit_0;
+    hit_0.hole_5 = false;
+    var _S469 : f32 = refined_height_0(_S459, ray_0, _S467, _S464, _S468, _S460.refinements_0);
     hit_0.height_5 = _S469;
     var _S470 : vec2<f32> = ViewRay_at_0(ray_0, _S469);
     hit_0.x_13 = _S470.x;
@@ -2755,99 +2748,113 @@ fn first_hit_0( _S459 : u32,  _S460 : SearchQuality_0,  _S461 : f32,  _S462 : f3
     return hit_0;
 }
 
-fn surface_at_0( _S471 : u32,  _S472 : f32,  _S473 : f32,  _S474 : bool) -> SurfacePoint_0
+fn first_hit_0( _S471 : u32,  _S472 : SearchQuality_0,  _S473 : f32,  _S474 : f32,  _S475 : vec3<f32>,  _S476 : bool) -> Hit_0
 {
-    var _S475 : Sample_0 = sample_at_0(_S471, _S472, _S473, _S474);
-    var _S476 : f32;
-    if(_S475.shown_3.is_warp_2)
+    if(!passes_through_0(_S471, _S472, _S473, _S474, _S475, _S476))
     {
-        _S476 = _S475.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S471, _S472, _S473, _S474, _S475, _S476);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_13 = _S473;
+    hit_1.y_7 = _S474;
+    hit_1.height_5 = 0.0f;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+fn surface_at_0( _S477 : u32,  _S478 : f32,  _S479 : f32,  _S480 : bool) -> SurfacePoint_0
+{
+    var _S481 : Sample_0 = sample_at_0(_S477, _S478, _S479, _S480);
+    var _S482 : f32;
+    if(_S481.shown_3.is_warp_2)
+    {
+        _S482 = _S481.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S476 = _S475.crossing_2.weft_1.half_width_1;
+        _S482 = _S481.crossing_2.weft_1.half_width_1;
     }
-    var _S477 : u32;
-    if(_S475.shown_3.is_warp_2)
+    var _S483 : u32;
+    if(_S481.shown_3.is_warp_2)
     {
-        _S477 = fabrics_0[_S471].warp_0;
-    }
-    else
-    {
-        _S477 = fabrics_0[_S471].weft_0;
-    }
-    var _S478 : Family_std430_0 = families_0[_S477];
-    var _S479 : f32;
-    if(_S474)
-    {
-        _S479 = -1.0f;
+        _S483 = fabrics_0[_S477].warp_0;
     }
     else
     {
-        _S479 = 1.0f;
+        _S483 = fabrics_0[_S477].weft_0;
     }
-    var _S480 : f32 = _S478.twist_sine_0 * _S479;
-    var _S481 : Family_std430_0 = families_0[_S477];
-    if(_S475.shown_3.is_warp_2)
+    var _S484 : Family_std430_0 = families_0[_S483];
+    var _S485 : f32;
+    if(_S480)
     {
-        _S479 = 1.0f;
-    }
-    else
-    {
-        _S479 = -1.0f;
-    }
-    var _S482 : vec2<f32> = fibre_direction_0(_S475.slope_across_0, _S479 * _S475.slope_along_0, _S480, _S481.twist_cosine_0);
-    var _S483 : f32;
-    if(_S475.shown_3.is_warp_2)
-    {
-        _S483 = _S475.slope_x_1;
+        _S485 = -1.0f;
     }
     else
     {
-        _S483 = _S475.slope_y_1;
+        _S485 = 1.0f;
     }
-    var _S484 : f32;
-    if(_S475.shown_3.is_warp_2)
+    var _S486 : f32 = _S484.twist_sine_0 * _S485;
+    var _S487 : Family_std430_0 = families_0[_S483];
+    if(_S481.shown_3.is_warp_2)
     {
-        _S484 = _S475.slope_y_1;
-    }
-    else
-    {
-        _S484 = _S475.slope_x_1;
-    }
-    var _S485 : f32 = _S482.x;
-    var _S486 : f32 = _S482.y;
-    var _S487 : f32 = _S483 * _S485 + _S479 * _S484 * _S486;
-    var _S488 : f32 = _S476 * 1.0154266357421875f;
-    var _S489 : f32 = _S488 * arc_sine_0(clamp(_S475.section_1.across_3 / _S488, -1.0f, 1.0f));
-    if(_S475.shown_3.is_warp_2)
-    {
-        _S476 = _S473;
+        _S485 = 1.0f;
     }
     else
     {
-        _S476 = - _S472;
+        _S485 = -1.0f;
+    }
+    var _S488 : vec2<f32> = fibre_direction_0(_S481.slope_across_0, _S485 * _S481.slope_along_0, _S486, _S487.twist_cosine_0);
+    var _S489 : f32;
+    if(_S481.shown_3.is_warp_2)
+    {
+        _S489 = _S481.slope_x_1;
+    }
+    else
+    {
+        _S489 = _S481.slope_y_1;
+    }
+    var _S490 : f32;
+    if(_S481.shown_3.is_warp_2)
+    {
+        _S490 = _S481.slope_y_1;
+    }
+    else
+    {
+        _S490 = _S481.slope_x_1;
+    }
+    var _S491 : f32 = _S488.x;
+    var _S492 : f32 = _S488.y;
+    var _S493 : f32 = _S489 * _S491 + _S485 * _S490 * _S492;
+    var _S494 : f32 = _S482 * 1.0154266357421875f;
+    var _S495 : f32 = _S494 * arc_sine_0(clamp(_S481.section_1.across_3 / _S494, -1.0f, 1.0f));
+    if(_S481.shown_3.is_warp_2)
+    {
+        _S482 = _S479;
+    }
+    else
+    {
+        _S482 = - _S478;
     }
     var point_2 : SurfacePoint_0;
-    point_2.hole_0 = _S475.shown_3.hole_3;
-    point_2.is_warp_0 = _S475.shown_3.is_warp_2;
-    point_2.warp_thread_0 = _S475.crossing_2.warp_1.thread_0;
-    point_2.weft_thread_0 = _S475.crossing_2.weft_1.thread_0;
-    point_2.height_1 = _S475.height_6;
-    point_2.normal_1 = normalize(vec3<f32>(- _S475.slope_x_1, - _S475.slope_y_1, 1.0f));
-    var _S490 : vec3<f32>;
-    if(_S475.shown_3.is_warp_2)
+    point_2.hole_0 = _S481.shown_3.hole_3;
+    point_2.is_warp_0 = _S481.shown_3.is_warp_2;
+    point_2.warp_thread_0 = _S481.crossing_2.warp_1.thread_0;
+    point_2.weft_thread_0 = _S481.crossing_2.weft_1.thread_0;
+    point_2.height_1 = _S481.height_6;
+    point_2.normal_1 = normalize(vec3<f32>(- _S481.slope_x_1, - _S481.slope_y_1, 1.0f));
+    var _S496 : vec3<f32>;
+    if(_S481.shown_3.is_warp_2)
     {
-        _S490 = vec3<f32>(_S485, _S486, _S487);
+        _S496 = vec3<f32>(_S491, _S492, _S493);
     }
     else
     {
-        _S490 = vec3<f32>(- _S486, _S485, _S487);
+        _S496 = vec3<f32>(- _S492, _S491, _S493);
     }
-    point_2.tangent_0 = normalize(_S490);
-    point_2.across_0 = _S475.section_1.across_3;
-    point_2.fibre_across_0 = _S489 * _S481.twist_cosine_0 + _S476 * _S480;
-    point_2.fibre_along_0 = _S476 * _S481.twist_cosine_0 - _S489 * _S480;
+    point_2.tangent_0 = normalize(_S496);
+    point_2.across_0 = _S481.section_1.across_3;
+    point_2.fibre_across_0 = _S495 * _S487.twist_cosine_0 + _S482 * _S486;
+    point_2.fibre_along_0 = _S482 * _S487.twist_cosine_0 - _S495 * _S486;
     return point_2;
 }
 
@@ -2865,239 +2872,239 @@ struct YarnPoint_0
      albedos_5 : Albedos_0,
 };
 
-fn vary_albedos_0( _S491 : u32,  _S492 : Albedos_0,  _S493 : u32,  _S494 : u32) -> Albedos_0
+fn vary_albedos_0( _S497 : u32,  _S498 : Albedos_0,  _S499 : u32,  _S500 : u32) -> Albedos_0
 {
-    var _S495 : vec3<f32> = max(_S492.specular_reflect_0, _S492.specular_transmit_0);
-    var _S496 : vec3<f32> = _S492.diffuse_reflect_0 + _S492.diffuse_transmit_0;
-    var _S497 : vec3<f32> = vec3<f32>(fabrics_0[_S491].layer_bound_0);
-    var _S498 : vec3<f32> = vec3<f32>(1.0f);
-    var _S499 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S493, fabrics_0[_S491].colour_noise_0, fabrics_0[_S491].seed_0), _S496, _S498 - _S497 * _S495));
-    var _S500 : f32 = bounded_gain_0(fibre_gain_0(_S493, _S494, fabrics_0[_S491].fibre_noise_0, fabrics_0[_S491].seed_0), _S495, min((_S498 - _S499 * _S496) / _S497, vec3<f32>(1.0f)));
+    var _S501 : vec3<f32> = max(_S498.specular_reflect_0, _S498.specular_transmit_0);
+    var _S502 : vec3<f32> = _S498.diffuse_reflect_0 + _S498.diffuse_transmit_0;
+    var _S503 : vec3<f32> = vec3<f32>(fabrics_0[_S497].layer_bound_0);
+    var _S504 : vec3<f32> = vec3<f32>(1.0f);
+    var _S505 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S499, fabrics_0[_S497].colour_noise_0, fabrics_0[_S497].seed_0), _S502, _S504 - _S503 * _S501));
+    var _S506 : f32 = bounded_gain_0(fibre_gain_0(_S499, _S500, fabrics_0[_S497].fibre_noise_0, fabrics_0[_S497].seed_0), _S501, min((_S504 - _S505 * _S502) / _S503, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S499 * _S492.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S499 * _S492.diffuse_transmit_0;
-    var _S501 : vec3<f32> = vec3<f32>(_S500);
-    varied_0.specular_reflect_0 = _S501 * _S492.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S501 * _S492.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S505 * _S498.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S505 * _S498.diffuse_transmit_0;
+    var _S507 : vec3<f32> = vec3<f32>(_S506);
+    varied_0.specular_reflect_0 = _S507 * _S498.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S507 * _S498.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S502 : u32,  _S503 : SurfacePoint_0,  _S504 : Albedos_0,  _S505 : f32,  _S506 : f32) -> Albedos_0
+fn varied_at_0( _S508 : u32,  _S509 : SurfacePoint_0,  _S510 : Albedos_0,  _S511 : f32,  _S512 : f32) -> Albedos_0
 {
-    var _S507 : f32;
-    if(_S503.is_warp_0)
+    var _S513 : f32;
+    if(_S509.is_warp_0)
     {
-        _S507 = _S505;
+        _S513 = _S511;
     }
     else
     {
-        _S507 = _S506;
+        _S513 = _S512;
     }
-    var _S508 : f32 = _S507 - _S503.across_0;
-    var _S509 : u32;
-    if(_S503.is_warp_0)
+    var _S514 : f32 = _S513 - _S509.across_0;
+    var _S515 : u32;
+    if(_S509.is_warp_0)
     {
-        _S509 = fabrics_0[_S502].warp_0;
+        _S515 = fabrics_0[_S508].warp_0;
     }
     else
     {
-        _S509 = fabrics_0[_S502].weft_0;
+        _S515 = fabrics_0[_S508].weft_0;
     }
-    var _S510 : Family_std430_0 = families_0[_S509];
-    var _S511 : i32 = i32(families_0[_S509].count_0);
-    if(_S503.is_warp_0)
+    var _S516 : Family_std430_0 = families_0[_S515];
+    var _S517 : i32 = i32(families_0[_S515].count_0);
+    if(_S509.is_warp_0)
     {
-        _S509 = _S503.warp_thread_0;
+        _S515 = _S509.warp_thread_0;
     }
     else
     {
-        _S509 = _S503.weft_thread_0;
+        _S515 = _S509.weft_thread_0;
     }
-    var _S512 : u32 = u32(i32(floor(_S508 / _S510.period_0)) * _S511 + i32(_S509)) * u32(2);
-    if(_S503.is_warp_0)
+    var _S518 : u32 = u32(i32(floor(_S514 / _S516.period_0)) * _S517 + i32(_S515)) * u32(2);
+    if(_S509.is_warp_0)
     {
-        _S509 = u32(1);
+        _S515 = u32(1);
     }
     else
     {
-        _S509 = u32(0);
+        _S515 = u32(0);
     }
-    var _S513 : f32 = floor(_S503.fibre_across_0 / fabrics_0[_S502].fibre_size_0);
-    return vary_albedos_0(_S502, _S504, _S512 + _S509, u32(i32(_S513)) * u32(65536) + u32(i32(floor(_S503.fibre_along_0 / (fabrics_0[_S502].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S513))));
+    var _S519 : f32 = floor(_S509.fibre_across_0 / fabrics_0[_S508].fibre_size_0);
+    return vary_albedos_0(_S508, _S510, _S518 + _S515, u32(i32(_S519)) * u32(65536) + u32(i32(floor(_S509.fibre_along_0 / (fabrics_0[_S508].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S519))));
 }
 
-fn yarn_point_of_0( _S514 : u32,  _S515 : SurfacePoint_0,  _S516 : f32,  _S517 : f32,  _S518 : bool,  _S519 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S520 : u32,  _S521 : SurfacePoint_0,  _S522 : f32,  _S523 : f32,  _S524 : bool,  _S525 : bool) -> YarnPoint_0
 {
-    var _S520 : u32;
-    if(_S515.is_warp_0)
+    var _S526 : u32;
+    if(_S521.is_warp_0)
     {
-        _S520 = fabrics_0[_S514].warp_0;
+        _S526 = fabrics_0[_S520].warp_0;
     }
     else
     {
-        _S520 = fabrics_0[_S514].weft_0;
+        _S526 = fabrics_0[_S520].weft_0;
     }
-    var _S521 : u32;
-    if(_S515.is_warp_0)
+    var _S527 : u32;
+    if(_S521.is_warp_0)
     {
-        _S521 = _S515.warp_thread_0;
-    }
-    else
-    {
-        _S521 = _S515.weft_thread_0;
-    }
-    var albedos_6 : Albedos_0 = albedos_of_0(_S520, _S521);
-    var _S522 : bool;
-    if((fabrics_0[_S514].fibre_noise_0) > 0.0f)
-    {
-        _S522 = true;
+        _S527 = _S521.warp_thread_0;
     }
     else
     {
-        _S522 = (fabrics_0[_S514].colour_noise_0) > 0.0f;
+        _S527 = _S521.weft_thread_0;
+    }
+    var albedos_6 : Albedos_0 = albedos_of_0(_S526, _S527);
+    var _S528 : bool;
+    if((fabrics_0[_S520].fibre_noise_0) > 0.0f)
+    {
+        _S528 = true;
+    }
+    else
+    {
+        _S528 = (fabrics_0[_S520].colour_noise_0) > 0.0f;
     }
     var albedos_7 : Albedos_0;
-    if(_S522)
+    if(_S528)
     {
-        albedos_7 = varied_at_0(_S514, _S515, albedos_6, _S516, _S517);
+        albedos_7 = varied_at_0(_S520, _S521, albedos_6, _S522, _S523);
     }
     else
     {
         albedos_7 = albedos_6;
     }
     var point_3 : YarnPoint_0;
-    point_3.back_3 = _S518;
-    point_3.hole_6 = _S519;
-    point_3.is_warp_3 = _S515.is_warp_0;
-    point_3.x_14 = _S516;
-    point_3.y_8 = _S517;
-    point_3.height_10 = _S515.height_1;
-    point_3.normal_7 = _S515.normal_1;
-    point_3.tangent_7 = _S515.tangent_0;
-    point_3.roughness_10 = families_0[_S520].roughness_0;
+    point_3.back_3 = _S524;
+    point_3.hole_6 = _S525;
+    point_3.is_warp_3 = _S521.is_warp_0;
+    point_3.x_14 = _S522;
+    point_3.y_8 = _S523;
+    point_3.height_10 = _S521.height_1;
+    point_3.normal_7 = _S521.normal_1;
+    point_3.tangent_7 = _S521.tangent_0;
+    point_3.roughness_10 = families_0[_S526].roughness_0;
     point_3.albedos_5 = albedos_7;
     return point_3;
 }
 
-fn unoccluded_0( _S523 : u32,  _S524 : SearchQuality_0,  _S525 : f32,  _S526 : f32,  _S527 : f32,  _S528 : vec3<f32>,  _S529 : bool) -> bool
+fn unoccluded_0( _S529 : u32,  _S530 : SearchQuality_0,  _S531 : f32,  _S532 : f32,  _S533 : f32,  _S534 : vec3<f32>,  _S535 : bool) -> bool
 {
-    if((_S528.z) <= 0.0f)
+    if((_S534.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S523, _S524, vec3<f32>(_S525, _S526, _S527 + fabrics_0[_S523].lift_0), _S528, _S529, max_height_along_0(_S523, _S525, _S526, _S527, _S528, _S529));
+    return is_free_0(_S529, _S530, vec3<f32>(_S531, _S532, _S533 + fabrics_0[_S529].lift_0), _S534, _S535, max_height_along_0(_S529, _S531, _S532, _S533, _S534, _S535));
 }
 
-fn is_lit_0( _S530 : u32,  _S531 : SearchQuality_0,  _S532 : YarnPoint_0,  _S533 : vec3<f32>) -> bool
+fn is_lit_0( _S536 : u32,  _S537 : SearchQuality_0,  _S538 : YarnPoint_0,  _S539 : vec3<f32>) -> bool
 {
-    if(_S532.hole_6)
+    if(_S538.hole_6)
     {
         return true;
     }
-    var _S534 : vec3<f32> = to_face_frame_0(_S533, _S532.back_3);
-    var _S535 : f32 = _S534.z;
-    var _S536 : bool = _S535 < 0.0f;
+    var _S540 : vec3<f32> = to_face_frame_0(_S539, _S538.back_3);
+    var _S541 : f32 = _S540.z;
+    var _S542 : bool = _S541 < 0.0f;
     var normal_8 : vec3<f32>;
     var height_11 : f32;
-    if(_S536)
+    if(_S542)
     {
-        var _S537 : SurfacePoint_0 = surface_at_0(_S530, _S532.x_14, _S532.y_8, !_S532.back_3);
-        normal_8 = _S537.normal_1;
-        height_11 = _S537.height_1;
+        var _S543 : SurfacePoint_0 = surface_at_0(_S536, _S538.x_14, _S538.y_8, !_S538.back_3);
+        normal_8 = _S543.normal_1;
+        height_11 = _S543.height_1;
     }
     else
     {
-        normal_8 = _S532.normal_7;
-        height_11 = _S532.height_10;
+        normal_8 = _S538.normal_7;
+        height_11 = _S538.height_10;
     }
-    var _S538 : vec3<f32> = vec3<f32>(_S534.xy, abs(_S535));
-    if((dot(normal_8, _S538)) <= 0.0f)
+    var _S544 : vec3<f32> = vec3<f32>(_S540.xy, abs(_S541));
+    if((dot(normal_8, _S544)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S530, _S531, _S532.x_14, _S532.y_8, height_11, _S538, (_S532.back_3) != _S536);
+    return unoccluded_0(_S536, _S537, _S538.x_14, _S538.y_8, height_11, _S544, (_S538.back_3) != _S542);
 }
 
-fn components_of_point_0( _S539 : u32,  _S540 : SearchQuality_0,  _S541 : YarnPoint_0,  _S542 : vec3<f32>,  _S543 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S545 : u32,  _S546 : SearchQuality_0,  _S547 : YarnPoint_0,  _S548 : vec3<f32>,  _S549 : vec3<f32>) -> Components_0
 {
     var result_1 : Components_0 = no_components_0();
-    var _S544 : f32;
-    if(_S541.hole_6)
+    var _S550 : f32;
+    if(_S547.hole_6)
     {
-        _S544 = 1.0f;
+        _S550 = 1.0f;
     }
     else
     {
-        _S544 = 0.0f;
+        _S550 = 0.0f;
     }
-    result_1.hole_2 = _S544;
-    var _S545 : bool;
-    if(_S541.hole_6)
+    result_1.hole_2 = _S550;
+    var _S551 : bool;
+    if(_S547.hole_6)
     {
-        _S545 = true;
+        _S551 = true;
     }
     else
     {
-        _S545 = !is_lit_0(_S539, _S540, _S541, _S542);
+        _S551 = !is_lit_0(_S545, _S546, _S547, _S548);
     }
-    if(_S545)
+    if(_S551)
     {
         return result_1;
     }
-    var _S546 : vec3<f32> = to_face_frame_0(_S542, _S541.back_3);
-    var _S547 : vec3<f32> = to_face_frame_0(_S543, _S541.back_3);
-    var _S548 : bool = (_S546.z) < 0.0f;
-    var _S549 : vec3<f32>;
-    if(_S548)
+    var _S552 : vec3<f32> = to_face_frame_0(_S548, _S547.back_3);
+    var _S553 : vec3<f32> = to_face_frame_0(_S549, _S547.back_3);
+    var _S554 : bool = (_S552.z) < 0.0f;
+    var _S555 : vec3<f32>;
+    if(_S554)
     {
-        _S549 = (vec3<f32>(0) - _S546);
+        _S555 = (vec3<f32>(0) - _S552);
     }
     else
     {
-        _S549 = _S546;
+        _S555 = _S552;
     }
-    var _S550 : f32 = diffuse_reflection_0(_S549, _S541.normal_7, fabrics_0[_S539].diffuse_blend_0);
-    if(_S548)
+    var _S556 : f32 = diffuse_reflection_0(_S555, _S547.normal_7, fabrics_0[_S545].diffuse_blend_0);
+    if(_S554)
     {
-        _S544 = transmission_0(_S546, _S547, _S541.normal_7, _S541.tangent_7, _S541.roughness_10, fabrics_0[_S539].optical_depth_0);
+        _S550 = transmission_0(_S552, _S553, _S547.normal_7, _S547.tangent_7, _S547.roughness_10, fabrics_0[_S545].optical_depth_0);
     }
     else
     {
-        _S544 = reflection_0(_S546, _S547, _S541.normal_7, _S541.tangent_7, _S541.roughness_10, fabrics_0[_S539].optical_depth_0);
+        _S550 = reflection_0(_S552, _S553, _S547.normal_7, _S547.tangent_7, _S547.roughness_10, fabrics_0[_S545].optical_depth_0);
     }
-    var _S551 : f32;
-    if(_S541.is_warp_3)
+    var _S557 : f32;
+    if(_S547.is_warp_3)
     {
-        _S551 = _S550;
+        _S557 = _S556;
     }
     else
     {
-        _S551 = 0.0f;
+        _S557 = 0.0f;
     }
-    result_1.diffuse_warp_0 = _S551;
-    if(_S541.is_warp_3)
+    result_1.diffuse_warp_0 = _S557;
+    if(_S547.is_warp_3)
     {
-        _S551 = 0.0f;
+        _S557 = 0.0f;
     }
     else
     {
-        _S551 = _S550;
+        _S557 = _S556;
     }
-    result_1.diffuse_weft_0 = _S551;
-    if(_S541.is_warp_3)
+    result_1.diffuse_weft_0 = _S557;
+    if(_S547.is_warp_3)
     {
-        _S551 = _S544;
+        _S557 = _S550;
     }
     else
     {
-        _S551 = 0.0f;
+        _S557 = 0.0f;
     }
-    result_1.specular_warp_0 = _S551;
-    if(_S541.is_warp_3)
+    result_1.specular_warp_0 = _S557;
+    if(_S547.is_warp_3)
     {
-        _S544 = 0.0f;
+        _S550 = 0.0f;
     }
-    result_1.specular_weft_0 = _S544;
+    result_1.specular_weft_0 = _S550;
     result_1.light_visibility_1 = 1.0f;
     return result_1;
 }
@@ -3107,23 +3114,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S552 : u32,  _S553 : f32) -> vec3<f32>
+fn pyramid_level_0( _S558 : u32,  _S559 : f32) -> vec3<f32>
 {
-    var _S554 : u32 = fabrics_0[_S552].lobes_0.levels_0 + u32(4) * u32(min(_S553, fabrics_0[_S552].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S554), table_number_0(_S554 + u32(1)), table_number_0(_S554 + u32(2)));
+    var _S560 : u32 = fabrics_0[_S558].lobes_0.levels_0 + u32(4) * u32(min(_S559, fabrics_0[_S558].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S560), table_number_0(_S560 + u32(1)), table_number_0(_S560 + u32(2)));
 }
 
-fn coverage_taps_0( _S555 : u32,  _S556 : Footprint_0,  _S557 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S561 : u32,  _S562 : Footprint_0,  _S563 : bool) -> CoverageTaps_0
 {
-    var _S558 : Lobes_std430_0 = fabrics_0[_S555].lobes_0;
-    var _S559 : f32 = Footprint_spread_side_0(_S556) * fabrics_0[_S555].lobes_0.inverse_base_size_0;
-    var _S560 : vec3<f32> = pyramid_level_0(_S555, floor(binary_logarithm_0(max(0.68000000715255737f * _S559, 1.0f))));
-    var _S561 : f32 = 1.0f / max(_S559, 9.99999997475242708e-07f);
-    var _S562 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S555].warp_0].inverse_period_0, families_0[fabrics_0[_S555].weft_0].inverse_period_0);
-    var _S563 : vec2<f32> = _S556.centre_0 * _S562;
-    var _S564 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S561 * _S561), 0.0f, 1.0f)), 0.3333333432674408f * _S561), 1.0f));
-    var _S565 : vec2<f32> = _S556.dx_0 * _S562 * _S564;
-    var _S566 : vec2<f32> = _S556.dy_0 * _S562 * _S564;
+    var _S564 : Lobes_std430_0 = fabrics_0[_S561].lobes_0;
+    var _S565 : f32 = Footprint_spread_side_0(_S562) * fabrics_0[_S561].lobes_0.inverse_base_size_0;
+    var _S566 : vec3<f32> = pyramid_level_0(_S561, floor(binary_logarithm_0(max(0.68000000715255737f * _S565, 1.0f))));
+    var _S567 : f32 = 1.0f / max(_S565, 9.99999997475242708e-07f);
+    var _S568 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S561].warp_0].inverse_period_0, families_0[fabrics_0[_S561].weft_0].inverse_period_0);
+    var _S569 : vec2<f32> = _S562.centre_0 * _S568;
+    var _S570 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S567 * _S567), 0.0f, 1.0f)), 0.3333333432674408f * _S567), 1.0f));
+    var _S571 : vec2<f32> = _S562.dx_0 * _S568 * _S570;
+    var _S572 : vec2<f32> = _S562.dy_0 * _S568 * _S570;
     var taps_3 : CoverageTaps_0;
     var number_1 : u32 = u32(0);
     for(;;)
@@ -3135,26 +3142,26 @@ fn coverage_taps_0( _S555 : u32,  _S556 : Footprint_0,  _S557 : bool) -> Coverag
         {
             break;
         }
-        var _S567 : vec2<f32> = _S563 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S565 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S566;
-        var _S568 : f32 = _S560.y;
-        var _S569 : f32 = wrapped_cell_0(_S567.x, _S568);
-        var _S570 : f32 = wrapped_cell_0(_S567.y, _S560.z);
-        var _S571 : u32;
-        if(_S557)
+        var _S573 : vec2<f32> = _S569 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S571 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S572;
+        var _S574 : f32 = _S566.y;
+        var _S575 : f32 = wrapped_cell_0(_S573.x, _S574);
+        var _S576 : f32 = wrapped_cell_0(_S573.y, _S566.z);
+        var _S577 : u32;
+        if(_S563)
         {
-            _S571 = _S558.face_nodes_0;
+            _S577 = _S564.face_nodes_0;
         }
         else
         {
-            _S571 = u32(0);
+            _S577 = u32(0);
         }
-        taps_3.nodes_1[number_1] = _S571 + u32(_S570 * _S568 + _S569 + _S560.x);
+        taps_3.nodes_1[number_1] = _S577 + u32(_S576 * _S574 + _S575 + _S566.x);
         number_1 = number_1 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_pack_0( _S572 : u32,  _S573 : CoverageTaps_0,  _S574 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S578 : u32,  _S579 : CoverageTaps_0,  _S580 : u32) -> vec4<f32>
 {
     var number_2 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3168,9 +3175,9 @@ fn coverage_of_pack_0( _S572 : u32,  _S573 : CoverageTaps_0,  _S574 : u32) -> ve
         {
             break;
         }
-        var _S575 : u32 = words_0[fabrics_0[_S572].lobes_0.coverage_0 + _S573.nodes_1[number_2] * fabrics_0[_S572].lobes_0.packs_0 + _S574];
-        var even_2 : u32 = even_1 + ((_S575 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S575 >> (u32(8)))) & (u32(16711935))));
+        var _S581 : u32 = words_0[fabrics_0[_S578].lobes_0.coverage_0 + _S579.nodes_1[number_2] * fabrics_0[_S578].lobes_0.packs_0 + _S580];
+        var even_2 : u32 = even_1 + ((_S581 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S581 >> (u32(8)))) & (u32(16711935))));
         number_2 = number_2 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3178,7 +3185,7 @@ fn coverage_of_pack_0( _S572 : u32,  _S573 : CoverageTaps_0,  _S574 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S576 : u32,  _S577 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S582 : u32,  _S583 : CoverageTaps_0) -> f32
 {
     var number_3 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3191,67 +3198,67 @@ fn coverage_of_holes_0( _S576 : u32,  _S577 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S576].lobes_0.coverage_holes_0 + _S577.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S577.nodes_1[number_3] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S582].lobes_0.coverage_holes_0 + _S583.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S583.nodes_1[number_3] % u32(4)))))) & (u32(255))));
         number_3 = number_3 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S578 : u32,  _S579 : CoverageTaps_0,  _S580 : NodeTaps_0,  _S581 : bool) -> f32
+fn prefiltered_hole_0( _S584 : u32,  _S585 : CoverageTaps_0,  _S586 : NodeTaps_0,  _S587 : bool) -> f32
 {
-    var _S582 : Lobes_std430_0 = fabrics_0[_S578].lobes_0;
-    var _S583 : f32 = interpolate_table_0(_S580, fabrics_0[_S578].lobes_0.projected_area_0 + fabrics_0[_S578].lobes_0.packs_0, fabrics_0[_S578].lobes_0.packs_0 + u32(1)).x;
-    var _S584 : f32;
-    if(_S581)
+    var _S588 : Lobes_std430_0 = fabrics_0[_S584].lobes_0;
+    var _S589 : f32 = interpolate_table_0(_S586, fabrics_0[_S584].lobes_0.projected_area_0 + fabrics_0[_S584].lobes_0.packs_0, fabrics_0[_S584].lobes_0.packs_0 + u32(1)).x;
+    var _S590 : f32;
+    if(_S587)
     {
-        _S584 = _S582.back_hole_weight_0;
+        _S590 = _S588.back_hole_weight_0;
     }
     else
     {
-        _S584 = _S582.front_hole_weight_0;
+        _S590 = _S588.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S578, _S579) * _S583 * _S583 * _S584, 1.0f);
+    return min(coverage_of_holes_0(_S584, _S585) * _S589 * _S589 * _S590, 1.0f);
 }
 
-fn prefiltered_components_0( _S585 : u32,  _S586 : Footprint_0,  _S587 : vec3<f32>,  _S588 : vec3<f32>,  _S589 : bool) -> Components_0
+fn prefiltered_components_0( _S591 : u32,  _S592 : Footprint_0,  _S593 : vec3<f32>,  _S594 : vec3<f32>,  _S595 : bool) -> Components_0
 {
-    var _S590 : CoverageTaps_0 = coverage_taps_0(_S585, _S586, _S589);
-    var _S591 : NodeTaps_0 = node_taps_0(_S588);
-    var view_nodes_0 : NodeTaps_0 = _S591;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S587);
-    var seen_nodes_0 : NodeTaps_0 = _S591;
-    var _S592 : u32;
-    if(_S589)
+    var _S596 : CoverageTaps_0 = coverage_taps_0(_S591, _S592, _S595);
+    var _S597 : NodeTaps_0 = node_taps_0(_S594);
+    var view_nodes_0 : NodeTaps_0 = _S597;
+    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S593);
+    var seen_nodes_0 : NodeTaps_0 = _S597;
+    var _S598 : u32;
+    if(_S595)
     {
-        _S592 = u32(1);
+        _S598 = u32(1);
     }
     else
     {
-        _S592 = u32(0);
+        _S598 = u32(0);
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S592 * u32(256)));
-    var _S593 : u32 = u32(2) * _S592;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S593 * u32(256)));
-    var _S594 : u32;
-    if((_S587.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S598 * u32(256)));
+    var _S599 : u32 = u32(2) * _S598;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S599 * u32(256)));
+    var _S600 : u32;
+    if((_S593.z) < 0.0f)
     {
-        _S594 = u32(1);
-    }
-    else
-    {
-        _S594 = u32(0);
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S593 + _S594) * u32(256)));
-    var _S595 : vec3<f32> = half_vector_0(_S587, _S588);
-    var _S596 : vec3<f32> = shadow_correlation_0(_S587, _S588);
-    if(_S589)
-    {
-        _S594 = fabrics_0[_S585].lobes_0.back_warp_packs_0;
+        _S600 = u32(1);
     }
     else
     {
-        _S594 = fabrics_0[_S585].lobes_0.front_warp_packs_0;
+        _S600 = u32(0);
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S599 + _S600) * u32(256)));
+    var _S601 : vec3<f32> = half_vector_0(_S593, _S594);
+    var _S602 : vec3<f32> = shadow_correlation_0(_S593, _S594);
+    if(_S595)
+    {
+        _S600 = fabrics_0[_S591].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S600 = fabrics_0[_S591].lobes_0.front_warp_packs_0;
     }
     var sums_1 : Components_0;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3263,32 +3270,32 @@ fn prefiltered_components_0( _S585 : u32,  _S586 : Footprint_0,  _S587 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        var _S597 : Lobes_std430_0 = fabrics_0[_S585].lobes_0;
-        if(pack_0 < (fabrics_0[_S585].lobes_0.packs_0))
+        var _S603 : Lobes_std430_0 = fabrics_0[_S591].lobes_0;
+        if(pack_0 < (fabrics_0[_S591].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S598 : vec4<f32> = coverage_of_pack_0(_S585, _S590, pack_0);
-        var _S599 : vec4<f32> = interpolate_table_0(view_nodes_0, _S597.projected_area_0 + pack_0, _S597.packs_0 + u32(1));
-        var _S600 : u32 = _S597.light_visibility_0 + pack_0;
-        var _S601 : vec4<f32> = vec4<f32>(255.0f);
-        var _S602 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S600, _S597.packs_0) / _S601;
-        var _S603 : vec4<f32> = interpolate_table_0(light_nodes_0, _S600, _S597.packs_0) / _S601;
-        var _S604 : vec4<f32> = interpolate_table_0(light_nodes_0, _S597.irradiance_0 + pack_0, _S597.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S605 : bool = pack_0 < _S594;
-        var _S606 : u32;
-        if(_S605)
+        var _S604 : vec4<f32> = coverage_of_pack_0(_S591, _S596, pack_0);
+        var _S605 : vec4<f32> = interpolate_table_0(view_nodes_0, _S603.projected_area_0 + pack_0, _S603.packs_0 + u32(1));
+        var _S606 : u32 = _S603.light_visibility_0 + pack_0;
+        var _S607 : vec4<f32> = vec4<f32>(255.0f);
+        var _S608 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S606, _S603.packs_0) / _S607;
+        var _S609 : vec4<f32> = interpolate_table_0(light_nodes_0, _S606, _S603.packs_0) / _S607;
+        var _S610 : vec4<f32> = interpolate_table_0(light_nodes_0, _S603.irradiance_0 + pack_0, _S603.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S611 : bool = pack_0 < _S600;
+        var _S612 : u32;
+        if(_S611)
         {
-            _S606 = fabrics_0[_S585].warp_0;
+            _S612 = fabrics_0[_S591].warp_0;
         }
         else
         {
-            _S606 = fabrics_0[_S585].weft_0;
+            _S612 = fabrics_0[_S591].weft_0;
         }
-        var _S607 : Family_std430_0 = families_0[_S606];
+        var _S613 : Family_std430_0 = families_0[_S612];
         var number_4 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3301,300 +3308,300 @@ fn prefiltered_components_0( _S585 : u32,  _S586 : Footprint_0,  _S587 : vec3<f3
             {
                 break;
             }
-            var _S608 : Group_0 = group_at_0(_S597.moments_0 + u32(12) * (u32(4) * (_S592 * _S597.packs_0 + pack_0) + number_4), _S607.roughness_0);
-            var _S609 : f32 = _S598[number_4] * _S599[number_4] * _S599[number_4] * _S608.weight_1;
-            var _S610 : vec2<f32> = visibility_gain_0(_S596, _S603[number_4], _S602[number_4]);
-            var _S611 : f32 = _S610.x;
-            var diffuse_1 : f32 = diffuse_0 + _S609 * _S604[number_4] * _S611;
-            var specular_1 : f32 = specular_0 + _S609 * layer_value_0(_S608, _S595, _S587, _S588, fabrics_0[_S585].optical_depth_0) * _S603[number_4] * _S610.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S609 * _S603[number_4] * _S611;
-            var total_3 : f32 = total_2 + _S609;
+            var _S614 : Group_0 = group_at_0(_S603.moments_0 + u32(12) * (u32(4) * (_S598 * _S603.packs_0 + pack_0) + number_4), _S613.roughness_0);
+            var _S615 : f32 = _S604[number_4] * _S605[number_4] * _S605[number_4] * _S614.weight_1;
+            var _S616 : vec2<f32> = visibility_gain_0(_S602, _S609[number_4], _S608[number_4]);
+            var _S617 : f32 = _S616.x;
+            var diffuse_1 : f32 = diffuse_0 + _S615 * _S610[number_4] * _S617;
+            var specular_1 : f32 = specular_0 + _S615 * layer_value_0(_S614, _S601, _S593, _S594, fabrics_0[_S591].optical_depth_0) * _S609[number_4] * _S616.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S615 * _S609[number_4] * _S617;
+            var total_3 : f32 = total_2 + _S615;
             number_4 = number_4 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        var _S612 : f32;
-        if(_S605)
+        var _S618 : f32;
+        if(_S611)
         {
-            _S612 = diffuse_0;
+            _S618 = diffuse_0;
         }
         else
         {
-            _S612 = 0.0f;
+            _S618 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S612;
-        var _S613 : f32;
-        if(_S605)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S618;
+        var _S619 : f32;
+        if(_S611)
         {
-            _S613 = 0.0f;
+            _S619 = 0.0f;
         }
         else
         {
-            _S613 = diffuse_0;
+            _S619 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S613;
-        var _S614 : f32;
-        if(_S605)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S619;
+        var _S620 : f32;
+        if(_S611)
         {
-            _S614 = specular_0;
+            _S620 = specular_0;
         }
         else
         {
-            _S614 = 0.0f;
+            _S620 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S614;
-        var _S615 : f32;
-        if(_S605)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S620;
+        var _S621 : f32;
+        if(_S611)
         {
-            _S615 = 0.0f;
+            _S621 = 0.0f;
         }
         else
         {
-            _S615 = specular_0;
+            _S621 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S615;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S621;
         pack_0 = pack_0 + u32(1);
     }
-    var _S616 : f32 = prefiltered_hole_0(_S585, _S590, view_nodes_0, _S589);
-    sums_1.hole_2 = _S616;
-    var _S617 : f32 = (1.0f - _S616) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S617;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S617;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S617;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S617;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S617;
+    var _S622 : f32 = prefiltered_hole_0(_S591, _S596, view_nodes_0, _S595);
+    sums_1.hole_2 = _S622;
+    var _S623 : f32 = (1.0f - _S622) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S623;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S623;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S623;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S623;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S623;
     return sums_1;
 }
 
-fn albedos_over_0( _S618 : u32,  _S619 : Footprint_0,  _S620 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S624 : u32,  _S625 : Footprint_0,  _S626 : bool) -> FamilyAlbedos_0
 {
-    var _S621 : vec2<f32> = _S619.dx_0;
-    var _S622 : vec2<f32> = _S619.dy_0;
-    var _S623 : vec2<f32> = sqrt(_S621 * _S621 + _S622 * _S622);
-    var _S624 : Stretch_0 = stretch_of_0(fabrics_0[_S618].warp_0, _S619.centre_0.x, _S623.x);
-    var _S625 : Stretch_0 = stretch_of_0(fabrics_0[_S618].weft_0, _S619.centre_0.y, _S623.y);
+    var _S627 : vec2<f32> = _S625.dx_0;
+    var _S628 : vec2<f32> = _S625.dy_0;
+    var _S629 : vec2<f32> = sqrt(_S627 * _S627 + _S628 * _S628);
+    var _S630 : Stretch_0 = stretch_of_0(fabrics_0[_S624].warp_0, _S625.centre_0.x, _S629.x);
+    var _S631 : Stretch_0 = stretch_of_0(fabrics_0[_S624].weft_0, _S625.centre_0.y, _S629.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S618].warp_0, fabrics_0[_S618].weft_0, _S624, _S625, _S620);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S618].weft_0, fabrics_0[_S618].warp_0, _S625, _S624, _S620);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S624].warp_0, fabrics_0[_S624].weft_0, _S630, _S631, _S626);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S624].weft_0, fabrics_0[_S624].warp_0, _S631, _S630, _S626);
     return albedos_8;
 }
 
-fn lobes_estimate_0( _S626 : u32,  _S627 : Footprint_0,  _S628 : f32,  _S629 : vec3<f32>,  _S630 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_0( _S632 : u32,  _S633 : Footprint_0,  _S634 : f32,  _S635 : vec3<f32>,  _S636 : vec3<f32>) -> Estimate_0
 {
-    var _S631 : f32;
-    var _S632 : Regime_0 = regime_of_0(_S626, _S627, _S628);
-    var _S633 : bool = (_S630.z) < 0.0f;
-    var _S634 : vec3<f32> = to_face_frame_0(_S630, _S633);
-    var _S635 : bool;
-    if((fabrics_0[_S626].fibre_noise_0) > 0.0f)
+    var _S637 : f32;
+    var _S638 : Regime_0 = regime_of_0(_S632, _S633, _S634);
+    var _S639 : bool = (_S636.z) < 0.0f;
+    var _S640 : vec3<f32> = to_face_frame_0(_S636, _S639);
+    var _S641 : bool;
+    if((fabrics_0[_S632].fibre_noise_0) > 0.0f)
     {
-        _S635 = true;
+        _S641 = true;
     }
     else
     {
-        _S635 = (fabrics_0[_S626].colour_noise_0) > 0.0f;
+        _S641 = (fabrics_0[_S632].colour_noise_0) > 0.0f;
     }
-    var _S636 : bool;
-    if((families_0[fabrics_0[_S626].warp_0].quantities_0) > u32(1))
+    var _S642 : bool;
+    if((families_0[fabrics_0[_S632].warp_0].quantities_0) > u32(1))
     {
-        _S636 = true;
+        _S642 = true;
     }
     else
     {
-        _S636 = (families_0[fabrics_0[_S626].weft_0].quantities_0) > u32(1);
+        _S642 = (families_0[fabrics_0[_S632].weft_0].quantities_0) > u32(1);
     }
-    var _S637 : f32 = 1.0f - _S632.prefiltered_0;
-    if(_S637 > 0.0f)
+    var _S643 : f32 = 1.0f - _S638.prefiltered_0;
+    if(_S643 > 0.0f)
     {
-        if(_S635)
+        if(_S641)
         {
-            _S636 = true;
+            _S642 = true;
         }
     }
     else
     {
-        _S636 = false;
+        _S642 = false;
     }
-    var box_0 : Footprint_0 = _S627;
-    var _S638 : vec3<f32> = vec3<f32>(0.0f);
-    var _S639 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S638, _S638, 0.0f, 0.0f, 0.0f);
-    var _S640 : Components_0 = no_components_0();
-    var _S641 : i32;
-    if(_S636)
+    var box_0 : Footprint_0 = _S633;
+    var _S644 : vec3<f32> = vec3<f32>(0.0f);
+    var _S645 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S644, _S644, 0.0f, 0.0f, 0.0f);
+    var _S646 : Components_0 = no_components_0();
+    var _S647 : i32;
+    if(_S642)
     {
-        _S641 = i32(0);
+        _S647 = i32(0);
     }
     else
     {
-        _S641 = i32(1);
+        _S647 = i32(1);
     }
-    var _S642 : u32 = u32(_S641);
-    var points_1 : Components_0 = _S640;
+    var _S648 : u32 = u32(_S647);
+    var points_1 : Components_0 = _S646;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S639;
-    var central_place_0 : vec2<f32> = _S627.centre_0;
-    var number_5 : u32 = _S642;
+    var central_0 : SurfacePoint_0 = _S645;
+    var central_place_0 : vec2<f32> = _S633.centre_0;
+    var number_5 : u32 = _S648;
     for(;;)
     {
-        var _S643 : f32 = f32(number_5);
-        _S631 = _S632.points_0;
-        if(_S643 < (_S632.points_0 + 1.0f))
+        var _S649 : f32 = f32(number_5);
+        _S637 = _S638.points_0;
+        if(_S649 < (_S638.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S644 : bool = number_5 == u32(0);
-        var _S645 : vec2<f32>;
-        if(_S644)
+        var _S650 : bool = number_5 == u32(0);
+        var _S651 : vec2<f32>;
+        if(_S650)
         {
-            _S645 = vec2<f32>(0.0f);
+            _S651 = vec2<f32>(0.0f);
         }
         else
         {
-            _S645 = POINT_OFFSETS_0[number_5 - u32(1)];
+            _S651 = POINT_OFFSETS_0[number_5 - u32(1)];
         }
-        var _S646 : vec2<f32> = _S627.centre_0 + vec2<f32>(_S645.x) * _S627.dx_0 + vec2<f32>(_S645.y) * _S627.dy_0;
-        var _S647 : f32;
-        if(_S644)
+        var _S652 : vec2<f32> = _S633.centre_0 + vec2<f32>(_S651.x) * _S633.dx_0 + vec2<f32>(_S651.y) * _S633.dy_0;
+        var _S653 : f32;
+        if(_S650)
         {
-            _S647 = 0.0f;
+            _S653 = 0.0f;
         }
         else
         {
-            _S647 = _S632.threads_1;
+            _S653 = _S638.threads_1;
         }
-        var _S648 : SearchQuality_0 = quality_of_0(_S647);
-        var _S649 : Hit_0 = first_hit_0(_S626, _S648, _S646.x, _S646.y, _S634, _S633);
-        var _S650 : SurfacePoint_0 = surface_at_0(_S626, _S649.x_13, _S649.y_7, _S633);
-        if(_S644)
+        var _S654 : SearchQuality_0 = quality_of_0(_S653);
+        var _S655 : Hit_0 = first_hit_0(_S632, _S654, _S652.x, _S652.y, _S640, _S639);
+        var _S656 : SurfacePoint_0 = surface_at_0(_S632, _S655.x_13, _S655.y_7, _S639);
+        if(_S650)
         {
             var central_weight_1 : f32;
-            if(_S649.hole_5)
+            if(_S655.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S637;
+                central_weight_1 = _S643;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S649.x_13, _S649.y_7);
-            box_0.centre_0 = mix(_S627.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_place_1 : vec2<f32> = vec2<f32>(_S655.x_13, _S655.y_7);
+            box_0.centre_0 = mix(_S633.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S650;
+            central_0 = _S656;
             central_place_0 = central_place_1;
             number_5 = number_5 + u32(1);
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S626, _S648, yarn_point_of_0(_S626, _S650, _S649.x_13, _S649.y_7, _S633, _S649.hole_5), _S629, _S630), min(_S632.points_0 - f32(number_5 - u32(1)), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S632, _S654, yarn_point_of_0(_S632, _S656, _S655.x_13, _S655.y_7, _S639, _S655.hole_5), _S635, _S636), min(_S638.points_0 - f32(number_5 - u32(1)), 1.0f));
         number_5 = number_5 + u32(1);
     }
     var estimate_0 : Estimate_0;
-    estimate_0.components_0 = with_added_0(_S640, points_1, _S637 / max(_S631, 1.0f));
-    if((_S632.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S646, points_1, _S643 / max(_S637, 1.0f));
+    if((_S638.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S626, _S627, to_face_frame_0(_S629, _S633), _S634, _S633), _S632.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S632, _S633, to_face_frame_0(_S635, _S639), _S640, _S639), _S638.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S626, box_0, _S633);
-    if(_S635)
+    estimate_0.albedos_4 = albedos_over_0(_S632, box_0, _S639);
+    if(_S641)
     {
-        _S635 = central_weight_0 > 0.0f;
+        _S641 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S635 = false;
+        _S641 = false;
     }
-    if(_S635)
+    if(_S641)
     {
-        var _S651 : SurfacePoint_0 = central_0;
-        var _S652 : Albedos_0;
+        var _S657 : SurfacePoint_0 = central_0;
+        var _S658 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S652 = estimate_0.albedos_4.warp_2;
+            _S658 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S652 = estimate_0.albedos_4.weft_2;
+            _S658 = estimate_0.albedos_4.weft_2;
         }
-        var _S653 : Albedos_0 = lerp_albedos_0(_S652, varied_at_0(_S626, central_0, _S652, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S651.is_warp_0)
+        var _S659 : Albedos_0 = lerp_albedos_0(_S658, varied_at_0(_S632, central_0, _S658, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S657.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S653;
+            estimate_0.albedos_4.warp_2 = _S659;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S653;
+            estimate_0.albedos_4.weft_2 = _S659;
         }
     }
     return estimate_0;
 }
 
-fn composed_0( _S654 : u32,  _S655 : Components_0,  _S656 : FamilyAlbedos_0,  _S657 : vec3<f32>,  _S658 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S660 : u32,  _S661 : Components_0,  _S662 : FamilyAlbedos_0,  _S663 : vec3<f32>,  _S664 : vec3<f32>) -> vec3<f32>
 {
-    var _S659 : vec3<f32> = vec3<f32>(_S655.diffuse_warp_0);
-    var _S660 : vec3<f32> = vec3<f32>(_S655.diffuse_weft_0);
-    var _S661 : vec3<f32> = vec3<f32>(_S655.specular_warp_0);
-    var _S662 : vec3<f32> = vec3<f32>(_S655.specular_weft_0);
-    var _S663 : vec3<f32> = _S656.warp_2.diffuse_reflect_0 * _S659 + _S656.weft_2.diffuse_reflect_0 * _S660 + _S656.warp_2.specular_reflect_0 * _S661 + _S656.weft_2.specular_reflect_0 * _S662;
-    var _S664 : f32 = _S658.z;
+    var _S665 : vec3<f32> = vec3<f32>(_S661.diffuse_warp_0);
+    var _S666 : vec3<f32> = vec3<f32>(_S661.diffuse_weft_0);
+    var _S667 : vec3<f32> = vec3<f32>(_S661.specular_warp_0);
+    var _S668 : vec3<f32> = vec3<f32>(_S661.specular_weft_0);
+    var _S669 : vec3<f32> = _S662.warp_2.diffuse_reflect_0 * _S665 + _S662.weft_2.diffuse_reflect_0 * _S666 + _S662.warp_2.specular_reflect_0 * _S667 + _S662.weft_2.specular_reflect_0 * _S668;
+    var _S670 : f32 = _S664.z;
     var body_0 : vec3<f32>;
-    if((_S657.z * _S664) < 0.0f)
+    if((_S663.z * _S670) < 0.0f)
     {
-        body_0 = _S656.warp_2.diffuse_transmit_0 * _S659 + _S656.weft_2.diffuse_transmit_0 * _S660 + _S656.warp_2.specular_transmit_0 * _S661 + _S656.weft_2.specular_transmit_0 * _S662;
+        body_0 = _S662.warp_2.diffuse_transmit_0 * _S665 + _S662.weft_2.diffuse_transmit_0 * _S666 + _S662.warp_2.specular_transmit_0 * _S667 + _S662.weft_2.specular_transmit_0 * _S668;
     }
     else
     {
-        body_0 = _S663;
+        body_0 = _S669;
     }
-    var _S665 : f32 = fabrics_0[_S654].sheen_strength_0;
-    if((fabrics_0[_S654].sheen_strength_0) <= 0.0f)
+    var _S671 : f32 = fabrics_0[_S660].sheen_strength_0;
+    if((fabrics_0[_S660].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S666 : bool = _S664 < 0.0f;
-    var _S667 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S657, _S666), to_face_frame_0(_S658, _S666), _S665, fabrics_0[_S654].sheen_roughness_0);
-    return vec3<f32>(_S667.y) * body_0 + vec3<f32>(((_S655.light_visibility_1 + _S655.hole_2) * _S667.x));
+    var _S672 : bool = _S670 < 0.0f;
+    var _S673 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S663, _S672), to_face_frame_0(_S664, _S672), _S671, fabrics_0[_S660].sheen_roughness_0);
+    return vec3<f32>(_S673.y) * body_0 + vec3<f32>(((_S661.light_visibility_1 + _S661.hole_2) * _S673.x));
 }
 
-fn light_of_footprint_0( _S668 : ptr<function, Frame_std430_0>,  _S669 : u32,  _S670 : VisiblePoint_0) -> vec4<f32>
+fn light_of_footprint_0( _S674 : ptr<function, Frame_std430_0>,  _S675 : u32,  _S676 : VisiblePoint_0) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S670.draft_0;
-    footprint_0.dx_0 = _S670.draft_dx_0;
-    footprint_0.dy_0 = _S670.draft_dy_0;
-    var _S671 : vec3<f32> = to_local_0(_S670, _S670.view_0);
-    var _S672 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S676.draft_0;
+    footprint_0.dx_0 = _S676.draft_dx_0;
+    footprint_0.dy_0 = _S676.draft_dy_0;
+    var _S677 : vec3<f32> = to_local_0(_S676, _S676.view_0);
+    var _S678 : vec3<f32> = vec3<f32>(0.0f);
     var number_6 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S672;
+    var radiance_1 : vec3<f32> = _S678;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        var _S673 : u32 = (*_S668).lights_0;
-        if(number_6 < (max((*_S668).lights_0, u32(1))))
+        var _S679 : u32 = (*_S674).lights_0;
+        if(number_6 < (max((*_S674).lights_0, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S674 : Light_std430_0 = lights_1[number_6];
+        var _S680 : Light_std430_0 = lights_1[number_6];
         var irradiance_2 : vec3<f32>;
-        var _S675 : vec3<f32> = towards_light_0(&(_S674), _S670.position_0, &(irradiance_2));
-        var _S676 : vec3<f32> = to_local_0(_S670, _S675);
-        var _S677 : Estimate_0 = lobes_estimate_0(_S669, footprint_0, 1.0f, _S676, _S671);
-        if(number_6 < _S673)
+        var _S681 : vec3<f32> = towards_light_0(&(_S680), _S676.position_0, &(irradiance_2));
+        var _S682 : vec3<f32> = to_local_0(_S676, _S681);
+        var _S683 : Estimate_0 = lobes_estimate_0(_S675, footprint_0, 1.0f, _S682, _S677);
+        if(number_6 < _S679)
         {
-            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S669, _S677.components_0, _S677.albedos_4, _S676, _S671);
+            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S675, _S683.components_0, _S683.albedos_4, _S682, _S677);
         }
         number_6 = number_6 + u32(1);
-        hole_7 = _S677.components_0.hole_2;
+        hole_7 = _S683.components_0.hole_2;
     }
-    var _S678 : f32 = fabrics_0[_S669].sheen_strength_0;
-    if((fabrics_0[_S669].sheen_strength_0) > 0.0f)
+    var _S684 : f32 = fabrics_0[_S675].sheen_strength_0;
+    if((fabrics_0[_S675].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S678 * sheen_lobe_0(abs(_S671.z), fabrics_0[_S669].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S684 * sheen_lobe_0(abs(_S677.z), fabrics_0[_S675].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3603,38 +3610,38 @@ fn light_of_footprint_0( _S668 : ptr<function, Frame_std430_0>,  _S669 : u32,  _
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S679 : Frame_std430_0 = frames_0[i32(0)];
-    var _S680 : bool;
-    if((id_0.x) >= (_S679.width_0))
+    var _S685 : Frame_std430_0 = frames_0[i32(0)];
+    var _S686 : bool;
+    if((id_0.x) >= (_S685.width_0))
     {
-        _S680 = true;
+        _S686 = true;
     }
     else
     {
-        _S680 = (id_0.y) >= (_S679.height_0);
+        _S686 = (id_0.y) >= (_S685.height_0);
     }
-    if(_S680)
+    if(_S686)
     {
         return;
     }
-    var _S681 : vec2<u32> = id_0.xy;
-    var _S682 : vec3<i32> = vec3<i32>(vec2<i32>(_S681), i32(0));
-    var _S683 : u32 = (textureLoad((visible_faces_0), ((_S682)).xy, ((_S682)).z).x);
-    var _S684 : vec4<f32> = vec4<f32>(0.0f);
+    var _S687 : vec2<u32> = id_0.xy;
+    var _S688 : vec3<i32> = vec3<i32>(vec2<i32>(_S687), i32(0));
+    var _S689 : u32 = (textureLoad((visible_faces_0), ((_S688)).xy, ((_S688)).z).x);
+    var _S690 : vec4<f32> = vec4<f32>(0.0f);
     var sum_1 : vec4<f32>;
-    if(_S683 > u32(0))
+    if(_S689 > u32(0))
     {
-        var _S685 : u32 = _S683 - u32(1);
-        var _S686 : u32 = face_fabrics_0[_S685];
-        var _S687 : VisiblePoint_0 = visible_point_0(&(_S679), _S686, _S685, _S681);
-        var _S688 : vec4<f32> = light_of_footprint_0(&(_S679), _S686, _S687);
-        sum_1 = _S688;
+        var _S691 : u32 = _S689 - u32(1);
+        var _S692 : u32 = face_fabrics_0[_S691];
+        var _S693 : VisiblePoint_0 = visible_point_0(&(_S685), _S692, _S691, _S687);
+        var _S694 : vec4<f32> = light_of_footprint_0(&(_S685), _S692, _S693);
+        sum_1 = _S694;
     }
     else
     {
-        sum_1 = _S684;
+        sum_1 = _S690;
     }
-    accumulate_0(&(_S679), _S681, sum_1);
+    accumulate_0(&(_S685), _S687, sum_1);
     return;
 }
 

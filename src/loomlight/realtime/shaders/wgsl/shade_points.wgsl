@@ -2183,30 +2183,37 @@ fn refined_height_0( _S333 : u32,  _S334 : ViewRay_0,  _S335 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S347 : u32,  _S348 : SearchQuality_0,  _S349 : f32,  _S350 : f32,  _S351 : vec3<f32>,  _S352 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S347 : u32,  _S348 : SearchQuality_0,  _S349 : f32,  _S350 : f32,  _S351 : vec3<f32>,  _S352 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_11 = _S349;
-    hit_0.y_6 = _S350;
-    hit_0.height_4 = 0.0f;
-    var _S353 : bool = passes_through_0(_S347, _S348, _S349, _S350, _S351, _S352);
-    hit_0.hole_3 = _S353;
-    if(_S353)
-    {
-        return hit_0;
-    }
-    var _S354 : f32 = max(_S351.z, 0.00009999999747379f);
+    var _S353 : f32 = max(_S351.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S349, _S350);
-    var _S355 : vec2<f32> = _S351.xy / vec2<f32>(_S354);
-    ray_0.slope_1 = _S355;
-    var _S356 : StepControl_0 = step_control_0((vec2<f32>(0) - _S355), 1.0f / max(steps_per_length_0(_S347, _S348, _S351) / _S354, 9.99999971718068537e-10f));
-    var _S357 : f32 = refined_height_0(_S347, ray_0, _S356, _S352, search_down_0(_S347, ray_0, _S356, _S352), _S348.refinements_0);
+    var _S354 : vec2<f32> = _S351.xy / vec2<f32>(_S353);
+    ray_0.slope_1 = _S354;
+    var _S355 : StepControl_0 = step_control_0((vec2<f32>(0) - _S354), 1.0f / max(steps_per_length_0(_S347, _S348, _S351) / _S353, 9.99999971718068537e-10f));
+    var _S356 : ViewRayEnd_0 = search_down_0(_S347, ray_0, _S355, _S352);
+    var hit_0 : Hit_0;
+    hit_0.hole_3 = false;
+    var _S357 : f32 = refined_height_0(_S347, ray_0, _S355, _S352, _S356, _S348.refinements_0);
     hit_0.height_4 = _S357;
     var _S358 : vec2<f32> = ViewRay_at_0(ray_0, _S357);
     hit_0.x_11 = _S358.x;
     hit_0.y_6 = _S358.y;
     return hit_0;
+}
+
+fn first_hit_0( _S359 : u32,  _S360 : SearchQuality_0,  _S361 : f32,  _S362 : f32,  _S363 : vec3<f32>,  _S364 : bool) -> Hit_0
+{
+    if(!passes_through_0(_S359, _S360, _S361, _S362, _S363, _S364))
+    {
+        return first_hit_of_yarn_0(_S359, _S360, _S361, _S362, _S363, _S364);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_11 = _S361;
+    hit_1.y_6 = _S362;
+    hit_1.height_4 = 0.0f;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2223,423 +2230,423 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S359 : u32,  _S360 : f32,  _S361 : f32,  _S362 : bool) -> SurfacePoint_0
+fn surface_at_0( _S365 : u32,  _S366 : f32,  _S367 : f32,  _S368 : bool) -> SurfacePoint_0
 {
-    var _S363 : Sample_0 = sample_at_0(_S359, _S360, _S361, _S362);
-    var _S364 : f32;
-    if(_S363.shown_3.is_warp_0)
+    var _S369 : Sample_0 = sample_at_0(_S365, _S366, _S367, _S368);
+    var _S370 : f32;
+    if(_S369.shown_3.is_warp_0)
     {
-        _S364 = _S363.crossing_1.warp_1.half_width_1;
+        _S370 = _S369.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S364 = _S363.crossing_1.weft_1.half_width_1;
+        _S370 = _S369.crossing_1.weft_1.half_width_1;
     }
-    var _S365 : u32;
-    if(_S363.shown_3.is_warp_0)
+    var _S371 : u32;
+    if(_S369.shown_3.is_warp_0)
     {
-        _S365 = fabrics_0[_S359].warp_0;
-    }
-    else
-    {
-        _S365 = fabrics_0[_S359].weft_0;
-    }
-    var _S366 : Family_std430_0 = families_0[_S365];
-    var _S367 : f32;
-    if(_S362)
-    {
-        _S367 = -1.0f;
+        _S371 = fabrics_0[_S365].warp_0;
     }
     else
     {
-        _S367 = 1.0f;
+        _S371 = fabrics_0[_S365].weft_0;
     }
-    var _S368 : f32 = _S366.twist_sine_0 * _S367;
-    var _S369 : Family_std430_0 = families_0[_S365];
-    if(_S363.shown_3.is_warp_0)
+    var _S372 : Family_std430_0 = families_0[_S371];
+    var _S373 : f32;
+    if(_S368)
     {
-        _S367 = 1.0f;
-    }
-    else
-    {
-        _S367 = -1.0f;
-    }
-    var _S370 : vec2<f32> = fibre_direction_0(_S363.slope_across_0, _S367 * _S363.slope_along_0, _S368, _S369.twist_cosine_0);
-    var _S371 : f32;
-    if(_S363.shown_3.is_warp_0)
-    {
-        _S371 = _S363.slope_x_1;
+        _S373 = -1.0f;
     }
     else
     {
-        _S371 = _S363.slope_y_1;
+        _S373 = 1.0f;
     }
-    var _S372 : f32;
-    if(_S363.shown_3.is_warp_0)
+    var _S374 : f32 = _S372.twist_sine_0 * _S373;
+    var _S375 : Family_std430_0 = families_0[_S371];
+    if(_S369.shown_3.is_warp_0)
     {
-        _S372 = _S363.slope_y_1;
-    }
-    else
-    {
-        _S372 = _S363.slope_x_1;
-    }
-    var _S373 : f32 = _S370.x;
-    var _S374 : f32 = _S370.y;
-    var _S375 : f32 = _S371 * _S373 + _S367 * _S372 * _S374;
-    var _S376 : f32 = _S364 * 1.0154266357421875f;
-    var _S377 : f32 = _S376 * arc_sine_0(clamp(_S363.section_1.across_1 / _S376, -1.0f, 1.0f));
-    if(_S363.shown_3.is_warp_0)
-    {
-        _S364 = _S361;
+        _S373 = 1.0f;
     }
     else
     {
-        _S364 = - _S360;
+        _S373 = -1.0f;
+    }
+    var _S376 : vec2<f32> = fibre_direction_0(_S369.slope_across_0, _S373 * _S369.slope_along_0, _S374, _S375.twist_cosine_0);
+    var _S377 : f32;
+    if(_S369.shown_3.is_warp_0)
+    {
+        _S377 = _S369.slope_x_1;
+    }
+    else
+    {
+        _S377 = _S369.slope_y_1;
+    }
+    var _S378 : f32;
+    if(_S369.shown_3.is_warp_0)
+    {
+        _S378 = _S369.slope_y_1;
+    }
+    else
+    {
+        _S378 = _S369.slope_x_1;
+    }
+    var _S379 : f32 = _S376.x;
+    var _S380 : f32 = _S376.y;
+    var _S381 : f32 = _S377 * _S379 + _S373 * _S378 * _S380;
+    var _S382 : f32 = _S370 * 1.0154266357421875f;
+    var _S383 : f32 = _S382 * arc_sine_0(clamp(_S369.section_1.across_1 / _S382, -1.0f, 1.0f));
+    if(_S369.shown_3.is_warp_0)
+    {
+        _S370 = _S367;
+    }
+    else
+    {
+        _S370 = - _S366;
     }
     var point_2 : SurfacePoint_0;
-    point_2.hole_4 = _S363.shown_3.hole_0;
-    point_2.is_warp_2 = _S363.shown_3.is_warp_0;
-    point_2.warp_thread_0 = _S363.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S363.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S363.height_5;
-    point_2.normal_5 = normalize(vec3<f32>(- _S363.slope_x_1, - _S363.slope_y_1, 1.0f));
-    var _S378 : vec3<f32>;
-    if(_S363.shown_3.is_warp_0)
+    point_2.hole_4 = _S369.shown_3.hole_0;
+    point_2.is_warp_2 = _S369.shown_3.is_warp_0;
+    point_2.warp_thread_0 = _S369.crossing_1.warp_1.thread_1;
+    point_2.weft_thread_0 = _S369.crossing_1.weft_1.thread_1;
+    point_2.height_9 = _S369.height_5;
+    point_2.normal_5 = normalize(vec3<f32>(- _S369.slope_x_1, - _S369.slope_y_1, 1.0f));
+    var _S384 : vec3<f32>;
+    if(_S369.shown_3.is_warp_0)
     {
-        _S378 = vec3<f32>(_S373, _S374, _S375);
+        _S384 = vec3<f32>(_S379, _S380, _S381);
     }
     else
     {
-        _S378 = vec3<f32>(- _S374, _S373, _S375);
+        _S384 = vec3<f32>(- _S380, _S379, _S381);
     }
-    point_2.tangent_5 = normalize(_S378);
-    point_2.across_2 = _S363.section_1.across_1;
-    point_2.fibre_across_0 = _S377 * _S369.twist_cosine_0 + _S364 * _S368;
-    point_2.fibre_along_0 = _S364 * _S369.twist_cosine_0 - _S377 * _S368;
+    point_2.tangent_5 = normalize(_S384);
+    point_2.across_2 = _S369.section_1.across_1;
+    point_2.fibre_across_0 = _S383 * _S375.twist_cosine_0 + _S370 * _S374;
+    point_2.fibre_along_0 = _S370 * _S375.twist_cosine_0 - _S383 * _S374;
     return point_2;
 }
 
-fn vary_albedos_0( _S379 : u32,  _S380 : Albedos_0,  _S381 : u32,  _S382 : u32) -> Albedos_0
+fn vary_albedos_0( _S385 : u32,  _S386 : Albedos_0,  _S387 : u32,  _S388 : u32) -> Albedos_0
 {
-    var _S383 : vec3<f32> = max(_S380.specular_reflect_0, _S380.specular_transmit_0);
-    var _S384 : vec3<f32> = _S380.diffuse_reflect_0 + _S380.diffuse_transmit_0;
-    var _S385 : vec3<f32> = vec3<f32>(fabrics_0[_S379].layer_bound_0);
-    var _S386 : vec3<f32> = vec3<f32>(1.0f);
-    var _S387 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S381, fabrics_0[_S379].colour_noise_0, fabrics_0[_S379].seed_0), _S384, _S386 - _S385 * _S383));
-    var _S388 : f32 = bounded_gain_0(fibre_gain_0(_S381, _S382, fabrics_0[_S379].fibre_noise_0, fabrics_0[_S379].seed_0), _S383, min((_S386 - _S387 * _S384) / _S385, vec3<f32>(1.0f)));
+    var _S389 : vec3<f32> = max(_S386.specular_reflect_0, _S386.specular_transmit_0);
+    var _S390 : vec3<f32> = _S386.diffuse_reflect_0 + _S386.diffuse_transmit_0;
+    var _S391 : vec3<f32> = vec3<f32>(fabrics_0[_S385].layer_bound_0);
+    var _S392 : vec3<f32> = vec3<f32>(1.0f);
+    var _S393 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S387, fabrics_0[_S385].colour_noise_0, fabrics_0[_S385].seed_0), _S390, _S392 - _S391 * _S389));
+    var _S394 : f32 = bounded_gain_0(fibre_gain_0(_S387, _S388, fabrics_0[_S385].fibre_noise_0, fabrics_0[_S385].seed_0), _S389, min((_S392 - _S393 * _S390) / _S391, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S387 * _S380.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S387 * _S380.diffuse_transmit_0;
-    var _S389 : vec3<f32> = vec3<f32>(_S388);
-    varied_0.specular_reflect_0 = _S389 * _S380.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S389 * _S380.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S393 * _S386.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S393 * _S386.diffuse_transmit_0;
+    var _S395 : vec3<f32> = vec3<f32>(_S394);
+    varied_0.specular_reflect_0 = _S395 * _S386.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S395 * _S386.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S390 : u32,  _S391 : SurfacePoint_0,  _S392 : Albedos_0,  _S393 : f32,  _S394 : f32) -> Albedos_0
+fn varied_at_0( _S396 : u32,  _S397 : SurfacePoint_0,  _S398 : Albedos_0,  _S399 : f32,  _S400 : f32) -> Albedos_0
 {
-    var _S395 : f32;
-    if(_S391.is_warp_2)
+    var _S401 : f32;
+    if(_S397.is_warp_2)
     {
-        _S395 = _S393;
+        _S401 = _S399;
     }
     else
     {
-        _S395 = _S394;
+        _S401 = _S400;
     }
-    var _S396 : f32 = _S395 - _S391.across_2;
-    var _S397 : u32;
-    if(_S391.is_warp_2)
+    var _S402 : f32 = _S401 - _S397.across_2;
+    var _S403 : u32;
+    if(_S397.is_warp_2)
     {
-        _S397 = fabrics_0[_S390].warp_0;
+        _S403 = fabrics_0[_S396].warp_0;
     }
     else
     {
-        _S397 = fabrics_0[_S390].weft_0;
+        _S403 = fabrics_0[_S396].weft_0;
     }
-    var _S398 : Family_std430_0 = families_0[_S397];
-    var _S399 : i32 = i32(families_0[_S397].count_0);
-    if(_S391.is_warp_2)
+    var _S404 : Family_std430_0 = families_0[_S403];
+    var _S405 : i32 = i32(families_0[_S403].count_0);
+    if(_S397.is_warp_2)
     {
-        _S397 = _S391.warp_thread_0;
+        _S403 = _S397.warp_thread_0;
     }
     else
     {
-        _S397 = _S391.weft_thread_0;
+        _S403 = _S397.weft_thread_0;
     }
-    var _S400 : u32 = u32(i32(floor(_S396 / _S398.period_0)) * _S399 + i32(_S397)) * u32(2);
-    if(_S391.is_warp_2)
+    var _S406 : u32 = u32(i32(floor(_S402 / _S404.period_0)) * _S405 + i32(_S403)) * u32(2);
+    if(_S397.is_warp_2)
     {
-        _S397 = u32(1);
+        _S403 = u32(1);
     }
     else
     {
-        _S397 = u32(0);
+        _S403 = u32(0);
     }
-    var _S401 : f32 = floor(_S391.fibre_across_0 / fabrics_0[_S390].fibre_size_0);
-    return vary_albedos_0(_S390, _S392, _S400 + _S397, u32(i32(_S401)) * u32(65536) + u32(i32(floor(_S391.fibre_along_0 / (fabrics_0[_S390].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S401))));
+    var _S407 : f32 = floor(_S397.fibre_across_0 / fabrics_0[_S396].fibre_size_0);
+    return vary_albedos_0(_S396, _S398, _S406 + _S403, u32(i32(_S407)) * u32(65536) + u32(i32(floor(_S397.fibre_along_0 / (fabrics_0[_S396].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S407))));
 }
 
-fn yarn_point_of_0( _S402 : u32,  _S403 : SurfacePoint_0,  _S404 : f32,  _S405 : f32,  _S406 : bool,  _S407 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S408 : u32,  _S409 : SurfacePoint_0,  _S410 : f32,  _S411 : f32,  _S412 : bool,  _S413 : bool) -> YarnPoint_0
 {
-    var _S408 : u32;
-    if(_S403.is_warp_2)
+    var _S414 : u32;
+    if(_S409.is_warp_2)
     {
-        _S408 = fabrics_0[_S402].warp_0;
+        _S414 = fabrics_0[_S408].warp_0;
     }
     else
     {
-        _S408 = fabrics_0[_S402].weft_0;
+        _S414 = fabrics_0[_S408].weft_0;
     }
-    var _S409 : u32;
-    if(_S403.is_warp_2)
+    var _S415 : u32;
+    if(_S409.is_warp_2)
     {
-        _S409 = _S403.warp_thread_0;
-    }
-    else
-    {
-        _S409 = _S403.weft_thread_0;
-    }
-    var albedos_2 : Albedos_0 = albedos_of_0(_S408, _S409);
-    var _S410 : bool;
-    if((fabrics_0[_S402].fibre_noise_0) > 0.0f)
-    {
-        _S410 = true;
+        _S415 = _S409.warp_thread_0;
     }
     else
     {
-        _S410 = (fabrics_0[_S402].colour_noise_0) > 0.0f;
+        _S415 = _S409.weft_thread_0;
+    }
+    var albedos_2 : Albedos_0 = albedos_of_0(_S414, _S415);
+    var _S416 : bool;
+    if((fabrics_0[_S408].fibre_noise_0) > 0.0f)
+    {
+        _S416 = true;
+    }
+    else
+    {
+        _S416 = (fabrics_0[_S408].colour_noise_0) > 0.0f;
     }
     var albedos_3 : Albedos_0;
-    if(_S410)
+    if(_S416)
     {
-        albedos_3 = varied_at_0(_S402, _S403, albedos_2, _S404, _S405);
+        albedos_3 = varied_at_0(_S408, _S409, albedos_2, _S410, _S411);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     var point_3 : YarnPoint_0;
-    point_3.back_2 = _S406;
-    point_3.hole_2 = _S407;
-    point_3.is_warp_1 = _S403.is_warp_2;
-    point_3.x_10 = _S404;
-    point_3.y_5 = _S405;
-    point_3.height_3 = _S403.height_9;
-    point_3.normal_4 = _S403.normal_5;
-    point_3.tangent_4 = _S403.tangent_5;
-    point_3.roughness_8 = families_0[_S408].roughness_0;
+    point_3.back_2 = _S412;
+    point_3.hole_2 = _S413;
+    point_3.is_warp_1 = _S409.is_warp_2;
+    point_3.x_10 = _S410;
+    point_3.y_5 = _S411;
+    point_3.height_3 = _S409.height_9;
+    point_3.normal_4 = _S409.normal_5;
+    point_3.tangent_4 = _S409.tangent_5;
+    point_3.roughness_8 = families_0[_S414].roughness_0;
     point_3.albedos_1 = albedos_3;
     return point_3;
 }
 
-fn locate_yarn_0( _S411 : u32,  _S412 : SearchQuality_0,  _S413 : f32,  _S414 : f32,  _S415 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S417 : u32,  _S418 : SearchQuality_0,  _S419 : f32,  _S420 : f32,  _S421 : vec3<f32>) -> YarnPoint_0
 {
-    var _S416 : bool = (_S415.z) < 0.0f;
-    var _S417 : Hit_0 = first_hit_0(_S411, _S412, _S413, _S414, to_face_frame_0(_S415, _S416), _S416);
-    return yarn_point_of_0(_S411, surface_at_0(_S411, _S417.x_11, _S417.y_6, _S416), _S417.x_11, _S417.y_6, _S416, _S417.hole_3);
+    var _S422 : bool = (_S421.z) < 0.0f;
+    var _S423 : Hit_0 = first_hit_0(_S417, _S418, _S419, _S420, to_face_frame_0(_S421, _S422), _S422);
+    return yarn_point_of_0(_S417, surface_at_0(_S417, _S423.x_11, _S423.y_6, _S422), _S423.x_11, _S423.y_6, _S422, _S423.hole_3);
 }
 
-fn scattered_0( _S418 : u32,  _S419 : YarnPoint_0,  _S420 : vec3<f32>,  _S421 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S424 : u32,  _S425 : YarnPoint_0,  _S426 : vec3<f32>,  _S427 : vec3<f32>) -> vec3<f32>
 {
-    var _S422 : vec3<f32> = vec3<f32>(0.0f);
-    var _S423 : bool = !_S419.hole_2;
-    var _S424 : bool;
-    if(_S423)
+    var _S428 : vec3<f32> = vec3<f32>(0.0f);
+    var _S429 : bool = !_S425.hole_2;
+    var _S430 : bool;
+    if(_S429)
     {
-        _S424 = (_S420.z) > 0.0f;
+        _S430 = (_S426.z) > 0.0f;
     }
     else
     {
-        _S424 = false;
+        _S430 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S424)
+    if(_S430)
     {
-        value_1 = _S419.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S420, _S419.normal_4, fabrics_0[_S418].diffuse_blend_0)) + _S419.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S420, _S421, _S419.normal_4, _S419.tangent_4, _S419.roughness_8, fabrics_0[_S418].optical_depth_0));
+        value_1 = _S425.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S426, _S425.normal_4, fabrics_0[_S424].diffuse_blend_0)) + _S425.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S426, _S427, _S425.normal_4, _S425.tangent_4, _S425.roughness_8, fabrics_0[_S424].optical_depth_0));
     }
     else
     {
-        if(_S423)
+        if(_S429)
         {
-            _S424 = (_S420.z) < 0.0f;
+            _S430 = (_S426.z) < 0.0f;
         }
         else
         {
-            _S424 = false;
+            _S430 = false;
         }
-        if(_S424)
+        if(_S430)
         {
-            value_1 = _S419.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S420), _S419.normal_4, fabrics_0[_S418].diffuse_blend_0)) + _S419.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S420, _S421, _S419.normal_4, _S419.tangent_4, _S419.roughness_8, fabrics_0[_S418].optical_depth_0));
+            value_1 = _S425.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S426), _S425.normal_4, fabrics_0[_S424].diffuse_blend_0)) + _S425.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S426, _S427, _S425.normal_4, _S425.tangent_4, _S425.roughness_8, fabrics_0[_S424].optical_depth_0));
         }
         else
         {
-            value_1 = _S422;
+            value_1 = _S428;
         }
     }
-    var _S425 : f32 = fabrics_0[_S418].sheen_strength_0;
-    if((fabrics_0[_S418].sheen_strength_0) <= 0.0f)
+    var _S431 : f32 = fabrics_0[_S424].sheen_strength_0;
+    if((fabrics_0[_S424].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S426 : vec2<f32> = sheen_with_transmittance_0(_S420, _S421, _S425, fabrics_0[_S418].sheen_roughness_0);
-    return vec3<f32>(_S426.y) * value_1 + vec3<f32>(_S426.x);
+    var _S432 : vec2<f32> = sheen_with_transmittance_0(_S426, _S427, _S431, fabrics_0[_S424].sheen_roughness_0);
+    return vec3<f32>(_S432.y) * value_1 + vec3<f32>(_S432.x);
 }
 
-fn unoccluded_0( _S427 : u32,  _S428 : SearchQuality_0,  _S429 : f32,  _S430 : f32,  _S431 : f32,  _S432 : vec3<f32>,  _S433 : bool) -> bool
+fn unoccluded_0( _S433 : u32,  _S434 : SearchQuality_0,  _S435 : f32,  _S436 : f32,  _S437 : f32,  _S438 : vec3<f32>,  _S439 : bool) -> bool
 {
-    if((_S432.z) <= 0.0f)
+    if((_S438.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S427, _S428, vec3<f32>(_S429, _S430, _S431 + fabrics_0[_S427].lift_0), _S432, _S433, max_height_along_0(_S427, _S429, _S430, _S431, _S432, _S433));
+    return is_free_0(_S433, _S434, vec3<f32>(_S435, _S436, _S437 + fabrics_0[_S433].lift_0), _S438, _S439, max_height_along_0(_S433, _S435, _S436, _S437, _S438, _S439));
 }
 
-fn is_lit_0( _S434 : u32,  _S435 : SearchQuality_0,  _S436 : YarnPoint_0,  _S437 : vec3<f32>) -> bool
+fn is_lit_0( _S440 : u32,  _S441 : SearchQuality_0,  _S442 : YarnPoint_0,  _S443 : vec3<f32>) -> bool
 {
-    if(_S436.hole_2)
+    if(_S442.hole_2)
     {
         return true;
     }
-    var _S438 : vec3<f32> = to_face_frame_0(_S437, _S436.back_2);
-    var _S439 : f32 = _S438.z;
-    var _S440 : bool = _S439 < 0.0f;
+    var _S444 : vec3<f32> = to_face_frame_0(_S443, _S442.back_2);
+    var _S445 : f32 = _S444.z;
+    var _S446 : bool = _S445 < 0.0f;
     var normal_6 : vec3<f32>;
     var height_10 : f32;
-    if(_S440)
+    if(_S446)
     {
-        var _S441 : SurfacePoint_0 = surface_at_0(_S434, _S436.x_10, _S436.y_5, !_S436.back_2);
-        normal_6 = _S441.normal_5;
-        height_10 = _S441.height_9;
+        var _S447 : SurfacePoint_0 = surface_at_0(_S440, _S442.x_10, _S442.y_5, !_S442.back_2);
+        normal_6 = _S447.normal_5;
+        height_10 = _S447.height_9;
     }
     else
     {
-        normal_6 = _S436.normal_4;
-        height_10 = _S436.height_3;
+        normal_6 = _S442.normal_4;
+        height_10 = _S442.height_3;
     }
-    var _S442 : vec3<f32> = vec3<f32>(_S438.xy, abs(_S439));
-    if((dot(normal_6, _S442)) <= 0.0f)
+    var _S448 : vec3<f32> = vec3<f32>(_S444.xy, abs(_S445));
+    if((dot(normal_6, _S448)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S434, _S435, _S436.x_10, _S436.y_5, height_10, _S442, (_S436.back_2) != _S440);
+    return unoccluded_0(_S440, _S441, _S442.x_10, _S442.y_5, height_10, _S448, (_S442.back_2) != _S446);
 }
 
-fn evaluate_0( _S443 : u32,  _S444 : SearchQuality_0,  _S445 : YarnPoint_0,  _S446 : vec3<f32>,  _S447 : vec3<f32>) -> vec3<f32>
+fn evaluate_0( _S449 : u32,  _S450 : SearchQuality_0,  _S451 : YarnPoint_0,  _S452 : vec3<f32>,  _S453 : vec3<f32>) -> vec3<f32>
 {
-    var _S448 : vec3<f32> = scattered_0(_S443, _S445, to_face_frame_0(_S446, _S445.back_2), to_face_frame_0(_S447, _S445.back_2));
-    var _S449 : bool;
-    if((max(_S448.x, max(_S448.y, _S448.z))) <= 0.0f)
+    var _S454 : vec3<f32> = scattered_0(_S449, _S451, to_face_frame_0(_S452, _S451.back_2), to_face_frame_0(_S453, _S451.back_2));
+    var _S455 : bool;
+    if((max(_S454.x, max(_S454.y, _S454.z))) <= 0.0f)
     {
-        _S449 = true;
+        _S455 = true;
     }
     else
     {
-        _S449 = !is_lit_0(_S443, _S444, _S445, _S446);
+        _S455 = !is_lit_0(_S449, _S450, _S451, _S452);
     }
-    if(_S449)
+    if(_S455)
     {
         return vec3<f32>(0.0f);
     }
-    return _S448;
+    return _S454;
 }
 
-fn straight_through_0( _S450 : u32,  _S451 : YarnPoint_0,  _S452 : vec3<f32>) -> f32
+fn straight_through_0( _S456 : u32,  _S457 : YarnPoint_0,  _S458 : vec3<f32>) -> f32
 {
-    if(!_S451.hole_2)
+    if(!_S457.hole_2)
     {
         return 0.0f;
     }
-    var _S453 : f32 = fabrics_0[_S450].sheen_strength_0;
-    if((fabrics_0[_S450].sheen_strength_0) <= 0.0f)
+    var _S459 : f32 = fabrics_0[_S456].sheen_strength_0;
+    if((fabrics_0[_S456].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S453 * sheen_lobe_0(abs(_S452.z), fabrics_0[_S450].sheen_roughness_0).z;
+    return 1.0f - _S459 * sheen_lobe_0(abs(_S458.z), fabrics_0[_S456].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S454 : ptr<function, Frame_std430_0>,  _S455 : u32,  _S456 : VisiblePoint_0,  _S457 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S460 : ptr<function, Frame_std430_0>,  _S461 : u32,  _S462 : VisiblePoint_0,  _S463 : vec2<f32>) -> vec4<f32>
 {
-    var _S458 : SearchQuality_0 = default_quality_0();
-    var _S459 : vec3<f32> = to_local_0(_S456, _S456.view_0);
-    var _S460 : YarnPoint_0 = locate_yarn_0(_S455, _S458, _S457.x, _S457.y, _S459);
-    var _S461 : vec3<f32> = vec3<f32>(0.0f);
+    var _S464 : SearchQuality_0 = default_quality_0();
+    var _S465 : vec3<f32> = to_local_0(_S462, _S462.view_0);
+    var _S466 : YarnPoint_0 = locate_yarn_0(_S461, _S464, _S463.x, _S463.y, _S465);
+    var _S467 : vec3<f32> = vec3<f32>(0.0f);
     var number_1 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S461;
+    var radiance_1 : vec3<f32> = _S467;
     for(;;)
     {
-        if(number_1 < ((*_S454).lights_0))
+        if(number_1 < ((*_S460).lights_0))
         {
         }
         else
         {
             break;
         }
-        var _S462 : Light_std430_0 = lights_1[number_1];
+        var _S468 : Light_std430_0 = lights_1[number_1];
         var irradiance_2 : vec3<f32>;
-        var _S463 : vec3<f32> = towards_light_0(&(_S462), _S456.position_0, &(irradiance_2));
-        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * evaluate_0(_S455, _S458, _S460, to_local_0(_S456, _S463), _S459);
+        var _S469 : vec3<f32> = towards_light_0(&(_S468), _S462.position_0, &(irradiance_2));
+        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * evaluate_0(_S461, _S464, _S466, to_local_0(_S462, _S469), _S465);
         number_1 = number_1 + u32(1);
         radiance_1 = radiance_2;
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S455, _S460, _S459));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S461, _S466, _S465));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S464 : u32;
-    var _S465 : Frame_std430_0 = frames_0[i32(0)];
-    var _S466 : bool;
-    if((id_0.x) >= (_S465.width_0))
+    var _S470 : u32;
+    var _S471 : Frame_std430_0 = frames_0[i32(0)];
+    var _S472 : bool;
+    if((id_0.x) >= (_S471.width_0))
     {
-        _S466 = true;
+        _S472 = true;
     }
     else
     {
-        _S466 = (id_0.y) >= (_S465.height_0);
+        _S472 = (id_0.y) >= (_S471.height_0);
     }
-    if(_S466)
+    if(_S472)
     {
         return;
     }
-    var _S467 : vec2<u32> = id_0.xy;
-    var _S468 : vec3<i32> = vec3<i32>(vec2<i32>(_S467), i32(0));
-    var _S469 : u32 = (textureLoad((visible_faces_0), ((_S468)).xy, ((_S468)).z).x);
-    var _S470 : vec4<f32> = vec4<f32>(0.0f);
+    var _S473 : vec2<u32> = id_0.xy;
+    var _S474 : vec3<i32> = vec3<i32>(vec2<i32>(_S473), i32(0));
+    var _S475 : u32 = (textureLoad((visible_faces_0), ((_S474)).xy, ((_S474)).z).x);
+    var _S476 : vec4<f32> = vec4<f32>(0.0f);
     var sum_0 : vec4<f32>;
-    if(_S469 > u32(0))
+    if(_S475 > u32(0))
     {
-        var _S471 : u32 = _S469 - u32(1);
-        var _S472 : u32 = face_fabrics_0[_S471];
-        var _S473 : VisiblePoint_0 = visible_point_0(&(_S465), _S472, _S471, _S467);
+        var _S477 : u32 = _S475 - u32(1);
+        var _S478 : u32 = face_fabrics_0[_S477];
+        var _S479 : VisiblePoint_0 = visible_point_0(&(_S471), _S478, _S477, _S473);
         var k_0 : u32 = u32(0);
-        sum_0 = _S470;
+        sum_0 = _S476;
         for(;;)
         {
-            var _S474 : u32 = _S465.samples_0;
-            _S464 = _S465.samples_0;
-            if(k_0 < (_S465.samples_0))
+            var _S480 : u32 = _S471.samples_0;
+            _S470 = _S471.samples_0;
+            if(k_0 < (_S471.samples_0))
             {
             }
             else
             {
                 break;
             }
-            var _S475 : vec2<f32> = footprint_sample_0(_S467, _S465.pass_number_0 * _S474 + k_0);
-            var _S476 : vec4<f32> = light_of_point_0(&(_S465), _S472, _S473, _S473.draft_0 + vec2<f32>(_S475.x) * _S473.draft_dx_0 + vec2<f32>(_S475.y) * _S473.draft_dy_0);
-            var sum_1 : vec4<f32> = sum_0 + _S476;
+            var _S481 : vec2<f32> = footprint_sample_0(_S473, _S471.pass_number_0 * _S480 + k_0);
+            var _S482 : vec4<f32> = light_of_point_0(&(_S471), _S478, _S479, _S479.draft_0 + vec2<f32>(_S481.x) * _S479.draft_dx_0 + vec2<f32>(_S481.y) * _S479.draft_dy_0);
+            var sum_1 : vec4<f32> = sum_0 + _S482;
             k_0 = k_0 + u32(1);
             sum_0 = sum_1;
         }
-        sum_0 = sum_0 / vec4<f32>(f32(_S464));
+        sum_0 = sum_0 / vec4<f32>(f32(_S470));
     }
     else
     {
-        sum_0 = _S470;
+        sum_0 = _S476;
     }
-    accumulate_0(&(_S465), _S467, sum_0);
+    accumulate_0(&(_S471), _S473, sum_0);
     return;
 }
 

@@ -1,0 +1,405 @@
+"""Tables of `lobes` baked by compute kernels, into the buffers that shaders read: nothing is read back.
+
+The sequence of kernels is data, `DISPATCHES`, and so are the sizes of buffers: a page without Python follows
+the same lists from `shaders/bake.json`. A size is a sum of products of whole numbers and names of sizes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from itertools import groupby
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.lobes import cloth_samples, coverage_pyramid, groups, visibility_rays
+from loomlight.models.lobes.hemisphere import NODES
+from loomlight.models.lobes.packed_uint8 import pack_count
+from loomlight.models.lobes.tables import MOMENTS
+from loomlight.realtime.device import Adapter
+from loomlight.realtime.layout import numpy_type, offset_of
+from loomlight.realtime.slangc import SHADERS
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.layout import ClothLayout
+
+# A sum of products.
+Size: TypeAlias = tuple[tuple[int | str, ...], ...]
+
+_FUNCTION = re.compile(r"^fn (\w+)", re.MULTILINE)
+_WORD = re.compile(r"\w+")
+_DECLARATION = re.compile(r"@binding\((\d+)\) @group\(0\) var<[\w, ]+> (\w+) : [^;]*;")
+# Workgroups along x; see `bake.slang`.
+_ROW_OF_GROUPS = 32768
+# Slices of a storage buffer begin at multiples of so many bytes on every adapter.
+_STEP_BYTES = 256
+# Where weights begin among the words of a step, and their number along an axis; see `bake_coverage.slang`.
+_WEIGHTS = 16
+# As in `models.lobes.accumulation`, which would load Numba.
+_VIEW_SUMS, _LIGHT_SUMS = 13, 5
+_TOP_DOWN = cloth_samples.TOP_DOWN_SAMPLES
+_LIST = max(_TOP_DOWN, NODES * visibility_rays._SAMPLED_VIEWS)
+
+
+@dataclass(frozen=True)
+class Dispatch:
+    """A kernel of the sequence.
+
+    Attributes:
+        entry: its entry point; buffers are bound by the names that the globals it uses have.
+        module: the file of `shaders/wgsl` that it is in.
+        threads: that it needs.
+        each: "" for once; "face" and "level" repeat: consecutive ones of these run for each face, and those
+            of "level" then for each level of the pyramid but the first; their uniform `steps` is that step's.
+        group: threads of a workgroup.
+        clears: a buffer that is set to 0 before, or "".
+    """
+
+    entry: str
+    module: str
+    threads: Size
+    each: str = ""
+    group: int = 64
+    clears: str = ""
+
+
+_RAYS: Size = ((2, NODES, "rays"),)
+_BLOCKS_AND_GROUPS: Size = ((2, NODES, "groups"),)
+DISPATCHES: tuple[Dispatch, ...] = (
+    Dispatch("bake_top_down", "bake_rays", ((2, _TOP_DOWN),)),
+    Dispatch("bake_views", "bake_rays", _RAYS),
+    Dispatch("bake_gap_starts", "bake_rays", _RAYS),
+    Dispatch("bake_gaps", "bake_points", ((256,),), group=256),
+    Dispatch("bake_nulls", "bake_rays", (*_RAYS, (NODES, visibility_rays._MAX_GAP_RAYS))),
+    Dispatch("bake_shadows", "bake_rays", _RAYS),
+    Dispatch("bake_points", "bake_points", ((4, 256),), group=256),
+    Dispatch("bake_bisect", "bake_groups", ((4, 256),), group=256),
+    Dispatch("bake_refine", "bake_groups", ((4, 256),), group=256),
+    Dispatch("bake_assign", "bake_groups", _RAYS),
+    Dispatch("bake_view_sums", "bake_tables", _BLOCKS_AND_GROUPS),
+    Dispatch("bake_light_sums", "bake_tables", _BLOCKS_AND_GROUPS),
+    Dispatch("bake_zenith", "bake_tables", ((2, "groups", _VIEW_SUMS + _LIGHT_SUMS),)),
+    Dispatch("bake_moments", "bake_tables", ((2, "groups"),)),
+    Dispatch("bake_areas", "bake_tables", ((2, NODES),)),
+    Dispatch("bake_area_scales", "bake_tables", ((2, "groups"), (2,))),
+    Dispatch("bake_pack_areas", "bake_tables", ((2, NODES, "width"),)),
+    Dispatch("bake_pack_light", "bake_tables", ((4, NODES, "packs"),)),
+    Dispatch(
+        "bake_texels",
+        "bake_rays",
+        ((2, "columns", "rows", "texels_across", "texels_along"),),
+        clears="texel_counts",
+    ),
+    Dispatch("bake_first_level", "bake_coverage", (("columns", "rows", "width"),), each="face"),
+    Dispatch("bake_row_totals", "bake_coverage", (("rows", "width"),), each="face"),
+    Dispatch("bake_coverage_scales", "bake_coverage", ((4, "width"),), each="face"),
+    Dispatch("bake_downsample", "bake_coverage", (("level_columns", "level_rows", "width"),), each="level"),
+    Dispatch("bake_pack_coverage", "bake_coverage", (("face_nodes", "width"),), each="face"),
+    Dispatch("bake_pack_holes", "bake_coverage", (("face_nodes",),)),
+    Dispatch("bake_pack_moments", "bake_tables", ((8, "packs"), (2,))),
+)
+# Words of the parts of `scratch`, whose beginnings are fields of the record `Bake`.
+SCRATCH: dict[str, Size] = {
+    "facts": ((64,),),
+    "gaps": ((2, visibility_rays._MAX_GAP_RAYS),),
+    "gap_nulls": ((NODES, visibility_rays._MAX_GAP_RAYS),),
+    "lit": _RAYS,
+    "lists": ((5, _LIST),),
+    "points": ((4, groups._CLUSTERED_SAMPLES, 6),),
+    "clusters": ((4, "max_clusters", 32),),
+    "cluster_means": ((4, "max_clusters", "max_clusters", 6),),
+    "cluster_errors": ((4, "max_clusters"),),
+    "centroids": ((2, "groups", 6),),
+    "view_sums": ((2, NODES, "groups", _VIEW_SUMS),),
+    "light_sums": ((2, NODES, "groups", _LIGHT_SUMS),),
+    "group_moments": ((2, "groups", MOMENTS),),
+    "areas": ((2, NODES, "groups"), (2, NODES)),
+    "area_scales": ((2, "groups"), (2,)),
+    "row_totals": ((4, "rows", "width"),),
+    "row_largest": ((4, "rows", "width"),),
+    "coverage_means": ((8, "width"),),
+    "coverage_scales": ((8, "width"),),
+    "hole_bytes": ((2, "face_nodes"),),
+}
+# Bytes of the other buffers that only baking uses.
+BUFFER_BYTES: dict[str, Size] = {
+    "hits": ((36, 2, NODES, "rays"), (36, 2, _TOP_DOWN)),
+    "texel_counts": ((4, 2, "columns", "rows", "width"),),
+    "coverage_pyramid": ((16, "face_nodes", "width"),),
+}
+# Names that kernels have for buffers which they write and others read.
+ALIASES = {"texel_counters": "texel_counts", "tables": "words", "record_words": "fabrics"}
+
+
+@dataclass(frozen=True, eq=False)
+class BakePlan:
+    """What the bake of one fabric takes: all of it follows from the draft's size and the number of groups.
+
+    Attributes:
+        values: fields of the record `Bake` that depend on neither buffers nor other fabrics.
+        sizes: names in sizes, and their values.
+        levels: first node, columns and rows of each level of the coverage pyramid [levels, 3].
+        base_size: side of the squares of its first level, millimetres.
+        blur: weights of the taps across and along that make tents of cells, the middle one first.
+    """
+
+    values: Mapping[str, float]
+    sizes: Mapping[str, int]
+    levels: NDArray[np.int64]
+    base_size: float
+    blur: tuple[list[float], list[float]]
+
+    @property
+    def table_words(self) -> int:
+        """Words of the tables that kernels write, which lie one behind the other in the buffer of words."""
+        return sum(self.table_sizes.values())
+
+    @property
+    def table_sizes(self) -> dict[str, int]:
+        """Words of each of these tables, in order, by the field of `Lobes` that says where it begins."""
+        packs, nodes = self.sizes["packs"], self.sizes["face_nodes"]
+        return {
+            "coverage": 2 * nodes * packs,
+            "coverage_holes": -(-2 * nodes // 4),
+            "projected_area": 2 * NODES * (packs + 1),
+            "light_visibility": 4 * NODES * packs,
+            "irradiance": 4 * NODES * packs,
+            "moments": 2 * 4 * packs * MOMENTS,
+        }
+
+    def value_of(self, size: Size, more: Mapping[str, int] | None = None) -> int:
+        """A size as a number; `more` are names that depend on the level."""
+        names = {**self.sizes, **(more or {})}
+        return sum(
+            math.prod(names[part] if isinstance(part, str) else part for part in parts) for parts in size
+        )
+
+
+def plan_bake(layout: ClothLayout, per_family: int) -> BakePlan:
+    """The plan of a fabric's bake with so many groups of each family, 1 to 64, on average."""
+    geometry = YarnGeometry(layout)
+    spacing = coverage_pyramid.spacing_of(geometry, per_family)
+    picks, ends = layout.warp_on_top.shape
+    columns, rows = (coverage_pyramid._nodes_along(side, spacing) for side in geometry.size)
+    across, along = (
+        coverage_pyramid.texels_along(threads, count) for threads, count in ((ends, columns), (picks, rows))
+    )
+    levels = _levels(columns, rows)
+    face_nodes = int(levels[-1, 0]) + 1
+    sizes = {
+        "per_family": per_family,
+        "groups": 2 * per_family,
+        "packs": pack_count(per_family),
+        "width": pack_count(per_family) + 1,
+        "max_clusters": max(per_family, 2 * per_family - groups._PACK),
+        "rays": visibility_rays.ray_count(per_family),
+        "columns": columns,
+        "rows": rows,
+        "face_nodes": face_nodes,
+        "texels_across": across,
+        "texels_along": along,
+    }
+    width, height = geometry.size
+    values: dict[str, float] = {
+        name: value for name, value in sizes.items() if name not in ("groups", "width")
+    }
+    values |= {
+        "ends": ends,
+        "picks": picks,
+        "spacing_x": width / ends,
+        "spacing_y": height / picks,
+        "texel_x": width / (columns * across),
+        "texel_y": height / (rows * along),
+        "far_weight": spacing.far_weight,
+    }
+    blur = tuple(
+        _tap_weights([float(w) for w in coverage_pyramid._blur_steps(spacing.base_size * count / side)])
+        for count, side in zip((columns, rows), geometry.size, strict=True)
+    )
+    return BakePlan(values, sizes, levels, spacing.base_size, (blur[0], blur[1]))
+
+
+def _levels(columns: int, rows: int) -> NDArray[np.int64]:
+    """First node, columns and rows of all levels down to one node."""
+    levels, first = [], 0
+    while True:
+        levels.append((first, columns, rows))
+        if columns * rows == 1:
+            return np.array(levels, np.int64)
+        first += columns * rows
+        columns, rows = -(-columns // 2), -(-rows // 2)
+
+
+def _tap_weights(steps: Sequence[float]) -> list[float]:
+    """Weights of the cell itself and of those 1, 2, … cells away after all blur steps."""
+    weights = np.ones(1)
+    for share in steps:
+        weights = np.convolve(weights, [share, 1 - 2 * share, share])
+    return [float(weight) for weight in weights[len(steps) :]]
+
+
+class LobesBaker:
+    """Bakes tables of `lobes` on an adapter.
+
+    Attributes:
+        dispatches: kernels that were launched so far.
+        writes: buffers that the host wrote so far.
+    """
+
+    def __init__(self, adapter: Adapter) -> None:
+        self._adapter = adapter
+        self._own: dict[str, Any] = {}
+        self.dispatches = 0
+        self.writes = 0
+
+    def bake(
+        self, buffers: Mapping[str, Any], records: NDArray[np.void], number: int, plan: BakePlan
+    ) -> None:
+        """Bakes the tables of a fabric into the buffers that hold it; returns before the device is done.
+
+        Args:
+            buffers: fabrics, families and words, where its geometry is already.
+            records: of all fabrics, as they were written.
+            number: of the fabric.
+
+        Raises:
+            MissingDependencyError: a table is beyond the adapter's limits.
+        """
+        resources = {
+            **buffers,
+            **self._buffers_of(plan),
+            "bakes": self._own_storage("bakes", _bake_record(plan, records, number)),
+        }
+        resources |= {alias: resources[name] for alias, name in ALIASES.items()}
+        steps = self._own_storage("steps", _steps(plan))
+        encoder = self._adapter.device.create_command_encoder()
+        for is_repeated, of_sequence in groupby(DISPATCHES, lambda one: bool(one.each)):
+            sequence = list(of_sequence)
+            for face in range(2 if is_repeated else 1):
+                for dispatch in sequence:
+                    of_level = dispatch.each == "level"
+                    for level in range(1, len(plan.levels)) if of_level else (0,):
+                        step = face * len(plan.levels) + level
+                        resources["steps"] = {
+                            "buffer": steps,
+                            "offset": step * _STEP_BYTES,
+                            "size": _STEP_BYTES,
+                        }
+                        _, columns, rows = (int(part) for part in plan.levels[level])
+                        threads = plan.value_of(
+                            dispatch.threads, {"level_columns": columns, "level_rows": rows}
+                        )
+                        if dispatch.clears:
+                            encoder.clear_buffer(resources[dispatch.clears])
+                        self._encode(encoder, dispatch, threads, resources)
+        self._adapter.device.queue.submit([encoder.finish()])
+
+    def _encode(self, encoder: Any, dispatch: Dispatch, threads: int, resources: Mapping[str, Any]) -> None:
+        pipeline = self._adapter.pipeline(module_text(dispatch.module), dispatch.entry)
+        used = "\n".join(declarations_of(dispatch.module, dispatch.entry))
+        count = -(-threads // dispatch.group)
+        compute = encoder.begin_compute_pass()
+        compute.set_pipeline(pipeline)
+        compute.set_bind_group(0, self._adapter.bindings(pipeline, used, resources))
+        compute.dispatch_workgroups(min(count, _ROW_OF_GROUPS), -(-count // _ROW_OF_GROUPS))
+        compute.end()
+        self.dispatches += 1
+
+    def _buffers_of(self, plan: BakePlan) -> dict[str, Any]:
+        """Buffers for what lies between the kernels, kept from bake to bake where they are large enough."""
+        sizes = {name: plan.value_of(size) for name, size in BUFFER_BYTES.items()}
+        sizes["scratch"] = 4 * sum(plan.value_of(size) for size in SCRATCH.values())
+        for name, size in sizes.items():
+            if name not in self._own or self._own[name].size < size:
+                self._own[name] = self._adapter.empty_storage(size)
+        return {name: self._own[name] for name in sizes}
+
+    def _own_storage(self, name: str, values: NDArray[Any]) -> Any:
+        """A small buffer that is rewritten for every bake."""
+        self.writes += 1
+        if name in self._own and self._own[name].size >= values.nbytes:
+            self._adapter.write(self._own[name], values)
+        else:
+            self._own[name] = self._adapter.storage(values)
+        return self._own[name]
+
+
+def _bake_record(plan: BakePlan, records: NDArray[np.void], number: int) -> NDArray[np.void]:
+    record = np.zeros(1, numpy_type("Bake"))
+    for name, value in plan.values.items():
+        record[name] = value
+    first = 0
+    for name, size in SCRATCH.items():
+        record[name] = first
+        first += plan.value_of(size)
+    begin = number * records.dtype.itemsize + offset_of("Fabric", "lobes")
+    record["fabric"] = number
+    record["moments_table"] = records[number]["lobes"]["moments"]
+    record["record_warp_packs"] = (begin + offset_of("Lobes", "front_warp_packs")) // 4
+    record["record_hole_weights"] = (begin + offset_of("Lobes", "front_hole_weight")) // 4
+    return record
+
+
+def _steps(plan: BakePlan) -> NDArray[np.uint32]:
+    """The uniform of each face and level."""
+    steps = np.zeros((2, len(plan.levels), _STEP_BYTES // 4), np.uint32)
+    steps[1, :, 0] = 1
+    steps[:, :, 1:4] = plan.levels
+    steps[:, 1:, 4:7] = plan.levels[:-1]
+    for axis, weights in enumerate(plan.blur):
+        begin = _WEIGHTS * (axis + 1)
+        steps[:, :, 7 + axis] = len(weights) - 1
+        steps[:, :, begin : begin + len(weights)] = np.array(weights, np.float32).view(np.uint32)
+    return steps
+
+
+@cache
+def module_text(module: str) -> str:
+    """The WGSL of a module's kernels."""
+    return (SHADERS / "wgsl" / f"{module}.wgsl").read_text(encoding="utf-8")
+
+
+@cache
+def declarations_of(module: str, entry: str) -> tuple[str, ...]:
+    """Declarations of the buffers that an entry point uses: a bind group must have these and no others."""
+    text = module_text(module)
+    # Without declarations: they stand between functions.
+    parts = _FUNCTION.split(_DECLARATION.sub("", text))
+    words = {name: set(_WORD.findall(body)) for name, body in zip(parts[1::2], parts[2::2], strict=True)}
+    reached, waiting = set(), [entry]
+    while waiting:
+        name = waiting.pop()
+        if name not in reached:
+            reached.add(name)
+            waiting += [other for other in words[name] if other in words]
+    used = set().union(*(words[name] for name in reached))
+    return tuple(match[0] for match in _DECLARATION.finditer(text) if match[2] in used)
+
+
+def manifest() -> str:
+    """`shaders/bake.json`: the sequence of kernels and the sizes of buffers, for hosts without Python."""
+    content = {
+        "about": "Tables of lobes baked by compute kernels; written by loomlight/realtime/bake.py. "
+        "Sizes are sums of products; workgroups = ceil(threads / group), at most row_of_groups along x.",
+        "row_of_groups": _ROW_OF_GROUPS,
+        "step_bytes": _STEP_BYTES,
+        "dispatches": [
+            {**asdict(dispatch), "bindings": _bindings_of(dispatch.module, dispatch.entry)}
+            for dispatch in DISPATCHES
+        ],
+        "scratch_words": SCRATCH,
+        "buffer_bytes": BUFFER_BYTES,
+        "aliases": ALIASES,
+    }
+    return json.dumps(content, indent=1) + "\n"
+
+
+def _bindings_of(module: str, entry: str) -> dict[str, int]:
+    """Bindings by the name of the buffer; WGSL's names end in a number of the compiler's."""
+    found = (_DECLARATION.fullmatch(text) for text in declarations_of(module, entry))
+    return {match[2].rsplit("_", 1)[0]: int(match[1]) for match in found if match is not None}
