@@ -56,6 +56,8 @@ ENTRIES = {
         "shade_lobes": "compute",
         "tone_map": "compute",
     },
+    "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},
+    "shadows": {"cast_shadows": "compute"},
 }
 
 
