@@ -1,11 +1,10 @@
-"""Frames: against Mitsuba's direct light on the same scene, edits, and errors.
+"""Frames of one or two pieces of cloth: against Mitsuba's direct light on the same scene, edits, and errors.
 
 Covers: realtime/scene.py
 """
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +12,12 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.evaluation.pictures import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import material_bsdf, render
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, Picture, PointLight, Renderer, rectangle
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -41,48 +40,15 @@ def frame(fabric: Fabric, distance: float, **options: Any) -> Picture:
     return renderer.render(from_distance(distance), [DirectionalLight(TOWARDS)], **options)
 
 
-def mitsuba_frame(fabric: Fabric, distance: float) -> np.ndarray:
-    place = mi.ScalarTransform4f
-    camera = from_distance(distance)
-    scene = mi.load_dict(
-        {
-            "type": "scene",
-            "integrator": {"type": "footprint_path", "max_depth": 2},
-            "sensor": {
-                "type": "perspective",
-                "fov": camera.field_of_view,
-                "near_clip": 1e-4,
-                "to_world": place().look_at(list(camera.origin), [0, 0, 0], [0, 1, 0]),
-                "film": {
-                    "type": "hdrfilm",
-                    "width": SIZE,
-                    "height": SIZE,
-                    "rfilter": {"type": "box"},
-                    "pixel_format": "rgb",
-                },
-            },
-            "cloth": {
-                "type": "rectangle",
-                "to_world": place().scale([SIDE / 2, SIDE / 2, 1]),
-                "bsdf": material_bsdf(fabric, "point")((100.0, 100.0)),
-            },
-            "light": {
-                "type": "directional",
-                "direction": [-part for part in TOWARDS],
-                "irradiance": math.pi,
-            },
-        }
-    )
-    return render(scene, spp=SAMPLES)
-
-
 @pytest.mark.parametrize(
     ("name", "distance"), [("denim", 0.01), ("wool-houndstooth", 0.05), ("silk-satin", 0.2)]
 )
 def test_frames_are_those_of_mitsuba(name: str, distance: float) -> None:
     """Two seeds of Mitsuba's own differ by about 0.01 here: both average 1024 points a pixel."""
     fabric = load_fabric(EXAMPLES / f"{name}.toml")
-    expected = mitsuba_frame(fabric, distance)
+    cloths = [Cloth(rectangle(SIDE, SIDE), fabric)]
+    lights = [DirectionalLight(TOWARDS)]
+    expected = mitsuba_frame(cloths, from_distance(distance), (SIZE, SIZE), lights, spp=SAMPLES)
     found = frame(fabric, distance, samples=SAMPLES // 8, passes=8).linear[..., :3]
     assert found.mean() == pytest.approx(expected.mean(), rel=5e-3)
     assert flip_mean(found, expected, np.ones((SIZE, SIZE), bool)) <= 0.03
