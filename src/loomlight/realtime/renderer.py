@@ -95,13 +95,10 @@ class Renderer:
             InputError: no cloth, a size out of range, or an unknown model.
             MissingDependencyError: no adapter, wgpu is not installed, or the adapter's limits are too small.
         """
-        width, height = size
         if not cloths:
             raise InputError("A renderer needs at least one piece of cloth.")
-        if not (1 <= width <= 8192 and 1 <= height <= 8192):
-            raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
-        if model not in _ENTRIES:
-            raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
+        _require_size(size)
+        _require_model(model)
         self.adapter = default_adapter() if adapter is None else adapter
         self.size = size
         self.model = model
@@ -121,6 +118,29 @@ class Renderer:
         """Another fabric for cloth `number`: tables are rewritten, and no pipeline is compiled."""
         self._cloths[number] = replace(self._cloths[number], fabric=fabric)
         self._upload_fabrics()
+        self._shown = b""
+
+    def set_model(self, model: str) -> None:
+        """Another model for the next frames; tables are baked, and its shader is compiled at its first frame.
+
+        Raises:
+            InputError: an unknown model.
+        """
+        _require_model(model)
+        self.model = model
+        self._upload_fabrics()
+        self._shown = b""
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Another size, width and height in pixels, for the next frames.
+
+        Raises:
+            InputError: a size out of range.
+        """
+        _require_size(size)
+        self.size = size
+        with self.adapter.guarded():
+            self._upload_targets()
         self._shown = b""
 
     def render(
@@ -353,6 +373,17 @@ class Renderer:
         compute.dispatch_workgroups(*groups)
         compute.end()
         self.adapter.device.queue.submit([encoder.finish()])
+
+
+def _require_size(size: tuple[int, int]) -> None:
+    width, height = size
+    if not (1 <= width <= 8192 and 1 <= height <= 8192):
+        raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
+
+
+def _require_model(model: str) -> None:
+    if model not in _ENTRIES:
+        raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
 
 
 def _wgsl(entry: str) -> str:
