@@ -61,7 +61,9 @@ def mitsuba_frame(
     }
     for number, cloth in enumerate(cloths):
         mesh = cloth.mesh
-        shape = ClothMesh(mesh.positions, mesh.normals, mesh.uv, mesh.faces.astype(np.int64), f"cloth{number}")
+        shape = ClothMesh(
+            mesh.positions, mesh.normals, mesh.uv, mesh.faces.astype(np.int64), f"cloth{number}"
+        )
         bsdf = material_bsdf(cloth.fabric, model)(cloth.uv_size_mm)
         parts[f"cloth{number}"] = to_shape(shape, bsdf)
     for number, light in enumerate(lights):

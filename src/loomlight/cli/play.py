@@ -110,7 +110,9 @@ def _viewer(
     towards = towards_light / (towards_light @ towards_light) ** 0.5
     places = {
         "studio": Environment(studio_radiance(towards)),
-        **({} if environment is None else {environment.name: Environment.read(environment, environment_turn)}),
+        **(
+            {} if environment is None else {environment.name: Environment.read(environment, environment_turn)}
+        ),
     }
     around = [
         Lighting(name, (), {"environment": place, "background": (0.18,) * 3 if name == "studio" else None})

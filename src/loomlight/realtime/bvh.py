@@ -78,5 +78,7 @@ def _split(order: NDArray[np.int64], centres: NDArray[np.float64]) -> NDArray[np
     first = (count + 1) // 2
     left = np.where(place < first[:, None], by_key[:, :half], -1)
     from_right = np.minimum(place + first[:, None], order.shape[1] - 1)
-    right = np.where(place + first[:, None] < count[:, None], np.take_along_axis(by_key, from_right, axis=1), -1)
+    right = np.where(
+        place + first[:, None] < count[:, None], np.take_along_axis(by_key, from_right, axis=1), -1
+    )
     return np.stack([left, right], axis=1).reshape(-1, half)

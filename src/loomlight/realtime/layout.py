@@ -103,7 +103,11 @@ FABRIC: Fields = (
     ("uv_height", "float", "millimetres per unit of v"),
     ("is_open", "uint", "1 where light passes through holes"),
     ("albedo_map", "uint", "first texel, in scene_words, of a map that diffuse albedos are multiplied by"),
-    ("albedo_map_levels", "uint", "of that map, each half as wide as the one before, down to 1; 0 for no map"),
+    (
+        "albedo_map_levels",
+        "uint",
+        "of that map, each half as wide as the one before, down to 1; 0 for no map",
+    ),
 )
 
 LIGHT: Fields = (
@@ -122,7 +126,11 @@ FRAME: Fields = (
     ("lights", "uint", "number of lights"),
     ("samples", "uint", "points of a pixel's footprint that are shaded in one pass"),
     ("pass_number", "uint", "of this pass, from 0: chooses the points"),
-    ("environment_samples", "uint", "directions to the environment that a pixel takes in one pass; 0 for none"),
+    (
+        "environment_samples",
+        "uint",
+        "directions to the environment that a pixel takes in one pass; 0 for none",
+    ),
     ("environment_columns", "uint", "texels of the environment around the vertical; 0 for no environment"),
     ("environment_rows", "uint", "and from the top to the bottom"),
     ("environment_table", "uint", "where it begins in scene_words; see environment.slang"),
