@@ -2,8 +2,8 @@
 
     python -m experiments.realtime_frames [--output experiments/results/realtime_frames.json]
 
-Both render the same rectangle with the same model under one directional light, with as many passes as noise asks
-for. Two seeds of Mitsuba are compared too: no frame can be closer than they are to each other.
+Both render the same rectangle with the same model under one directional light. Two seeds of Mitsuba are
+compared too: no frame can be closer than they are to each other.
 """
 
 from __future__ import annotations
@@ -64,7 +64,8 @@ def mitsuba_frame(
         shape = ClothMesh(
             mesh.positions, mesh.normals, mesh.uv, mesh.faces.astype(np.int64), f"cloth{number}"
         )
-        bsdf = material_bsdf(cloth.fabric, model)(cloth.uv_size_mm)
+        texture = None if cloth.albedo is None else _texture(cloth.albedo)
+        bsdf = material_bsdf(cloth.fabric, model, albedo=texture)(cloth.uv_size_mm)
         parts[f"cloth{number}"] = to_shape(shape, bsdf)
     for number, light in enumerate(lights):
         is_point, vector, colour = light.record()
@@ -77,10 +78,14 @@ def mitsuba_frame(
     if environment is not None:
         parts["environment"] = {
             "type": "envmap",
-            "bitmap": mi.Bitmap(np.float32(environment.radiance)),
+            "bitmap": mi.Bitmap(np.asarray(environment.radiance, np.float32)),
             "to_world": place.rotate([0, 1, 0], environment.turn),
         }
     return render(mi.load_dict(parts), spp=spp, seed=seed)
+
+
+def _texture(albedo: NDArray[np.floating]) -> dict[str, Any]:
+    return {"type": "bitmap", "bitmap": mi.Bitmap(np.asarray(albedo, np.float32)), "raw": True}
 
 
 def compare(name: str, distance: float, model: str) -> dict[str, Any]:

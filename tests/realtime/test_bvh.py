@@ -28,7 +28,7 @@ def test_every_face_is_in_one_leaf_within_all_its_boxes(count: int) -> None:
 
 
 def test_leaves_are_small_parts_of_a_sheet() -> None:
-    """Of 4096 cells of a sheet, the boxes of the leaves overlap little: their areas sum to that of the sheet."""
+    """Boxes of the leaves of a sheet overlap little: their areas sum to about that of the sheet."""
     line = np.linspace(0, 1, 65)
     x, y = (part.ravel() for part in np.meshgrid(line, line))
     positions = np.stack([x, y, 0 * x], axis=1)

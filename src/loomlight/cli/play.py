@@ -49,10 +49,10 @@ def play(
     ] = None,
     passes: Annotated[int, typer.Option(help="Passes of that frame.")] = 16,
 ) -> None:
-    """Opens a window of a fabric on the graphics adapter: drag to orbit, turn the wheel from garment to yarn.
+    """Opens a window of a fabric in real time: drag to orbit, turn the wheel from garment to yarn.
 
-    Further keys: m the model, l the light, + and - the exposure, r back to the start; Shift or the right button
-    moves.
+    Further keys: m the model, l the light, + and - the exposure, r back to the start; Shift or the right
+    button moves.
     """
     require_within("--zoom", zoom, 1e-3, 1e3)
     require_within("--exposure", exposure, -30, 30)
@@ -108,12 +108,9 @@ def _viewer(
         uv_size(cloth),
     )
     towards = towards_light / (towards_light @ towards_light) ** 0.5
-    places = {
-        "studio": Environment(studio_radiance(towards)),
-        **(
-            {} if environment is None else {environment.name: Environment.read(environment, environment_turn)}
-        ),
-    }
+    places = {"studio": Environment(studio_radiance(towards))}
+    if environment is not None:
+        places[environment.name] = Environment.read(environment, environment_turn)
     around = [
         Lighting(name, (), {"environment": place, "background": (0.18,) * 3 if name == "studio" else None})
         for name, place in places.items()

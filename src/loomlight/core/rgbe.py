@@ -1,4 +1,4 @@
-"""Radiance pictures (.hdr): three mantissas with one exponent a pixel (Ward 1991), run-length coded or not."""
+"""Radiance pictures (.hdr): three mantissas with one exponent a pixel (Ward 1991), often run-length coded."""
 
 from __future__ import annotations
 

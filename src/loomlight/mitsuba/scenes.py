@@ -202,7 +202,7 @@ def build_scene(
 def built_in_cloth(
     name: str, mesh: str | os.PathLike[str] | None = None
 ) -> tuple[ClothMesh, NDArray[np.float64], NDArray[np.float64]]:
-    """The cloth of a built-in scene, or a mesh instead; directions towards its camera and towards its light.
+    """The cloth of a built-in scene, or a mesh instead; where its camera and its light are, as directions.
 
     Raises:
         InputError: an unknown scene, or a mesh that cannot be read.

@@ -15,13 +15,13 @@ _STEPS = 1023  # ten bits
 def map_words(texels: NDArray[np.floating]) -> tuple[NDArray[np.uint32], int]:
     """Words of all levels, the finest first, and their number.
 
-    A word holds square roots of red, green and blue in ten bits each. Row 0 is v = 0.
+    A word holds square roots of red, green and blue in ten bits each. v runs down the picture.
 
     Args:
-        texels: linear RGB [rows, columns, 3], 0 to 1, the top row first, as pictures are read.
+        texels: linear RGB [rows, columns, 3], 0 to 1, the top row first.
     """
     side = min(LARGEST_SIDE, 1 << math.ceil(math.log2(max(texels.shape[:2]))))
-    level = _resized(np.clip(np.asarray(texels, np.float32), 0, 1)[::-1], side)
+    level = _resized(np.clip(np.asarray(texels, np.float32), 0, 1), side)
     words = [_packed(level)]
     while len(level) > 1:
         half = len(level) // 2

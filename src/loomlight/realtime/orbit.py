@@ -81,7 +81,7 @@ class Orbit:
         return replace(self, azimuth=(self.azimuth - _TURN * right) % 360, elevation=elevation)
 
     def moved(self, right: float, down: float) -> Orbit:
-        """After a drag that moves the object along with the mouse, in shares of the picture's shorter side."""
+        """After a drag that moves the object with the mouse, in shares of the picture's shorter side."""
         side = 2 * self.distance * math.tan(math.radians(self.field_of_view) / 2)
         to_right = np.cross(_UP, self.backward)
         to_right /= np.linalg.norm(to_right)

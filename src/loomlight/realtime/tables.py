@@ -25,7 +25,8 @@ from loomlight.yarn.runs import CELL_MAX_LEVELS
 from loomlight.yarn.threads import FamilyTables
 
 _ALBEDOS = ("diffuse_reflect", "diffuse_transmit", "specular_reflect", "specular_transmit")
-# Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of 8 bits.
+# Cloth with less open area casts the shadow of cloth without: a thousandth of the light is three steps of
+# 8-bit sRGB on white cloth.
 _SMALLEST_OPEN_SHARE = 1e-3
 Words = NDArray[np.uint32]
 Record = NDArray[np.void]

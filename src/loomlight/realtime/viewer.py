@@ -1,4 +1,4 @@
-"""A window of cloth: orbit, zoom, model, light and exposure by mouse and keys; frames add up while it rests."""
+"""A window of cloth: mouse and keys change camera, model and light; frames add up while it rests."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from loomlight.realtime.scene import Light
 MOST_PASSES = 256
 _PIXELS_A_NOTCH = 100.0  # that a wheel event tells
 _STOPS_A_KEY = 0.5
-KEYS = (
     "drag: orbit · shift or right drag: move · wheel: zoom · m: model · l: light · + −: exposure · r: reset"
 )
 _EVENTS = ("pointer_down", "pointer_move", "pointer_up", "wheel", "key_down", "resize")
