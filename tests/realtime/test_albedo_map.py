@@ -38,7 +38,8 @@ def test_frames_are_tinted_as_those_of_mitsuba() -> None:
     mi.set_variant("llvm_ad_rgb")
     text = 'weave = "plain"\n[warp]\ncolor = "#d0d0d0"\n[weft]\ncolor = "#d0d0d0"\n'
     row, column = np.mgrid[:64, :64] / 64
-    albedo = np.stack([row, column, ((8 * row).astype(int) + (8 * column).astype(int)) % 2], axis=-1)
+    wave = 0.5 + 0.5 * np.sin(4 * np.pi * row) * np.sin(4 * np.pi * column)
+    albedo = np.stack([row, column, wave], axis=-1)
     cloths = [Cloth(rectangle(0.1, 0.1), fabric_from_text(text), albedo=albedo)]
     camera, size, lights = Camera((0, 0, 0.2)), (24, 24), [DirectionalLight((0.2, 0.1, 1))]
     found = Renderer(cloths, size, "point").render(camera, lights, passes=4, samples=32).linear[..., :3]

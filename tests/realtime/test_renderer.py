@@ -65,6 +65,24 @@ def test_tones_are_srgb_after_exposure() -> None:
     assert (picture.srgb[..., 3] == 255).all()
 
 
+def test_passes_add_up_until_something_changes() -> None:
+    """Two frames of three passes are one of six; an edit begins anew."""
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), plain())], (8, 8), "point")
+    camera, light = from_distance(0.05), [DirectionalLight(TOWARDS)]
+    whole = renderer.render(camera, light, passes=6).linear
+    renderer.render(camera, light, passes=3)
+    np.testing.assert_allclose(renderer.accumulate(camera, light, passes=3).linear, whole, rtol=1e-6)
+    assert renderer.passes == 6
+    for change in (
+        lambda: renderer.set_fabric(0, plain("#ffffff")),
+        lambda: renderer.resize((8, 9)),
+        lambda: light.append(DirectionalLight((0, 0, 1))),
+    ):
+        change()
+        renderer.accumulate(camera, light)
+        assert renderer.passes == 1
+
+
 def test_an_edit_shows_at_once_and_compiles_nothing() -> None:
     renderer = Renderer([Cloth(rectangle(SIDE, SIDE), plain("#ff0000"))], (16, 16), "point")
     light = [DirectionalLight((0, 0, 1))]
@@ -88,6 +106,21 @@ def test_fabrics_of_one_frame_keep_apart() -> None:
         linear = Renderer(order, (32, 32), "point").render(Camera((0, 0, 0.2)), light).linear
         assert linear[16, 16, 1] > linear[16, 16, 0]
         assert linear[1, 1, 0] > linear[1, 1, 1]
+
+
+def test_eight_fabrics_share_one_frame() -> None:
+    """Eight colours side by side, as the pieces of chen2024 Fig. 1: each shows its own."""
+    colours = np.array([[r, g, b] for r in (0.1, 0.9) for g in (0.1, 0.9) for b in (0.1, 0.9)])
+    tile = rectangle(0.01, 0.01)
+    cloths = []
+    for number, colour in enumerate(colours):
+        place = np.array([0.01 * (number - 3.5), 0, 0])
+        text = "#" + "".join(f"{round(255 * part):02x}" for part in colour)
+        cloths.append(Cloth(Mesh(tile.positions + place, tile.normals, tile.uv, tile.faces), plain(text)))
+    renderer = Renderer(cloths, (32, 4), "point")
+    linear = renderer.render(Camera((0, 0, 0.02), field_of_view=26.6), [DirectionalLight((0, 0, 1))]).linear
+    shown = linear[1:3].reshape(2, 8, 4, 4).mean(axis=(0, 2))[:, :3]
+    assert (shown[colours > 0.5].min()) > 2 * shown[colours < 0.5].max()
 
 
 def test_a_far_point_light_is_a_directional_one() -> None:

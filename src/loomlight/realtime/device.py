@@ -110,7 +110,8 @@ class Adapter:
         except (wgpu.GPUError, RuntimeError) as error:
             if not _tells_of_loss(str(error)):
                 raise
-            default_adapter.cache_clear()
+            if default_adapter() is self:
+                default_adapter.cache_clear()  # the next renderer takes a new device
             raise MissingDependencyError(
                 f"The graphics adapter {self.name} was lost, by a reset of its driver or for want of memory: "
                 "begin again, with smaller frames if it happens anew."

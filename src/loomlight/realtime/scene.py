@@ -60,8 +60,8 @@ class Cloth:
 
     Attributes:
         uv_size_mm: millimetres per unit of u and of v.
-        albedo: linear RGB [rows, columns, 3], 0 to 1, over the unit of uv, which repeats, v down; the diffuse albedos
-            are multiplied by its mean over each footprint. None leaves them.
+        albedo: linear RGB [rows, columns, 3], 0 to 1, over the unit of uv, which repeats; v runs down. The
+            diffuse albedos are multiplied by its mean over each footprint. None leaves them.
     """
 
     mesh: Mesh

@@ -15,8 +15,6 @@ from loomlight.realtime.scene import Light
 MOST_PASSES = 256
 _PIXELS_A_NOTCH = 100.0  # that a wheel event tells
 _STOPS_A_KEY = 0.5
-    "drag: orbit · shift or right drag: move · wheel: zoom · m: model · l: light · + −: exposure · r: reset"
-)
 _EVENTS = ("pointer_down", "pointer_move", "pointer_up", "wheel", "key_down", "resize")
 
 
