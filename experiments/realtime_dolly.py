@@ -4,9 +4,9 @@
         [--output experiments/results/realtime_dolly.json]
 
 Eight fabrics, a dolly of 60 frames from 0.05 to 0.5 m under one directional light. FLIP between neighbouring
-frames is compared with that of a reference, the model `point` with 256 samples a pixel. What changes more than
-the reference shimmers: the bar is the reference's own plus a tenth. Smaller sizes show the middle of the frames
-of 256 pixels; fewer pairs are spread evenly over the dolly.
+frames is compared with that of a reference, the model `point` with 256 samples a pixel. What changes more
+than the reference shimmers: the bar is the reference's own plus a tenth. Smaller sizes show the middle of the
+frames of 256 pixels; fewer pairs are spread evenly over the dolly.
 """
 
 from __future__ import annotations

@@ -98,7 +98,7 @@ def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     elif suffix == ".hdr":
         linear = read_rgbe(path)
     else:
-        linear = np.float32(srgb_to_linear(read_picture(path)))
+        linear = srgb_to_linear(read_picture(path)).astype(np.float32)
     if not np.isfinite(linear).all():
         raise InputError(f"{path} holds pixels that are no finite numbers; replace them in a picture editor.")
     return linear

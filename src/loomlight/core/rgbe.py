@@ -37,7 +37,7 @@ def read_rgbe(path: str | os.PathLike[str]) -> NDArray[np.float32]:
         raise InputError(f"{path} is damaged: its data end early.") from error
     # A pixel is mantissa · 2^(exponent − 136); an exponent of 0 is black.
     scale = np.where(pixels[..., 3:] > 0, np.exp2(np.float32(pixels[..., 3:]) - 136), 0)
-    return np.float32(pixels[..., :3] * scale)
+    return (pixels[..., :3] * scale).astype(np.float32)
 
 
 def _read_rows(data: bytes, at: int, pixels: NDArray[np.uint8]) -> None:
