@@ -376,6 +376,25 @@ __device__ float3  normalize_0(float3  x_16)
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
+__device__ float2  round_0(float2  x_17)
+{
+    float2  result_10;
+    int i_7 = int(0);
+    for(;;)
+    {
+        if(i_7 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_round((_slang_vector_get_element(x_17, i_7))));
+        i_7 = i_7 + int(1);
+    }
+    return result_10;
+}
+
 __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
     float2 {
         0.0f, 0.0f
@@ -395,28 +414,28 @@ __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
         0.10710000246763229f, 0.32879999279975891f
     }
 };
-__device__ float saturate_1(float x_17)
+__device__ float saturate_1(float x_18)
 {
-    return clamp_1(x_17, 0.0f, 1.0f);
+    return clamp_1(x_18, 0.0f, 1.0f);
 }
 
-__device__ float2  frac_0(float2  x_18)
+__device__ float2  frac_0(float2  x_19)
 {
-    float2  result_10;
-    int i_7 = int(0);
+    float2  result_11;
+    int i_8 = int(0);
     for(;;)
     {
-        if(i_7 < int(2))
+        if(i_8 < int(2))
         {
         }
         else
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_frac((_slang_vector_get_element(x_18, i_7))));
-        i_7 = i_7 + int(1);
+        *_slang_vector_get_element_ptr(&result_11, i_8) = (F32_frac((_slang_vector_get_element(x_19, i_8))));
+        i_8 = i_8 + int(1);
     }
-    return result_10;
+    return result_11;
 }
 
 __device__ float3  cross_0(float3  left_0, float3  right_0)
@@ -483,14 +502,14 @@ __device__ float3  normal_of_0(Vertex_0 * vertex_1)
     return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
 }
 
-__device__ float square_1(float x_19)
+__device__ float square_1(float x_20)
 {
-    return x_19 * x_19;
+    return x_20 * x_20;
 }
 
-__device__ float natural_logarithm_0(float x_20)
+__device__ float natural_logarithm_0(float x_21)
 {
-    uint _S35 = (F32_asuint((x_20)));
+    uint _S35 = (F32_asuint((x_21)));
     float exponent_0 = float(int(_S35 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S35 & 8388607U) | 1056964608U)));
     float m_1;
@@ -511,20 +530,20 @@ __device__ float natural_logarithm_0(float x_20)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S36 - exponent_1 * 0.00021219444170129f - 0.5f * _S36) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_21)
+__device__ float binary_logarithm_0(float x_22)
 {
-    return natural_logarithm_0(x_21) * 1.4426950216293335f;
+    return natural_logarithm_0(x_22) * 1.4426950216293335f;
 }
 
-__device__ float exponential_0(float x_22)
+__device__ float exponential_0(float x_23)
 {
-    float _S37 = clamp_1(x_22, -87.0f, 88.0f);
+    float _S37 = clamp_1(x_23, -87.0f, 88.0f);
     float _S38 = (F32_floor((_S37 * 1.4426950216293335f + 0.5f)));
     float _S39 = _S37 - _S38 * 0.693359375f + _S38 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S39 + 0.00139819993637502f) * _S39 + 0.00833345204591751f) * _S39 + 0.04166579619050026f) * _S39 + 0.1666666567325592f) * _S39 + 0.5f;
     float _S40 = (U32_asfloat((uint(int(_S38) + int(127)) << int(23))));
     float _S41;
-    if(x_22 < -87.0f)
+    if(x_23 < -87.0f)
     {
         _S41 = 0.0f;
     }
@@ -650,10 +669,10 @@ __device__ float mean_0(float3  colour_0)
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-__device__ float2  sine_cosine_0(float x_23)
+__device__ float2  sine_cosine_0(float x_24)
 {
-    float _S68 = (F32_floor((x_23 * 0.63661974668502808f + 0.5f)));
-    float _S69 = x_23 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
+    float _S68 = (F32_floor((x_24 * 0.63661974668502808f + 0.5f)));
+    float _S69 = x_24 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
     float _S70 = _S69 * _S69;
     float _S71 = ((-0.00019515295571182f * _S70 + 0.00833216123282909f) * _S70 - 0.16666655242443085f) * _S70 * _S69 + _S69;
     float _S72 = ((0.00002443315679557f * _S70 - 0.00138873164542019f) * _S70 + 0.04166664555668831f) * _S70 * _S70 - 0.5f * _S70 + 1.0f;
@@ -1637,10 +1656,10 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
     float _S244 = start_rate_0 + end_rate_0 - 2.0f * _S243;
     float _S245 = 3.0f * _S243 - 2.0f * start_rate_0 - end_rate_0;
     float share_1 = start_1 / (F32_max((- _S243), (9.99999968265522539e-21f)));
-    int i_8 = int(0);
+    int i_9 = int(0);
     for(;;)
     {
-        if(uint(i_8) < 3U)
+        if(uint(i_9) < 3U)
         {
         }
         else
@@ -1648,9 +1667,9 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
             break;
         }
         float _S246 = clamp_1(share_1 - (((_S244 * share_1 + _S245) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S244 * share_1 + 2.0f * _S245) * share_1 + start_rate_0), (0.10000000149011612f * _S243 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
-        int _S247 = i_8 + int(1);
+        int _S247 = i_9 + int(1);
         share_1 = _S246;
-        i_8 = _S247;
+        i_9 = _S247;
     }
     return share_1;
 }
@@ -1668,9 +1687,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S250 * _S248, _S250 * across_slope_0 * along_slope_0 + cosine_0 * _S249);
 }
 
-__device__ float arc_sine_0(float x_24)
+__device__ float arc_sine_0(float x_25)
 {
-    float _S251 = (F32_abs((x_24)));
+    float _S251 = (F32_abs((x_25)));
     bool _S252 = _S251 > 0.5f;
     float _S253;
     if(_S252)
@@ -1699,7 +1718,7 @@ __device__ float arc_sine_0(float x_24)
     {
         _S253 = _S255;
     }
-    if(x_24 < 0.0f)
+    if(x_25 < 0.0f)
     {
         _S253 = - _S253;
     }
@@ -1839,14 +1858,14 @@ __device__ float reflection_0(float3  light_3, float3  view_3, float3  normal_5,
 
 __device__ Components_0 with_added_0(Components_0 * sums_0, Components_0 * more_0, float weight_0)
 {
-    Components_0 result_11;
-    (&result_11)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
-    (&result_11)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
-    (&result_11)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
-    (&result_11)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
-    (&result_11)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
-    (&result_11)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
-    return result_11;
+    Components_0 result_12;
+    (&result_12)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
+    (&result_12)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
+    (&result_12)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
+    (&result_12)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
+    (&result_12)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
+    (&result_12)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
+    return result_12;
 }
 
 __device__ float wrapped_cell_0(float position_4, float count_2)
@@ -1854,9 +1873,9 @@ __device__ float wrapped_cell_0(float position_4, float count_2)
     return (F32_min(((F32_floor(((position_4 - (F32_floor((position_4)))) * count_2)))), (count_2 - 1.0f)));
 }
 
-__device__ float arc_tangent_quotient_0(float x_25, float y_11)
+__device__ float arc_tangent_quotient_0(float x_26, float y_11)
 {
-    return ((((((0.0f * x_25 + 0.00809729471802711f) * x_25 + -0.0377517081797123f) * x_25 + 0.08475969731807709f) * x_25 + -0.13537675142288208f) * x_25 + 0.19895026087760925f) * x_25 + -0.33327975869178772f) * x_25 + 0.99999970197677612f;
+    return ((((((0.0f * x_26 + 0.00809729471802711f) * x_26 + -0.0377517081797123f) * x_26 + 0.08475969731807709f) * x_26 + -0.13537675142288208f) * x_26 + 0.19895026087760925f) * x_26 + -0.33327975869178772f) * x_26 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1864,9 +1883,9 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_12, float x_26)
+__device__ float arc_tangent_0(float y_12, float x_27)
 {
-    float _S277 = (F32_abs((x_26)));
+    float _S277 = (F32_abs((x_27)));
     float _S278 = (F32_abs((y_12)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S277), (_S278))) / (F32_max(((F32_max((_S277), (_S278)))), (1.00000000317107685e-30f))));
     float angle_1;
@@ -1878,7 +1897,7 @@ __device__ float arc_tangent_0(float y_12, float x_26)
     {
         angle_1 = angle_0;
     }
-    if(x_26 < 0.0f)
+    if(x_27 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
@@ -2381,25 +2400,25 @@ __device__ Albedos_0 lerp_albedos_0(Albedos_0 * first_3, Albedos_0 * second_1, f
 
 __device__ Albedos_0 tinted_0(Albedos_0 * albedos_4, float3  tint_0)
 {
-    Albedos_0 result_12 = *albedos_4;
-    (&result_12)->diffuse_reflect_0 = (&result_12)->diffuse_reflect_0 * tint_0;
-    (&result_12)->diffuse_transmit_0 = (&result_12)->diffuse_transmit_0 * tint_0;
-    return result_12;
+    Albedos_0 result_13 = *albedos_4;
+    (&result_13)->diffuse_reflect_0 = (&result_13)->diffuse_reflect_0 * tint_0;
+    (&result_13)->diffuse_transmit_0 = (&result_13)->diffuse_transmit_0 * tint_0;
+    return result_13;
 }
 
-__device__ float sheen_scale_0(float x_27, float y_13)
+__device__ float sheen_scale_0(float x_28, float y_13)
 {
-    return (((((0.0f * x_27 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_27 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_27 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_27 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_27 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_27 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
+    return (((((0.0f * x_28 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_28 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_28 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_28 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_28 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_28 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_28, float y_14)
+__device__ float sheen_shear_0(float x_29, float y_14)
 {
-    return ((((0.0f * x_28 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_28 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_28 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_28 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_28 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+    return ((((0.0f * x_29 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_29 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_29 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_29 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_29 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_29, float y_15)
+__device__ float sheen_reflectance_0(float x_30, float y_15)
 {
-    return ((((0.0f * x_29 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_29 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_29 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_29 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_29 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
+    return ((((0.0f * x_30 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_30 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_30 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_30 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_30 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_8)
@@ -2814,7 +2833,7 @@ __device__ Regime_0 regime_of_0(uint _S671, Footprint_0 * _S672, float _S673)
 
 struct Hit_0
 {
-    float x_30;
+    float x_31;
     float y_16;
     bool hole_5;
     float height_5;
@@ -3515,10 +3534,10 @@ __device__ float refined_height_0(uint _S904, ViewRay_0 * _S905, StepControl_0 *
     float under_gap_2 = under_gap_1;
     float under_1 = _S914;
     float above_3 = above_2;
-    uint i_9 = 0U;
+    uint i_10 = 0U;
     for(;;)
     {
-        if(i_9 < _S909)
+        if(i_10 < _S909)
         {
         }
         else
@@ -3579,7 +3598,7 @@ __device__ float refined_height_0(uint _S904, ViewRay_0 * _S905, StepControl_0 *
         {
             middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
         }
-        i_9 = i_9 + 1U;
+        i_10 = i_10 + 1U;
     }
     if(_S917)
     {
@@ -3594,7 +3613,7 @@ __device__ float refined_height_0(uint _S904, ViewRay_0 * _S905, StepControl_0 *
 __device__ Hit_0 first_hit_0(uint _S926, SearchQuality_0 * _S927, float _S928, float _S929, float3  _S930, bool _S931)
 {
     Hit_0 hit_0;
-    (&hit_0)->x_30 = _S928;
+    (&hit_0)->x_31 = _S928;
     (&hit_0)->y_16 = _S929;
     (&hit_0)->height_5 = 0.0f;
     bool _S932 = passes_through_0(_S926, _S927, _S928, _S929, _S930, _S931);
@@ -3621,7 +3640,7 @@ __device__ Hit_0 first_hit_0(uint _S926, SearchQuality_0 * _S927, float _S928, f
     (&hit_0)->height_5 = _S944;
     ViewRay_0 _S945 = ray_0;
     float2  _S946 = ViewRay_at_0(&_S945, _S944);
-    (&hit_0)->x_30 = _S946.x;
+    (&hit_0)->x_31 = _S946.x;
     (&hit_0)->y_16 = _S946.y;
     return hit_0;
 }
@@ -3730,7 +3749,7 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_31;
+    float x_32;
     float y_17;
     float height_10;
     float3  normal_7;
@@ -3868,7 +3887,7 @@ __device__ YarnPoint_0 yarn_point_of_0(uint _S1010, SurfacePoint_0 * _S1011, flo
     (&point_4)->back_3 = _S1014;
     (&point_4)->hole_6 = _S1015;
     (&point_4)->is_warp_3 = _S1017;
-    (&point_4)->x_31 = _S1012;
+    (&point_4)->x_32 = _S1012;
     (&point_4)->y_17 = _S1013;
     (&point_4)->height_10 = _S1011->height_1;
     (&point_4)->normal_7 = _S1011->normal_1;
@@ -3908,7 +3927,7 @@ __device__ bool is_lit_0(uint _S1039, SearchQuality_0 * _S1040, YarnPoint_0 * _S
     float height_11;
     if(_S1046)
     {
-        SurfacePoint_0 _S1049 = surface_at_0(_S1039, _S1041->x_31, _S1041->y_17, !_S1043);
+        SurfacePoint_0 _S1049 = surface_at_0(_S1039, _S1041->x_32, _S1041->y_17, !_S1043);
         normal_8 = _S1049.normal_1;
         height_11 = _S1049.height_1;
     }
@@ -3922,14 +3941,14 @@ __device__ bool is_lit_0(uint _S1039, SearchQuality_0 * _S1040, YarnPoint_0 * _S
     {
         return false;
     }
-    bool _S1051 = unoccluded_0(_S1039, _S1040, _S1041->x_31, _S1041->y_17, height_11, _S1050, _S1043 != _S1046);
+    bool _S1051 = unoccluded_0(_S1039, _S1040, _S1041->x_32, _S1041->y_17, height_11, _S1050, _S1043 != _S1046);
     return _S1051;
 }
 
 __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1053, YarnPoint_0 * _S1054, float3  _S1055, float3  _S1056)
 {
     Fabric_0 * _S1057 = (&(globalParams_0->fabrics_0)[_S1052]);
-    Components_0 result_13 = no_components_0();
+    Components_0 result_14 = no_components_0();
     bool _S1058 = _S1054->hole_6;
     float _S1059;
     if(_S1054->hole_6)
@@ -3940,7 +3959,7 @@ __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1
     {
         _S1059 = 0.0f;
     }
-    (&result_13)->hole_2 = _S1059;
+    (&result_14)->hole_2 = _S1059;
     bool _S1060;
     if(_S1058)
     {
@@ -3953,7 +3972,7 @@ __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1
     }
     if(_S1060)
     {
-        return result_13;
+        return result_14;
     }
     float3  _S1062 = to_face_frame_0(_S1055, _S1054->back_3);
     float3  _S1063 = to_face_frame_0(_S1056, _S1054->back_3);
@@ -3994,7 +4013,7 @@ __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1
     {
         _S1076 = 0.0f;
     }
-    (&result_13)->diffuse_warp_0 = _S1076;
+    (&result_14)->diffuse_warp_0 = _S1076;
     if(_S1075)
     {
         _S1076 = 0.0f;
@@ -4003,7 +4022,7 @@ __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1
     {
         _S1076 = _S1068;
     }
-    (&result_13)->diffuse_weft_0 = _S1076;
+    (&result_14)->diffuse_weft_0 = _S1076;
     if(_S1075)
     {
         _S1076 = _S1059;
@@ -4012,14 +4031,14 @@ __device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1
     {
         _S1076 = 0.0f;
     }
-    (&result_13)->specular_warp_0 = _S1076;
+    (&result_14)->specular_warp_0 = _S1076;
     if(_S1075)
     {
         _S1059 = 0.0f;
     }
-    (&result_13)->specular_weft_0 = _S1059;
-    (&result_13)->light_visibility_1 = 1.0f;
-    return result_13;
+    (&result_14)->specular_weft_0 = _S1059;
+    (&result_14)->light_visibility_1 = 1.0f;
+    return result_14;
 }
 
 struct CoverageTaps_0
@@ -4344,336 +4363,349 @@ __device__ FamilyAlbedos_0 albedos_over_0(uint _S1179, Footprint_0 * _S1180, boo
     return albedos_9;
 }
 
-__device__ Estimate_0 lobes_estimate_0(uint _S1195, Footprint_0 * _S1196, float _S1197, float3  _S1198, float3  _S1199)
+__device__ Estimate_0 lobes_estimate_of_pass_0(uint _S1195, Footprint_0 * _S1196, float _S1197, float2  _S1198, float3  _S1199, float3  _S1200)
 {
-    float _S1200;
-    Fabric_0 * _S1201 = (&(globalParams_0->fabrics_0)[_S1195]);
-    Regime_0 _S1202 = regime_of_0(_S1195, _S1196, _S1197);
-    bool _S1203 = (_S1199.z) < 0.0f;
-    float3  _S1204 = to_face_frame_0(_S1199, _S1203);
-    float _S1205 = __ldg(&_S1201->fibre_noise_0);
-    bool _S1206;
-    if(_S1205 > 0.0f)
+    float _S1201;
+    Fabric_0 * _S1202 = (&(globalParams_0->fabrics_0)[_S1195]);
+    Regime_0 _S1203 = regime_of_0(_S1195, _S1196, _S1197);
+    bool _S1204 = (_S1200.z) < 0.0f;
+    float3  _S1205 = to_face_frame_0(_S1200, _S1204);
+    float _S1206 = __ldg(&_S1202->fibre_noise_0);
+    bool _S1207;
+    if(_S1206 > 0.0f)
     {
-        _S1206 = true;
+        _S1207 = true;
     }
     else
     {
-        float _S1207 = __ldg(&_S1201->colour_noise_0);
-        _S1206 = _S1207 > 0.0f;
+        float _S1208 = __ldg(&_S1202->colour_noise_0);
+        _S1207 = _S1208 > 0.0f;
     }
-    uint _S1208 = __ldg(&_S1201->warp_0);
-    Family_0 _S1209 = slang_ldg_3((&(globalParams_0->families_0)[_S1208]));
-    bool _S1210;
-    if((_S1209.quantities_0) > 1U)
+    uint _S1209 = __ldg(&_S1202->warp_0);
+    Family_0 _S1210 = slang_ldg_3((&(globalParams_0->families_0)[_S1209]));
+    bool _S1211;
+    if((_S1210.quantities_0) > 1U)
     {
-        _S1210 = true;
+        _S1211 = true;
     }
     else
     {
-        uint _S1211 = __ldg(&_S1201->weft_0);
-        Family_0 _S1212 = slang_ldg_3((&(globalParams_0->families_0)[_S1211]));
-        _S1210 = (_S1212.quantities_0) > 1U;
+        uint _S1212 = __ldg(&_S1202->weft_0);
+        Family_0 _S1213 = slang_ldg_3((&(globalParams_0->families_0)[_S1212]));
+        _S1211 = (_S1213.quantities_0) > 1U;
     }
-    float _S1213 = 1.0f - _S1202.prefiltered_0;
-    if(_S1213 > 0.0f)
+    float _S1214 = 1.0f - _S1203.prefiltered_0;
+    if(_S1214 > 0.0f)
     {
-        if(_S1206)
+        if(_S1207)
         {
-            _S1210 = true;
+            _S1211 = true;
         }
     }
     else
     {
-        _S1210 = false;
+        _S1211 = false;
     }
     Footprint_0 box_0 = *_S1196;
-    float3  _S1214 = make_float3 (0.0f);
-    SurfacePoint_0 _S1215 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1214, _S1214, 0.0f, 0.0f, 0.0f);
-    float2  _S1216 = _S1196->centre_0;
-    Components_0 _S1217 = no_components_0();
-    int _S1218;
-    if(_S1210)
+    float3  _S1215 = make_float3 (0.0f);
+    SurfacePoint_0 _S1216 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1215, _S1215, 0.0f, 0.0f, 0.0f);
+    float2  _S1217 = _S1196->centre_0;
+    Components_0 _S1218 = no_components_0();
+    int _S1219;
+    if(_S1211)
     {
-        _S1218 = int(0);
+        _S1219 = int(0);
     }
     else
     {
-        _S1218 = int(1);
+        _S1219 = int(1);
     }
-    uint _S1219 = uint(_S1218);
-    Components_0 points_1 = _S1217;
+    uint _S1220 = uint(_S1219);
+    Components_0 points_1 = _S1218;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S1215;
-    float2  central_place_0 = _S1216;
-    uint number_6 = _S1219;
+    SurfacePoint_0 central_0 = _S1216;
+    float2  central_place_0 = _S1217;
+    uint number_6 = _S1220;
     for(;;)
     {
-        float _S1220 = float(number_6);
-        _S1200 = _S1202.points_0;
-        if(_S1220 < (_S1202.points_0 + 1.0f))
+        float _S1221 = float(number_6);
+        _S1201 = _S1203.points_0;
+        if(_S1221 < (_S1203.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S1221 = number_6 == 0U;
-        float2  _S1222;
-        if(_S1221)
+        bool _S1222 = number_6 == 0U;
+        uint _S1223;
+        if(_S1222)
         {
-            _S1222 = make_float2 (0.0f);
+            _S1223 = 0U;
         }
         else
         {
-            _S1222 = POINT_OFFSETS_0[number_6 - 1U];
+            _S1223 = number_6 - 1U;
         }
-        float2  _S1223 = _S1216 + make_float2 (_S1222.x) * _S1196->dx_0 + make_float2 (_S1222.y) * _S1196->dy_0;
-        float _S1224;
-        if(_S1221)
+        float2  _S1224 = POINT_OFFSETS_0[_S1223] + _S1198;
+        float2  _S1225;
+        if(_S1222)
         {
-            _S1224 = 0.0f;
+            _S1225 = make_float2 (0.0f);
         }
         else
         {
-            _S1224 = _S1202.threads_1;
+            _S1225 = _S1224 - round_0(_S1224);
         }
-        SearchQuality_0 _S1225 = quality_of_0(_S1224);
-        float _S1226 = _S1223.x;
-        float _S1227 = _S1223.y;
-        SearchQuality_0 _S1228 = _S1225;
-        Hit_0 _S1229 = first_hit_0(_S1195, &_S1228, _S1226, _S1227, _S1204, _S1203);
-        SurfacePoint_0 _S1230 = surface_at_0(_S1195, _S1229.x_30, _S1229.y_16, _S1203);
-        if(_S1221)
+        float2  _S1226 = _S1217 + make_float2 (_S1225.x) * _S1196->dx_0 + make_float2 (_S1225.y) * _S1196->dy_0;
+        float _S1227;
+        if(_S1222)
+        {
+            _S1227 = 0.0f;
+        }
+        else
+        {
+            _S1227 = _S1203.threads_1;
+        }
+        SearchQuality_0 _S1228 = quality_of_0(_S1227);
+        float _S1229 = _S1226.x;
+        float _S1230 = _S1226.y;
+        SearchQuality_0 _S1231 = _S1228;
+        Hit_0 _S1232 = first_hit_0(_S1195, &_S1231, _S1229, _S1230, _S1205, _S1204);
+        SurfacePoint_0 _S1233 = surface_at_0(_S1195, _S1232.x_31, _S1232.y_16, _S1204);
+        if(_S1222)
         {
             float central_weight_1;
-            if(_S1229.hole_5)
+            if(_S1232.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S1213;
+                central_weight_1 = _S1214;
             }
-            float2  central_place_1 = make_float2 (_S1229.x_30, _S1229.y_16);
-            (&box_0)->centre_0 = lerp_2(_S1216, central_place_1, make_float2 (central_weight_1));
+            float2  central_place_1 = make_float2 (_S1232.x_31, _S1232.y_16);
+            (&box_0)->centre_0 = lerp_2(_S1217, central_place_1, make_float2 (central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S1230;
+            central_0 = _S1233;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        SurfacePoint_0 _S1231 = _S1230;
-        YarnPoint_0 _S1232 = yarn_point_of_0(_S1195, &_S1231, _S1229.x_30, _S1229.y_16, _S1203, _S1229.hole_5);
-        SearchQuality_0 _S1233 = _S1225;
-        YarnPoint_0 _S1234 = _S1232;
-        Components_0 _S1235 = components_of_point_0(_S1195, &_S1233, &_S1234, _S1198, _S1199);
-        float _S1236 = (F32_min((_S1202.points_0 - float(number_6 - 1U)), (1.0f)));
-        Components_0 _S1237 = points_1;
-        Components_0 _S1238 = _S1235;
-        Components_0 _S1239 = with_added_0(&_S1237, &_S1238, _S1236);
-        points_1 = _S1239;
+        SurfacePoint_0 _S1234 = _S1233;
+        YarnPoint_0 _S1235 = yarn_point_of_0(_S1195, &_S1234, _S1232.x_31, _S1232.y_16, _S1204, _S1232.hole_5);
+        SearchQuality_0 _S1236 = _S1228;
+        YarnPoint_0 _S1237 = _S1235;
+        Components_0 _S1238 = components_of_point_0(_S1195, &_S1236, &_S1237, _S1199, _S1200);
+        float _S1239 = (F32_min((_S1203.points_0 - float(number_6 - 1U)), (1.0f)));
+        Components_0 _S1240 = points_1;
+        Components_0 _S1241 = _S1238;
+        Components_0 _S1242 = with_added_0(&_S1240, &_S1241, _S1239);
+        points_1 = _S1242;
         number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    float _S1240 = _S1213 / (F32_max((_S1200), (1.0f)));
-    Components_0 _S1241 = _S1217;
-    Components_0 _S1242 = points_1;
-    Components_0 _S1243 = with_added_0(&_S1241, &_S1242, _S1240);
-    (&estimate_0)->components_0 = _S1243;
-    if((_S1202.prefiltered_0) > 0.0f)
+    float _S1243 = _S1214 / (F32_max((_S1201), (1.0f)));
+    Components_0 _S1244 = _S1218;
+    Components_0 _S1245 = points_1;
+    Components_0 _S1246 = with_added_0(&_S1244, &_S1245, _S1243);
+    (&estimate_0)->components_0 = _S1246;
+    if((_S1203.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1244 = prefiltered_components_0(_S1195, _S1196, to_face_frame_0(_S1198, _S1203), _S1204, _S1203);
-        Components_0 _S1245 = (&estimate_0)->components_0;
-        Components_0 _S1246 = _S1244;
-        Components_0 _S1247 = with_added_0(&_S1245, &_S1246, _S1202.prefiltered_0);
-        (&estimate_0)->components_0 = _S1247;
+        Components_0 _S1247 = prefiltered_components_0(_S1195, _S1196, to_face_frame_0(_S1199, _S1204), _S1205, _S1204);
+        Components_0 _S1248 = (&estimate_0)->components_0;
+        Components_0 _S1249 = _S1247;
+        Components_0 _S1250 = with_added_0(&_S1248, &_S1249, _S1203.prefiltered_0);
+        (&estimate_0)->components_0 = _S1250;
     }
-    Footprint_0 _S1248 = box_0;
-    FamilyAlbedos_0 _S1249 = albedos_over_0(_S1195, &_S1248, _S1203);
-    (&estimate_0)->albedos_5 = _S1249;
-    if(_S1206)
+    Footprint_0 _S1251 = box_0;
+    FamilyAlbedos_0 _S1252 = albedos_over_0(_S1195, &_S1251, _S1204);
+    (&estimate_0)->albedos_5 = _S1252;
+    if(_S1207)
     {
-        _S1206 = central_weight_0 > 0.0f;
+        _S1207 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S1206 = false;
+        _S1207 = false;
     }
-    if(_S1206)
+    if(_S1207)
     {
-        SurfacePoint_0 _S1250 = central_0;
-        Albedos_0 _S1251;
+        SurfacePoint_0 _S1253 = central_0;
+        Albedos_0 _S1254;
         if(central_0.is_warp_0)
         {
-            _S1251 = (&(&estimate_0)->albedos_5)->warp_2;
+            _S1254 = (&(&estimate_0)->albedos_5)->warp_2;
         }
         else
         {
-            _S1251 = (&(&estimate_0)->albedos_5)->weft_2;
+            _S1254 = (&(&estimate_0)->albedos_5)->weft_2;
         }
-        float _S1252 = central_place_0.x;
-        float _S1253 = central_place_0.y;
-        SurfacePoint_0 _S1254 = central_0;
-        Albedos_0 _S1255 = _S1251;
-        Albedos_0 _S1256 = varied_at_0(_S1195, &_S1254, &_S1255, _S1252, _S1253);
-        Albedos_0 _S1257 = _S1251;
-        Albedos_0 _S1258 = _S1256;
-        Albedos_0 _S1259 = lerp_albedos_0(&_S1257, &_S1258, central_weight_0);
-        if(_S1250.is_warp_0)
+        float _S1255 = central_place_0.x;
+        float _S1256 = central_place_0.y;
+        SurfacePoint_0 _S1257 = central_0;
+        Albedos_0 _S1258 = _S1254;
+        Albedos_0 _S1259 = varied_at_0(_S1195, &_S1257, &_S1258, _S1255, _S1256);
+        Albedos_0 _S1260 = _S1254;
+        Albedos_0 _S1261 = _S1259;
+        Albedos_0 _S1262 = lerp_albedos_0(&_S1260, &_S1261, central_weight_0);
+        if(_S1253.is_warp_0)
         {
-            (&(&estimate_0)->albedos_5)->warp_2 = _S1259;
+            (&(&estimate_0)->albedos_5)->warp_2 = _S1262;
         }
         else
         {
-            (&(&estimate_0)->albedos_5)->weft_2 = _S1259;
+            (&(&estimate_0)->albedos_5)->weft_2 = _S1262;
         }
     }
     return estimate_0;
 }
 
-__device__ float3  composed_0(uint _S1260, Components_0 * _S1261, FamilyAlbedos_0 * _S1262, float3  _S1263, float3  _S1264)
+__device__ float3  composed_0(uint _S1263, Components_0 * _S1264, FamilyAlbedos_0 * _S1265, float3  _S1266, float3  _S1267)
 {
-    Fabric_0 * _S1265 = (&(globalParams_0->fabrics_0)[_S1260]);
-    float _S1266 = _S1261->diffuse_warp_0;
-    float _S1267 = _S1261->diffuse_weft_0;
-    float _S1268 = _S1261->specular_warp_0;
-    float _S1269 = _S1261->specular_weft_0;
-    float3  _S1270 = (&_S1262->warp_2)->diffuse_reflect_0 * make_float3 (_S1261->diffuse_warp_0) + (&_S1262->weft_2)->diffuse_reflect_0 * make_float3 (_S1261->diffuse_weft_0) + (&_S1262->warp_2)->specular_reflect_0 * make_float3 (_S1261->specular_warp_0) + (&_S1262->weft_2)->specular_reflect_0 * make_float3 (_S1261->specular_weft_0);
-    float _S1271 = _S1264.z;
+    Fabric_0 * _S1268 = (&(globalParams_0->fabrics_0)[_S1263]);
+    float _S1269 = _S1264->diffuse_warp_0;
+    float _S1270 = _S1264->diffuse_weft_0;
+    float _S1271 = _S1264->specular_warp_0;
+    float _S1272 = _S1264->specular_weft_0;
+    float3  _S1273 = (&_S1265->warp_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_warp_0) + (&_S1265->weft_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_weft_0) + (&_S1265->warp_2)->specular_reflect_0 * make_float3 (_S1264->specular_warp_0) + (&_S1265->weft_2)->specular_reflect_0 * make_float3 (_S1264->specular_weft_0);
+    float _S1274 = _S1267.z;
     float3  body_0;
-    if((_S1263.z * _S1271) < 0.0f)
+    if((_S1266.z * _S1274) < 0.0f)
     {
-        body_0 = (&_S1262->warp_2)->diffuse_transmit_0 * make_float3 (_S1266) + (&_S1262->weft_2)->diffuse_transmit_0 * make_float3 (_S1267) + (&_S1262->warp_2)->specular_transmit_0 * make_float3 (_S1268) + (&_S1262->weft_2)->specular_transmit_0 * make_float3 (_S1269);
+        body_0 = (&_S1265->warp_2)->diffuse_transmit_0 * make_float3 (_S1269) + (&_S1265->weft_2)->diffuse_transmit_0 * make_float3 (_S1270) + (&_S1265->warp_2)->specular_transmit_0 * make_float3 (_S1271) + (&_S1265->weft_2)->specular_transmit_0 * make_float3 (_S1272);
     }
     else
     {
-        body_0 = _S1270;
+        body_0 = _S1273;
     }
-    float _S1272 = __ldg(&_S1265->sheen_strength_0);
-    if(_S1272 <= 0.0f)
+    float _S1275 = __ldg(&_S1268->sheen_strength_0);
+    if(_S1275 <= 0.0f)
     {
         return body_0;
     }
-    bool _S1273 = _S1271 < 0.0f;
-    float3  _S1274 = to_face_frame_0(_S1263, _S1273);
-    float3  _S1275 = to_face_frame_0(_S1264, _S1273);
-    float _S1276 = __ldg(&_S1265->sheen_roughness_0);
-    float2  _S1277 = sheen_with_transmittance_0(_S1274, _S1275, _S1272, _S1276);
-    return make_float3 (_S1277.y) * body_0 + make_float3 ((_S1261->light_visibility_1 + _S1261->hole_2) * _S1277.x);
+    bool _S1276 = _S1274 < 0.0f;
+    float3  _S1277 = to_face_frame_0(_S1266, _S1276);
+    float3  _S1278 = to_face_frame_0(_S1267, _S1276);
+    float _S1279 = __ldg(&_S1268->sheen_roughness_0);
+    float2  _S1280 = sheen_with_transmittance_0(_S1277, _S1278, _S1275, _S1279);
+    return make_float3 (_S1280.y) * body_0 + make_float3 ((_S1264->light_visibility_1 + _S1264->hole_2) * _S1280.x);
 }
 
-__device__ float4  light_of_footprint_0(int _S1278, uint _S1279, VisiblePoint_0 * _S1280, uint2  _S1281, float3  _S1282)
+__device__ float4  light_of_footprint_0(int _S1281, uint _S1282, VisiblePoint_0 * _S1283, uint2  _S1284, float3  _S1285)
 {
-    Fabric_0 * _S1283 = (&(globalParams_0->fabrics_0)[_S1279]);
+    Frame_0 * _S1286 = (&(globalParams_0->frames_0)[_S1281]);
+    Fabric_0 * _S1287 = (&(globalParams_0->fabrics_0)[_S1282]);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1280->draft_0;
-    (&footprint_0)->dx_0 = _S1280->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1280->draft_dy_0;
-    float3  _S1284 = to_local_0(_S1280, _S1280->view_0);
-    uint _S1285 = light_sample_count_0(_S1278);
-    float3  _S1286 = make_float3 (0.0f);
+    (&footprint_0)->centre_0 = _S1283->draft_0;
+    (&footprint_0)->dx_0 = _S1283->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1283->draft_dy_0;
+    uint _S1288 = __ldg(&_S1286->pass_number_0);
+    float2  _S1289 = frac_0(make_float2 (float(_S1288 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
+    float3  _S1290 = to_local_0(_S1283, _S1283->view_0);
+    uint _S1291 = light_sample_count_0(_S1281);
+    float3  _S1292 = make_float3 (0.0f);
     uint number_7 = 0U;
-    float3  radiance_1 = _S1286;
+    float3  radiance_1 = _S1292;
     float hole_7 = 0.0f;
     for(;;)
     {
-        if(number_7 < (U32_max((_S1285), (1U))))
+        if(number_7 < (U32_max((_S1291), (1U))))
         {
         }
         else
         {
             break;
         }
-        float _S1287;
-        if(number_7 < _S1285)
+        float _S1293;
+        if(number_7 < _S1291)
         {
-            float _S1288 = visibility_at_0(_S1278, number_7, _S1281);
-            _S1287 = _S1288;
+            float _S1294 = visibility_at_0(_S1281, number_7, _S1284);
+            _S1293 = _S1294;
         }
         else
         {
-            _S1287 = 0.0f;
+            _S1293 = 0.0f;
         }
-        bool _S1289;
-        if(_S1287 <= 0.0f)
+        bool _S1295;
+        if(_S1293 <= 0.0f)
         {
-            _S1289 = number_7 > 0U;
+            _S1295 = number_7 > 0U;
         }
         else
         {
-            _S1289 = false;
+            _S1295 = false;
         }
-        if(_S1289)
+        if(_S1295)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S1290 = light_sample_0(_S1278, number_7, _S1281, _S1280->position_0);
-        float3  _S1291 = to_local_0(_S1280, _S1290.towards_0);
-        Footprint_0 _S1292 = footprint_0;
-        Estimate_0 _S1293 = lobes_estimate_0(_S1279, &_S1292, 1.0f, _S1291, _S1284);
+        LightSample_0 _S1296 = light_sample_0(_S1281, number_7, _S1284, _S1283->position_0);
+        float3  _S1297 = to_local_0(_S1283, _S1296.towards_0);
+        Footprint_0 _S1298 = footprint_0;
+        Estimate_0 _S1299 = lobes_estimate_of_pass_0(_S1282, &_S1298, 1.0f, _S1289, _S1297, _S1290);
         FamilyAlbedos_0 albedos_10;
-        Albedos_0 _S1294 = _S1293.albedos_5.warp_2;
-        Albedos_0 _S1295 = tinted_0(&_S1294, _S1282);
-        (&albedos_10)->warp_2 = _S1295;
-        Albedos_0 _S1296 = _S1293.albedos_5.weft_2;
-        Albedos_0 _S1297 = tinted_0(&_S1296, _S1282);
-        (&albedos_10)->weft_2 = _S1297;
-        float3  _S1298 = make_float3 (_S1287) * _S1290.irradiance_1;
-        Components_0 _S1299 = _S1293.components_0;
-        FamilyAlbedos_0 _S1300 = albedos_10;
-        float3  _S1301 = composed_0(_S1279, &_S1299, &_S1300, _S1291, _S1284);
-        radiance_1 = radiance_1 + _S1298 * _S1301;
-        hole_7 = _S1293.components_0.hole_2;
+        Albedos_0 _S1300 = _S1299.albedos_5.warp_2;
+        Albedos_0 _S1301 = tinted_0(&_S1300, _S1285);
+        (&albedos_10)->warp_2 = _S1301;
+        Albedos_0 _S1302 = _S1299.albedos_5.weft_2;
+        Albedos_0 _S1303 = tinted_0(&_S1302, _S1285);
+        (&albedos_10)->weft_2 = _S1303;
+        float3  _S1304 = make_float3 (_S1293) * _S1296.irradiance_1;
+        Components_0 _S1305 = _S1299.components_0;
+        FamilyAlbedos_0 _S1306 = albedos_10;
+        float3  _S1307 = composed_0(_S1282, &_S1305, &_S1306, _S1297, _S1290);
+        radiance_1 = radiance_1 + _S1304 * _S1307;
+        hole_7 = _S1299.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S1302 = __ldg(&_S1283->sheen_strength_0);
-    if(_S1302 > 0.0f)
+    float _S1308 = __ldg(&_S1287->sheen_strength_0);
+    if(_S1308 > 0.0f)
     {
-        float _S1303 = (F32_abs((_S1284.z)));
-        float _S1304 = __ldg(&_S1283->sheen_roughness_0);
-        hole_7 = hole_7 * (1.0f - _S1302 * sheen_lobe_0(_S1303, _S1304).z);
+        float _S1309 = (F32_abs((_S1290.z)));
+        float _S1310 = __ldg(&_S1287->sheen_roughness_0);
+        hole_7 = hole_7 * (1.0f - _S1308 * sheen_lobe_0(_S1309, _S1310).z);
     }
     return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - hole_7);
 }
 
 extern "C" __global__ void shade_lobes()
 {
-    uint3  _S1305 = blockIdx * blockDim + threadIdx;
-    Frame_0 * _S1306 = (&(globalParams_0->frames_0)[int(0)]);
-    uint _S1307 = _S1305.x;
-    uint _S1308 = __ldg(&_S1306->width_0);
-    bool _S1309;
-    if(_S1307 >= _S1308)
+    uint3  _S1311 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S1312 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S1313 = _S1311.x;
+    uint _S1314 = __ldg(&_S1312->width_0);
+    bool _S1315;
+    if(_S1313 >= _S1314)
     {
-        _S1309 = true;
+        _S1315 = true;
     }
     else
     {
-        uint _S1310 = _S1305.y;
-        uint _S1311 = __ldg(&_S1306->height_0);
-        _S1309 = _S1310 >= _S1311;
+        uint _S1316 = _S1311.y;
+        uint _S1317 = __ldg(&_S1312->height_0);
+        _S1315 = _S1316 >= _S1317;
     }
-    if(_S1309)
+    if(_S1315)
     {
         return;
     }
-    uint _S1312 = _S1305.y * _S1308 + _S1307;
-    uint _S1313 = (&(globalParams_0->layers_0)[_S1312])->face_0;
-    if(((&(globalParams_0->layers_0)[_S1312])->face_0) == 0U)
+    uint _S1318 = _S1311.y * _S1314 + _S1313;
+    uint _S1319 = (&(globalParams_0->layers_0)[_S1318])->face_0;
+    if(((&(globalParams_0->layers_0)[_S1318])->face_0) == 0U)
     {
         return;
     }
-    uint _S1314 = _S1313 - 1U;
-    uint _S1315 = __ldg((&(globalParams_0->face_fabrics_0)[_S1314]));
-    uint2  _S1316 = uint2 {_S1305.x, _S1305.y};
-    VisiblePoint_0 _S1317 = visible_point_0(int(0), _S1315, _S1314, _S1316);
-    VisiblePoint_0 _S1318 = _S1317;
-    float3  _S1319 = filtered_albedo_0(_S1315, &_S1318);
-    VisiblePoint_0 _S1320 = _S1317;
-    float4  _S1321 = light_of_footprint_0(int(0), _S1315, &_S1320, _S1316, _S1319);
-    accumulate_0(_S1312, _S1321);
+    uint _S1320 = _S1319 - 1U;
+    uint _S1321 = __ldg((&(globalParams_0->face_fabrics_0)[_S1320]));
+    uint2  _S1322 = uint2 {_S1311.x, _S1311.y};
+    VisiblePoint_0 _S1323 = visible_point_0(int(0), _S1321, _S1320, _S1322);
+    VisiblePoint_0 _S1324 = _S1323;
+    float3  _S1325 = filtered_albedo_0(_S1321, &_S1324);
+    VisiblePoint_0 _S1326 = _S1323;
+    float4  _S1327 = light_of_footprint_0(int(0), _S1321, &_S1326, _S1322, _S1325);
+    accumulate_0(_S1318, _S1327);
     return;
 }
 

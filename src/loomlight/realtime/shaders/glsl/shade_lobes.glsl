@@ -3604,238 +3604,249 @@ FamilyAlbedos_0 albedos_over_0(uint _S683, Footprint_0 _S684, bool _S685)
     return albedos_9;
 }
 
-Estimate_0 lobes_estimate_0(uint _S691, Footprint_0 _S692, float _S693, vec3 _S694, vec3 _S695)
+Estimate_0 lobes_estimate_of_pass_0(uint _S691, Footprint_0 _S692, float _S693, vec2 _S694, vec3 _S695, vec3 _S696)
 {
-    float _S696;
-    Regime_0 _S697 = regime_of_0(_S691, _S692, _S693);
-    bool _S698 = (_S695.z) < 0.0;
-    vec3 _S699 = to_face_frame_0(_S695, _S698);
-    bool _S700;
-    if((fabrics_0._data[uint(_S691)].fibre_noise_0) > 0.0)
-    {
-        _S700 = true;
-    }
-    else
-    {
-        _S700 = (fabrics_0._data[uint(_S691)].colour_noise_0) > 0.0;
-    }
+    float _S697;
+    Regime_0 _S698 = regime_of_0(_S691, _S692, _S693);
+    bool _S699 = (_S696.z) < 0.0;
+    vec3 _S700 = to_face_frame_0(_S696, _S699);
     bool _S701;
-    if((families_0._data[uint(fabrics_0._data[uint(_S691)].warp_0)].quantities_0) > 1U)
+    if((fabrics_0._data[uint(_S691)].fibre_noise_0) > 0.0)
     {
         _S701 = true;
     }
     else
     {
-        _S701 = (families_0._data[uint(fabrics_0._data[uint(_S691)].weft_0)].quantities_0) > 1U;
+        _S701 = (fabrics_0._data[uint(_S691)].colour_noise_0) > 0.0;
     }
-    float _S702 = 1.0 - _S697.prefiltered_0;
-    if(_S702 > 0.0)
+    bool _S702;
+    if((families_0._data[uint(fabrics_0._data[uint(_S691)].warp_0)].quantities_0) > 1U)
     {
-        if(_S700)
+        _S702 = true;
+    }
+    else
+    {
+        _S702 = (families_0._data[uint(fabrics_0._data[uint(_S691)].weft_0)].quantities_0) > 1U;
+    }
+    float _S703 = 1.0 - _S698.prefiltered_0;
+    if(_S703 > 0.0)
+    {
+        if(_S701)
         {
-            _S701 = true;
+            _S702 = true;
         }
     }
     else
     {
-        _S701 = false;
+        _S702 = false;
     }
     Footprint_0 box_0 = _S692;
-    const vec3 _S703 = vec3(0.0);
-    SurfacePoint_0 _S704 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S703, _S703, 0.0, 0.0, 0.0);
-    Components_0 _S705 = no_components_0();
-    int _S706;
-    if(_S701)
+    const vec3 _S704 = vec3(0.0);
+    SurfacePoint_0 _S705 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S704, _S704, 0.0, 0.0, 0.0);
+    Components_0 _S706 = no_components_0();
+    int _S707;
+    if(_S702)
     {
-        _S706 = 0;
+        _S707 = 0;
     }
     else
     {
-        _S706 = 1;
+        _S707 = 1;
     }
-    uint _S707 = uint(_S706);
-    Components_0 points_1 = _S705;
+    uint _S708 = uint(_S707);
+    Components_0 points_1 = _S706;
     float central_weight_0 = 0.0;
-    SurfacePoint_0 central_0 = _S704;
+    SurfacePoint_0 central_0 = _S705;
     vec2 central_place_0 = _S692.centre_0;
-    uint number_6 = _S707;
+    uint number_6 = _S708;
     for(;;)
     {
-        float _S708 = float(number_6);
-        _S696 = _S697.points_0;
-        if(_S708 < (_S697.points_0 + 1.0))
+        float _S709 = float(number_6);
+        _S697 = _S698.points_0;
+        if(_S709 < (_S698.points_0 + 1.0))
         {
         }
         else
         {
             break;
         }
-        bool _S709 = number_6 == 0U;
-        vec2 _S710;
-        if(_S709)
+        bool _S710 = number_6 == 0U;
+        uint _S711;
+        if(_S710)
         {
-            _S710 = vec2(0.0);
+            _S711 = 0U;
         }
         else
         {
-            _S710 = POINT_OFFSETS_0[number_6 - 1U];
+            _S711 = number_6 - 1U;
         }
-        vec2 _S711 = _S692.centre_0 + _S710.x * _S692.dx_0 + _S710.y * _S692.dy_0;
-        float _S712;
-        if(_S709)
+        vec2 _S712 = POINT_OFFSETS_0[_S711] + _S694;
+        vec2 _S713;
+        if(_S710)
         {
-            _S712 = 0.0;
+            _S713 = vec2(0.0);
         }
         else
         {
-            _S712 = _S697.threads_1;
+            _S713 = _S712 - round(_S712);
         }
-        SearchQuality_0 _S713 = quality_of_0(_S712);
-        Hit_0 _S714 = first_hit_0(_S691, _S713, _S711.x, _S711.y, _S699, _S698);
-        SurfacePoint_0 _S715 = surface_at_0(_S691, _S714.x_15, _S714.y_7, _S698);
-        if(_S709)
+        vec2 _S714 = _S692.centre_0 + _S713.x * _S692.dx_0 + _S713.y * _S692.dy_0;
+        float _S715;
+        if(_S710)
+        {
+            _S715 = 0.0;
+        }
+        else
+        {
+            _S715 = _S698.threads_1;
+        }
+        SearchQuality_0 _S716 = quality_of_0(_S715);
+        Hit_0 _S717 = first_hit_0(_S691, _S716, _S714.x, _S714.y, _S700, _S699);
+        SurfacePoint_0 _S718 = surface_at_0(_S691, _S717.x_15, _S717.y_7, _S699);
+        if(_S710)
         {
             float central_weight_1;
-            if(_S714.hole_5)
+            if(_S717.hole_5)
             {
                 central_weight_1 = 0.0;
             }
             else
             {
-                central_weight_1 = _S702;
+                central_weight_1 = _S703;
             }
-            vec2 central_place_1 = vec2(_S714.x_15, _S714.y_7);
+            vec2 central_place_1 = vec2(_S717.x_15, _S717.y_7);
             box_0.centre_0 = mix(_S692.centre_0, central_place_1, vec2(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S715;
+            central_0 = _S718;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S691, _S713, yarn_point_of_0(_S691, _S715, _S714.x_15, _S714.y_7, _S698, _S714.hole_5), _S694, _S695), min(_S697.points_0 - float(number_6 - 1U), 1.0));
+        points_1 = with_added_0(points_1, components_of_point_0(_S691, _S716, yarn_point_of_0(_S691, _S718, _S717.x_15, _S717.y_7, _S699, _S717.hole_5), _S695, _S696), min(_S698.points_0 - float(number_6 - 1U), 1.0));
         number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S705, points_1, _S702 / max(_S696, 1.0));
-    if((_S697.prefiltered_0) > 0.0)
+    estimate_0.components_0 = with_added_0(_S706, points_1, _S703 / max(_S697, 1.0));
+    if((_S698.prefiltered_0) > 0.0)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S691, _S692, to_face_frame_0(_S694, _S698), _S699, _S698), _S697.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S691, _S692, to_face_frame_0(_S695, _S699), _S700, _S699), _S698.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S691, box_0, _S698);
-    if(_S700)
+    estimate_0.albedos_5 = albedos_over_0(_S691, box_0, _S699);
+    if(_S701)
     {
-        _S700 = central_weight_0 > 0.0;
+        _S701 = central_weight_0 > 0.0;
     }
     else
     {
-        _S700 = false;
+        _S701 = false;
     }
-    if(_S700)
+    if(_S701)
     {
-        SurfacePoint_0 _S716 = central_0;
-        Albedos_0 _S717;
+        SurfacePoint_0 _S719 = central_0;
+        Albedos_0 _S720;
         if(central_0.is_warp_0)
         {
-            _S717 = estimate_0.albedos_5.warp_2;
+            _S720 = estimate_0.albedos_5.warp_2;
         }
         else
         {
-            _S717 = estimate_0.albedos_5.weft_2;
+            _S720 = estimate_0.albedos_5.weft_2;
         }
-        Albedos_0 _S718 = lerp_albedos_0(_S717, varied_at_0(_S691, central_0, _S717, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S716.is_warp_0)
+        Albedos_0 _S721 = lerp_albedos_0(_S720, varied_at_0(_S691, central_0, _S720, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S719.is_warp_0)
         {
-            estimate_0.albedos_5.warp_2 = _S718;
+            estimate_0.albedos_5.warp_2 = _S721;
         }
         else
         {
-            estimate_0.albedos_5.weft_2 = _S718;
+            estimate_0.albedos_5.weft_2 = _S721;
         }
     }
     return estimate_0;
 }
 
-vec3 composed_0(uint _S719, Components_0 _S720, FamilyAlbedos_0 _S721, vec3 _S722, vec3 _S723)
+vec3 composed_0(uint _S722, Components_0 _S723, FamilyAlbedos_0 _S724, vec3 _S725, vec3 _S726)
 {
-    vec3 _S724 = _S721.warp_2.diffuse_reflect_0 * _S720.diffuse_warp_0 + _S721.weft_2.diffuse_reflect_0 * _S720.diffuse_weft_0 + _S721.warp_2.specular_reflect_0 * _S720.specular_warp_0 + _S721.weft_2.specular_reflect_0 * _S720.specular_weft_0;
-    float _S725 = _S723.z;
+    vec3 _S727 = _S724.warp_2.diffuse_reflect_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_reflect_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_reflect_0 * _S723.specular_warp_0 + _S724.weft_2.specular_reflect_0 * _S723.specular_weft_0;
+    float _S728 = _S726.z;
     vec3 body_0;
-    if((_S722.z * _S725) < 0.0)
+    if((_S725.z * _S728) < 0.0)
     {
-        body_0 = _S721.warp_2.diffuse_transmit_0 * _S720.diffuse_warp_0 + _S721.weft_2.diffuse_transmit_0 * _S720.diffuse_weft_0 + _S721.warp_2.specular_transmit_0 * _S720.specular_warp_0 + _S721.weft_2.specular_transmit_0 * _S720.specular_weft_0;
+        body_0 = _S724.warp_2.diffuse_transmit_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_transmit_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_transmit_0 * _S723.specular_warp_0 + _S724.weft_2.specular_transmit_0 * _S723.specular_weft_0;
     }
     else
     {
-        body_0 = _S724;
+        body_0 = _S727;
     }
-    float _S726 = fabrics_0._data[uint(_S719)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S719)].sheen_strength_0) <= 0.0)
+    float _S729 = fabrics_0._data[uint(_S722)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S722)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S727 = _S725 < 0.0;
-    vec2 _S728 = sheen_with_transmittance_0(to_face_frame_0(_S722, _S727), to_face_frame_0(_S723, _S727), _S726, fabrics_0._data[uint(_S719)].sheen_roughness_0);
-    return _S728.y * body_0 + (_S720.light_visibility_1 + _S720.hole_2) * _S728.x;
+    bool _S730 = _S728 < 0.0;
+    vec2 _S731 = sheen_with_transmittance_0(to_face_frame_0(_S725, _S730), to_face_frame_0(_S726, _S730), _S729, fabrics_0._data[uint(_S722)].sheen_roughness_0);
+    return _S731.y * body_0 + (_S723.light_visibility_1 + _S723.hole_2) * _S731.x;
 }
 
-vec4 light_of_footprint_0(int _S729, uint _S730, VisiblePoint_0 _S731, uvec2 _S732, vec3 _S733)
+vec4 light_of_footprint_0(int _S732, uint _S733, VisiblePoint_0 _S734, uvec2 _S735, vec3 _S736)
 {
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S731.draft_0;
-    footprint_0.dx_0 = _S731.draft_dx_0;
-    footprint_0.dy_0 = _S731.draft_dy_0;
-    vec3 _S734 = to_local_0(_S731, _S731.view_0);
-    uint _S735 = light_sample_count_0(_S729);
-    const vec3 _S736 = vec3(0.0);
+    footprint_0.centre_0 = _S734.draft_0;
+    footprint_0.dx_0 = _S734.draft_dx_0;
+    footprint_0.dy_0 = _S734.draft_dy_0;
+    vec2 _S737 = fract(float((frames_0._data[uint(_S732)].pass_number_0) & 65535U) * vec2(0.75487768650054932, 0.56984031200408936));
+    vec3 _S738 = to_local_0(_S734, _S734.view_0);
+    uint _S739 = light_sample_count_0(_S732);
+    const vec3 _S740 = vec3(0.0);
     uint number_7 = 0U;
-    vec3 radiance_1 = _S736;
+    vec3 radiance_1 = _S740;
     float hole_7 = 0.0;
     for(;;)
     {
-        if(number_7 < (max(_S735, 1U)))
+        if(number_7 < (max(_S739, 1U)))
         {
         }
         else
         {
             break;
         }
-        float _S737;
-        if(number_7 < _S735)
+        float _S741;
+        if(number_7 < _S739)
         {
-            _S737 = visibility_at_0(_S729, number_7, _S732);
+            _S741 = visibility_at_0(_S732, number_7, _S735);
         }
         else
         {
-            _S737 = 0.0;
+            _S741 = 0.0;
         }
-        bool _S738;
-        if(_S737 <= 0.0)
+        bool _S742;
+        if(_S741 <= 0.0)
         {
-            _S738 = number_7 > 0U;
+            _S742 = number_7 > 0U;
         }
         else
         {
-            _S738 = false;
+            _S742 = false;
         }
-        if(_S738)
+        if(_S742)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S739 = light_sample_0(_S729, number_7, _S732, _S731.position_0);
-        vec3 _S740 = to_local_0(_S731, _S739.towards_0);
-        Estimate_0 _S741 = lobes_estimate_0(_S730, footprint_0, 1.0, _S740, _S734);
+        LightSample_0 _S743 = light_sample_0(_S732, number_7, _S735, _S734.position_0);
+        vec3 _S744 = to_local_0(_S734, _S743.towards_0);
+        Estimate_0 _S745 = lobes_estimate_of_pass_0(_S733, footprint_0, 1.0, _S737, _S744, _S738);
         FamilyAlbedos_0 albedos_10;
-        albedos_10.warp_2 = tinted_0(_S741.albedos_5.warp_2, _S733);
-        albedos_10.weft_2 = tinted_0(_S741.albedos_5.weft_2, _S733);
-        radiance_1 = radiance_1 + _S737 * _S739.irradiance_1 * composed_0(_S730, _S741.components_0, albedos_10, _S740, _S734);
-        hole_7 = _S741.components_0.hole_2;
+        albedos_10.warp_2 = tinted_0(_S745.albedos_5.warp_2, _S736);
+        albedos_10.weft_2 = tinted_0(_S745.albedos_5.weft_2, _S736);
+        radiance_1 = radiance_1 + _S741 * _S743.irradiance_1 * composed_0(_S733, _S745.components_0, albedos_10, _S744, _S738);
+        hole_7 = _S745.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S742 = fabrics_0._data[uint(_S730)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S730)].sheen_strength_0) > 0.0)
+    float _S746 = fabrics_0._data[uint(_S733)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S733)].sheen_strength_0) > 0.0)
     {
-        hole_7 = hole_7 * (1.0 - _S742 * sheen_lobe_0(abs(_S734.z), fabrics_0._data[uint(_S730)].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0 - _S746 * sheen_lobe_0(abs(_S738.z), fabrics_0._data[uint(_S733)].sheen_roughness_0).z);
     }
     return vec4(radiance_1, 1.0 - hole_7);
 }
@@ -3843,30 +3854,30 @@ vec4 light_of_footprint_0(int _S729, uint _S730, VisiblePoint_0 _S731, uvec2 _S7
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S743 = frames_0._data[uint(0)].width_0;
-    bool _S744;
+    uint _S747 = frames_0._data[uint(0)].width_0;
+    bool _S748;
     if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0))
     {
-        _S744 = true;
+        _S748 = true;
     }
     else
     {
-        _S744 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
+        _S748 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
     }
-    if(_S744)
+    if(_S748)
     {
         return;
     }
-    uint _S745 = gl_GlobalInvocationID.y * _S743 + gl_GlobalInvocationID.x;
-    uint _S746 = layers_0._data[uint(_S745)].face_0;
-    if((layers_0._data[uint(_S745)].face_0) == 0U)
+    uint _S749 = gl_GlobalInvocationID.y * _S747 + gl_GlobalInvocationID.x;
+    uint _S750 = layers_0._data[uint(_S749)].face_0;
+    if((layers_0._data[uint(_S749)].face_0) == 0U)
     {
         return;
     }
-    uint _S747 = _S746 - 1U;
-    uint _S748 = face_fabrics_0._data[uint(_S747)];
-    VisiblePoint_0 _S749 = visible_point_0(0, _S748, _S747, gl_GlobalInvocationID.xy);
-    accumulate_0(_S745, light_of_footprint_0(0, _S748, _S749, gl_GlobalInvocationID.xy, filtered_albedo_0(_S748, _S749)));
+    uint _S751 = _S750 - 1U;
+    uint _S752 = face_fabrics_0._data[uint(_S751)];
+    VisiblePoint_0 _S753 = visible_point_0(0, _S752, _S751, gl_GlobalInvocationID.xy);
+    accumulate_0(_S749, light_of_footprint_0(0, _S752, _S753, gl_GlobalInvocationID.xy, filtered_albedo_0(_S752, _S753)));
     return;
 }
 

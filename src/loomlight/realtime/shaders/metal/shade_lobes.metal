@@ -3867,285 +3867,297 @@ FamilyAlbedos_0 albedos_over_0(uint _S958, const Footprint_0 thread* _S959, bool
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_0(uint _S974, const Footprint_0 thread* _S975, float _S976, float3 _S977, float3 _S978, KernelContext_0 thread* kernelContext_70)
+Estimate_0 lobes_estimate_of_pass_0(uint _S974, const Footprint_0 thread* _S975, float _S976, float2 _S977, float3 _S978, float3 _S979, KernelContext_0 thread* kernelContext_70)
 {
-    float _S979;
-    Fabric_0 device* _S980 = kernelContext_70->fabrics_0+_S974;
-    Regime_0 _S981 = regime_of_0(_S974, _S975, _S976, kernelContext_70);
-    bool _S982 = (_S978.z) < 0.0f;
-    float3 _S983 = to_face_frame_0(_S978, _S982);
-    bool _S984;
-    if((_S980->fibre_noise_0) > 0.0f)
-    {
-        _S984 = true;
-    }
-    else
-    {
-        _S984 = (_S980->colour_noise_0) > 0.0f;
-    }
+    float _S980;
+    Fabric_0 device* _S981 = kernelContext_70->fabrics_0+_S974;
+    Regime_0 _S982 = regime_of_0(_S974, _S975, _S976, kernelContext_70);
+    bool _S983 = (_S979.z) < 0.0f;
+    float3 _S984 = to_face_frame_0(_S979, _S983);
     bool _S985;
-    if((kernelContext_70->families_0[_S980->warp_0].quantities_0) > 1U)
+    if((_S981->fibre_noise_0) > 0.0f)
     {
         _S985 = true;
     }
     else
     {
-        _S985 = (kernelContext_70->families_0[_S980->weft_0].quantities_0) > 1U;
+        _S985 = (_S981->colour_noise_0) > 0.0f;
     }
-    float _S986 = 1.0f - _S981.prefiltered_0;
-    if(_S986 > 0.0f)
+    bool _S986;
+    if((kernelContext_70->families_0[_S981->warp_0].quantities_0) > 1U)
     {
-        if(_S984)
+        _S986 = true;
+    }
+    else
+    {
+        _S986 = (kernelContext_70->families_0[_S981->weft_0].quantities_0) > 1U;
+    }
+    float _S987 = 1.0f - _S982.prefiltered_0;
+    if(_S987 > 0.0f)
+    {
+        if(_S985)
         {
-            _S985 = true;
+            _S986 = true;
         }
     }
     else
     {
-        _S985 = false;
+        _S986 = false;
     }
     thread Footprint_0 box_0 = *_S975;
-    float3 _S987 = float3(0.0f) ;
-    SurfacePoint_0 _S988 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S987, _S987, 0.0f, 0.0f, 0.0f);
-    float2 _S989 = _S975->centre_0;
-    Components_0 _S990 = no_components_0();
-    int _S991;
-    if(_S985)
+    float3 _S988 = float3(0.0f) ;
+    SurfacePoint_0 _S989 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S988, _S988, 0.0f, 0.0f, 0.0f);
+    float2 _S990 = _S975->centre_0;
+    Components_0 _S991 = no_components_0();
+    int _S992;
+    if(_S986)
     {
-        _S991 = int(0);
+        _S992 = int(0);
     }
     else
     {
-        _S991 = int(1);
+        _S992 = int(1);
     }
-    uint _S992 = uint(_S991);
-    Components_0 points_1 = _S990;
+    uint _S993 = uint(_S992);
+    Components_0 points_1 = _S991;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S988;
-    float2 central_place_0 = _S989;
-    uint number_6 = _S992;
+    SurfacePoint_0 central_0 = _S989;
+    float2 central_place_0 = _S990;
+    uint number_6 = _S993;
     for(;;)
     {
-        float _S993 = float(number_6);
-        _S979 = _S981.points_0;
-        if(_S993 < (_S981.points_0 + 1.0f))
+        float _S994 = float(number_6);
+        _S980 = _S982.points_0;
+        if(_S994 < (_S982.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S994 = number_6 == 0U;
-        float2 _S995;
-        if(_S994)
+        bool _S995 = number_6 == 0U;
+        uint _S996;
+        if(_S995)
         {
-            _S995 = float2(0.0f) ;
+            _S996 = 0U;
         }
         else
         {
-            _S995 = POINT_OFFSETS_0[number_6 - 1U];
+            _S996 = number_6 - 1U;
         }
-        float2 _S996 = _S989 + float2(_S995.x)  * _S975->dx_0 + float2(_S995.y)  * _S975->dy_0;
-        float _S997;
-        if(_S994)
+        float2 _S997 = POINT_OFFSETS_0[_S996] + _S977;
+        float2 _S998;
+        if(_S995)
         {
-            _S997 = 0.0f;
+            _S998 = float2(0.0f) ;
         }
         else
         {
-            _S997 = _S981.threads_1;
+            _S998 = _S997 - round(_S997);
         }
-        SearchQuality_0 _S998 = quality_of_0(_S997);
-        float _S999 = _S996.x;
-        float _S1000 = _S996.y;
-        thread SearchQuality_0 _S1001 = _S998;
-        Hit_0 _S1002 = first_hit_0(_S974, &_S1001, _S999, _S1000, _S983, _S982, kernelContext_70);
-        SurfacePoint_0 _S1003 = surface_at_0(_S974, _S1002.x_13, _S1002.y_7, _S982, kernelContext_70);
-        if(_S994)
+        float2 _S999 = _S990 + float2(_S998.x)  * _S975->dx_0 + float2(_S998.y)  * _S975->dy_0;
+        float _S1000;
+        if(_S995)
+        {
+            _S1000 = 0.0f;
+        }
+        else
+        {
+            _S1000 = _S982.threads_1;
+        }
+        SearchQuality_0 _S1001 = quality_of_0(_S1000);
+        float _S1002 = _S999.x;
+        float _S1003 = _S999.y;
+        thread SearchQuality_0 _S1004 = _S1001;
+        Hit_0 _S1005 = first_hit_0(_S974, &_S1004, _S1002, _S1003, _S984, _S983, kernelContext_70);
+        SurfacePoint_0 _S1006 = surface_at_0(_S974, _S1005.x_13, _S1005.y_7, _S983, kernelContext_70);
+        if(_S995)
         {
             float central_weight_1;
-            if(_S1002.hole_5)
+            if(_S1005.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S986;
+                central_weight_1 = _S987;
             }
-            float2 central_place_1 = float2(_S1002.x_13, _S1002.y_7);
-            (&box_0)->centre_0 = mix(_S989, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S1005.x_13, _S1005.y_7);
+            (&box_0)->centre_0 = mix(_S990, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S1003;
+            central_0 = _S1006;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S1004 = _S1003;
-        YarnPoint_0 _S1005 = yarn_point_of_0(_S974, &_S1004, _S1002.x_13, _S1002.y_7, _S982, _S1002.hole_5, kernelContext_70);
-        thread SearchQuality_0 _S1006 = _S998;
-        thread YarnPoint_0 _S1007 = _S1005;
-        Components_0 _S1008 = components_of_point_0(_S974, &_S1006, &_S1007, _S977, _S978, kernelContext_70);
-        float _S1009 = min(_S981.points_0 - float(number_6 - 1U), 1.0f);
-        thread Components_0 _S1010 = points_1;
-        thread Components_0 _S1011 = _S1008;
-        Components_0 _S1012 = with_added_0(&_S1010, &_S1011, _S1009);
-        points_1 = _S1012;
+        thread SurfacePoint_0 _S1007 = _S1006;
+        YarnPoint_0 _S1008 = yarn_point_of_0(_S974, &_S1007, _S1005.x_13, _S1005.y_7, _S983, _S1005.hole_5, kernelContext_70);
+        thread SearchQuality_0 _S1009 = _S1001;
+        thread YarnPoint_0 _S1010 = _S1008;
+        Components_0 _S1011 = components_of_point_0(_S974, &_S1009, &_S1010, _S978, _S979, kernelContext_70);
+        float _S1012 = min(_S982.points_0 - float(number_6 - 1U), 1.0f);
+        thread Components_0 _S1013 = points_1;
+        thread Components_0 _S1014 = _S1011;
+        Components_0 _S1015 = with_added_0(&_S1013, &_S1014, _S1012);
+        points_1 = _S1015;
         number_6 = number_6 + 1U;
     }
     thread Estimate_0 estimate_0;
-    float _S1013 = _S986 / max(_S979, 1.0f);
-    thread Components_0 _S1014 = _S990;
-    thread Components_0 _S1015 = points_1;
-    Components_0 _S1016 = with_added_0(&_S1014, &_S1015, _S1013);
-    (&estimate_0)->components_0 = _S1016;
-    if((_S981.prefiltered_0) > 0.0f)
+    float _S1016 = _S987 / max(_S980, 1.0f);
+    thread Components_0 _S1017 = _S991;
+    thread Components_0 _S1018 = points_1;
+    Components_0 _S1019 = with_added_0(&_S1017, &_S1018, _S1016);
+    (&estimate_0)->components_0 = _S1019;
+    if((_S982.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1017 = prefiltered_components_0(_S974, _S975, to_face_frame_0(_S977, _S982), _S983, _S982, kernelContext_70);
-        thread Components_0 _S1018 = (&estimate_0)->components_0;
-        thread Components_0 _S1019 = _S1017;
-        Components_0 _S1020 = with_added_0(&_S1018, &_S1019, _S981.prefiltered_0);
-        (&estimate_0)->components_0 = _S1020;
+        Components_0 _S1020 = prefiltered_components_0(_S974, _S975, to_face_frame_0(_S978, _S983), _S984, _S983, kernelContext_70);
+        thread Components_0 _S1021 = (&estimate_0)->components_0;
+        thread Components_0 _S1022 = _S1020;
+        Components_0 _S1023 = with_added_0(&_S1021, &_S1022, _S982.prefiltered_0);
+        (&estimate_0)->components_0 = _S1023;
     }
-    thread Footprint_0 _S1021 = box_0;
-    FamilyAlbedos_0 _S1022 = albedos_over_0(_S974, &_S1021, _S982, kernelContext_70);
-    (&estimate_0)->albedos_5 = _S1022;
-    if(_S984)
+    thread Footprint_0 _S1024 = box_0;
+    FamilyAlbedos_0 _S1025 = albedos_over_0(_S974, &_S1024, _S983, kernelContext_70);
+    (&estimate_0)->albedos_5 = _S1025;
+    if(_S985)
     {
-        _S984 = central_weight_0 > 0.0f;
+        _S985 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S984 = false;
+        _S985 = false;
     }
-    if(_S984)
+    if(_S985)
     {
-        SurfacePoint_0 _S1023 = central_0;
-        Albedos_0 _S1024;
+        SurfacePoint_0 _S1026 = central_0;
+        Albedos_0 _S1027;
         if(central_0.is_warp_0)
         {
-            _S1024 = (&(&estimate_0)->albedos_5)->warp_2;
+            _S1027 = (&(&estimate_0)->albedos_5)->warp_2;
         }
         else
         {
-            _S1024 = (&(&estimate_0)->albedos_5)->weft_2;
+            _S1027 = (&(&estimate_0)->albedos_5)->weft_2;
         }
-        float _S1025 = central_place_0.x;
-        float _S1026 = central_place_0.y;
-        thread SurfacePoint_0 _S1027 = central_0;
-        thread Albedos_0 _S1028 = _S1024;
-        Albedos_0 _S1029 = varied_at_0(_S974, &_S1027, &_S1028, _S1025, _S1026, kernelContext_70);
-        thread Albedos_0 _S1030 = _S1024;
-        thread Albedos_0 _S1031 = _S1029;
-        Albedos_0 _S1032 = lerp_albedos_0(&_S1030, &_S1031, central_weight_0);
-        if(_S1023.is_warp_0)
+        float _S1028 = central_place_0.x;
+        float _S1029 = central_place_0.y;
+        thread SurfacePoint_0 _S1030 = central_0;
+        thread Albedos_0 _S1031 = _S1027;
+        Albedos_0 _S1032 = varied_at_0(_S974, &_S1030, &_S1031, _S1028, _S1029, kernelContext_70);
+        thread Albedos_0 _S1033 = _S1027;
+        thread Albedos_0 _S1034 = _S1032;
+        Albedos_0 _S1035 = lerp_albedos_0(&_S1033, &_S1034, central_weight_0);
+        if(_S1026.is_warp_0)
         {
-            (&(&estimate_0)->albedos_5)->warp_2 = _S1032;
+            (&(&estimate_0)->albedos_5)->warp_2 = _S1035;
         }
         else
         {
-            (&(&estimate_0)->albedos_5)->weft_2 = _S1032;
+            (&(&estimate_0)->albedos_5)->weft_2 = _S1035;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S1033, const Components_0 thread* _S1034, const FamilyAlbedos_0 thread* _S1035, float3 _S1036, float3 _S1037, KernelContext_0 thread* kernelContext_71)
+float3 composed_0(uint _S1036, const Components_0 thread* _S1037, const FamilyAlbedos_0 thread* _S1038, float3 _S1039, float3 _S1040, KernelContext_0 thread* kernelContext_71)
 {
-    Fabric_0 device* _S1038 = kernelContext_71->fabrics_0+_S1033;
-    float3 _S1039 = float3(_S1034->diffuse_warp_0) ;
-    float3 _S1040 = float3(_S1034->diffuse_weft_0) ;
-    float3 _S1041 = float3(_S1034->specular_warp_0) ;
-    float3 _S1042 = float3(_S1034->specular_weft_0) ;
-    float3 _S1043 = (&_S1035->warp_2)->diffuse_reflect_0 * _S1039 + (&_S1035->weft_2)->diffuse_reflect_0 * _S1040 + (&_S1035->warp_2)->specular_reflect_0 * _S1041 + (&_S1035->weft_2)->specular_reflect_0 * _S1042;
-    float _S1044 = _S1037.z;
+    Fabric_0 device* _S1041 = kernelContext_71->fabrics_0+_S1036;
+    float3 _S1042 = float3(_S1037->diffuse_warp_0) ;
+    float3 _S1043 = float3(_S1037->diffuse_weft_0) ;
+    float3 _S1044 = float3(_S1037->specular_warp_0) ;
+    float3 _S1045 = float3(_S1037->specular_weft_0) ;
+    float3 _S1046 = (&_S1038->warp_2)->diffuse_reflect_0 * _S1042 + (&_S1038->weft_2)->diffuse_reflect_0 * _S1043 + (&_S1038->warp_2)->specular_reflect_0 * _S1044 + (&_S1038->weft_2)->specular_reflect_0 * _S1045;
+    float _S1047 = _S1040.z;
     float3 body_0;
-    if((_S1036.z * _S1044) < 0.0f)
+    if((_S1039.z * _S1047) < 0.0f)
     {
-        body_0 = (&_S1035->warp_2)->diffuse_transmit_0 * _S1039 + (&_S1035->weft_2)->diffuse_transmit_0 * _S1040 + (&_S1035->warp_2)->specular_transmit_0 * _S1041 + (&_S1035->weft_2)->specular_transmit_0 * _S1042;
+        body_0 = (&_S1038->warp_2)->diffuse_transmit_0 * _S1042 + (&_S1038->weft_2)->diffuse_transmit_0 * _S1043 + (&_S1038->warp_2)->specular_transmit_0 * _S1044 + (&_S1038->weft_2)->specular_transmit_0 * _S1045;
     }
     else
     {
-        body_0 = _S1043;
+        body_0 = _S1046;
     }
-    float _S1045 = _S1038->sheen_strength_0;
-    if((_S1038->sheen_strength_0) <= 0.0f)
+    float _S1048 = _S1041->sheen_strength_0;
+    if((_S1041->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S1046 = _S1044 < 0.0f;
-    float2 _S1047 = sheen_with_transmittance_0(to_face_frame_0(_S1036, _S1046), to_face_frame_0(_S1037, _S1046), _S1045, _S1038->sheen_roughness_0);
-    return float3(_S1047.y)  * body_0 + float3(((_S1034->light_visibility_1 + _S1034->hole_2) * _S1047.x)) ;
+    bool _S1049 = _S1047 < 0.0f;
+    float2 _S1050 = sheen_with_transmittance_0(to_face_frame_0(_S1039, _S1049), to_face_frame_0(_S1040, _S1049), _S1048, _S1041->sheen_roughness_0);
+    return float3(_S1050.y)  * body_0 + float3(((_S1037->light_visibility_1 + _S1037->hole_2) * _S1050.x)) ;
 }
 
-float4 light_of_footprint_0(int _S1048, uint _S1049, const VisiblePoint_0 thread* _S1050, uint2 _S1051, float3 _S1052, KernelContext_0 thread* kernelContext_72)
+float4 light_of_footprint_0(int _S1051, uint _S1052, const VisiblePoint_0 thread* _S1053, uint2 _S1054, float3 _S1055, KernelContext_0 thread* kernelContext_72)
 {
-    Fabric_0 device* _S1053 = kernelContext_72->fabrics_0+_S1049;
+    Frame_0 device* _S1056 = kernelContext_72->frames_0+_S1051;
+    Fabric_0 device* _S1057 = kernelContext_72->fabrics_0+_S1052;
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1050->draft_0;
-    (&footprint_0)->dx_0 = _S1050->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1050->draft_dy_0;
-    float3 _S1054 = to_local_0(_S1050, _S1050->view_0);
-    uint _S1055 = light_sample_count_0(_S1048, kernelContext_72);
-    float3 _S1056 = float3(0.0f) ;
+    (&footprint_0)->centre_0 = _S1053->draft_0;
+    (&footprint_0)->dx_0 = _S1053->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1053->draft_dy_0;
+    float2 _S1058 = fract(float2(float((_S1056->pass_number_0) & 65535U))  * float2(0.75487768650054932f, 0.56984031200408936f));
+    float3 _S1059 = to_local_0(_S1053, _S1053->view_0);
+    uint _S1060 = light_sample_count_0(_S1051, kernelContext_72);
+    float3 _S1061 = float3(0.0f) ;
     uint number_7 = 0U;
-    float3 radiance_1 = _S1056;
+    float3 radiance_1 = _S1061;
     float hole_7 = 0.0f;
     for(;;)
     {
-        if(number_7 < (max(_S1055, 1U)))
+        if(number_7 < (max(_S1060, 1U)))
         {
         }
         else
         {
             break;
         }
-        float _S1057;
-        if(number_7 < _S1055)
+        float _S1062;
+        if(number_7 < _S1060)
         {
-            float _S1058 = visibility_at_0(_S1048, number_7, _S1051, kernelContext_72);
-            _S1057 = _S1058;
+            float _S1063 = visibility_at_0(_S1051, number_7, _S1054, kernelContext_72);
+            _S1062 = _S1063;
         }
         else
         {
-            _S1057 = 0.0f;
+            _S1062 = 0.0f;
         }
-        bool _S1059;
-        if(_S1057 <= 0.0f)
+        bool _S1064;
+        if(_S1062 <= 0.0f)
         {
-            _S1059 = number_7 > 0U;
+            _S1064 = number_7 > 0U;
         }
         else
         {
-            _S1059 = false;
+            _S1064 = false;
         }
-        if(_S1059)
+        if(_S1064)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S1060 = light_sample_0(_S1048, number_7, _S1051, _S1050->position_0, kernelContext_72);
-        float3 _S1061 = to_local_0(_S1050, _S1060.towards_0);
-        thread Footprint_0 _S1062 = footprint_0;
-        Estimate_0 _S1063 = lobes_estimate_0(_S1049, &_S1062, 1.0f, _S1061, _S1054, kernelContext_72);
+        LightSample_0 _S1065 = light_sample_0(_S1051, number_7, _S1054, _S1053->position_0, kernelContext_72);
+        float3 _S1066 = to_local_0(_S1053, _S1065.towards_0);
+        thread Footprint_0 _S1067 = footprint_0;
+        Estimate_0 _S1068 = lobes_estimate_of_pass_0(_S1052, &_S1067, 1.0f, _S1058, _S1066, _S1059, kernelContext_72);
         thread FamilyAlbedos_0 albedos_9;
-        thread Albedos_0 _S1064 = _S1063.albedos_5.warp_2;
-        Albedos_0 _S1065 = tinted_0(&_S1064, _S1052);
-        (&albedos_9)->warp_2 = _S1065;
-        thread Albedos_0 _S1066 = _S1063.albedos_5.weft_2;
-        Albedos_0 _S1067 = tinted_0(&_S1066, _S1052);
-        (&albedos_9)->weft_2 = _S1067;
-        float3 _S1068 = float3(_S1057)  * _S1060.irradiance_1;
-        thread Components_0 _S1069 = _S1063.components_0;
-        thread FamilyAlbedos_0 _S1070 = albedos_9;
-        float3 _S1071 = composed_0(_S1049, &_S1069, &_S1070, _S1061, _S1054, kernelContext_72);
-        radiance_1 = radiance_1 + _S1068 * _S1071;
-        hole_7 = _S1063.components_0.hole_2;
+        thread Albedos_0 _S1069 = _S1068.albedos_5.warp_2;
+        Albedos_0 _S1070 = tinted_0(&_S1069, _S1055);
+        (&albedos_9)->warp_2 = _S1070;
+        thread Albedos_0 _S1071 = _S1068.albedos_5.weft_2;
+        Albedos_0 _S1072 = tinted_0(&_S1071, _S1055);
+        (&albedos_9)->weft_2 = _S1072;
+        float3 _S1073 = float3(_S1062)  * _S1065.irradiance_1;
+        thread Components_0 _S1074 = _S1068.components_0;
+        thread FamilyAlbedos_0 _S1075 = albedos_9;
+        float3 _S1076 = composed_0(_S1052, &_S1074, &_S1075, _S1066, _S1059, kernelContext_72);
+        radiance_1 = radiance_1 + _S1073 * _S1076;
+        hole_7 = _S1068.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S1072 = _S1053->sheen_strength_0;
-    if((_S1053->sheen_strength_0) > 0.0f)
+    float _S1077 = _S1057->sheen_strength_0;
+    if((_S1057->sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S1072 * sheen_lobe_0(abs(_S1054.z), _S1053->sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S1077 * sheen_lobe_0(abs(_S1059.z), _S1057->sheen_roughness_0).z);
     }
     return float4(radiance_1, 1.0f - hole_7);
 }
@@ -4165,37 +4177,37 @@ float4 light_of_footprint_0(int _S1048, uint _S1049, const VisiblePoint_0 thread
     (&kernelContext_73)->families_0 = families_1;
     (&kernelContext_73)->words_0 = words_1;
     (&kernelContext_73)->radiance_0 = radiance_2;
-    Frame_0 device* _S1073 = frames_1+int(0);
-    uint _S1074 = id_0.x;
-    uint _S1075 = _S1073->width_0;
-    bool _S1076;
-    if(_S1074 >= (_S1073->width_0))
+    Frame_0 device* _S1078 = frames_1+int(0);
+    uint _S1079 = id_0.x;
+    uint _S1080 = _S1078->width_0;
+    bool _S1081;
+    if(_S1079 >= (_S1078->width_0))
     {
-        _S1076 = true;
+        _S1081 = true;
     }
     else
     {
-        _S1076 = (id_0.y) >= (_S1073->height_0);
+        _S1081 = (id_0.y) >= (_S1078->height_0);
     }
-    if(_S1076)
+    if(_S1081)
     {
         return;
     }
-    uint _S1077 = id_0.y * _S1075 + _S1074;
-    uint _S1078 = ((&kernelContext_73)->layers_0+_S1077)->face_0;
-    if((((&kernelContext_73)->layers_0+_S1077)->face_0) == 0U)
+    uint _S1082 = id_0.y * _S1080 + _S1079;
+    uint _S1083 = ((&kernelContext_73)->layers_0+_S1082)->face_0;
+    if((((&kernelContext_73)->layers_0+_S1082)->face_0) == 0U)
     {
         return;
     }
-    uint _S1079 = _S1078 - 1U;
-    uint _S1080 = (&kernelContext_73)->face_fabrics_0[_S1079];
-    uint2 _S1081 = id_0.xy;
-    VisiblePoint_0 _S1082 = visible_point_0(int(0), _S1080, _S1079, _S1081, &kernelContext_73);
-    thread VisiblePoint_0 _S1083 = _S1082;
-    float3 _S1084 = filtered_albedo_0(_S1080, &_S1083, &kernelContext_73);
-    thread VisiblePoint_0 _S1085 = _S1082;
-    float4 _S1086 = light_of_footprint_0(int(0), _S1080, &_S1085, _S1081, _S1084, &kernelContext_73);
-    accumulate_0(_S1077, _S1086, &kernelContext_73);
+    uint _S1084 = _S1083 - 1U;
+    uint _S1085 = (&kernelContext_73)->face_fabrics_0[_S1084];
+    uint2 _S1086 = id_0.xy;
+    VisiblePoint_0 _S1087 = visible_point_0(int(0), _S1085, _S1084, _S1086, &kernelContext_73);
+    thread VisiblePoint_0 _S1088 = _S1087;
+    float3 _S1089 = filtered_albedo_0(_S1085, &_S1088, &kernelContext_73);
+    thread VisiblePoint_0 _S1090 = _S1087;
+    float4 _S1091 = light_of_footprint_0(int(0), _S1085, &_S1090, _S1086, _S1089, &kernelContext_73);
+    accumulate_0(_S1082, _S1091, &kernelContext_73);
     return;
 }
 

@@ -3610,242 +3610,253 @@ fn albedos_over_0( _S704 : u32,  _S705 : Footprint_0,  _S706 : bool) -> FamilyAl
     return albedos_9;
 }
 
-fn lobes_estimate_0( _S712 : u32,  _S713 : Footprint_0,  _S714 : f32,  _S715 : vec3<f32>,  _S716 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S712 : u32,  _S713 : Footprint_0,  _S714 : f32,  _S715 : vec2<f32>,  _S716 : vec3<f32>,  _S717 : vec3<f32>) -> Estimate_0
 {
-    var _S717 : f32;
-    var _S718 : Regime_0 = regime_of_0(_S712, _S713, _S714);
-    var _S719 : bool = (_S716.z) < 0.0f;
-    var _S720 : vec3<f32> = to_face_frame_0(_S716, _S719);
-    var _S721 : bool;
-    if((fabrics_0[_S712].fibre_noise_0) > 0.0f)
-    {
-        _S721 = true;
-    }
-    else
-    {
-        _S721 = (fabrics_0[_S712].colour_noise_0) > 0.0f;
-    }
+    var _S718 : f32;
+    var _S719 : Regime_0 = regime_of_0(_S712, _S713, _S714);
+    var _S720 : bool = (_S717.z) < 0.0f;
+    var _S721 : vec3<f32> = to_face_frame_0(_S717, _S720);
     var _S722 : bool;
-    if((families_0[fabrics_0[_S712].warp_0].quantities_0) > u32(1))
+    if((fabrics_0[_S712].fibre_noise_0) > 0.0f)
     {
         _S722 = true;
     }
     else
     {
-        _S722 = (families_0[fabrics_0[_S712].weft_0].quantities_0) > u32(1);
+        _S722 = (fabrics_0[_S712].colour_noise_0) > 0.0f;
     }
-    var _S723 : f32 = 1.0f - _S718.prefiltered_0;
-    if(_S723 > 0.0f)
+    var _S723 : bool;
+    if((families_0[fabrics_0[_S712].warp_0].quantities_0) > u32(1))
     {
-        if(_S721)
+        _S723 = true;
+    }
+    else
+    {
+        _S723 = (families_0[fabrics_0[_S712].weft_0].quantities_0) > u32(1);
+    }
+    var _S724 : f32 = 1.0f - _S719.prefiltered_0;
+    if(_S724 > 0.0f)
+    {
+        if(_S722)
         {
-            _S722 = true;
+            _S723 = true;
         }
     }
     else
     {
-        _S722 = false;
+        _S723 = false;
     }
     var box_0 : Footprint_0 = _S713;
-    var _S724 : vec3<f32> = vec3<f32>(0.0f);
-    var _S725 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S724, _S724, 0.0f, 0.0f, 0.0f);
-    var _S726 : Components_0 = no_components_0();
-    var _S727 : i32;
-    if(_S722)
+    var _S725 : vec3<f32> = vec3<f32>(0.0f);
+    var _S726 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S725, _S725, 0.0f, 0.0f, 0.0f);
+    var _S727 : Components_0 = no_components_0();
+    var _S728 : i32;
+    if(_S723)
     {
-        _S727 = i32(0);
+        _S728 = i32(0);
     }
     else
     {
-        _S727 = i32(1);
+        _S728 = i32(1);
     }
-    var _S728 : u32 = u32(_S727);
-    var points_1 : Components_0 = _S726;
+    var _S729 : u32 = u32(_S728);
+    var points_1 : Components_0 = _S727;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S725;
+    var central_0 : SurfacePoint_0 = _S726;
     var central_place_0 : vec2<f32> = _S713.centre_0;
-    var number_6 : u32 = _S728;
+    var number_6 : u32 = _S729;
     for(;;)
     {
-        var _S729 : f32 = f32(number_6);
-        _S717 = _S718.points_0;
-        if(_S729 < (_S718.points_0 + 1.0f))
+        var _S730 : f32 = f32(number_6);
+        _S718 = _S719.points_0;
+        if(_S730 < (_S719.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S730 : bool = number_6 == u32(0);
-        var _S731 : vec2<f32>;
-        if(_S730)
+        var _S731 : bool = number_6 == u32(0);
+        var _S732 : u32;
+        if(_S731)
         {
-            _S731 = vec2<f32>(0.0f);
+            _S732 = u32(0);
         }
         else
         {
-            _S731 = POINT_OFFSETS_0[number_6 - u32(1)];
+            _S732 = number_6 - u32(1);
         }
-        var _S732 : vec2<f32> = _S713.centre_0 + vec2<f32>(_S731.x) * _S713.dx_0 + vec2<f32>(_S731.y) * _S713.dy_0;
-        var _S733 : f32;
-        if(_S730)
+        var _S733 : vec2<f32> = POINT_OFFSETS_0[_S732] + _S715;
+        var _S734 : vec2<f32>;
+        if(_S731)
         {
-            _S733 = 0.0f;
+            _S734 = vec2<f32>(0.0f);
         }
         else
         {
-            _S733 = _S718.threads_1;
+            _S734 = _S733 - round(_S733);
         }
-        var _S734 : SearchQuality_0 = quality_of_0(_S733);
-        var _S735 : Hit_0 = first_hit_0(_S712, _S734, _S732.x, _S732.y, _S720, _S719);
-        var _S736 : SurfacePoint_0 = surface_at_0(_S712, _S735.x_14, _S735.y_7, _S719);
-        if(_S730)
+        var _S735 : vec2<f32> = _S713.centre_0 + vec2<f32>(_S734.x) * _S713.dx_0 + vec2<f32>(_S734.y) * _S713.dy_0;
+        var _S736 : f32;
+        if(_S731)
+        {
+            _S736 = 0.0f;
+        }
+        else
+        {
+            _S736 = _S719.threads_1;
+        }
+        var _S737 : SearchQuality_0 = quality_of_0(_S736);
+        var _S738 : Hit_0 = first_hit_0(_S712, _S737, _S735.x, _S735.y, _S721, _S720);
+        var _S739 : SurfacePoint_0 = surface_at_0(_S712, _S738.x_14, _S738.y_7, _S720);
+        if(_S731)
         {
             var central_weight_1 : f32;
-            if(_S735.hole_5)
+            if(_S738.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S723;
+                central_weight_1 = _S724;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S735.x_14, _S735.y_7);
+            var central_place_1 : vec2<f32> = vec2<f32>(_S738.x_14, _S738.y_7);
             box_0.centre_0 = mix(_S713.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S736;
+            central_0 = _S739;
             central_place_0 = central_place_1;
             number_6 = number_6 + u32(1);
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S712, _S734, yarn_point_of_0(_S712, _S736, _S735.x_14, _S735.y_7, _S719, _S735.hole_5), _S715, _S716), min(_S718.points_0 - f32(number_6 - u32(1)), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S712, _S737, yarn_point_of_0(_S712, _S739, _S738.x_14, _S738.y_7, _S720, _S738.hole_5), _S716, _S717), min(_S719.points_0 - f32(number_6 - u32(1)), 1.0f));
         number_6 = number_6 + u32(1);
     }
     var estimate_0 : Estimate_0;
-    estimate_0.components_0 = with_added_0(_S726, points_1, _S723 / max(_S717, 1.0f));
-    if((_S718.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S727, points_1, _S724 / max(_S718, 1.0f));
+    if((_S719.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S712, _S713, to_face_frame_0(_S715, _S719), _S720, _S719), _S718.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S712, _S713, to_face_frame_0(_S716, _S720), _S721, _S720), _S719.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S712, box_0, _S719);
-    if(_S721)
+    estimate_0.albedos_5 = albedos_over_0(_S712, box_0, _S720);
+    if(_S722)
     {
-        _S721 = central_weight_0 > 0.0f;
+        _S722 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S721 = false;
+        _S722 = false;
     }
-    if(_S721)
+    if(_S722)
     {
-        var _S737 : SurfacePoint_0 = central_0;
-        var _S738 : Albedos_0;
+        var _S740 : SurfacePoint_0 = central_0;
+        var _S741 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S738 = estimate_0.albedos_5.warp_2;
+            _S741 = estimate_0.albedos_5.warp_2;
         }
         else
         {
-            _S738 = estimate_0.albedos_5.weft_2;
+            _S741 = estimate_0.albedos_5.weft_2;
         }
-        var _S739 : Albedos_0 = lerp_albedos_0(_S738, varied_at_0(_S712, central_0, _S738, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S737.is_warp_0)
+        var _S742 : Albedos_0 = lerp_albedos_0(_S741, varied_at_0(_S712, central_0, _S741, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S740.is_warp_0)
         {
-            estimate_0.albedos_5.warp_2 = _S739;
+            estimate_0.albedos_5.warp_2 = _S742;
         }
         else
         {
-            estimate_0.albedos_5.weft_2 = _S739;
+            estimate_0.albedos_5.weft_2 = _S742;
         }
     }
     return estimate_0;
 }
 
-fn composed_0( _S740 : u32,  _S741 : Components_0,  _S742 : FamilyAlbedos_0,  _S743 : vec3<f32>,  _S744 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S743 : u32,  _S744 : Components_0,  _S745 : FamilyAlbedos_0,  _S746 : vec3<f32>,  _S747 : vec3<f32>) -> vec3<f32>
 {
-    var _S745 : vec3<f32> = vec3<f32>(_S741.diffuse_warp_0);
-    var _S746 : vec3<f32> = vec3<f32>(_S741.diffuse_weft_0);
-    var _S747 : vec3<f32> = vec3<f32>(_S741.specular_warp_0);
-    var _S748 : vec3<f32> = vec3<f32>(_S741.specular_weft_0);
-    var _S749 : vec3<f32> = _S742.warp_2.diffuse_reflect_0 * _S745 + _S742.weft_2.diffuse_reflect_0 * _S746 + _S742.warp_2.specular_reflect_0 * _S747 + _S742.weft_2.specular_reflect_0 * _S748;
-    var _S750 : f32 = _S744.z;
+    var _S748 : vec3<f32> = vec3<f32>(_S744.diffuse_warp_0);
+    var _S749 : vec3<f32> = vec3<f32>(_S744.diffuse_weft_0);
+    var _S750 : vec3<f32> = vec3<f32>(_S744.specular_warp_0);
+    var _S751 : vec3<f32> = vec3<f32>(_S744.specular_weft_0);
+    var _S752 : vec3<f32> = _S745.warp_2.diffuse_reflect_0 * _S748 + _S745.weft_2.diffuse_reflect_0 * _S749 + _S745.warp_2.specular_reflect_0 * _S750 + _S745.weft_2.specular_reflect_0 * _S751;
+    var _S753 : f32 = _S747.z;
     var body_0 : vec3<f32>;
-    if((_S743.z * _S750) < 0.0f)
+    if((_S746.z * _S753) < 0.0f)
     {
-        body_0 = _S742.warp_2.diffuse_transmit_0 * _S745 + _S742.weft_2.diffuse_transmit_0 * _S746 + _S742.warp_2.specular_transmit_0 * _S747 + _S742.weft_2.specular_transmit_0 * _S748;
+        body_0 = _S745.warp_2.diffuse_transmit_0 * _S748 + _S745.weft_2.diffuse_transmit_0 * _S749 + _S745.warp_2.specular_transmit_0 * _S750 + _S745.weft_2.specular_transmit_0 * _S751;
     }
     else
     {
-        body_0 = _S749;
+        body_0 = _S752;
     }
-    var _S751 : f32 = fabrics_0[_S740].sheen_strength_0;
-    if((fabrics_0[_S740].sheen_strength_0) <= 0.0f)
+    var _S754 : f32 = fabrics_0[_S743].sheen_strength_0;
+    if((fabrics_0[_S743].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S752 : bool = _S750 < 0.0f;
-    var _S753 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S743, _S752), to_face_frame_0(_S744, _S752), _S751, fabrics_0[_S740].sheen_roughness_0);
-    return vec3<f32>(_S753.y) * body_0 + vec3<f32>(((_S741.light_visibility_1 + _S741.hole_2) * _S753.x));
+    var _S755 : bool = _S753 < 0.0f;
+    var _S756 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S746, _S755), to_face_frame_0(_S747, _S755), _S754, fabrics_0[_S743].sheen_roughness_0);
+    return vec3<f32>(_S756.y) * body_0 + vec3<f32>(((_S744.light_visibility_1 + _S744.hole_2) * _S756.x));
 }
 
-fn light_of_footprint_0( _S754 : i32,  _S755 : u32,  _S756 : VisiblePoint_0,  _S757 : vec2<u32>,  _S758 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S757 : i32,  _S758 : u32,  _S759 : VisiblePoint_0,  _S760 : vec2<u32>,  _S761 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S756.draft_0;
-    footprint_0.dx_0 = _S756.draft_dx_0;
-    footprint_0.dy_0 = _S756.draft_dy_0;
-    var _S759 : vec3<f32> = to_local_0(_S756, _S756.view_0);
-    var _S760 : u32 = light_sample_count_0(_S754);
-    var _S761 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S759.draft_0;
+    footprint_0.dx_0 = _S759.draft_dx_0;
+    footprint_0.dy_0 = _S759.draft_dy_0;
+    var _S762 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S757].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S763 : vec3<f32> = to_local_0(_S759, _S759.view_0);
+    var _S764 : u32 = light_sample_count_0(_S757);
+    var _S765 : vec3<f32> = vec3<f32>(0.0f);
     var number_7 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S761;
+    var radiance_1 : vec3<f32> = _S765;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_7 < (max(_S760, u32(1))))
+        if(number_7 < (max(_S764, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S762 : f32;
-        if(number_7 < _S760)
+        var _S766 : f32;
+        if(number_7 < _S764)
         {
-            _S762 = visibility_at_0(_S754, number_7, _S757);
+            _S766 = visibility_at_0(_S757, number_7, _S760);
         }
         else
         {
-            _S762 = 0.0f;
+            _S766 = 0.0f;
         }
-        var _S763 : bool;
-        if(_S762 <= 0.0f)
+        var _S767 : bool;
+        if(_S766 <= 0.0f)
         {
-            _S763 = number_7 > u32(0);
+            _S767 = number_7 > u32(0);
         }
         else
         {
-            _S763 = false;
+            _S767 = false;
         }
-        if(_S763)
+        if(_S767)
         {
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S764 : LightSample_0 = light_sample_0(_S754, number_7, _S757, _S756.position_0);
-        var _S765 : vec3<f32> = to_local_0(_S756, _S764.towards_0);
-        var _S766 : Estimate_0 = lobes_estimate_0(_S755, footprint_0, 1.0f, _S765, _S759);
+        var _S768 : LightSample_0 = light_sample_0(_S757, number_7, _S760, _S759.position_0);
+        var _S769 : vec3<f32> = to_local_0(_S759, _S768.towards_0);
+        var _S770 : Estimate_0 = lobes_estimate_of_pass_0(_S758, footprint_0, 1.0f, _S762, _S769, _S763);
         var albedos_10 : FamilyAlbedos_0;
-        albedos_10.warp_2 = tinted_0(_S766.albedos_5.warp_2, _S758);
-        albedos_10.weft_2 = tinted_0(_S766.albedos_5.weft_2, _S758);
-        radiance_1 = radiance_1 + vec3<f32>(_S762) * _S764.irradiance_1 * composed_0(_S755, _S766.components_0, albedos_10, _S765, _S759);
-        hole_7 = _S766.components_0.hole_2;
+        albedos_10.warp_2 = tinted_0(_S770.albedos_5.warp_2, _S761);
+        albedos_10.weft_2 = tinted_0(_S770.albedos_5.weft_2, _S761);
+        radiance_1 = radiance_1 + vec3<f32>(_S766) * _S768.irradiance_1 * composed_0(_S758, _S770.components_0, albedos_10, _S769, _S763);
+        hole_7 = _S770.components_0.hole_2;
         number_7 = number_7 + u32(1);
     }
-    var _S767 : f32 = fabrics_0[_S755].sheen_strength_0;
-    if((fabrics_0[_S755].sheen_strength_0) > 0.0f)
+    var _S771 : f32 = fabrics_0[_S758].sheen_strength_0;
+    if((fabrics_0[_S758].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S767 * sheen_lobe_0(abs(_S759.z), fabrics_0[_S755].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S771 * sheen_lobe_0(abs(_S763.z), fabrics_0[_S758].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3854,32 +3865,32 @@ fn light_of_footprint_0( _S754 : i32,  _S755 : u32,  _S756 : VisiblePoint_0,  _S
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S768 : u32 = id_0.x;
-    var _S769 : u32 = frames_0[i32(0)].width_0;
-    var _S770 : bool;
-    if(_S768 >= (frames_0[i32(0)].width_0))
+    var _S772 : u32 = id_0.x;
+    var _S773 : u32 = frames_0[i32(0)].width_0;
+    var _S774 : bool;
+    if(_S772 >= (frames_0[i32(0)].width_0))
     {
-        _S770 = true;
+        _S774 = true;
     }
     else
     {
-        _S770 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S774 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S770)
+    if(_S774)
     {
         return;
     }
-    var _S771 : u32 = id_0.y * _S769 + _S768;
-    var _S772 : u32 = layers_0[_S771].face_0;
-    if((layers_0[_S771].face_0) == u32(0))
+    var _S775 : u32 = id_0.y * _S773 + _S772;
+    var _S776 : u32 = layers_0[_S775].face_0;
+    if((layers_0[_S775].face_0) == u32(0))
     {
         return;
     }
-    var _S773 : u32 = _S772 - u32(1);
-    var _S774 : u32 = face_fabrics_0[_S773];
-    var _S775 : vec2<u32> = id_0.xy;
-    var _S776 : VisiblePoint_0 = visible_point_0(i32(0), _S774, _S773, _S775);
-    accumulate_0(_S771, light_of_footprint_0(i32(0), _S774, _S776, _S775, filtered_albedo_0(_S774, _S776)));
+    var _S777 : u32 = _S776 - u32(1);
+    var _S778 : u32 = face_fabrics_0[_S777];
+    var _S779 : vec2<u32> = id_0.xy;
+    var _S780 : VisiblePoint_0 = visible_point_0(i32(0), _S778, _S777, _S779);
+    accumulate_0(_S775, light_of_footprint_0(i32(0), _S778, _S780, _S779, filtered_albedo_0(_S778, _S780)));
     return;
 }
 
