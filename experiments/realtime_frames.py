@@ -94,7 +94,7 @@ def compare(name: str, distance: float, model: str) -> dict[str, Any]:
     camera = Camera((0, -0.6 * distance, 0.8 * distance))
     lights = [DirectionalLight(TOWARDS)]
     renderer = Renderer(cloths, (SIZE, SIZE), model)
-    # One pass of `lobes` takes the points of Mitsuba's estimate; further ones take others, nearer to the truth.
+    # One pass of `lobes` takes the points of Mitsuba's estimate; others are nearer to the truth.
     passes = 8 if model == "point" else 1
     found = renderer.render(camera, lights, passes=passes, samples=SAMPLES // passes).linear[..., :3]
     first, second = (mitsuba_frame(cloths, camera, (SIZE, SIZE), lights, model=model, seed=s) for s in (0, 1))

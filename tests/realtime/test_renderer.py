@@ -54,6 +54,19 @@ def test_frames_are_those_of_mitsuba(name: str, distance: float) -> None:
     assert flip_mean(found, expected, np.ones((SIZE, SIZE), bool)) <= 0.03
 
 
+def test_passes_of_lobes_tend_to_the_mean_over_pixels() -> None:
+    """Close up, where one pass takes eight points of each pixel: the mean over pixels is that of `point`."""
+    fabric = load_fabric(EXAMPLES / "organza.toml")
+    camera, lights, size = from_distance(0.00625), [DirectionalLight(TOWARDS)], (20, 20)
+    cloths = [Cloth(rectangle(SIDE, SIDE), fabric)]
+    truth = Renderer(cloths, size, "point").render(camera, lights, passes=4, samples=128).linear[..., :3]
+    renderer = Renderer(cloths, size)
+    first, mean = (renderer.render(camera, lights, passes=n).linear[..., :3] for n in (1, 32))
+    whole = np.ones(size[::-1], bool)
+    assert mean.mean() == pytest.approx(truth.mean(), rel=0.03)
+    assert flip_mean(mean, truth, whole) < 0.5 * flip_mean(first, truth, whole)
+
+
 def plain(color: str = "#8040c0") -> Fabric:
     return fabric_from_text(f'weave = "plain"\n[warp]\ncolor = "{color}"\n[weft]\ncolor = "{color}"\n')
 
