@@ -1,11 +1,10 @@
-"""Frames: against Mitsuba's direct light on the same scene, edits, and errors.
+"""Frames of one or two pieces of cloth: against Mitsuba's direct light on the same scene, edits, and errors.
 
 Covers: realtime/scene.py
 """
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import Any
 
@@ -13,12 +12,12 @@ import mitsuba as mi
 import numpy as np
 import pytest
 
+from experiments.realtime_frames import mitsuba_frame
 from loomlight.core.colour import linear_to_srgb
 from loomlight.core.errors import InputError
 from loomlight.evaluation.pictures import flip_mean
 from loomlight.fabric import fabric_from_text, load_fabric
 from loomlight.fabric.fabric import Fabric
-from loomlight.mitsuba import material_bsdf, render
 from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, Picture, PointLight, Renderer, rectangle
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -41,51 +40,31 @@ def frame(fabric: Fabric, distance: float, **options: Any) -> Picture:
     return renderer.render(from_distance(distance), [DirectionalLight(TOWARDS)], **options)
 
 
-def mitsuba_frame(fabric: Fabric, distance: float) -> np.ndarray:
-    place = mi.ScalarTransform4f
-    camera = from_distance(distance)
-    scene = mi.load_dict(
-        {
-            "type": "scene",
-            "integrator": {"type": "footprint_path", "max_depth": 2},
-            "sensor": {
-                "type": "perspective",
-                "fov": camera.field_of_view,
-                "near_clip": 1e-4,
-                "to_world": place().look_at(list(camera.origin), [0, 0, 0], [0, 1, 0]),
-                "film": {
-                    "type": "hdrfilm",
-                    "width": SIZE,
-                    "height": SIZE,
-                    "rfilter": {"type": "box"},
-                    "pixel_format": "rgb",
-                },
-            },
-            "cloth": {
-                "type": "rectangle",
-                "to_world": place().scale([SIDE / 2, SIDE / 2, 1]),
-                "bsdf": material_bsdf(fabric, "point")((100.0, 100.0)),
-            },
-            "light": {
-                "type": "directional",
-                "direction": [-part for part in TOWARDS],
-                "irradiance": math.pi,
-            },
-        }
-    )
-    return render(scene, spp=SAMPLES)
-
-
 @pytest.mark.parametrize(
     ("name", "distance"), [("denim", 0.01), ("wool-houndstooth", 0.05), ("silk-satin", 0.2)]
 )
 def test_frames_are_those_of_mitsuba(name: str, distance: float) -> None:
     """Two seeds of Mitsuba's own differ by about 0.01 here: both average 1024 points a pixel."""
     fabric = load_fabric(EXAMPLES / f"{name}.toml")
-    expected = mitsuba_frame(fabric, distance)
+    cloths = [Cloth(rectangle(SIDE, SIDE), fabric)]
+    lights = [DirectionalLight(TOWARDS)]
+    expected = mitsuba_frame(cloths, from_distance(distance), (SIZE, SIZE), lights, spp=SAMPLES)
     found = frame(fabric, distance, samples=SAMPLES // 8, passes=8).linear[..., :3]
     assert found.mean() == pytest.approx(expected.mean(), rel=5e-3)
     assert flip_mean(found, expected, np.ones((SIZE, SIZE), bool)) <= 0.03
+
+
+def test_passes_of_lobes_tend_to_the_mean_over_pixels() -> None:
+    """Close up, where one pass takes eight points of each pixel: the mean over pixels is that of `point`."""
+    fabric = load_fabric(EXAMPLES / "organza.toml")
+    camera, lights, size = from_distance(0.00625), [DirectionalLight(TOWARDS)], (20, 20)
+    cloths = [Cloth(rectangle(SIDE, SIDE), fabric)]
+    truth = Renderer(cloths, size, "point").render(camera, lights, passes=4, samples=128).linear[..., :3]
+    renderer = Renderer(cloths, size)
+    first, mean = (renderer.render(camera, lights, passes=n).linear[..., :3] for n in (1, 32))
+    whole = np.ones(size[::-1], bool)
+    assert mean.mean() == pytest.approx(truth.mean(), rel=0.03)
+    assert flip_mean(mean, truth, whole) < 0.5 * flip_mean(first, truth, whole)
 
 
 def plain(color: str = "#8040c0") -> Fabric:
@@ -97,6 +76,24 @@ def test_tones_are_srgb_after_exposure() -> None:
     expected = linear_to_srgb(2 * picture.linear[..., :3]) * 255
     assert np.abs(picture.srgb[..., :3] - expected).max() <= 0.51  # rounding to 8 bits
     assert (picture.srgb[..., 3] == 255).all()
+
+
+def test_passes_add_up_until_something_changes() -> None:
+    """Two frames of three passes are one of six; an edit begins anew."""
+    renderer = Renderer([Cloth(rectangle(SIDE, SIDE), plain())], (8, 8), "point")
+    camera, light = from_distance(0.05), [DirectionalLight(TOWARDS)]
+    whole = renderer.render(camera, light, passes=6).linear
+    renderer.render(camera, light, passes=3)
+    np.testing.assert_allclose(renderer.accumulate(camera, light, passes=3).linear, whole, rtol=1e-6)
+    assert renderer.passes == 6
+    for change in (
+        lambda: renderer.set_fabric(0, plain("#ffffff")),
+        lambda: renderer.resize((8, 9)),
+        lambda: light.append(DirectionalLight((0, 0, 1))),
+    ):
+        change()
+        renderer.accumulate(camera, light)
+        assert renderer.passes == 1
 
 
 def test_an_edit_shows_at_once_and_compiles_nothing() -> None:
@@ -122,6 +119,21 @@ def test_fabrics_of_one_frame_keep_apart() -> None:
         linear = Renderer(order, (32, 32), "point").render(Camera((0, 0, 0.2)), light).linear
         assert linear[16, 16, 1] > linear[16, 16, 0]
         assert linear[1, 1, 0] > linear[1, 1, 1]
+
+
+def test_eight_fabrics_share_one_frame() -> None:
+    """Eight colours side by side, as the pieces of chen2024 Fig. 1: each shows its own."""
+    colours = np.array([[r, g, b] for r in (0.1, 0.9) for g in (0.1, 0.9) for b in (0.1, 0.9)])
+    tile = rectangle(0.01, 0.01)
+    cloths = []
+    for number, colour in enumerate(colours):
+        place = np.array([0.01 * (number - 3.5), 0, 0])
+        text = "#" + "".join(f"{round(255 * part):02x}" for part in colour)
+        cloths.append(Cloth(Mesh(tile.positions + place, tile.normals, tile.uv, tile.faces), plain(text)))
+    renderer = Renderer(cloths, (32, 4), "point")
+    linear = renderer.render(Camera((0, 0, 0.02), field_of_view=26.6), [DirectionalLight((0, 0, 1))]).linear
+    shown = linear[1:3].reshape(2, 8, 4, 4).mean(axis=(0, 2))[:, :3]
+    assert (shown[colours > 0.5].min()) > 2 * shown[colours < 0.5].max()
 
 
 def test_a_far_point_light_is_a_directional_one() -> None:

@@ -11,7 +11,7 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, render, reproduce, train, weave
+from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, play, render, reproduce, train, weave
 from loomlight.cli.help import ListsModels, WholeSentences
 from loomlight.cli.interruption import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
@@ -47,6 +47,7 @@ app.add_typer(weave.app, name="weave")
 app.add_typer(train.app, name="train")
 app.add_typer(data.app, name="data")
 app.command("render", cls=ListsModels, epilog=render.EXAMPLE)(render.render)
+app.command("play", epilog=play.EXAMPLE)(play.play)
 app.command("compare", cls=ListsModels, epilog=compare.EXAMPLE)(compare.compare)
 app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)

@@ -1,4 +1,4 @@
-"""Images: PNG through Pillow, EXR through OpenEXR; neither a renderer nor LLVM is needed."""
+"""Images: PNG through Pillow, EXR through OpenEXR, HDR; neither a renderer nor LLVM is needed."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ import OpenEXR
 from numpy.typing import ArrayLike, NDArray
 from PIL import Image, UnidentifiedImageError
 
-from loomlight.core.colour import linear_to_srgb
+from loomlight.core.colour import linear_to_srgb, srgb_to_linear
 from loomlight.core.errors import InputError
-from loomlight.core.files import replacing, replacing_all
+from loomlight.core.files import replacing, replacing_all, require_file
+from loomlight.core.rgbe import read_rgbe
 
 _Kind = TypeVar("_Kind", bound=np.generic)
 
@@ -82,6 +83,37 @@ def write_pngs(pictures: Mapping[Path, NDArray[np.uint8]]) -> None:
     with replacing_all(list(pictures)) as temporaries:
         for temporary, pixels in zip(temporaries, pictures.values(), strict=True):
             Image.fromarray(pixels).save(temporary, format="PNG")
+
+
+def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] of an .exr or .hdr as it is, or of a PNG, JPEG … decoded from sRGB.
+
+    Raises:
+        InputError: no such file, no picture, or values that are not finite.
+    """
+    require_file(path)
+    suffix = Path(path).suffix.lower()
+    if suffix == ".exr":
+        linear = _read_exr(path)
+    elif suffix == ".hdr":
+        linear = read_rgbe(path)
+    else:
+        linear = srgb_to_linear(read_picture(path)).astype(np.float32)
+    if not np.isfinite(linear).all():
+        raise InputError(f"{path} holds pixels that are no finite numbers; replace them in a picture editor.")
+    return linear
+
+
+def _read_exr(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    try:
+        with OpenEXR.File(str(path), separate_channels=True) as file:
+            planes = {name: np.array(channel.pixels) for name, channel in file.channels().items()}
+    except (RuntimeError, ValueError, TypeError) as error:
+        raise InputError(f"{path} is no EXR file that can be read.") from error
+    names = "RGB" if set("RGB") <= set(planes) else "YYY"
+    if names[0] not in planes:
+        raise InputError(f"{path} has neither channels R, G, B nor Y; it has {', '.join(sorted(planes))}.")
+    return np.stack([planes[name] for name in names], axis=-1).astype(np.float32)
 
 
 def picture_size(path: str | os.PathLike[str]) -> tuple[int, int]:

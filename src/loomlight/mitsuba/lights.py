@@ -59,7 +59,7 @@ def light_dicts(
             f"horizon, where {light} has the ground; write an elevation from 0 to 90, or use directional."
         )
     if light == "studio":
-        return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(_studio(direction))}}
+        return {"studio": {"type": "envmap", "bitmap": mi.Bitmap(studio_radiance(direction))}}
     if light == "sunsky":
         return {"sunsky": _sunsky(direction)}
     if light == "point":
@@ -106,7 +106,7 @@ def environment_dict(
     }
 
 
-def _studio(direction: NDArray[np.float64]) -> NDArray[np.float32]:
+def studio_radiance(direction: NDArray[np.float64]) -> NDArray[np.float32]:
     """Latitude-longitude radiance [128, 256, 3] of a soft key light and a dome that is brightest above.
 
     All of it is grey, so that a grey card looks grey; a white card that faces the key shows a radiance of 1.

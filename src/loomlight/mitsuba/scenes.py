@@ -199,6 +199,21 @@ def build_scene(
     )
 
 
+def built_in_cloth(
+    name: str, mesh: str | os.PathLike[str] | None = None
+) -> tuple[ClothMesh, NDArray[np.float64], NDArray[np.float64]]:
+    """The cloth of a built-in scene, or a mesh instead; where its camera and its light are, as directions.
+
+    Raises:
+        InputError: an unknown scene, or a mesh that cannot be read.
+    """
+    if name not in _SETUPS:
+        raise InputError(f'scene = "{name}" is unknown: use {", ".join(SCENES)}.')
+    setup = _SETUPS[name] if mesh is None else _MESH
+    cloth = setup.cloth() if mesh is None else read_mesh(mesh)
+    return cloth, np.array(setup.towards_camera, float), np.array(setup.towards_light, float)
+
+
 def empty_scene() -> dict[str, Any]:
     """The dictionary of a scene without anything in it, whose meshes have no cracks between their triangles.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from loomlight.realtime.environment import Environment
 from loomlight.realtime.renderer import Picture, Renderer
 from loomlight.realtime.scene import Camera, Cloth, DirectionalLight, Mesh, PointLight, rectangle
 
@@ -9,6 +10,7 @@ __all__ = [
     "Camera",
     "Cloth",
     "DirectionalLight",
+    "Environment",
     "Mesh",
     "Picture",
     "PointLight",

@@ -103,6 +103,8 @@ ENTRIES = {
         ),
         "compute",
     ),
+    "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},
+    "shadows": {"cast_shadows": "compute"},
 }
 # Engines read tables and do not bake them: these modules are for WebGPU hosts, this package's and pages. All
 # kernels of a module are in one file.

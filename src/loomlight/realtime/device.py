@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -25,6 +26,13 @@ _SOFTWARE_DRIVERS = (
 NO_ADAPTER = (
     "Real-time rendering needs a graphics adapter with Vulkan, Metal or DX12, and none was found: install a "
     "driver, or the software driver (Debian, Ubuntu: apt install mesa-vulkan-drivers libvulkan1)."
+)
+# Storage buffers that the largest shader binds.
+STORAGE_BUFFERS = 13
+_RAISED_LIMITS = (
+    "max-storage-buffer-binding-size",
+    "max-buffer-size",
+    "max-storage-buffers-per-shader-stage",
 )
 _BINDING = re.compile(r"@binding\((\d+)\) @group\(0\) var(?:<[\w, ]+>)? (\w+?)_\d+ ")
 
@@ -93,6 +101,22 @@ class Adapter:
             )
         return self.device.create_bind_group(layout=pipeline.get_bind_group_layout(0), entries=entries)
 
+    @contextmanager
+    def guarded(self) -> Iterator[None]:
+        """Raises MissingDependencyError, one sentence, if the device is lost within the block."""
+        wgpu = wgpu_module()
+        try:
+            yield
+        except (wgpu.GPUError, RuntimeError) as error:
+            if not _tells_of_loss(str(error)):
+                raise
+            if default_adapter() is self:
+                default_adapter.cache_clear()  # the next renderer takes a new device
+            raise MissingDependencyError(
+                f"The graphics adapter {self.name} was lost, by a reset of its driver or for want of memory: "
+                "begin again, with smaller frames if it happens anew."
+            ) from error
+
     def _require(self, limit: str, value: int, what: str) -> None:
         most = self.device.limits[limit]
         if value > most:
@@ -100,6 +124,14 @@ class Adapter:
                 f"{self.name} takes at most {most} {what}, but {value} are needed: choose a smaller "
                 "draft or mesh, or another adapter."
             )
+
+
+def _tells_of_loss(message: str) -> bool:
+    """Whether a message of wgpu says that its device is gone."""
+    words = message.lower()
+    return any(
+        sign in words for sign in ("lost", "not enough memory", "out of memory", "is invalid", "destroyed")
+    )
 
 
 def wgpu_module() -> Any:
@@ -152,6 +184,12 @@ def default_adapter() -> Adapter:
     if not found:
         raise MissingDependencyError(NO_ADAPTER)
     adapter = min(found, key=lambda a: a.info["adapter_type"] == "CPU")
-    limits = {name: adapter.limits[name] for name in ("max-storage-buffer-binding-size", "max-buffer-size")}
+    limits = {name: adapter.limits[name] for name in _RAISED_LIMITS}
+    buffers = limits["max-storage-buffers-per-shader-stage"]
+    if buffers < STORAGE_BUFFERS:
+        raise MissingDependencyError(
+            f"{adapter.info['device']} binds at most {buffers} storage buffers to a shader, but "
+            f"{STORAGE_BUFFERS} are needed: choose another adapter."
+        )
     device = adapter.request_device_sync(required_limits=limits)
     return Adapter(adapter.info["device"], adapter.info["adapter_type"] == "CPU", device)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -44,12 +44,14 @@ class FabricBuffers:
         looks: Sequence[Look],
         uv_size_mm: Sequence[tuple[float, float]] | None = None,
         groups: int = DEFAULT_GROUPS,
+        describe: Callable[[NDArray[np.void]], None] | None = None,
     ) -> None:
         """Uploads fabrics and bakes their tables; returns before the device is done.
 
         Args:
             uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
             groups: of each family, 1 to 64, on average.
+            describe: writes into the records of fabrics what a scene adds to them.
 
         Raises:
             MissingDependencyError: a table is beyond the adapter's limits.
@@ -58,6 +60,7 @@ class FabricBuffers:
         self._looks = list(looks)
         self._uv_size_mm = None if uv_size_mm is None else list(uv_size_mm)
         self._groups = groups
+        self._describe = describe
         self._baker = LobesBaker(adapter)
         self._own_writes = 0
         self.buffers: dict[str, Any] = {}
@@ -76,6 +79,11 @@ class FabricBuffers:
     def dispatches(self) -> int:
         """Kernels that were launched so far."""
         return self._baker.dispatches
+
+    @property
+    def is_open(self) -> bool:
+        """Whether light passes through holes of any of the fabrics."""
+        return bool(self._packed.fabrics["is_open"].any())
 
     def set_fabric(self, number: int, look: Look) -> None:
         """Another fabric, or an edit of it, in place of fabric `number`.
@@ -132,7 +140,10 @@ class FabricBuffers:
 
     def _pack(self) -> Packed:
         self._plans = [plan_bake(layout, self._groups) for layout, _ in self._looks]
-        return pack_fabrics(self._looks, self._uv_size_mm, self._plans)
+        packed = pack_fabrics(self._looks, self._uv_size_mm, self._plans)
+        if self._describe is not None:
+            self._describe(packed.fabrics)
+        return packed
 
     def _upload(self) -> None:
         """Makes the buffers anew."""

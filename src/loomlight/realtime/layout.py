@@ -127,6 +127,13 @@ FABRIC: Fields = (
     ("fibre_size", "float", "width of a cell of fibre noise"),
     ("uv_width", "float", "millimetres per unit of u"),
     ("uv_height", "float", "millimetres per unit of v"),
+    ("is_open", "uint", "1 where light passes through holes"),
+    ("albedo_map", "uint", "first texel, in scene_words, of a map that diffuse albedos are multiplied by"),
+    (
+        "albedo_map_levels",
+        "uint",
+        "of that map, each half as wide as the one before, down to 1; 0 for no map",
+    ),
 )
 
 LIGHT: Fields = (
@@ -145,6 +152,22 @@ FRAME: Fields = (
     ("lights", "uint", "number of lights"),
     ("samples", "uint", "points of a pixel's footprint that are shaded in one pass"),
     ("pass_number", "uint", "of this pass, from 0: chooses the points"),
+    (
+        "environment_samples",
+        "uint",
+        "directions to the environment that a pixel takes in one pass; 0 for none",
+    ),
+    ("environment_columns", "uint", "texels of the environment around the vertical; 0 for no environment"),
+    ("environment_rows", "uint", "and from the top to the bottom"),
+    ("environment_table", "uint", "where it begins in scene_words; see environment.slang"),
+    ("environment_total", "float", "integral of its mean of red, green and blue over the sphere"),
+    ("environment_sine", "float", "of its turn about the vertical, +y"),
+    ("environment_cosine", "float", ""),
+    ("shows_environment", "uint", "1 where it shows beside the cloth in place of the background"),
+    ("casts_shadows", "uint", "1 where cloth shadows cloth"),
+    ("leaves", "uint", "of the bounding volume hierarchy, a power of 2"),
+    ("leaf_faces", "uint", "where the faces of the leaves begin in scene_words"),
+    ("ray_offset", "float", "rays leave surfaces by so much"),
     ("jitter_x", "float", "of the raster pass within the pixel, −0.5 to 0.5 pixels"),
     ("jitter_y", "float", ""),
     ("gain", "float", "2^exposure / passes so far"),
@@ -164,6 +187,11 @@ FRAME: Fields = (
     ("background_red", "float", "linear radiance where there is no cloth"),
     ("background_green", "float", ""),
     ("background_blue", "float", ""),
+)
+
+LAYER: Fields = (
+    ("face", "uint", "number of the face that a pixel sees, from 1; 0 for none"),
+    ("share", "float", "of the light that comes through all layers before"),
 )
 
 VERTEX: Fields = (
@@ -242,6 +270,7 @@ RECORDS: dict[str, Fields] = {
     "Vertex": VERTEX,
     "SurfaceHit": SURFACE_HIT,
     "Bake": BAKE,
+    "Layer": LAYER,
 }
 
 # Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.
@@ -257,6 +286,9 @@ BUFFERS: dict[str, tuple[str, bool]] = {
     "radiance": ("float4", True),  # sums over passes, and the share of cloth
     "pixels": ("uint", True),  # sRGB, 8 bits a channel
     "packed_numbers": ("uint4", False),  # networks and latents: eight halves or four singles an element
+    "scene_words": ("uint", False),  # bounding volume hierarchy, environment, albedo maps
+    "layers": ("Layer", True),  # what each pixel sees of the layer that is shaded
+    "visibilities": ("float", True),  # share of each light that reaches each pixel [light, pixel]
 }
 # Beside them, for entry points that read the raster pass.
 VISIBILITY_BINDING = len(BUFFERS)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,15 +16,45 @@ from loomlight.models.lobes.model import DEFAULT_GROUPS, tables_of
 from loomlight.models.lobes.tables import LobeTables
 from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.device import Adapter, default_adapter, wgpu_module
+from loomlight.realtime.environment import Environment, EnvironmentTables
 from loomlight.realtime.fabric_buffers import FabricBuffers
 from loomlight.realtime.layout import numpy_type
 from loomlight.realtime.scene import Camera, Cloth, Light, light_records, vertex_records
+from loomlight.realtime.scene_words import SceneWords
 from loomlight.realtime.slangc import SHADERS
 from loomlight.realtime.tables import pack_fabrics
 
 # Entry points of the models.
 _ENTRIES = {"lobes": "shade_lobes", "point": "shade_points", "woven": "shade_woven"}
+# Of open cloth, from the nearest on; what lies behind is taken for the background.
+_MOST_LAYERS = 4
 _GOLDEN = np.array([0.7548776662466927, 0.5698402909980532])  # of the R2 sequence
+
+
+class FrameOptions(TypedDict, total=False):
+    """Further arguments of `Renderer.render`.
+
+    samples: points of each pixel's footprint that one pass of the model point shades, ≥ 1.
+    environment: light from all directions, seen beside the cloth too; None for none.
+    environment_samples: directions to it that each pixel takes in one pass.
+    shadows: whether cloth casts shadows on cloth.
+    background: linear radiance where there is no cloth, and behind holes; by default the environment, else 0.
+    """
+
+    samples: int
+    environment: Environment | None
+    environment_samples: int
+    shadows: bool
+    background: Sequence[float] | None
+
+
+DEFAULT_OPTIONS: FrameOptions = {
+    "samples": 4,
+    "environment": None,
+    "environment_samples": 8,
+    "shadows": True,
+    "background": None,
+}
 
 
 @dataclass(frozen=True)
@@ -42,9 +73,8 @@ class Picture:
 class Renderer:
     """Renders meshes of cloth by direct light.
 
-    Cloth does not yet cast shadows on other cloth, and what lies behind holes is the background.
-
     Attributes:
+        passes: how many the sums hold; see `accumulate`.
         adapter: the graphics adapter that computes.
         size: width and height of frames, pixels.
         model: lobes, woven or point.
@@ -69,13 +99,10 @@ class Renderer:
             InputError: no cloth, a size out of range, or an unknown model or place to bake.
             MissingDependencyError: no adapter, wgpu is not installed, or the adapter's limits are too small.
         """
-        width, height = size
         if not cloths:
             raise InputError("A renderer needs at least one piece of cloth.")
-        if not (1 <= width <= 8192 and 1 <= height <= 8192):
-            raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
-        if model not in _ENTRIES:
-            raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
+        _require_size(size)
+        _require_model(model)
         if bake not in ("cpu", "gpu"):
             raise InputError(f'bake = "{bake}" is unknown: use cpu or gpu.')
         self.adapter = default_adapter() if adapter is None else adapter
@@ -84,76 +111,173 @@ class Renderer:
         self._cloths = list(cloths)
         self._face_count = sum(len(cloth.mesh.faces) for cloth in cloths)
         self._resources: dict[str, Any] = {}
-        self._bakes_on_adapter = bake == "gpu" and model == "lobes"
+        self._bake = bake
         self._fabric_buffers: FabricBuffers | None = None
-        self._upload_meshes()
-        self._upload_fabrics()
-        self._upload_targets()
-        self._raster = self._raster_pipeline()
+        self._environment: tuple[Environment, EnvironmentTables] | None = None
+        # What the sums show; no bytes where they are to begin anew.
+        self._shown, self.passes = b"", 0
+        with self.adapter.guarded():
+            self._upload_meshes()
+            self._upload_fabrics()
+            self._upload_targets()
+            self._raster = self._raster_pipeline()
 
     def set_fabric(self, number: int, fabric: Fabric) -> None:
         """Another fabric for cloth `number`: tables are rewritten, and no pipeline is compiled."""
-        cloth = self._cloths[number]
-        self._cloths[number] = Cloth(cloth.mesh, fabric, cloth.uv_size_mm)
+        self._cloths[number] = replace(self._cloths[number], fabric=fabric)
         if self._fabric_buffers is None:
             self._upload_fabrics()
         else:
             self._fabric_buffers.set_fabric(number, (fabric.layout(), fabric.appearance()))
-            self._resources.update(self._fabric_buffers.buffers)
+            self._take_buffers(self._fabric_buffers)
+        self._shown = b""
+
+    def set_model(self, model: str) -> None:
+        """Another model for the next frames; tables are baked, and its shader is compiled at its first frame.
+
+        Raises:
+            InputError: an unknown model.
+        """
+        _require_model(model)
+        self.model = model
+        self._upload_fabrics()
+        self._shown = b""
+
+    def resize(self, size: tuple[int, int]) -> None:
+        """Another size, width and height in pixels, for the next frames.
+
+        Raises:
+            InputError: a size out of range.
+        """
+        _require_size(size)
+        self.size = size
+        with self.adapter.guarded():
+            self._upload_targets()
+        self._shown = b""
 
     def render(
         self,
         camera: Camera,
         lights: Sequence[Light],
         *,
-        samples: int = 4,
         passes: int = 4,
         exposure: float = 0.0,
-        background: Sequence[float] = (0.0, 0.0, 0.0),
+        **options: Unpack[FrameOptions],
     ) -> Picture:
         """A frame.
 
         Args:
-            samples: points of each pixel's footprint that one pass of the model point shades, ≥ 1.
             passes: raster passes, each through other points of the pixels, ≥ 1: they smooth edges of meshes.
             exposure: stops; colours are multiplied by 2**exposure.
-            background: linear radiance where there is no cloth, and behind holes.
+            options: see `FrameOptions`.
 
         Raises:
             InputError: a value out of range.
+            MissingDependencyError: the adapter was lost.
         """
-        if samples < 1 or passes < 1:
-            raise InputError(f"samples = {samples} and passes = {passes}: both are at least 1.")
-        self._store("lights", light_records(lights))
-        frame = self._frame_record(camera, len(lights), samples, background)
-        for number in range(passes):
-            # Passes 0 and following of the R2 sequence, about the middle of the pixel.
-            jitter = (0.5 + number * _GOLDEN) % 1 - 0.5
-            frame["pass_number"], frame["jitter_x"], frame["jitter_y"] = number, *jitter
-            frame["gain"] = 2.0**exposure / (number + 1)
-            self._store("frames", frame)
-            self._draw()
-            # A pass a submission: software adapters take seconds for all of them.
-            self._compute(_ENTRIES[self.model], [-(-side // 8) for side in self.size])
+        self._shown = b""
+        return self.accumulate(camera, lights, passes=passes, exposure=exposure, **options)
+
+    def accumulate(
+        self,
+        camera: Camera,
+        lights: Sequence[Light],
+        *,
+        passes: int = 1,
+        exposure: float = 0.0,
+        **options: Unpack[FrameOptions],
+    ) -> Picture:
+        """The mean over all passes since something changed: the camera, lights, options or a fabric.
+
+        Called again and again while the camera rests, it converges. Arguments and errors as `render`.
+        """
+        options = {**DEFAULT_OPTIONS, **options}
+        if options["samples"] < 1 or passes < 1:
+            raise InputError(f"samples = {options['samples']} and passes = {passes}: both are at least 1.")
+        environment = self._environment_tables(options["environment"])
+        frame = self._frame_record(camera, len(lights), options, environment)
+        records = light_records(lights)
+        with self.adapter.guarded():
+            self._scene.show_environment(environment, self._store)
+            self._size_visibilities(frame)
+            shown = frame.tobytes() + records.tobytes() + str(id(environment)).encode()
+            if shown != self._shown:
+                self._shown, self.passes = shown, 0
+                self._store("lights", records)
+            for _ in range(passes):
+                self._add_pass(frame)
+            return self._picture(frame, exposure)
+
+    def _add_pass(self, frame: NDArray[np.void]) -> None:
+        # Passes 0 and following of the R2 sequence, about the middle of the pixel.
+        jitter = (0.5 + self.passes * _GOLDEN) % 1 - 0.5
+        frame["pass_number"], frame["jitter_x"], frame["jitter_y"] = self.passes, *jitter
+        self._store("frames", frame)
+        self._draw()
+        tiles = [-(-side // 8) for side in self.size]
+        # A dispatch a submission: software adapters take seconds for all of them.
+        for number in range(self._layers()):
+            self._compute("next_layer" if number else "first_layer", tiles)
+            if frame["casts_shadows"][0]:
+                self._compute("cast_shadows", tiles)
+            self._compute(_ENTRIES[self.model], tiles)
+        self._compute("add_background", tiles)
+        self.passes += 1
+
+    def _picture(self, frame: NDArray[np.void], exposure: float) -> Picture:
         width, height = self.size
+        frame["gain"] = 2.0**exposure / self.passes
+        self._store("frames", frame)
         self._compute("tone_map", [-(-width * height // 64)])
         pixels = self.adapter.read(self._resources["pixels"], np.uint8, 4 * width * height)
         sums = self.adapter.read(self._resources["radiance"], np.float32, 4 * width * height)
-        return Picture(np.float32(sums / passes).reshape(height, width, 4), pixels.reshape(height, width, 4))
+        linear = np.float32(sums / self.passes).reshape(height, width, 4)
+        return Picture(linear, pixels.reshape(height, width, 4))
+
+    def _layers(self) -> int:
+        """Layers of cloth that a pixel can see."""
+        return _MOST_LAYERS if self._is_open and not self._scene.is_flat else 1
+
+    def _environment_tables(self, environment: Environment | None) -> EnvironmentTables | None:
+        """Tables of an environment, kept for the next frame."""
+        if environment is None:
+            return None
+        if self._environment is None or self._environment[0] is not environment:
+            self._environment = environment, environment.tables()
+        return self._environment[1]
 
     def _frame_record(
-        self, camera: Camera, lights: int, samples: int, background: Sequence[float]
+        self, camera: Camera, lights: int, options: FrameOptions, environment: EnvironmentTables | None
     ) -> NDArray[np.void]:
         frame = np.zeros(1, numpy_type("Frame"))
         width, height = self.size
         frame["width"], frame["height"] = width, height
-        frame["lights"], frame["samples"], frame["near"] = lights, samples, camera.near
+        frame["lights"], frame["samples"], frame["near"] = lights, options["samples"], camera.near
+        frame["casts_shadows"] = options["shadows"] and not self._scene.is_flat
+        self._scene.describe(frame)
         for name, vector in camera.axes(width, height).items():
             for axis, value in zip("xyz", vector, strict=True):
                 frame[f"{name}_{axis}"] = value
-        for name, value in zip(("red", "green", "blue"), background, strict=True):
+        background = options["background"]
+        for name, value in zip(("red", "green", "blue"), background or (0.0, 0.0, 0.0), strict=True):
             frame[f"background_{name}"] = value
+        if environment is not None and options["environment"] is not None:
+            turn = math.radians(options["environment"].turn)
+            frame["environment_rows"], frame["environment_columns"] = environment.radiance.shape[:2]
+            frame["environment_total"] = environment.total
+            frame["environment_sine"], frame["environment_cosine"] = math.sin(turn), math.cos(turn)
+            frame["environment_samples"] = options["environment_samples"] if environment.total > 0 else 0
+            frame["shows_environment"] = background is None
         return frame
+
+    def _size_visibilities(self, frame: NDArray[np.void]) -> None:
+        """A buffer for the visibility of every light sample of every pixel."""
+        count = int(frame["lights"][0] + frame["environment_samples"][0]) if frame["casts_shadows"][0] else 1
+        width, height = self.size
+        size = 4 * width * height * max(count, 1)
+        buffer = self._resources.get("visibilities")
+        if buffer is None or buffer.size < size:
+            self._resources["visibilities"] = self.adapter.empty_storage(size)
 
     def _upload_meshes(self) -> None:
         vertices = [vertex_records(cloth.mesh) for cloth in self._cloths]
@@ -163,16 +287,22 @@ class Renderer:
             for cloth, first in zip(self._cloths, firsts[:-1], strict=True)
         ]
         numbers = np.repeat(np.arange(len(faces), dtype=np.uint32), [len(part) for part in faces])
+        corners = np.concatenate(faces)
+        positions = np.concatenate([cloth.mesh.positions for cloth in self._cloths])
+        self._scene = SceneWords(positions, corners, [cloth.albedo for cloth in self._cloths])
         self._store("vertices", np.concatenate(vertices))
-        self._store("corners", np.concatenate(faces).ravel())
+        self._store("corners", corners.ravel())
         self._store("face_fabrics", numbers)
 
     def _upload_fabrics(self) -> None:
         looks = [(cloth.fabric.layout(), cloth.fabric.appearance()) for cloth in self._cloths]
         uv_size_mm = [cloth.uv_size_mm for cloth in self._cloths]
-        if self._bakes_on_adapter:
-            self._fabric_buffers = FabricBuffers(self.adapter, looks, uv_size_mm)
-            self._resources.update(self._fabric_buffers.buffers)
+        self._fabric_buffers = None
+        if self._bake == "gpu" and self.model == "lobes":
+            self._fabric_buffers = FabricBuffers(
+                self.adapter, looks, uv_size_mm, describe=self._scene.describe_maps
+            )
+            self._take_buffers(self._fabric_buffers)
             return
         packed = pack_fabrics(
             looks,
@@ -180,8 +310,14 @@ class Renderer:
             [self._baked(cloth.fabric) for cloth in self._cloths],
             [self._encoded(cloth.fabric) for cloth in self._cloths],
         )
+        self._scene.describe_maps(packed.fabrics)
+        self._is_open = bool(packed.fabrics["is_open"].any())
         for name, values in packed.buffers().items():
             self._store(name, values)
+
+    def _take_buffers(self, fabrics: FabricBuffers) -> None:
+        self._resources.update(fabrics.buffers)
+        self._is_open = fabrics.is_open
 
     def _baked(self, fabric: Fabric) -> LobeTables | None:
         return tables_of(fabric, DEFAULT_GROUPS) if self.model == "lobes" else None
@@ -194,6 +330,7 @@ class Renderer:
         width, height = self.size
         self._resources["radiance"] = self.adapter.empty_storage(16 * width * height)
         self._resources["pixels"] = self.adapter.empty_storage(4 * width * height)
+        self._resources["layers"] = self.adapter.empty_storage(8 * width * height)
         attachment = wgpu.TextureUsage.RENDER_ATTACHMENT
         self._faces = self.adapter.device.create_texture(
             size=(width, height, 1), format="r32uint", usage=attachment | wgpu.TextureUsage.TEXTURE_BINDING
@@ -265,6 +402,17 @@ class Renderer:
         compute.dispatch_workgroups(*groups)
         compute.end()
         self.adapter.device.queue.submit([encoder.finish()])
+
+
+def _require_size(size: tuple[int, int]) -> None:
+    width, height = size
+    if not (1 <= width <= 8192 and 1 <= height <= 8192):
+        raise InputError(f"size = {width} × {height} is out of range: 1 to 8192 pixels each way.")
+
+
+def _require_model(model: str) -> None:
+    if model not in _ENTRIES:
+        raise InputError(f'model = "{model}" is unknown here: use {" or ".join(_ENTRIES)}.')
 
 
 def _wgsl(entry: str) -> str:

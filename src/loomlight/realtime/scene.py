@@ -54,17 +54,25 @@ def rectangle(width: float, height: float) -> Mesh:
     return Mesh(positions, normals, uv, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Cloth:
     """A mesh and its fabric.
 
     Attributes:
         uv_size_mm: millimetres per unit of u and of v.
+        albedo: linear RGB [rows, columns, 3], 0 to 1, over the unit of uv, which repeats; v runs down. The
+            diffuse albedos are multiplied by its mean over each footprint. None leaves them.
     """
 
     mesh: Mesh
     fabric: Fabric
     uv_size_mm: tuple[float, float] = (100.0, 100.0)
+    albedo: NDArray[np.floating] | None = None
+
+    def __post_init__(self) -> None:
+        shape = None if self.albedo is None else self.albedo.shape
+        if shape is not None and (len(shape) != 3 or shape[2] != 3 or 0 in shape):
+            raise InputError(f"albedo of shape {shape} is no picture: it has [rows, columns, 3].")
 
 
 @dataclass(frozen=True)

@@ -21,40 +21,13 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
-{
-    uint is_encoded_0;
-    uint network_0;
-    uint latents_0;
-    uint texels_0;
-    uint levels_1;
-    uint top_level_0;
-    float ends_0;
-    float picks_0;
-    float ends_per_mm_0;
-    float picks_per_mm_0;
-    float pitch_0;
-    float warp_x_0;
-    float warp_y_0;
-    float warp_roughness_0;
-    float weft_x_0;
-    float weft_y_0;
-    float weft_roughness_0;
-    float warp_lobe_roughness_0;
-    float weft_lobe_roughness_0;
-    uint bundles_0;
-    uint is_corrected_0;
-    uint correction_0;
-};
-
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_1;
+    uint ends_0;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -74,6 +47,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -129,6 +105,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -162,6 +150,12 @@ struct Vertex_0
     float v_0;
 };
 
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -174,7 +168,9 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
-    StructuredBuffer<uint4 > packed_numbers_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
     CUtexObject visible_faces_0;
 };
 
@@ -380,6 +376,25 @@ __device__ float3  normalize_0(float3  x_16)
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
+__device__ float2  round_0(float2  x_17)
+{
+    float2  result_10;
+    int i_7 = int(0);
+    for(;;)
+    {
+        if(i_7 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_round((_slang_vector_get_element(x_17, i_7))));
+        i_7 = i_7 + int(1);
+    }
+    return result_10;
+}
+
 __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
     float2 {
         0.0f, 0.0f
@@ -399,6 +414,30 @@ __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
         0.10710000246763229f, 0.32879999279975891f
     }
 };
+__device__ float saturate_1(float x_18)
+{
+    return clamp_1(x_18, 0.0f, 1.0f);
+}
+
+__device__ float2  frac_0(float2  x_19)
+{
+    float2  result_11;
+    int i_8 = int(0);
+    for(;;)
+    {
+        if(i_8 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_11, i_8) = (F32_frac((_slang_vector_get_element(x_19, i_8))));
+        i_8 = i_8 + int(1);
+    }
+    return result_11;
+}
+
 __device__ float3  cross_0(float3  left_0, float3  right_0)
 {
     float _S1 = left_0.y;
@@ -410,72 +449,42 @@ __device__ float3  cross_0(float3  left_0, float3  right_0)
     return make_float3 (_S1 * _S2 - _S3 * _S4, _S3 * _S5 - _S6 * _S2, _S6 * _S4 - _S1 * _S5);
 }
 
-__device__ Frame_0 slang_ldg_0(Frame_0 * ptr_0)
+__device__ Lobes_0 slang_ldg_0(Lobes_0 * ptr_0)
 {
-    uint _S7 = __ldg(&ptr_0->width_0);
-    uint _S8 = __ldg(&ptr_0->height_0);
-    uint _S9 = __ldg(&ptr_0->lights_0);
-    uint _S10 = __ldg(&ptr_0->samples_0);
-    uint _S11 = __ldg(&ptr_0->pass_number_0);
-    float _S12 = __ldg(&ptr_0->jitter_x_0);
-    float _S13 = __ldg(&ptr_0->jitter_y_0);
-    float _S14 = __ldg(&ptr_0->gain_0);
-    float _S15 = __ldg(&ptr_0->origin_x_0);
-    float _S16 = __ldg(&ptr_0->origin_y_0);
-    float _S17 = __ldg(&ptr_0->origin_z_0);
-    float _S18 = __ldg(&ptr_0->right_x_0);
-    float _S19 = __ldg(&ptr_0->right_y_0);
-    float _S20 = __ldg(&ptr_0->right_z_0);
-    float _S21 = __ldg(&ptr_0->up_x_0);
-    float _S22 = __ldg(&ptr_0->up_y_0);
-    float _S23 = __ldg(&ptr_0->up_z_0);
-    float _S24 = __ldg(&ptr_0->forward_x_0);
-    float _S25 = __ldg(&ptr_0->forward_y_0);
-    float _S26 = __ldg(&ptr_0->forward_z_0);
-    float _S27 = __ldg(&ptr_0->near_0);
-    float _S28 = __ldg(&ptr_0->background_red_0);
-    float _S29 = __ldg(&ptr_0->background_green_0);
-    float _S30 = __ldg(&ptr_0->background_blue_0);
-    Frame_0 _S31 = { _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14, _S15, _S16, _S17, _S18, _S19, _S20, _S21, _S22, _S23, _S24, _S25, _S26, _S27, _S28, _S29, _S30 };
-    return _S31;
+    uint _S7 = __ldg(&ptr_0->is_baked_0);
+    float _S8 = __ldg(&ptr_0->inverse_base_size_0);
+    float _S9 = __ldg(&ptr_0->last_level_0);
+    uint _S10 = __ldg(&ptr_0->levels_0);
+    uint _S11 = __ldg(&ptr_0->face_nodes_0);
+    uint _S12 = __ldg(&ptr_0->packs_0);
+    uint _S13 = __ldg(&ptr_0->front_warp_packs_0);
+    uint _S14 = __ldg(&ptr_0->back_warp_packs_0);
+    uint _S15 = __ldg(&ptr_0->coverage_0);
+    uint _S16 = __ldg(&ptr_0->coverage_holes_0);
+    uint _S17 = __ldg(&ptr_0->projected_area_0);
+    uint _S18 = __ldg(&ptr_0->light_visibility_0);
+    uint _S19 = __ldg(&ptr_0->irradiance_0);
+    uint _S20 = __ldg(&ptr_0->moments_0);
+    float _S21 = __ldg(&ptr_0->front_hole_weight_0);
+    float _S22 = __ldg(&ptr_0->back_hole_weight_0);
+    float _S23 = __ldg(&ptr_0->threads_per_mm_0);
+    float _S24 = __ldg(&ptr_0->unit_level_0);
+    Lobes_0 _S25 = { _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14, _S15, _S16, _S17, _S18, _S19, _S20, _S21, _S22, _S23, _S24 };
+    return _S25;
 }
 
-__device__ Lobes_0 slang_ldg_1(Lobes_0 * ptr_1)
+__device__ Vertex_0 slang_ldg_1(Vertex_0 * ptr_1)
 {
-    uint _S32 = __ldg(&ptr_1->is_baked_0);
-    float _S33 = __ldg(&ptr_1->inverse_base_size_0);
-    float _S34 = __ldg(&ptr_1->last_level_0);
-    uint _S35 = __ldg(&ptr_1->levels_0);
-    uint _S36 = __ldg(&ptr_1->face_nodes_0);
-    uint _S37 = __ldg(&ptr_1->packs_0);
-    uint _S38 = __ldg(&ptr_1->front_warp_packs_0);
-    uint _S39 = __ldg(&ptr_1->back_warp_packs_0);
-    uint _S40 = __ldg(&ptr_1->coverage_0);
-    uint _S41 = __ldg(&ptr_1->coverage_holes_0);
-    uint _S42 = __ldg(&ptr_1->projected_area_0);
-    uint _S43 = __ldg(&ptr_1->light_visibility_0);
-    uint _S44 = __ldg(&ptr_1->irradiance_0);
-    uint _S45 = __ldg(&ptr_1->moments_0);
-    float _S46 = __ldg(&ptr_1->front_hole_weight_0);
-    float _S47 = __ldg(&ptr_1->back_hole_weight_0);
-    float _S48 = __ldg(&ptr_1->threads_per_mm_0);
-    float _S49 = __ldg(&ptr_1->unit_level_0);
-    Lobes_0 _S50 = { _S32, _S33, _S34, _S35, _S36, _S37, _S38, _S39, _S40, _S41, _S42, _S43, _S44, _S45, _S46, _S47, _S48, _S49 };
-    return _S50;
-}
-
-__device__ Vertex_0 slang_ldg_2(Vertex_0 * ptr_2)
-{
-    float _S51 = __ldg(&ptr_2->x_1);
-    float _S52 = __ldg(&ptr_2->y_1);
-    float _S53 = __ldg(&ptr_2->z_1);
-    float _S54 = __ldg(&ptr_2->normal_x_0);
-    float _S55 = __ldg(&ptr_2->normal_y_0);
-    float _S56 = __ldg(&ptr_2->normal_z_0);
-    float _S57 = __ldg(&ptr_2->u_0);
-    float _S58 = __ldg(&ptr_2->v_0);
-    Vertex_0 _S59 = { _S51, _S52, _S53, _S54, _S55, _S56, _S57, _S58 };
-    return _S59;
+    float _S26 = __ldg(&ptr_1->x_1);
+    float _S27 = __ldg(&ptr_1->y_1);
+    float _S28 = __ldg(&ptr_1->z_1);
+    float _S29 = __ldg(&ptr_1->normal_x_0);
+    float _S30 = __ldg(&ptr_1->normal_y_0);
+    float _S31 = __ldg(&ptr_1->normal_z_0);
+    float _S32 = __ldg(&ptr_1->u_0);
+    float _S33 = __ldg(&ptr_1->v_0);
+    Vertex_0 _S34 = { _S26, _S27, _S28, _S29, _S30, _S31, _S32, _S33 };
+    return _S34;
 }
 
 __device__ float3  position_of_0(Vertex_0 * vertex_0)
@@ -488,91 +497,21 @@ __device__ float square_0(float3  v_1)
     return dot_0(v_1, v_1);
 }
 
-__device__ float3  camera_right_0(Frame_0 * frame_0)
-{
-    return make_float3 (frame_0->right_x_0, frame_0->right_y_0, frame_0->right_z_0);
-}
-
-__device__ float3  camera_up_0(Frame_0 * frame_1)
-{
-    return make_float3 (frame_1->up_x_0, frame_1->up_y_0, frame_1->up_z_0);
-}
-
-__device__ float3  camera_forward_0(Frame_0 * frame_2)
-{
-    return make_float3 (frame_2->forward_x_0, frame_2->forward_y_0, frame_2->forward_z_0);
-}
-
-__device__ float3  camera_origin_0(Frame_0 * frame_3)
-{
-    return make_float3 (frame_3->origin_x_0, frame_3->origin_y_0, frame_3->origin_z_0);
-}
-
 __device__ float3  normal_of_0(Vertex_0 * vertex_1)
 {
     return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
 }
 
-struct VisiblePoint_0
+__device__ float square_1(float x_20)
 {
-    float3  position_0;
-    float3  view_0;
-    float3  axis_x_0;
-    float3  axis_y_0;
-    float3  normal_0;
-    float2  draft_0;
-    float2  draft_dx_0;
-    float2  draft_dy_0;
-};
-
-__device__ float3  to_local_0(VisiblePoint_0 * point_0, float3  direction_0)
-{
-    return make_float3 (dot_0(direction_0, point_0->axis_x_0), dot_0(direction_0, point_0->axis_y_0), dot_0(direction_0, point_0->normal_0));
+    return x_20 * x_20;
 }
 
-__device__ Light_0 slang_ldg_3(Light_0 * ptr_3)
+__device__ float natural_logarithm_0(float x_21)
 {
-    uint _S60 = __ldg(&ptr_3->is_point_0);
-    float _S61 = __ldg(&ptr_3->x_0);
-    float _S62 = __ldg(&ptr_3->y_0);
-    float _S63 = __ldg(&ptr_3->z_0);
-    float _S64 = __ldg(&ptr_3->red_0);
-    float _S65 = __ldg(&ptr_3->green_0);
-    float _S66 = __ldg(&ptr_3->blue_0);
-    Light_0 _S67 = { _S60, _S61, _S62, _S63, _S64, _S65, _S66 };
-    return _S67;
-}
-
-__device__ float3  towards_light_0(Light_0 * light_0, float3  position_1, float3  * irradiance_1)
-{
-    *irradiance_1 = make_float3 (light_0->red_0, light_0->green_0, light_0->blue_0);
-    float3  _S68 = make_float3 (light_0->x_0, light_0->y_0, light_0->z_0);
-    if((light_0->is_point_0) == 0U)
-    {
-        return _S68;
-    }
-    float3  _S69 = _S68 - position_1;
-    *irradiance_1 = *irradiance_1 / make_float3 ((F32_max((square_0(_S69)), (9.999999960041972e-13f))));
-    return normalize_0(_S69);
-}
-
-struct Footprint_0
-{
-    float2  centre_0;
-    float2  dx_0;
-    float2  dy_0;
-};
-
-__device__ float Footprint_spread_side_0(Footprint_0 * this_0)
-{
-    return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
-}
-
-__device__ float natural_logarithm_0(float x_17)
-{
-    uint _S70 = (F32_asuint((x_17)));
-    float exponent_0 = float(int(_S70 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S70 & 8388607U) | 1056964608U)));
+    uint _S35 = (F32_asuint((x_21)));
+    float exponent_0 = float(int(_S35 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S35 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -587,65 +526,262 @@ __device__ float natural_logarithm_0(float x_17)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S71 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S71 - exponent_1 * 0.00021219444170129f - 0.5f * _S71) + exponent_1 * 0.693359375f;
+    float _S36 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S36 - exponent_1 * 0.00021219444170129f - 0.5f * _S36) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_18)
+__device__ float binary_logarithm_0(float x_22)
 {
-    return natural_logarithm_0(x_18) * 1.4426950216293335f;
+    return natural_logarithm_0(x_22) * 1.4426950216293335f;
+}
+
+__device__ float exponential_0(float x_23)
+{
+    float _S37 = clamp_1(x_23, -87.0f, 88.0f);
+    float _S38 = (F32_floor((_S37 * 1.4426950216293335f + 0.5f)));
+    float _S39 = _S37 - _S38 * 0.693359375f + _S38 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S39 + 0.00139819993637502f) * _S39 + 0.00833345204591751f) * _S39 + 0.04166579619050026f) * _S39 + 0.1666666567325592f) * _S39 + 0.5f;
+    float _S40 = (U32_asfloat((uint(int(_S38) + int(127)) << int(23))));
+    float _S41;
+    if(x_23 < -87.0f)
+    {
+        _S41 = 0.0f;
+    }
+    else
+    {
+        _S41 = (p_0 * _S39 * _S39 + _S39 + 1.0f) * _S40;
+    }
+    return _S41;
+}
+
+__device__ float3  map_texel_0(uint index_0)
+{
+    uint _S42 = __ldg((&(globalParams_0->scene_words_0)[index_0]));
+    float3  _S43 = make_float3 (float(_S42 & 1023U), float((_S42 >> int(10)) & 1023U), float(_S42 >> int(20))) / make_float3 (1023.0f);
+    return _S43 * _S43;
+}
+
+__device__ float3  map_level_0(uint first_0, uint side_0, float2  uv_0)
+{
+    float _S44 = uv_0.x;
+    float _S45 = float(side_0);
+    float _S46 = (_S44 - (F32_floor((_S44)))) * _S45 - 0.5f;
+    float _S47 = uv_0.y;
+    float _S48 = (_S47 - (F32_floor((_S47)))) * _S45 - 0.5f;
+    float _S49 = (F32_floor((_S46)));
+    int _S50 = int(side_0);
+    uint _S51 = side_0 - 1U;
+    uint _S52 = uint(int(_S49) + _S50) & _S51;
+    float _S53 = (F32_floor((_S48)));
+    uint _S54 = uint(int(_S53) + _S50) & _S51;
+    uint _S55 = (_S52 + 1U) & _S51;
+    uint _S56 = first_0 + _S54 * side_0;
+    float3  _S57 = make_float3 (_S46 - _S49);
+    uint _S58 = first_0 + ((_S54 + 1U) & _S51) * side_0;
+    return lerp_0(lerp_0(map_texel_0(_S56 + _S52), map_texel_0(_S56 + _S55), _S57), lerp_0(map_texel_0(_S58 + _S52), map_texel_0(_S58 + _S55), _S57), make_float3 (_S48 - _S53));
+}
+
+struct VisiblePoint_0
+{
+    float3  position_0;
+    float3  view_0;
+    float3  axis_x_0;
+    float3  axis_y_0;
+    float3  normal_0;
+    float3  face_normal_0;
+    float2  uv_1;
+    float2  draft_per_uv_0;
+    float2  draft_0;
+    float2  draft_dx_0;
+    float2  draft_dy_0;
+};
+
+__device__ float3  to_local_0(VisiblePoint_0 * point_0, float3  direction_0)
+{
+    return make_float3 (dot_0(direction_0, point_0->axis_x_0), dot_0(direction_0, point_0->axis_y_0), dot_0(direction_0, point_0->normal_0));
+}
+
+__device__ uint scramble_0(uint value_0)
+{
+    uint _S59 = value_0 * 747796405U + 2891336453U;
+    uint _S60 = ((_S59 >> ((_S59 >> int(28)) + 4U)) ^ _S59) * 277803737U;
+    return (_S60 >> int(22)) ^ _S60;
+}
+
+__device__ float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
+{
+    return (float((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+__device__ float2  pixel_sequence_0(uint2  pixel_0, uint index_1, uint stream_1)
+{
+    uint _S61 = pixel_0.x;
+    uint _S62 = pixel_0.y;
+    return frac_0(make_float2 (uniform_hash_0(_S61, _S62, stream_1), uniform_hash_0(_S61, _S62, stream_1 + 1U)) + make_float2 (float(index_1 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
+}
+
+__device__ float scene_number_0(uint index_2)
+{
+    uint _S63 = __ldg((&(globalParams_0->scene_words_0)[index_2]));
+    return (U32_asfloat((_S63)));
+}
+
+struct Choice_0
+{
+    uint index_3;
+    float remainder_0;
+};
+
+__device__ Choice_0 choose_0(uint table_0, uint count_1, float number_0)
+{
+    uint high_0 = count_1;
+    uint low_0 = 0U;
+    for(;;)
+    {
+        if((high_0 - low_0) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S64 = (low_0 + high_0) / 2U;
+        if((scene_number_0(table_0 + _S64)) <= number_0)
+        {
+            low_0 = _S64;
+        }
+        else
+        {
+            high_0 = _S64;
+        }
+    }
+    uint _S65 = table_0 + low_0;
+    float _S66 = scene_number_0(_S65);
+    float _S67 = scene_number_0(_S65 + 1U);
+    Choice_0 choice_0;
+    (&choice_0)->index_3 = low_0;
+    (&choice_0)->remainder_0 = saturate_1((number_0 - _S66) / (F32_max((_S67 - _S66), (9.999999960041972e-13f))));
+    return choice_0;
+}
+
+__device__ float mean_0(float3  colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+__device__ float2  sine_cosine_0(float x_24)
+{
+    float _S68 = (F32_floor((x_24 * 0.63661974668502808f + 0.5f)));
+    float _S69 = x_24 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
+    float _S70 = _S69 * _S69;
+    float _S71 = ((-0.00019515295571182f * _S70 + 0.00833216123282909f) * _S70 - 0.16666655242443085f) * _S70 * _S69 + _S69;
+    float _S72 = ((0.00002443315679557f * _S70 - 0.00138873164542019f) * _S70 + 0.04166664555668831f) * _S70 * _S70 - 0.5f * _S70 + 1.0f;
+    uint _S73 = uint(int(_S68)) & 3U;
+    float2  _S74;
+    if((_S73 & 1U) != 0U)
+    {
+        _S74 = make_float2 (_S72, _S71);
+    }
+    else
+    {
+        _S74 = make_float2 (_S71, _S72);
+    }
+    float _S75;
+    if((_S73 & 2U) != 0U)
+    {
+        _S75 = - _S74.x;
+    }
+    else
+    {
+        _S75 = _S74.x;
+    }
+    float _S76;
+    if(((_S73 + 1U) & 2U) != 0U)
+    {
+        _S76 = - _S74.y;
+    }
+    else
+    {
+        _S76 = _S74.y;
+    }
+    return make_float2 (_S75, _S76);
+}
+
+__device__ Light_0 slang_ldg_2(Light_0 * ptr_2)
+{
+    uint _S77 = __ldg(&ptr_2->is_point_0);
+    float _S78 = __ldg(&ptr_2->x_0);
+    float _S79 = __ldg(&ptr_2->y_0);
+    float _S80 = __ldg(&ptr_2->z_0);
+    float _S81 = __ldg(&ptr_2->red_0);
+    float _S82 = __ldg(&ptr_2->green_0);
+    float _S83 = __ldg(&ptr_2->blue_0);
+    Light_0 _S84 = { _S77, _S78, _S79, _S80, _S81, _S82, _S83 };
+    return _S84;
+}
+
+struct Footprint_0
+{
+    float2  centre_0;
+    float2  dx_0;
+    float2  dy_0;
+};
+
+__device__ float Footprint_spread_side_0(Footprint_0 * this_0)
+{
+    return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
 }
 
 __device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
 {
-    float2  _S72 = float2 {direction_1.x, direction_1.y};
-    float _S73;
+    float2  _S85 = float2 {direction_1.x, direction_1.y};
+    float _S86;
     if(back_0)
     {
-        _S73 = - direction_1.z;
+        _S86 = - direction_1.z;
     }
     else
     {
-        _S73 = direction_1.z;
+        _S86 = direction_1.z;
     }
-    return make_float3 (_S72.x, _S72.y, _S73);
+    return make_float3 (_S85.x, _S85.y, _S86);
 }
 
-__device__ Family_0 slang_ldg_4(Family_0 * ptr_4)
+__device__ Family_0 slang_ldg_3(Family_0 * ptr_3)
 {
-    uint _S74 = __ldg(&ptr_4->is_alike_0);
-    float _S75 = __ldg(&ptr_4->count_0);
-    float _S76 = __ldg(&ptr_4->inverse_count_0);
-    float _S77 = __ldg(&ptr_4->half_inverse_count_0);
-    float _S78 = __ldg(&ptr_4->size_0);
-    float _S79 = __ldg(&ptr_4->inverse_size_0);
-    float _S80 = __ldg(&ptr_4->half_width_0);
-    float _S81 = __ldg(&ptr_4->start_0);
-    float _S82 = __ldg(&ptr_4->period_0);
-    float _S83 = __ldg(&ptr_4->inverse_period_0);
-    float _S84 = __ldg(&ptr_4->bins_0);
-    uint _S85 = __ldg(&ptr_4->first_thread_table_0);
-    uint _S86 = __ldg(&ptr_4->place_table_0);
-    uint _S87 = __ldg(&ptr_4->bend_table_0);
-    float _S88 = __ldg(&ptr_4->height_scale_0);
-    float _S89 = __ldg(&ptr_4->twist_sine_0);
-    float _S90 = __ldg(&ptr_4->twist_cosine_0);
-    float _S91 = __ldg(&ptr_4->level_0);
-    float _S92 = __ldg(&ptr_4->roughness_0);
-    uint _S93 = __ldg(&ptr_4->albedo_table_0);
-    uint _S94 = __ldg(&ptr_4->albedo_stride_0);
-    uint _S95 = __ldg(&ptr_4->before_0);
-    float _S96 = __ldg(&ptr_4->visible_total_0);
-    float _S97 = __ldg(&ptr_4->smallest_box_0);
-    uint _S98 = __ldg(&ptr_4->quantities_0);
-    uint _S99 = __ldg(&ptr_4->colour_mean_0);
-    uint _S100 = __ldg(&ptr_4->colour_axes_0);
-    uint _S101 = __ldg(&ptr_4->colour_threads_0);
-    uint _S102 = __ldg(&ptr_4->colour_areas_0);
-    float _S103 = __ldg(&ptr_4->area_unit_0);
-    float _S104 = __ldg(&ptr_4->crossing_area_0);
-    Family_0 _S105 = { _S74, _S75, _S76, _S77, _S78, _S79, _S80, _S81, _S82, _S83, _S84, _S85, _S86, _S87, _S88, _S89, _S90, _S91, _S92, _S93, _S94, _S95, _S96, _S97, _S98, _S99, _S100, _S101, _S102, _S103, _S104 };
-    return _S105;
+    uint _S87 = __ldg(&ptr_3->is_alike_0);
+    float _S88 = __ldg(&ptr_3->count_0);
+    float _S89 = __ldg(&ptr_3->inverse_count_0);
+    float _S90 = __ldg(&ptr_3->half_inverse_count_0);
+    float _S91 = __ldg(&ptr_3->size_0);
+    float _S92 = __ldg(&ptr_3->inverse_size_0);
+    float _S93 = __ldg(&ptr_3->half_width_0);
+    float _S94 = __ldg(&ptr_3->start_0);
+    float _S95 = __ldg(&ptr_3->period_0);
+    float _S96 = __ldg(&ptr_3->inverse_period_0);
+    float _S97 = __ldg(&ptr_3->bins_0);
+    uint _S98 = __ldg(&ptr_3->first_thread_table_0);
+    uint _S99 = __ldg(&ptr_3->place_table_0);
+    uint _S100 = __ldg(&ptr_3->bend_table_0);
+    float _S101 = __ldg(&ptr_3->height_scale_0);
+    float _S102 = __ldg(&ptr_3->twist_sine_0);
+    float _S103 = __ldg(&ptr_3->twist_cosine_0);
+    float _S104 = __ldg(&ptr_3->level_0);
+    float _S105 = __ldg(&ptr_3->roughness_0);
+    uint _S106 = __ldg(&ptr_3->albedo_table_0);
+    uint _S107 = __ldg(&ptr_3->albedo_stride_0);
+    uint _S108 = __ldg(&ptr_3->before_0);
+    float _S109 = __ldg(&ptr_3->visible_total_0);
+    float _S110 = __ldg(&ptr_3->smallest_box_0);
+    uint _S111 = __ldg(&ptr_3->quantities_0);
+    uint _S112 = __ldg(&ptr_3->colour_mean_0);
+    uint _S113 = __ldg(&ptr_3->colour_axes_0);
+    uint _S114 = __ldg(&ptr_3->colour_threads_0);
+    uint _S115 = __ldg(&ptr_3->colour_areas_0);
+    float _S116 = __ldg(&ptr_3->area_unit_0);
+    float _S117 = __ldg(&ptr_3->crossing_area_0);
+    Family_0 _S118 = { _S87, _S88, _S89, _S90, _S91, _S92, _S93, _S94, _S95, _S96, _S97, _S98, _S99, _S100, _S101, _S102, _S103, _S104, _S105, _S106, _S107, _S108, _S109, _S110, _S111, _S112, _S113, _S114, _S115, _S116, _S117 };
+    return _S118;
 }
 
 struct SurfacePoint_0
@@ -664,18 +800,18 @@ struct SurfacePoint_0
 
 __device__ SurfacePoint_0 SurfacePoint_x24init_0(bool hole_1, bool is_warp_1, uint warp_thread_1, uint weft_thread_1, float height_2, float3  normal_2, float3  tangent_1, float across_1, float fibre_across_1, float fibre_along_1)
 {
-    SurfacePoint_0 _S106;
-    (&_S106)->hole_0 = hole_1;
-    (&_S106)->is_warp_0 = is_warp_1;
-    (&_S106)->warp_thread_0 = warp_thread_1;
-    (&_S106)->weft_thread_0 = weft_thread_1;
-    (&_S106)->height_1 = height_2;
-    (&_S106)->normal_1 = normal_2;
-    (&_S106)->tangent_0 = tangent_1;
-    (&_S106)->across_0 = across_1;
-    (&_S106)->fibre_across_0 = fibre_across_1;
-    (&_S106)->fibre_along_0 = fibre_along_1;
-    return _S106;
+    SurfacePoint_0 _S119;
+    (&_S119)->hole_0 = hole_1;
+    (&_S119)->is_warp_0 = is_warp_1;
+    (&_S119)->warp_thread_0 = warp_thread_1;
+    (&_S119)->weft_thread_0 = weft_thread_1;
+    (&_S119)->height_1 = height_2;
+    (&_S119)->normal_1 = normal_2;
+    (&_S119)->tangent_0 = tangent_1;
+    (&_S119)->across_0 = across_1;
+    (&_S119)->fibre_across_0 = fibre_across_1;
+    (&_S119)->fibre_along_0 = fibre_along_1;
+    return _S119;
 }
 
 struct Components_0
@@ -710,109 +846,109 @@ struct SearchQuality_0
 
 __device__ SearchQuality_0 quality_of_0(float threads_0)
 {
-    float _S107 = clamp_1((-3.0f - binary_logarithm_0((F32_max((threads_0), (9.99999971718068537e-10f))))) / 2.0f, 0.0f, 1.0f);
+    float _S120 = clamp_1((-3.0f - binary_logarithm_0((F32_max((threads_0), (9.99999971718068537e-10f))))) / 2.0f, 0.0f, 1.0f);
     SearchQuality_0 quality_0;
-    float _S108 = lerp_1(2.5f, 5.0f, _S107);
-    (&quality_0)->steps_per_thread_0 = _S108;
-    (&quality_0)->steps_per_relief_0 = _S108;
-    (&quality_0)->shadow_share_0 = lerp_1(1.60000002384185791f, 1.0f, _S107);
-    (&quality_0)->refinements_0 = uint(lerp_1(1.0f, 2.0f, _S107) + 0.5f);
+    float _S121 = lerp_1(2.5f, 5.0f, _S120);
+    (&quality_0)->steps_per_thread_0 = _S121;
+    (&quality_0)->steps_per_relief_0 = _S121;
+    (&quality_0)->shadow_share_0 = lerp_1(1.60000002384185791f, 1.0f, _S120);
+    (&quality_0)->refinements_0 = uint(lerp_1(1.0f, 2.0f, _S120) + 0.5f);
     return quality_0;
 }
 
-__device__ float2  turns_and_remainder_0(uint family_0, float index_0)
+__device__ float2  turns_and_remainder_0(uint family_0, float index_4)
 {
-    Family_0 _S109 = slang_ldg_4((&(globalParams_0->families_0)[family_0]));
-    Family_0 _S110 = slang_ldg_4((&(globalParams_0->families_0)[family_0]));
-    float _S111 = (F32_floor(((F32_fma((index_0), (_S109.inverse_count_0), (_S110.half_inverse_count_0))))));
-    float _S112 = - _S111;
-    Family_0 _S113 = slang_ldg_4((&(globalParams_0->families_0)[family_0]));
-    return make_float2 (_S111, (F32_fma((_S112), (_S113.count_0), (index_0))));
+    Family_0 _S122 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    Family_0 _S123 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    float _S124 = (F32_floor(((F32_fma((index_4), (_S122.inverse_count_0), (_S123.half_inverse_count_0))))));
+    float _S125 = - _S124;
+    Family_0 _S126 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    return make_float2 (_S124, (F32_fma((_S125), (_S126.count_0), (index_4))));
 }
 
 struct Cell_0
 {
-    uint thread_0;
+    uint thread_1;
     float across_2;
     float half_width_1;
     float below_0;
     float above_0;
 };
 
-__device__ Cell_0 locate_alike_0(uint family_1, float position_2)
+__device__ Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    Family_0 _S114 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    float _S115 = (F32_floor((position_2 * _S114.inverse_size_0)));
-    Cell_0 cell_0;
-    float _S116 = - _S115;
-    Family_0 _S117 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    float _S118 = (F32_fma((_S116), (_S117.size_0), (position_2)));
-    (&cell_0)->below_0 = _S118;
-    Family_0 _S119 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->above_0 = _S119.size_0 - _S118;
-    Family_0 _S120 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->across_2 = _S118 - 0.5f * _S120.size_0;
-    Family_0 _S121 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->half_width_1 = _S121.half_width_0;
-    float _S122 = turns_and_remainder_0(family_1, _S115).y;
-    Family_0 _S123 = slang_ldg_4((&(globalParams_0->families_0)[family_1]));
-    (&cell_0)->thread_0 = uint(clamp_1(_S122, 0.0f, _S123.count_0 - 1.0f));
-    return cell_0;
-}
-
-__device__ float table_number_0(uint index_1)
-{
-    uint _S124 = __ldg((&(globalParams_0->words_0)[index_1]));
-    return (U32_asfloat((_S124)));
-}
-
-__device__ Cell_0 locate_varied_0(uint family_2, float position_3)
-{
-    Family_0 _S125 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    float _S126 = position_3 - _S125.start_0;
-    Family_0 _S127 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    float turns_0 = _S126 * _S127.inverse_period_0;
-    float turns_1 = turns_0 - (F32_floor((turns_0)));
-    Family_0 _S128 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    float _S129 = turns_1 * _S128.period_0;
-    Family_0 _S130 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    float _S131 = turns_1 * _S130.bins_0;
-    Family_0 _S132 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    uint _S133 = uint(clamp_1(_S131, 0.0f, _S132.bins_0 - 1.0f));
-    Family_0 _S134 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    uint _S135 = __ldg((&(globalParams_0->words_0)[_S134.first_thread_table_0 + _S133]));
-    Family_0 _S136 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    uint _S137;
-    if(_S129 >= (table_number_0(_S136.place_table_0 + _S135 * 4U + 1U)))
-    {
-        _S137 = 1U;
-    }
-    else
-    {
-        _S137 = 0U;
-    }
-    uint _S138 = _S135 + _S137;
-    Family_0 _S139 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    uint _S140 = (U32_min((_S138), (uint(_S139.count_0) - 1U)));
-    Family_0 _S141 = slang_ldg_4((&(globalParams_0->families_0)[family_2]));
-    uint _S142 = _S141.place_table_0 + _S140 * 4U;
+    Family_0 _S127 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    float _S128 = (F32_floor((position_1 * _S127.inverse_size_0)));
     Cell_0 cell_1;
-    (&cell_1)->thread_0 = _S140;
-    (&cell_1)->below_0 = _S129 - table_number_0(_S142);
-    (&cell_1)->above_0 = table_number_0(_S142 + 1U) - _S129;
-    (&cell_1)->across_2 = _S129 - table_number_0(_S142 + 2U);
-    (&cell_1)->half_width_1 = table_number_0(_S142 + 3U);
+    float _S129 = - _S128;
+    Family_0 _S130 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    float _S131 = (F32_fma((_S129), (_S130.size_0), (position_1)));
+    (&cell_1)->below_0 = _S131;
+    Family_0 _S132 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->above_0 = _S132.size_0 - _S131;
+    Family_0 _S133 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->across_2 = _S131 - 0.5f * _S133.size_0;
+    Family_0 _S134 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->half_width_1 = _S134.half_width_0;
+    float _S135 = turns_and_remainder_0(family_1, _S128).y;
+    Family_0 _S136 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->thread_1 = uint(clamp_1(_S135, 0.0f, _S136.count_0 - 1.0f));
     return cell_1;
 }
 
-__device__ Cell_0 locate_0(uint family_3, float position_4)
+__device__ float table_number_0(uint index_5)
 {
-    Family_0 _S143 = slang_ldg_4((&(globalParams_0->families_0)[family_3]));
-    if((_S143.is_alike_0) != 0U)
+    uint _S137 = __ldg((&(globalParams_0->words_0)[index_5]));
+    return (U32_asfloat((_S137)));
+}
+
+__device__ Cell_0 locate_varied_0(uint family_2, float position_2)
+{
+    Family_0 _S138 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S139 = position_2 - _S138.start_0;
+    Family_0 _S140 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float turns_0 = _S139 * _S140.inverse_period_0;
+    float turns_1 = turns_0 - (F32_floor((turns_0)));
+    Family_0 _S141 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S142 = turns_1 * _S141.period_0;
+    Family_0 _S143 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S144 = turns_1 * _S143.bins_0;
+    Family_0 _S145 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S146 = uint(clamp_1(_S144, 0.0f, _S145.bins_0 - 1.0f));
+    Family_0 _S147 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S148 = __ldg((&(globalParams_0->words_0)[_S147.first_thread_table_0 + _S146]));
+    Family_0 _S149 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S150;
+    if(_S142 >= (table_number_0(_S149.place_table_0 + _S148 * 4U + 1U)))
     {
-        return locate_alike_0(family_3, position_4);
+        _S150 = 1U;
     }
-    return locate_varied_0(family_3, position_4);
+    else
+    {
+        _S150 = 0U;
+    }
+    uint _S151 = _S148 + _S150;
+    Family_0 _S152 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S153 = (U32_min((_S151), (uint(_S152.count_0) - 1U)));
+    Family_0 _S154 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S155 = _S154.place_table_0 + _S153 * 4U;
+    Cell_0 cell_2;
+    (&cell_2)->thread_1 = _S153;
+    (&cell_2)->below_0 = _S142 - table_number_0(_S155);
+    (&cell_2)->above_0 = table_number_0(_S155 + 1U) - _S142;
+    (&cell_2)->across_2 = _S142 - table_number_0(_S155 + 2U);
+    (&cell_2)->half_width_1 = table_number_0(_S155 + 3U);
+    return cell_2;
+}
+
+__device__ Cell_0 locate_0(uint family_3, float position_3)
+{
+    Family_0 _S156 = slang_ldg_3((&(globalParams_0->families_0)[family_3]));
+    if((_S156.is_alike_0) != 0U)
+    {
+        return locate_alike_0(family_3, position_3);
+    }
+    return locate_varied_0(family_3, position_3);
 }
 
 struct Shown_0
@@ -834,121 +970,121 @@ struct Crossing_0
 
 __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
 {
-    bool _S144 = (F32_abs(((&crossing_0->warp_1)->across_2))) < ((&crossing_0->warp_1)->half_width_1);
-    bool _S145 = (F32_abs(((&crossing_0->weft_1)->across_2))) < ((&crossing_0->weft_1)->half_width_1);
+    bool _S157 = (F32_abs(((&crossing_0->warp_1)->across_2))) < ((&crossing_0->warp_1)->half_width_1);
+    bool _S158 = (F32_abs(((&crossing_0->weft_1)->across_2))) < ((&crossing_0->weft_1)->half_width_1);
     Shown_0 shown_0;
-    bool _S146;
-    if(_S144)
+    bool _S159;
+    if(_S157)
     {
-        if(!_S145)
+        if(!_S158)
         {
-            _S146 = true;
+            _S159 = true;
         }
         else
         {
-            _S146 = crossing_0->warp_above_0;
+            _S159 = crossing_0->warp_above_0;
         }
     }
     else
     {
-        _S146 = false;
+        _S159 = false;
     }
-    (&shown_0)->is_warp_2 = _S146;
-    if(!_S144)
+    (&shown_0)->is_warp_2 = _S159;
+    if(!_S157)
     {
-        _S146 = !_S145;
+        _S159 = !_S158;
     }
     else
     {
-        _S146 = false;
+        _S159 = false;
     }
-    (&shown_0)->hole_3 = _S146;
-    uint _S147;
+    (&shown_0)->hole_3 = _S159;
+    uint _S160;
     if((&shown_0)->is_warp_2)
     {
-        _S147 = crossing_0->warp_word_0;
+        _S160 = crossing_0->warp_word_0;
     }
     else
     {
-        _S147 = crossing_0->weft_word_0;
+        _S160 = crossing_0->weft_word_0;
     }
-    (&shown_0)->word_0 = _S147;
-    (&shown_0)->on_top_0 = ((_S147 & 1U) == 1U) != back_1;
+    (&shown_0)->word_0 = _S160;
+    (&shown_0)->on_top_0 = ((_S160 & 1U) == 1U) != back_1;
     return shown_0;
 }
 
-__device__ Cell_0 select_cell_0(bool is_first_0, Cell_0 * first_0, Cell_0 * second_0)
+__device__ Cell_0 select_cell_0(bool is_first_0, Cell_0 * first_1, Cell_0 * second_0)
 {
-    Cell_0 cell_2;
-    uint _S148;
+    Cell_0 cell_3;
+    uint _S161;
     if(is_first_0)
     {
-        _S148 = first_0->thread_0;
+        _S161 = first_1->thread_1;
     }
     else
     {
-        _S148 = second_0->thread_0;
+        _S161 = second_0->thread_1;
     }
-    (&cell_2)->thread_0 = _S148;
-    float _S149;
+    (&cell_3)->thread_1 = _S161;
+    float _S162;
     if(is_first_0)
     {
-        _S149 = first_0->across_2;
+        _S162 = first_1->across_2;
     }
     else
     {
-        _S149 = second_0->across_2;
+        _S162 = second_0->across_2;
     }
-    (&cell_2)->across_2 = _S149;
+    (&cell_3)->across_2 = _S162;
     if(is_first_0)
     {
-        _S149 = first_0->half_width_1;
+        _S162 = first_1->half_width_1;
     }
     else
     {
-        _S149 = second_0->half_width_1;
+        _S162 = second_0->half_width_1;
     }
-    (&cell_2)->half_width_1 = _S149;
+    (&cell_3)->half_width_1 = _S162;
     if(is_first_0)
     {
-        _S149 = first_0->below_0;
+        _S162 = first_1->below_0;
     }
     else
     {
-        _S149 = second_0->below_0;
+        _S162 = second_0->below_0;
     }
-    (&cell_2)->below_0 = _S149;
+    (&cell_3)->below_0 = _S162;
     if(is_first_0)
     {
-        _S149 = first_0->above_0;
+        _S162 = first_1->above_0;
     }
     else
     {
-        _S149 = second_0->above_0;
+        _S162 = second_0->above_0;
     }
-    (&cell_2)->above_0 = _S149;
-    return cell_2;
+    (&cell_3)->above_0 = _S162;
+    return cell_3;
 }
 
-__device__ float boundary_0(uint family_4, uint thread_1, int step_0)
+__device__ float boundary_0(uint family_4, uint thread_2, int step_0)
 {
-    float2  _S150 = turns_and_remainder_0(family_4, float(int(thread_1) + step_0));
-    float _S151 = _S150.x;
-    Family_0 _S152 = slang_ldg_4((&(globalParams_0->families_0)[family_4]));
-    Family_0 _S153 = slang_ldg_4((&(globalParams_0->families_0)[family_4]));
-    return (F32_fma((_S151), (_S152.period_0), (table_number_0(_S153.place_table_0 + uint(_S150.y) * 4U))));
+    float2  _S163 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0));
+    float _S164 = _S163.x;
+    Family_0 _S165 = slang_ldg_3((&(globalParams_0->families_0)[family_4]));
+    Family_0 _S166 = slang_ldg_3((&(globalParams_0->families_0)[family_4]));
+    return (F32_fma((_S164), (_S165.period_0), (table_number_0(_S166.place_table_0 + uint(_S163.y) * 4U))));
 }
 
-__device__ float span_0(uint family_5, uint thread_2, int first_1, int last_0)
+__device__ float span_0(uint family_5, uint thread_3, int first_2, int last_0)
 {
-    Family_0 _S154 = slang_ldg_4((&(globalParams_0->families_0)[family_5]));
-    if((_S154.is_alike_0) != 0U)
+    Family_0 _S167 = slang_ldg_3((&(globalParams_0->families_0)[family_5]));
+    if((_S167.is_alike_0) != 0U)
     {
-        float _S155 = float(last_0 - first_1);
-        Family_0 _S156 = slang_ldg_4((&(globalParams_0->families_0)[family_5]));
-        return _S155 * _S156.size_0;
+        float _S168 = float(last_0 - first_2);
+        Family_0 _S169 = slang_ldg_3((&(globalParams_0->families_0)[family_5]));
+        return _S168 * _S169.size_0;
     }
-    return boundary_0(family_5, thread_2, last_0) - boundary_0(family_5, thread_2, first_1);
+    return boundary_0(family_5, thread_3, last_0) - boundary_0(family_5, thread_3, first_2);
 }
 
 struct Bend_0
@@ -958,24 +1094,24 @@ struct Bend_0
     float arc_0;
 };
 
-__device__ Bend_0 bend_of_0(uint family_6, uint thread_3)
+__device__ Bend_0 bend_of_0(uint family_6, uint thread_4)
 {
-    Family_0 _S157 = slang_ldg_4((&(globalParams_0->families_0)[family_6]));
-    Family_0 _S158 = slang_ldg_4((&(globalParams_0->families_0)[family_6]));
-    uint _S159;
-    if((_S158.is_alike_0) != 0U)
+    Family_0 _S170 = slang_ldg_3((&(globalParams_0->families_0)[family_6]));
+    Family_0 _S171 = slang_ldg_3((&(globalParams_0->families_0)[family_6]));
+    uint _S172;
+    if((_S171.is_alike_0) != 0U)
     {
-        _S159 = 0U;
+        _S172 = 0U;
     }
     else
     {
-        _S159 = thread_3 * 4U;
+        _S172 = thread_4 * 4U;
     }
-    uint _S160 = _S157.bend_table_0 + _S159;
+    uint _S173 = _S170.bend_table_0 + _S172;
     Bend_0 bend_0;
-    (&bend_0)->sine_0 = table_number_0(_S160);
-    (&bend_0)->half_tangent_0 = table_number_0(_S160 + 1U);
-    (&bend_0)->arc_0 = table_number_0(_S160 + 2U);
+    (&bend_0)->sine_0 = table_number_0(_S173);
+    (&bend_0)->half_tangent_0 = table_number_0(_S173 + 1U);
+    (&bend_0)->arc_0 = table_number_0(_S173 + 2U);
     return bend_0;
 }
 
@@ -993,62 +1129,57 @@ struct Run_0
     bool last_crossing_0;
 };
 
-__device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_4, Cell_0 * crossed_0, uint word_1)
+__device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 * crossed_0, uint word_1)
 {
-    int _S161 = int((word_1 >> int(1)) & 127U);
-    int _S162 = int((word_1 >> int(8)) & 127U);
-    int _S163 = int((word_1 >> int(15)) & 63U);
-    int _S164 = int((word_1 >> int(21)) & 63U);
+    int _S174 = int((word_1 >> int(1)) & 127U);
+    int _S175 = int((word_1 >> int(8)) & 127U);
+    int _S176 = int((word_1 >> int(15)) & 63U);
+    int _S177 = int((word_1 >> int(21)) & 63U);
     Run_0 run_0;
     (&run_0)->straight_0 = ((word_1 >> int(27)) & 1U) == 1U;
-    uint _S165 = crossed_0->thread_0;
-    int _S166 = - _S161;
-    float _S167 = crossed_0->below_0 + span_0(other_0, crossed_0->thread_0, _S166, int(0));
-    (&run_0)->from_start_0 = _S167;
-    int _S168 = _S162 + int(1);
-    float _S169 = crossed_0->above_0 + span_0(other_0, crossed_0->thread_0, int(1), _S168);
-    (&run_0)->to_end_0 = _S169;
-    bool _S170 = _S167 < _S169;
-    (&run_0)->near_start_0 = _S170;
-    int _S171;
-    if(_S170)
+    uint _S178 = crossed_0->thread_1;
+    int _S179 = - _S174;
+    float _S180 = crossed_0->below_0 + span_0(other_0, crossed_0->thread_1, _S179, int(0));
+    (&run_0)->from_start_0 = _S180;
+    int _S181 = _S175 + int(1);
+    float _S182 = crossed_0->above_0 + span_0(other_0, crossed_0->thread_1, int(1), _S181);
+    (&run_0)->to_end_0 = _S182;
+    bool _S183 = _S180 < _S182;
+    (&run_0)->near_start_0 = _S183;
+    int _S184;
+    if(_S183)
     {
-        _S171 = _S166 - _S163;
+        _S184 = _S179 - _S176;
     }
     else
     {
-        _S171 = _S168;
+        _S184 = _S181;
     }
-    int _S172;
+    int _S185;
     if((&run_0)->near_start_0)
     {
-        _S172 = _S166;
+        _S185 = _S179;
     }
     else
     {
-        _S172 = _S168 + _S164;
+        _S185 = _S181 + _S177;
     }
-    (&run_0)->bend_1 = bend_of_0(own_0, thread_4);
-    float _S173;
+    (&run_0)->bend_1 = bend_of_0(own_0, thread_5);
+    float _S186;
     if((&run_0)->straight_0)
     {
-        _S173 = 1.0e+06f;
+        _S186 = 1.0e+06f;
     }
     else
     {
-        _S173 = (F32_min(((&run_0)->from_start_0), ((&run_0)->to_end_0)));
+        _S186 = (F32_min(((&run_0)->from_start_0), ((&run_0)->to_end_0)));
     }
-    (&run_0)->distance_0 = _S173;
+    (&run_0)->distance_0 = _S186;
     (&run_0)->reach_0 = (F32_min((0.5f * ((&run_0)->from_start_0 + (&run_0)->to_end_0)), ((&(&run_0)->bend_1)->arc_0)));
-    (&run_0)->other_reach_0 = (F32_min((0.5f * span_0(other_0, _S165, _S171, _S172)), ((&(&run_0)->bend_1)->arc_0)));
-    (&run_0)->first_crossing_0 = _S161 == int(0);
-    (&run_0)->last_crossing_0 = _S162 == int(0);
+    (&run_0)->other_reach_0 = (F32_min((0.5f * span_0(other_0, _S178, _S184, _S185)), ((&(&run_0)->bend_1)->arc_0)));
+    (&run_0)->first_crossing_0 = _S174 == int(0);
+    (&run_0)->last_crossing_0 = _S175 == int(0);
     return run_0;
-}
-
-__device__ float square_1(float x_19)
-{
-    return x_19 * x_19;
 }
 
 struct Section_0
@@ -1058,99 +1189,99 @@ struct Section_0
     float slope_0;
 };
 
-__device__ Section_0 section_at_0(Cell_0 * cell_3)
+__device__ Section_0 section_at_0(Cell_0 * cell_4)
 {
-    float _S174 = cell_3->half_width_1 * 1.0154266357421875f;
+    float _S187 = cell_4->half_width_1 * 1.0154266357421875f;
     Section_0 section_0;
-    float _S175 = clamp_1(cell_3->across_2, - cell_3->half_width_1, cell_3->half_width_1);
-    (&section_0)->across_3 = _S175;
-    float _S176 = _S174 * _S174 - square_1(_S175);
-    float _S177 = (F32_rsqrt((_S176)));
-    (&section_0)->drop_0 = _S174 - _S176 * _S177;
-    (&section_0)->slope_0 = - _S175 * _S177;
+    float _S188 = clamp_1(cell_4->across_2, - cell_4->half_width_1, cell_4->half_width_1);
+    (&section_0)->across_3 = _S188;
+    float _S189 = _S187 * _S187 - square_1(_S188);
+    float _S190 = (F32_rsqrt((_S189)));
+    (&section_0)->drop_0 = _S187 - _S189 * _S190;
+    (&section_0)->slope_0 = - _S188 * _S190;
     return section_0;
 }
 
-__device__ float edge_drop_0(uint family_7, uint thread_5, int step_1)
+__device__ float edge_drop_0(uint family_7, uint thread_6, int step_1)
 {
-    Family_0 _S178 = slang_ldg_4((&(globalParams_0->families_0)[family_7]));
-    if((_S178.is_alike_0) != 0U)
+    Family_0 _S191 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+    if((_S191.is_alike_0) != 0U)
     {
-        Family_0 _S179 = slang_ldg_4((&(globalParams_0->families_0)[family_7]));
-        return table_number_0(_S179.bend_table_0 + 3U);
+        Family_0 _S192 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+        return table_number_0(_S192.bend_table_0 + 3U);
     }
-    Family_0 _S180 = slang_ldg_4((&(globalParams_0->families_0)[family_7]));
-    return table_number_0(_S180.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_5) + step_1)).y) * 4U + 3U);
+    Family_0 _S193 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+    return table_number_0(_S193.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_6) + step_1)).y) * 4U + 3U);
 }
 
 __device__ float2  dive_0(uint other_1, Shown_0 * shown_1, Run_0 * run_1, Cell_0 * crossed_1)
 {
-    float _S181 = crossed_1->below_0;
-    float _S182 = crossed_1->above_0;
-    bool _S183 = (crossed_1->below_0) < (crossed_1->above_0);
-    float _S184 = (F32_min((crossed_1->below_0), (crossed_1->above_0)));
-    float _S185;
-    if(_S183)
+    float _S194 = crossed_1->below_0;
+    float _S195 = crossed_1->above_0;
+    bool _S196 = (crossed_1->below_0) < (crossed_1->above_0);
+    float _S197 = (F32_min((crossed_1->below_0), (crossed_1->above_0)));
+    float _S198;
+    if(_S196)
     {
-        _S185 = _S181 - crossed_1->across_2;
+        _S198 = _S194 - crossed_1->across_2;
     }
     else
     {
-        _S185 = _S182 + crossed_1->across_2;
+        _S198 = _S195 + crossed_1->across_2;
     }
-    float _S186 = _S185 - crossed_1->half_width_1;
-    bool _S187;
-    if(_S183)
+    float _S199 = _S198 - crossed_1->half_width_1;
+    bool _S200;
+    if(_S196)
     {
-        _S187 = run_1->first_crossing_0;
+        _S200 = run_1->first_crossing_0;
     }
     else
     {
-        _S187 = run_1->last_crossing_0;
+        _S200 = run_1->last_crossing_0;
     }
-    bool _S188 = shown_1->on_top_0;
+    bool _S201 = shown_1->on_top_0;
     if(shown_1->on_top_0)
     {
-        _S185 = 0.0f;
+        _S198 = 0.0f;
     }
     else
     {
-        Family_0 _S189 = slang_ldg_4((&(globalParams_0->families_0)[other_1]));
-        _S185 = _S189.height_scale_0 * edge_drop_0(other_1, crossed_1->thread_0, int(0));
+        Family_0 _S202 = slang_ldg_3((&(globalParams_0->families_0)[other_1]));
+        _S198 = _S202.height_scale_0 * edge_drop_0(other_1, crossed_1->thread_1, int(0));
     }
-    float _S190;
-    if(_S188 != _S187)
+    float _S203;
+    if(_S201 != _S200)
     {
-        _S190 = 0.0f;
+        _S203 = 0.0f;
     }
     else
     {
-        Family_0 _S191 = slang_ldg_4((&(globalParams_0->families_0)[other_1]));
-        uint _S192 = crossed_1->thread_0;
-        int _S193;
-        if(_S183)
+        Family_0 _S204 = slang_ldg_3((&(globalParams_0->families_0)[other_1]));
+        uint _S205 = crossed_1->thread_1;
+        int _S206;
+        if(_S196)
         {
-            _S193 = int(-1);
+            _S206 = int(-1);
         }
         else
         {
-            _S193 = int(1);
+            _S206 = int(1);
         }
-        _S190 = _S191.height_scale_0 * edge_drop_0(other_1, _S192, _S193);
+        _S203 = _S204.height_scale_0 * edge_drop_0(other_1, _S205, _S206);
     }
-    float _S194 = 1.0f / (F32_max((2.0f * _S186), (9.999999960041972e-13f)));
-    float _S195 = clamp_1((_S186 - _S184) * _S194, 0.0f, 1.0f);
-    float _S196 = _S185 + (_S190 - _S185) * (_S195 * _S195 * (3.0f - 2.0f * _S195));
-    float _S197 = (_S185 - _S190) * (6.0f * _S195 * (1.0f - _S195) * _S194);
-    if(_S183)
+    float _S207 = 1.0f / (F32_max((2.0f * _S199), (9.999999960041972e-13f)));
+    float _S208 = clamp_1((_S199 - _S197) * _S207, 0.0f, 1.0f);
+    float _S209 = _S198 + (_S203 - _S198) * (_S208 * _S208 * (3.0f - 2.0f * _S208));
+    float _S210 = (_S198 - _S203) * (6.0f * _S208 * (1.0f - _S208) * _S207);
+    if(_S196)
     {
-        _S185 = 1.0f;
+        _S198 = 1.0f;
     }
     else
     {
-        _S185 = -1.0f;
+        _S198 = -1.0f;
     }
-    return make_float2 (_S196, _S197 * _S185);
+    return make_float2 (_S209, _S210 * _S198);
 }
 
 struct StepControl_0
@@ -1168,12 +1299,12 @@ __device__ StepControl_0 step_control_0(float2  direction_2, float step_3)
     StepControl_0 control_0;
     (&control_0)->step_2 = step_3;
     (&control_0)->epsilon_0 = 0.00499999988824129f * step_3;
-    float _S198 = direction_2.x;
-    (&control_0)->per_x_0 = 1.0f / (F32_max(((F32_abs((_S198)))), (9.99999971718068537e-10f)));
-    float _S199 = direction_2.y;
-    (&control_0)->per_y_0 = 1.0f / (F32_max(((F32_abs((_S199)))), (9.99999971718068537e-10f)));
-    (&control_0)->right_1 = _S198 > 0.0f;
-    (&control_0)->up_0 = _S199 > 0.0f;
+    float _S211 = direction_2.x;
+    (&control_0)->per_x_0 = 1.0f / (F32_max(((F32_abs((_S211)))), (9.99999971718068537e-10f)));
+    float _S212 = direction_2.y;
+    (&control_0)->per_y_0 = 1.0f / (F32_max(((F32_abs((_S212)))), (9.99999971718068537e-10f)));
+    (&control_0)->right_1 = _S211 > 0.0f;
+    (&control_0)->up_0 = _S212 > 0.0f;
     return control_0;
 }
 
@@ -1195,142 +1326,142 @@ __device__ PreviousSample_0 no_previous_sample_0()
     return previous_0;
 }
 
-__device__ float outline_distance_0(Cell_0 * cell_4, Shown_0 * shown_2, Run_0 * run_2, bool lengthwise_0, bool forwards_0)
+__device__ float outline_distance_0(Cell_0 * cell_5, Shown_0 * shown_2, Run_0 * run_2, bool lengthwise_0, bool forwards_0)
 {
-    float _S200;
+    float _S213;
     if(forwards_0)
     {
-        _S200 = cell_4->across_2;
+        _S213 = cell_5->across_2;
     }
     else
     {
-        _S200 = - cell_4->across_2;
+        _S213 = - cell_5->across_2;
     }
-    float _S201;
+    float _S214;
     if(forwards_0)
     {
-        _S201 = cell_4->above_0;
+        _S214 = cell_5->above_0;
     }
     else
     {
-        _S201 = cell_4->below_0;
+        _S214 = cell_5->below_0;
     }
-    bool _S202;
+    bool _S215;
     if(forwards_0)
     {
-        _S202 = run_2->last_crossing_0;
+        _S215 = run_2->last_crossing_0;
     }
     else
     {
-        _S202 = run_2->first_crossing_0;
+        _S215 = run_2->first_crossing_0;
     }
-    bool _S203;
+    bool _S216;
     if(forwards_0)
     {
-        _S203 = run_2->first_crossing_0;
+        _S216 = run_2->first_crossing_0;
     }
     else
     {
-        _S203 = run_2->last_crossing_0;
+        _S216 = run_2->last_crossing_0;
     }
-    float _S204 = cell_4->half_width_1;
-    float _S205 = - cell_4->half_width_1;
-    bool _S206 = _S200 < _S205;
-    bool _S207 = _S200 >= (cell_4->half_width_1);
+    float _S217 = cell_5->half_width_1;
+    float _S218 = - cell_5->half_width_1;
+    bool _S219 = _S213 < _S218;
+    bool _S220 = _S213 >= (cell_5->half_width_1);
     if(lengthwise_0)
     {
-        _S202 = !_S202;
+        _S215 = !_S215;
     }
     else
     {
-        _S202 = false;
+        _S215 = false;
     }
-    if(_S202)
+    if(_S215)
     {
-        _S202 = !shown_2->hole_3;
-    }
-    else
-    {
-        _S202 = false;
-    }
-    bool _S208;
-    if(_S202)
-    {
-        _S208 = shown_2->on_top_0;
+        _S215 = !shown_2->hole_3;
     }
     else
     {
-        _S208 = false;
+        _S215 = false;
     }
-    if(_S208)
+    bool _S221;
+    if(_S215)
     {
-        if(_S203)
+        _S221 = shown_2->on_top_0;
+    }
+    else
+    {
+        _S221 = false;
+    }
+    if(_S221)
+    {
+        if(_S216)
         {
-            _S203 = _S206;
+            _S216 = _S219;
         }
         else
         {
-            _S203 = false;
+            _S216 = false;
         }
-        _S203 = !_S203;
+        _S216 = !_S216;
     }
     else
     {
-        _S203 = false;
+        _S216 = false;
     }
     if(shown_2->hole_3)
     {
-        _S202 = true;
+        _S215 = true;
     }
     else
     {
-        if(_S202)
+        if(_S215)
         {
-            _S202 = !shown_2->on_top_0;
+            _S215 = !shown_2->on_top_0;
         }
         else
         {
-            _S202 = false;
+            _S215 = false;
         }
     }
-    float _S209;
-    if(_S206)
+    float _S222;
+    if(_S219)
     {
-        _S209 = _S205;
+        _S222 = _S218;
     }
     else
     {
-        _S209 = _S204;
+        _S222 = _S217;
     }
-    float _S210 = _S209 - _S200;
-    if(_S202)
+    float _S223 = _S222 - _S213;
+    if(_S215)
     {
-        _S200 = 2.0f * _S201 + _S200 - _S204;
+        _S213 = 2.0f * _S214 + _S213 - _S217;
     }
     else
     {
-        _S200 = _S201;
+        _S213 = _S214;
     }
-    if(_S203)
+    if(_S216)
     {
         if(forwards_0)
         {
-            _S200 = run_2->to_end_0;
+            _S213 = run_2->to_end_0;
         }
         else
         {
-            _S200 = run_2->from_start_0;
+            _S213 = run_2->from_start_0;
         }
-        return _S200;
+        return _S213;
     }
-    if(_S207)
+    if(_S220)
     {
     }
     else
     {
-        _S200 = _S210;
+        _S213 = _S223;
     }
-    return _S200;
+    return _S213;
 }
 
 struct Probe_0
@@ -1349,119 +1480,119 @@ struct Probe_0
 
 __device__ float way_back_to_dip_0(PreviousSample_0 * previous_1, float clearance_1, float rate_1, float step_4, Probe_0 * here_0)
 {
-    float _S211 = previous_1->rate_0;
-    float _S212 = previous_1->rate_0 * step_4;
-    float _S213 = rate_1 * step_4;
-    bool _S214;
+    float _S224 = previous_1->rate_0;
+    float _S225 = previous_1->rate_0 * step_4;
+    float _S226 = rate_1 * step_4;
+    bool _S227;
     if(!previous_1->known_0)
     {
-        _S214 = true;
+        _S227 = true;
     }
     else
     {
-        _S214 = here_0->hole_4;
+        _S227 = here_0->hole_4;
     }
-    if(_S214)
+    if(_S227)
     {
-        _S214 = true;
+        _S227 = true;
     }
     else
     {
-        _S214 = (previous_1->yarn_0) != (here_0->yarn_1);
+        _S227 = (previous_1->yarn_0) != (here_0->yarn_1);
     }
-    if(_S214)
+    if(_S227)
     {
-        _S214 = true;
+        _S227 = true;
     }
     else
     {
-        _S214 = _S211 >= 0.0f;
+        _S227 = _S224 >= 0.0f;
     }
-    if(_S214)
+    if(_S227)
     {
-        _S214 = true;
+        _S227 = true;
     }
     else
     {
-        _S214 = rate_1 <= 0.0f;
+        _S227 = rate_1 <= 0.0f;
     }
-    if(_S214)
+    if(_S227)
     {
         return -1.0f;
     }
-    float _S215 = previous_1->clearance_0;
-    if((3.0f * previous_1->clearance_0 + _S212) >= 0.0f)
+    float _S228 = previous_1->clearance_0;
+    if((3.0f * previous_1->clearance_0 + _S225) >= 0.0f)
     {
-        _S214 = (3.0f * clearance_1 - _S213) >= 0.0f;
+        _S227 = (3.0f * clearance_1 - _S226) >= 0.0f;
     }
     else
     {
-        _S214 = false;
+        _S227 = false;
     }
-    if(_S214)
+    if(_S227)
     {
         return -1.0f;
     }
-    float _S216 = clearance_1 - _S215;
-    float _S217 = 6.0f * _S216 - 4.0f * _S212 - 2.0f * _S213;
-    float _S218 = -2.0f * _S212 / (F32_max((_S217 + (F32_sqrt(((F32_max((_S217 * _S217 - 4.0f * (3.0f * (_S212 + _S213 - 2.0f * _S216)) * _S212), (0.0f))))))), (9.99999968265522539e-21f)));
-    float _S219 = 1.0f - _S218;
-    float _S220 = (_S215 * (2.0f * _S218 + 1.0f) + _S212 * _S218) * _S219 * _S219;
-    float _S221 = (clearance_1 * (2.0f * _S219 + 1.0f) - _S213 * _S219) * _S218 * _S218;
-    if(_S218 > 0.01999999955296516f)
+    float _S229 = clearance_1 - _S228;
+    float _S230 = 6.0f * _S229 - 4.0f * _S225 - 2.0f * _S226;
+    float _S231 = -2.0f * _S225 / (F32_max((_S230 + (F32_sqrt(((F32_max((_S230 * _S230 - 4.0f * (3.0f * (_S225 + _S226 - 2.0f * _S229)) * _S225), (0.0f))))))), (9.99999968265522539e-21f)));
+    float _S232 = 1.0f - _S231;
+    float _S233 = (_S228 * (2.0f * _S231 + 1.0f) + _S225 * _S231) * _S232 * _S232;
+    float _S234 = (clearance_1 * (2.0f * _S232 + 1.0f) - _S226 * _S232) * _S231 * _S231;
+    if(_S231 > 0.01999999955296516f)
     {
-        _S214 = _S219 > 0.01999999955296516f;
+        _S227 = _S232 > 0.01999999955296516f;
     }
     else
     {
-        _S214 = false;
+        _S227 = false;
     }
-    if(_S214)
+    if(_S227)
     {
-        _S214 = (_S220 + _S221) < 0.0f;
+        _S227 = (_S233 + _S234) < 0.0f;
     }
     else
     {
-        _S214 = false;
+        _S227 = false;
     }
-    float _S222;
-    if(_S214)
+    float _S235;
+    if(_S227)
     {
-        _S222 = _S219 * step_4;
+        _S235 = _S232 * step_4;
     }
     else
     {
-        _S222 = -1.0f;
+        _S235 = -1.0f;
     }
-    return _S222;
+    return _S235;
 }
 
 __device__ PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 * here_1, bool is_cell_exit_0)
 {
     PreviousSample_0 previous_2;
-    bool _S223 = here_1->hole_4;
-    float _S224;
+    bool _S236 = here_1->hole_4;
+    float _S237;
     if(here_1->hole_4)
     {
-        _S224 = 1.0e+09f;
+        _S237 = 1.0e+09f;
     }
     else
     {
-        _S224 = clearance_2;
+        _S237 = clearance_2;
     }
-    (&previous_2)->clearance_0 = _S224;
+    (&previous_2)->clearance_0 = _S237;
     (&previous_2)->rate_0 = rate_2;
     (&previous_2)->yarn_0 = here_1->yarn_1;
-    bool _S225;
-    if(!_S223)
+    bool _S238;
+    if(!_S236)
     {
-        _S225 = !is_cell_exit_0;
+        _S238 = !is_cell_exit_0;
     }
     else
     {
-        _S225 = false;
+        _S238 = false;
     }
-    (&previous_2)->known_0 = _S225;
+    (&previous_2)->known_0 = _S238;
     return previous_2;
 }
 
@@ -1472,35 +1603,35 @@ __device__ float StepControl_to_cell_exit_0(StepControl_0 * this_1, float side_x
 
 __device__ float StepControl_to_next_sample_0(StepControl_0 * this_2, Probe_0 * here_2, float clearance_3, float rate_3)
 {
-    float _S226 = (F32_min((here_2->edge_x_0 * this_2->per_x_0), (here_2->edge_y_0 * this_2->per_y_0)));
-    bool _S227;
+    float _S239 = (F32_min((here_2->edge_x_0 * this_2->per_x_0), (here_2->edge_y_0 * this_2->per_y_0)));
+    bool _S240;
     if(!here_2->hole_4)
     {
-        _S227 = (rate_3 * _S226 + clearance_3) < 0.0f;
+        _S240 = (rate_3 * _S239 + clearance_3) < 0.0f;
     }
     else
     {
-        _S227 = false;
+        _S240 = false;
     }
-    if(_S227)
+    if(_S240)
     {
-        _S227 = _S226 > (2.0f * this_2->epsilon_0);
+        _S240 = _S239 > (2.0f * this_2->epsilon_0);
     }
     else
     {
-        _S227 = false;
+        _S240 = false;
     }
-    float _S228 = this_2->step_2;
-    float _S229;
-    if(_S227)
+    float _S241 = this_2->step_2;
+    float _S242;
+    if(_S240)
     {
-        _S229 = _S226 - this_2->epsilon_0;
+        _S242 = _S239 - this_2->epsilon_0;
     }
     else
     {
-        _S229 = (F32_max((_S226), (0.0f))) + this_2->epsilon_0;
+        _S242 = (F32_max((_S239), (0.0f))) + this_2->epsilon_0;
     }
-    return (F32_min((_S228), (_S229)));
+    return (F32_min((_S241), (_S242)));
 }
 
 struct ViewRay_0
@@ -1521,26 +1652,26 @@ __device__ float ViewRay_rate_0(ViewRay_0 * this_4, Probe_0 * here_3)
 
 __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
 {
-    float _S230 = end_0 - start_1;
-    float _S231 = start_rate_0 + end_rate_0 - 2.0f * _S230;
-    float _S232 = 3.0f * _S230 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / (F32_max((- _S230), (9.99999968265522539e-21f)));
-    int i_7 = int(0);
+    float _S243 = end_0 - start_1;
+    float _S244 = start_rate_0 + end_rate_0 - 2.0f * _S243;
+    float _S245 = 3.0f * _S243 - 2.0f * start_rate_0 - end_rate_0;
+    float share_1 = start_1 / (F32_max((- _S243), (9.99999968265522539e-21f)));
+    int i_9 = int(0);
     for(;;)
     {
-        if(uint(i_7) < 3U)
+        if(uint(i_9) < 3U)
         {
         }
         else
         {
             break;
         }
-        float _S233 = clamp_1(share_0 - (((_S231 * share_0 + _S232) * share_0 + start_rate_0) * share_0 + start_1) / (F32_min(((3.0f * _S231 * share_0 + 2.0f * _S232) * share_0 + start_rate_0), (0.10000000149011612f * _S230 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
-        int _S234 = i_7 + int(1);
-        share_0 = _S233;
-        i_7 = _S234;
+        float _S246 = clamp_1(share_1 - (((_S244 * share_1 + _S245) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S244 * share_1 + 2.0f * _S245) * share_1 + start_rate_0), (0.10000000149011612f * _S243 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
+        int _S247 = i_9 + int(1);
+        share_1 = _S246;
+        i_9 = _S247;
     }
-    return share_0;
+    return share_1;
 }
 
 __device__ float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1550,53 +1681,53 @@ __device__ float between_0(float above_1, float under_0, float above_gap_0, floa
 
 __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, float cosine_0)
 {
-    float _S235 = along_slope_0 * along_slope_0 + 1.0f;
-    float _S236 = (F32_rsqrt((_S235)));
-    float _S237 = sine_1 * _S236 * (F32_rsqrt((_S235 + across_slope_0 * across_slope_0)));
-    return make_float2 (- _S237 * _S235, _S237 * across_slope_0 * along_slope_0 + cosine_0 * _S236);
+    float _S248 = along_slope_0 * along_slope_0 + 1.0f;
+    float _S249 = (F32_rsqrt((_S248)));
+    float _S250 = sine_1 * _S249 * (F32_rsqrt((_S248 + across_slope_0 * across_slope_0)));
+    return make_float2 (- _S250 * _S248, _S250 * across_slope_0 * along_slope_0 + cosine_0 * _S249);
 }
 
-__device__ float arc_sine_0(float x_20)
+__device__ float arc_sine_0(float x_25)
 {
-    float _S238 = (F32_abs((x_20)));
-    bool _S239 = _S238 > 0.5f;
-    float _S240;
-    if(_S239)
+    float _S251 = (F32_abs((x_25)));
+    bool _S252 = _S251 > 0.5f;
+    float _S253;
+    if(_S252)
     {
-        _S240 = 0.5f * (1.0f - _S238);
+        _S253 = 0.5f * (1.0f - _S251);
     }
     else
     {
-        _S240 = _S238 * _S238;
+        _S253 = _S251 * _S251;
     }
-    float _S241;
-    if(_S239)
+    float _S254;
+    if(_S252)
     {
-        _S241 = (F32_sqrt(((F32_max((_S240), (0.0f))))));
+        _S254 = (F32_sqrt(((F32_max((_S253), (0.0f))))));
     }
     else
     {
-        _S241 = _S238;
+        _S254 = _S251;
     }
-    float _S242 = ((((0.04216320067644119f * _S240 + 0.02418131195008755f) * _S240 + 0.04547002539038658f) * _S240 + 0.07495300471782684f) * _S240 + 0.16666752099990845f) * _S240 * _S241 + _S241;
-    if(_S239)
+    float _S255 = ((((0.04216320067644119f * _S253 + 0.02418131195008755f) * _S253 + 0.04547002539038658f) * _S253 + 0.07495300471782684f) * _S253 + 0.16666752099990845f) * _S253 * _S254 + _S254;
+    if(_S252)
     {
-        _S240 = 1.57079637050628662f - 2.0f * _S242;
+        _S253 = 1.57079637050628662f - 2.0f * _S255;
     }
     else
     {
-        _S240 = _S242;
+        _S253 = _S255;
     }
-    if(x_20 < 0.0f)
+    if(x_25 < 0.0f)
     {
-        _S240 = - _S240;
+        _S253 = - _S253;
     }
-    return _S240;
+    return _S253;
 }
 
-__device__ float3  table_colour_0(uint index_2)
+__device__ float3  table_colour_0(uint index_6)
 {
-    return make_float3 (table_number_0(index_2), table_number_0(index_2 + 1U), table_number_0(index_2 + 2U));
+    return make_float3 (table_number_0(index_6), table_number_0(index_6 + 1U), table_number_0(index_6 + 2U));
 }
 
 struct Albedos_0
@@ -1617,23 +1748,11 @@ __device__ Albedos_0 table_albedos_0(uint row_0)
     return albedos_0;
 }
 
-__device__ Albedos_0 albedos_of_0(uint family_8, uint thread_6)
+__device__ Albedos_0 albedos_of_0(uint family_8, uint thread_7)
 {
-    Family_0 _S243 = slang_ldg_4((&(globalParams_0->families_0)[family_8]));
-    Family_0 _S244 = slang_ldg_4((&(globalParams_0->families_0)[family_8]));
-    return table_albedos_0(_S243.albedo_table_0 + _S244.albedo_stride_0 * thread_6);
-}
-
-__device__ uint scramble_0(uint value_0)
-{
-    uint _S245 = value_0 * 747796405U + 2891336453U;
-    uint _S246 = ((_S245 >> ((_S245 >> int(28)) + 4U)) ^ _S245) * 277803737U;
-    return (_S246 >> int(22)) ^ _S246;
-}
-
-__device__ float uniform_hash_0(uint thread_7, uint cell_5, uint stream_0)
-{
-    return (float((scramble_0(cell_5 + scramble_0(thread_7 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
+    Family_0 _S256 = slang_ldg_3((&(globalParams_0->families_0)[family_8]));
+    Family_0 _S257 = slang_ldg_3((&(globalParams_0->families_0)[family_8]));
+    return table_albedos_0(_S256.albedo_table_0 + _S257.albedo_stride_0 * thread_7);
 }
 
 __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
@@ -1643,8 +1762,8 @@ __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
 
 __device__ float bounded_gain_0(float gain_1, float3  albedo_0, float3  room_0)
 {
-    float3  _S247 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
-    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S247.x), (_S247.y)))), (_S247.z)))), (0.0f))))));
+    float3  _S258 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
+    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S258.x), (_S258.y)))), (_S258.z)))), (0.0f))))));
 }
 
 __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint seed_2)
@@ -1652,39 +1771,20 @@ __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint s
     return amount_1 * ((F32_min((- natural_logarithm_0(uniform_hash_0(thread_9, cell_6, seed_2 ^ 2654435769U))), (10.0f))) - 1.0f) + 1.0f;
 }
 
-__device__ float diffuse_reflection_0(float3  light_1, float3  normal_3, float blend_0)
+__device__ float diffuse_reflection_0(float3  light_0, float3  normal_3, float blend_0)
 {
-    float _S248 = light_1.z;
-    if(_S248 <= 0.0f)
+    float _S259 = light_0.z;
+    if(_S259 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp_1((F32_max((_S248), (0.0f))), (F32_max((dot_0(light_1, normal_3)), (0.0f))), blend_0);
+    return 0.31830987334251404f * lerp_1((F32_max((_S259), (0.0f))), (F32_max((dot_0(light_0, normal_3)), (0.0f))), blend_0);
 }
 
 __device__ float projected_area_1(float3  direction_3, float3  tangent_2, float roughness_1)
 {
-    float _S249 = dot_0(direction_3, tangent_2);
-    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S249 * _S249 + 1.0f), (roughness_1 * roughness_1))))));
-}
-
-__device__ float exponential_0(float x_21)
-{
-    float _S250 = clamp_1(x_21, -87.0f, 88.0f);
-    float _S251 = (F32_floor((_S250 * 1.4426950216293335f + 0.5f)));
-    float _S252 = _S250 - _S251 * 0.693359375f + _S251 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S252 + 0.00139819993637502f) * _S252 + 0.00833345204591751f) * _S252 + 0.04166579619050026f) * _S252 + 0.1666666567325592f) * _S252 + 0.5f;
-    float _S253 = (U32_asfloat((uint(int(_S251) + int(127)) << int(23))));
-    float _S254;
-    if(x_21 < -87.0f)
-    {
-        _S254 = 0.0f;
-    }
-    else
-    {
-        _S254 = (p_0 * _S252 * _S252 + _S252 + 1.0f) * _S253;
-    }
-    return _S254;
+    float _S260 = dot_0(direction_3, tangent_2);
+    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S260 * _S260 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
 __device__ float mean_attenuation_0(float depth_0)
@@ -1698,84 +1798,84 @@ __device__ float mean_attenuation_0(float depth_0)
 
 __device__ float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S255 = roughness_2 * roughness_2;
-    float _S256 = squared_along_0 * (1.0f - _S255) + _S255;
-    return 0.31830987334251404f * _S255 * roughness_2 / (_S256 * _S256);
+    float _S261 = roughness_2 * roughness_2;
+    float _S262 = squared_along_0 * (1.0f - _S261) + _S261;
+    return 0.31830987334251404f * _S261 * roughness_2 / (_S262 * _S262);
 }
 
-__device__ float density_between_0(float3  light_2, float3  view_1, float3  tangent_3, float roughness_3)
+__device__ float density_between_0(float3  light_1, float3  view_1, float3  tangent_3, float roughness_3)
 {
-    float3  _S257 = light_2 + view_1;
-    float _S258 = dot_0(_S257, tangent_3);
-    return flake_density_0((F32_min((_S258 * _S258 / (F32_max((square_0(_S257)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
+    float3  _S263 = light_1 + view_1;
+    float _S264 = dot_0(_S263, tangent_3);
+    return flake_density_0((F32_min((_S264 * _S264 / (F32_max((square_0(_S263)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
 }
 
-__device__ float transmission_0(float3  light_3, float3  view_2, float3  normal_4, float3  tangent_4, float roughness_4, float optical_depth_1)
+__device__ float transmission_0(float3  light_2, float3  view_2, float3  normal_4, float3  tangent_4, float roughness_4, float optical_depth_1)
 {
-    float _S259 = - dot_0(light_3, normal_4);
-    float _S260 = dot_0(view_2, normal_4);
-    bool _S261;
-    if(_S259 <= 0.0f)
-    {
-        _S261 = true;
-    }
-    else
-    {
-        _S261 = _S260 <= 0.0f;
-    }
-    if(_S261)
-    {
-        return 0.0f;
-    }
-    float _S262 = 1.0f / (F32_max((_S260), (9.99999997475242708e-07f)));
-    float _S263 = projected_area_1(light_3, tangent_4, roughness_4) / (F32_max((_S259), (9.99999997475242708e-07f)));
-    float _S264 = projected_area_1(view_2, tangent_4, roughness_4) * _S262;
-    return density_between_0(light_3, view_2, tangent_4, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * (F32_min((_S263), (_S264)))) * mean_attenuation_0(optical_depth_1 * (F32_abs((_S263 - _S264)))) * _S262;
-}
-
-__device__ float reflection_0(float3  light_4, float3  view_3, float3  normal_5, float3  tangent_5, float roughness_5, float optical_depth_2)
-{
-    float _S265 = dot_0(light_4, normal_5);
-    bool _S266;
+    float _S265 = - dot_0(light_2, normal_4);
+    float _S266 = dot_0(view_2, normal_4);
+    bool _S267;
     if(_S265 <= 0.0f)
     {
-        _S266 = true;
+        _S267 = true;
     }
     else
     {
-        _S266 = (dot_0(view_3, normal_5)) <= 0.0f;
+        _S267 = _S266 <= 0.0f;
     }
-    if(_S266)
+    if(_S267)
     {
         return 0.0f;
     }
-    float _S267 = (F32_max((_S265), (9.99999997475242708e-07f)));
-    float _S268 = (F32_max((dot_0(view_3, normal_5)), (9.99999997475242708e-07f)));
-    float _S269 = projected_area_1(light_4, tangent_5, roughness_5) * _S268 + projected_area_1(view_3, tangent_5, roughness_5) * _S267;
-    float _S270 = optical_depth_2 * _S269 / (_S267 * _S268);
-    return 0.25f * density_between_0(light_4, view_3, tangent_5, roughness_5) * (_S270 * mean_attenuation_0(_S270)) * _S267 / _S269;
+    float _S268 = 1.0f / (F32_max((_S266), (9.99999997475242708e-07f)));
+    float _S269 = projected_area_1(light_2, tangent_4, roughness_4) / (F32_max((_S265), (9.99999997475242708e-07f)));
+    float _S270 = projected_area_1(view_2, tangent_4, roughness_4) * _S268;
+    return density_between_0(light_2, view_2, tangent_4, roughness_4) * 0.25f * optical_depth_1 * exponential_0(- optical_depth_1 * (F32_min((_S269), (_S270)))) * mean_attenuation_0(optical_depth_1 * (F32_abs((_S269 - _S270)))) * _S268;
+}
+
+__device__ float reflection_0(float3  light_3, float3  view_3, float3  normal_5, float3  tangent_5, float roughness_5, float optical_depth_2)
+{
+    float _S271 = dot_0(light_3, normal_5);
+    bool _S272;
+    if(_S271 <= 0.0f)
+    {
+        _S272 = true;
+    }
+    else
+    {
+        _S272 = (dot_0(view_3, normal_5)) <= 0.0f;
+    }
+    if(_S272)
+    {
+        return 0.0f;
+    }
+    float _S273 = (F32_max((_S271), (9.99999997475242708e-07f)));
+    float _S274 = (F32_max((dot_0(view_3, normal_5)), (9.99999997475242708e-07f)));
+    float _S275 = projected_area_1(light_3, tangent_5, roughness_5) * _S274 + projected_area_1(view_3, tangent_5, roughness_5) * _S273;
+    float _S276 = optical_depth_2 * _S275 / (_S273 * _S274);
+    return 0.25f * density_between_0(light_3, view_3, tangent_5, roughness_5) * (_S276 * mean_attenuation_0(_S276)) * _S273 / _S275;
 }
 
 __device__ Components_0 with_added_0(Components_0 * sums_0, Components_0 * more_0, float weight_0)
 {
-    Components_0 result_10;
-    (&result_10)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
-    (&result_10)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
-    (&result_10)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
-    (&result_10)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
-    (&result_10)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
-    (&result_10)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
-    return result_10;
+    Components_0 result_12;
+    (&result_12)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
+    (&result_12)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
+    (&result_12)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
+    (&result_12)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
+    (&result_12)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
+    (&result_12)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
+    return result_12;
 }
 
-__device__ float wrapped_cell_0(float position_5, float count_1)
+__device__ float wrapped_cell_0(float position_4, float count_2)
 {
-    return (F32_min(((F32_floor(((position_5 - (F32_floor((position_5)))) * count_1)))), (count_1 - 1.0f)));
+    return (F32_min(((F32_floor(((position_4 - (F32_floor((position_4)))) * count_2)))), (count_2 - 1.0f)));
 }
 
-__device__ float arc_tangent_quotient_0(float x_22, float y_11)
+__device__ float arc_tangent_quotient_0(float x_26, float y_11)
 {
-    return ((((((0.0f * x_22 + 0.00809729471802711f) * x_22 + -0.0377517081797123f) * x_22 + 0.08475969731807709f) * x_22 + -0.13537675142288208f) * x_22 + 0.19895026087760925f) * x_22 + -0.33327975869178772f) * x_22 + 0.99999970197677612f;
+    return ((((((0.0f * x_26 + 0.00809729471802711f) * x_26 + -0.0377517081797123f) * x_26 + 0.08475969731807709f) * x_26 + -0.13537675142288208f) * x_26 + 0.19895026087760925f) * x_26 + -0.33327975869178772f) * x_26 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1783,13 +1883,13 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_12, float x_23)
+__device__ float arc_tangent_0(float y_12, float x_27)
 {
-    float _S271 = (F32_abs((x_23)));
-    float _S272 = (F32_abs((y_12)));
-    float angle_0 = arc_tangent_of_ratio_0((F32_min((_S271), (_S272))) / (F32_max(((F32_max((_S271), (_S272)))), (1.00000000317107685e-30f))));
+    float _S277 = (F32_abs((x_27)));
+    float _S278 = (F32_abs((y_12)));
+    float angle_0 = arc_tangent_of_ratio_0((F32_min((_S277), (_S278))) / (F32_max(((F32_max((_S277), (_S278)))), (1.00000000317107685e-30f))));
     float angle_1;
-    if(_S272 > _S271)
+    if(_S278 > _S277)
     {
         angle_1 = 1.57079637050628662f - angle_0;
     }
@@ -1797,7 +1897,7 @@ __device__ float arc_tangent_0(float y_12, float x_23)
     {
         angle_1 = angle_0;
     }
-    if(x_23 < 0.0f)
+    if(x_27 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
@@ -1817,44 +1917,44 @@ struct NodeTaps_0
 
 __device__ NodeTaps_0 node_taps_0(float3  direction_4)
 {
-    float _S273 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
-    float _S274 = (F32_floor((_S273)));
-    float _S275 = _S273 - _S274;
-    float _S276 = (F32_sqrt((clamp_1((1.0f - (F32_abs((direction_4.z)))) / 0.97000002861022949f, 0.0f, 1.0f))));
-    float _S277 = 7.0f * _S276 * (F32_sqrt((_S276)));
-    float _S278 = (F32_min(((F32_floor((_S277)))), (6.0f)));
-    float _S279 = _S277 - _S278;
-    uint _S280 = uint(int(_S274) + int(32)) % 32U;
-    uint _S281 = uint(_S278);
-    uint _S282 = _S280 * 8U + _S281;
-    uint _S283 = (_S280 + 1U) % 32U * 8U + _S281;
+    float _S279 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    float _S280 = (F32_floor((_S279)));
+    float _S281 = _S279 - _S280;
+    float _S282 = (F32_sqrt((clamp_1((1.0f - (F32_abs((direction_4.z)))) / 0.97000002861022949f, 0.0f, 1.0f))));
+    float _S283 = 7.0f * _S282 * (F32_sqrt((_S282)));
+    float _S284 = (F32_min(((F32_floor((_S283)))), (6.0f)));
+    float _S285 = _S283 - _S284;
+    uint _S286 = uint(int(_S280) + int(32)) % 32U;
+    uint _S287 = uint(_S284);
+    uint _S288 = _S286 * 8U + _S287;
+    uint _S289 = (_S286 + 1U) % 32U * 8U + _S287;
     NodeTaps_0 taps_0;
-    (&taps_0)->nodes_0 = make_uint4 (_S282, _S282 + 1U, _S283, _S283 + 1U);
-    float _S284 = 1.0f - _S275;
-    float _S285 = 1.0f - _S279;
-    float4  _S286 = make_float4 (_S284 * _S285, _S284 * _S279, _S275 * _S285, _S275 * _S279) * make_float4 (252.0f) + make_float4 (0.5f);
-    uint4  _S287 = make_uint4 ((uint)_S286.x, (uint)_S286.y, (uint)_S286.z, (uint)_S286.w);
-    (&taps_0)->weights_0 = _S287;
-    (&taps_0)->inverse_sum_0 = 1.0f / float(_S287.x + _S287.y + _S287.z + _S287.w);
+    (&taps_0)->nodes_0 = make_uint4 (_S288, _S288 + 1U, _S289, _S289 + 1U);
+    float _S290 = 1.0f - _S281;
+    float _S291 = 1.0f - _S285;
+    float4  _S292 = make_float4 (_S290 * _S291, _S290 * _S285, _S281 * _S291, _S281 * _S285) * make_float4 (252.0f) + make_float4 (0.5f);
+    uint4  _S293 = make_uint4 ((uint)_S292.x, (uint)_S292.y, (uint)_S292.z, (uint)_S292.w);
+    (&taps_0)->weights_0 = _S293;
+    (&taps_0)->inverse_sum_0 = 1.0f / float(_S293.x + _S293.y + _S293.z + _S293.w);
     return taps_0;
 }
 
-__device__ float3  half_vector_0(float3  light_5, float3  view_4)
+__device__ float3  half_vector_0(float3  light_4, float3  view_4)
 {
-    float3  _S288 = light_5 + view_4;
-    return _S288 * make_float3 ((F32_rsqrt(((F32_max((square_0(_S288)), (9.999999960041972e-13f)))))));
+    float3  _S294 = light_4 + view_4;
+    return _S294 * make_float3 ((F32_rsqrt(((F32_max((square_0(_S294)), (9.999999960041972e-13f)))))));
 }
 
-__device__ float3  shadow_correlation_0(float3  light_6, float3  view_5)
+__device__ float3  shadow_correlation_0(float3  light_5, float3  view_5)
 {
-    float2  _S289 = float2 {light_6.x, light_6.y};
-    float2  _S290 = float2 {view_5.x, view_5.y};
-    float _S291 = dot_1(_S289, _S290) / (F32_max(((F32_sqrt((dot_1(_S289, _S289) * dot_1(_S290, _S290))))), (9.99999997475242708e-07f)));
-    if((light_6.z) < 0.0f)
+    float2  _S295 = float2 {light_5.x, light_5.y};
+    float2  _S296 = float2 {view_5.x, view_5.y};
+    float _S297 = dot_1(_S295, _S296) / (F32_max(((F32_sqrt((dot_1(_S295, _S295) * dot_1(_S296, _S296))))), (9.99999997475242708e-07f)));
+    if((light_5.z) < 0.0f)
     {
-        return make_float3 (make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S291).x, make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S291).y, 0.0f);
+        return make_float3 (make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S297).x, make_float2 (-0.09000000357627869f + -0.07999999821186066f * _S297).y, 0.0f);
     }
-    return make_float3 ((F32_min((0.62000000476837158f + 0.62999999523162842f * _S291), (1.20000004768371582f))), 0.62000000476837158f, 0.37000000476837158f);
+    return make_float3 ((F32_min((0.62000000476837158f + 0.62999999523162842f * _S297), (1.20000004768371582f))), 0.62000000476837158f, 0.37000000476837158f);
 }
 
 __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1864,20 +1964,20 @@ __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
 
 __device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
 {
-    uint4  _S292 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
-    uint4  _S293 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
-    return bytes_of_sums_0(_S292.x + _S292.y + _S292.z + _S292.w, _S293.x + _S293.y + _S293.z + _S293.w) * make_float4 (taps_1->inverse_sum_0);
+    uint4  _S298 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S299 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    return bytes_of_sums_0(_S298.x + _S298.y + _S298.z + _S298.w, _S299.x + _S299.y + _S299.z + _S299.w) * make_float4 (taps_1->inverse_sum_0);
 }
 
-__device__ float4  interpolate_table_0(NodeTaps_0 * taps_2, uint table_0, uint stride_0)
+__device__ float4  interpolate_table_0(NodeTaps_0 * taps_2, uint table_1, uint stride_0)
 {
-    uint4  _S294 = make_uint4 (table_0) + taps_2->nodes_0 * make_uint4 (stride_0);
-    uint _S295 = __ldg((&(globalParams_0->words_0)[_S294.x]));
-    uint _S296 = __ldg((&(globalParams_0->words_0)[_S294.y]));
-    uint _S297 = __ldg((&(globalParams_0->words_0)[_S294.z]));
-    uint _S298 = __ldg((&(globalParams_0->words_0)[_S294.w]));
-    float4  _S299 = interpolate_0(taps_2, make_uint4 (_S295, _S296, _S297, _S298));
-    return _S299;
+    uint4  _S300 = make_uint4 (table_1) + taps_2->nodes_0 * make_uint4 (stride_0);
+    uint _S301 = __ldg((&(globalParams_0->words_0)[_S300.x]));
+    uint _S302 = __ldg((&(globalParams_0->words_0)[_S300.y]));
+    uint _S303 = __ldg((&(globalParams_0->words_0)[_S300.z]));
+    uint _S304 = __ldg((&(globalParams_0->words_0)[_S300.w]));
+    float4  _S305 = interpolate_0(taps_2, make_uint4 (_S301, _S302, _S303, _S304));
+    return _S305;
 }
 
 struct Group_0
@@ -1895,11 +1995,11 @@ __device__ Group_0 group_at_0(uint row_1, float roughness_7)
     Group_0 group_0;
     (&group_0)->normal_6 = make_float3 (table_number_0(row_1), table_number_0(row_1 + 1U), table_number_0(row_1 + 2U));
     (&group_0)->weight_1 = table_number_0(row_1 + 3U);
-    float3  _S300 = make_float3 (table_number_0(row_1 + 4U), table_number_0(row_1 + 5U), table_number_0(row_1 + 6U));
-    (&group_0)->tangent_6 = _S300;
-    float _S301 = table_number_0(row_1 + 7U);
-    float _S302 = table_number_0(row_1 + 8U);
-    (&group_0)->variance_0 = make_float3 (_S301, _S302, 1.0f - square_0(_S300) - _S301 - _S302);
+    float3  _S306 = make_float3 (table_number_0(row_1 + 4U), table_number_0(row_1 + 5U), table_number_0(row_1 + 6U));
+    (&group_0)->tangent_6 = _S306;
+    float _S307 = table_number_0(row_1 + 7U);
+    float _S308 = table_number_0(row_1 + 8U);
+    (&group_0)->variance_0 = make_float3 (_S307, _S308, 1.0f - square_0(_S306) - _S307 - _S308);
     (&group_0)->covariance_0 = make_float3 (table_number_0(row_1 + 9U), table_number_0(row_1 + 10U), table_number_0(row_1 + 11U));
     (&group_0)->roughness_6 = roughness_7;
     return group_0;
@@ -1912,83 +2012,83 @@ __device__ float2  visibility_gain_0(float3  correlations_0, float from_light_0,
 
 __device__ float Group_variance_along_0(Group_0 * this_5, float3  direction_5)
 {
-    float _S303 = direction_5.x;
-    float _S304 = direction_5.y;
-    float _S305 = direction_5.z;
-    return (F32_max((dot_0(this_5->variance_0, direction_5 * direction_5) + 2.0f * dot_0(this_5->covariance_0, make_float3 (_S303 * _S304, _S303 * _S305, _S304 * _S305))), (0.0f)));
+    float _S309 = direction_5.x;
+    float _S310 = direction_5.y;
+    float _S311 = direction_5.z;
+    return (F32_max((dot_0(this_5->variance_0, direction_5 * direction_5) + 2.0f * dot_0(this_5->covariance_0, make_float3 (_S309 * _S310, _S309 * _S311, _S310 * _S311))), (0.0f)));
 }
 
 __device__ float mean_area_0(Group_0 * group_1, float3  direction_6)
 {
-    float _S306 = dot_0(direction_6, group_1->tangent_6);
-    float _S307 = _S306 * _S306;
-    float _S308 = Group_variance_along_0(group_1, direction_6);
-    float _S309 = group_1->roughness_6 * group_1->roughness_6;
-    return (F32_sqrt(((F32_max(((_S309 - 1.0f) * (_S307 + _S308) + 1.0f), (_S309))))));
+    float _S312 = dot_0(direction_6, group_1->tangent_6);
+    float _S313 = _S312 * _S312;
+    float _S314 = Group_variance_along_0(group_1, direction_6);
+    float _S315 = group_1->roughness_6 * group_1->roughness_6;
+    return (F32_sqrt(((F32_max(((_S315 - 1.0f) * (_S313 + _S314) + 1.0f), (_S315))))));
 }
 
 __device__ float mean_density_0(Group_0 * group_2, float3  half_0)
 {
-    float _S310 = group_2->roughness_6;
-    float _S311 = (F32_max(((F32_sqrt(((F32_max((1.0f - group_2->roughness_6 * group_2->roughness_6), (0.0f)))))) / group_2->roughness_6), (0.00100000004749745f)));
-    float _S312 = Group_variance_along_0(group_2, half_0);
-    float _S313 = (F32_max(((F32_sqrt((3.0f * _S312)))), (_S310 * 0.01999999955296516f + 0.00009999999747379f)));
-    float _S314 = dot_0(half_0, group_2->tangent_6);
-    float _S315 = _S311 * (_S314 - _S313);
-    float _S316 = _S311 * (_S314 + _S313);
-    float _S317 = _S315 * _S316;
-    float _S318 = 2.0f * _S313 * _S311;
-    return 0.15915493667125702f / _S310 * ((1.0f - _S317) / ((_S315 * _S315 + 1.0f) * (_S316 * _S316 + 1.0f)) + arc_tangent_0(_S318, 1.0f + _S317) / _S318);
+    float _S316 = group_2->roughness_6;
+    float _S317 = (F32_max(((F32_sqrt(((F32_max((1.0f - group_2->roughness_6 * group_2->roughness_6), (0.0f)))))) / group_2->roughness_6), (0.00100000004749745f)));
+    float _S318 = Group_variance_along_0(group_2, half_0);
+    float _S319 = (F32_max(((F32_sqrt((3.0f * _S318)))), (_S316 * 0.01999999955296516f + 0.00009999999747379f)));
+    float _S320 = dot_0(half_0, group_2->tangent_6);
+    float _S321 = _S317 * (_S320 - _S319);
+    float _S322 = _S317 * (_S320 + _S319);
+    float _S323 = _S321 * _S322;
+    float _S324 = 2.0f * _S319 * _S317;
+    return 0.15915493667125702f / _S316 * ((1.0f - _S323) / ((_S321 * _S321 + 1.0f) * (_S322 * _S322 + 1.0f)) + arc_tangent_0(_S324, 1.0f + _S323) / _S324);
 }
 
-__device__ float layer_value_0(Group_0 * group_3, float3  half_1, float3  light_7, float3  view_6, float optical_depth_3)
+__device__ float layer_value_0(Group_0 * group_3, float3  half_1, float3  light_6, float3  view_6, float optical_depth_3)
 {
-    bool _S319 = (light_7.z) < 0.0f;
-    float3  _S320 = group_3->normal_6;
-    float _S321 = dot_0(light_7, group_3->normal_6);
-    float _S322;
-    if(_S319)
+    bool _S325 = (light_6.z) < 0.0f;
+    float3  _S326 = group_3->normal_6;
+    float _S327 = dot_0(light_6, group_3->normal_6);
+    float _S328;
+    if(_S325)
     {
-        _S322 = - _S321;
+        _S328 = - _S327;
     }
     else
     {
-        _S322 = _S321;
+        _S328 = _S327;
     }
-    float _S323 = (F32_max((_S322), (0.01999999955296516f)));
-    float _S324 = (F32_max((dot_0(view_6, _S320)), (0.01999999955296516f)));
-    float _S325 = mean_area_0(group_3, light_7);
-    float _S326 = _S325 / _S323;
-    float _S327 = mean_area_0(group_3, view_6);
-    float _S328 = _S327 / _S324;
-    if(_S319)
+    float _S329 = (F32_max((_S328), (0.01999999955296516f)));
+    float _S330 = (F32_max((dot_0(view_6, _S326)), (0.01999999955296516f)));
+    float _S331 = mean_area_0(group_3, light_6);
+    float _S332 = _S331 / _S329;
+    float _S333 = mean_area_0(group_3, view_6);
+    float _S334 = _S333 / _S330;
+    if(_S325)
     {
-        _S322 = (F32_abs((_S326 - _S328)));
+        _S328 = (F32_abs((_S332 - _S334)));
     }
     else
     {
-        _S322 = _S326 + _S328;
+        _S328 = _S332 + _S334;
     }
-    float _S329 = optical_depth_3 * (F32_max((_S322), (0.00100000004749745f)));
-    if(_S319)
+    float _S335 = optical_depth_3 * (F32_max((_S328), (0.00100000004749745f)));
+    if(_S325)
     {
-        _S322 = exponential_0(- optical_depth_3 * (F32_min((_S326), (_S328))));
+        _S328 = exponential_0(- optical_depth_3 * (F32_min((_S332), (_S334))));
     }
     else
     {
-        _S322 = 1.0f;
+        _S328 = 1.0f;
     }
-    float _S330 = optical_depth_3 * _S322 * (1.0f - exponential_0(- _S329)) / _S329 / _S324;
-    if(_S319)
+    float _S336 = optical_depth_3 * _S328 * (1.0f - exponential_0(- _S335)) / _S335 / _S330;
+    if(_S325)
     {
-        _S322 = 1.0f;
+        _S328 = 1.0f;
     }
     else
     {
-        _S322 = 1.0f - 0.34999999403953552f * (1.0f - square_0(_S320));
+        _S328 = 1.0f - 0.34999999403953552f * (1.0f - square_0(_S326));
     }
-    float _S331 = mean_density_0(group_3, half_1);
-    return 0.25f * _S331 * _S322 * _S330;
+    float _S337 = mean_density_0(group_3, half_1);
+    return 0.25f * _S337 * _S328 * _S336;
 }
 
 struct Bound_0
@@ -2001,282 +2101,282 @@ struct Bound_0
     float gap_0;
 };
 
-__device__ Bound_0 bound_at_0(uint family_9, float position_6)
+__device__ Bound_0 bound_at_0(uint family_9, float position_5)
 {
-    Cell_0 _S332 = locate_0(family_9, position_6);
-    Family_0 _S333 = slang_ldg_4((&(globalParams_0->families_0)[family_9]));
-    float _S334 = table_number_0(_S333.before_0 + 2U * _S332.thread_0 + 1U);
+    Cell_0 _S338 = locate_0(family_9, position_5);
+    Family_0 _S339 = slang_ldg_3((&(globalParams_0->families_0)[family_9]));
+    float _S340 = table_number_0(_S339.before_0 + 2U * _S338.thread_1 + 1U);
     Bound_0 bound_0;
-    (&bound_0)->thread_10 = _S332.thread_0;
-    Family_0 _S335 = slang_ldg_4((&(globalParams_0->families_0)[family_9]));
-    float _S336 = position_6 - _S335.start_0 - _S334 - _S332.below_0;
-    Family_0 _S337 = slang_ldg_4((&(globalParams_0->families_0)[family_9]));
-    (&bound_0)->turns_2 = (F32_round((_S336 * _S337.inverse_period_0)));
-    (&bound_0)->cell_7 = _S332.below_0;
-    float _S338 = 2.0f * _S332.half_width_1;
-    (&bound_0)->width_1 = _S338;
-    (&bound_0)->visible_0 = clamp_1((_S332.across_2 + _S332.half_width_1) / _S338, 0.0f, 1.0f);
-    (&bound_0)->gap_0 = (F32_min((_S332.below_0), (_S332.below_0 - _S332.across_2 - _S332.half_width_1))) + (F32_max((_S332.across_2 - _S332.half_width_1), (0.0f)));
+    (&bound_0)->thread_10 = _S338.thread_1;
+    Family_0 _S341 = slang_ldg_3((&(globalParams_0->families_0)[family_9]));
+    float _S342 = position_5 - _S341.start_0 - _S340 - _S338.below_0;
+    Family_0 _S343 = slang_ldg_3((&(globalParams_0->families_0)[family_9]));
+    (&bound_0)->turns_2 = (F32_round((_S342 * _S343.inverse_period_0)));
+    (&bound_0)->cell_7 = _S338.below_0;
+    float _S344 = 2.0f * _S338.half_width_1;
+    (&bound_0)->width_1 = _S344;
+    (&bound_0)->visible_0 = clamp_1((_S338.across_2 + _S338.half_width_1) / _S344, 0.0f, 1.0f);
+    (&bound_0)->gap_0 = (F32_min((_S338.below_0), (_S338.below_0 - _S338.across_2 - _S338.half_width_1))) + (F32_max((_S338.across_2 - _S338.half_width_1), (0.0f)));
     return bound_0;
 }
 
 struct Stretch_0
 {
-    Bound_0 low_0;
-    Bound_0 high_0;
+    Bound_0 low_1;
+    Bound_0 high_1;
 };
 
 __device__ Stretch_0 stretch_of_0(uint family_10, float centre_1, float size_1)
 {
-    Family_0 _S339 = slang_ldg_4((&(globalParams_0->families_0)[family_10]));
-    float _S340 = centre_1 - _S339.start_0;
-    Family_0 _S341 = slang_ldg_4((&(globalParams_0->families_0)[family_10]));
-    float _S342 = (F32_floor((_S340 * _S341.inverse_period_0)));
-    Family_0 _S343 = slang_ldg_4((&(globalParams_0->families_0)[family_10]));
-    float _S344 = centre_1 - _S342 * _S343.period_0;
-    Family_0 _S345 = slang_ldg_4((&(globalParams_0->families_0)[family_10]));
-    float _S346 = 0.5f * (F32_max((size_1), (_S345.smallest_box_0)));
+    Family_0 _S345 = slang_ldg_3((&(globalParams_0->families_0)[family_10]));
+    float _S346 = centre_1 - _S345.start_0;
+    Family_0 _S347 = slang_ldg_3((&(globalParams_0->families_0)[family_10]));
+    float _S348 = (F32_floor((_S346 * _S347.inverse_period_0)));
+    Family_0 _S349 = slang_ldg_3((&(globalParams_0->families_0)[family_10]));
+    float _S350 = centre_1 - _S348 * _S349.period_0;
+    Family_0 _S351 = slang_ldg_3((&(globalParams_0->families_0)[family_10]));
+    float _S352 = 0.5f * (F32_max((size_1), (_S351.smallest_box_0)));
     Stretch_0 stretch_0;
-    (&stretch_0)->low_0 = bound_at_0(family_10, _S344 - _S346);
-    (&stretch_0)->high_0 = bound_at_0(family_10, _S344 + _S346);
+    (&stretch_0)->low_1 = bound_at_0(family_10, _S350 - _S352);
+    (&stretch_0)->high_1 = bound_at_0(family_10, _S350 + _S352);
     return stretch_0;
 }
 
 __device__ float Stretch_turns_0(Stretch_0 * this_6)
 {
-    return (&this_6->high_0)->turns_2 - (&this_6->low_0)->turns_2;
+    return (&this_6->high_1)->turns_2 - (&this_6->low_1)->turns_2;
 }
 
 __device__ float3  lengths_0(uint family_11, Stretch_0 * stretch_1)
 {
-    float _S347 = Stretch_turns_0(stretch_1);
-    Family_0 _S348 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    uint _S349 = _S348.before_0 + 2U * (&stretch_1->low_0)->thread_10;
-    Family_0 _S350 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    uint _S351 = _S350.before_0 + 2U * (&stretch_1->high_0)->thread_10;
-    float _S352 = table_number_0(_S351) - table_number_0(_S349);
-    float _S353 = table_number_0(_S351 + 1U) - table_number_0(_S349 + 1U);
-    float _S354 = _S352 + (&stretch_1->high_0)->visible_0 * (&stretch_1->high_0)->width_1 - (&stretch_1->low_0)->visible_0 * (&stretch_1->low_0)->width_1;
-    Family_0 _S355 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    float _S356 = _S354 + _S347 * _S355.visible_total_0;
-    float _S357 = _S353 - _S352 + (&stretch_1->high_0)->gap_0 - (&stretch_1->low_0)->gap_0;
-    Family_0 _S358 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    Family_0 _S359 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    float _S360 = _S357 + _S347 * (_S358.period_0 - _S359.visible_total_0);
-    float _S361 = _S353 + (&stretch_1->high_0)->cell_7 - (&stretch_1->low_0)->cell_7;
-    Family_0 _S362 = slang_ldg_4((&(globalParams_0->families_0)[family_11]));
-    return make_float3 (_S356, _S360, _S361 + _S347 * _S362.period_0);
+    float _S353 = Stretch_turns_0(stretch_1);
+    Family_0 _S354 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    uint _S355 = _S354.before_0 + 2U * (&stretch_1->low_1)->thread_10;
+    Family_0 _S356 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    uint _S357 = _S356.before_0 + 2U * (&stretch_1->high_1)->thread_10;
+    float _S358 = table_number_0(_S357) - table_number_0(_S355);
+    float _S359 = table_number_0(_S357 + 1U) - table_number_0(_S355 + 1U);
+    float _S360 = _S358 + (&stretch_1->high_1)->visible_0 * (&stretch_1->high_1)->width_1 - (&stretch_1->low_1)->visible_0 * (&stretch_1->low_1)->width_1;
+    Family_0 _S361 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    float _S362 = _S360 + _S353 * _S361.visible_total_0;
+    float _S363 = _S359 - _S358 + (&stretch_1->high_1)->gap_0 - (&stretch_1->low_1)->gap_0;
+    Family_0 _S364 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    Family_0 _S365 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    float _S366 = _S363 + _S353 * (_S364.period_0 - _S365.visible_total_0);
+    float _S367 = _S359 + (&stretch_1->high_1)->cell_7 - (&stretch_1->low_1)->cell_7;
+    Family_0 _S368 = slang_ldg_3((&(globalParams_0->families_0)[family_11]));
+    return make_float3 (_S362, _S366, _S367 + _S353 * _S368.period_0);
 }
 
 __device__ float2  integrals_along_0(uint family_12, Stretch_0 * stretch_2, uint quantity_0)
 {
-    Family_0 _S363 = slang_ldg_4((&(globalParams_0->families_0)[family_12]));
-    Family_0 _S364 = slang_ldg_4((&(globalParams_0->families_0)[family_12]));
-    uint _S365 = 3U * _S363.quantities_0;
-    uint _S366 = _S364.colour_threads_0 + _S365 * (&stretch_2->low_0)->thread_10 + quantity_0;
-    Family_0 _S367 = slang_ldg_4((&(globalParams_0->families_0)[family_12]));
-    uint _S368 = _S367.colour_threads_0 + _S365 * (&stretch_2->high_0)->thread_10 + quantity_0;
-    Family_0 _S369 = slang_ldg_4((&(globalParams_0->families_0)[family_12]));
-    Family_0 _S370 = slang_ldg_4((&(globalParams_0->families_0)[family_12]));
-    uint _S371 = _S369.colour_threads_0 + _S365 * uint(_S370.count_0) + quantity_0;
-    float _S372 = table_number_0(_S366);
-    float _S373 = table_number_0(_S368);
-    float _S374 = Stretch_turns_0(stretch_2);
-    uint _S375 = 2U * _S363.quantities_0;
-    return make_float2 (table_number_0(_S368 + _S363.quantities_0) - table_number_0(_S366 + _S363.quantities_0) + _S373 * (&stretch_2->high_0)->visible_0 * (&stretch_2->high_0)->width_1 - _S372 * (&stretch_2->low_0)->visible_0 * (&stretch_2->low_0)->width_1 + _S374 * table_number_0(_S371 + _S363.quantities_0), table_number_0(_S368 + _S375) - table_number_0(_S366 + _S375) + _S373 * (&stretch_2->high_0)->cell_7 - _S372 * (&stretch_2->low_0)->cell_7 + _S374 * table_number_0(_S371 + _S375));
+    Family_0 _S369 = slang_ldg_3((&(globalParams_0->families_0)[family_12]));
+    Family_0 _S370 = slang_ldg_3((&(globalParams_0->families_0)[family_12]));
+    uint _S371 = 3U * _S369.quantities_0;
+    uint _S372 = _S370.colour_threads_0 + _S371 * (&stretch_2->low_1)->thread_10 + quantity_0;
+    Family_0 _S373 = slang_ldg_3((&(globalParams_0->families_0)[family_12]));
+    uint _S374 = _S373.colour_threads_0 + _S371 * (&stretch_2->high_1)->thread_10 + quantity_0;
+    Family_0 _S375 = slang_ldg_3((&(globalParams_0->families_0)[family_12]));
+    Family_0 _S376 = slang_ldg_3((&(globalParams_0->families_0)[family_12]));
+    uint _S377 = _S375.colour_threads_0 + _S371 * uint(_S376.count_0) + quantity_0;
+    float _S378 = table_number_0(_S372);
+    float _S379 = table_number_0(_S374);
+    float _S380 = Stretch_turns_0(stretch_2);
+    uint _S381 = 2U * _S369.quantities_0;
+    return make_float2 (table_number_0(_S374 + _S369.quantities_0) - table_number_0(_S372 + _S369.quantities_0) + _S379 * (&stretch_2->high_1)->visible_0 * (&stretch_2->high_1)->width_1 - _S378 * (&stretch_2->low_1)->visible_0 * (&stretch_2->low_1)->width_1 + _S380 * table_number_0(_S377 + _S369.quantities_0), table_number_0(_S374 + _S381) - table_number_0(_S372 + _S381) + _S379 * (&stretch_2->high_1)->cell_7 - _S378 * (&stretch_2->low_1)->cell_7 + _S380 * table_number_0(_S377 + _S381));
 }
 
 __device__ bool Stretch_wraps_0(Stretch_0 * this_7)
 {
-    return ((&this_7->high_0)->thread_10) < ((&this_7->low_0)->thread_10);
+    return ((&this_7->high_1)->thread_10) < ((&this_7->low_1)->thread_10);
 }
 
 __device__ uint4  Stretch_differences_0(Stretch_0 * this_8, uint4  entries_0, uint whole_0)
 {
-    uint _S376 = entries_0.z;
-    uint _S377 = entries_0.x;
-    uint _S378 = _S376 - _S377;
-    bool _S379 = Stretch_wraps_0(this_8);
-    uint _S380;
-    if(_S379)
+    uint _S382 = entries_0.z;
+    uint _S383 = entries_0.x;
+    uint _S384 = _S382 - _S383;
+    bool _S385 = Stretch_wraps_0(this_8);
+    uint _S386;
+    if(_S385)
     {
-        _S380 = whole_0;
+        _S386 = whole_0;
     }
     else
     {
-        _S380 = 0U;
+        _S386 = 0U;
     }
-    return make_uint4 (_S378 + _S380, entries_0.w - _S376, entries_0.y - _S377, whole_0);
+    return make_uint4 (_S384 + _S386, entries_0.w - _S382, entries_0.y - _S383, whole_0);
 }
 
-__device__ uint4  row_differences_0(Stretch_0 * across_4, uint row_2, uint count_2, uint quantities_1)
+__device__ uint4  row_differences_0(Stretch_0 * across_4, uint row_2, uint count_3, uint quantities_1)
 {
-    uint _S381 = row_2 + (&across_4->low_0)->thread_10 * quantities_1;
-    uint _S382 = row_2 + (&across_4->high_0)->thread_10 * quantities_1;
-    uint _S383 = __ldg((&(globalParams_0->words_0)[_S381]));
-    uint _S384 = __ldg((&(globalParams_0->words_0)[_S381 + quantities_1]));
-    uint _S385 = __ldg((&(globalParams_0->words_0)[_S382]));
-    uint _S386 = __ldg((&(globalParams_0->words_0)[_S382 + quantities_1]));
-    uint4  _S387 = make_uint4 (_S383, _S384, _S385, _S386);
-    uint _S388 = __ldg((&(globalParams_0->words_0)[row_2 + count_2 * quantities_1]));
-    uint4  _S389 = Stretch_differences_0(across_4, _S387, _S388);
-    return _S389;
+    uint _S387 = row_2 + (&across_4->low_1)->thread_10 * quantities_1;
+    uint _S388 = row_2 + (&across_4->high_1)->thread_10 * quantities_1;
+    uint _S389 = __ldg((&(globalParams_0->words_0)[_S387]));
+    uint _S390 = __ldg((&(globalParams_0->words_0)[_S387 + quantities_1]));
+    uint _S391 = __ldg((&(globalParams_0->words_0)[_S388]));
+    uint _S392 = __ldg((&(globalParams_0->words_0)[_S388 + quantities_1]));
+    uint4  _S393 = make_uint4 (_S389, _S390, _S391, _S392);
+    uint _S394 = __ldg((&(globalParams_0->words_0)[row_2 + count_3 * quantities_1]));
+    uint4  _S395 = Stretch_differences_0(across_4, _S393, _S394);
+    return _S395;
 }
 
 __device__ float4  Stretch_weights_0(Stretch_0 * this_9)
 {
-    float _S390 = (&this_9->high_0)->visible_0;
-    float _S391 = - (&this_9->low_0)->visible_0;
-    float _S392 = Stretch_turns_0(this_9);
-    bool _S393 = Stretch_wraps_0(this_9);
-    float _S394;
-    if(_S393)
+    float _S396 = (&this_9->high_1)->visible_0;
+    float _S397 = - (&this_9->low_1)->visible_0;
+    float _S398 = Stretch_turns_0(this_9);
+    bool _S399 = Stretch_wraps_0(this_9);
+    float _S400;
+    if(_S399)
     {
-        _S394 = 1.0f;
+        _S400 = 1.0f;
     }
     else
     {
-        _S394 = 0.0f;
+        _S400 = 0.0f;
     }
-    return make_float4 (1.0f, _S390, _S391, _S392 - _S394);
+    return make_float4 (1.0f, _S396, _S397, _S398 - _S400);
 }
 
 __device__ float integral_on_top_0(uint family_13, Stretch_0 * across_5, Stretch_0 * along_0, uint crossing_count_0, uint quantity_1)
 {
-    Family_0 _S395 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint _S396 = uint(_S395.count_0);
-    uint _S397 = _S396 + 1U;
-    Family_0 _S398 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint _S399 = _S397 * _S398.quantities_0;
-    Family_0 _S400 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint _S401 = _S400.colour_areas_0 + quantity_1;
-    uint _S402 = (&along_0->low_0)->thread_10;
-    uint _S403 = _S401 + (&along_0->low_0)->thread_10 * _S399;
-    Family_0 _S404 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint4  _S405 = row_differences_0(across_5, _S403, _S396, _S404.quantities_0);
-    uint _S406 = _S401 + (_S402 + 1U) * _S399;
-    Family_0 _S407 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint4  _S408 = row_differences_0(across_5, _S406, _S396, _S407.quantities_0);
-    uint _S409 = (&along_0->high_0)->thread_10;
-    uint _S410 = _S401 + (&along_0->high_0)->thread_10 * _S399;
-    Family_0 _S411 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint4  _S412 = row_differences_0(across_5, _S410, _S396, _S411.quantities_0);
-    uint _S413 = _S401 + (_S409 + 1U) * _S399;
-    Family_0 _S414 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint4  _S415 = row_differences_0(across_5, _S413, _S396, _S414.quantities_0);
-    uint _S416 = _S401 + crossing_count_0 * _S399;
-    Family_0 _S417 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    uint4  _S418 = row_differences_0(across_5, _S416, _S396, _S417.quantities_0);
-    uint4  _S419 = _S412 - _S405;
-    bool _S420 = Stretch_wraps_0(along_0);
-    uint4  _S421;
-    if(_S420)
+    Family_0 _S401 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint _S402 = uint(_S401.count_0);
+    uint _S403 = _S402 + 1U;
+    Family_0 _S404 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint _S405 = _S403 * _S404.quantities_0;
+    Family_0 _S406 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint _S407 = _S406.colour_areas_0 + quantity_1;
+    uint _S408 = (&along_0->low_1)->thread_10;
+    uint _S409 = _S407 + (&along_0->low_1)->thread_10 * _S405;
+    Family_0 _S410 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint4  _S411 = row_differences_0(across_5, _S409, _S402, _S410.quantities_0);
+    uint _S412 = _S407 + (_S408 + 1U) * _S405;
+    Family_0 _S413 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint4  _S414 = row_differences_0(across_5, _S412, _S402, _S413.quantities_0);
+    uint _S415 = (&along_0->high_1)->thread_10;
+    uint _S416 = _S407 + (&along_0->high_1)->thread_10 * _S405;
+    Family_0 _S417 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint4  _S418 = row_differences_0(across_5, _S416, _S402, _S417.quantities_0);
+    uint _S419 = _S407 + (_S415 + 1U) * _S405;
+    Family_0 _S420 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint4  _S421 = row_differences_0(across_5, _S419, _S402, _S420.quantities_0);
+    uint _S422 = _S407 + crossing_count_0 * _S405;
+    Family_0 _S423 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    uint4  _S424 = row_differences_0(across_5, _S422, _S402, _S423.quantities_0);
+    uint4  _S425 = _S418 - _S411;
+    bool _S426 = Stretch_wraps_0(along_0);
+    uint4  _S427;
+    if(_S426)
     {
-        _S421 = _S418;
+        _S427 = _S424;
     }
     else
     {
-        int4  _S422 = make_int4 (int(0));
-        uint4  _S423 = make_uint4 ((uint)_S422.x, (uint)_S422.y, (uint)_S422.z, (uint)_S422.w);
-        _S421 = _S423;
+        int4  _S428 = make_int4 (int(0));
+        uint4  _S429 = make_uint4 ((uint)_S428.x, (uint)_S428.y, (uint)_S428.z, (uint)_S428.w);
+        _S427 = _S429;
     }
-    uint4  _S424 = _S419 + _S421;
-    float4  _S425 = Stretch_weights_0(across_5);
-    float4  _S426 = Stretch_weights_0(along_0);
-    int4  _S427 = make_int4 ((int)_S424.x, (int)_S424.y, (int)_S424.z, (int)_S424.w);
-    float4  _S428 = make_float4 ((float)_S427.x, (float)_S427.y, (float)_S427.z, (float)_S427.w);
-    uint4  _S429 = _S415 - _S412;
-    int4  _S430 = make_int4 ((int)_S429.x, (int)_S429.y, (int)_S429.z, (int)_S429.w);
-    float4  _S431 = make_float4 ((float)_S430.x, (float)_S430.y, (float)_S430.z, (float)_S430.w);
-    uint4  _S432 = _S408 - _S405;
-    int4  _S433 = make_int4 ((int)_S432.x, (int)_S432.y, (int)_S432.z, (int)_S432.w);
+    uint4  _S430 = _S425 + _S427;
+    float4  _S431 = Stretch_weights_0(across_5);
+    float4  _S432 = Stretch_weights_0(along_0);
+    int4  _S433 = make_int4 ((int)_S430.x, (int)_S430.y, (int)_S430.z, (int)_S430.w);
     float4  _S434 = make_float4 ((float)_S433.x, (float)_S433.y, (float)_S433.z, (float)_S433.w);
-    int4  _S435 = make_int4 ((int)_S418.x, (int)_S418.y, (int)_S418.z, (int)_S418.w);
-    float4  _S436 = make_float4 ((float)_S435.x, (float)_S435.y, (float)_S435.z, (float)_S435.w);
-    float _S437 = dot_2(make_float4 (dot_2(_S428, _S425), dot_2(_S431, _S425), dot_2(_S434, _S425), dot_2(_S436, _S425)), _S426);
-    Family_0 _S438 = slang_ldg_4((&(globalParams_0->families_0)[family_13]));
-    return _S437 * _S438.area_unit_0;
+    uint4  _S435 = _S421 - _S418;
+    int4  _S436 = make_int4 ((int)_S435.x, (int)_S435.y, (int)_S435.z, (int)_S435.w);
+    float4  _S437 = make_float4 ((float)_S436.x, (float)_S436.y, (float)_S436.z, (float)_S436.w);
+    uint4  _S438 = _S414 - _S411;
+    int4  _S439 = make_int4 ((int)_S438.x, (int)_S438.y, (int)_S438.z, (int)_S438.w);
+    float4  _S440 = make_float4 ((float)_S439.x, (float)_S439.y, (float)_S439.z, (float)_S439.w);
+    int4  _S441 = make_int4 ((int)_S424.x, (int)_S424.y, (int)_S424.z, (int)_S424.w);
+    float4  _S442 = make_float4 ((float)_S441.x, (float)_S441.y, (float)_S441.z, (float)_S441.w);
+    float _S443 = dot_2(make_float4 (dot_2(_S434, _S431), dot_2(_S437, _S431), dot_2(_S440, _S431), dot_2(_S442, _S431)), _S432);
+    Family_0 _S444 = slang_ldg_3((&(globalParams_0->families_0)[family_13]));
+    return _S443 * _S444.area_unit_0;
 }
 
 __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_2, uint row_3)
 {
-    Albedos_0 _S439 = table_albedos_0(row_3);
+    Albedos_0 _S445 = table_albedos_0(row_3);
     Albedos_0 sum_0;
-    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_2) * _S439.diffuse_reflect_0;
-    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_2) * _S439.diffuse_transmit_0;
-    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_2) * _S439.specular_reflect_0;
-    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_2) * _S439.specular_transmit_0;
+    (&sum_0)->diffuse_reflect_0 = albedos_1->diffuse_reflect_0 + make_float3 (weight_2) * _S445.diffuse_reflect_0;
+    (&sum_0)->diffuse_transmit_0 = albedos_1->diffuse_transmit_0 + make_float3 (weight_2) * _S445.diffuse_transmit_0;
+    (&sum_0)->specular_reflect_0 = albedos_1->specular_reflect_0 + make_float3 (weight_2) * _S445.specular_reflect_0;
+    (&sum_0)->specular_transmit_0 = albedos_1->specular_transmit_0 + make_float3 (weight_2) * _S445.specular_transmit_0;
     return sum_0;
 }
 
 __device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 * own_1, Stretch_0 * other_2, bool back_2)
 {
-    Family_0 _S440 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-    Albedos_0 albedos_2 = table_albedos_0(_S440.colour_mean_0);
-    Family_0 _S441 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-    if((_S441.quantities_0) == 1U)
+    Family_0 _S446 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+    Albedos_0 albedos_2 = table_albedos_0(_S446.colour_mean_0);
+    Family_0 _S447 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+    if((_S447.quantities_0) == 1U)
     {
         return albedos_2;
     }
-    float3  _S442 = lengths_0(crossing_1, other_2);
+    float3  _S448 = lengths_0(crossing_1, other_2);
     bool is_exposed_0 = false;
     float weight_3 = 0.0f;
     uint quantity_2 = 0U;
     for(;;)
     {
-        Family_0 _S443 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-        if(quantity_2 < (_S443.quantities_0))
+        Family_0 _S449 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+        if(quantity_2 < (_S449.quantities_0))
         {
         }
         else
         {
             break;
         }
-        float2  _S444 = integrals_along_0(family_14, own_1, quantity_2);
-        Family_0 _S445 = slang_ldg_4((&(globalParams_0->families_0)[crossing_1]));
-        float _S446 = integral_on_top_0(family_14, own_1, other_2, uint(_S445.count_0), quantity_2);
-        float _S447 = _S444.x;
-        float _S448 = _S447 * _S442.x;
-        float _S449;
+        float2  _S450 = integrals_along_0(family_14, own_1, quantity_2);
+        Family_0 _S451 = slang_ldg_3((&(globalParams_0->families_0)[crossing_1]));
+        float _S452 = integral_on_top_0(family_14, own_1, other_2, uint(_S451.count_0), quantity_2);
+        float _S453 = _S450.x;
+        float _S454 = _S453 * _S448.x;
+        float _S455;
         if(back_2)
         {
-            _S449 = _S448 - _S446;
+            _S455 = _S454 - _S452;
         }
         else
         {
-            _S449 = _S446;
+            _S455 = _S452;
         }
-        bool _S450 = quantity_2 == 0U;
-        if(_S450)
+        bool _S456 = quantity_2 == 0U;
+        if(_S456)
         {
-            Family_0 _S451 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-            float _S452 = 16.0f * _S451.area_unit_0;
-            Family_0 _S453 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-            is_exposed_0 = _S449 > (_S452 * (F32_min((_S448 / _S453.crossing_area_0), (1.0f))) + 0.00000999999974738f * _S448);
+            Family_0 _S457 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+            float _S458 = 16.0f * _S457.area_unit_0;
+            Family_0 _S459 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+            is_exposed_0 = _S455 > (_S458 * (F32_min((_S454 / _S459.crossing_area_0), (1.0f))) + 0.00000999999974738f * _S454);
         }
-        float _S454 = _S447 * _S442.y;
-        float _S455;
+        float _S460 = _S453 * _S448.y;
+        float _S461;
         if(is_exposed_0)
         {
-            _S455 = _S449;
+            _S461 = _S455;
         }
         else
         {
-            _S455 = 0.0f;
+            _S461 = 0.0f;
         }
-        float _S456 = _S454 + _S455 + 0.000244140625f * _S442.z * _S444.y;
-        if(_S450)
+        float _S462 = _S460 + _S461 + 0.000244140625f * _S448.z * _S450.y;
+        if(_S456)
         {
-            weight_3 = 1.0f / (F32_max((_S456), (9.99999968265522539e-21f)));
+            weight_3 = 1.0f / (F32_max((_S462), (9.99999968265522539e-21f)));
         }
         else
         {
-            float _S457 = _S456 * weight_3;
-            Family_0 _S458 = slang_ldg_4((&(globalParams_0->families_0)[family_14]));
-            uint _S459 = _S458.colour_axes_0 + 12U * (quantity_2 - 1U);
-            Albedos_0 _S460 = albedos_2;
-            Albedos_0 _S461 = with_added_albedos_0(&_S460, _S457, _S459);
-            albedos_2 = _S461;
+            float _S463 = _S462 * weight_3;
+            Family_0 _S464 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
+            uint _S465 = _S464.colour_axes_0 + 12U * (quantity_2 - 1U);
+            Albedos_0 _S466 = albedos_2;
+            Albedos_0 _S467 = with_added_albedos_0(&_S466, _S463, _S465);
+            albedos_2 = _S467;
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -2287,213 +2387,404 @@ __device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 *
     return albedos_2;
 }
 
-__device__ Albedos_0 lerp_albedos_0(Albedos_0 * first_2, Albedos_0 * second_1, float weight_4)
+__device__ Albedos_0 lerp_albedos_0(Albedos_0 * first_3, Albedos_0 * second_1, float weight_4)
 {
     Albedos_0 albedos_3;
-    float3  _S462 = make_float3 (weight_4);
-    (&albedos_3)->diffuse_reflect_0 = lerp_0(first_2->diffuse_reflect_0, second_1->diffuse_reflect_0, _S462);
-    (&albedos_3)->diffuse_transmit_0 = lerp_0(first_2->diffuse_transmit_0, second_1->diffuse_transmit_0, _S462);
-    (&albedos_3)->specular_reflect_0 = lerp_0(first_2->specular_reflect_0, second_1->specular_reflect_0, _S462);
-    (&albedos_3)->specular_transmit_0 = lerp_0(first_2->specular_transmit_0, second_1->specular_transmit_0, _S462);
+    float3  _S468 = make_float3 (weight_4);
+    (&albedos_3)->diffuse_reflect_0 = lerp_0(first_3->diffuse_reflect_0, second_1->diffuse_reflect_0, _S468);
+    (&albedos_3)->diffuse_transmit_0 = lerp_0(first_3->diffuse_transmit_0, second_1->diffuse_transmit_0, _S468);
+    (&albedos_3)->specular_reflect_0 = lerp_0(first_3->specular_reflect_0, second_1->specular_reflect_0, _S468);
+    (&albedos_3)->specular_transmit_0 = lerp_0(first_3->specular_transmit_0, second_1->specular_transmit_0, _S468);
     return albedos_3;
 }
 
-__device__ float sheen_scale_0(float x_24, float y_13)
+__device__ Albedos_0 tinted_0(Albedos_0 * albedos_4, float3  tint_0)
 {
-    return (((((0.0f * x_24 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_24 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_24 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_24 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_24 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_24 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
+    Albedos_0 result_13 = *albedos_4;
+    (&result_13)->diffuse_reflect_0 = (&result_13)->diffuse_reflect_0 * tint_0;
+    (&result_13)->diffuse_transmit_0 = (&result_13)->diffuse_transmit_0 * tint_0;
+    return result_13;
 }
 
-__device__ float sheen_shear_0(float x_25, float y_14)
+__device__ float sheen_scale_0(float x_28, float y_13)
 {
-    return ((((0.0f * x_25 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_25 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_25 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_25 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_25 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+    return (((((0.0f * x_28 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_28 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_28 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_28 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_28 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_28 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
 }
 
-__device__ float sheen_reflectance_0(float x_26, float y_15)
+__device__ float sheen_shear_0(float x_29, float y_14)
 {
-    return ((((0.0f * x_26 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_26 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_26 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_26 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_26 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
+    return ((((0.0f * x_29 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_29 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_29 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_29 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_29 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+}
+
+__device__ float sheen_reflectance_0(float x_30, float y_15)
+{
+    return ((((0.0f * x_30 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_30 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_30 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_30 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_30 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_8)
 {
-    float _S463 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S464 = 2.0f * (F32_sqrt((_S463))) - 1.0f;
-    float _S465 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_8, 0.00999999977648258f, 1.0f))))))) - 2.0f;
-    return make_float3 (clamp_1(sheen_scale_0(_S464, _S465), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S463) * sheen_shear_0(_S464, _S465), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S464, _S465), -60.0f, 60.0f))));
+    float _S469 = clamp_1(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S470 = 2.0f * (F32_sqrt((_S469))) - 1.0f;
+    float _S471 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_1(roughness_8, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_1(sheen_scale_0(_S470, _S471), 0.00999999977648258f, 1.0f), clamp_1((1.0f - _S469) * sheen_shear_0(_S470, _S471), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_1(sheen_reflectance_0(_S470, _S471), -60.0f, 60.0f))));
 }
 
-__device__ float transformed_cosine_0(float3  light_8, float3  view_7, float scale_0, float shear_0)
+__device__ float transformed_cosine_0(float3  light_7, float3  view_7, float scale_0, float shear_0)
 {
-    float _S466 = light_8.z;
-    bool _S467;
-    if(_S466 <= 0.0f)
+    float _S472 = light_7.z;
+    bool _S473;
+    if(_S472 <= 0.0f)
     {
-        _S467 = true;
+        _S473 = true;
     }
     else
     {
-        _S467 = (view_7.z) <= 0.0f;
+        _S473 = (view_7.z) <= 0.0f;
     }
-    if(_S467)
+    if(_S473)
     {
         return 0.0f;
     }
-    float2  _S468 = float2 {view_7.x, view_7.y};
-    float _S469 = dot_1(_S468, _S468);
-    float2  _S470;
-    if(_S469 > 9.99999968265522539e-21f)
+    float2  _S474 = float2 {view_7.x, view_7.y};
+    float _S475 = dot_1(_S474, _S474);
+    float2  _S476;
+    if(_S475 > 9.99999968265522539e-21f)
     {
-        _S470 = _S468 * make_float2 ((F32_rsqrt((_S469))));
+        _S476 = _S474 * make_float2 ((F32_rsqrt((_S475))));
     }
     else
     {
-        _S470 = make_float2 (1.0f, 0.0f);
+        _S476 = make_float2 (1.0f, 0.0f);
     }
-    float _S471 = scale_0 * dot_1(float2 {light_8.x, light_8.y}, _S470) + shear_0 * _S466;
-    float _S472 = scale_0 * (light_8.y * _S470.x - light_8.x * _S470.y);
-    float _S473 = _S471 * _S471 + _S472 * _S472 + _S466 * _S466;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S466 / (F32_max((_S473 * _S473), (9.99999968265522539e-21f)));
+    float _S477 = scale_0 * dot_1(float2 {light_7.x, light_7.y}, _S476) + shear_0 * _S472;
+    float _S478 = scale_0 * (light_7.y * _S476.x - light_7.x * _S476.y);
+    float _S479 = _S477 * _S477 + _S478 * _S478 + _S472 * _S472;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S472 / (F32_max((_S479 * _S479), (9.99999968265522539e-21f)));
 }
 
-__device__ float2  sheen_with_transmittance_0(float3  light_9, float3  view_8, float strength_0, float roughness_9)
+__device__ float2  sheen_with_transmittance_0(float3  light_8, float3  view_8, float strength_0, float roughness_9)
 {
-    float3  _S474 = sheen_lobe_0(view_8.z, roughness_9);
-    float _S475 = strength_0 * _S474.z;
-    return make_float2 (_S475 * transformed_cosine_0(light_9, view_8, _S474.x, _S474.y), 1.0f - _S475);
+    float3  _S480 = sheen_lobe_0(view_8.z, roughness_9);
+    float _S481 = strength_0 * _S480.z;
+    return make_float2 (_S481 * transformed_cosine_0(light_8, view_8, _S480.x, _S480.y), 1.0f - _S481);
 }
 
-__device__ void accumulate_0(Frame_0 * frame_4, uint2  pixel_0, float4  light_10)
+__device__ void accumulate_0(uint index_7, float4  light_9)
 {
-    uint _S476 = pixel_0.y * frame_4->width_0 + pixel_0.x;
-    float _S477 = light_10.w;
-    float4  _S478 = make_float4 ((float3 {light_10.x, light_10.y, light_10.z} + make_float3 (1.0f - _S477) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).x, (float3 {light_10.x, light_10.y, light_10.z} + make_float3 (1.0f - _S477) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).y, (float3 {light_10.x, light_10.y, light_10.z} + make_float3 (1.0f - _S477) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).z, _S477);
-    float4  * _S479 = (&(globalParams_0->radiance_0)[_S476]);
-    float4  _S480;
-    if((frame_4->pass_number_0) == 0U)
-    {
-        _S480 = _S478;
-    }
-    else
-    {
-        _S480 = *(&(globalParams_0->radiance_0)[_S476]) + _S478;
-    }
-    *_S479 = _S480;
+    float4  * _S482 = (&(globalParams_0->radiance_0)[index_7]);
+    *_S482 = *_S482 + make_float4 ((&(globalParams_0->layers_0)[index_7])->share_0) * light_9;
+    (&(globalParams_0->layers_0)[index_7])->share_0 = (&(globalParams_0->layers_0)[index_7])->share_0 * (1.0f - light_9.w);
     return;
 }
 
-__device__ VisiblePoint_0 visible_point_0(Frame_0 * _S481, uint _S482, uint _S483, uint2  _S484)
+__device__ float3  camera_right_0(int _S483)
 {
-    Fabric_0 * _S485 = (&(globalParams_0->fabrics_0)[_S482]);
-    uint _S486 = 3U * _S483;
-    uint _S487 = __ldg((&(globalParams_0->corners_0)[_S486]));
-    Vertex_0 _S488 = slang_ldg_2((&(globalParams_0->vertices_0)[_S487]));
-    uint _S489 = __ldg((&(globalParams_0->corners_0)[_S486 + 1U]));
-    Vertex_0 _S490 = slang_ldg_2((&(globalParams_0->vertices_0)[_S489]));
-    uint _S491 = __ldg((&(globalParams_0->corners_0)[_S486 + 2U]));
-    Vertex_0 _S492 = slang_ldg_2((&(globalParams_0->vertices_0)[_S491]));
-    Vertex_0 _S493 = _S490;
-    float3  _S494 = position_of_0(&_S493);
-    Vertex_0 _S495 = _S488;
-    float3  _S496 = position_of_0(&_S495);
-    float3  _S497 = _S494 - _S496;
-    Vertex_0 _S498 = _S492;
-    float3  _S499 = position_of_0(&_S498);
-    float3  _S500 = _S499 - _S496;
-    float3  _S501 = cross_0(_S497, _S500);
-    float _S502 = 1.0f / (F32_max((square_0(_S501)), (1.00000000317107685e-30f)));
-    float3  _S503 = camera_right_0(_S481);
-    float _S504 = float(_S481->width_0);
-    float3  _S505 = _S503 * make_float3 (2.0f / _S504);
-    float3  _S506 = camera_up_0(_S481);
-    float _S507 = float(_S481->height_0);
-    float3  _S508 = _S506 * make_float3 (-2.0f / _S507);
-    float _S509 = float(_S484.x) + 0.5f - 0.5f * _S504;
-    float _S510 = float(_S484.y) + 0.5f - 0.5f * _S507;
-    float3  _S511 = camera_forward_0(_S481);
-    float3  _S512 = _S511 + make_float3 (_S509) * _S505 + make_float3 (_S510) * _S508;
-    float _S513 = dot_0(_S512, _S501);
-    float _S514;
-    if((F32_abs((_S513))) > 1.00000000317107685e-30f)
-    {
-        _S514 = _S513;
-    }
-    else
-    {
-        _S514 = 1.00000000317107685e-30f;
-    }
-    float _S515 = 1.0f / _S514;
-    float3  _S516 = camera_origin_0(_S481);
-    float3  _S517 = _S496 - _S516;
-    float _S518 = dot_0(_S517, _S501) * _S515;
-    float3  _S519 = _S512 * make_float3 (_S518) - _S517;
-    float3  _S520 = make_float3 (_S518) * (_S505 - _S512 * make_float3 (dot_0(_S505, _S501) * _S515));
-    float3  _S521 = make_float3 (_S518) * (_S508 - _S512 * make_float3 (dot_0(_S508, _S501) * _S515));
-    float3  _S522 = cross_0(_S500, _S501) * make_float3 (_S502);
-    float3  _S523 = cross_0(_S501, _S497) * make_float3 (_S502);
-    float _S524 = dot_0(_S519, _S522);
-    float _S525 = dot_0(_S519, _S523);
-    float _S526 = _S490.u_0 - _S488.u_0;
-    float _S527 = _S490.v_0 - _S488.v_0;
+    Frame_0 * _S484 = (&(globalParams_0->frames_0)[_S483]);
+    float _S485 = __ldg(&_S484->right_x_0);
+    float _S486 = __ldg(&_S484->right_y_0);
+    float _S487 = __ldg(&_S484->right_z_0);
+    return make_float3 (_S485, _S486, _S487);
+}
+
+__device__ float3  camera_up_0(int _S488)
+{
+    Frame_0 * _S489 = (&(globalParams_0->frames_0)[_S488]);
+    float _S490 = __ldg(&_S489->up_x_0);
+    float _S491 = __ldg(&_S489->up_y_0);
+    float _S492 = __ldg(&_S489->up_z_0);
+    return make_float3 (_S490, _S491, _S492);
+}
+
+__device__ float3  camera_forward_0(int _S493)
+{
+    Frame_0 * _S494 = (&(globalParams_0->frames_0)[_S493]);
+    float _S495 = __ldg(&_S494->forward_x_0);
+    float _S496 = __ldg(&_S494->forward_y_0);
+    float _S497 = __ldg(&_S494->forward_z_0);
+    return make_float3 (_S495, _S496, _S497);
+}
+
+__device__ float3  camera_origin_0(int _S498)
+{
+    Frame_0 * _S499 = (&(globalParams_0->frames_0)[_S498]);
+    float _S500 = __ldg(&_S499->origin_x_0);
+    float _S501 = __ldg(&_S499->origin_y_0);
+    float _S502 = __ldg(&_S499->origin_z_0);
+    return make_float3 (_S500, _S501, _S502);
+}
+
+__device__ VisiblePoint_0 face_point_0(uint _S503, uint _S504, float _S505, float _S506)
+{
+    Fabric_0 * _S507 = (&(globalParams_0->fabrics_0)[_S503]);
+    uint _S508 = 3U * _S504;
+    uint _S509 = __ldg((&(globalParams_0->corners_0)[_S508]));
+    Vertex_0 _S510 = slang_ldg_1((&(globalParams_0->vertices_0)[_S509]));
+    uint _S511 = __ldg((&(globalParams_0->corners_0)[_S508 + 1U]));
+    Vertex_0 _S512 = slang_ldg_1((&(globalParams_0->vertices_0)[_S511]));
+    uint _S513 = __ldg((&(globalParams_0->corners_0)[_S508 + 2U]));
+    Vertex_0 _S514 = slang_ldg_1((&(globalParams_0->vertices_0)[_S513]));
+    Vertex_0 _S515 = _S512;
+    float3  _S516 = position_of_0(&_S515);
+    Vertex_0 _S517 = _S510;
+    float3  _S518 = position_of_0(&_S517);
+    float3  _S519 = _S516 - _S518;
+    Vertex_0 _S520 = _S514;
+    float3  _S521 = position_of_0(&_S520);
+    float3  _S522 = _S521 - _S518;
+    float _S523 = _S512.u_0 - _S510.u_0;
+    float _S524 = _S512.v_0 - _S510.v_0;
+    float2  _S525 = make_float2 (_S523, _S524);
+    float _S526 = _S514.u_0 - _S510.u_0;
+    float _S527 = _S514.v_0 - _S510.v_0;
     float2  _S528 = make_float2 (_S526, _S527);
-    float _S529 = _S492.u_0 - _S488.u_0;
-    float _S530 = _S492.v_0 - _S488.v_0;
-    float2  _S531 = make_float2 (_S529, _S530);
-    float2  _S532 = make_float2 (_S488.u_0, _S488.v_0) + make_float2 (_S524) * _S528 + make_float2 (_S525) * _S531;
-    float2  _S533 = make_float2 (dot_0(_S520, _S522)) * _S528 + make_float2 (dot_0(_S520, _S523)) * _S531;
-    float2  _S534 = make_float2 (dot_0(_S521, _S522)) * _S528 + make_float2 (dot_0(_S521, _S523)) * _S531;
-    if((_S526 * _S530 - _S527 * _S529) < 0.0f)
+    float _S529;
+    if((_S523 * _S527 - _S524 * _S526) < 0.0f)
     {
-        _S514 = -1.0f;
+        _S529 = -1.0f;
     }
     else
     {
-        _S514 = 1.0f;
+        _S529 = 1.0f;
     }
-    float3  _S535 = make_float3 (_S514) * (make_float3 (_S530) * _S497 - make_float3 (_S527) * _S500);
-    float3  _S536 = make_float3 (_S514) * (make_float3 (_S526) * _S500 - make_float3 (_S529) * _S497);
+    float3  _S530 = make_float3 (_S529) * (make_float3 (_S527) * _S519 - make_float3 (_S524) * _S522);
+    float3  _S531 = make_float3 (_S529) * (make_float3 (_S523) * _S522 - make_float3 (_S526) * _S519);
     VisiblePoint_0 point_1;
-    float _S537 = 1.0f - _S524 - _S525;
-    Vertex_0 _S538 = _S488;
-    float3  _S539 = normal_of_0(&_S538);
-    float3  _S540 = make_float3 (_S537) * _S539;
-    Vertex_0 _S541 = _S490;
-    float3  _S542 = normal_of_0(&_S541);
-    float3  _S543 = _S540 + make_float3 (_S524) * _S542;
-    Vertex_0 _S544 = _S492;
-    float3  _S545 = normal_of_0(&_S544);
-    float3  _S546 = normalize_0(_S543 + make_float3 (_S525) * _S545);
-    (&point_1)->normal_0 = _S546;
-    float3  _S547 = normalize_0(_S535 - _S546 * make_float3 (dot_0(_S546, _S535)));
-    (&point_1)->axis_x_0 = _S547;
-    (&point_1)->axis_y_0 = cross_0(_S546, _S547);
-    (&point_1)->position_0 = _S496 + _S519;
-    (&point_1)->view_0 = - normalize_0(_S512);
-    bool _S548 = (dot_0(cross_0(_S535, _S536), _S546)) < 0.0f;
-    float _S549 = __ldg(&_S485->uv_width_0);
-    if(_S548)
+    float _S532 = 1.0f - _S505 - _S506;
+    Vertex_0 _S533 = _S510;
+    float3  _S534 = normal_of_0(&_S533);
+    float3  _S535 = make_float3 (_S532) * _S534;
+    Vertex_0 _S536 = _S512;
+    float3  _S537 = normal_of_0(&_S536);
+    float3  _S538 = _S535 + make_float3 (_S505) * _S537;
+    Vertex_0 _S539 = _S514;
+    float3  _S540 = normal_of_0(&_S539);
+    float3  _S541 = normalize_0(_S538 + make_float3 (_S506) * _S540);
+    (&point_1)->normal_0 = _S541;
+    float3  _S542 = normalize_0(_S530 - _S541 * make_float3 (dot_0(_S541, _S530)));
+    (&point_1)->axis_x_0 = _S542;
+    (&point_1)->axis_y_0 = cross_0(_S541, _S542);
+    float3  _S543 = normalize_0(cross_0(_S519, _S522));
+    float3  _S544;
+    if((dot_0(_S543, _S541)) < 0.0f)
     {
-        float _S550 = __ldg(&_S485->uv_height_0);
-        _S514 = - _S550;
+        _S544 = - _S543;
     }
     else
     {
-        float _S551 = __ldg(&_S485->uv_height_0);
-        _S514 = _S551;
+        _S544 = _S543;
     }
-    float2  _S552 = make_float2 (_S549, _S514);
-    float2  _S553 = _S532 * _S552;
-    if(_S548)
+    (&point_1)->face_normal_0 = _S544;
+    (&point_1)->position_0 = _S518 + make_float3 (_S505) * _S519 + make_float3 (_S506) * _S522;
+    (&point_1)->view_0 = (&point_1)->normal_0;
+    (&point_1)->uv_1 = make_float2 (_S510.u_0, _S510.v_0) + make_float2 (_S505) * _S525 + make_float2 (_S506) * _S528;
+    bool _S545 = (dot_0(cross_0(_S530, _S531), (&point_1)->normal_0)) < 0.0f;
+    float _S546 = __ldg(&_S507->uv_width_0);
+    if(_S545)
     {
-        float _S554 = __ldg(&_S485->uv_height_0);
-        _S514 = _S554;
+        float _S547 = __ldg(&_S507->uv_height_0);
+        _S529 = - _S547;
     }
     else
     {
-        _S514 = 0.0f;
+        float _S548 = __ldg(&_S507->uv_height_0);
+        _S529 = _S548;
     }
-    (&point_1)->draft_0 = _S553 + make_float2 (0.0f, _S514);
-    (&point_1)->draft_dx_0 = _S533 * _S552;
-    (&point_1)->draft_dy_0 = _S534 * _S552;
+    float2  _S549 = make_float2 (_S546, _S529);
+    (&point_1)->draft_per_uv_0 = _S549;
+    float2  _S550 = (&point_1)->uv_1 * _S549;
+    if(_S545)
+    {
+        float _S551 = __ldg(&_S507->uv_height_0);
+        _S529 = _S551;
+    }
+    else
+    {
+        _S529 = 0.0f;
+    }
+    (&point_1)->draft_0 = _S550 + make_float2 (0.0f, _S529);
+    float2  _S552 = make_float2 (0.0f);
+    (&point_1)->draft_dx_0 = _S552;
+    (&point_1)->draft_dy_0 = _S552;
     return point_1;
+}
+
+__device__ VisiblePoint_0 visible_point_0(int _S553, uint _S554, uint _S555, uint2  _S556)
+{
+    Frame_0 * _S557 = (&(globalParams_0->frames_0)[_S553]);
+    uint _S558 = 3U * _S555;
+    uint _S559 = __ldg((&(globalParams_0->corners_0)[_S558]));
+    Vertex_0 _S560 = slang_ldg_1((&(globalParams_0->vertices_0)[_S559]));
+    uint _S561 = __ldg((&(globalParams_0->corners_0)[_S558 + 1U]));
+    Vertex_0 _S562 = slang_ldg_1((&(globalParams_0->vertices_0)[_S561]));
+    uint _S563 = __ldg((&(globalParams_0->corners_0)[_S558 + 2U]));
+    Vertex_0 _S564 = slang_ldg_1((&(globalParams_0->vertices_0)[_S563]));
+    Vertex_0 _S565 = _S562;
+    float3  _S566 = position_of_0(&_S565);
+    Vertex_0 _S567 = _S560;
+    float3  _S568 = position_of_0(&_S567);
+    float3  _S569 = _S566 - _S568;
+    Vertex_0 _S570 = _S564;
+    float3  _S571 = position_of_0(&_S570);
+    float3  _S572 = _S571 - _S568;
+    float3  _S573 = cross_0(_S569, _S572);
+    float _S574 = 1.0f / (F32_max((square_0(_S573)), (1.00000000317107685e-30f)));
+    float3  _S575 = camera_right_0(_S553);
+    uint _S576 = __ldg(&_S557->width_0);
+    float _S577 = float(_S576);
+    float3  _S578 = _S575 * make_float3 (2.0f / _S577);
+    float3  _S579 = camera_up_0(_S553);
+    uint _S580 = __ldg(&_S557->height_0);
+    float _S581 = float(_S580);
+    float3  _S582 = _S579 * make_float3 (-2.0f / _S581);
+    float _S583 = float(_S556.x) + 0.5f - 0.5f * _S577;
+    float _S584 = float(_S556.y) + 0.5f - 0.5f * _S581;
+    float3  _S585 = camera_forward_0(_S553);
+    float3  _S586 = _S585 + make_float3 (_S583) * _S578 + make_float3 (_S584) * _S582;
+    float _S587 = dot_0(_S586, _S573);
+    float _S588;
+    if((F32_abs((_S587))) > 1.00000000317107685e-30f)
+    {
+        _S588 = _S587;
+    }
+    else
+    {
+        _S588 = 1.00000000317107685e-30f;
+    }
+    float _S589 = 1.0f / _S588;
+    float3  _S590 = camera_origin_0(_S553);
+    float3  _S591 = _S568 - _S590;
+    float _S592 = dot_0(_S591, _S573) * _S589;
+    float3  _S593 = _S586 * make_float3 (_S592) - _S591;
+    float3  _S594 = make_float3 (_S592) * (_S578 - _S586 * make_float3 (dot_0(_S578, _S573) * _S589));
+    float3  _S595 = make_float3 (_S592) * (_S582 - _S586 * make_float3 (dot_0(_S582, _S573) * _S589));
+    float3  _S596 = cross_0(_S572, _S573) * make_float3 (_S574);
+    float3  _S597 = cross_0(_S573, _S569) * make_float3 (_S574);
+    float2  _S598 = make_float2 (_S562.u_0 - _S560.u_0, _S562.v_0 - _S560.v_0);
+    float2  _S599 = make_float2 (_S564.u_0 - _S560.u_0, _S564.v_0 - _S560.v_0);
+    VisiblePoint_0 _S600 = face_point_0(_S554, _S555, dot_0(_S593, _S596), dot_0(_S593, _S597));
+    VisiblePoint_0 point_2 = _S600;
+    (&point_2)->position_0 = _S568 + _S593;
+    (&point_2)->view_0 = - normalize_0(_S586);
+    (&point_2)->draft_dx_0 = (make_float2 (dot_0(_S594, _S596)) * _S598 + make_float2 (dot_0(_S594, _S597)) * _S599) * (&point_2)->draft_per_uv_0;
+    (&point_2)->draft_dy_0 = (make_float2 (dot_0(_S595, _S596)) * _S598 + make_float2 (dot_0(_S595, _S597)) * _S599) * (&point_2)->draft_per_uv_0;
+    return point_2;
+}
+
+__device__ float3  filtered_albedo_0(uint _S601, VisiblePoint_0 * _S602)
+{
+    Fabric_0 * _S603 = (&(globalParams_0->fabrics_0)[_S601]);
+    uint _S604 = __ldg(&_S603->albedo_map_levels_0);
+    if(_S604 == 0U)
+    {
+        return make_float3 (1.0f);
+    }
+    float _S605 = __ldg(&_S603->uv_width_0);
+    float _S606 = __ldg(&_S603->uv_height_0);
+    float2  _S607 = make_float2 (_S605, _S606);
+    float2  _S608 = _S602->draft_dx_0 / _S607;
+    float2  _S609 = _S602->draft_dy_0 / _S607;
+    uint _S610 = _S604 - 1U;
+    uint _S611 = 1U << _S610;
+    float _S612 = clamp_1(0.5f * binary_logarithm_0((F32_max(((F32_abs((_S608.x * _S609.y - _S608.y * _S609.x)))), (9.99999968265522539e-21f))) * (square_1(float(_S611)) / 3.0f)), 0.0f, float(_S604) - 1.0f);
+    uint _S613 = (U32_min((uint(_S612)), ((U32_max((_S604), (2U))) - 2U)));
+    uint _S614 = (U32_min((_S613 + 1U), (_S610)));
+    uint _S615 = 1U << (2U * _S604);
+    uint _S616 = __ldg(&_S603->albedo_map_0);
+    return lerp_0(map_level_0(_S616 + (_S615 - (_S615 >> (2U * _S613))) / 3U, _S611 >> _S613, _S602->uv_1), map_level_0(_S616 + (_S615 - (_S615 >> (2U * _S614))) / 3U, _S611 >> _S614, _S602->uv_1), make_float3 ((exponential_0(1.38629436492919922f * (_S612 - float(_S613))) - 1.0f) / 3.0f));
+}
+
+__device__ uint light_sample_count_0(int _S617)
+{
+    Frame_0 * _S618 = (&(globalParams_0->frames_0)[_S617]);
+    uint _S619 = __ldg(&_S618->lights_0);
+    uint _S620 = __ldg(&_S618->environment_samples_0);
+    return _S619 + _S620;
+}
+
+__device__ float visibility_at_0(int _S621, uint _S622, uint2  _S623)
+{
+    Frame_0 * _S624 = (&(globalParams_0->frames_0)[_S621]);
+    uint _S625 = __ldg(&_S624->casts_shadows_0);
+    if(_S625 == 0U)
+    {
+        return 1.0f;
+    }
+    uint _S626 = __ldg(&_S624->height_0);
+    uint _S627 = _S622 * _S626 + _S623.y;
+    uint _S628 = __ldg(&_S624->width_0);
+    return *(&(globalParams_0->visibilities_0)[_S627 * _S628 + _S623.x]);
+}
+
+struct LightSample_0
+{
+    float3  towards_0;
+    float3  irradiance_1;
+    float distance_1;
+};
+
+__device__ float3  environment_texel_0(int _S629, uint _S630, uint _S631)
+{
+    Frame_0 * _S632 = (&(globalParams_0->frames_0)[_S629]);
+    uint _S633 = __ldg(&_S632->environment_table_0);
+    uint _S634 = __ldg(&_S632->environment_rows_0);
+    uint _S635 = _S633 + _S634 + 1U;
+    uint _S636 = __ldg(&_S632->environment_columns_0);
+    uint _S637 = _S635 + _S634 * (_S636 + 1U) + 3U * (_S630 * _S636 + _S631);
+    return make_float3 (scene_number_0(_S637), scene_number_0(_S637 + 1U), scene_number_0(_S637 + 2U));
+}
+
+__device__ float3  sample_environment_0(int _S638, float2  _S639, float3  * _S640)
+{
+    Frame_0 * _S641 = (&(globalParams_0->frames_0)[_S638]);
+    uint _S642 = __ldg(&_S641->environment_table_0);
+    uint _S643 = __ldg(&_S641->environment_rows_0);
+    Choice_0 _S644 = choose_0(_S642, _S643, _S639.y);
+    uint _S645 = _S642 + _S643 + 1U;
+    uint _S646 = __ldg(&_S641->environment_columns_0);
+    Choice_0 _S647 = choose_0(_S645 + _S644.index_3 * (_S646 + 1U), _S646, _S639.x);
+    float3  _S648 = environment_texel_0(_S638, _S644.index_3, _S647.index_3);
+    float _S649 = __ldg(&_S641->environment_total_0);
+    *_S640 = _S648 * make_float3 (_S649 / (F32_max((mean_0(_S648)), (9.99999968265522539e-21f))));
+    float _S650 = 3.14159274101257324f / float(_S643);
+    float _S651 = lerp_1(sine_cosine_0(float(_S644.index_3) * _S650).y, sine_cosine_0(float(_S644.index_3 + 1U) * _S650).y, _S644.remainder_0);
+    float _S652 = (F32_sqrt(((F32_max((1.0f - _S651 * _S651), (0.0f))))));
+    float2  _S653 = sine_cosine_0((float(_S647.index_3) + _S647.remainder_0) * (6.28318548202514648f / float(_S646)));
+    float _S654 = _S652 * _S653.x;
+    float _S655 = - _S652 * _S653.y;
+    float _S656 = __ldg(&_S641->environment_cosine_0);
+    float _S657 = _S656 * _S654;
+    float _S658 = __ldg(&_S641->environment_sine_0);
+    return make_float3 (_S657 + _S658 * _S655, _S651, _S656 * _S655 - _S658 * _S654);
+}
+
+__device__ LightSample_0 light_sample_0(int _S659, uint _S660, uint2  _S661, float3  _S662)
+{
+    Frame_0 * _S663 = (&(globalParams_0->frames_0)[_S659]);
+    LightSample_0 sample_0;
+    (&sample_0)->distance_1 = 1.00000001504746622e+30f;
+    uint _S664 = __ldg(&_S663->lights_0);
+    if(_S660 >= _S664)
+    {
+        uint _S665 = __ldg(&_S663->pass_number_0);
+        uint _S666 = __ldg(&_S663->environment_samples_0);
+        float3  weight_5;
+        float3  _S667 = sample_environment_0(_S659, pixel_sequence_0(_S661, _S665 * _S666 + (_S660 - _S664), 3U), &weight_5);
+        (&sample_0)->towards_0 = _S667;
+        (&sample_0)->irradiance_1 = weight_5 / make_float3 (float(_S666));
+        return sample_0;
+    }
+    Light_0 _S668 = slang_ldg_2((&(globalParams_0->lights_1)[_S660]));
+    (&sample_0)->irradiance_1 = make_float3 (_S668.red_0, _S668.green_0, _S668.blue_0);
+    (&sample_0)->towards_0 = make_float3 (_S668.x_0, _S668.y_0, _S668.z_0);
+    if((_S668.is_point_0) != 0U)
+    {
+        float3  _S669 = (&sample_0)->towards_0 - _S662;
+        float _S670 = (F32_max((square_0(_S669)), (9.999999960041972e-13f)));
+        (&sample_0)->distance_1 = (F32_sqrt((_S670)));
+        (&sample_0)->irradiance_1 = (&sample_0)->irradiance_1 / make_float3 (_S670);
+        (&sample_0)->towards_0 = normalize_0(_S669);
+    }
+    return sample_0;
 }
 
 struct FamilyAlbedos_0
@@ -2505,7 +2796,7 @@ struct FamilyAlbedos_0
 struct Estimate_0
 {
     Components_0 components_0;
-    FamilyAlbedos_0 albedos_4;
+    FamilyAlbedos_0 albedos_5;
 };
 
 struct Regime_0
@@ -2515,34 +2806,34 @@ struct Regime_0
     float points_0;
 };
 
-__device__ Regime_0 regime_of_0(uint _S555, Footprint_0 * _S556, float _S557)
+__device__ Regime_0 regime_of_0(uint _S671, Footprint_0 * _S672, float _S673)
 {
-    Fabric_0 * _S558 = (&(globalParams_0->fabrics_0)[_S555]);
-    float _S559 = Footprint_spread_side_0(_S556);
-    float _S560 = binary_logarithm_0((F32_max((_S559), (9.99999971718068537e-10f))));
-    Lobes_0 _S561 = slang_ldg_1(&_S558->lobes_0);
-    float _S562 = clamp_1((_S560 - _S561.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    Fabric_0 * _S674 = (&(globalParams_0->fabrics_0)[_S671]);
+    float _S675 = Footprint_spread_side_0(_S672);
+    float _S676 = binary_logarithm_0((F32_max((_S675), (9.99999971718068537e-10f))));
+    Lobes_0 _S677 = slang_ldg_0(&_S674->lobes_0);
+    float _S678 = clamp_1((_S676 - _S677.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
     Regime_0 regime_0;
-    float _S563 = _S562 * _S562 * (3.0f - 2.0f * _S562);
-    (&regime_0)->prefiltered_0 = _S563;
-    (&regime_0)->threads_1 = _S559 * _S561.threads_per_mm_0;
-    float _S564 = lerp_1((F32_max((8.0f / _S557), (1.0f))), 1.0f, _S563);
-    float _S565;
-    if(_S563 < 1.0f)
+    float _S679 = _S678 * _S678 * (3.0f - 2.0f * _S678);
+    (&regime_0)->prefiltered_0 = _S679;
+    (&regime_0)->threads_1 = _S675 * _S677.threads_per_mm_0;
+    float _S680 = lerp_1((F32_max((8.0f / _S673), (1.0f))), 1.0f, _S679);
+    float _S681;
+    if(_S679 < 1.0f)
     {
-        _S565 = clamp_1((&regime_0)->threads_1 * 12.0f, 1.0f, _S564);
+        _S681 = clamp_1((&regime_0)->threads_1 * 12.0f, 1.0f, _S680);
     }
     else
     {
-        _S565 = 0.0f;
+        _S681 = 0.0f;
     }
-    (&regime_0)->points_0 = _S565;
+    (&regime_0)->points_0 = _S681;
     return regime_0;
 }
 
 struct Hit_0
 {
-    float x_27;
+    float x_31;
     float y_16;
     bool hole_5;
     float height_5;
@@ -2561,425 +2852,425 @@ struct Sample_0
     float slope_y_1;
 };
 
-__device__ Crossing_0 crossing_at_0(uint _S566, float _S567, float _S568, bool _S569)
+__device__ Crossing_0 crossing_at_0(uint _S682, float _S683, float _S684, bool _S685)
 {
-    Fabric_0 * _S570 = (&(globalParams_0->fabrics_0)[_S566]);
+    Fabric_0 * _S686 = (&(globalParams_0->fabrics_0)[_S682]);
     Crossing_0 crossing_3;
-    uint _S571 = __ldg(&_S570->warp_0);
-    (&crossing_3)->warp_1 = locate_0(_S571, _S567);
-    uint _S572 = __ldg(&_S570->weft_0);
-    (&crossing_3)->weft_1 = locate_0(_S572, _S568);
-    uint _S573 = __ldg(&_S570->run_words_0);
-    uint _S574 = (&(&crossing_3)->weft_1)->thread_0;
-    uint _S575 = __ldg(&_S570->ends_1);
-    uint _S576 = _S573 + 2U * (_S574 * _S575 + (&(&crossing_3)->warp_1)->thread_0);
-    uint _S577 = __ldg((&(globalParams_0->words_0)[_S576]));
-    (&crossing_3)->warp_word_0 = _S577;
-    uint _S578 = __ldg((&(globalParams_0->words_0)[_S576 + 1U]));
-    (&crossing_3)->weft_word_0 = _S578;
-    (&crossing_3)->warp_above_0 = ((_S577 & 1U) == 1U) != _S569;
+    uint _S687 = __ldg(&_S686->warp_0);
+    (&crossing_3)->warp_1 = locate_0(_S687, _S683);
+    uint _S688 = __ldg(&_S686->weft_0);
+    (&crossing_3)->weft_1 = locate_0(_S688, _S684);
+    uint _S689 = __ldg(&_S686->run_words_0);
+    uint _S690 = (&(&crossing_3)->weft_1)->thread_1;
+    uint _S691 = __ldg(&_S686->ends_0);
+    uint _S692 = _S689 + 2U * (_S690 * _S691 + (&(&crossing_3)->warp_1)->thread_1);
+    uint _S693 = __ldg((&(globalParams_0->words_0)[_S692]));
+    (&crossing_3)->warp_word_0 = _S693;
+    uint _S694 = __ldg((&(globalParams_0->words_0)[_S692 + 1U]));
+    (&crossing_3)->weft_word_0 = _S694;
+    (&crossing_3)->warp_above_0 = ((_S693 & 1U) == 1U) != _S685;
     return crossing_3;
 }
 
-__device__ Sample_0 sample_at_0(uint _S579, float _S580, float _S581, bool _S582)
+__device__ Sample_0 sample_at_0(uint _S695, float _S696, float _S697, bool _S698)
 {
-    Fabric_0 * _S583 = (&(globalParams_0->fabrics_0)[_S579]);
-    Sample_0 sample_0;
-    Crossing_0 _S584 = crossing_at_0(_S579, _S580, _S581, _S582);
-    (&sample_0)->crossing_2 = _S584;
-    Crossing_0 _S585 = _S584;
-    Shown_0 _S586 = shown_at_0(&_S585, _S582);
-    (&sample_0)->shown_3 = _S586;
-    uint _S587;
-    if(_S586.is_warp_2)
+    Fabric_0 * _S699 = (&(globalParams_0->fabrics_0)[_S695]);
+    Sample_0 sample_1;
+    Crossing_0 _S700 = crossing_at_0(_S695, _S696, _S697, _S698);
+    (&sample_1)->crossing_2 = _S700;
+    Crossing_0 _S701 = _S700;
+    Shown_0 _S702 = shown_at_0(&_S701, _S698);
+    (&sample_1)->shown_3 = _S702;
+    uint _S703;
+    if(_S702.is_warp_2)
     {
-        uint _S588 = __ldg(&_S583->warp_0);
-        _S587 = _S588;
+        uint _S704 = __ldg(&_S699->warp_0);
+        _S703 = _S704;
     }
     else
     {
-        uint _S589 = __ldg(&_S583->weft_0);
-        _S587 = _S589;
+        uint _S705 = __ldg(&_S699->weft_0);
+        _S703 = _S705;
     }
-    uint _S590;
-    if(_S586.is_warp_2)
+    uint _S706;
+    if(_S702.is_warp_2)
     {
-        uint _S591 = __ldg(&_S583->weft_0);
-        _S590 = _S591;
+        uint _S707 = __ldg(&_S699->weft_0);
+        _S706 = _S707;
     }
     else
     {
-        uint _S592 = __ldg(&_S583->warp_0);
-        _S590 = _S592;
+        uint _S708 = __ldg(&_S699->warp_0);
+        _S706 = _S708;
     }
-    Cell_0 _S593 = (&(&sample_0)->crossing_2)->warp_1;
-    Cell_0 _S594 = (&(&sample_0)->crossing_2)->weft_1;
-    Cell_0 _S595 = select_cell_0(_S586.is_warp_2, &_S593, &_S594);
-    Cell_0 _S596 = (&(&sample_0)->crossing_2)->weft_1;
-    Cell_0 _S597 = (&(&sample_0)->crossing_2)->warp_1;
-    Cell_0 _S598 = select_cell_0(_S586.is_warp_2, &_S596, &_S597);
-    Cell_0 _S599 = _S598;
-    Run_0 _S600 = unpack_0(_S587, _S590, _S595.thread_0, &_S599, _S586.word_0);
-    Cell_0 _S601 = _S595;
-    Section_0 _S602 = section_at_0(&_S601);
-    bool _S603;
-    if(_S586.on_top_0)
+    Cell_0 _S709 = (&(&sample_1)->crossing_2)->warp_1;
+    Cell_0 _S710 = (&(&sample_1)->crossing_2)->weft_1;
+    Cell_0 _S711 = select_cell_0(_S702.is_warp_2, &_S709, &_S710);
+    Cell_0 _S712 = (&(&sample_1)->crossing_2)->weft_1;
+    Cell_0 _S713 = (&(&sample_1)->crossing_2)->warp_1;
+    Cell_0 _S714 = select_cell_0(_S702.is_warp_2, &_S712, &_S713);
+    Cell_0 _S715 = _S714;
+    Run_0 _S716 = unpack_0(_S703, _S706, _S711.thread_1, &_S715, _S702.word_0);
+    Cell_0 _S717 = _S711;
+    Section_0 _S718 = section_at_0(&_S717);
+    bool _S719;
+    if(_S702.on_top_0)
     {
-        _S603 = (_S600.distance_0) < (_S602.drop_0 * _S600.bend_1.sine_0);
+        _S719 = (_S716.distance_0) < (_S718.drop_0 * _S716.bend_1.sine_0);
     }
     else
     {
-        _S603 = false;
+        _S719 = false;
     }
-    bool _S604;
-    if(_S586.on_top_0)
+    bool _S720;
+    if(_S702.on_top_0)
     {
-        _S604 = !_S603;
+        _S720 = !_S719;
     }
     else
     {
-        _S604 = false;
+        _S720 = false;
     }
-    float _S605;
-    if(_S604)
+    float _S721;
+    if(_S720)
     {
-        _S605 = 1.0f;
+        _S721 = 1.0f;
     }
     else
     {
-        _S605 = -1.0f;
+        _S721 = -1.0f;
     }
-    float _S606;
-    if(_S603)
+    float _S722;
+    if(_S719)
     {
-        _S606 = _S600.other_reach_0;
+        _S722 = _S716.other_reach_0;
     }
     else
     {
-        _S606 = _S600.reach_0;
+        _S722 = _S716.reach_0;
     }
-    float _S607;
-    if(_S603)
+    float _S723;
+    if(_S719)
     {
-        _S607 = _S606 + _S600.distance_0;
+        _S723 = _S722 + _S716.distance_0;
     }
     else
     {
-        _S607 = (F32_max((_S606 - _S600.distance_0), (0.0f)));
+        _S723 = (F32_max((_S722 - _S716.distance_0), (0.0f)));
     }
-    float _S608 = _S606 / _S600.bend_1.sine_0 - _S605 * _S602.drop_0;
-    float _S609 = _S607 * _S607;
-    float _S610 = (F32_max((_S608 * _S608 - _S609), (9.99999968265522539e-21f)));
-    float _S611 = (F32_rsqrt((_S610)));
-    float _S612 = _S609 / (_S610 * _S611 + _S608);
-    bool _S613 = _S607 > 0.0f;
-    float _S614;
-    if(_S586.on_top_0)
+    float _S724 = _S722 / _S716.bend_1.sine_0 - _S721 * _S718.drop_0;
+    float _S725 = _S723 * _S723;
+    float _S726 = (F32_max((_S724 * _S724 - _S725), (9.99999968265522539e-21f)));
+    float _S727 = (F32_rsqrt((_S726)));
+    float _S728 = _S725 / (_S726 * _S727 + _S724);
+    bool _S729 = _S723 > 0.0f;
+    float _S730;
+    if(_S702.on_top_0)
     {
-        _S614 = 1.0f;
+        _S730 = 1.0f;
     }
     else
     {
-        _S614 = -1.0f;
+        _S730 = -1.0f;
     }
-    float _S615;
-    if(_S600.near_start_0)
+    float _S731;
+    if(_S716.near_start_0)
     {
-        _S615 = 1.0f;
+        _S731 = 1.0f;
     }
     else
     {
-        _S615 = -1.0f;
+        _S731 = -1.0f;
     }
-    float _S616 = _S614 * _S615;
-    if(_S613)
+    float _S732 = _S730 * _S731;
+    if(_S729)
     {
-        _S614 = _S608 * _S611;
+        _S730 = _S724 * _S727;
     }
     else
     {
-        _S614 = 1.0f;
+        _S730 = 1.0f;
     }
-    (&sample_0)->slope_across_0 = _S602.slope_0 * _S614;
-    if(_S613)
+    (&sample_1)->slope_across_0 = _S718.slope_0 * _S730;
+    if(_S729)
     {
-        _S607 = _S616 * _S607 * _S611;
+        _S723 = _S732 * _S723 * _S727;
     }
     else
     {
-        _S607 = 0.0f;
+        _S723 = 0.0f;
     }
-    (&sample_0)->slope_along_0 = _S607;
-    Family_0 _S617 = slang_ldg_4((&(globalParams_0->families_0)[_S587]));
-    Shown_0 _S618 = _S586;
-    Run_0 _S619 = _S600;
-    Cell_0 _S620 = _S598;
-    float2  _S621 = dive_0(_S590, &_S618, &_S619, &_S620);
-    if(_S600.straight_0)
+    (&sample_1)->slope_along_0 = _S723;
+    Family_0 _S733 = slang_ldg_3((&(globalParams_0->families_0)[_S703]));
+    Shown_0 _S734 = _S702;
+    Run_0 _S735 = _S716;
+    Cell_0 _S736 = _S714;
+    float2  _S737 = dive_0(_S706, &_S734, &_S735, &_S736);
+    if(_S716.straight_0)
     {
-        _S605 = 0.0f;
+        _S721 = 0.0f;
     }
     else
     {
-        _S605 = _S617.height_scale_0 * _S605;
+        _S721 = _S733.height_scale_0 * _S721;
     }
-    (&sample_0)->height_6 = _S605 * (_S606 * _S600.bend_1.half_tangent_0 - _S612) - _S617.height_scale_0 * _S602.drop_0 - _S621.x;
-    float _S622 = _S617.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S623 = _S617.height_scale_0 * (&sample_0)->slope_along_0 - _S621.y;
-    if(_S586.is_warp_2)
+    (&sample_1)->height_6 = _S721 * (_S722 * _S716.bend_1.half_tangent_0 - _S728) - _S733.height_scale_0 * _S718.drop_0 - _S737.x;
+    float _S738 = _S733.height_scale_0 * (&sample_1)->slope_across_0;
+    float _S739 = _S733.height_scale_0 * (&sample_1)->slope_along_0 - _S737.y;
+    if(_S702.is_warp_2)
     {
-        _S605 = _S622;
+        _S721 = _S738;
     }
     else
     {
-        _S605 = _S623;
+        _S721 = _S739;
     }
-    (&sample_0)->slope_x_1 = _S605;
-    if(_S586.is_warp_2)
+    (&sample_1)->slope_x_1 = _S721;
+    if(_S702.is_warp_2)
     {
-        _S605 = _S623;
+        _S721 = _S739;
     }
     else
     {
-        _S605 = _S622;
+        _S721 = _S738;
     }
-    (&sample_0)->slope_y_1 = _S605;
-    (&sample_0)->run_3 = _S600;
-    (&sample_0)->section_1 = _S602;
-    return sample_0;
+    (&sample_1)->slope_y_1 = _S721;
+    (&sample_1)->run_3 = _S716;
+    (&sample_1)->section_1 = _S718;
+    return sample_1;
 }
 
-__device__ float steps_per_length_0(uint _S624, SearchQuality_0 * _S625, float3  _S626)
+__device__ float steps_per_length_0(uint _S740, SearchQuality_0 * _S741, float3  _S742)
 {
-    Fabric_0 * _S627 = (&(globalParams_0->fabrics_0)[_S624]);
-    float _S628 = (F32_abs((_S626.x)));
-    float _S629 = __ldg(&_S627->threads_per_x_0);
-    float _S630 = _S628 * _S629;
-    float _S631 = (F32_abs((_S626.y)));
-    float _S632 = __ldg(&_S627->threads_per_y_0);
-    float _S633 = (F32_max((_S630), (_S631 * _S632))) * _S625->steps_per_thread_0;
-    float _S634 = (F32_abs((_S626.z)));
-    float _S635 = __ldg(&_S627->per_relief_0);
-    return (F32_max((_S633), (_S634 * _S635 * _S625->steps_per_relief_0)));
+    Fabric_0 * _S743 = (&(globalParams_0->fabrics_0)[_S740]);
+    float _S744 = (F32_abs((_S742.x)));
+    float _S745 = __ldg(&_S743->threads_per_x_0);
+    float _S746 = _S744 * _S745;
+    float _S747 = (F32_abs((_S742.y)));
+    float _S748 = __ldg(&_S743->threads_per_y_0);
+    float _S749 = (F32_max((_S746), (_S747 * _S748))) * _S741->steps_per_thread_0;
+    float _S750 = (F32_abs((_S742.z)));
+    float _S751 = __ldg(&_S743->per_relief_0);
+    return (F32_max((_S749), (_S750 * _S751 * _S741->steps_per_relief_0)));
 }
 
-__device__ float cell_maximum_0(uint _S636, Crossing_0 * _S637)
+__device__ float cell_maximum_0(uint _S752, Crossing_0 * _S753)
 {
-    Fabric_0 * _S638 = (&(globalParams_0->fabrics_0)[_S636]);
-    bool _S639 = _S637->warp_above_0;
-    uint _S640;
-    if(_S637->warp_above_0)
+    Fabric_0 * _S754 = (&(globalParams_0->fabrics_0)[_S752]);
+    bool _S755 = _S753->warp_above_0;
+    uint _S756;
+    if(_S753->warp_above_0)
     {
-        uint _S641 = __ldg(&_S638->warp_0);
-        _S640 = _S641;
+        uint _S757 = __ldg(&_S754->warp_0);
+        _S756 = _S757;
     }
     else
     {
-        uint _S642 = __ldg(&_S638->weft_0);
-        _S640 = _S642;
+        uint _S758 = __ldg(&_S754->weft_0);
+        _S756 = _S758;
     }
-    uint _S643;
-    if(_S639)
+    uint _S759;
+    if(_S755)
     {
-        _S643 = _S637->warp_word_0;
+        _S759 = _S753->warp_word_0;
     }
     else
     {
-        _S643 = _S637->weft_word_0;
+        _S759 = _S753->weft_word_0;
     }
-    float _S644 = float(_S643 >> int(28));
-    Family_0 _S645 = slang_ldg_4((&(globalParams_0->families_0)[_S640]));
-    float _S646 = _S644 * _S645.height_scale_0;
-    Family_0 _S647 = slang_ldg_4((&(globalParams_0->families_0)[_S640]));
-    return _S646 * _S647.level_0;
+    float _S760 = float(_S759 >> int(28));
+    Family_0 _S761 = slang_ldg_3((&(globalParams_0->families_0)[_S756]));
+    float _S762 = _S760 * _S761.height_scale_0;
+    Family_0 _S763 = slang_ldg_3((&(globalParams_0->families_0)[_S756]));
+    return _S762 * _S763.level_0;
 }
 
-__device__ Probe_0 probe_0(uint _S648, float _S649, float _S650, bool _S651, bool _S652, bool _S653)
+__device__ Probe_0 probe_0(uint _S764, float _S765, float _S766, bool _S767, bool _S768, bool _S769)
 {
-    Sample_0 _S654 = sample_at_0(_S648, _S649, _S650, _S651);
+    Sample_0 _S770 = sample_at_0(_S764, _S765, _S766, _S767);
     Probe_0 probe_1;
-    (&probe_1)->height_3 = _S654.height_6;
-    (&probe_1)->hole_4 = _S654.shown_3.hole_3;
-    (&probe_1)->slope_x_0 = _S654.slope_x_1;
-    (&probe_1)->slope_y_0 = _S654.slope_y_1;
-    uint _S655;
-    if(_S654.shown_3.is_warp_2)
+    (&probe_1)->height_3 = _S770.height_6;
+    (&probe_1)->hole_4 = _S770.shown_3.hole_3;
+    (&probe_1)->slope_x_0 = _S770.slope_x_1;
+    (&probe_1)->slope_y_0 = _S770.slope_y_1;
+    uint _S771;
+    if(_S770.shown_3.is_warp_2)
     {
-        _S655 = _S654.crossing_2.warp_1.thread_0 * 2U + 1U;
+        _S771 = _S770.crossing_2.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S655 = _S654.crossing_2.weft_1.thread_0 * 2U;
+        _S771 = _S770.crossing_2.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S655;
-    Crossing_0 _S656 = _S654.crossing_2;
-    float _S657 = cell_maximum_0(_S648, &_S656);
-    (&probe_1)->cell_max_0 = _S657;
-    float _S658;
-    if(_S652)
+    (&probe_1)->yarn_1 = _S771;
+    Crossing_0 _S772 = _S770.crossing_2;
+    float _S773 = cell_maximum_0(_S764, &_S772);
+    (&probe_1)->cell_max_0 = _S773;
+    float _S774;
+    if(_S768)
     {
-        _S658 = _S654.crossing_2.warp_1.above_0;
+        _S774 = _S770.crossing_2.warp_1.above_0;
     }
     else
     {
-        _S658 = _S654.crossing_2.warp_1.below_0;
+        _S774 = _S770.crossing_2.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S658;
-    if(_S653)
+    (&probe_1)->side_x_0 = _S774;
+    if(_S769)
     {
-        _S658 = _S654.crossing_2.weft_1.above_0;
+        _S774 = _S770.crossing_2.weft_1.above_0;
     }
     else
     {
-        _S658 = _S654.crossing_2.weft_1.below_0;
+        _S774 = _S770.crossing_2.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S658;
-    bool _S659 = !_S654.shown_3.is_warp_2;
-    Cell_0 _S660 = _S654.crossing_2.warp_1;
-    Shown_0 _S661 = _S654.shown_3;
-    Run_0 _S662 = _S654.run_3;
-    float _S663 = outline_distance_0(&_S660, &_S661, &_S662, _S659, _S652);
-    (&probe_1)->edge_x_0 = _S663;
-    Cell_0 _S664 = _S654.crossing_2.weft_1;
-    Shown_0 _S665 = _S654.shown_3;
-    Run_0 _S666 = _S654.run_3;
-    float _S667 = outline_distance_0(&_S664, &_S665, &_S666, _S654.shown_3.is_warp_2, _S653);
-    (&probe_1)->edge_y_0 = _S667;
+    (&probe_1)->side_y_0 = _S774;
+    bool _S775 = !_S770.shown_3.is_warp_2;
+    Cell_0 _S776 = _S770.crossing_2.warp_1;
+    Shown_0 _S777 = _S770.shown_3;
+    Run_0 _S778 = _S770.run_3;
+    float _S779 = outline_distance_0(&_S776, &_S777, &_S778, _S775, _S768);
+    (&probe_1)->edge_x_0 = _S779;
+    Cell_0 _S780 = _S770.crossing_2.weft_1;
+    Shown_0 _S781 = _S770.shown_3;
+    Run_0 _S782 = _S770.run_3;
+    float _S783 = outline_distance_0(&_S780, &_S781, &_S782, _S770.shown_3.is_warp_2, _S769);
+    (&probe_1)->edge_y_0 = _S783;
     return probe_1;
 }
 
-__device__ bool is_free_0(uint _S668, SearchQuality_0 * _S669, float3  _S670, float3  _S671, bool _S672, float _S673)
+__device__ bool is_free_0(uint _S784, SearchQuality_0 * _S785, float3  _S786, float3  _S787, bool _S788, float _S789)
 {
-    float _S674 = _S671.z;
-    if(_S674 <= 0.0f)
+    float _S790 = _S787.z;
+    if(_S790 <= 0.0f)
     {
         return false;
     }
-    float _S675 = _S669->shadow_share_0;
-    float _S676 = steps_per_length_0(_S668, _S669, _S671);
-    float _S677 = 1.0f / (F32_max((_S675 * _S676), (9.99999971718068537e-10f)));
-    StepControl_0 _S678 = step_control_0(float2 {_S671.x, _S671.y}, _S677);
+    float _S791 = _S785->shadow_share_0;
+    float _S792 = steps_per_length_0(_S784, _S785, _S787);
+    float _S793 = 1.0f / (F32_max((_S791 * _S792), (9.99999971718068537e-10f)));
+    StepControl_0 _S794 = step_control_0(float2 {_S787.x, _S787.y}, _S793);
     PreviousSample_0 previous_3 = no_previous_sample_0();
-    uint count_3 = 0U;
-    float distance_1 = 0.0f;
+    uint count_4 = 0U;
+    float distance_2 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S679;
-        if(count_3 < 1024U)
+        bool _S795;
+        if(count_4 < 1024U)
         {
-            _S679 = (_S670.z + _S674 * distance_1) < _S673;
+            _S795 = (_S786.z + _S790 * distance_2) < _S789;
         }
         else
         {
-            _S679 = false;
+            _S795 = false;
         }
-        if(_S679)
+        if(_S795)
         {
         }
         else
         {
             break;
         }
-        float3  _S680 = _S670 + _S671 * make_float3 (distance_1);
-        Probe_0 _S681 = probe_0(_S668, _S680.x, _S680.y, _S672, _S678.right_1, _S678.up_0);
-        float _S682 = _S680.z;
-        float _S683 = _S682 - _S681.height_3;
-        float _S684 = _S674 - _S681.slope_x_0 * _S671.x - _S681.slope_y_0 * _S671.y;
-        bool _S685;
-        if(!_S681.hole_4)
+        float3  _S796 = _S786 + _S787 * make_float3 (distance_2);
+        Probe_0 _S797 = probe_0(_S784, _S796.x, _S796.y, _S788, _S794.right_1, _S794.up_0);
+        float _S798 = _S796.z;
+        float _S799 = _S798 - _S797.height_3;
+        float _S800 = _S790 - _S797.slope_x_0 * _S787.x - _S797.slope_y_0 * _S787.y;
+        bool _S801;
+        if(!_S797.hole_4)
         {
-            _S685 = _S683 < 0.0f;
+            _S801 = _S799 < 0.0f;
         }
         else
         {
-            _S685 = false;
+            _S801 = false;
         }
-        if(_S685)
+        if(_S801)
         {
             return false;
         }
-        PreviousSample_0 _S686 = previous_3;
-        Probe_0 _S687 = _S681;
-        float _S688 = way_back_to_dip_0(&_S686, _S683, _S684, last_step_0, &_S687);
-        if(_S688 >= 0.0f)
+        PreviousSample_0 _S802 = previous_3;
+        Probe_0 _S803 = _S797;
+        float _S804 = way_back_to_dip_0(&_S802, _S799, _S800, last_step_0, &_S803);
+        if(_S804 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S688;
-            distance_1 = distance_1 - _S688;
+            float last_step_1 = last_step_0 - _S804;
+            distance_2 = distance_2 - _S804;
             last_step_0 = last_step_1;
-            count_3 = count_3 + 1U;
+            count_4 = count_4 + 1U;
             continue;
         }
-        bool _S689 = _S682 > (_S681.cell_max_0);
-        Probe_0 _S690 = _S681;
-        PreviousSample_0 _S691 = after_sample_0(_S683, _S684, &_S690, _S689);
+        bool _S805 = _S798 > (_S797.cell_max_0);
+        Probe_0 _S806 = _S797;
+        PreviousSample_0 _S807 = after_sample_0(_S799, _S800, &_S806, _S805);
         float last_step_2;
-        if(_S689)
+        if(_S805)
         {
-            StepControl_0 _S692 = _S678;
-            float _S693 = StepControl_to_cell_exit_0(&_S692, _S681.side_x_0, _S681.side_y_0);
-            last_step_2 = (F32_max((_S693), (_S677)));
+            StepControl_0 _S808 = _S794;
+            float _S809 = StepControl_to_cell_exit_0(&_S808, _S797.side_x_0, _S797.side_y_0);
+            last_step_2 = (F32_max((_S809), (_S793)));
         }
         else
         {
-            StepControl_0 _S694 = _S678;
-            Probe_0 _S695 = _S681;
-            float _S696 = StepControl_to_next_sample_0(&_S694, &_S695, _S683, _S684);
-            last_step_2 = _S696;
+            StepControl_0 _S810 = _S794;
+            Probe_0 _S811 = _S797;
+            float _S812 = StepControl_to_next_sample_0(&_S810, &_S811, _S799, _S800);
+            last_step_2 = _S812;
         }
-        float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S691;
-        distance_1 = distance_2;
+        float distance_3 = distance_2 + last_step_2;
+        previous_3 = _S807;
+        distance_2 = distance_3;
         last_step_0 = last_step_2;
-        count_3 = count_3 + 1U;
+        count_4 = count_4 + 1U;
     }
     return true;
 }
 
-__device__ bool passes_through_0(uint _S697, SearchQuality_0 * _S698, float _S699, float _S700, float3  _S701, bool _S702)
+__device__ bool passes_through_0(uint _S813, SearchQuality_0 * _S814, float _S815, float _S816, float3  _S817, bool _S818)
 {
-    Fabric_0 * _S703 = (&(globalParams_0->fabrics_0)[_S697]);
-    Sample_0 _S704 = sample_at_0(_S697, _S699, _S700, _S702);
-    if(!_S704.shown_3.hole_3)
+    Fabric_0 * _S819 = (&(globalParams_0->fabrics_0)[_S813]);
+    Sample_0 _S820 = sample_at_0(_S813, _S815, _S816, _S818);
+    if(!_S820.shown_3.hole_3)
     {
         return false;
     }
-    float3  _S705 = make_float3 (_S699, _S700, 0.0f);
+    float3  _S821 = make_float3 (_S815, _S816, 0.0f);
     bool passes_0 = true;
-    uint side_0 = 0U;
+    uint side_1 = 0U;
     for(;;)
     {
-        bool _S706;
-        if(side_0 < 2U)
+        bool _S822;
+        if(side_1 < 2U)
         {
-            _S706 = passes_0;
+            _S822 = passes_0;
         }
         else
         {
-            _S706 = false;
+            _S822 = false;
         }
-        if(_S706)
+        if(_S822)
         {
         }
         else
         {
             break;
         }
-        float3  _S707;
-        if(side_0 == 0U)
+        float3  _S823;
+        if(side_1 == 0U)
         {
-            _S707 = _S701;
+            _S823 = _S817;
         }
         else
         {
-            _S707 = make_float3 (- _S701.x, - _S701.y, _S701.z);
+            _S823 = make_float3 (- _S817.x, - _S817.y, _S817.z);
         }
-        bool _S708 = _S702 != (side_0 == 1U);
-        float _S709 = __ldg(&_S703->height_high_0);
-        bool _S710 = is_free_0(_S697, _S698, _S705, _S707, _S708, _S709);
-        uint _S711 = side_0 + 1U;
-        passes_0 = _S710;
-        side_0 = _S711;
+        bool _S824 = _S818 != (side_1 == 1U);
+        float _S825 = __ldg(&_S819->height_high_0);
+        bool _S826 = is_free_0(_S813, _S814, _S821, _S823, _S824, _S825);
+        uint _S827 = side_1 + 1U;
+        passes_0 = _S826;
+        side_1 = _S827;
     }
     return passes_0;
 }
@@ -2994,145 +3285,105 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-__device__ float max_height_along_0(uint _S712, float _S713, float _S714, float _S715, float3  _S716, bool _S717)
+__device__ float max_height_along_0(uint _S828, float _S829, float _S830, float _S831, float3  _S832, bool _S833)
 {
-    Fabric_0 * _S718 = (&(globalParams_0->fabrics_0)[_S712]);
-    uint _S719 = __ldg(&_S718->warp_0);
-    uint _S720 = locate_0(_S719, _S713).thread_0 / 2U;
-    uint _S721 = __ldg(&_S718->weft_0);
-    uint _S722 = locate_0(_S721, _S714).thread_0 / 2U;
-    float _S723 = _S716.x;
-    uint _S724;
-    if(_S723 > 0.0f)
+    Fabric_0 * _S834 = (&(globalParams_0->fabrics_0)[_S828]);
+    uint _S835 = __ldg(&_S834->warp_0);
+    uint _S836 = locate_0(_S835, _S829).thread_1 / 2U;
+    uint _S837 = __ldg(&_S834->weft_0);
+    uint _S838 = locate_0(_S837, _S830).thread_1 / 2U;
+    float _S839 = _S832.x;
+    uint _S840;
+    if(_S839 > 0.0f)
     {
-        _S724 = 1U;
+        _S840 = 1U;
     }
     else
     {
-        _S724 = 0U;
+        _S840 = 0U;
     }
-    float _S725 = _S716.y;
-    uint _S726;
-    if(_S725 > 0.0f)
+    float _S841 = _S832.y;
+    uint _S842;
+    if(_S841 > 0.0f)
     {
-        _S726 = 2U;
+        _S842 = 2U;
     }
     else
     {
-        _S726 = 0U;
+        _S842 = 0U;
     }
-    uint _S727 = _S724 + _S726;
-    uint _S728 = __ldg(&_S718->max_heights_0);
-    uint _S729 = __ldg(&_S718->max_height_columns_0);
-    uint _S730 = __ldg((&(globalParams_0->words_0)[_S728 + 4U * (_S722 * _S729 + _S720) + _S727]));
-    int number_0;
-    if(_S717)
+    uint _S843 = _S840 + _S842;
+    uint _S844 = __ldg(&_S834->max_heights_0);
+    uint _S845 = __ldg(&_S834->max_height_columns_0);
+    uint _S846 = __ldg((&(globalParams_0->words_0)[_S844 + 4U * (_S838 * _S845 + _S836) + _S843]));
+    int number_1;
+    if(_S833)
     {
-        number_0 = int(4);
+        number_1 = int(4);
     }
     else
     {
-        number_0 = int(0);
+        number_1 = int(0);
     }
-    uint _S731 = _S730 >> number_0;
-    float _S732 = (F32_abs((_S723)));
-    float _S733 = __ldg(&_S718->threads_per_x_0);
-    float _S734 = _S732 * _S733;
-    float _S735 = (F32_abs((_S725)));
-    float _S736 = __ldg(&_S718->threads_per_y_0);
-    float _S737 = (F32_max((_S734), (_S735 * _S736))) / _S716.z;
-    float _S738 = __ldg(&_S718->height_high_0);
-    float max_height_0 = _S738;
-    number_0 = int(3);
+    uint _S847 = _S846 >> number_1;
+    float _S848 = (F32_abs((_S839)));
+    float _S849 = __ldg(&_S834->threads_per_x_0);
+    float _S850 = _S848 * _S849;
+    float _S851 = (F32_abs((_S841)));
+    float _S852 = __ldg(&_S834->threads_per_y_0);
+    float _S853 = (F32_max((_S850), (_S851 * _S852))) / _S832.z;
+    float _S854 = __ldg(&_S834->height_high_0);
+    float max_height_0 = _S854;
+    number_1 = int(3);
     for(;;)
     {
-        if(number_0 >= int(0))
+        if(number_1 >= int(0))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S715) * _S737) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S831) * _S853) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = (F32_min((max_height_0), (float((_S731 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S738)));
+            max_height_0 = (F32_min((max_height_0), (float((_S847 >> uint(int(8) * number_1)) & 15U) * 0.06666667014360428f * _S854)));
         }
-        number_0 = number_0 - int(1);
+        number_1 = number_1 - int(1);
     }
     return max_height_0;
 }
 
-__device__ float3  cell_bounds_0(uint _S739, float _S740, float _S741, bool _S742, bool _S743, bool _S744)
+__device__ float3  cell_bounds_0(uint _S855, float _S856, float _S857, bool _S858, bool _S859, bool _S860)
 {
-    Crossing_0 _S745 = crossing_at_0(_S739, _S740, _S741, _S742);
-    Crossing_0 _S746 = _S745;
-    float _S747 = cell_maximum_0(_S739, &_S746);
-    float _S748;
-    if(_S743)
+    Crossing_0 _S861 = crossing_at_0(_S855, _S856, _S857, _S858);
+    Crossing_0 _S862 = _S861;
+    float _S863 = cell_maximum_0(_S855, &_S862);
+    float _S864;
+    if(_S859)
     {
-        _S748 = _S745.warp_1.above_0;
+        _S864 = _S861.warp_1.above_0;
     }
     else
     {
-        _S748 = _S745.warp_1.below_0;
+        _S864 = _S861.warp_1.below_0;
     }
-    float _S749;
-    if(_S744)
+    float _S865;
+    if(_S860)
     {
-        _S749 = _S745.weft_1.above_0;
+        _S865 = _S861.weft_1.above_0;
     }
     else
     {
-        _S749 = _S745.weft_1.below_0;
+        _S865 = _S861.weft_1.below_0;
     }
-    return make_float3 (_S747, _S748, _S749);
+    return make_float3 (_S863, _S864, _S865);
 }
 
-__device__ float first_sample_height_0(uint _S750, ViewRay_0 * _S751, StepControl_0 * _S752, bool _S753)
+__device__ float first_sample_height_0(uint _S866, ViewRay_0 * _S867, StepControl_0 * _S868, bool _S869)
 {
-    float _S754 = max_height_along_0(_S750, _S751->origin_0.x, _S751->origin_0.y, 0.0f, make_float3 (_S751->slope_1.x, _S751->slope_1.y, 1.0f), _S753);
-    uint count_4 = 0U;
-    float height_8 = _S754;
-    for(;;)
-    {
-        if(count_4 < 1024U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2  _S755 = ViewRay_at_0(_S751, height_8);
-        float3  _S756 = cell_bounds_0(_S750, _S755.x, _S755.y, _S753, _S752->right_1, _S752->up_0);
-        float _S757 = height_8 - _S756.x;
-        float _S758 = StepControl_to_cell_exit_0(_S752, _S756.y, _S756.z);
-        float height_9 = height_8 - clamp_1(_S757, 0.0f, _S758);
-        if(_S757 <= _S758)
-        {
-            height_8 = height_9;
-            break;
-        }
-        count_4 = count_4 + 1U;
-        height_8 = height_9;
-    }
-    return height_8;
-}
-
-__device__ ViewRayEnd_0 search_down_0(uint _S759, ViewRay_0 * _S760, StepControl_0 * _S761, bool _S762)
-{
-    Fabric_0 * _S763 = (&(globalParams_0->fabrics_0)[_S759]);
-    float _S764 = __ldg(&_S763->height_low_0);
-    float _S765 = __ldg(&_S763->height_high_0);
-    float _S766 = _S764 - (_S765 - _S764);
-    ViewRayEnd_0 end_1;
-    float _S767 = first_sample_height_0(_S759, _S760, _S761, _S762);
-    (&end_1)->height_7 = _S767;
-    (&end_1)->last_step_3 = _S761->epsilon_0;
-    (&end_1)->previous_4 = no_previous_sample_0();
-    (&end_1)->depth_1 = 0.0f;
-    (&end_1)->rate_4 = 0.0f;
-    (&end_1)->smooth_0 = false;
+    float _S870 = max_height_along_0(_S866, _S867->origin_0.x, _S867->origin_0.y, 0.0f, make_float3 (_S867->slope_1.x, _S867->slope_1.y, 1.0f), _S869);
     uint count_5 = 0U;
+    float height_8 = _S870;
     for(;;)
     {
         if(count_5 < 1024U)
@@ -3142,174 +3393,214 @@ __device__ ViewRayEnd_0 search_down_0(uint _S759, ViewRay_0 * _S760, StepControl
         {
             break;
         }
-        float2  _S768 = ViewRay_at_0(_S760, (&end_1)->height_7);
-        Probe_0 _S769 = probe_0(_S759, _S768.x, _S768.y, _S762, _S761->right_1, _S761->up_0);
-        float _S770 = (&end_1)->height_7 - _S769.height_3;
-        Probe_0 _S771 = _S769;
-        float _S772 = ViewRay_rate_0(_S760, &_S771);
-        (&end_1)->depth_1 = - _S770;
-        (&end_1)->rate_4 = _S772;
-        bool _S773;
-        if((&(&end_1)->previous_4)->known_0)
+        float2  _S871 = ViewRay_at_0(_S867, height_8);
+        float3  _S872 = cell_bounds_0(_S866, _S871.x, _S871.y, _S869, _S868->right_1, _S868->up_0);
+        float _S873 = height_8 - _S872.x;
+        float _S874 = StepControl_to_cell_exit_0(_S868, _S872.y, _S872.z);
+        float height_9 = height_8 - clamp_1(_S873, 0.0f, _S874);
+        if(_S873 <= _S874)
         {
-            _S773 = !_S769.hole_4;
+            height_8 = height_9;
+            break;
+        }
+        count_5 = count_5 + 1U;
+        height_8 = height_9;
+    }
+    return height_8;
+}
+
+__device__ ViewRayEnd_0 search_down_0(uint _S875, ViewRay_0 * _S876, StepControl_0 * _S877, bool _S878)
+{
+    Fabric_0 * _S879 = (&(globalParams_0->fabrics_0)[_S875]);
+    float _S880 = __ldg(&_S879->height_low_0);
+    float _S881 = __ldg(&_S879->height_high_0);
+    float _S882 = _S880 - (_S881 - _S880);
+    ViewRayEnd_0 end_1;
+    float _S883 = first_sample_height_0(_S875, _S876, _S877, _S878);
+    (&end_1)->height_7 = _S883;
+    (&end_1)->last_step_3 = _S877->epsilon_0;
+    (&end_1)->previous_4 = no_previous_sample_0();
+    (&end_1)->depth_1 = 0.0f;
+    (&end_1)->rate_4 = 0.0f;
+    (&end_1)->smooth_0 = false;
+    uint count_6 = 0U;
+    for(;;)
+    {
+        if(count_6 < 1024U)
+        {
         }
         else
-        {
-            _S773 = false;
-        }
-        bool _S774;
-        if(_S773)
-        {
-            _S774 = ((&(&end_1)->previous_4)->yarn_0) == (_S769.yarn_1);
-        }
-        else
-        {
-            _S774 = false;
-        }
-        (&end_1)->smooth_0 = _S774;
-        bool _S775;
-        if(!_S769.hole_4)
-        {
-            _S775 = _S770 <= 0.0f;
-        }
-        else
-        {
-            _S775 = false;
-        }
-        bool _S776;
-        if(_S775)
-        {
-            _S776 = true;
-        }
-        else
-        {
-            _S776 = ((&end_1)->height_7) <= _S766;
-        }
-        if(_S776)
         {
             break;
         }
-        PreviousSample_0 _S777 = (&end_1)->previous_4;
-        Probe_0 _S778 = _S769;
-        float _S779 = way_back_to_dip_0(&_S777, _S770, _S772, (&end_1)->last_step_3, &_S778);
-        if(_S779 >= 0.0f)
+        float2  _S884 = ViewRay_at_0(_S876, (&end_1)->height_7);
+        Probe_0 _S885 = probe_0(_S875, _S884.x, _S884.y, _S878, _S877->right_1, _S877->up_0);
+        float _S886 = (&end_1)->height_7 - _S885.height_3;
+        Probe_0 _S887 = _S885;
+        float _S888 = ViewRay_rate_0(_S876, &_S887);
+        (&end_1)->depth_1 = - _S886;
+        (&end_1)->rate_4 = _S888;
+        bool _S889;
+        if((&(&end_1)->previous_4)->known_0)
         {
-            (&end_1)->height_7 = (&end_1)->height_7 + _S779;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S779;
-            count_5 = count_5 + 1U;
+            _S889 = !_S885.hole_4;
+        }
+        else
+        {
+            _S889 = false;
+        }
+        bool _S890;
+        if(_S889)
+        {
+            _S890 = ((&(&end_1)->previous_4)->yarn_0) == (_S885.yarn_1);
+        }
+        else
+        {
+            _S890 = false;
+        }
+        (&end_1)->smooth_0 = _S890;
+        bool _S891;
+        if(!_S885.hole_4)
+        {
+            _S891 = _S886 <= 0.0f;
+        }
+        else
+        {
+            _S891 = false;
+        }
+        bool _S892;
+        if(_S891)
+        {
+            _S892 = true;
+        }
+        else
+        {
+            _S892 = ((&end_1)->height_7) <= _S882;
+        }
+        if(_S892)
+        {
+            break;
+        }
+        PreviousSample_0 _S893 = (&end_1)->previous_4;
+        Probe_0 _S894 = _S885;
+        float _S895 = way_back_to_dip_0(&_S893, _S886, _S888, (&end_1)->last_step_3, &_S894);
+        if(_S895 >= 0.0f)
+        {
+            (&end_1)->height_7 = (&end_1)->height_7 + _S895;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S895;
+            count_6 = count_6 + 1U;
             continue;
         }
-        float _S780 = StepControl_to_cell_exit_0(_S761, _S769.side_x_0, _S769.side_y_0);
-        float _S781 = (F32_min((_S780), ((&end_1)->height_7 - _S769.cell_max_0)));
-        Probe_0 _S782 = _S769;
-        float _S783 = StepControl_to_next_sample_0(_S761, &_S782, _S770, _S772);
-        bool _S784 = _S781 > _S783;
-        Probe_0 _S785 = _S769;
-        PreviousSample_0 _S786 = after_sample_0(_S770, _S772, &_S785, _S784);
-        (&end_1)->previous_4 = _S786;
-        float _S787 = (F32_max((_S781), (_S783)));
-        (&end_1)->last_step_3 = _S787;
-        (&end_1)->height_7 = (&end_1)->height_7 - _S787;
-        count_5 = count_5 + 1U;
+        float _S896 = StepControl_to_cell_exit_0(_S877, _S885.side_x_0, _S885.side_y_0);
+        float _S897 = (F32_min((_S896), ((&end_1)->height_7 - _S885.cell_max_0)));
+        Probe_0 _S898 = _S885;
+        float _S899 = StepControl_to_next_sample_0(_S877, &_S898, _S886, _S888);
+        bool _S900 = _S897 > _S899;
+        Probe_0 _S901 = _S885;
+        PreviousSample_0 _S902 = after_sample_0(_S886, _S888, &_S901, _S900);
+        (&end_1)->previous_4 = _S902;
+        float _S903 = (F32_max((_S897), (_S899)));
+        (&end_1)->last_step_3 = _S903;
+        (&end_1)->height_7 = (&end_1)->height_7 - _S903;
+        count_6 = count_6 + 1U;
     }
     return end_1;
 }
 
-__device__ float refined_height_0(uint _S788, ViewRay_0 * _S789, StepControl_0 * _S790, bool _S791, ViewRayEnd_0 * _S792, uint _S793)
+__device__ float refined_height_0(uint _S904, ViewRay_0 * _S905, StepControl_0 * _S906, bool _S907, ViewRayEnd_0 * _S908, uint _S909)
 {
-    Fabric_0 * _S794 = (&(globalParams_0->fabrics_0)[_S788]);
-    float _S795 = __ldg(&_S794->height_high_0);
-    float _S796 = __ldg(&_S794->height_low_0);
-    float _S797 = _S795 - _S796;
-    float _S798 = _S792->height_7;
-    float _S799 = _S792->last_step_3;
-    float above_2 = _S792->height_7 + _S792->last_step_3;
-    float above_gap_1 = clamp_1((&_S792->previous_4)->clearance_0, 0.0f, _S797);
-    float under_gap_1 = clamp_1(_S792->depth_1, 0.0f, _S797);
-    float _S800 = cubic_root_0(above_gap_1, - under_gap_1, (&_S792->previous_4)->rate_0 * _S792->last_step_3, _S792->rate_4 * _S792->last_step_3);
-    bool _S801 = _S792->smooth_0;
+    Fabric_0 * _S910 = (&(globalParams_0->fabrics_0)[_S904]);
+    float _S911 = __ldg(&_S910->height_high_0);
+    float _S912 = __ldg(&_S910->height_low_0);
+    float _S913 = _S911 - _S912;
+    float _S914 = _S908->height_7;
+    float _S915 = _S908->last_step_3;
+    float above_2 = _S908->height_7 + _S908->last_step_3;
+    float above_gap_1 = clamp_1((&_S908->previous_4)->clearance_0, 0.0f, _S913);
+    float under_gap_1 = clamp_1(_S908->depth_1, 0.0f, _S913);
+    float _S916 = cubic_root_0(above_gap_1, - under_gap_1, (&_S908->previous_4)->rate_0 * _S908->last_step_3, _S908->rate_4 * _S908->last_step_3);
+    bool _S917 = _S908->smooth_0;
     float middle_0;
-    if(_S792->smooth_0)
+    if(_S908->smooth_0)
     {
-        middle_0 = above_2 - _S800 * _S799;
+        middle_0 = above_2 - _S916 * _S915;
     }
     else
     {
-        middle_0 = between_0(above_2, _S798, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S914, above_gap_1, under_gap_1);
     }
-    float side_1 = 0.0f;
+    float side_2 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S798;
+    float under_1 = _S914;
     float above_3 = above_2;
-    uint i_8 = 0U;
+    uint i_10 = 0U;
     for(;;)
     {
-        if(i_8 < _S793)
+        if(i_10 < _S909)
         {
         }
         else
         {
             break;
         }
-        float2  _S802 = ViewRay_at_0(_S789, middle_0);
-        Probe_0 _S803 = probe_0(_S788, _S802.x, _S802.y, _S791, _S790->right_1, _S790->up_0);
-        float _S804;
-        if(_S803.hole_4)
+        float2  _S918 = ViewRay_at_0(_S905, middle_0);
+        Probe_0 _S919 = probe_0(_S904, _S918.x, _S918.y, _S907, _S906->right_1, _S906->up_0);
+        float _S920;
+        if(_S919.hole_4)
         {
-            _S804 = -1.0e+09f;
+            _S920 = -1.0e+09f;
         }
         else
         {
-            _S804 = _S803.height_3;
+            _S920 = _S919.height_3;
         }
-        float _S805 = clamp_1(middle_0 - _S804, - _S797, _S797);
-        float _S806;
-        if(_S805 <= 0.0f)
+        float _S921 = clamp_1(middle_0 - _S920, - _S913, _S913);
+        float _S922;
+        if(_S921 <= 0.0f)
         {
-            if(side_1 > 0.0f)
+            if(side_2 > 0.0f)
             {
-                _S806 = 0.5f * above_gap_2;
+                _S922 = 0.5f * above_gap_2;
             }
             else
             {
-                _S806 = above_gap_2;
+                _S922 = above_gap_2;
             }
-            float _S807 = - _S805;
+            float _S923 = - _S921;
             under_1 = middle_0;
-            above_gap_2 = _S806;
-            under_gap_2 = _S807;
-            side_1 = 1.0f;
+            above_gap_2 = _S922;
+            under_gap_2 = _S923;
+            side_2 = 1.0f;
         }
         else
         {
-            if(side_1 < 0.0f)
+            if(side_2 < 0.0f)
             {
-                _S806 = 0.5f * under_gap_2;
+                _S922 = 0.5f * under_gap_2;
             }
             else
             {
-                _S806 = under_gap_2;
+                _S922 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S805;
-            under_gap_2 = _S806;
-            side_1 = -1.0f;
+            above_gap_2 = _S921;
+            under_gap_2 = _S922;
+            side_2 = -1.0f;
         }
-        if(_S801)
+        if(_S917)
         {
-            Probe_0 _S808 = _S803;
-            float _S809 = ViewRay_rate_0(_S789, &_S808);
-            middle_0 = clamp_1(middle_0 + _S805 / (F32_min((_S809), (-9.99999997475242708e-07f))), under_1, above_3);
+            Probe_0 _S924 = _S919;
+            float _S925 = ViewRay_rate_0(_S905, &_S924);
+            middle_0 = clamp_1(middle_0 + _S921 / (F32_min((_S925), (-9.99999997475242708e-07f))), under_1, above_3);
         }
         else
         {
             middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
         }
-        i_8 = i_8 + 1U;
+        i_10 = i_10 + 1U;
     }
-    if(_S801)
+    if(_S917)
     {
     }
     else
@@ -3319,138 +3610,138 @@ __device__ float refined_height_0(uint _S788, ViewRay_0 * _S789, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S810, SearchQuality_0 * _S811, float _S812, float _S813, float3  _S814, bool _S815)
+__device__ Hit_0 first_hit_0(uint _S926, SearchQuality_0 * _S927, float _S928, float _S929, float3  _S930, bool _S931)
 {
     Hit_0 hit_0;
-    (&hit_0)->x_27 = _S812;
-    (&hit_0)->y_16 = _S813;
+    (&hit_0)->x_31 = _S928;
+    (&hit_0)->y_16 = _S929;
     (&hit_0)->height_5 = 0.0f;
-    bool _S816 = passes_through_0(_S810, _S811, _S812, _S813, _S814, _S815);
-    (&hit_0)->hole_5 = _S816;
-    if(_S816)
+    bool _S932 = passes_through_0(_S926, _S927, _S928, _S929, _S930, _S931);
+    (&hit_0)->hole_5 = _S932;
+    if(_S932)
     {
         return hit_0;
     }
-    float _S817 = (F32_max((_S814.z), (0.00009999999747379f)));
+    float _S933 = (F32_max((_S930.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = make_float2 (_S812, _S813);
-    float2  _S818 = float2 {_S814.x, _S814.y} / make_float2 (_S817);
-    (&ray_0)->slope_1 = _S818;
-    float2  _S819 = - _S818;
-    float _S820 = steps_per_length_0(_S810, _S811, _S814);
-    StepControl_0 _S821 = step_control_0(_S819, 1.0f / (F32_max((_S820 / _S817), (9.99999971718068537e-10f))));
-    ViewRay_0 _S822 = ray_0;
-    StepControl_0 _S823 = _S821;
-    ViewRayEnd_0 _S824 = search_down_0(_S810, &_S822, &_S823, _S815);
-    ViewRay_0 _S825 = ray_0;
-    StepControl_0 _S826 = _S821;
-    ViewRayEnd_0 _S827 = _S824;
-    float _S828 = refined_height_0(_S810, &_S825, &_S826, _S815, &_S827, _S811->refinements_0);
-    (&hit_0)->height_5 = _S828;
-    ViewRay_0 _S829 = ray_0;
-    float2  _S830 = ViewRay_at_0(&_S829, _S828);
-    (&hit_0)->x_27 = _S830.x;
-    (&hit_0)->y_16 = _S830.y;
+    (&ray_0)->origin_0 = make_float2 (_S928, _S929);
+    float2  _S934 = float2 {_S930.x, _S930.y} / make_float2 (_S933);
+    (&ray_0)->slope_1 = _S934;
+    float2  _S935 = - _S934;
+    float _S936 = steps_per_length_0(_S926, _S927, _S930);
+    StepControl_0 _S937 = step_control_0(_S935, 1.0f / (F32_max((_S936 / _S933), (9.99999971718068537e-10f))));
+    ViewRay_0 _S938 = ray_0;
+    StepControl_0 _S939 = _S937;
+    ViewRayEnd_0 _S940 = search_down_0(_S926, &_S938, &_S939, _S931);
+    ViewRay_0 _S941 = ray_0;
+    StepControl_0 _S942 = _S937;
+    ViewRayEnd_0 _S943 = _S940;
+    float _S944 = refined_height_0(_S926, &_S941, &_S942, _S931, &_S943, _S927->refinements_0);
+    (&hit_0)->height_5 = _S944;
+    ViewRay_0 _S945 = ray_0;
+    float2  _S946 = ViewRay_at_0(&_S945, _S944);
+    (&hit_0)->x_31 = _S946.x;
+    (&hit_0)->y_16 = _S946.y;
     return hit_0;
 }
 
-__device__ SurfacePoint_0 surface_at_0(uint _S831, float _S832, float _S833, bool _S834)
+__device__ SurfacePoint_0 surface_at_0(uint _S947, float _S948, float _S949, bool _S950)
 {
-    Fabric_0 * _S835 = (&(globalParams_0->fabrics_0)[_S831]);
-    Sample_0 _S836 = sample_at_0(_S831, _S832, _S833, _S834);
-    float _S837;
-    if(_S836.shown_3.is_warp_2)
+    Fabric_0 * _S951 = (&(globalParams_0->fabrics_0)[_S947]);
+    Sample_0 _S952 = sample_at_0(_S947, _S948, _S949, _S950);
+    float _S953;
+    if(_S952.shown_3.is_warp_2)
     {
-        _S837 = _S836.crossing_2.warp_1.half_width_1;
+        _S953 = _S952.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S837 = _S836.crossing_2.weft_1.half_width_1;
+        _S953 = _S952.crossing_2.weft_1.half_width_1;
     }
-    uint _S838;
-    if(_S836.shown_3.is_warp_2)
+    uint _S954;
+    if(_S952.shown_3.is_warp_2)
     {
-        uint _S839 = __ldg(&_S835->warp_0);
-        _S838 = _S839;
+        uint _S955 = __ldg(&_S951->warp_0);
+        _S954 = _S955;
     }
     else
     {
-        uint _S840 = __ldg(&_S835->weft_0);
-        _S838 = _S840;
+        uint _S956 = __ldg(&_S951->weft_0);
+        _S954 = _S956;
     }
-    Family_0 _S841 = slang_ldg_4((&(globalParams_0->families_0)[_S838]));
-    float _S842;
-    if(_S834)
+    Family_0 _S957 = slang_ldg_3((&(globalParams_0->families_0)[_S954]));
+    float _S958;
+    if(_S950)
     {
-        _S842 = -1.0f;
+        _S958 = -1.0f;
     }
     else
     {
-        _S842 = 1.0f;
+        _S958 = 1.0f;
     }
-    float _S843 = _S841.twist_sine_0 * _S842;
-    Family_0 _S844 = slang_ldg_4((&(globalParams_0->families_0)[_S838]));
-    if(_S836.shown_3.is_warp_2)
+    float _S959 = _S957.twist_sine_0 * _S958;
+    Family_0 _S960 = slang_ldg_3((&(globalParams_0->families_0)[_S954]));
+    if(_S952.shown_3.is_warp_2)
     {
-        _S842 = 1.0f;
+        _S958 = 1.0f;
     }
     else
     {
-        _S842 = -1.0f;
+        _S958 = -1.0f;
     }
-    float2  _S845 = fibre_direction_0(_S836.slope_across_0, _S842 * _S836.slope_along_0, _S843, _S844.twist_cosine_0);
-    float _S846;
-    if(_S836.shown_3.is_warp_2)
+    float2  _S961 = fibre_direction_0(_S952.slope_across_0, _S958 * _S952.slope_along_0, _S959, _S960.twist_cosine_0);
+    float _S962;
+    if(_S952.shown_3.is_warp_2)
     {
-        _S846 = _S836.slope_x_1;
+        _S962 = _S952.slope_x_1;
     }
     else
     {
-        _S846 = _S836.slope_y_1;
+        _S962 = _S952.slope_y_1;
     }
-    float _S847;
-    if(_S836.shown_3.is_warp_2)
+    float _S963;
+    if(_S952.shown_3.is_warp_2)
     {
-        _S847 = _S836.slope_y_1;
+        _S963 = _S952.slope_y_1;
     }
     else
     {
-        _S847 = _S836.slope_x_1;
+        _S963 = _S952.slope_x_1;
     }
-    float _S848 = _S845.x;
-    float _S849 = _S845.y;
-    float _S850 = _S846 * _S848 + _S842 * _S847 * _S849;
-    float _S851 = _S837 * 1.0154266357421875f;
-    float _S852 = _S851 * arc_sine_0(clamp_1(_S836.section_1.across_3 / _S851, -1.0f, 1.0f));
-    if(_S836.shown_3.is_warp_2)
+    float _S964 = _S961.x;
+    float _S965 = _S961.y;
+    float _S966 = _S962 * _S964 + _S958 * _S963 * _S965;
+    float _S967 = _S953 * 1.0154266357421875f;
+    float _S968 = _S967 * arc_sine_0(clamp_1(_S952.section_1.across_3 / _S967, -1.0f, 1.0f));
+    if(_S952.shown_3.is_warp_2)
     {
-        _S837 = _S833;
+        _S953 = _S949;
     }
     else
     {
-        _S837 = - _S832;
+        _S953 = - _S948;
     }
-    SurfacePoint_0 point_2;
-    (&point_2)->hole_0 = _S836.shown_3.hole_3;
-    (&point_2)->is_warp_0 = _S836.shown_3.is_warp_2;
-    (&point_2)->warp_thread_0 = _S836.crossing_2.warp_1.thread_0;
-    (&point_2)->weft_thread_0 = _S836.crossing_2.weft_1.thread_0;
-    (&point_2)->height_1 = _S836.height_6;
-    (&point_2)->normal_1 = normalize_0(make_float3 (- _S836.slope_x_1, - _S836.slope_y_1, 1.0f));
-    float3  _S853;
-    if(_S836.shown_3.is_warp_2)
+    SurfacePoint_0 point_3;
+    (&point_3)->hole_0 = _S952.shown_3.hole_3;
+    (&point_3)->is_warp_0 = _S952.shown_3.is_warp_2;
+    (&point_3)->warp_thread_0 = _S952.crossing_2.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S952.crossing_2.weft_1.thread_1;
+    (&point_3)->height_1 = _S952.height_6;
+    (&point_3)->normal_1 = normalize_0(make_float3 (- _S952.slope_x_1, - _S952.slope_y_1, 1.0f));
+    float3  _S969;
+    if(_S952.shown_3.is_warp_2)
     {
-        _S853 = make_float3 (_S848, _S849, _S850);
+        _S969 = make_float3 (_S964, _S965, _S966);
     }
     else
     {
-        _S853 = make_float3 (- _S849, _S848, _S850);
+        _S969 = make_float3 (- _S965, _S964, _S966);
     }
-    (&point_2)->tangent_0 = normalize_0(_S853);
-    (&point_2)->across_0 = _S836.section_1.across_3;
-    (&point_2)->fibre_across_0 = _S852 * _S844.twist_cosine_0 + _S837 * _S843;
-    (&point_2)->fibre_along_0 = _S837 * _S844.twist_cosine_0 - _S852 * _S843;
-    return point_2;
+    (&point_3)->tangent_0 = normalize_0(_S969);
+    (&point_3)->across_0 = _S952.section_1.across_3;
+    (&point_3)->fibre_across_0 = _S968 * _S960.twist_cosine_0 + _S953 * _S959;
+    (&point_3)->fibre_along_0 = _S953 * _S960.twist_cosine_0 - _S968 * _S959;
+    return point_3;
 }
 
 struct YarnPoint_0
@@ -3458,296 +3749,296 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_28;
+    float x_32;
     float y_17;
     float height_10;
     float3  normal_7;
     float3  tangent_7;
     float roughness_10;
-    Albedos_0 albedos_5;
+    Albedos_0 albedos_6;
 };
 
-__device__ Albedos_0 vary_albedos_0(uint _S854, Albedos_0 * _S855, uint _S856, uint _S857)
+__device__ Albedos_0 vary_albedos_0(uint _S970, Albedos_0 * _S971, uint _S972, uint _S973)
 {
-    Fabric_0 * _S858 = (&(globalParams_0->fabrics_0)[_S854]);
-    float3  _S859 = _S855->specular_reflect_0;
-    float3  _S860 = _S855->specular_transmit_0;
-    float3  _S861 = max_0(_S855->specular_reflect_0, _S855->specular_transmit_0);
-    float3  _S862 = _S855->diffuse_reflect_0;
-    float3  _S863 = _S855->diffuse_transmit_0;
-    float3  _S864 = _S855->diffuse_reflect_0 + _S855->diffuse_transmit_0;
-    float _S865 = __ldg(&_S858->colour_noise_0);
-    uint _S866 = __ldg(&_S858->seed_0);
-    float _S867 = thread_gain_0(_S856, _S865, _S866);
-    float _S868 = __ldg(&_S858->layer_bound_0);
-    float _S869 = bounded_gain_0(_S867, _S864, make_float3 (1.0f) - make_float3 (_S868) * _S861);
-    float3  _S870 = min_0((make_float3 (1.0f) - make_float3 (_S869) * _S864) / make_float3 (_S868), make_float3 (1.0f));
-    float _S871 = __ldg(&_S858->fibre_noise_0);
-    float _S872 = bounded_gain_0(fibre_gain_0(_S856, _S857, _S871, _S866), _S861, _S870);
+    Fabric_0 * _S974 = (&(globalParams_0->fabrics_0)[_S970]);
+    float3  _S975 = _S971->specular_reflect_0;
+    float3  _S976 = _S971->specular_transmit_0;
+    float3  _S977 = max_0(_S971->specular_reflect_0, _S971->specular_transmit_0);
+    float3  _S978 = _S971->diffuse_reflect_0;
+    float3  _S979 = _S971->diffuse_transmit_0;
+    float3  _S980 = _S971->diffuse_reflect_0 + _S971->diffuse_transmit_0;
+    float _S981 = __ldg(&_S974->colour_noise_0);
+    uint _S982 = __ldg(&_S974->seed_0);
+    float _S983 = thread_gain_0(_S972, _S981, _S982);
+    float _S984 = __ldg(&_S974->layer_bound_0);
+    float _S985 = bounded_gain_0(_S983, _S980, make_float3 (1.0f) - make_float3 (_S984) * _S977);
+    float3  _S986 = min_0((make_float3 (1.0f) - make_float3 (_S985) * _S980) / make_float3 (_S984), make_float3 (1.0f));
+    float _S987 = __ldg(&_S974->fibre_noise_0);
+    float _S988 = bounded_gain_0(fibre_gain_0(_S972, _S973, _S987, _S982), _S977, _S986);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S869) * _S862;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S869) * _S863;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S872) * _S859;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S872) * _S860;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S985) * _S978;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S985) * _S979;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S988) * _S975;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S988) * _S976;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S873, SurfacePoint_0 * _S874, Albedos_0 * _S875, float _S876, float _S877)
+__device__ Albedos_0 varied_at_0(uint _S989, SurfacePoint_0 * _S990, Albedos_0 * _S991, float _S992, float _S993)
 {
-    Fabric_0 * _S878 = (&(globalParams_0->fabrics_0)[_S873]);
-    bool _S879 = _S874->is_warp_0;
-    float _S880;
-    if(_S874->is_warp_0)
+    Fabric_0 * _S994 = (&(globalParams_0->fabrics_0)[_S989]);
+    bool _S995 = _S990->is_warp_0;
+    float _S996;
+    if(_S990->is_warp_0)
     {
-        _S880 = _S876;
+        _S996 = _S992;
     }
     else
     {
-        _S880 = _S877;
+        _S996 = _S993;
     }
-    float _S881 = _S880 - _S874->across_0;
-    uint _S882;
-    if(_S879)
+    float _S997 = _S996 - _S990->across_0;
+    uint _S998;
+    if(_S995)
     {
-        uint _S883 = __ldg(&_S878->warp_0);
-        _S882 = _S883;
+        uint _S999 = __ldg(&_S994->warp_0);
+        _S998 = _S999;
     }
     else
     {
-        uint _S884 = __ldg(&_S878->weft_0);
-        _S882 = _S884;
+        uint _S1000 = __ldg(&_S994->weft_0);
+        _S998 = _S1000;
     }
-    Family_0 _S885 = slang_ldg_4((&(globalParams_0->families_0)[_S882]));
-    Family_0 _S886 = slang_ldg_4((&(globalParams_0->families_0)[_S882]));
-    int _S887 = int(_S886.count_0);
-    if(_S879)
+    Family_0 _S1001 = slang_ldg_3((&(globalParams_0->families_0)[_S998]));
+    Family_0 _S1002 = slang_ldg_3((&(globalParams_0->families_0)[_S998]));
+    int _S1003 = int(_S1002.count_0);
+    if(_S995)
     {
-        _S882 = _S874->warp_thread_0;
+        _S998 = _S990->warp_thread_0;
     }
     else
     {
-        _S882 = _S874->weft_thread_0;
+        _S998 = _S990->weft_thread_0;
     }
-    uint _S888 = uint(int((F32_floor((_S881 / _S885.period_0)))) * _S887 + int(_S882)) * 2U;
-    if(_S879)
+    uint _S1004 = uint(int((F32_floor((_S997 / _S1001.period_0)))) * _S1003 + int(_S998)) * 2U;
+    if(_S995)
     {
-        _S882 = 1U;
+        _S998 = 1U;
     }
     else
     {
-        _S882 = 0U;
+        _S998 = 0U;
     }
-    uint _S889 = _S888 + _S882;
-    float _S890 = _S874->fibre_across_0;
-    float _S891 = __ldg(&_S878->fibre_size_0);
-    float _S892 = (F32_floor((_S890 / _S891)));
-    Albedos_0 _S893 = vary_albedos_0(_S873, _S875, _S889, uint(int(_S892)) * 65536U + uint(int((F32_floor((_S874->fibre_along_0 / (_S891 * 40.0f) + 0.61799997091293335f * _S892))))));
-    return _S893;
+    uint _S1005 = _S1004 + _S998;
+    float _S1006 = _S990->fibre_across_0;
+    float _S1007 = __ldg(&_S994->fibre_size_0);
+    float _S1008 = (F32_floor((_S1006 / _S1007)));
+    Albedos_0 _S1009 = vary_albedos_0(_S989, _S991, _S1005, uint(int(_S1008)) * 65536U + uint(int((F32_floor((_S990->fibre_along_0 / (_S1007 * 40.0f) + 0.61799997091293335f * _S1008))))));
+    return _S1009;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S894, SurfacePoint_0 * _S895, float _S896, float _S897, bool _S898, bool _S899)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S1010, SurfacePoint_0 * _S1011, float _S1012, float _S1013, bool _S1014, bool _S1015)
 {
-    Fabric_0 * _S900 = (&(globalParams_0->fabrics_0)[_S894]);
-    bool _S901 = _S895->is_warp_0;
-    uint _S902;
-    if(_S895->is_warp_0)
+    Fabric_0 * _S1016 = (&(globalParams_0->fabrics_0)[_S1010]);
+    bool _S1017 = _S1011->is_warp_0;
+    uint _S1018;
+    if(_S1011->is_warp_0)
     {
-        uint _S903 = __ldg(&_S900->warp_0);
-        _S902 = _S903;
+        uint _S1019 = __ldg(&_S1016->warp_0);
+        _S1018 = _S1019;
     }
     else
     {
-        uint _S904 = __ldg(&_S900->weft_0);
-        _S902 = _S904;
+        uint _S1020 = __ldg(&_S1016->weft_0);
+        _S1018 = _S1020;
     }
-    uint _S905;
-    if(_S901)
+    uint _S1021;
+    if(_S1017)
     {
-        _S905 = _S895->warp_thread_0;
+        _S1021 = _S1011->warp_thread_0;
     }
     else
     {
-        _S905 = _S895->weft_thread_0;
+        _S1021 = _S1011->weft_thread_0;
     }
-    Albedos_0 albedos_6 = albedos_of_0(_S902, _S905);
-    float _S906 = __ldg(&_S900->fibre_noise_0);
-    bool _S907;
-    if(_S906 > 0.0f)
+    Albedos_0 albedos_7 = albedos_of_0(_S1018, _S1021);
+    float _S1022 = __ldg(&_S1016->fibre_noise_0);
+    bool _S1023;
+    if(_S1022 > 0.0f)
     {
-        _S907 = true;
+        _S1023 = true;
     }
     else
     {
-        float _S908 = __ldg(&_S900->colour_noise_0);
-        _S907 = _S908 > 0.0f;
+        float _S1024 = __ldg(&_S1016->colour_noise_0);
+        _S1023 = _S1024 > 0.0f;
     }
-    Albedos_0 albedos_7;
-    if(_S907)
+    Albedos_0 albedos_8;
+    if(_S1023)
     {
-        Albedos_0 _S909 = albedos_6;
-        Albedos_0 _S910 = varied_at_0(_S894, _S895, &_S909, _S896, _S897);
-        albedos_7 = _S910;
+        Albedos_0 _S1025 = albedos_7;
+        Albedos_0 _S1026 = varied_at_0(_S1010, _S1011, &_S1025, _S1012, _S1013);
+        albedos_8 = _S1026;
     }
     else
     {
-        albedos_7 = albedos_6;
+        albedos_8 = albedos_7;
     }
-    YarnPoint_0 point_3;
-    (&point_3)->back_3 = _S898;
-    (&point_3)->hole_6 = _S899;
-    (&point_3)->is_warp_3 = _S901;
-    (&point_3)->x_28 = _S896;
-    (&point_3)->y_17 = _S897;
-    (&point_3)->height_10 = _S895->height_1;
-    (&point_3)->normal_7 = _S895->normal_1;
-    (&point_3)->tangent_7 = _S895->tangent_0;
-    Family_0 _S911 = slang_ldg_4((&(globalParams_0->families_0)[_S902]));
-    (&point_3)->roughness_10 = _S911.roughness_0;
-    (&point_3)->albedos_5 = albedos_7;
-    return point_3;
+    YarnPoint_0 point_4;
+    (&point_4)->back_3 = _S1014;
+    (&point_4)->hole_6 = _S1015;
+    (&point_4)->is_warp_3 = _S1017;
+    (&point_4)->x_32 = _S1012;
+    (&point_4)->y_17 = _S1013;
+    (&point_4)->height_10 = _S1011->height_1;
+    (&point_4)->normal_7 = _S1011->normal_1;
+    (&point_4)->tangent_7 = _S1011->tangent_0;
+    Family_0 _S1027 = slang_ldg_3((&(globalParams_0->families_0)[_S1018]));
+    (&point_4)->roughness_10 = _S1027.roughness_0;
+    (&point_4)->albedos_6 = albedos_8;
+    return point_4;
 }
 
-__device__ bool unoccluded_0(uint _S912, SearchQuality_0 * _S913, float _S914, float _S915, float _S916, float3  _S917, bool _S918)
+__device__ bool unoccluded_0(uint _S1028, SearchQuality_0 * _S1029, float _S1030, float _S1031, float _S1032, float3  _S1033, bool _S1034)
 {
-    Fabric_0 * _S919 = (&(globalParams_0->fabrics_0)[_S912]);
-    if((_S917.z) <= 0.0f)
+    Fabric_0 * _S1035 = (&(globalParams_0->fabrics_0)[_S1028]);
+    if((_S1033.z) <= 0.0f)
     {
         return false;
     }
-    float _S920 = max_height_along_0(_S912, _S914, _S915, _S916, _S917, _S918);
-    float _S921 = __ldg(&_S919->lift_0);
-    bool _S922 = is_free_0(_S912, _S913, make_float3 (_S914, _S915, _S916 + _S921), _S917, _S918, _S920);
-    return _S922;
+    float _S1036 = max_height_along_0(_S1028, _S1030, _S1031, _S1032, _S1033, _S1034);
+    float _S1037 = __ldg(&_S1035->lift_0);
+    bool _S1038 = is_free_0(_S1028, _S1029, make_float3 (_S1030, _S1031, _S1032 + _S1037), _S1033, _S1034, _S1036);
+    return _S1038;
 }
 
-__device__ bool is_lit_0(uint _S923, SearchQuality_0 * _S924, YarnPoint_0 * _S925, float3  _S926)
+__device__ bool is_lit_0(uint _S1039, SearchQuality_0 * _S1040, YarnPoint_0 * _S1041, float3  _S1042)
 {
-    if(_S925->hole_6)
+    if(_S1041->hole_6)
     {
         return true;
     }
-    bool _S927 = _S925->back_3;
-    float3  _S928 = to_face_frame_0(_S926, _S925->back_3);
-    float _S929 = _S928.z;
-    bool _S930 = _S929 < 0.0f;
-    float3  _S931 = _S925->normal_7;
-    float _S932 = _S925->height_10;
+    bool _S1043 = _S1041->back_3;
+    float3  _S1044 = to_face_frame_0(_S1042, _S1041->back_3);
+    float _S1045 = _S1044.z;
+    bool _S1046 = _S1045 < 0.0f;
+    float3  _S1047 = _S1041->normal_7;
+    float _S1048 = _S1041->height_10;
     float3  normal_8;
     float height_11;
-    if(_S930)
+    if(_S1046)
     {
-        SurfacePoint_0 _S933 = surface_at_0(_S923, _S925->x_28, _S925->y_17, !_S927);
-        normal_8 = _S933.normal_1;
-        height_11 = _S933.height_1;
+        SurfacePoint_0 _S1049 = surface_at_0(_S1039, _S1041->x_32, _S1041->y_17, !_S1043);
+        normal_8 = _S1049.normal_1;
+        height_11 = _S1049.height_1;
     }
     else
     {
-        normal_8 = _S931;
-        height_11 = _S932;
+        normal_8 = _S1047;
+        height_11 = _S1048;
     }
-    float3  _S934 = make_float3 (float2 {_S928.x, _S928.y}.x, float2 {_S928.x, _S928.y}.y, (F32_abs((_S929))));
-    if((dot_0(normal_8, _S934)) <= 0.0f)
+    float3  _S1050 = make_float3 (float2 {_S1044.x, _S1044.y}.x, float2 {_S1044.x, _S1044.y}.y, (F32_abs((_S1045))));
+    if((dot_0(normal_8, _S1050)) <= 0.0f)
     {
         return false;
     }
-    bool _S935 = unoccluded_0(_S923, _S924, _S925->x_28, _S925->y_17, height_11, _S934, _S927 != _S930);
-    return _S935;
+    bool _S1051 = unoccluded_0(_S1039, _S1040, _S1041->x_32, _S1041->y_17, height_11, _S1050, _S1043 != _S1046);
+    return _S1051;
 }
 
-__device__ Components_0 components_of_point_0(uint _S936, SearchQuality_0 * _S937, YarnPoint_0 * _S938, float3  _S939, float3  _S940)
+__device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1053, YarnPoint_0 * _S1054, float3  _S1055, float3  _S1056)
 {
-    Fabric_0 * _S941 = (&(globalParams_0->fabrics_0)[_S936]);
-    Components_0 result_11 = no_components_0();
-    bool _S942 = _S938->hole_6;
-    float _S943;
-    if(_S938->hole_6)
+    Fabric_0 * _S1057 = (&(globalParams_0->fabrics_0)[_S1052]);
+    Components_0 result_14 = no_components_0();
+    bool _S1058 = _S1054->hole_6;
+    float _S1059;
+    if(_S1054->hole_6)
     {
-        _S943 = 1.0f;
+        _S1059 = 1.0f;
     }
     else
     {
-        _S943 = 0.0f;
+        _S1059 = 0.0f;
     }
-    (&result_11)->hole_2 = _S943;
-    bool _S944;
-    if(_S942)
+    (&result_14)->hole_2 = _S1059;
+    bool _S1060;
+    if(_S1058)
     {
-        _S944 = true;
+        _S1060 = true;
     }
     else
     {
-        bool _S945 = is_lit_0(_S936, _S937, _S938, _S939);
-        _S944 = !_S945;
+        bool _S1061 = is_lit_0(_S1052, _S1053, _S1054, _S1055);
+        _S1060 = !_S1061;
     }
-    if(_S944)
+    if(_S1060)
     {
-        return result_11;
+        return result_14;
     }
-    float3  _S946 = to_face_frame_0(_S939, _S938->back_3);
-    float3  _S947 = to_face_frame_0(_S940, _S938->back_3);
-    bool _S948 = (_S946.z) < 0.0f;
-    float3  _S949;
-    if(_S948)
+    float3  _S1062 = to_face_frame_0(_S1055, _S1054->back_3);
+    float3  _S1063 = to_face_frame_0(_S1056, _S1054->back_3);
+    bool _S1064 = (_S1062.z) < 0.0f;
+    float3  _S1065;
+    if(_S1064)
     {
-        _S949 = - _S946;
+        _S1065 = - _S1062;
     }
     else
     {
-        _S949 = _S946;
+        _S1065 = _S1062;
     }
-    float3  _S950 = _S938->normal_7;
-    float _S951 = __ldg(&_S941->diffuse_blend_0);
-    float _S952 = diffuse_reflection_0(_S949, _S950, _S951);
-    if(_S948)
+    float3  _S1066 = _S1054->normal_7;
+    float _S1067 = __ldg(&_S1057->diffuse_blend_0);
+    float _S1068 = diffuse_reflection_0(_S1065, _S1066, _S1067);
+    if(_S1064)
     {
-        float3  _S953 = _S938->tangent_7;
-        float _S954 = _S938->roughness_10;
-        float _S955 = __ldg(&_S941->optical_depth_0);
-        _S943 = transmission_0(_S946, _S947, _S950, _S953, _S954, _S955);
+        float3  _S1069 = _S1054->tangent_7;
+        float _S1070 = _S1054->roughness_10;
+        float _S1071 = __ldg(&_S1057->optical_depth_0);
+        _S1059 = transmission_0(_S1062, _S1063, _S1066, _S1069, _S1070, _S1071);
     }
     else
     {
-        float3  _S956 = _S938->tangent_7;
-        float _S957 = _S938->roughness_10;
-        float _S958 = __ldg(&_S941->optical_depth_0);
-        _S943 = reflection_0(_S946, _S947, _S950, _S956, _S957, _S958);
+        float3  _S1072 = _S1054->tangent_7;
+        float _S1073 = _S1054->roughness_10;
+        float _S1074 = __ldg(&_S1057->optical_depth_0);
+        _S1059 = reflection_0(_S1062, _S1063, _S1066, _S1072, _S1073, _S1074);
     }
-    bool _S959 = _S938->is_warp_3;
-    float _S960;
-    if(_S938->is_warp_3)
+    bool _S1075 = _S1054->is_warp_3;
+    float _S1076;
+    if(_S1054->is_warp_3)
     {
-        _S960 = _S952;
+        _S1076 = _S1068;
     }
     else
     {
-        _S960 = 0.0f;
+        _S1076 = 0.0f;
     }
-    (&result_11)->diffuse_warp_0 = _S960;
-    if(_S959)
+    (&result_14)->diffuse_warp_0 = _S1076;
+    if(_S1075)
     {
-        _S960 = 0.0f;
+        _S1076 = 0.0f;
     }
     else
     {
-        _S960 = _S952;
+        _S1076 = _S1068;
     }
-    (&result_11)->diffuse_weft_0 = _S960;
-    if(_S959)
+    (&result_14)->diffuse_weft_0 = _S1076;
+    if(_S1075)
     {
-        _S960 = _S943;
+        _S1076 = _S1059;
     }
     else
     {
-        _S960 = 0.0f;
+        _S1076 = 0.0f;
     }
-    (&result_11)->specular_warp_0 = _S960;
-    if(_S959)
+    (&result_14)->specular_warp_0 = _S1076;
+    if(_S1075)
     {
-        _S943 = 0.0f;
+        _S1059 = 0.0f;
     }
-    (&result_11)->specular_weft_0 = _S943;
-    (&result_11)->light_visibility_1 = 1.0f;
-    return result_11;
+    (&result_14)->specular_weft_0 = _S1059;
+    (&result_14)->light_visibility_1 = 1.0f;
+    return result_14;
 }
 
 struct CoverageTaps_0
@@ -3755,66 +4046,32 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S961, float _S962)
+__device__ float3  pyramid_level_0(uint _S1077, float _S1078)
 {
-    Lobes_0 _S963 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S961])->lobes_0);
-    uint _S964 = _S963.levels_0 + 4U * uint((F32_min((_S962), (_S963.last_level_0))));
-    return make_float3 (table_number_0(_S964), table_number_0(_S964 + 1U), table_number_0(_S964 + 2U));
+    Lobes_0 _S1079 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1077])->lobes_0);
+    uint _S1080 = _S1079.levels_0 + 4U * uint((F32_min((_S1078), (_S1079.last_level_0))));
+    return make_float3 (table_number_0(_S1080), table_number_0(_S1080 + 1U), table_number_0(_S1080 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S965, Footprint_0 * _S966, bool _S967)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S1081, Footprint_0 * _S1082, bool _S1083)
 {
-    Fabric_0 * _S968 = (&(globalParams_0->fabrics_0)[_S965]);
-    float _S969 = Footprint_spread_side_0(_S966);
-    Lobes_0 _S970 = slang_ldg_1(&_S968->lobes_0);
-    float _S971 = _S969 * _S970.inverse_base_size_0;
-    float3  _S972 = pyramid_level_0(_S965, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S971), (1.0f))))))));
-    float _S973 = 1.0f / (F32_max((_S971), (9.99999997475242708e-07f)));
-    float _S974 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S973 * _S973), 0.0f, 1.0f))))), (0.3333333432674408f * _S973)))), (1.0f)));
-    uint _S975 = __ldg(&_S968->warp_0);
-    Family_0 _S976 = slang_ldg_4((&(globalParams_0->families_0)[_S975]));
-    uint _S977 = __ldg(&_S968->weft_0);
-    Family_0 _S978 = slang_ldg_4((&(globalParams_0->families_0)[_S977]));
-    float2  _S979 = make_float2 (_S976.inverse_period_0, _S978.inverse_period_0);
-    float2  _S980 = _S966->centre_0 * _S979;
-    float2  _S981 = _S966->dx_0 * _S979 * make_float2 (_S974);
-    float2  _S982 = _S966->dy_0 * _S979 * make_float2 (_S974);
+    Fabric_0 * _S1084 = (&(globalParams_0->fabrics_0)[_S1081]);
+    float _S1085 = Footprint_spread_side_0(_S1082);
+    Lobes_0 _S1086 = slang_ldg_0(&_S1084->lobes_0);
+    float _S1087 = _S1085 * _S1086.inverse_base_size_0;
+    float3  _S1088 = pyramid_level_0(_S1081, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S1087), (1.0f))))))));
+    float _S1089 = 1.0f / (F32_max((_S1087), (9.99999997475242708e-07f)));
+    float _S1090 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S1089 * _S1089), 0.0f, 1.0f))))), (0.3333333432674408f * _S1089)))), (1.0f)));
+    uint _S1091 = __ldg(&_S1084->warp_0);
+    Family_0 _S1092 = slang_ldg_3((&(globalParams_0->families_0)[_S1091]));
+    uint _S1093 = __ldg(&_S1084->weft_0);
+    Family_0 _S1094 = slang_ldg_3((&(globalParams_0->families_0)[_S1093]));
+    float2  _S1095 = make_float2 (_S1092.inverse_period_0, _S1094.inverse_period_0);
+    float2  _S1096 = _S1082->centre_0 * _S1095;
+    float2  _S1097 = _S1082->dx_0 * _S1095 * make_float2 (_S1090);
+    float2  _S1098 = _S1082->dy_0 * _S1095 * make_float2 (_S1090);
     CoverageTaps_0 taps_3;
-    uint number_1 = 0U;
-    for(;;)
-    {
-        if(number_1 < 9U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2  _S983 = _S980 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S981 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S982;
-        float _S984 = _S972.y;
-        float _S985 = wrapped_cell_0(_S983.x, _S984);
-        float _S986 = wrapped_cell_0(_S983.y, _S972.z);
-        uint _S987;
-        if(_S967)
-        {
-            _S987 = _S970.face_nodes_0;
-        }
-        else
-        {
-            _S987 = 0U;
-        }
-        (&taps_3)->nodes_1[number_1] = _S987 + uint(_S986 * _S984 + _S985 + _S972.x);
-        number_1 = number_1 + 1U;
-    }
-    return taps_3;
-}
-
-__device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _S990)
-{
-    Fabric_0 * _S991 = (&(globalParams_0->fabrics_0)[_S988]);
     uint number_2 = 0U;
-    uint even_1 = 0U;
-    uint odd_1 = 0U;
     for(;;)
     {
         if(number_2 < 9U)
@@ -3824,22 +4081,31 @@ __device__ float4  coverage_of_pack_0(uint _S988, CoverageTaps_0 * _S989, uint _
         {
             break;
         }
-        Lobes_0 _S992 = slang_ldg_1(&_S991->lobes_0);
-        uint _S993 = __ldg((&(globalParams_0->words_0)[_S992.coverage_0 + _S989->nodes_1[number_2] * _S992.packs_0 + _S990]));
-        uint even_2 = even_1 + (_S993 & 16711935U);
-        uint odd_2 = odd_1 + ((_S993 >> int(8)) & 16711935U);
+        float2  _S1099 = _S1096 + make_float2 (TAP_OFFSETS_0[number_2].x) * _S1097 + make_float2 (TAP_OFFSETS_0[number_2].y) * _S1098;
+        float _S1100 = _S1088.y;
+        float _S1101 = wrapped_cell_0(_S1099.x, _S1100);
+        float _S1102 = wrapped_cell_0(_S1099.y, _S1088.z);
+        uint _S1103;
+        if(_S1083)
+        {
+            _S1103 = _S1086.face_nodes_0;
+        }
+        else
+        {
+            _S1103 = 0U;
+        }
+        (&taps_3)->nodes_1[number_2] = _S1103 + uint(_S1102 * _S1100 + _S1101 + _S1088.x);
         number_2 = number_2 + 1U;
-        even_1 = even_2;
-        odd_1 = odd_2;
     }
-    return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
+    return taps_3;
 }
 
-__device__ float coverage_of_holes_0(uint _S994, CoverageTaps_0 * _S995)
+__device__ float4  coverage_of_pack_0(uint _S1104, CoverageTaps_0 * _S1105, uint _S1106)
 {
-    Fabric_0 * _S996 = (&(globalParams_0->fabrics_0)[_S994]);
+    Fabric_0 * _S1107 = (&(globalParams_0->fabrics_0)[_S1104]);
     uint number_3 = 0U;
-    uint total_0 = 0U;
+    uint even_1 = 0U;
+    uint odd_1 = 0U;
     for(;;)
     {
         if(number_3 < 9U)
@@ -3849,75 +4115,100 @@ __device__ float coverage_of_holes_0(uint _S994, CoverageTaps_0 * _S995)
         {
             break;
         }
-        uint _S997 = _S995->nodes_1[number_3];
-        Lobes_0 _S998 = slang_ldg_1(&_S996->lobes_0);
-        uint _S999 = __ldg((&(globalParams_0->words_0)[_S998.coverage_holes_0 + _S997 / 4U]));
-        uint total_1 = total_0 + ((_S999 >> (8U * (_S997 % 4U))) & 255U);
+        Lobes_0 _S1108 = slang_ldg_0(&_S1107->lobes_0);
+        uint _S1109 = __ldg((&(globalParams_0->words_0)[_S1108.coverage_0 + _S1105->nodes_1[number_3] * _S1108.packs_0 + _S1106]));
+        uint even_2 = even_1 + (_S1109 & 16711935U);
+        uint odd_2 = odd_1 + ((_S1109 >> int(8)) & 16711935U);
         number_3 = number_3 + 1U;
+        even_1 = even_2;
+        odd_1 = odd_2;
+    }
+    return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
+}
+
+__device__ float coverage_of_holes_0(uint _S1110, CoverageTaps_0 * _S1111)
+{
+    Fabric_0 * _S1112 = (&(globalParams_0->fabrics_0)[_S1110]);
+    uint number_4 = 0U;
+    uint total_0 = 0U;
+    for(;;)
+    {
+        if(number_4 < 9U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S1113 = _S1111->nodes_1[number_4];
+        Lobes_0 _S1114 = slang_ldg_0(&_S1112->lobes_0);
+        uint _S1115 = __ldg((&(globalParams_0->words_0)[_S1114.coverage_holes_0 + _S1113 / 4U]));
+        uint total_1 = total_0 + ((_S1115 >> (8U * (_S1113 % 4U))) & 255U);
+        number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S1000, CoverageTaps_0 * _S1001, NodeTaps_0 * _S1002, bool _S1003)
+__device__ float prefiltered_hole_0(uint _S1116, CoverageTaps_0 * _S1117, NodeTaps_0 * _S1118, bool _S1119)
 {
-    Lobes_0 _S1004 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S1000])->lobes_0);
-    float4  _S1005 = interpolate_table_0(_S1002, _S1004.projected_area_0 + _S1004.packs_0, _S1004.packs_0 + 1U);
-    float _S1006 = _S1005.x;
-    float _S1007;
-    if(_S1003)
+    Lobes_0 _S1120 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1116])->lobes_0);
+    float4  _S1121 = interpolate_table_0(_S1118, _S1120.projected_area_0 + _S1120.packs_0, _S1120.packs_0 + 1U);
+    float _S1122 = _S1121.x;
+    float _S1123;
+    if(_S1119)
     {
-        _S1007 = _S1004.back_hole_weight_0;
+        _S1123 = _S1120.back_hole_weight_0;
     }
     else
     {
-        _S1007 = _S1004.front_hole_weight_0;
+        _S1123 = _S1120.front_hole_weight_0;
     }
-    float _S1008 = coverage_of_holes_0(_S1000, _S1001);
-    return (F32_min((_S1008 * _S1006 * _S1006 * _S1007), (1.0f)));
+    float _S1124 = coverage_of_holes_0(_S1116, _S1117);
+    return (F32_min((_S1124 * _S1122 * _S1122 * _S1123), (1.0f)));
 }
 
-__device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S1010, float3  _S1011, float3  _S1012, bool _S1013)
+__device__ Components_0 prefiltered_components_0(uint _S1125, Footprint_0 * _S1126, float3  _S1127, float3  _S1128, bool _S1129)
 {
-    Fabric_0 * _S1014 = (&(globalParams_0->fabrics_0)[_S1009]);
-    CoverageTaps_0 _S1015 = coverage_taps_0(_S1009, _S1010, _S1013);
-    NodeTaps_0 _S1016 = node_taps_0(_S1012);
-    NodeTaps_0 view_nodes_0 = _S1016;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S1011);
-    NodeTaps_0 seen_nodes_0 = _S1016;
-    uint _S1017;
-    if(_S1013)
+    Fabric_0 * _S1130 = (&(globalParams_0->fabrics_0)[_S1125]);
+    CoverageTaps_0 _S1131 = coverage_taps_0(_S1125, _S1126, _S1129);
+    NodeTaps_0 _S1132 = node_taps_0(_S1128);
+    NodeTaps_0 view_nodes_0 = _S1132;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S1127);
+    NodeTaps_0 seen_nodes_0 = _S1132;
+    uint _S1133;
+    if(_S1129)
     {
-        _S1017 = 1U;
+        _S1133 = 1U;
     }
     else
     {
-        _S1017 = 0U;
+        _S1133 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1017 * 256U);
-    uint _S1018 = 2U * _S1017;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1018 * 256U);
-    uint _S1019;
-    if((_S1011.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1133 * 256U);
+    uint _S1134 = 2U * _S1133;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1134 * 256U);
+    uint _S1135;
+    if((_S1127.z) < 0.0f)
     {
-        _S1019 = 1U;
-    }
-    else
-    {
-        _S1019 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1018 + _S1019) * 256U);
-    float3  _S1020 = half_vector_0(_S1011, _S1012);
-    float3  _S1021 = shadow_correlation_0(_S1011, _S1012);
-    if(_S1013)
-    {
-        Lobes_0 _S1022 = slang_ldg_1(&_S1014->lobes_0);
-        _S1019 = _S1022.back_warp_packs_0;
+        _S1135 = 1U;
     }
     else
     {
-        Lobes_0 _S1023 = slang_ldg_1(&_S1014->lobes_0);
-        _S1019 = _S1023.front_warp_packs_0;
+        _S1135 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1134 + _S1135) * 256U);
+    float3  _S1136 = half_vector_0(_S1127, _S1128);
+    float3  _S1137 = shadow_correlation_0(_S1127, _S1128);
+    if(_S1129)
+    {
+        Lobes_0 _S1138 = slang_ldg_0(&_S1130->lobes_0);
+        _S1135 = _S1138.back_warp_packs_0;
+    }
+    else
+    {
+        Lobes_0 _S1139 = slang_ldg_0(&_S1130->lobes_0);
+        _S1135 = _S1139.front_warp_packs_0;
     }
     Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3929,457 +4220,492 @@ __device__ Components_0 prefiltered_components_0(uint _S1009, Footprint_0 * _S10
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S1024 = slang_ldg_1(&_S1014->lobes_0);
-        if(pack_0 < (_S1024.packs_0))
+        Lobes_0 _S1140 = slang_ldg_0(&_S1130->lobes_0);
+        if(pack_0 < (_S1140.packs_0))
         {
         }
         else
         {
             break;
         }
-        CoverageTaps_0 _S1025 = _S1015;
-        float4  _S1026 = coverage_of_pack_0(_S1009, &_S1025, pack_0);
-        uint _S1027 = _S1024.projected_area_0 + pack_0;
-        uint _S1028 = _S1024.packs_0 + 1U;
-        NodeTaps_0 _S1029 = view_nodes_0;
-        float4  _S1030 = interpolate_table_0(&_S1029, _S1027, _S1028);
-        uint _S1031 = _S1024.light_visibility_0 + pack_0;
-        NodeTaps_0 _S1032 = seen_nodes_0;
-        float4  _S1033 = interpolate_table_0(&_S1032, _S1031, _S1024.packs_0);
-        float4  _S1034 = _S1033 / make_float4 (255.0f);
-        NodeTaps_0 _S1035 = light_nodes_0;
-        float4  _S1036 = interpolate_table_0(&_S1035, _S1031, _S1024.packs_0);
-        float4  _S1037 = _S1036 / make_float4 (255.0f);
-        uint _S1038 = _S1024.irradiance_0 + pack_0;
-        NodeTaps_0 _S1039 = light_nodes_0;
-        float4  _S1040 = interpolate_table_0(&_S1039, _S1038, _S1024.packs_0);
-        float4  _S1041 = _S1040 * make_float4 (0.00124827399849892f);
-        bool _S1042 = pack_0 < _S1019;
-        uint _S1043;
-        if(_S1042)
+        CoverageTaps_0 _S1141 = _S1131;
+        float4  _S1142 = coverage_of_pack_0(_S1125, &_S1141, pack_0);
+        uint _S1143 = _S1140.projected_area_0 + pack_0;
+        uint _S1144 = _S1140.packs_0 + 1U;
+        NodeTaps_0 _S1145 = view_nodes_0;
+        float4  _S1146 = interpolate_table_0(&_S1145, _S1143, _S1144);
+        uint _S1147 = _S1140.light_visibility_0 + pack_0;
+        NodeTaps_0 _S1148 = seen_nodes_0;
+        float4  _S1149 = interpolate_table_0(&_S1148, _S1147, _S1140.packs_0);
+        float4  _S1150 = _S1149 / make_float4 (255.0f);
+        NodeTaps_0 _S1151 = light_nodes_0;
+        float4  _S1152 = interpolate_table_0(&_S1151, _S1147, _S1140.packs_0);
+        float4  _S1153 = _S1152 / make_float4 (255.0f);
+        uint _S1154 = _S1140.irradiance_0 + pack_0;
+        NodeTaps_0 _S1155 = light_nodes_0;
+        float4  _S1156 = interpolate_table_0(&_S1155, _S1154, _S1140.packs_0);
+        float4  _S1157 = _S1156 * make_float4 (0.00124827399849892f);
+        bool _S1158 = pack_0 < _S1135;
+        uint _S1159;
+        if(_S1158)
         {
-            uint _S1044 = __ldg(&_S1014->warp_0);
-            _S1043 = _S1044;
+            uint _S1160 = __ldg(&_S1130->warp_0);
+            _S1159 = _S1160;
         }
         else
         {
-            uint _S1045 = __ldg(&_S1014->weft_0);
-            _S1043 = _S1045;
+            uint _S1161 = __ldg(&_S1130->weft_0);
+            _S1159 = _S1161;
         }
-        Family_0 _S1046 = slang_ldg_4((&(globalParams_0->families_0)[_S1043]));
-        uint number_4 = 0U;
+        Family_0 _S1162 = slang_ldg_3((&(globalParams_0->families_0)[_S1159]));
+        uint number_5 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
         for(;;)
         {
-            if(number_4 < 4U)
+            if(number_5 < 4U)
             {
             }
             else
             {
                 break;
             }
-            Group_0 _S1047 = group_at_0(_S1024.moments_0 + 12U * (4U * (_S1017 * _S1024.packs_0 + pack_0) + number_4), _S1046.roughness_0);
-            float _S1048 = _slang_vector_get_element(_S1026, number_4) * _slang_vector_get_element(_S1030, number_4) * _slang_vector_get_element(_S1030, number_4) * _S1047.weight_1;
-            uint _S1049 = number_4;
-            float2  _S1050 = visibility_gain_0(_S1021, _slang_vector_get_element(_S1037, number_4), _slang_vector_get_element(_S1034, number_4));
-            float _S1051 = __ldg(&_S1014->optical_depth_0);
-            Group_0 _S1052 = _S1047;
-            float _S1053 = layer_value_0(&_S1052, _S1020, _S1011, _S1012, _S1051);
-            float _S1054 = _S1050.x;
-            float diffuse_1 = diffuse_0 + _S1048 * _slang_vector_get_element(_S1041, number_4) * _S1054;
-            float specular_1 = specular_0 + _S1048 * _S1053 * _slang_vector_get_element(_S1037, _S1049) * _S1050.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1048 * _slang_vector_get_element(_S1037, _S1049) * _S1054;
-            float total_3 = total_2 + _S1048;
-            number_4 = number_4 + 1U;
+            Group_0 _S1163 = group_at_0(_S1140.moments_0 + 12U * (4U * (_S1133 * _S1140.packs_0 + pack_0) + number_5), _S1162.roughness_0);
+            float _S1164 = _slang_vector_get_element(_S1142, number_5) * _slang_vector_get_element(_S1146, number_5) * _slang_vector_get_element(_S1146, number_5) * _S1163.weight_1;
+            uint _S1165 = number_5;
+            float2  _S1166 = visibility_gain_0(_S1137, _slang_vector_get_element(_S1153, number_5), _slang_vector_get_element(_S1150, number_5));
+            float _S1167 = __ldg(&_S1130->optical_depth_0);
+            Group_0 _S1168 = _S1163;
+            float _S1169 = layer_value_0(&_S1168, _S1136, _S1127, _S1128, _S1167);
+            float _S1170 = _S1166.x;
+            float diffuse_1 = diffuse_0 + _S1164 * _slang_vector_get_element(_S1157, number_5) * _S1170;
+            float specular_1 = specular_0 + _S1164 * _S1169 * _slang_vector_get_element(_S1153, _S1165) * _S1166.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1164 * _slang_vector_get_element(_S1153, _S1165) * _S1170;
+            float total_3 = total_2 + _S1164;
+            number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S1055;
-        if(_S1042)
+        float _S1171;
+        if(_S1158)
         {
-            _S1055 = diffuse_0;
+            _S1171 = diffuse_0;
         }
         else
         {
-            _S1055 = 0.0f;
+            _S1171 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1055;
-        float _S1056;
-        if(_S1042)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1171;
+        float _S1172;
+        if(_S1158)
         {
-            _S1056 = 0.0f;
+            _S1172 = 0.0f;
         }
         else
         {
-            _S1056 = diffuse_0;
+            _S1172 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1056;
-        float _S1057;
-        if(_S1042)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1172;
+        float _S1173;
+        if(_S1158)
         {
-            _S1057 = specular_0;
+            _S1173 = specular_0;
         }
         else
         {
-            _S1057 = 0.0f;
+            _S1173 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1057;
-        float _S1058;
-        if(_S1042)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1173;
+        float _S1174;
+        if(_S1158)
         {
-            _S1058 = 0.0f;
+            _S1174 = 0.0f;
         }
         else
         {
-            _S1058 = specular_0;
+            _S1174 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1058;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1174;
         pack_0 = pack_0 + 1U;
     }
-    CoverageTaps_0 _S1059 = _S1015;
-    NodeTaps_0 _S1060 = view_nodes_0;
-    float _S1061 = prefiltered_hole_0(_S1009, &_S1059, &_S1060, _S1013);
-    (&sums_1)->hole_2 = _S1061;
-    float _S1062 = (1.0f - _S1061) / (F32_max((total_2), (9.999999960041972e-13f)));
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1062;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1062;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1062;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1062;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1062;
+    CoverageTaps_0 _S1175 = _S1131;
+    NodeTaps_0 _S1176 = view_nodes_0;
+    float _S1177 = prefiltered_hole_0(_S1125, &_S1175, &_S1176, _S1129);
+    (&sums_1)->hole_2 = _S1177;
+    float _S1178 = (1.0f - _S1177) / (F32_max((total_2), (9.999999960041972e-13f)));
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1178;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1178;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1178;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1178;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1178;
     return sums_1;
 }
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S1063, Footprint_0 * _S1064, bool _S1065)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S1179, Footprint_0 * _S1180, bool _S1181)
 {
-    Fabric_0 * _S1066 = (&(globalParams_0->fabrics_0)[_S1063]);
-    float2  _S1067 = sqrt_0(_S1064->dx_0 * _S1064->dx_0 + _S1064->dy_0 * _S1064->dy_0);
-    uint _S1068 = __ldg(&_S1066->warp_0);
-    float2  _S1069 = _S1064->centre_0;
-    Stretch_0 _S1070 = stretch_of_0(_S1068, _S1064->centre_0.x, _S1067.x);
-    uint _S1071 = __ldg(&_S1066->weft_0);
-    Stretch_0 _S1072 = stretch_of_0(_S1071, _S1069.y, _S1067.y);
-    FamilyAlbedos_0 albedos_8;
-    Stretch_0 _S1073 = _S1070;
-    Stretch_0 _S1074 = _S1072;
-    Albedos_0 _S1075 = mean_albedos_0(_S1068, _S1071, &_S1073, &_S1074, _S1065);
-    (&albedos_8)->warp_2 = _S1075;
-    Stretch_0 _S1076 = _S1072;
-    Stretch_0 _S1077 = _S1070;
-    Albedos_0 _S1078 = mean_albedos_0(_S1071, _S1068, &_S1076, &_S1077, _S1065);
-    (&albedos_8)->weft_2 = _S1078;
-    return albedos_8;
+    Fabric_0 * _S1182 = (&(globalParams_0->fabrics_0)[_S1179]);
+    float2  _S1183 = sqrt_0(_S1180->dx_0 * _S1180->dx_0 + _S1180->dy_0 * _S1180->dy_0);
+    uint _S1184 = __ldg(&_S1182->warp_0);
+    float2  _S1185 = _S1180->centre_0;
+    Stretch_0 _S1186 = stretch_of_0(_S1184, _S1180->centre_0.x, _S1183.x);
+    uint _S1187 = __ldg(&_S1182->weft_0);
+    Stretch_0 _S1188 = stretch_of_0(_S1187, _S1185.y, _S1183.y);
+    FamilyAlbedos_0 albedos_9;
+    Stretch_0 _S1189 = _S1186;
+    Stretch_0 _S1190 = _S1188;
+    Albedos_0 _S1191 = mean_albedos_0(_S1184, _S1187, &_S1189, &_S1190, _S1181);
+    (&albedos_9)->warp_2 = _S1191;
+    Stretch_0 _S1192 = _S1188;
+    Stretch_0 _S1193 = _S1186;
+    Albedos_0 _S1194 = mean_albedos_0(_S1187, _S1184, &_S1192, &_S1193, _S1181);
+    (&albedos_9)->weft_2 = _S1194;
+    return albedos_9;
 }
 
-__device__ Estimate_0 lobes_estimate_0(uint _S1079, Footprint_0 * _S1080, float _S1081, float3  _S1082, float3  _S1083)
+__device__ Estimate_0 lobes_estimate_of_pass_0(uint _S1195, Footprint_0 * _S1196, float _S1197, float2  _S1198, float3  _S1199, float3  _S1200)
 {
-    float _S1084;
-    Fabric_0 * _S1085 = (&(globalParams_0->fabrics_0)[_S1079]);
-    Regime_0 _S1086 = regime_of_0(_S1079, _S1080, _S1081);
-    bool _S1087 = (_S1083.z) < 0.0f;
-    float3  _S1088 = to_face_frame_0(_S1083, _S1087);
-    float _S1089 = __ldg(&_S1085->fibre_noise_0);
-    bool _S1090;
-    if(_S1089 > 0.0f)
+    float _S1201;
+    Fabric_0 * _S1202 = (&(globalParams_0->fabrics_0)[_S1195]);
+    Regime_0 _S1203 = regime_of_0(_S1195, _S1196, _S1197);
+    bool _S1204 = (_S1200.z) < 0.0f;
+    float3  _S1205 = to_face_frame_0(_S1200, _S1204);
+    float _S1206 = __ldg(&_S1202->fibre_noise_0);
+    bool _S1207;
+    if(_S1206 > 0.0f)
     {
-        _S1090 = true;
+        _S1207 = true;
     }
     else
     {
-        float _S1091 = __ldg(&_S1085->colour_noise_0);
-        _S1090 = _S1091 > 0.0f;
+        float _S1208 = __ldg(&_S1202->colour_noise_0);
+        _S1207 = _S1208 > 0.0f;
     }
-    uint _S1092 = __ldg(&_S1085->warp_0);
-    Family_0 _S1093 = slang_ldg_4((&(globalParams_0->families_0)[_S1092]));
-    bool _S1094;
-    if((_S1093.quantities_0) > 1U)
+    uint _S1209 = __ldg(&_S1202->warp_0);
+    Family_0 _S1210 = slang_ldg_3((&(globalParams_0->families_0)[_S1209]));
+    bool _S1211;
+    if((_S1210.quantities_0) > 1U)
     {
-        _S1094 = true;
+        _S1211 = true;
     }
     else
     {
-        uint _S1095 = __ldg(&_S1085->weft_0);
-        Family_0 _S1096 = slang_ldg_4((&(globalParams_0->families_0)[_S1095]));
-        _S1094 = (_S1096.quantities_0) > 1U;
+        uint _S1212 = __ldg(&_S1202->weft_0);
+        Family_0 _S1213 = slang_ldg_3((&(globalParams_0->families_0)[_S1212]));
+        _S1211 = (_S1213.quantities_0) > 1U;
     }
-    float _S1097 = 1.0f - _S1086.prefiltered_0;
-    if(_S1097 > 0.0f)
+    float _S1214 = 1.0f - _S1203.prefiltered_0;
+    if(_S1214 > 0.0f)
     {
-        if(_S1090)
+        if(_S1207)
         {
-            _S1094 = true;
+            _S1211 = true;
         }
     }
     else
     {
-        _S1094 = false;
+        _S1211 = false;
     }
-    Footprint_0 box_0 = *_S1080;
-    float3  _S1098 = make_float3 (0.0f);
-    SurfacePoint_0 _S1099 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1098, _S1098, 0.0f, 0.0f, 0.0f);
-    float2  _S1100 = _S1080->centre_0;
-    Components_0 _S1101 = no_components_0();
-    int _S1102;
-    if(_S1094)
+    Footprint_0 box_0 = *_S1196;
+    float3  _S1215 = make_float3 (0.0f);
+    SurfacePoint_0 _S1216 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1215, _S1215, 0.0f, 0.0f, 0.0f);
+    float2  _S1217 = _S1196->centre_0;
+    Components_0 _S1218 = no_components_0();
+    int _S1219;
+    if(_S1211)
     {
-        _S1102 = int(0);
+        _S1219 = int(0);
     }
     else
     {
-        _S1102 = int(1);
+        _S1219 = int(1);
     }
-    uint _S1103 = uint(_S1102);
-    Components_0 points_1 = _S1101;
+    uint _S1220 = uint(_S1219);
+    Components_0 points_1 = _S1218;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S1099;
-    float2  central_place_0 = _S1100;
-    uint number_5 = _S1103;
+    SurfacePoint_0 central_0 = _S1216;
+    float2  central_place_0 = _S1217;
+    uint number_6 = _S1220;
     for(;;)
     {
-        float _S1104 = float(number_5);
-        _S1084 = _S1086.points_0;
-        if(_S1104 < (_S1086.points_0 + 1.0f))
+        float _S1221 = float(number_6);
+        _S1201 = _S1203.points_0;
+        if(_S1221 < (_S1203.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S1105 = number_5 == 0U;
-        float2  _S1106;
-        if(_S1105)
+        bool _S1222 = number_6 == 0U;
+        uint _S1223;
+        if(_S1222)
         {
-            _S1106 = make_float2 (0.0f);
+            _S1223 = 0U;
         }
         else
         {
-            _S1106 = POINT_OFFSETS_0[number_5 - 1U];
+            _S1223 = number_6 - 1U;
         }
-        float2  _S1107 = _S1100 + make_float2 (_S1106.x) * _S1080->dx_0 + make_float2 (_S1106.y) * _S1080->dy_0;
-        float _S1108;
-        if(_S1105)
+        float2  _S1224 = POINT_OFFSETS_0[_S1223] + _S1198;
+        float2  _S1225;
+        if(_S1222)
         {
-            _S1108 = 0.0f;
+            _S1225 = make_float2 (0.0f);
         }
         else
         {
-            _S1108 = _S1086.threads_1;
+            _S1225 = _S1224 - round_0(_S1224);
         }
-        SearchQuality_0 _S1109 = quality_of_0(_S1108);
-        float _S1110 = _S1107.x;
-        float _S1111 = _S1107.y;
-        SearchQuality_0 _S1112 = _S1109;
-        Hit_0 _S1113 = first_hit_0(_S1079, &_S1112, _S1110, _S1111, _S1088, _S1087);
-        SurfacePoint_0 _S1114 = surface_at_0(_S1079, _S1113.x_27, _S1113.y_16, _S1087);
-        if(_S1105)
+        float2  _S1226 = _S1217 + make_float2 (_S1225.x) * _S1196->dx_0 + make_float2 (_S1225.y) * _S1196->dy_0;
+        float _S1227;
+        if(_S1222)
+        {
+            _S1227 = 0.0f;
+        }
+        else
+        {
+            _S1227 = _S1203.threads_1;
+        }
+        SearchQuality_0 _S1228 = quality_of_0(_S1227);
+        float _S1229 = _S1226.x;
+        float _S1230 = _S1226.y;
+        SearchQuality_0 _S1231 = _S1228;
+        Hit_0 _S1232 = first_hit_0(_S1195, &_S1231, _S1229, _S1230, _S1205, _S1204);
+        SurfacePoint_0 _S1233 = surface_at_0(_S1195, _S1232.x_31, _S1232.y_16, _S1204);
+        if(_S1222)
         {
             float central_weight_1;
-            if(_S1113.hole_5)
+            if(_S1232.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S1097;
+                central_weight_1 = _S1214;
             }
-            float2  central_place_1 = make_float2 (_S1113.x_27, _S1113.y_16);
-            (&box_0)->centre_0 = lerp_2(_S1100, central_place_1, make_float2 (central_weight_1));
+            float2  central_place_1 = make_float2 (_S1232.x_31, _S1232.y_16);
+            (&box_0)->centre_0 = lerp_2(_S1217, central_place_1, make_float2 (central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S1114;
+            central_0 = _S1233;
             central_place_0 = central_place_1;
-            number_5 = number_5 + 1U;
+            number_6 = number_6 + 1U;
             continue;
         }
-        SurfacePoint_0 _S1115 = _S1114;
-        YarnPoint_0 _S1116 = yarn_point_of_0(_S1079, &_S1115, _S1113.x_27, _S1113.y_16, _S1087, _S1113.hole_5);
-        SearchQuality_0 _S1117 = _S1109;
-        YarnPoint_0 _S1118 = _S1116;
-        Components_0 _S1119 = components_of_point_0(_S1079, &_S1117, &_S1118, _S1082, _S1083);
-        float _S1120 = (F32_min((_S1086.points_0 - float(number_5 - 1U)), (1.0f)));
-        Components_0 _S1121 = points_1;
-        Components_0 _S1122 = _S1119;
-        Components_0 _S1123 = with_added_0(&_S1121, &_S1122, _S1120);
-        points_1 = _S1123;
-        number_5 = number_5 + 1U;
+        SurfacePoint_0 _S1234 = _S1233;
+        YarnPoint_0 _S1235 = yarn_point_of_0(_S1195, &_S1234, _S1232.x_31, _S1232.y_16, _S1204, _S1232.hole_5);
+        SearchQuality_0 _S1236 = _S1228;
+        YarnPoint_0 _S1237 = _S1235;
+        Components_0 _S1238 = components_of_point_0(_S1195, &_S1236, &_S1237, _S1199, _S1200);
+        float _S1239 = (F32_min((_S1203.points_0 - float(number_6 - 1U)), (1.0f)));
+        Components_0 _S1240 = points_1;
+        Components_0 _S1241 = _S1238;
+        Components_0 _S1242 = with_added_0(&_S1240, &_S1241, _S1239);
+        points_1 = _S1242;
+        number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    float _S1124 = _S1097 / (F32_max((_S1084), (1.0f)));
-    Components_0 _S1125 = _S1101;
-    Components_0 _S1126 = points_1;
-    Components_0 _S1127 = with_added_0(&_S1125, &_S1126, _S1124);
-    (&estimate_0)->components_0 = _S1127;
-    if((_S1086.prefiltered_0) > 0.0f)
+    float _S1243 = _S1214 / (F32_max((_S1201), (1.0f)));
+    Components_0 _S1244 = _S1218;
+    Components_0 _S1245 = points_1;
+    Components_0 _S1246 = with_added_0(&_S1244, &_S1245, _S1243);
+    (&estimate_0)->components_0 = _S1246;
+    if((_S1203.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1128 = prefiltered_components_0(_S1079, _S1080, to_face_frame_0(_S1082, _S1087), _S1088, _S1087);
-        Components_0 _S1129 = (&estimate_0)->components_0;
-        Components_0 _S1130 = _S1128;
-        Components_0 _S1131 = with_added_0(&_S1129, &_S1130, _S1086.prefiltered_0);
-        (&estimate_0)->components_0 = _S1131;
+        Components_0 _S1247 = prefiltered_components_0(_S1195, _S1196, to_face_frame_0(_S1199, _S1204), _S1205, _S1204);
+        Components_0 _S1248 = (&estimate_0)->components_0;
+        Components_0 _S1249 = _S1247;
+        Components_0 _S1250 = with_added_0(&_S1248, &_S1249, _S1203.prefiltered_0);
+        (&estimate_0)->components_0 = _S1250;
     }
-    Footprint_0 _S1132 = box_0;
-    FamilyAlbedos_0 _S1133 = albedos_over_0(_S1079, &_S1132, _S1087);
-    (&estimate_0)->albedos_4 = _S1133;
-    if(_S1090)
+    Footprint_0 _S1251 = box_0;
+    FamilyAlbedos_0 _S1252 = albedos_over_0(_S1195, &_S1251, _S1204);
+    (&estimate_0)->albedos_5 = _S1252;
+    if(_S1207)
     {
-        _S1090 = central_weight_0 > 0.0f;
+        _S1207 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S1090 = false;
+        _S1207 = false;
     }
-    if(_S1090)
+    if(_S1207)
     {
-        SurfacePoint_0 _S1134 = central_0;
-        Albedos_0 _S1135;
+        SurfacePoint_0 _S1253 = central_0;
+        Albedos_0 _S1254;
         if(central_0.is_warp_0)
         {
-            _S1135 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S1254 = (&(&estimate_0)->albedos_5)->warp_2;
         }
         else
         {
-            _S1135 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S1254 = (&(&estimate_0)->albedos_5)->weft_2;
         }
-        float _S1136 = central_place_0.x;
-        float _S1137 = central_place_0.y;
-        SurfacePoint_0 _S1138 = central_0;
-        Albedos_0 _S1139 = _S1135;
-        Albedos_0 _S1140 = varied_at_0(_S1079, &_S1138, &_S1139, _S1136, _S1137);
-        Albedos_0 _S1141 = _S1135;
-        Albedos_0 _S1142 = _S1140;
-        Albedos_0 _S1143 = lerp_albedos_0(&_S1141, &_S1142, central_weight_0);
-        if(_S1134.is_warp_0)
+        float _S1255 = central_place_0.x;
+        float _S1256 = central_place_0.y;
+        SurfacePoint_0 _S1257 = central_0;
+        Albedos_0 _S1258 = _S1254;
+        Albedos_0 _S1259 = varied_at_0(_S1195, &_S1257, &_S1258, _S1255, _S1256);
+        Albedos_0 _S1260 = _S1254;
+        Albedos_0 _S1261 = _S1259;
+        Albedos_0 _S1262 = lerp_albedos_0(&_S1260, &_S1261, central_weight_0);
+        if(_S1253.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S1143;
+            (&(&estimate_0)->albedos_5)->warp_2 = _S1262;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S1143;
+            (&(&estimate_0)->albedos_5)->weft_2 = _S1262;
         }
     }
     return estimate_0;
 }
 
-__device__ float3  composed_0(uint _S1144, Components_0 * _S1145, FamilyAlbedos_0 * _S1146, float3  _S1147, float3  _S1148)
+__device__ float3  composed_0(uint _S1263, Components_0 * _S1264, FamilyAlbedos_0 * _S1265, float3  _S1266, float3  _S1267)
 {
-    Fabric_0 * _S1149 = (&(globalParams_0->fabrics_0)[_S1144]);
-    float _S1150 = _S1145->diffuse_warp_0;
-    float _S1151 = _S1145->diffuse_weft_0;
-    float _S1152 = _S1145->specular_warp_0;
-    float _S1153 = _S1145->specular_weft_0;
-    float3  _S1154 = (&_S1146->warp_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_warp_0) + (&_S1146->weft_2)->diffuse_reflect_0 * make_float3 (_S1145->diffuse_weft_0) + (&_S1146->warp_2)->specular_reflect_0 * make_float3 (_S1145->specular_warp_0) + (&_S1146->weft_2)->specular_reflect_0 * make_float3 (_S1145->specular_weft_0);
-    float _S1155 = _S1148.z;
+    Fabric_0 * _S1268 = (&(globalParams_0->fabrics_0)[_S1263]);
+    float _S1269 = _S1264->diffuse_warp_0;
+    float _S1270 = _S1264->diffuse_weft_0;
+    float _S1271 = _S1264->specular_warp_0;
+    float _S1272 = _S1264->specular_weft_0;
+    float3  _S1273 = (&_S1265->warp_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_warp_0) + (&_S1265->weft_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_weft_0) + (&_S1265->warp_2)->specular_reflect_0 * make_float3 (_S1264->specular_warp_0) + (&_S1265->weft_2)->specular_reflect_0 * make_float3 (_S1264->specular_weft_0);
+    float _S1274 = _S1267.z;
     float3  body_0;
-    if((_S1147.z * _S1155) < 0.0f)
+    if((_S1266.z * _S1274) < 0.0f)
     {
-        body_0 = (&_S1146->warp_2)->diffuse_transmit_0 * make_float3 (_S1150) + (&_S1146->weft_2)->diffuse_transmit_0 * make_float3 (_S1151) + (&_S1146->warp_2)->specular_transmit_0 * make_float3 (_S1152) + (&_S1146->weft_2)->specular_transmit_0 * make_float3 (_S1153);
+        body_0 = (&_S1265->warp_2)->diffuse_transmit_0 * make_float3 (_S1269) + (&_S1265->weft_2)->diffuse_transmit_0 * make_float3 (_S1270) + (&_S1265->warp_2)->specular_transmit_0 * make_float3 (_S1271) + (&_S1265->weft_2)->specular_transmit_0 * make_float3 (_S1272);
     }
     else
     {
-        body_0 = _S1154;
+        body_0 = _S1273;
     }
-    float _S1156 = __ldg(&_S1149->sheen_strength_0);
-    if(_S1156 <= 0.0f)
+    float _S1275 = __ldg(&_S1268->sheen_strength_0);
+    if(_S1275 <= 0.0f)
     {
         return body_0;
     }
-    bool _S1157 = _S1155 < 0.0f;
-    float3  _S1158 = to_face_frame_0(_S1147, _S1157);
-    float3  _S1159 = to_face_frame_0(_S1148, _S1157);
-    float _S1160 = __ldg(&_S1149->sheen_roughness_0);
-    float2  _S1161 = sheen_with_transmittance_0(_S1158, _S1159, _S1156, _S1160);
-    return make_float3 (_S1161.y) * body_0 + make_float3 ((_S1145->light_visibility_1 + _S1145->hole_2) * _S1161.x);
+    bool _S1276 = _S1274 < 0.0f;
+    float3  _S1277 = to_face_frame_0(_S1266, _S1276);
+    float3  _S1278 = to_face_frame_0(_S1267, _S1276);
+    float _S1279 = __ldg(&_S1268->sheen_roughness_0);
+    float2  _S1280 = sheen_with_transmittance_0(_S1277, _S1278, _S1275, _S1279);
+    return make_float3 (_S1280.y) * body_0 + make_float3 ((_S1264->light_visibility_1 + _S1264->hole_2) * _S1280.x);
 }
 
-__device__ float4  light_of_footprint_0(Frame_0 * _S1162, uint _S1163, VisiblePoint_0 * _S1164)
+__device__ float4  light_of_footprint_0(int _S1281, uint _S1282, VisiblePoint_0 * _S1283, uint2  _S1284, float3  _S1285)
 {
-    Fabric_0 * _S1165 = (&(globalParams_0->fabrics_0)[_S1163]);
+    Frame_0 * _S1286 = (&(globalParams_0->frames_0)[_S1281]);
+    Fabric_0 * _S1287 = (&(globalParams_0->fabrics_0)[_S1282]);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1164->draft_0;
-    (&footprint_0)->dx_0 = _S1164->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1164->draft_dy_0;
-    float3  _S1166 = to_local_0(_S1164, _S1164->view_0);
-    float3  _S1167 = make_float3 (0.0f);
-    uint number_6 = 0U;
-    float3  radiance_1 = _S1167;
+    (&footprint_0)->centre_0 = _S1283->draft_0;
+    (&footprint_0)->dx_0 = _S1283->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1283->draft_dy_0;
+    uint _S1288 = __ldg(&_S1286->pass_number_0);
+    float2  _S1289 = frac_0(make_float2 (float(_S1288 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
+    float3  _S1290 = to_local_0(_S1283, _S1283->view_0);
+    uint _S1291 = light_sample_count_0(_S1281);
+    float3  _S1292 = make_float3 (0.0f);
+    uint number_7 = 0U;
+    float3  radiance_1 = _S1292;
     float hole_7 = 0.0f;
     for(;;)
     {
-        uint _S1168 = _S1162->lights_0;
-        if(number_6 < (U32_max((_S1162->lights_0), (1U))))
+        if(number_7 < (U32_max((_S1291), (1U))))
         {
         }
         else
         {
             break;
         }
-        Light_0 _S1169 = slang_ldg_3((&(globalParams_0->lights_1)[number_6]));
-        Light_0 _S1170 = _S1169;
-        float3  irradiance_2;
-        float3  _S1171 = towards_light_0(&_S1170, _S1164->position_0, &irradiance_2);
-        float3  _S1172 = to_local_0(_S1164, _S1171);
-        Footprint_0 _S1173 = footprint_0;
-        Estimate_0 _S1174 = lobes_estimate_0(_S1163, &_S1173, 1.0f, _S1172, _S1166);
-        if(number_6 < _S1168)
+        float _S1293;
+        if(number_7 < _S1291)
         {
-            Components_0 _S1175 = _S1174.components_0;
-            FamilyAlbedos_0 _S1176 = _S1174.albedos_4;
-            float3  _S1177 = composed_0(_S1163, &_S1175, &_S1176, _S1172, _S1166);
-            radiance_1 = radiance_1 + irradiance_2 * _S1177;
+            float _S1294 = visibility_at_0(_S1281, number_7, _S1284);
+            _S1293 = _S1294;
         }
-        number_6 = number_6 + 1U;
-        hole_7 = _S1174.components_0.hole_2;
+        else
+        {
+            _S1293 = 0.0f;
+        }
+        bool _S1295;
+        if(_S1293 <= 0.0f)
+        {
+            _S1295 = number_7 > 0U;
+        }
+        else
+        {
+            _S1295 = false;
+        }
+        if(_S1295)
+        {
+            number_7 = number_7 + 1U;
+            continue;
+        }
+        LightSample_0 _S1296 = light_sample_0(_S1281, number_7, _S1284, _S1283->position_0);
+        float3  _S1297 = to_local_0(_S1283, _S1296.towards_0);
+        Footprint_0 _S1298 = footprint_0;
+        Estimate_0 _S1299 = lobes_estimate_of_pass_0(_S1282, &_S1298, 1.0f, _S1289, _S1297, _S1290);
+        FamilyAlbedos_0 albedos_10;
+        Albedos_0 _S1300 = _S1299.albedos_5.warp_2;
+        Albedos_0 _S1301 = tinted_0(&_S1300, _S1285);
+        (&albedos_10)->warp_2 = _S1301;
+        Albedos_0 _S1302 = _S1299.albedos_5.weft_2;
+        Albedos_0 _S1303 = tinted_0(&_S1302, _S1285);
+        (&albedos_10)->weft_2 = _S1303;
+        float3  _S1304 = make_float3 (_S1293) * _S1296.irradiance_1;
+        Components_0 _S1305 = _S1299.components_0;
+        FamilyAlbedos_0 _S1306 = albedos_10;
+        float3  _S1307 = composed_0(_S1282, &_S1305, &_S1306, _S1297, _S1290);
+        radiance_1 = radiance_1 + _S1304 * _S1307;
+        hole_7 = _S1299.components_0.hole_2;
+        number_7 = number_7 + 1U;
     }
-    float _S1178 = __ldg(&_S1165->sheen_strength_0);
-    if(_S1178 > 0.0f)
+    float _S1308 = __ldg(&_S1287->sheen_strength_0);
+    if(_S1308 > 0.0f)
     {
-        float _S1179 = (F32_abs((_S1166.z)));
-        float _S1180 = __ldg(&_S1165->sheen_roughness_0);
-        hole_7 = hole_7 * (1.0f - _S1178 * sheen_lobe_0(_S1179, _S1180).z);
+        float _S1309 = (F32_abs((_S1290.z)));
+        float _S1310 = __ldg(&_S1287->sheen_roughness_0);
+        hole_7 = hole_7 * (1.0f - _S1308 * sheen_lobe_0(_S1309, _S1310).z);
     }
     return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - hole_7);
 }
 
 extern "C" __global__ void shade_lobes()
 {
-    uint3  _S1181 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S1182 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S1183;
-    if((_S1181.x) >= (_S1182.width_0))
+    uint3  _S1311 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S1312 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S1313 = _S1311.x;
+    uint _S1314 = __ldg(&_S1312->width_0);
+    bool _S1315;
+    if(_S1313 >= _S1314)
     {
-        _S1183 = true;
+        _S1315 = true;
     }
     else
     {
-        _S1183 = (_S1181.y) >= (_S1182.height_0);
+        uint _S1316 = _S1311.y;
+        uint _S1317 = __ldg(&_S1312->height_0);
+        _S1315 = _S1316 >= _S1317;
     }
-    if(_S1183)
+    if(_S1315)
     {
         return;
     }
-    uint2  _S1184 = uint2 {_S1181.x, _S1181.y};
-    int2  _S1185 = make_int2 ((int)_S1184.x, (int)_S1184.y);
-    int3  _S1186 = make_int3 (_S1185.x, _S1185.y, int(0));
-    uint _S1187 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S1186)).x, ((_S1186)).y, ((_S1186)).z));
-    float4  _S1188 = make_float4 (0.0f);
-    float4  sum_1;
-    if(_S1187 > 0U)
+    uint _S1318 = _S1311.y * _S1314 + _S1313;
+    uint _S1319 = (&(globalParams_0->layers_0)[_S1318])->face_0;
+    if(((&(globalParams_0->layers_0)[_S1318])->face_0) == 0U)
     {
-        uint _S1189 = _S1187 - 1U;
-        uint _S1190 = __ldg((&(globalParams_0->face_fabrics_0)[_S1189]));
-        Frame_0 _S1191 = _S1182;
-        VisiblePoint_0 _S1192 = visible_point_0(&_S1191, _S1190, _S1189, _S1184);
-        Frame_0 _S1193 = _S1182;
-        VisiblePoint_0 _S1194 = _S1192;
-        float4  _S1195 = light_of_footprint_0(&_S1193, _S1190, &_S1194);
-        sum_1 = _S1195;
+        return;
     }
-    else
-    {
-        sum_1 = _S1188;
-    }
-    Frame_0 _S1196 = _S1182;
-    accumulate_0(&_S1196, _S1184, sum_1);
+    uint _S1320 = _S1319 - 1U;
+    uint _S1321 = __ldg((&(globalParams_0->face_fabrics_0)[_S1320]));
+    uint2  _S1322 = uint2 {_S1311.x, _S1311.y};
+    VisiblePoint_0 _S1323 = visible_point_0(int(0), _S1321, _S1320, _S1322);
+    VisiblePoint_0 _S1324 = _S1323;
+    float3  _S1325 = filtered_albedo_0(_S1321, &_S1324);
+    VisiblePoint_0 _S1326 = _S1323;
+    float4  _S1327 = light_of_footprint_0(int(0), _S1321, &_S1326, _S1322, _S1325);
+    accumulate_0(_S1318, _S1327);
     return;
 }
 

@@ -21,40 +21,13 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
-{
-    uint is_encoded_0;
-    uint network_0;
-    uint latents_0;
-    uint texels_0;
-    uint levels_1;
-    uint top_level_0;
-    float ends_0;
-    float picks_0;
-    float ends_per_mm_0;
-    float picks_per_mm_0;
-    float pitch_0;
-    float warp_x_0;
-    float warp_y_0;
-    float warp_roughness_0;
-    float weft_x_0;
-    float weft_y_0;
-    float weft_roughness_0;
-    float warp_lobe_roughness_0;
-    float weft_lobe_roughness_0;
-    uint bundles_0;
-    uint is_corrected_0;
-    uint correction_0;
-};
-
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_1;
+    uint ends_0;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -74,6 +47,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -129,6 +105,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -162,6 +150,12 @@ struct Vertex_0
     float v_0;
 };
 
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -174,7 +168,9 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
-    StructuredBuffer<uint4 > packed_numbers_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
     CUtexObject visible_faces_0;
 };
 
@@ -240,7 +236,12 @@ __device__ float3  normalize_0(float3  x_7)
     return x_7 / make_float3 (length_0(x_7));
 }
 
-__device__ float3  min_0(float3  x_8, float3  y_5)
+__device__ float saturate_0(float x_8)
+{
+    return clamp_0(x_8, 0.0f, 1.0f);
+}
+
+__device__ float3  min_0(float3  x_9, float3  y_5)
 {
     float3  result_4;
     int i_2 = int(0);
@@ -253,13 +254,13 @@ __device__ float3  min_0(float3  x_8, float3  y_5)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_8, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_9, i_2)), (_slang_vector_get_element(y_5, i_2))));
         i_2 = i_2 + int(1);
     }
     return result_4;
 }
 
-__device__ float3  max_0(float3  x_9, float3  y_6)
+__device__ float3  max_0(float3  x_10, float3  y_6)
 {
     float3  result_5;
     int i_3 = int(0);
@@ -272,7 +273,7 @@ __device__ float3  max_0(float3  x_9, float3  y_6)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_9, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_10, i_3)), (_slang_vector_get_element(y_6, i_3))));
         i_3 = i_3 + int(1);
     }
     return result_5;
@@ -281,7 +282,7 @@ __device__ float3  max_0(float3  x_9, float3  y_6)
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
-__device__ float2  frac_0(float2  x_10)
+__device__ float2  frac_0(float2  x_11)
 {
     float2  result_6;
     int i_4 = int(0);
@@ -294,10 +295,15 @@ __device__ float2  frac_0(float2  x_10)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_10, i_4))));
+        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_11, i_4))));
         i_4 = i_4 + int(1);
     }
     return result_6;
+}
+
+__device__ float3  lerp_1(float3  x_12, float3  y_7, float3  s_1)
+{
+    return x_12 + (y_7 - x_12) * s_1;
 }
 
 __device__ float3  cross_0(float3  left_0, float3  right_0)
@@ -311,48 +317,18 @@ __device__ float3  cross_0(float3  left_0, float3  right_0)
     return make_float3 (_S1 * _S2 - _S3 * _S4, _S3 * _S5 - _S6 * _S2, _S6 * _S4 - _S1 * _S5);
 }
 
-__device__ Frame_0 slang_ldg_0(Frame_0 * ptr_0)
+__device__ Vertex_0 slang_ldg_0(Vertex_0 * ptr_0)
 {
-    uint _S7 = __ldg(&ptr_0->width_0);
-    uint _S8 = __ldg(&ptr_0->height_0);
-    uint _S9 = __ldg(&ptr_0->lights_0);
-    uint _S10 = __ldg(&ptr_0->samples_0);
-    uint _S11 = __ldg(&ptr_0->pass_number_0);
-    float _S12 = __ldg(&ptr_0->jitter_x_0);
-    float _S13 = __ldg(&ptr_0->jitter_y_0);
-    float _S14 = __ldg(&ptr_0->gain_0);
-    float _S15 = __ldg(&ptr_0->origin_x_0);
-    float _S16 = __ldg(&ptr_0->origin_y_0);
-    float _S17 = __ldg(&ptr_0->origin_z_0);
-    float _S18 = __ldg(&ptr_0->right_x_0);
-    float _S19 = __ldg(&ptr_0->right_y_0);
-    float _S20 = __ldg(&ptr_0->right_z_0);
-    float _S21 = __ldg(&ptr_0->up_x_0);
-    float _S22 = __ldg(&ptr_0->up_y_0);
-    float _S23 = __ldg(&ptr_0->up_z_0);
-    float _S24 = __ldg(&ptr_0->forward_x_0);
-    float _S25 = __ldg(&ptr_0->forward_y_0);
-    float _S26 = __ldg(&ptr_0->forward_z_0);
-    float _S27 = __ldg(&ptr_0->near_0);
-    float _S28 = __ldg(&ptr_0->background_red_0);
-    float _S29 = __ldg(&ptr_0->background_green_0);
-    float _S30 = __ldg(&ptr_0->background_blue_0);
-    Frame_0 _S31 = { _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14, _S15, _S16, _S17, _S18, _S19, _S20, _S21, _S22, _S23, _S24, _S25, _S26, _S27, _S28, _S29, _S30 };
-    return _S31;
-}
-
-__device__ Vertex_0 slang_ldg_1(Vertex_0 * ptr_1)
-{
-    float _S32 = __ldg(&ptr_1->x_1);
-    float _S33 = __ldg(&ptr_1->y_1);
-    float _S34 = __ldg(&ptr_1->z_1);
-    float _S35 = __ldg(&ptr_1->normal_x_0);
-    float _S36 = __ldg(&ptr_1->normal_y_0);
-    float _S37 = __ldg(&ptr_1->normal_z_0);
-    float _S38 = __ldg(&ptr_1->u_0);
-    float _S39 = __ldg(&ptr_1->v_0);
-    Vertex_0 _S40 = { _S32, _S33, _S34, _S35, _S36, _S37, _S38, _S39 };
-    return _S40;
+    float _S7 = __ldg(&ptr_0->x_1);
+    float _S8 = __ldg(&ptr_0->y_1);
+    float _S9 = __ldg(&ptr_0->z_1);
+    float _S10 = __ldg(&ptr_0->normal_x_0);
+    float _S11 = __ldg(&ptr_0->normal_y_0);
+    float _S12 = __ldg(&ptr_0->normal_z_0);
+    float _S13 = __ldg(&ptr_0->u_0);
+    float _S14 = __ldg(&ptr_0->v_0);
+    Vertex_0 _S15 = { _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14 };
+    return _S15;
 }
 
 __device__ float3  position_of_0(Vertex_0 * vertex_0)
@@ -365,36 +341,95 @@ __device__ float square_0(float3  v_1)
     return dot_0(v_1, v_1);
 }
 
-__device__ float3  camera_right_0(Frame_0 * frame_0)
-{
-    return make_float3 (frame_0->right_x_0, frame_0->right_y_0, frame_0->right_z_0);
-}
-
-__device__ float3  camera_up_0(Frame_0 * frame_1)
-{
-    return make_float3 (frame_1->up_x_0, frame_1->up_y_0, frame_1->up_z_0);
-}
-
-__device__ float3  camera_forward_0(Frame_0 * frame_2)
-{
-    return make_float3 (frame_2->forward_x_0, frame_2->forward_y_0, frame_2->forward_z_0);
-}
-
-__device__ float3  camera_origin_0(Frame_0 * frame_3)
-{
-    return make_float3 (frame_3->origin_x_0, frame_3->origin_y_0, frame_3->origin_z_0);
-}
-
 __device__ float3  normal_of_0(Vertex_0 * vertex_1)
 {
     return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
 }
 
+__device__ float square_1(float x_13)
+{
+    return x_13 * x_13;
+}
+
+__device__ float natural_logarithm_0(float x_14)
+{
+    uint _S16 = (F32_asuint((x_14)));
+    float exponent_0 = float(int(_S16 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S16 & 8388607U) | 1056964608U)));
+    float m_1;
+    float exponent_1;
+    if(m_0 < 0.70710676908493042f)
+    {
+        float exponent_2 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    float m_2 = m_1 - 1.0f;
+    float _S17 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S17 - exponent_1 * 0.00021219444170129f - 0.5f * _S17) + exponent_1 * 0.693359375f;
+}
+
+__device__ float binary_logarithm_0(float x_15)
+{
+    return natural_logarithm_0(x_15) * 1.4426950216293335f;
+}
+
+__device__ float exponential_0(float x_16)
+{
+    float _S18 = clamp_0(x_16, -87.0f, 88.0f);
+    float _S19 = (F32_floor((_S18 * 1.4426950216293335f + 0.5f)));
+    float _S20 = _S18 - _S19 * 0.693359375f + _S19 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S20 + 0.00139819993637502f) * _S20 + 0.00833345204591751f) * _S20 + 0.04166579619050026f) * _S20 + 0.1666666567325592f) * _S20 + 0.5f;
+    float _S21 = (U32_asfloat((uint(int(_S19) + int(127)) << int(23))));
+    float _S22;
+    if(x_16 < -87.0f)
+    {
+        _S22 = 0.0f;
+    }
+    else
+    {
+        _S22 = (p_0 * _S20 * _S20 + _S20 + 1.0f) * _S21;
+    }
+    return _S22;
+}
+
+__device__ float3  map_texel_0(uint index_0)
+{
+    uint _S23 = __ldg((&(globalParams_0->scene_words_0)[index_0]));
+    float3  _S24 = make_float3 (float(_S23 & 1023U), float((_S23 >> int(10)) & 1023U), float(_S23 >> int(20))) / make_float3 (1023.0f);
+    return _S24 * _S24;
+}
+
+__device__ float3  map_level_0(uint first_0, uint side_0, float2  uv_0)
+{
+    float _S25 = uv_0.x;
+    float _S26 = float(side_0);
+    float _S27 = (_S25 - (F32_floor((_S25)))) * _S26 - 0.5f;
+    float _S28 = uv_0.y;
+    float _S29 = (_S28 - (F32_floor((_S28)))) * _S26 - 0.5f;
+    float _S30 = (F32_floor((_S27)));
+    int _S31 = int(side_0);
+    uint _S32 = side_0 - 1U;
+    uint _S33 = uint(int(_S30) + _S31) & _S32;
+    float _S34 = (F32_floor((_S29)));
+    uint _S35 = uint(int(_S34) + _S31) & _S32;
+    uint _S36 = (_S33 + 1U) & _S32;
+    uint _S37 = first_0 + _S35 * side_0;
+    float3  _S38 = make_float3 (_S27 - _S30);
+    uint _S39 = first_0 + ((_S35 + 1U) & _S32) * side_0;
+    return lerp_1(lerp_1(map_texel_0(_S37 + _S33), map_texel_0(_S37 + _S36), _S38), lerp_1(map_texel_0(_S39 + _S33), map_texel_0(_S39 + _S36), _S38), make_float3 (_S29 - _S34));
+}
+
 __device__ uint scramble_0(uint value_0)
 {
-    uint _S41 = value_0 * 747796405U + 2891336453U;
-    uint _S42 = ((_S41 >> ((_S41 >> int(28)) + 4U)) ^ _S41) * 277803737U;
-    return (_S42 >> int(22)) ^ _S42;
+    uint _S40 = value_0 * 747796405U + 2891336453U;
+    uint _S41 = ((_S40 >> ((_S40 >> int(28)) + 4U)) ^ _S40) * 277803737U;
+    return (_S41 >> int(22)) ^ _S41;
 }
 
 __device__ float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
@@ -402,11 +437,11 @@ __device__ float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
     return (float((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-__device__ float2  footprint_sample_0(uint2  pixel_0, uint index_0)
+__device__ float2  pixel_sequence_0(uint2  pixel_0, uint index_1, uint stream_1)
 {
-    uint _S43 = pixel_0.x;
-    uint _S44 = pixel_0.y;
-    return frac_0(make_float2 (uniform_hash_0(_S43, _S44, 1U), uniform_hash_0(_S43, _S44, 2U)) + make_float2 (float(index_0 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f)) - make_float2 (0.5f);
+    uint _S42 = pixel_0.x;
+    uint _S43 = pixel_0.y;
+    return frac_0(make_float2 (uniform_hash_0(_S42, _S43, stream_1), uniform_hash_0(_S42, _S43, stream_1 + 1U)) + make_float2 (float(index_1 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
 }
 
 struct SearchQuality_0
@@ -434,6 +469,9 @@ struct VisiblePoint_0
     float3  axis_x_0;
     float3  axis_y_0;
     float3  normal_0;
+    float3  face_normal_0;
+    float2  uv_1;
+    float2  draft_per_uv_0;
     float2  draft_0;
     float2  draft_dx_0;
     float2  draft_dy_0;
@@ -446,64 +484,64 @@ __device__ float3  to_local_0(VisiblePoint_0 * point_0, float3  direction_0)
 
 __device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
 {
-    float2  _S45 = float2 {direction_1.x, direction_1.y};
-    float _S46;
+    float2  _S44 = float2 {direction_1.x, direction_1.y};
+    float _S45;
     if(back_0)
     {
-        _S46 = - direction_1.z;
+        _S45 = - direction_1.z;
     }
     else
     {
-        _S46 = direction_1.z;
+        _S45 = direction_1.z;
     }
-    return make_float3 (_S45.x, _S45.y, _S46);
+    return make_float3 (_S44.x, _S44.y, _S45);
 }
 
-__device__ Family_0 slang_ldg_2(Family_0 * ptr_2)
+__device__ Family_0 slang_ldg_1(Family_0 * ptr_1)
 {
-    uint _S47 = __ldg(&ptr_2->is_alike_0);
-    float _S48 = __ldg(&ptr_2->count_0);
-    float _S49 = __ldg(&ptr_2->inverse_count_0);
-    float _S50 = __ldg(&ptr_2->half_inverse_count_0);
-    float _S51 = __ldg(&ptr_2->size_0);
-    float _S52 = __ldg(&ptr_2->inverse_size_0);
-    float _S53 = __ldg(&ptr_2->half_width_0);
-    float _S54 = __ldg(&ptr_2->start_0);
-    float _S55 = __ldg(&ptr_2->period_0);
-    float _S56 = __ldg(&ptr_2->inverse_period_0);
-    float _S57 = __ldg(&ptr_2->bins_0);
-    uint _S58 = __ldg(&ptr_2->first_thread_table_0);
-    uint _S59 = __ldg(&ptr_2->place_table_0);
-    uint _S60 = __ldg(&ptr_2->bend_table_0);
-    float _S61 = __ldg(&ptr_2->height_scale_0);
-    float _S62 = __ldg(&ptr_2->twist_sine_0);
-    float _S63 = __ldg(&ptr_2->twist_cosine_0);
-    float _S64 = __ldg(&ptr_2->level_0);
-    float _S65 = __ldg(&ptr_2->roughness_0);
-    uint _S66 = __ldg(&ptr_2->albedo_table_0);
-    uint _S67 = __ldg(&ptr_2->albedo_stride_0);
-    uint _S68 = __ldg(&ptr_2->before_0);
-    float _S69 = __ldg(&ptr_2->visible_total_0);
-    float _S70 = __ldg(&ptr_2->smallest_box_0);
-    uint _S71 = __ldg(&ptr_2->quantities_0);
-    uint _S72 = __ldg(&ptr_2->colour_mean_0);
-    uint _S73 = __ldg(&ptr_2->colour_axes_0);
-    uint _S74 = __ldg(&ptr_2->colour_threads_0);
-    uint _S75 = __ldg(&ptr_2->colour_areas_0);
-    float _S76 = __ldg(&ptr_2->area_unit_0);
-    float _S77 = __ldg(&ptr_2->crossing_area_0);
-    Family_0 _S78 = { _S47, _S48, _S49, _S50, _S51, _S52, _S53, _S54, _S55, _S56, _S57, _S58, _S59, _S60, _S61, _S62, _S63, _S64, _S65, _S66, _S67, _S68, _S69, _S70, _S71, _S72, _S73, _S74, _S75, _S76, _S77 };
-    return _S78;
+    uint _S46 = __ldg(&ptr_1->is_alike_0);
+    float _S47 = __ldg(&ptr_1->count_0);
+    float _S48 = __ldg(&ptr_1->inverse_count_0);
+    float _S49 = __ldg(&ptr_1->half_inverse_count_0);
+    float _S50 = __ldg(&ptr_1->size_0);
+    float _S51 = __ldg(&ptr_1->inverse_size_0);
+    float _S52 = __ldg(&ptr_1->half_width_0);
+    float _S53 = __ldg(&ptr_1->start_0);
+    float _S54 = __ldg(&ptr_1->period_0);
+    float _S55 = __ldg(&ptr_1->inverse_period_0);
+    float _S56 = __ldg(&ptr_1->bins_0);
+    uint _S57 = __ldg(&ptr_1->first_thread_table_0);
+    uint _S58 = __ldg(&ptr_1->place_table_0);
+    uint _S59 = __ldg(&ptr_1->bend_table_0);
+    float _S60 = __ldg(&ptr_1->height_scale_0);
+    float _S61 = __ldg(&ptr_1->twist_sine_0);
+    float _S62 = __ldg(&ptr_1->twist_cosine_0);
+    float _S63 = __ldg(&ptr_1->level_0);
+    float _S64 = __ldg(&ptr_1->roughness_0);
+    uint _S65 = __ldg(&ptr_1->albedo_table_0);
+    uint _S66 = __ldg(&ptr_1->albedo_stride_0);
+    uint _S67 = __ldg(&ptr_1->before_0);
+    float _S68 = __ldg(&ptr_1->visible_total_0);
+    float _S69 = __ldg(&ptr_1->smallest_box_0);
+    uint _S70 = __ldg(&ptr_1->quantities_0);
+    uint _S71 = __ldg(&ptr_1->colour_mean_0);
+    uint _S72 = __ldg(&ptr_1->colour_axes_0);
+    uint _S73 = __ldg(&ptr_1->colour_threads_0);
+    uint _S74 = __ldg(&ptr_1->colour_areas_0);
+    float _S75 = __ldg(&ptr_1->area_unit_0);
+    float _S76 = __ldg(&ptr_1->crossing_area_0);
+    Family_0 _S77 = { _S46, _S47, _S48, _S49, _S50, _S51, _S52, _S53, _S54, _S55, _S56, _S57, _S58, _S59, _S60, _S61, _S62, _S63, _S64, _S65, _S66, _S67, _S68, _S69, _S70, _S71, _S72, _S73, _S74, _S75, _S76 };
+    return _S77;
 }
 
-__device__ float2  turns_and_remainder_0(uint family_0, float index_1)
+__device__ float2  turns_and_remainder_0(uint family_0, float index_2)
 {
-    Family_0 _S79 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    Family_0 _S80 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    float _S81 = (F32_floor(((F32_fma((index_1), (_S79.inverse_count_0), (_S80.half_inverse_count_0))))));
-    float _S82 = - _S81;
-    Family_0 _S83 = slang_ldg_2((&(globalParams_0->families_0)[family_0]));
-    return make_float2 (_S81, (F32_fma((_S82), (_S83.count_0), (index_1))));
+    Family_0 _S78 = slang_ldg_1((&(globalParams_0->families_0)[family_0]));
+    Family_0 _S79 = slang_ldg_1((&(globalParams_0->families_0)[family_0]));
+    float _S80 = (F32_floor(((F32_fma((index_2), (_S78.inverse_count_0), (_S79.half_inverse_count_0))))));
+    float _S81 = - _S80;
+    Family_0 _S82 = slang_ldg_1((&(globalParams_0->families_0)[family_0]));
+    return make_float2 (_S80, (F32_fma((_S81), (_S82.count_0), (index_2))));
 }
 
 struct Cell_0
@@ -517,74 +555,74 @@ struct Cell_0
 
 __device__ Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    Family_0 _S84 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    float _S85 = (F32_floor((position_1 * _S84.inverse_size_0)));
+    Family_0 _S83 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    float _S84 = (F32_floor((position_1 * _S83.inverse_size_0)));
     Cell_0 cell_1;
-    float _S86 = - _S85;
-    Family_0 _S87 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    float _S88 = (F32_fma((_S86), (_S87.size_0), (position_1)));
-    (&cell_1)->below_0 = _S88;
-    Family_0 _S89 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_1)->above_0 = _S89.size_0 - _S88;
-    Family_0 _S90 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_1)->across_0 = _S88 - 0.5f * _S90.size_0;
-    Family_0 _S91 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_1)->half_width_1 = _S91.half_width_0;
-    float _S92 = turns_and_remainder_0(family_1, _S85).y;
-    Family_0 _S93 = slang_ldg_2((&(globalParams_0->families_0)[family_1]));
-    (&cell_1)->thread_1 = uint(clamp_0(_S92, 0.0f, _S93.count_0 - 1.0f));
+    float _S85 = - _S84;
+    Family_0 _S86 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    float _S87 = (F32_fma((_S85), (_S86.size_0), (position_1)));
+    (&cell_1)->below_0 = _S87;
+    Family_0 _S88 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->above_0 = _S88.size_0 - _S87;
+    Family_0 _S89 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->across_0 = _S87 - 0.5f * _S89.size_0;
+    Family_0 _S90 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->half_width_1 = _S90.half_width_0;
+    float _S91 = turns_and_remainder_0(family_1, _S84).y;
+    Family_0 _S92 = slang_ldg_1((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->thread_1 = uint(clamp_0(_S91, 0.0f, _S92.count_0 - 1.0f));
     return cell_1;
 }
 
-__device__ float table_number_0(uint index_2)
+__device__ float table_number_0(uint index_3)
 {
-    uint _S94 = __ldg((&(globalParams_0->words_0)[index_2]));
-    return (U32_asfloat((_S94)));
+    uint _S93 = __ldg((&(globalParams_0->words_0)[index_3]));
+    return (U32_asfloat((_S93)));
 }
 
 __device__ Cell_0 locate_varied_0(uint family_2, float position_2)
 {
-    Family_0 _S95 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S96 = position_2 - _S95.start_0;
-    Family_0 _S97 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float turns_0 = _S96 * _S97.inverse_period_0;
+    Family_0 _S94 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    float _S95 = position_2 - _S94.start_0;
+    Family_0 _S96 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    float turns_0 = _S95 * _S96.inverse_period_0;
     float turns_1 = turns_0 - (F32_floor((turns_0)));
-    Family_0 _S98 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S99 = turns_1 * _S98.period_0;
-    Family_0 _S100 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    float _S101 = turns_1 * _S100.bins_0;
-    Family_0 _S102 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S103 = uint(clamp_0(_S101, 0.0f, _S102.bins_0 - 1.0f));
-    Family_0 _S104 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S105 = __ldg((&(globalParams_0->words_0)[_S104.first_thread_table_0 + _S103]));
-    Family_0 _S106 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S107;
-    if(_S99 >= (table_number_0(_S106.place_table_0 + _S105 * 4U + 1U)))
+    Family_0 _S97 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    float _S98 = turns_1 * _S97.period_0;
+    Family_0 _S99 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    float _S100 = turns_1 * _S99.bins_0;
+    Family_0 _S101 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    uint _S102 = uint(clamp_0(_S100, 0.0f, _S101.bins_0 - 1.0f));
+    Family_0 _S103 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    uint _S104 = __ldg((&(globalParams_0->words_0)[_S103.first_thread_table_0 + _S102]));
+    Family_0 _S105 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    uint _S106;
+    if(_S98 >= (table_number_0(_S105.place_table_0 + _S104 * 4U + 1U)))
     {
-        _S107 = 1U;
+        _S106 = 1U;
     }
     else
     {
-        _S107 = 0U;
+        _S106 = 0U;
     }
-    uint _S108 = _S105 + _S107;
-    Family_0 _S109 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S110 = (U32_min((_S108), (uint(_S109.count_0) - 1U)));
-    Family_0 _S111 = slang_ldg_2((&(globalParams_0->families_0)[family_2]));
-    uint _S112 = _S111.place_table_0 + _S110 * 4U;
+    uint _S107 = _S104 + _S106;
+    Family_0 _S108 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    uint _S109 = (U32_min((_S107), (uint(_S108.count_0) - 1U)));
+    Family_0 _S110 = slang_ldg_1((&(globalParams_0->families_0)[family_2]));
+    uint _S111 = _S110.place_table_0 + _S109 * 4U;
     Cell_0 cell_2;
-    (&cell_2)->thread_1 = _S110;
-    (&cell_2)->below_0 = _S99 - table_number_0(_S112);
-    (&cell_2)->above_0 = table_number_0(_S112 + 1U) - _S99;
-    (&cell_2)->across_0 = _S99 - table_number_0(_S112 + 2U);
-    (&cell_2)->half_width_1 = table_number_0(_S112 + 3U);
+    (&cell_2)->thread_1 = _S109;
+    (&cell_2)->below_0 = _S98 - table_number_0(_S111);
+    (&cell_2)->above_0 = table_number_0(_S111 + 1U) - _S98;
+    (&cell_2)->across_0 = _S98 - table_number_0(_S111 + 2U);
+    (&cell_2)->half_width_1 = table_number_0(_S111 + 3U);
     return cell_2;
 }
 
 __device__ Cell_0 locate_0(uint family_3, float position_3)
 {
-    Family_0 _S113 = slang_ldg_2((&(globalParams_0->families_0)[family_3]));
-    if((_S113.is_alike_0) != 0U)
+    Family_0 _S112 = slang_ldg_1((&(globalParams_0->families_0)[family_3]));
+    if((_S112.is_alike_0) != 0U)
     {
         return locate_alike_0(family_3, position_3);
     }
@@ -610,121 +648,121 @@ struct Crossing_0
 
 __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
 {
-    bool _S114 = (F32_abs(((&crossing_0->warp_1)->across_0))) < ((&crossing_0->warp_1)->half_width_1);
-    bool _S115 = (F32_abs(((&crossing_0->weft_1)->across_0))) < ((&crossing_0->weft_1)->half_width_1);
+    bool _S113 = (F32_abs(((&crossing_0->warp_1)->across_0))) < ((&crossing_0->warp_1)->half_width_1);
+    bool _S114 = (F32_abs(((&crossing_0->weft_1)->across_0))) < ((&crossing_0->weft_1)->half_width_1);
     Shown_0 shown_0;
-    bool _S116;
-    if(_S114)
+    bool _S115;
+    if(_S113)
     {
-        if(!_S115)
+        if(!_S114)
         {
-            _S116 = true;
+            _S115 = true;
         }
         else
         {
-            _S116 = crossing_0->warp_above_0;
+            _S115 = crossing_0->warp_above_0;
         }
     }
     else
     {
-        _S116 = false;
+        _S115 = false;
     }
-    (&shown_0)->is_warp_0 = _S116;
-    if(!_S114)
+    (&shown_0)->is_warp_0 = _S115;
+    if(!_S113)
     {
-        _S116 = !_S115;
+        _S115 = !_S114;
     }
     else
     {
-        _S116 = false;
+        _S115 = false;
     }
-    (&shown_0)->hole_0 = _S116;
-    uint _S117;
+    (&shown_0)->hole_0 = _S115;
+    uint _S116;
     if((&shown_0)->is_warp_0)
     {
-        _S117 = crossing_0->warp_word_0;
+        _S116 = crossing_0->warp_word_0;
     }
     else
     {
-        _S117 = crossing_0->weft_word_0;
+        _S116 = crossing_0->weft_word_0;
     }
-    (&shown_0)->word_0 = _S117;
-    (&shown_0)->on_top_0 = ((_S117 & 1U) == 1U) != back_1;
+    (&shown_0)->word_0 = _S116;
+    (&shown_0)->on_top_0 = ((_S116 & 1U) == 1U) != back_1;
     return shown_0;
 }
 
-__device__ Cell_0 select_cell_0(bool is_first_0, Cell_0 * first_0, Cell_0 * second_0)
+__device__ Cell_0 select_cell_0(bool is_first_0, Cell_0 * first_1, Cell_0 * second_0)
 {
     Cell_0 cell_3;
-    uint _S118;
+    uint _S117;
     if(is_first_0)
     {
-        _S118 = first_0->thread_1;
+        _S117 = first_1->thread_1;
     }
     else
     {
-        _S118 = second_0->thread_1;
+        _S117 = second_0->thread_1;
     }
-    (&cell_3)->thread_1 = _S118;
-    float _S119;
+    (&cell_3)->thread_1 = _S117;
+    float _S118;
     if(is_first_0)
     {
-        _S119 = first_0->across_0;
+        _S118 = first_1->across_0;
     }
     else
     {
-        _S119 = second_0->across_0;
+        _S118 = second_0->across_0;
     }
-    (&cell_3)->across_0 = _S119;
+    (&cell_3)->across_0 = _S118;
     if(is_first_0)
     {
-        _S119 = first_0->half_width_1;
+        _S118 = first_1->half_width_1;
     }
     else
     {
-        _S119 = second_0->half_width_1;
+        _S118 = second_0->half_width_1;
     }
-    (&cell_3)->half_width_1 = _S119;
+    (&cell_3)->half_width_1 = _S118;
     if(is_first_0)
     {
-        _S119 = first_0->below_0;
+        _S118 = first_1->below_0;
     }
     else
     {
-        _S119 = second_0->below_0;
+        _S118 = second_0->below_0;
     }
-    (&cell_3)->below_0 = _S119;
+    (&cell_3)->below_0 = _S118;
     if(is_first_0)
     {
-        _S119 = first_0->above_0;
+        _S118 = first_1->above_0;
     }
     else
     {
-        _S119 = second_0->above_0;
+        _S118 = second_0->above_0;
     }
-    (&cell_3)->above_0 = _S119;
+    (&cell_3)->above_0 = _S118;
     return cell_3;
 }
 
 __device__ float boundary_0(uint family_4, uint thread_2, int step_0)
 {
-    float2  _S120 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0));
-    float _S121 = _S120.x;
-    Family_0 _S122 = slang_ldg_2((&(globalParams_0->families_0)[family_4]));
-    Family_0 _S123 = slang_ldg_2((&(globalParams_0->families_0)[family_4]));
-    return (F32_fma((_S121), (_S122.period_0), (table_number_0(_S123.place_table_0 + uint(_S120.y) * 4U))));
+    float2  _S119 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0));
+    float _S120 = _S119.x;
+    Family_0 _S121 = slang_ldg_1((&(globalParams_0->families_0)[family_4]));
+    Family_0 _S122 = slang_ldg_1((&(globalParams_0->families_0)[family_4]));
+    return (F32_fma((_S120), (_S121.period_0), (table_number_0(_S122.place_table_0 + uint(_S119.y) * 4U))));
 }
 
-__device__ float span_0(uint family_5, uint thread_3, int first_1, int last_0)
+__device__ float span_0(uint family_5, uint thread_3, int first_2, int last_0)
 {
-    Family_0 _S124 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-    if((_S124.is_alike_0) != 0U)
+    Family_0 _S123 = slang_ldg_1((&(globalParams_0->families_0)[family_5]));
+    if((_S123.is_alike_0) != 0U)
     {
-        float _S125 = float(last_0 - first_1);
-        Family_0 _S126 = slang_ldg_2((&(globalParams_0->families_0)[family_5]));
-        return _S125 * _S126.size_0;
+        float _S124 = float(last_0 - first_2);
+        Family_0 _S125 = slang_ldg_1((&(globalParams_0->families_0)[family_5]));
+        return _S124 * _S125.size_0;
     }
-    return boundary_0(family_5, thread_3, last_0) - boundary_0(family_5, thread_3, first_1);
+    return boundary_0(family_5, thread_3, last_0) - boundary_0(family_5, thread_3, first_2);
 }
 
 struct Bend_0
@@ -736,22 +774,22 @@ struct Bend_0
 
 __device__ Bend_0 bend_of_0(uint family_6, uint thread_4)
 {
-    Family_0 _S127 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    Family_0 _S128 = slang_ldg_2((&(globalParams_0->families_0)[family_6]));
-    uint _S129;
-    if((_S128.is_alike_0) != 0U)
+    Family_0 _S126 = slang_ldg_1((&(globalParams_0->families_0)[family_6]));
+    Family_0 _S127 = slang_ldg_1((&(globalParams_0->families_0)[family_6]));
+    uint _S128;
+    if((_S127.is_alike_0) != 0U)
     {
-        _S129 = 0U;
+        _S128 = 0U;
     }
     else
     {
-        _S129 = thread_4 * 4U;
+        _S128 = thread_4 * 4U;
     }
-    uint _S130 = _S127.bend_table_0 + _S129;
+    uint _S129 = _S126.bend_table_0 + _S128;
     Bend_0 bend_0;
-    (&bend_0)->sine_0 = table_number_0(_S130);
-    (&bend_0)->half_tangent_0 = table_number_0(_S130 + 1U);
-    (&bend_0)->arc_0 = table_number_0(_S130 + 2U);
+    (&bend_0)->sine_0 = table_number_0(_S129);
+    (&bend_0)->half_tangent_0 = table_number_0(_S129 + 1U);
+    (&bend_0)->arc_0 = table_number_0(_S129 + 2U);
     return bend_0;
 }
 
@@ -771,60 +809,55 @@ struct Run_0
 
 __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 * crossed_0, uint word_1)
 {
-    int _S131 = int((word_1 >> int(1)) & 127U);
-    int _S132 = int((word_1 >> int(8)) & 127U);
-    int _S133 = int((word_1 >> int(15)) & 63U);
-    int _S134 = int((word_1 >> int(21)) & 63U);
+    int _S130 = int((word_1 >> int(1)) & 127U);
+    int _S131 = int((word_1 >> int(8)) & 127U);
+    int _S132 = int((word_1 >> int(15)) & 63U);
+    int _S133 = int((word_1 >> int(21)) & 63U);
     Run_0 run_0;
     (&run_0)->straight_0 = ((word_1 >> int(27)) & 1U) == 1U;
-    uint _S135 = crossed_0->thread_1;
-    int _S136 = - _S131;
-    float _S137 = crossed_0->below_0 + span_0(other_0, crossed_0->thread_1, _S136, int(0));
-    (&run_0)->from_start_0 = _S137;
-    int _S138 = _S132 + int(1);
-    float _S139 = crossed_0->above_0 + span_0(other_0, crossed_0->thread_1, int(1), _S138);
-    (&run_0)->to_end_0 = _S139;
-    bool _S140 = _S137 < _S139;
-    (&run_0)->near_start_0 = _S140;
-    int _S141;
-    if(_S140)
+    uint _S134 = crossed_0->thread_1;
+    int _S135 = - _S130;
+    float _S136 = crossed_0->below_0 + span_0(other_0, crossed_0->thread_1, _S135, int(0));
+    (&run_0)->from_start_0 = _S136;
+    int _S137 = _S131 + int(1);
+    float _S138 = crossed_0->above_0 + span_0(other_0, crossed_0->thread_1, int(1), _S137);
+    (&run_0)->to_end_0 = _S138;
+    bool _S139 = _S136 < _S138;
+    (&run_0)->near_start_0 = _S139;
+    int _S140;
+    if(_S139)
     {
-        _S141 = _S136 - _S133;
+        _S140 = _S135 - _S132;
     }
     else
     {
-        _S141 = _S138;
+        _S140 = _S137;
     }
-    int _S142;
+    int _S141;
     if((&run_0)->near_start_0)
     {
-        _S142 = _S136;
+        _S141 = _S135;
     }
     else
     {
-        _S142 = _S138 + _S134;
+        _S141 = _S137 + _S133;
     }
     (&run_0)->bend_1 = bend_of_0(own_0, thread_5);
-    float _S143;
+    float _S142;
     if((&run_0)->straight_0)
     {
-        _S143 = 1.0e+06f;
+        _S142 = 1.0e+06f;
     }
     else
     {
-        _S143 = (F32_min(((&run_0)->from_start_0), ((&run_0)->to_end_0)));
+        _S142 = (F32_min(((&run_0)->from_start_0), ((&run_0)->to_end_0)));
     }
-    (&run_0)->distance_0 = _S143;
+    (&run_0)->distance_0 = _S142;
     (&run_0)->reach_0 = (F32_min((0.5f * ((&run_0)->from_start_0 + (&run_0)->to_end_0)), ((&(&run_0)->bend_1)->arc_0)));
-    (&run_0)->other_reach_0 = (F32_min((0.5f * span_0(other_0, _S135, _S141, _S142)), ((&(&run_0)->bend_1)->arc_0)));
-    (&run_0)->first_crossing_0 = _S131 == int(0);
-    (&run_0)->last_crossing_0 = _S132 == int(0);
+    (&run_0)->other_reach_0 = (F32_min((0.5f * span_0(other_0, _S134, _S140, _S141)), ((&(&run_0)->bend_1)->arc_0)));
+    (&run_0)->first_crossing_0 = _S130 == int(0);
+    (&run_0)->last_crossing_0 = _S131 == int(0);
     return run_0;
-}
-
-__device__ float square_1(float x_11)
-{
-    return x_11 * x_11;
 }
 
 struct Section_0
@@ -836,97 +869,97 @@ struct Section_0
 
 __device__ Section_0 section_at_0(Cell_0 * cell_4)
 {
-    float _S144 = cell_4->half_width_1 * 1.0154266357421875f;
+    float _S143 = cell_4->half_width_1 * 1.0154266357421875f;
     Section_0 section_0;
-    float _S145 = clamp_0(cell_4->across_0, - cell_4->half_width_1, cell_4->half_width_1);
-    (&section_0)->across_1 = _S145;
-    float _S146 = _S144 * _S144 - square_1(_S145);
-    float _S147 = (F32_rsqrt((_S146)));
-    (&section_0)->drop_0 = _S144 - _S146 * _S147;
-    (&section_0)->slope_0 = - _S145 * _S147;
+    float _S144 = clamp_0(cell_4->across_0, - cell_4->half_width_1, cell_4->half_width_1);
+    (&section_0)->across_1 = _S144;
+    float _S145 = _S143 * _S143 - square_1(_S144);
+    float _S146 = (F32_rsqrt((_S145)));
+    (&section_0)->drop_0 = _S143 - _S145 * _S146;
+    (&section_0)->slope_0 = - _S144 * _S146;
     return section_0;
 }
 
 __device__ float edge_drop_0(uint family_7, uint thread_6, int step_1)
 {
-    Family_0 _S148 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    if((_S148.is_alike_0) != 0U)
+    Family_0 _S147 = slang_ldg_1((&(globalParams_0->families_0)[family_7]));
+    if((_S147.is_alike_0) != 0U)
     {
-        Family_0 _S149 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-        return table_number_0(_S149.bend_table_0 + 3U);
+        Family_0 _S148 = slang_ldg_1((&(globalParams_0->families_0)[family_7]));
+        return table_number_0(_S148.bend_table_0 + 3U);
     }
-    Family_0 _S150 = slang_ldg_2((&(globalParams_0->families_0)[family_7]));
-    return table_number_0(_S150.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_6) + step_1)).y) * 4U + 3U);
+    Family_0 _S149 = slang_ldg_1((&(globalParams_0->families_0)[family_7]));
+    return table_number_0(_S149.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_6) + step_1)).y) * 4U + 3U);
 }
 
 __device__ float2  dive_0(uint other_1, Shown_0 * shown_1, Run_0 * run_1, Cell_0 * crossed_1)
 {
-    float _S151 = crossed_1->below_0;
-    float _S152 = crossed_1->above_0;
-    bool _S153 = (crossed_1->below_0) < (crossed_1->above_0);
-    float _S154 = (F32_min((crossed_1->below_0), (crossed_1->above_0)));
-    float _S155;
-    if(_S153)
+    float _S150 = crossed_1->below_0;
+    float _S151 = crossed_1->above_0;
+    bool _S152 = (crossed_1->below_0) < (crossed_1->above_0);
+    float _S153 = (F32_min((crossed_1->below_0), (crossed_1->above_0)));
+    float _S154;
+    if(_S152)
     {
-        _S155 = _S151 - crossed_1->across_0;
+        _S154 = _S150 - crossed_1->across_0;
     }
     else
     {
-        _S155 = _S152 + crossed_1->across_0;
+        _S154 = _S151 + crossed_1->across_0;
     }
-    float _S156 = _S155 - crossed_1->half_width_1;
-    bool _S157;
-    if(_S153)
+    float _S155 = _S154 - crossed_1->half_width_1;
+    bool _S156;
+    if(_S152)
     {
-        _S157 = run_1->first_crossing_0;
+        _S156 = run_1->first_crossing_0;
     }
     else
     {
-        _S157 = run_1->last_crossing_0;
+        _S156 = run_1->last_crossing_0;
     }
-    bool _S158 = shown_1->on_top_0;
+    bool _S157 = shown_1->on_top_0;
     if(shown_1->on_top_0)
     {
-        _S155 = 0.0f;
+        _S154 = 0.0f;
     }
     else
     {
-        Family_0 _S159 = slang_ldg_2((&(globalParams_0->families_0)[other_1]));
-        _S155 = _S159.height_scale_0 * edge_drop_0(other_1, crossed_1->thread_1, int(0));
+        Family_0 _S158 = slang_ldg_1((&(globalParams_0->families_0)[other_1]));
+        _S154 = _S158.height_scale_0 * edge_drop_0(other_1, crossed_1->thread_1, int(0));
     }
-    float _S160;
-    if(_S158 != _S157)
+    float _S159;
+    if(_S157 != _S156)
     {
-        _S160 = 0.0f;
+        _S159 = 0.0f;
     }
     else
     {
-        Family_0 _S161 = slang_ldg_2((&(globalParams_0->families_0)[other_1]));
-        uint _S162 = crossed_1->thread_1;
-        int _S163;
-        if(_S153)
+        Family_0 _S160 = slang_ldg_1((&(globalParams_0->families_0)[other_1]));
+        uint _S161 = crossed_1->thread_1;
+        int _S162;
+        if(_S152)
         {
-            _S163 = int(-1);
+            _S162 = int(-1);
         }
         else
         {
-            _S163 = int(1);
+            _S162 = int(1);
         }
-        _S160 = _S161.height_scale_0 * edge_drop_0(other_1, _S162, _S163);
+        _S159 = _S160.height_scale_0 * edge_drop_0(other_1, _S161, _S162);
     }
-    float _S164 = 1.0f / (F32_max((2.0f * _S156), (9.999999960041972e-13f)));
-    float _S165 = clamp_0((_S156 - _S154) * _S164, 0.0f, 1.0f);
-    float _S166 = _S155 + (_S160 - _S155) * (_S165 * _S165 * (3.0f - 2.0f * _S165));
-    float _S167 = (_S155 - _S160) * (6.0f * _S165 * (1.0f - _S165) * _S164);
-    if(_S153)
+    float _S163 = 1.0f / (F32_max((2.0f * _S155), (9.999999960041972e-13f)));
+    float _S164 = clamp_0((_S155 - _S153) * _S163, 0.0f, 1.0f);
+    float _S165 = _S154 + (_S159 - _S154) * (_S164 * _S164 * (3.0f - 2.0f * _S164));
+    float _S166 = (_S154 - _S159) * (6.0f * _S164 * (1.0f - _S164) * _S163);
+    if(_S152)
     {
-        _S155 = 1.0f;
+        _S154 = 1.0f;
     }
     else
     {
-        _S155 = -1.0f;
+        _S154 = -1.0f;
     }
-    return make_float2 (_S166, _S167 * _S155);
+    return make_float2 (_S165, _S166 * _S154);
 }
 
 struct StepControl_0
@@ -944,12 +977,12 @@ __device__ StepControl_0 step_control_0(float2  direction_2, float step_3)
     StepControl_0 control_0;
     (&control_0)->step_2 = step_3;
     (&control_0)->epsilon_0 = 0.00499999988824129f * step_3;
-    float _S168 = direction_2.x;
-    (&control_0)->per_x_0 = 1.0f / (F32_max(((F32_abs((_S168)))), (9.99999971718068537e-10f)));
-    float _S169 = direction_2.y;
-    (&control_0)->per_y_0 = 1.0f / (F32_max(((F32_abs((_S169)))), (9.99999971718068537e-10f)));
-    (&control_0)->right_1 = _S168 > 0.0f;
-    (&control_0)->up_0 = _S169 > 0.0f;
+    float _S167 = direction_2.x;
+    (&control_0)->per_x_0 = 1.0f / (F32_max(((F32_abs((_S167)))), (9.99999971718068537e-10f)));
+    float _S168 = direction_2.y;
+    (&control_0)->per_y_0 = 1.0f / (F32_max(((F32_abs((_S168)))), (9.99999971718068537e-10f)));
+    (&control_0)->right_1 = _S167 > 0.0f;
+    (&control_0)->up_0 = _S168 > 0.0f;
     return control_0;
 }
 
@@ -973,140 +1006,140 @@ __device__ PreviousSample_0 no_previous_sample_0()
 
 __device__ float outline_distance_0(Cell_0 * cell_5, Shown_0 * shown_2, Run_0 * run_2, bool lengthwise_0, bool forwards_0)
 {
+    float _S169;
+    if(forwards_0)
+    {
+        _S169 = cell_5->across_0;
+    }
+    else
+    {
+        _S169 = - cell_5->across_0;
+    }
     float _S170;
     if(forwards_0)
     {
-        _S170 = cell_5->across_0;
+        _S170 = cell_5->above_0;
     }
     else
     {
-        _S170 = - cell_5->across_0;
+        _S170 = cell_5->below_0;
     }
-    float _S171;
+    bool _S171;
     if(forwards_0)
     {
-        _S171 = cell_5->above_0;
+        _S171 = run_2->last_crossing_0;
     }
     else
     {
-        _S171 = cell_5->below_0;
+        _S171 = run_2->first_crossing_0;
     }
     bool _S172;
     if(forwards_0)
     {
-        _S172 = run_2->last_crossing_0;
-    }
-    else
-    {
         _S172 = run_2->first_crossing_0;
     }
-    bool _S173;
-    if(forwards_0)
+    else
     {
-        _S173 = run_2->first_crossing_0;
+        _S172 = run_2->last_crossing_0;
+    }
+    float _S173 = cell_5->half_width_1;
+    float _S174 = - cell_5->half_width_1;
+    bool _S175 = _S169 < _S174;
+    bool _S176 = _S169 >= (cell_5->half_width_1);
+    if(lengthwise_0)
+    {
+        _S171 = !_S171;
     }
     else
     {
-        _S173 = run_2->last_crossing_0;
+        _S171 = false;
     }
-    float _S174 = cell_5->half_width_1;
-    float _S175 = - cell_5->half_width_1;
-    bool _S176 = _S170 < _S175;
-    bool _S177 = _S170 >= (cell_5->half_width_1);
-    if(lengthwise_0)
+    if(_S171)
     {
+        _S171 = !shown_2->hole_0;
+    }
+    else
+    {
+        _S171 = false;
+    }
+    bool _S177;
+    if(_S171)
+    {
+        _S177 = shown_2->on_top_0;
+    }
+    else
+    {
+        _S177 = false;
+    }
+    if(_S177)
+    {
+        if(_S172)
+        {
+            _S172 = _S175;
+        }
+        else
+        {
+            _S172 = false;
+        }
         _S172 = !_S172;
     }
     else
     {
         _S172 = false;
     }
-    if(_S172)
-    {
-        _S172 = !shown_2->hole_0;
-    }
-    else
-    {
-        _S172 = false;
-    }
-    bool _S178;
-    if(_S172)
-    {
-        _S178 = shown_2->on_top_0;
-    }
-    else
-    {
-        _S178 = false;
-    }
-    if(_S178)
-    {
-        if(_S173)
-        {
-            _S173 = _S176;
-        }
-        else
-        {
-            _S173 = false;
-        }
-        _S173 = !_S173;
-    }
-    else
-    {
-        _S173 = false;
-    }
     if(shown_2->hole_0)
     {
-        _S172 = true;
+        _S171 = true;
     }
     else
     {
-        if(_S172)
+        if(_S171)
         {
-            _S172 = !shown_2->on_top_0;
+            _S171 = !shown_2->on_top_0;
         }
         else
         {
-            _S172 = false;
+            _S171 = false;
         }
     }
-    float _S179;
-    if(_S176)
+    float _S178;
+    if(_S175)
     {
-        _S179 = _S175;
+        _S178 = _S174;
     }
     else
     {
-        _S179 = _S174;
+        _S178 = _S173;
     }
-    float _S180 = _S179 - _S170;
+    float _S179 = _S178 - _S169;
+    if(_S171)
+    {
+        _S169 = 2.0f * _S170 + _S169 - _S173;
+    }
+    else
+    {
+        _S169 = _S170;
+    }
     if(_S172)
-    {
-        _S170 = 2.0f * _S171 + _S170 - _S174;
-    }
-    else
-    {
-        _S170 = _S171;
-    }
-    if(_S173)
     {
         if(forwards_0)
         {
-            _S170 = run_2->to_end_0;
+            _S169 = run_2->to_end_0;
         }
         else
         {
-            _S170 = run_2->from_start_0;
+            _S169 = run_2->from_start_0;
         }
-        return _S170;
+        return _S169;
     }
-    if(_S177)
+    if(_S176)
     {
     }
     else
     {
-        _S170 = _S180;
+        _S169 = _S179;
     }
-    return _S170;
+    return _S169;
 }
 
 struct Probe_0
@@ -1125,119 +1158,119 @@ struct Probe_0
 
 __device__ float way_back_to_dip_0(PreviousSample_0 * previous_1, float clearance_1, float rate_1, float step_4, Probe_0 * here_0)
 {
-    float _S181 = previous_1->rate_0;
-    float _S182 = previous_1->rate_0 * step_4;
-    float _S183 = rate_1 * step_4;
-    bool _S184;
+    float _S180 = previous_1->rate_0;
+    float _S181 = previous_1->rate_0 * step_4;
+    float _S182 = rate_1 * step_4;
+    bool _S183;
     if(!previous_1->known_0)
     {
-        _S184 = true;
+        _S183 = true;
     }
     else
     {
-        _S184 = here_0->hole_1;
+        _S183 = here_0->hole_1;
     }
-    if(_S184)
+    if(_S183)
     {
-        _S184 = true;
+        _S183 = true;
     }
     else
     {
-        _S184 = (previous_1->yarn_0) != (here_0->yarn_1);
+        _S183 = (previous_1->yarn_0) != (here_0->yarn_1);
     }
-    if(_S184)
+    if(_S183)
     {
-        _S184 = true;
+        _S183 = true;
     }
     else
     {
-        _S184 = _S181 >= 0.0f;
+        _S183 = _S180 >= 0.0f;
     }
-    if(_S184)
+    if(_S183)
     {
-        _S184 = true;
+        _S183 = true;
     }
     else
     {
-        _S184 = rate_1 <= 0.0f;
+        _S183 = rate_1 <= 0.0f;
     }
-    if(_S184)
+    if(_S183)
     {
         return -1.0f;
     }
-    float _S185 = previous_1->clearance_0;
-    if((3.0f * previous_1->clearance_0 + _S182) >= 0.0f)
+    float _S184 = previous_1->clearance_0;
+    if((3.0f * previous_1->clearance_0 + _S181) >= 0.0f)
     {
-        _S184 = (3.0f * clearance_1 - _S183) >= 0.0f;
+        _S183 = (3.0f * clearance_1 - _S182) >= 0.0f;
     }
     else
     {
-        _S184 = false;
+        _S183 = false;
     }
-    if(_S184)
+    if(_S183)
     {
         return -1.0f;
     }
-    float _S186 = clearance_1 - _S185;
-    float _S187 = 6.0f * _S186 - 4.0f * _S182 - 2.0f * _S183;
-    float _S188 = -2.0f * _S182 / (F32_max((_S187 + (F32_sqrt(((F32_max((_S187 * _S187 - 4.0f * (3.0f * (_S182 + _S183 - 2.0f * _S186)) * _S182), (0.0f))))))), (9.99999968265522539e-21f)));
-    float _S189 = 1.0f - _S188;
-    float _S190 = (_S185 * (2.0f * _S188 + 1.0f) + _S182 * _S188) * _S189 * _S189;
-    float _S191 = (clearance_1 * (2.0f * _S189 + 1.0f) - _S183 * _S189) * _S188 * _S188;
-    if(_S188 > 0.01999999955296516f)
+    float _S185 = clearance_1 - _S184;
+    float _S186 = 6.0f * _S185 - 4.0f * _S181 - 2.0f * _S182;
+    float _S187 = -2.0f * _S181 / (F32_max((_S186 + (F32_sqrt(((F32_max((_S186 * _S186 - 4.0f * (3.0f * (_S181 + _S182 - 2.0f * _S185)) * _S181), (0.0f))))))), (9.99999968265522539e-21f)));
+    float _S188 = 1.0f - _S187;
+    float _S189 = (_S184 * (2.0f * _S187 + 1.0f) + _S181 * _S187) * _S188 * _S188;
+    float _S190 = (clearance_1 * (2.0f * _S188 + 1.0f) - _S182 * _S188) * _S187 * _S187;
+    if(_S187 > 0.01999999955296516f)
     {
-        _S184 = _S189 > 0.01999999955296516f;
+        _S183 = _S188 > 0.01999999955296516f;
     }
     else
     {
-        _S184 = false;
+        _S183 = false;
     }
-    if(_S184)
+    if(_S183)
     {
-        _S184 = (_S190 + _S191) < 0.0f;
+        _S183 = (_S189 + _S190) < 0.0f;
     }
     else
     {
-        _S184 = false;
+        _S183 = false;
     }
-    float _S192;
-    if(_S184)
+    float _S191;
+    if(_S183)
     {
-        _S192 = _S189 * step_4;
+        _S191 = _S188 * step_4;
     }
     else
     {
-        _S192 = -1.0f;
+        _S191 = -1.0f;
     }
-    return _S192;
+    return _S191;
 }
 
 __device__ PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 * here_1, bool is_cell_exit_0)
 {
     PreviousSample_0 previous_2;
-    bool _S193 = here_1->hole_1;
-    float _S194;
+    bool _S192 = here_1->hole_1;
+    float _S193;
     if(here_1->hole_1)
     {
-        _S194 = 1.0e+09f;
+        _S193 = 1.0e+09f;
     }
     else
     {
-        _S194 = clearance_2;
+        _S193 = clearance_2;
     }
-    (&previous_2)->clearance_0 = _S194;
+    (&previous_2)->clearance_0 = _S193;
     (&previous_2)->rate_0 = rate_2;
     (&previous_2)->yarn_0 = here_1->yarn_1;
-    bool _S195;
-    if(!_S193)
+    bool _S194;
+    if(!_S192)
     {
-        _S195 = !is_cell_exit_0;
+        _S194 = !is_cell_exit_0;
     }
     else
     {
-        _S195 = false;
+        _S194 = false;
     }
-    (&previous_2)->known_0 = _S195;
+    (&previous_2)->known_0 = _S194;
     return previous_2;
 }
 
@@ -1248,35 +1281,35 @@ __device__ float StepControl_to_cell_exit_0(StepControl_0 * this_0, float side_x
 
 __device__ float StepControl_to_next_sample_0(StepControl_0 * this_1, Probe_0 * here_2, float clearance_3, float rate_3)
 {
-    float _S196 = (F32_min((here_2->edge_x_0 * this_1->per_x_0), (here_2->edge_y_0 * this_1->per_y_0)));
-    bool _S197;
+    float _S195 = (F32_min((here_2->edge_x_0 * this_1->per_x_0), (here_2->edge_y_0 * this_1->per_y_0)));
+    bool _S196;
     if(!here_2->hole_1)
     {
-        _S197 = (rate_3 * _S196 + clearance_3) < 0.0f;
+        _S196 = (rate_3 * _S195 + clearance_3) < 0.0f;
     }
     else
     {
-        _S197 = false;
+        _S196 = false;
     }
-    if(_S197)
+    if(_S196)
     {
-        _S197 = _S196 > (2.0f * this_1->epsilon_0);
+        _S196 = _S195 > (2.0f * this_1->epsilon_0);
     }
     else
     {
-        _S197 = false;
+        _S196 = false;
     }
-    float _S198 = this_1->step_2;
-    float _S199;
-    if(_S197)
+    float _S197 = this_1->step_2;
+    float _S198;
+    if(_S196)
     {
-        _S199 = _S196 - this_1->epsilon_0;
+        _S198 = _S195 - this_1->epsilon_0;
     }
     else
     {
-        _S199 = (F32_max((_S196), (0.0f))) + this_1->epsilon_0;
+        _S198 = (F32_max((_S195), (0.0f))) + this_1->epsilon_0;
     }
-    return (F32_min((_S198), (_S199)));
+    return (F32_min((_S197), (_S198)));
 }
 
 struct ViewRay_0
@@ -1297,10 +1330,10 @@ __device__ float ViewRay_rate_0(ViewRay_0 * this_3, Probe_0 * here_3)
 
 __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
 {
-    float _S200 = end_0 - start_1;
-    float _S201 = start_rate_0 + end_rate_0 - 2.0f * _S200;
-    float _S202 = 3.0f * _S200 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / (F32_max((- _S200), (9.99999968265522539e-21f)));
+    float _S199 = end_0 - start_1;
+    float _S200 = start_rate_0 + end_rate_0 - 2.0f * _S199;
+    float _S201 = 3.0f * _S199 - 2.0f * start_rate_0 - end_rate_0;
+    float share_1 = start_1 / (F32_max((- _S199), (9.99999968265522539e-21f)));
     int i_5 = int(0);
     for(;;)
     {
@@ -1311,12 +1344,12 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
         {
             break;
         }
-        float _S203 = clamp_0(share_0 - (((_S201 * share_0 + _S202) * share_0 + start_rate_0) * share_0 + start_1) / (F32_min(((3.0f * _S201 * share_0 + 2.0f * _S202) * share_0 + start_rate_0), (0.10000000149011612f * _S200 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
-        int _S204 = i_5 + int(1);
-        share_0 = _S203;
-        i_5 = _S204;
+        float _S202 = clamp_0(share_1 - (((_S200 * share_1 + _S201) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S200 * share_1 + 2.0f * _S201) * share_1 + start_rate_0), (0.10000000149011612f * _S199 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
+        int _S203 = i_5 + int(1);
+        share_1 = _S202;
+        i_5 = _S203;
     }
-    return share_0;
+    return share_1;
 }
 
 __device__ float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1326,53 +1359,53 @@ __device__ float between_0(float above_1, float under_0, float above_gap_0, floa
 
 __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, float cosine_0)
 {
-    float _S205 = along_slope_0 * along_slope_0 + 1.0f;
-    float _S206 = (F32_rsqrt((_S205)));
-    float _S207 = sine_1 * _S206 * (F32_rsqrt((_S205 + across_slope_0 * across_slope_0)));
-    return make_float2 (- _S207 * _S205, _S207 * across_slope_0 * along_slope_0 + cosine_0 * _S206);
+    float _S204 = along_slope_0 * along_slope_0 + 1.0f;
+    float _S205 = (F32_rsqrt((_S204)));
+    float _S206 = sine_1 * _S205 * (F32_rsqrt((_S204 + across_slope_0 * across_slope_0)));
+    return make_float2 (- _S206 * _S204, _S206 * across_slope_0 * along_slope_0 + cosine_0 * _S205);
 }
 
-__device__ float arc_sine_0(float x_12)
+__device__ float arc_sine_0(float x_17)
 {
-    float _S208 = (F32_abs((x_12)));
-    bool _S209 = _S208 > 0.5f;
+    float _S207 = (F32_abs((x_17)));
+    bool _S208 = _S207 > 0.5f;
+    float _S209;
+    if(_S208)
+    {
+        _S209 = 0.5f * (1.0f - _S207);
+    }
+    else
+    {
+        _S209 = _S207 * _S207;
+    }
     float _S210;
-    if(_S209)
+    if(_S208)
     {
-        _S210 = 0.5f * (1.0f - _S208);
+        _S210 = (F32_sqrt(((F32_max((_S209), (0.0f))))));
     }
     else
     {
-        _S210 = _S208 * _S208;
+        _S210 = _S207;
     }
-    float _S211;
-    if(_S209)
+    float _S211 = ((((0.04216320067644119f * _S209 + 0.02418131195008755f) * _S209 + 0.04547002539038658f) * _S209 + 0.07495300471782684f) * _S209 + 0.16666752099990845f) * _S209 * _S210 + _S210;
+    if(_S208)
     {
-        _S211 = (F32_sqrt(((F32_max((_S210), (0.0f))))));
+        _S209 = 1.57079637050628662f - 2.0f * _S211;
     }
     else
     {
-        _S211 = _S208;
+        _S209 = _S211;
     }
-    float _S212 = ((((0.04216320067644119f * _S210 + 0.02418131195008755f) * _S210 + 0.04547002539038658f) * _S210 + 0.07495300471782684f) * _S210 + 0.16666752099990845f) * _S210 * _S211 + _S211;
-    if(_S209)
+    if(x_17 < 0.0f)
     {
-        _S210 = 1.57079637050628662f - 2.0f * _S212;
+        _S209 = - _S209;
     }
-    else
-    {
-        _S210 = _S212;
-    }
-    if(x_12 < 0.0f)
-    {
-        _S210 = - _S210;
-    }
-    return _S210;
+    return _S209;
 }
 
-__device__ float3  table_colour_0(uint index_3)
+__device__ float3  table_colour_0(uint index_4)
 {
-    return make_float3 (table_number_0(index_3), table_number_0(index_3 + 1U), table_number_0(index_3 + 2U));
+    return make_float3 (table_number_0(index_4), table_number_0(index_4 + 1U), table_number_0(index_4 + 2U));
 }
 
 struct Albedos_0
@@ -1395,9 +1428,9 @@ __device__ Albedos_0 table_albedos_0(uint row_0)
 
 __device__ Albedos_0 albedos_of_0(uint family_8, uint thread_7)
 {
-    Family_0 _S213 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    Family_0 _S214 = slang_ldg_2((&(globalParams_0->families_0)[family_8]));
-    return table_albedos_0(_S213.albedo_table_0 + _S214.albedo_stride_0 * thread_7);
+    Family_0 _S212 = slang_ldg_1((&(globalParams_0->families_0)[family_8]));
+    Family_0 _S213 = slang_ldg_1((&(globalParams_0->families_0)[family_8]));
+    return table_albedos_0(_S212.albedo_table_0 + _S213.albedo_stride_0 * thread_7);
 }
 
 __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
@@ -1407,31 +1440,8 @@ __device__ float thread_gain_0(uint thread_8, float amount_0, uint seed_1)
 
 __device__ float bounded_gain_0(float gain_1, float3  albedo_0, float3  room_0)
 {
-    float3  _S215 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
-    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S215.x), (_S215.y)))), (_S215.z)))), (0.0f))))));
-}
-
-__device__ float natural_logarithm_0(float x_13)
-{
-    uint _S216 = (F32_asuint((x_13)));
-    float exponent_0 = float(int(_S216 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S216 & 8388607U) | 1056964608U)));
-    float m_1;
-    float exponent_1;
-    if(m_0 < 0.70710676908493042f)
-    {
-        float exponent_2 = exponent_0 - 1.0f;
-        m_1 = m_0 + m_0;
-        exponent_1 = exponent_2;
-    }
-    else
-    {
-        m_1 = m_0;
-        exponent_1 = exponent_0;
-    }
-    float m_2 = m_1 - 1.0f;
-    float _S217 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S217 - exponent_1 * 0.00021219444170129f - 0.5f * _S217) + exponent_1 * 0.693359375f;
+    float3  _S214 = room_0 / max_0(albedo_0, make_float3 (9.99999997475242708e-07f));
+    return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S214.x), (_S214.y)))), (_S214.z)))), (0.0f))))));
 }
 
 __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint seed_2)
@@ -1439,65 +1449,128 @@ __device__ float fibre_gain_0(uint thread_9, uint cell_6, float amount_1, uint s
     return amount_1 * ((F32_min((- natural_logarithm_0(uniform_hash_0(thread_9, cell_6, seed_2 ^ 2654435769U))), (10.0f))) - 1.0f) + 1.0f;
 }
 
-__device__ Light_0 slang_ldg_3(Light_0 * ptr_3)
+__device__ Albedos_0 tinted_0(Albedos_0 * albedos_1, float3  tint_0)
 {
-    uint _S218 = __ldg(&ptr_3->is_point_0);
-    float _S219 = __ldg(&ptr_3->x_0);
-    float _S220 = __ldg(&ptr_3->y_0);
-    float _S221 = __ldg(&ptr_3->z_0);
-    float _S222 = __ldg(&ptr_3->red_0);
-    float _S223 = __ldg(&ptr_3->green_0);
-    float _S224 = __ldg(&ptr_3->blue_0);
-    Light_0 _S225 = { _S218, _S219, _S220, _S221, _S222, _S223, _S224 };
-    return _S225;
+    Albedos_0 result_7 = *albedos_1;
+    (&result_7)->diffuse_reflect_0 = (&result_7)->diffuse_reflect_0 * tint_0;
+    (&result_7)->diffuse_transmit_0 = (&result_7)->diffuse_transmit_0 * tint_0;
+    return result_7;
 }
 
-__device__ float3  towards_light_0(Light_0 * light_0, float3  position_4, float3  * irradiance_1)
+__device__ float scene_number_0(uint index_5)
 {
-    *irradiance_1 = make_float3 (light_0->red_0, light_0->green_0, light_0->blue_0);
-    float3  _S226 = make_float3 (light_0->x_0, light_0->y_0, light_0->z_0);
-    if((light_0->is_point_0) == 0U)
+    uint _S215 = __ldg((&(globalParams_0->scene_words_0)[index_5]));
+    return (U32_asfloat((_S215)));
+}
+
+struct Choice_0
+{
+    uint index_6;
+    float remainder_0;
+};
+
+__device__ Choice_0 choose_0(uint table_0, uint count_1, float number_0)
+{
+    uint high_0 = count_1;
+    uint low_0 = 0U;
+    for(;;)
     {
-        return _S226;
+        if((high_0 - low_0) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S216 = (low_0 + high_0) / 2U;
+        if((scene_number_0(table_0 + _S216)) <= number_0)
+        {
+            low_0 = _S216;
+        }
+        else
+        {
+            high_0 = _S216;
+        }
     }
-    float3  _S227 = _S226 - position_4;
-    *irradiance_1 = *irradiance_1 / make_float3 ((F32_max((square_0(_S227)), (9.999999960041972e-13f))));
-    return normalize_0(_S227);
+    uint _S217 = table_0 + low_0;
+    float _S218 = scene_number_0(_S217);
+    float _S219 = scene_number_0(_S217 + 1U);
+    Choice_0 choice_0;
+    (&choice_0)->index_6 = low_0;
+    (&choice_0)->remainder_0 = saturate_0((number_0 - _S218) / (F32_max((_S219 - _S218), (9.999999960041972e-13f))));
+    return choice_0;
 }
 
-__device__ float diffuse_reflection_0(float3  light_1, float3  normal_1, float blend_0)
+__device__ float mean_0(float3  colour_0)
 {
-    float _S228 = light_1.z;
-    if(_S228 <= 0.0f)
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+__device__ float2  sine_cosine_0(float x_18)
+{
+    float _S220 = (F32_floor((x_18 * 0.63661974668502808f + 0.5f)));
+    float _S221 = x_18 - _S220 * 1.5703125f - _S220 * 0.00048375129699707f - _S220 * 7.54979012640433211e-08f;
+    float _S222 = _S221 * _S221;
+    float _S223 = ((-0.00019515295571182f * _S222 + 0.00833216123282909f) * _S222 - 0.16666655242443085f) * _S222 * _S221 + _S221;
+    float _S224 = ((0.00002443315679557f * _S222 - 0.00138873164542019f) * _S222 + 0.04166664555668831f) * _S222 * _S222 - 0.5f * _S222 + 1.0f;
+    uint _S225 = uint(int(_S220)) & 3U;
+    float2  _S226;
+    if((_S225 & 1U) != 0U)
+    {
+        _S226 = make_float2 (_S224, _S223);
+    }
+    else
+    {
+        _S226 = make_float2 (_S223, _S224);
+    }
+    float _S227;
+    if((_S225 & 2U) != 0U)
+    {
+        _S227 = - _S226.x;
+    }
+    else
+    {
+        _S227 = _S226.x;
+    }
+    float _S228;
+    if(((_S225 + 1U) & 2U) != 0U)
+    {
+        _S228 = - _S226.y;
+    }
+    else
+    {
+        _S228 = _S226.y;
+    }
+    return make_float2 (_S227, _S228);
+}
+
+__device__ Light_0 slang_ldg_2(Light_0 * ptr_2)
+{
+    uint _S229 = __ldg(&ptr_2->is_point_0);
+    float _S230 = __ldg(&ptr_2->x_0);
+    float _S231 = __ldg(&ptr_2->y_0);
+    float _S232 = __ldg(&ptr_2->z_0);
+    float _S233 = __ldg(&ptr_2->red_0);
+    float _S234 = __ldg(&ptr_2->green_0);
+    float _S235 = __ldg(&ptr_2->blue_0);
+    Light_0 _S236 = { _S229, _S230, _S231, _S232, _S233, _S234, _S235 };
+    return _S236;
+}
+
+__device__ float diffuse_reflection_0(float3  light_0, float3  normal_1, float blend_0)
+{
+    float _S237 = light_0.z;
+    if(_S237 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp_0((F32_max((_S228), (0.0f))), (F32_max((dot_0(light_1, normal_1)), (0.0f))), blend_0);
+    return 0.31830987334251404f * lerp_0((F32_max((_S237), (0.0f))), (F32_max((dot_0(light_0, normal_1)), (0.0f))), blend_0);
 }
 
 __device__ float projected_area_1(float3  direction_3, float3  tangent_0, float roughness_1)
 {
-    float _S229 = dot_0(direction_3, tangent_0);
-    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S229 * _S229 + 1.0f), (roughness_1 * roughness_1))))));
-}
-
-__device__ float exponential_0(float x_14)
-{
-    float _S230 = clamp_0(x_14, -87.0f, 88.0f);
-    float _S231 = (F32_floor((_S230 * 1.4426950216293335f + 0.5f)));
-    float _S232 = _S230 - _S231 * 0.693359375f + _S231 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S232 + 0.00139819993637502f) * _S232 + 0.00833345204591751f) * _S232 + 0.04166579619050026f) * _S232 + 0.1666666567325592f) * _S232 + 0.5f;
-    float _S233 = (U32_asfloat((uint(int(_S231) + int(127)) << int(23))));
-    float _S234;
-    if(x_14 < -87.0f)
-    {
-        _S234 = 0.0f;
-    }
-    else
-    {
-        _S234 = (p_0 * _S232 * _S232 + _S232 + 1.0f) * _S233;
-    }
-    return _S234;
+    float _S238 = dot_0(direction_3, tangent_0);
+    return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S238 * _S238 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
 __device__ float mean_attenuation_0(float depth_0)
@@ -1511,260 +1584,349 @@ __device__ float mean_attenuation_0(float depth_0)
 
 __device__ float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S235 = roughness_2 * roughness_2;
-    float _S236 = squared_along_0 * (1.0f - _S235) + _S235;
-    return 0.31830987334251404f * _S235 * roughness_2 / (_S236 * _S236);
+    float _S239 = roughness_2 * roughness_2;
+    float _S240 = squared_along_0 * (1.0f - _S239) + _S239;
+    return 0.31830987334251404f * _S239 * roughness_2 / (_S240 * _S240);
 }
 
-__device__ float density_between_0(float3  light_2, float3  view_1, float3  tangent_1, float roughness_3)
+__device__ float density_between_0(float3  light_1, float3  view_1, float3  tangent_1, float roughness_3)
 {
-    float3  _S237 = light_2 + view_1;
-    float _S238 = dot_0(_S237, tangent_1);
-    return flake_density_0((F32_min((_S238 * _S238 / (F32_max((square_0(_S237)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
+    float3  _S241 = light_1 + view_1;
+    float _S242 = dot_0(_S241, tangent_1);
+    return flake_density_0((F32_min((_S242 * _S242 / (F32_max((square_0(_S241)), (9.999999960041972e-13f)))), (1.0f))), roughness_3);
 }
 
-__device__ float reflection_0(float3  light_3, float3  view_2, float3  normal_2, float3  tangent_2, float roughness_4, float optical_depth_1)
+__device__ float reflection_0(float3  light_2, float3  view_2, float3  normal_2, float3  tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S239 = dot_0(light_3, normal_2);
-    bool _S240;
-    if(_S239 <= 0.0f)
+    float _S243 = dot_0(light_2, normal_2);
+    bool _S244;
+    if(_S243 <= 0.0f)
     {
-        _S240 = true;
+        _S244 = true;
     }
     else
     {
-        _S240 = (dot_0(view_2, normal_2)) <= 0.0f;
+        _S244 = (dot_0(view_2, normal_2)) <= 0.0f;
     }
-    if(_S240)
+    if(_S244)
     {
         return 0.0f;
     }
-    float _S241 = (F32_max((_S239), (9.99999997475242708e-07f)));
-    float _S242 = (F32_max((dot_0(view_2, normal_2)), (9.99999997475242708e-07f)));
-    float _S243 = projected_area_1(light_3, tangent_2, roughness_4) * _S242 + projected_area_1(view_2, tangent_2, roughness_4) * _S241;
-    float _S244 = optical_depth_1 * _S243 / (_S241 * _S242);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S244 * mean_attenuation_0(_S244)) * _S241 / _S243;
+    float _S245 = (F32_max((_S243), (9.99999997475242708e-07f)));
+    float _S246 = (F32_max((dot_0(view_2, normal_2)), (9.99999997475242708e-07f)));
+    float _S247 = projected_area_1(light_2, tangent_2, roughness_4) * _S246 + projected_area_1(view_2, tangent_2, roughness_4) * _S245;
+    float _S248 = optical_depth_1 * _S247 / (_S245 * _S246);
+    return 0.25f * density_between_0(light_2, view_2, tangent_2, roughness_4) * (_S248 * mean_attenuation_0(_S248)) * _S245 / _S247;
 }
 
-__device__ float transmission_0(float3  light_4, float3  view_3, float3  normal_3, float3  tangent_3, float roughness_5, float optical_depth_2)
+__device__ float transmission_0(float3  light_3, float3  view_3, float3  normal_3, float3  tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S245 = - dot_0(light_4, normal_3);
-    float _S246 = dot_0(view_3, normal_3);
-    bool _S247;
-    if(_S245 <= 0.0f)
+    float _S249 = - dot_0(light_3, normal_3);
+    float _S250 = dot_0(view_3, normal_3);
+    bool _S251;
+    if(_S249 <= 0.0f)
     {
-        _S247 = true;
+        _S251 = true;
     }
     else
     {
-        _S247 = _S246 <= 0.0f;
+        _S251 = _S250 <= 0.0f;
     }
-    if(_S247)
+    if(_S251)
     {
         return 0.0f;
     }
-    float _S248 = 1.0f / (F32_max((_S246), (9.99999997475242708e-07f)));
-    float _S249 = projected_area_1(light_4, tangent_3, roughness_5) / (F32_max((_S245), (9.99999997475242708e-07f)));
-    float _S250 = projected_area_1(view_3, tangent_3, roughness_5) * _S248;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S249), (_S250)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S249 - _S250)))) * _S248;
+    float _S252 = 1.0f / (F32_max((_S250), (9.99999997475242708e-07f)));
+    float _S253 = projected_area_1(light_3, tangent_3, roughness_5) / (F32_max((_S249), (9.99999997475242708e-07f)));
+    float _S254 = projected_area_1(view_3, tangent_3, roughness_5) * _S252;
+    return density_between_0(light_3, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S253), (_S254)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S253 - _S254)))) * _S252;
 }
 
-__device__ float sheen_scale_0(float x_15, float y_7)
+__device__ float sheen_scale_0(float x_19, float y_8)
 {
-    return (((((0.0f * x_15 + (((((-1.1402510404586792f * y_7 + 0.40672621130943298f) * y_7 + 1.65398800373077393f) * y_7 + -1.29730904102325439f) * y_7 + 0.30570998787879944f) * y_7 + -0.0220868494361639f)) * x_15 + (((((-0.21142719686031342f * y_7 + 1.05947399139404297f) * y_7 + -0.41116121411323547f) * y_7 + -0.93859231472015381f) * y_7 + 0.51606941223144531f) * y_7 + 0.05409301072359085f)) * x_15 + (((((1.22944498062133789f * y_7 + -0.45962560176849365f) * y_7 + -1.63861405849456787f) * y_7 + 1.33565104007720947f) * y_7 + -0.45725581049919128f) * y_7 + 0.08243165910243988f)) * x_15 + (((((0.39779931306838989f * y_7 + -1.18879103660583496f) * y_7 + 0.28251591324806213f) * y_7 + 1.168984055519104f) * y_7 + -0.76864629983901978f) * y_7 + 0.0091691892594099f)) * x_15 + (((((-0.26563560962677002f * y_7 + -0.19379159808158875f) * y_7 + 0.2677634060382843f) * y_7 + 0.00270519289188087f) * y_7 + 0.14349560439586639f) * y_7 + 0.10290180146694183f)) * x_15 + (((((-0.20701569318771362f * y_7 + 0.24526430666446686f) * y_7 + 0.19551840424537659f) * y_7 + 0.07586126774549484f) * y_7 + 0.38894739747047424f) * y_7 + 0.15043120086193085f);
+    return (((((0.0f * x_19 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_19 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_19 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_19 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_19 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_19 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_16, float y_8)
+__device__ float sheen_shear_0(float x_20, float y_9)
 {
-    return ((((0.0f * x_16 + (((((-0.10608240216970444f * y_8 + 1.99214303493499756f) * y_8 + -1.42255294322967529f) * y_8 + -1.09495604038238525f) * y_8 + 0.59180057048797607f) * y_8 + 0.06902855634689331f)) * x_16 + (((((-0.46220690011978149f * y_8 + -0.29113379120826721f) * y_8 + 1.39025199413299561f) * y_8 + 0.35589990019798279f) * y_8 + -1.17120099067687988f) * y_8 + 0.15940259397029877f)) * x_16 + (((((2.26068711280822754f * y_8 + -3.64728999137878418f) * y_8 + -0.72173482179641724f) * y_8 + 3.07659196853637695f) * y_8 + -0.6827620267868042f) * y_8 + -0.3039557933807373f)) * x_16 + (((((0.81201767921447754f * y_8 + 0.36014080047607422f) * y_8 + -1.72646903991699219f) * y_8 + -0.22630110383033752f) * y_8 + 0.89514690637588501f) * y_8 + -0.10397960245609283f)) * x_16 + (((((-0.37648698687553406f * y_8 + 1.10974001884460449f) * y_8 + 0.17824520170688629f) * y_8 + -1.04968702793121338f) * y_8 + 0.1461234986782074f) * y_8 + -0.00475129019469023f);
+    return ((((0.0f * x_20 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_20 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_20 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_20 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_20 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_17, float y_9)
+__device__ float sheen_reflectance_0(float x_21, float y_10)
 {
-    return ((((0.0f * x_17 + (((((12.95646953582763672f * y_9 + -21.38032913208007812f) * y_9 + -7.37853097915649414f) * y_9 + 34.55607986450195312f) * y_9 + -23.61347007751464844f) * y_9 + 5.00126314163208008f)) * x_17 + (((((10.91487026214599609f * y_9 + -6.08202791213989258f) * y_9 + -38.2036285400390625f) * y_9 + 53.3440399169921875f) * y_9 + -21.91996002197265625f) * y_9 + 2.01606011390686035f)) * x_17 + (((((-14.52206039428710938f * y_9 + 36.803619384765625f) * y_9 + -22.94047927856445312f) * y_9 + -10.07973003387451172f) * y_9 + 15.77003955841064453f) * y_9 + -4.92722177505493164f)) * x_17 + (((((-7.62505722045898438f * y_9 + 1.27310299873352051f) * y_9 + 31.19523048400878906f) * y_9 + -44.39989852905273438f) * y_9 + 26.44947052001953125f) * y_9 + -8.73507976531982422f)) * x_17 + (((((5.65633487701416016f * y_9 + -17.66820907592773438f) * y_9 + 24.65356063842773438f) * y_9 + -19.38941001892089844f) * y_9 + 11.06159019470214844f) * y_9 + -3.06573700904846191f);
+    return ((((0.0f * x_21 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_21 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_21 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_21 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_21 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S251 = clamp_0(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S252 = 2.0f * (F32_sqrt((_S251))) - 1.0f;
-    float _S253 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_0(roughness_6, 0.00999999977648258f, 1.0f))))))) - 2.0f;
-    return make_float3 (clamp_0(sheen_scale_0(_S252, _S253), 0.00999999977648258f, 1.0f), clamp_0((1.0f - _S251) * sheen_shear_0(_S252, _S253), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_0(sheen_reflectance_0(_S252, _S253), -60.0f, 60.0f))));
+    float _S255 = clamp_0(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S256 = 2.0f * (F32_sqrt((_S255))) - 1.0f;
+    float _S257 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_0(roughness_6, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_0(sheen_scale_0(_S256, _S257), 0.00999999977648258f, 1.0f), clamp_0((1.0f - _S255) * sheen_shear_0(_S256, _S257), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_0(sheen_reflectance_0(_S256, _S257), -60.0f, 60.0f))));
 }
 
-__device__ float transformed_cosine_0(float3  light_5, float3  view_4, float scale_0, float shear_0)
+__device__ float transformed_cosine_0(float3  light_4, float3  view_4, float scale_0, float shear_0)
 {
-    float _S254 = light_5.z;
-    bool _S255;
-    if(_S254 <= 0.0f)
+    float _S258 = light_4.z;
+    bool _S259;
+    if(_S258 <= 0.0f)
     {
-        _S255 = true;
+        _S259 = true;
     }
     else
     {
-        _S255 = (view_4.z) <= 0.0f;
+        _S259 = (view_4.z) <= 0.0f;
     }
-    if(_S255)
+    if(_S259)
     {
         return 0.0f;
     }
-    float2  _S256 = float2 {view_4.x, view_4.y};
-    float _S257 = dot_1(_S256, _S256);
-    float2  _S258;
-    if(_S257 > 9.99999968265522539e-21f)
+    float2  _S260 = float2 {view_4.x, view_4.y};
+    float _S261 = dot_1(_S260, _S260);
+    float2  _S262;
+    if(_S261 > 9.99999968265522539e-21f)
     {
-        _S258 = _S256 * make_float2 ((F32_rsqrt((_S257))));
+        _S262 = _S260 * make_float2 ((F32_rsqrt((_S261))));
     }
     else
     {
-        _S258 = make_float2 (1.0f, 0.0f);
+        _S262 = make_float2 (1.0f, 0.0f);
     }
-    float _S259 = scale_0 * dot_1(float2 {light_5.x, light_5.y}, _S258) + shear_0 * _S254;
-    float _S260 = scale_0 * (light_5.y * _S258.x - light_5.x * _S258.y);
-    float _S261 = _S259 * _S259 + _S260 * _S260 + _S254 * _S254;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S254 / (F32_max((_S261 * _S261), (9.99999968265522539e-21f)));
+    float _S263 = scale_0 * dot_1(float2 {light_4.x, light_4.y}, _S262) + shear_0 * _S258;
+    float _S264 = scale_0 * (light_4.y * _S262.x - light_4.x * _S262.y);
+    float _S265 = _S263 * _S263 + _S264 * _S264 + _S258 * _S258;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S258 / (F32_max((_S265 * _S265), (9.99999968265522539e-21f)));
 }
 
-__device__ float2  sheen_with_transmittance_0(float3  light_6, float3  view_5, float strength_0, float roughness_7)
+__device__ float2  sheen_with_transmittance_0(float3  light_5, float3  view_5, float strength_0, float roughness_7)
 {
-    float3  _S262 = sheen_lobe_0(view_5.z, roughness_7);
-    float _S263 = strength_0 * _S262.z;
-    return make_float2 (_S263 * transformed_cosine_0(light_6, view_5, _S262.x, _S262.y), 1.0f - _S263);
+    float3  _S266 = sheen_lobe_0(view_5.z, roughness_7);
+    float _S267 = strength_0 * _S266.z;
+    return make_float2 (_S267 * transformed_cosine_0(light_5, view_5, _S266.x, _S266.y), 1.0f - _S267);
 }
 
-__device__ void accumulate_0(Frame_0 * frame_4, uint2  pixel_1, float4  light_7)
+__device__ void accumulate_0(uint index_7, float4  light_6)
 {
-    uint _S264 = pixel_1.y * frame_4->width_0 + pixel_1.x;
-    float _S265 = light_7.w;
-    float4  _S266 = make_float4 ((float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).x, (float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).y, (float3 {light_7.x, light_7.y, light_7.z} + make_float3 (1.0f - _S265) * make_float3 (frame_4->background_red_0, frame_4->background_green_0, frame_4->background_blue_0)).z, _S265);
-    float4  * _S267 = (&(globalParams_0->radiance_0)[_S264]);
-    float4  _S268;
-    if((frame_4->pass_number_0) == 0U)
-    {
-        _S268 = _S266;
-    }
-    else
-    {
-        _S268 = *(&(globalParams_0->radiance_0)[_S264]) + _S266;
-    }
-    *_S267 = _S268;
+    float4  * _S268 = (&(globalParams_0->radiance_0)[index_7]);
+    *_S268 = *_S268 + make_float4 ((&(globalParams_0->layers_0)[index_7])->share_0) * light_6;
+    (&(globalParams_0->layers_0)[index_7])->share_0 = (&(globalParams_0->layers_0)[index_7])->share_0 * (1.0f - light_6.w);
     return;
 }
 
-__device__ VisiblePoint_0 visible_point_0(Frame_0 * _S269, uint _S270, uint _S271, uint2  _S272)
+__device__ float3  camera_right_0(int _S269)
 {
-    Fabric_0 * _S273 = (&(globalParams_0->fabrics_0)[_S270]);
-    uint _S274 = 3U * _S271;
-    uint _S275 = __ldg((&(globalParams_0->corners_0)[_S274]));
-    Vertex_0 _S276 = slang_ldg_1((&(globalParams_0->vertices_0)[_S275]));
-    uint _S277 = __ldg((&(globalParams_0->corners_0)[_S274 + 1U]));
-    Vertex_0 _S278 = slang_ldg_1((&(globalParams_0->vertices_0)[_S277]));
-    uint _S279 = __ldg((&(globalParams_0->corners_0)[_S274 + 2U]));
-    Vertex_0 _S280 = slang_ldg_1((&(globalParams_0->vertices_0)[_S279]));
-    Vertex_0 _S281 = _S278;
-    float3  _S282 = position_of_0(&_S281);
-    Vertex_0 _S283 = _S276;
-    float3  _S284 = position_of_0(&_S283);
-    float3  _S285 = _S282 - _S284;
-    Vertex_0 _S286 = _S280;
-    float3  _S287 = position_of_0(&_S286);
-    float3  _S288 = _S287 - _S284;
-    float3  _S289 = cross_0(_S285, _S288);
-    float _S290 = 1.0f / (F32_max((square_0(_S289)), (1.00000000317107685e-30f)));
-    float3  _S291 = camera_right_0(_S269);
-    float _S292 = float(_S269->width_0);
-    float3  _S293 = _S291 * make_float3 (2.0f / _S292);
-    float3  _S294 = camera_up_0(_S269);
-    float _S295 = float(_S269->height_0);
-    float3  _S296 = _S294 * make_float3 (-2.0f / _S295);
-    float _S297 = float(_S272.x) + 0.5f - 0.5f * _S292;
-    float _S298 = float(_S272.y) + 0.5f - 0.5f * _S295;
-    float3  _S299 = camera_forward_0(_S269);
-    float3  _S300 = _S299 + make_float3 (_S297) * _S293 + make_float3 (_S298) * _S296;
-    float _S301 = dot_0(_S300, _S289);
-    float _S302;
-    if((F32_abs((_S301))) > 1.00000000317107685e-30f)
+    Frame_0 * _S270 = (&(globalParams_0->frames_0)[_S269]);
+    float _S271 = __ldg(&_S270->right_x_0);
+    float _S272 = __ldg(&_S270->right_y_0);
+    float _S273 = __ldg(&_S270->right_z_0);
+    return make_float3 (_S271, _S272, _S273);
+}
+
+__device__ float3  camera_up_0(int _S274)
+{
+    Frame_0 * _S275 = (&(globalParams_0->frames_0)[_S274]);
+    float _S276 = __ldg(&_S275->up_x_0);
+    float _S277 = __ldg(&_S275->up_y_0);
+    float _S278 = __ldg(&_S275->up_z_0);
+    return make_float3 (_S276, _S277, _S278);
+}
+
+__device__ float3  camera_forward_0(int _S279)
+{
+    Frame_0 * _S280 = (&(globalParams_0->frames_0)[_S279]);
+    float _S281 = __ldg(&_S280->forward_x_0);
+    float _S282 = __ldg(&_S280->forward_y_0);
+    float _S283 = __ldg(&_S280->forward_z_0);
+    return make_float3 (_S281, _S282, _S283);
+}
+
+__device__ float3  camera_origin_0(int _S284)
+{
+    Frame_0 * _S285 = (&(globalParams_0->frames_0)[_S284]);
+    float _S286 = __ldg(&_S285->origin_x_0);
+    float _S287 = __ldg(&_S285->origin_y_0);
+    float _S288 = __ldg(&_S285->origin_z_0);
+    return make_float3 (_S286, _S287, _S288);
+}
+
+__device__ VisiblePoint_0 face_point_0(uint _S289, uint _S290, float _S291, float _S292)
+{
+    Fabric_0 * _S293 = (&(globalParams_0->fabrics_0)[_S289]);
+    uint _S294 = 3U * _S290;
+    uint _S295 = __ldg((&(globalParams_0->corners_0)[_S294]));
+    Vertex_0 _S296 = slang_ldg_0((&(globalParams_0->vertices_0)[_S295]));
+    uint _S297 = __ldg((&(globalParams_0->corners_0)[_S294 + 1U]));
+    Vertex_0 _S298 = slang_ldg_0((&(globalParams_0->vertices_0)[_S297]));
+    uint _S299 = __ldg((&(globalParams_0->corners_0)[_S294 + 2U]));
+    Vertex_0 _S300 = slang_ldg_0((&(globalParams_0->vertices_0)[_S299]));
+    Vertex_0 _S301 = _S298;
+    float3  _S302 = position_of_0(&_S301);
+    Vertex_0 _S303 = _S296;
+    float3  _S304 = position_of_0(&_S303);
+    float3  _S305 = _S302 - _S304;
+    Vertex_0 _S306 = _S300;
+    float3  _S307 = position_of_0(&_S306);
+    float3  _S308 = _S307 - _S304;
+    float _S309 = _S298.u_0 - _S296.u_0;
+    float _S310 = _S298.v_0 - _S296.v_0;
+    float2  _S311 = make_float2 (_S309, _S310);
+    float _S312 = _S300.u_0 - _S296.u_0;
+    float _S313 = _S300.v_0 - _S296.v_0;
+    float2  _S314 = make_float2 (_S312, _S313);
+    float _S315;
+    if((_S309 * _S313 - _S310 * _S312) < 0.0f)
     {
-        _S302 = _S301;
+        _S315 = -1.0f;
     }
     else
     {
-        _S302 = 1.00000000317107685e-30f;
+        _S315 = 1.0f;
     }
-    float _S303 = 1.0f / _S302;
-    float3  _S304 = camera_origin_0(_S269);
-    float3  _S305 = _S284 - _S304;
-    float _S306 = dot_0(_S305, _S289) * _S303;
-    float3  _S307 = _S300 * make_float3 (_S306) - _S305;
-    float3  _S308 = make_float3 (_S306) * (_S293 - _S300 * make_float3 (dot_0(_S293, _S289) * _S303));
-    float3  _S309 = make_float3 (_S306) * (_S296 - _S300 * make_float3 (dot_0(_S296, _S289) * _S303));
-    float3  _S310 = cross_0(_S288, _S289) * make_float3 (_S290);
-    float3  _S311 = cross_0(_S289, _S285) * make_float3 (_S290);
-    float _S312 = dot_0(_S307, _S310);
-    float _S313 = dot_0(_S307, _S311);
-    float _S314 = _S278.u_0 - _S276.u_0;
-    float _S315 = _S278.v_0 - _S276.v_0;
-    float2  _S316 = make_float2 (_S314, _S315);
-    float _S317 = _S280.u_0 - _S276.u_0;
-    float _S318 = _S280.v_0 - _S276.v_0;
-    float2  _S319 = make_float2 (_S317, _S318);
-    float2  _S320 = make_float2 (_S276.u_0, _S276.v_0) + make_float2 (_S312) * _S316 + make_float2 (_S313) * _S319;
-    float2  _S321 = make_float2 (dot_0(_S308, _S310)) * _S316 + make_float2 (dot_0(_S308, _S311)) * _S319;
-    float2  _S322 = make_float2 (dot_0(_S309, _S310)) * _S316 + make_float2 (dot_0(_S309, _S311)) * _S319;
-    if((_S314 * _S318 - _S315 * _S317) < 0.0f)
-    {
-        _S302 = -1.0f;
-    }
-    else
-    {
-        _S302 = 1.0f;
-    }
-    float3  _S323 = make_float3 (_S302) * (make_float3 (_S318) * _S285 - make_float3 (_S315) * _S288);
-    float3  _S324 = make_float3 (_S302) * (make_float3 (_S314) * _S288 - make_float3 (_S317) * _S285);
+    float3  _S316 = make_float3 (_S315) * (make_float3 (_S313) * _S305 - make_float3 (_S310) * _S308);
+    float3  _S317 = make_float3 (_S315) * (make_float3 (_S309) * _S308 - make_float3 (_S312) * _S305);
     VisiblePoint_0 point_1;
-    float _S325 = 1.0f - _S312 - _S313;
-    Vertex_0 _S326 = _S276;
-    float3  _S327 = normal_of_0(&_S326);
-    float3  _S328 = make_float3 (_S325) * _S327;
-    Vertex_0 _S329 = _S278;
-    float3  _S330 = normal_of_0(&_S329);
-    float3  _S331 = _S328 + make_float3 (_S312) * _S330;
-    Vertex_0 _S332 = _S280;
-    float3  _S333 = normal_of_0(&_S332);
-    float3  _S334 = normalize_0(_S331 + make_float3 (_S313) * _S333);
-    (&point_1)->normal_0 = _S334;
-    float3  _S335 = normalize_0(_S323 - _S334 * make_float3 (dot_0(_S334, _S323)));
-    (&point_1)->axis_x_0 = _S335;
-    (&point_1)->axis_y_0 = cross_0(_S334, _S335);
-    (&point_1)->position_0 = _S284 + _S307;
-    (&point_1)->view_0 = - normalize_0(_S300);
-    bool _S336 = (dot_0(cross_0(_S323, _S324), _S334)) < 0.0f;
-    float _S337 = __ldg(&_S273->uv_width_0);
-    if(_S336)
+    float _S318 = 1.0f - _S291 - _S292;
+    Vertex_0 _S319 = _S296;
+    float3  _S320 = normal_of_0(&_S319);
+    float3  _S321 = make_float3 (_S318) * _S320;
+    Vertex_0 _S322 = _S298;
+    float3  _S323 = normal_of_0(&_S322);
+    float3  _S324 = _S321 + make_float3 (_S291) * _S323;
+    Vertex_0 _S325 = _S300;
+    float3  _S326 = normal_of_0(&_S325);
+    float3  _S327 = normalize_0(_S324 + make_float3 (_S292) * _S326);
+    (&point_1)->normal_0 = _S327;
+    float3  _S328 = normalize_0(_S316 - _S327 * make_float3 (dot_0(_S327, _S316)));
+    (&point_1)->axis_x_0 = _S328;
+    (&point_1)->axis_y_0 = cross_0(_S327, _S328);
+    float3  _S329 = normalize_0(cross_0(_S305, _S308));
+    float3  _S330;
+    if((dot_0(_S329, _S327)) < 0.0f)
     {
-        float _S338 = __ldg(&_S273->uv_height_0);
-        _S302 = - _S338;
+        _S330 = - _S329;
     }
     else
     {
-        float _S339 = __ldg(&_S273->uv_height_0);
-        _S302 = _S339;
+        _S330 = _S329;
     }
-    float2  _S340 = make_float2 (_S337, _S302);
-    float2  _S341 = _S320 * _S340;
-    if(_S336)
+    (&point_1)->face_normal_0 = _S330;
+    (&point_1)->position_0 = _S304 + make_float3 (_S291) * _S305 + make_float3 (_S292) * _S308;
+    (&point_1)->view_0 = (&point_1)->normal_0;
+    (&point_1)->uv_1 = make_float2 (_S296.u_0, _S296.v_0) + make_float2 (_S291) * _S311 + make_float2 (_S292) * _S314;
+    bool _S331 = (dot_0(cross_0(_S316, _S317), (&point_1)->normal_0)) < 0.0f;
+    float _S332 = __ldg(&_S293->uv_width_0);
+    if(_S331)
     {
-        float _S342 = __ldg(&_S273->uv_height_0);
-        _S302 = _S342;
+        float _S333 = __ldg(&_S293->uv_height_0);
+        _S315 = - _S333;
     }
     else
     {
-        _S302 = 0.0f;
+        float _S334 = __ldg(&_S293->uv_height_0);
+        _S315 = _S334;
     }
-    (&point_1)->draft_0 = _S341 + make_float2 (0.0f, _S302);
-    (&point_1)->draft_dx_0 = _S321 * _S340;
-    (&point_1)->draft_dy_0 = _S322 * _S340;
+    float2  _S335 = make_float2 (_S332, _S315);
+    (&point_1)->draft_per_uv_0 = _S335;
+    float2  _S336 = (&point_1)->uv_1 * _S335;
+    if(_S331)
+    {
+        float _S337 = __ldg(&_S293->uv_height_0);
+        _S315 = _S337;
+    }
+    else
+    {
+        _S315 = 0.0f;
+    }
+    (&point_1)->draft_0 = _S336 + make_float2 (0.0f, _S315);
+    float2  _S338 = make_float2 (0.0f);
+    (&point_1)->draft_dx_0 = _S338;
+    (&point_1)->draft_dy_0 = _S338;
     return point_1;
+}
+
+__device__ VisiblePoint_0 visible_point_0(int _S339, uint _S340, uint _S341, uint2  _S342)
+{
+    Frame_0 * _S343 = (&(globalParams_0->frames_0)[_S339]);
+    uint _S344 = 3U * _S341;
+    uint _S345 = __ldg((&(globalParams_0->corners_0)[_S344]));
+    Vertex_0 _S346 = slang_ldg_0((&(globalParams_0->vertices_0)[_S345]));
+    uint _S347 = __ldg((&(globalParams_0->corners_0)[_S344 + 1U]));
+    Vertex_0 _S348 = slang_ldg_0((&(globalParams_0->vertices_0)[_S347]));
+    uint _S349 = __ldg((&(globalParams_0->corners_0)[_S344 + 2U]));
+    Vertex_0 _S350 = slang_ldg_0((&(globalParams_0->vertices_0)[_S349]));
+    Vertex_0 _S351 = _S348;
+    float3  _S352 = position_of_0(&_S351);
+    Vertex_0 _S353 = _S346;
+    float3  _S354 = position_of_0(&_S353);
+    float3  _S355 = _S352 - _S354;
+    Vertex_0 _S356 = _S350;
+    float3  _S357 = position_of_0(&_S356);
+    float3  _S358 = _S357 - _S354;
+    float3  _S359 = cross_0(_S355, _S358);
+    float _S360 = 1.0f / (F32_max((square_0(_S359)), (1.00000000317107685e-30f)));
+    float3  _S361 = camera_right_0(_S339);
+    uint _S362 = __ldg(&_S343->width_0);
+    float _S363 = float(_S362);
+    float3  _S364 = _S361 * make_float3 (2.0f / _S363);
+    float3  _S365 = camera_up_0(_S339);
+    uint _S366 = __ldg(&_S343->height_0);
+    float _S367 = float(_S366);
+    float3  _S368 = _S365 * make_float3 (-2.0f / _S367);
+    float _S369 = float(_S342.x) + 0.5f - 0.5f * _S363;
+    float _S370 = float(_S342.y) + 0.5f - 0.5f * _S367;
+    float3  _S371 = camera_forward_0(_S339);
+    float3  _S372 = _S371 + make_float3 (_S369) * _S364 + make_float3 (_S370) * _S368;
+    float _S373 = dot_0(_S372, _S359);
+    float _S374;
+    if((F32_abs((_S373))) > 1.00000000317107685e-30f)
+    {
+        _S374 = _S373;
+    }
+    else
+    {
+        _S374 = 1.00000000317107685e-30f;
+    }
+    float _S375 = 1.0f / _S374;
+    float3  _S376 = camera_origin_0(_S339);
+    float3  _S377 = _S354 - _S376;
+    float _S378 = dot_0(_S377, _S359) * _S375;
+    float3  _S379 = _S372 * make_float3 (_S378) - _S377;
+    float3  _S380 = make_float3 (_S378) * (_S364 - _S372 * make_float3 (dot_0(_S364, _S359) * _S375));
+    float3  _S381 = make_float3 (_S378) * (_S368 - _S372 * make_float3 (dot_0(_S368, _S359) * _S375));
+    float3  _S382 = cross_0(_S358, _S359) * make_float3 (_S360);
+    float3  _S383 = cross_0(_S359, _S355) * make_float3 (_S360);
+    float2  _S384 = make_float2 (_S348.u_0 - _S346.u_0, _S348.v_0 - _S346.v_0);
+    float2  _S385 = make_float2 (_S350.u_0 - _S346.u_0, _S350.v_0 - _S346.v_0);
+    VisiblePoint_0 _S386 = face_point_0(_S340, _S341, dot_0(_S379, _S382), dot_0(_S379, _S383));
+    VisiblePoint_0 point_2 = _S386;
+    (&point_2)->position_0 = _S354 + _S379;
+    (&point_2)->view_0 = - normalize_0(_S372);
+    (&point_2)->draft_dx_0 = (make_float2 (dot_0(_S380, _S382)) * _S384 + make_float2 (dot_0(_S380, _S383)) * _S385) * (&point_2)->draft_per_uv_0;
+    (&point_2)->draft_dy_0 = (make_float2 (dot_0(_S381, _S382)) * _S384 + make_float2 (dot_0(_S381, _S383)) * _S385) * (&point_2)->draft_per_uv_0;
+    return point_2;
+}
+
+__device__ float3  filtered_albedo_0(uint _S387, VisiblePoint_0 * _S388)
+{
+    Fabric_0 * _S389 = (&(globalParams_0->fabrics_0)[_S387]);
+    uint _S390 = __ldg(&_S389->albedo_map_levels_0);
+    if(_S390 == 0U)
+    {
+        return make_float3 (1.0f);
+    }
+    float _S391 = __ldg(&_S389->uv_width_0);
+    float _S392 = __ldg(&_S389->uv_height_0);
+    float2  _S393 = make_float2 (_S391, _S392);
+    float2  _S394 = _S388->draft_dx_0 / _S393;
+    float2  _S395 = _S388->draft_dy_0 / _S393;
+    uint _S396 = _S390 - 1U;
+    uint _S397 = 1U << _S396;
+    float _S398 = clamp_0(0.5f * binary_logarithm_0((F32_max(((F32_abs((_S394.x * _S395.y - _S394.y * _S395.x)))), (9.99999968265522539e-21f))) * (square_1(float(_S397)) / 3.0f)), 0.0f, float(_S390) - 1.0f);
+    uint _S399 = (U32_min((uint(_S398)), ((U32_max((_S390), (2U))) - 2U)));
+    uint _S400 = (U32_min((_S399 + 1U), (_S396)));
+    uint _S401 = 1U << (2U * _S390);
+    uint _S402 = __ldg(&_S389->albedo_map_0);
+    return lerp_1(map_level_0(_S402 + (_S401 - (_S401 >> (2U * _S399))) / 3U, _S397 >> _S399, _S388->uv_1), map_level_0(_S402 + (_S401 - (_S401 >> (2U * _S400))) / 3U, _S397 >> _S400, _S388->uv_1), make_float3 ((exponential_0(1.38629436492919922f * (_S398 - float(_S399))) - 1.0f) / 3.0f));
 }
 
 struct YarnPoint_0
@@ -1772,19 +1934,19 @@ struct YarnPoint_0
     bool back_2;
     bool hole_2;
     bool is_warp_1;
-    float x_18;
-    float y_10;
+    float x_22;
+    float y_11;
     float height_3;
     float3  normal_4;
     float3  tangent_4;
     float roughness_8;
-    Albedos_0 albedos_1;
+    Albedos_0 albedos_2;
 };
 
 struct Hit_0
 {
-    float x_19;
-    float y_11;
+    float x_23;
+    float y_12;
     bool hole_3;
     float height_4;
 };
@@ -1802,425 +1964,425 @@ struct Sample_0
     float slope_y_1;
 };
 
-__device__ Crossing_0 crossing_at_0(uint _S343, float _S344, float _S345, bool _S346)
+__device__ Crossing_0 crossing_at_0(uint _S403, float _S404, float _S405, bool _S406)
 {
-    Fabric_0 * _S347 = (&(globalParams_0->fabrics_0)[_S343]);
+    Fabric_0 * _S407 = (&(globalParams_0->fabrics_0)[_S403]);
     Crossing_0 crossing_2;
-    uint _S348 = __ldg(&_S347->warp_0);
-    (&crossing_2)->warp_1 = locate_0(_S348, _S344);
-    uint _S349 = __ldg(&_S347->weft_0);
-    (&crossing_2)->weft_1 = locate_0(_S349, _S345);
-    uint _S350 = __ldg(&_S347->run_words_0);
-    uint _S351 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S352 = __ldg(&_S347->ends_1);
-    uint _S353 = _S350 + 2U * (_S351 * _S352 + (&(&crossing_2)->warp_1)->thread_1);
-    uint _S354 = __ldg((&(globalParams_0->words_0)[_S353]));
-    (&crossing_2)->warp_word_0 = _S354;
-    uint _S355 = __ldg((&(globalParams_0->words_0)[_S353 + 1U]));
-    (&crossing_2)->weft_word_0 = _S355;
-    (&crossing_2)->warp_above_0 = ((_S354 & 1U) == 1U) != _S346;
+    uint _S408 = __ldg(&_S407->warp_0);
+    (&crossing_2)->warp_1 = locate_0(_S408, _S404);
+    uint _S409 = __ldg(&_S407->weft_0);
+    (&crossing_2)->weft_1 = locate_0(_S409, _S405);
+    uint _S410 = __ldg(&_S407->run_words_0);
+    uint _S411 = (&(&crossing_2)->weft_1)->thread_1;
+    uint _S412 = __ldg(&_S407->ends_0);
+    uint _S413 = _S410 + 2U * (_S411 * _S412 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S414 = __ldg((&(globalParams_0->words_0)[_S413]));
+    (&crossing_2)->warp_word_0 = _S414;
+    uint _S415 = __ldg((&(globalParams_0->words_0)[_S413 + 1U]));
+    (&crossing_2)->weft_word_0 = _S415;
+    (&crossing_2)->warp_above_0 = ((_S414 & 1U) == 1U) != _S406;
     return crossing_2;
 }
 
-__device__ Sample_0 sample_at_0(uint _S356, float _S357, float _S358, bool _S359)
+__device__ Sample_0 sample_at_0(uint _S416, float _S417, float _S418, bool _S419)
 {
-    Fabric_0 * _S360 = (&(globalParams_0->fabrics_0)[_S356]);
+    Fabric_0 * _S420 = (&(globalParams_0->fabrics_0)[_S416]);
     Sample_0 sample_0;
-    Crossing_0 _S361 = crossing_at_0(_S356, _S357, _S358, _S359);
-    (&sample_0)->crossing_1 = _S361;
-    Crossing_0 _S362 = _S361;
-    Shown_0 _S363 = shown_at_0(&_S362, _S359);
-    (&sample_0)->shown_3 = _S363;
-    uint _S364;
-    if(_S363.is_warp_0)
+    Crossing_0 _S421 = crossing_at_0(_S416, _S417, _S418, _S419);
+    (&sample_0)->crossing_1 = _S421;
+    Crossing_0 _S422 = _S421;
+    Shown_0 _S423 = shown_at_0(&_S422, _S419);
+    (&sample_0)->shown_3 = _S423;
+    uint _S424;
+    if(_S423.is_warp_0)
     {
-        uint _S365 = __ldg(&_S360->warp_0);
-        _S364 = _S365;
+        uint _S425 = __ldg(&_S420->warp_0);
+        _S424 = _S425;
     }
     else
     {
-        uint _S366 = __ldg(&_S360->weft_0);
-        _S364 = _S366;
+        uint _S426 = __ldg(&_S420->weft_0);
+        _S424 = _S426;
     }
-    uint _S367;
-    if(_S363.is_warp_0)
+    uint _S427;
+    if(_S423.is_warp_0)
     {
-        uint _S368 = __ldg(&_S360->weft_0);
-        _S367 = _S368;
+        uint _S428 = __ldg(&_S420->weft_0);
+        _S427 = _S428;
     }
     else
     {
-        uint _S369 = __ldg(&_S360->warp_0);
-        _S367 = _S369;
+        uint _S429 = __ldg(&_S420->warp_0);
+        _S427 = _S429;
     }
-    Cell_0 _S370 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S371 = (&(&sample_0)->crossing_1)->weft_1;
-    Cell_0 _S372 = select_cell_0(_S363.is_warp_0, &_S370, &_S371);
-    Cell_0 _S373 = (&(&sample_0)->crossing_1)->weft_1;
-    Cell_0 _S374 = (&(&sample_0)->crossing_1)->warp_1;
-    Cell_0 _S375 = select_cell_0(_S363.is_warp_0, &_S373, &_S374);
-    Cell_0 _S376 = _S375;
-    Run_0 _S377 = unpack_0(_S364, _S367, _S372.thread_1, &_S376, _S363.word_0);
-    Cell_0 _S378 = _S372;
-    Section_0 _S379 = section_at_0(&_S378);
-    bool _S380;
-    if(_S363.on_top_0)
+    Cell_0 _S430 = (&(&sample_0)->crossing_1)->warp_1;
+    Cell_0 _S431 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S432 = select_cell_0(_S423.is_warp_0, &_S430, &_S431);
+    Cell_0 _S433 = (&(&sample_0)->crossing_1)->weft_1;
+    Cell_0 _S434 = (&(&sample_0)->crossing_1)->warp_1;
+    Cell_0 _S435 = select_cell_0(_S423.is_warp_0, &_S433, &_S434);
+    Cell_0 _S436 = _S435;
+    Run_0 _S437 = unpack_0(_S424, _S427, _S432.thread_1, &_S436, _S423.word_0);
+    Cell_0 _S438 = _S432;
+    Section_0 _S439 = section_at_0(&_S438);
+    bool _S440;
+    if(_S423.on_top_0)
     {
-        _S380 = (_S377.distance_0) < (_S379.drop_0 * _S377.bend_1.sine_0);
+        _S440 = (_S437.distance_0) < (_S439.drop_0 * _S437.bend_1.sine_0);
     }
     else
     {
-        _S380 = false;
+        _S440 = false;
     }
-    bool _S381;
-    if(_S363.on_top_0)
+    bool _S441;
+    if(_S423.on_top_0)
     {
-        _S381 = !_S380;
+        _S441 = !_S440;
     }
     else
     {
-        _S381 = false;
+        _S441 = false;
     }
-    float _S382;
-    if(_S381)
+    float _S442;
+    if(_S441)
     {
-        _S382 = 1.0f;
+        _S442 = 1.0f;
     }
     else
     {
-        _S382 = -1.0f;
+        _S442 = -1.0f;
     }
-    float _S383;
-    if(_S380)
+    float _S443;
+    if(_S440)
     {
-        _S383 = _S377.other_reach_0;
+        _S443 = _S437.other_reach_0;
     }
     else
     {
-        _S383 = _S377.reach_0;
+        _S443 = _S437.reach_0;
     }
-    float _S384;
-    if(_S380)
+    float _S444;
+    if(_S440)
     {
-        _S384 = _S383 + _S377.distance_0;
+        _S444 = _S443 + _S437.distance_0;
     }
     else
     {
-        _S384 = (F32_max((_S383 - _S377.distance_0), (0.0f)));
+        _S444 = (F32_max((_S443 - _S437.distance_0), (0.0f)));
     }
-    float _S385 = _S383 / _S377.bend_1.sine_0 - _S382 * _S379.drop_0;
-    float _S386 = _S384 * _S384;
-    float _S387 = (F32_max((_S385 * _S385 - _S386), (9.99999968265522539e-21f)));
-    float _S388 = (F32_rsqrt((_S387)));
-    float _S389 = _S386 / (_S387 * _S388 + _S385);
-    bool _S390 = _S384 > 0.0f;
-    float _S391;
-    if(_S363.on_top_0)
+    float _S445 = _S443 / _S437.bend_1.sine_0 - _S442 * _S439.drop_0;
+    float _S446 = _S444 * _S444;
+    float _S447 = (F32_max((_S445 * _S445 - _S446), (9.99999968265522539e-21f)));
+    float _S448 = (F32_rsqrt((_S447)));
+    float _S449 = _S446 / (_S447 * _S448 + _S445);
+    bool _S450 = _S444 > 0.0f;
+    float _S451;
+    if(_S423.on_top_0)
     {
-        _S391 = 1.0f;
+        _S451 = 1.0f;
     }
     else
     {
-        _S391 = -1.0f;
+        _S451 = -1.0f;
     }
-    float _S392;
-    if(_S377.near_start_0)
+    float _S452;
+    if(_S437.near_start_0)
     {
-        _S392 = 1.0f;
+        _S452 = 1.0f;
     }
     else
     {
-        _S392 = -1.0f;
+        _S452 = -1.0f;
     }
-    float _S393 = _S391 * _S392;
-    if(_S390)
+    float _S453 = _S451 * _S452;
+    if(_S450)
     {
-        _S391 = _S385 * _S388;
+        _S451 = _S445 * _S448;
     }
     else
     {
-        _S391 = 1.0f;
+        _S451 = 1.0f;
     }
-    (&sample_0)->slope_across_0 = _S379.slope_0 * _S391;
-    if(_S390)
+    (&sample_0)->slope_across_0 = _S439.slope_0 * _S451;
+    if(_S450)
     {
-        _S384 = _S393 * _S384 * _S388;
+        _S444 = _S453 * _S444 * _S448;
     }
     else
     {
-        _S384 = 0.0f;
+        _S444 = 0.0f;
     }
-    (&sample_0)->slope_along_0 = _S384;
-    Family_0 _S394 = slang_ldg_2((&(globalParams_0->families_0)[_S364]));
-    Shown_0 _S395 = _S363;
-    Run_0 _S396 = _S377;
-    Cell_0 _S397 = _S375;
-    float2  _S398 = dive_0(_S367, &_S395, &_S396, &_S397);
-    if(_S377.straight_0)
+    (&sample_0)->slope_along_0 = _S444;
+    Family_0 _S454 = slang_ldg_1((&(globalParams_0->families_0)[_S424]));
+    Shown_0 _S455 = _S423;
+    Run_0 _S456 = _S437;
+    Cell_0 _S457 = _S435;
+    float2  _S458 = dive_0(_S427, &_S455, &_S456, &_S457);
+    if(_S437.straight_0)
     {
-        _S382 = 0.0f;
+        _S442 = 0.0f;
     }
     else
     {
-        _S382 = _S394.height_scale_0 * _S382;
+        _S442 = _S454.height_scale_0 * _S442;
     }
-    (&sample_0)->height_5 = _S382 * (_S383 * _S377.bend_1.half_tangent_0 - _S389) - _S394.height_scale_0 * _S379.drop_0 - _S398.x;
-    float _S399 = _S394.height_scale_0 * (&sample_0)->slope_across_0;
-    float _S400 = _S394.height_scale_0 * (&sample_0)->slope_along_0 - _S398.y;
-    if(_S363.is_warp_0)
+    (&sample_0)->height_5 = _S442 * (_S443 * _S437.bend_1.half_tangent_0 - _S449) - _S454.height_scale_0 * _S439.drop_0 - _S458.x;
+    float _S459 = _S454.height_scale_0 * (&sample_0)->slope_across_0;
+    float _S460 = _S454.height_scale_0 * (&sample_0)->slope_along_0 - _S458.y;
+    if(_S423.is_warp_0)
     {
-        _S382 = _S399;
+        _S442 = _S459;
     }
     else
     {
-        _S382 = _S400;
+        _S442 = _S460;
     }
-    (&sample_0)->slope_x_1 = _S382;
-    if(_S363.is_warp_0)
+    (&sample_0)->slope_x_1 = _S442;
+    if(_S423.is_warp_0)
     {
-        _S382 = _S400;
+        _S442 = _S460;
     }
     else
     {
-        _S382 = _S399;
+        _S442 = _S459;
     }
-    (&sample_0)->slope_y_1 = _S382;
-    (&sample_0)->run_3 = _S377;
-    (&sample_0)->section_1 = _S379;
+    (&sample_0)->slope_y_1 = _S442;
+    (&sample_0)->run_3 = _S437;
+    (&sample_0)->section_1 = _S439;
     return sample_0;
 }
 
-__device__ float steps_per_length_0(uint _S401, SearchQuality_0 * _S402, float3  _S403)
+__device__ float steps_per_length_0(uint _S461, SearchQuality_0 * _S462, float3  _S463)
 {
-    Fabric_0 * _S404 = (&(globalParams_0->fabrics_0)[_S401]);
-    float _S405 = (F32_abs((_S403.x)));
-    float _S406 = __ldg(&_S404->threads_per_x_0);
-    float _S407 = _S405 * _S406;
-    float _S408 = (F32_abs((_S403.y)));
-    float _S409 = __ldg(&_S404->threads_per_y_0);
-    float _S410 = (F32_max((_S407), (_S408 * _S409))) * _S402->steps_per_thread_0;
-    float _S411 = (F32_abs((_S403.z)));
-    float _S412 = __ldg(&_S404->per_relief_0);
-    return (F32_max((_S410), (_S411 * _S412 * _S402->steps_per_relief_0)));
+    Fabric_0 * _S464 = (&(globalParams_0->fabrics_0)[_S461]);
+    float _S465 = (F32_abs((_S463.x)));
+    float _S466 = __ldg(&_S464->threads_per_x_0);
+    float _S467 = _S465 * _S466;
+    float _S468 = (F32_abs((_S463.y)));
+    float _S469 = __ldg(&_S464->threads_per_y_0);
+    float _S470 = (F32_max((_S467), (_S468 * _S469))) * _S462->steps_per_thread_0;
+    float _S471 = (F32_abs((_S463.z)));
+    float _S472 = __ldg(&_S464->per_relief_0);
+    return (F32_max((_S470), (_S471 * _S472 * _S462->steps_per_relief_0)));
 }
 
-__device__ float cell_maximum_0(uint _S413, Crossing_0 * _S414)
+__device__ float cell_maximum_0(uint _S473, Crossing_0 * _S474)
 {
-    Fabric_0 * _S415 = (&(globalParams_0->fabrics_0)[_S413]);
-    bool _S416 = _S414->warp_above_0;
-    uint _S417;
-    if(_S414->warp_above_0)
+    Fabric_0 * _S475 = (&(globalParams_0->fabrics_0)[_S473]);
+    bool _S476 = _S474->warp_above_0;
+    uint _S477;
+    if(_S474->warp_above_0)
     {
-        uint _S418 = __ldg(&_S415->warp_0);
-        _S417 = _S418;
+        uint _S478 = __ldg(&_S475->warp_0);
+        _S477 = _S478;
     }
     else
     {
-        uint _S419 = __ldg(&_S415->weft_0);
-        _S417 = _S419;
+        uint _S479 = __ldg(&_S475->weft_0);
+        _S477 = _S479;
     }
-    uint _S420;
-    if(_S416)
+    uint _S480;
+    if(_S476)
     {
-        _S420 = _S414->warp_word_0;
+        _S480 = _S474->warp_word_0;
     }
     else
     {
-        _S420 = _S414->weft_word_0;
+        _S480 = _S474->weft_word_0;
     }
-    float _S421 = float(_S420 >> int(28));
-    Family_0 _S422 = slang_ldg_2((&(globalParams_0->families_0)[_S417]));
-    float _S423 = _S421 * _S422.height_scale_0;
-    Family_0 _S424 = slang_ldg_2((&(globalParams_0->families_0)[_S417]));
-    return _S423 * _S424.level_0;
+    float _S481 = float(_S480 >> int(28));
+    Family_0 _S482 = slang_ldg_1((&(globalParams_0->families_0)[_S477]));
+    float _S483 = _S481 * _S482.height_scale_0;
+    Family_0 _S484 = slang_ldg_1((&(globalParams_0->families_0)[_S477]));
+    return _S483 * _S484.level_0;
 }
 
-__device__ Probe_0 probe_0(uint _S425, float _S426, float _S427, bool _S428, bool _S429, bool _S430)
+__device__ Probe_0 probe_0(uint _S485, float _S486, float _S487, bool _S488, bool _S489, bool _S490)
 {
-    Sample_0 _S431 = sample_at_0(_S425, _S426, _S427, _S428);
+    Sample_0 _S491 = sample_at_0(_S485, _S486, _S487, _S488);
     Probe_0 probe_1;
-    (&probe_1)->height_1 = _S431.height_5;
-    (&probe_1)->hole_1 = _S431.shown_3.hole_0;
-    (&probe_1)->slope_x_0 = _S431.slope_x_1;
-    (&probe_1)->slope_y_0 = _S431.slope_y_1;
-    uint _S432;
-    if(_S431.shown_3.is_warp_0)
+    (&probe_1)->height_1 = _S491.height_5;
+    (&probe_1)->hole_1 = _S491.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S491.slope_x_1;
+    (&probe_1)->slope_y_0 = _S491.slope_y_1;
+    uint _S492;
+    if(_S491.shown_3.is_warp_0)
     {
-        _S432 = _S431.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S492 = _S491.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S432 = _S431.crossing_1.weft_1.thread_1 * 2U;
+        _S492 = _S491.crossing_1.weft_1.thread_1 * 2U;
     }
-    (&probe_1)->yarn_1 = _S432;
-    Crossing_0 _S433 = _S431.crossing_1;
-    float _S434 = cell_maximum_0(_S425, &_S433);
-    (&probe_1)->cell_max_0 = _S434;
-    float _S435;
-    if(_S429)
+    (&probe_1)->yarn_1 = _S492;
+    Crossing_0 _S493 = _S491.crossing_1;
+    float _S494 = cell_maximum_0(_S485, &_S493);
+    (&probe_1)->cell_max_0 = _S494;
+    float _S495;
+    if(_S489)
     {
-        _S435 = _S431.crossing_1.warp_1.above_0;
+        _S495 = _S491.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S435 = _S431.crossing_1.warp_1.below_0;
+        _S495 = _S491.crossing_1.warp_1.below_0;
     }
-    (&probe_1)->side_x_0 = _S435;
-    if(_S430)
+    (&probe_1)->side_x_0 = _S495;
+    if(_S490)
     {
-        _S435 = _S431.crossing_1.weft_1.above_0;
+        _S495 = _S491.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S435 = _S431.crossing_1.weft_1.below_0;
+        _S495 = _S491.crossing_1.weft_1.below_0;
     }
-    (&probe_1)->side_y_0 = _S435;
-    bool _S436 = !_S431.shown_3.is_warp_0;
-    Cell_0 _S437 = _S431.crossing_1.warp_1;
-    Shown_0 _S438 = _S431.shown_3;
-    Run_0 _S439 = _S431.run_3;
-    float _S440 = outline_distance_0(&_S437, &_S438, &_S439, _S436, _S429);
-    (&probe_1)->edge_x_0 = _S440;
-    Cell_0 _S441 = _S431.crossing_1.weft_1;
-    Shown_0 _S442 = _S431.shown_3;
-    Run_0 _S443 = _S431.run_3;
-    float _S444 = outline_distance_0(&_S441, &_S442, &_S443, _S431.shown_3.is_warp_0, _S430);
-    (&probe_1)->edge_y_0 = _S444;
+    (&probe_1)->side_y_0 = _S495;
+    bool _S496 = !_S491.shown_3.is_warp_0;
+    Cell_0 _S497 = _S491.crossing_1.warp_1;
+    Shown_0 _S498 = _S491.shown_3;
+    Run_0 _S499 = _S491.run_3;
+    float _S500 = outline_distance_0(&_S497, &_S498, &_S499, _S496, _S489);
+    (&probe_1)->edge_x_0 = _S500;
+    Cell_0 _S501 = _S491.crossing_1.weft_1;
+    Shown_0 _S502 = _S491.shown_3;
+    Run_0 _S503 = _S491.run_3;
+    float _S504 = outline_distance_0(&_S501, &_S502, &_S503, _S491.shown_3.is_warp_0, _S490);
+    (&probe_1)->edge_y_0 = _S504;
     return probe_1;
 }
 
-__device__ bool is_free_0(uint _S445, SearchQuality_0 * _S446, float3  _S447, float3  _S448, bool _S449, float _S450)
+__device__ bool is_free_0(uint _S505, SearchQuality_0 * _S506, float3  _S507, float3  _S508, bool _S509, float _S510)
 {
-    float _S451 = _S448.z;
-    if(_S451 <= 0.0f)
+    float _S511 = _S508.z;
+    if(_S511 <= 0.0f)
     {
         return false;
     }
-    float _S452 = _S446->shadow_share_0;
-    float _S453 = steps_per_length_0(_S445, _S446, _S448);
-    float _S454 = 1.0f / (F32_max((_S452 * _S453), (9.99999971718068537e-10f)));
-    StepControl_0 _S455 = step_control_0(float2 {_S448.x, _S448.y}, _S454);
+    float _S512 = _S506->shadow_share_0;
+    float _S513 = steps_per_length_0(_S505, _S506, _S508);
+    float _S514 = 1.0f / (F32_max((_S512 * _S513), (9.99999971718068537e-10f)));
+    StepControl_0 _S515 = step_control_0(float2 {_S508.x, _S508.y}, _S514);
     PreviousSample_0 previous_3 = no_previous_sample_0();
-    uint count_1 = 0U;
+    uint count_2 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S456;
-        if(count_1 < 1024U)
+        bool _S516;
+        if(count_2 < 1024U)
         {
-            _S456 = (_S447.z + _S451 * distance_1) < _S450;
+            _S516 = (_S507.z + _S511 * distance_1) < _S510;
         }
         else
         {
-            _S456 = false;
+            _S516 = false;
         }
-        if(_S456)
+        if(_S516)
         {
         }
         else
         {
             break;
         }
-        float3  _S457 = _S447 + _S448 * make_float3 (distance_1);
-        Probe_0 _S458 = probe_0(_S445, _S457.x, _S457.y, _S449, _S455.right_1, _S455.up_0);
-        float _S459 = _S457.z;
-        float _S460 = _S459 - _S458.height_1;
-        float _S461 = _S451 - _S458.slope_x_0 * _S448.x - _S458.slope_y_0 * _S448.y;
-        bool _S462;
-        if(!_S458.hole_1)
+        float3  _S517 = _S507 + _S508 * make_float3 (distance_1);
+        Probe_0 _S518 = probe_0(_S505, _S517.x, _S517.y, _S509, _S515.right_1, _S515.up_0);
+        float _S519 = _S517.z;
+        float _S520 = _S519 - _S518.height_1;
+        float _S521 = _S511 - _S518.slope_x_0 * _S508.x - _S518.slope_y_0 * _S508.y;
+        bool _S522;
+        if(!_S518.hole_1)
         {
-            _S462 = _S460 < 0.0f;
+            _S522 = _S520 < 0.0f;
         }
         else
         {
-            _S462 = false;
+            _S522 = false;
         }
-        if(_S462)
+        if(_S522)
         {
             return false;
         }
-        PreviousSample_0 _S463 = previous_3;
-        Probe_0 _S464 = _S458;
-        float _S465 = way_back_to_dip_0(&_S463, _S460, _S461, last_step_0, &_S464);
-        if(_S465 >= 0.0f)
+        PreviousSample_0 _S523 = previous_3;
+        Probe_0 _S524 = _S518;
+        float _S525 = way_back_to_dip_0(&_S523, _S520, _S521, last_step_0, &_S524);
+        if(_S525 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S465;
-            distance_1 = distance_1 - _S465;
+            float last_step_1 = last_step_0 - _S525;
+            distance_1 = distance_1 - _S525;
             last_step_0 = last_step_1;
-            count_1 = count_1 + 1U;
+            count_2 = count_2 + 1U;
             continue;
         }
-        bool _S466 = _S459 > (_S458.cell_max_0);
-        Probe_0 _S467 = _S458;
-        PreviousSample_0 _S468 = after_sample_0(_S460, _S461, &_S467, _S466);
+        bool _S526 = _S519 > (_S518.cell_max_0);
+        Probe_0 _S527 = _S518;
+        PreviousSample_0 _S528 = after_sample_0(_S520, _S521, &_S527, _S526);
         float last_step_2;
-        if(_S466)
+        if(_S526)
         {
-            StepControl_0 _S469 = _S455;
-            float _S470 = StepControl_to_cell_exit_0(&_S469, _S458.side_x_0, _S458.side_y_0);
-            last_step_2 = (F32_max((_S470), (_S454)));
+            StepControl_0 _S529 = _S515;
+            float _S530 = StepControl_to_cell_exit_0(&_S529, _S518.side_x_0, _S518.side_y_0);
+            last_step_2 = (F32_max((_S530), (_S514)));
         }
         else
         {
-            StepControl_0 _S471 = _S455;
-            Probe_0 _S472 = _S458;
-            float _S473 = StepControl_to_next_sample_0(&_S471, &_S472, _S460, _S461);
-            last_step_2 = _S473;
+            StepControl_0 _S531 = _S515;
+            Probe_0 _S532 = _S518;
+            float _S533 = StepControl_to_next_sample_0(&_S531, &_S532, _S520, _S521);
+            last_step_2 = _S533;
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S468;
+        previous_3 = _S528;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
-        count_1 = count_1 + 1U;
+        count_2 = count_2 + 1U;
     }
     return true;
 }
 
-__device__ bool passes_through_0(uint _S474, SearchQuality_0 * _S475, float _S476, float _S477, float3  _S478, bool _S479)
+__device__ bool passes_through_0(uint _S534, SearchQuality_0 * _S535, float _S536, float _S537, float3  _S538, bool _S539)
 {
-    Fabric_0 * _S480 = (&(globalParams_0->fabrics_0)[_S474]);
-    Sample_0 _S481 = sample_at_0(_S474, _S476, _S477, _S479);
-    if(!_S481.shown_3.hole_0)
+    Fabric_0 * _S540 = (&(globalParams_0->fabrics_0)[_S534]);
+    Sample_0 _S541 = sample_at_0(_S534, _S536, _S537, _S539);
+    if(!_S541.shown_3.hole_0)
     {
         return false;
     }
-    float3  _S482 = make_float3 (_S476, _S477, 0.0f);
+    float3  _S542 = make_float3 (_S536, _S537, 0.0f);
     bool passes_0 = true;
-    uint side_0 = 0U;
+    uint side_1 = 0U;
     for(;;)
     {
-        bool _S483;
-        if(side_0 < 2U)
+        bool _S543;
+        if(side_1 < 2U)
         {
-            _S483 = passes_0;
+            _S543 = passes_0;
         }
         else
         {
-            _S483 = false;
+            _S543 = false;
         }
-        if(_S483)
+        if(_S543)
         {
         }
         else
         {
             break;
         }
-        float3  _S484;
-        if(side_0 == 0U)
+        float3  _S544;
+        if(side_1 == 0U)
         {
-            _S484 = _S478;
+            _S544 = _S538;
         }
         else
         {
-            _S484 = make_float3 (- _S478.x, - _S478.y, _S478.z);
+            _S544 = make_float3 (- _S538.x, - _S538.y, _S538.z);
         }
-        bool _S485 = _S479 != (side_0 == 1U);
-        float _S486 = __ldg(&_S480->height_high_0);
-        bool _S487 = is_free_0(_S474, _S475, _S482, _S484, _S485, _S486);
-        uint _S488 = side_0 + 1U;
-        passes_0 = _S487;
-        side_0 = _S488;
+        bool _S545 = _S539 != (side_1 == 1U);
+        float _S546 = __ldg(&_S540->height_high_0);
+        bool _S547 = is_free_0(_S534, _S535, _S542, _S544, _S545, _S546);
+        uint _S548 = side_1 + 1U;
+        passes_0 = _S547;
+        side_1 = _S548;
     }
     return passes_0;
 }
@@ -2235,145 +2397,105 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-__device__ float max_height_along_0(uint _S489, float _S490, float _S491, float _S492, float3  _S493, bool _S494)
+__device__ float max_height_along_0(uint _S549, float _S550, float _S551, float _S552, float3  _S553, bool _S554)
 {
-    Fabric_0 * _S495 = (&(globalParams_0->fabrics_0)[_S489]);
-    uint _S496 = __ldg(&_S495->warp_0);
-    uint _S497 = locate_0(_S496, _S490).thread_1 / 2U;
-    uint _S498 = __ldg(&_S495->weft_0);
-    uint _S499 = locate_0(_S498, _S491).thread_1 / 2U;
-    float _S500 = _S493.x;
-    uint _S501;
-    if(_S500 > 0.0f)
+    Fabric_0 * _S555 = (&(globalParams_0->fabrics_0)[_S549]);
+    uint _S556 = __ldg(&_S555->warp_0);
+    uint _S557 = locate_0(_S556, _S550).thread_1 / 2U;
+    uint _S558 = __ldg(&_S555->weft_0);
+    uint _S559 = locate_0(_S558, _S551).thread_1 / 2U;
+    float _S560 = _S553.x;
+    uint _S561;
+    if(_S560 > 0.0f)
     {
-        _S501 = 1U;
+        _S561 = 1U;
     }
     else
     {
-        _S501 = 0U;
+        _S561 = 0U;
     }
-    float _S502 = _S493.y;
-    uint _S503;
-    if(_S502 > 0.0f)
+    float _S562 = _S553.y;
+    uint _S563;
+    if(_S562 > 0.0f)
     {
-        _S503 = 2U;
+        _S563 = 2U;
     }
     else
     {
-        _S503 = 0U;
+        _S563 = 0U;
     }
-    uint _S504 = _S501 + _S503;
-    uint _S505 = __ldg(&_S495->max_heights_0);
-    uint _S506 = __ldg(&_S495->max_height_columns_0);
-    uint _S507 = __ldg((&(globalParams_0->words_0)[_S505 + 4U * (_S499 * _S506 + _S497) + _S504]));
-    int number_0;
-    if(_S494)
+    uint _S564 = _S561 + _S563;
+    uint _S565 = __ldg(&_S555->max_heights_0);
+    uint _S566 = __ldg(&_S555->max_height_columns_0);
+    uint _S567 = __ldg((&(globalParams_0->words_0)[_S565 + 4U * (_S559 * _S566 + _S557) + _S564]));
+    int number_1;
+    if(_S554)
     {
-        number_0 = int(4);
+        number_1 = int(4);
     }
     else
     {
-        number_0 = int(0);
+        number_1 = int(0);
     }
-    uint _S508 = _S507 >> number_0;
-    float _S509 = (F32_abs((_S500)));
-    float _S510 = __ldg(&_S495->threads_per_x_0);
-    float _S511 = _S509 * _S510;
-    float _S512 = (F32_abs((_S502)));
-    float _S513 = __ldg(&_S495->threads_per_y_0);
-    float _S514 = (F32_max((_S511), (_S512 * _S513))) / _S493.z;
-    float _S515 = __ldg(&_S495->height_high_0);
-    float max_height_0 = _S515;
-    number_0 = int(3);
+    uint _S568 = _S567 >> number_1;
+    float _S569 = (F32_abs((_S560)));
+    float _S570 = __ldg(&_S555->threads_per_x_0);
+    float _S571 = _S569 * _S570;
+    float _S572 = (F32_abs((_S562)));
+    float _S573 = __ldg(&_S555->threads_per_y_0);
+    float _S574 = (F32_max((_S571), (_S572 * _S573))) / _S553.z;
+    float _S575 = __ldg(&_S555->height_high_0);
+    float max_height_0 = _S575;
+    number_1 = int(3);
     for(;;)
     {
-        if(number_0 >= int(0))
+        if(number_1 >= int(0))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S492) * _S514) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S552) * _S574) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = (F32_min((max_height_0), (float((_S508 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S515)));
+            max_height_0 = (F32_min((max_height_0), (float((_S568 >> uint(int(8) * number_1)) & 15U) * 0.06666667014360428f * _S575)));
         }
-        number_0 = number_0 - int(1);
+        number_1 = number_1 - int(1);
     }
     return max_height_0;
 }
 
-__device__ float3  cell_bounds_0(uint _S516, float _S517, float _S518, bool _S519, bool _S520, bool _S521)
+__device__ float3  cell_bounds_0(uint _S576, float _S577, float _S578, bool _S579, bool _S580, bool _S581)
 {
-    Crossing_0 _S522 = crossing_at_0(_S516, _S517, _S518, _S519);
-    Crossing_0 _S523 = _S522;
-    float _S524 = cell_maximum_0(_S516, &_S523);
-    float _S525;
-    if(_S520)
+    Crossing_0 _S582 = crossing_at_0(_S576, _S577, _S578, _S579);
+    Crossing_0 _S583 = _S582;
+    float _S584 = cell_maximum_0(_S576, &_S583);
+    float _S585;
+    if(_S580)
     {
-        _S525 = _S522.warp_1.above_0;
+        _S585 = _S582.warp_1.above_0;
     }
     else
     {
-        _S525 = _S522.warp_1.below_0;
+        _S585 = _S582.warp_1.below_0;
     }
-    float _S526;
-    if(_S521)
+    float _S586;
+    if(_S581)
     {
-        _S526 = _S522.weft_1.above_0;
+        _S586 = _S582.weft_1.above_0;
     }
     else
     {
-        _S526 = _S522.weft_1.below_0;
+        _S586 = _S582.weft_1.below_0;
     }
-    return make_float3 (_S524, _S525, _S526);
+    return make_float3 (_S584, _S585, _S586);
 }
 
-__device__ float first_sample_height_0(uint _S527, ViewRay_0 * _S528, StepControl_0 * _S529, bool _S530)
+__device__ float first_sample_height_0(uint _S587, ViewRay_0 * _S588, StepControl_0 * _S589, bool _S590)
 {
-    float _S531 = max_height_along_0(_S527, _S528->origin_0.x, _S528->origin_0.y, 0.0f, make_float3 (_S528->slope_1.x, _S528->slope_1.y, 1.0f), _S530);
-    uint count_2 = 0U;
-    float height_7 = _S531;
-    for(;;)
-    {
-        if(count_2 < 1024U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2  _S532 = ViewRay_at_0(_S528, height_7);
-        float3  _S533 = cell_bounds_0(_S527, _S532.x, _S532.y, _S530, _S529->right_1, _S529->up_0);
-        float _S534 = height_7 - _S533.x;
-        float _S535 = StepControl_to_cell_exit_0(_S529, _S533.y, _S533.z);
-        float height_8 = height_7 - clamp_0(_S534, 0.0f, _S535);
-        if(_S534 <= _S535)
-        {
-            height_7 = height_8;
-            break;
-        }
-        count_2 = count_2 + 1U;
-        height_7 = height_8;
-    }
-    return height_7;
-}
-
-__device__ ViewRayEnd_0 search_down_0(uint _S536, ViewRay_0 * _S537, StepControl_0 * _S538, bool _S539)
-{
-    Fabric_0 * _S540 = (&(globalParams_0->fabrics_0)[_S536]);
-    float _S541 = __ldg(&_S540->height_low_0);
-    float _S542 = __ldg(&_S540->height_high_0);
-    float _S543 = _S541 - (_S542 - _S541);
-    ViewRayEnd_0 end_1;
-    float _S544 = first_sample_height_0(_S536, _S537, _S538, _S539);
-    (&end_1)->height_6 = _S544;
-    (&end_1)->last_step_3 = _S538->epsilon_0;
-    (&end_1)->previous_4 = no_previous_sample_0();
-    (&end_1)->depth_1 = 0.0f;
-    (&end_1)->rate_4 = 0.0f;
-    (&end_1)->smooth_0 = false;
+    float _S591 = max_height_along_0(_S587, _S588->origin_0.x, _S588->origin_0.y, 0.0f, make_float3 (_S588->slope_1.x, _S588->slope_1.y, 1.0f), _S590);
     uint count_3 = 0U;
+    float height_7 = _S591;
     for(;;)
     {
         if(count_3 < 1024U)
@@ -2383,166 +2505,206 @@ __device__ ViewRayEnd_0 search_down_0(uint _S536, ViewRay_0 * _S537, StepControl
         {
             break;
         }
-        float2  _S545 = ViewRay_at_0(_S537, (&end_1)->height_6);
-        Probe_0 _S546 = probe_0(_S536, _S545.x, _S545.y, _S539, _S538->right_1, _S538->up_0);
-        float _S547 = (&end_1)->height_6 - _S546.height_1;
-        Probe_0 _S548 = _S546;
-        float _S549 = ViewRay_rate_0(_S537, &_S548);
-        (&end_1)->depth_1 = - _S547;
-        (&end_1)->rate_4 = _S549;
-        bool _S550;
-        if((&(&end_1)->previous_4)->known_0)
+        float2  _S592 = ViewRay_at_0(_S588, height_7);
+        float3  _S593 = cell_bounds_0(_S587, _S592.x, _S592.y, _S590, _S589->right_1, _S589->up_0);
+        float _S594 = height_7 - _S593.x;
+        float _S595 = StepControl_to_cell_exit_0(_S589, _S593.y, _S593.z);
+        float height_8 = height_7 - clamp_0(_S594, 0.0f, _S595);
+        if(_S594 <= _S595)
         {
-            _S550 = !_S546.hole_1;
+            height_7 = height_8;
+            break;
+        }
+        count_3 = count_3 + 1U;
+        height_7 = height_8;
+    }
+    return height_7;
+}
+
+__device__ ViewRayEnd_0 search_down_0(uint _S596, ViewRay_0 * _S597, StepControl_0 * _S598, bool _S599)
+{
+    Fabric_0 * _S600 = (&(globalParams_0->fabrics_0)[_S596]);
+    float _S601 = __ldg(&_S600->height_low_0);
+    float _S602 = __ldg(&_S600->height_high_0);
+    float _S603 = _S601 - (_S602 - _S601);
+    ViewRayEnd_0 end_1;
+    float _S604 = first_sample_height_0(_S596, _S597, _S598, _S599);
+    (&end_1)->height_6 = _S604;
+    (&end_1)->last_step_3 = _S598->epsilon_0;
+    (&end_1)->previous_4 = no_previous_sample_0();
+    (&end_1)->depth_1 = 0.0f;
+    (&end_1)->rate_4 = 0.0f;
+    (&end_1)->smooth_0 = false;
+    uint count_4 = 0U;
+    for(;;)
+    {
+        if(count_4 < 1024U)
+        {
         }
         else
-        {
-            _S550 = false;
-        }
-        bool _S551;
-        if(_S550)
-        {
-            _S551 = ((&(&end_1)->previous_4)->yarn_0) == (_S546.yarn_1);
-        }
-        else
-        {
-            _S551 = false;
-        }
-        (&end_1)->smooth_0 = _S551;
-        bool _S552;
-        if(!_S546.hole_1)
-        {
-            _S552 = _S547 <= 0.0f;
-        }
-        else
-        {
-            _S552 = false;
-        }
-        bool _S553;
-        if(_S552)
-        {
-            _S553 = true;
-        }
-        else
-        {
-            _S553 = ((&end_1)->height_6) <= _S543;
-        }
-        if(_S553)
         {
             break;
         }
-        PreviousSample_0 _S554 = (&end_1)->previous_4;
-        Probe_0 _S555 = _S546;
-        float _S556 = way_back_to_dip_0(&_S554, _S547, _S549, (&end_1)->last_step_3, &_S555);
-        if(_S556 >= 0.0f)
+        float2  _S605 = ViewRay_at_0(_S597, (&end_1)->height_6);
+        Probe_0 _S606 = probe_0(_S596, _S605.x, _S605.y, _S599, _S598->right_1, _S598->up_0);
+        float _S607 = (&end_1)->height_6 - _S606.height_1;
+        Probe_0 _S608 = _S606;
+        float _S609 = ViewRay_rate_0(_S597, &_S608);
+        (&end_1)->depth_1 = - _S607;
+        (&end_1)->rate_4 = _S609;
+        bool _S610;
+        if((&(&end_1)->previous_4)->known_0)
         {
-            (&end_1)->height_6 = (&end_1)->height_6 + _S556;
-            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S556;
-            count_3 = count_3 + 1U;
+            _S610 = !_S606.hole_1;
+        }
+        else
+        {
+            _S610 = false;
+        }
+        bool _S611;
+        if(_S610)
+        {
+            _S611 = ((&(&end_1)->previous_4)->yarn_0) == (_S606.yarn_1);
+        }
+        else
+        {
+            _S611 = false;
+        }
+        (&end_1)->smooth_0 = _S611;
+        bool _S612;
+        if(!_S606.hole_1)
+        {
+            _S612 = _S607 <= 0.0f;
+        }
+        else
+        {
+            _S612 = false;
+        }
+        bool _S613;
+        if(_S612)
+        {
+            _S613 = true;
+        }
+        else
+        {
+            _S613 = ((&end_1)->height_6) <= _S603;
+        }
+        if(_S613)
+        {
+            break;
+        }
+        PreviousSample_0 _S614 = (&end_1)->previous_4;
+        Probe_0 _S615 = _S606;
+        float _S616 = way_back_to_dip_0(&_S614, _S607, _S609, (&end_1)->last_step_3, &_S615);
+        if(_S616 >= 0.0f)
+        {
+            (&end_1)->height_6 = (&end_1)->height_6 + _S616;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S616;
+            count_4 = count_4 + 1U;
             continue;
         }
-        float _S557 = StepControl_to_cell_exit_0(_S538, _S546.side_x_0, _S546.side_y_0);
-        float _S558 = (F32_min((_S557), ((&end_1)->height_6 - _S546.cell_max_0)));
-        Probe_0 _S559 = _S546;
-        float _S560 = StepControl_to_next_sample_0(_S538, &_S559, _S547, _S549);
-        bool _S561 = _S558 > _S560;
-        Probe_0 _S562 = _S546;
-        PreviousSample_0 _S563 = after_sample_0(_S547, _S549, &_S562, _S561);
-        (&end_1)->previous_4 = _S563;
-        float _S564 = (F32_max((_S558), (_S560)));
-        (&end_1)->last_step_3 = _S564;
-        (&end_1)->height_6 = (&end_1)->height_6 - _S564;
-        count_3 = count_3 + 1U;
+        float _S617 = StepControl_to_cell_exit_0(_S598, _S606.side_x_0, _S606.side_y_0);
+        float _S618 = (F32_min((_S617), ((&end_1)->height_6 - _S606.cell_max_0)));
+        Probe_0 _S619 = _S606;
+        float _S620 = StepControl_to_next_sample_0(_S598, &_S619, _S607, _S609);
+        bool _S621 = _S618 > _S620;
+        Probe_0 _S622 = _S606;
+        PreviousSample_0 _S623 = after_sample_0(_S607, _S609, &_S622, _S621);
+        (&end_1)->previous_4 = _S623;
+        float _S624 = (F32_max((_S618), (_S620)));
+        (&end_1)->last_step_3 = _S624;
+        (&end_1)->height_6 = (&end_1)->height_6 - _S624;
+        count_4 = count_4 + 1U;
     }
     return end_1;
 }
 
-__device__ float refined_height_0(uint _S565, ViewRay_0 * _S566, StepControl_0 * _S567, bool _S568, ViewRayEnd_0 * _S569, uint _S570)
+__device__ float refined_height_0(uint _S625, ViewRay_0 * _S626, StepControl_0 * _S627, bool _S628, ViewRayEnd_0 * _S629, uint _S630)
 {
-    Fabric_0 * _S571 = (&(globalParams_0->fabrics_0)[_S565]);
-    float _S572 = __ldg(&_S571->height_high_0);
-    float _S573 = __ldg(&_S571->height_low_0);
-    float _S574 = _S572 - _S573;
-    float _S575 = _S569->height_6;
-    float _S576 = _S569->last_step_3;
-    float above_2 = _S569->height_6 + _S569->last_step_3;
-    float above_gap_1 = clamp_0((&_S569->previous_4)->clearance_0, 0.0f, _S574);
-    float under_gap_1 = clamp_0(_S569->depth_1, 0.0f, _S574);
-    float _S577 = cubic_root_0(above_gap_1, - under_gap_1, (&_S569->previous_4)->rate_0 * _S569->last_step_3, _S569->rate_4 * _S569->last_step_3);
-    bool _S578 = _S569->smooth_0;
+    Fabric_0 * _S631 = (&(globalParams_0->fabrics_0)[_S625]);
+    float _S632 = __ldg(&_S631->height_high_0);
+    float _S633 = __ldg(&_S631->height_low_0);
+    float _S634 = _S632 - _S633;
+    float _S635 = _S629->height_6;
+    float _S636 = _S629->last_step_3;
+    float above_2 = _S629->height_6 + _S629->last_step_3;
+    float above_gap_1 = clamp_0((&_S629->previous_4)->clearance_0, 0.0f, _S634);
+    float under_gap_1 = clamp_0(_S629->depth_1, 0.0f, _S634);
+    float _S637 = cubic_root_0(above_gap_1, - under_gap_1, (&_S629->previous_4)->rate_0 * _S629->last_step_3, _S629->rate_4 * _S629->last_step_3);
+    bool _S638 = _S629->smooth_0;
     float middle_0;
-    if(_S569->smooth_0)
+    if(_S629->smooth_0)
     {
-        middle_0 = above_2 - _S577 * _S576;
+        middle_0 = above_2 - _S637 * _S636;
     }
     else
     {
-        middle_0 = between_0(above_2, _S575, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S635, above_gap_1, under_gap_1);
     }
-    float side_1 = 0.0f;
+    float side_2 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S575;
+    float under_1 = _S635;
     float above_3 = above_2;
     uint i_6 = 0U;
     for(;;)
     {
-        if(i_6 < _S570)
+        if(i_6 < _S630)
         {
         }
         else
         {
             break;
         }
-        float2  _S579 = ViewRay_at_0(_S566, middle_0);
-        Probe_0 _S580 = probe_0(_S565, _S579.x, _S579.y, _S568, _S567->right_1, _S567->up_0);
-        float _S581;
-        if(_S580.hole_1)
+        float2  _S639 = ViewRay_at_0(_S626, middle_0);
+        Probe_0 _S640 = probe_0(_S625, _S639.x, _S639.y, _S628, _S627->right_1, _S627->up_0);
+        float _S641;
+        if(_S640.hole_1)
         {
-            _S581 = -1.0e+09f;
+            _S641 = -1.0e+09f;
         }
         else
         {
-            _S581 = _S580.height_1;
+            _S641 = _S640.height_1;
         }
-        float _S582 = clamp_0(middle_0 - _S581, - _S574, _S574);
-        float _S583;
-        if(_S582 <= 0.0f)
+        float _S642 = clamp_0(middle_0 - _S641, - _S634, _S634);
+        float _S643;
+        if(_S642 <= 0.0f)
         {
-            if(side_1 > 0.0f)
+            if(side_2 > 0.0f)
             {
-                _S583 = 0.5f * above_gap_2;
+                _S643 = 0.5f * above_gap_2;
             }
             else
             {
-                _S583 = above_gap_2;
+                _S643 = above_gap_2;
             }
-            float _S584 = - _S582;
+            float _S644 = - _S642;
             under_1 = middle_0;
-            above_gap_2 = _S583;
-            under_gap_2 = _S584;
-            side_1 = 1.0f;
+            above_gap_2 = _S643;
+            under_gap_2 = _S644;
+            side_2 = 1.0f;
         }
         else
         {
-            if(side_1 < 0.0f)
+            if(side_2 < 0.0f)
             {
-                _S583 = 0.5f * under_gap_2;
+                _S643 = 0.5f * under_gap_2;
             }
             else
             {
-                _S583 = under_gap_2;
+                _S643 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S582;
-            under_gap_2 = _S583;
-            side_1 = -1.0f;
+            above_gap_2 = _S642;
+            under_gap_2 = _S643;
+            side_2 = -1.0f;
         }
-        if(_S578)
+        if(_S638)
         {
-            Probe_0 _S585 = _S580;
-            float _S586 = ViewRay_rate_0(_S566, &_S585);
-            middle_0 = clamp_0(middle_0 + _S582 / (F32_min((_S586), (-9.99999997475242708e-07f))), under_1, above_3);
+            Probe_0 _S645 = _S640;
+            float _S646 = ViewRay_rate_0(_S626, &_S645);
+            middle_0 = clamp_0(middle_0 + _S642 / (F32_min((_S646), (-9.99999997475242708e-07f))), under_1, above_3);
         }
         else
         {
@@ -2550,7 +2712,7 @@ __device__ float refined_height_0(uint _S565, ViewRay_0 * _S566, StepControl_0 *
         }
         i_6 = i_6 + 1U;
     }
-    if(_S578)
+    if(_S638)
     {
     }
     else
@@ -2560,38 +2722,38 @@ __device__ float refined_height_0(uint _S565, ViewRay_0 * _S566, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S587, SearchQuality_0 * _S588, float _S589, float _S590, float3  _S591, bool _S592)
+__device__ Hit_0 first_hit_0(uint _S647, SearchQuality_0 * _S648, float _S649, float _S650, float3  _S651, bool _S652)
 {
     Hit_0 hit_0;
-    (&hit_0)->x_19 = _S589;
-    (&hit_0)->y_11 = _S590;
+    (&hit_0)->x_23 = _S649;
+    (&hit_0)->y_12 = _S650;
     (&hit_0)->height_4 = 0.0f;
-    bool _S593 = passes_through_0(_S587, _S588, _S589, _S590, _S591, _S592);
-    (&hit_0)->hole_3 = _S593;
-    if(_S593)
+    bool _S653 = passes_through_0(_S647, _S648, _S649, _S650, _S651, _S652);
+    (&hit_0)->hole_3 = _S653;
+    if(_S653)
     {
         return hit_0;
     }
-    float _S594 = (F32_max((_S591.z), (0.00009999999747379f)));
+    float _S654 = (F32_max((_S651.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
-    (&ray_0)->origin_0 = make_float2 (_S589, _S590);
-    float2  _S595 = float2 {_S591.x, _S591.y} / make_float2 (_S594);
-    (&ray_0)->slope_1 = _S595;
-    float2  _S596 = - _S595;
-    float _S597 = steps_per_length_0(_S587, _S588, _S591);
-    StepControl_0 _S598 = step_control_0(_S596, 1.0f / (F32_max((_S597 / _S594), (9.99999971718068537e-10f))));
-    ViewRay_0 _S599 = ray_0;
-    StepControl_0 _S600 = _S598;
-    ViewRayEnd_0 _S601 = search_down_0(_S587, &_S599, &_S600, _S592);
-    ViewRay_0 _S602 = ray_0;
-    StepControl_0 _S603 = _S598;
-    ViewRayEnd_0 _S604 = _S601;
-    float _S605 = refined_height_0(_S587, &_S602, &_S603, _S592, &_S604, _S588->refinements_0);
-    (&hit_0)->height_4 = _S605;
-    ViewRay_0 _S606 = ray_0;
-    float2  _S607 = ViewRay_at_0(&_S606, _S605);
-    (&hit_0)->x_19 = _S607.x;
-    (&hit_0)->y_11 = _S607.y;
+    (&ray_0)->origin_0 = make_float2 (_S649, _S650);
+    float2  _S655 = float2 {_S651.x, _S651.y} / make_float2 (_S654);
+    (&ray_0)->slope_1 = _S655;
+    float2  _S656 = - _S655;
+    float _S657 = steps_per_length_0(_S647, _S648, _S651);
+    StepControl_0 _S658 = step_control_0(_S656, 1.0f / (F32_max((_S657 / _S654), (9.99999971718068537e-10f))));
+    ViewRay_0 _S659 = ray_0;
+    StepControl_0 _S660 = _S658;
+    ViewRayEnd_0 _S661 = search_down_0(_S647, &_S659, &_S660, _S652);
+    ViewRay_0 _S662 = ray_0;
+    StepControl_0 _S663 = _S658;
+    ViewRayEnd_0 _S664 = _S661;
+    float _S665 = refined_height_0(_S647, &_S662, &_S663, _S652, &_S664, _S648->refinements_0);
+    (&hit_0)->height_4 = _S665;
+    ViewRay_0 _S666 = ray_0;
+    float2  _S667 = ViewRay_at_0(&_S666, _S665);
+    (&hit_0)->x_23 = _S667.x;
+    (&hit_0)->y_12 = _S667.y;
     return hit_0;
 }
 
@@ -2609,500 +2771,601 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-__device__ SurfacePoint_0 surface_at_0(uint _S608, float _S609, float _S610, bool _S611)
+__device__ SurfacePoint_0 surface_at_0(uint _S668, float _S669, float _S670, bool _S671)
 {
-    Fabric_0 * _S612 = (&(globalParams_0->fabrics_0)[_S608]);
-    Sample_0 _S613 = sample_at_0(_S608, _S609, _S610, _S611);
-    float _S614;
-    if(_S613.shown_3.is_warp_0)
+    Fabric_0 * _S672 = (&(globalParams_0->fabrics_0)[_S668]);
+    Sample_0 _S673 = sample_at_0(_S668, _S669, _S670, _S671);
+    float _S674;
+    if(_S673.shown_3.is_warp_0)
     {
-        _S614 = _S613.crossing_1.warp_1.half_width_1;
+        _S674 = _S673.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S614 = _S613.crossing_1.weft_1.half_width_1;
+        _S674 = _S673.crossing_1.weft_1.half_width_1;
     }
-    uint _S615;
-    if(_S613.shown_3.is_warp_0)
+    uint _S675;
+    if(_S673.shown_3.is_warp_0)
     {
-        uint _S616 = __ldg(&_S612->warp_0);
-        _S615 = _S616;
+        uint _S676 = __ldg(&_S672->warp_0);
+        _S675 = _S676;
     }
     else
     {
-        uint _S617 = __ldg(&_S612->weft_0);
-        _S615 = _S617;
+        uint _S677 = __ldg(&_S672->weft_0);
+        _S675 = _S677;
     }
-    Family_0 _S618 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
-    float _S619;
-    if(_S611)
+    Family_0 _S678 = slang_ldg_1((&(globalParams_0->families_0)[_S675]));
+    float _S679;
+    if(_S671)
     {
-        _S619 = -1.0f;
+        _S679 = -1.0f;
     }
     else
     {
-        _S619 = 1.0f;
+        _S679 = 1.0f;
     }
-    float _S620 = _S618.twist_sine_0 * _S619;
-    Family_0 _S621 = slang_ldg_2((&(globalParams_0->families_0)[_S615]));
-    if(_S613.shown_3.is_warp_0)
+    float _S680 = _S678.twist_sine_0 * _S679;
+    Family_0 _S681 = slang_ldg_1((&(globalParams_0->families_0)[_S675]));
+    if(_S673.shown_3.is_warp_0)
     {
-        _S619 = 1.0f;
+        _S679 = 1.0f;
     }
     else
     {
-        _S619 = -1.0f;
+        _S679 = -1.0f;
     }
-    float2  _S622 = fibre_direction_0(_S613.slope_across_0, _S619 * _S613.slope_along_0, _S620, _S621.twist_cosine_0);
-    float _S623;
-    if(_S613.shown_3.is_warp_0)
+    float2  _S682 = fibre_direction_0(_S673.slope_across_0, _S679 * _S673.slope_along_0, _S680, _S681.twist_cosine_0);
+    float _S683;
+    if(_S673.shown_3.is_warp_0)
     {
-        _S623 = _S613.slope_x_1;
+        _S683 = _S673.slope_x_1;
     }
     else
     {
-        _S623 = _S613.slope_y_1;
+        _S683 = _S673.slope_y_1;
     }
-    float _S624;
-    if(_S613.shown_3.is_warp_0)
+    float _S684;
+    if(_S673.shown_3.is_warp_0)
     {
-        _S624 = _S613.slope_y_1;
+        _S684 = _S673.slope_y_1;
     }
     else
     {
-        _S624 = _S613.slope_x_1;
+        _S684 = _S673.slope_x_1;
     }
-    float _S625 = _S622.x;
-    float _S626 = _S622.y;
-    float _S627 = _S623 * _S625 + _S619 * _S624 * _S626;
-    float _S628 = _S614 * 1.0154266357421875f;
-    float _S629 = _S628 * arc_sine_0(clamp_0(_S613.section_1.across_1 / _S628, -1.0f, 1.0f));
-    if(_S613.shown_3.is_warp_0)
+    float _S685 = _S682.x;
+    float _S686 = _S682.y;
+    float _S687 = _S683 * _S685 + _S679 * _S684 * _S686;
+    float _S688 = _S674 * 1.0154266357421875f;
+    float _S689 = _S688 * arc_sine_0(clamp_0(_S673.section_1.across_1 / _S688, -1.0f, 1.0f));
+    if(_S673.shown_3.is_warp_0)
     {
-        _S614 = _S610;
+        _S674 = _S670;
     }
     else
     {
-        _S614 = - _S609;
+        _S674 = - _S669;
     }
-    SurfacePoint_0 point_2;
-    (&point_2)->hole_4 = _S613.shown_3.hole_0;
-    (&point_2)->is_warp_2 = _S613.shown_3.is_warp_0;
-    (&point_2)->warp_thread_0 = _S613.crossing_1.warp_1.thread_1;
-    (&point_2)->weft_thread_0 = _S613.crossing_1.weft_1.thread_1;
-    (&point_2)->height_9 = _S613.height_5;
-    (&point_2)->normal_5 = normalize_0(make_float3 (- _S613.slope_x_1, - _S613.slope_y_1, 1.0f));
-    float3  _S630;
-    if(_S613.shown_3.is_warp_0)
+    SurfacePoint_0 point_3;
+    (&point_3)->hole_4 = _S673.shown_3.hole_0;
+    (&point_3)->is_warp_2 = _S673.shown_3.is_warp_0;
+    (&point_3)->warp_thread_0 = _S673.crossing_1.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S673.crossing_1.weft_1.thread_1;
+    (&point_3)->height_9 = _S673.height_5;
+    (&point_3)->normal_5 = normalize_0(make_float3 (- _S673.slope_x_1, - _S673.slope_y_1, 1.0f));
+    float3  _S690;
+    if(_S673.shown_3.is_warp_0)
     {
-        _S630 = make_float3 (_S625, _S626, _S627);
+        _S690 = make_float3 (_S685, _S686, _S687);
     }
     else
     {
-        _S630 = make_float3 (- _S626, _S625, _S627);
+        _S690 = make_float3 (- _S686, _S685, _S687);
     }
-    (&point_2)->tangent_5 = normalize_0(_S630);
-    (&point_2)->across_2 = _S613.section_1.across_1;
-    (&point_2)->fibre_across_0 = _S629 * _S621.twist_cosine_0 + _S614 * _S620;
-    (&point_2)->fibre_along_0 = _S614 * _S621.twist_cosine_0 - _S629 * _S620;
-    return point_2;
-}
-
-__device__ Albedos_0 vary_albedos_0(uint _S631, Albedos_0 * _S632, uint _S633, uint _S634)
-{
-    Fabric_0 * _S635 = (&(globalParams_0->fabrics_0)[_S631]);
-    float3  _S636 = _S632->specular_reflect_0;
-    float3  _S637 = _S632->specular_transmit_0;
-    float3  _S638 = max_0(_S632->specular_reflect_0, _S632->specular_transmit_0);
-    float3  _S639 = _S632->diffuse_reflect_0;
-    float3  _S640 = _S632->diffuse_transmit_0;
-    float3  _S641 = _S632->diffuse_reflect_0 + _S632->diffuse_transmit_0;
-    float _S642 = __ldg(&_S635->colour_noise_0);
-    uint _S643 = __ldg(&_S635->seed_0);
-    float _S644 = thread_gain_0(_S633, _S642, _S643);
-    float _S645 = __ldg(&_S635->layer_bound_0);
-    float _S646 = bounded_gain_0(_S644, _S641, make_float3 (1.0f) - make_float3 (_S645) * _S638);
-    float3  _S647 = min_0((make_float3 (1.0f) - make_float3 (_S646) * _S641) / make_float3 (_S645), make_float3 (1.0f));
-    float _S648 = __ldg(&_S635->fibre_noise_0);
-    float _S649 = bounded_gain_0(fibre_gain_0(_S633, _S634, _S648, _S643), _S638, _S647);
-    Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S646) * _S639;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S646) * _S640;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S649) * _S636;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S649) * _S637;
-    return varied_0;
-}
-
-__device__ Albedos_0 varied_at_0(uint _S650, SurfacePoint_0 * _S651, Albedos_0 * _S652, float _S653, float _S654)
-{
-    Fabric_0 * _S655 = (&(globalParams_0->fabrics_0)[_S650]);
-    bool _S656 = _S651->is_warp_2;
-    float _S657;
-    if(_S651->is_warp_2)
-    {
-        _S657 = _S653;
-    }
-    else
-    {
-        _S657 = _S654;
-    }
-    float _S658 = _S657 - _S651->across_2;
-    uint _S659;
-    if(_S656)
-    {
-        uint _S660 = __ldg(&_S655->warp_0);
-        _S659 = _S660;
-    }
-    else
-    {
-        uint _S661 = __ldg(&_S655->weft_0);
-        _S659 = _S661;
-    }
-    Family_0 _S662 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
-    Family_0 _S663 = slang_ldg_2((&(globalParams_0->families_0)[_S659]));
-    int _S664 = int(_S663.count_0);
-    if(_S656)
-    {
-        _S659 = _S651->warp_thread_0;
-    }
-    else
-    {
-        _S659 = _S651->weft_thread_0;
-    }
-    uint _S665 = uint(int((F32_floor((_S658 / _S662.period_0)))) * _S664 + int(_S659)) * 2U;
-    if(_S656)
-    {
-        _S659 = 1U;
-    }
-    else
-    {
-        _S659 = 0U;
-    }
-    uint _S666 = _S665 + _S659;
-    float _S667 = _S651->fibre_across_0;
-    float _S668 = __ldg(&_S655->fibre_size_0);
-    float _S669 = (F32_floor((_S667 / _S668)));
-    Albedos_0 _S670 = vary_albedos_0(_S650, _S652, _S666, uint(int(_S669)) * 65536U + uint(int((F32_floor((_S651->fibre_along_0 / (_S668 * 40.0f) + 0.61799997091293335f * _S669))))));
-    return _S670;
-}
-
-__device__ YarnPoint_0 yarn_point_of_0(uint _S671, SurfacePoint_0 * _S672, float _S673, float _S674, bool _S675, bool _S676)
-{
-    Fabric_0 * _S677 = (&(globalParams_0->fabrics_0)[_S671]);
-    bool _S678 = _S672->is_warp_2;
-    uint _S679;
-    if(_S672->is_warp_2)
-    {
-        uint _S680 = __ldg(&_S677->warp_0);
-        _S679 = _S680;
-    }
-    else
-    {
-        uint _S681 = __ldg(&_S677->weft_0);
-        _S679 = _S681;
-    }
-    uint _S682;
-    if(_S678)
-    {
-        _S682 = _S672->warp_thread_0;
-    }
-    else
-    {
-        _S682 = _S672->weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S679, _S682);
-    float _S683 = __ldg(&_S677->fibre_noise_0);
-    bool _S684;
-    if(_S683 > 0.0f)
-    {
-        _S684 = true;
-    }
-    else
-    {
-        float _S685 = __ldg(&_S677->colour_noise_0);
-        _S684 = _S685 > 0.0f;
-    }
-    Albedos_0 albedos_3;
-    if(_S684)
-    {
-        Albedos_0 _S686 = albedos_2;
-        Albedos_0 _S687 = varied_at_0(_S671, _S672, &_S686, _S673, _S674);
-        albedos_3 = _S687;
-    }
-    else
-    {
-        albedos_3 = albedos_2;
-    }
-    YarnPoint_0 point_3;
-    (&point_3)->back_2 = _S675;
-    (&point_3)->hole_2 = _S676;
-    (&point_3)->is_warp_1 = _S678;
-    (&point_3)->x_18 = _S673;
-    (&point_3)->y_10 = _S674;
-    (&point_3)->height_3 = _S672->height_9;
-    (&point_3)->normal_4 = _S672->normal_5;
-    (&point_3)->tangent_4 = _S672->tangent_5;
-    Family_0 _S688 = slang_ldg_2((&(globalParams_0->families_0)[_S679]));
-    (&point_3)->roughness_8 = _S688.roughness_0;
-    (&point_3)->albedos_1 = albedos_3;
+    (&point_3)->tangent_5 = normalize_0(_S690);
+    (&point_3)->across_2 = _S673.section_1.across_1;
+    (&point_3)->fibre_across_0 = _S689 * _S681.twist_cosine_0 + _S674 * _S680;
+    (&point_3)->fibre_along_0 = _S674 * _S681.twist_cosine_0 - _S689 * _S680;
     return point_3;
 }
 
-__device__ YarnPoint_0 locate_yarn_0(uint _S689, SearchQuality_0 * _S690, float _S691, float _S692, float3  _S693)
+__device__ Albedos_0 vary_albedos_0(uint _S691, Albedos_0 * _S692, uint _S693, uint _S694)
 {
-    bool _S694 = (_S693.z) < 0.0f;
-    Hit_0 _S695 = first_hit_0(_S689, _S690, _S691, _S692, to_face_frame_0(_S693, _S694), _S694);
-    SurfacePoint_0 _S696 = surface_at_0(_S689, _S695.x_19, _S695.y_11, _S694);
-    SurfacePoint_0 _S697 = _S696;
-    YarnPoint_0 _S698 = yarn_point_of_0(_S689, &_S697, _S695.x_19, _S695.y_11, _S694, _S695.hole_3);
-    return _S698;
+    Fabric_0 * _S695 = (&(globalParams_0->fabrics_0)[_S691]);
+    float3  _S696 = _S692->specular_reflect_0;
+    float3  _S697 = _S692->specular_transmit_0;
+    float3  _S698 = max_0(_S692->specular_reflect_0, _S692->specular_transmit_0);
+    float3  _S699 = _S692->diffuse_reflect_0;
+    float3  _S700 = _S692->diffuse_transmit_0;
+    float3  _S701 = _S692->diffuse_reflect_0 + _S692->diffuse_transmit_0;
+    float _S702 = __ldg(&_S695->colour_noise_0);
+    uint _S703 = __ldg(&_S695->seed_0);
+    float _S704 = thread_gain_0(_S693, _S702, _S703);
+    float _S705 = __ldg(&_S695->layer_bound_0);
+    float _S706 = bounded_gain_0(_S704, _S701, make_float3 (1.0f) - make_float3 (_S705) * _S698);
+    float3  _S707 = min_0((make_float3 (1.0f) - make_float3 (_S706) * _S701) / make_float3 (_S705), make_float3 (1.0f));
+    float _S708 = __ldg(&_S695->fibre_noise_0);
+    float _S709 = bounded_gain_0(fibre_gain_0(_S693, _S694, _S708, _S703), _S698, _S707);
+    Albedos_0 varied_0;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S706) * _S699;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S706) * _S700;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S709) * _S696;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S709) * _S697;
+    return varied_0;
 }
 
-__device__ float3  scattered_0(uint _S699, YarnPoint_0 * _S700, float3  _S701, float3  _S702)
+__device__ Albedos_0 varied_at_0(uint _S710, SurfacePoint_0 * _S711, Albedos_0 * _S712, float _S713, float _S714)
 {
-    Fabric_0 * _S703 = (&(globalParams_0->fabrics_0)[_S699]);
-    float3  _S704 = make_float3 (0.0f);
-    bool _S705 = !_S700->hole_2;
-    bool _S706;
-    if(_S705)
+    Fabric_0 * _S715 = (&(globalParams_0->fabrics_0)[_S710]);
+    bool _S716 = _S711->is_warp_2;
+    float _S717;
+    if(_S711->is_warp_2)
     {
-        _S706 = (_S701.z) > 0.0f;
+        _S717 = _S713;
     }
     else
     {
-        _S706 = false;
+        _S717 = _S714;
     }
-    float3  value_1;
-    if(_S706)
+    float _S718 = _S717 - _S711->across_2;
+    uint _S719;
+    if(_S716)
     {
-        float3  _S707 = (&_S700->albedos_1)->diffuse_reflect_0;
-        float3  _S708 = _S700->normal_4;
-        float _S709 = __ldg(&_S703->diffuse_blend_0);
-        float3  _S710 = _S707 * make_float3 (diffuse_reflection_0(_S701, _S708, _S709));
-        float3  _S711 = (&_S700->albedos_1)->specular_reflect_0;
-        float3  _S712 = _S700->tangent_4;
-        float _S713 = _S700->roughness_8;
-        float _S714 = __ldg(&_S703->optical_depth_0);
-        value_1 = _S710 + _S711 * make_float3 (reflection_0(_S701, _S702, _S708, _S712, _S713, _S714));
+        uint _S720 = __ldg(&_S715->warp_0);
+        _S719 = _S720;
     }
     else
     {
-        if(_S705)
-        {
-            _S706 = (_S701.z) < 0.0f;
-        }
-        else
-        {
-            _S706 = false;
-        }
-        if(_S706)
-        {
-            float3  _S715 = (&_S700->albedos_1)->diffuse_transmit_0;
-            float3  _S716 = - _S701;
-            float3  _S717 = _S700->normal_4;
-            float _S718 = __ldg(&_S703->diffuse_blend_0);
-            float3  _S719 = _S715 * make_float3 (diffuse_reflection_0(_S716, _S717, _S718));
-            float3  _S720 = (&_S700->albedos_1)->specular_transmit_0;
-            float3  _S721 = _S700->tangent_4;
-            float _S722 = _S700->roughness_8;
-            float _S723 = __ldg(&_S703->optical_depth_0);
-            value_1 = _S719 + _S720 * make_float3 (transmission_0(_S701, _S702, _S717, _S721, _S722, _S723));
-        }
-        else
-        {
-            value_1 = _S704;
-        }
+        uint _S721 = __ldg(&_S715->weft_0);
+        _S719 = _S721;
     }
-    float _S724 = __ldg(&_S703->sheen_strength_0);
-    if(_S724 <= 0.0f)
+    Family_0 _S722 = slang_ldg_1((&(globalParams_0->families_0)[_S719]));
+    Family_0 _S723 = slang_ldg_1((&(globalParams_0->families_0)[_S719]));
+    int _S724 = int(_S723.count_0);
+    if(_S716)
     {
-        return value_1;
-    }
-    float _S725 = __ldg(&_S703->sheen_roughness_0);
-    float2  _S726 = sheen_with_transmittance_0(_S701, _S702, _S724, _S725);
-    return make_float3 (_S726.y) * value_1 + make_float3 (_S726.x);
-}
-
-__device__ bool unoccluded_0(uint _S727, SearchQuality_0 * _S728, float _S729, float _S730, float _S731, float3  _S732, bool _S733)
-{
-    Fabric_0 * _S734 = (&(globalParams_0->fabrics_0)[_S727]);
-    if((_S732.z) <= 0.0f)
-    {
-        return false;
-    }
-    float _S735 = max_height_along_0(_S727, _S729, _S730, _S731, _S732, _S733);
-    float _S736 = __ldg(&_S734->lift_0);
-    bool _S737 = is_free_0(_S727, _S728, make_float3 (_S729, _S730, _S731 + _S736), _S732, _S733, _S735);
-    return _S737;
-}
-
-__device__ bool is_lit_0(uint _S738, SearchQuality_0 * _S739, YarnPoint_0 * _S740, float3  _S741)
-{
-    if(_S740->hole_2)
-    {
-        return true;
-    }
-    bool _S742 = _S740->back_2;
-    float3  _S743 = to_face_frame_0(_S741, _S740->back_2);
-    float _S744 = _S743.z;
-    bool _S745 = _S744 < 0.0f;
-    float3  _S746 = _S740->normal_4;
-    float _S747 = _S740->height_3;
-    float3  normal_6;
-    float height_10;
-    if(_S745)
-    {
-        SurfacePoint_0 _S748 = surface_at_0(_S738, _S740->x_18, _S740->y_10, !_S742);
-        normal_6 = _S748.normal_5;
-        height_10 = _S748.height_9;
+        _S719 = _S711->warp_thread_0;
     }
     else
     {
-        normal_6 = _S746;
-        height_10 = _S747;
+        _S719 = _S711->weft_thread_0;
     }
-    float3  _S749 = make_float3 (float2 {_S743.x, _S743.y}.x, float2 {_S743.x, _S743.y}.y, (F32_abs((_S744))));
-    if((dot_0(normal_6, _S749)) <= 0.0f)
+    uint _S725 = uint(int((F32_floor((_S718 / _S722.period_0)))) * _S724 + int(_S719)) * 2U;
+    if(_S716)
     {
-        return false;
-    }
-    bool _S750 = unoccluded_0(_S738, _S739, _S740->x_18, _S740->y_10, height_10, _S749, _S742 != _S745);
-    return _S750;
-}
-
-__device__ float3  evaluate_0(uint _S751, SearchQuality_0 * _S752, YarnPoint_0 * _S753, float3  _S754, float3  _S755)
-{
-    float3  _S756 = scattered_0(_S751, _S753, to_face_frame_0(_S754, _S753->back_2), to_face_frame_0(_S755, _S753->back_2));
-    bool _S757;
-    if((F32_max((_S756.x), ((F32_max((_S756.y), (_S756.z)))))) <= 0.0f)
-    {
-        _S757 = true;
+        _S719 = 1U;
     }
     else
     {
-        bool _S758 = is_lit_0(_S751, _S752, _S753, _S754);
-        _S757 = !_S758;
+        _S719 = 0U;
     }
-    if(_S757)
-    {
-        return make_float3 (0.0f);
-    }
-    return _S756;
+    uint _S726 = _S725 + _S719;
+    float _S727 = _S711->fibre_across_0;
+    float _S728 = __ldg(&_S715->fibre_size_0);
+    float _S729 = (F32_floor((_S727 / _S728)));
+    Albedos_0 _S730 = vary_albedos_0(_S710, _S712, _S726, uint(int(_S729)) * 65536U + uint(int((F32_floor((_S711->fibre_along_0 / (_S728 * 40.0f) + 0.61799997091293335f * _S729))))));
+    return _S730;
 }
 
-__device__ float straight_through_0(uint _S759, YarnPoint_0 * _S760, float3  _S761)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S731, SurfacePoint_0 * _S732, float _S733, float _S734, bool _S735, bool _S736)
 {
-    Fabric_0 * _S762 = (&(globalParams_0->fabrics_0)[_S759]);
-    if(!_S760->hole_2)
+    Fabric_0 * _S737 = (&(globalParams_0->fabrics_0)[_S731]);
+    bool _S738 = _S732->is_warp_2;
+    uint _S739;
+    if(_S732->is_warp_2)
     {
-        return 0.0f;
+        uint _S740 = __ldg(&_S737->warp_0);
+        _S739 = _S740;
     }
-    float _S763 = __ldg(&_S762->sheen_strength_0);
-    if(_S763 <= 0.0f)
+    else
+    {
+        uint _S741 = __ldg(&_S737->weft_0);
+        _S739 = _S741;
+    }
+    uint _S742;
+    if(_S738)
+    {
+        _S742 = _S732->warp_thread_0;
+    }
+    else
+    {
+        _S742 = _S732->weft_thread_0;
+    }
+    Albedos_0 albedos_3 = albedos_of_0(_S739, _S742);
+    float _S743 = __ldg(&_S737->fibre_noise_0);
+    bool _S744;
+    if(_S743 > 0.0f)
+    {
+        _S744 = true;
+    }
+    else
+    {
+        float _S745 = __ldg(&_S737->colour_noise_0);
+        _S744 = _S745 > 0.0f;
+    }
+    Albedos_0 albedos_4;
+    if(_S744)
+    {
+        Albedos_0 _S746 = albedos_3;
+        Albedos_0 _S747 = varied_at_0(_S731, _S732, &_S746, _S733, _S734);
+        albedos_4 = _S747;
+    }
+    else
+    {
+        albedos_4 = albedos_3;
+    }
+    YarnPoint_0 point_4;
+    (&point_4)->back_2 = _S735;
+    (&point_4)->hole_2 = _S736;
+    (&point_4)->is_warp_1 = _S738;
+    (&point_4)->x_22 = _S733;
+    (&point_4)->y_11 = _S734;
+    (&point_4)->height_3 = _S732->height_9;
+    (&point_4)->normal_4 = _S732->normal_5;
+    (&point_4)->tangent_4 = _S732->tangent_5;
+    Family_0 _S748 = slang_ldg_1((&(globalParams_0->families_0)[_S739]));
+    (&point_4)->roughness_8 = _S748.roughness_0;
+    (&point_4)->albedos_2 = albedos_4;
+    return point_4;
+}
+
+__device__ YarnPoint_0 locate_yarn_0(uint _S749, SearchQuality_0 * _S750, float _S751, float _S752, float3  _S753)
+{
+    bool _S754 = (_S753.z) < 0.0f;
+    Hit_0 _S755 = first_hit_0(_S749, _S750, _S751, _S752, to_face_frame_0(_S753, _S754), _S754);
+    SurfacePoint_0 _S756 = surface_at_0(_S749, _S755.x_23, _S755.y_12, _S754);
+    SurfacePoint_0 _S757 = _S756;
+    YarnPoint_0 _S758 = yarn_point_of_0(_S749, &_S757, _S755.x_23, _S755.y_12, _S754, _S755.hole_3);
+    return _S758;
+}
+
+__device__ uint light_sample_count_0(int _S759)
+{
+    Frame_0 * _S760 = (&(globalParams_0->frames_0)[_S759]);
+    uint _S761 = __ldg(&_S760->lights_0);
+    uint _S762 = __ldg(&_S760->environment_samples_0);
+    return _S761 + _S762;
+}
+
+__device__ float visibility_at_0(int _S763, uint _S764, uint2  _S765)
+{
+    Frame_0 * _S766 = (&(globalParams_0->frames_0)[_S763]);
+    uint _S767 = __ldg(&_S766->casts_shadows_0);
+    if(_S767 == 0U)
     {
         return 1.0f;
     }
-    float _S764 = (F32_abs((_S761.z)));
-    float _S765 = __ldg(&_S762->sheen_roughness_0);
-    return 1.0f - _S763 * sheen_lobe_0(_S764, _S765).z;
+    uint _S768 = __ldg(&_S766->height_0);
+    uint _S769 = _S764 * _S768 + _S765.y;
+    uint _S770 = __ldg(&_S766->width_0);
+    return *(&(globalParams_0->visibilities_0)[_S769 * _S770 + _S765.x]);
 }
 
-__device__ float4  light_of_point_0(Frame_0 * _S766, uint _S767, VisiblePoint_0 * _S768, float2  _S769)
+struct LightSample_0
 {
-    SearchQuality_0 _S770 = default_quality_0();
-    float3  _S771 = to_local_0(_S768, _S768->view_0);
-    float _S772 = _S769.x;
-    float _S773 = _S769.y;
-    SearchQuality_0 _S774 = _S770;
-    YarnPoint_0 _S775 = locate_yarn_0(_S767, &_S774, _S772, _S773, _S771);
-    float3  _S776 = make_float3 (0.0f);
-    uint number_1 = 0U;
-    float3  radiance_1 = _S776;
+    float3  towards_0;
+    float3  irradiance_1;
+    float distance_3;
+};
+
+__device__ float3  environment_texel_0(int _S771, uint _S772, uint _S773)
+{
+    Frame_0 * _S774 = (&(globalParams_0->frames_0)[_S771]);
+    uint _S775 = __ldg(&_S774->environment_table_0);
+    uint _S776 = __ldg(&_S774->environment_rows_0);
+    uint _S777 = _S775 + _S776 + 1U;
+    uint _S778 = __ldg(&_S774->environment_columns_0);
+    uint _S779 = _S777 + _S776 * (_S778 + 1U) + 3U * (_S772 * _S778 + _S773);
+    return make_float3 (scene_number_0(_S779), scene_number_0(_S779 + 1U), scene_number_0(_S779 + 2U));
+}
+
+__device__ float3  sample_environment_0(int _S780, float2  _S781, float3  * _S782)
+{
+    Frame_0 * _S783 = (&(globalParams_0->frames_0)[_S780]);
+    uint _S784 = __ldg(&_S783->environment_table_0);
+    uint _S785 = __ldg(&_S783->environment_rows_0);
+    Choice_0 _S786 = choose_0(_S784, _S785, _S781.y);
+    uint _S787 = _S784 + _S785 + 1U;
+    uint _S788 = __ldg(&_S783->environment_columns_0);
+    Choice_0 _S789 = choose_0(_S787 + _S786.index_6 * (_S788 + 1U), _S788, _S781.x);
+    float3  _S790 = environment_texel_0(_S780, _S786.index_6, _S789.index_6);
+    float _S791 = __ldg(&_S783->environment_total_0);
+    *_S782 = _S790 * make_float3 (_S791 / (F32_max((mean_0(_S790)), (9.99999968265522539e-21f))));
+    float _S792 = 3.14159274101257324f / float(_S785);
+    float _S793 = lerp_0(sine_cosine_0(float(_S786.index_6) * _S792).y, sine_cosine_0(float(_S786.index_6 + 1U) * _S792).y, _S786.remainder_0);
+    float _S794 = (F32_sqrt(((F32_max((1.0f - _S793 * _S793), (0.0f))))));
+    float2  _S795 = sine_cosine_0((float(_S789.index_6) + _S789.remainder_0) * (6.28318548202514648f / float(_S788)));
+    float _S796 = _S794 * _S795.x;
+    float _S797 = - _S794 * _S795.y;
+    float _S798 = __ldg(&_S783->environment_cosine_0);
+    float _S799 = _S798 * _S796;
+    float _S800 = __ldg(&_S783->environment_sine_0);
+    return make_float3 (_S799 + _S800 * _S797, _S793, _S798 * _S797 - _S800 * _S796);
+}
+
+__device__ LightSample_0 light_sample_0(int _S801, uint _S802, uint2  _S803, float3  _S804)
+{
+    Frame_0 * _S805 = (&(globalParams_0->frames_0)[_S801]);
+    LightSample_0 sample_1;
+    (&sample_1)->distance_3 = 1.00000001504746622e+30f;
+    uint _S806 = __ldg(&_S805->lights_0);
+    if(_S802 >= _S806)
+    {
+        uint _S807 = __ldg(&_S805->pass_number_0);
+        uint _S808 = __ldg(&_S805->environment_samples_0);
+        float3  weight_0;
+        float3  _S809 = sample_environment_0(_S801, pixel_sequence_0(_S803, _S807 * _S808 + (_S802 - _S806), 3U), &weight_0);
+        (&sample_1)->towards_0 = _S809;
+        (&sample_1)->irradiance_1 = weight_0 / make_float3 (float(_S808));
+        return sample_1;
+    }
+    Light_0 _S810 = slang_ldg_2((&(globalParams_0->lights_1)[_S802]));
+    (&sample_1)->irradiance_1 = make_float3 (_S810.red_0, _S810.green_0, _S810.blue_0);
+    (&sample_1)->towards_0 = make_float3 (_S810.x_0, _S810.y_0, _S810.z_0);
+    if((_S810.is_point_0) != 0U)
+    {
+        float3  _S811 = (&sample_1)->towards_0 - _S804;
+        float _S812 = (F32_max((square_0(_S811)), (9.999999960041972e-13f)));
+        (&sample_1)->distance_3 = (F32_sqrt((_S812)));
+        (&sample_1)->irradiance_1 = (&sample_1)->irradiance_1 / make_float3 (_S812);
+        (&sample_1)->towards_0 = normalize_0(_S811);
+    }
+    return sample_1;
+}
+
+__device__ float3  scattered_0(uint _S813, YarnPoint_0 * _S814, float3  _S815, float3  _S816)
+{
+    Fabric_0 * _S817 = (&(globalParams_0->fabrics_0)[_S813]);
+    float3  _S818 = make_float3 (0.0f);
+    bool _S819 = !_S814->hole_2;
+    bool _S820;
+    if(_S819)
+    {
+        _S820 = (_S815.z) > 0.0f;
+    }
+    else
+    {
+        _S820 = false;
+    }
+    float3  value_1;
+    if(_S820)
+    {
+        float3  _S821 = (&_S814->albedos_2)->diffuse_reflect_0;
+        float3  _S822 = _S814->normal_4;
+        float _S823 = __ldg(&_S817->diffuse_blend_0);
+        float3  _S824 = _S821 * make_float3 (diffuse_reflection_0(_S815, _S822, _S823));
+        float3  _S825 = (&_S814->albedos_2)->specular_reflect_0;
+        float3  _S826 = _S814->tangent_4;
+        float _S827 = _S814->roughness_8;
+        float _S828 = __ldg(&_S817->optical_depth_0);
+        value_1 = _S824 + _S825 * make_float3 (reflection_0(_S815, _S816, _S822, _S826, _S827, _S828));
+    }
+    else
+    {
+        if(_S819)
+        {
+            _S820 = (_S815.z) < 0.0f;
+        }
+        else
+        {
+            _S820 = false;
+        }
+        if(_S820)
+        {
+            float3  _S829 = (&_S814->albedos_2)->diffuse_transmit_0;
+            float3  _S830 = - _S815;
+            float3  _S831 = _S814->normal_4;
+            float _S832 = __ldg(&_S817->diffuse_blend_0);
+            float3  _S833 = _S829 * make_float3 (diffuse_reflection_0(_S830, _S831, _S832));
+            float3  _S834 = (&_S814->albedos_2)->specular_transmit_0;
+            float3  _S835 = _S814->tangent_4;
+            float _S836 = _S814->roughness_8;
+            float _S837 = __ldg(&_S817->optical_depth_0);
+            value_1 = _S833 + _S834 * make_float3 (transmission_0(_S815, _S816, _S831, _S835, _S836, _S837));
+        }
+        else
+        {
+            value_1 = _S818;
+        }
+    }
+    float _S838 = __ldg(&_S817->sheen_strength_0);
+    if(_S838 <= 0.0f)
+    {
+        return value_1;
+    }
+    float _S839 = __ldg(&_S817->sheen_roughness_0);
+    float2  _S840 = sheen_with_transmittance_0(_S815, _S816, _S838, _S839);
+    return make_float3 (_S840.y) * value_1 + make_float3 (_S840.x);
+}
+
+__device__ bool unoccluded_0(uint _S841, SearchQuality_0 * _S842, float _S843, float _S844, float _S845, float3  _S846, bool _S847)
+{
+    Fabric_0 * _S848 = (&(globalParams_0->fabrics_0)[_S841]);
+    if((_S846.z) <= 0.0f)
+    {
+        return false;
+    }
+    float _S849 = max_height_along_0(_S841, _S843, _S844, _S845, _S846, _S847);
+    float _S850 = __ldg(&_S848->lift_0);
+    bool _S851 = is_free_0(_S841, _S842, make_float3 (_S843, _S844, _S845 + _S850), _S846, _S847, _S849);
+    return _S851;
+}
+
+__device__ bool is_lit_0(uint _S852, SearchQuality_0 * _S853, YarnPoint_0 * _S854, float3  _S855)
+{
+    if(_S854->hole_2)
+    {
+        return true;
+    }
+    bool _S856 = _S854->back_2;
+    float3  _S857 = to_face_frame_0(_S855, _S854->back_2);
+    float _S858 = _S857.z;
+    bool _S859 = _S858 < 0.0f;
+    float3  _S860 = _S854->normal_4;
+    float _S861 = _S854->height_3;
+    float3  normal_6;
+    float height_10;
+    if(_S859)
+    {
+        SurfacePoint_0 _S862 = surface_at_0(_S852, _S854->x_22, _S854->y_11, !_S856);
+        normal_6 = _S862.normal_5;
+        height_10 = _S862.height_9;
+    }
+    else
+    {
+        normal_6 = _S860;
+        height_10 = _S861;
+    }
+    float3  _S863 = make_float3 (float2 {_S857.x, _S857.y}.x, float2 {_S857.x, _S857.y}.y, (F32_abs((_S858))));
+    if((dot_0(normal_6, _S863)) <= 0.0f)
+    {
+        return false;
+    }
+    bool _S864 = unoccluded_0(_S852, _S853, _S854->x_22, _S854->y_11, height_10, _S863, _S856 != _S859);
+    return _S864;
+}
+
+__device__ float3  evaluate_0(uint _S865, SearchQuality_0 * _S866, YarnPoint_0 * _S867, float3  _S868, float3  _S869)
+{
+    float3  _S870 = scattered_0(_S865, _S867, to_face_frame_0(_S868, _S867->back_2), to_face_frame_0(_S869, _S867->back_2));
+    bool _S871;
+    if((F32_max((_S870.x), ((F32_max((_S870.y), (_S870.z)))))) <= 0.0f)
+    {
+        _S871 = true;
+    }
+    else
+    {
+        bool _S872 = is_lit_0(_S865, _S866, _S867, _S868);
+        _S871 = !_S872;
+    }
+    if(_S871)
+    {
+        return make_float3 (0.0f);
+    }
+    return _S870;
+}
+
+__device__ float straight_through_0(uint _S873, YarnPoint_0 * _S874, float3  _S875)
+{
+    Fabric_0 * _S876 = (&(globalParams_0->fabrics_0)[_S873]);
+    if(!_S874->hole_2)
+    {
+        return 0.0f;
+    }
+    float _S877 = __ldg(&_S876->sheen_strength_0);
+    if(_S877 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    float _S878 = (F32_abs((_S875.z)));
+    float _S879 = __ldg(&_S876->sheen_roughness_0);
+    return 1.0f - _S877 * sheen_lobe_0(_S878, _S879).z;
+}
+
+__device__ float4  light_of_point_0(int _S880, uint _S881, VisiblePoint_0 * _S882, uint2  _S883, float3  _S884, float2  _S885)
+{
+    SearchQuality_0 _S886 = default_quality_0();
+    float3  _S887 = to_local_0(_S882, _S882->view_0);
+    float _S888 = _S885.x;
+    float _S889 = _S885.y;
+    SearchQuality_0 _S890 = _S886;
+    YarnPoint_0 _S891 = locate_yarn_0(_S881, &_S890, _S888, _S889, _S887);
+    YarnPoint_0 point_5 = _S891;
+    Albedos_0 _S892 = (&point_5)->albedos_2;
+    Albedos_0 _S893 = tinted_0(&_S892, _S884);
+    (&point_5)->albedos_2 = _S893;
+    float3  _S894 = make_float3 (0.0f);
+    uint number_2 = 0U;
+    float3  radiance_1 = _S894;
     for(;;)
     {
-        if(number_1 < (_S766->lights_0))
+        uint _S895 = light_sample_count_0(_S880);
+        if(number_2 < _S895)
         {
         }
         else
         {
             break;
         }
-        Light_0 _S777 = slang_ldg_3((&(globalParams_0->lights_1)[number_1]));
-        Light_0 _S778 = _S777;
-        float3  irradiance_2;
-        float3  _S779 = towards_light_0(&_S778, _S768->position_0, &irradiance_2);
-        float3  _S780 = to_local_0(_S768, _S779);
-        SearchQuality_0 _S781 = _S770;
-        YarnPoint_0 _S782 = _S775;
-        float3  _S783 = evaluate_0(_S767, &_S781, &_S782, _S780, _S771);
-        float3  radiance_2 = radiance_1 + irradiance_2 * _S783;
-        number_1 = number_1 + 1U;
-        radiance_1 = radiance_2;
+        float _S896 = visibility_at_0(_S880, number_2, _S883);
+        if(_S896 <= 0.0f)
+        {
+            number_2 = number_2 + 1U;
+            continue;
+        }
+        LightSample_0 _S897 = light_sample_0(_S880, number_2, _S883, _S882->position_0);
+        float3  _S898 = make_float3 (_S896) * _S897.irradiance_1;
+        float3  _S899 = to_local_0(_S882, _S897.towards_0);
+        SearchQuality_0 _S900 = _S886;
+        YarnPoint_0 _S901 = point_5;
+        float3  _S902 = evaluate_0(_S881, &_S900, &_S901, _S899, _S887);
+        radiance_1 = radiance_1 + _S898 * _S902;
+        number_2 = number_2 + 1U;
     }
-    YarnPoint_0 _S784 = _S775;
-    float _S785 = straight_through_0(_S767, &_S784, _S771);
-    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S785);
+    YarnPoint_0 _S903 = point_5;
+    float _S904 = straight_through_0(_S881, &_S903, _S887);
+    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S904);
 }
 
 extern "C" __global__ void shade_points()
 {
-    uint _S786;
-    uint3  _S787 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S788 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    bool _S789;
-    if((_S787.x) >= (_S788.width_0))
+    uint _S905;
+    uint3  _S906 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S907 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S908 = _S906.x;
+    uint _S909 = __ldg(&_S907->width_0);
+    bool _S910;
+    if(_S908 >= _S909)
     {
-        _S789 = true;
+        _S910 = true;
     }
     else
     {
-        _S789 = (_S787.y) >= (_S788.height_0);
+        uint _S911 = _S906.y;
+        uint _S912 = __ldg(&_S907->height_0);
+        _S910 = _S911 >= _S912;
     }
-    if(_S789)
+    if(_S910)
     {
         return;
     }
-    uint2  _S790 = uint2 {_S787.x, _S787.y};
-    int2  _S791 = make_int2 ((int)_S790.x, (int)_S790.y);
-    int3  _S792 = make_int3 (_S791.x, _S791.y, int(0));
-    uint _S793 = (tex2Dfetch_int<uint>((globalParams_0->visible_faces_0), ((_S792)).x, ((_S792)).y, ((_S792)).z));
-    float4  _S794 = make_float4 (0.0f);
-    float4  sum_0;
-    if(_S793 > 0U)
+    uint2  _S913 = uint2 {_S906.x, _S906.y};
+    uint _S914 = _S906.y * _S909 + _S908;
+    uint _S915 = (&(globalParams_0->layers_0)[_S914])->face_0;
+    if(((&(globalParams_0->layers_0)[_S914])->face_0) == 0U)
     {
-        uint _S795 = _S793 - 1U;
-        uint _S796 = __ldg((&(globalParams_0->face_fabrics_0)[_S795]));
-        Frame_0 _S797 = _S788;
-        VisiblePoint_0 _S798 = visible_point_0(&_S797, _S796, _S795, _S790);
-        uint k_0 = 0U;
-        sum_0 = _S794;
-        for(;;)
+        return;
+    }
+    uint _S916 = _S915 - 1U;
+    uint _S917 = __ldg((&(globalParams_0->face_fabrics_0)[_S916]));
+    VisiblePoint_0 _S918 = visible_point_0(int(0), _S917, _S916, _S913);
+    VisiblePoint_0 _S919 = _S918;
+    float3  _S920 = filtered_albedo_0(_S917, &_S919);
+    float4  _S921 = make_float4 (0.0f);
+    uint k_0 = 0U;
+    float4  sum_0 = _S921;
+    for(;;)
+    {
+        uint _S922 = __ldg(&_S907->samples_0);
+        _S905 = _S922;
+        if(k_0 < _S922)
         {
-            _S786 = _S788.samples_0;
-            if(k_0 < (_S788.samples_0))
-            {
-            }
-            else
-            {
-                break;
-            }
-            float2  _S799 = footprint_sample_0(_S790, _S788.pass_number_0 * _S788.samples_0 + k_0);
-            float2  _S800 = _S798.draft_0 + make_float2 (_S799.x) * _S798.draft_dx_0 + make_float2 (_S799.y) * _S798.draft_dy_0;
-            Frame_0 _S801 = _S788;
-            VisiblePoint_0 _S802 = _S798;
-            float4  _S803 = light_of_point_0(&_S801, _S796, &_S802, _S800);
-            float4  sum_1 = sum_0 + _S803;
-            k_0 = k_0 + 1U;
-            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / make_float4 (float(_S786));
+        else
+        {
+            break;
+        }
+        uint _S923 = __ldg(&_S907->pass_number_0);
+        float2  _S924 = pixel_sequence_0(_S913, _S923 * _S922 + k_0, 1U) - make_float2 (0.5f);
+        float2  _S925 = _S918.draft_0 + make_float2 (_S924.x) * _S918.draft_dx_0 + make_float2 (_S924.y) * _S918.draft_dy_0;
+        VisiblePoint_0 _S926 = _S918;
+        float4  _S927 = light_of_point_0(int(0), _S917, &_S926, _S913, _S920, _S925);
+        float4  sum_1 = sum_0 + _S927;
+        k_0 = k_0 + 1U;
+        sum_0 = sum_1;
     }
-    else
-    {
-        sum_0 = _S794;
-    }
-    Frame_0 _S804 = _S788;
-    accumulate_0(&_S804, _S790, sum_0);
+    accumulate_0(_S914, sum_0 / make_float4 (float(_S905)));
     return;
 }
 

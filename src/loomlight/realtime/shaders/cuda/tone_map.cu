@@ -21,40 +21,13 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
-{
-    uint is_encoded_0;
-    uint network_0;
-    uint latents_0;
-    uint texels_0;
-    uint levels_1;
-    uint top_level_0;
-    float ends_0;
-    float picks_0;
-    float ends_per_mm_0;
-    float picks_per_mm_0;
-    float pitch_0;
-    float warp_x_0;
-    float warp_y_0;
-    float warp_roughness_0;
-    float weft_x_0;
-    float weft_y_0;
-    float weft_roughness_0;
-    float warp_lobe_roughness_0;
-    float weft_lobe_roughness_0;
-    uint bundles_0;
-    uint is_corrected_0;
-    uint correction_0;
-};
-
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_1;
+    uint ends_0;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -74,6 +47,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -129,6 +105,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -162,6 +150,12 @@ struct Vertex_0
     float v_0;
 };
 
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -174,7 +168,9 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
-    StructuredBuffer<uint4 > packed_numbers_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
     CUtexObject visible_faces_0;
 };
 
@@ -185,41 +181,11 @@ __device__ float clamp_0(float x_2, float minBound_0, float maxBound_0)
     return (F32_min(((F32_max((x_2), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ Frame_0 slang_ldg_0(Frame_0 * ptr_0)
-{
-    uint _S1 = __ldg(&ptr_0->width_0);
-    uint _S2 = __ldg(&ptr_0->height_0);
-    uint _S3 = __ldg(&ptr_0->lights_0);
-    uint _S4 = __ldg(&ptr_0->samples_0);
-    uint _S5 = __ldg(&ptr_0->pass_number_0);
-    float _S6 = __ldg(&ptr_0->jitter_x_0);
-    float _S7 = __ldg(&ptr_0->jitter_y_0);
-    float _S8 = __ldg(&ptr_0->gain_0);
-    float _S9 = __ldg(&ptr_0->origin_x_0);
-    float _S10 = __ldg(&ptr_0->origin_y_0);
-    float _S11 = __ldg(&ptr_0->origin_z_0);
-    float _S12 = __ldg(&ptr_0->right_x_0);
-    float _S13 = __ldg(&ptr_0->right_y_0);
-    float _S14 = __ldg(&ptr_0->right_z_0);
-    float _S15 = __ldg(&ptr_0->up_x_0);
-    float _S16 = __ldg(&ptr_0->up_y_0);
-    float _S17 = __ldg(&ptr_0->up_z_0);
-    float _S18 = __ldg(&ptr_0->forward_x_0);
-    float _S19 = __ldg(&ptr_0->forward_y_0);
-    float _S20 = __ldg(&ptr_0->forward_z_0);
-    float _S21 = __ldg(&ptr_0->near_0);
-    float _S22 = __ldg(&ptr_0->background_red_0);
-    float _S23 = __ldg(&ptr_0->background_green_0);
-    float _S24 = __ldg(&ptr_0->background_blue_0);
-    Frame_0 _S25 = { _S1, _S2, _S3, _S4, _S5, _S6, _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14, _S15, _S16, _S17, _S18, _S19, _S20, _S21, _S22, _S23, _S24 };
-    return _S25;
-}
-
 __device__ float natural_logarithm_0(float x_3)
 {
-    uint _S26 = (F32_asuint((x_3)));
-    float exponent_0 = float(int(_S26 >> int(23)) - int(126));
-    float m_0 = (U32_asfloat(((_S26 & 8388607U) | 1056964608U)));
+    uint _S1 = (F32_asuint((x_3)));
+    float exponent_0 = float(int(_S1 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S1 & 8388607U) | 1056964608U)));
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -234,27 +200,27 @@ __device__ float natural_logarithm_0(float x_3)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S27 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S27 - exponent_1 * 0.00021219444170129f - 0.5f * _S27) + exponent_1 * 0.693359375f;
+    float _S2 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
 }
 
 __device__ float exponential_0(float x_4)
 {
-    float _S28 = clamp_0(x_4, -87.0f, 88.0f);
-    float _S29 = (F32_floor((_S28 * 1.4426950216293335f + 0.5f)));
-    float _S30 = _S28 - _S29 * 0.693359375f + _S29 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S30 + 0.00139819993637502f) * _S30 + 0.00833345204591751f) * _S30 + 0.04166579619050026f) * _S30 + 0.1666666567325592f) * _S30 + 0.5f;
-    float _S31 = (U32_asfloat((uint(int(_S29) + int(127)) << int(23))));
-    float _S32;
+    float _S3 = clamp_0(x_4, -87.0f, 88.0f);
+    float _S4 = (F32_floor((_S3 * 1.4426950216293335f + 0.5f)));
+    float _S5 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
+    float _S6 = (U32_asfloat((uint(int(_S4) + int(127)) << int(23))));
+    float _S7;
     if(x_4 < -87.0f)
     {
-        _S32 = 0.0f;
+        _S7 = 0.0f;
     }
     else
     {
-        _S32 = (p_0 * _S30 * _S30 + _S30 + 1.0f) * _S31;
+        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0f) * _S6;
     }
-    return _S32;
+    return _S7;
 }
 
 __device__ float power_0(float x_5, float exponent_3)
@@ -264,31 +230,34 @@ __device__ float power_0(float x_5, float exponent_3)
 
 __device__ uint encoded_0(float linear_0)
 {
-    float _S33 = clamp_0(linear_0, 0.0f, 1.0f);
-    float _S34;
-    if(_S33 <= 0.00313080009073019f)
+    float _S8 = clamp_0(linear_0, 0.0f, 1.0f);
+    float _S9;
+    if(_S8 <= 0.00313080009073019f)
     {
-        _S34 = 12.92000007629394531f * _S33;
+        _S9 = 12.92000007629394531f * _S8;
     }
     else
     {
-        _S34 = 1.0549999475479126f * power_0(_S33, 0.4166666567325592f) - 0.05499999970197678f;
+        _S9 = 1.0549999475479126f * power_0(_S8, 0.4166666567325592f) - 0.05499999970197678f;
     }
-    return uint(_S34 * 255.0f + 0.5f);
+    return uint(_S9 * 255.0f + 0.5f);
 }
 
 extern "C" __global__ void tone_map()
 {
-    uint3  _S35 = blockIdx * blockDim + threadIdx;
-    Frame_0 _S36 = slang_ldg_0((&(globalParams_0->frames_0)[int(0)]));
-    uint _S37 = _S35.x;
-    if(_S37 >= (_S36.width_0 * _S36.height_0))
+    Frame_0 * _S10 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S11 = (blockIdx * blockDim + threadIdx).x;
+    uint _S12 = __ldg(&_S10->width_0);
+    uint _S13 = __ldg(&_S10->height_0);
+    if(_S11 >= (_S12 * _S13))
     {
         return;
     }
-    float4  _S38 = *(&(globalParams_0->radiance_0)[_S37]);
-    float3  _S39 = float3 {_S38.x, _S38.y, _S38.z} * make_float3 (_S36.gain_0);
-    *(&(globalParams_0->pixels_0)[_S37]) = (((encoded_0(_S39.x)) | ((encoded_0(_S39.y)) << int(8))) | ((encoded_0(_S39.z)) << int(16))) | 4278190080U;
+    float4  _S14 = *(&(globalParams_0->radiance_0)[_S11]);
+    float3  _S15 = float3 {_S14.x, _S14.y, _S14.z};
+    float _S16 = __ldg(&_S10->gain_0);
+    float3  _S17 = _S15 * make_float3 (_S16);
+    *(&(globalParams_0->pixels_0)[_S11]) = (((encoded_0(_S17.x)) | ((encoded_0(_S17.y)) << int(8))) | ((encoded_0(_S17.z)) << int(16))) | 4278190080U;
     return;
 }
 

@@ -1,5 +1,4 @@
 #version 450
-#extension GL_EXT_samplerless_texture_functions : require
 layout(row_major) uniform;
 layout(row_major) buffer;
 struct Frame_0
@@ -9,6 +8,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -33,9 +44,15 @@ struct Frame_0
 layout(std430, binding = 4) readonly buffer StructuredBuffer_Frame_t_0 {
     Frame_0 _data[];
 } frames_0;
-layout(binding = 11)
-uniform utexture2D visible_faces_0;
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
 
+layout(std430, binding = 11) buffer StructuredBuffer_Layer_t_0 {
+    Layer_0 _data[];
+} layers_0;
 layout(std430, binding = 7) readonly buffer StructuredBuffer_uint_t_0 {
     uint _data[];
 } face_fabrics_0;
@@ -61,40 +78,13 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
-{
-    uint is_encoded_0;
-    uint network_0;
-    uint latents_0;
-    uint texels_0;
-    uint levels_1;
-    uint top_level_0;
-    float ends_0;
-    float picks_0;
-    float ends_per_mm_0;
-    float picks_per_mm_0;
-    float pitch_0;
-    float warp_x_0;
-    float warp_y_0;
-    float warp_roughness_0;
-    float weft_x_0;
-    float weft_y_0;
-    float weft_roughness_0;
-    float warp_lobe_roughness_0;
-    float weft_lobe_roughness_0;
-    uint bundles_0;
-    uint is_corrected_0;
-    uint correction_0;
-};
-
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_1;
+    uint ends_0;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -114,6 +104,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -137,6 +130,12 @@ struct Vertex_0
 layout(std430, binding = 5) readonly buffer StructuredBuffer_Vertex_t_0 {
     Vertex_0 _data[];
 } vertices_0;
+layout(std430, binding = 10) readonly buffer StructuredBuffer_uint_t_2 {
+    uint _data[];
+} scene_words_0;
+layout(std430, binding = 12) buffer StructuredBuffer_float_t_0 {
+    float _data[];
+} visibilities_0;
 struct Light_0
 {
     uint is_point_0;
@@ -189,7 +188,7 @@ struct Family_0
 layout(std430, binding = 1) readonly buffer StructuredBuffer_Family_t_0 {
     Family_0 _data[];
 } families_0;
-layout(std430, binding = 2) readonly buffer StructuredBuffer_uint_t_2 {
+layout(std430, binding = 2) readonly buffer StructuredBuffer_uint_t_3 {
     uint _data[];
 } words_0;
 layout(std430, binding = 8) buffer StructuredBuffer_vectorx3Cfloatx2C4x3E_t_0 {
@@ -203,6 +202,11 @@ vec3 saturate_0(vec3 x_2)
 const vec2  TAP_OFFSETS_0[9] = vec2[](vec2(-0.3333333432674408, -0.3333333432674408), vec2(-0.3333333432674408, 0.0), vec2(-0.3333333432674408, 0.3333333432674408), vec2(0.0, -0.3333333432674408), vec2(0.0, 0.0), vec2(0.0, 0.3333333432674408), vec2(0.3333333432674408, -0.3333333432674408), vec2(0.3333333432674408, 0.0), vec2(0.3333333432674408, 0.3333333432674408));
 const float  PYRAMID_RADII_0[4] = float[](1.0, 2.0, 4.0, 8.0);
 const vec2  POINT_OFFSETS_0[8] = vec2[](vec2(0.0, 0.0), vec2(-0.23010000586509705, 0.35670000314712524), vec2(0.36809998750686646, -0.22939999401569366), vec2(-0.28040000796318054, -0.34400001168251038), vec2(0.3465999960899353, 0.28859999775886536), vec2(-0.36349999904632568, 0.0511000007390976), vec2(0.09929999709129333, -0.35699999332427979), vec2(0.10710000246763229, 0.32879999279975891));
+float saturate_1(float x_3)
+{
+    return clamp(x_3, 0.0, 1.0);
+}
+
 vec3 position_of_0(Vertex_0 vertex_0)
 {
     return vec3(vertex_0.x_0, vertex_0.y_0, vertex_0.z_0);
@@ -213,80 +217,21 @@ float square_0(vec3 v_1)
     return dot(v_1, v_1);
 }
 
-vec3 camera_right_0(Frame_0 frame_0)
-{
-    return vec3(frame_0.right_x_0, frame_0.right_y_0, frame_0.right_z_0);
-}
-
-vec3 camera_up_0(Frame_0 frame_1)
-{
-    return vec3(frame_1.up_x_0, frame_1.up_y_0, frame_1.up_z_0);
-}
-
-vec3 camera_forward_0(Frame_0 frame_2)
-{
-    return vec3(frame_2.forward_x_0, frame_2.forward_y_0, frame_2.forward_z_0);
-}
-
-vec3 camera_origin_0(Frame_0 frame_3)
-{
-    return vec3(frame_3.origin_x_0, frame_3.origin_y_0, frame_3.origin_z_0);
-}
-
 vec3 normal_of_0(Vertex_0 vertex_1)
 {
     return vec3(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
-struct VisiblePoint_0
+float square_1(float x_4)
 {
-    vec3 position_0;
-    vec3 view_0;
-    vec3 axis_x_0;
-    vec3 axis_y_0;
-    vec3 normal_0;
-    vec2 draft_0;
-    vec2 draft_dx_0;
-    vec2 draft_dy_0;
-};
-
-vec3 to_local_0(VisiblePoint_0 point_0, vec3 direction_0)
-{
-    return vec3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+    return x_4 * x_4;
 }
 
-vec3 towards_light_0(Light_0 light_0, vec3 position_1, out vec3 irradiance_1)
+float natural_logarithm_0(float x_5)
 {
-    irradiance_1 = vec3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    vec3 _S1 = vec3(light_0.x_1, light_0.y_1, light_0.z_1);
-    if((light_0.is_point_0) == 0U)
-    {
-        return _S1;
-    }
-    vec3 _S2 = _S1 - position_1;
-    irradiance_1 = irradiance_1 / max(square_0(_S2), 9.999999960041972e-13);
-    return normalize(_S2);
-}
-
-struct Footprint_0
-{
-    vec2 centre_0;
-    vec2 dx_0;
-    vec2 dy_0;
-};
-
-float Footprint_spread_side_0(Footprint_0 this_0)
-{
-    vec2 _S3 = this_0.dx_0;
-    vec2 _S4 = this_0.dy_0;
-    return sqrt(0.5 * (dot(_S3, _S3) + dot(_S4, _S4)));
-}
-
-float natural_logarithm_0(float x_3)
-{
-    uint _S5 = floatBitsToUint(x_3);
-    float exponent_0 = float(int(_S5 >> 23) - 126);
-    float m_0 = uintBitsToFloat((_S5 & 8388607U) | 1056964608U);
+    uint _S1 = floatBitsToUint(x_5);
+    float exponent_0 = float(int(_S1 >> 23) - 126);
+    float m_0 = uintBitsToFloat((_S1 & 8388607U) | 1056964608U);
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042)
@@ -301,28 +246,213 @@ float natural_logarithm_0(float x_3)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0;
-    float _S6 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444 * m_2 - 0.11514610052108765) * m_2 + 0.11676998436450958) * m_2 - 0.12420140951871872) * m_2 + 0.14249323308467865) * m_2 - 0.16668057441711426) * m_2 + 0.20000714063644409) * m_2 - 0.24999994039535522) * m_2 + 0.33333331346511841) * m_2 * _S6 - exponent_1 * 0.00021219444170129 - 0.5 * _S6) + exponent_1 * 0.693359375;
+    float _S2 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444 * m_2 - 0.11514610052108765) * m_2 + 0.11676998436450958) * m_2 - 0.12420140951871872) * m_2 + 0.14249323308467865) * m_2 - 0.16668057441711426) * m_2 + 0.20000714063644409) * m_2 - 0.24999994039535522) * m_2 + 0.33333331346511841) * m_2 * _S2 - exponent_1 * 0.00021219444170129 - 0.5 * _S2) + exponent_1 * 0.693359375;
 }
 
-float binary_logarithm_0(float x_4)
+float binary_logarithm_0(float x_6)
 {
-    return natural_logarithm_0(x_4) * 1.4426950216293335;
+    return natural_logarithm_0(x_6) * 1.4426950216293335;
+}
+
+float exponential_0(float x_7)
+{
+    float _S3 = clamp(x_7, -87.0, 88.0);
+    float _S4 = floor(_S3 * 1.4426950216293335 + 0.5);
+    float _S5 = _S3 - _S4 * 0.693359375 + _S4 * 0.00021219444170129;
+    float p_0 = ((((0.00019875691214111 * _S5 + 0.00139819993637502) * _S5 + 0.00833345204591751) * _S5 + 0.04166579619050026) * _S5 + 0.1666666567325592) * _S5 + 0.5;
+    float _S6 = uintBitsToFloat(uint(int(_S4) + 127) << 23);
+    float _S7;
+    if(x_7 < -87.0)
+    {
+        _S7 = 0.0;
+    }
+    else
+    {
+        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0) * _S6;
+    }
+    return _S7;
+}
+
+vec3 map_texel_0(uint index_0)
+{
+    uint _S8 = scene_words_0._data[uint(index_0)];
+    vec3 _S9 = vec3(float(_S8 & 1023U), float((_S8 >> 10) & 1023U), float(_S8 >> 20)) / 1023.0;
+    return _S9 * _S9;
+}
+
+vec3 map_level_0(uint first_0, uint side_0, vec2 uv_0)
+{
+    float _S10 = uv_0.x;
+    float _S11 = float(side_0);
+    float _S12 = (_S10 - floor(_S10)) * _S11 - 0.5;
+    float _S13 = uv_0.y;
+    float _S14 = (_S13 - floor(_S13)) * _S11 - 0.5;
+    float _S15 = floor(_S12);
+    int _S16 = int(side_0);
+    uint _S17 = side_0 - 1U;
+    uint _S18 = uint(int(_S15) + _S16) & _S17;
+    float _S19 = floor(_S14);
+    uint _S20 = uint(int(_S19) + _S16) & _S17;
+    uint _S21 = (_S18 + 1U) & _S17;
+    uint _S22 = first_0 + _S20 * side_0;
+    vec3 _S23 = vec3(_S12 - _S15);
+    uint _S24 = first_0 + ((_S20 + 1U) & _S17) * side_0;
+    return mix(mix(map_texel_0(_S22 + _S18), map_texel_0(_S22 + _S21), _S23), mix(map_texel_0(_S24 + _S18), map_texel_0(_S24 + _S21), _S23), vec3(_S14 - _S19));
+}
+
+struct VisiblePoint_0
+{
+    vec3 position_0;
+    vec3 view_0;
+    vec3 axis_x_0;
+    vec3 axis_y_0;
+    vec3 normal_0;
+    vec3 face_normal_0;
+    vec2 uv_1;
+    vec2 draft_per_uv_0;
+    vec2 draft_0;
+    vec2 draft_dx_0;
+    vec2 draft_dy_0;
+};
+
+vec3 to_local_0(VisiblePoint_0 point_0, vec3 direction_0)
+{
+    return vec3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+}
+
+uint scramble_0(uint value_0)
+{
+    uint _S25 = value_0 * 747796405U + 2891336453U;
+    uint _S26 = ((_S25 >> ((_S25 >> 28) + 4U)) ^ _S25) * 277803737U;
+    return (_S26 >> 22) ^ _S26;
+}
+
+float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
+{
+    return (float((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> 9) + 0.5) * 1.1920928955078125e-07;
+}
+
+vec2 pixel_sequence_0(uvec2 pixel_0, uint index_1, uint stream_1)
+{
+    uint _S27 = pixel_0.x;
+    uint _S28 = pixel_0.y;
+    return fract(vec2(uniform_hash_0(_S27, _S28, stream_1), uniform_hash_0(_S27, _S28, stream_1 + 1U)) + float(index_1 & 65535U) * vec2(0.75487768650054932, 0.56984031200408936));
+}
+
+float scene_number_0(uint index_2)
+{
+    return uintBitsToFloat(scene_words_0._data[uint(index_2)]);
+}
+
+struct Choice_0
+{
+    uint index_3;
+    float remainder_0;
+};
+
+Choice_0 choose_0(uint table_0, uint count_1, float number_0)
+{
+    uint high_0 = count_1;
+    uint low_0 = 0U;
+    for(;;)
+    {
+        if((high_0 - low_0) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S29 = (low_0 + high_0) / 2U;
+        if((scene_number_0(table_0 + _S29)) <= number_0)
+        {
+            low_0 = _S29;
+        }
+        else
+        {
+            high_0 = _S29;
+        }
+    }
+    uint _S30 = table_0 + low_0;
+    float _S31 = scene_number_0(_S30);
+    float _S32 = scene_number_0(_S30 + 1U);
+    Choice_0 choice_0;
+    choice_0.index_3 = low_0;
+    choice_0.remainder_0 = saturate_1((number_0 - _S31) / max(_S32 - _S31, 9.999999960041972e-13));
+    return choice_0;
+}
+
+float mean_0(vec3 colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0;
+}
+
+vec2 sine_cosine_0(float x_8)
+{
+    float _S33 = floor(x_8 * 0.63661974668502808 + 0.5);
+    float _S34 = x_8 - _S33 * 1.5703125 - _S33 * 0.00048375129699707 - _S33 * 7.54979012640433211e-08;
+    float _S35 = _S34 * _S34;
+    float _S36 = ((-0.00019515295571182 * _S35 + 0.00833216123282909) * _S35 - 0.16666655242443085) * _S35 * _S34 + _S34;
+    float _S37 = ((0.00002443315679557 * _S35 - 0.00138873164542019) * _S35 + 0.04166664555668831) * _S35 * _S35 - 0.5 * _S35 + 1.0;
+    uint _S38 = uint(int(_S33)) & 3U;
+    vec2 _S39;
+    if((_S38 & 1U) != 0U)
+    {
+        _S39 = vec2(_S37, _S36);
+    }
+    else
+    {
+        _S39 = vec2(_S36, _S37);
+    }
+    float _S40;
+    if((_S38 & 2U) != 0U)
+    {
+        _S40 = - _S39.x;
+    }
+    else
+    {
+        _S40 = _S39.x;
+    }
+    float _S41;
+    if(((_S38 + 1U) & 2U) != 0U)
+    {
+        _S41 = - _S39.y;
+    }
+    else
+    {
+        _S41 = _S39.y;
+    }
+    return vec2(_S40, _S41);
+}
+
+struct Footprint_0
+{
+    vec2 centre_0;
+    vec2 dx_0;
+    vec2 dy_0;
+};
+
+float Footprint_spread_side_0(Footprint_0 this_0)
+{
+    vec2 _S42 = this_0.dx_0;
+    vec2 _S43 = this_0.dy_0;
+    return sqrt(0.5 * (dot(_S42, _S42) + dot(_S43, _S43)));
 }
 
 vec3 to_face_frame_0(vec3 direction_1, bool back_0)
 {
-    vec2 _S7 = direction_1.xy;
-    float _S8;
+    vec2 _S44 = direction_1.xy;
+    float _S45;
     if(back_0)
     {
-        _S8 = - direction_1.z;
+        _S45 = - direction_1.z;
     }
     else
     {
-        _S8 = direction_1.z;
+        _S45 = direction_1.z;
     }
-    return vec3(_S7, _S8);
+    return vec3(_S44, _S45);
 }
 
 struct SurfacePoint_0
@@ -341,18 +471,18 @@ struct SurfacePoint_0
 
 SurfacePoint_0 SurfacePoint_x24init_0(bool hole_1, bool is_warp_1, uint warp_thread_1, uint weft_thread_1, float height_2, vec3 normal_2, vec3 tangent_1, float across_1, float fibre_across_1, float fibre_along_1)
 {
-    SurfacePoint_0 _S9;
-    _S9.hole_0 = hole_1;
-    _S9.is_warp_0 = is_warp_1;
-    _S9.warp_thread_0 = warp_thread_1;
-    _S9.weft_thread_0 = weft_thread_1;
-    _S9.height_1 = height_2;
-    _S9.normal_1 = normal_2;
-    _S9.tangent_0 = tangent_1;
-    _S9.across_0 = across_1;
-    _S9.fibre_across_0 = fibre_across_1;
-    _S9.fibre_along_0 = fibre_along_1;
-    return _S9;
+    SurfacePoint_0 _S46;
+    _S46.hole_0 = hole_1;
+    _S46.is_warp_0 = is_warp_1;
+    _S46.warp_thread_0 = warp_thread_1;
+    _S46.weft_thread_0 = weft_thread_1;
+    _S46.height_1 = height_2;
+    _S46.normal_1 = normal_2;
+    _S46.tangent_0 = tangent_1;
+    _S46.across_0 = across_1;
+    _S46.fibre_across_0 = fibre_across_1;
+    _S46.fibre_along_0 = fibre_along_1;
+    return _S46;
 }
 
 struct Components_0
@@ -387,82 +517,82 @@ struct SearchQuality_0
 
 SearchQuality_0 quality_of_0(float threads_0)
 {
-    float _S10 = clamp((-3.0 - binary_logarithm_0(max(threads_0, 9.99999971718068537e-10))) / 2.0, 0.0, 1.0);
+    float _S47 = clamp((-3.0 - binary_logarithm_0(max(threads_0, 9.99999971718068537e-10))) / 2.0, 0.0, 1.0);
     SearchQuality_0 quality_0;
-    float _S11 = mix(2.5, 5.0, _S10);
-    quality_0.steps_per_thread_0 = _S11;
-    quality_0.steps_per_relief_0 = _S11;
-    quality_0.shadow_share_0 = mix(1.60000002384185791, 1.0, _S10);
-    quality_0.refinements_0 = uint(mix(1.0, 2.0, _S10) + 0.5);
+    float _S48 = mix(2.5, 5.0, _S47);
+    quality_0.steps_per_thread_0 = _S48;
+    quality_0.steps_per_relief_0 = _S48;
+    quality_0.shadow_share_0 = mix(1.60000002384185791, 1.0, _S47);
+    quality_0.refinements_0 = uint(mix(1.0, 2.0, _S47) + 0.5);
     return quality_0;
 }
 
-vec2 turns_and_remainder_0(uint family_0, float index_0)
+vec2 turns_and_remainder_0(uint family_0, float index_4)
 {
-    float _S12 = floor(fma(index_0, families_0._data[uint(family_0)].inverse_count_0, families_0._data[uint(family_0)].half_inverse_count_0));
-    return vec2(_S12, fma(- _S12, families_0._data[uint(family_0)].count_0, index_0));
+    float _S49 = floor(fma(index_4, families_0._data[uint(family_0)].inverse_count_0, families_0._data[uint(family_0)].half_inverse_count_0));
+    return vec2(_S49, fma(- _S49, families_0._data[uint(family_0)].count_0, index_4));
 }
 
 struct Cell_0
 {
-    uint thread_0;
+    uint thread_1;
     float across_2;
     float half_width_1;
     float below_0;
     float above_0;
 };
 
-Cell_0 locate_alike_0(uint family_1, float position_2)
+Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    float _S13 = floor(position_2 * families_0._data[uint(family_1)].inverse_size_0);
-    Cell_0 cell_0;
-    float _S14 = fma(- _S13, families_0._data[uint(family_1)].size_0, position_2);
-    cell_0.below_0 = _S14;
-    cell_0.above_0 = families_0._data[uint(family_1)].size_0 - _S14;
-    cell_0.across_2 = _S14 - 0.5 * families_0._data[uint(family_1)].size_0;
-    cell_0.half_width_1 = families_0._data[uint(family_1)].half_width_0;
-    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S13).y, 0.0, families_0._data[uint(family_1)].count_0 - 1.0));
-    return cell_0;
-}
-
-float table_number_0(uint index_1)
-{
-    return uintBitsToFloat(words_0._data[uint(index_1)]);
-}
-
-Cell_0 locate_varied_0(uint family_2, float position_3)
-{
-    float turns_0 = (position_3 - families_0._data[uint(family_2)].start_0) * families_0._data[uint(family_2)].inverse_period_0;
-    float turns_1 = turns_0 - floor(turns_0);
-    float _S15 = turns_1 * families_0._data[uint(family_2)].period_0;
-    uint thread_1 = words_0._data[uint(families_0._data[uint(family_2)].first_thread_table_0 + uint(clamp(turns_1 * families_0._data[uint(family_2)].bins_0, 0.0, families_0._data[uint(family_2)].bins_0 - 1.0)))];
-    uint _S16;
-    if(_S15 >= (table_number_0(families_0._data[uint(family_2)].place_table_0 + thread_1 * 4U + 1U)))
-    {
-        _S16 = 1U;
-    }
-    else
-    {
-        _S16 = 0U;
-    }
-    uint _S17 = min(thread_1 + _S16, uint(families_0._data[uint(family_2)].count_0) - 1U);
-    uint _S18 = families_0._data[uint(family_2)].place_table_0 + _S17 * 4U;
+    float _S50 = floor(position_1 * families_0._data[uint(family_1)].inverse_size_0);
     Cell_0 cell_1;
-    cell_1.thread_0 = _S17;
-    cell_1.below_0 = _S15 - table_number_0(_S18);
-    cell_1.above_0 = table_number_0(_S18 + 1U) - _S15;
-    cell_1.across_2 = _S15 - table_number_0(_S18 + 2U);
-    cell_1.half_width_1 = table_number_0(_S18 + 3U);
+    float _S51 = fma(- _S50, families_0._data[uint(family_1)].size_0, position_1);
+    cell_1.below_0 = _S51;
+    cell_1.above_0 = families_0._data[uint(family_1)].size_0 - _S51;
+    cell_1.across_2 = _S51 - 0.5 * families_0._data[uint(family_1)].size_0;
+    cell_1.half_width_1 = families_0._data[uint(family_1)].half_width_0;
+    cell_1.thread_1 = uint(clamp(turns_and_remainder_0(family_1, _S50).y, 0.0, families_0._data[uint(family_1)].count_0 - 1.0));
     return cell_1;
 }
 
-Cell_0 locate_0(uint family_3, float position_4)
+float table_number_0(uint index_5)
+{
+    return uintBitsToFloat(words_0._data[uint(index_5)]);
+}
+
+Cell_0 locate_varied_0(uint family_2, float position_2)
+{
+    float turns_0 = (position_2 - families_0._data[uint(family_2)].start_0) * families_0._data[uint(family_2)].inverse_period_0;
+    float turns_1 = turns_0 - floor(turns_0);
+    float _S52 = turns_1 * families_0._data[uint(family_2)].period_0;
+    uint thread_2 = words_0._data[uint(families_0._data[uint(family_2)].first_thread_table_0 + uint(clamp(turns_1 * families_0._data[uint(family_2)].bins_0, 0.0, families_0._data[uint(family_2)].bins_0 - 1.0)))];
+    uint _S53;
+    if(_S52 >= (table_number_0(families_0._data[uint(family_2)].place_table_0 + thread_2 * 4U + 1U)))
+    {
+        _S53 = 1U;
+    }
+    else
+    {
+        _S53 = 0U;
+    }
+    uint _S54 = min(thread_2 + _S53, uint(families_0._data[uint(family_2)].count_0) - 1U);
+    uint _S55 = families_0._data[uint(family_2)].place_table_0 + _S54 * 4U;
+    Cell_0 cell_2;
+    cell_2.thread_1 = _S54;
+    cell_2.below_0 = _S52 - table_number_0(_S55);
+    cell_2.above_0 = table_number_0(_S55 + 1U) - _S52;
+    cell_2.across_2 = _S52 - table_number_0(_S55 + 2U);
+    cell_2.half_width_1 = table_number_0(_S55 + 3U);
+    return cell_2;
+}
+
+Cell_0 locate_0(uint family_3, float position_3)
 {
     if((families_0._data[uint(family_3)].is_alike_0) != 0U)
     {
-        return locate_alike_0(family_3, position_4);
+        return locate_alike_0(family_3, position_3);
     }
-    return locate_varied_0(family_3, position_4);
+    return locate_varied_0(family_3, position_3);
 }
 
 struct Shown_0
@@ -484,115 +614,115 @@ struct Crossing_0
 
 Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
 {
-    bool _S19 = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
-    bool _S20 = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
+    bool _S56 = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
+    bool _S57 = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
     Shown_0 shown_0;
-    bool _S21;
-    if(_S19)
+    bool _S58;
+    if(_S56)
     {
-        if(!_S20)
+        if(!_S57)
         {
-            _S21 = true;
+            _S58 = true;
         }
         else
         {
-            _S21 = crossing_0.warp_above_0;
+            _S58 = crossing_0.warp_above_0;
         }
     }
     else
     {
-        _S21 = false;
+        _S58 = false;
     }
-    shown_0.is_warp_2 = _S21;
-    if(!_S19)
+    shown_0.is_warp_2 = _S58;
+    if(!_S56)
     {
-        _S21 = !_S20;
+        _S58 = !_S57;
     }
     else
     {
-        _S21 = false;
+        _S58 = false;
     }
-    shown_0.hole_3 = _S21;
-    uint _S22;
+    shown_0.hole_3 = _S58;
+    uint _S59;
     if(shown_0.is_warp_2)
     {
-        _S22 = crossing_0.warp_word_0;
+        _S59 = crossing_0.warp_word_0;
     }
     else
     {
-        _S22 = crossing_0.weft_word_0;
+        _S59 = crossing_0.weft_word_0;
     }
-    shown_0.word_0 = _S22;
-    shown_0.on_top_0 = ((_S22 & 1U) == 1U) != back_1;
+    shown_0.word_0 = _S59;
+    shown_0.on_top_0 = ((_S59 & 1U) == 1U) != back_1;
     return shown_0;
 }
 
-Cell_0 select_cell_0(bool is_first_0, Cell_0 first_0, Cell_0 second_0)
+Cell_0 select_cell_0(bool is_first_0, Cell_0 first_1, Cell_0 second_0)
 {
-    Cell_0 cell_2;
-    uint _S23;
+    Cell_0 cell_3;
+    uint _S60;
     if(is_first_0)
     {
-        _S23 = first_0.thread_0;
+        _S60 = first_1.thread_1;
     }
     else
     {
-        _S23 = second_0.thread_0;
+        _S60 = second_0.thread_1;
     }
-    cell_2.thread_0 = _S23;
-    float _S24;
+    cell_3.thread_1 = _S60;
+    float _S61;
     if(is_first_0)
     {
-        _S24 = first_0.across_2;
+        _S61 = first_1.across_2;
     }
     else
     {
-        _S24 = second_0.across_2;
+        _S61 = second_0.across_2;
     }
-    cell_2.across_2 = _S24;
+    cell_3.across_2 = _S61;
     if(is_first_0)
     {
-        _S24 = first_0.half_width_1;
+        _S61 = first_1.half_width_1;
     }
     else
     {
-        _S24 = second_0.half_width_1;
+        _S61 = second_0.half_width_1;
     }
-    cell_2.half_width_1 = _S24;
+    cell_3.half_width_1 = _S61;
     if(is_first_0)
     {
-        _S24 = first_0.below_0;
+        _S61 = first_1.below_0;
     }
     else
     {
-        _S24 = second_0.below_0;
+        _S61 = second_0.below_0;
     }
-    cell_2.below_0 = _S24;
+    cell_3.below_0 = _S61;
     if(is_first_0)
     {
-        _S24 = first_0.above_0;
+        _S61 = first_1.above_0;
     }
     else
     {
-        _S24 = second_0.above_0;
+        _S61 = second_0.above_0;
     }
-    cell_2.above_0 = _S24;
-    return cell_2;
+    cell_3.above_0 = _S61;
+    return cell_3;
 }
 
-float boundary_0(uint family_4, uint thread_2, int step_0)
+float boundary_0(uint family_4, uint thread_3, int step_0)
 {
-    vec2 _S25 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0));
-    return fma(_S25.x, families_0._data[uint(family_4)].period_0, table_number_0(families_0._data[uint(family_4)].place_table_0 + uint(_S25.y) * 4U));
+    vec2 _S62 = turns_and_remainder_0(family_4, float(int(thread_3) + step_0));
+    return fma(_S62.x, families_0._data[uint(family_4)].period_0, table_number_0(families_0._data[uint(family_4)].place_table_0 + uint(_S62.y) * 4U));
 }
 
-float span_0(uint family_5, uint thread_3, int first_1, int last_0)
+float span_0(uint family_5, uint thread_4, int first_2, int last_0)
 {
     if((families_0._data[uint(family_5)].is_alike_0) != 0U)
     {
-        return float(last_0 - first_1) * families_0._data[uint(family_5)].size_0;
+        return float(last_0 - first_2) * families_0._data[uint(family_5)].size_0;
     }
-    return boundary_0(family_5, thread_3, last_0) - boundary_0(family_5, thread_3, first_1);
+    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_2);
 }
 
 struct Bend_0
@@ -602,23 +732,23 @@ struct Bend_0
     float arc_0;
 };
 
-Bend_0 bend_of_0(uint family_6, uint thread_4)
+Bend_0 bend_of_0(uint family_6, uint thread_5)
 {
-    Family_0 _S26 = families_0._data[uint(family_6)];
-    uint _S27;
+    Family_0 _S63 = families_0._data[uint(family_6)];
+    uint _S64;
     if((families_0._data[uint(family_6)].is_alike_0) != 0U)
     {
-        _S27 = 0U;
+        _S64 = 0U;
     }
     else
     {
-        _S27 = thread_4 * 4U;
+        _S64 = thread_5 * 4U;
     }
-    uint _S28 = _S26.bend_table_0 + _S27;
+    uint _S65 = _S63.bend_table_0 + _S64;
     Bend_0 bend_0;
-    bend_0.sine_0 = table_number_0(_S28);
-    bend_0.half_tangent_0 = table_number_0(_S28 + 1U);
-    bend_0.arc_0 = table_number_0(_S28 + 2U);
+    bend_0.sine_0 = table_number_0(_S65);
+    bend_0.half_tangent_0 = table_number_0(_S65 + 1U);
+    bend_0.arc_0 = table_number_0(_S65 + 2U);
     return bend_0;
 }
 
@@ -636,61 +766,56 @@ struct Run_0
     bool last_crossing_0;
 };
 
-Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 crossed_0, uint word_1)
+Run_0 unpack_0(uint own_0, uint other_0, uint thread_6, Cell_0 crossed_0, uint word_1)
 {
-    int _S29 = int((word_1 >> 1) & 127U);
-    int _S30 = int((word_1 >> 8) & 127U);
-    int _S31 = int((word_1 >> 15) & 63U);
-    int _S32 = int((word_1 >> 21) & 63U);
+    int _S66 = int((word_1 >> 1) & 127U);
+    int _S67 = int((word_1 >> 8) & 127U);
+    int _S68 = int((word_1 >> 15) & 63U);
+    int _S69 = int((word_1 >> 21) & 63U);
     Run_0 run_0;
     run_0.straight_0 = ((word_1 >> 27) & 1U) == 1U;
-    int _S33 = - _S29;
-    float _S34 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_0, _S33, 0);
-    run_0.from_start_0 = _S34;
-    int _S35 = _S30 + 1;
-    float _S36 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_0, 1, _S35);
-    run_0.to_end_0 = _S36;
-    bool _S37 = _S34 < _S36;
-    run_0.near_start_0 = _S37;
-    int _S38;
-    if(_S37)
+    int _S70 = - _S66;
+    float _S71 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S70, 0);
+    run_0.from_start_0 = _S71;
+    int _S72 = _S67 + 1;
+    float _S73 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, 1, _S72);
+    run_0.to_end_0 = _S73;
+    bool _S74 = _S71 < _S73;
+    run_0.near_start_0 = _S74;
+    int _S75;
+    if(_S74)
     {
-        _S38 = _S33 - _S31;
+        _S75 = _S70 - _S68;
     }
     else
     {
-        _S38 = _S35;
+        _S75 = _S72;
     }
-    int _S39;
+    int _S76;
     if(run_0.near_start_0)
     {
-        _S39 = _S33;
+        _S76 = _S70;
     }
     else
     {
-        _S39 = _S35 + _S32;
+        _S76 = _S72 + _S69;
     }
-    run_0.bend_1 = bend_of_0(own_0, thread_5);
-    float _S40;
+    run_0.bend_1 = bend_of_0(own_0, thread_6);
+    float _S77;
     if(run_0.straight_0)
     {
-        _S40 = 1.0e+06;
+        _S77 = 1.0e+06;
     }
     else
     {
-        _S40 = min(run_0.from_start_0, run_0.to_end_0);
+        _S77 = min(run_0.from_start_0, run_0.to_end_0);
     }
-    run_0.distance_0 = _S40;
+    run_0.distance_0 = _S77;
     run_0.reach_0 = min(0.5 * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5 * span_0(other_0, crossed_0.thread_0, _S38, _S39), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S29 == 0;
-    run_0.last_crossing_0 = _S30 == 0;
+    run_0.other_reach_0 = min(0.5 * span_0(other_0, crossed_0.thread_1, _S75, _S76), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S66 == 0;
+    run_0.last_crossing_0 = _S67 == 0;
     return run_0;
-}
-
-float square_1(float x_5)
-{
-    return x_5 * x_5;
 }
 
 struct Section_0
@@ -700,91 +825,91 @@ struct Section_0
     float slope_0;
 };
 
-Section_0 section_at_0(Cell_0 cell_3)
+Section_0 section_at_0(Cell_0 cell_4)
 {
-    float _S41 = cell_3.half_width_1 * 1.0154266357421875;
+    float _S78 = cell_4.half_width_1 * 1.0154266357421875;
     Section_0 section_0;
-    float _S42 = clamp(cell_3.across_2, - cell_3.half_width_1, cell_3.half_width_1);
-    section_0.across_3 = _S42;
-    float _S43 = _S41 * _S41 - square_1(_S42);
-    float _S44 = (inversesqrt((_S43)));
-    section_0.drop_0 = _S41 - _S43 * _S44;
-    section_0.slope_0 = - _S42 * _S44;
+    float _S79 = clamp(cell_4.across_2, - cell_4.half_width_1, cell_4.half_width_1);
+    section_0.across_3 = _S79;
+    float _S80 = _S78 * _S78 - square_1(_S79);
+    float _S81 = (inversesqrt((_S80)));
+    section_0.drop_0 = _S78 - _S80 * _S81;
+    section_0.slope_0 = - _S79 * _S81;
     return section_0;
 }
 
-float edge_drop_0(uint family_7, uint thread_6, int step_1)
+float edge_drop_0(uint family_7, uint thread_7, int step_1)
 {
     if((families_0._data[uint(family_7)].is_alike_0) != 0U)
     {
         return table_number_0(families_0._data[uint(family_7)].bend_table_0 + 3U);
     }
-    return table_number_0(families_0._data[uint(family_7)].bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_6) + step_1)).y) * 4U + 3U);
+    return table_number_0(families_0._data[uint(family_7)].bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_7) + step_1)).y) * 4U + 3U);
 }
 
 vec2 dive_0(uint other_1, Shown_0 shown_1, Run_0 run_1, Cell_0 crossed_1)
 {
-    bool _S45 = (crossed_1.below_0) < (crossed_1.above_0);
-    float _S46 = min(crossed_1.below_0, crossed_1.above_0);
-    float _S47;
-    if(_S45)
+    bool _S82 = (crossed_1.below_0) < (crossed_1.above_0);
+    float _S83 = min(crossed_1.below_0, crossed_1.above_0);
+    float _S84;
+    if(_S82)
     {
-        _S47 = crossed_1.below_0 - crossed_1.across_2;
+        _S84 = crossed_1.below_0 - crossed_1.across_2;
     }
     else
     {
-        _S47 = crossed_1.above_0 + crossed_1.across_2;
+        _S84 = crossed_1.above_0 + crossed_1.across_2;
     }
-    float _S48 = _S47 - crossed_1.half_width_1;
-    bool _S49;
-    if(_S45)
+    float _S85 = _S84 - crossed_1.half_width_1;
+    bool _S86;
+    if(_S82)
     {
-        _S49 = run_1.first_crossing_0;
+        _S86 = run_1.first_crossing_0;
     }
     else
     {
-        _S49 = run_1.last_crossing_0;
+        _S86 = run_1.last_crossing_0;
     }
     if(shown_1.on_top_0)
     {
-        _S47 = 0.0;
+        _S84 = 0.0;
     }
     else
     {
-        _S47 = families_0._data[uint(other_1)].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_0, 0);
+        _S84 = families_0._data[uint(other_1)].height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, 0);
     }
-    float _S50;
-    if((shown_1.on_top_0) != _S49)
+    float _S87;
+    if((shown_1.on_top_0) != _S86)
     {
-        _S50 = 0.0;
+        _S87 = 0.0;
     }
     else
     {
-        Family_0 _S51 = families_0._data[uint(other_1)];
-        int _S52;
-        if(_S45)
+        Family_0 _S88 = families_0._data[uint(other_1)];
+        int _S89;
+        if(_S82)
         {
-            _S52 = -1;
+            _S89 = -1;
         }
         else
         {
-            _S52 = 1;
+            _S89 = 1;
         }
-        _S50 = _S51.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_0, _S52);
+        _S87 = _S88.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S89);
     }
-    float _S53 = 1.0 / max(2.0 * _S48, 9.999999960041972e-13);
-    float _S54 = clamp((_S48 - _S46) * _S53, 0.0, 1.0);
-    float _S55 = _S47 + (_S50 - _S47) * (_S54 * _S54 * (3.0 - 2.0 * _S54));
-    float _S56 = (_S47 - _S50) * (6.0 * _S54 * (1.0 - _S54) * _S53);
-    if(_S45)
+    float _S90 = 1.0 / max(2.0 * _S85, 9.999999960041972e-13);
+    float _S91 = clamp((_S85 - _S83) * _S90, 0.0, 1.0);
+    float _S92 = _S84 + (_S87 - _S84) * (_S91 * _S91 * (3.0 - 2.0 * _S91));
+    float _S93 = (_S84 - _S87) * (6.0 * _S91 * (1.0 - _S91) * _S90);
+    if(_S82)
     {
-        _S47 = 1.0;
+        _S84 = 1.0;
     }
     else
     {
-        _S47 = -1.0;
+        _S84 = -1.0;
     }
-    return vec2(_S55, _S56 * _S47);
+    return vec2(_S92, _S93 * _S84);
 }
 
 struct StepControl_0
@@ -802,12 +927,12 @@ StepControl_0 step_control_0(vec2 direction_2, float step_3)
     StepControl_0 control_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129 * step_3;
-    float _S57 = direction_2.x;
-    control_0.per_x_0 = 1.0 / max(abs(_S57), 9.99999971718068537e-10);
-    float _S58 = direction_2.y;
-    control_0.per_y_0 = 1.0 / max(abs(_S58), 9.99999971718068537e-10);
-    control_0.right_0 = _S57 > 0.0;
-    control_0.up_0 = _S58 > 0.0;
+    float _S94 = direction_2.x;
+    control_0.per_x_0 = 1.0 / max(abs(_S94), 9.99999971718068537e-10);
+    float _S95 = direction_2.y;
+    control_0.per_y_0 = 1.0 / max(abs(_S95), 9.99999971718068537e-10);
+    control_0.right_0 = _S94 > 0.0;
+    control_0.up_0 = _S95 > 0.0;
     return control_0;
 }
 
@@ -829,141 +954,141 @@ PreviousSample_0 no_previous_sample_0()
     return previous_0;
 }
 
-float outline_distance_0(Cell_0 cell_4, Shown_0 shown_2, Run_0 run_2, bool lengthwise_0, bool forwards_0)
+float outline_distance_0(Cell_0 cell_5, Shown_0 shown_2, Run_0 run_2, bool lengthwise_0, bool forwards_0)
 {
-    float _S59;
+    float _S96;
     if(forwards_0)
     {
-        _S59 = cell_4.across_2;
+        _S96 = cell_5.across_2;
     }
     else
     {
-        _S59 = - cell_4.across_2;
+        _S96 = - cell_5.across_2;
     }
-    float _S60;
+    float _S97;
     if(forwards_0)
     {
-        _S60 = cell_4.above_0;
+        _S97 = cell_5.above_0;
     }
     else
     {
-        _S60 = cell_4.below_0;
+        _S97 = cell_5.below_0;
     }
-    bool _S61;
+    bool _S98;
     if(forwards_0)
     {
-        _S61 = run_2.last_crossing_0;
+        _S98 = run_2.last_crossing_0;
     }
     else
     {
-        _S61 = run_2.first_crossing_0;
+        _S98 = run_2.first_crossing_0;
     }
-    bool _S62;
+    bool _S99;
     if(forwards_0)
     {
-        _S62 = run_2.first_crossing_0;
+        _S99 = run_2.first_crossing_0;
     }
     else
     {
-        _S62 = run_2.last_crossing_0;
+        _S99 = run_2.last_crossing_0;
     }
-    float _S63 = - cell_4.half_width_1;
-    bool _S64 = _S59 < _S63;
-    bool _S65 = _S59 >= (cell_4.half_width_1);
+    float _S100 = - cell_5.half_width_1;
+    bool _S101 = _S96 < _S100;
+    bool _S102 = _S96 >= (cell_5.half_width_1);
     if(lengthwise_0)
     {
-        _S61 = !_S61;
+        _S98 = !_S98;
     }
     else
     {
-        _S61 = false;
+        _S98 = false;
     }
-    if(_S61)
+    if(_S98)
     {
-        _S61 = !shown_2.hole_3;
-    }
-    else
-    {
-        _S61 = false;
-    }
-    bool _S66;
-    if(_S61)
-    {
-        _S66 = shown_2.on_top_0;
+        _S98 = !shown_2.hole_3;
     }
     else
     {
-        _S66 = false;
+        _S98 = false;
     }
-    if(_S66)
+    bool _S103;
+    if(_S98)
     {
-        if(_S62)
+        _S103 = shown_2.on_top_0;
+    }
+    else
+    {
+        _S103 = false;
+    }
+    if(_S103)
+    {
+        if(_S99)
         {
-            _S62 = _S64;
+            _S99 = _S101;
         }
         else
         {
-            _S62 = false;
+            _S99 = false;
         }
-        _S62 = !_S62;
+        _S99 = !_S99;
     }
     else
     {
-        _S62 = false;
+        _S99 = false;
     }
     if(shown_2.hole_3)
     {
-        _S61 = true;
+        _S98 = true;
     }
     else
     {
-        if(_S61)
+        if(_S98)
         {
-            _S61 = !shown_2.on_top_0;
+            _S98 = !shown_2.on_top_0;
         }
         else
         {
-            _S61 = false;
+            _S98 = false;
         }
     }
-    float _S67;
-    if(_S64)
+    float _S104;
+    if(_S101)
     {
-        _S67 = _S63;
+        _S104 = _S100;
     }
     else
     {
-        _S67 = cell_4.half_width_1;
+        _S104 = cell_5.half_width_1;
     }
-    float _S68 = _S67 - _S59;
-    if(_S61)
+    float _S105 = _S104 - _S96;
+    if(_S98)
     {
-        _S59 = 2.0 * _S60 + _S59 - cell_4.half_width_1;
+        _S96 = 2.0 * _S97 + _S96 - cell_5.half_width_1;
     }
     else
     {
-        _S59 = _S60;
+        _S96 = _S97;
     }
-    if(_S62)
+    if(_S99)
     {
         if(forwards_0)
         {
-            _S59 = run_2.to_end_0;
+            _S96 = run_2.to_end_0;
         }
         else
         {
-            _S59 = run_2.from_start_0;
+            _S96 = run_2.from_start_0;
         }
-        return _S59;
+        return _S96;
     }
-    if(_S65)
+    if(_S102)
     {
     }
     else
     {
-        _S59 = _S68;
+        _S96 = _S105;
     }
-    return _S59;
+    return _S96;
 }
 
 struct Probe_0
@@ -982,116 +1107,116 @@ struct Probe_0
 
 float way_back_to_dip_0(PreviousSample_0 previous_1, float clearance_1, float rate_1, float step_4, Probe_0 here_0)
 {
-    float _S69 = previous_1.rate_0 * step_4;
-    float _S70 = rate_1 * step_4;
-    bool _S71;
+    float _S106 = previous_1.rate_0 * step_4;
+    float _S107 = rate_1 * step_4;
+    bool _S108;
     if(!previous_1.known_0)
     {
-        _S71 = true;
+        _S108 = true;
     }
     else
     {
-        _S71 = here_0.hole_4;
+        _S108 = here_0.hole_4;
     }
-    if(_S71)
+    if(_S108)
     {
-        _S71 = true;
+        _S108 = true;
     }
     else
     {
-        _S71 = (previous_1.yarn_0) != (here_0.yarn_1);
+        _S108 = (previous_1.yarn_0) != (here_0.yarn_1);
     }
-    if(_S71)
+    if(_S108)
     {
-        _S71 = true;
+        _S108 = true;
     }
     else
     {
-        _S71 = (previous_1.rate_0) >= 0.0;
+        _S108 = (previous_1.rate_0) >= 0.0;
     }
-    if(_S71)
+    if(_S108)
     {
-        _S71 = true;
+        _S108 = true;
     }
     else
     {
-        _S71 = rate_1 <= 0.0;
+        _S108 = rate_1 <= 0.0;
     }
-    if(_S71)
+    if(_S108)
     {
         return -1.0;
     }
-    if((3.0 * previous_1.clearance_0 + _S69) >= 0.0)
+    if((3.0 * previous_1.clearance_0 + _S106) >= 0.0)
     {
-        _S71 = (3.0 * clearance_1 - _S70) >= 0.0;
+        _S108 = (3.0 * clearance_1 - _S107) >= 0.0;
     }
     else
     {
-        _S71 = false;
+        _S108 = false;
     }
-    if(_S71)
+    if(_S108)
     {
         return -1.0;
     }
-    float _S72 = clearance_1 - previous_1.clearance_0;
-    float _S73 = 6.0 * _S72 - 4.0 * _S69 - 2.0 * _S70;
-    float _S74 = -2.0 * _S69 / max(_S73 + sqrt(max(_S73 * _S73 - 4.0 * (3.0 * (_S69 + _S70 - 2.0 * _S72)) * _S69, 0.0)), 9.99999968265522539e-21);
-    float _S75 = 1.0 - _S74;
-    float _S76 = (previous_1.clearance_0 * (2.0 * _S74 + 1.0) + _S69 * _S74) * _S75 * _S75;
-    float _S77 = (clearance_1 * (2.0 * _S75 + 1.0) - _S70 * _S75) * _S74 * _S74;
-    if(_S74 > 0.01999999955296516)
+    float _S109 = clearance_1 - previous_1.clearance_0;
+    float _S110 = 6.0 * _S109 - 4.0 * _S106 - 2.0 * _S107;
+    float _S111 = -2.0 * _S106 / max(_S110 + sqrt(max(_S110 * _S110 - 4.0 * (3.0 * (_S106 + _S107 - 2.0 * _S109)) * _S106, 0.0)), 9.99999968265522539e-21);
+    float _S112 = 1.0 - _S111;
+    float _S113 = (previous_1.clearance_0 * (2.0 * _S111 + 1.0) + _S106 * _S111) * _S112 * _S112;
+    float _S114 = (clearance_1 * (2.0 * _S112 + 1.0) - _S107 * _S112) * _S111 * _S111;
+    if(_S111 > 0.01999999955296516)
     {
-        _S71 = _S75 > 0.01999999955296516;
+        _S108 = _S112 > 0.01999999955296516;
     }
     else
     {
-        _S71 = false;
+        _S108 = false;
     }
-    if(_S71)
+    if(_S108)
     {
-        _S71 = (_S76 + _S77) < 0.0;
+        _S108 = (_S113 + _S114) < 0.0;
     }
     else
     {
-        _S71 = false;
+        _S108 = false;
     }
-    float _S78;
-    if(_S71)
+    float _S115;
+    if(_S108)
     {
-        _S78 = _S75 * step_4;
+        _S115 = _S112 * step_4;
     }
     else
     {
-        _S78 = -1.0;
+        _S115 = -1.0;
     }
-    return _S78;
+    return _S115;
 }
 
 PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 here_1, bool is_cell_exit_0)
 {
     PreviousSample_0 previous_2;
-    float _S79;
+    float _S116;
     if(here_1.hole_4)
     {
-        _S79 = 1.0e+09;
+        _S116 = 1.0e+09;
     }
     else
     {
-        _S79 = clearance_2;
+        _S116 = clearance_2;
     }
-    previous_2.clearance_0 = _S79;
+    previous_2.clearance_0 = _S116;
     previous_2.rate_0 = rate_2;
     previous_2.yarn_0 = here_1.yarn_1;
-    bool _S80;
+    bool _S117;
     if(!here_1.hole_4)
     {
-        _S80 = !is_cell_exit_0;
+        _S117 = !is_cell_exit_0;
     }
     else
     {
-        _S80 = false;
+        _S117 = false;
     }
-    previous_2.known_0 = _S80;
+    previous_2.known_0 = _S117;
     return previous_2;
 }
 
@@ -1102,34 +1227,34 @@ float StepControl_to_cell_exit_0(StepControl_0 this_1, float side_x_1, float sid
 
 float StepControl_to_next_sample_0(StepControl_0 this_2, Probe_0 here_2, float clearance_3, float rate_3)
 {
-    float _S81 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
-    bool _S82;
+    float _S118 = min(here_2.edge_x_0 * this_2.per_x_0, here_2.edge_y_0 * this_2.per_y_0);
+    bool _S119;
     if(!here_2.hole_4)
     {
-        _S82 = (rate_3 * _S81 + clearance_3) < 0.0;
+        _S119 = (rate_3 * _S118 + clearance_3) < 0.0;
     }
     else
     {
-        _S82 = false;
+        _S119 = false;
     }
-    if(_S82)
+    if(_S119)
     {
-        _S82 = _S81 > (2.0 * this_2.epsilon_0);
+        _S119 = _S118 > (2.0 * this_2.epsilon_0);
     }
     else
     {
-        _S82 = false;
+        _S119 = false;
     }
-    float _S83;
-    if(_S82)
+    float _S120;
+    if(_S119)
     {
-        _S83 = _S81 - this_2.epsilon_0;
+        _S120 = _S118 - this_2.epsilon_0;
     }
     else
     {
-        _S83 = max(_S81, 0.0) + this_2.epsilon_0;
+        _S120 = max(_S118, 0.0) + this_2.epsilon_0;
     }
-    return min(this_2.step_2, _S83);
+    return min(this_2.step_2, _S120);
 }
 
 struct ViewRay_0
@@ -1150,10 +1275,10 @@ float ViewRay_rate_0(ViewRay_0 this_4, Probe_0 here_3)
 
 float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
 {
-    float _S84 = end_0 - start_1;
-    float _S85 = start_rate_0 + end_rate_0 - 2.0 * _S84;
-    float _S86 = 3.0 * _S84 - 2.0 * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / max(- _S84, 9.99999968265522539e-21);
+    float _S121 = end_0 - start_1;
+    float _S122 = start_rate_0 + end_rate_0 - 2.0 * _S121;
+    float _S123 = 3.0 * _S121 - 2.0 * start_rate_0 - end_rate_0;
+    float share_1 = start_1 / max(- _S121, 9.99999968265522539e-21);
     int i_0 = 0;
     for(;;)
     {
@@ -1164,12 +1289,12 @@ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rat
         {
             break;
         }
-        float _S87 = clamp(share_0 - (((_S85 * share_0 + _S86) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0 * _S85 * share_0 + 2.0 * _S86) * share_0 + start_rate_0, 0.10000000149011612 * _S84 - 9.99999968265522539e-21), 0.0, 1.0);
-        int _S88 = i_0 + 1;
-        share_0 = _S87;
-        i_0 = _S88;
+        float _S124 = clamp(share_1 - (((_S122 * share_1 + _S123) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0 * _S122 * share_1 + 2.0 * _S123) * share_1 + start_rate_0, 0.10000000149011612 * _S121 - 9.99999968265522539e-21), 0.0, 1.0);
+        int _S125 = i_0 + 1;
+        share_1 = _S124;
+        i_0 = _S125;
     }
-    return share_0;
+    return share_1;
 }
 
 float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1179,53 +1304,53 @@ float between_0(float above_1, float under_0, float above_gap_0, float under_gap
 
 vec2 fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, float cosine_0)
 {
-    float _S89 = along_slope_0 * along_slope_0 + 1.0;
-    float _S90 = (inversesqrt((_S89)));
-    float _S91 = sine_1 * _S90 * (inversesqrt((_S89 + across_slope_0 * across_slope_0)));
-    return vec2(- _S91 * _S89, _S91 * across_slope_0 * along_slope_0 + cosine_0 * _S90);
+    float _S126 = along_slope_0 * along_slope_0 + 1.0;
+    float _S127 = (inversesqrt((_S126)));
+    float _S128 = sine_1 * _S127 * (inversesqrt((_S126 + across_slope_0 * across_slope_0)));
+    return vec2(- _S128 * _S126, _S128 * across_slope_0 * along_slope_0 + cosine_0 * _S127);
 }
 
-float arc_sine_0(float x_6)
+float arc_sine_0(float x_9)
 {
-    float _S92 = abs(x_6);
-    bool _S93 = _S92 > 0.5;
-    float _S94;
-    if(_S93)
+    float _S129 = abs(x_9);
+    bool _S130 = _S129 > 0.5;
+    float _S131;
+    if(_S130)
     {
-        _S94 = 0.5 * (1.0 - _S92);
+        _S131 = 0.5 * (1.0 - _S129);
     }
     else
     {
-        _S94 = _S92 * _S92;
+        _S131 = _S129 * _S129;
     }
-    float _S95;
-    if(_S93)
+    float _S132;
+    if(_S130)
     {
-        _S95 = sqrt(max(_S94, 0.0));
+        _S132 = sqrt(max(_S131, 0.0));
     }
     else
     {
-        _S95 = _S92;
+        _S132 = _S129;
     }
-    float _S96 = ((((0.04216320067644119 * _S94 + 0.02418131195008755) * _S94 + 0.04547002539038658) * _S94 + 0.07495300471782684) * _S94 + 0.16666752099990845) * _S94 * _S95 + _S95;
-    if(_S93)
+    float _S133 = ((((0.04216320067644119 * _S131 + 0.02418131195008755) * _S131 + 0.04547002539038658) * _S131 + 0.07495300471782684) * _S131 + 0.16666752099990845) * _S131 * _S132 + _S132;
+    if(_S130)
     {
-        _S94 = 1.57079637050628662 - 2.0 * _S96;
+        _S131 = 1.57079637050628662 - 2.0 * _S133;
     }
     else
     {
-        _S94 = _S96;
+        _S131 = _S133;
     }
-    if(x_6 < 0.0)
+    if(x_9 < 0.0)
     {
-        _S94 = - _S94;
+        _S131 = - _S131;
     }
-    return _S94;
+    return _S131;
 }
 
-vec3 table_colour_0(uint index_2)
+vec3 table_colour_0(uint index_6)
 {
-    return vec3(table_number_0(index_2), table_number_0(index_2 + 1U), table_number_0(index_2 + 2U));
+    return vec3(table_number_0(index_6), table_number_0(index_6 + 1U), table_number_0(index_6 + 2U));
 }
 
 struct Albedos_0
@@ -1246,21 +1371,9 @@ Albedos_0 table_albedos_0(uint row_0)
     return albedos_0;
 }
 
-Albedos_0 albedos_of_0(uint family_8, uint thread_7)
+Albedos_0 albedos_of_0(uint family_8, uint thread_8)
 {
-    return table_albedos_0(families_0._data[uint(family_8)].albedo_table_0 + families_0._data[uint(family_8)].albedo_stride_0 * thread_7);
-}
-
-uint scramble_0(uint value_0)
-{
-    uint _S97 = value_0 * 747796405U + 2891336453U;
-    uint _S98 = ((_S97 >> ((_S97 >> 28) + 4U)) ^ _S97) * 277803737U;
-    return (_S98 >> 22) ^ _S98;
-}
-
-float uniform_hash_0(uint thread_8, uint cell_5, uint stream_0)
-{
-    return (float((scramble_0(cell_5 + scramble_0(thread_8 + scramble_0(stream_0)))) >> 9) + 0.5) * 1.1920928955078125e-07;
+    return table_albedos_0(families_0._data[uint(family_8)].albedo_table_0 + families_0._data[uint(family_8)].albedo_stride_0 * thread_8);
 }
 
 float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
@@ -1270,8 +1383,8 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
 
 float bounded_gain_0(float gain_1, vec3 albedo_0, vec3 room_0)
 {
-    vec3 _S99 = room_0 / max(albedo_0, vec3(9.99999997475242708e-07));
-    return min(gain_1, max(min(min(_S99.x, _S99.y), _S99.z), 0.0));
+    vec3 _S134 = room_0 / max(albedo_0, vec3(9.99999997475242708e-07));
+    return min(gain_1, max(min(min(_S134.x, _S134.y), _S134.z), 0.0));
 }
 
 float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
@@ -1279,39 +1392,20 @@ float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0) - 1.0) + 1.0;
 }
 
-float diffuse_reflection_0(vec3 light_1, vec3 normal_3, float blend_0)
+float diffuse_reflection_0(vec3 light_0, vec3 normal_3, float blend_0)
 {
-    float _S100 = light_1.z;
-    if(_S100 <= 0.0)
+    float _S135 = light_0.z;
+    if(_S135 <= 0.0)
     {
         return 0.0;
     }
-    return 0.31830987334251404 * mix(max(_S100, 0.0), max(dot(light_1, normal_3), 0.0), blend_0);
+    return 0.31830987334251404 * mix(max(_S135, 0.0), max(dot(light_0, normal_3), 0.0), blend_0);
 }
 
 float projected_area_1(vec3 direction_3, vec3 tangent_2, float roughness_1)
 {
-    float _S101 = dot(direction_3, tangent_2);
-    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S101 * _S101 + 1.0, roughness_1 * roughness_1));
-}
-
-float exponential_0(float x_7)
-{
-    float _S102 = clamp(x_7, -87.0, 88.0);
-    float _S103 = floor(_S102 * 1.4426950216293335 + 0.5);
-    float _S104 = _S102 - _S103 * 0.693359375 + _S103 * 0.00021219444170129;
-    float p_0 = ((((0.00019875691214111 * _S104 + 0.00139819993637502) * _S104 + 0.00833345204591751) * _S104 + 0.04166579619050026) * _S104 + 0.1666666567325592) * _S104 + 0.5;
-    float _S105 = uintBitsToFloat(uint(int(_S103) + 127) << 23);
-    float _S106;
-    if(x_7 < -87.0)
-    {
-        _S106 = 0.0;
-    }
-    else
-    {
-        _S106 = (p_0 * _S104 * _S104 + _S104 + 1.0) * _S105;
-    }
-    return _S106;
+    float _S136 = dot(direction_3, tangent_2);
+    return sqrt(max((roughness_1 + 1.0) * (roughness_1 - 1.0) * _S136 * _S136 + 1.0, roughness_1 * roughness_1));
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1325,62 +1419,62 @@ float mean_attenuation_0(float depth_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S107 = roughness_2 * roughness_2;
-    float _S108 = squared_along_0 * (1.0 - _S107) + _S107;
-    return 0.31830987334251404 * _S107 * roughness_2 / (_S108 * _S108);
+    float _S137 = roughness_2 * roughness_2;
+    float _S138 = squared_along_0 * (1.0 - _S137) + _S137;
+    return 0.31830987334251404 * _S137 * roughness_2 / (_S138 * _S138);
 }
 
-float density_between_0(vec3 light_2, vec3 view_1, vec3 tangent_3, float roughness_3)
+float density_between_0(vec3 light_1, vec3 view_1, vec3 tangent_3, float roughness_3)
 {
-    vec3 _S109 = light_2 + view_1;
-    float _S110 = dot(_S109, tangent_3);
-    return flake_density_0(min(_S110 * _S110 / max(square_0(_S109), 9.999999960041972e-13), 1.0), roughness_3);
+    vec3 _S139 = light_1 + view_1;
+    float _S140 = dot(_S139, tangent_3);
+    return flake_density_0(min(_S140 * _S140 / max(square_0(_S139), 9.999999960041972e-13), 1.0), roughness_3);
 }
 
-float transmission_0(vec3 light_3, vec3 view_2, vec3 normal_4, vec3 tangent_4, float roughness_4, float optical_depth_1)
+float transmission_0(vec3 light_2, vec3 view_2, vec3 normal_4, vec3 tangent_4, float roughness_4, float optical_depth_1)
 {
-    float _S111 = - dot(light_3, normal_4);
-    float _S112 = dot(view_2, normal_4);
-    bool _S113;
-    if(_S111 <= 0.0)
+    float _S141 = - dot(light_2, normal_4);
+    float _S142 = dot(view_2, normal_4);
+    bool _S143;
+    if(_S141 <= 0.0)
     {
-        _S113 = true;
+        _S143 = true;
     }
     else
     {
-        _S113 = _S112 <= 0.0;
+        _S143 = _S142 <= 0.0;
     }
-    if(_S113)
+    if(_S143)
     {
         return 0.0;
     }
-    float _S114 = 1.0 / max(_S112, 9.99999997475242708e-07);
-    float _S115 = projected_area_1(light_3, tangent_4, roughness_4) / max(_S111, 9.99999997475242708e-07);
-    float _S116 = projected_area_1(view_2, tangent_4, roughness_4) * _S114;
-    return density_between_0(light_3, view_2, tangent_4, roughness_4) * 0.25 * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S115, _S116)) * mean_attenuation_0(optical_depth_1 * abs(_S115 - _S116)) * _S114;
+    float _S144 = 1.0 / max(_S142, 9.99999997475242708e-07);
+    float _S145 = projected_area_1(light_2, tangent_4, roughness_4) / max(_S141, 9.99999997475242708e-07);
+    float _S146 = projected_area_1(view_2, tangent_4, roughness_4) * _S144;
+    return density_between_0(light_2, view_2, tangent_4, roughness_4) * 0.25 * optical_depth_1 * exponential_0(- optical_depth_1 * min(_S145, _S146)) * mean_attenuation_0(optical_depth_1 * abs(_S145 - _S146)) * _S144;
 }
 
-float reflection_0(vec3 light_4, vec3 view_3, vec3 normal_5, vec3 tangent_5, float roughness_5, float optical_depth_2)
+float reflection_0(vec3 light_3, vec3 view_3, vec3 normal_5, vec3 tangent_5, float roughness_5, float optical_depth_2)
 {
-    float _S117 = dot(light_4, normal_5);
-    bool _S118;
-    if(_S117 <= 0.0)
+    float _S147 = dot(light_3, normal_5);
+    bool _S148;
+    if(_S147 <= 0.0)
     {
-        _S118 = true;
+        _S148 = true;
     }
     else
     {
-        _S118 = (dot(view_3, normal_5)) <= 0.0;
+        _S148 = (dot(view_3, normal_5)) <= 0.0;
     }
-    if(_S118)
+    if(_S148)
     {
         return 0.0;
     }
-    float _S119 = max(_S117, 9.99999997475242708e-07);
-    float _S120 = max(dot(view_3, normal_5), 9.99999997475242708e-07);
-    float _S121 = projected_area_1(light_4, tangent_5, roughness_5) * _S120 + projected_area_1(view_3, tangent_5, roughness_5) * _S119;
-    float _S122 = optical_depth_2 * _S121 / (_S119 * _S120);
-    return 0.25 * density_between_0(light_4, view_3, tangent_5, roughness_5) * (_S122 * mean_attenuation_0(_S122)) * _S119 / _S121;
+    float _S149 = max(_S147, 9.99999997475242708e-07);
+    float _S150 = max(dot(view_3, normal_5), 9.99999997475242708e-07);
+    float _S151 = projected_area_1(light_3, tangent_5, roughness_5) * _S150 + projected_area_1(view_3, tangent_5, roughness_5) * _S149;
+    float _S152 = optical_depth_2 * _S151 / (_S149 * _S150);
+    return 0.25 * density_between_0(light_3, view_3, tangent_5, roughness_5) * (_S152 * mean_attenuation_0(_S152)) * _S149 / _S151;
 }
 
 Components_0 with_added_0(Components_0 sums_0, Components_0 more_0, float weight_0)
@@ -1395,14 +1489,14 @@ Components_0 with_added_0(Components_0 sums_0, Components_0 more_0, float weight
     return result_0;
 }
 
-float wrapped_cell_0(float position_5, float count_1)
+float wrapped_cell_0(float position_4, float count_2)
 {
-    return min(floor((position_5 - floor(position_5)) * count_1), count_1 - 1.0);
+    return min(floor((position_4 - floor(position_4)) * count_2), count_2 - 1.0);
 }
 
-float arc_tangent_quotient_0(float x_8, float y_2)
+float arc_tangent_quotient_0(float x_10, float y_2)
 {
-    return ((((((0.0 * x_8 + 0.00809729471802711) * x_8 + -0.0377517081797123) * x_8 + 0.08475969731807709) * x_8 + -0.13537675142288208) * x_8 + 0.19895026087760925) * x_8 + -0.33327975869178772) * x_8 + 0.99999970197677612;
+    return ((((((0.0 * x_10 + 0.00809729471802711) * x_10 + -0.0377517081797123) * x_10 + 0.08475969731807709) * x_10 + -0.13537675142288208) * x_10 + 0.19895026087760925) * x_10 + -0.33327975869178772) * x_10 + 0.99999970197677612;
 }
 
 float arc_tangent_of_ratio_0(float ratio_0)
@@ -1410,13 +1504,13 @@ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0);
 }
 
-float arc_tangent_0(float y_3, float x_9)
+float arc_tangent_0(float y_3, float x_11)
 {
-    float _S123 = abs(x_9);
-    float _S124 = abs(y_3);
-    float angle_0 = arc_tangent_of_ratio_0(min(_S123, _S124) / max(max(_S123, _S124), 1.00000000317107685e-30));
+    float _S153 = abs(x_11);
+    float _S154 = abs(y_3);
+    float angle_0 = arc_tangent_of_ratio_0(min(_S153, _S154) / max(max(_S153, _S154), 1.00000000317107685e-30));
     float angle_1;
-    if(_S124 > _S123)
+    if(_S154 > _S153)
     {
         angle_1 = 1.57079637050628662 - angle_0;
     }
@@ -1424,7 +1518,7 @@ float arc_tangent_0(float y_3, float x_9)
     {
         angle_1 = angle_0;
     }
-    if(x_9 < 0.0)
+    if(x_11 < 0.0)
     {
         angle_1 = 3.14159274101257324 - angle_1;
     }
@@ -1444,43 +1538,43 @@ struct NodeTaps_0
 
 NodeTaps_0 node_taps_0(vec3 direction_4)
 {
-    float _S125 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461;
-    float _S126 = floor(_S125);
-    float _S127 = _S125 - _S126;
-    float _S128 = sqrt(clamp((1.0 - abs(direction_4.z)) / 0.97000002861022949, 0.0, 1.0));
-    float _S129 = 7.0 * _S128 * sqrt(_S128);
-    float _S130 = min(floor(_S129), 6.0);
-    float _S131 = _S129 - _S130;
-    uint _S132 = uint(int(_S126) + 32) % 32U;
-    uint _S133 = uint(_S130);
-    uint _S134 = _S132 * 8U + _S133;
-    uint _S135 = (_S132 + 1U) % 32U * 8U + _S133;
+    float _S155 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461;
+    float _S156 = floor(_S155);
+    float _S157 = _S155 - _S156;
+    float _S158 = sqrt(clamp((1.0 - abs(direction_4.z)) / 0.97000002861022949, 0.0, 1.0));
+    float _S159 = 7.0 * _S158 * sqrt(_S158);
+    float _S160 = min(floor(_S159), 6.0);
+    float _S161 = _S159 - _S160;
+    uint _S162 = uint(int(_S156) + 32) % 32U;
+    uint _S163 = uint(_S160);
+    uint _S164 = _S162 * 8U + _S163;
+    uint _S165 = (_S162 + 1U) % 32U * 8U + _S163;
     NodeTaps_0 taps_0;
-    taps_0.nodes_0 = uvec4(_S134, _S134 + 1U, _S135, _S135 + 1U);
-    float _S136 = 1.0 - _S127;
-    float _S137 = 1.0 - _S131;
-    uvec4 _S138 = uvec4(vec4(_S136 * _S137, _S136 * _S131, _S127 * _S137, _S127 * _S131) * 252.0 + 0.5);
-    taps_0.weights_0 = _S138;
-    taps_0.inverse_sum_0 = 1.0 / float(_S138.x + _S138.y + _S138.z + _S138.w);
+    taps_0.nodes_0 = uvec4(_S164, _S164 + 1U, _S165, _S165 + 1U);
+    float _S166 = 1.0 - _S157;
+    float _S167 = 1.0 - _S161;
+    uvec4 _S168 = uvec4(vec4(_S166 * _S167, _S166 * _S161, _S157 * _S167, _S157 * _S161) * 252.0 + 0.5);
+    taps_0.weights_0 = _S168;
+    taps_0.inverse_sum_0 = 1.0 / float(_S168.x + _S168.y + _S168.z + _S168.w);
     return taps_0;
 }
 
-vec3 half_vector_0(vec3 light_5, vec3 view_4)
+vec3 half_vector_0(vec3 light_4, vec3 view_4)
 {
-    vec3 _S139 = light_5 + view_4;
-    return _S139 * (inversesqrt((max(square_0(_S139), 9.999999960041972e-13))));
+    vec3 _S169 = light_4 + view_4;
+    return _S169 * (inversesqrt((max(square_0(_S169), 9.999999960041972e-13))));
 }
 
-vec3 shadow_correlation_0(vec3 light_6, vec3 view_5)
+vec3 shadow_correlation_0(vec3 light_5, vec3 view_5)
 {
-    vec2 _S140 = light_6.xy;
-    vec2 _S141 = view_5.xy;
-    float _S142 = dot(_S140, _S141) / max(sqrt(dot(_S140, _S140) * dot(_S141, _S141)), 9.99999997475242708e-07);
-    if((light_6.z) < 0.0)
+    vec2 _S170 = light_5.xy;
+    vec2 _S171 = view_5.xy;
+    float _S172 = dot(_S170, _S171) / max(sqrt(dot(_S170, _S170) * dot(_S171, _S171)), 9.99999997475242708e-07);
+    if((light_5.z) < 0.0)
     {
-        return vec3(vec2(-0.09000000357627869 + -0.07999999821186066 * _S142), 0.0);
+        return vec3(vec2(-0.09000000357627869 + -0.07999999821186066 * _S172), 0.0);
     }
-    return vec3(min(0.62000000476837158 + 0.62999999523162842 * _S142, 1.20000004768371582), 0.62000000476837158, 0.37000000476837158);
+    return vec3(min(0.62000000476837158 + 0.62999999523162842 * _S172, 1.20000004768371582), 0.62000000476837158, 0.37000000476837158);
 }
 
 vec4 bytes_of_sums_0(uint even_0, uint odd_0)
@@ -1490,15 +1584,15 @@ vec4 bytes_of_sums_0(uint even_0, uint odd_0)
 
 vec4 interpolate_0(NodeTaps_0 taps_1, uvec4 packs_1)
 {
-    uvec4 _S143 = (packs_1 & 16711935U) * taps_1.weights_0;
-    uvec4 _S144 = ((packs_1 >> 8) & 16711935U) * taps_1.weights_0;
-    return bytes_of_sums_0(_S143.x + _S143.y + _S143.z + _S143.w, _S144.x + _S144.y + _S144.z + _S144.w) * taps_1.inverse_sum_0;
+    uvec4 _S173 = (packs_1 & 16711935U) * taps_1.weights_0;
+    uvec4 _S174 = ((packs_1 >> 8) & 16711935U) * taps_1.weights_0;
+    return bytes_of_sums_0(_S173.x + _S173.y + _S173.z + _S173.w, _S174.x + _S174.y + _S174.z + _S174.w) * taps_1.inverse_sum_0;
 }
 
-vec4 interpolate_table_0(NodeTaps_0 taps_2, uint table_0, uint stride_0)
+vec4 interpolate_table_0(NodeTaps_0 taps_2, uint table_1, uint stride_0)
 {
-    uvec4 _S145 = table_0 + taps_2.nodes_0 * stride_0;
-    return interpolate_0(taps_2, uvec4(words_0._data[uint(_S145.x)], words_0._data[uint(_S145.y)], words_0._data[uint(_S145.z)], words_0._data[uint(_S145.w)]));
+    uvec4 _S175 = table_1 + taps_2.nodes_0 * stride_0;
+    return interpolate_0(taps_2, uvec4(words_0._data[uint(_S175.x)], words_0._data[uint(_S175.y)], words_0._data[uint(_S175.z)], words_0._data[uint(_S175.w)]));
 }
 
 struct Group_0
@@ -1516,11 +1610,11 @@ Group_0 group_at_0(uint row_1, float roughness_7)
     Group_0 group_0;
     group_0.normal_6 = vec3(table_number_0(row_1), table_number_0(row_1 + 1U), table_number_0(row_1 + 2U));
     group_0.weight_1 = table_number_0(row_1 + 3U);
-    vec3 _S146 = vec3(table_number_0(row_1 + 4U), table_number_0(row_1 + 5U), table_number_0(row_1 + 6U));
-    group_0.tangent_6 = _S146;
-    float _S147 = table_number_0(row_1 + 7U);
-    float _S148 = table_number_0(row_1 + 8U);
-    group_0.variance_0 = vec3(_S147, _S148, 1.0 - square_0(_S146) - _S147 - _S148);
+    vec3 _S176 = vec3(table_number_0(row_1 + 4U), table_number_0(row_1 + 5U), table_number_0(row_1 + 6U));
+    group_0.tangent_6 = _S176;
+    float _S177 = table_number_0(row_1 + 7U);
+    float _S178 = table_number_0(row_1 + 8U);
+    group_0.variance_0 = vec3(_S177, _S178, 1.0 - square_0(_S176) - _S177 - _S178);
     group_0.covariance_0 = vec3(table_number_0(row_1 + 9U), table_number_0(row_1 + 10U), table_number_0(row_1 + 11U));
     group_0.roughness_6 = roughness_7;
     return group_0;
@@ -1533,76 +1627,76 @@ vec2 visibility_gain_0(vec3 correlations_0, float from_light_0, float from_view_
 
 float Group_variance_along_0(Group_0 this_5, vec3 direction_5)
 {
-    float _S149 = direction_5.x;
-    float _S150 = direction_5.y;
-    float _S151 = direction_5.z;
-    return max(dot(this_5.variance_0, direction_5 * direction_5) + 2.0 * dot(this_5.covariance_0, vec3(_S149 * _S150, _S149 * _S151, _S150 * _S151)), 0.0);
+    float _S179 = direction_5.x;
+    float _S180 = direction_5.y;
+    float _S181 = direction_5.z;
+    return max(dot(this_5.variance_0, direction_5 * direction_5) + 2.0 * dot(this_5.covariance_0, vec3(_S179 * _S180, _S179 * _S181, _S180 * _S181)), 0.0);
 }
 
 float mean_area_0(Group_0 group_1, vec3 direction_6)
 {
-    float _S152 = dot(direction_6, group_1.tangent_6);
-    float _S153 = group_1.roughness_6;
-    float _S154 = _S153 * _S153;
-    return sqrt(max((_S154 - 1.0) * (_S152 * _S152 + Group_variance_along_0(group_1, direction_6)) + 1.0, _S154));
+    float _S182 = dot(direction_6, group_1.tangent_6);
+    float _S183 = group_1.roughness_6;
+    float _S184 = _S183 * _S183;
+    return sqrt(max((_S184 - 1.0) * (_S182 * _S182 + Group_variance_along_0(group_1, direction_6)) + 1.0, _S184));
 }
 
 float mean_density_0(Group_0 group_2, vec3 half_0)
 {
-    float _S155 = group_2.roughness_6;
-    float _S156 = max(sqrt(max(1.0 - _S155 * _S155, 0.0)) / group_2.roughness_6, 0.00100000004749745);
-    float _S157 = max(sqrt(3.0 * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516 + 0.00009999999747379);
-    float _S158 = dot(half_0, group_2.tangent_6);
-    float _S159 = _S156 * (_S158 - _S157);
-    float _S160 = _S156 * (_S158 + _S157);
-    float _S161 = _S159 * _S160;
-    float _S162 = 2.0 * _S157 * _S156;
-    return 0.15915493667125702 / group_2.roughness_6 * ((1.0 - _S161) / ((_S159 * _S159 + 1.0) * (_S160 * _S160 + 1.0)) + arc_tangent_0(_S162, 1.0 + _S161) / _S162);
+    float _S185 = group_2.roughness_6;
+    float _S186 = max(sqrt(max(1.0 - _S185 * _S185, 0.0)) / group_2.roughness_6, 0.00100000004749745);
+    float _S187 = max(sqrt(3.0 * Group_variance_along_0(group_2, half_0)), group_2.roughness_6 * 0.01999999955296516 + 0.00009999999747379);
+    float _S188 = dot(half_0, group_2.tangent_6);
+    float _S189 = _S186 * (_S188 - _S187);
+    float _S190 = _S186 * (_S188 + _S187);
+    float _S191 = _S189 * _S190;
+    float _S192 = 2.0 * _S187 * _S186;
+    return 0.15915493667125702 / group_2.roughness_6 * ((1.0 - _S191) / ((_S189 * _S189 + 1.0) * (_S190 * _S190 + 1.0)) + arc_tangent_0(_S192, 1.0 + _S191) / _S192);
 }
 
-float layer_value_0(Group_0 group_3, vec3 half_1, vec3 light_7, vec3 view_6, float optical_depth_3)
+float layer_value_0(Group_0 group_3, vec3 half_1, vec3 light_6, vec3 view_6, float optical_depth_3)
 {
-    bool _S163 = (light_7.z) < 0.0;
-    float _S164 = dot(light_7, group_3.normal_6);
-    float _S165;
-    if(_S163)
+    bool _S193 = (light_6.z) < 0.0;
+    float _S194 = dot(light_6, group_3.normal_6);
+    float _S195;
+    if(_S193)
     {
-        _S165 = - _S164;
+        _S195 = - _S194;
     }
     else
     {
-        _S165 = _S164;
+        _S195 = _S194;
     }
-    float _S166 = max(dot(view_6, group_3.normal_6), 0.01999999955296516);
-    float _S167 = mean_area_0(group_3, light_7) / max(_S165, 0.01999999955296516);
-    float _S168 = mean_area_0(group_3, view_6) / _S166;
-    if(_S163)
+    float _S196 = max(dot(view_6, group_3.normal_6), 0.01999999955296516);
+    float _S197 = mean_area_0(group_3, light_6) / max(_S195, 0.01999999955296516);
+    float _S198 = mean_area_0(group_3, view_6) / _S196;
+    if(_S193)
     {
-        _S165 = abs(_S167 - _S168);
+        _S195 = abs(_S197 - _S198);
     }
     else
     {
-        _S165 = _S167 + _S168;
+        _S195 = _S197 + _S198;
     }
-    float _S169 = optical_depth_3 * max(_S165, 0.00100000004749745);
-    if(_S163)
+    float _S199 = optical_depth_3 * max(_S195, 0.00100000004749745);
+    if(_S193)
     {
-        _S165 = exponential_0(- optical_depth_3 * min(_S167, _S168));
+        _S195 = exponential_0(- optical_depth_3 * min(_S197, _S198));
     }
     else
     {
-        _S165 = 1.0;
+        _S195 = 1.0;
     }
-    float _S170 = optical_depth_3 * _S165 * (1.0 - exponential_0(- _S169)) / _S169 / _S166;
-    if(_S163)
+    float _S200 = optical_depth_3 * _S195 * (1.0 - exponential_0(- _S199)) / _S199 / _S196;
+    if(_S193)
     {
-        _S165 = 1.0;
+        _S195 = 1.0;
     }
     else
     {
-        _S165 = 1.0 - 0.34999999403953552 * (1.0 - square_0(group_3.normal_6));
+        _S195 = 1.0 - 0.34999999403953552 * (1.0 - square_0(group_3.normal_6));
     }
-    return 0.25 * mean_density_0(group_3, half_1) * _S165 * _S170;
+    return 0.25 * mean_density_0(group_3, half_1) * _S195 * _S200;
 }
 
 struct Bound_0
@@ -1615,143 +1709,143 @@ struct Bound_0
     float gap_0;
 };
 
-Bound_0 bound_at_0(uint family_9, float position_6)
+Bound_0 bound_at_0(uint family_9, float position_5)
 {
-    Cell_0 _S171 = locate_0(family_9, position_6);
-    float _S172 = table_number_0(families_0._data[uint(family_9)].before_0 + 2U * _S171.thread_0 + 1U);
+    Cell_0 _S201 = locate_0(family_9, position_5);
+    float _S202 = table_number_0(families_0._data[uint(family_9)].before_0 + 2U * _S201.thread_1 + 1U);
     Bound_0 bound_0;
-    bound_0.thread_11 = _S171.thread_0;
-    bound_0.turns_2 = round((position_6 - families_0._data[uint(family_9)].start_0 - _S172 - _S171.below_0) * families_0._data[uint(family_9)].inverse_period_0);
-    bound_0.cell_7 = _S171.below_0;
-    float _S173 = 2.0 * _S171.half_width_1;
-    bound_0.width_1 = _S173;
-    bound_0.visible_0 = clamp((_S171.across_2 + _S171.half_width_1) / _S173, 0.0, 1.0);
-    bound_0.gap_0 = min(_S171.below_0, _S171.below_0 - _S171.across_2 - _S171.half_width_1) + max(_S171.across_2 - _S171.half_width_1, 0.0);
+    bound_0.thread_11 = _S201.thread_1;
+    bound_0.turns_2 = round((position_5 - families_0._data[uint(family_9)].start_0 - _S202 - _S201.below_0) * families_0._data[uint(family_9)].inverse_period_0);
+    bound_0.cell_7 = _S201.below_0;
+    float _S203 = 2.0 * _S201.half_width_1;
+    bound_0.width_1 = _S203;
+    bound_0.visible_0 = clamp((_S201.across_2 + _S201.half_width_1) / _S203, 0.0, 1.0);
+    bound_0.gap_0 = min(_S201.below_0, _S201.below_0 - _S201.across_2 - _S201.half_width_1) + max(_S201.across_2 - _S201.half_width_1, 0.0);
     return bound_0;
 }
 
 struct Stretch_0
 {
-    Bound_0 low_0;
-    Bound_0 high_0;
+    Bound_0 low_1;
+    Bound_0 high_1;
 };
 
 Stretch_0 stretch_of_0(uint family_10, float centre_1, float size_1)
 {
-    float _S174 = centre_1 - floor((centre_1 - families_0._data[uint(family_10)].start_0) * families_0._data[uint(family_10)].inverse_period_0) * families_0._data[uint(family_10)].period_0;
-    float _S175 = 0.5 * max(size_1, families_0._data[uint(family_10)].smallest_box_0);
+    float _S204 = centre_1 - floor((centre_1 - families_0._data[uint(family_10)].start_0) * families_0._data[uint(family_10)].inverse_period_0) * families_0._data[uint(family_10)].period_0;
+    float _S205 = 0.5 * max(size_1, families_0._data[uint(family_10)].smallest_box_0);
     Stretch_0 stretch_0;
-    stretch_0.low_0 = bound_at_0(family_10, _S174 - _S175);
-    stretch_0.high_0 = bound_at_0(family_10, _S174 + _S175);
+    stretch_0.low_1 = bound_at_0(family_10, _S204 - _S205);
+    stretch_0.high_1 = bound_at_0(family_10, _S204 + _S205);
     return stretch_0;
 }
 
 float Stretch_turns_0(Stretch_0 this_6)
 {
-    return this_6.high_0.turns_2 - this_6.low_0.turns_2;
+    return this_6.high_1.turns_2 - this_6.low_1.turns_2;
 }
 
 vec3 lengths_0(uint family_11, Stretch_0 stretch_1)
 {
-    float _S176 = Stretch_turns_0(stretch_1);
-    uint _S177 = families_0._data[uint(family_11)].before_0 + 2U * stretch_1.low_0.thread_11;
-    uint _S178 = families_0._data[uint(family_11)].before_0 + 2U * stretch_1.high_0.thread_11;
-    float _S179 = table_number_0(_S178) - table_number_0(_S177);
-    float _S180 = table_number_0(_S178 + 1U) - table_number_0(_S177 + 1U);
-    return vec3(_S179 + stretch_1.high_0.visible_0 * stretch_1.high_0.width_1 - stretch_1.low_0.visible_0 * stretch_1.low_0.width_1 + _S176 * families_0._data[uint(family_11)].visible_total_0, _S180 - _S179 + stretch_1.high_0.gap_0 - stretch_1.low_0.gap_0 + _S176 * (families_0._data[uint(family_11)].period_0 - families_0._data[uint(family_11)].visible_total_0), _S180 + stretch_1.high_0.cell_7 - stretch_1.low_0.cell_7 + _S176 * families_0._data[uint(family_11)].period_0);
+    float _S206 = Stretch_turns_0(stretch_1);
+    uint _S207 = families_0._data[uint(family_11)].before_0 + 2U * stretch_1.low_1.thread_11;
+    uint _S208 = families_0._data[uint(family_11)].before_0 + 2U * stretch_1.high_1.thread_11;
+    float _S209 = table_number_0(_S208) - table_number_0(_S207);
+    float _S210 = table_number_0(_S208 + 1U) - table_number_0(_S207 + 1U);
+    return vec3(_S209 + stretch_1.high_1.visible_0 * stretch_1.high_1.width_1 - stretch_1.low_1.visible_0 * stretch_1.low_1.width_1 + _S206 * families_0._data[uint(family_11)].visible_total_0, _S210 - _S209 + stretch_1.high_1.gap_0 - stretch_1.low_1.gap_0 + _S206 * (families_0._data[uint(family_11)].period_0 - families_0._data[uint(family_11)].visible_total_0), _S210 + stretch_1.high_1.cell_7 - stretch_1.low_1.cell_7 + _S206 * families_0._data[uint(family_11)].period_0);
 }
 
 vec2 integrals_along_0(uint family_12, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S181 = families_0._data[uint(family_12)];
-    uint _S182 = 3U * _S181.quantities_0;
-    uint _S183 = families_0._data[uint(family_12)].colour_threads_0 + _S182 * stretch_2.low_0.thread_11 + quantity_0;
-    uint _S184 = families_0._data[uint(family_12)].colour_threads_0 + _S182 * stretch_2.high_0.thread_11 + quantity_0;
-    uint _S185 = families_0._data[uint(family_12)].colour_threads_0 + _S182 * uint(families_0._data[uint(family_12)].count_0) + quantity_0;
-    float _S186 = table_number_0(_S183);
-    float _S187 = table_number_0(_S184);
-    float _S188 = Stretch_turns_0(stretch_2);
-    uint _S189 = 2U * _S181.quantities_0;
-    return vec2(table_number_0(_S184 + _S181.quantities_0) - table_number_0(_S183 + _S181.quantities_0) + _S187 * stretch_2.high_0.visible_0 * stretch_2.high_0.width_1 - _S186 * stretch_2.low_0.visible_0 * stretch_2.low_0.width_1 + _S188 * table_number_0(_S185 + _S181.quantities_0), table_number_0(_S184 + _S189) - table_number_0(_S183 + _S189) + _S187 * stretch_2.high_0.cell_7 - _S186 * stretch_2.low_0.cell_7 + _S188 * table_number_0(_S185 + _S189));
+    Family_0 _S211 = families_0._data[uint(family_12)];
+    uint _S212 = 3U * _S211.quantities_0;
+    uint _S213 = families_0._data[uint(family_12)].colour_threads_0 + _S212 * stretch_2.low_1.thread_11 + quantity_0;
+    uint _S214 = families_0._data[uint(family_12)].colour_threads_0 + _S212 * stretch_2.high_1.thread_11 + quantity_0;
+    uint _S215 = families_0._data[uint(family_12)].colour_threads_0 + _S212 * uint(families_0._data[uint(family_12)].count_0) + quantity_0;
+    float _S216 = table_number_0(_S213);
+    float _S217 = table_number_0(_S214);
+    float _S218 = Stretch_turns_0(stretch_2);
+    uint _S219 = 2U * _S211.quantities_0;
+    return vec2(table_number_0(_S214 + _S211.quantities_0) - table_number_0(_S213 + _S211.quantities_0) + _S217 * stretch_2.high_1.visible_0 * stretch_2.high_1.width_1 - _S216 * stretch_2.low_1.visible_0 * stretch_2.low_1.width_1 + _S218 * table_number_0(_S215 + _S211.quantities_0), table_number_0(_S214 + _S219) - table_number_0(_S213 + _S219) + _S217 * stretch_2.high_1.cell_7 - _S216 * stretch_2.low_1.cell_7 + _S218 * table_number_0(_S215 + _S219));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_7)
 {
-    return (this_7.high_0.thread_11) < (this_7.low_0.thread_11);
+    return (this_7.high_1.thread_11) < (this_7.low_1.thread_11);
 }
 
 uvec4 Stretch_differences_0(Stretch_0 this_8, uvec4 entries_0, uint whole_0)
 {
-    uint _S190 = entries_0.z;
-    uint _S191 = entries_0.x;
-    uint _S192 = _S190 - _S191;
-    uint _S193;
+    uint _S220 = entries_0.z;
+    uint _S221 = entries_0.x;
+    uint _S222 = _S220 - _S221;
+    uint _S223;
     if(Stretch_wraps_0(this_8))
     {
-        _S193 = whole_0;
+        _S223 = whole_0;
     }
     else
     {
-        _S193 = 0U;
+        _S223 = 0U;
     }
-    return uvec4(_S192 + _S193, entries_0.w - _S190, entries_0.y - _S191, whole_0);
+    return uvec4(_S222 + _S223, entries_0.w - _S220, entries_0.y - _S221, whole_0);
 }
 
-uvec4 row_differences_0(Stretch_0 across_4, uint row_2, uint count_2, uint quantities_1)
+uvec4 row_differences_0(Stretch_0 across_4, uint row_2, uint count_3, uint quantities_1)
 {
-    uint _S194 = row_2 + across_4.low_0.thread_11 * quantities_1;
-    uint _S195 = row_2 + across_4.high_0.thread_11 * quantities_1;
-    return Stretch_differences_0(across_4, uvec4(words_0._data[uint(_S194)], words_0._data[uint(_S194 + quantities_1)], words_0._data[uint(_S195)], words_0._data[uint(_S195 + quantities_1)]), words_0._data[uint(row_2 + count_2 * quantities_1)]);
+    uint _S224 = row_2 + across_4.low_1.thread_11 * quantities_1;
+    uint _S225 = row_2 + across_4.high_1.thread_11 * quantities_1;
+    return Stretch_differences_0(across_4, uvec4(words_0._data[uint(_S224)], words_0._data[uint(_S224 + quantities_1)], words_0._data[uint(_S225)], words_0._data[uint(_S225 + quantities_1)]), words_0._data[uint(row_2 + count_3 * quantities_1)]);
 }
 
 vec4 Stretch_weights_0(Stretch_0 this_9)
 {
-    float _S196 = - this_9.low_0.visible_0;
-    float _S197 = Stretch_turns_0(this_9);
-    float _S198;
+    float _S226 = - this_9.low_1.visible_0;
+    float _S227 = Stretch_turns_0(this_9);
+    float _S228;
     if(Stretch_wraps_0(this_9))
     {
-        _S198 = 1.0;
+        _S228 = 1.0;
     }
     else
     {
-        _S198 = 0.0;
+        _S228 = 0.0;
     }
-    return vec4(1.0, this_9.high_0.visible_0, _S196, _S197 - _S198);
+    return vec4(1.0, this_9.high_1.visible_0, _S226, _S227 - _S228);
 }
 
 float integral_on_top_0(uint family_13, Stretch_0 across_5, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S199 = uint(families_0._data[uint(family_13)].count_0);
-    uint _S200 = (_S199 + 1U) * families_0._data[uint(family_13)].quantities_0;
-    uint _S201 = families_0._data[uint(family_13)].colour_areas_0 + quantity_1;
-    uvec4 _S202 = row_differences_0(across_5, _S201 + along_0.low_0.thread_11 * _S200, _S199, families_0._data[uint(family_13)].quantities_0);
-    uvec4 _S203 = row_differences_0(across_5, _S201 + (along_0.low_0.thread_11 + 1U) * _S200, _S199, families_0._data[uint(family_13)].quantities_0);
-    uvec4 _S204 = row_differences_0(across_5, _S201 + along_0.high_0.thread_11 * _S200, _S199, families_0._data[uint(family_13)].quantities_0);
-    uvec4 _S205 = row_differences_0(across_5, _S201 + (along_0.high_0.thread_11 + 1U) * _S200, _S199, families_0._data[uint(family_13)].quantities_0);
-    uvec4 _S206 = row_differences_0(across_5, _S201 + crossing_count_0 * _S200, _S199, families_0._data[uint(family_13)].quantities_0);
-    uvec4 _S207 = _S204 - _S202;
-    uvec4 _S208;
+    uint _S229 = uint(families_0._data[uint(family_13)].count_0);
+    uint _S230 = (_S229 + 1U) * families_0._data[uint(family_13)].quantities_0;
+    uint _S231 = families_0._data[uint(family_13)].colour_areas_0 + quantity_1;
+    uvec4 _S232 = row_differences_0(across_5, _S231 + along_0.low_1.thread_11 * _S230, _S229, families_0._data[uint(family_13)].quantities_0);
+    uvec4 _S233 = row_differences_0(across_5, _S231 + (along_0.low_1.thread_11 + 1U) * _S230, _S229, families_0._data[uint(family_13)].quantities_0);
+    uvec4 _S234 = row_differences_0(across_5, _S231 + along_0.high_1.thread_11 * _S230, _S229, families_0._data[uint(family_13)].quantities_0);
+    uvec4 _S235 = row_differences_0(across_5, _S231 + (along_0.high_1.thread_11 + 1U) * _S230, _S229, families_0._data[uint(family_13)].quantities_0);
+    uvec4 _S236 = row_differences_0(across_5, _S231 + crossing_count_0 * _S230, _S229, families_0._data[uint(family_13)].quantities_0);
+    uvec4 _S237 = _S234 - _S232;
+    uvec4 _S238;
     if(Stretch_wraps_0(along_0))
     {
-        _S208 = _S206;
+        _S238 = _S236;
     }
     else
     {
-        _S208 = uvec4(ivec4(0));
+        _S238 = uvec4(ivec4(0));
     }
-    vec4 _S209 = Stretch_weights_0(across_5);
-    return dot(vec4(dot(vec4(ivec4(_S207 + _S208)), _S209), dot(vec4(ivec4(_S205 - _S204)), _S209), dot(vec4(ivec4(_S203 - _S202)), _S209), dot(vec4(ivec4(_S206)), _S209)), Stretch_weights_0(along_0)) * families_0._data[uint(family_13)].area_unit_0;
+    vec4 _S239 = Stretch_weights_0(across_5);
+    return dot(vec4(dot(vec4(ivec4(_S237 + _S238)), _S239), dot(vec4(ivec4(_S235 - _S234)), _S239), dot(vec4(ivec4(_S233 - _S232)), _S239), dot(vec4(ivec4(_S236)), _S239)), Stretch_weights_0(along_0)) * families_0._data[uint(family_13)].area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_2, uint row_3)
 {
-    Albedos_0 _S210 = table_albedos_0(row_3);
+    Albedos_0 _S240 = table_albedos_0(row_3);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_2 * _S210.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_2 * _S210.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_2 * _S210.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_2 * _S210.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_2 * _S240.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_2 * _S240.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_2 * _S240.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_2 * _S240.specular_transmit_0;
     return sum_0;
 }
 
@@ -1762,7 +1856,7 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stret
     {
         return albedos_2;
     }
-    vec3 _S211 = lengths_0(crossing_1, other_2);
+    vec3 _S241 = lengths_0(crossing_1, other_2);
     bool is_exposed_0 = false;
     float weight_3 = 0.0;
     uint quantity_2 = 0U;
@@ -1775,42 +1869,42 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stret
         {
             break;
         }
-        vec2 _S212 = integrals_along_0(family_14, own_1, quantity_2);
-        float _S213 = integral_on_top_0(family_14, own_1, other_2, uint(families_0._data[uint(crossing_1)].count_0), quantity_2);
-        float _S214 = _S212.x;
-        float _S215 = _S214 * _S211.x;
-        float _S216;
+        vec2 _S242 = integrals_along_0(family_14, own_1, quantity_2);
+        float _S243 = integral_on_top_0(family_14, own_1, other_2, uint(families_0._data[uint(crossing_1)].count_0), quantity_2);
+        float _S244 = _S242.x;
+        float _S245 = _S244 * _S241.x;
+        float _S246;
         if(back_2)
         {
-            _S216 = _S215 - _S213;
+            _S246 = _S245 - _S243;
         }
         else
         {
-            _S216 = _S213;
+            _S246 = _S243;
         }
-        bool _S217 = quantity_2 == 0U;
-        if(_S217)
+        bool _S247 = quantity_2 == 0U;
+        if(_S247)
         {
-            is_exposed_0 = _S216 > (16.0 * families_0._data[uint(family_14)].area_unit_0 * min(_S215 / families_0._data[uint(family_14)].crossing_area_0, 1.0) + 0.00000999999974738 * _S215);
+            is_exposed_0 = _S246 > (16.0 * families_0._data[uint(family_14)].area_unit_0 * min(_S245 / families_0._data[uint(family_14)].crossing_area_0, 1.0) + 0.00000999999974738 * _S245);
         }
-        float _S218 = _S214 * _S211.y;
-        float _S219;
+        float _S248 = _S244 * _S241.y;
+        float _S249;
         if(is_exposed_0)
         {
-            _S219 = _S216;
+            _S249 = _S246;
         }
         else
         {
-            _S219 = 0.0;
+            _S249 = 0.0;
         }
-        float _S220 = _S218 + _S219 + 0.000244140625 * _S211.z * _S212.y;
-        if(_S217)
+        float _S250 = _S248 + _S249 + 0.000244140625 * _S241.z * _S242.y;
+        if(_S247)
         {
-            weight_3 = 1.0 / max(_S220, 9.99999968265522539e-21);
+            weight_3 = 1.0 / max(_S250, 9.99999968265522539e-21);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S220 * weight_3, families_0._data[uint(family_14)].colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S250 * weight_3, families_0._data[uint(family_14)].colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -1821,185 +1915,322 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stret
     return albedos_2;
 }
 
-Albedos_0 lerp_albedos_0(Albedos_0 first_2, Albedos_0 second_1, float weight_4)
+Albedos_0 lerp_albedos_0(Albedos_0 first_3, Albedos_0 second_1, float weight_4)
 {
     Albedos_0 albedos_3;
-    vec3 _S221 = vec3(weight_4);
-    albedos_3.diffuse_reflect_0 = mix(first_2.diffuse_reflect_0, second_1.diffuse_reflect_0, _S221);
-    albedos_3.diffuse_transmit_0 = mix(first_2.diffuse_transmit_0, second_1.diffuse_transmit_0, _S221);
-    albedos_3.specular_reflect_0 = mix(first_2.specular_reflect_0, second_1.specular_reflect_0, _S221);
-    albedos_3.specular_transmit_0 = mix(first_2.specular_transmit_0, second_1.specular_transmit_0, _S221);
+    vec3 _S251 = vec3(weight_4);
+    albedos_3.diffuse_reflect_0 = mix(first_3.diffuse_reflect_0, second_1.diffuse_reflect_0, _S251);
+    albedos_3.diffuse_transmit_0 = mix(first_3.diffuse_transmit_0, second_1.diffuse_transmit_0, _S251);
+    albedos_3.specular_reflect_0 = mix(first_3.specular_reflect_0, second_1.specular_reflect_0, _S251);
+    albedos_3.specular_transmit_0 = mix(first_3.specular_transmit_0, second_1.specular_transmit_0, _S251);
     return albedos_3;
 }
 
-float sheen_scale_0(float x_10, float y_4)
+Albedos_0 tinted_0(Albedos_0 albedos_4, vec3 tint_0)
 {
-    return (((((0.0 * x_10 + (((((-1.1402510404586792 * y_4 + 0.40672621130943298) * y_4 + 1.65398800373077393) * y_4 + -1.29730904102325439) * y_4 + 0.30570998787879944) * y_4 + -0.0220868494361639)) * x_10 + (((((-0.21142719686031342 * y_4 + 1.05947399139404297) * y_4 + -0.41116121411323547) * y_4 + -0.93859231472015381) * y_4 + 0.51606941223144531) * y_4 + 0.05409301072359085)) * x_10 + (((((1.22944498062133789 * y_4 + -0.45962560176849365) * y_4 + -1.63861405849456787) * y_4 + 1.33565104007720947) * y_4 + -0.45725581049919128) * y_4 + 0.08243165910243988)) * x_10 + (((((0.39779931306838989 * y_4 + -1.18879103660583496) * y_4 + 0.28251591324806213) * y_4 + 1.168984055519104) * y_4 + -0.76864629983901978) * y_4 + 0.0091691892594099)) * x_10 + (((((-0.26563560962677002 * y_4 + -0.19379159808158875) * y_4 + 0.2677634060382843) * y_4 + 0.00270519289188087) * y_4 + 0.14349560439586639) * y_4 + 0.10290180146694183)) * x_10 + (((((-0.20701569318771362 * y_4 + 0.24526430666446686) * y_4 + 0.19551840424537659) * y_4 + 0.07586126774549484) * y_4 + 0.38894739747047424) * y_4 + 0.15043120086193085);
+    Albedos_0 result_1 = albedos_4;
+    result_1.diffuse_reflect_0 = result_1.diffuse_reflect_0 * tint_0;
+    result_1.diffuse_transmit_0 = result_1.diffuse_transmit_0 * tint_0;
+    return result_1;
 }
 
-float sheen_shear_0(float x_11, float y_5)
+float sheen_scale_0(float x_12, float y_4)
 {
-    return ((((0.0 * x_11 + (((((-0.10608240216970444 * y_5 + 1.99214303493499756) * y_5 + -1.42255294322967529) * y_5 + -1.09495604038238525) * y_5 + 0.59180057048797607) * y_5 + 0.06902855634689331)) * x_11 + (((((-0.46220690011978149 * y_5 + -0.29113379120826721) * y_5 + 1.39025199413299561) * y_5 + 0.35589990019798279) * y_5 + -1.17120099067687988) * y_5 + 0.15940259397029877)) * x_11 + (((((2.26068711280822754 * y_5 + -3.64728999137878418) * y_5 + -0.72173482179641724) * y_5 + 3.07659196853637695) * y_5 + -0.6827620267868042) * y_5 + -0.3039557933807373)) * x_11 + (((((0.81201767921447754 * y_5 + 0.36014080047607422) * y_5 + -1.72646903991699219) * y_5 + -0.22630110383033752) * y_5 + 0.89514690637588501) * y_5 + -0.10397960245609283)) * x_11 + (((((-0.37648698687553406 * y_5 + 1.10974001884460449) * y_5 + 0.17824520170688629) * y_5 + -1.04968702793121338) * y_5 + 0.1461234986782074) * y_5 + -0.00475129019469023);
+    return (((((0.0 * x_12 + (((((-1.1402510404586792 * y_4 + 0.40672621130943298) * y_4 + 1.65398800373077393) * y_4 + -1.29730904102325439) * y_4 + 0.30570998787879944) * y_4 + -0.0220868494361639)) * x_12 + (((((-0.21142719686031342 * y_4 + 1.05947399139404297) * y_4 + -0.41116121411323547) * y_4 + -0.93859231472015381) * y_4 + 0.51606941223144531) * y_4 + 0.05409301072359085)) * x_12 + (((((1.22944498062133789 * y_4 + -0.45962560176849365) * y_4 + -1.63861405849456787) * y_4 + 1.33565104007720947) * y_4 + -0.45725581049919128) * y_4 + 0.08243165910243988)) * x_12 + (((((0.39779931306838989 * y_4 + -1.18879103660583496) * y_4 + 0.28251591324806213) * y_4 + 1.168984055519104) * y_4 + -0.76864629983901978) * y_4 + 0.0091691892594099)) * x_12 + (((((-0.26563560962677002 * y_4 + -0.19379159808158875) * y_4 + 0.2677634060382843) * y_4 + 0.00270519289188087) * y_4 + 0.14349560439586639) * y_4 + 0.10290180146694183)) * x_12 + (((((-0.20701569318771362 * y_4 + 0.24526430666446686) * y_4 + 0.19551840424537659) * y_4 + 0.07586126774549484) * y_4 + 0.38894739747047424) * y_4 + 0.15043120086193085);
 }
 
-float sheen_reflectance_0(float x_12, float y_6)
+float sheen_shear_0(float x_13, float y_5)
 {
-    return ((((0.0 * x_12 + (((((12.95646953582763672 * y_6 + -21.38032913208007812) * y_6 + -7.37853097915649414) * y_6 + 34.55607986450195312) * y_6 + -23.61347007751464844) * y_6 + 5.00126314163208008)) * x_12 + (((((10.91487026214599609 * y_6 + -6.08202791213989258) * y_6 + -38.2036285400390625) * y_6 + 53.3440399169921875) * y_6 + -21.91996002197265625) * y_6 + 2.01606011390686035)) * x_12 + (((((-14.52206039428710938 * y_6 + 36.803619384765625) * y_6 + -22.94047927856445312) * y_6 + -10.07973003387451172) * y_6 + 15.77003955841064453) * y_6 + -4.92722177505493164)) * x_12 + (((((-7.62505722045898438 * y_6 + 1.27310299873352051) * y_6 + 31.19523048400878906) * y_6 + -44.39989852905273438) * y_6 + 26.44947052001953125) * y_6 + -8.73507976531982422)) * x_12 + (((((5.65633487701416016 * y_6 + -17.66820907592773438) * y_6 + 24.65356063842773438) * y_6 + -19.38941001892089844) * y_6 + 11.06159019470214844) * y_6 + -3.06573700904846191);
+    return ((((0.0 * x_13 + (((((-0.10608240216970444 * y_5 + 1.99214303493499756) * y_5 + -1.42255294322967529) * y_5 + -1.09495604038238525) * y_5 + 0.59180057048797607) * y_5 + 0.06902855634689331)) * x_13 + (((((-0.46220690011978149 * y_5 + -0.29113379120826721) * y_5 + 1.39025199413299561) * y_5 + 0.35589990019798279) * y_5 + -1.17120099067687988) * y_5 + 0.15940259397029877)) * x_13 + (((((2.26068711280822754 * y_5 + -3.64728999137878418) * y_5 + -0.72173482179641724) * y_5 + 3.07659196853637695) * y_5 + -0.6827620267868042) * y_5 + -0.3039557933807373)) * x_13 + (((((0.81201767921447754 * y_5 + 0.36014080047607422) * y_5 + -1.72646903991699219) * y_5 + -0.22630110383033752) * y_5 + 0.89514690637588501) * y_5 + -0.10397960245609283)) * x_13 + (((((-0.37648698687553406 * y_5 + 1.10974001884460449) * y_5 + 0.17824520170688629) * y_5 + -1.04968702793121338) * y_5 + 0.1461234986782074) * y_5 + -0.00475129019469023);
+}
+
+float sheen_reflectance_0(float x_14, float y_6)
+{
+    return ((((0.0 * x_14 + (((((12.95646953582763672 * y_6 + -21.38032913208007812) * y_6 + -7.37853097915649414) * y_6 + 34.55607986450195312) * y_6 + -23.61347007751464844) * y_6 + 5.00126314163208008)) * x_14 + (((((10.91487026214599609 * y_6 + -6.08202791213989258) * y_6 + -38.2036285400390625) * y_6 + 53.3440399169921875) * y_6 + -21.91996002197265625) * y_6 + 2.01606011390686035)) * x_14 + (((((-14.52206039428710938 * y_6 + 36.803619384765625) * y_6 + -22.94047927856445312) * y_6 + -10.07973003387451172) * y_6 + 15.77003955841064453) * y_6 + -4.92722177505493164)) * x_14 + (((((-7.62505722045898438 * y_6 + 1.27310299873352051) * y_6 + 31.19523048400878906) * y_6 + -44.39989852905273438) * y_6 + 26.44947052001953125) * y_6 + -8.73507976531982422)) * x_14 + (((((5.65633487701416016 * y_6 + -17.66820907592773438) * y_6 + 24.65356063842773438) * y_6 + -19.38941001892089844) * y_6 + 11.06159019470214844) * y_6 + -3.06573700904846191);
 }
 
 vec3 sheen_lobe_0(float cos_view_0, float roughness_8)
 {
-    float _S222 = clamp(cos_view_0, 0.00999999977648258, 1.0);
-    float _S223 = 2.0 * sqrt(_S222) - 1.0;
-    float _S224 = 3.0 * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258, 1.0))) - 2.0;
-    return vec3(clamp(sheen_scale_0(_S223, _S224), 0.00999999977648258, 1.0), clamp((1.0 - _S222) * sheen_shear_0(_S223, _S224), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S223, _S224), -60.0, 60.0))));
+    float _S252 = clamp(cos_view_0, 0.00999999977648258, 1.0);
+    float _S253 = 2.0 * sqrt(_S252) - 1.0;
+    float _S254 = 3.0 * sqrt(sqrt(clamp(roughness_8, 0.00999999977648258, 1.0))) - 2.0;
+    return vec3(clamp(sheen_scale_0(_S253, _S254), 0.00999999977648258, 1.0), clamp((1.0 - _S252) * sheen_shear_0(_S253, _S254), -0.25, 0.0), 0.80000001192092896 / (1.0 + exponential_0(- clamp(sheen_reflectance_0(_S253, _S254), -60.0, 60.0))));
 }
 
-float transformed_cosine_0(vec3 light_8, vec3 view_7, float scale_0, float shear_0)
+float transformed_cosine_0(vec3 light_7, vec3 view_7, float scale_0, float shear_0)
 {
-    float _S225 = light_8.z;
-    bool _S226;
-    if(_S225 <= 0.0)
+    float _S255 = light_7.z;
+    bool _S256;
+    if(_S255 <= 0.0)
     {
-        _S226 = true;
+        _S256 = true;
     }
     else
     {
-        _S226 = (view_7.z) <= 0.0;
+        _S256 = (view_7.z) <= 0.0;
     }
-    if(_S226)
+    if(_S256)
     {
         return 0.0;
     }
-    vec2 _S227 = view_7.xy;
-    float _S228 = dot(_S227, _S227);
-    vec2 _S229;
-    if(_S228 > 9.99999968265522539e-21)
+    vec2 _S257 = view_7.xy;
+    float _S258 = dot(_S257, _S257);
+    vec2 _S259;
+    if(_S258 > 9.99999968265522539e-21)
     {
-        _S229 = _S227 * (inversesqrt((_S228)));
+        _S259 = _S257 * (inversesqrt((_S258)));
     }
     else
     {
-        _S229 = vec2(1.0, 0.0);
+        _S259 = vec2(1.0, 0.0);
     }
-    float _S230 = scale_0 * dot(light_8.xy, _S229) + shear_0 * _S225;
-    float _S231 = scale_0 * (light_8.y * _S229.x - light_8.x * _S229.y);
-    float _S232 = _S230 * _S230 + _S231 * _S231 + _S225 * _S225;
-    return 0.31830987334251404 * scale_0 * scale_0 * _S225 / max(_S232 * _S232, 9.99999968265522539e-21);
+    float _S260 = scale_0 * dot(light_7.xy, _S259) + shear_0 * _S255;
+    float _S261 = scale_0 * (light_7.y * _S259.x - light_7.x * _S259.y);
+    float _S262 = _S260 * _S260 + _S261 * _S261 + _S255 * _S255;
+    return 0.31830987334251404 * scale_0 * scale_0 * _S255 / max(_S262 * _S262, 9.99999968265522539e-21);
 }
 
-vec2 sheen_with_transmittance_0(vec3 light_9, vec3 view_8, float strength_0, float roughness_9)
+vec2 sheen_with_transmittance_0(vec3 light_8, vec3 view_8, float strength_0, float roughness_9)
 {
-    vec3 _S233 = sheen_lobe_0(view_8.z, roughness_9);
-    float _S234 = strength_0 * _S233.z;
-    return vec2(_S234 * transformed_cosine_0(light_9, view_8, _S233.x, _S233.y), 1.0 - _S234);
+    vec3 _S263 = sheen_lobe_0(view_8.z, roughness_9);
+    float _S264 = strength_0 * _S263.z;
+    return vec2(_S264 * transformed_cosine_0(light_8, view_8, _S263.x, _S263.y), 1.0 - _S264);
 }
 
-void accumulate_0(Frame_0 frame_4, uvec2 pixel_0, vec4 light_10)
+void accumulate_0(uint index_7, vec4 light_9)
 {
-    uint _S235 = pixel_0.y * frame_4.width_0 + pixel_0.x;
-    float _S236 = light_10.w;
-    vec4 _S237 = vec4(light_10.xyz + (1.0 - _S236) * vec3(frame_4.background_red_0, frame_4.background_green_0, frame_4.background_blue_0), _S236);
-    vec4 _S238;
-    if((frame_4.pass_number_0) == 0U)
-    {
-        _S238 = _S237;
-    }
-    else
-    {
-        _S238 = radiance_0._data[uint(_S235)] + _S237;
-    }
-    radiance_0._data[uint(_S235)] = _S238;
+    float _S265 = layers_0._data[uint(index_7)].share_0;
+    radiance_0._data[uint(index_7)] = radiance_0._data[uint(index_7)] + layers_0._data[uint(index_7)].share_0 * light_9;
+    layers_0._data[uint(index_7)].share_0 = _S265 * (1.0 - light_9.w);
     return;
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S239, uint _S240, uint _S241, uvec2 _S242)
+vec3 camera_right_0(int _S266)
 {
-    uint _S243 = 3U * _S241;
-    Vertex_0 _S244 = vertices_0._data[uint(corners_0._data[uint(_S243)])];
-    Vertex_0 _S245 = vertices_0._data[uint(corners_0._data[uint(_S243 + 1U)])];
-    Vertex_0 _S246 = vertices_0._data[uint(corners_0._data[uint(_S243 + 2U)])];
-    vec3 _S247 = position_of_0(_S244);
-    vec3 _S248 = position_of_0(_S245) - _S247;
-    vec3 _S249 = position_of_0(_S246) - _S247;
-    vec3 _S250 = cross(_S248, _S249);
-    float _S251 = 1.0 / max(square_0(_S250), 1.00000000317107685e-30);
-    float _S252 = float(_S239.width_0);
-    vec3 _S253 = camera_right_0(_S239) * (2.0 / _S252);
-    float _S254 = float(_S239.height_0);
-    vec3 _S255 = camera_up_0(_S239) * (-2.0 / _S254);
-    vec3 _S256 = camera_forward_0(_S239) + (float(_S242.x) + 0.5 - 0.5 * _S252) * _S253 + (float(_S242.y) + 0.5 - 0.5 * _S254) * _S255;
-    float _S257 = dot(_S256, _S250);
-    float _S258;
-    if((abs(_S257)) > 1.00000000317107685e-30)
+    return vec3(frames_0._data[uint(_S266)].right_x_0, frames_0._data[uint(_S266)].right_y_0, frames_0._data[uint(_S266)].right_z_0);
+}
+
+vec3 camera_up_0(int _S267)
+{
+    return vec3(frames_0._data[uint(_S267)].up_x_0, frames_0._data[uint(_S267)].up_y_0, frames_0._data[uint(_S267)].up_z_0);
+}
+
+vec3 camera_forward_0(int _S268)
+{
+    return vec3(frames_0._data[uint(_S268)].forward_x_0, frames_0._data[uint(_S268)].forward_y_0, frames_0._data[uint(_S268)].forward_z_0);
+}
+
+vec3 camera_origin_0(int _S269)
+{
+    return vec3(frames_0._data[uint(_S269)].origin_x_0, frames_0._data[uint(_S269)].origin_y_0, frames_0._data[uint(_S269)].origin_z_0);
+}
+
+VisiblePoint_0 face_point_0(uint _S270, uint _S271, float _S272, float _S273)
+{
+    uint _S274 = 3U * _S271;
+    Vertex_0 _S275 = vertices_0._data[uint(corners_0._data[uint(_S274)])];
+    Vertex_0 _S276 = vertices_0._data[uint(corners_0._data[uint(_S274 + 1U)])];
+    Vertex_0 _S277 = vertices_0._data[uint(corners_0._data[uint(_S274 + 2U)])];
+    vec3 _S278 = position_of_0(_S275);
+    vec3 _S279 = position_of_0(_S276) - _S278;
+    vec3 _S280 = position_of_0(_S277) - _S278;
+    float _S281 = _S276.u_0 - _S275.u_0;
+    float _S282 = _S276.v_0 - _S275.v_0;
+    vec2 _S283 = vec2(_S281, _S282);
+    float _S284 = _S277.u_0 - _S275.u_0;
+    float _S285 = _S277.v_0 - _S275.v_0;
+    vec2 _S286 = vec2(_S284, _S285);
+    float _S287;
+    if((_S281 * _S285 - _S282 * _S284) < 0.0)
     {
-        _S258 = _S257;
+        _S287 = -1.0;
     }
     else
     {
-        _S258 = 1.00000000317107685e-30;
+        _S287 = 1.0;
     }
-    float _S259 = 1.0 / _S258;
-    vec3 _S260 = _S247 - camera_origin_0(_S239);
-    float _S261 = dot(_S260, _S250) * _S259;
-    vec3 _S262 = _S256 * _S261 - _S260;
-    vec3 _S263 = _S261 * (_S253 - _S256 * (dot(_S253, _S250) * _S259));
-    vec3 _S264 = _S261 * (_S255 - _S256 * (dot(_S255, _S250) * _S259));
-    vec3 _S265 = cross(_S249, _S250) * _S251;
-    vec3 _S266 = cross(_S250, _S248) * _S251;
-    float _S267 = dot(_S262, _S265);
-    float _S268 = dot(_S262, _S266);
-    float _S269 = _S245.u_0 - _S244.u_0;
-    float _S270 = _S245.v_0 - _S244.v_0;
-    vec2 _S271 = vec2(_S269, _S270);
-    float _S272 = _S246.u_0 - _S244.u_0;
-    float _S273 = _S246.v_0 - _S244.v_0;
-    vec2 _S274 = vec2(_S272, _S273);
-    vec2 _S275 = vec2(_S244.u_0, _S244.v_0) + _S267 * _S271 + _S268 * _S274;
-    vec2 _S276 = dot(_S263, _S265) * _S271 + dot(_S263, _S266) * _S274;
-    vec2 _S277 = dot(_S264, _S265) * _S271 + dot(_S264, _S266) * _S274;
-    if((_S269 * _S273 - _S270 * _S272) < 0.0)
-    {
-        _S258 = -1.0;
-    }
-    else
-    {
-        _S258 = 1.0;
-    }
-    vec3 _S278 = _S258 * (_S273 * _S248 - _S270 * _S249);
-    vec3 _S279 = _S258 * (_S269 * _S249 - _S272 * _S248);
+    vec3 _S288 = _S287 * (_S285 * _S279 - _S282 * _S280);
+    vec3 _S289 = _S287 * (_S281 * _S280 - _S284 * _S279);
     VisiblePoint_0 point_1;
-    vec3 _S280 = normalize((1.0 - _S267 - _S268) * normal_of_0(_S244) + _S267 * normal_of_0(_S245) + _S268 * normal_of_0(_S246));
-    point_1.normal_0 = _S280;
-    vec3 _S281 = normalize(_S278 - _S280 * dot(_S280, _S278));
-    point_1.axis_x_0 = _S281;
-    point_1.axis_y_0 = cross(_S280, _S281);
-    point_1.position_0 = _S247 + _S262;
-    point_1.view_0 = - normalize(_S256);
-    bool _S282 = (dot(cross(_S278, _S279), _S280)) < 0.0;
-    float _S283 = fabrics_0._data[uint(_S240)].uv_width_0;
-    if(_S282)
+    vec3 _S290 = normalize((1.0 - _S272 - _S273) * normal_of_0(_S275) + _S272 * normal_of_0(_S276) + _S273 * normal_of_0(_S277));
+    point_1.normal_0 = _S290;
+    vec3 _S291 = normalize(_S288 - _S290 * dot(_S290, _S288));
+    point_1.axis_x_0 = _S291;
+    point_1.axis_y_0 = cross(_S290, _S291);
+    vec3 _S292 = normalize(cross(_S279, _S280));
+    vec3 _S293;
+    if((dot(_S292, _S290)) < 0.0)
     {
-        _S258 = - fabrics_0._data[uint(_S240)].uv_height_0;
+        _S293 = - _S292;
     }
     else
     {
-        _S258 = fabrics_0._data[uint(_S240)].uv_height_0;
+        _S293 = _S292;
     }
-    vec2 _S284 = vec2(_S283, _S258);
-    vec2 _S285 = _S275 * _S284;
-    if(_S282)
+    point_1.face_normal_0 = _S293;
+    point_1.position_0 = _S278 + _S272 * _S279 + _S273 * _S280;
+    point_1.view_0 = point_1.normal_0;
+    point_1.uv_1 = vec2(_S275.u_0, _S275.v_0) + _S272 * _S283 + _S273 * _S286;
+    bool _S294 = (dot(cross(_S288, _S289), point_1.normal_0)) < 0.0;
+    float _S295 = fabrics_0._data[uint(_S270)].uv_width_0;
+    if(_S294)
     {
-        _S258 = fabrics_0._data[uint(_S240)].uv_height_0;
+        _S287 = - fabrics_0._data[uint(_S270)].uv_height_0;
     }
     else
     {
-        _S258 = 0.0;
+        _S287 = fabrics_0._data[uint(_S270)].uv_height_0;
     }
-    point_1.draft_0 = _S285 + vec2(0.0, _S258);
-    point_1.draft_dx_0 = _S276 * _S284;
-    point_1.draft_dy_0 = _S277 * _S284;
+    vec2 _S296 = vec2(_S295, _S287);
+    point_1.draft_per_uv_0 = _S296;
+    vec2 _S297 = point_1.uv_1 * _S296;
+    if(_S294)
+    {
+        _S287 = fabrics_0._data[uint(_S270)].uv_height_0;
+    }
+    else
+    {
+        _S287 = 0.0;
+    }
+    point_1.draft_0 = _S297 + vec2(0.0, _S287);
+    const vec2 _S298 = vec2(0.0);
+    point_1.draft_dx_0 = _S298;
+    point_1.draft_dy_0 = _S298;
     return point_1;
+}
+
+VisiblePoint_0 visible_point_0(int _S299, uint _S300, uint _S301, uvec2 _S302)
+{
+    uint _S303 = 3U * _S301;
+    Vertex_0 _S304 = vertices_0._data[uint(corners_0._data[uint(_S303)])];
+    Vertex_0 _S305 = vertices_0._data[uint(corners_0._data[uint(_S303 + 1U)])];
+    Vertex_0 _S306 = vertices_0._data[uint(corners_0._data[uint(_S303 + 2U)])];
+    vec3 _S307 = position_of_0(_S304);
+    vec3 _S308 = position_of_0(_S305) - _S307;
+    vec3 _S309 = position_of_0(_S306) - _S307;
+    vec3 _S310 = cross(_S308, _S309);
+    float _S311 = 1.0 / max(square_0(_S310), 1.00000000317107685e-30);
+    float _S312 = float(frames_0._data[uint(_S299)].width_0);
+    vec3 _S313 = camera_right_0(_S299) * (2.0 / _S312);
+    float _S314 = float(frames_0._data[uint(_S299)].height_0);
+    vec3 _S315 = camera_up_0(_S299) * (-2.0 / _S314);
+    vec3 _S316 = camera_forward_0(_S299) + (float(_S302.x) + 0.5 - 0.5 * _S312) * _S313 + (float(_S302.y) + 0.5 - 0.5 * _S314) * _S315;
+    float _S317 = dot(_S316, _S310);
+    float _S318;
+    if((abs(_S317)) > 1.00000000317107685e-30)
+    {
+        _S318 = _S317;
+    }
+    else
+    {
+        _S318 = 1.00000000317107685e-30;
+    }
+    float _S319 = 1.0 / _S318;
+    vec3 _S320 = _S307 - camera_origin_0(_S299);
+    float _S321 = dot(_S320, _S310) * _S319;
+    vec3 _S322 = _S316 * _S321 - _S320;
+    vec3 _S323 = _S321 * (_S313 - _S316 * (dot(_S313, _S310) * _S319));
+    vec3 _S324 = _S321 * (_S315 - _S316 * (dot(_S315, _S310) * _S319));
+    vec3 _S325 = cross(_S309, _S310) * _S311;
+    vec3 _S326 = cross(_S310, _S308) * _S311;
+    vec2 _S327 = vec2(_S305.u_0 - _S304.u_0, _S305.v_0 - _S304.v_0);
+    vec2 _S328 = vec2(_S306.u_0 - _S304.u_0, _S306.v_0 - _S304.v_0);
+    VisiblePoint_0 point_2 = face_point_0(_S300, _S301, dot(_S322, _S325), dot(_S322, _S326));
+    point_2.position_0 = _S307 + _S322;
+    point_2.view_0 = - normalize(_S316);
+    point_2.draft_dx_0 = (dot(_S323, _S325) * _S327 + dot(_S323, _S326) * _S328) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (dot(_S324, _S325) * _S327 + dot(_S324, _S326) * _S328) * point_2.draft_per_uv_0;
+    return point_2;
+}
+
+vec3 filtered_albedo_0(uint _S329, VisiblePoint_0 _S330)
+{
+    uint _S331 = fabrics_0._data[uint(_S329)].albedo_map_levels_0;
+    if((fabrics_0._data[uint(_S329)].albedo_map_levels_0) == 0U)
+    {
+        return vec3(1.0);
+    }
+    vec2 _S332 = vec2(fabrics_0._data[uint(_S329)].uv_width_0, fabrics_0._data[uint(_S329)].uv_height_0);
+    vec2 _S333 = _S330.draft_dx_0 / _S332;
+    vec2 _S334 = _S330.draft_dy_0 / _S332;
+    uint _S335 = _S331 - 1U;
+    uint _S336 = 1U << _S335;
+    float _S337 = clamp(0.5 * binary_logarithm_0(max(abs(_S333.x * _S334.y - _S333.y * _S334.x), 9.99999968265522539e-21) * (square_1(float(_S336)) / 3.0)), 0.0, float(_S331) - 1.0);
+    uint _S338 = min(uint(_S337), max(_S331, 2U) - 2U);
+    uint _S339 = min(_S338 + 1U, _S335);
+    uint _S340 = 1U << (2U * _S331);
+    return mix(map_level_0(fabrics_0._data[uint(_S329)].albedo_map_0 + (_S340 - (_S340 >> (2U * _S338))) / 3U, _S336 >> _S338, _S330.uv_1), map_level_0(fabrics_0._data[uint(_S329)].albedo_map_0 + (_S340 - (_S340 >> (2U * _S339))) / 3U, _S336 >> _S339, _S330.uv_1), vec3((exponential_0(1.38629436492919922 * (_S337 - float(_S338))) - 1.0) / 3.0));
+}
+
+uint light_sample_count_0(int _S341)
+{
+    return frames_0._data[uint(_S341)].lights_0 + frames_0._data[uint(_S341)].environment_samples_0;
+}
+
+float visibility_at_0(int _S342, uint _S343, uvec2 _S344)
+{
+    if((frames_0._data[uint(_S342)].casts_shadows_0) == 0U)
+    {
+        return 1.0;
+    }
+    return visibilities_0._data[uint((_S343 * frames_0._data[uint(_S342)].height_0 + _S344.y) * frames_0._data[uint(_S342)].width_0 + _S344.x)];
+}
+
+struct LightSample_0
+{
+    vec3 towards_0;
+    vec3 irradiance_1;
+    float distance_1;
+};
+
+vec3 environment_texel_0(int _S345, uint _S346, uint _S347)
+{
+    uint _S348 = frames_0._data[uint(_S345)].environment_table_0 + frames_0._data[uint(_S345)].environment_rows_0 + 1U + frames_0._data[uint(_S345)].environment_rows_0 * (frames_0._data[uint(_S345)].environment_columns_0 + 1U) + 3U * (_S346 * frames_0._data[uint(_S345)].environment_columns_0 + _S347);
+    return vec3(scene_number_0(_S348), scene_number_0(_S348 + 1U), scene_number_0(_S348 + 2U));
+}
+
+vec3 sample_environment_0(int _S349, vec2 _S350, out vec3 _S351)
+{
+    uint _S352 = frames_0._data[uint(_S349)].environment_rows_0;
+    Choice_0 _S353 = choose_0(frames_0._data[uint(_S349)].environment_table_0, frames_0._data[uint(_S349)].environment_rows_0, _S350.y);
+    uint _S354 = frames_0._data[uint(_S349)].environment_columns_0;
+    Choice_0 _S355 = choose_0(frames_0._data[uint(_S349)].environment_table_0 + frames_0._data[uint(_S349)].environment_rows_0 + 1U + _S353.index_3 * (frames_0._data[uint(_S349)].environment_columns_0 + 1U), frames_0._data[uint(_S349)].environment_columns_0, _S350.x);
+    vec3 _S356 = environment_texel_0(_S349, _S353.index_3, _S355.index_3);
+    _S351 = _S356 * (frames_0._data[uint(_S349)].environment_total_0 / max(mean_0(_S356), 9.99999968265522539e-21));
+    float _S357 = 3.14159274101257324 / float(_S352);
+    float _S358 = mix(sine_cosine_0(float(_S353.index_3) * _S357).y, sine_cosine_0(float(_S353.index_3 + 1U) * _S357).y, _S353.remainder_0);
+    float _S359 = sqrt(max(1.0 - _S358 * _S358, 0.0));
+    vec2 _S360 = sine_cosine_0((float(_S355.index_3) + _S355.remainder_0) * (6.28318548202514648 / float(_S354)));
+    float _S361 = _S359 * _S360.x;
+    float _S362 = - _S359 * _S360.y;
+    return vec3(frames_0._data[uint(_S349)].environment_cosine_0 * _S361 + frames_0._data[uint(_S349)].environment_sine_0 * _S362, _S358, frames_0._data[uint(_S349)].environment_cosine_0 * _S362 - frames_0._data[uint(_S349)].environment_sine_0 * _S361);
+}
+
+LightSample_0 light_sample_0(int _S363, uint _S364, uvec2 _S365, vec3 _S366)
+{
+    LightSample_0 sample_0;
+    sample_0.distance_1 = 1.00000001504746622e+30;
+    uint _S367 = frames_0._data[uint(_S363)].lights_0;
+    if(_S364 >= (frames_0._data[uint(_S363)].lights_0))
+    {
+        vec3 weight_5;
+        vec3 _S368 = sample_environment_0(_S363, pixel_sequence_0(_S365, frames_0._data[uint(_S363)].pass_number_0 * frames_0._data[uint(_S363)].environment_samples_0 + (_S364 - _S367), 3U), weight_5);
+        sample_0.towards_0 = _S368;
+        sample_0.irradiance_1 = weight_5 / float(frames_0._data[uint(_S363)].environment_samples_0);
+        return sample_0;
+    }
+    Light_0 _S369 = lights_1._data[uint(_S364)];
+    sample_0.irradiance_1 = vec3(_S369.red_0, _S369.green_0, _S369.blue_0);
+    sample_0.towards_0 = vec3(_S369.x_1, _S369.y_1, _S369.z_1);
+    if((_S369.is_point_0) != 0U)
+    {
+        vec3 _S370 = sample_0.towards_0 - _S366;
+        float _S371 = max(square_0(_S370), 9.999999960041972e-13);
+        sample_0.distance_1 = sqrt(_S371);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / _S371;
+        sample_0.towards_0 = normalize(_S370);
+    }
+    return sample_0;
 }
 
 struct FamilyAlbedos_0
@@ -2011,7 +2242,7 @@ struct FamilyAlbedos_0
 struct Estimate_0
 {
     Components_0 components_0;
-    FamilyAlbedos_0 albedos_4;
+    FamilyAlbedos_0 albedos_5;
 };
 
 struct Regime_0
@@ -2021,31 +2252,31 @@ struct Regime_0
     float points_0;
 };
 
-Regime_0 regime_of_0(uint _S286, Footprint_0 _S287, float _S288)
+Regime_0 regime_of_0(uint _S372, Footprint_0 _S373, float _S374)
 {
-    float _S289 = Footprint_spread_side_0(_S287);
-    float _S290 = clamp((binary_logarithm_0(max(_S289, 9.99999971718068537e-10)) - fabrics_0._data[uint(_S286)].lobes_0.unit_level_0 - -0.7369655966758728) / 1.41503751277923584, 0.0, 1.0);
+    float _S375 = Footprint_spread_side_0(_S373);
+    float _S376 = clamp((binary_logarithm_0(max(_S375, 9.99999971718068537e-10)) - fabrics_0._data[uint(_S372)].lobes_0.unit_level_0 - -0.7369655966758728) / 1.41503751277923584, 0.0, 1.0);
     Regime_0 regime_0;
-    float _S291 = _S290 * _S290 * (3.0 - 2.0 * _S290);
-    regime_0.prefiltered_0 = _S291;
-    regime_0.threads_1 = _S289 * fabrics_0._data[uint(_S286)].lobes_0.threads_per_mm_0;
-    float _S292 = mix(max(8.0 / _S288, 1.0), 1.0, _S291);
-    float _S293;
-    if(_S291 < 1.0)
+    float _S377 = _S376 * _S376 * (3.0 - 2.0 * _S376);
+    regime_0.prefiltered_0 = _S377;
+    regime_0.threads_1 = _S375 * fabrics_0._data[uint(_S372)].lobes_0.threads_per_mm_0;
+    float _S378 = mix(max(8.0 / _S374, 1.0), 1.0, _S377);
+    float _S379;
+    if(_S377 < 1.0)
     {
-        _S293 = clamp(regime_0.threads_1 * 12.0, 1.0, _S292);
+        _S379 = clamp(regime_0.threads_1 * 12.0, 1.0, _S378);
     }
     else
     {
-        _S293 = 0.0;
+        _S379 = 0.0;
     }
-    regime_0.points_0 = _S293;
+    regime_0.points_0 = _S379;
     return regime_0;
 }
 
 struct Hit_0
 {
-    float x_13;
+    float x_15;
     float y_7;
     bool hole_5;
     float height_5;
@@ -2064,361 +2295,361 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S294, float _S295, float _S296, bool _S297)
+Crossing_0 crossing_at_0(uint _S380, float _S381, float _S382, bool _S383)
 {
     Crossing_0 crossing_3;
-    crossing_3.warp_1 = locate_0(fabrics_0._data[uint(_S294)].warp_0, _S295);
-    crossing_3.weft_1 = locate_0(fabrics_0._data[uint(_S294)].weft_0, _S296);
-    uint _S298 = fabrics_0._data[uint(_S294)].run_words_0 + 2U * (crossing_3.weft_1.thread_0 * fabrics_0._data[uint(_S294)].ends_1 + crossing_3.warp_1.thread_0);
-    uint _S299 = words_0._data[uint(_S298)];
-    crossing_3.warp_word_0 = _S299;
-    crossing_3.weft_word_0 = words_0._data[uint(_S298 + 1U)];
-    crossing_3.warp_above_0 = ((_S299 & 1U) == 1U) != _S297;
+    crossing_3.warp_1 = locate_0(fabrics_0._data[uint(_S380)].warp_0, _S381);
+    crossing_3.weft_1 = locate_0(fabrics_0._data[uint(_S380)].weft_0, _S382);
+    uint _S384 = fabrics_0._data[uint(_S380)].run_words_0 + 2U * (crossing_3.weft_1.thread_1 * fabrics_0._data[uint(_S380)].ends_0 + crossing_3.warp_1.thread_1);
+    uint _S385 = words_0._data[uint(_S384)];
+    crossing_3.warp_word_0 = _S385;
+    crossing_3.weft_word_0 = words_0._data[uint(_S384 + 1U)];
+    crossing_3.warp_above_0 = ((_S385 & 1U) == 1U) != _S383;
     return crossing_3;
 }
 
-Sample_0 sample_at_0(uint _S300, float _S301, float _S302, bool _S303)
+Sample_0 sample_at_0(uint _S386, float _S387, float _S388, bool _S389)
 {
-    Sample_0 sample_0;
-    Crossing_0 _S304 = crossing_at_0(_S300, _S301, _S302, _S303);
-    sample_0.crossing_2 = _S304;
-    Shown_0 _S305 = shown_at_0(_S304, _S303);
-    sample_0.shown_3 = _S305;
-    uint _S306;
-    if(_S305.is_warp_2)
+    Sample_0 sample_1;
+    Crossing_0 _S390 = crossing_at_0(_S386, _S387, _S388, _S389);
+    sample_1.crossing_2 = _S390;
+    Shown_0 _S391 = shown_at_0(_S390, _S389);
+    sample_1.shown_3 = _S391;
+    uint _S392;
+    if(_S391.is_warp_2)
     {
-        _S306 = fabrics_0._data[uint(_S300)].warp_0;
+        _S392 = fabrics_0._data[uint(_S386)].warp_0;
     }
     else
     {
-        _S306 = fabrics_0._data[uint(_S300)].weft_0;
+        _S392 = fabrics_0._data[uint(_S386)].weft_0;
     }
-    uint _S307;
-    if(_S305.is_warp_2)
+    uint _S393;
+    if(_S391.is_warp_2)
     {
-        _S307 = fabrics_0._data[uint(_S300)].weft_0;
+        _S393 = fabrics_0._data[uint(_S386)].weft_0;
     }
     else
     {
-        _S307 = fabrics_0._data[uint(_S300)].warp_0;
+        _S393 = fabrics_0._data[uint(_S386)].warp_0;
     }
-    Cell_0 _S308 = select_cell_0(_S305.is_warp_2, sample_0.crossing_2.warp_1, sample_0.crossing_2.weft_1);
-    Cell_0 _S309 = select_cell_0(_S305.is_warp_2, sample_0.crossing_2.weft_1, sample_0.crossing_2.warp_1);
-    Run_0 _S310 = unpack_0(_S306, _S307, _S308.thread_0, _S309, _S305.word_0);
-    Section_0 _S311 = section_at_0(_S308);
-    bool _S312;
-    if(_S305.on_top_0)
+    Cell_0 _S394 = select_cell_0(_S391.is_warp_2, sample_1.crossing_2.warp_1, sample_1.crossing_2.weft_1);
+    Cell_0 _S395 = select_cell_0(_S391.is_warp_2, sample_1.crossing_2.weft_1, sample_1.crossing_2.warp_1);
+    Run_0 _S396 = unpack_0(_S392, _S393, _S394.thread_1, _S395, _S391.word_0);
+    Section_0 _S397 = section_at_0(_S394);
+    bool _S398;
+    if(_S391.on_top_0)
     {
-        _S312 = (_S310.distance_0) < (_S311.drop_0 * _S310.bend_1.sine_0);
+        _S398 = (_S396.distance_0) < (_S397.drop_0 * _S396.bend_1.sine_0);
     }
     else
     {
-        _S312 = false;
+        _S398 = false;
     }
-    bool _S313;
-    if(_S305.on_top_0)
+    bool _S399;
+    if(_S391.on_top_0)
     {
-        _S313 = !_S312;
+        _S399 = !_S398;
     }
     else
     {
-        _S313 = false;
+        _S399 = false;
     }
-    float _S314;
-    if(_S313)
+    float _S400;
+    if(_S399)
     {
-        _S314 = 1.0;
+        _S400 = 1.0;
     }
     else
     {
-        _S314 = -1.0;
+        _S400 = -1.0;
     }
-    float _S315;
-    if(_S312)
+    float _S401;
+    if(_S398)
     {
-        _S315 = _S310.other_reach_0;
+        _S401 = _S396.other_reach_0;
     }
     else
     {
-        _S315 = _S310.reach_0;
+        _S401 = _S396.reach_0;
     }
-    float _S316;
-    if(_S312)
+    float _S402;
+    if(_S398)
     {
-        _S316 = _S315 + _S310.distance_0;
+        _S402 = _S401 + _S396.distance_0;
     }
     else
     {
-        _S316 = max(_S315 - _S310.distance_0, 0.0);
+        _S402 = max(_S401 - _S396.distance_0, 0.0);
     }
-    float _S317 = _S315 / _S310.bend_1.sine_0 - _S314 * _S311.drop_0;
-    float _S318 = _S316 * _S316;
-    float _S319 = max(_S317 * _S317 - _S318, 9.99999968265522539e-21);
-    float _S320 = (inversesqrt((_S319)));
-    float _S321 = _S318 / (_S319 * _S320 + _S317);
-    bool _S322 = _S316 > 0.0;
-    float _S323;
-    if(_S305.on_top_0)
+    float _S403 = _S401 / _S396.bend_1.sine_0 - _S400 * _S397.drop_0;
+    float _S404 = _S402 * _S402;
+    float _S405 = max(_S403 * _S403 - _S404, 9.99999968265522539e-21);
+    float _S406 = (inversesqrt((_S405)));
+    float _S407 = _S404 / (_S405 * _S406 + _S403);
+    bool _S408 = _S402 > 0.0;
+    float _S409;
+    if(_S391.on_top_0)
     {
-        _S323 = 1.0;
+        _S409 = 1.0;
     }
     else
     {
-        _S323 = -1.0;
+        _S409 = -1.0;
     }
-    float _S324;
-    if(_S310.near_start_0)
+    float _S410;
+    if(_S396.near_start_0)
     {
-        _S324 = 1.0;
+        _S410 = 1.0;
     }
     else
     {
-        _S324 = -1.0;
+        _S410 = -1.0;
     }
-    float _S325 = _S323 * _S324;
-    if(_S322)
+    float _S411 = _S409 * _S410;
+    if(_S408)
     {
-        _S323 = _S317 * _S320;
+        _S409 = _S403 * _S406;
     }
     else
     {
-        _S323 = 1.0;
+        _S409 = 1.0;
     }
-    sample_0.slope_across_0 = _S311.slope_0 * _S323;
-    if(_S322)
+    sample_1.slope_across_0 = _S397.slope_0 * _S409;
+    if(_S408)
     {
-        _S316 = _S325 * _S316 * _S320;
+        _S402 = _S411 * _S402 * _S406;
     }
     else
     {
-        _S316 = 0.0;
+        _S402 = 0.0;
     }
-    sample_0.slope_along_0 = _S316;
-    Family_0 _S326 = families_0._data[uint(_S306)];
-    vec2 _S327 = dive_0(_S307, _S305, _S310, _S309);
-    if(_S310.straight_0)
+    sample_1.slope_along_0 = _S402;
+    Family_0 _S412 = families_0._data[uint(_S392)];
+    vec2 _S413 = dive_0(_S393, _S391, _S396, _S395);
+    if(_S396.straight_0)
     {
-        _S314 = 0.0;
+        _S400 = 0.0;
     }
     else
     {
-        _S314 = _S326.height_scale_0 * _S314;
+        _S400 = _S412.height_scale_0 * _S400;
     }
-    sample_0.height_6 = _S314 * (_S315 * _S310.bend_1.half_tangent_0 - _S321) - _S326.height_scale_0 * _S311.drop_0 - _S327.x;
-    float _S328 = _S326.height_scale_0 * sample_0.slope_across_0;
-    float _S329 = _S326.height_scale_0 * sample_0.slope_along_0 - _S327.y;
-    if(_S305.is_warp_2)
+    sample_1.height_6 = _S400 * (_S401 * _S396.bend_1.half_tangent_0 - _S407) - _S412.height_scale_0 * _S397.drop_0 - _S413.x;
+    float _S414 = _S412.height_scale_0 * sample_1.slope_across_0;
+    float _S415 = _S412.height_scale_0 * sample_1.slope_along_0 - _S413.y;
+    if(_S391.is_warp_2)
     {
-        _S314 = _S328;
+        _S400 = _S414;
     }
     else
     {
-        _S314 = _S329;
+        _S400 = _S415;
     }
-    sample_0.slope_x_1 = _S314;
-    if(_S305.is_warp_2)
+    sample_1.slope_x_1 = _S400;
+    if(_S391.is_warp_2)
     {
-        _S314 = _S329;
+        _S400 = _S415;
     }
     else
     {
-        _S314 = _S328;
+        _S400 = _S414;
     }
-    sample_0.slope_y_1 = _S314;
-    sample_0.run_3 = _S310;
-    sample_0.section_1 = _S311;
-    return sample_0;
+    sample_1.slope_y_1 = _S400;
+    sample_1.run_3 = _S396;
+    sample_1.section_1 = _S397;
+    return sample_1;
 }
 
-float steps_per_length_0(uint _S330, SearchQuality_0 _S331, vec3 _S332)
+float steps_per_length_0(uint _S416, SearchQuality_0 _S417, vec3 _S418)
 {
-    return max(max(abs(_S332.x) * fabrics_0._data[uint(_S330)].threads_per_x_0, abs(_S332.y) * fabrics_0._data[uint(_S330)].threads_per_y_0) * _S331.steps_per_thread_0, abs(_S332.z) * fabrics_0._data[uint(_S330)].per_relief_0 * _S331.steps_per_relief_0);
+    return max(max(abs(_S418.x) * fabrics_0._data[uint(_S416)].threads_per_x_0, abs(_S418.y) * fabrics_0._data[uint(_S416)].threads_per_y_0) * _S417.steps_per_thread_0, abs(_S418.z) * fabrics_0._data[uint(_S416)].per_relief_0 * _S417.steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S333, Crossing_0 _S334)
+float cell_maximum_0(uint _S419, Crossing_0 _S420)
 {
-    uint _S335;
-    if(_S334.warp_above_0)
+    uint _S421;
+    if(_S420.warp_above_0)
     {
-        _S335 = fabrics_0._data[uint(_S333)].warp_0;
+        _S421 = fabrics_0._data[uint(_S419)].warp_0;
     }
     else
     {
-        _S335 = fabrics_0._data[uint(_S333)].weft_0;
+        _S421 = fabrics_0._data[uint(_S419)].weft_0;
     }
-    uint _S336;
-    if(_S334.warp_above_0)
+    uint _S422;
+    if(_S420.warp_above_0)
     {
-        _S336 = _S334.warp_word_0;
+        _S422 = _S420.warp_word_0;
     }
     else
     {
-        _S336 = _S334.weft_word_0;
+        _S422 = _S420.weft_word_0;
     }
-    return float(_S336 >> 28) * families_0._data[uint(_S335)].height_scale_0 * families_0._data[uint(_S335)].level_0;
+    return float(_S422 >> 28) * families_0._data[uint(_S421)].height_scale_0 * families_0._data[uint(_S421)].level_0;
 }
 
-Probe_0 probe_0(uint _S337, float _S338, float _S339, bool _S340, bool _S341, bool _S342)
+Probe_0 probe_0(uint _S423, float _S424, float _S425, bool _S426, bool _S427, bool _S428)
 {
-    Sample_0 _S343 = sample_at_0(_S337, _S338, _S339, _S340);
+    Sample_0 _S429 = sample_at_0(_S423, _S424, _S425, _S426);
     Probe_0 probe_1;
-    probe_1.height_3 = _S343.height_6;
-    probe_1.hole_4 = _S343.shown_3.hole_3;
-    probe_1.slope_x_0 = _S343.slope_x_1;
-    probe_1.slope_y_0 = _S343.slope_y_1;
-    uint _S344;
-    if(_S343.shown_3.is_warp_2)
+    probe_1.height_3 = _S429.height_6;
+    probe_1.hole_4 = _S429.shown_3.hole_3;
+    probe_1.slope_x_0 = _S429.slope_x_1;
+    probe_1.slope_y_0 = _S429.slope_y_1;
+    uint _S430;
+    if(_S429.shown_3.is_warp_2)
     {
-        _S344 = _S343.crossing_2.warp_1.thread_0 * 2U + 1U;
+        _S430 = _S429.crossing_2.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S344 = _S343.crossing_2.weft_1.thread_0 * 2U;
+        _S430 = _S429.crossing_2.weft_1.thread_1 * 2U;
     }
-    probe_1.yarn_1 = _S344;
-    probe_1.cell_max_0 = cell_maximum_0(_S337, _S343.crossing_2);
-    float _S345;
-    if(_S341)
+    probe_1.yarn_1 = _S430;
+    probe_1.cell_max_0 = cell_maximum_0(_S423, _S429.crossing_2);
+    float _S431;
+    if(_S427)
     {
-        _S345 = _S343.crossing_2.warp_1.above_0;
+        _S431 = _S429.crossing_2.warp_1.above_0;
     }
     else
     {
-        _S345 = _S343.crossing_2.warp_1.below_0;
+        _S431 = _S429.crossing_2.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S345;
-    if(_S342)
+    probe_1.side_x_0 = _S431;
+    if(_S428)
     {
-        _S345 = _S343.crossing_2.weft_1.above_0;
+        _S431 = _S429.crossing_2.weft_1.above_0;
     }
     else
     {
-        _S345 = _S343.crossing_2.weft_1.below_0;
+        _S431 = _S429.crossing_2.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S345;
-    probe_1.edge_x_0 = outline_distance_0(_S343.crossing_2.warp_1, _S343.shown_3, _S343.run_3, !_S343.shown_3.is_warp_2, _S341);
-    probe_1.edge_y_0 = outline_distance_0(_S343.crossing_2.weft_1, _S343.shown_3, _S343.run_3, _S343.shown_3.is_warp_2, _S342);
+    probe_1.side_y_0 = _S431;
+    probe_1.edge_x_0 = outline_distance_0(_S429.crossing_2.warp_1, _S429.shown_3, _S429.run_3, !_S429.shown_3.is_warp_2, _S427);
+    probe_1.edge_y_0 = outline_distance_0(_S429.crossing_2.weft_1, _S429.shown_3, _S429.run_3, _S429.shown_3.is_warp_2, _S428);
     return probe_1;
 }
 
-bool is_free_0(uint _S346, SearchQuality_0 _S347, vec3 _S348, vec3 _S349, bool _S350, float _S351)
+bool is_free_0(uint _S432, SearchQuality_0 _S433, vec3 _S434, vec3 _S435, bool _S436, float _S437)
 {
-    float _S352 = _S349.z;
-    if(_S352 <= 0.0)
+    float _S438 = _S435.z;
+    if(_S438 <= 0.0)
     {
         return false;
     }
-    float _S353 = 1.0 / max(_S347.shadow_share_0 * steps_per_length_0(_S346, _S347, _S349), 9.99999971718068537e-10);
-    StepControl_0 _S354 = step_control_0(_S349.xy, _S353);
+    float _S439 = 1.0 / max(_S433.shadow_share_0 * steps_per_length_0(_S432, _S433, _S435), 9.99999971718068537e-10);
+    StepControl_0 _S440 = step_control_0(_S435.xy, _S439);
     PreviousSample_0 previous_3 = no_previous_sample_0();
-    uint count_3 = 0U;
-    float distance_1 = 0.0;
+    uint count_4 = 0U;
+    float distance_2 = 0.0;
     float last_step_0 = 0.0;
     for(;;)
     {
-        bool _S355;
-        if(count_3 < 1024U)
+        bool _S441;
+        if(count_4 < 1024U)
         {
-            _S355 = (_S348.z + _S352 * distance_1) < _S351;
+            _S441 = (_S434.z + _S438 * distance_2) < _S437;
         }
         else
         {
-            _S355 = false;
+            _S441 = false;
         }
-        if(_S355)
+        if(_S441)
         {
         }
         else
         {
             break;
         }
-        vec3 _S356 = _S348 + _S349 * distance_1;
-        Probe_0 _S357 = probe_0(_S346, _S356.x, _S356.y, _S350, _S354.right_0, _S354.up_0);
-        float _S358 = _S356.z;
-        float _S359 = _S358 - _S357.height_3;
-        float _S360 = _S352 - _S357.slope_x_0 * _S349.x - _S357.slope_y_0 * _S349.y;
-        bool _S361;
-        if(!_S357.hole_4)
+        vec3 _S442 = _S434 + _S435 * distance_2;
+        Probe_0 _S443 = probe_0(_S432, _S442.x, _S442.y, _S436, _S440.right_0, _S440.up_0);
+        float _S444 = _S442.z;
+        float _S445 = _S444 - _S443.height_3;
+        float _S446 = _S438 - _S443.slope_x_0 * _S435.x - _S443.slope_y_0 * _S435.y;
+        bool _S447;
+        if(!_S443.hole_4)
         {
-            _S361 = _S359 < 0.0;
+            _S447 = _S445 < 0.0;
         }
         else
         {
-            _S361 = false;
+            _S447 = false;
         }
-        if(_S361)
+        if(_S447)
         {
             return false;
         }
-        float _S362 = way_back_to_dip_0(previous_3, _S359, _S360, last_step_0, _S357);
-        if(_S362 >= 0.0)
+        float _S448 = way_back_to_dip_0(previous_3, _S445, _S446, last_step_0, _S443);
+        if(_S448 >= 0.0)
         {
-            float last_step_1 = last_step_0 - _S362;
-            distance_1 = distance_1 - _S362;
+            float last_step_1 = last_step_0 - _S448;
+            distance_2 = distance_2 - _S448;
             last_step_0 = last_step_1;
-            count_3 = count_3 + 1U;
+            count_4 = count_4 + 1U;
             continue;
         }
-        bool _S363 = _S358 > (_S357.cell_max_0);
-        PreviousSample_0 _S364 = after_sample_0(_S359, _S360, _S357, _S363);
+        bool _S449 = _S444 > (_S443.cell_max_0);
+        PreviousSample_0 _S450 = after_sample_0(_S445, _S446, _S443, _S449);
         float last_step_2;
-        if(_S363)
+        if(_S449)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S354, _S357.side_x_0, _S357.side_y_0), _S353);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S440, _S443.side_x_0, _S443.side_y_0), _S439);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S354, _S357, _S359, _S360);
+            last_step_2 = StepControl_to_next_sample_0(_S440, _S443, _S445, _S446);
         }
-        float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S364;
-        distance_1 = distance_2;
+        float distance_3 = distance_2 + last_step_2;
+        previous_3 = _S450;
+        distance_2 = distance_3;
         last_step_0 = last_step_2;
-        count_3 = count_3 + 1U;
+        count_4 = count_4 + 1U;
     }
     return true;
 }
 
-bool passes_through_0(uint _S365, SearchQuality_0 _S366, float _S367, float _S368, vec3 _S369, bool _S370)
+bool passes_through_0(uint _S451, SearchQuality_0 _S452, float _S453, float _S454, vec3 _S455, bool _S456)
 {
-    if(!sample_at_0(_S365, _S367, _S368, _S370).shown_3.hole_3)
+    if(!sample_at_0(_S451, _S453, _S454, _S456).shown_3.hole_3)
     {
         return false;
     }
-    vec3 _S371 = vec3(_S367, _S368, 0.0);
+    vec3 _S457 = vec3(_S453, _S454, 0.0);
     bool passes_0 = true;
-    uint side_0 = 0U;
+    uint side_1 = 0U;
     for(;;)
     {
-        bool _S372;
-        if(side_0 < 2U)
+        bool _S458;
+        if(side_1 < 2U)
         {
-            _S372 = passes_0;
+            _S458 = passes_0;
         }
         else
         {
-            _S372 = false;
+            _S458 = false;
         }
-        if(_S372)
+        if(_S458)
         {
         }
         else
         {
             break;
         }
-        vec3 _S373;
-        if(side_0 == 0U)
+        vec3 _S459;
+        if(side_1 == 0U)
         {
-            _S373 = _S369;
+            _S459 = _S455;
         }
         else
         {
-            _S373 = vec3(- _S369.x, - _S369.y, _S369.z);
+            _S459 = vec3(- _S455.x, - _S455.y, _S455.z);
         }
-        bool _S374 = is_free_0(_S365, _S366, _S371, _S373, _S370 != (side_0 == 1U), fabrics_0._data[uint(_S365)].height_high_0);
-        uint _S375 = side_0 + 1U;
-        passes_0 = _S374;
-        side_0 = _S375;
+        bool _S460 = is_free_0(_S451, _S452, _S457, _S459, _S456 != (side_1 == 1U), fabrics_0._data[uint(_S451)].height_high_0);
+        uint _S461 = side_1 + 1U;
+        passes_0 = _S460;
+        side_1 = _S461;
     }
     return passes_0;
 }
@@ -2433,129 +2664,93 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S376, float _S377, float _S378, float _S379, vec3 _S380, bool _S381)
+float max_height_along_0(uint _S462, float _S463, float _S464, float _S465, vec3 _S466, bool _S467)
 {
-    uint _S382 = locate_0(fabrics_0._data[uint(_S376)].warp_0, _S377).thread_0 / 2U;
-    uint _S383 = locate_0(fabrics_0._data[uint(_S376)].weft_0, _S378).thread_0 / 2U;
-    float _S384 = _S380.x;
-    uint _S385;
-    if(_S384 > 0.0)
+    uint _S468 = locate_0(fabrics_0._data[uint(_S462)].warp_0, _S463).thread_1 / 2U;
+    uint _S469 = locate_0(fabrics_0._data[uint(_S462)].weft_0, _S464).thread_1 / 2U;
+    float _S470 = _S466.x;
+    uint _S471;
+    if(_S470 > 0.0)
     {
-        _S385 = 1U;
+        _S471 = 1U;
     }
     else
     {
-        _S385 = 0U;
+        _S471 = 0U;
     }
-    float _S386 = _S380.y;
-    uint _S387;
-    if(_S386 > 0.0)
+    float _S472 = _S466.y;
+    uint _S473;
+    if(_S472 > 0.0)
     {
-        _S387 = 2U;
+        _S473 = 2U;
     }
     else
     {
-        _S387 = 0U;
+        _S473 = 0U;
     }
-    uint _S388 = words_0._data[uint(fabrics_0._data[uint(_S376)].max_heights_0 + 4U * (_S383 * fabrics_0._data[uint(_S376)].max_height_columns_0 + _S382) + (_S385 + _S387))];
-    int number_0;
-    if(_S381)
+    uint _S474 = words_0._data[uint(fabrics_0._data[uint(_S462)].max_heights_0 + 4U * (_S469 * fabrics_0._data[uint(_S462)].max_height_columns_0 + _S468) + (_S471 + _S473))];
+    int number_1;
+    if(_S467)
     {
-        number_0 = 4;
+        number_1 = 4;
     }
     else
     {
-        number_0 = 0;
+        number_1 = 0;
     }
-    uint _S389 = _S388 >> number_0;
-    float _S390 = max(abs(_S384) * fabrics_0._data[uint(_S376)].threads_per_x_0, abs(_S386) * fabrics_0._data[uint(_S376)].threads_per_y_0) / _S380.z;
-    float _S391 = fabrics_0._data[uint(_S376)].height_high_0;
-    float max_height_0 = fabrics_0._data[uint(_S376)].height_high_0;
-    number_0 = 3;
+    uint _S475 = _S474 >> number_1;
+    float _S476 = max(abs(_S470) * fabrics_0._data[uint(_S462)].threads_per_x_0, abs(_S472) * fabrics_0._data[uint(_S462)].threads_per_y_0) / _S466.z;
+    float _S477 = fabrics_0._data[uint(_S462)].height_high_0;
+    float max_height_0 = fabrics_0._data[uint(_S462)].height_high_0;
+    number_1 = 3;
     for(;;)
     {
-        if(number_0 >= 0)
+        if(number_1 >= 0)
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S379) * _S390) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S465) * _S476) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, float((_S389 >> uint(8 * number_0)) & 15U) * 0.06666667014360428 * _S391);
+            max_height_0 = min(max_height_0, float((_S475 >> uint(8 * number_1)) & 15U) * 0.06666667014360428 * _S477);
         }
-        number_0 = number_0 - 1;
+        number_1 = number_1 - 1;
     }
     return max_height_0;
 }
 
-vec3 cell_bounds_0(uint _S392, float _S393, float _S394, bool _S395, bool _S396, bool _S397)
+vec3 cell_bounds_0(uint _S478, float _S479, float _S480, bool _S481, bool _S482, bool _S483)
 {
-    Crossing_0 _S398 = crossing_at_0(_S392, _S393, _S394, _S395);
-    float _S399 = cell_maximum_0(_S392, _S398);
-    float _S400;
-    if(_S396)
+    Crossing_0 _S484 = crossing_at_0(_S478, _S479, _S480, _S481);
+    float _S485 = cell_maximum_0(_S478, _S484);
+    float _S486;
+    if(_S482)
     {
-        _S400 = _S398.warp_1.above_0;
+        _S486 = _S484.warp_1.above_0;
     }
     else
     {
-        _S400 = _S398.warp_1.below_0;
+        _S486 = _S484.warp_1.below_0;
     }
-    float _S401;
-    if(_S397)
+    float _S487;
+    if(_S483)
     {
-        _S401 = _S398.weft_1.above_0;
+        _S487 = _S484.weft_1.above_0;
     }
     else
     {
-        _S401 = _S398.weft_1.below_0;
+        _S487 = _S484.weft_1.below_0;
     }
-    return vec3(_S399, _S400, _S401);
+    return vec3(_S485, _S486, _S487);
 }
 
-float first_sample_height_0(uint _S402, ViewRay_0 _S403, StepControl_0 _S404, bool _S405)
+float first_sample_height_0(uint _S488, ViewRay_0 _S489, StepControl_0 _S490, bool _S491)
 {
-    float _S406 = max_height_along_0(_S402, _S403.origin_0.x, _S403.origin_0.y, 0.0, vec3(_S403.slope_1, 1.0), _S405);
-    uint count_4 = 0U;
-    float height_8 = _S406;
-    for(;;)
-    {
-        if(count_4 < 1024U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        vec2 _S407 = ViewRay_at_0(_S403, height_8);
-        vec3 _S408 = cell_bounds_0(_S402, _S407.x, _S407.y, _S405, _S404.right_0, _S404.up_0);
-        float _S409 = height_8 - _S408.x;
-        float _S410 = StepControl_to_cell_exit_0(_S404, _S408.y, _S408.z);
-        float height_9 = height_8 - clamp(_S409, 0.0, _S410);
-        if(_S409 <= _S410)
-        {
-            height_8 = height_9;
-            break;
-        }
-        count_4 = count_4 + 1U;
-        height_8 = height_9;
-    }
-    return height_8;
-}
-
-ViewRayEnd_0 search_down_0(uint _S411, ViewRay_0 _S412, StepControl_0 _S413, bool _S414)
-{
-    float _S415 = fabrics_0._data[uint(_S411)].height_low_0 - (fabrics_0._data[uint(_S411)].height_high_0 - fabrics_0._data[uint(_S411)].height_low_0);
-    ViewRayEnd_0 end_1;
-    end_1.height_7 = first_sample_height_0(_S411, _S412, _S413, _S414);
-    end_1.last_step_3 = _S413.epsilon_0;
-    end_1.previous_4 = no_previous_sample_0();
-    end_1.depth_1 = 0.0;
-    end_1.rate_4 = 0.0;
-    end_1.smooth_0 = false;
+    float _S492 = max_height_along_0(_S488, _S489.origin_0.x, _S489.origin_0.y, 0.0, vec3(_S489.slope_1, 1.0), _S491);
     uint count_5 = 0U;
+    float height_8 = _S492;
     for(;;)
     {
         if(count_5 < 1024U)
@@ -2565,150 +2760,186 @@ ViewRayEnd_0 search_down_0(uint _S411, ViewRay_0 _S412, StepControl_0 _S413, boo
         {
             break;
         }
-        vec2 _S416 = ViewRay_at_0(_S412, end_1.height_7);
-        Probe_0 _S417 = probe_0(_S411, _S416.x, _S416.y, _S414, _S413.right_0, _S413.up_0);
-        float _S418 = end_1.height_7 - _S417.height_3;
-        float _S419 = ViewRay_rate_0(_S412, _S417);
-        end_1.depth_1 = - _S418;
-        end_1.rate_4 = _S419;
-        bool _S420;
-        if(end_1.previous_4.known_0)
+        vec2 _S493 = ViewRay_at_0(_S489, height_8);
+        vec3 _S494 = cell_bounds_0(_S488, _S493.x, _S493.y, _S491, _S490.right_0, _S490.up_0);
+        float _S495 = height_8 - _S494.x;
+        float _S496 = StepControl_to_cell_exit_0(_S490, _S494.y, _S494.z);
+        float height_9 = height_8 - clamp(_S495, 0.0, _S496);
+        if(_S495 <= _S496)
         {
-            _S420 = !_S417.hole_4;
+            height_8 = height_9;
+            break;
+        }
+        count_5 = count_5 + 1U;
+        height_8 = height_9;
+    }
+    return height_8;
+}
+
+ViewRayEnd_0 search_down_0(uint _S497, ViewRay_0 _S498, StepControl_0 _S499, bool _S500)
+{
+    float _S501 = fabrics_0._data[uint(_S497)].height_low_0 - (fabrics_0._data[uint(_S497)].height_high_0 - fabrics_0._data[uint(_S497)].height_low_0);
+    ViewRayEnd_0 end_1;
+    end_1.height_7 = first_sample_height_0(_S497, _S498, _S499, _S500);
+    end_1.last_step_3 = _S499.epsilon_0;
+    end_1.previous_4 = no_previous_sample_0();
+    end_1.depth_1 = 0.0;
+    end_1.rate_4 = 0.0;
+    end_1.smooth_0 = false;
+    uint count_6 = 0U;
+    for(;;)
+    {
+        if(count_6 < 1024U)
+        {
         }
         else
-        {
-            _S420 = false;
-        }
-        bool _S421;
-        if(_S420)
-        {
-            _S421 = (end_1.previous_4.yarn_0) == (_S417.yarn_1);
-        }
-        else
-        {
-            _S421 = false;
-        }
-        end_1.smooth_0 = _S421;
-        bool _S422;
-        if(!_S417.hole_4)
-        {
-            _S422 = _S418 <= 0.0;
-        }
-        else
-        {
-            _S422 = false;
-        }
-        bool _S423;
-        if(_S422)
-        {
-            _S423 = true;
-        }
-        else
-        {
-            _S423 = (end_1.height_7) <= _S415;
-        }
-        if(_S423)
         {
             break;
         }
-        float _S424 = way_back_to_dip_0(end_1.previous_4, _S418, _S419, end_1.last_step_3, _S417);
-        if(_S424 >= 0.0)
+        vec2 _S502 = ViewRay_at_0(_S498, end_1.height_7);
+        Probe_0 _S503 = probe_0(_S497, _S502.x, _S502.y, _S500, _S499.right_0, _S499.up_0);
+        float _S504 = end_1.height_7 - _S503.height_3;
+        float _S505 = ViewRay_rate_0(_S498, _S503);
+        end_1.depth_1 = - _S504;
+        end_1.rate_4 = _S505;
+        bool _S506;
+        if(end_1.previous_4.known_0)
         {
-            end_1.height_7 = end_1.height_7 + _S424;
-            end_1.last_step_3 = end_1.last_step_3 - _S424;
-            count_5 = count_5 + 1U;
+            _S506 = !_S503.hole_4;
+        }
+        else
+        {
+            _S506 = false;
+        }
+        bool _S507;
+        if(_S506)
+        {
+            _S507 = (end_1.previous_4.yarn_0) == (_S503.yarn_1);
+        }
+        else
+        {
+            _S507 = false;
+        }
+        end_1.smooth_0 = _S507;
+        bool _S508;
+        if(!_S503.hole_4)
+        {
+            _S508 = _S504 <= 0.0;
+        }
+        else
+        {
+            _S508 = false;
+        }
+        bool _S509;
+        if(_S508)
+        {
+            _S509 = true;
+        }
+        else
+        {
+            _S509 = (end_1.height_7) <= _S501;
+        }
+        if(_S509)
+        {
+            break;
+        }
+        float _S510 = way_back_to_dip_0(end_1.previous_4, _S504, _S505, end_1.last_step_3, _S503);
+        if(_S510 >= 0.0)
+        {
+            end_1.height_7 = end_1.height_7 + _S510;
+            end_1.last_step_3 = end_1.last_step_3 - _S510;
+            count_6 = count_6 + 1U;
             continue;
         }
-        float _S425 = min(StepControl_to_cell_exit_0(_S413, _S417.side_x_0, _S417.side_y_0), end_1.height_7 - _S417.cell_max_0);
-        float _S426 = StepControl_to_next_sample_0(_S413, _S417, _S418, _S419);
-        end_1.previous_4 = after_sample_0(_S418, _S419, _S417, _S425 > _S426);
-        float _S427 = max(_S425, _S426);
-        end_1.last_step_3 = _S427;
-        end_1.height_7 = end_1.height_7 - _S427;
-        count_5 = count_5 + 1U;
+        float _S511 = min(StepControl_to_cell_exit_0(_S499, _S503.side_x_0, _S503.side_y_0), end_1.height_7 - _S503.cell_max_0);
+        float _S512 = StepControl_to_next_sample_0(_S499, _S503, _S504, _S505);
+        end_1.previous_4 = after_sample_0(_S504, _S505, _S503, _S511 > _S512);
+        float _S513 = max(_S511, _S512);
+        end_1.last_step_3 = _S513;
+        end_1.height_7 = end_1.height_7 - _S513;
+        count_6 = count_6 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S428, ViewRay_0 _S429, StepControl_0 _S430, bool _S431, ViewRayEnd_0 _S432, uint _S433)
+float refined_height_0(uint _S514, ViewRay_0 _S515, StepControl_0 _S516, bool _S517, ViewRayEnd_0 _S518, uint _S519)
 {
-    float _S434 = fabrics_0._data[uint(_S428)].height_high_0 - fabrics_0._data[uint(_S428)].height_low_0;
-    float above_2 = _S432.height_7 + _S432.last_step_3;
-    float above_gap_1 = clamp(_S432.previous_4.clearance_0, 0.0, _S434);
-    float under_gap_1 = clamp(_S432.depth_1, 0.0, _S434);
-    float _S435 = cubic_root_0(above_gap_1, - under_gap_1, _S432.previous_4.rate_0 * _S432.last_step_3, _S432.rate_4 * _S432.last_step_3);
+    float _S520 = fabrics_0._data[uint(_S514)].height_high_0 - fabrics_0._data[uint(_S514)].height_low_0;
+    float above_2 = _S518.height_7 + _S518.last_step_3;
+    float above_gap_1 = clamp(_S518.previous_4.clearance_0, 0.0, _S520);
+    float under_gap_1 = clamp(_S518.depth_1, 0.0, _S520);
+    float _S521 = cubic_root_0(above_gap_1, - under_gap_1, _S518.previous_4.rate_0 * _S518.last_step_3, _S518.rate_4 * _S518.last_step_3);
     float middle_0;
-    if(_S432.smooth_0)
+    if(_S518.smooth_0)
     {
-        middle_0 = above_2 - _S435 * _S432.last_step_3;
+        middle_0 = above_2 - _S521 * _S518.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S432.height_7, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S518.height_7, above_gap_1, under_gap_1);
     }
-    float side_1 = 0.0;
+    float side_2 = 0.0;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S432.height_7;
+    float under_1 = _S518.height_7;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S433)
+        if(i_1 < _S519)
         {
         }
         else
         {
             break;
         }
-        vec2 _S436 = ViewRay_at_0(_S429, middle_0);
-        Probe_0 _S437 = probe_0(_S428, _S436.x, _S436.y, _S431, _S430.right_0, _S430.up_0);
-        float _S438;
-        if(_S437.hole_4)
+        vec2 _S522 = ViewRay_at_0(_S515, middle_0);
+        Probe_0 _S523 = probe_0(_S514, _S522.x, _S522.y, _S517, _S516.right_0, _S516.up_0);
+        float _S524;
+        if(_S523.hole_4)
         {
-            _S438 = -1.0e+09;
+            _S524 = -1.0e+09;
         }
         else
         {
-            _S438 = _S437.height_3;
+            _S524 = _S523.height_3;
         }
-        float _S439 = clamp(middle_0 - _S438, - _S434, _S434);
-        float _S440;
-        if(_S439 <= 0.0)
+        float _S525 = clamp(middle_0 - _S524, - _S520, _S520);
+        float _S526;
+        if(_S525 <= 0.0)
         {
-            if(side_1 > 0.0)
+            if(side_2 > 0.0)
             {
-                _S440 = 0.5 * above_gap_2;
+                _S526 = 0.5 * above_gap_2;
             }
             else
             {
-                _S440 = above_gap_2;
+                _S526 = above_gap_2;
             }
-            float _S441 = - _S439;
+            float _S527 = - _S525;
             under_1 = middle_0;
-            above_gap_2 = _S440;
-            under_gap_2 = _S441;
-            side_1 = 1.0;
+            above_gap_2 = _S526;
+            under_gap_2 = _S527;
+            side_2 = 1.0;
         }
         else
         {
-            if(side_1 < 0.0)
+            if(side_2 < 0.0)
             {
-                _S440 = 0.5 * under_gap_2;
+                _S526 = 0.5 * under_gap_2;
             }
             else
             {
-                _S440 = under_gap_2;
+                _S526 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S439;
-            under_gap_2 = _S440;
-            side_1 = -1.0;
+            above_gap_2 = _S525;
+            under_gap_2 = _S526;
+            side_2 = -1.0;
         }
-        if(_S432.smooth_0)
+        if(_S518.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S439 / min(ViewRay_rate_0(_S429, _S437), -9.99999997475242708e-07), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S525 / min(ViewRay_rate_0(_S515, _S523), -9.99999997475242708e-07), under_1, above_3);
         }
         else
         {
@@ -2716,7 +2947,7 @@ float refined_height_0(uint _S428, ViewRay_0 _S429, StepControl_0 _S430, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S432.smooth_0)
+    if(_S518.smooth_0)
     {
     }
     else
@@ -2726,133 +2957,126 @@ float refined_height_0(uint _S428, ViewRay_0 _S429, StepControl_0 _S430, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_of_yarn_0(uint _S442, SearchQuality_0 _S443, float _S444, float _S445, vec3 _S446, bool _S447)
+Hit_0 first_hit_0(uint _S528, SearchQuality_0 _S529, float _S530, float _S531, vec3 _S532, bool _S533)
 {
-    float _S448 = max(_S446.z, 0.00009999999747379);
-    ViewRay_0 ray_0;
-    ray_0.origin_0 = vec2(_S444, _S445);
-    vec2 _S449 = _S446.xy / _S448;
-    ray_0.slope_1 = _S449;
-    StepControl_0 _S450 = step_control_0(- _S449, 1.0 / max(steps_per_length_0(_S442, _S443, _S446) / _S448, 9.99999971718068537e-10));
-    ViewRayEnd_0 _S451 = search_down_0(_S442, ray_0, _S450, _S447);
     Hit_0 hit_0;
-    hit_0.hole_5 = false;
-    float _S452 = refined_height_0(_S442, ray_0, _S450, _S447, _S451, _S443.refinements_0);
-    hit_0.height_5 = _S452;
-    vec2 _S453 = ViewRay_at_0(ray_0, _S452);
-    hit_0.x_13 = _S453.x;
-    hit_0.y_7 = _S453.y;
+    hit_0.x_15 = _S530;
+    hit_0.y_7 = _S531;
+    hit_0.height_5 = 0.0;
+    bool _S534 = passes_through_0(_S528, _S529, _S530, _S531, _S532, _S533);
+    hit_0.hole_5 = _S534;
+    if(_S534)
+    {
+        return hit_0;
+    }
+    float _S535 = max(_S532.z, 0.00009999999747379);
+    ViewRay_0 ray_0;
+    ray_0.origin_0 = vec2(_S530, _S531);
+    vec2 _S536 = _S532.xy / _S535;
+    ray_0.slope_1 = _S536;
+    StepControl_0 _S537 = step_control_0(- _S536, 1.0 / max(steps_per_length_0(_S528, _S529, _S532) / _S535, 9.99999971718068537e-10));
+    float _S538 = refined_height_0(_S528, ray_0, _S537, _S533, search_down_0(_S528, ray_0, _S537, _S533), _S529.refinements_0);
+    hit_0.height_5 = _S538;
+    vec2 _S539 = ViewRay_at_0(ray_0, _S538);
+    hit_0.x_15 = _S539.x;
+    hit_0.y_7 = _S539.y;
     return hit_0;
 }
 
-Hit_0 first_hit_0(uint _S454, SearchQuality_0 _S455, float _S456, float _S457, vec3 _S458, bool _S459)
+SurfacePoint_0 surface_at_0(uint _S540, float _S541, float _S542, bool _S543)
 {
-    if(!passes_through_0(_S454, _S455, _S456, _S457, _S458, _S459))
+    Sample_0 _S544 = sample_at_0(_S540, _S541, _S542, _S543);
+    float _S545;
+    if(_S544.shown_3.is_warp_2)
     {
-        return first_hit_of_yarn_0(_S454, _S455, _S456, _S457, _S458, _S459);
-    }
-    Hit_0 hit_1;
-    hit_1.x_13 = _S456;
-    hit_1.y_7 = _S457;
-    hit_1.height_5 = 0.0;
-    hit_1.hole_5 = true;
-    return hit_1;
-}
-
-SurfacePoint_0 surface_at_0(uint _S460, float _S461, float _S462, bool _S463)
-{
-    Sample_0 _S464 = sample_at_0(_S460, _S461, _S462, _S463);
-    float _S465;
-    if(_S464.shown_3.is_warp_2)
-    {
-        _S465 = _S464.crossing_2.warp_1.half_width_1;
+        _S545 = _S544.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S465 = _S464.crossing_2.weft_1.half_width_1;
+        _S545 = _S544.crossing_2.weft_1.half_width_1;
     }
-    uint _S466;
-    if(_S464.shown_3.is_warp_2)
+    uint _S546;
+    if(_S544.shown_3.is_warp_2)
     {
-        _S466 = fabrics_0._data[uint(_S460)].warp_0;
+        _S546 = fabrics_0._data[uint(_S540)].warp_0;
     }
     else
     {
-        _S466 = fabrics_0._data[uint(_S460)].weft_0;
+        _S546 = fabrics_0._data[uint(_S540)].weft_0;
     }
-    Family_0 _S467 = families_0._data[uint(_S466)];
-    float _S468;
-    if(_S463)
+    Family_0 _S547 = families_0._data[uint(_S546)];
+    float _S548;
+    if(_S543)
     {
-        _S468 = -1.0;
+        _S548 = -1.0;
     }
     else
     {
-        _S468 = 1.0;
+        _S548 = 1.0;
     }
-    float _S469 = _S467.twist_sine_0 * _S468;
-    Family_0 _S470 = families_0._data[uint(_S466)];
-    if(_S464.shown_3.is_warp_2)
+    float _S549 = _S547.twist_sine_0 * _S548;
+    Family_0 _S550 = families_0._data[uint(_S546)];
+    if(_S544.shown_3.is_warp_2)
     {
-        _S468 = 1.0;
+        _S548 = 1.0;
     }
     else
     {
-        _S468 = -1.0;
+        _S548 = -1.0;
     }
-    vec2 _S471 = fibre_direction_0(_S464.slope_across_0, _S468 * _S464.slope_along_0, _S469, _S470.twist_cosine_0);
-    float _S472;
-    if(_S464.shown_3.is_warp_2)
+    vec2 _S551 = fibre_direction_0(_S544.slope_across_0, _S548 * _S544.slope_along_0, _S549, _S550.twist_cosine_0);
+    float _S552;
+    if(_S544.shown_3.is_warp_2)
     {
-        _S472 = _S464.slope_x_1;
+        _S552 = _S544.slope_x_1;
     }
     else
     {
-        _S472 = _S464.slope_y_1;
+        _S552 = _S544.slope_y_1;
     }
-    float _S473;
-    if(_S464.shown_3.is_warp_2)
+    float _S553;
+    if(_S544.shown_3.is_warp_2)
     {
-        _S473 = _S464.slope_y_1;
+        _S553 = _S544.slope_y_1;
     }
     else
     {
-        _S473 = _S464.slope_x_1;
+        _S553 = _S544.slope_x_1;
     }
-    float _S474 = _S471.x;
-    float _S475 = _S471.y;
-    float _S476 = _S472 * _S474 + _S468 * _S473 * _S475;
-    float _S477 = _S465 * 1.0154266357421875;
-    float _S478 = _S477 * arc_sine_0(clamp(_S464.section_1.across_3 / _S477, -1.0, 1.0));
-    if(_S464.shown_3.is_warp_2)
+    float _S554 = _S551.x;
+    float _S555 = _S551.y;
+    float _S556 = _S552 * _S554 + _S548 * _S553 * _S555;
+    float _S557 = _S545 * 1.0154266357421875;
+    float _S558 = _S557 * arc_sine_0(clamp(_S544.section_1.across_3 / _S557, -1.0, 1.0));
+    if(_S544.shown_3.is_warp_2)
     {
-        _S465 = _S462;
+        _S545 = _S542;
     }
     else
     {
-        _S465 = - _S461;
+        _S545 = - _S541;
     }
-    SurfacePoint_0 point_2;
-    point_2.hole_0 = _S464.shown_3.hole_3;
-    point_2.is_warp_0 = _S464.shown_3.is_warp_2;
-    point_2.warp_thread_0 = _S464.crossing_2.warp_1.thread_0;
-    point_2.weft_thread_0 = _S464.crossing_2.weft_1.thread_0;
-    point_2.height_1 = _S464.height_6;
-    point_2.normal_1 = normalize(vec3(- _S464.slope_x_1, - _S464.slope_y_1, 1.0));
-    vec3 _S479;
-    if(_S464.shown_3.is_warp_2)
+    SurfacePoint_0 point_3;
+    point_3.hole_0 = _S544.shown_3.hole_3;
+    point_3.is_warp_0 = _S544.shown_3.is_warp_2;
+    point_3.warp_thread_0 = _S544.crossing_2.warp_1.thread_1;
+    point_3.weft_thread_0 = _S544.crossing_2.weft_1.thread_1;
+    point_3.height_1 = _S544.height_6;
+    point_3.normal_1 = normalize(vec3(- _S544.slope_x_1, - _S544.slope_y_1, 1.0));
+    vec3 _S559;
+    if(_S544.shown_3.is_warp_2)
     {
-        _S479 = vec3(_S474, _S475, _S476);
+        _S559 = vec3(_S554, _S555, _S556);
     }
     else
     {
-        _S479 = vec3(- _S475, _S474, _S476);
+        _S559 = vec3(- _S555, _S554, _S556);
     }
-    point_2.tangent_0 = normalize(_S479);
-    point_2.across_0 = _S464.section_1.across_3;
-    point_2.fibre_across_0 = _S478 * _S470.twist_cosine_0 + _S465 * _S469;
-    point_2.fibre_along_0 = _S465 * _S470.twist_cosine_0 - _S478 * _S469;
-    return point_2;
+    point_3.tangent_0 = normalize(_S559);
+    point_3.across_0 = _S544.section_1.across_3;
+    point_3.fibre_across_0 = _S558 * _S550.twist_cosine_0 + _S545 * _S549;
+    point_3.fibre_along_0 = _S545 * _S550.twist_cosine_0 - _S558 * _S549;
+    return point_3;
 }
 
 struct YarnPoint_0
@@ -2860,247 +3084,247 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_14;
+    float x_16;
     float y_8;
     float height_10;
     vec3 normal_7;
     vec3 tangent_7;
     float roughness_10;
-    Albedos_0 albedos_5;
+    Albedos_0 albedos_6;
 };
 
-Albedos_0 vary_albedos_0(uint _S480, Albedos_0 _S481, uint _S482, uint _S483)
+Albedos_0 vary_albedos_0(uint _S560, Albedos_0 _S561, uint _S562, uint _S563)
 {
-    vec3 _S484 = max(_S481.specular_reflect_0, _S481.specular_transmit_0);
-    vec3 _S485 = _S481.diffuse_reflect_0 + _S481.diffuse_transmit_0;
-    float _S486 = bounded_gain_0(thread_gain_0(_S482, fabrics_0._data[uint(_S480)].colour_noise_0, fabrics_0._data[uint(_S480)].seed_0), _S485, 1.0 - fabrics_0._data[uint(_S480)].layer_bound_0 * _S484);
-    float _S487 = bounded_gain_0(fibre_gain_0(_S482, _S483, fabrics_0._data[uint(_S480)].fibre_noise_0, fabrics_0._data[uint(_S480)].seed_0), _S484, min((1.0 - _S486 * _S485) / fabrics_0._data[uint(_S480)].layer_bound_0, vec3(1.0)));
+    vec3 _S564 = max(_S561.specular_reflect_0, _S561.specular_transmit_0);
+    vec3 _S565 = _S561.diffuse_reflect_0 + _S561.diffuse_transmit_0;
+    float _S566 = bounded_gain_0(thread_gain_0(_S562, fabrics_0._data[uint(_S560)].colour_noise_0, fabrics_0._data[uint(_S560)].seed_0), _S565, 1.0 - fabrics_0._data[uint(_S560)].layer_bound_0 * _S564);
+    float _S567 = bounded_gain_0(fibre_gain_0(_S562, _S563, fabrics_0._data[uint(_S560)].fibre_noise_0, fabrics_0._data[uint(_S560)].seed_0), _S564, min((1.0 - _S566 * _S565) / fabrics_0._data[uint(_S560)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S486 * _S481.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S486 * _S481.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S487 * _S481.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S487 * _S481.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S566 * _S561.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S566 * _S561.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S567 * _S561.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S567 * _S561.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S488, SurfacePoint_0 _S489, Albedos_0 _S490, float _S491, float _S492)
+Albedos_0 varied_at_0(uint _S568, SurfacePoint_0 _S569, Albedos_0 _S570, float _S571, float _S572)
 {
-    float _S493;
-    if(_S489.is_warp_0)
+    float _S573;
+    if(_S569.is_warp_0)
     {
-        _S493 = _S491;
+        _S573 = _S571;
     }
     else
     {
-        _S493 = _S492;
+        _S573 = _S572;
     }
-    float _S494 = _S493 - _S489.across_0;
-    uint _S495;
-    if(_S489.is_warp_0)
+    float _S574 = _S573 - _S569.across_0;
+    uint _S575;
+    if(_S569.is_warp_0)
     {
-        _S495 = fabrics_0._data[uint(_S488)].warp_0;
+        _S575 = fabrics_0._data[uint(_S568)].warp_0;
     }
     else
     {
-        _S495 = fabrics_0._data[uint(_S488)].weft_0;
+        _S575 = fabrics_0._data[uint(_S568)].weft_0;
     }
-    Family_0 _S496 = families_0._data[uint(_S495)];
-    int _S497 = int(families_0._data[uint(_S495)].count_0);
-    if(_S489.is_warp_0)
+    Family_0 _S576 = families_0._data[uint(_S575)];
+    int _S577 = int(families_0._data[uint(_S575)].count_0);
+    if(_S569.is_warp_0)
     {
-        _S495 = _S489.warp_thread_0;
+        _S575 = _S569.warp_thread_0;
     }
     else
     {
-        _S495 = _S489.weft_thread_0;
+        _S575 = _S569.weft_thread_0;
     }
-    uint _S498 = uint(int(floor(_S494 / _S496.period_0)) * _S497 + int(_S495)) * 2U;
-    if(_S489.is_warp_0)
+    uint _S578 = uint(int(floor(_S574 / _S576.period_0)) * _S577 + int(_S575)) * 2U;
+    if(_S569.is_warp_0)
     {
-        _S495 = 1U;
+        _S575 = 1U;
     }
     else
     {
-        _S495 = 0U;
+        _S575 = 0U;
     }
-    float _S499 = floor(_S489.fibre_across_0 / fabrics_0._data[uint(_S488)].fibre_size_0);
-    return vary_albedos_0(_S488, _S490, _S498 + _S495, uint(int(_S499)) * 65536U + uint(int(floor(_S489.fibre_along_0 / (fabrics_0._data[uint(_S488)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S499))));
+    float _S579 = floor(_S569.fibre_across_0 / fabrics_0._data[uint(_S568)].fibre_size_0);
+    return vary_albedos_0(_S568, _S570, _S578 + _S575, uint(int(_S579)) * 65536U + uint(int(floor(_S569.fibre_along_0 / (fabrics_0._data[uint(_S568)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S579))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S500, SurfacePoint_0 _S501, float _S502, float _S503, bool _S504, bool _S505)
+YarnPoint_0 yarn_point_of_0(uint _S580, SurfacePoint_0 _S581, float _S582, float _S583, bool _S584, bool _S585)
 {
-    uint _S506;
-    if(_S501.is_warp_0)
+    uint _S586;
+    if(_S581.is_warp_0)
     {
-        _S506 = fabrics_0._data[uint(_S500)].warp_0;
+        _S586 = fabrics_0._data[uint(_S580)].warp_0;
     }
     else
     {
-        _S506 = fabrics_0._data[uint(_S500)].weft_0;
+        _S586 = fabrics_0._data[uint(_S580)].weft_0;
     }
-    uint _S507;
-    if(_S501.is_warp_0)
+    uint _S587;
+    if(_S581.is_warp_0)
     {
-        _S507 = _S501.warp_thread_0;
+        _S587 = _S581.warp_thread_0;
     }
     else
     {
-        _S507 = _S501.weft_thread_0;
+        _S587 = _S581.weft_thread_0;
     }
-    Albedos_0 albedos_6 = albedos_of_0(_S506, _S507);
-    bool _S508;
-    if((fabrics_0._data[uint(_S500)].fibre_noise_0) > 0.0)
+    Albedos_0 albedos_7 = albedos_of_0(_S586, _S587);
+    bool _S588;
+    if((fabrics_0._data[uint(_S580)].fibre_noise_0) > 0.0)
     {
-        _S508 = true;
+        _S588 = true;
     }
     else
     {
-        _S508 = (fabrics_0._data[uint(_S500)].colour_noise_0) > 0.0;
+        _S588 = (fabrics_0._data[uint(_S580)].colour_noise_0) > 0.0;
     }
-    Albedos_0 albedos_7;
-    if(_S508)
+    Albedos_0 albedos_8;
+    if(_S588)
     {
-        albedos_7 = varied_at_0(_S500, _S501, albedos_6, _S502, _S503);
+        albedos_8 = varied_at_0(_S580, _S581, albedos_7, _S582, _S583);
     }
     else
     {
-        albedos_7 = albedos_6;
+        albedos_8 = albedos_7;
     }
-    YarnPoint_0 point_3;
-    point_3.back_3 = _S504;
-    point_3.hole_6 = _S505;
-    point_3.is_warp_3 = _S501.is_warp_0;
-    point_3.x_14 = _S502;
-    point_3.y_8 = _S503;
-    point_3.height_10 = _S501.height_1;
-    point_3.normal_7 = _S501.normal_1;
-    point_3.tangent_7 = _S501.tangent_0;
-    point_3.roughness_10 = families_0._data[uint(_S506)].roughness_0;
-    point_3.albedos_5 = albedos_7;
-    return point_3;
+    YarnPoint_0 point_4;
+    point_4.back_3 = _S584;
+    point_4.hole_6 = _S585;
+    point_4.is_warp_3 = _S581.is_warp_0;
+    point_4.x_16 = _S582;
+    point_4.y_8 = _S583;
+    point_4.height_10 = _S581.height_1;
+    point_4.normal_7 = _S581.normal_1;
+    point_4.tangent_7 = _S581.tangent_0;
+    point_4.roughness_10 = families_0._data[uint(_S586)].roughness_0;
+    point_4.albedos_6 = albedos_8;
+    return point_4;
 }
 
-bool unoccluded_0(uint _S509, SearchQuality_0 _S510, float _S511, float _S512, float _S513, vec3 _S514, bool _S515)
+bool unoccluded_0(uint _S589, SearchQuality_0 _S590, float _S591, float _S592, float _S593, vec3 _S594, bool _S595)
 {
-    if((_S514.z) <= 0.0)
+    if((_S594.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S509, _S510, vec3(_S511, _S512, _S513 + fabrics_0._data[uint(_S509)].lift_0), _S514, _S515, max_height_along_0(_S509, _S511, _S512, _S513, _S514, _S515));
+    return is_free_0(_S589, _S590, vec3(_S591, _S592, _S593 + fabrics_0._data[uint(_S589)].lift_0), _S594, _S595, max_height_along_0(_S589, _S591, _S592, _S593, _S594, _S595));
 }
 
-bool is_lit_0(uint _S516, SearchQuality_0 _S517, YarnPoint_0 _S518, vec3 _S519)
+bool is_lit_0(uint _S596, SearchQuality_0 _S597, YarnPoint_0 _S598, vec3 _S599)
 {
-    if(_S518.hole_6)
+    if(_S598.hole_6)
     {
         return true;
     }
-    vec3 _S520 = to_face_frame_0(_S519, _S518.back_3);
-    float _S521 = _S520.z;
-    bool _S522 = _S521 < 0.0;
+    vec3 _S600 = to_face_frame_0(_S599, _S598.back_3);
+    float _S601 = _S600.z;
+    bool _S602 = _S601 < 0.0;
     vec3 normal_8;
     float height_11;
-    if(_S522)
+    if(_S602)
     {
-        SurfacePoint_0 _S523 = surface_at_0(_S516, _S518.x_14, _S518.y_8, !_S518.back_3);
-        normal_8 = _S523.normal_1;
-        height_11 = _S523.height_1;
+        SurfacePoint_0 _S603 = surface_at_0(_S596, _S598.x_16, _S598.y_8, !_S598.back_3);
+        normal_8 = _S603.normal_1;
+        height_11 = _S603.height_1;
     }
     else
     {
-        normal_8 = _S518.normal_7;
-        height_11 = _S518.height_10;
+        normal_8 = _S598.normal_7;
+        height_11 = _S598.height_10;
     }
-    vec3 _S524 = vec3(_S520.xy, abs(_S521));
-    if((dot(normal_8, _S524)) <= 0.0)
+    vec3 _S604 = vec3(_S600.xy, abs(_S601));
+    if((dot(normal_8, _S604)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S516, _S517, _S518.x_14, _S518.y_8, height_11, _S524, (_S518.back_3) != _S522);
+    return unoccluded_0(_S596, _S597, _S598.x_16, _S598.y_8, height_11, _S604, (_S598.back_3) != _S602);
 }
 
-Components_0 components_of_point_0(uint _S525, SearchQuality_0 _S526, YarnPoint_0 _S527, vec3 _S528, vec3 _S529)
+Components_0 components_of_point_0(uint _S605, SearchQuality_0 _S606, YarnPoint_0 _S607, vec3 _S608, vec3 _S609)
 {
-    Components_0 result_1 = no_components_0();
-    float _S530;
-    if(_S527.hole_6)
+    Components_0 result_2 = no_components_0();
+    float _S610;
+    if(_S607.hole_6)
     {
-        _S530 = 1.0;
+        _S610 = 1.0;
     }
     else
     {
-        _S530 = 0.0;
+        _S610 = 0.0;
     }
-    result_1.hole_2 = _S530;
-    bool _S531;
-    if(_S527.hole_6)
+    result_2.hole_2 = _S610;
+    bool _S611;
+    if(_S607.hole_6)
     {
-        _S531 = true;
+        _S611 = true;
     }
     else
     {
-        _S531 = !is_lit_0(_S525, _S526, _S527, _S528);
+        _S611 = !is_lit_0(_S605, _S606, _S607, _S608);
     }
-    if(_S531)
+    if(_S611)
     {
-        return result_1;
+        return result_2;
     }
-    vec3 _S532 = to_face_frame_0(_S528, _S527.back_3);
-    vec3 _S533 = to_face_frame_0(_S529, _S527.back_3);
-    bool _S534 = (_S532.z) < 0.0;
-    vec3 _S535;
-    if(_S534)
+    vec3 _S612 = to_face_frame_0(_S608, _S607.back_3);
+    vec3 _S613 = to_face_frame_0(_S609, _S607.back_3);
+    bool _S614 = (_S612.z) < 0.0;
+    vec3 _S615;
+    if(_S614)
     {
-        _S535 = - _S532;
+        _S615 = - _S612;
     }
     else
     {
-        _S535 = _S532;
+        _S615 = _S612;
     }
-    float _S536 = diffuse_reflection_0(_S535, _S527.normal_7, fabrics_0._data[uint(_S525)].diffuse_blend_0);
-    if(_S534)
+    float _S616 = diffuse_reflection_0(_S615, _S607.normal_7, fabrics_0._data[uint(_S605)].diffuse_blend_0);
+    if(_S614)
     {
-        _S530 = transmission_0(_S532, _S533, _S527.normal_7, _S527.tangent_7, _S527.roughness_10, fabrics_0._data[uint(_S525)].optical_depth_0);
+        _S610 = transmission_0(_S612, _S613, _S607.normal_7, _S607.tangent_7, _S607.roughness_10, fabrics_0._data[uint(_S605)].optical_depth_0);
     }
     else
     {
-        _S530 = reflection_0(_S532, _S533, _S527.normal_7, _S527.tangent_7, _S527.roughness_10, fabrics_0._data[uint(_S525)].optical_depth_0);
+        _S610 = reflection_0(_S612, _S613, _S607.normal_7, _S607.tangent_7, _S607.roughness_10, fabrics_0._data[uint(_S605)].optical_depth_0);
     }
-    float _S537;
-    if(_S527.is_warp_3)
+    float _S617;
+    if(_S607.is_warp_3)
     {
-        _S537 = _S536;
+        _S617 = _S616;
     }
     else
     {
-        _S537 = 0.0;
+        _S617 = 0.0;
     }
-    result_1.diffuse_warp_0 = _S537;
-    if(_S527.is_warp_3)
+    result_2.diffuse_warp_0 = _S617;
+    if(_S607.is_warp_3)
     {
-        _S537 = 0.0;
+        _S617 = 0.0;
     }
     else
     {
-        _S537 = _S536;
+        _S617 = _S616;
     }
-    result_1.diffuse_weft_0 = _S537;
-    if(_S527.is_warp_3)
+    result_2.diffuse_weft_0 = _S617;
+    if(_S607.is_warp_3)
     {
-        _S537 = _S530;
+        _S617 = _S610;
     }
     else
     {
-        _S537 = 0.0;
+        _S617 = 0.0;
     }
-    result_1.specular_warp_0 = _S537;
-    if(_S527.is_warp_3)
+    result_2.specular_warp_0 = _S617;
+    if(_S607.is_warp_3)
     {
-        _S530 = 0.0;
+        _S610 = 0.0;
     }
-    result_1.specular_weft_0 = _S530;
-    result_1.light_visibility_1 = 1.0;
-    return result_1;
+    result_2.specular_weft_0 = _S610;
+    result_2.light_visibility_1 = 1.0;
+    return result_2;
 }
 
 struct CoverageTaps_0
@@ -3108,58 +3332,25 @@ struct CoverageTaps_0
     uint  nodes_1[9];
 };
 
-vec3 pyramid_level_0(uint _S538, float _S539)
+vec3 pyramid_level_0(uint _S618, float _S619)
 {
-    uint _S540 = fabrics_0._data[uint(_S538)].lobes_0.levels_0 + 4U * uint(min(_S539, fabrics_0._data[uint(_S538)].lobes_0.last_level_0));
-    return vec3(table_number_0(_S540), table_number_0(_S540 + 1U), table_number_0(_S540 + 2U));
+    uint _S620 = fabrics_0._data[uint(_S618)].lobes_0.levels_0 + 4U * uint(min(_S619, fabrics_0._data[uint(_S618)].lobes_0.last_level_0));
+    return vec3(table_number_0(_S620), table_number_0(_S620 + 1U), table_number_0(_S620 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S541, Footprint_0 _S542, bool _S543)
+CoverageTaps_0 coverage_taps_0(uint _S621, Footprint_0 _S622, bool _S623)
 {
-    Lobes_0 _S544 = fabrics_0._data[uint(_S541)].lobes_0;
-    float _S545 = Footprint_spread_side_0(_S542) * fabrics_0._data[uint(_S541)].lobes_0.inverse_base_size_0;
-    vec3 _S546 = pyramid_level_0(_S541, floor(binary_logarithm_0(max(0.68000000715255737 * _S545, 1.0))));
-    float _S547 = 1.0 / max(_S545, 9.99999997475242708e-07);
-    float _S548 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S547 * _S547), 0.0, 1.0)), 0.3333333432674408 * _S547), 1.0);
-    vec2 _S549 = vec2(families_0._data[uint(fabrics_0._data[uint(_S541)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S541)].weft_0)].inverse_period_0);
-    vec2 _S550 = _S542.centre_0 * _S549;
-    vec2 _S551 = _S542.dx_0 * _S549 * _S548;
-    vec2 _S552 = _S542.dy_0 * _S549 * _S548;
+    Lobes_0 _S624 = fabrics_0._data[uint(_S621)].lobes_0;
+    float _S625 = Footprint_spread_side_0(_S622) * fabrics_0._data[uint(_S621)].lobes_0.inverse_base_size_0;
+    vec3 _S626 = pyramid_level_0(_S621, floor(binary_logarithm_0(max(0.68000000715255737 * _S625, 1.0))));
+    float _S627 = 1.0 / max(_S625, 9.99999997475242708e-07);
+    float _S628 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S627 * _S627), 0.0, 1.0)), 0.3333333432674408 * _S627), 1.0);
+    vec2 _S629 = vec2(families_0._data[uint(fabrics_0._data[uint(_S621)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S621)].weft_0)].inverse_period_0);
+    vec2 _S630 = _S622.centre_0 * _S629;
+    vec2 _S631 = _S622.dx_0 * _S629 * _S628;
+    vec2 _S632 = _S622.dy_0 * _S629 * _S628;
     CoverageTaps_0 taps_3;
-    uint number_1 = 0U;
-    for(;;)
-    {
-        if(number_1 < 9U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        vec2 _S553 = _S550 + TAP_OFFSETS_0[number_1].x * _S551 + TAP_OFFSETS_0[number_1].y * _S552;
-        float _S554 = _S546.y;
-        float _S555 = wrapped_cell_0(_S553.x, _S554);
-        float _S556 = wrapped_cell_0(_S553.y, _S546.z);
-        uint _S557;
-        if(_S543)
-        {
-            _S557 = _S544.face_nodes_0;
-        }
-        else
-        {
-            _S557 = 0U;
-        }
-        taps_3.nodes_1[number_1] = _S557 + uint(_S556 * _S554 + _S555 + _S546.x);
-        number_1 = number_1 + 1U;
-    }
-    return taps_3;
-}
-
-vec4 coverage_of_pack_0(uint _S558, CoverageTaps_0 _S559, uint _S560)
-{
     uint number_2 = 0U;
-    uint even_1 = 0U;
-    uint odd_1 = 0U;
     for(;;)
     {
         if(number_2 < 9U)
@@ -3169,20 +3360,30 @@ vec4 coverage_of_pack_0(uint _S558, CoverageTaps_0 _S559, uint _S560)
         {
             break;
         }
-        uint _S561 = words_0._data[uint(fabrics_0._data[uint(_S558)].lobes_0.coverage_0 + _S559.nodes_1[number_2] * fabrics_0._data[uint(_S558)].lobes_0.packs_0 + _S560)];
-        uint even_2 = even_1 + (_S561 & 16711935U);
-        uint odd_2 = odd_1 + ((_S561 >> 8) & 16711935U);
+        vec2 _S633 = _S630 + TAP_OFFSETS_0[number_2].x * _S631 + TAP_OFFSETS_0[number_2].y * _S632;
+        float _S634 = _S626.y;
+        float _S635 = wrapped_cell_0(_S633.x, _S634);
+        float _S636 = wrapped_cell_0(_S633.y, _S626.z);
+        uint _S637;
+        if(_S623)
+        {
+            _S637 = _S624.face_nodes_0;
+        }
+        else
+        {
+            _S637 = 0U;
+        }
+        taps_3.nodes_1[number_2] = _S637 + uint(_S636 * _S634 + _S635 + _S626.x);
         number_2 = number_2 + 1U;
-        even_1 = even_2;
-        odd_1 = odd_2;
     }
-    return bytes_of_sums_0(even_1, odd_1) / 9.0;
+    return taps_3;
 }
 
-float coverage_of_holes_0(uint _S562, CoverageTaps_0 _S563)
+vec4 coverage_of_pack_0(uint _S638, CoverageTaps_0 _S639, uint _S640)
 {
     uint number_3 = 0U;
-    uint total_0 = 0U;
+    uint even_1 = 0U;
+    uint odd_1 = 0U;
     for(;;)
     {
         if(number_3 < 9U)
@@ -3192,67 +3393,90 @@ float coverage_of_holes_0(uint _S562, CoverageTaps_0 _S563)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S562)].lobes_0.coverage_holes_0 + _S563.nodes_1[number_3] / 4U)]) >> (8U * (_S563.nodes_1[number_3] % 4U))) & 255U);
+        uint _S641 = words_0._data[uint(fabrics_0._data[uint(_S638)].lobes_0.coverage_0 + _S639.nodes_1[number_3] * fabrics_0._data[uint(_S638)].lobes_0.packs_0 + _S640)];
+        uint even_2 = even_1 + (_S641 & 16711935U);
+        uint odd_2 = odd_1 + ((_S641 >> 8) & 16711935U);
         number_3 = number_3 + 1U;
+        even_1 = even_2;
+        odd_1 = odd_2;
+    }
+    return bytes_of_sums_0(even_1, odd_1) / 9.0;
+}
+
+float coverage_of_holes_0(uint _S642, CoverageTaps_0 _S643)
+{
+    uint number_4 = 0U;
+    uint total_0 = 0U;
+    for(;;)
+    {
+        if(number_4 < 9U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S642)].lobes_0.coverage_holes_0 + _S643.nodes_1[number_4] / 4U)]) >> (8U * (_S643.nodes_1[number_4] % 4U))) & 255U);
+        number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S564, CoverageTaps_0 _S565, NodeTaps_0 _S566, bool _S567)
+float prefiltered_hole_0(uint _S644, CoverageTaps_0 _S645, NodeTaps_0 _S646, bool _S647)
 {
-    Lobes_0 _S568 = fabrics_0._data[uint(_S564)].lobes_0;
-    float _S569 = interpolate_table_0(_S566, fabrics_0._data[uint(_S564)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S564)].lobes_0.packs_0, fabrics_0._data[uint(_S564)].lobes_0.packs_0 + 1U).x;
-    float _S570;
-    if(_S567)
+    Lobes_0 _S648 = fabrics_0._data[uint(_S644)].lobes_0;
+    float _S649 = interpolate_table_0(_S646, fabrics_0._data[uint(_S644)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S644)].lobes_0.packs_0, fabrics_0._data[uint(_S644)].lobes_0.packs_0 + 1U).x;
+    float _S650;
+    if(_S647)
     {
-        _S570 = _S568.back_hole_weight_0;
+        _S650 = _S648.back_hole_weight_0;
     }
     else
     {
-        _S570 = _S568.front_hole_weight_0;
+        _S650 = _S648.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S564, _S565) * _S569 * _S569 * _S570, 1.0);
+    return min(coverage_of_holes_0(_S644, _S645) * _S649 * _S649 * _S650, 1.0);
 }
 
-Components_0 prefiltered_components_0(uint _S571, Footprint_0 _S572, vec3 _S573, vec3 _S574, bool _S575)
+Components_0 prefiltered_components_0(uint _S651, Footprint_0 _S652, vec3 _S653, vec3 _S654, bool _S655)
 {
-    CoverageTaps_0 _S576 = coverage_taps_0(_S571, _S572, _S575);
-    NodeTaps_0 _S577 = node_taps_0(_S574);
-    NodeTaps_0 view_nodes_0 = _S577;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S573);
-    NodeTaps_0 seen_nodes_0 = _S577;
-    uint _S578;
-    if(_S575)
+    CoverageTaps_0 _S656 = coverage_taps_0(_S651, _S652, _S655);
+    NodeTaps_0 _S657 = node_taps_0(_S654);
+    NodeTaps_0 view_nodes_0 = _S657;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S653);
+    NodeTaps_0 seen_nodes_0 = _S657;
+    uint _S658;
+    if(_S655)
     {
-        _S578 = 1U;
+        _S658 = 1U;
     }
     else
     {
-        _S578 = 0U;
+        _S658 = 0U;
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S578 * 256U;
-    uint _S579 = 2U * _S578;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S579 * 256U;
-    uint _S580;
-    if((_S573.z) < 0.0)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S658 * 256U;
+    uint _S659 = 2U * _S658;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S659 * 256U;
+    uint _S660;
+    if((_S653.z) < 0.0)
     {
-        _S580 = 1U;
-    }
-    else
-    {
-        _S580 = 0U;
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S579 + _S580) * 256U;
-    vec3 _S581 = half_vector_0(_S573, _S574);
-    vec3 _S582 = shadow_correlation_0(_S573, _S574);
-    if(_S575)
-    {
-        _S580 = fabrics_0._data[uint(_S571)].lobes_0.back_warp_packs_0;
+        _S660 = 1U;
     }
     else
     {
-        _S580 = fabrics_0._data[uint(_S571)].lobes_0.front_warp_packs_0;
+        _S660 = 0U;
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S659 + _S660) * 256U;
+    vec3 _S661 = half_vector_0(_S653, _S654);
+    vec3 _S662 = shadow_correlation_0(_S653, _S654);
+    if(_S655)
+    {
+        _S660 = fabrics_0._data[uint(_S651)].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S660 = fabrics_0._data[uint(_S651)].lobes_0.front_warp_packs_0;
     }
     Components_0 sums_1;
     sums_1.diffuse_warp_0 = 0.0;
@@ -3264,331 +3488,365 @@ Components_0 prefiltered_components_0(uint _S571, Footprint_0 _S572, vec3 _S573,
     float total_2 = 0.0;
     for(;;)
     {
-        Lobes_0 _S583 = fabrics_0._data[uint(_S571)].lobes_0;
-        if(pack_0 < (fabrics_0._data[uint(_S571)].lobes_0.packs_0))
+        Lobes_0 _S663 = fabrics_0._data[uint(_S651)].lobes_0;
+        if(pack_0 < (fabrics_0._data[uint(_S651)].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        vec4 _S584 = coverage_of_pack_0(_S571, _S576, pack_0);
-        vec4 _S585 = interpolate_table_0(view_nodes_0, _S583.projected_area_0 + pack_0, _S583.packs_0 + 1U);
-        uint _S586 = _S583.light_visibility_0 + pack_0;
-        vec4 _S587 = interpolate_table_0(seen_nodes_0, _S586, _S583.packs_0) / 255.0;
-        vec4 _S588 = interpolate_table_0(light_nodes_0, _S586, _S583.packs_0) / 255.0;
-        vec4 _S589 = interpolate_table_0(light_nodes_0, _S583.irradiance_0 + pack_0, _S583.packs_0) * 0.00124827399849892;
-        bool _S590 = pack_0 < _S580;
-        uint _S591;
-        if(_S590)
+        vec4 _S664 = coverage_of_pack_0(_S651, _S656, pack_0);
+        vec4 _S665 = interpolate_table_0(view_nodes_0, _S663.projected_area_0 + pack_0, _S663.packs_0 + 1U);
+        uint _S666 = _S663.light_visibility_0 + pack_0;
+        vec4 _S667 = interpolate_table_0(seen_nodes_0, _S666, _S663.packs_0) / 255.0;
+        vec4 _S668 = interpolate_table_0(light_nodes_0, _S666, _S663.packs_0) / 255.0;
+        vec4 _S669 = interpolate_table_0(light_nodes_0, _S663.irradiance_0 + pack_0, _S663.packs_0) * 0.00124827399849892;
+        bool _S670 = pack_0 < _S660;
+        uint _S671;
+        if(_S670)
         {
-            _S591 = fabrics_0._data[uint(_S571)].warp_0;
+            _S671 = fabrics_0._data[uint(_S651)].warp_0;
         }
         else
         {
-            _S591 = fabrics_0._data[uint(_S571)].weft_0;
+            _S671 = fabrics_0._data[uint(_S651)].weft_0;
         }
-        Family_0 _S592 = families_0._data[uint(_S591)];
-        uint number_4 = 0U;
+        Family_0 _S672 = families_0._data[uint(_S671)];
+        uint number_5 = 0U;
         float diffuse_0 = 0.0;
         float specular_0 = 0.0;
         for(;;)
         {
-            if(number_4 < 4U)
+            if(number_5 < 4U)
             {
             }
             else
             {
                 break;
             }
-            Group_0 _S593 = group_at_0(_S583.moments_0 + 12U * (4U * (_S578 * _S583.packs_0 + pack_0) + number_4), _S592.roughness_0);
-            float _S594 = _S584[number_4] * _S585[number_4] * _S585[number_4] * _S593.weight_1;
-            vec2 _S595 = visibility_gain_0(_S582, _S588[number_4], _S587[number_4]);
-            float _S596 = _S595.x;
-            float diffuse_1 = diffuse_0 + _S594 * _S589[number_4] * _S596;
-            float specular_1 = specular_0 + _S594 * layer_value_0(_S593, _S581, _S573, _S574, fabrics_0._data[uint(_S571)].optical_depth_0) * _S588[number_4] * _S595.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S594 * _S588[number_4] * _S596;
-            float total_3 = total_2 + _S594;
-            number_4 = number_4 + 1U;
+            Group_0 _S673 = group_at_0(_S663.moments_0 + 12U * (4U * (_S658 * _S663.packs_0 + pack_0) + number_5), _S672.roughness_0);
+            float _S674 = _S664[number_5] * _S665[number_5] * _S665[number_5] * _S673.weight_1;
+            vec2 _S675 = visibility_gain_0(_S662, _S668[number_5], _S667[number_5]);
+            float _S676 = _S675.x;
+            float diffuse_1 = diffuse_0 + _S674 * _S669[number_5] * _S676;
+            float specular_1 = specular_0 + _S674 * layer_value_0(_S673, _S661, _S653, _S654, fabrics_0._data[uint(_S651)].optical_depth_0) * _S668[number_5] * _S675.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S674 * _S668[number_5] * _S676;
+            float total_3 = total_2 + _S674;
+            number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S597;
-        if(_S590)
+        float _S677;
+        if(_S670)
         {
-            _S597 = diffuse_0;
+            _S677 = diffuse_0;
         }
         else
         {
-            _S597 = 0.0;
+            _S677 = 0.0;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S597;
-        float _S598;
-        if(_S590)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S677;
+        float _S678;
+        if(_S670)
         {
-            _S598 = 0.0;
+            _S678 = 0.0;
         }
         else
         {
-            _S598 = diffuse_0;
+            _S678 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S598;
-        float _S599;
-        if(_S590)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S678;
+        float _S679;
+        if(_S670)
         {
-            _S599 = specular_0;
+            _S679 = specular_0;
         }
         else
         {
-            _S599 = 0.0;
+            _S679 = 0.0;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S599;
-        float _S600;
-        if(_S590)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S679;
+        float _S680;
+        if(_S670)
         {
-            _S600 = 0.0;
+            _S680 = 0.0;
         }
         else
         {
-            _S600 = specular_0;
+            _S680 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S600;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S680;
         pack_0 = pack_0 + 1U;
     }
-    float _S601 = prefiltered_hole_0(_S571, _S576, view_nodes_0, _S575);
-    sums_1.hole_2 = _S601;
-    float _S602 = (1.0 - _S601) / max(total_2, 9.999999960041972e-13);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S602;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S602;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S602;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S602;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S602;
+    float _S681 = prefiltered_hole_0(_S651, _S656, view_nodes_0, _S655);
+    sums_1.hole_2 = _S681;
+    float _S682 = (1.0 - _S681) / max(total_2, 9.999999960041972e-13);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S682;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S682;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S682;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S682;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S682;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S603, Footprint_0 _S604, bool _S605)
+FamilyAlbedos_0 albedos_over_0(uint _S683, Footprint_0 _S684, bool _S685)
 {
-    vec2 _S606 = _S604.dx_0;
-    vec2 _S607 = _S604.dy_0;
-    vec2 _S608 = sqrt(_S606 * _S606 + _S607 * _S607);
-    Stretch_0 _S609 = stretch_of_0(fabrics_0._data[uint(_S603)].warp_0, _S604.centre_0.x, _S608.x);
-    Stretch_0 _S610 = stretch_of_0(fabrics_0._data[uint(_S603)].weft_0, _S604.centre_0.y, _S608.y);
-    FamilyAlbedos_0 albedos_8;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S603)].warp_0, fabrics_0._data[uint(_S603)].weft_0, _S609, _S610, _S605);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S603)].weft_0, fabrics_0._data[uint(_S603)].warp_0, _S610, _S609, _S605);
-    return albedos_8;
+    vec2 _S686 = _S684.dx_0;
+    vec2 _S687 = _S684.dy_0;
+    vec2 _S688 = sqrt(_S686 * _S686 + _S687 * _S687);
+    Stretch_0 _S689 = stretch_of_0(fabrics_0._data[uint(_S683)].warp_0, _S684.centre_0.x, _S688.x);
+    Stretch_0 _S690 = stretch_of_0(fabrics_0._data[uint(_S683)].weft_0, _S684.centre_0.y, _S688.y);
+    FamilyAlbedos_0 albedos_9;
+    albedos_9.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S683)].warp_0, fabrics_0._data[uint(_S683)].weft_0, _S689, _S690, _S685);
+    albedos_9.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S683)].weft_0, fabrics_0._data[uint(_S683)].warp_0, _S690, _S689, _S685);
+    return albedos_9;
 }
 
-Estimate_0 lobes_estimate_0(uint _S611, Footprint_0 _S612, float _S613, vec3 _S614, vec3 _S615)
+Estimate_0 lobes_estimate_of_pass_0(uint _S691, Footprint_0 _S692, float _S693, vec2 _S694, vec3 _S695, vec3 _S696)
 {
-    float _S616;
-    Regime_0 _S617 = regime_of_0(_S611, _S612, _S613);
-    bool _S618 = (_S615.z) < 0.0;
-    vec3 _S619 = to_face_frame_0(_S615, _S618);
-    bool _S620;
-    if((fabrics_0._data[uint(_S611)].fibre_noise_0) > 0.0)
+    float _S697;
+    Regime_0 _S698 = regime_of_0(_S691, _S692, _S693);
+    bool _S699 = (_S696.z) < 0.0;
+    vec3 _S700 = to_face_frame_0(_S696, _S699);
+    bool _S701;
+    if((fabrics_0._data[uint(_S691)].fibre_noise_0) > 0.0)
     {
-        _S620 = true;
+        _S701 = true;
     }
     else
     {
-        _S620 = (fabrics_0._data[uint(_S611)].colour_noise_0) > 0.0;
+        _S701 = (fabrics_0._data[uint(_S691)].colour_noise_0) > 0.0;
     }
-    bool _S621;
-    if((families_0._data[uint(fabrics_0._data[uint(_S611)].warp_0)].quantities_0) > 1U)
+    bool _S702;
+    if((families_0._data[uint(fabrics_0._data[uint(_S691)].warp_0)].quantities_0) > 1U)
     {
-        _S621 = true;
+        _S702 = true;
     }
     else
     {
-        _S621 = (families_0._data[uint(fabrics_0._data[uint(_S611)].weft_0)].quantities_0) > 1U;
+        _S702 = (families_0._data[uint(fabrics_0._data[uint(_S691)].weft_0)].quantities_0) > 1U;
     }
-    float _S622 = 1.0 - _S617.prefiltered_0;
-    if(_S622 > 0.0)
+    float _S703 = 1.0 - _S698.prefiltered_0;
+    if(_S703 > 0.0)
     {
-        if(_S620)
+        if(_S701)
         {
-            _S621 = true;
+            _S702 = true;
         }
     }
     else
     {
-        _S621 = false;
+        _S702 = false;
     }
-    Footprint_0 box_0 = _S612;
-    const vec3 _S623 = vec3(0.0);
-    SurfacePoint_0 _S624 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S623, _S623, 0.0, 0.0, 0.0);
-    Components_0 _S625 = no_components_0();
-    int _S626;
-    if(_S621)
+    Footprint_0 box_0 = _S692;
+    const vec3 _S704 = vec3(0.0);
+    SurfacePoint_0 _S705 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S704, _S704, 0.0, 0.0, 0.0);
+    Components_0 _S706 = no_components_0();
+    int _S707;
+    if(_S702)
     {
-        _S626 = 0;
+        _S707 = 0;
     }
     else
     {
-        _S626 = 1;
+        _S707 = 1;
     }
-    uint _S627 = uint(_S626);
-    Components_0 points_1 = _S625;
+    uint _S708 = uint(_S707);
+    Components_0 points_1 = _S706;
     float central_weight_0 = 0.0;
-    SurfacePoint_0 central_0 = _S624;
-    vec2 central_place_0 = _S612.centre_0;
-    uint number_5 = _S627;
+    SurfacePoint_0 central_0 = _S705;
+    vec2 central_place_0 = _S692.centre_0;
+    uint number_6 = _S708;
     for(;;)
     {
-        float _S628 = float(number_5);
-        _S616 = _S617.points_0;
-        if(_S628 < (_S617.points_0 + 1.0))
+        float _S709 = float(number_6);
+        _S697 = _S698.points_0;
+        if(_S709 < (_S698.points_0 + 1.0))
         {
         }
         else
         {
             break;
         }
-        bool _S629 = number_5 == 0U;
-        vec2 _S630;
-        if(_S629)
+        bool _S710 = number_6 == 0U;
+        uint _S711;
+        if(_S710)
         {
-            _S630 = vec2(0.0);
+            _S711 = 0U;
         }
         else
         {
-            _S630 = POINT_OFFSETS_0[number_5 - 1U];
+            _S711 = number_6 - 1U;
         }
-        vec2 _S631 = _S612.centre_0 + _S630.x * _S612.dx_0 + _S630.y * _S612.dy_0;
-        float _S632;
-        if(_S629)
+        vec2 _S712 = POINT_OFFSETS_0[_S711] + _S694;
+        vec2 _S713;
+        if(_S710)
         {
-            _S632 = 0.0;
+            _S713 = vec2(0.0);
         }
         else
         {
-            _S632 = _S617.threads_1;
+            _S713 = _S712 - round(_S712);
         }
-        SearchQuality_0 _S633 = quality_of_0(_S632);
-        Hit_0 _S634 = first_hit_0(_S611, _S633, _S631.x, _S631.y, _S619, _S618);
-        SurfacePoint_0 _S635 = surface_at_0(_S611, _S634.x_13, _S634.y_7, _S618);
-        if(_S629)
+        vec2 _S714 = _S692.centre_0 + _S713.x * _S692.dx_0 + _S713.y * _S692.dy_0;
+        float _S715;
+        if(_S710)
+        {
+            _S715 = 0.0;
+        }
+        else
+        {
+            _S715 = _S698.threads_1;
+        }
+        SearchQuality_0 _S716 = quality_of_0(_S715);
+        Hit_0 _S717 = first_hit_0(_S691, _S716, _S714.x, _S714.y, _S700, _S699);
+        SurfacePoint_0 _S718 = surface_at_0(_S691, _S717.x_15, _S717.y_7, _S699);
+        if(_S710)
         {
             float central_weight_1;
-            if(_S634.hole_5)
+            if(_S717.hole_5)
             {
                 central_weight_1 = 0.0;
             }
             else
             {
-                central_weight_1 = _S622;
+                central_weight_1 = _S703;
             }
-            vec2 central_place_1 = vec2(_S634.x_13, _S634.y_7);
-            box_0.centre_0 = mix(_S612.centre_0, central_place_1, vec2(central_weight_1));
+            vec2 central_place_1 = vec2(_S717.x_15, _S717.y_7);
+            box_0.centre_0 = mix(_S692.centre_0, central_place_1, vec2(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S635;
+            central_0 = _S718;
             central_place_0 = central_place_1;
-            number_5 = number_5 + 1U;
+            number_6 = number_6 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S611, _S633, yarn_point_of_0(_S611, _S635, _S634.x_13, _S634.y_7, _S618, _S634.hole_5), _S614, _S615), min(_S617.points_0 - float(number_5 - 1U), 1.0));
-        number_5 = number_5 + 1U;
+        points_1 = with_added_0(points_1, components_of_point_0(_S691, _S716, yarn_point_of_0(_S691, _S718, _S717.x_15, _S717.y_7, _S699, _S717.hole_5), _S695, _S696), min(_S698.points_0 - float(number_6 - 1U), 1.0));
+        number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S625, points_1, _S622 / max(_S616, 1.0));
-    if((_S617.prefiltered_0) > 0.0)
+    estimate_0.components_0 = with_added_0(_S706, points_1, _S703 / max(_S697, 1.0));
+    if((_S698.prefiltered_0) > 0.0)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S611, _S612, to_face_frame_0(_S614, _S618), _S619, _S618), _S617.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S691, _S692, to_face_frame_0(_S695, _S699), _S700, _S699), _S698.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S611, box_0, _S618);
-    if(_S620)
+    estimate_0.albedos_5 = albedos_over_0(_S691, box_0, _S699);
+    if(_S701)
     {
-        _S620 = central_weight_0 > 0.0;
+        _S701 = central_weight_0 > 0.0;
     }
     else
     {
-        _S620 = false;
+        _S701 = false;
     }
-    if(_S620)
+    if(_S701)
     {
-        SurfacePoint_0 _S636 = central_0;
-        Albedos_0 _S637;
+        SurfacePoint_0 _S719 = central_0;
+        Albedos_0 _S720;
         if(central_0.is_warp_0)
         {
-            _S637 = estimate_0.albedos_4.warp_2;
+            _S720 = estimate_0.albedos_5.warp_2;
         }
         else
         {
-            _S637 = estimate_0.albedos_4.weft_2;
+            _S720 = estimate_0.albedos_5.weft_2;
         }
-        Albedos_0 _S638 = lerp_albedos_0(_S637, varied_at_0(_S611, central_0, _S637, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S636.is_warp_0)
+        Albedos_0 _S721 = lerp_albedos_0(_S720, varied_at_0(_S691, central_0, _S720, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S719.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S638;
+            estimate_0.albedos_5.warp_2 = _S721;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S638;
+            estimate_0.albedos_5.weft_2 = _S721;
         }
     }
     return estimate_0;
 }
 
-vec3 composed_0(uint _S639, Components_0 _S640, FamilyAlbedos_0 _S641, vec3 _S642, vec3 _S643)
+vec3 composed_0(uint _S722, Components_0 _S723, FamilyAlbedos_0 _S724, vec3 _S725, vec3 _S726)
 {
-    vec3 _S644 = _S641.warp_2.diffuse_reflect_0 * _S640.diffuse_warp_0 + _S641.weft_2.diffuse_reflect_0 * _S640.diffuse_weft_0 + _S641.warp_2.specular_reflect_0 * _S640.specular_warp_0 + _S641.weft_2.specular_reflect_0 * _S640.specular_weft_0;
-    float _S645 = _S643.z;
+    vec3 _S727 = _S724.warp_2.diffuse_reflect_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_reflect_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_reflect_0 * _S723.specular_warp_0 + _S724.weft_2.specular_reflect_0 * _S723.specular_weft_0;
+    float _S728 = _S726.z;
     vec3 body_0;
-    if((_S642.z * _S645) < 0.0)
+    if((_S725.z * _S728) < 0.0)
     {
-        body_0 = _S641.warp_2.diffuse_transmit_0 * _S640.diffuse_warp_0 + _S641.weft_2.diffuse_transmit_0 * _S640.diffuse_weft_0 + _S641.warp_2.specular_transmit_0 * _S640.specular_warp_0 + _S641.weft_2.specular_transmit_0 * _S640.specular_weft_0;
+        body_0 = _S724.warp_2.diffuse_transmit_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_transmit_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_transmit_0 * _S723.specular_warp_0 + _S724.weft_2.specular_transmit_0 * _S723.specular_weft_0;
     }
     else
     {
-        body_0 = _S644;
+        body_0 = _S727;
     }
-    float _S646 = fabrics_0._data[uint(_S639)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S639)].sheen_strength_0) <= 0.0)
+    float _S729 = fabrics_0._data[uint(_S722)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S722)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S647 = _S645 < 0.0;
-    vec2 _S648 = sheen_with_transmittance_0(to_face_frame_0(_S642, _S647), to_face_frame_0(_S643, _S647), _S646, fabrics_0._data[uint(_S639)].sheen_roughness_0);
-    return _S648.y * body_0 + (_S640.light_visibility_1 + _S640.hole_2) * _S648.x;
+    bool _S730 = _S728 < 0.0;
+    vec2 _S731 = sheen_with_transmittance_0(to_face_frame_0(_S725, _S730), to_face_frame_0(_S726, _S730), _S729, fabrics_0._data[uint(_S722)].sheen_roughness_0);
+    return _S731.y * body_0 + (_S723.light_visibility_1 + _S723.hole_2) * _S731.x;
 }
 
-vec4 light_of_footprint_0(Frame_0 _S649, uint _S650, VisiblePoint_0 _S651)
+vec4 light_of_footprint_0(int _S732, uint _S733, VisiblePoint_0 _S734, uvec2 _S735, vec3 _S736)
 {
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S651.draft_0;
-    footprint_0.dx_0 = _S651.draft_dx_0;
-    footprint_0.dy_0 = _S651.draft_dy_0;
-    vec3 _S652 = to_local_0(_S651, _S651.view_0);
-    const vec3 _S653 = vec3(0.0);
-    uint number_6 = 0U;
-    vec3 radiance_1 = _S653;
+    footprint_0.centre_0 = _S734.draft_0;
+    footprint_0.dx_0 = _S734.draft_dx_0;
+    footprint_0.dy_0 = _S734.draft_dy_0;
+    vec2 _S737 = fract(float((frames_0._data[uint(_S732)].pass_number_0) & 65535U) * vec2(0.75487768650054932, 0.56984031200408936));
+    vec3 _S738 = to_local_0(_S734, _S734.view_0);
+    uint _S739 = light_sample_count_0(_S732);
+    const vec3 _S740 = vec3(0.0);
+    uint number_7 = 0U;
+    vec3 radiance_1 = _S740;
     float hole_7 = 0.0;
     for(;;)
     {
-        if(number_6 < (max(_S649.lights_0, 1U)))
+        if(number_7 < (max(_S739, 1U)))
         {
         }
         else
         {
             break;
         }
-        vec3 irradiance_2;
-        vec3 _S654 = towards_light_0(lights_1._data[uint(number_6)], _S651.position_0, irradiance_2);
-        vec3 _S655 = to_local_0(_S651, _S654);
-        Estimate_0 _S656 = lobes_estimate_0(_S650, footprint_0, 1.0, _S655, _S652);
-        if(number_6 < (_S649.lights_0))
+        float _S741;
+        if(number_7 < _S739)
         {
-            radiance_1 = radiance_1 + irradiance_2 * composed_0(_S650, _S656.components_0, _S656.albedos_4, _S655, _S652);
+            _S741 = visibility_at_0(_S732, number_7, _S735);
         }
-        number_6 = number_6 + 1U;
-        hole_7 = _S656.components_0.hole_2;
+        else
+        {
+            _S741 = 0.0;
+        }
+        bool _S742;
+        if(_S741 <= 0.0)
+        {
+            _S742 = number_7 > 0U;
+        }
+        else
+        {
+            _S742 = false;
+        }
+        if(_S742)
+        {
+            number_7 = number_7 + 1U;
+            continue;
+        }
+        LightSample_0 _S743 = light_sample_0(_S732, number_7, _S735, _S734.position_0);
+        vec3 _S744 = to_local_0(_S734, _S743.towards_0);
+        Estimate_0 _S745 = lobes_estimate_of_pass_0(_S733, footprint_0, 1.0, _S737, _S744, _S738);
+        FamilyAlbedos_0 albedos_10;
+        albedos_10.warp_2 = tinted_0(_S745.albedos_5.warp_2, _S736);
+        albedos_10.weft_2 = tinted_0(_S745.albedos_5.weft_2, _S736);
+        radiance_1 = radiance_1 + _S741 * _S743.irradiance_1 * composed_0(_S733, _S745.components_0, albedos_10, _S744, _S738);
+        hole_7 = _S745.components_0.hole_2;
+        number_7 = number_7 + 1U;
     }
-    float _S657 = fabrics_0._data[uint(_S650)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S650)].sheen_strength_0) > 0.0)
+    float _S746 = fabrics_0._data[uint(_S733)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S733)].sheen_strength_0) > 0.0)
     {
-        hole_7 = hole_7 * (1.0 - _S657 * sheen_lobe_0(abs(_S652.z), fabrics_0._data[uint(_S650)].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0 - _S746 * sheen_lobe_0(abs(_S738.z), fabrics_0._data[uint(_S733)].sheen_roughness_0).z);
     }
     return vec4(radiance_1, 1.0 - hole_7);
 }
@@ -3596,36 +3854,30 @@ vec4 light_of_footprint_0(Frame_0 _S649, uint _S650, VisiblePoint_0 _S651)
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    Frame_0 _S658 = frames_0._data[uint(0)];
-    bool _S659;
-    if((gl_GlobalInvocationID.x) >= (_S658.width_0))
+    uint _S747 = frames_0._data[uint(0)].width_0;
+    bool _S748;
+    if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0))
     {
-        _S659 = true;
+        _S748 = true;
     }
     else
     {
-        _S659 = (gl_GlobalInvocationID.y) >= (_S658.height_0);
+        _S748 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
     }
-    if(_S659)
+    if(_S748)
     {
         return;
     }
-    uvec2 _S660 = gl_GlobalInvocationID.xy;
-    ivec3 _S661 = ivec3(ivec2(_S660), 0);
-    uint _S662 = (texelFetch((visible_faces_0), ((_S661)).xy, ((_S661)).z).x);
-    const vec4 _S663 = vec4(0.0);
-    vec4 sum_1;
-    if(_S662 > 0U)
+    uint _S749 = gl_GlobalInvocationID.y * _S747 + gl_GlobalInvocationID.x;
+    uint _S750 = layers_0._data[uint(_S749)].face_0;
+    if((layers_0._data[uint(_S749)].face_0) == 0U)
     {
-        uint _S664 = _S662 - 1U;
-        uint _S665 = face_fabrics_0._data[uint(_S664)];
-        sum_1 = light_of_footprint_0(_S658, _S665, visible_point_0(_S658, _S665, _S664, _S660));
+        return;
     }
-    else
-    {
-        sum_1 = _S663;
-    }
-    accumulate_0(_S658, _S660, sum_1);
+    uint _S751 = _S750 - 1U;
+    uint _S752 = face_fabrics_0._data[uint(_S751)];
+    VisiblePoint_0 _S753 = visible_point_0(0, _S752, _S751, gl_GlobalInvocationID.xy);
+    accumulate_0(_S749, light_of_footprint_0(0, _S752, _S753, gl_GlobalInvocationID.xy, filtered_albedo_0(_S752, _S753)));
     return;
 }
 

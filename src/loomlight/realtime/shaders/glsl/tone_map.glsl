@@ -8,6 +8,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -103,13 +115,12 @@ uint encoded_0(float linear_0)
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
 void main()
 {
-    Frame_0 _S10 = frames_0._data[uint(0)];
-    if((gl_GlobalInvocationID.x) >= (_S10.width_0 * _S10.height_0))
+    if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0 * frames_0._data[uint(0)].height_0))
     {
         return;
     }
-    vec3 _S11 = radiance_0._data[uint(gl_GlobalInvocationID.x)].xyz * _S10.gain_0;
-    pixels_0._data[uint(gl_GlobalInvocationID.x)] = (((encoded_0(_S11.x)) | ((encoded_0(_S11.y)) << 8)) | ((encoded_0(_S11.z)) << 16)) | 4278190080U;
+    vec3 _S10 = radiance_0._data[uint(gl_GlobalInvocationID.x)].xyz * frames_0._data[uint(0)].gain_0;
+    pixels_0._data[uint(gl_GlobalInvocationID.x)] = (((encoded_0(_S10.x)) | ((encoded_0(_S10.y)) << 8)) | ((encoded_0(_S10.z)) << 16)) | 4278190080U;
     return;
 }
 

@@ -15,6 +15,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -38,7 +50,13 @@ struct Frame_0
 
 StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-Texture2D<uint > visible_faces_0 : register(t9);
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+RWStructuredBuffer<Layer_0 > layers_0 : register(u2);
 
 StructuredBuffer<uint > face_fabrics_0 : register(t7);
 
@@ -64,40 +82,13 @@ struct Lobes_0
     float unit_level_0;
 };
 
-struct Woven_0
-{
-    uint is_encoded_0;
-    uint network_0;
-    uint latents_0;
-    uint texels_0;
-    uint levels_1;
-    uint top_level_0;
-    float ends_0;
-    float picks_0;
-    float ends_per_mm_0;
-    float picks_per_mm_0;
-    float pitch_0;
-    float warp_x_0;
-    float warp_y_0;
-    float warp_roughness_0;
-    float weft_x_0;
-    float weft_y_0;
-    float weft_roughness_0;
-    float warp_lobe_roughness_0;
-    float weft_lobe_roughness_0;
-    uint bundles_0;
-    uint is_corrected_0;
-    uint correction_0;
-};
-
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
-    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_1;
+    uint ends_0;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -117,6 +108,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -136,6 +130,8 @@ struct Vertex_0
 };
 
 StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
+
+StructuredBuffer<uint > scene_words_0 : register(t8);
 
 struct Family_0
 {
@@ -176,6 +172,8 @@ StructuredBuffer<Family_0 > families_0 : register(t1);
 
 StructuredBuffer<uint > words_0 : register(t2);
 
+RWStructuredBuffer<float > visibilities_0 : register(u3);
+
 struct Light_0
 {
     uint is_point_0;
@@ -202,36 +200,95 @@ float square_0(float3 v_1)
     return dot(v_1, v_1);
 }
 
-float3 camera_right_0(Frame_0 frame_0)
-{
-    return float3(frame_0.right_x_0, frame_0.right_y_0, frame_0.right_z_0);
-}
-
-float3 camera_up_0(Frame_0 frame_1)
-{
-    return float3(frame_1.up_x_0, frame_1.up_y_0, frame_1.up_z_0);
-}
-
-float3 camera_forward_0(Frame_0 frame_2)
-{
-    return float3(frame_2.forward_x_0, frame_2.forward_y_0, frame_2.forward_z_0);
-}
-
-float3 camera_origin_0(Frame_0 frame_3)
-{
-    return float3(frame_3.origin_x_0, frame_3.origin_y_0, frame_3.origin_z_0);
-}
-
 float3 normal_of_0(Vertex_0 vertex_1)
 {
     return float3(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
 }
 
+float square_1(float x_2)
+{
+    return x_2 * x_2;
+}
+
+float natural_logarithm_0(float x_3)
+{
+    uint _S1 = asuint(x_3);
+    float exponent_0 = float(int(_S1 >> int(23)) - int(126));
+    float m_0 = asfloat((_S1 & 8388607U) | 1056964608U);
+    float m_1;
+    float exponent_1;
+    if(m_0 < 0.70710676908493042f)
+    {
+        float exponent_2 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    float m_2 = m_1 - 1.0f;
+    float _S2 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
+}
+
+float binary_logarithm_0(float x_4)
+{
+    return natural_logarithm_0(x_4) * 1.4426950216293335f;
+}
+
+float exponential_0(float x_5)
+{
+    float _S3 = clamp(x_5, -87.0f, 88.0f);
+    float _S4 = floor(_S3 * 1.4426950216293335f + 0.5f);
+    float _S5 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
+    float _S6 = asfloat(uint(int(_S4) + int(127)) << int(23));
+    float _S7;
+    if(x_5 < -87.0f)
+    {
+        _S7 = 0.0f;
+    }
+    else
+    {
+        _S7 = (p_0 * _S5 * _S5 + _S5 + 1.0f) * _S6;
+    }
+    return _S7;
+}
+
+float3 map_texel_0(uint index_0)
+{
+    uint _S8 = scene_words_0.Load(index_0);
+    float3 _S9 = float3(float(_S8 & 1023U), float((_S8 >> int(10)) & 1023U), float(_S8 >> int(20))) / 1023.0f;
+    return _S9 * _S9;
+}
+
+float3 map_level_0(uint first_0, uint side_0, float2 uv_0)
+{
+    float _S10 = uv_0.x;
+    float _S11 = float(side_0);
+    float _S12 = (_S10 - floor(_S10)) * _S11 - 0.5f;
+    float _S13 = uv_0.y;
+    float _S14 = (_S13 - floor(_S13)) * _S11 - 0.5f;
+    float _S15 = floor(_S12);
+    int _S16 = int(side_0);
+    uint _S17 = side_0 - 1U;
+    uint _S18 = uint(int(_S15) + _S16) & _S17;
+    float _S19 = floor(_S14);
+    uint _S20 = uint(int(_S19) + _S16) & _S17;
+    uint _S21 = (_S18 + 1U) & _S17;
+    uint _S22 = first_0 + _S20 * side_0;
+    float3 _S23 = (float3)(_S12 - _S15);
+    uint _S24 = first_0 + ((_S20 + 1U) & _S17) * side_0;
+    return lerp(lerp(map_texel_0(_S22 + _S18), map_texel_0(_S22 + _S21), _S23), lerp(map_texel_0(_S24 + _S18), map_texel_0(_S24 + _S21), _S23), (float3)(_S14 - _S19));
+}
+
 uint scramble_0(uint value_0)
 {
-    uint _S1 = value_0 * 747796405U + 2891336453U;
-    uint _S2 = ((_S1 >> ((_S1 >> int(28)) + 4U)) ^ _S1) * 277803737U;
-    return (_S2 >> int(22)) ^ _S2;
+    uint _S25 = value_0 * 747796405U + 2891336453U;
+    uint _S26 = ((_S25 >> ((_S25 >> int(28)) + 4U)) ^ _S25) * 277803737U;
+    return (_S26 >> int(22)) ^ _S26;
 }
 
 float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
@@ -239,11 +296,11 @@ float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
     return (float((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
 }
 
-float2 footprint_sample_0(uint2 pixel_0, uint index_0)
+float2 pixel_sequence_0(uint2 pixel_0, uint index_1, uint stream_1)
 {
-    uint _S3 = pixel_0.x;
-    uint _S4 = pixel_0.y;
-    return frac(float2(uniform_hash_0(_S3, _S4, 1U), uniform_hash_0(_S3, _S4, 2U)) + float(index_0 & 65535U) * float2(0.75487768650054932f, 0.56984031200408936f)) - 0.5f;
+    uint _S27 = pixel_0.x;
+    uint _S28 = pixel_0.y;
+    return frac(float2(uniform_hash_0(_S27, _S28, stream_1), uniform_hash_0(_S27, _S28, stream_1 + 1U)) + float(index_1 & 65535U) * float2(0.75487768650054932f, 0.56984031200408936f));
 }
 
 struct SearchQuality_0
@@ -271,6 +328,9 @@ struct VisiblePoint_0
     float3 axis_x_0;
     float3 axis_y_0;
     float3 normal_0;
+    float3 face_normal_0;
+    float2 uv_1;
+    float2 draft_per_uv_0;
     float2 draft_0;
     float2 draft_dx_0;
     float2 draft_dy_0;
@@ -283,23 +343,23 @@ float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
 
 float3 to_face_frame_0(float3 direction_1, bool back_0)
 {
-    float2 _S5 = direction_1.xy;
-    float _S6;
+    float2 _S29 = direction_1.xy;
+    float _S30;
     if(back_0)
     {
-        _S6 = - direction_1.z;
+        _S30 = - direction_1.z;
     }
     else
     {
-        _S6 = direction_1.z;
+        _S30 = direction_1.z;
     }
-    return float3(_S5, _S6);
+    return float3(_S29, _S30);
 }
 
-float2 turns_and_remainder_0(uint family_0, float index_1)
+float2 turns_and_remainder_0(uint family_0, float index_2)
 {
-    float _S7 = floor(mad(index_1, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
-    return float2(_S7, mad(- _S7, families_0.Load(family_0).count_0, index_1));
+    float _S31 = floor(mad(index_2, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
+    return float2(_S31, mad(- _S31, families_0.Load(family_0).count_0, index_2));
 }
 
 struct Cell_0
@@ -313,45 +373,45 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    float _S8 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
+    float _S32 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
     Cell_0 cell_1;
-    float _S9 = mad(- _S8, families_0.Load(family_1).size_0, position_1);
-    cell_1.below_0 = _S9;
-    cell_1.above_0 = families_0.Load(family_1).size_0 - _S9;
-    cell_1.across_0 = _S9 - 0.5f * families_0.Load(family_1).size_0;
+    float _S33 = mad(- _S32, families_0.Load(family_1).size_0, position_1);
+    cell_1.below_0 = _S33;
+    cell_1.above_0 = families_0.Load(family_1).size_0 - _S33;
+    cell_1.across_0 = _S33 - 0.5f * families_0.Load(family_1).size_0;
     cell_1.half_width_1 = families_0.Load(family_1).half_width_0;
-    cell_1.thread_1 = uint(clamp(turns_and_remainder_0(family_1, _S8).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
+    cell_1.thread_1 = uint(clamp(turns_and_remainder_0(family_1, _S32).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
     return cell_1;
 }
 
-float table_number_0(uint index_2)
+float table_number_0(uint index_3)
 {
-    return asfloat(words_0.Load(index_2));
+    return asfloat(words_0.Load(index_3));
 }
 
 Cell_0 locate_varied_0(uint family_2, float position_2)
 {
     float turns_0 = (position_2 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S10 = turns_1 * families_0.Load(family_2).period_0;
+    float _S34 = turns_1 * families_0.Load(family_2).period_0;
     uint thread_2 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
-    uint _S11;
-    if(_S10 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_2 * 4U + 1U)))
+    uint _S35;
+    if(_S34 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_2 * 4U + 1U)))
     {
-        _S11 = 1U;
+        _S35 = 1U;
     }
     else
     {
-        _S11 = 0U;
+        _S35 = 0U;
     }
-    uint _S12 = min(thread_2 + _S11, uint(families_0.Load(family_2).count_0) - 1U);
-    uint _S13 = families_0.Load(family_2).place_table_0 + _S12 * 4U;
+    uint _S36 = min(thread_2 + _S35, uint(families_0.Load(family_2).count_0) - 1U);
+    uint _S37 = families_0.Load(family_2).place_table_0 + _S36 * 4U;
     Cell_0 cell_2;
-    cell_2.thread_1 = _S12;
-    cell_2.below_0 = _S10 - table_number_0(_S13);
-    cell_2.above_0 = table_number_0(_S13 + 1U) - _S10;
-    cell_2.across_0 = _S10 - table_number_0(_S13 + 2U);
-    cell_2.half_width_1 = table_number_0(_S13 + 3U);
+    cell_2.thread_1 = _S36;
+    cell_2.below_0 = _S34 - table_number_0(_S37);
+    cell_2.above_0 = table_number_0(_S37 + 1U) - _S34;
+    cell_2.across_0 = _S34 - table_number_0(_S37 + 2U);
+    cell_2.half_width_1 = table_number_0(_S37 + 3U);
     return cell_2;
 }
 
@@ -383,115 +443,115 @@ struct Crossing_0
 
 Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
 {
-    bool _S14 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
-    bool _S15 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
+    bool _S38 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
+    bool _S39 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
     Shown_0 shown_0;
-    bool _S16;
-    if(_S14)
+    bool _S40;
+    if(_S38)
     {
-        if(!_S15)
+        if(!_S39)
         {
-            _S16 = true;
+            _S40 = true;
         }
         else
         {
-            _S16 = crossing_0.warp_above_0;
+            _S40 = crossing_0.warp_above_0;
         }
     }
     else
     {
-        _S16 = false;
+        _S40 = false;
     }
-    shown_0.is_warp_0 = _S16;
-    if(!_S14)
+    shown_0.is_warp_0 = _S40;
+    if(!_S38)
     {
-        _S16 = !_S15;
+        _S40 = !_S39;
     }
     else
     {
-        _S16 = false;
+        _S40 = false;
     }
-    shown_0.hole_0 = _S16;
-    uint _S17;
+    shown_0.hole_0 = _S40;
+    uint _S41;
     if(shown_0.is_warp_0)
     {
-        _S17 = crossing_0.warp_word_0;
+        _S41 = crossing_0.warp_word_0;
     }
     else
     {
-        _S17 = crossing_0.weft_word_0;
+        _S41 = crossing_0.weft_word_0;
     }
-    shown_0.word_0 = _S17;
-    shown_0.on_top_0 = ((_S17 & 1U) == 1U) != back_1;
+    shown_0.word_0 = _S41;
+    shown_0.on_top_0 = ((_S41 & 1U) == 1U) != back_1;
     return shown_0;
 }
 
-Cell_0 select_cell_0(bool is_first_0, Cell_0 first_0, Cell_0 second_0)
+Cell_0 select_cell_0(bool is_first_0, Cell_0 first_1, Cell_0 second_0)
 {
     Cell_0 cell_3;
-    uint _S18;
+    uint _S42;
     if(is_first_0)
     {
-        _S18 = first_0.thread_1;
+        _S42 = first_1.thread_1;
     }
     else
     {
-        _S18 = second_0.thread_1;
+        _S42 = second_0.thread_1;
     }
-    cell_3.thread_1 = _S18;
-    float _S19;
+    cell_3.thread_1 = _S42;
+    float _S43;
     if(is_first_0)
     {
-        _S19 = first_0.across_0;
+        _S43 = first_1.across_0;
     }
     else
     {
-        _S19 = second_0.across_0;
+        _S43 = second_0.across_0;
     }
-    cell_3.across_0 = _S19;
+    cell_3.across_0 = _S43;
     if(is_first_0)
     {
-        _S19 = first_0.half_width_1;
+        _S43 = first_1.half_width_1;
     }
     else
     {
-        _S19 = second_0.half_width_1;
+        _S43 = second_0.half_width_1;
     }
-    cell_3.half_width_1 = _S19;
+    cell_3.half_width_1 = _S43;
     if(is_first_0)
     {
-        _S19 = first_0.below_0;
+        _S43 = first_1.below_0;
     }
     else
     {
-        _S19 = second_0.below_0;
+        _S43 = second_0.below_0;
     }
-    cell_3.below_0 = _S19;
+    cell_3.below_0 = _S43;
     if(is_first_0)
     {
-        _S19 = first_0.above_0;
+        _S43 = first_1.above_0;
     }
     else
     {
-        _S19 = second_0.above_0;
+        _S43 = second_0.above_0;
     }
-    cell_3.above_0 = _S19;
+    cell_3.above_0 = _S43;
     return cell_3;
 }
 
 float boundary_0(uint family_4, uint thread_3, int step_0)
 {
-    float2 _S20 = turns_and_remainder_0(family_4, float(int(thread_3) + step_0));
-    return mad(_S20.x, families_0.Load(family_4).period_0, table_number_0(families_0.Load(family_4).place_table_0 + uint(_S20.y) * 4U));
+    float2 _S44 = turns_and_remainder_0(family_4, float(int(thread_3) + step_0));
+    return mad(_S44.x, families_0.Load(family_4).period_0, table_number_0(families_0.Load(family_4).place_table_0 + uint(_S44.y) * 4U));
 }
 
-float span_0(uint family_5, uint thread_4, int first_1, int last_0)
+float span_0(uint family_5, uint thread_4, int first_2, int last_0)
 {
     if((families_0.Load(family_5).is_alike_0) != 0U)
     {
-        return float(last_0 - first_1) * families_0.Load(family_5).size_0;
+        return float(last_0 - first_2) * families_0.Load(family_5).size_0;
     }
-    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_1);
+    return boundary_0(family_5, thread_4, last_0) - boundary_0(family_5, thread_4, first_2);
 }
 
 struct Bend_0
@@ -503,21 +563,21 @@ struct Bend_0
 
 Bend_0 bend_of_0(uint family_6, uint thread_5)
 {
-    Family_0 _S21 = families_0.Load(family_6);
-    uint _S22;
+    Family_0 _S45 = families_0.Load(family_6);
+    uint _S46;
     if((families_0.Load(family_6).is_alike_0) != 0U)
     {
-        _S22 = 0U;
+        _S46 = 0U;
     }
     else
     {
-        _S22 = thread_5 * 4U;
+        _S46 = thread_5 * 4U;
     }
-    uint _S23 = _S21.bend_table_0 + _S22;
+    uint _S47 = _S45.bend_table_0 + _S46;
     Bend_0 bend_0;
-    bend_0.sine_0 = table_number_0(_S23);
-    bend_0.half_tangent_0 = table_number_0(_S23 + 1U);
-    bend_0.arc_0 = table_number_0(_S23 + 2U);
+    bend_0.sine_0 = table_number_0(_S47);
+    bend_0.half_tangent_0 = table_number_0(_S47 + 1U);
+    bend_0.arc_0 = table_number_0(_S47 + 2U);
     return bend_0;
 }
 
@@ -537,59 +597,54 @@ struct Run_0
 
 Run_0 unpack_0(uint own_0, uint other_0, uint thread_6, Cell_0 crossed_0, uint word_1)
 {
-    int _S24 = int((word_1 >> int(1)) & 127U);
-    int _S25 = int((word_1 >> int(8)) & 127U);
-    int _S26 = int((word_1 >> int(15)) & 63U);
-    int _S27 = int((word_1 >> int(21)) & 63U);
+    int _S48 = int((word_1 >> int(1)) & 127U);
+    int _S49 = int((word_1 >> int(8)) & 127U);
+    int _S50 = int((word_1 >> int(15)) & 63U);
+    int _S51 = int((word_1 >> int(21)) & 63U);
     Run_0 run_0;
     run_0.straight_0 = ((word_1 >> int(27)) & 1U) == 1U;
-    int _S28 = - _S24;
-    float _S29 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S28, int(0));
-    run_0.from_start_0 = _S29;
-    int _S30 = _S25 + int(1);
-    float _S31 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, int(1), _S30);
-    run_0.to_end_0 = _S31;
-    bool _S32 = _S29 < _S31;
-    run_0.near_start_0 = _S32;
-    int _S33;
-    if(_S32)
+    int _S52 = - _S48;
+    float _S53 = crossed_0.below_0 + span_0(other_0, crossed_0.thread_1, _S52, int(0));
+    run_0.from_start_0 = _S53;
+    int _S54 = _S49 + int(1);
+    float _S55 = crossed_0.above_0 + span_0(other_0, crossed_0.thread_1, int(1), _S54);
+    run_0.to_end_0 = _S55;
+    bool _S56 = _S53 < _S55;
+    run_0.near_start_0 = _S56;
+    int _S57;
+    if(_S56)
     {
-        _S33 = _S28 - _S26;
+        _S57 = _S52 - _S50;
     }
     else
     {
-        _S33 = _S30;
+        _S57 = _S54;
     }
-    int _S34;
+    int _S58;
     if(run_0.near_start_0)
     {
-        _S34 = _S28;
+        _S58 = _S52;
     }
     else
     {
-        _S34 = _S30 + _S27;
+        _S58 = _S54 + _S51;
     }
     run_0.bend_1 = bend_of_0(own_0, thread_6);
-    float _S35;
+    float _S59;
     if(run_0.straight_0)
     {
-        _S35 = 1.0e+06f;
+        _S59 = 1.0e+06f;
     }
     else
     {
-        _S35 = min(run_0.from_start_0, run_0.to_end_0);
+        _S59 = min(run_0.from_start_0, run_0.to_end_0);
     }
-    run_0.distance_0 = _S35;
+    run_0.distance_0 = _S59;
     run_0.reach_0 = min(0.5f * (run_0.from_start_0 + run_0.to_end_0), run_0.bend_1.arc_0);
-    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S33, _S34), run_0.bend_1.arc_0);
-    run_0.first_crossing_0 = _S24 == int(0);
-    run_0.last_crossing_0 = _S25 == int(0);
+    run_0.other_reach_0 = min(0.5f * span_0(other_0, crossed_0.thread_1, _S57, _S58), run_0.bend_1.arc_0);
+    run_0.first_crossing_0 = _S48 == int(0);
+    run_0.last_crossing_0 = _S49 == int(0);
     return run_0;
-}
-
-float square_1(float x_2)
-{
-    return x_2 * x_2;
 }
 
 struct Section_0
@@ -601,14 +656,14 @@ struct Section_0
 
 Section_0 section_at_0(Cell_0 cell_4)
 {
-    float _S36 = cell_4.half_width_1 * 1.0154266357421875f;
+    float _S60 = cell_4.half_width_1 * 1.0154266357421875f;
     Section_0 section_0;
-    float _S37 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
-    section_0.across_1 = _S37;
-    float _S38 = _S36 * _S36 - square_1(_S37);
-    float _S39 = rsqrt(_S38);
-    section_0.drop_0 = _S36 - _S38 * _S39;
-    section_0.slope_0 = - _S37 * _S39;
+    float _S61 = clamp(cell_4.across_0, - cell_4.half_width_1, cell_4.half_width_1);
+    section_0.across_1 = _S61;
+    float _S62 = _S60 * _S60 - square_1(_S61);
+    float _S63 = rsqrt(_S62);
+    section_0.drop_0 = _S60 - _S62 * _S63;
+    section_0.slope_0 = - _S61 * _S63;
     return section_0;
 }
 
@@ -623,67 +678,67 @@ float edge_drop_0(uint family_7, uint thread_7, int step_1)
 
 float2 dive_0(uint other_1, Shown_0 shown_1, Run_0 run_1, Cell_0 crossed_1)
 {
-    bool _S40 = (crossed_1.below_0) < (crossed_1.above_0);
-    float _S41 = min(crossed_1.below_0, crossed_1.above_0);
-    float _S42;
-    if(_S40)
+    bool _S64 = (crossed_1.below_0) < (crossed_1.above_0);
+    float _S65 = min(crossed_1.below_0, crossed_1.above_0);
+    float _S66;
+    if(_S64)
     {
-        _S42 = crossed_1.below_0 - crossed_1.across_0;
+        _S66 = crossed_1.below_0 - crossed_1.across_0;
     }
     else
     {
-        _S42 = crossed_1.above_0 + crossed_1.across_0;
+        _S66 = crossed_1.above_0 + crossed_1.across_0;
     }
-    float _S43 = _S42 - crossed_1.half_width_1;
-    bool _S44;
-    if(_S40)
+    float _S67 = _S66 - crossed_1.half_width_1;
+    bool _S68;
+    if(_S64)
     {
-        _S44 = run_1.first_crossing_0;
+        _S68 = run_1.first_crossing_0;
     }
     else
     {
-        _S44 = run_1.last_crossing_0;
+        _S68 = run_1.last_crossing_0;
     }
     if(shown_1.on_top_0)
     {
-        _S42 = 0.0f;
+        _S66 = 0.0f;
     }
     else
     {
-        _S42 = families_0.Load(other_1).height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, int(0));
+        _S66 = families_0.Load(other_1).height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, int(0));
     }
-    float _S45;
-    if((shown_1.on_top_0) != _S44)
+    float _S69;
+    if((shown_1.on_top_0) != _S68)
     {
-        _S45 = 0.0f;
+        _S69 = 0.0f;
     }
     else
     {
-        Family_0 _S46 = families_0.Load(other_1);
-        int _S47;
-        if(_S40)
+        Family_0 _S70 = families_0.Load(other_1);
+        int _S71;
+        if(_S64)
         {
-            _S47 = int(-1);
+            _S71 = int(-1);
         }
         else
         {
-            _S47 = int(1);
+            _S71 = int(1);
         }
-        _S45 = _S46.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S47);
+        _S69 = _S70.height_scale_0 * edge_drop_0(other_1, crossed_1.thread_1, _S71);
     }
-    float _S48 = 1.0f / max(2.0f * _S43, 9.999999960041972e-13f);
-    float _S49 = clamp((_S43 - _S41) * _S48, 0.0f, 1.0f);
-    float _S50 = _S42 + (_S45 - _S42) * (_S49 * _S49 * (3.0f - 2.0f * _S49));
-    float _S51 = (_S42 - _S45) * (6.0f * _S49 * (1.0f - _S49) * _S48);
-    if(_S40)
+    float _S72 = 1.0f / max(2.0f * _S67, 9.999999960041972e-13f);
+    float _S73 = clamp((_S67 - _S65) * _S72, 0.0f, 1.0f);
+    float _S74 = _S66 + (_S69 - _S66) * (_S73 * _S73 * (3.0f - 2.0f * _S73));
+    float _S75 = (_S66 - _S69) * (6.0f * _S73 * (1.0f - _S73) * _S72);
+    if(_S64)
     {
-        _S42 = 1.0f;
+        _S66 = 1.0f;
     }
     else
     {
-        _S42 = -1.0f;
+        _S66 = -1.0f;
     }
-    return float2(_S50, _S51 * _S42);
+    return float2(_S74, _S75 * _S66);
 }
 
 struct StepControl_0
@@ -701,12 +756,12 @@ StepControl_0 step_control_0(float2 direction_2, float step_3)
     StepControl_0 control_0;
     control_0.step_2 = step_3;
     control_0.epsilon_0 = 0.00499999988824129f * step_3;
-    float _S52 = direction_2.x;
-    control_0.per_x_0 = 1.0f / max(abs(_S52), 9.99999971718068537e-10f);
-    float _S53 = direction_2.y;
-    control_0.per_y_0 = 1.0f / max(abs(_S53), 9.99999971718068537e-10f);
-    control_0.right_0 = _S52 > 0.0f;
-    control_0.up_0 = _S53 > 0.0f;
+    float _S76 = direction_2.x;
+    control_0.per_x_0 = 1.0f / max(abs(_S76), 9.99999971718068537e-10f);
+    float _S77 = direction_2.y;
+    control_0.per_y_0 = 1.0f / max(abs(_S77), 9.99999971718068537e-10f);
+    control_0.right_0 = _S76 > 0.0f;
+    control_0.up_0 = _S77 > 0.0f;
     return control_0;
 }
 
@@ -730,139 +785,139 @@ PreviousSample_0 no_previous_sample_0()
 
 float outline_distance_0(Cell_0 cell_5, Shown_0 shown_2, Run_0 run_2, bool lengthwise_0, bool forwards_0)
 {
-    float _S54;
+    float _S78;
     if(forwards_0)
     {
-        _S54 = cell_5.across_0;
+        _S78 = cell_5.across_0;
     }
     else
     {
-        _S54 = - cell_5.across_0;
+        _S78 = - cell_5.across_0;
     }
-    float _S55;
+    float _S79;
     if(forwards_0)
     {
-        _S55 = cell_5.above_0;
+        _S79 = cell_5.above_0;
     }
     else
     {
-        _S55 = cell_5.below_0;
+        _S79 = cell_5.below_0;
     }
-    bool _S56;
+    bool _S80;
     if(forwards_0)
     {
-        _S56 = run_2.last_crossing_0;
+        _S80 = run_2.last_crossing_0;
     }
     else
     {
-        _S56 = run_2.first_crossing_0;
+        _S80 = run_2.first_crossing_0;
     }
-    bool _S57;
+    bool _S81;
     if(forwards_0)
     {
-        _S57 = run_2.first_crossing_0;
+        _S81 = run_2.first_crossing_0;
     }
     else
     {
-        _S57 = run_2.last_crossing_0;
+        _S81 = run_2.last_crossing_0;
     }
-    float _S58 = - cell_5.half_width_1;
-    bool _S59 = _S54 < _S58;
-    bool _S60 = _S54 >= (cell_5.half_width_1);
+    float _S82 = - cell_5.half_width_1;
+    bool _S83 = _S78 < _S82;
+    bool _S84 = _S78 >= (cell_5.half_width_1);
     if(lengthwise_0)
     {
-        _S56 = !_S56;
+        _S80 = !_S80;
     }
     else
     {
-        _S56 = false;
+        _S80 = false;
     }
-    if(_S56)
+    if(_S80)
     {
-        _S56 = !shown_2.hole_0;
-    }
-    else
-    {
-        _S56 = false;
-    }
-    bool _S61;
-    if(_S56)
-    {
-        _S61 = shown_2.on_top_0;
+        _S80 = !shown_2.hole_0;
     }
     else
     {
-        _S61 = false;
+        _S80 = false;
     }
-    if(_S61)
+    bool _S85;
+    if(_S80)
     {
-        if(_S57)
+        _S85 = shown_2.on_top_0;
+    }
+    else
+    {
+        _S85 = false;
+    }
+    if(_S85)
+    {
+        if(_S81)
         {
-            _S57 = _S59;
+            _S81 = _S83;
         }
         else
         {
-            _S57 = false;
+            _S81 = false;
         }
-        _S57 = !_S57;
+        _S81 = !_S81;
     }
     else
     {
-        _S57 = false;
+        _S81 = false;
     }
     if(shown_2.hole_0)
     {
-        _S56 = true;
+        _S80 = true;
     }
     else
     {
-        if(_S56)
+        if(_S80)
         {
-            _S56 = !shown_2.on_top_0;
+            _S80 = !shown_2.on_top_0;
         }
         else
         {
-            _S56 = false;
+            _S80 = false;
         }
     }
-    float _S62;
-    if(_S59)
+    float _S86;
+    if(_S83)
     {
-        _S62 = _S58;
+        _S86 = _S82;
     }
     else
     {
-        _S62 = cell_5.half_width_1;
+        _S86 = cell_5.half_width_1;
     }
-    float _S63 = _S62 - _S54;
-    if(_S56)
+    float _S87 = _S86 - _S78;
+    if(_S80)
     {
-        _S54 = 2.0f * _S55 + _S54 - cell_5.half_width_1;
+        _S78 = 2.0f * _S79 + _S78 - cell_5.half_width_1;
     }
     else
     {
-        _S54 = _S55;
+        _S78 = _S79;
     }
-    if(_S57)
+    if(_S81)
     {
         if(forwards_0)
         {
-            _S54 = run_2.to_end_0;
+            _S78 = run_2.to_end_0;
         }
         else
         {
-            _S54 = run_2.from_start_0;
+            _S78 = run_2.from_start_0;
         }
-        return _S54;
+        return _S78;
     }
-    if(_S60)
+    if(_S84)
     {
     }
     else
     {
-        _S54 = _S63;
+        _S78 = _S87;
     }
-    return _S54;
+    return _S78;
 }
 
 struct Probe_0
@@ -881,116 +936,116 @@ struct Probe_0
 
 float way_back_to_dip_0(PreviousSample_0 previous_1, float clearance_1, float rate_1, float step_4, Probe_0 here_0)
 {
-    float _S64 = previous_1.rate_0 * step_4;
-    float _S65 = rate_1 * step_4;
-    bool _S66;
+    float _S88 = previous_1.rate_0 * step_4;
+    float _S89 = rate_1 * step_4;
+    bool _S90;
     if(!previous_1.known_0)
     {
-        _S66 = true;
+        _S90 = true;
     }
     else
     {
-        _S66 = here_0.hole_1;
+        _S90 = here_0.hole_1;
     }
-    if(_S66)
+    if(_S90)
     {
-        _S66 = true;
+        _S90 = true;
     }
     else
     {
-        _S66 = (previous_1.yarn_0) != (here_0.yarn_1);
+        _S90 = (previous_1.yarn_0) != (here_0.yarn_1);
     }
-    if(_S66)
+    if(_S90)
     {
-        _S66 = true;
+        _S90 = true;
     }
     else
     {
-        _S66 = (previous_1.rate_0) >= 0.0f;
+        _S90 = (previous_1.rate_0) >= 0.0f;
     }
-    if(_S66)
+    if(_S90)
     {
-        _S66 = true;
+        _S90 = true;
     }
     else
     {
-        _S66 = rate_1 <= 0.0f;
+        _S90 = rate_1 <= 0.0f;
     }
-    if(_S66)
+    if(_S90)
     {
         return -1.0f;
     }
-    if((3.0f * previous_1.clearance_0 + _S64) >= 0.0f)
+    if((3.0f * previous_1.clearance_0 + _S88) >= 0.0f)
     {
-        _S66 = (3.0f * clearance_1 - _S65) >= 0.0f;
+        _S90 = (3.0f * clearance_1 - _S89) >= 0.0f;
     }
     else
     {
-        _S66 = false;
+        _S90 = false;
     }
-    if(_S66)
+    if(_S90)
     {
         return -1.0f;
     }
-    float _S67 = clearance_1 - previous_1.clearance_0;
-    float _S68 = 6.0f * _S67 - 4.0f * _S64 - 2.0f * _S65;
-    float _S69 = -2.0f * _S64 / max(_S68 + sqrt(max(_S68 * _S68 - 4.0f * (3.0f * (_S64 + _S65 - 2.0f * _S67)) * _S64, 0.0f)), 9.99999968265522539e-21f);
-    float _S70 = 1.0f - _S69;
-    float _S71 = (previous_1.clearance_0 * (2.0f * _S69 + 1.0f) + _S64 * _S69) * _S70 * _S70;
-    float _S72 = (clearance_1 * (2.0f * _S70 + 1.0f) - _S65 * _S70) * _S69 * _S69;
-    if(_S69 > 0.01999999955296516f)
+    float _S91 = clearance_1 - previous_1.clearance_0;
+    float _S92 = 6.0f * _S91 - 4.0f * _S88 - 2.0f * _S89;
+    float _S93 = -2.0f * _S88 / max(_S92 + sqrt(max(_S92 * _S92 - 4.0f * (3.0f * (_S88 + _S89 - 2.0f * _S91)) * _S88, 0.0f)), 9.99999968265522539e-21f);
+    float _S94 = 1.0f - _S93;
+    float _S95 = (previous_1.clearance_0 * (2.0f * _S93 + 1.0f) + _S88 * _S93) * _S94 * _S94;
+    float _S96 = (clearance_1 * (2.0f * _S94 + 1.0f) - _S89 * _S94) * _S93 * _S93;
+    if(_S93 > 0.01999999955296516f)
     {
-        _S66 = _S70 > 0.01999999955296516f;
+        _S90 = _S94 > 0.01999999955296516f;
     }
     else
     {
-        _S66 = false;
+        _S90 = false;
     }
-    if(_S66)
+    if(_S90)
     {
-        _S66 = (_S71 + _S72) < 0.0f;
+        _S90 = (_S95 + _S96) < 0.0f;
     }
     else
     {
-        _S66 = false;
+        _S90 = false;
     }
-    float _S73;
-    if(_S66)
+    float _S97;
+    if(_S90)
     {
-        _S73 = _S70 * step_4;
+        _S97 = _S94 * step_4;
     }
     else
     {
-        _S73 = -1.0f;
+        _S97 = -1.0f;
     }
-    return _S73;
+    return _S97;
 }
 
 PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 here_1, bool is_cell_exit_0)
 {
     PreviousSample_0 previous_2;
-    float _S74;
+    float _S98;
     if(here_1.hole_1)
     {
-        _S74 = 1.0e+09f;
+        _S98 = 1.0e+09f;
     }
     else
     {
-        _S74 = clearance_2;
+        _S98 = clearance_2;
     }
-    previous_2.clearance_0 = _S74;
+    previous_2.clearance_0 = _S98;
     previous_2.rate_0 = rate_2;
     previous_2.yarn_0 = here_1.yarn_1;
-    bool _S75;
+    bool _S99;
     if(!here_1.hole_1)
     {
-        _S75 = !is_cell_exit_0;
+        _S99 = !is_cell_exit_0;
     }
     else
     {
-        _S75 = false;
+        _S99 = false;
     }
-    previous_2.known_0 = _S75;
+    previous_2.known_0 = _S99;
     return previous_2;
 }
 
@@ -1001,34 +1056,34 @@ float StepControl_to_cell_exit_0(StepControl_0 this_0, float side_x_1, float sid
 
 float StepControl_to_next_sample_0(StepControl_0 this_1, Probe_0 here_2, float clearance_3, float rate_3)
 {
-    float _S76 = min(here_2.edge_x_0 * this_1.per_x_0, here_2.edge_y_0 * this_1.per_y_0);
-    bool _S77;
+    float _S100 = min(here_2.edge_x_0 * this_1.per_x_0, here_2.edge_y_0 * this_1.per_y_0);
+    bool _S101;
     if(!here_2.hole_1)
     {
-        _S77 = (rate_3 * _S76 + clearance_3) < 0.0f;
+        _S101 = (rate_3 * _S100 + clearance_3) < 0.0f;
     }
     else
     {
-        _S77 = false;
+        _S101 = false;
     }
-    if(_S77)
+    if(_S101)
     {
-        _S77 = _S76 > (2.0f * this_1.epsilon_0);
+        _S101 = _S100 > (2.0f * this_1.epsilon_0);
     }
     else
     {
-        _S77 = false;
+        _S101 = false;
     }
-    float _S78;
-    if(_S77)
+    float _S102;
+    if(_S101)
     {
-        _S78 = _S76 - this_1.epsilon_0;
+        _S102 = _S100 - this_1.epsilon_0;
     }
     else
     {
-        _S78 = max(_S76, 0.0f) + this_1.epsilon_0;
+        _S102 = max(_S100, 0.0f) + this_1.epsilon_0;
     }
-    return min(this_1.step_2, _S78);
+    return min(this_1.step_2, _S102);
 }
 
 struct ViewRay_0
@@ -1049,10 +1104,10 @@ float ViewRay_rate_0(ViewRay_0 this_3, Probe_0 here_3)
 
 float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
 {
-    float _S79 = end_0 - start_1;
-    float _S80 = start_rate_0 + end_rate_0 - 2.0f * _S79;
-    float _S81 = 3.0f * _S79 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / max(- _S79, 9.99999968265522539e-21f);
+    float _S103 = end_0 - start_1;
+    float _S104 = start_rate_0 + end_rate_0 - 2.0f * _S103;
+    float _S105 = 3.0f * _S103 - 2.0f * start_rate_0 - end_rate_0;
+    float share_1 = start_1 / max(- _S103, 9.99999968265522539e-21f);
     int i_0 = int(0);
     for(;;)
     {
@@ -1063,12 +1118,12 @@ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rat
         {
             break;
         }
-        float _S82 = clamp(share_0 - (((_S80 * share_0 + _S81) * share_0 + start_rate_0) * share_0 + start_1) / min((3.0f * _S80 * share_0 + 2.0f * _S81) * share_0 + start_rate_0, 0.10000000149011612f * _S79 - 9.99999968265522539e-21f), 0.0f, 1.0f);
-        int _S83 = i_0 + int(1);
-        share_0 = _S82;
-        i_0 = _S83;
+        float _S106 = clamp(share_1 - (((_S104 * share_1 + _S105) * share_1 + start_rate_0) * share_1 + start_1) / min((3.0f * _S104 * share_1 + 2.0f * _S105) * share_1 + start_rate_0, 0.10000000149011612f * _S103 - 9.99999968265522539e-21f), 0.0f, 1.0f);
+        int _S107 = i_0 + int(1);
+        share_1 = _S106;
+        i_0 = _S107;
     }
-    return share_0;
+    return share_1;
 }
 
 float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1078,53 +1133,53 @@ float between_0(float above_1, float under_0, float above_gap_0, float under_gap
 
 float2 fibre_direction_0(float across_slope_0, float along_slope_0, float sine_1, float cosine_0)
 {
-    float _S84 = along_slope_0 * along_slope_0 + 1.0f;
-    float _S85 = rsqrt(_S84);
-    float _S86 = sine_1 * _S85 * rsqrt(_S84 + across_slope_0 * across_slope_0);
-    return float2(- _S86 * _S84, _S86 * across_slope_0 * along_slope_0 + cosine_0 * _S85);
+    float _S108 = along_slope_0 * along_slope_0 + 1.0f;
+    float _S109 = rsqrt(_S108);
+    float _S110 = sine_1 * _S109 * rsqrt(_S108 + across_slope_0 * across_slope_0);
+    return float2(- _S110 * _S108, _S110 * across_slope_0 * along_slope_0 + cosine_0 * _S109);
 }
 
-float arc_sine_0(float x_3)
+float arc_sine_0(float x_6)
 {
-    float _S87 = abs(x_3);
-    bool _S88 = _S87 > 0.5f;
-    float _S89;
-    if(_S88)
+    float _S111 = abs(x_6);
+    bool _S112 = _S111 > 0.5f;
+    float _S113;
+    if(_S112)
     {
-        _S89 = 0.5f * (1.0f - _S87);
+        _S113 = 0.5f * (1.0f - _S111);
     }
     else
     {
-        _S89 = _S87 * _S87;
+        _S113 = _S111 * _S111;
     }
-    float _S90;
-    if(_S88)
+    float _S114;
+    if(_S112)
     {
-        _S90 = sqrt(max(_S89, 0.0f));
+        _S114 = sqrt(max(_S113, 0.0f));
     }
     else
     {
-        _S90 = _S87;
+        _S114 = _S111;
     }
-    float _S91 = ((((0.04216320067644119f * _S89 + 0.02418131195008755f) * _S89 + 0.04547002539038658f) * _S89 + 0.07495300471782684f) * _S89 + 0.16666752099990845f) * _S89 * _S90 + _S90;
-    if(_S88)
+    float _S115 = ((((0.04216320067644119f * _S113 + 0.02418131195008755f) * _S113 + 0.04547002539038658f) * _S113 + 0.07495300471782684f) * _S113 + 0.16666752099990845f) * _S113 * _S114 + _S114;
+    if(_S112)
     {
-        _S89 = 1.57079637050628662f - 2.0f * _S91;
+        _S113 = 1.57079637050628662f - 2.0f * _S115;
     }
     else
     {
-        _S89 = _S91;
+        _S113 = _S115;
     }
-    if(x_3 < 0.0f)
+    if(x_6 < 0.0f)
     {
-        _S89 = - _S89;
+        _S113 = - _S113;
     }
-    return _S89;
+    return _S113;
 }
 
-float3 table_colour_0(uint index_3)
+float3 table_colour_0(uint index_4)
 {
-    return float3(table_number_0(index_3), table_number_0(index_3 + 1U), table_number_0(index_3 + 2U));
+    return float3(table_number_0(index_4), table_number_0(index_4 + 1U), table_number_0(index_4 + 2U));
 }
 
 struct Albedos_0
@@ -1157,31 +1212,8 @@ float thread_gain_0(uint thread_9, float amount_0, uint seed_1)
 
 float bounded_gain_0(float gain_1, float3 albedo_0, float3 room_0)
 {
-    float3 _S92 = room_0 / max(albedo_0, (float3)9.99999997475242708e-07f);
-    return min(gain_1, max(min(min(_S92.x, _S92.y), _S92.z), 0.0f));
-}
-
-float natural_logarithm_0(float x_4)
-{
-    uint _S93 = asuint(x_4);
-    float exponent_0 = float(int(_S93 >> int(23)) - int(126));
-    float m_0 = asfloat((_S93 & 8388607U) | 1056964608U);
-    float m_1;
-    float exponent_1;
-    if(m_0 < 0.70710676908493042f)
-    {
-        float exponent_2 = exponent_0 - 1.0f;
-        m_1 = m_0 + m_0;
-        exponent_1 = exponent_2;
-    }
-    else
-    {
-        m_1 = m_0;
-        exponent_1 = exponent_0;
-    }
-    float m_2 = m_1 - 1.0f;
-    float _S94 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S94 - exponent_1 * 0.00021219444170129f - 0.5f * _S94) + exponent_1 * 0.693359375f;
+    float3 _S116 = room_0 / max(albedo_0, (float3)9.99999997475242708e-07f);
+    return min(gain_1, max(min(min(_S116.x, _S116.y), _S116.z), 0.0f));
 }
 
 float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
@@ -1189,52 +1221,114 @@ float fibre_gain_0(uint thread_10, uint cell_6, float amount_1, uint seed_2)
     return amount_1 * (min(- natural_logarithm_0(uniform_hash_0(thread_10, cell_6, seed_2 ^ 2654435769U)), 10.0f) - 1.0f) + 1.0f;
 }
 
-float3 towards_light_0(Light_0 light_0, float3 position_4, out float3 irradiance_1)
+Albedos_0 tinted_0(Albedos_0 albedos_1, float3 tint_0)
 {
-    irradiance_1 = float3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    float3 _S95 = float3(light_0.x_1, light_0.y_1, light_0.z_1);
-    if((light_0.is_point_0) == 0U)
-    {
-        return _S95;
-    }
-    float3 _S96 = _S95 - position_4;
-    irradiance_1 = irradiance_1 / max(square_0(_S96), 9.999999960041972e-13f);
-    return normalize(_S96);
+    Albedos_0 result_0 = albedos_1;
+    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
+    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    return result_0;
 }
 
-float diffuse_reflection_0(float3 light_1, float3 normal_1, float blend_0)
+float scene_number_0(uint index_5)
 {
-    float _S97 = light_1.z;
-    if(_S97 <= 0.0f)
+    return asfloat(scene_words_0.Load(index_5));
+}
+
+struct Choice_0
+{
+    uint index_6;
+    float remainder_0;
+};
+
+Choice_0 choose_0(uint table_0, uint count_1, float number_0)
+{
+    uint high_0 = count_1;
+    uint low_0 = 0U;
+    for(;;)
+    {
+        if((high_0 - low_0) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S117 = (low_0 + high_0) / 2U;
+        if((scene_number_0(table_0 + _S117)) <= number_0)
+        {
+            low_0 = _S117;
+        }
+        else
+        {
+            high_0 = _S117;
+        }
+    }
+    uint _S118 = table_0 + low_0;
+    float _S119 = scene_number_0(_S118);
+    float _S120 = scene_number_0(_S118 + 1U);
+    Choice_0 choice_0;
+    choice_0.index_6 = low_0;
+    choice_0.remainder_0 = saturate((number_0 - _S119) / max(_S120 - _S119, 9.999999960041972e-13f));
+    return choice_0;
+}
+
+float mean_0(float3 colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+float2 sine_cosine_0(float x_7)
+{
+    float _S121 = floor(x_7 * 0.63661974668502808f + 0.5f);
+    float _S122 = x_7 - _S121 * 1.5703125f - _S121 * 0.00048375129699707f - _S121 * 7.54979012640433211e-08f;
+    float _S123 = _S122 * _S122;
+    float _S124 = ((-0.00019515295571182f * _S123 + 0.00833216123282909f) * _S123 - 0.16666655242443085f) * _S123 * _S122 + _S122;
+    float _S125 = ((0.00002443315679557f * _S123 - 0.00138873164542019f) * _S123 + 0.04166664555668831f) * _S123 * _S123 - 0.5f * _S123 + 1.0f;
+    uint _S126 = uint(int(_S121)) & 3U;
+    float2 _S127;
+    if((_S126 & 1U) != 0U)
+    {
+        _S127 = float2(_S125, _S124);
+    }
+    else
+    {
+        _S127 = float2(_S124, _S125);
+    }
+    float _S128;
+    if((_S126 & 2U) != 0U)
+    {
+        _S128 = - _S127.x;
+    }
+    else
+    {
+        _S128 = _S127.x;
+    }
+    float _S129;
+    if(((_S126 + 1U) & 2U) != 0U)
+    {
+        _S129 = - _S127.y;
+    }
+    else
+    {
+        _S129 = _S127.y;
+    }
+    return float2(_S128, _S129);
+}
+
+float diffuse_reflection_0(float3 light_0, float3 normal_1, float blend_0)
+{
+    float _S130 = light_0.z;
+    if(_S130 <= 0.0f)
     {
         return 0.0f;
     }
-    return 0.31830987334251404f * lerp(max(_S97, 0.0f), max(dot(light_1, normal_1), 0.0f), blend_0);
+    return 0.31830987334251404f * lerp(max(_S130, 0.0f), max(dot(light_0, normal_1), 0.0f), blend_0);
 }
 
 float projected_area_1(float3 direction_3, float3 tangent_0, float roughness_1)
 {
-    float _S98 = dot(direction_3, tangent_0);
-    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S98 * _S98 + 1.0f, roughness_1 * roughness_1));
-}
-
-float exponential_0(float x_5)
-{
-    float _S99 = clamp(x_5, -87.0f, 88.0f);
-    float _S100 = floor(_S99 * 1.4426950216293335f + 0.5f);
-    float _S101 = _S99 - _S100 * 0.693359375f + _S100 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S101 + 0.00139819993637502f) * _S101 + 0.00833345204591751f) * _S101 + 0.04166579619050026f) * _S101 + 0.1666666567325592f) * _S101 + 0.5f;
-    float _S102 = asfloat(uint(int(_S100) + int(127)) << int(23));
-    float _S103;
-    if(x_5 < -87.0f)
-    {
-        _S103 = 0.0f;
-    }
-    else
-    {
-        _S103 = (p_0 * _S101 * _S101 + _S101 + 1.0f) * _S102;
-    }
-    return _S103;
+    float _S131 = dot(direction_3, tangent_0);
+    return sqrt(max((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S131 * _S131 + 1.0f, roughness_1 * roughness_1));
 }
 
 float mean_attenuation_0(float depth_0)
@@ -1248,232 +1342,290 @@ float mean_attenuation_0(float depth_0)
 
 float flake_density_0(float squared_along_0, float roughness_2)
 {
-    float _S104 = roughness_2 * roughness_2;
-    float _S105 = squared_along_0 * (1.0f - _S104) + _S104;
-    return 0.31830987334251404f * _S104 * roughness_2 / (_S105 * _S105);
+    float _S132 = roughness_2 * roughness_2;
+    float _S133 = squared_along_0 * (1.0f - _S132) + _S132;
+    return 0.31830987334251404f * _S132 * roughness_2 / (_S133 * _S133);
 }
 
-float density_between_0(float3 light_2, float3 view_1, float3 tangent_1, float roughness_3)
+float density_between_0(float3 light_1, float3 view_1, float3 tangent_1, float roughness_3)
 {
-    float3 _S106 = light_2 + view_1;
-    float _S107 = dot(_S106, tangent_1);
-    return flake_density_0(min(_S107 * _S107 / max(square_0(_S106), 9.999999960041972e-13f), 1.0f), roughness_3);
+    float3 _S134 = light_1 + view_1;
+    float _S135 = dot(_S134, tangent_1);
+    return flake_density_0(min(_S135 * _S135 / max(square_0(_S134), 9.999999960041972e-13f), 1.0f), roughness_3);
 }
 
-float reflection_0(float3 light_3, float3 view_2, float3 normal_2, float3 tangent_2, float roughness_4, float optical_depth_1)
+float reflection_0(float3 light_2, float3 view_2, float3 normal_2, float3 tangent_2, float roughness_4, float optical_depth_1)
 {
-    float _S108 = dot(light_3, normal_2);
-    bool _S109;
-    if(_S108 <= 0.0f)
+    float _S136 = dot(light_2, normal_2);
+    bool _S137;
+    if(_S136 <= 0.0f)
     {
-        _S109 = true;
+        _S137 = true;
     }
     else
     {
-        _S109 = (dot(view_2, normal_2)) <= 0.0f;
+        _S137 = (dot(view_2, normal_2)) <= 0.0f;
     }
-    if(_S109)
+    if(_S137)
     {
         return 0.0f;
     }
-    float _S110 = max(_S108, 9.99999997475242708e-07f);
-    float _S111 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
-    float _S112 = projected_area_1(light_3, tangent_2, roughness_4) * _S111 + projected_area_1(view_2, tangent_2, roughness_4) * _S110;
-    float _S113 = optical_depth_1 * _S112 / (_S110 * _S111);
-    return 0.25f * density_between_0(light_3, view_2, tangent_2, roughness_4) * (_S113 * mean_attenuation_0(_S113)) * _S110 / _S112;
+    float _S138 = max(_S136, 9.99999997475242708e-07f);
+    float _S139 = max(dot(view_2, normal_2), 9.99999997475242708e-07f);
+    float _S140 = projected_area_1(light_2, tangent_2, roughness_4) * _S139 + projected_area_1(view_2, tangent_2, roughness_4) * _S138;
+    float _S141 = optical_depth_1 * _S140 / (_S138 * _S139);
+    return 0.25f * density_between_0(light_2, view_2, tangent_2, roughness_4) * (_S141 * mean_attenuation_0(_S141)) * _S138 / _S140;
 }
 
-float transmission_0(float3 light_4, float3 view_3, float3 normal_3, float3 tangent_3, float roughness_5, float optical_depth_2)
+float transmission_0(float3 light_3, float3 view_3, float3 normal_3, float3 tangent_3, float roughness_5, float optical_depth_2)
 {
-    float _S114 = - dot(light_4, normal_3);
-    float _S115 = dot(view_3, normal_3);
-    bool _S116;
-    if(_S114 <= 0.0f)
+    float _S142 = - dot(light_3, normal_3);
+    float _S143 = dot(view_3, normal_3);
+    bool _S144;
+    if(_S142 <= 0.0f)
     {
-        _S116 = true;
+        _S144 = true;
     }
     else
     {
-        _S116 = _S115 <= 0.0f;
+        _S144 = _S143 <= 0.0f;
     }
-    if(_S116)
+    if(_S144)
     {
         return 0.0f;
     }
-    float _S117 = 1.0f / max(_S115, 9.99999997475242708e-07f);
-    float _S118 = projected_area_1(light_4, tangent_3, roughness_5) / max(_S114, 9.99999997475242708e-07f);
-    float _S119 = projected_area_1(view_3, tangent_3, roughness_5) * _S117;
-    return density_between_0(light_4, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S118, _S119)) * mean_attenuation_0(optical_depth_2 * abs(_S118 - _S119)) * _S117;
+    float _S145 = 1.0f / max(_S143, 9.99999997475242708e-07f);
+    float _S146 = projected_area_1(light_3, tangent_3, roughness_5) / max(_S142, 9.99999997475242708e-07f);
+    float _S147 = projected_area_1(view_3, tangent_3, roughness_5) * _S145;
+    return density_between_0(light_3, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * min(_S146, _S147)) * mean_attenuation_0(optical_depth_2 * abs(_S146 - _S147)) * _S145;
 }
 
-float sheen_scale_0(float x_6, float y_2)
+float sheen_scale_0(float x_8, float y_2)
 {
-    return (((((0.0f * x_6 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_6 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_6 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_6 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_6 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_6 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_8 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_8 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_8 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_8 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_8 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_8 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
 }
 
-float sheen_shear_0(float x_7, float y_3)
+float sheen_shear_0(float x_9, float y_3)
 {
-    return ((((0.0f * x_7 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_7 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_7 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_7 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_7 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_9 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_9 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_9 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_9 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_9 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
 }
 
-float sheen_reflectance_0(float x_8, float y_4)
+float sheen_reflectance_0(float x_10, float y_4)
 {
-    return ((((0.0f * x_8 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_8 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_8 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_8 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_8 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_10 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_10 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_10 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_10 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_10 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
 }
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_6)
 {
-    float _S120 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S121 = 2.0f * sqrt(_S120) - 1.0f;
-    float _S122 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S121, _S122), 0.00999999977648258f, 1.0f), clamp((1.0f - _S120) * sheen_shear_0(_S121, _S122), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S121, _S122), -60.0f, 60.0f))));
+    float _S148 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S149 = 2.0f * sqrt(_S148) - 1.0f;
+    float _S150 = 3.0f * sqrt(sqrt(clamp(roughness_6, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S149, _S150), 0.00999999977648258f, 1.0f), clamp((1.0f - _S148) * sheen_shear_0(_S149, _S150), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S149, _S150), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_5, float3 view_4, float scale_0, float shear_0)
+float transformed_cosine_0(float3 light_4, float3 view_4, float scale_0, float shear_0)
 {
-    float _S123 = light_5.z;
-    bool _S124;
-    if(_S123 <= 0.0f)
+    float _S151 = light_4.z;
+    bool _S152;
+    if(_S151 <= 0.0f)
     {
-        _S124 = true;
+        _S152 = true;
     }
     else
     {
-        _S124 = (view_4.z) <= 0.0f;
+        _S152 = (view_4.z) <= 0.0f;
     }
-    if(_S124)
+    if(_S152)
     {
         return 0.0f;
     }
-    float2 _S125 = view_4.xy;
-    float _S126 = dot(_S125, _S125);
-    float2 _S127;
-    if(_S126 > 9.99999968265522539e-21f)
+    float2 _S153 = view_4.xy;
+    float _S154 = dot(_S153, _S153);
+    float2 _S155;
+    if(_S154 > 9.99999968265522539e-21f)
     {
-        _S127 = _S125 * rsqrt(_S126);
+        _S155 = _S153 * rsqrt(_S154);
     }
     else
     {
-        _S127 = float2(1.0f, 0.0f);
+        _S155 = float2(1.0f, 0.0f);
     }
-    float _S128 = scale_0 * dot(light_5.xy, _S127) + shear_0 * _S123;
-    float _S129 = scale_0 * (light_5.y * _S127.x - light_5.x * _S127.y);
-    float _S130 = _S128 * _S128 + _S129 * _S129 + _S123 * _S123;
-    return 0.31830987334251404f * scale_0 * scale_0 * _S123 / max(_S130 * _S130, 9.99999968265522539e-21f);
+    float _S156 = scale_0 * dot(light_4.xy, _S155) + shear_0 * _S151;
+    float _S157 = scale_0 * (light_4.y * _S155.x - light_4.x * _S155.y);
+    float _S158 = _S156 * _S156 + _S157 * _S157 + _S151 * _S151;
+    return 0.31830987334251404f * scale_0 * scale_0 * _S151 / max(_S158 * _S158, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_6, float3 view_5, float strength_0, float roughness_7)
+float2 sheen_with_transmittance_0(float3 light_5, float3 view_5, float strength_0, float roughness_7)
 {
-    float3 _S131 = sheen_lobe_0(view_5.z, roughness_7);
-    float _S132 = strength_0 * _S131.z;
-    return float2(_S132 * transformed_cosine_0(light_6, view_5, _S131.x, _S131.y), 1.0f - _S132);
+    float3 _S159 = sheen_lobe_0(view_5.z, roughness_7);
+    float _S160 = strength_0 * _S159.z;
+    return float2(_S160 * transformed_cosine_0(light_5, view_5, _S159.x, _S159.y), 1.0f - _S160);
 }
 
-void accumulate_0(Frame_0 frame_4, uint2 pixel_1, float4 light_7)
+void accumulate_0(uint index_7, float4 light_6)
 {
-    uint _S133 = pixel_1.y * frame_4.width_0 + pixel_1.x;
-    float _S134 = light_7.w;
-    float4 _S135 = float4(light_7.xyz + (1.0f - _S134) * float3(frame_4.background_red_0, frame_4.background_green_0, frame_4.background_blue_0), _S134);
-    float4 _S136;
-    if((frame_4.pass_number_0) == 0U)
-    {
-        _S136 = _S135;
-    }
-    else
-    {
-        _S136 = radiance_0[_S133] + _S135;
-    }
-    radiance_0[_S133] = _S136;
+    float _S161 = layers_0[index_7].share_0;
+    radiance_0[index_7] = radiance_0[index_7] + layers_0[index_7].share_0 * light_6;
+    layers_0[index_7].share_0 = _S161 * (1.0f - light_6.w);
     return;
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S137, uint _S138, uint _S139, uint2 _S140)
+float3 camera_right_0(int _S162)
 {
-    uint _S141 = 3U * _S139;
-    Vertex_0 _S142 = vertices_0.Load(corners_0.Load(_S141));
-    Vertex_0 _S143 = vertices_0.Load(corners_0.Load(_S141 + 1U));
-    Vertex_0 _S144 = vertices_0.Load(corners_0.Load(_S141 + 2U));
-    float3 _S145 = position_of_0(_S142);
-    float3 _S146 = position_of_0(_S143) - _S145;
-    float3 _S147 = position_of_0(_S144) - _S145;
-    float3 _S148 = cross(_S146, _S147);
-    float _S149 = 1.0f / max(square_0(_S148), 1.00000000317107685e-30f);
-    float _S150 = float(_S137.width_0);
-    float3 _S151 = camera_right_0(_S137) * (2.0f / _S150);
-    float _S152 = float(_S137.height_0);
-    float3 _S153 = camera_up_0(_S137) * (-2.0f / _S152);
-    float3 _S154 = camera_forward_0(_S137) + (float(_S140.x) + 0.5f - 0.5f * _S150) * _S151 + (float(_S140.y) + 0.5f - 0.5f * _S152) * _S153;
-    float _S155 = dot(_S154, _S148);
-    float _S156;
-    if((abs(_S155)) > 1.00000000317107685e-30f)
+    return float3(frames_0[_S162].right_x_0, frames_0[_S162].right_y_0, frames_0[_S162].right_z_0);
+}
+
+float3 camera_up_0(int _S163)
+{
+    return float3(frames_0[_S163].up_x_0, frames_0[_S163].up_y_0, frames_0[_S163].up_z_0);
+}
+
+float3 camera_forward_0(int _S164)
+{
+    return float3(frames_0[_S164].forward_x_0, frames_0[_S164].forward_y_0, frames_0[_S164].forward_z_0);
+}
+
+float3 camera_origin_0(int _S165)
+{
+    return float3(frames_0[_S165].origin_x_0, frames_0[_S165].origin_y_0, frames_0[_S165].origin_z_0);
+}
+
+VisiblePoint_0 face_point_0(uint _S166, uint _S167, float _S168, float _S169)
+{
+    uint _S170 = 3U * _S167;
+    Vertex_0 _S171 = vertices_0.Load(corners_0.Load(_S170));
+    Vertex_0 _S172 = vertices_0.Load(corners_0.Load(_S170 + 1U));
+    Vertex_0 _S173 = vertices_0.Load(corners_0.Load(_S170 + 2U));
+    float3 _S174 = position_of_0(_S171);
+    float3 _S175 = position_of_0(_S172) - _S174;
+    float3 _S176 = position_of_0(_S173) - _S174;
+    float _S177 = _S172.u_0 - _S171.u_0;
+    float _S178 = _S172.v_0 - _S171.v_0;
+    float2 _S179 = float2(_S177, _S178);
+    float _S180 = _S173.u_0 - _S171.u_0;
+    float _S181 = _S173.v_0 - _S171.v_0;
+    float2 _S182 = float2(_S180, _S181);
+    float _S183;
+    if((_S177 * _S181 - _S178 * _S180) < 0.0f)
     {
-        _S156 = _S155;
+        _S183 = -1.0f;
     }
     else
     {
-        _S156 = 1.00000000317107685e-30f;
+        _S183 = 1.0f;
     }
-    float _S157 = 1.0f / _S156;
-    float3 _S158 = _S145 - camera_origin_0(_S137);
-    float _S159 = dot(_S158, _S148) * _S157;
-    float3 _S160 = _S154 * _S159 - _S158;
-    float3 _S161 = _S159 * (_S151 - _S154 * (dot(_S151, _S148) * _S157));
-    float3 _S162 = _S159 * (_S153 - _S154 * (dot(_S153, _S148) * _S157));
-    float3 _S163 = cross(_S147, _S148) * _S149;
-    float3 _S164 = cross(_S148, _S146) * _S149;
-    float _S165 = dot(_S160, _S163);
-    float _S166 = dot(_S160, _S164);
-    float _S167 = _S143.u_0 - _S142.u_0;
-    float _S168 = _S143.v_0 - _S142.v_0;
-    float2 _S169 = float2(_S167, _S168);
-    float _S170 = _S144.u_0 - _S142.u_0;
-    float _S171 = _S144.v_0 - _S142.v_0;
-    float2 _S172 = float2(_S170, _S171);
-    float2 _S173 = float2(_S142.u_0, _S142.v_0) + _S165 * _S169 + _S166 * _S172;
-    float2 _S174 = dot(_S161, _S163) * _S169 + dot(_S161, _S164) * _S172;
-    float2 _S175 = dot(_S162, _S163) * _S169 + dot(_S162, _S164) * _S172;
-    if((_S167 * _S171 - _S168 * _S170) < 0.0f)
-    {
-        _S156 = -1.0f;
-    }
-    else
-    {
-        _S156 = 1.0f;
-    }
-    float3 _S176 = _S156 * (_S171 * _S146 - _S168 * _S147);
-    float3 _S177 = _S156 * (_S167 * _S147 - _S170 * _S146);
+    float3 _S184 = _S183 * (_S181 * _S175 - _S178 * _S176);
+    float3 _S185 = _S183 * (_S177 * _S176 - _S180 * _S175);
     VisiblePoint_0 point_1;
-    float3 _S178 = normalize((1.0f - _S165 - _S166) * normal_of_0(_S142) + _S165 * normal_of_0(_S143) + _S166 * normal_of_0(_S144));
-    point_1.normal_0 = _S178;
-    float3 _S179 = normalize(_S176 - _S178 * dot(_S178, _S176));
-    point_1.axis_x_0 = _S179;
-    point_1.axis_y_0 = cross(_S178, _S179);
-    point_1.position_0 = _S145 + _S160;
-    point_1.view_0 = - normalize(_S154);
-    bool _S180 = (dot(cross(_S176, _S177), _S178)) < 0.0f;
-    float _S181 = fabrics_0[_S138].uv_width_0;
-    if(_S180)
+    float3 _S186 = normalize((1.0f - _S168 - _S169) * normal_of_0(_S171) + _S168 * normal_of_0(_S172) + _S169 * normal_of_0(_S173));
+    point_1.normal_0 = _S186;
+    float3 _S187 = normalize(_S184 - _S186 * dot(_S186, _S184));
+    point_1.axis_x_0 = _S187;
+    point_1.axis_y_0 = cross(_S186, _S187);
+    float3 _S188 = normalize(cross(_S175, _S176));
+    float3 _S189;
+    if((dot(_S188, _S186)) < 0.0f)
     {
-        _S156 = - fabrics_0[_S138].uv_height_0;
+        _S189 = - _S188;
     }
     else
     {
-        _S156 = fabrics_0[_S138].uv_height_0;
+        _S189 = _S188;
     }
-    float2 _S182 = float2(_S181, _S156);
-    float2 _S183 = _S173 * _S182;
-    if(_S180)
+    point_1.face_normal_0 = _S189;
+    point_1.position_0 = _S174 + _S168 * _S175 + _S169 * _S176;
+    point_1.view_0 = point_1.normal_0;
+    point_1.uv_1 = float2(_S171.u_0, _S171.v_0) + _S168 * _S179 + _S169 * _S182;
+    bool _S190 = (dot(cross(_S184, _S185), point_1.normal_0)) < 0.0f;
+    float _S191 = fabrics_0[_S166].uv_width_0;
+    if(_S190)
     {
-        _S156 = fabrics_0[_S138].uv_height_0;
+        _S183 = - fabrics_0[_S166].uv_height_0;
     }
     else
     {
-        _S156 = 0.0f;
+        _S183 = fabrics_0[_S166].uv_height_0;
     }
-    point_1.draft_0 = _S183 + float2(0.0f, _S156);
-    point_1.draft_dx_0 = _S174 * _S182;
-    point_1.draft_dy_0 = _S175 * _S182;
+    float2 _S192 = float2(_S191, _S183);
+    point_1.draft_per_uv_0 = _S192;
+    float2 _S193 = point_1.uv_1 * _S192;
+    if(_S190)
+    {
+        _S183 = fabrics_0[_S166].uv_height_0;
+    }
+    else
+    {
+        _S183 = 0.0f;
+    }
+    point_1.draft_0 = _S193 + float2(0.0f, _S183);
+    float2 _S194 = (float2)0.0f;
+    point_1.draft_dx_0 = _S194;
+    point_1.draft_dy_0 = _S194;
     return point_1;
+}
+
+VisiblePoint_0 visible_point_0(int _S195, uint _S196, uint _S197, uint2 _S198)
+{
+    uint _S199 = 3U * _S197;
+    Vertex_0 _S200 = vertices_0.Load(corners_0.Load(_S199));
+    Vertex_0 _S201 = vertices_0.Load(corners_0.Load(_S199 + 1U));
+    Vertex_0 _S202 = vertices_0.Load(corners_0.Load(_S199 + 2U));
+    float3 _S203 = position_of_0(_S200);
+    float3 _S204 = position_of_0(_S201) - _S203;
+    float3 _S205 = position_of_0(_S202) - _S203;
+    float3 _S206 = cross(_S204, _S205);
+    float _S207 = 1.0f / max(square_0(_S206), 1.00000000317107685e-30f);
+    float _S208 = float(frames_0[_S195].width_0);
+    float3 _S209 = camera_right_0(_S195) * (2.0f / _S208);
+    float _S210 = float(frames_0[_S195].height_0);
+    float3 _S211 = camera_up_0(_S195) * (-2.0f / _S210);
+    float3 _S212 = camera_forward_0(_S195) + (float(_S198.x) + 0.5f - 0.5f * _S208) * _S209 + (float(_S198.y) + 0.5f - 0.5f * _S210) * _S211;
+    float _S213 = dot(_S212, _S206);
+    float _S214;
+    if((abs(_S213)) > 1.00000000317107685e-30f)
+    {
+        _S214 = _S213;
+    }
+    else
+    {
+        _S214 = 1.00000000317107685e-30f;
+    }
+    float _S215 = 1.0f / _S214;
+    float3 _S216 = _S203 - camera_origin_0(_S195);
+    float _S217 = dot(_S216, _S206) * _S215;
+    float3 _S218 = _S212 * _S217 - _S216;
+    float3 _S219 = _S217 * (_S209 - _S212 * (dot(_S209, _S206) * _S215));
+    float3 _S220 = _S217 * (_S211 - _S212 * (dot(_S211, _S206) * _S215));
+    float3 _S221 = cross(_S205, _S206) * _S207;
+    float3 _S222 = cross(_S206, _S204) * _S207;
+    float2 _S223 = float2(_S201.u_0 - _S200.u_0, _S201.v_0 - _S200.v_0);
+    float2 _S224 = float2(_S202.u_0 - _S200.u_0, _S202.v_0 - _S200.v_0);
+    VisiblePoint_0 point_2 = face_point_0(_S196, _S197, dot(_S218, _S221), dot(_S218, _S222));
+    point_2.position_0 = _S203 + _S218;
+    point_2.view_0 = - normalize(_S212);
+    point_2.draft_dx_0 = (dot(_S219, _S221) * _S223 + dot(_S219, _S222) * _S224) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (dot(_S220, _S221) * _S223 + dot(_S220, _S222) * _S224) * point_2.draft_per_uv_0;
+    return point_2;
+}
+
+float3 filtered_albedo_0(uint _S225, VisiblePoint_0 _S226)
+{
+    uint _S227 = fabrics_0[_S225].albedo_map_levels_0;
+    if((fabrics_0[_S225].albedo_map_levels_0) == 0U)
+    {
+        return (float3)1.0f;
+    }
+    float2 _S228 = float2(fabrics_0[_S225].uv_width_0, fabrics_0[_S225].uv_height_0);
+    float2 _S229 = _S226.draft_dx_0 / _S228;
+    float2 _S230 = _S226.draft_dy_0 / _S228;
+    uint _S231 = _S227 - 1U;
+    uint _S232 = 1U << _S231;
+    float _S233 = clamp(0.5f * binary_logarithm_0(max(abs(_S229.x * _S230.y - _S229.y * _S230.x), 9.99999968265522539e-21f) * (square_1(float(_S232)) / 3.0f)), 0.0f, float(_S227) - 1.0f);
+    uint _S234 = min(uint(_S233), max(_S227, 2U) - 2U);
+    uint _S235 = min(_S234 + 1U, _S231);
+    uint _S236 = 1U << (2U * _S227);
+    return lerp(map_level_0(fabrics_0[_S225].albedo_map_0 + (_S236 - (_S236 >> (2U * _S234))) / 3U, _S232 >> _S234, _S226.uv_1), map_level_0(fabrics_0[_S225].albedo_map_0 + (_S236 - (_S236 >> (2U * _S235))) / 3U, _S232 >> _S235, _S226.uv_1), (float3)((exponential_0(1.38629436492919922f * (_S233 - float(_S234))) - 1.0f) / 3.0f));
 }
 
 struct YarnPoint_0
@@ -1481,18 +1633,18 @@ struct YarnPoint_0
     bool back_2;
     bool hole_2;
     bool is_warp_1;
-    float x_9;
+    float x_11;
     float y_5;
     float height_3;
     float3 normal_4;
     float3 tangent_4;
     float roughness_8;
-    Albedos_0 albedos_1;
+    Albedos_0 albedos_2;
 };
 
 struct Hit_0
 {
-    float x_10;
+    float x_12;
     float y_6;
     bool hole_3;
     float height_4;
@@ -1511,361 +1663,361 @@ struct Sample_0
     float slope_y_1;
 };
 
-Crossing_0 crossing_at_0(uint _S184, float _S185, float _S186, bool _S187)
+Crossing_0 crossing_at_0(uint _S237, float _S238, float _S239, bool _S240)
 {
     Crossing_0 crossing_2;
-    crossing_2.warp_1 = locate_0(fabrics_0[_S184].warp_0, _S185);
-    crossing_2.weft_1 = locate_0(fabrics_0[_S184].weft_0, _S186);
-    uint _S188 = fabrics_0[_S184].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S184].ends_1 + crossing_2.warp_1.thread_1);
-    uint _S189 = words_0.Load(_S188);
-    crossing_2.warp_word_0 = _S189;
-    crossing_2.weft_word_0 = words_0.Load(_S188 + 1U);
-    crossing_2.warp_above_0 = ((_S189 & 1U) == 1U) != _S187;
+    crossing_2.warp_1 = locate_0(fabrics_0[_S237].warp_0, _S238);
+    crossing_2.weft_1 = locate_0(fabrics_0[_S237].weft_0, _S239);
+    uint _S241 = fabrics_0[_S237].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S237].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S242 = words_0.Load(_S241);
+    crossing_2.warp_word_0 = _S242;
+    crossing_2.weft_word_0 = words_0.Load(_S241 + 1U);
+    crossing_2.warp_above_0 = ((_S242 & 1U) == 1U) != _S240;
     return crossing_2;
 }
 
-Sample_0 sample_at_0(uint _S190, float _S191, float _S192, bool _S193)
+Sample_0 sample_at_0(uint _S243, float _S244, float _S245, bool _S246)
 {
     Sample_0 sample_0;
-    Crossing_0 _S194 = crossing_at_0(_S190, _S191, _S192, _S193);
-    sample_0.crossing_1 = _S194;
-    Shown_0 _S195 = shown_at_0(_S194, _S193);
-    sample_0.shown_3 = _S195;
-    uint _S196;
-    if(_S195.is_warp_0)
+    Crossing_0 _S247 = crossing_at_0(_S243, _S244, _S245, _S246);
+    sample_0.crossing_1 = _S247;
+    Shown_0 _S248 = shown_at_0(_S247, _S246);
+    sample_0.shown_3 = _S248;
+    uint _S249;
+    if(_S248.is_warp_0)
     {
-        _S196 = fabrics_0[_S190].warp_0;
+        _S249 = fabrics_0[_S243].warp_0;
     }
     else
     {
-        _S196 = fabrics_0[_S190].weft_0;
+        _S249 = fabrics_0[_S243].weft_0;
     }
-    uint _S197;
-    if(_S195.is_warp_0)
+    uint _S250;
+    if(_S248.is_warp_0)
     {
-        _S197 = fabrics_0[_S190].weft_0;
+        _S250 = fabrics_0[_S243].weft_0;
     }
     else
     {
-        _S197 = fabrics_0[_S190].warp_0;
+        _S250 = fabrics_0[_S243].warp_0;
     }
-    Cell_0 _S198 = select_cell_0(_S195.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
-    Cell_0 _S199 = select_cell_0(_S195.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
-    Run_0 _S200 = unpack_0(_S196, _S197, _S198.thread_1, _S199, _S195.word_0);
-    Section_0 _S201 = section_at_0(_S198);
-    bool _S202;
-    if(_S195.on_top_0)
+    Cell_0 _S251 = select_cell_0(_S248.is_warp_0, sample_0.crossing_1.warp_1, sample_0.crossing_1.weft_1);
+    Cell_0 _S252 = select_cell_0(_S248.is_warp_0, sample_0.crossing_1.weft_1, sample_0.crossing_1.warp_1);
+    Run_0 _S253 = unpack_0(_S249, _S250, _S251.thread_1, _S252, _S248.word_0);
+    Section_0 _S254 = section_at_0(_S251);
+    bool _S255;
+    if(_S248.on_top_0)
     {
-        _S202 = (_S200.distance_0) < (_S201.drop_0 * _S200.bend_1.sine_0);
+        _S255 = (_S253.distance_0) < (_S254.drop_0 * _S253.bend_1.sine_0);
     }
     else
     {
-        _S202 = false;
+        _S255 = false;
     }
-    bool _S203;
-    if(_S195.on_top_0)
+    bool _S256;
+    if(_S248.on_top_0)
     {
-        _S203 = !_S202;
+        _S256 = !_S255;
     }
     else
     {
-        _S203 = false;
+        _S256 = false;
     }
-    float _S204;
-    if(_S203)
+    float _S257;
+    if(_S256)
     {
-        _S204 = 1.0f;
+        _S257 = 1.0f;
     }
     else
     {
-        _S204 = -1.0f;
+        _S257 = -1.0f;
     }
-    float _S205;
-    if(_S202)
+    float _S258;
+    if(_S255)
     {
-        _S205 = _S200.other_reach_0;
+        _S258 = _S253.other_reach_0;
     }
     else
     {
-        _S205 = _S200.reach_0;
+        _S258 = _S253.reach_0;
     }
-    float _S206;
-    if(_S202)
+    float _S259;
+    if(_S255)
     {
-        _S206 = _S205 + _S200.distance_0;
+        _S259 = _S258 + _S253.distance_0;
     }
     else
     {
-        _S206 = max(_S205 - _S200.distance_0, 0.0f);
+        _S259 = max(_S258 - _S253.distance_0, 0.0f);
     }
-    float _S207 = _S205 / _S200.bend_1.sine_0 - _S204 * _S201.drop_0;
-    float _S208 = _S206 * _S206;
-    float _S209 = max(_S207 * _S207 - _S208, 9.99999968265522539e-21f);
-    float _S210 = rsqrt(_S209);
-    float _S211 = _S208 / (_S209 * _S210 + _S207);
-    bool _S212 = _S206 > 0.0f;
-    float _S213;
-    if(_S195.on_top_0)
+    float _S260 = _S258 / _S253.bend_1.sine_0 - _S257 * _S254.drop_0;
+    float _S261 = _S259 * _S259;
+    float _S262 = max(_S260 * _S260 - _S261, 9.99999968265522539e-21f);
+    float _S263 = rsqrt(_S262);
+    float _S264 = _S261 / (_S262 * _S263 + _S260);
+    bool _S265 = _S259 > 0.0f;
+    float _S266;
+    if(_S248.on_top_0)
     {
-        _S213 = 1.0f;
+        _S266 = 1.0f;
     }
     else
     {
-        _S213 = -1.0f;
+        _S266 = -1.0f;
     }
-    float _S214;
-    if(_S200.near_start_0)
+    float _S267;
+    if(_S253.near_start_0)
     {
-        _S214 = 1.0f;
+        _S267 = 1.0f;
     }
     else
     {
-        _S214 = -1.0f;
+        _S267 = -1.0f;
     }
-    float _S215 = _S213 * _S214;
-    if(_S212)
+    float _S268 = _S266 * _S267;
+    if(_S265)
     {
-        _S213 = _S207 * _S210;
+        _S266 = _S260 * _S263;
     }
     else
     {
-        _S213 = 1.0f;
+        _S266 = 1.0f;
     }
-    sample_0.slope_across_0 = _S201.slope_0 * _S213;
-    if(_S212)
+    sample_0.slope_across_0 = _S254.slope_0 * _S266;
+    if(_S265)
     {
-        _S206 = _S215 * _S206 * _S210;
+        _S259 = _S268 * _S259 * _S263;
     }
     else
     {
-        _S206 = 0.0f;
+        _S259 = 0.0f;
     }
-    sample_0.slope_along_0 = _S206;
-    Family_0 _S216 = families_0.Load(_S196);
-    float2 _S217 = dive_0(_S197, _S195, _S200, _S199);
-    if(_S200.straight_0)
+    sample_0.slope_along_0 = _S259;
+    Family_0 _S269 = families_0.Load(_S249);
+    float2 _S270 = dive_0(_S250, _S248, _S253, _S252);
+    if(_S253.straight_0)
     {
-        _S204 = 0.0f;
+        _S257 = 0.0f;
     }
     else
     {
-        _S204 = _S216.height_scale_0 * _S204;
+        _S257 = _S269.height_scale_0 * _S257;
     }
-    sample_0.height_5 = _S204 * (_S205 * _S200.bend_1.half_tangent_0 - _S211) - _S216.height_scale_0 * _S201.drop_0 - _S217.x;
-    float _S218 = _S216.height_scale_0 * sample_0.slope_across_0;
-    float _S219 = _S216.height_scale_0 * sample_0.slope_along_0 - _S217.y;
-    if(_S195.is_warp_0)
+    sample_0.height_5 = _S257 * (_S258 * _S253.bend_1.half_tangent_0 - _S264) - _S269.height_scale_0 * _S254.drop_0 - _S270.x;
+    float _S271 = _S269.height_scale_0 * sample_0.slope_across_0;
+    float _S272 = _S269.height_scale_0 * sample_0.slope_along_0 - _S270.y;
+    if(_S248.is_warp_0)
     {
-        _S204 = _S218;
+        _S257 = _S271;
     }
     else
     {
-        _S204 = _S219;
+        _S257 = _S272;
     }
-    sample_0.slope_x_1 = _S204;
-    if(_S195.is_warp_0)
+    sample_0.slope_x_1 = _S257;
+    if(_S248.is_warp_0)
     {
-        _S204 = _S219;
+        _S257 = _S272;
     }
     else
     {
-        _S204 = _S218;
+        _S257 = _S271;
     }
-    sample_0.slope_y_1 = _S204;
-    sample_0.run_3 = _S200;
-    sample_0.section_1 = _S201;
+    sample_0.slope_y_1 = _S257;
+    sample_0.run_3 = _S253;
+    sample_0.section_1 = _S254;
     return sample_0;
 }
 
-float steps_per_length_0(uint _S220, SearchQuality_0 _S221, float3 _S222)
+float steps_per_length_0(uint _S273, SearchQuality_0 _S274, float3 _S275)
 {
-    return max(max(abs(_S222.x) * fabrics_0[_S220].threads_per_x_0, abs(_S222.y) * fabrics_0[_S220].threads_per_y_0) * _S221.steps_per_thread_0, abs(_S222.z) * fabrics_0[_S220].per_relief_0 * _S221.steps_per_relief_0);
+    return max(max(abs(_S275.x) * fabrics_0[_S273].threads_per_x_0, abs(_S275.y) * fabrics_0[_S273].threads_per_y_0) * _S274.steps_per_thread_0, abs(_S275.z) * fabrics_0[_S273].per_relief_0 * _S274.steps_per_relief_0);
 }
 
-float cell_maximum_0(uint _S223, Crossing_0 _S224)
+float cell_maximum_0(uint _S276, Crossing_0 _S277)
 {
-    uint _S225;
-    if(_S224.warp_above_0)
+    uint _S278;
+    if(_S277.warp_above_0)
     {
-        _S225 = fabrics_0[_S223].warp_0;
+        _S278 = fabrics_0[_S276].warp_0;
     }
     else
     {
-        _S225 = fabrics_0[_S223].weft_0;
+        _S278 = fabrics_0[_S276].weft_0;
     }
-    uint _S226;
-    if(_S224.warp_above_0)
+    uint _S279;
+    if(_S277.warp_above_0)
     {
-        _S226 = _S224.warp_word_0;
+        _S279 = _S277.warp_word_0;
     }
     else
     {
-        _S226 = _S224.weft_word_0;
+        _S279 = _S277.weft_word_0;
     }
-    return float(_S226 >> int(28)) * families_0.Load(_S225).height_scale_0 * families_0.Load(_S225).level_0;
+    return float(_S279 >> int(28)) * families_0.Load(_S278).height_scale_0 * families_0.Load(_S278).level_0;
 }
 
-Probe_0 probe_0(uint _S227, float _S228, float _S229, bool _S230, bool _S231, bool _S232)
+Probe_0 probe_0(uint _S280, float _S281, float _S282, bool _S283, bool _S284, bool _S285)
 {
-    Sample_0 _S233 = sample_at_0(_S227, _S228, _S229, _S230);
+    Sample_0 _S286 = sample_at_0(_S280, _S281, _S282, _S283);
     Probe_0 probe_1;
-    probe_1.height_1 = _S233.height_5;
-    probe_1.hole_1 = _S233.shown_3.hole_0;
-    probe_1.slope_x_0 = _S233.slope_x_1;
-    probe_1.slope_y_0 = _S233.slope_y_1;
-    uint _S234;
-    if(_S233.shown_3.is_warp_0)
+    probe_1.height_1 = _S286.height_5;
+    probe_1.hole_1 = _S286.shown_3.hole_0;
+    probe_1.slope_x_0 = _S286.slope_x_1;
+    probe_1.slope_y_0 = _S286.slope_y_1;
+    uint _S287;
+    if(_S286.shown_3.is_warp_0)
     {
-        _S234 = _S233.crossing_1.warp_1.thread_1 * 2U + 1U;
+        _S287 = _S286.crossing_1.warp_1.thread_1 * 2U + 1U;
     }
     else
     {
-        _S234 = _S233.crossing_1.weft_1.thread_1 * 2U;
+        _S287 = _S286.crossing_1.weft_1.thread_1 * 2U;
     }
-    probe_1.yarn_1 = _S234;
-    probe_1.cell_max_0 = cell_maximum_0(_S227, _S233.crossing_1);
-    float _S235;
-    if(_S231)
+    probe_1.yarn_1 = _S287;
+    probe_1.cell_max_0 = cell_maximum_0(_S280, _S286.crossing_1);
+    float _S288;
+    if(_S284)
     {
-        _S235 = _S233.crossing_1.warp_1.above_0;
+        _S288 = _S286.crossing_1.warp_1.above_0;
     }
     else
     {
-        _S235 = _S233.crossing_1.warp_1.below_0;
+        _S288 = _S286.crossing_1.warp_1.below_0;
     }
-    probe_1.side_x_0 = _S235;
-    if(_S232)
+    probe_1.side_x_0 = _S288;
+    if(_S285)
     {
-        _S235 = _S233.crossing_1.weft_1.above_0;
+        _S288 = _S286.crossing_1.weft_1.above_0;
     }
     else
     {
-        _S235 = _S233.crossing_1.weft_1.below_0;
+        _S288 = _S286.crossing_1.weft_1.below_0;
     }
-    probe_1.side_y_0 = _S235;
-    probe_1.edge_x_0 = outline_distance_0(_S233.crossing_1.warp_1, _S233.shown_3, _S233.run_3, !_S233.shown_3.is_warp_0, _S231);
-    probe_1.edge_y_0 = outline_distance_0(_S233.crossing_1.weft_1, _S233.shown_3, _S233.run_3, _S233.shown_3.is_warp_0, _S232);
+    probe_1.side_y_0 = _S288;
+    probe_1.edge_x_0 = outline_distance_0(_S286.crossing_1.warp_1, _S286.shown_3, _S286.run_3, !_S286.shown_3.is_warp_0, _S284);
+    probe_1.edge_y_0 = outline_distance_0(_S286.crossing_1.weft_1, _S286.shown_3, _S286.run_3, _S286.shown_3.is_warp_0, _S285);
     return probe_1;
 }
 
-bool is_free_0(uint _S236, SearchQuality_0 _S237, float3 _S238, float3 _S239, bool _S240, float _S241)
+bool is_free_0(uint _S289, SearchQuality_0 _S290, float3 _S291, float3 _S292, bool _S293, float _S294)
 {
-    float _S242 = _S239.z;
-    if(_S242 <= 0.0f)
+    float _S295 = _S292.z;
+    if(_S295 <= 0.0f)
     {
         return false;
     }
-    float _S243 = 1.0f / max(_S237.shadow_share_0 * steps_per_length_0(_S236, _S237, _S239), 9.99999971718068537e-10f);
-    StepControl_0 _S244 = step_control_0(_S239.xy, _S243);
+    float _S296 = 1.0f / max(_S290.shadow_share_0 * steps_per_length_0(_S289, _S290, _S292), 9.99999971718068537e-10f);
+    StepControl_0 _S297 = step_control_0(_S292.xy, _S296);
     PreviousSample_0 previous_3 = no_previous_sample_0();
-    uint count_1 = 0U;
+    uint count_2 = 0U;
     float distance_1 = 0.0f;
     float last_step_0 = 0.0f;
     for(;;)
     {
-        bool _S245;
-        if(count_1 < 1024U)
+        bool _S298;
+        if(count_2 < 1024U)
         {
-            _S245 = (_S238.z + _S242 * distance_1) < _S241;
+            _S298 = (_S291.z + _S295 * distance_1) < _S294;
         }
         else
         {
-            _S245 = false;
+            _S298 = false;
         }
-        if(_S245)
+        if(_S298)
         {
         }
         else
         {
             break;
         }
-        float3 _S246 = _S238 + _S239 * distance_1;
-        Probe_0 _S247 = probe_0(_S236, _S246.x, _S246.y, _S240, _S244.right_0, _S244.up_0);
-        float _S248 = _S246.z;
-        float _S249 = _S248 - _S247.height_1;
-        float _S250 = _S242 - _S247.slope_x_0 * _S239.x - _S247.slope_y_0 * _S239.y;
-        bool _S251;
-        if(!_S247.hole_1)
+        float3 _S299 = _S291 + _S292 * distance_1;
+        Probe_0 _S300 = probe_0(_S289, _S299.x, _S299.y, _S293, _S297.right_0, _S297.up_0);
+        float _S301 = _S299.z;
+        float _S302 = _S301 - _S300.height_1;
+        float _S303 = _S295 - _S300.slope_x_0 * _S292.x - _S300.slope_y_0 * _S292.y;
+        bool _S304;
+        if(!_S300.hole_1)
         {
-            _S251 = _S249 < 0.0f;
+            _S304 = _S302 < 0.0f;
         }
         else
         {
-            _S251 = false;
+            _S304 = false;
         }
-        if(_S251)
+        if(_S304)
         {
             return false;
         }
-        float _S252 = way_back_to_dip_0(previous_3, _S249, _S250, last_step_0, _S247);
-        if(_S252 >= 0.0f)
+        float _S305 = way_back_to_dip_0(previous_3, _S302, _S303, last_step_0, _S300);
+        if(_S305 >= 0.0f)
         {
-            float last_step_1 = last_step_0 - _S252;
-            distance_1 = distance_1 - _S252;
+            float last_step_1 = last_step_0 - _S305;
+            distance_1 = distance_1 - _S305;
             last_step_0 = last_step_1;
-            count_1 = count_1 + 1U;
+            count_2 = count_2 + 1U;
             continue;
         }
-        bool _S253 = _S248 > (_S247.cell_max_0);
-        PreviousSample_0 _S254 = after_sample_0(_S249, _S250, _S247, _S253);
+        bool _S306 = _S301 > (_S300.cell_max_0);
+        PreviousSample_0 _S307 = after_sample_0(_S302, _S303, _S300, _S306);
         float last_step_2;
-        if(_S253)
+        if(_S306)
         {
-            last_step_2 = max(StepControl_to_cell_exit_0(_S244, _S247.side_x_0, _S247.side_y_0), _S243);
+            last_step_2 = max(StepControl_to_cell_exit_0(_S297, _S300.side_x_0, _S300.side_y_0), _S296);
         }
         else
         {
-            last_step_2 = StepControl_to_next_sample_0(_S244, _S247, _S249, _S250);
+            last_step_2 = StepControl_to_next_sample_0(_S297, _S300, _S302, _S303);
         }
         float distance_2 = distance_1 + last_step_2;
-        previous_3 = _S254;
+        previous_3 = _S307;
         distance_1 = distance_2;
         last_step_0 = last_step_2;
-        count_1 = count_1 + 1U;
+        count_2 = count_2 + 1U;
     }
     return true;
 }
 
-bool passes_through_0(uint _S255, SearchQuality_0 _S256, float _S257, float _S258, float3 _S259, bool _S260)
+bool passes_through_0(uint _S308, SearchQuality_0 _S309, float _S310, float _S311, float3 _S312, bool _S313)
 {
-    if(!sample_at_0(_S255, _S257, _S258, _S260).shown_3.hole_0)
+    if(!sample_at_0(_S308, _S310, _S311, _S313).shown_3.hole_0)
     {
         return false;
     }
-    float3 _S261 = float3(_S257, _S258, 0.0f);
+    float3 _S314 = float3(_S310, _S311, 0.0f);
     bool passes_0 = true;
-    uint side_0 = 0U;
+    uint side_1 = 0U;
     for(;;)
     {
-        bool _S262;
-        if(side_0 < 2U)
+        bool _S315;
+        if(side_1 < 2U)
         {
-            _S262 = passes_0;
+            _S315 = passes_0;
         }
         else
         {
-            _S262 = false;
+            _S315 = false;
         }
-        if(_S262)
+        if(_S315)
         {
         }
         else
         {
             break;
         }
-        float3 _S263;
-        if(side_0 == 0U)
+        float3 _S316;
+        if(side_1 == 0U)
         {
-            _S263 = _S259;
+            _S316 = _S312;
         }
         else
         {
-            _S263 = float3(- _S259.x, - _S259.y, _S259.z);
+            _S316 = float3(- _S312.x, - _S312.y, _S312.z);
         }
-        bool _S264 = is_free_0(_S255, _S256, _S261, _S263, _S260 != (side_0 == 1U), fabrics_0[_S255].height_high_0);
-        uint _S265 = side_0 + 1U;
-        passes_0 = _S264;
-        side_0 = _S265;
+        bool _S317 = is_free_0(_S308, _S309, _S314, _S316, _S313 != (side_1 == 1U), fabrics_0[_S308].height_high_0);
+        uint _S318 = side_1 + 1U;
+        passes_0 = _S317;
+        side_1 = _S318;
     }
     return passes_0;
 }
@@ -1880,129 +2032,93 @@ struct ViewRayEnd_0
     PreviousSample_0 previous_4;
 };
 
-float max_height_along_0(uint _S266, float _S267, float _S268, float _S269, float3 _S270, bool _S271)
+float max_height_along_0(uint _S319, float _S320, float _S321, float _S322, float3 _S323, bool _S324)
 {
-    uint _S272 = locate_0(fabrics_0[_S266].warp_0, _S267).thread_1 / 2U;
-    uint _S273 = locate_0(fabrics_0[_S266].weft_0, _S268).thread_1 / 2U;
-    float _S274 = _S270.x;
-    uint _S275;
-    if(_S274 > 0.0f)
+    uint _S325 = locate_0(fabrics_0[_S319].warp_0, _S320).thread_1 / 2U;
+    uint _S326 = locate_0(fabrics_0[_S319].weft_0, _S321).thread_1 / 2U;
+    float _S327 = _S323.x;
+    uint _S328;
+    if(_S327 > 0.0f)
     {
-        _S275 = 1U;
+        _S328 = 1U;
     }
     else
     {
-        _S275 = 0U;
+        _S328 = 0U;
     }
-    float _S276 = _S270.y;
-    uint _S277;
-    if(_S276 > 0.0f)
+    float _S329 = _S323.y;
+    uint _S330;
+    if(_S329 > 0.0f)
     {
-        _S277 = 2U;
+        _S330 = 2U;
     }
     else
     {
-        _S277 = 0U;
+        _S330 = 0U;
     }
-    uint _S278 = words_0.Load(fabrics_0[_S266].max_heights_0 + 4U * (_S273 * fabrics_0[_S266].max_height_columns_0 + _S272) + (_S275 + _S277));
-    int number_0;
-    if(_S271)
+    uint _S331 = words_0.Load(fabrics_0[_S319].max_heights_0 + 4U * (_S326 * fabrics_0[_S319].max_height_columns_0 + _S325) + (_S328 + _S330));
+    int number_1;
+    if(_S324)
     {
-        number_0 = int(4);
+        number_1 = int(4);
     }
     else
     {
-        number_0 = int(0);
+        number_1 = int(0);
     }
-    uint _S279 = _S278 >> number_0;
-    float _S280 = max(abs(_S274) * fabrics_0[_S266].threads_per_x_0, abs(_S276) * fabrics_0[_S266].threads_per_y_0) / _S270.z;
-    float _S281 = fabrics_0[_S266].height_high_0;
-    float max_height_0 = fabrics_0[_S266].height_high_0;
-    number_0 = int(3);
+    uint _S332 = _S331 >> number_1;
+    float _S333 = max(abs(_S327) * fabrics_0[_S319].threads_per_x_0, abs(_S329) * fabrics_0[_S319].threads_per_y_0) / _S323.z;
+    float _S334 = fabrics_0[_S319].height_high_0;
+    float max_height_0 = fabrics_0[_S319].height_high_0;
+    number_1 = int(3);
     for(;;)
     {
-        if(number_0 >= int(0))
+        if(number_1 >= int(0))
         {
         }
         else
         {
             break;
         }
-        if(((max_height_0 - _S269) * _S280) <= (PYRAMID_RADII_0[number_0]))
+        if(((max_height_0 - _S322) * _S333) <= (PYRAMID_RADII_0[number_1]))
         {
-            max_height_0 = min(max_height_0, float((_S279 >> uint(int(8) * number_0)) & 15U) * 0.06666667014360428f * _S281);
+            max_height_0 = min(max_height_0, float((_S332 >> uint(int(8) * number_1)) & 15U) * 0.06666667014360428f * _S334);
         }
-        number_0 = number_0 - int(1);
+        number_1 = number_1 - int(1);
     }
     return max_height_0;
 }
 
-float3 cell_bounds_0(uint _S282, float _S283, float _S284, bool _S285, bool _S286, bool _S287)
+float3 cell_bounds_0(uint _S335, float _S336, float _S337, bool _S338, bool _S339, bool _S340)
 {
-    Crossing_0 _S288 = crossing_at_0(_S282, _S283, _S284, _S285);
-    float _S289 = cell_maximum_0(_S282, _S288);
-    float _S290;
-    if(_S286)
+    Crossing_0 _S341 = crossing_at_0(_S335, _S336, _S337, _S338);
+    float _S342 = cell_maximum_0(_S335, _S341);
+    float _S343;
+    if(_S339)
     {
-        _S290 = _S288.warp_1.above_0;
+        _S343 = _S341.warp_1.above_0;
     }
     else
     {
-        _S290 = _S288.warp_1.below_0;
+        _S343 = _S341.warp_1.below_0;
     }
-    float _S291;
-    if(_S287)
+    float _S344;
+    if(_S340)
     {
-        _S291 = _S288.weft_1.above_0;
+        _S344 = _S341.weft_1.above_0;
     }
     else
     {
-        _S291 = _S288.weft_1.below_0;
+        _S344 = _S341.weft_1.below_0;
     }
-    return float3(_S289, _S290, _S291);
+    return float3(_S342, _S343, _S344);
 }
 
-float first_sample_height_0(uint _S292, ViewRay_0 _S293, StepControl_0 _S294, bool _S295)
+float first_sample_height_0(uint _S345, ViewRay_0 _S346, StepControl_0 _S347, bool _S348)
 {
-    float _S296 = max_height_along_0(_S292, _S293.origin_0.x, _S293.origin_0.y, 0.0f, float3(_S293.slope_1, 1.0f), _S295);
-    uint count_2 = 0U;
-    float height_7 = _S296;
-    for(;;)
-    {
-        if(count_2 < 1024U)
-        {
-        }
-        else
-        {
-            break;
-        }
-        float2 _S297 = ViewRay_at_0(_S293, height_7);
-        float3 _S298 = cell_bounds_0(_S292, _S297.x, _S297.y, _S295, _S294.right_0, _S294.up_0);
-        float _S299 = height_7 - _S298.x;
-        float _S300 = StepControl_to_cell_exit_0(_S294, _S298.y, _S298.z);
-        float height_8 = height_7 - clamp(_S299, 0.0f, _S300);
-        if(_S299 <= _S300)
-        {
-            height_7 = height_8;
-            break;
-        }
-        count_2 = count_2 + 1U;
-        height_7 = height_8;
-    }
-    return height_7;
-}
-
-ViewRayEnd_0 search_down_0(uint _S301, ViewRay_0 _S302, StepControl_0 _S303, bool _S304)
-{
-    float _S305 = fabrics_0[_S301].height_low_0 - (fabrics_0[_S301].height_high_0 - fabrics_0[_S301].height_low_0);
-    ViewRayEnd_0 end_1;
-    end_1.height_6 = first_sample_height_0(_S301, _S302, _S303, _S304);
-    end_1.last_step_3 = _S303.epsilon_0;
-    end_1.previous_4 = no_previous_sample_0();
-    end_1.depth_1 = 0.0f;
-    end_1.rate_4 = 0.0f;
-    end_1.smooth_0 = false;
+    float _S349 = max_height_along_0(_S345, _S346.origin_0.x, _S346.origin_0.y, 0.0f, float3(_S346.slope_1, 1.0f), _S348);
     uint count_3 = 0U;
+    float height_7 = _S349;
     for(;;)
     {
         if(count_3 < 1024U)
@@ -2012,150 +2128,186 @@ ViewRayEnd_0 search_down_0(uint _S301, ViewRay_0 _S302, StepControl_0 _S303, boo
         {
             break;
         }
-        float2 _S306 = ViewRay_at_0(_S302, end_1.height_6);
-        Probe_0 _S307 = probe_0(_S301, _S306.x, _S306.y, _S304, _S303.right_0, _S303.up_0);
-        float _S308 = end_1.height_6 - _S307.height_1;
-        float _S309 = ViewRay_rate_0(_S302, _S307);
-        end_1.depth_1 = - _S308;
-        end_1.rate_4 = _S309;
-        bool _S310;
-        if(end_1.previous_4.known_0)
+        float2 _S350 = ViewRay_at_0(_S346, height_7);
+        float3 _S351 = cell_bounds_0(_S345, _S350.x, _S350.y, _S348, _S347.right_0, _S347.up_0);
+        float _S352 = height_7 - _S351.x;
+        float _S353 = StepControl_to_cell_exit_0(_S347, _S351.y, _S351.z);
+        float height_8 = height_7 - clamp(_S352, 0.0f, _S353);
+        if(_S352 <= _S353)
         {
-            _S310 = !_S307.hole_1;
+            height_7 = height_8;
+            break;
+        }
+        count_3 = count_3 + 1U;
+        height_7 = height_8;
+    }
+    return height_7;
+}
+
+ViewRayEnd_0 search_down_0(uint _S354, ViewRay_0 _S355, StepControl_0 _S356, bool _S357)
+{
+    float _S358 = fabrics_0[_S354].height_low_0 - (fabrics_0[_S354].height_high_0 - fabrics_0[_S354].height_low_0);
+    ViewRayEnd_0 end_1;
+    end_1.height_6 = first_sample_height_0(_S354, _S355, _S356, _S357);
+    end_1.last_step_3 = _S356.epsilon_0;
+    end_1.previous_4 = no_previous_sample_0();
+    end_1.depth_1 = 0.0f;
+    end_1.rate_4 = 0.0f;
+    end_1.smooth_0 = false;
+    uint count_4 = 0U;
+    for(;;)
+    {
+        if(count_4 < 1024U)
+        {
         }
         else
-        {
-            _S310 = false;
-        }
-        bool _S311;
-        if(_S310)
-        {
-            _S311 = (end_1.previous_4.yarn_0) == (_S307.yarn_1);
-        }
-        else
-        {
-            _S311 = false;
-        }
-        end_1.smooth_0 = _S311;
-        bool _S312;
-        if(!_S307.hole_1)
-        {
-            _S312 = _S308 <= 0.0f;
-        }
-        else
-        {
-            _S312 = false;
-        }
-        bool _S313;
-        if(_S312)
-        {
-            _S313 = true;
-        }
-        else
-        {
-            _S313 = (end_1.height_6) <= _S305;
-        }
-        if(_S313)
         {
             break;
         }
-        float _S314 = way_back_to_dip_0(end_1.previous_4, _S308, _S309, end_1.last_step_3, _S307);
-        if(_S314 >= 0.0f)
+        float2 _S359 = ViewRay_at_0(_S355, end_1.height_6);
+        Probe_0 _S360 = probe_0(_S354, _S359.x, _S359.y, _S357, _S356.right_0, _S356.up_0);
+        float _S361 = end_1.height_6 - _S360.height_1;
+        float _S362 = ViewRay_rate_0(_S355, _S360);
+        end_1.depth_1 = - _S361;
+        end_1.rate_4 = _S362;
+        bool _S363;
+        if(end_1.previous_4.known_0)
         {
-            end_1.height_6 = end_1.height_6 + _S314;
-            end_1.last_step_3 = end_1.last_step_3 - _S314;
-            count_3 = count_3 + 1U;
+            _S363 = !_S360.hole_1;
+        }
+        else
+        {
+            _S363 = false;
+        }
+        bool _S364;
+        if(_S363)
+        {
+            _S364 = (end_1.previous_4.yarn_0) == (_S360.yarn_1);
+        }
+        else
+        {
+            _S364 = false;
+        }
+        end_1.smooth_0 = _S364;
+        bool _S365;
+        if(!_S360.hole_1)
+        {
+            _S365 = _S361 <= 0.0f;
+        }
+        else
+        {
+            _S365 = false;
+        }
+        bool _S366;
+        if(_S365)
+        {
+            _S366 = true;
+        }
+        else
+        {
+            _S366 = (end_1.height_6) <= _S358;
+        }
+        if(_S366)
+        {
+            break;
+        }
+        float _S367 = way_back_to_dip_0(end_1.previous_4, _S361, _S362, end_1.last_step_3, _S360);
+        if(_S367 >= 0.0f)
+        {
+            end_1.height_6 = end_1.height_6 + _S367;
+            end_1.last_step_3 = end_1.last_step_3 - _S367;
+            count_4 = count_4 + 1U;
             continue;
         }
-        float _S315 = min(StepControl_to_cell_exit_0(_S303, _S307.side_x_0, _S307.side_y_0), end_1.height_6 - _S307.cell_max_0);
-        float _S316 = StepControl_to_next_sample_0(_S303, _S307, _S308, _S309);
-        end_1.previous_4 = after_sample_0(_S308, _S309, _S307, _S315 > _S316);
-        float _S317 = max(_S315, _S316);
-        end_1.last_step_3 = _S317;
-        end_1.height_6 = end_1.height_6 - _S317;
-        count_3 = count_3 + 1U;
+        float _S368 = min(StepControl_to_cell_exit_0(_S356, _S360.side_x_0, _S360.side_y_0), end_1.height_6 - _S360.cell_max_0);
+        float _S369 = StepControl_to_next_sample_0(_S356, _S360, _S361, _S362);
+        end_1.previous_4 = after_sample_0(_S361, _S362, _S360, _S368 > _S369);
+        float _S370 = max(_S368, _S369);
+        end_1.last_step_3 = _S370;
+        end_1.height_6 = end_1.height_6 - _S370;
+        count_4 = count_4 + 1U;
     }
     return end_1;
 }
 
-float refined_height_0(uint _S318, ViewRay_0 _S319, StepControl_0 _S320, bool _S321, ViewRayEnd_0 _S322, uint _S323)
+float refined_height_0(uint _S371, ViewRay_0 _S372, StepControl_0 _S373, bool _S374, ViewRayEnd_0 _S375, uint _S376)
 {
-    float _S324 = fabrics_0[_S318].height_high_0 - fabrics_0[_S318].height_low_0;
-    float above_2 = _S322.height_6 + _S322.last_step_3;
-    float above_gap_1 = clamp(_S322.previous_4.clearance_0, 0.0f, _S324);
-    float under_gap_1 = clamp(_S322.depth_1, 0.0f, _S324);
-    float _S325 = cubic_root_0(above_gap_1, - under_gap_1, _S322.previous_4.rate_0 * _S322.last_step_3, _S322.rate_4 * _S322.last_step_3);
+    float _S377 = fabrics_0[_S371].height_high_0 - fabrics_0[_S371].height_low_0;
+    float above_2 = _S375.height_6 + _S375.last_step_3;
+    float above_gap_1 = clamp(_S375.previous_4.clearance_0, 0.0f, _S377);
+    float under_gap_1 = clamp(_S375.depth_1, 0.0f, _S377);
+    float _S378 = cubic_root_0(above_gap_1, - under_gap_1, _S375.previous_4.rate_0 * _S375.last_step_3, _S375.rate_4 * _S375.last_step_3);
     float middle_0;
-    if(_S322.smooth_0)
+    if(_S375.smooth_0)
     {
-        middle_0 = above_2 - _S325 * _S322.last_step_3;
+        middle_0 = above_2 - _S378 * _S375.last_step_3;
     }
     else
     {
-        middle_0 = between_0(above_2, _S322.height_6, above_gap_1, under_gap_1);
+        middle_0 = between_0(above_2, _S375.height_6, above_gap_1, under_gap_1);
     }
-    float side_1 = 0.0f;
+    float side_2 = 0.0f;
     float above_gap_2 = above_gap_1;
     float under_gap_2 = under_gap_1;
-    float under_1 = _S322.height_6;
+    float under_1 = _S375.height_6;
     float above_3 = above_2;
     uint i_1 = 0U;
     for(;;)
     {
-        if(i_1 < _S323)
+        if(i_1 < _S376)
         {
         }
         else
         {
             break;
         }
-        float2 _S326 = ViewRay_at_0(_S319, middle_0);
-        Probe_0 _S327 = probe_0(_S318, _S326.x, _S326.y, _S321, _S320.right_0, _S320.up_0);
-        float _S328;
-        if(_S327.hole_1)
+        float2 _S379 = ViewRay_at_0(_S372, middle_0);
+        Probe_0 _S380 = probe_0(_S371, _S379.x, _S379.y, _S374, _S373.right_0, _S373.up_0);
+        float _S381;
+        if(_S380.hole_1)
         {
-            _S328 = -1.0e+09f;
+            _S381 = -1.0e+09f;
         }
         else
         {
-            _S328 = _S327.height_1;
+            _S381 = _S380.height_1;
         }
-        float _S329 = clamp(middle_0 - _S328, - _S324, _S324);
-        float _S330;
-        if(_S329 <= 0.0f)
+        float _S382 = clamp(middle_0 - _S381, - _S377, _S377);
+        float _S383;
+        if(_S382 <= 0.0f)
         {
-            if(side_1 > 0.0f)
+            if(side_2 > 0.0f)
             {
-                _S330 = 0.5f * above_gap_2;
+                _S383 = 0.5f * above_gap_2;
             }
             else
             {
-                _S330 = above_gap_2;
+                _S383 = above_gap_2;
             }
-            float _S331 = - _S329;
+            float _S384 = - _S382;
             under_1 = middle_0;
-            above_gap_2 = _S330;
-            under_gap_2 = _S331;
-            side_1 = 1.0f;
+            above_gap_2 = _S383;
+            under_gap_2 = _S384;
+            side_2 = 1.0f;
         }
         else
         {
-            if(side_1 < 0.0f)
+            if(side_2 < 0.0f)
             {
-                _S330 = 0.5f * under_gap_2;
+                _S383 = 0.5f * under_gap_2;
             }
             else
             {
-                _S330 = under_gap_2;
+                _S383 = under_gap_2;
             }
             above_3 = middle_0;
-            above_gap_2 = _S329;
-            under_gap_2 = _S330;
-            side_1 = -1.0f;
+            above_gap_2 = _S382;
+            under_gap_2 = _S383;
+            side_2 = -1.0f;
         }
-        if(_S322.smooth_0)
+        if(_S375.smooth_0)
         {
-            middle_0 = clamp(middle_0 + _S329 / min(ViewRay_rate_0(_S319, _S327), -9.99999997475242708e-07f), under_1, above_3);
+            middle_0 = clamp(middle_0 + _S382 / min(ViewRay_rate_0(_S372, _S380), -9.99999997475242708e-07f), under_1, above_3);
         }
         else
         {
@@ -2163,7 +2315,7 @@ float refined_height_0(uint _S318, ViewRay_0 _S319, StepControl_0 _S320, bool _S
         }
         i_1 = i_1 + 1U;
     }
-    if(_S322.smooth_0)
+    if(_S375.smooth_0)
     {
     }
     else
@@ -2173,29 +2325,29 @@ float refined_height_0(uint _S318, ViewRay_0 _S319, StepControl_0 _S320, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S332, SearchQuality_0 _S333, float _S334, float _S335, float3 _S336, bool _S337)
+Hit_0 first_hit_0(uint _S385, SearchQuality_0 _S386, float _S387, float _S388, float3 _S389, bool _S390)
 {
     Hit_0 hit_0;
-    hit_0.x_10 = _S334;
-    hit_0.y_6 = _S335;
+    hit_0.x_12 = _S387;
+    hit_0.y_6 = _S388;
     hit_0.height_4 = 0.0f;
-    bool _S338 = passes_through_0(_S332, _S333, _S334, _S335, _S336, _S337);
-    hit_0.hole_3 = _S338;
-    if(_S338)
+    bool _S391 = passes_through_0(_S385, _S386, _S387, _S388, _S389, _S390);
+    hit_0.hole_3 = _S391;
+    if(_S391)
     {
         return hit_0;
     }
-    float _S339 = max(_S336.z, 0.00009999999747379f);
+    float _S392 = max(_S389.z, 0.00009999999747379f);
     ViewRay_0 ray_0;
-    ray_0.origin_0 = float2(_S334, _S335);
-    float2 _S340 = _S336.xy / _S339;
-    ray_0.slope_1 = _S340;
-    StepControl_0 _S341 = step_control_0(- _S340, 1.0f / max(steps_per_length_0(_S332, _S333, _S336) / _S339, 9.99999971718068537e-10f));
-    float _S342 = refined_height_0(_S332, ray_0, _S341, _S337, search_down_0(_S332, ray_0, _S341, _S337), _S333.refinements_0);
-    hit_0.height_4 = _S342;
-    float2 _S343 = ViewRay_at_0(ray_0, _S342);
-    hit_0.x_10 = _S343.x;
-    hit_0.y_6 = _S343.y;
+    ray_0.origin_0 = float2(_S387, _S388);
+    float2 _S393 = _S389.xy / _S392;
+    ray_0.slope_1 = _S393;
+    StepControl_0 _S394 = step_control_0(- _S393, 1.0f / max(steps_per_length_0(_S385, _S386, _S389) / _S392, 9.99999971718068537e-10f));
+    float _S395 = refined_height_0(_S385, ray_0, _S394, _S390, search_down_0(_S385, ray_0, _S394, _S390), _S386.refinements_0);
+    hit_0.height_4 = _S395;
+    float2 _S396 = ViewRay_at_0(ray_0, _S395);
+    hit_0.x_12 = _S396.x;
+    hit_0.y_6 = _S396.y;
     return hit_0;
 }
 
@@ -2213,415 +2365,489 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S344, float _S345, float _S346, bool _S347)
+SurfacePoint_0 surface_at_0(uint _S397, float _S398, float _S399, bool _S400)
 {
-    Sample_0 _S348 = sample_at_0(_S344, _S345, _S346, _S347);
-    float _S349;
-    if(_S348.shown_3.is_warp_0)
+    Sample_0 _S401 = sample_at_0(_S397, _S398, _S399, _S400);
+    float _S402;
+    if(_S401.shown_3.is_warp_0)
     {
-        _S349 = _S348.crossing_1.warp_1.half_width_1;
+        _S402 = _S401.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S349 = _S348.crossing_1.weft_1.half_width_1;
+        _S402 = _S401.crossing_1.weft_1.half_width_1;
     }
-    uint _S350;
-    if(_S348.shown_3.is_warp_0)
+    uint _S403;
+    if(_S401.shown_3.is_warp_0)
     {
-        _S350 = fabrics_0[_S344].warp_0;
+        _S403 = fabrics_0[_S397].warp_0;
     }
     else
     {
-        _S350 = fabrics_0[_S344].weft_0;
+        _S403 = fabrics_0[_S397].weft_0;
     }
-    Family_0 _S351 = families_0.Load(_S350);
-    float _S352;
-    if(_S347)
+    Family_0 _S404 = families_0.Load(_S403);
+    float _S405;
+    if(_S400)
     {
-        _S352 = -1.0f;
+        _S405 = -1.0f;
     }
     else
     {
-        _S352 = 1.0f;
+        _S405 = 1.0f;
     }
-    float _S353 = _S351.twist_sine_0 * _S352;
-    Family_0 _S354 = families_0.Load(_S350);
-    if(_S348.shown_3.is_warp_0)
+    float _S406 = _S404.twist_sine_0 * _S405;
+    Family_0 _S407 = families_0.Load(_S403);
+    if(_S401.shown_3.is_warp_0)
     {
-        _S352 = 1.0f;
+        _S405 = 1.0f;
     }
     else
     {
-        _S352 = -1.0f;
+        _S405 = -1.0f;
     }
-    float2 _S355 = fibre_direction_0(_S348.slope_across_0, _S352 * _S348.slope_along_0, _S353, _S354.twist_cosine_0);
-    float _S356;
-    if(_S348.shown_3.is_warp_0)
+    float2 _S408 = fibre_direction_0(_S401.slope_across_0, _S405 * _S401.slope_along_0, _S406, _S407.twist_cosine_0);
+    float _S409;
+    if(_S401.shown_3.is_warp_0)
     {
-        _S356 = _S348.slope_x_1;
+        _S409 = _S401.slope_x_1;
     }
     else
     {
-        _S356 = _S348.slope_y_1;
+        _S409 = _S401.slope_y_1;
     }
-    float _S357;
-    if(_S348.shown_3.is_warp_0)
+    float _S410;
+    if(_S401.shown_3.is_warp_0)
     {
-        _S357 = _S348.slope_y_1;
+        _S410 = _S401.slope_y_1;
     }
     else
     {
-        _S357 = _S348.slope_x_1;
+        _S410 = _S401.slope_x_1;
     }
-    float _S358 = _S355.x;
-    float _S359 = _S355.y;
-    float _S360 = _S356 * _S358 + _S352 * _S357 * _S359;
-    float _S361 = _S349 * 1.0154266357421875f;
-    float _S362 = _S361 * arc_sine_0(clamp(_S348.section_1.across_1 / _S361, -1.0f, 1.0f));
-    if(_S348.shown_3.is_warp_0)
+    float _S411 = _S408.x;
+    float _S412 = _S408.y;
+    float _S413 = _S409 * _S411 + _S405 * _S410 * _S412;
+    float _S414 = _S402 * 1.0154266357421875f;
+    float _S415 = _S414 * arc_sine_0(clamp(_S401.section_1.across_1 / _S414, -1.0f, 1.0f));
+    if(_S401.shown_3.is_warp_0)
     {
-        _S349 = _S346;
+        _S402 = _S399;
     }
     else
     {
-        _S349 = - _S345;
+        _S402 = - _S398;
     }
-    SurfacePoint_0 point_2;
-    point_2.hole_4 = _S348.shown_3.hole_0;
-    point_2.is_warp_2 = _S348.shown_3.is_warp_0;
-    point_2.warp_thread_0 = _S348.crossing_1.warp_1.thread_1;
-    point_2.weft_thread_0 = _S348.crossing_1.weft_1.thread_1;
-    point_2.height_9 = _S348.height_5;
-    point_2.normal_5 = normalize(float3(- _S348.slope_x_1, - _S348.slope_y_1, 1.0f));
-    float3 _S363;
-    if(_S348.shown_3.is_warp_0)
+    SurfacePoint_0 point_3;
+    point_3.hole_4 = _S401.shown_3.hole_0;
+    point_3.is_warp_2 = _S401.shown_3.is_warp_0;
+    point_3.warp_thread_0 = _S401.crossing_1.warp_1.thread_1;
+    point_3.weft_thread_0 = _S401.crossing_1.weft_1.thread_1;
+    point_3.height_9 = _S401.height_5;
+    point_3.normal_5 = normalize(float3(- _S401.slope_x_1, - _S401.slope_y_1, 1.0f));
+    float3 _S416;
+    if(_S401.shown_3.is_warp_0)
     {
-        _S363 = float3(_S358, _S359, _S360);
+        _S416 = float3(_S411, _S412, _S413);
     }
     else
     {
-        _S363 = float3(- _S359, _S358, _S360);
+        _S416 = float3(- _S412, _S411, _S413);
     }
-    point_2.tangent_5 = normalize(_S363);
-    point_2.across_2 = _S348.section_1.across_1;
-    point_2.fibre_across_0 = _S362 * _S354.twist_cosine_0 + _S349 * _S353;
-    point_2.fibre_along_0 = _S349 * _S354.twist_cosine_0 - _S362 * _S353;
-    return point_2;
-}
-
-Albedos_0 vary_albedos_0(uint _S364, Albedos_0 _S365, uint _S366, uint _S367)
-{
-    float3 _S368 = max(_S365.specular_reflect_0, _S365.specular_transmit_0);
-    float3 _S369 = _S365.diffuse_reflect_0 + _S365.diffuse_transmit_0;
-    float _S370 = bounded_gain_0(thread_gain_0(_S366, fabrics_0[_S364].colour_noise_0, fabrics_0[_S364].seed_0), _S369, 1.0f - fabrics_0[_S364].layer_bound_0 * _S368);
-    float _S371 = bounded_gain_0(fibre_gain_0(_S366, _S367, fabrics_0[_S364].fibre_noise_0, fabrics_0[_S364].seed_0), _S368, min((1.0f - _S370 * _S369) / fabrics_0[_S364].layer_bound_0, (float3)1.0f));
-    Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S370 * _S365.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S370 * _S365.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S371 * _S365.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S371 * _S365.specular_transmit_0;
-    return varied_0;
-}
-
-Albedos_0 varied_at_0(uint _S372, SurfacePoint_0 _S373, Albedos_0 _S374, float _S375, float _S376)
-{
-    float _S377;
-    if(_S373.is_warp_2)
-    {
-        _S377 = _S375;
-    }
-    else
-    {
-        _S377 = _S376;
-    }
-    float _S378 = _S377 - _S373.across_2;
-    uint _S379;
-    if(_S373.is_warp_2)
-    {
-        _S379 = fabrics_0[_S372].warp_0;
-    }
-    else
-    {
-        _S379 = fabrics_0[_S372].weft_0;
-    }
-    Family_0 _S380 = families_0.Load(_S379);
-    int _S381 = int(families_0.Load(_S379).count_0);
-    if(_S373.is_warp_2)
-    {
-        _S379 = _S373.warp_thread_0;
-    }
-    else
-    {
-        _S379 = _S373.weft_thread_0;
-    }
-    uint _S382 = uint(int(floor(_S378 / _S380.period_0)) * _S381 + int(_S379)) * 2U;
-    if(_S373.is_warp_2)
-    {
-        _S379 = 1U;
-    }
-    else
-    {
-        _S379 = 0U;
-    }
-    float _S383 = floor(_S373.fibre_across_0 / fabrics_0[_S372].fibre_size_0);
-    return vary_albedos_0(_S372, _S374, _S382 + _S379, uint(int(_S383)) * 65536U + uint(int(floor(_S373.fibre_along_0 / (fabrics_0[_S372].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S383))));
-}
-
-YarnPoint_0 yarn_point_of_0(uint _S384, SurfacePoint_0 _S385, float _S386, float _S387, bool _S388, bool _S389)
-{
-    uint _S390;
-    if(_S385.is_warp_2)
-    {
-        _S390 = fabrics_0[_S384].warp_0;
-    }
-    else
-    {
-        _S390 = fabrics_0[_S384].weft_0;
-    }
-    uint _S391;
-    if(_S385.is_warp_2)
-    {
-        _S391 = _S385.warp_thread_0;
-    }
-    else
-    {
-        _S391 = _S385.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S390, _S391);
-    bool _S392;
-    if((fabrics_0[_S384].fibre_noise_0) > 0.0f)
-    {
-        _S392 = true;
-    }
-    else
-    {
-        _S392 = (fabrics_0[_S384].colour_noise_0) > 0.0f;
-    }
-    Albedos_0 albedos_3;
-    if(_S392)
-    {
-        albedos_3 = varied_at_0(_S384, _S385, albedos_2, _S386, _S387);
-    }
-    else
-    {
-        albedos_3 = albedos_2;
-    }
-    YarnPoint_0 point_3;
-    point_3.back_2 = _S388;
-    point_3.hole_2 = _S389;
-    point_3.is_warp_1 = _S385.is_warp_2;
-    point_3.x_9 = _S386;
-    point_3.y_5 = _S387;
-    point_3.height_3 = _S385.height_9;
-    point_3.normal_4 = _S385.normal_5;
-    point_3.tangent_4 = _S385.tangent_5;
-    point_3.roughness_8 = families_0.Load(_S390).roughness_0;
-    point_3.albedos_1 = albedos_3;
+    point_3.tangent_5 = normalize(_S416);
+    point_3.across_2 = _S401.section_1.across_1;
+    point_3.fibre_across_0 = _S415 * _S407.twist_cosine_0 + _S402 * _S406;
+    point_3.fibre_along_0 = _S402 * _S407.twist_cosine_0 - _S415 * _S406;
     return point_3;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S393, SearchQuality_0 _S394, float _S395, float _S396, float3 _S397)
+Albedos_0 vary_albedos_0(uint _S417, Albedos_0 _S418, uint _S419, uint _S420)
 {
-    bool _S398 = (_S397.z) < 0.0f;
-    Hit_0 _S399 = first_hit_0(_S393, _S394, _S395, _S396, to_face_frame_0(_S397, _S398), _S398);
-    return yarn_point_of_0(_S393, surface_at_0(_S393, _S399.x_10, _S399.y_6, _S398), _S399.x_10, _S399.y_6, _S398, _S399.hole_3);
+    float3 _S421 = max(_S418.specular_reflect_0, _S418.specular_transmit_0);
+    float3 _S422 = _S418.diffuse_reflect_0 + _S418.diffuse_transmit_0;
+    float _S423 = bounded_gain_0(thread_gain_0(_S419, fabrics_0[_S417].colour_noise_0, fabrics_0[_S417].seed_0), _S422, 1.0f - fabrics_0[_S417].layer_bound_0 * _S421);
+    float _S424 = bounded_gain_0(fibre_gain_0(_S419, _S420, fabrics_0[_S417].fibre_noise_0, fabrics_0[_S417].seed_0), _S421, min((1.0f - _S423 * _S422) / fabrics_0[_S417].layer_bound_0, (float3)1.0f));
+    Albedos_0 varied_0;
+    varied_0.diffuse_reflect_0 = _S423 * _S418.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S423 * _S418.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S424 * _S418.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S424 * _S418.specular_transmit_0;
+    return varied_0;
 }
 
-float3 scattered_0(uint _S400, YarnPoint_0 _S401, float3 _S402, float3 _S403)
+Albedos_0 varied_at_0(uint _S425, SurfacePoint_0 _S426, Albedos_0 _S427, float _S428, float _S429)
 {
-    float3 _S404 = (float3)0.0f;
-    bool _S405 = !_S401.hole_2;
-    bool _S406;
-    if(_S405)
+    float _S430;
+    if(_S426.is_warp_2)
     {
-        _S406 = (_S402.z) > 0.0f;
+        _S430 = _S428;
     }
     else
     {
-        _S406 = false;
+        _S430 = _S429;
     }
-    float3 value_1;
-    if(_S406)
+    float _S431 = _S430 - _S426.across_2;
+    uint _S432;
+    if(_S426.is_warp_2)
     {
-        value_1 = _S401.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S402, _S401.normal_4, fabrics_0[_S400].diffuse_blend_0) + _S401.albedos_1.specular_reflect_0 * reflection_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0[_S400].optical_depth_0);
+        _S432 = fabrics_0[_S425].warp_0;
     }
     else
     {
-        if(_S405)
-        {
-            _S406 = (_S402.z) < 0.0f;
-        }
-        else
-        {
-            _S406 = false;
-        }
-        if(_S406)
-        {
-            value_1 = _S401.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S402, _S401.normal_4, fabrics_0[_S400].diffuse_blend_0) + _S401.albedos_1.specular_transmit_0 * transmission_0(_S402, _S403, _S401.normal_4, _S401.tangent_4, _S401.roughness_8, fabrics_0[_S400].optical_depth_0);
-        }
-        else
-        {
-            value_1 = _S404;
-        }
+        _S432 = fabrics_0[_S425].weft_0;
     }
-    float _S407 = fabrics_0[_S400].sheen_strength_0;
-    if((fabrics_0[_S400].sheen_strength_0) <= 0.0f)
+    Family_0 _S433 = families_0.Load(_S432);
+    int _S434 = int(families_0.Load(_S432).count_0);
+    if(_S426.is_warp_2)
     {
-        return value_1;
-    }
-    float2 _S408 = sheen_with_transmittance_0(_S402, _S403, _S407, fabrics_0[_S400].sheen_roughness_0);
-    return _S408.y * value_1 + _S408.x;
-}
-
-bool unoccluded_0(uint _S409, SearchQuality_0 _S410, float _S411, float _S412, float _S413, float3 _S414, bool _S415)
-{
-    if((_S414.z) <= 0.0f)
-    {
-        return false;
-    }
-    return is_free_0(_S409, _S410, float3(_S411, _S412, _S413 + fabrics_0[_S409].lift_0), _S414, _S415, max_height_along_0(_S409, _S411, _S412, _S413, _S414, _S415));
-}
-
-bool is_lit_0(uint _S416, SearchQuality_0 _S417, YarnPoint_0 _S418, float3 _S419)
-{
-    if(_S418.hole_2)
-    {
-        return true;
-    }
-    float3 _S420 = to_face_frame_0(_S419, _S418.back_2);
-    float _S421 = _S420.z;
-    bool _S422 = _S421 < 0.0f;
-    float3 normal_6;
-    float height_10;
-    if(_S422)
-    {
-        SurfacePoint_0 _S423 = surface_at_0(_S416, _S418.x_9, _S418.y_5, !_S418.back_2);
-        normal_6 = _S423.normal_5;
-        height_10 = _S423.height_9;
+        _S432 = _S426.warp_thread_0;
     }
     else
     {
-        normal_6 = _S418.normal_4;
-        height_10 = _S418.height_3;
+        _S432 = _S426.weft_thread_0;
     }
-    float3 _S424 = float3(_S420.xy, abs(_S421));
-    if((dot(normal_6, _S424)) <= 0.0f)
+    uint _S435 = uint(int(floor(_S431 / _S433.period_0)) * _S434 + int(_S432)) * 2U;
+    if(_S426.is_warp_2)
     {
-        return false;
-    }
-    return unoccluded_0(_S416, _S417, _S418.x_9, _S418.y_5, height_10, _S424, (_S418.back_2) != _S422);
-}
-
-float3 evaluate_0(uint _S425, SearchQuality_0 _S426, YarnPoint_0 _S427, float3 _S428, float3 _S429)
-{
-    float3 _S430 = scattered_0(_S425, _S427, to_face_frame_0(_S428, _S427.back_2), to_face_frame_0(_S429, _S427.back_2));
-    bool _S431;
-    if((max(_S430.x, max(_S430.y, _S430.z))) <= 0.0f)
-    {
-        _S431 = true;
+        _S432 = 1U;
     }
     else
     {
-        _S431 = !is_lit_0(_S425, _S426, _S427, _S428);
+        _S432 = 0U;
     }
-    if(_S431)
-    {
-        return (float3)0.0f;
-    }
-    return _S430;
+    float _S436 = floor(_S426.fibre_across_0 / fabrics_0[_S425].fibre_size_0);
+    return vary_albedos_0(_S425, _S427, _S435 + _S432, uint(int(_S436)) * 65536U + uint(int(floor(_S426.fibre_along_0 / (fabrics_0[_S425].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S436))));
 }
 
-float straight_through_0(uint _S432, YarnPoint_0 _S433, float3 _S434)
+YarnPoint_0 yarn_point_of_0(uint _S437, SurfacePoint_0 _S438, float _S439, float _S440, bool _S441, bool _S442)
 {
-    if(!_S433.hole_2)
+    uint _S443;
+    if(_S438.is_warp_2)
     {
-        return 0.0f;
+        _S443 = fabrics_0[_S437].warp_0;
     }
-    float _S435 = fabrics_0[_S432].sheen_strength_0;
-    if((fabrics_0[_S432].sheen_strength_0) <= 0.0f)
+    else
+    {
+        _S443 = fabrics_0[_S437].weft_0;
+    }
+    uint _S444;
+    if(_S438.is_warp_2)
+    {
+        _S444 = _S438.warp_thread_0;
+    }
+    else
+    {
+        _S444 = _S438.weft_thread_0;
+    }
+    Albedos_0 albedos_3 = albedos_of_0(_S443, _S444);
+    bool _S445;
+    if((fabrics_0[_S437].fibre_noise_0) > 0.0f)
+    {
+        _S445 = true;
+    }
+    else
+    {
+        _S445 = (fabrics_0[_S437].colour_noise_0) > 0.0f;
+    }
+    Albedos_0 albedos_4;
+    if(_S445)
+    {
+        albedos_4 = varied_at_0(_S437, _S438, albedos_3, _S439, _S440);
+    }
+    else
+    {
+        albedos_4 = albedos_3;
+    }
+    YarnPoint_0 point_4;
+    point_4.back_2 = _S441;
+    point_4.hole_2 = _S442;
+    point_4.is_warp_1 = _S438.is_warp_2;
+    point_4.x_11 = _S439;
+    point_4.y_5 = _S440;
+    point_4.height_3 = _S438.height_9;
+    point_4.normal_4 = _S438.normal_5;
+    point_4.tangent_4 = _S438.tangent_5;
+    point_4.roughness_8 = families_0.Load(_S443).roughness_0;
+    point_4.albedos_2 = albedos_4;
+    return point_4;
+}
+
+YarnPoint_0 locate_yarn_0(uint _S446, SearchQuality_0 _S447, float _S448, float _S449, float3 _S450)
+{
+    bool _S451 = (_S450.z) < 0.0f;
+    Hit_0 _S452 = first_hit_0(_S446, _S447, _S448, _S449, to_face_frame_0(_S450, _S451), _S451);
+    return yarn_point_of_0(_S446, surface_at_0(_S446, _S452.x_12, _S452.y_6, _S451), _S452.x_12, _S452.y_6, _S451, _S452.hole_3);
+}
+
+uint light_sample_count_0(int _S453)
+{
+    return frames_0[_S453].lights_0 + frames_0[_S453].environment_samples_0;
+}
+
+float visibility_at_0(int _S454, uint _S455, uint2 _S456)
+{
+    if((frames_0[_S454].casts_shadows_0) == 0U)
     {
         return 1.0f;
     }
-    return 1.0f - _S435 * sheen_lobe_0(abs(_S434.z), fabrics_0[_S432].sheen_roughness_0).z;
+    return visibilities_0[(_S455 * frames_0[_S454].height_0 + _S456.y) * frames_0[_S454].width_0 + _S456.x];
 }
 
-float4 light_of_point_0(Frame_0 _S436, uint _S437, VisiblePoint_0 _S438, float2 _S439)
+struct LightSample_0
 {
-    SearchQuality_0 _S440 = default_quality_0();
-    float3 _S441 = to_local_0(_S438, _S438.view_0);
-    YarnPoint_0 _S442 = locate_yarn_0(_S437, _S440, _S439.x, _S439.y, _S441);
-    float3 _S443 = (float3)0.0f;
-    uint number_1 = 0U;
-    float3 radiance_1 = _S443;
+    float3 towards_0;
+    float3 irradiance_1;
+    float distance_3;
+};
+
+float3 environment_texel_0(int _S457, uint _S458, uint _S459)
+{
+    uint _S460 = frames_0[_S457].environment_table_0 + frames_0[_S457].environment_rows_0 + 1U + frames_0[_S457].environment_rows_0 * (frames_0[_S457].environment_columns_0 + 1U) + 3U * (_S458 * frames_0[_S457].environment_columns_0 + _S459);
+    return float3(scene_number_0(_S460), scene_number_0(_S460 + 1U), scene_number_0(_S460 + 2U));
+}
+
+float3 sample_environment_0(int _S461, float2 _S462, out float3 _S463)
+{
+    uint _S464 = frames_0[_S461].environment_rows_0;
+    Choice_0 _S465 = choose_0(frames_0[_S461].environment_table_0, frames_0[_S461].environment_rows_0, _S462.y);
+    uint _S466 = frames_0[_S461].environment_columns_0;
+    Choice_0 _S467 = choose_0(frames_0[_S461].environment_table_0 + frames_0[_S461].environment_rows_0 + 1U + _S465.index_6 * (frames_0[_S461].environment_columns_0 + 1U), frames_0[_S461].environment_columns_0, _S462.x);
+    float3 _S468 = environment_texel_0(_S461, _S465.index_6, _S467.index_6);
+    _S463 = _S468 * (frames_0[_S461].environment_total_0 / max(mean_0(_S468), 9.99999968265522539e-21f));
+    float _S469 = 3.14159274101257324f / float(_S464);
+    float _S470 = lerp(sine_cosine_0(float(_S465.index_6) * _S469).y, sine_cosine_0(float(_S465.index_6 + 1U) * _S469).y, _S465.remainder_0);
+    float _S471 = sqrt(max(1.0f - _S470 * _S470, 0.0f));
+    float2 _S472 = sine_cosine_0((float(_S467.index_6) + _S467.remainder_0) * (6.28318548202514648f / float(_S466)));
+    float _S473 = _S471 * _S472.x;
+    float _S474 = - _S471 * _S472.y;
+    return float3(frames_0[_S461].environment_cosine_0 * _S473 + frames_0[_S461].environment_sine_0 * _S474, _S470, frames_0[_S461].environment_cosine_0 * _S474 - frames_0[_S461].environment_sine_0 * _S473);
+}
+
+LightSample_0 light_sample_0(int _S475, uint _S476, uint2 _S477, float3 _S478)
+{
+    LightSample_0 sample_1;
+    sample_1.distance_3 = 1.00000001504746622e+30f;
+    uint _S479 = frames_0[_S475].lights_0;
+    if(_S476 >= (frames_0[_S475].lights_0))
+    {
+        float3 weight_0;
+        float3 _S480 = sample_environment_0(_S475, pixel_sequence_0(_S477, frames_0[_S475].pass_number_0 * frames_0[_S475].environment_samples_0 + (_S476 - _S479), 3U), weight_0);
+        sample_1.towards_0 = _S480;
+        sample_1.irradiance_1 = weight_0 / float(frames_0[_S475].environment_samples_0);
+        return sample_1;
+    }
+    Light_0 _S481 = lights_1.Load(_S476);
+    sample_1.irradiance_1 = float3(_S481.red_0, _S481.green_0, _S481.blue_0);
+    sample_1.towards_0 = float3(_S481.x_1, _S481.y_1, _S481.z_1);
+    if((_S481.is_point_0) != 0U)
+    {
+        float3 _S482 = sample_1.towards_0 - _S478;
+        float _S483 = max(square_0(_S482), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S483);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / _S483;
+        sample_1.towards_0 = normalize(_S482);
+    }
+    return sample_1;
+}
+
+float3 scattered_0(uint _S484, YarnPoint_0 _S485, float3 _S486, float3 _S487)
+{
+    float3 _S488 = (float3)0.0f;
+    bool _S489 = !_S485.hole_2;
+    bool _S490;
+    if(_S489)
+    {
+        _S490 = (_S486.z) > 0.0f;
+    }
+    else
+    {
+        _S490 = false;
+    }
+    float3 value_1;
+    if(_S490)
+    {
+        value_1 = _S485.albedos_2.diffuse_reflect_0 * diffuse_reflection_0(_S486, _S485.normal_4, fabrics_0[_S484].diffuse_blend_0) + _S485.albedos_2.specular_reflect_0 * reflection_0(_S486, _S487, _S485.normal_4, _S485.tangent_4, _S485.roughness_8, fabrics_0[_S484].optical_depth_0);
+    }
+    else
+    {
+        if(_S489)
+        {
+            _S490 = (_S486.z) < 0.0f;
+        }
+        else
+        {
+            _S490 = false;
+        }
+        if(_S490)
+        {
+            value_1 = _S485.albedos_2.diffuse_transmit_0 * diffuse_reflection_0(- _S486, _S485.normal_4, fabrics_0[_S484].diffuse_blend_0) + _S485.albedos_2.specular_transmit_0 * transmission_0(_S486, _S487, _S485.normal_4, _S485.tangent_4, _S485.roughness_8, fabrics_0[_S484].optical_depth_0);
+        }
+        else
+        {
+            value_1 = _S488;
+        }
+    }
+    float _S491 = fabrics_0[_S484].sheen_strength_0;
+    if((fabrics_0[_S484].sheen_strength_0) <= 0.0f)
+    {
+        return value_1;
+    }
+    float2 _S492 = sheen_with_transmittance_0(_S486, _S487, _S491, fabrics_0[_S484].sheen_roughness_0);
+    return _S492.y * value_1 + _S492.x;
+}
+
+bool unoccluded_0(uint _S493, SearchQuality_0 _S494, float _S495, float _S496, float _S497, float3 _S498, bool _S499)
+{
+    if((_S498.z) <= 0.0f)
+    {
+        return false;
+    }
+    return is_free_0(_S493, _S494, float3(_S495, _S496, _S497 + fabrics_0[_S493].lift_0), _S498, _S499, max_height_along_0(_S493, _S495, _S496, _S497, _S498, _S499));
+}
+
+bool is_lit_0(uint _S500, SearchQuality_0 _S501, YarnPoint_0 _S502, float3 _S503)
+{
+    if(_S502.hole_2)
+    {
+        return true;
+    }
+    float3 _S504 = to_face_frame_0(_S503, _S502.back_2);
+    float _S505 = _S504.z;
+    bool _S506 = _S505 < 0.0f;
+    float3 normal_6;
+    float height_10;
+    if(_S506)
+    {
+        SurfacePoint_0 _S507 = surface_at_0(_S500, _S502.x_11, _S502.y_5, !_S502.back_2);
+        normal_6 = _S507.normal_5;
+        height_10 = _S507.height_9;
+    }
+    else
+    {
+        normal_6 = _S502.normal_4;
+        height_10 = _S502.height_3;
+    }
+    float3 _S508 = float3(_S504.xy, abs(_S505));
+    if((dot(normal_6, _S508)) <= 0.0f)
+    {
+        return false;
+    }
+    return unoccluded_0(_S500, _S501, _S502.x_11, _S502.y_5, height_10, _S508, (_S502.back_2) != _S506);
+}
+
+float3 evaluate_0(uint _S509, SearchQuality_0 _S510, YarnPoint_0 _S511, float3 _S512, float3 _S513)
+{
+    float3 _S514 = scattered_0(_S509, _S511, to_face_frame_0(_S512, _S511.back_2), to_face_frame_0(_S513, _S511.back_2));
+    bool _S515;
+    if((max(_S514.x, max(_S514.y, _S514.z))) <= 0.0f)
+    {
+        _S515 = true;
+    }
+    else
+    {
+        _S515 = !is_lit_0(_S509, _S510, _S511, _S512);
+    }
+    if(_S515)
+    {
+        return (float3)0.0f;
+    }
+    return _S514;
+}
+
+float straight_through_0(uint _S516, YarnPoint_0 _S517, float3 _S518)
+{
+    if(!_S517.hole_2)
+    {
+        return 0.0f;
+    }
+    float _S519 = fabrics_0[_S516].sheen_strength_0;
+    if((fabrics_0[_S516].sheen_strength_0) <= 0.0f)
+    {
+        return 1.0f;
+    }
+    return 1.0f - _S519 * sheen_lobe_0(abs(_S518.z), fabrics_0[_S516].sheen_roughness_0).z;
+}
+
+float4 light_of_point_0(int _S520, uint _S521, VisiblePoint_0 _S522, uint2 _S523, float3 _S524, float2 _S525)
+{
+    SearchQuality_0 _S526 = default_quality_0();
+    float3 _S527 = to_local_0(_S522, _S522.view_0);
+    YarnPoint_0 point_5 = locate_yarn_0(_S521, _S526, _S525.x, _S525.y, _S527);
+    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S524);
+    float3 _S528 = (float3)0.0f;
+    uint number_2 = 0U;
+    float3 radiance_1 = _S528;
     for(;;)
     {
-        if(number_1 < (_S436.lights_0))
+        if(number_2 < (light_sample_count_0(_S520)))
         {
         }
         else
         {
             break;
         }
-        float3 irradiance_2;
-        float3 _S444 = towards_light_0(lights_1.Load(number_1), _S438.position_0, irradiance_2);
-        float3 radiance_2 = radiance_1 + irradiance_2 * evaluate_0(_S437, _S440, _S442, to_local_0(_S438, _S444), _S441);
-        number_1 = number_1 + 1U;
-        radiance_1 = radiance_2;
+        float _S529 = visibility_at_0(_S520, number_2, _S523);
+        if(_S529 <= 0.0f)
+        {
+            number_2 = number_2 + 1U;
+            continue;
+        }
+        LightSample_0 _S530 = light_sample_0(_S520, number_2, _S523, _S522.position_0);
+        radiance_1 = radiance_1 + _S529 * _S530.irradiance_1 * evaluate_0(_S521, _S526, point_5, to_local_0(_S522, _S530.towards_0), _S527);
+        number_2 = number_2 + 1U;
     }
-    return float4(radiance_1, 1.0f - straight_through_0(_S437, _S442, _S441));
+    return float4(radiance_1, 1.0f - straight_through_0(_S521, point_5, _S527));
 }
 
 [numthreads(8, 8, 1)]
 void shade_points(uint3 id_0 : SV_DispatchThreadID)
 {
-    uint _S445;
-    Frame_0 _S446 = frames_0.Load(int(0));
-    bool _S447;
-    if((id_0.x) >= (_S446.width_0))
+    uint _S531;
+    uint _S532 = frames_0[int(0)].width_0;
+    bool _S533;
+    if((id_0.x) >= (frames_0[int(0)].width_0))
     {
-        _S447 = true;
+        _S533 = true;
     }
     else
     {
-        _S447 = (id_0.y) >= (_S446.height_0);
+        _S533 = (id_0.y) >= (frames_0[int(0)].height_0);
     }
-    if(_S447)
+    if(_S533)
     {
         return;
     }
-    uint2 _S448 = id_0.xy;
-    uint _S449 = visible_faces_0.Load(int3(int2(_S448), int(0)));
-    float4 _S450 = (float4)0.0f;
-    float4 sum_0;
-    if(_S449 > 0U)
+    uint2 _S534 = id_0.xy;
+    uint _S535 = id_0.y * _S532 + id_0.x;
+    uint _S536 = layers_0[_S535].face_0;
+    if((layers_0[_S535].face_0) == 0U)
     {
-        uint _S451 = _S449 - 1U;
-        uint _S452 = face_fabrics_0.Load(_S451);
-        VisiblePoint_0 _S453 = visible_point_0(_S446, _S452, _S451, _S448);
-        uint k_0 = 0U;
-        sum_0 = _S450;
-        for(;;)
+        return;
+    }
+    uint _S537 = _S536 - 1U;
+    uint _S538 = face_fabrics_0.Load(_S537);
+    VisiblePoint_0 _S539 = visible_point_0(int(0), _S538, _S537, _S534);
+    float3 _S540 = filtered_albedo_0(_S538, _S539);
+    float4 _S541 = (float4)0.0f;
+    uint k_0 = 0U;
+    float4 sum_0 = _S541;
+    for(;;)
+    {
+        uint _S542 = frames_0[int(0)].samples_0;
+        _S531 = frames_0[int(0)].samples_0;
+        if(k_0 < (frames_0[int(0)].samples_0))
         {
-            _S445 = _S446.samples_0;
-            if(k_0 < (_S446.samples_0))
-            {
-            }
-            else
-            {
-                break;
-            }
-            float2 _S454 = footprint_sample_0(_S448, _S446.pass_number_0 * _S446.samples_0 + k_0);
-            float4 sum_1 = sum_0 + light_of_point_0(_S446, _S452, _S453, _S453.draft_0 + _S454.x * _S453.draft_dx_0 + _S454.y * _S453.draft_dy_0);
-            k_0 = k_0 + 1U;
-            sum_0 = sum_1;
         }
-        sum_0 = sum_0 / float(_S445);
+        else
+        {
+            break;
+        }
+        float2 _S543 = pixel_sequence_0(_S534, frames_0[int(0)].pass_number_0 * _S542 + k_0, 1U) - 0.5f;
+        float4 sum_1 = sum_0 + light_of_point_0(int(0), _S538, _S539, _S534, _S540, _S539.draft_0 + _S543.x * _S539.draft_dx_0 + _S543.y * _S539.draft_dy_0);
+        k_0 = k_0 + 1U;
+        sum_0 = sum_1;
     }
-    else
-    {
-        sum_0 = _S450;
-    }
-    accumulate_0(_S446, _S448, sum_0);
+    accumulate_0(_S535, sum_0 / float(_S531));
     return;
 }
 

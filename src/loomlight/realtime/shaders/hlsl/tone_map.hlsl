@@ -15,6 +15,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -107,13 +119,12 @@ uint encoded_0(float linear_0)
 [numthreads(64, 1, 1)]
 void tone_map(uint3 id_0 : SV_DispatchThreadID)
 {
-    Frame_0 _S10 = frames_0.Load(int(0));
-    if((id_0.x) >= (_S10.width_0 * _S10.height_0))
+    if((id_0.x) >= (frames_0[int(0)].width_0 * frames_0[int(0)].height_0))
     {
         return;
     }
-    float3 _S11 = radiance_0[id_0.x].xyz * _S10.gain_0;
-    pixels_0[id_0.x] = (((encoded_0(_S11.x)) | ((encoded_0(_S11.y)) << int(8))) | ((encoded_0(_S11.z)) << int(16))) | 4278190080U;
+    float3 _S10 = radiance_0[id_0.x].xyz * frames_0[int(0)].gain_0;
+    pixels_0[id_0.x] = (((encoded_0(_S10.x)) | ((encoded_0(_S10.y)) << int(8))) | ((encoded_0(_S10.z)) << int(16))) | 4278190080U;
     return;
 }
 

@@ -71,6 +71,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -105,13 +117,13 @@ struct KernelContext_0
     (&kernelContext_0)->frames_0 = frames_1;
     (&kernelContext_0)->radiance_0 = radiance_1;
     (&kernelContext_0)->pixels_0 = pixels_1;
-    Frame_0 _S10 = frames_1[int(0)];
+    Frame_0 device* _S10 = frames_1+int(0);
     uint _S11 = id_0.x;
-    if(_S11 >= (_S10.width_0 * _S10.height_0))
+    if(_S11 >= (_S10->width_0 * _S10->height_0))
     {
         return;
     }
-    float3 _S12 = (float4(*((&kernelContext_0)->radiance_0+_S11)) ).xyz * float3(_S10.gain_0) ;
+    float3 _S12 = (float4(*((&kernelContext_0)->radiance_0+_S11)) ).xyz * float3(_S10->gain_0) ;
     *((&kernelContext_0)->pixels_0+_S11) = (((encoded_0(_S12.x)) | ((encoded_0(_S12.y)) << 8U)) | ((encoded_0(_S12.z)) << 16U)) | 4278190080U;
     return;
 }

@@ -5,6 +5,18 @@ struct Frame_std430_0
     @align(4) lights_0 : u32,
     @align(4) samples_0 : u32,
     @align(4) pass_number_0 : u32,
+    @align(4) environment_samples_0 : u32,
+    @align(4) environment_columns_0 : u32,
+    @align(4) environment_rows_0 : u32,
+    @align(4) environment_table_0 : u32,
+    @align(4) environment_total_0 : f32,
+    @align(4) environment_sine_0 : f32,
+    @align(4) environment_cosine_0 : f32,
+    @align(4) shows_environment_0 : u32,
+    @align(4) casts_shadows_0 : u32,
+    @align(4) leaves_0 : u32,
+    @align(4) leaf_faces_0 : u32,
+    @align(4) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
     @align(4) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
@@ -98,14 +110,13 @@ fn encoded_0( linear_0 : f32) -> u32
 @workgroup_size(64, 1, 1)
 fn tone_map(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S10 : Frame_std430_0 = frames_0[i32(0)];
-    var _S11 : u32 = id_0.x;
-    if(_S11 >= (_S10.width_0 * _S10.height_0))
+    var _S10 : u32 = id_0.x;
+    if(_S10 >= (frames_0[i32(0)].width_0 * frames_0[i32(0)].height_0))
     {
         return;
     }
-    var _S12 : vec3<f32> = radiance_0[_S11].xyz * vec3<f32>(_S10.gain_0);
-    pixels_0[_S11] = ((((((encoded_0(_S12.x)) | ((((encoded_0(_S12.y)) << (u32(8))))))) | ((((encoded_0(_S12.z)) << (u32(16))))))) | (u32(4278190080)));
+    var _S11 : vec3<f32> = radiance_0[_S10].xyz * vec3<f32>(frames_0[i32(0)].gain_0);
+    pixels_0[_S10] = ((((((encoded_0(_S11.x)) | ((((encoded_0(_S11.y)) << (u32(8))))))) | ((((encoded_0(_S11.z)) << (u32(16))))))) | (u32(4278190080)));
     return;
 }
 

@@ -1,0 +1,171 @@
+"""`loomlight play`: a window in which a fabric is seen in real time."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from loomlight.cli.outputs import check_output, done
+from loomlight.cli.values import parse_size, require_within
+from loomlight.core.errors import InputError, MissingDependencyError
+
+if TYPE_CHECKING:
+    from loomlight.realtime.viewer import Viewer
+
+EXAMPLE = "Example: loomlight play examples/denim.toml --scene drape"
+_SIZE = (960, 720)
+_NO_WINDOW = (
+    "loomlight play opens a window, and {reason}: {remedy}, or write a frame with -o frame.png, or use "
+    "loomlight render."
+)
+
+
+def play(
+    fabric: Annotated[
+        str, typer.Argument(metavar="FABRIC", help="A fabric file, a draft, a .loom, or a weave's name.")
+    ],
+    scene: Annotated[str, typer.Option(help="flat, sphere, cylinder or drape.")] = "drape",
+    mesh: Annotated[
+        Path | None, typer.Option(help="An .obj, .ply, .gltf or .glb file to clothe instead; it needs uv.")
+    ] = None,
+    metres_per_unit: Annotated[float, typer.Option(help="Length of one unit of the mesh, metres.")] = 1.0,
+    model: Annotated[str, typer.Option(help="lobes or point; the key m changes it.")] = "lobes",
+    environment: Annotated[
+        Path | None, typer.Option("--env", help="A latitude-longitude picture: .exr, .hdr, .png or .jpg.")
+    ] = None,
+    environment_turn: Annotated[
+        float, typer.Option("--env-turn", help="Turns it about the vertical, degrees.")
+    ] = 0.0,
+    size: Annotated[str | None, typer.Option(metavar="WxH", help="Pixels of the window; 960x720.")] = None,
+    zoom: Annotated[float, typer.Option(help="1 frames the whole object, 10 is ten times closer.")] = 1.0,
+    exposure: Annotated[float, typer.Option(help="Stops; the keys + and - change it.")] = 0.0,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", help="Write a frame as .png or .exr, off screen, and open no window."),
+    ] = None,
+    passes: Annotated[int, typer.Option(help="Passes of that frame.")] = 16,
+) -> None:
+    """Opens a window of a fabric in real time: drag to orbit, turn the wheel from garment to yarn.
+
+    Further keys: m the model, l the light, + and - the exposure, r back to the start; Shift or the right
+    button moves.
+    """
+    require_within("--zoom", zoom, 1e-3, 1e3)
+    require_within("--exposure", exposure, -30, 30)
+    require_within("--env-turn", environment_turn, -360, 360)
+    require_within("--metres-per-unit", metres_per_unit, 1e-6, 1e6)
+    require_within("--passes", passes, 1, 100_000)
+    pixels = _SIZE if size is None else parse_size(size)
+    if output is not None:
+        check_output(output, (".png", ".exr"))
+    canvas = None if output is not None else _window(pixels)
+    viewer = _viewer(
+        fabric, scene, mesh, metres_per_unit, model, environment, environment_turn, pixels, zoom, exposure
+    )
+    if output is not None:
+        _write(viewer, output, passes, exposure)
+    elif canvas is not None:
+        viewer.attach(canvas)
+        _loop().run()
+
+
+def _viewer(
+    fabric: str,
+    scene: str,
+    mesh: Path | None,
+    metres_per_unit: float,
+    model: str,
+    environment: Path | None,
+    environment_turn: float,
+    size: tuple[int, int],
+    zoom: float,
+    exposure: float,
+) -> Viewer:
+    from loomlight.fabric.fabric import Fabric
+    from loomlight.mitsuba.camera import framing
+    from loomlight.mitsuba.lights import studio_radiance
+    from loomlight.mitsuba.meshes import uv_size
+    from loomlight.mitsuba.scenes import built_in_cloth
+    from loomlight.mitsuba.variants import choose_variant
+    from loomlight.models.registry import REFERENCE_MODEL, model_of
+    from loomlight.realtime import Cloth, DirectionalLight, Environment, Mesh, Renderer
+    from loomlight.realtime.orbit import Orbit
+    from loomlight.realtime.viewer import Lighting, Viewer
+
+    choose_variant(None)
+    source = model_of(fabric, REFERENCE_MODEL).source
+    if not isinstance(source, Fabric):
+        raise InputError(f"{fabric} is no fabric: real time shows fabrics alone.")
+    cloth, towards_camera, towards_light = built_in_cloth(scene, mesh)
+    cloth = cloth.scaled(metres_per_unit if mesh is not None else 1.0)
+    piece = Cloth(
+        Mesh(cloth.positions, cloth.normals, cloth.uv, cloth.triangles.astype("uint32")),
+        source,
+        uv_size(cloth),
+    )
+    towards = towards_light / (towards_light @ towards_light) ** 0.5
+    places = {"studio": Environment(studio_radiance(towards))}
+    if environment is not None:
+        places[environment.name] = Environment.read(environment, environment_turn)
+    around = [
+        Lighting(name, (), {"environment": place, "background": (0.18,) * 3 if name == "studio" else None})
+        for name, place in places.items()
+    ]
+    # What the user named comes first.
+    lightings = [*around[::-1], Lighting("directional", [DirectionalLight(towards_light)])]
+    renderer = Renderer([piece], size, model)
+    view = framing(cloth.positions, towards_camera, size)
+    orbit = Orbit.between(view.origin, view.target)
+    return Viewer(renderer, orbit.closer_by(zoom), lightings, exposure=exposure)
+
+
+def _write(viewer: Viewer, output: Path, passes: int, exposure: float) -> None:
+    from loomlight.core.images import write_image, write_png
+
+    for _ in range(passes):
+        picture = viewer.frame()
+    if output.suffix.lower() == ".exr":
+        write_image(output, picture.linear[..., :3] * 2.0**exposure)
+    else:
+        write_png(output, picture.srgb[..., :3])
+    done(output)
+
+
+def _window(size: tuple[int, int]) -> Any:
+    """A window of rendercanvas.
+
+    Raises:
+        MissingDependencyError: rendercanvas is not installed, or there is no display or no window library.
+    """
+    from loomlight.core.extras import import_extra
+
+    import_extra("rendercanvas", "realtime", "A window")
+    if sys.platform.startswith("linux") and not (
+        os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY") or _is_offscreen()
+    ):
+        reason = "this machine has no display (neither DISPLAY nor WAYLAND_DISPLAY is set)"
+        raise MissingDependencyError(_NO_WINDOW.format(reason=reason, remedy="run it where there is one"))
+    try:
+        from rendercanvas.auto import RenderCanvas
+
+        return RenderCanvas(size=size, title="loomlight", update_mode="ondemand", max_fps=60)
+    except (ImportError, RuntimeError) as error:
+        reason = "no window library can open one here"
+        raise MissingDependencyError(
+            _NO_WINDOW.format(reason=reason, remedy="install one (pip install glfw)")
+        ) from error
+
+
+def _is_offscreen() -> bool:
+    """Whether rendercanvas is told to draw off screen, as its own tests do."""
+    return os.environ.get("RENDERCANVAS_FORCE_OFFSCREEN", "") in ("1", "true", "yes")
+
+
+def _loop() -> Any:
+    from rendercanvas.auto import loop
+
+    return loop

@@ -1,0 +1,71 @@
+"""Radiance pictures (.hdr): three mantissas with one exponent a pixel (Ward 1991), often run-length coded."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+
+_SIZE = re.compile(rb"-Y (\d+) \+X (\d+)\n")
+# Widths between these are run-length coded, row by row.
+_LEAST_CODED, _MOST_CODED = 8, 32767
+
+
+def read_rgbe(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    """Linear RGB [height, width, 3] of a Radiance picture.
+
+    Raises:
+        InputError: no Radiance picture, or one that ends early.
+    """
+    data = Path(path).read_bytes()
+    size = _SIZE.search(data, 0, 4096)
+    if not data.startswith(b"#?") or size is None:
+        raise InputError(f"{path} is no Radiance picture (.hdr) with rows from the top.")
+    height, width = int(size[1]), int(size[2])
+    # A row takes at least four bytes, so a damaged size cannot ask for much more than the file has.
+    if width == 0 or height == 0 or height > len(data):
+        raise InputError(f"{path} has {width} x {height} pixels, which its data do not hold.")
+    pixels = np.zeros((height, width, 4), np.uint8)
+    try:
+        _read_rows(data, size.end(), pixels)
+    except (IndexError, ValueError) as error:
+        raise InputError(f"{path} is damaged: its data end early.") from error
+    # A pixel is mantissa · 2^(exponent − 136); an exponent of 0 is black.
+    scale = np.where(pixels[..., 3:] > 0, np.exp2(np.float32(pixels[..., 3:]) - 136), 0)
+    return (pixels[..., :3] * scale).astype(np.float32)
+
+
+def _read_rows(data: bytes, at: int, pixels: NDArray[np.uint8]) -> None:
+    width = pixels.shape[1]
+    for row in pixels:
+        coded = _LEAST_CODED <= width <= _MOST_CODED and data[at : at + 2] == b"\x02\x02"
+        if not coded:
+            row[:] = np.frombuffer(data, np.uint8, 4 * width, at).reshape(width, 4)
+            at += 4 * width
+            continue
+        at += 4
+        for channel in range(4):
+            at = _read_runs(data, at, row[:, channel])
+
+
+def _read_runs(data: bytes, at: int, values: NDArray[np.uint8]) -> int:
+    """Fills one channel of a row; where its code ends."""
+    place = 0
+    while place < len(values):
+        count = data[at]
+        if count > 128:  # so many times one value
+            count -= 128
+            values[place : place + count] = data[at + 1]
+            at += 2
+        else:
+            values[place : place + count] = np.frombuffer(data, np.uint8, count, at + 1)
+            at += 1 + count
+        if count == 0:
+            raise ValueError("a run of no pixels")
+        place += count
+    return at

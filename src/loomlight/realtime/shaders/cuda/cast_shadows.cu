@@ -1,0 +1,3267 @@
+#include <slang-cuda-prelude.h>
+struct Lobes_0
+{
+    uint is_baked_0;
+    float inverse_base_size_0;
+    float last_level_0;
+    uint levels_0;
+    uint face_nodes_0;
+    uint packs_0;
+    uint front_warp_packs_0;
+    uint back_warp_packs_0;
+    uint coverage_0;
+    uint coverage_holes_0;
+    uint projected_area_0;
+    uint light_visibility_0;
+    uint irradiance_0;
+    uint moments_0;
+    float front_hole_weight_0;
+    float back_hole_weight_0;
+    float threads_per_mm_0;
+    float unit_level_0;
+};
+
+struct Fabric_0
+{
+    uint warp_0;
+    uint weft_0;
+    Lobes_0 lobes_0;
+    uint run_words_0;
+    uint ends_0;
+    uint max_heights_0;
+    uint max_height_columns_0;
+    float height_low_0;
+    float height_high_0;
+    float lift_0;
+    float threads_per_x_0;
+    float threads_per_y_0;
+    float per_relief_0;
+    float diffuse_blend_0;
+    float optical_depth_0;
+    float sheen_strength_0;
+    float sheen_roughness_0;
+    float fibre_noise_0;
+    float colour_noise_0;
+    uint seed_0;
+    float layer_bound_0;
+    float fibre_size_0;
+    float uv_width_0;
+    float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
+};
+
+struct Family_0
+{
+    uint is_alike_0;
+    float count_0;
+    float inverse_count_0;
+    float half_inverse_count_0;
+    float size_0;
+    float inverse_size_0;
+    float half_width_0;
+    float start_0;
+    float period_0;
+    float inverse_period_0;
+    float bins_0;
+    uint first_thread_table_0;
+    uint place_table_0;
+    uint bend_table_0;
+    float height_scale_0;
+    float twist_sine_0;
+    float twist_cosine_0;
+    float level_0;
+    float roughness_0;
+    uint albedo_table_0;
+    uint albedo_stride_0;
+    uint before_0;
+    float visible_total_0;
+    float smallest_box_0;
+    uint quantities_0;
+    uint colour_mean_0;
+    uint colour_axes_0;
+    uint colour_threads_0;
+    uint colour_areas_0;
+    float area_unit_0;
+    float crossing_area_0;
+};
+
+struct Light_0
+{
+    uint is_point_0;
+    float x_0;
+    float y_0;
+    float z_0;
+    float red_0;
+    float green_0;
+    float blue_0;
+};
+
+struct Frame_0
+{
+    uint width_0;
+    uint height_0;
+    uint lights_0;
+    uint samples_0;
+    uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
+    float jitter_x_0;
+    float jitter_y_0;
+    float gain_0;
+    float origin_x_0;
+    float origin_y_0;
+    float origin_z_0;
+    float right_x_0;
+    float right_y_0;
+    float right_z_0;
+    float up_x_0;
+    float up_y_0;
+    float up_z_0;
+    float forward_x_0;
+    float forward_y_0;
+    float forward_z_0;
+    float near_0;
+    float background_red_0;
+    float background_green_0;
+    float background_blue_0;
+};
+
+struct Vertex_0
+{
+    float x_1;
+    float y_1;
+    float z_1;
+    float normal_x_0;
+    float normal_y_0;
+    float normal_z_0;
+    float u_0;
+    float v_0;
+};
+
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+struct GlobalParams_0
+{
+    StructuredBuffer<Fabric_0> fabrics_0;
+    StructuredBuffer<Family_0> families_0;
+    StructuredBuffer<uint> words_0;
+    StructuredBuffer<Light_0> lights_1;
+    StructuredBuffer<Frame_0> frames_0;
+    StructuredBuffer<Vertex_0> vertices_0;
+    StructuredBuffer<uint> corners_0;
+    StructuredBuffer<uint> face_fabrics_0;
+    RWStructuredBuffer<float4 > radiance_0;
+    RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
+    CUtexObject visible_faces_0;
+};
+
+extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
+#define globalParams_0 (&SLANG_globalParams)
+__device__ float dot_0(float3  x_2, float3  y_2)
+{
+    int i_0 = int(0);
+    float result_0 = 0.0f;
+    for(;;)
+    {
+        if(i_0 < int(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        i_0 = i_0 + int(1);
+        result_0 = result_1;
+    }
+    return result_0;
+}
+
+__device__ float length_0(float3  x_3)
+{
+    return (F32_sqrt((dot_0(x_3, x_3))));
+}
+
+__device__ float clamp_0(float x_4, float minBound_0, float maxBound_0)
+{
+    return (F32_min(((F32_max((x_4), (minBound_0)))), (maxBound_0)));
+}
+
+__device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
+    float2 {
+        -0.3333333432674408f, -0.3333333432674408f
+    }, float2 {
+        -0.3333333432674408f, 0.0f
+    }, float2 {
+        -0.3333333432674408f, 0.3333333432674408f
+    }, float2 {
+        0.0f, -0.3333333432674408f
+    }, float2 {
+        0.0f, 0.0f
+    }, float2 {
+        0.0f, 0.3333333432674408f
+    }, float2 {
+        0.3333333432674408f, -0.3333333432674408f
+    }, float2 {
+        0.3333333432674408f, 0.0f
+    }, float2 {
+        0.3333333432674408f, 0.3333333432674408f
+    }
+};
+__device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
+    1.0f, 2.0f, 4.0f, 8.0f
+};
+__device__ float lerp_0(float x_5, float y_3, float s_0)
+{
+    return x_5 + (y_3 - x_5) * s_0;
+}
+
+__device__ float dot_1(float2  x_6, float2  y_4)
+{
+    int i_1 = int(0);
+    float result_2 = 0.0f;
+    for(;;)
+    {
+        if(i_1 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        float result_3 = result_2 + _slang_vector_get_element(x_6, i_1) * _slang_vector_get_element(y_4, i_1);
+        i_1 = i_1 + int(1);
+        result_2 = result_3;
+    }
+    return result_2;
+}
+
+__device__ float3  cross_0(float3  left_0, float3  right_0)
+{
+    float _S1 = left_0.y;
+    float _S2 = right_0.z;
+    float _S3 = left_0.z;
+    float _S4 = right_0.y;
+    float _S5 = right_0.x;
+    float _S6 = left_0.x;
+    return make_float3 (_S1 * _S2 - _S3 * _S4, _S3 * _S5 - _S6 * _S2, _S6 * _S4 - _S1 * _S5);
+}
+
+__device__ float3  max_0(float3  x_7, float3  y_5)
+{
+    float3  result_4;
+    int i_2 = int(0);
+    for(;;)
+    {
+        if(i_2 < int(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_max((_slang_vector_get_element(x_7, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        i_2 = i_2 + int(1);
+    }
+    return result_4;
+}
+
+__device__ float3  min_0(float3  x_8, float3  y_6)
+{
+    float3  result_5;
+    int i_3 = int(0);
+    for(;;)
+    {
+        if(i_3 < int(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_min((_slang_vector_get_element(x_8, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        i_3 = i_3 + int(1);
+    }
+    return result_5;
+}
+
+__device__ float3  normalize_0(float3  x_9)
+{
+    return x_9 / make_float3 (length_0(x_9));
+}
+
+__device__ float saturate_0(float x_10)
+{
+    return clamp_0(x_10, 0.0f, 1.0f);
+}
+
+__device__ float2  frac_0(float2  x_11)
+{
+    float2  result_6;
+    int i_4 = int(0);
+    for(;;)
+    {
+        if(i_4 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_11, i_4))));
+        i_4 = i_4 + int(1);
+    }
+    return result_6;
+}
+
+__device__ Lobes_0 slang_ldg_0(Lobes_0 * ptr_0)
+{
+    uint _S7 = __ldg(&ptr_0->is_baked_0);
+    float _S8 = __ldg(&ptr_0->inverse_base_size_0);
+    float _S9 = __ldg(&ptr_0->last_level_0);
+    uint _S10 = __ldg(&ptr_0->levels_0);
+    uint _S11 = __ldg(&ptr_0->face_nodes_0);
+    uint _S12 = __ldg(&ptr_0->packs_0);
+    uint _S13 = __ldg(&ptr_0->front_warp_packs_0);
+    uint _S14 = __ldg(&ptr_0->back_warp_packs_0);
+    uint _S15 = __ldg(&ptr_0->coverage_0);
+    uint _S16 = __ldg(&ptr_0->coverage_holes_0);
+    uint _S17 = __ldg(&ptr_0->projected_area_0);
+    uint _S18 = __ldg(&ptr_0->light_visibility_0);
+    uint _S19 = __ldg(&ptr_0->irradiance_0);
+    uint _S20 = __ldg(&ptr_0->moments_0);
+    float _S21 = __ldg(&ptr_0->front_hole_weight_0);
+    float _S22 = __ldg(&ptr_0->back_hole_weight_0);
+    float _S23 = __ldg(&ptr_0->threads_per_mm_0);
+    float _S24 = __ldg(&ptr_0->unit_level_0);
+    Lobes_0 _S25 = { _S7, _S8, _S9, _S10, _S11, _S12, _S13, _S14, _S15, _S16, _S17, _S18, _S19, _S20, _S21, _S22, _S23, _S24 };
+    return _S25;
+}
+
+__device__ Vertex_0 slang_ldg_1(Vertex_0 * ptr_1)
+{
+    float _S26 = __ldg(&ptr_1->x_1);
+    float _S27 = __ldg(&ptr_1->y_1);
+    float _S28 = __ldg(&ptr_1->z_1);
+    float _S29 = __ldg(&ptr_1->normal_x_0);
+    float _S30 = __ldg(&ptr_1->normal_y_0);
+    float _S31 = __ldg(&ptr_1->normal_z_0);
+    float _S32 = __ldg(&ptr_1->u_0);
+    float _S33 = __ldg(&ptr_1->v_0);
+    Vertex_0 _S34 = { _S26, _S27, _S28, _S29, _S30, _S31, _S32, _S33 };
+    return _S34;
+}
+
+__device__ float3  position_of_0(Vertex_0 * vertex_0)
+{
+    return make_float3 (vertex_0->x_1, vertex_0->y_1, vertex_0->z_1);
+}
+
+__device__ float square_0(float3  v_1)
+{
+    return dot_0(v_1, v_1);
+}
+
+__device__ float3  normal_of_0(Vertex_0 * vertex_1)
+{
+    return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
+}
+
+__device__ uint scramble_0(uint value_0)
+{
+    uint _S35 = value_0 * 747796405U + 2891336453U;
+    uint _S36 = ((_S35 >> ((_S35 >> int(28)) + 4U)) ^ _S35) * 277803737U;
+    return (_S36 >> int(22)) ^ _S36;
+}
+
+__device__ float uniform_hash_0(uint thread_0, uint cell_0, uint stream_0)
+{
+    return (float((scramble_0(cell_0 + scramble_0(thread_0 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+__device__ float2  pixel_sequence_0(uint2  pixel_0, uint index_0, uint stream_1)
+{
+    uint _S37 = pixel_0.x;
+    uint _S38 = pixel_0.y;
+    return frac_0(make_float2 (uniform_hash_0(_S37, _S38, stream_1), uniform_hash_0(_S37, _S38, stream_1 + 1U)) + make_float2 (float(index_0 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
+}
+
+__device__ float scene_number_0(uint index_1)
+{
+    uint _S39 = __ldg((&(globalParams_0->scene_words_0)[index_1]));
+    return (U32_asfloat((_S39)));
+}
+
+struct Choice_0
+{
+    uint index_2;
+    float remainder_0;
+};
+
+__device__ Choice_0 choose_0(uint table_0, uint count_1, float number_0)
+{
+    uint high_0 = count_1;
+    uint low_0 = 0U;
+    for(;;)
+    {
+        if((high_0 - low_0) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S40 = (low_0 + high_0) / 2U;
+        if((scene_number_0(table_0 + _S40)) <= number_0)
+        {
+            low_0 = _S40;
+        }
+        else
+        {
+            high_0 = _S40;
+        }
+    }
+    uint _S41 = table_0 + low_0;
+    float _S42 = scene_number_0(_S41);
+    float _S43 = scene_number_0(_S41 + 1U);
+    Choice_0 choice_0;
+    (&choice_0)->index_2 = low_0;
+    (&choice_0)->remainder_0 = saturate_0((number_0 - _S42) / (F32_max((_S43 - _S42), (9.999999960041972e-13f))));
+    return choice_0;
+}
+
+__device__ float mean_0(float3  colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+__device__ float2  sine_cosine_0(float x_12)
+{
+    float _S44 = (F32_floor((x_12 * 0.63661974668502808f + 0.5f)));
+    float _S45 = x_12 - _S44 * 1.5703125f - _S44 * 0.00048375129699707f - _S44 * 7.54979012640433211e-08f;
+    float _S46 = _S45 * _S45;
+    float _S47 = ((-0.00019515295571182f * _S46 + 0.00833216123282909f) * _S46 - 0.16666655242443085f) * _S46 * _S45 + _S45;
+    float _S48 = ((0.00002443315679557f * _S46 - 0.00138873164542019f) * _S46 + 0.04166664555668831f) * _S46 * _S46 - 0.5f * _S46 + 1.0f;
+    uint _S49 = uint(int(_S44)) & 3U;
+    float2  _S50;
+    if((_S49 & 1U) != 0U)
+    {
+        _S50 = make_float2 (_S48, _S47);
+    }
+    else
+    {
+        _S50 = make_float2 (_S47, _S48);
+    }
+    float _S51;
+    if((_S49 & 2U) != 0U)
+    {
+        _S51 = - _S50.x;
+    }
+    else
+    {
+        _S51 = _S50.x;
+    }
+    float _S52;
+    if(((_S49 + 1U) & 2U) != 0U)
+    {
+        _S52 = - _S50.y;
+    }
+    else
+    {
+        _S52 = _S50.y;
+    }
+    return make_float2 (_S51, _S52);
+}
+
+__device__ Light_0 slang_ldg_2(Light_0 * ptr_2)
+{
+    uint _S53 = __ldg(&ptr_2->is_point_0);
+    float _S54 = __ldg(&ptr_2->x_0);
+    float _S55 = __ldg(&ptr_2->y_0);
+    float _S56 = __ldg(&ptr_2->z_0);
+    float _S57 = __ldg(&ptr_2->red_0);
+    float _S58 = __ldg(&ptr_2->green_0);
+    float _S59 = __ldg(&ptr_2->blue_0);
+    Light_0 _S60 = { _S53, _S54, _S55, _S56, _S57, _S58, _S59 };
+    return _S60;
+}
+
+__device__ float inverse_of_0(float component_0)
+{
+    float _S61;
+    if((F32_abs((component_0))) > 9.99999968265522539e-21f)
+    {
+        _S61 = component_0;
+    }
+    else
+    {
+        _S61 = 9.99999968265522539e-21f;
+    }
+    return 1.0f / _S61;
+}
+
+__device__ bool meets_node_0(uint node_0, float3  origin_0, float3  inverse_0, float nearest_0, float farthest_0)
+{
+    uint _S62 = 6U * (node_0 - 1U);
+    float3  _S63 = (make_float3 (scene_number_0(_S62), scene_number_0(_S62 + 1U), scene_number_0(_S62 + 2U)) - origin_0) * inverse_0;
+    float3  _S64 = (make_float3 (scene_number_0(_S62 + 3U), scene_number_0(_S62 + 4U), scene_number_0(_S62 + 5U)) - origin_0) * inverse_0;
+    float3  _S65 = min_0(_S63, _S64);
+    float3  _S66 = max_0(_S63, _S64) * make_float3 (1.0000004768371582f);
+    return (F32_max(((F32_max((_S65.x), (_S65.y)))), ((F32_max((_S65.z), (nearest_0)))))) <= (F32_min(((F32_min((_S66.x), (_S66.y)))), ((F32_min((_S66.z), (farthest_0))))));
+}
+
+__device__ uint following_node_0(uint node_1)
+{
+    uint _S67 = node_1 + 1U;
+    uint _S68 = _S67 >> (U32_firstbitlow((_S67)));
+    uint _S69;
+    if(_S68 == 1U)
+    {
+        _S69 = 0U;
+    }
+    else
+    {
+        _S69 = _S68;
+    }
+    return _S69;
+}
+
+struct Hit_0
+{
+    uint face_1;
+    float distance_0;
+    float weight_b_0;
+    float weight_c_0;
+};
+
+__device__ Hit_0 meet_face_0(uint face_2, float3  origin_1, float3  direction_0)
+{
+    uint _S70 = 3U * face_2;
+    uint _S71 = __ldg((&(globalParams_0->corners_0)[_S70]));
+    Vertex_0 _S72 = slang_ldg_1((&(globalParams_0->vertices_0)[_S71]));
+    Vertex_0 _S73 = _S72;
+    float3  _S74 = position_of_0(&_S73);
+    uint _S75 = __ldg((&(globalParams_0->corners_0)[_S70 + 1U]));
+    Vertex_0 _S76 = slang_ldg_1((&(globalParams_0->vertices_0)[_S75]));
+    Vertex_0 _S77 = _S76;
+    float3  _S78 = position_of_0(&_S77);
+    float3  _S79 = _S78 - _S74;
+    uint _S80 = __ldg((&(globalParams_0->corners_0)[_S70 + 2U]));
+    Vertex_0 _S81 = slang_ldg_1((&(globalParams_0->vertices_0)[_S80]));
+    Vertex_0 _S82 = _S81;
+    float3  _S83 = position_of_0(&_S82);
+    float3  _S84 = _S83 - _S74;
+    float3  _S85 = cross_0(direction_0, _S84);
+    float _S86 = dot_0(_S79, _S85);
+    bool _S87 = (F32_abs((_S86))) > 1.00000000317107685e-30f;
+    float _S88;
+    if(_S87)
+    {
+        _S88 = _S86;
+    }
+    else
+    {
+        _S88 = 1.00000000317107685e-30f;
+    }
+    float _S89 = 1.0f / _S88;
+    float3  _S90 = origin_1 - _S74;
+    float3  _S91 = cross_0(_S90, _S79);
+    Hit_0 hit_0;
+    float _S92 = dot_0(_S90, _S85) * _S89;
+    (&hit_0)->weight_b_0 = _S92;
+    (&hit_0)->weight_c_0 = dot_0(direction_0, _S91) * _S89;
+    (&hit_0)->distance_0 = dot_0(_S84, _S91) * _S89;
+    bool _S93;
+    if(_S92 >= 0.0f)
+    {
+        _S93 = ((&hit_0)->weight_c_0) >= 0.0f;
+    }
+    else
+    {
+        _S93 = false;
+    }
+    if(_S93)
+    {
+        _S93 = ((&hit_0)->weight_b_0 + (&hit_0)->weight_c_0) <= 1.0f;
+    }
+    else
+    {
+        _S93 = false;
+    }
+    if(_S93)
+    {
+        _S93 = _S87;
+    }
+    else
+    {
+        _S93 = false;
+    }
+    uint _S94;
+    if(_S93)
+    {
+        _S94 = face_2;
+    }
+    else
+    {
+        _S94 = 4294967295U;
+    }
+    (&hit_0)->face_1 = _S94;
+    return hit_0;
+}
+
+struct VisiblePoint_0
+{
+    float3  position_0;
+    float3  view_0;
+    float3  axis_x_0;
+    float3  axis_y_0;
+    float3  normal_0;
+    float3  face_normal_0;
+    float2  uv_0;
+    float2  draft_per_uv_0;
+    float2  draft_0;
+    float2  draft_dx_0;
+    float2  draft_dy_0;
+};
+
+__device__ float3  to_local_0(VisiblePoint_0 * point_0, float3  direction_1)
+{
+    return make_float3 (dot_0(direction_1, point_0->axis_x_0), dot_0(direction_1, point_0->axis_y_0), dot_0(direction_1, point_0->normal_0));
+}
+
+__device__ float3  to_face_frame_0(float3  direction_2, bool back_0)
+{
+    float2  _S95 = float2 {direction_2.x, direction_2.y};
+    float _S96;
+    if(back_0)
+    {
+        _S96 = - direction_2.z;
+    }
+    else
+    {
+        _S96 = direction_2.z;
+    }
+    return make_float3 (_S95.x, _S95.y, _S96);
+}
+
+struct Footprint_0
+{
+    float2  centre_0;
+    float2  dx_0;
+    float2  dy_0;
+};
+
+__device__ float Footprint_spread_side_0(Footprint_0 * this_0)
+{
+    return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
+}
+
+__device__ float natural_logarithm_0(float x_13)
+{
+    uint _S97 = (F32_asuint((x_13)));
+    float exponent_0 = float(int(_S97 >> int(23)) - int(126));
+    float m_0 = (U32_asfloat(((_S97 & 8388607U) | 1056964608U)));
+    float m_1;
+    float exponent_1;
+    if(m_0 < 0.70710676908493042f)
+    {
+        float exponent_2 = exponent_0 - 1.0f;
+        m_1 = m_0 + m_0;
+        exponent_1 = exponent_2;
+    }
+    else
+    {
+        m_1 = m_0;
+        exponent_1 = exponent_0;
+    }
+    float m_2 = m_1 - 1.0f;
+    float _S98 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S98 - exponent_1 * 0.00021219444170129f - 0.5f * _S98) + exponent_1 * 0.693359375f;
+}
+
+__device__ float binary_logarithm_0(float x_14)
+{
+    return natural_logarithm_0(x_14) * 1.4426950216293335f;
+}
+
+struct SearchQuality_0
+{
+    float steps_per_thread_0;
+    float steps_per_relief_0;
+    float shadow_share_0;
+    uint refinements_0;
+};
+
+__device__ SearchQuality_0 default_quality_0()
+{
+    SearchQuality_0 quality_0;
+    (&quality_0)->steps_per_thread_0 = 5.0f;
+    (&quality_0)->steps_per_relief_0 = 8.0f;
+    (&quality_0)->shadow_share_0 = 1.0f;
+    (&quality_0)->refinements_0 = 2U;
+    return quality_0;
+}
+
+__device__ Family_0 slang_ldg_3(Family_0 * ptr_3)
+{
+    uint _S99 = __ldg(&ptr_3->is_alike_0);
+    float _S100 = __ldg(&ptr_3->count_0);
+    float _S101 = __ldg(&ptr_3->inverse_count_0);
+    float _S102 = __ldg(&ptr_3->half_inverse_count_0);
+    float _S103 = __ldg(&ptr_3->size_0);
+    float _S104 = __ldg(&ptr_3->inverse_size_0);
+    float _S105 = __ldg(&ptr_3->half_width_0);
+    float _S106 = __ldg(&ptr_3->start_0);
+    float _S107 = __ldg(&ptr_3->period_0);
+    float _S108 = __ldg(&ptr_3->inverse_period_0);
+    float _S109 = __ldg(&ptr_3->bins_0);
+    uint _S110 = __ldg(&ptr_3->first_thread_table_0);
+    uint _S111 = __ldg(&ptr_3->place_table_0);
+    uint _S112 = __ldg(&ptr_3->bend_table_0);
+    float _S113 = __ldg(&ptr_3->height_scale_0);
+    float _S114 = __ldg(&ptr_3->twist_sine_0);
+    float _S115 = __ldg(&ptr_3->twist_cosine_0);
+    float _S116 = __ldg(&ptr_3->level_0);
+    float _S117 = __ldg(&ptr_3->roughness_0);
+    uint _S118 = __ldg(&ptr_3->albedo_table_0);
+    uint _S119 = __ldg(&ptr_3->albedo_stride_0);
+    uint _S120 = __ldg(&ptr_3->before_0);
+    float _S121 = __ldg(&ptr_3->visible_total_0);
+    float _S122 = __ldg(&ptr_3->smallest_box_0);
+    uint _S123 = __ldg(&ptr_3->quantities_0);
+    uint _S124 = __ldg(&ptr_3->colour_mean_0);
+    uint _S125 = __ldg(&ptr_3->colour_axes_0);
+    uint _S126 = __ldg(&ptr_3->colour_threads_0);
+    uint _S127 = __ldg(&ptr_3->colour_areas_0);
+    float _S128 = __ldg(&ptr_3->area_unit_0);
+    float _S129 = __ldg(&ptr_3->crossing_area_0);
+    Family_0 _S130 = { _S99, _S100, _S101, _S102, _S103, _S104, _S105, _S106, _S107, _S108, _S109, _S110, _S111, _S112, _S113, _S114, _S115, _S116, _S117, _S118, _S119, _S120, _S121, _S122, _S123, _S124, _S125, _S126, _S127, _S128, _S129 };
+    return _S130;
+}
+
+__device__ float2  turns_and_remainder_0(uint family_0, float index_3)
+{
+    Family_0 _S131 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    Family_0 _S132 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    float _S133 = (F32_floor(((F32_fma((index_3), (_S131.inverse_count_0), (_S132.half_inverse_count_0))))));
+    float _S134 = - _S133;
+    Family_0 _S135 = slang_ldg_3((&(globalParams_0->families_0)[family_0]));
+    return make_float2 (_S133, (F32_fma((_S134), (_S135.count_0), (index_3))));
+}
+
+struct Cell_0
+{
+    uint thread_1;
+    float across_0;
+    float half_width_1;
+    float below_0;
+    float above_0;
+};
+
+__device__ Cell_0 locate_alike_0(uint family_1, float position_1)
+{
+    Family_0 _S136 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    float _S137 = (F32_floor((position_1 * _S136.inverse_size_0)));
+    Cell_0 cell_1;
+    float _S138 = - _S137;
+    Family_0 _S139 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    float _S140 = (F32_fma((_S138), (_S139.size_0), (position_1)));
+    (&cell_1)->below_0 = _S140;
+    Family_0 _S141 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->above_0 = _S141.size_0 - _S140;
+    Family_0 _S142 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->across_0 = _S140 - 0.5f * _S142.size_0;
+    Family_0 _S143 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->half_width_1 = _S143.half_width_0;
+    float _S144 = turns_and_remainder_0(family_1, _S137).y;
+    Family_0 _S145 = slang_ldg_3((&(globalParams_0->families_0)[family_1]));
+    (&cell_1)->thread_1 = uint(clamp_0(_S144, 0.0f, _S145.count_0 - 1.0f));
+    return cell_1;
+}
+
+__device__ float table_number_0(uint index_4)
+{
+    uint _S146 = __ldg((&(globalParams_0->words_0)[index_4]));
+    return (U32_asfloat((_S146)));
+}
+
+__device__ Cell_0 locate_varied_0(uint family_2, float position_2)
+{
+    Family_0 _S147 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S148 = position_2 - _S147.start_0;
+    Family_0 _S149 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float turns_0 = _S148 * _S149.inverse_period_0;
+    float turns_1 = turns_0 - (F32_floor((turns_0)));
+    Family_0 _S150 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S151 = turns_1 * _S150.period_0;
+    Family_0 _S152 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    float _S153 = turns_1 * _S152.bins_0;
+    Family_0 _S154 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S155 = uint(clamp_0(_S153, 0.0f, _S154.bins_0 - 1.0f));
+    Family_0 _S156 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S157 = __ldg((&(globalParams_0->words_0)[_S156.first_thread_table_0 + _S155]));
+    Family_0 _S158 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S159;
+    if(_S151 >= (table_number_0(_S158.place_table_0 + _S157 * 4U + 1U)))
+    {
+        _S159 = 1U;
+    }
+    else
+    {
+        _S159 = 0U;
+    }
+    uint _S160 = _S157 + _S159;
+    Family_0 _S161 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S162 = (U32_min((_S160), (uint(_S161.count_0) - 1U)));
+    Family_0 _S163 = slang_ldg_3((&(globalParams_0->families_0)[family_2]));
+    uint _S164 = _S163.place_table_0 + _S162 * 4U;
+    Cell_0 cell_2;
+    (&cell_2)->thread_1 = _S162;
+    (&cell_2)->below_0 = _S151 - table_number_0(_S164);
+    (&cell_2)->above_0 = table_number_0(_S164 + 1U) - _S151;
+    (&cell_2)->across_0 = _S151 - table_number_0(_S164 + 2U);
+    (&cell_2)->half_width_1 = table_number_0(_S164 + 3U);
+    return cell_2;
+}
+
+__device__ Cell_0 locate_0(uint family_3, float position_3)
+{
+    Family_0 _S165 = slang_ldg_3((&(globalParams_0->families_0)[family_3]));
+    if((_S165.is_alike_0) != 0U)
+    {
+        return locate_alike_0(family_3, position_3);
+    }
+    return locate_varied_0(family_3, position_3);
+}
+
+struct Shown_0
+{
+    bool is_warp_0;
+    bool hole_0;
+    bool on_top_0;
+    uint word_0;
+};
+
+struct Crossing_0
+{
+    Cell_0 warp_1;
+    Cell_0 weft_1;
+    uint warp_word_0;
+    uint weft_word_0;
+    bool warp_above_0;
+};
+
+__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
+{
+    bool _S166 = (F32_abs(((&crossing_0->warp_1)->across_0))) < ((&crossing_0->warp_1)->half_width_1);
+    bool _S167 = (F32_abs(((&crossing_0->weft_1)->across_0))) < ((&crossing_0->weft_1)->half_width_1);
+    Shown_0 shown_0;
+    bool _S168;
+    if(_S166)
+    {
+        if(!_S167)
+        {
+            _S168 = true;
+        }
+        else
+        {
+            _S168 = crossing_0->warp_above_0;
+        }
+    }
+    else
+    {
+        _S168 = false;
+    }
+    (&shown_0)->is_warp_0 = _S168;
+    if(!_S166)
+    {
+        _S168 = !_S167;
+    }
+    else
+    {
+        _S168 = false;
+    }
+    (&shown_0)->hole_0 = _S168;
+    uint _S169;
+    if((&shown_0)->is_warp_0)
+    {
+        _S169 = crossing_0->warp_word_0;
+    }
+    else
+    {
+        _S169 = crossing_0->weft_word_0;
+    }
+    (&shown_0)->word_0 = _S169;
+    (&shown_0)->on_top_0 = ((_S169 & 1U) == 1U) != back_1;
+    return shown_0;
+}
+
+__device__ Cell_0 select_cell_0(bool is_first_0, Cell_0 * first_0, Cell_0 * second_0)
+{
+    Cell_0 cell_3;
+    uint _S170;
+    if(is_first_0)
+    {
+        _S170 = first_0->thread_1;
+    }
+    else
+    {
+        _S170 = second_0->thread_1;
+    }
+    (&cell_3)->thread_1 = _S170;
+    float _S171;
+    if(is_first_0)
+    {
+        _S171 = first_0->across_0;
+    }
+    else
+    {
+        _S171 = second_0->across_0;
+    }
+    (&cell_3)->across_0 = _S171;
+    if(is_first_0)
+    {
+        _S171 = first_0->half_width_1;
+    }
+    else
+    {
+        _S171 = second_0->half_width_1;
+    }
+    (&cell_3)->half_width_1 = _S171;
+    if(is_first_0)
+    {
+        _S171 = first_0->below_0;
+    }
+    else
+    {
+        _S171 = second_0->below_0;
+    }
+    (&cell_3)->below_0 = _S171;
+    if(is_first_0)
+    {
+        _S171 = first_0->above_0;
+    }
+    else
+    {
+        _S171 = second_0->above_0;
+    }
+    (&cell_3)->above_0 = _S171;
+    return cell_3;
+}
+
+__device__ float boundary_0(uint family_4, uint thread_2, int step_0)
+{
+    float2  _S172 = turns_and_remainder_0(family_4, float(int(thread_2) + step_0));
+    float _S173 = _S172.x;
+    Family_0 _S174 = slang_ldg_3((&(globalParams_0->families_0)[family_4]));
+    Family_0 _S175 = slang_ldg_3((&(globalParams_0->families_0)[family_4]));
+    return (F32_fma((_S173), (_S174.period_0), (table_number_0(_S175.place_table_0 + uint(_S172.y) * 4U))));
+}
+
+__device__ float span_0(uint family_5, uint thread_3, int first_1, int last_0)
+{
+    Family_0 _S176 = slang_ldg_3((&(globalParams_0->families_0)[family_5]));
+    if((_S176.is_alike_0) != 0U)
+    {
+        float _S177 = float(last_0 - first_1);
+        Family_0 _S178 = slang_ldg_3((&(globalParams_0->families_0)[family_5]));
+        return _S177 * _S178.size_0;
+    }
+    return boundary_0(family_5, thread_3, last_0) - boundary_0(family_5, thread_3, first_1);
+}
+
+struct Bend_0
+{
+    float sine_0;
+    float half_tangent_0;
+    float arc_0;
+};
+
+__device__ Bend_0 bend_of_0(uint family_6, uint thread_4)
+{
+    Family_0 _S179 = slang_ldg_3((&(globalParams_0->families_0)[family_6]));
+    Family_0 _S180 = slang_ldg_3((&(globalParams_0->families_0)[family_6]));
+    uint _S181;
+    if((_S180.is_alike_0) != 0U)
+    {
+        _S181 = 0U;
+    }
+    else
+    {
+        _S181 = thread_4 * 4U;
+    }
+    uint _S182 = _S179.bend_table_0 + _S181;
+    Bend_0 bend_0;
+    (&bend_0)->sine_0 = table_number_0(_S182);
+    (&bend_0)->half_tangent_0 = table_number_0(_S182 + 1U);
+    (&bend_0)->arc_0 = table_number_0(_S182 + 2U);
+    return bend_0;
+}
+
+struct Run_0
+{
+    float distance_1;
+    bool near_start_0;
+    float from_start_0;
+    float to_end_0;
+    float reach_0;
+    float other_reach_0;
+    Bend_0 bend_1;
+    bool straight_0;
+    bool first_crossing_0;
+    bool last_crossing_0;
+};
+
+__device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 * crossed_0, uint word_1)
+{
+    int _S183 = int((word_1 >> int(1)) & 127U);
+    int _S184 = int((word_1 >> int(8)) & 127U);
+    int _S185 = int((word_1 >> int(15)) & 63U);
+    int _S186 = int((word_1 >> int(21)) & 63U);
+    Run_0 run_0;
+    (&run_0)->straight_0 = ((word_1 >> int(27)) & 1U) == 1U;
+    uint _S187 = crossed_0->thread_1;
+    int _S188 = - _S183;
+    float _S189 = crossed_0->below_0 + span_0(other_0, crossed_0->thread_1, _S188, int(0));
+    (&run_0)->from_start_0 = _S189;
+    int _S190 = _S184 + int(1);
+    float _S191 = crossed_0->above_0 + span_0(other_0, crossed_0->thread_1, int(1), _S190);
+    (&run_0)->to_end_0 = _S191;
+    bool _S192 = _S189 < _S191;
+    (&run_0)->near_start_0 = _S192;
+    int _S193;
+    if(_S192)
+    {
+        _S193 = _S188 - _S185;
+    }
+    else
+    {
+        _S193 = _S190;
+    }
+    int _S194;
+    if((&run_0)->near_start_0)
+    {
+        _S194 = _S188;
+    }
+    else
+    {
+        _S194 = _S190 + _S186;
+    }
+    (&run_0)->bend_1 = bend_of_0(own_0, thread_5);
+    float _S195;
+    if((&run_0)->straight_0)
+    {
+        _S195 = 1.0e+06f;
+    }
+    else
+    {
+        _S195 = (F32_min(((&run_0)->from_start_0), ((&run_0)->to_end_0)));
+    }
+    (&run_0)->distance_1 = _S195;
+    (&run_0)->reach_0 = (F32_min((0.5f * ((&run_0)->from_start_0 + (&run_0)->to_end_0)), ((&(&run_0)->bend_1)->arc_0)));
+    (&run_0)->other_reach_0 = (F32_min((0.5f * span_0(other_0, _S187, _S193, _S194)), ((&(&run_0)->bend_1)->arc_0)));
+    (&run_0)->first_crossing_0 = _S183 == int(0);
+    (&run_0)->last_crossing_0 = _S184 == int(0);
+    return run_0;
+}
+
+__device__ float square_1(float x_15)
+{
+    return x_15 * x_15;
+}
+
+struct Section_0
+{
+    float across_1;
+    float drop_0;
+    float slope_0;
+};
+
+__device__ Section_0 section_at_0(Cell_0 * cell_4)
+{
+    float _S196 = cell_4->half_width_1 * 1.0154266357421875f;
+    Section_0 section_0;
+    float _S197 = clamp_0(cell_4->across_0, - cell_4->half_width_1, cell_4->half_width_1);
+    (&section_0)->across_1 = _S197;
+    float _S198 = _S196 * _S196 - square_1(_S197);
+    float _S199 = (F32_rsqrt((_S198)));
+    (&section_0)->drop_0 = _S196 - _S198 * _S199;
+    (&section_0)->slope_0 = - _S197 * _S199;
+    return section_0;
+}
+
+__device__ float edge_drop_0(uint family_7, uint thread_6, int step_1)
+{
+    Family_0 _S200 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+    if((_S200.is_alike_0) != 0U)
+    {
+        Family_0 _S201 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+        return table_number_0(_S201.bend_table_0 + 3U);
+    }
+    Family_0 _S202 = slang_ldg_3((&(globalParams_0->families_0)[family_7]));
+    return table_number_0(_S202.bend_table_0 + uint(turns_and_remainder_0(family_7, float(int(thread_6) + step_1)).y) * 4U + 3U);
+}
+
+__device__ float2  dive_0(uint other_1, Shown_0 * shown_1, Run_0 * run_1, Cell_0 * crossed_1)
+{
+    float _S203 = crossed_1->below_0;
+    float _S204 = crossed_1->above_0;
+    bool _S205 = (crossed_1->below_0) < (crossed_1->above_0);
+    float _S206 = (F32_min((crossed_1->below_0), (crossed_1->above_0)));
+    float _S207;
+    if(_S205)
+    {
+        _S207 = _S203 - crossed_1->across_0;
+    }
+    else
+    {
+        _S207 = _S204 + crossed_1->across_0;
+    }
+    float _S208 = _S207 - crossed_1->half_width_1;
+    bool _S209;
+    if(_S205)
+    {
+        _S209 = run_1->first_crossing_0;
+    }
+    else
+    {
+        _S209 = run_1->last_crossing_0;
+    }
+    bool _S210 = shown_1->on_top_0;
+    if(shown_1->on_top_0)
+    {
+        _S207 = 0.0f;
+    }
+    else
+    {
+        Family_0 _S211 = slang_ldg_3((&(globalParams_0->families_0)[other_1]));
+        _S207 = _S211.height_scale_0 * edge_drop_0(other_1, crossed_1->thread_1, int(0));
+    }
+    float _S212;
+    if(_S210 != _S209)
+    {
+        _S212 = 0.0f;
+    }
+    else
+    {
+        Family_0 _S213 = slang_ldg_3((&(globalParams_0->families_0)[other_1]));
+        uint _S214 = crossed_1->thread_1;
+        int _S215;
+        if(_S205)
+        {
+            _S215 = int(-1);
+        }
+        else
+        {
+            _S215 = int(1);
+        }
+        _S212 = _S213.height_scale_0 * edge_drop_0(other_1, _S214, _S215);
+    }
+    float _S216 = 1.0f / (F32_max((2.0f * _S208), (9.999999960041972e-13f)));
+    float _S217 = clamp_0((_S208 - _S206) * _S216, 0.0f, 1.0f);
+    float _S218 = _S207 + (_S212 - _S207) * (_S217 * _S217 * (3.0f - 2.0f * _S217));
+    float _S219 = (_S207 - _S212) * (6.0f * _S217 * (1.0f - _S217) * _S216);
+    if(_S205)
+    {
+        _S207 = 1.0f;
+    }
+    else
+    {
+        _S207 = -1.0f;
+    }
+    return make_float2 (_S218, _S219 * _S207);
+}
+
+struct StepControl_0
+{
+    float step_2;
+    float epsilon_0;
+    float per_x_0;
+    float per_y_0;
+    bool right_1;
+    bool up_0;
+};
+
+__device__ StepControl_0 step_control_0(float2  direction_3, float step_3)
+{
+    StepControl_0 control_0;
+    (&control_0)->step_2 = step_3;
+    (&control_0)->epsilon_0 = 0.00499999988824129f * step_3;
+    float _S220 = direction_3.x;
+    (&control_0)->per_x_0 = 1.0f / (F32_max(((F32_abs((_S220)))), (9.99999971718068537e-10f)));
+    float _S221 = direction_3.y;
+    (&control_0)->per_y_0 = 1.0f / (F32_max(((F32_abs((_S221)))), (9.99999971718068537e-10f)));
+    (&control_0)->right_1 = _S220 > 0.0f;
+    (&control_0)->up_0 = _S221 > 0.0f;
+    return control_0;
+}
+
+struct PreviousSample_0
+{
+    float clearance_0;
+    float rate_0;
+    uint yarn_0;
+    bool known_0;
+};
+
+__device__ PreviousSample_0 no_previous_sample_0()
+{
+    PreviousSample_0 previous_0;
+    (&previous_0)->clearance_0 = 0.0f;
+    (&previous_0)->rate_0 = 0.0f;
+    (&previous_0)->yarn_0 = 0U;
+    (&previous_0)->known_0 = false;
+    return previous_0;
+}
+
+__device__ float outline_distance_0(Cell_0 * cell_5, Shown_0 * shown_2, Run_0 * run_2, bool lengthwise_0, bool forwards_0)
+{
+    float _S222;
+    if(forwards_0)
+    {
+        _S222 = cell_5->across_0;
+    }
+    else
+    {
+        _S222 = - cell_5->across_0;
+    }
+    float _S223;
+    if(forwards_0)
+    {
+        _S223 = cell_5->above_0;
+    }
+    else
+    {
+        _S223 = cell_5->below_0;
+    }
+    bool _S224;
+    if(forwards_0)
+    {
+        _S224 = run_2->last_crossing_0;
+    }
+    else
+    {
+        _S224 = run_2->first_crossing_0;
+    }
+    bool _S225;
+    if(forwards_0)
+    {
+        _S225 = run_2->first_crossing_0;
+    }
+    else
+    {
+        _S225 = run_2->last_crossing_0;
+    }
+    float _S226 = cell_5->half_width_1;
+    float _S227 = - cell_5->half_width_1;
+    bool _S228 = _S222 < _S227;
+    bool _S229 = _S222 >= (cell_5->half_width_1);
+    if(lengthwise_0)
+    {
+        _S224 = !_S224;
+    }
+    else
+    {
+        _S224 = false;
+    }
+    if(_S224)
+    {
+        _S224 = !shown_2->hole_0;
+    }
+    else
+    {
+        _S224 = false;
+    }
+    bool _S230;
+    if(_S224)
+    {
+        _S230 = shown_2->on_top_0;
+    }
+    else
+    {
+        _S230 = false;
+    }
+    if(_S230)
+    {
+        if(_S225)
+        {
+            _S225 = _S228;
+        }
+        else
+        {
+            _S225 = false;
+        }
+        _S225 = !_S225;
+    }
+    else
+    {
+        _S225 = false;
+    }
+    if(shown_2->hole_0)
+    {
+        _S224 = true;
+    }
+    else
+    {
+        if(_S224)
+        {
+            _S224 = !shown_2->on_top_0;
+        }
+        else
+        {
+            _S224 = false;
+        }
+    }
+    float _S231;
+    if(_S228)
+    {
+        _S231 = _S227;
+    }
+    else
+    {
+        _S231 = _S226;
+    }
+    float _S232 = _S231 - _S222;
+    if(_S224)
+    {
+        _S222 = 2.0f * _S223 + _S222 - _S226;
+    }
+    else
+    {
+        _S222 = _S223;
+    }
+    if(_S225)
+    {
+        if(forwards_0)
+        {
+            _S222 = run_2->to_end_0;
+        }
+        else
+        {
+            _S222 = run_2->from_start_0;
+        }
+        return _S222;
+    }
+    if(_S229)
+    {
+    }
+    else
+    {
+        _S222 = _S232;
+    }
+    return _S222;
+}
+
+struct Probe_0
+{
+    float height_1;
+    bool hole_1;
+    float slope_x_0;
+    float slope_y_0;
+    uint yarn_1;
+    float cell_max_0;
+    float side_x_0;
+    float side_y_0;
+    float edge_x_0;
+    float edge_y_0;
+};
+
+__device__ float way_back_to_dip_0(PreviousSample_0 * previous_1, float clearance_1, float rate_1, float step_4, Probe_0 * here_0)
+{
+    float _S233 = previous_1->rate_0;
+    float _S234 = previous_1->rate_0 * step_4;
+    float _S235 = rate_1 * step_4;
+    bool _S236;
+    if(!previous_1->known_0)
+    {
+        _S236 = true;
+    }
+    else
+    {
+        _S236 = here_0->hole_1;
+    }
+    if(_S236)
+    {
+        _S236 = true;
+    }
+    else
+    {
+        _S236 = (previous_1->yarn_0) != (here_0->yarn_1);
+    }
+    if(_S236)
+    {
+        _S236 = true;
+    }
+    else
+    {
+        _S236 = _S233 >= 0.0f;
+    }
+    if(_S236)
+    {
+        _S236 = true;
+    }
+    else
+    {
+        _S236 = rate_1 <= 0.0f;
+    }
+    if(_S236)
+    {
+        return -1.0f;
+    }
+    float _S237 = previous_1->clearance_0;
+    if((3.0f * previous_1->clearance_0 + _S234) >= 0.0f)
+    {
+        _S236 = (3.0f * clearance_1 - _S235) >= 0.0f;
+    }
+    else
+    {
+        _S236 = false;
+    }
+    if(_S236)
+    {
+        return -1.0f;
+    }
+    float _S238 = clearance_1 - _S237;
+    float _S239 = 6.0f * _S238 - 4.0f * _S234 - 2.0f * _S235;
+    float _S240 = -2.0f * _S234 / (F32_max((_S239 + (F32_sqrt(((F32_max((_S239 * _S239 - 4.0f * (3.0f * (_S234 + _S235 - 2.0f * _S238)) * _S234), (0.0f))))))), (9.99999968265522539e-21f)));
+    float _S241 = 1.0f - _S240;
+    float _S242 = (_S237 * (2.0f * _S240 + 1.0f) + _S234 * _S240) * _S241 * _S241;
+    float _S243 = (clearance_1 * (2.0f * _S241 + 1.0f) - _S235 * _S241) * _S240 * _S240;
+    if(_S240 > 0.01999999955296516f)
+    {
+        _S236 = _S241 > 0.01999999955296516f;
+    }
+    else
+    {
+        _S236 = false;
+    }
+    if(_S236)
+    {
+        _S236 = (_S242 + _S243) < 0.0f;
+    }
+    else
+    {
+        _S236 = false;
+    }
+    float _S244;
+    if(_S236)
+    {
+        _S244 = _S241 * step_4;
+    }
+    else
+    {
+        _S244 = -1.0f;
+    }
+    return _S244;
+}
+
+__device__ PreviousSample_0 after_sample_0(float clearance_2, float rate_2, Probe_0 * here_1, bool is_cell_exit_0)
+{
+    PreviousSample_0 previous_2;
+    bool _S245 = here_1->hole_1;
+    float _S246;
+    if(here_1->hole_1)
+    {
+        _S246 = 1.0e+09f;
+    }
+    else
+    {
+        _S246 = clearance_2;
+    }
+    (&previous_2)->clearance_0 = _S246;
+    (&previous_2)->rate_0 = rate_2;
+    (&previous_2)->yarn_0 = here_1->yarn_1;
+    bool _S247;
+    if(!_S245)
+    {
+        _S247 = !is_cell_exit_0;
+    }
+    else
+    {
+        _S247 = false;
+    }
+    (&previous_2)->known_0 = _S247;
+    return previous_2;
+}
+
+__device__ float StepControl_to_cell_exit_0(StepControl_0 * this_1, float side_x_1, float side_y_1)
+{
+    return (F32_max(((F32_min((side_x_1 * this_1->per_x_0), (side_y_1 * this_1->per_y_0)))), (0.0f))) + this_1->epsilon_0;
+}
+
+__device__ float StepControl_to_next_sample_0(StepControl_0 * this_2, Probe_0 * here_2, float clearance_3, float rate_3)
+{
+    float _S248 = (F32_min((here_2->edge_x_0 * this_2->per_x_0), (here_2->edge_y_0 * this_2->per_y_0)));
+    bool _S249;
+    if(!here_2->hole_1)
+    {
+        _S249 = (rate_3 * _S248 + clearance_3) < 0.0f;
+    }
+    else
+    {
+        _S249 = false;
+    }
+    if(_S249)
+    {
+        _S249 = _S248 > (2.0f * this_2->epsilon_0);
+    }
+    else
+    {
+        _S249 = false;
+    }
+    float _S250 = this_2->step_2;
+    float _S251;
+    if(_S249)
+    {
+        _S251 = _S248 - this_2->epsilon_0;
+    }
+    else
+    {
+        _S251 = (F32_max((_S248), (0.0f))) + this_2->epsilon_0;
+    }
+    return (F32_min((_S250), (_S251)));
+}
+
+struct ViewRay_0
+{
+    float2  origin_2;
+    float2  slope_1;
+};
+
+__device__ float2  ViewRay_at_0(ViewRay_0 * this_3, float height_2)
+{
+    return this_3->origin_2 + this_3->slope_1 * make_float2 (height_2);
+}
+
+__device__ float ViewRay_rate_0(ViewRay_0 * this_4, Probe_0 * here_3)
+{
+    return here_3->slope_x_0 * this_4->slope_1.x + here_3->slope_y_0 * this_4->slope_1.y - 1.0f;
+}
+
+__device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, float end_rate_0)
+{
+    float _S252 = end_0 - start_1;
+    float _S253 = start_rate_0 + end_rate_0 - 2.0f * _S252;
+    float _S254 = 3.0f * _S252 - 2.0f * start_rate_0 - end_rate_0;
+    float share_1 = start_1 / (F32_max((- _S252), (9.99999968265522539e-21f)));
+    int i_5 = int(0);
+    for(;;)
+    {
+        if(uint(i_5) < 3U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float _S255 = clamp_0(share_1 - (((_S253 * share_1 + _S254) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S253 * share_1 + 2.0f * _S254) * share_1 + start_rate_0), (0.10000000149011612f * _S252 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
+        int _S256 = i_5 + int(1);
+        share_1 = _S255;
+        i_5 = _S256;
+    }
+    return share_1;
+}
+
+__device__ float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
+{
+    return clamp_0(above_gap_0 / (F32_max((above_gap_0 + under_gap_0), (9.99999968265522539e-21f))), 0.01999999955296516f, 0.98000001907348633f) * (under_0 - above_1) + above_1;
+}
+
+__device__ float arc_tangent_quotient_0(float x_16, float y_7)
+{
+    return ((((((0.0f * x_16 + 0.00809729471802711f) * x_16 + -0.0377517081797123f) * x_16 + 0.08475969731807709f) * x_16 + -0.13537675142288208f) * x_16 + 0.19895026087760925f) * x_16 + -0.33327975869178772f) * x_16 + 0.99999970197677612f;
+}
+
+__device__ float arc_tangent_of_ratio_0(float ratio_0)
+{
+    return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
+}
+
+__device__ float arc_tangent_0(float y_8, float x_17)
+{
+    float _S257 = (F32_abs((x_17)));
+    float _S258 = (F32_abs((y_8)));
+    float angle_0 = arc_tangent_of_ratio_0((F32_min((_S257), (_S258))) / (F32_max(((F32_max((_S257), (_S258)))), (1.00000000317107685e-30f))));
+    float angle_1;
+    if(_S258 > _S257)
+    {
+        angle_1 = 1.57079637050628662f - angle_0;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(x_17 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_8 < 0.0f)
+    {
+        angle_1 = - angle_1;
+    }
+    return angle_1;
+}
+
+struct NodeTaps_0
+{
+    uint4  nodes_0;
+    uint4  weights_0;
+    float inverse_sum_0;
+};
+
+__device__ NodeTaps_0 node_taps_0(float3  direction_4)
+{
+    float _S259 = arc_tangent_0(direction_4.y, direction_4.x) * 5.09295797348022461f;
+    float _S260 = (F32_floor((_S259)));
+    float _S261 = _S259 - _S260;
+    float _S262 = (F32_sqrt((clamp_0((1.0f - (F32_abs((direction_4.z)))) / 0.97000002861022949f, 0.0f, 1.0f))));
+    float _S263 = 7.0f * _S262 * (F32_sqrt((_S262)));
+    float _S264 = (F32_min(((F32_floor((_S263)))), (6.0f)));
+    float _S265 = _S263 - _S264;
+    uint _S266 = uint(int(_S260) + int(32)) % 32U;
+    uint _S267 = uint(_S264);
+    uint _S268 = _S266 * 8U + _S267;
+    uint _S269 = (_S266 + 1U) % 32U * 8U + _S267;
+    NodeTaps_0 taps_0;
+    (&taps_0)->nodes_0 = make_uint4 (_S268, _S268 + 1U, _S269, _S269 + 1U);
+    float _S270 = 1.0f - _S261;
+    float _S271 = 1.0f - _S265;
+    float4  _S272 = make_float4 (_S270 * _S271, _S270 * _S265, _S261 * _S271, _S261 * _S265) * make_float4 (252.0f) + make_float4 (0.5f);
+    uint4  _S273 = make_uint4 ((uint)_S272.x, (uint)_S272.y, (uint)_S272.z, (uint)_S272.w);
+    (&taps_0)->weights_0 = _S273;
+    (&taps_0)->inverse_sum_0 = 1.0f / float(_S273.x + _S273.y + _S273.z + _S273.w);
+    return taps_0;
+}
+
+__device__ float wrapped_cell_0(float position_4, float count_2)
+{
+    return (F32_min(((F32_floor(((position_4 - (F32_floor((position_4)))) * count_2)))), (count_2 - 1.0f)));
+}
+
+__device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
+{
+    return make_float4 (float(even_0 & 65535U), float(odd_0 & 65535U), float(even_0 >> int(16)), float(odd_0 >> int(16)));
+}
+
+__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
+{
+    uint4  _S274 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S275 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    return bytes_of_sums_0(_S274.x + _S274.y + _S274.z + _S274.w, _S275.x + _S275.y + _S275.z + _S275.w) * make_float4 (taps_1->inverse_sum_0);
+}
+
+__device__ float4  interpolate_table_0(NodeTaps_0 * taps_2, uint table_1, uint stride_0)
+{
+    uint4  _S276 = make_uint4 (table_1) + taps_2->nodes_0 * make_uint4 (stride_0);
+    uint _S277 = __ldg((&(globalParams_0->words_0)[_S276.x]));
+    uint _S278 = __ldg((&(globalParams_0->words_0)[_S276.y]));
+    uint _S279 = __ldg((&(globalParams_0->words_0)[_S276.z]));
+    uint _S280 = __ldg((&(globalParams_0->words_0)[_S276.w]));
+    float4  _S281 = interpolate_0(taps_2, make_uint4 (_S277, _S278, _S279, _S280));
+    return _S281;
+}
+
+__device__ float sheen_scale_0(float x_18, float y_9)
+{
+    return (((((0.0f * x_18 + (((((-1.1402510404586792f * y_9 + 0.40672621130943298f) * y_9 + 1.65398800373077393f) * y_9 + -1.29730904102325439f) * y_9 + 0.30570998787879944f) * y_9 + -0.0220868494361639f)) * x_18 + (((((-0.21142719686031342f * y_9 + 1.05947399139404297f) * y_9 + -0.41116121411323547f) * y_9 + -0.93859231472015381f) * y_9 + 0.51606941223144531f) * y_9 + 0.05409301072359085f)) * x_18 + (((((1.22944498062133789f * y_9 + -0.45962560176849365f) * y_9 + -1.63861405849456787f) * y_9 + 1.33565104007720947f) * y_9 + -0.45725581049919128f) * y_9 + 0.08243165910243988f)) * x_18 + (((((0.39779931306838989f * y_9 + -1.18879103660583496f) * y_9 + 0.28251591324806213f) * y_9 + 1.168984055519104f) * y_9 + -0.76864629983901978f) * y_9 + 0.0091691892594099f)) * x_18 + (((((-0.26563560962677002f * y_9 + -0.19379159808158875f) * y_9 + 0.2677634060382843f) * y_9 + 0.00270519289188087f) * y_9 + 0.14349560439586639f) * y_9 + 0.10290180146694183f)) * x_18 + (((((-0.20701569318771362f * y_9 + 0.24526430666446686f) * y_9 + 0.19551840424537659f) * y_9 + 0.07586126774549484f) * y_9 + 0.38894739747047424f) * y_9 + 0.15043120086193085f);
+}
+
+__device__ float sheen_shear_0(float x_19, float y_10)
+{
+    return ((((0.0f * x_19 + (((((-0.10608240216970444f * y_10 + 1.99214303493499756f) * y_10 + -1.42255294322967529f) * y_10 + -1.09495604038238525f) * y_10 + 0.59180057048797607f) * y_10 + 0.06902855634689331f)) * x_19 + (((((-0.46220690011978149f * y_10 + -0.29113379120826721f) * y_10 + 1.39025199413299561f) * y_10 + 0.35589990019798279f) * y_10 + -1.17120099067687988f) * y_10 + 0.15940259397029877f)) * x_19 + (((((2.26068711280822754f * y_10 + -3.64728999137878418f) * y_10 + -0.72173482179641724f) * y_10 + 3.07659196853637695f) * y_10 + -0.6827620267868042f) * y_10 + -0.3039557933807373f)) * x_19 + (((((0.81201767921447754f * y_10 + 0.36014080047607422f) * y_10 + -1.72646903991699219f) * y_10 + -0.22630110383033752f) * y_10 + 0.89514690637588501f) * y_10 + -0.10397960245609283f)) * x_19 + (((((-0.37648698687553406f * y_10 + 1.10974001884460449f) * y_10 + 0.17824520170688629f) * y_10 + -1.04968702793121338f) * y_10 + 0.1461234986782074f) * y_10 + -0.00475129019469023f);
+}
+
+__device__ float sheen_reflectance_0(float x_20, float y_11)
+{
+    return ((((0.0f * x_20 + (((((12.95646953582763672f * y_11 + -21.38032913208007812f) * y_11 + -7.37853097915649414f) * y_11 + 34.55607986450195312f) * y_11 + -23.61347007751464844f) * y_11 + 5.00126314163208008f)) * x_20 + (((((10.91487026214599609f * y_11 + -6.08202791213989258f) * y_11 + -38.2036285400390625f) * y_11 + 53.3440399169921875f) * y_11 + -21.91996002197265625f) * y_11 + 2.01606011390686035f)) * x_20 + (((((-14.52206039428710938f * y_11 + 36.803619384765625f) * y_11 + -22.94047927856445312f) * y_11 + -10.07973003387451172f) * y_11 + 15.77003955841064453f) * y_11 + -4.92722177505493164f)) * x_20 + (((((-7.62505722045898438f * y_11 + 1.27310299873352051f) * y_11 + 31.19523048400878906f) * y_11 + -44.39989852905273438f) * y_11 + 26.44947052001953125f) * y_11 + -8.73507976531982422f)) * x_20 + (((((5.65633487701416016f * y_11 + -17.66820907592773438f) * y_11 + 24.65356063842773438f) * y_11 + -19.38941001892089844f) * y_11 + 11.06159019470214844f) * y_11 + -3.06573700904846191f);
+}
+
+__device__ float exponential_0(float x_21)
+{
+    float _S282 = clamp_0(x_21, -87.0f, 88.0f);
+    float _S283 = (F32_floor((_S282 * 1.4426950216293335f + 0.5f)));
+    float _S284 = _S282 - _S283 * 0.693359375f + _S283 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S284 + 0.00139819993637502f) * _S284 + 0.00833345204591751f) * _S284 + 0.04166579619050026f) * _S284 + 0.1666666567325592f) * _S284 + 0.5f;
+    float _S285 = (U32_asfloat((uint(int(_S283) + int(127)) << int(23))));
+    float _S286;
+    if(x_21 < -87.0f)
+    {
+        _S286 = 0.0f;
+    }
+    else
+    {
+        _S286 = (p_0 * _S284 * _S284 + _S284 + 1.0f) * _S285;
+    }
+    return _S286;
+}
+
+__device__ float3  sheen_lobe_0(float cos_view_0, float roughness_1)
+{
+    float _S287 = clamp_0(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S288 = 2.0f * (F32_sqrt((_S287))) - 1.0f;
+    float _S289 = 3.0f * (F32_sqrt(((F32_sqrt((clamp_0(roughness_1, 0.00999999977648258f, 1.0f))))))) - 2.0f;
+    return make_float3 (clamp_0(sheen_scale_0(_S288, _S289), 0.00999999977648258f, 1.0f), clamp_0((1.0f - _S287) * sheen_shear_0(_S288, _S289), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp_0(sheen_reflectance_0(_S288, _S289), -60.0f, 60.0f))));
+}
+
+__device__ float3  camera_right_0(int _S290)
+{
+    Frame_0 * _S291 = (&(globalParams_0->frames_0)[_S290]);
+    float _S292 = __ldg(&_S291->right_x_0);
+    float _S293 = __ldg(&_S291->right_y_0);
+    float _S294 = __ldg(&_S291->right_z_0);
+    return make_float3 (_S292, _S293, _S294);
+}
+
+__device__ float3  camera_up_0(int _S295)
+{
+    Frame_0 * _S296 = (&(globalParams_0->frames_0)[_S295]);
+    float _S297 = __ldg(&_S296->up_x_0);
+    float _S298 = __ldg(&_S296->up_y_0);
+    float _S299 = __ldg(&_S296->up_z_0);
+    return make_float3 (_S297, _S298, _S299);
+}
+
+__device__ float3  camera_forward_0(int _S300)
+{
+    Frame_0 * _S301 = (&(globalParams_0->frames_0)[_S300]);
+    float _S302 = __ldg(&_S301->forward_x_0);
+    float _S303 = __ldg(&_S301->forward_y_0);
+    float _S304 = __ldg(&_S301->forward_z_0);
+    return make_float3 (_S302, _S303, _S304);
+}
+
+__device__ float3  camera_origin_0(int _S305)
+{
+    Frame_0 * _S306 = (&(globalParams_0->frames_0)[_S305]);
+    float _S307 = __ldg(&_S306->origin_x_0);
+    float _S308 = __ldg(&_S306->origin_y_0);
+    float _S309 = __ldg(&_S306->origin_z_0);
+    return make_float3 (_S307, _S308, _S309);
+}
+
+__device__ VisiblePoint_0 face_point_0(uint _S310, uint _S311, float _S312, float _S313)
+{
+    Fabric_0 * _S314 = (&(globalParams_0->fabrics_0)[_S310]);
+    uint _S315 = 3U * _S311;
+    uint _S316 = __ldg((&(globalParams_0->corners_0)[_S315]));
+    Vertex_0 _S317 = slang_ldg_1((&(globalParams_0->vertices_0)[_S316]));
+    uint _S318 = __ldg((&(globalParams_0->corners_0)[_S315 + 1U]));
+    Vertex_0 _S319 = slang_ldg_1((&(globalParams_0->vertices_0)[_S318]));
+    uint _S320 = __ldg((&(globalParams_0->corners_0)[_S315 + 2U]));
+    Vertex_0 _S321 = slang_ldg_1((&(globalParams_0->vertices_0)[_S320]));
+    Vertex_0 _S322 = _S319;
+    float3  _S323 = position_of_0(&_S322);
+    Vertex_0 _S324 = _S317;
+    float3  _S325 = position_of_0(&_S324);
+    float3  _S326 = _S323 - _S325;
+    Vertex_0 _S327 = _S321;
+    float3  _S328 = position_of_0(&_S327);
+    float3  _S329 = _S328 - _S325;
+    float _S330 = _S319.u_0 - _S317.u_0;
+    float _S331 = _S319.v_0 - _S317.v_0;
+    float2  _S332 = make_float2 (_S330, _S331);
+    float _S333 = _S321.u_0 - _S317.u_0;
+    float _S334 = _S321.v_0 - _S317.v_0;
+    float2  _S335 = make_float2 (_S333, _S334);
+    float _S336;
+    if((_S330 * _S334 - _S331 * _S333) < 0.0f)
+    {
+        _S336 = -1.0f;
+    }
+    else
+    {
+        _S336 = 1.0f;
+    }
+    float3  _S337 = make_float3 (_S336) * (make_float3 (_S334) * _S326 - make_float3 (_S331) * _S329);
+    float3  _S338 = make_float3 (_S336) * (make_float3 (_S330) * _S329 - make_float3 (_S333) * _S326);
+    VisiblePoint_0 point_1;
+    float _S339 = 1.0f - _S312 - _S313;
+    Vertex_0 _S340 = _S317;
+    float3  _S341 = normal_of_0(&_S340);
+    float3  _S342 = make_float3 (_S339) * _S341;
+    Vertex_0 _S343 = _S319;
+    float3  _S344 = normal_of_0(&_S343);
+    float3  _S345 = _S342 + make_float3 (_S312) * _S344;
+    Vertex_0 _S346 = _S321;
+    float3  _S347 = normal_of_0(&_S346);
+    float3  _S348 = normalize_0(_S345 + make_float3 (_S313) * _S347);
+    (&point_1)->normal_0 = _S348;
+    float3  _S349 = normalize_0(_S337 - _S348 * make_float3 (dot_0(_S348, _S337)));
+    (&point_1)->axis_x_0 = _S349;
+    (&point_1)->axis_y_0 = cross_0(_S348, _S349);
+    float3  _S350 = normalize_0(cross_0(_S326, _S329));
+    float3  _S351;
+    if((dot_0(_S350, _S348)) < 0.0f)
+    {
+        _S351 = - _S350;
+    }
+    else
+    {
+        _S351 = _S350;
+    }
+    (&point_1)->face_normal_0 = _S351;
+    (&point_1)->position_0 = _S325 + make_float3 (_S312) * _S326 + make_float3 (_S313) * _S329;
+    (&point_1)->view_0 = (&point_1)->normal_0;
+    (&point_1)->uv_0 = make_float2 (_S317.u_0, _S317.v_0) + make_float2 (_S312) * _S332 + make_float2 (_S313) * _S335;
+    bool _S352 = (dot_0(cross_0(_S337, _S338), (&point_1)->normal_0)) < 0.0f;
+    float _S353 = __ldg(&_S314->uv_width_0);
+    if(_S352)
+    {
+        float _S354 = __ldg(&_S314->uv_height_0);
+        _S336 = - _S354;
+    }
+    else
+    {
+        float _S355 = __ldg(&_S314->uv_height_0);
+        _S336 = _S355;
+    }
+    float2  _S356 = make_float2 (_S353, _S336);
+    (&point_1)->draft_per_uv_0 = _S356;
+    float2  _S357 = (&point_1)->uv_0 * _S356;
+    if(_S352)
+    {
+        float _S358 = __ldg(&_S314->uv_height_0);
+        _S336 = _S358;
+    }
+    else
+    {
+        _S336 = 0.0f;
+    }
+    (&point_1)->draft_0 = _S357 + make_float2 (0.0f, _S336);
+    float2  _S359 = make_float2 (0.0f);
+    (&point_1)->draft_dx_0 = _S359;
+    (&point_1)->draft_dy_0 = _S359;
+    return point_1;
+}
+
+__device__ VisiblePoint_0 visible_point_0(int _S360, uint _S361, uint _S362, uint2  _S363)
+{
+    Frame_0 * _S364 = (&(globalParams_0->frames_0)[_S360]);
+    uint _S365 = 3U * _S362;
+    uint _S366 = __ldg((&(globalParams_0->corners_0)[_S365]));
+    Vertex_0 _S367 = slang_ldg_1((&(globalParams_0->vertices_0)[_S366]));
+    uint _S368 = __ldg((&(globalParams_0->corners_0)[_S365 + 1U]));
+    Vertex_0 _S369 = slang_ldg_1((&(globalParams_0->vertices_0)[_S368]));
+    uint _S370 = __ldg((&(globalParams_0->corners_0)[_S365 + 2U]));
+    Vertex_0 _S371 = slang_ldg_1((&(globalParams_0->vertices_0)[_S370]));
+    Vertex_0 _S372 = _S369;
+    float3  _S373 = position_of_0(&_S372);
+    Vertex_0 _S374 = _S367;
+    float3  _S375 = position_of_0(&_S374);
+    float3  _S376 = _S373 - _S375;
+    Vertex_0 _S377 = _S371;
+    float3  _S378 = position_of_0(&_S377);
+    float3  _S379 = _S378 - _S375;
+    float3  _S380 = cross_0(_S376, _S379);
+    float _S381 = 1.0f / (F32_max((square_0(_S380)), (1.00000000317107685e-30f)));
+    float3  _S382 = camera_right_0(_S360);
+    uint _S383 = __ldg(&_S364->width_0);
+    float _S384 = float(_S383);
+    float3  _S385 = _S382 * make_float3 (2.0f / _S384);
+    float3  _S386 = camera_up_0(_S360);
+    uint _S387 = __ldg(&_S364->height_0);
+    float _S388 = float(_S387);
+    float3  _S389 = _S386 * make_float3 (-2.0f / _S388);
+    float _S390 = float(_S363.x) + 0.5f - 0.5f * _S384;
+    float _S391 = float(_S363.y) + 0.5f - 0.5f * _S388;
+    float3  _S392 = camera_forward_0(_S360);
+    float3  _S393 = _S392 + make_float3 (_S390) * _S385 + make_float3 (_S391) * _S389;
+    float _S394 = dot_0(_S393, _S380);
+    float _S395;
+    if((F32_abs((_S394))) > 1.00000000317107685e-30f)
+    {
+        _S395 = _S394;
+    }
+    else
+    {
+        _S395 = 1.00000000317107685e-30f;
+    }
+    float _S396 = 1.0f / _S395;
+    float3  _S397 = camera_origin_0(_S360);
+    float3  _S398 = _S375 - _S397;
+    float _S399 = dot_0(_S398, _S380) * _S396;
+    float3  _S400 = _S393 * make_float3 (_S399) - _S398;
+    float3  _S401 = make_float3 (_S399) * (_S385 - _S393 * make_float3 (dot_0(_S385, _S380) * _S396));
+    float3  _S402 = make_float3 (_S399) * (_S389 - _S393 * make_float3 (dot_0(_S389, _S380) * _S396));
+    float3  _S403 = cross_0(_S379, _S380) * make_float3 (_S381);
+    float3  _S404 = cross_0(_S380, _S376) * make_float3 (_S381);
+    float2  _S405 = make_float2 (_S369.u_0 - _S367.u_0, _S369.v_0 - _S367.v_0);
+    float2  _S406 = make_float2 (_S371.u_0 - _S367.u_0, _S371.v_0 - _S367.v_0);
+    VisiblePoint_0 _S407 = face_point_0(_S361, _S362, dot_0(_S400, _S403), dot_0(_S400, _S404));
+    VisiblePoint_0 point_2 = _S407;
+    (&point_2)->position_0 = _S375 + _S400;
+    (&point_2)->view_0 = - normalize_0(_S393);
+    (&point_2)->draft_dx_0 = (make_float2 (dot_0(_S401, _S403)) * _S405 + make_float2 (dot_0(_S401, _S404)) * _S406) * (&point_2)->draft_per_uv_0;
+    (&point_2)->draft_dy_0 = (make_float2 (dot_0(_S402, _S403)) * _S405 + make_float2 (dot_0(_S402, _S404)) * _S406) * (&point_2)->draft_per_uv_0;
+    return point_2;
+}
+
+__device__ uint light_sample_count_0(int _S408)
+{
+    Frame_0 * _S409 = (&(globalParams_0->frames_0)[_S408]);
+    uint _S410 = __ldg(&_S409->lights_0);
+    uint _S411 = __ldg(&_S409->environment_samples_0);
+    return _S410 + _S411;
+}
+
+struct LightSample_0
+{
+    float3  towards_0;
+    float3  irradiance_1;
+    float distance_2;
+};
+
+__device__ float3  environment_texel_0(int _S412, uint _S413, uint _S414)
+{
+    Frame_0 * _S415 = (&(globalParams_0->frames_0)[_S412]);
+    uint _S416 = __ldg(&_S415->environment_table_0);
+    uint _S417 = __ldg(&_S415->environment_rows_0);
+    uint _S418 = _S416 + _S417 + 1U;
+    uint _S419 = __ldg(&_S415->environment_columns_0);
+    uint _S420 = _S418 + _S417 * (_S419 + 1U) + 3U * (_S413 * _S419 + _S414);
+    return make_float3 (scene_number_0(_S420), scene_number_0(_S420 + 1U), scene_number_0(_S420 + 2U));
+}
+
+__device__ float3  sample_environment_0(int _S421, float2  _S422, float3  * _S423)
+{
+    Frame_0 * _S424 = (&(globalParams_0->frames_0)[_S421]);
+    uint _S425 = __ldg(&_S424->environment_table_0);
+    uint _S426 = __ldg(&_S424->environment_rows_0);
+    Choice_0 _S427 = choose_0(_S425, _S426, _S422.y);
+    uint _S428 = _S425 + _S426 + 1U;
+    uint _S429 = __ldg(&_S424->environment_columns_0);
+    Choice_0 _S430 = choose_0(_S428 + _S427.index_2 * (_S429 + 1U), _S429, _S422.x);
+    float3  _S431 = environment_texel_0(_S421, _S427.index_2, _S430.index_2);
+    float _S432 = __ldg(&_S424->environment_total_0);
+    *_S423 = _S431 * make_float3 (_S432 / (F32_max((mean_0(_S431)), (9.99999968265522539e-21f))));
+    float _S433 = 3.14159274101257324f / float(_S426);
+    float _S434 = lerp_0(sine_cosine_0(float(_S427.index_2) * _S433).y, sine_cosine_0(float(_S427.index_2 + 1U) * _S433).y, _S427.remainder_0);
+    float _S435 = (F32_sqrt(((F32_max((1.0f - _S434 * _S434), (0.0f))))));
+    float2  _S436 = sine_cosine_0((float(_S430.index_2) + _S430.remainder_0) * (6.28318548202514648f / float(_S429)));
+    float _S437 = _S435 * _S436.x;
+    float _S438 = - _S435 * _S436.y;
+    float _S439 = __ldg(&_S424->environment_cosine_0);
+    float _S440 = _S439 * _S437;
+    float _S441 = __ldg(&_S424->environment_sine_0);
+    return make_float3 (_S440 + _S441 * _S438, _S434, _S439 * _S438 - _S441 * _S437);
+}
+
+__device__ LightSample_0 light_sample_0(int _S442, uint _S443, uint2  _S444, float3  _S445)
+{
+    Frame_0 * _S446 = (&(globalParams_0->frames_0)[_S442]);
+    LightSample_0 sample_0;
+    (&sample_0)->distance_2 = 1.00000001504746622e+30f;
+    uint _S447 = __ldg(&_S446->lights_0);
+    if(_S443 >= _S447)
+    {
+        uint _S448 = __ldg(&_S446->pass_number_0);
+        uint _S449 = __ldg(&_S446->environment_samples_0);
+        float3  weight_0;
+        float3  _S450 = sample_environment_0(_S442, pixel_sequence_0(_S444, _S448 * _S449 + (_S443 - _S447), 3U), &weight_0);
+        (&sample_0)->towards_0 = _S450;
+        (&sample_0)->irradiance_1 = weight_0 / make_float3 (float(_S449));
+        return sample_0;
+    }
+    Light_0 _S451 = slang_ldg_2((&(globalParams_0->lights_1)[_S443]));
+    (&sample_0)->irradiance_1 = make_float3 (_S451.red_0, _S451.green_0, _S451.blue_0);
+    (&sample_0)->towards_0 = make_float3 (_S451.x_0, _S451.y_0, _S451.z_0);
+    if((_S451.is_point_0) != 0U)
+    {
+        float3  _S452 = (&sample_0)->towards_0 - _S445;
+        float _S453 = (F32_max((square_0(_S452)), (9.999999960041972e-13f)));
+        (&sample_0)->distance_2 = (F32_sqrt((_S453)));
+        (&sample_0)->irradiance_1 = (&sample_0)->irradiance_1 / make_float3 (_S453);
+        (&sample_0)->towards_0 = normalize_0(_S452);
+    }
+    return sample_0;
+}
+
+__device__ Hit_0 nearest_hit_0(int _S454, float3  _S455, float3  _S456, float _S457, float _S458, uint _S459, bool _S460)
+{
+    Frame_0 * _S461 = (&(globalParams_0->frames_0)[_S454]);
+    float3  _S462 = make_float3 (inverse_of_0(_S456.x), inverse_of_0(_S456.y), inverse_of_0(_S456.z));
+    Hit_0 found_0;
+    (&found_0)->face_1 = 4294967295U;
+    (&found_0)->distance_0 = _S458;
+    (&found_0)->weight_b_0 = 0.0f;
+    (&found_0)->weight_c_0 = 0.0f;
+    uint node_2 = 1U;
+    for(;;)
+    {
+        if(node_2 != 0U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint node_3;
+        if(!meets_node_0(node_2, _S455, _S462, _S457, (&found_0)->distance_0))
+        {
+            node_3 = following_node_0(node_2);
+        }
+        else
+        {
+            uint _S463 = __ldg(&_S461->leaves_0);
+            if(node_2 < _S463)
+            {
+                node_3 = node_2 * 2U;
+            }
+            else
+            {
+                uint _S464 = __ldg(&_S461->leaf_faces_0);
+                uint _S465 = _S464 + 4U * (node_2 - _S463);
+                uint _S466 = following_node_0(node_2);
+                uint number_1 = 0U;
+                node_3 = _S466;
+                for(;;)
+                {
+                    if(number_1 < 4U)
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    uint _S467 = __ldg((&(globalParams_0->scene_words_0)[_S465 + number_1]));
+                    bool _S468;
+                    if(_S467 == 4294967295U)
+                    {
+                        _S468 = true;
+                    }
+                    else
+                    {
+                        _S468 = _S467 == _S459;
+                    }
+                    if(_S468)
+                    {
+                        number_1 = number_1 + 1U;
+                        continue;
+                    }
+                    Hit_0 _S469 = meet_face_0(_S467, _S455, _S456);
+                    bool _S470;
+                    if((_S469.face_1) == 4294967295U)
+                    {
+                        _S470 = true;
+                    }
+                    else
+                    {
+                        _S470 = (_S469.distance_0) <= _S457;
+                    }
+                    bool _S471;
+                    if(_S470)
+                    {
+                        _S471 = true;
+                    }
+                    else
+                    {
+                        _S471 = (_S469.distance_0) >= ((&found_0)->distance_0);
+                    }
+                    if(_S471)
+                    {
+                        number_1 = number_1 + 1U;
+                        continue;
+                    }
+                    found_0 = _S469;
+                    bool _S472;
+                    if(_S460)
+                    {
+                        uint _S473 = __ldg((&(globalParams_0->face_fabrics_0)[_S467]));
+                        uint _S474 = __ldg(&(&(globalParams_0->fabrics_0)[_S473])->is_open_0);
+                        _S472 = _S474 == 0U;
+                    }
+                    else
+                    {
+                        _S472 = false;
+                    }
+                    uint node_4;
+                    if(_S472)
+                    {
+                        node_4 = 0U;
+                    }
+                    else
+                    {
+                        node_4 = node_3;
+                    }
+                    node_3 = node_4;
+                    number_1 = number_1 + 1U;
+                }
+            }
+        }
+        node_2 = node_3;
+    }
+    return found_0;
+}
+
+struct Regime_0
+{
+    float prefiltered_0;
+    float threads_0;
+    float points_0;
+};
+
+__device__ Regime_0 regime_of_0(uint _S475, Footprint_0 * _S476, float _S477)
+{
+    Fabric_0 * _S478 = (&(globalParams_0->fabrics_0)[_S475]);
+    float _S479 = Footprint_spread_side_0(_S476);
+    float _S480 = binary_logarithm_0((F32_max((_S479), (9.99999971718068537e-10f))));
+    Lobes_0 _S481 = slang_ldg_0(&_S478->lobes_0);
+    float _S482 = clamp_0((_S480 - _S481.unit_level_0 - -0.7369655966758728f) / 1.41503751277923584f, 0.0f, 1.0f);
+    Regime_0 regime_0;
+    float _S483 = _S482 * _S482 * (3.0f - 2.0f * _S482);
+    (&regime_0)->prefiltered_0 = _S483;
+    (&regime_0)->threads_0 = _S479 * _S481.threads_per_mm_0;
+    float _S484 = lerp_0((F32_max((8.0f / _S477), (1.0f))), 1.0f, _S483);
+    float _S485;
+    if(_S483 < 1.0f)
+    {
+        _S485 = clamp_0((&regime_0)->threads_0 * 12.0f, 1.0f, _S484);
+    }
+    else
+    {
+        _S485 = 0.0f;
+    }
+    (&regime_0)->points_0 = _S485;
+    return regime_0;
+}
+
+struct Hit_1
+{
+    float x_22;
+    float y_12;
+    bool hole_2;
+    float height_3;
+};
+
+struct Sample_0
+{
+    Crossing_0 crossing_1;
+    Shown_0 shown_3;
+    Run_0 run_3;
+    Section_0 section_1;
+    float height_4;
+    float slope_across_0;
+    float slope_along_0;
+    float slope_x_1;
+    float slope_y_1;
+};
+
+__device__ Crossing_0 crossing_at_0(uint _S486, float _S487, float _S488, bool _S489)
+{
+    Fabric_0 * _S490 = (&(globalParams_0->fabrics_0)[_S486]);
+    Crossing_0 crossing_2;
+    uint _S491 = __ldg(&_S490->warp_0);
+    (&crossing_2)->warp_1 = locate_0(_S491, _S487);
+    uint _S492 = __ldg(&_S490->weft_0);
+    (&crossing_2)->weft_1 = locate_0(_S492, _S488);
+    uint _S493 = __ldg(&_S490->run_words_0);
+    uint _S494 = (&(&crossing_2)->weft_1)->thread_1;
+    uint _S495 = __ldg(&_S490->ends_0);
+    uint _S496 = _S493 + 2U * (_S494 * _S495 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S497 = __ldg((&(globalParams_0->words_0)[_S496]));
+    (&crossing_2)->warp_word_0 = _S497;
+    uint _S498 = __ldg((&(globalParams_0->words_0)[_S496 + 1U]));
+    (&crossing_2)->weft_word_0 = _S498;
+    (&crossing_2)->warp_above_0 = ((_S497 & 1U) == 1U) != _S489;
+    return crossing_2;
+}
+
+__device__ Sample_0 sample_at_0(uint _S499, float _S500, float _S501, bool _S502)
+{
+    Fabric_0 * _S503 = (&(globalParams_0->fabrics_0)[_S499]);
+    Sample_0 sample_1;
+    Crossing_0 _S504 = crossing_at_0(_S499, _S500, _S501, _S502);
+    (&sample_1)->crossing_1 = _S504;
+    Crossing_0 _S505 = _S504;
+    Shown_0 _S506 = shown_at_0(&_S505, _S502);
+    (&sample_1)->shown_3 = _S506;
+    uint _S507;
+    if(_S506.is_warp_0)
+    {
+        uint _S508 = __ldg(&_S503->warp_0);
+        _S507 = _S508;
+    }
+    else
+    {
+        uint _S509 = __ldg(&_S503->weft_0);
+        _S507 = _S509;
+    }
+    uint _S510;
+    if(_S506.is_warp_0)
+    {
+        uint _S511 = __ldg(&_S503->weft_0);
+        _S510 = _S511;
+    }
+    else
+    {
+        uint _S512 = __ldg(&_S503->warp_0);
+        _S510 = _S512;
+    }
+    Cell_0 _S513 = (&(&sample_1)->crossing_1)->warp_1;
+    Cell_0 _S514 = (&(&sample_1)->crossing_1)->weft_1;
+    Cell_0 _S515 = select_cell_0(_S506.is_warp_0, &_S513, &_S514);
+    Cell_0 _S516 = (&(&sample_1)->crossing_1)->weft_1;
+    Cell_0 _S517 = (&(&sample_1)->crossing_1)->warp_1;
+    Cell_0 _S518 = select_cell_0(_S506.is_warp_0, &_S516, &_S517);
+    Cell_0 _S519 = _S518;
+    Run_0 _S520 = unpack_0(_S507, _S510, _S515.thread_1, &_S519, _S506.word_0);
+    Cell_0 _S521 = _S515;
+    Section_0 _S522 = section_at_0(&_S521);
+    bool _S523;
+    if(_S506.on_top_0)
+    {
+        _S523 = (_S520.distance_1) < (_S522.drop_0 * _S520.bend_1.sine_0);
+    }
+    else
+    {
+        _S523 = false;
+    }
+    bool _S524;
+    if(_S506.on_top_0)
+    {
+        _S524 = !_S523;
+    }
+    else
+    {
+        _S524 = false;
+    }
+    float _S525;
+    if(_S524)
+    {
+        _S525 = 1.0f;
+    }
+    else
+    {
+        _S525 = -1.0f;
+    }
+    float _S526;
+    if(_S523)
+    {
+        _S526 = _S520.other_reach_0;
+    }
+    else
+    {
+        _S526 = _S520.reach_0;
+    }
+    float _S527;
+    if(_S523)
+    {
+        _S527 = _S526 + _S520.distance_1;
+    }
+    else
+    {
+        _S527 = (F32_max((_S526 - _S520.distance_1), (0.0f)));
+    }
+    float _S528 = _S526 / _S520.bend_1.sine_0 - _S525 * _S522.drop_0;
+    float _S529 = _S527 * _S527;
+    float _S530 = (F32_max((_S528 * _S528 - _S529), (9.99999968265522539e-21f)));
+    float _S531 = (F32_rsqrt((_S530)));
+    float _S532 = _S529 / (_S530 * _S531 + _S528);
+    bool _S533 = _S527 > 0.0f;
+    float _S534;
+    if(_S506.on_top_0)
+    {
+        _S534 = 1.0f;
+    }
+    else
+    {
+        _S534 = -1.0f;
+    }
+    float _S535;
+    if(_S520.near_start_0)
+    {
+        _S535 = 1.0f;
+    }
+    else
+    {
+        _S535 = -1.0f;
+    }
+    float _S536 = _S534 * _S535;
+    if(_S533)
+    {
+        _S534 = _S528 * _S531;
+    }
+    else
+    {
+        _S534 = 1.0f;
+    }
+    (&sample_1)->slope_across_0 = _S522.slope_0 * _S534;
+    if(_S533)
+    {
+        _S527 = _S536 * _S527 * _S531;
+    }
+    else
+    {
+        _S527 = 0.0f;
+    }
+    (&sample_1)->slope_along_0 = _S527;
+    Family_0 _S537 = slang_ldg_3((&(globalParams_0->families_0)[_S507]));
+    Shown_0 _S538 = _S506;
+    Run_0 _S539 = _S520;
+    Cell_0 _S540 = _S518;
+    float2  _S541 = dive_0(_S510, &_S538, &_S539, &_S540);
+    if(_S520.straight_0)
+    {
+        _S525 = 0.0f;
+    }
+    else
+    {
+        _S525 = _S537.height_scale_0 * _S525;
+    }
+    (&sample_1)->height_4 = _S525 * (_S526 * _S520.bend_1.half_tangent_0 - _S532) - _S537.height_scale_0 * _S522.drop_0 - _S541.x;
+    float _S542 = _S537.height_scale_0 * (&sample_1)->slope_across_0;
+    float _S543 = _S537.height_scale_0 * (&sample_1)->slope_along_0 - _S541.y;
+    if(_S506.is_warp_0)
+    {
+        _S525 = _S542;
+    }
+    else
+    {
+        _S525 = _S543;
+    }
+    (&sample_1)->slope_x_1 = _S525;
+    if(_S506.is_warp_0)
+    {
+        _S525 = _S543;
+    }
+    else
+    {
+        _S525 = _S542;
+    }
+    (&sample_1)->slope_y_1 = _S525;
+    (&sample_1)->run_3 = _S520;
+    (&sample_1)->section_1 = _S522;
+    return sample_1;
+}
+
+__device__ float steps_per_length_0(uint _S544, SearchQuality_0 * _S545, float3  _S546)
+{
+    Fabric_0 * _S547 = (&(globalParams_0->fabrics_0)[_S544]);
+    float _S548 = (F32_abs((_S546.x)));
+    float _S549 = __ldg(&_S547->threads_per_x_0);
+    float _S550 = _S548 * _S549;
+    float _S551 = (F32_abs((_S546.y)));
+    float _S552 = __ldg(&_S547->threads_per_y_0);
+    float _S553 = (F32_max((_S550), (_S551 * _S552))) * _S545->steps_per_thread_0;
+    float _S554 = (F32_abs((_S546.z)));
+    float _S555 = __ldg(&_S547->per_relief_0);
+    return (F32_max((_S553), (_S554 * _S555 * _S545->steps_per_relief_0)));
+}
+
+__device__ float cell_maximum_0(uint _S556, Crossing_0 * _S557)
+{
+    Fabric_0 * _S558 = (&(globalParams_0->fabrics_0)[_S556]);
+    bool _S559 = _S557->warp_above_0;
+    uint _S560;
+    if(_S557->warp_above_0)
+    {
+        uint _S561 = __ldg(&_S558->warp_0);
+        _S560 = _S561;
+    }
+    else
+    {
+        uint _S562 = __ldg(&_S558->weft_0);
+        _S560 = _S562;
+    }
+    uint _S563;
+    if(_S559)
+    {
+        _S563 = _S557->warp_word_0;
+    }
+    else
+    {
+        _S563 = _S557->weft_word_0;
+    }
+    float _S564 = float(_S563 >> int(28));
+    Family_0 _S565 = slang_ldg_3((&(globalParams_0->families_0)[_S560]));
+    float _S566 = _S564 * _S565.height_scale_0;
+    Family_0 _S567 = slang_ldg_3((&(globalParams_0->families_0)[_S560]));
+    return _S566 * _S567.level_0;
+}
+
+__device__ Probe_0 probe_0(uint _S568, float _S569, float _S570, bool _S571, bool _S572, bool _S573)
+{
+    Sample_0 _S574 = sample_at_0(_S568, _S569, _S570, _S571);
+    Probe_0 probe_1;
+    (&probe_1)->height_1 = _S574.height_4;
+    (&probe_1)->hole_1 = _S574.shown_3.hole_0;
+    (&probe_1)->slope_x_0 = _S574.slope_x_1;
+    (&probe_1)->slope_y_0 = _S574.slope_y_1;
+    uint _S575;
+    if(_S574.shown_3.is_warp_0)
+    {
+        _S575 = _S574.crossing_1.warp_1.thread_1 * 2U + 1U;
+    }
+    else
+    {
+        _S575 = _S574.crossing_1.weft_1.thread_1 * 2U;
+    }
+    (&probe_1)->yarn_1 = _S575;
+    Crossing_0 _S576 = _S574.crossing_1;
+    float _S577 = cell_maximum_0(_S568, &_S576);
+    (&probe_1)->cell_max_0 = _S577;
+    float _S578;
+    if(_S572)
+    {
+        _S578 = _S574.crossing_1.warp_1.above_0;
+    }
+    else
+    {
+        _S578 = _S574.crossing_1.warp_1.below_0;
+    }
+    (&probe_1)->side_x_0 = _S578;
+    if(_S573)
+    {
+        _S578 = _S574.crossing_1.weft_1.above_0;
+    }
+    else
+    {
+        _S578 = _S574.crossing_1.weft_1.below_0;
+    }
+    (&probe_1)->side_y_0 = _S578;
+    bool _S579 = !_S574.shown_3.is_warp_0;
+    Cell_0 _S580 = _S574.crossing_1.warp_1;
+    Shown_0 _S581 = _S574.shown_3;
+    Run_0 _S582 = _S574.run_3;
+    float _S583 = outline_distance_0(&_S580, &_S581, &_S582, _S579, _S572);
+    (&probe_1)->edge_x_0 = _S583;
+    Cell_0 _S584 = _S574.crossing_1.weft_1;
+    Shown_0 _S585 = _S574.shown_3;
+    Run_0 _S586 = _S574.run_3;
+    float _S587 = outline_distance_0(&_S584, &_S585, &_S586, _S574.shown_3.is_warp_0, _S573);
+    (&probe_1)->edge_y_0 = _S587;
+    return probe_1;
+}
+
+__device__ bool is_free_0(uint _S588, SearchQuality_0 * _S589, float3  _S590, float3  _S591, bool _S592, float _S593)
+{
+    float _S594 = _S591.z;
+    if(_S594 <= 0.0f)
+    {
+        return false;
+    }
+    float _S595 = _S589->shadow_share_0;
+    float _S596 = steps_per_length_0(_S588, _S589, _S591);
+    float _S597 = 1.0f / (F32_max((_S595 * _S596), (9.99999971718068537e-10f)));
+    StepControl_0 _S598 = step_control_0(float2 {_S591.x, _S591.y}, _S597);
+    PreviousSample_0 previous_3 = no_previous_sample_0();
+    uint count_3 = 0U;
+    float distance_3 = 0.0f;
+    float last_step_0 = 0.0f;
+    for(;;)
+    {
+        bool _S599;
+        if(count_3 < 1024U)
+        {
+            _S599 = (_S590.z + _S594 * distance_3) < _S593;
+        }
+        else
+        {
+            _S599 = false;
+        }
+        if(_S599)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float3  _S600 = _S590 + _S591 * make_float3 (distance_3);
+        Probe_0 _S601 = probe_0(_S588, _S600.x, _S600.y, _S592, _S598.right_1, _S598.up_0);
+        float _S602 = _S600.z;
+        float _S603 = _S602 - _S601.height_1;
+        float _S604 = _S594 - _S601.slope_x_0 * _S591.x - _S601.slope_y_0 * _S591.y;
+        bool _S605;
+        if(!_S601.hole_1)
+        {
+            _S605 = _S603 < 0.0f;
+        }
+        else
+        {
+            _S605 = false;
+        }
+        if(_S605)
+        {
+            return false;
+        }
+        PreviousSample_0 _S606 = previous_3;
+        Probe_0 _S607 = _S601;
+        float _S608 = way_back_to_dip_0(&_S606, _S603, _S604, last_step_0, &_S607);
+        if(_S608 >= 0.0f)
+        {
+            float last_step_1 = last_step_0 - _S608;
+            distance_3 = distance_3 - _S608;
+            last_step_0 = last_step_1;
+            count_3 = count_3 + 1U;
+            continue;
+        }
+        bool _S609 = _S602 > (_S601.cell_max_0);
+        Probe_0 _S610 = _S601;
+        PreviousSample_0 _S611 = after_sample_0(_S603, _S604, &_S610, _S609);
+        float last_step_2;
+        if(_S609)
+        {
+            StepControl_0 _S612 = _S598;
+            float _S613 = StepControl_to_cell_exit_0(&_S612, _S601.side_x_0, _S601.side_y_0);
+            last_step_2 = (F32_max((_S613), (_S597)));
+        }
+        else
+        {
+            StepControl_0 _S614 = _S598;
+            Probe_0 _S615 = _S601;
+            float _S616 = StepControl_to_next_sample_0(&_S614, &_S615, _S603, _S604);
+            last_step_2 = _S616;
+        }
+        float distance_4 = distance_3 + last_step_2;
+        previous_3 = _S611;
+        distance_3 = distance_4;
+        last_step_0 = last_step_2;
+        count_3 = count_3 + 1U;
+    }
+    return true;
+}
+
+__device__ bool passes_through_0(uint _S617, SearchQuality_0 * _S618, float _S619, float _S620, float3  _S621, bool _S622)
+{
+    Fabric_0 * _S623 = (&(globalParams_0->fabrics_0)[_S617]);
+    Sample_0 _S624 = sample_at_0(_S617, _S619, _S620, _S622);
+    if(!_S624.shown_3.hole_0)
+    {
+        return false;
+    }
+    float3  _S625 = make_float3 (_S619, _S620, 0.0f);
+    bool passes_0 = true;
+    uint side_0 = 0U;
+    for(;;)
+    {
+        bool _S626;
+        if(side_0 < 2U)
+        {
+            _S626 = passes_0;
+        }
+        else
+        {
+            _S626 = false;
+        }
+        if(_S626)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float3  _S627;
+        if(side_0 == 0U)
+        {
+            _S627 = _S621;
+        }
+        else
+        {
+            _S627 = make_float3 (- _S621.x, - _S621.y, _S621.z);
+        }
+        bool _S628 = _S622 != (side_0 == 1U);
+        float _S629 = __ldg(&_S623->height_high_0);
+        bool _S630 = is_free_0(_S617, _S618, _S625, _S627, _S628, _S629);
+        uint _S631 = side_0 + 1U;
+        passes_0 = _S630;
+        side_0 = _S631;
+    }
+    return passes_0;
+}
+
+struct ViewRayEnd_0
+{
+    float height_5;
+    float last_step_3;
+    float depth_0;
+    float rate_4;
+    bool smooth_0;
+    PreviousSample_0 previous_4;
+};
+
+__device__ float max_height_along_0(uint _S632, float _S633, float _S634, float _S635, float3  _S636, bool _S637)
+{
+    Fabric_0 * _S638 = (&(globalParams_0->fabrics_0)[_S632]);
+    uint _S639 = __ldg(&_S638->warp_0);
+    uint _S640 = locate_0(_S639, _S633).thread_1 / 2U;
+    uint _S641 = __ldg(&_S638->weft_0);
+    uint _S642 = locate_0(_S641, _S634).thread_1 / 2U;
+    float _S643 = _S636.x;
+    uint _S644;
+    if(_S643 > 0.0f)
+    {
+        _S644 = 1U;
+    }
+    else
+    {
+        _S644 = 0U;
+    }
+    float _S645 = _S636.y;
+    uint _S646;
+    if(_S645 > 0.0f)
+    {
+        _S646 = 2U;
+    }
+    else
+    {
+        _S646 = 0U;
+    }
+    uint _S647 = _S644 + _S646;
+    uint _S648 = __ldg(&_S638->max_heights_0);
+    uint _S649 = __ldg(&_S638->max_height_columns_0);
+    uint _S650 = __ldg((&(globalParams_0->words_0)[_S648 + 4U * (_S642 * _S649 + _S640) + _S647]));
+    int number_2;
+    if(_S637)
+    {
+        number_2 = int(4);
+    }
+    else
+    {
+        number_2 = int(0);
+    }
+    uint _S651 = _S650 >> number_2;
+    float _S652 = (F32_abs((_S643)));
+    float _S653 = __ldg(&_S638->threads_per_x_0);
+    float _S654 = _S652 * _S653;
+    float _S655 = (F32_abs((_S645)));
+    float _S656 = __ldg(&_S638->threads_per_y_0);
+    float _S657 = (F32_max((_S654), (_S655 * _S656))) / _S636.z;
+    float _S658 = __ldg(&_S638->height_high_0);
+    float max_height_0 = _S658;
+    number_2 = int(3);
+    for(;;)
+    {
+        if(number_2 >= int(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        if(((max_height_0 - _S635) * _S657) <= (PYRAMID_RADII_0[number_2]))
+        {
+            max_height_0 = (F32_min((max_height_0), (float((_S651 >> uint(int(8) * number_2)) & 15U) * 0.06666667014360428f * _S658)));
+        }
+        number_2 = number_2 - int(1);
+    }
+    return max_height_0;
+}
+
+__device__ float3  cell_bounds_0(uint _S659, float _S660, float _S661, bool _S662, bool _S663, bool _S664)
+{
+    Crossing_0 _S665 = crossing_at_0(_S659, _S660, _S661, _S662);
+    Crossing_0 _S666 = _S665;
+    float _S667 = cell_maximum_0(_S659, &_S666);
+    float _S668;
+    if(_S663)
+    {
+        _S668 = _S665.warp_1.above_0;
+    }
+    else
+    {
+        _S668 = _S665.warp_1.below_0;
+    }
+    float _S669;
+    if(_S664)
+    {
+        _S669 = _S665.weft_1.above_0;
+    }
+    else
+    {
+        _S669 = _S665.weft_1.below_0;
+    }
+    return make_float3 (_S667, _S668, _S669);
+}
+
+__device__ float first_sample_height_0(uint _S670, ViewRay_0 * _S671, StepControl_0 * _S672, bool _S673)
+{
+    float _S674 = max_height_along_0(_S670, _S671->origin_2.x, _S671->origin_2.y, 0.0f, make_float3 (_S671->slope_1.x, _S671->slope_1.y, 1.0f), _S673);
+    uint count_4 = 0U;
+    float height_6 = _S674;
+    for(;;)
+    {
+        if(count_4 < 1024U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2  _S675 = ViewRay_at_0(_S671, height_6);
+        float3  _S676 = cell_bounds_0(_S670, _S675.x, _S675.y, _S673, _S672->right_1, _S672->up_0);
+        float _S677 = height_6 - _S676.x;
+        float _S678 = StepControl_to_cell_exit_0(_S672, _S676.y, _S676.z);
+        float height_7 = height_6 - clamp_0(_S677, 0.0f, _S678);
+        if(_S677 <= _S678)
+        {
+            height_6 = height_7;
+            break;
+        }
+        count_4 = count_4 + 1U;
+        height_6 = height_7;
+    }
+    return height_6;
+}
+
+__device__ ViewRayEnd_0 search_down_0(uint _S679, ViewRay_0 * _S680, StepControl_0 * _S681, bool _S682)
+{
+    Fabric_0 * _S683 = (&(globalParams_0->fabrics_0)[_S679]);
+    float _S684 = __ldg(&_S683->height_low_0);
+    float _S685 = __ldg(&_S683->height_high_0);
+    float _S686 = _S684 - (_S685 - _S684);
+    ViewRayEnd_0 end_1;
+    float _S687 = first_sample_height_0(_S679, _S680, _S681, _S682);
+    (&end_1)->height_5 = _S687;
+    (&end_1)->last_step_3 = _S681->epsilon_0;
+    (&end_1)->previous_4 = no_previous_sample_0();
+    (&end_1)->depth_0 = 0.0f;
+    (&end_1)->rate_4 = 0.0f;
+    (&end_1)->smooth_0 = false;
+    uint count_5 = 0U;
+    for(;;)
+    {
+        if(count_5 < 1024U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2  _S688 = ViewRay_at_0(_S680, (&end_1)->height_5);
+        Probe_0 _S689 = probe_0(_S679, _S688.x, _S688.y, _S682, _S681->right_1, _S681->up_0);
+        float _S690 = (&end_1)->height_5 - _S689.height_1;
+        Probe_0 _S691 = _S689;
+        float _S692 = ViewRay_rate_0(_S680, &_S691);
+        (&end_1)->depth_0 = - _S690;
+        (&end_1)->rate_4 = _S692;
+        bool _S693;
+        if((&(&end_1)->previous_4)->known_0)
+        {
+            _S693 = !_S689.hole_1;
+        }
+        else
+        {
+            _S693 = false;
+        }
+        bool _S694;
+        if(_S693)
+        {
+            _S694 = ((&(&end_1)->previous_4)->yarn_0) == (_S689.yarn_1);
+        }
+        else
+        {
+            _S694 = false;
+        }
+        (&end_1)->smooth_0 = _S694;
+        bool _S695;
+        if(!_S689.hole_1)
+        {
+            _S695 = _S690 <= 0.0f;
+        }
+        else
+        {
+            _S695 = false;
+        }
+        bool _S696;
+        if(_S695)
+        {
+            _S696 = true;
+        }
+        else
+        {
+            _S696 = ((&end_1)->height_5) <= _S686;
+        }
+        if(_S696)
+        {
+            break;
+        }
+        PreviousSample_0 _S697 = (&end_1)->previous_4;
+        Probe_0 _S698 = _S689;
+        float _S699 = way_back_to_dip_0(&_S697, _S690, _S692, (&end_1)->last_step_3, &_S698);
+        if(_S699 >= 0.0f)
+        {
+            (&end_1)->height_5 = (&end_1)->height_5 + _S699;
+            (&end_1)->last_step_3 = (&end_1)->last_step_3 - _S699;
+            count_5 = count_5 + 1U;
+            continue;
+        }
+        float _S700 = StepControl_to_cell_exit_0(_S681, _S689.side_x_0, _S689.side_y_0);
+        float _S701 = (F32_min((_S700), ((&end_1)->height_5 - _S689.cell_max_0)));
+        Probe_0 _S702 = _S689;
+        float _S703 = StepControl_to_next_sample_0(_S681, &_S702, _S690, _S692);
+        bool _S704 = _S701 > _S703;
+        Probe_0 _S705 = _S689;
+        PreviousSample_0 _S706 = after_sample_0(_S690, _S692, &_S705, _S704);
+        (&end_1)->previous_4 = _S706;
+        float _S707 = (F32_max((_S701), (_S703)));
+        (&end_1)->last_step_3 = _S707;
+        (&end_1)->height_5 = (&end_1)->height_5 - _S707;
+        count_5 = count_5 + 1U;
+    }
+    return end_1;
+}
+
+__device__ float refined_height_0(uint _S708, ViewRay_0 * _S709, StepControl_0 * _S710, bool _S711, ViewRayEnd_0 * _S712, uint _S713)
+{
+    Fabric_0 * _S714 = (&(globalParams_0->fabrics_0)[_S708]);
+    float _S715 = __ldg(&_S714->height_high_0);
+    float _S716 = __ldg(&_S714->height_low_0);
+    float _S717 = _S715 - _S716;
+    float _S718 = _S712->height_5;
+    float _S719 = _S712->last_step_3;
+    float above_2 = _S712->height_5 + _S712->last_step_3;
+    float above_gap_1 = clamp_0((&_S712->previous_4)->clearance_0, 0.0f, _S717);
+    float under_gap_1 = clamp_0(_S712->depth_0, 0.0f, _S717);
+    float _S720 = cubic_root_0(above_gap_1, - under_gap_1, (&_S712->previous_4)->rate_0 * _S712->last_step_3, _S712->rate_4 * _S712->last_step_3);
+    bool _S721 = _S712->smooth_0;
+    float middle_0;
+    if(_S712->smooth_0)
+    {
+        middle_0 = above_2 - _S720 * _S719;
+    }
+    else
+    {
+        middle_0 = between_0(above_2, _S718, above_gap_1, under_gap_1);
+    }
+    float side_1 = 0.0f;
+    float above_gap_2 = above_gap_1;
+    float under_gap_2 = under_gap_1;
+    float under_1 = _S718;
+    float above_3 = above_2;
+    uint i_6 = 0U;
+    for(;;)
+    {
+        if(i_6 < _S713)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2  _S722 = ViewRay_at_0(_S709, middle_0);
+        Probe_0 _S723 = probe_0(_S708, _S722.x, _S722.y, _S711, _S710->right_1, _S710->up_0);
+        float _S724;
+        if(_S723.hole_1)
+        {
+            _S724 = -1.0e+09f;
+        }
+        else
+        {
+            _S724 = _S723.height_1;
+        }
+        float _S725 = clamp_0(middle_0 - _S724, - _S717, _S717);
+        float _S726;
+        if(_S725 <= 0.0f)
+        {
+            if(side_1 > 0.0f)
+            {
+                _S726 = 0.5f * above_gap_2;
+            }
+            else
+            {
+                _S726 = above_gap_2;
+            }
+            float _S727 = - _S725;
+            under_1 = middle_0;
+            above_gap_2 = _S726;
+            under_gap_2 = _S727;
+            side_1 = 1.0f;
+        }
+        else
+        {
+            if(side_1 < 0.0f)
+            {
+                _S726 = 0.5f * under_gap_2;
+            }
+            else
+            {
+                _S726 = under_gap_2;
+            }
+            above_3 = middle_0;
+            above_gap_2 = _S725;
+            under_gap_2 = _S726;
+            side_1 = -1.0f;
+        }
+        if(_S721)
+        {
+            Probe_0 _S728 = _S723;
+            float _S729 = ViewRay_rate_0(_S709, &_S728);
+            middle_0 = clamp_0(middle_0 + _S725 / (F32_min((_S729), (-9.99999997475242708e-07f))), under_1, above_3);
+        }
+        else
+        {
+            middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
+        }
+        i_6 = i_6 + 1U;
+    }
+    if(_S721)
+    {
+    }
+    else
+    {
+        middle_0 = under_1;
+    }
+    return middle_0;
+}
+
+__device__ Hit_1 first_hit_0(uint _S730, SearchQuality_0 * _S731, float _S732, float _S733, float3  _S734, bool _S735)
+{
+    Hit_1 hit_1;
+    (&hit_1)->x_22 = _S732;
+    (&hit_1)->y_12 = _S733;
+    (&hit_1)->height_3 = 0.0f;
+    bool _S736 = passes_through_0(_S730, _S731, _S732, _S733, _S734, _S735);
+    (&hit_1)->hole_2 = _S736;
+    if(_S736)
+    {
+        return hit_1;
+    }
+    float _S737 = (F32_max((_S734.z), (0.00009999999747379f)));
+    ViewRay_0 ray_0;
+    (&ray_0)->origin_2 = make_float2 (_S732, _S733);
+    float2  _S738 = float2 {_S734.x, _S734.y} / make_float2 (_S737);
+    (&ray_0)->slope_1 = _S738;
+    float2  _S739 = - _S738;
+    float _S740 = steps_per_length_0(_S730, _S731, _S734);
+    StepControl_0 _S741 = step_control_0(_S739, 1.0f / (F32_max((_S740 / _S737), (9.99999971718068537e-10f))));
+    ViewRay_0 _S742 = ray_0;
+    StepControl_0 _S743 = _S741;
+    ViewRayEnd_0 _S744 = search_down_0(_S730, &_S742, &_S743, _S735);
+    ViewRay_0 _S745 = ray_0;
+    StepControl_0 _S746 = _S741;
+    ViewRayEnd_0 _S747 = _S744;
+    float _S748 = refined_height_0(_S730, &_S745, &_S746, _S735, &_S747, _S731->refinements_0);
+    (&hit_1)->height_3 = _S748;
+    ViewRay_0 _S749 = ray_0;
+    float2  _S750 = ViewRay_at_0(&_S749, _S748);
+    (&hit_1)->x_22 = _S750.x;
+    (&hit_1)->y_12 = _S750.y;
+    return hit_1;
+}
+
+struct CoverageTaps_0
+{
+    FixedArray<uint, 9>  nodes_1;
+};
+
+__device__ float3  pyramid_level_0(uint _S751, float _S752)
+{
+    Lobes_0 _S753 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S751])->lobes_0);
+    uint _S754 = _S753.levels_0 + 4U * uint((F32_min((_S752), (_S753.last_level_0))));
+    return make_float3 (table_number_0(_S754), table_number_0(_S754 + 1U), table_number_0(_S754 + 2U));
+}
+
+__device__ CoverageTaps_0 coverage_taps_0(uint _S755, Footprint_0 * _S756, bool _S757)
+{
+    Fabric_0 * _S758 = (&(globalParams_0->fabrics_0)[_S755]);
+    float _S759 = Footprint_spread_side_0(_S756);
+    Lobes_0 _S760 = slang_ldg_0(&_S758->lobes_0);
+    float _S761 = _S759 * _S760.inverse_base_size_0;
+    float3  _S762 = pyramid_level_0(_S755, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S761), (1.0f))))))));
+    float _S763 = 1.0f / (F32_max((_S761), (9.99999997475242708e-07f)));
+    float _S764 = (F32_min(((F32_max(((F32_sqrt((clamp_0(1.29999995231628418f * (1.0f - _S763 * _S763), 0.0f, 1.0f))))), (0.3333333432674408f * _S763)))), (1.0f)));
+    uint _S765 = __ldg(&_S758->warp_0);
+    Family_0 _S766 = slang_ldg_3((&(globalParams_0->families_0)[_S765]));
+    uint _S767 = __ldg(&_S758->weft_0);
+    Family_0 _S768 = slang_ldg_3((&(globalParams_0->families_0)[_S767]));
+    float2  _S769 = make_float2 (_S766.inverse_period_0, _S768.inverse_period_0);
+    float2  _S770 = _S756->centre_0 * _S769;
+    float2  _S771 = _S756->dx_0 * _S769 * make_float2 (_S764);
+    float2  _S772 = _S756->dy_0 * _S769 * make_float2 (_S764);
+    CoverageTaps_0 taps_3;
+    uint number_3 = 0U;
+    for(;;)
+    {
+        if(number_3 < 9U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        float2  _S773 = _S770 + make_float2 (TAP_OFFSETS_0[number_3].x) * _S771 + make_float2 (TAP_OFFSETS_0[number_3].y) * _S772;
+        float _S774 = _S762.y;
+        float _S775 = wrapped_cell_0(_S773.x, _S774);
+        float _S776 = wrapped_cell_0(_S773.y, _S762.z);
+        uint _S777;
+        if(_S757)
+        {
+            _S777 = _S760.face_nodes_0;
+        }
+        else
+        {
+            _S777 = 0U;
+        }
+        (&taps_3)->nodes_1[number_3] = _S777 + uint(_S776 * _S774 + _S775 + _S762.x);
+        number_3 = number_3 + 1U;
+    }
+    return taps_3;
+}
+
+__device__ float coverage_of_holes_0(uint _S778, CoverageTaps_0 * _S779)
+{
+    Fabric_0 * _S780 = (&(globalParams_0->fabrics_0)[_S778]);
+    uint number_4 = 0U;
+    uint total_0 = 0U;
+    for(;;)
+    {
+        if(number_4 < 9U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S781 = _S779->nodes_1[number_4];
+        Lobes_0 _S782 = slang_ldg_0(&_S780->lobes_0);
+        uint _S783 = __ldg((&(globalParams_0->words_0)[_S782.coverage_holes_0 + _S781 / 4U]));
+        uint total_1 = total_0 + ((_S783 >> (8U * (_S781 % 4U))) & 255U);
+        number_4 = number_4 + 1U;
+        total_0 = total_1;
+    }
+    return float(total_0) / 9.0f;
+}
+
+__device__ float prefiltered_hole_0(uint _S784, CoverageTaps_0 * _S785, NodeTaps_0 * _S786, bool _S787)
+{
+    Lobes_0 _S788 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S784])->lobes_0);
+    float4  _S789 = interpolate_table_0(_S786, _S788.projected_area_0 + _S788.packs_0, _S788.packs_0 + 1U);
+    float _S790 = _S789.x;
+    float _S791;
+    if(_S787)
+    {
+        _S791 = _S788.back_hole_weight_0;
+    }
+    else
+    {
+        _S791 = _S788.front_hole_weight_0;
+    }
+    float _S792 = coverage_of_holes_0(_S784, _S785);
+    return (F32_min((_S792 * _S790 * _S790 * _S791), (1.0f)));
+}
+
+__device__ float passed_share_0(uint _S793, VisiblePoint_0 * _S794, float3  _S795, float _S796, float2  _S797)
+{
+    Fabric_0 * _S798 = (&(globalParams_0->fabrics_0)[_S793]);
+    float3  _S799 = to_local_0(_S794, _S795);
+    bool _S800 = (_S799.z) < 0.0f;
+    float3  _S801 = to_face_frame_0(_S799, _S800);
+    Footprint_0 footprint_0;
+    (&footprint_0)->centre_0 = _S794->draft_0;
+    (&footprint_0)->dx_0 = make_float2 (_S796, 0.0f);
+    (&footprint_0)->dy_0 = make_float2 (0.0f, _S796);
+    Lobes_0 _S802 = slang_ldg_0(&_S798->lobes_0);
+    float _S803;
+    if((_S802.is_baked_0) != 0U)
+    {
+        Footprint_0 _S804 = footprint_0;
+        Regime_0 _S805 = regime_of_0(_S793, &_S804, 1.0f);
+        _S803 = _S805.prefiltered_0;
+    }
+    else
+    {
+        _S803 = 0.0f;
+    }
+    float share_2;
+    if(_S803 < 1.0f)
+    {
+        float2  _S806 = (&footprint_0)->centre_0 + (_S797 - make_float2 (0.5f)) * make_float2 (_S796);
+        float _S807 = _S806.x;
+        float _S808 = _S806.y;
+        SearchQuality_0 _S809 = default_quality_0();
+        Hit_1 _S810 = first_hit_0(_S793, &_S809, _S807, _S808, _S801, _S800);
+        if(_S810.hole_2)
+        {
+            share_2 = 1.0f - _S803;
+        }
+        else
+        {
+            share_2 = 0.0f;
+        }
+    }
+    else
+    {
+        share_2 = 0.0f;
+    }
+    if(_S803 > 0.0f)
+    {
+        NodeTaps_0 nodes_2 = node_taps_0(_S801);
+        uint _S811;
+        if(_S800)
+        {
+            _S811 = 1U;
+        }
+        else
+        {
+            _S811 = 0U;
+        }
+        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + make_uint4 (_S811 * 256U);
+        Footprint_0 _S812 = footprint_0;
+        CoverageTaps_0 _S813 = coverage_taps_0(_S793, &_S812, _S800);
+        CoverageTaps_0 _S814 = _S813;
+        NodeTaps_0 _S815 = nodes_2;
+        float _S816 = prefiltered_hole_0(_S793, &_S814, &_S815, _S800);
+        share_2 = share_2 + _S803 * _S816;
+    }
+    float _S817 = __ldg(&_S798->sheen_strength_0);
+    if(_S817 > 0.0f)
+    {
+        float _S818 = _S801.z;
+        float _S819 = __ldg(&_S798->sheen_roughness_0);
+        share_2 = share_2 * (1.0f - _S817 * sheen_lobe_0(_S818, _S819).z);
+    }
+    return share_2;
+}
+
+__device__ float visibility_of_0(int _S820, VisiblePoint_0 * _S821, uint _S822, uint2  _S823, uint _S824)
+{
+    Frame_0 * _S825 = (&(globalParams_0->frames_0)[_S820]);
+    float3  _S826 = _S821->position_0;
+    LightSample_0 _S827 = light_sample_0(_S820, _S824, _S823, _S821->position_0);
+    float3  _S828 = _S821->face_normal_0;
+    float nearest_1;
+    if((dot_0(_S827.towards_0, _S821->face_normal_0)) < 0.0f)
+    {
+        nearest_1 = -1.0f;
+    }
+    else
+    {
+        nearest_1 = 1.0f;
+    }
+    float _S829 = __ldg(&_S825->ray_offset_0);
+    float3  _S830 = _S826 + make_float3 (nearest_1 * _S829) * _S828;
+    float _S831 = (F32_sqrt((0.5f * (dot_1(_S821->draft_dx_0, _S821->draft_dx_0) + dot_1(_S821->draft_dy_0, _S821->draft_dy_0)))));
+    nearest_1 = 0.0f;
+    uint without_0 = _S822;
+    uint layer_0 = 0U;
+    float visibility_0 = 1.0f;
+    for(;;)
+    {
+        bool _S832;
+        if(layer_0 < 8U)
+        {
+            _S832 = visibility_0 > 0.00100000004749745f;
+        }
+        else
+        {
+            _S832 = false;
+        }
+        if(_S832)
+        {
+        }
+        else
+        {
+            break;
+        }
+        Hit_0 _S833 = nearest_hit_0(_S820, _S830, _S827.towards_0, nearest_1, _S827.distance_2, without_0, true);
+        if((_S833.face_1) == 4294967295U)
+        {
+            break;
+        }
+        uint _S834 = __ldg((&(globalParams_0->face_fabrics_0)[_S833.face_1]));
+        VisiblePoint_0 _S835 = face_point_0(_S834, _S833.face_1, _S833.weight_b_0, _S833.weight_c_0);
+        uint _S836 = __ldg(&_S825->pass_number_0);
+        float2  _S837 = pixel_sequence_0(_S823, _S836, 5U + 2U * (8U * _S824 + layer_0));
+        uint _S838 = __ldg(&(&(globalParams_0->fabrics_0)[_S834])->is_open_0);
+        float _S839;
+        if(_S838 != 0U)
+        {
+            float3  _S840 = - _S827.towards_0;
+            VisiblePoint_0 _S841 = _S835;
+            float _S842 = passed_share_0(_S834, &_S841, _S840, _S831, _S837);
+            _S839 = _S842;
+        }
+        else
+        {
+            _S839 = 0.0f;
+        }
+        float visibility_1 = visibility_0 * _S839;
+        uint _S843 = layer_0 + 1U;
+        nearest_1 = _S833.distance_0;
+        without_0 = _S833.face_1;
+        layer_0 = _S843;
+        visibility_0 = visibility_1;
+    }
+    if(visibility_0 > 0.00100000004749745f)
+    {
+        nearest_1 = visibility_0;
+    }
+    else
+    {
+        nearest_1 = 0.0f;
+    }
+    return nearest_1;
+}
+
+extern "C" __global__ void cast_shadows()
+{
+    uint3  _S844 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S845 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S846 = _S844.x;
+    uint _S847 = __ldg(&_S845->width_0);
+    bool _S848;
+    if(_S846 >= _S847)
+    {
+        _S848 = true;
+    }
+    else
+    {
+        uint _S849 = _S844.y;
+        uint _S850 = __ldg(&_S845->height_0);
+        _S848 = _S849 >= _S850;
+    }
+    if(_S848)
+    {
+        return;
+    }
+    uint _S851 = _S844.y * _S847 + _S846;
+    uint _S852 = (&(globalParams_0->layers_0)[_S851])->face_0;
+    if(((&(globalParams_0->layers_0)[_S851])->face_0) == 0U)
+    {
+        return;
+    }
+    uint _S853 = _S852 - 1U;
+    uint _S854 = __ldg((&(globalParams_0->face_fabrics_0)[_S853]));
+    uint2  _S855 = uint2 {_S844.x, _S844.y};
+    VisiblePoint_0 _S856 = visible_point_0(int(0), _S854, _S853, _S855);
+    uint number_5 = 0U;
+    for(;;)
+    {
+        uint _S857 = light_sample_count_0(int(0));
+        if(number_5 < _S857)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S858 = number_5 * _S847;
+        uint _S859 = __ldg(&_S845->height_0);
+        float * _S860 = (&(globalParams_0->visibilities_0)[_S858 * _S859 + _S851]);
+        VisiblePoint_0 _S861 = _S856;
+        float _S862 = visibility_of_0(int(0), &_S861, _S853, _S855, number_5);
+        *_S860 = _S862;
+        number_5 = number_5 + 1U;
+    }
+    return;
+}
+

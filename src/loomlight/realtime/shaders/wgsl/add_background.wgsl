@@ -1,0 +1,216 @@
+struct Frame_std430_0
+{
+    @align(4) width_0 : u32,
+    @align(4) height_0 : u32,
+    @align(4) lights_0 : u32,
+    @align(4) samples_0 : u32,
+    @align(4) pass_number_0 : u32,
+    @align(4) environment_samples_0 : u32,
+    @align(4) environment_columns_0 : u32,
+    @align(4) environment_rows_0 : u32,
+    @align(4) environment_table_0 : u32,
+    @align(4) environment_total_0 : f32,
+    @align(4) environment_sine_0 : f32,
+    @align(4) environment_cosine_0 : f32,
+    @align(4) shows_environment_0 : u32,
+    @align(4) casts_shadows_0 : u32,
+    @align(4) leaves_0 : u32,
+    @align(4) leaf_faces_0 : u32,
+    @align(4) ray_offset_0 : f32,
+    @align(4) jitter_x_0 : f32,
+    @align(4) jitter_y_0 : f32,
+    @align(4) gain_0 : f32,
+    @align(4) origin_x_0 : f32,
+    @align(4) origin_y_0 : f32,
+    @align(4) origin_z_0 : f32,
+    @align(4) right_x_0 : f32,
+    @align(4) right_y_0 : f32,
+    @align(4) right_z_0 : f32,
+    @align(4) up_x_0 : f32,
+    @align(4) up_y_0 : f32,
+    @align(4) up_z_0 : f32,
+    @align(4) forward_x_0 : f32,
+    @align(4) forward_y_0 : f32,
+    @align(4) forward_z_0 : f32,
+    @align(4) near_0 : f32,
+    @align(4) background_red_0 : f32,
+    @align(4) background_green_0 : f32,
+    @align(4) background_blue_0 : f32,
+};
+
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+
+struct Layer_std430_0
+{
+    @align(4) face_0 : u32,
+    @align(4) share_0 : f32,
+};
+
+@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+
+@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+
+@binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
+
+fn arc_tangent_quotient_0( x_0 : f32,  y_0 : f32) -> f32
+{
+    return ((((((0.0f * x_0 + 0.00809729471802711f) * x_0 + -0.0377517081797123f) * x_0 + 0.08475969731807709f) * x_0 + -0.13537675142288208f) * x_0 + 0.19895026087760925f) * x_0 + -0.33327975869178772f) * x_0 + 0.99999970197677612f;
+}
+
+fn arc_tangent_of_ratio_0( ratio_0 : f32) -> f32
+{
+    return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
+}
+
+fn arc_tangent_0( y_1 : f32,  x_1 : f32) -> f32
+{
+    var _S1 : f32 = abs(x_1);
+    var _S2 : f32 = abs(y_1);
+    var angle_0 : f32 = arc_tangent_of_ratio_0(min(_S1, _S2) / max(max(_S1, _S2), 1.00000000317107685e-30f));
+    var angle_1 : f32;
+    if(_S2 > _S1)
+    {
+        angle_1 = 1.57079637050628662f - angle_0;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(x_1 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        angle_1 = - angle_1;
+    }
+    return angle_1;
+}
+
+fn arc_sine_0( x_2 : f32) -> f32
+{
+    var _S3 : f32 = abs(x_2);
+    var _S4 : bool = _S3 > 0.5f;
+    var _S5 : f32;
+    if(_S4)
+    {
+        _S5 = 0.5f * (1.0f - _S3);
+    }
+    else
+    {
+        _S5 = _S3 * _S3;
+    }
+    var _S6 : f32;
+    if(_S4)
+    {
+        _S6 = sqrt(max(_S5, 0.0f));
+    }
+    else
+    {
+        _S6 = _S3;
+    }
+    var _S7 : f32 = ((((0.04216320067644119f * _S5 + 0.02418131195008755f) * _S5 + 0.04547002539038658f) * _S5 + 0.07495300471782684f) * _S5 + 0.16666752099990845f) * _S5 * _S6 + _S6;
+    if(_S4)
+    {
+        _S5 = 1.57079637050628662f - 2.0f * _S7;
+    }
+    else
+    {
+        _S5 = _S7;
+    }
+    if(x_2 < 0.0f)
+    {
+        _S5 = - _S5;
+    }
+    return _S5;
+}
+
+fn scene_number_0( index_0 : u32) -> f32
+{
+    return (bitcast<f32>((scene_words_0[index_0])));
+}
+
+fn camera_forward_0( _S8 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S8].forward_x_0, frames_0[_S8].forward_y_0, frames_0[_S8].forward_z_0);
+}
+
+fn camera_right_0( _S9 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S9].right_x_0, frames_0[_S9].right_y_0, frames_0[_S9].right_z_0);
+}
+
+fn camera_up_0( _S10 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S10].up_x_0, frames_0[_S10].up_y_0, frames_0[_S10].up_z_0);
+}
+
+fn pixel_direction_0( _S11 : i32,  _S12 : vec2<u32>,  _S13 : vec2<f32>) -> vec3<f32>
+{
+    return camera_forward_0(_S11) + vec3<f32>(((f32(_S12.x) + 0.5f + _S13.x) * 2.0f / f32(frames_0[_S11].width_0) - 1.0f)) * camera_right_0(_S11) + vec3<f32>((1.0f - (f32(_S12.y) + 0.5f + _S13.y) * 2.0f / f32(frames_0[_S11].height_0))) * camera_up_0(_S11);
+}
+
+fn environment_texel_0( _S14 : i32,  _S15 : u32,  _S16 : u32) -> vec3<f32>
+{
+    var _S17 : u32 = frames_0[_S14].environment_table_0 + frames_0[_S14].environment_rows_0 + u32(1) + frames_0[_S14].environment_rows_0 * (frames_0[_S14].environment_columns_0 + u32(1)) + u32(3) * (_S15 * frames_0[_S14].environment_columns_0 + _S16);
+    return vec3<f32>(scene_number_0(_S17), scene_number_0(_S17 + u32(1)), scene_number_0(_S17 + u32(2)));
+}
+
+fn environment_radiance_0( _S18 : i32,  _S19 : vec3<f32>) -> vec3<f32>
+{
+    var _S20 : f32 = _S19.x;
+    var _S21 : f32 = _S19.z;
+    var _S22 : f32 = arc_tangent_0(frames_0[_S18].environment_cosine_0 * _S20 - frames_0[_S18].environment_sine_0 * _S21, - (frames_0[_S18].environment_sine_0 * _S20 + frames_0[_S18].environment_cosine_0 * _S21)) / 6.28318548202514648f;
+    var _S23 : u32 = frames_0[_S18].environment_columns_0;
+    var _S24 : f32 = (_S22 - floor(_S22)) * f32(frames_0[_S18].environment_columns_0) - 0.5f;
+    var _S25 : u32 = frames_0[_S18].environment_rows_0 - u32(1);
+    var _S26 : f32 = clamp((0.5f - arc_sine_0(clamp(_S19.y, -1.0f, 1.0f)) / 3.14159274101257324f) * f32(frames_0[_S18].environment_rows_0) - 0.5f, 0.0f, f32(_S25));
+    var _S27 : f32 = floor(_S24);
+    var _S28 : u32 = u32(i32(_S27) + i32(frames_0[_S18].environment_columns_0)) % frames_0[_S18].environment_columns_0;
+    var _S29 : u32 = (_S28 + u32(1)) % _S23;
+    var _S30 : u32 = u32(_S26);
+    var _S31 : u32 = min(_S30 + u32(1), _S25);
+    var _S32 : vec3<f32> = vec3<f32>((_S24 - _S27));
+    return mix(mix(environment_texel_0(_S18, _S30, _S28), environment_texel_0(_S18, _S30, _S29), _S32), mix(environment_texel_0(_S18, _S31, _S28), environment_texel_0(_S18, _S31, _S29), _S32), vec3<f32>((_S26 - f32(_S30))));
+}
+
+@compute
+@workgroup_size(8, 8, 1)
+fn add_background(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    var _S33 : u32 = id_0.x;
+    var _S34 : u32 = frames_0[i32(0)].width_0;
+    var _S35 : bool;
+    if(_S33 >= (frames_0[i32(0)].width_0))
+    {
+        _S35 = true;
+    }
+    else
+    {
+        _S35 = (id_0.y) >= (frames_0[i32(0)].height_0);
+    }
+    if(_S35)
+    {
+        return;
+    }
+    var _S36 : u32 = id_0.y * _S34 + _S33;
+    var _S37 : f32 = layers_0[_S36].share_0;
+    if((layers_0[_S36].share_0) <= 0.0f)
+    {
+        return;
+    }
+    var _S38 : vec3<f32> = vec3<f32>(frames_0[i32(0)].background_red_0, frames_0[i32(0)].background_green_0, frames_0[i32(0)].background_blue_0);
+    var background_0 : vec3<f32>;
+    if((frames_0[i32(0)].shows_environment_0) != u32(0))
+    {
+        var _S39 : vec3<f32> = environment_radiance_0(i32(0), normalize(pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0))));
+        background_0 = _S39;
+    }
+    else
+    {
+        background_0 = _S38;
+    }
+    radiance_0[_S36] = radiance_0[_S36] + vec4<f32>(vec3<f32>(_S37) * background_0, 0.0f);
+    return;
+}
+

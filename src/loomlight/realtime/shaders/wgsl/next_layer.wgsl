@@ -1,0 +1,469 @@
+struct Frame_std430_0
+{
+    @align(4) width_0 : u32,
+    @align(4) height_0 : u32,
+    @align(4) lights_0 : u32,
+    @align(4) samples_0 : u32,
+    @align(4) pass_number_0 : u32,
+    @align(4) environment_samples_0 : u32,
+    @align(4) environment_columns_0 : u32,
+    @align(4) environment_rows_0 : u32,
+    @align(4) environment_table_0 : u32,
+    @align(4) environment_total_0 : f32,
+    @align(4) environment_sine_0 : f32,
+    @align(4) environment_cosine_0 : f32,
+    @align(4) shows_environment_0 : u32,
+    @align(4) casts_shadows_0 : u32,
+    @align(4) leaves_0 : u32,
+    @align(4) leaf_faces_0 : u32,
+    @align(4) ray_offset_0 : f32,
+    @align(4) jitter_x_0 : f32,
+    @align(4) jitter_y_0 : f32,
+    @align(4) gain_0 : f32,
+    @align(4) origin_x_0 : f32,
+    @align(4) origin_y_0 : f32,
+    @align(4) origin_z_0 : f32,
+    @align(4) right_x_0 : f32,
+    @align(4) right_y_0 : f32,
+    @align(4) right_z_0 : f32,
+    @align(4) up_x_0 : f32,
+    @align(4) up_y_0 : f32,
+    @align(4) up_z_0 : f32,
+    @align(4) forward_x_0 : f32,
+    @align(4) forward_y_0 : f32,
+    @align(4) forward_z_0 : f32,
+    @align(4) near_0 : f32,
+    @align(4) background_red_0 : f32,
+    @align(4) background_green_0 : f32,
+    @align(4) background_blue_0 : f32,
+};
+
+@binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
+
+struct Layer_std430_0
+{
+    @align(4) face_0 : u32,
+    @align(4) share_0 : f32,
+};
+
+@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+
+@binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
+
+struct Vertex_std430_0
+{
+    @align(4) x_0 : f32,
+    @align(4) y_0 : f32,
+    @align(4) z_0 : f32,
+    @align(4) normal_x_0 : f32,
+    @align(4) normal_y_0 : f32,
+    @align(4) normal_z_0 : f32,
+    @align(4) u_0 : f32,
+    @align(4) v_0 : f32,
+};
+
+@binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
+
+@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
+
+struct Lobes_std430_0
+{
+    @align(4) is_baked_0 : u32,
+    @align(4) inverse_base_size_0 : f32,
+    @align(4) last_level_0 : f32,
+    @align(4) levels_0 : u32,
+    @align(4) face_nodes_0 : u32,
+    @align(4) packs_0 : u32,
+    @align(4) front_warp_packs_0 : u32,
+    @align(4) back_warp_packs_0 : u32,
+    @align(4) coverage_0 : u32,
+    @align(4) coverage_holes_0 : u32,
+    @align(4) projected_area_0 : u32,
+    @align(4) light_visibility_0 : u32,
+    @align(4) irradiance_0 : u32,
+    @align(4) moments_0 : u32,
+    @align(4) front_hole_weight_0 : f32,
+    @align(4) back_hole_weight_0 : f32,
+    @align(4) threads_per_mm_0 : f32,
+    @align(4) unit_level_0 : f32,
+};
+
+struct Fabric_std430_0
+{
+    @align(4) warp_0 : u32,
+    @align(4) weft_0 : u32,
+    @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) run_words_0 : u32,
+    @align(4) ends_0 : u32,
+    @align(4) max_heights_0 : u32,
+    @align(4) max_height_columns_0 : u32,
+    @align(4) height_low_0 : f32,
+    @align(4) height_high_0 : f32,
+    @align(4) lift_0 : f32,
+    @align(4) threads_per_x_0 : f32,
+    @align(4) threads_per_y_0 : f32,
+    @align(4) per_relief_0 : f32,
+    @align(4) diffuse_blend_0 : f32,
+    @align(4) optical_depth_0 : f32,
+    @align(4) sheen_strength_0 : f32,
+    @align(4) sheen_roughness_0 : f32,
+    @align(4) fibre_noise_0 : f32,
+    @align(4) colour_noise_0 : f32,
+    @align(4) seed_0 : u32,
+    @align(4) layer_bound_0 : f32,
+    @align(4) fibre_size_0 : f32,
+    @align(4) uv_width_0 : f32,
+    @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
+};
+
+@binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
+
+fn firstbitlow_0( value_0 : u32) -> u32
+{
+    var _S1 : u32 = firstTrailingBit(value_0);
+    return _S1;
+}
+
+fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
+}
+
+fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+}
+
+fn inverse_of_0( component_0 : f32) -> f32
+{
+    var _S2 : f32;
+    if((abs(component_0)) > 9.99999968265522539e-21f)
+    {
+        _S2 = component_0;
+    }
+    else
+    {
+        _S2 = 9.99999968265522539e-21f;
+    }
+    return 1.0f / _S2;
+}
+
+fn scene_number_0( index_0 : u32) -> f32
+{
+    return (bitcast<f32>((scene_words_0[index_0])));
+}
+
+fn meets_node_0( node_0 : u32,  origin_0 : vec3<f32>,  inverse_0 : vec3<f32>,  nearest_0 : f32,  farthest_0 : f32) -> bool
+{
+    var _S3 : u32 = u32(6) * (node_0 - u32(1));
+    var _S4 : vec3<f32> = (vec3<f32>(scene_number_0(_S3), scene_number_0(_S3 + u32(1)), scene_number_0(_S3 + u32(2))) - origin_0) * inverse_0;
+    var _S5 : vec3<f32> = (vec3<f32>(scene_number_0(_S3 + u32(3)), scene_number_0(_S3 + u32(4)), scene_number_0(_S3 + u32(5))) - origin_0) * inverse_0;
+    var _S6 : vec3<f32> = min(_S4, _S5);
+    var _S7 : vec3<f32> = max(_S4, _S5) * vec3<f32>(1.0000004768371582f);
+    return (max(max(_S6.x, _S6.y), max(_S6.z, nearest_0))) <= (min(min(_S7.x, _S7.y), min(_S7.z, farthest_0)));
+}
+
+fn following_node_0( node_1 : u32) -> u32
+{
+    var _S8 : u32 = node_1 + u32(1);
+    var _S9 : u32 = (_S8 >> ((firstbitlow_0(_S8))));
+    var _S10 : u32;
+    if(_S9 == u32(1))
+    {
+        _S10 = u32(0);
+    }
+    else
+    {
+        _S10 = _S9;
+    }
+    return _S10;
+}
+
+struct Hit_0
+{
+     face_1 : u32,
+     distance_0 : f32,
+     weight_b_0 : f32,
+     weight_c_0 : f32,
+};
+
+fn meet_face_0( face_2 : u32,  origin_1 : vec3<f32>,  direction_0 : vec3<f32>) -> Hit_0
+{
+    var _S11 : u32 = u32(3) * face_2;
+    var _S12 : Vertex_std430_0 = vertices_0[corners_0[_S11]];
+    var _S13 : vec3<f32> = position_of_0(&(_S12));
+    var _S14 : Vertex_std430_0 = vertices_0[corners_0[_S11 + u32(1)]];
+    var _S15 : vec3<f32> = position_of_0(&(_S14));
+    var _S16 : vec3<f32> = _S15 - _S13;
+    var _S17 : Vertex_std430_0 = vertices_0[corners_0[_S11 + u32(2)]];
+    var _S18 : vec3<f32> = position_of_0(&(_S17));
+    var _S19 : vec3<f32> = _S18 - _S13;
+    var _S20 : vec3<f32> = cross(direction_0, _S19);
+    var _S21 : f32 = dot(_S16, _S20);
+    var _S22 : bool = (abs(_S21)) > 1.00000000317107685e-30f;
+    var _S23 : f32;
+    if(_S22)
+    {
+        _S23 = _S21;
+    }
+    else
+    {
+        _S23 = 1.00000000317107685e-30f;
+    }
+    var _S24 : f32 = 1.0f / _S23;
+    var _S25 : vec3<f32> = origin_1 - _S13;
+    var _S26 : vec3<f32> = cross(_S25, _S16);
+    var hit_0 : Hit_0;
+    var _S27 : f32 = dot(_S25, _S20) * _S24;
+    hit_0.weight_b_0 = _S27;
+    hit_0.weight_c_0 = dot(direction_0, _S26) * _S24;
+    hit_0.distance_0 = dot(_S19, _S26) * _S24;
+    var _S28 : bool;
+    if(_S27 >= 0.0f)
+    {
+        _S28 = (hit_0.weight_c_0) >= 0.0f;
+    }
+    else
+    {
+        _S28 = false;
+    }
+    if(_S28)
+    {
+        _S28 = (hit_0.weight_b_0 + hit_0.weight_c_0) <= 1.0f;
+    }
+    else
+    {
+        _S28 = false;
+    }
+    if(_S28)
+    {
+        _S28 = _S22;
+    }
+    else
+    {
+        _S28 = false;
+    }
+    var _S29 : u32;
+    if(_S28)
+    {
+        _S29 = face_2;
+    }
+    else
+    {
+        _S29 = u32(4294967295);
+    }
+    hit_0.face_1 = _S29;
+    return hit_0;
+}
+
+fn camera_origin_0( _S30 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S30].origin_x_0, frames_0[_S30].origin_y_0, frames_0[_S30].origin_z_0);
+}
+
+fn camera_forward_0( _S31 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S31].forward_x_0, frames_0[_S31].forward_y_0, frames_0[_S31].forward_z_0);
+}
+
+fn camera_right_0( _S32 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S32].right_x_0, frames_0[_S32].right_y_0, frames_0[_S32].right_z_0);
+}
+
+fn camera_up_0( _S33 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S33].up_x_0, frames_0[_S33].up_y_0, frames_0[_S33].up_z_0);
+}
+
+fn pixel_direction_0( _S34 : i32,  _S35 : vec2<u32>,  _S36 : vec2<f32>) -> vec3<f32>
+{
+    return camera_forward_0(_S34) + vec3<f32>(((f32(_S35.x) + 0.5f + _S36.x) * 2.0f / f32(frames_0[_S34].width_0) - 1.0f)) * camera_right_0(_S34) + vec3<f32>((1.0f - (f32(_S35.y) + 0.5f + _S36.y) * 2.0f / f32(frames_0[_S34].height_0))) * camera_up_0(_S34);
+}
+
+fn nearest_hit_0( _S37 : i32,  _S38 : vec3<f32>,  _S39 : vec3<f32>,  _S40 : f32,  _S41 : f32,  _S42 : u32,  _S43 : bool) -> Hit_0
+{
+    var _S44 : vec3<f32> = vec3<f32>(inverse_of_0(_S39.x), inverse_of_0(_S39.y), inverse_of_0(_S39.z));
+    var found_0 : Hit_0;
+    found_0.face_1 = u32(4294967295);
+    found_0.distance_0 = _S41;
+    found_0.weight_b_0 = 0.0f;
+    found_0.weight_c_0 = 0.0f;
+    var node_2 : u32 = u32(1);
+    for(;;)
+    {
+        if(node_2 != u32(0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var node_3 : u32;
+        if(!meets_node_0(node_2, _S38, _S44, _S40, found_0.distance_0))
+        {
+            node_3 = following_node_0(node_2);
+        }
+        else
+        {
+            var _S45 : u32 = frames_0[_S37].leaves_0;
+            if(node_2 < (frames_0[_S37].leaves_0))
+            {
+                node_3 = node_2 * u32(2);
+            }
+            else
+            {
+                var _S46 : u32 = frames_0[_S37].leaf_faces_0 + u32(4) * (node_2 - _S45);
+                var _S47 : u32 = following_node_0(node_2);
+                var number_0 : u32 = u32(0);
+                node_3 = _S47;
+                for(;;)
+                {
+                    if(number_0 < u32(4))
+                    {
+                    }
+                    else
+                    {
+                        break;
+                    }
+                    var _S48 : u32 = scene_words_0[_S46 + number_0];
+                    var _S49 : bool;
+                    if(_S48 == u32(4294967295))
+                    {
+                        _S49 = true;
+                    }
+                    else
+                    {
+                        _S49 = _S48 == _S42;
+                    }
+                    if(_S49)
+                    {
+                        number_0 = number_0 + u32(1);
+                        continue;
+                    }
+                    var _S50 : Hit_0 = meet_face_0(_S48, _S38, _S39);
+                    var _S51 : bool;
+                    if((_S50.face_1) == u32(4294967295))
+                    {
+                        _S51 = true;
+                    }
+                    else
+                    {
+                        _S51 = (_S50.distance_0) <= _S40;
+                    }
+                    var _S52 : bool;
+                    if(_S51)
+                    {
+                        _S52 = true;
+                    }
+                    else
+                    {
+                        _S52 = (_S50.distance_0) >= (found_0.distance_0);
+                    }
+                    if(_S52)
+                    {
+                        number_0 = number_0 + u32(1);
+                        continue;
+                    }
+                    found_0 = _S50;
+                    var _S53 : bool;
+                    if(_S43)
+                    {
+                        _S53 = (fabrics_0[face_fabrics_0[_S48]].is_open_0) == u32(0);
+                    }
+                    else
+                    {
+                        _S53 = false;
+                    }
+                    var node_4 : u32;
+                    if(_S53)
+                    {
+                        node_4 = u32(0);
+                    }
+                    else
+                    {
+                        node_4 = node_3;
+                    }
+                    node_3 = node_4;
+                    number_0 = number_0 + u32(1);
+                }
+            }
+        }
+        node_2 = node_3;
+    }
+    return found_0;
+}
+
+@compute
+@workgroup_size(8, 8, 1)
+fn next_layer(@builtin(global_invocation_id) id_0 : vec3<u32>)
+{
+    var _S54 : u32 = id_0.x;
+    var _S55 : u32 = frames_0[i32(0)].width_0;
+    var _S56 : bool;
+    if(_S54 >= (frames_0[i32(0)].width_0))
+    {
+        _S56 = true;
+    }
+    else
+    {
+        _S56 = (id_0.y) >= (frames_0[i32(0)].height_0);
+    }
+    if(_S56)
+    {
+        return;
+    }
+    var _S57 : u32 = id_0.y * _S55 + _S54;
+    var _S58 : Layer_std430_0 = layers_0[_S57];
+    if((layers_0[_S57].face_0) == u32(0))
+    {
+        return;
+    }
+    var following_0 : u32;
+    if((_S58.share_0) > 0.00100000004749745f)
+    {
+        var _S59 : vec3<f32> = camera_origin_0(i32(0));
+        var _S60 : vec3<f32> = pixel_direction_0(i32(0), id_0.xy, vec2<f32>(frames_0[i32(0)].jitter_x_0, frames_0[i32(0)].jitter_y_0));
+        var _S61 : u32 = _S58.face_0 - u32(1);
+        var _S62 : u32 = u32(3) * _S61;
+        var _S63 : Vertex_std430_0 = vertices_0[corners_0[_S62]];
+        var _S64 : vec3<f32> = position_of_1(&(_S63));
+        var _S65 : Vertex_std430_0 = vertices_0[corners_0[_S62 + u32(1)]];
+        var _S66 : vec3<f32> = position_of_1(&(_S65));
+        var _S67 : Vertex_std430_0 = vertices_0[corners_0[_S62 + u32(2)]];
+        var _S68 : vec3<f32> = position_of_1(&(_S67));
+        var _S69 : vec3<f32> = cross(_S66 - _S64, _S68 - _S64);
+        var _S70 : f32 = dot(_S60, _S69);
+        var _S71 : f32 = dot(_S64 - _S59, _S69);
+        var _S72 : f32;
+        if((abs(_S70)) > 1.00000000317107685e-30f)
+        {
+            _S72 = _S70;
+        }
+        else
+        {
+            _S72 = 1.00000000317107685e-30f;
+        }
+        var _S73 : Hit_0 = nearest_hit_0(i32(0), _S59, _S60, _S71 / _S72 + frames_0[i32(0)].ray_offset_0, 1.00000001504746622e+30f, _S61, false);
+        if((_S73.face_1) == u32(4294967295))
+        {
+            following_0 = u32(0);
+        }
+        else
+        {
+            following_0 = _S73.face_1 + u32(1);
+        }
+    }
+    else
+    {
+        following_0 = u32(0);
+    }
+    layers_0[_S57].face_0 = following_0;
+    return;
+}
+

@@ -1,0 +1,56 @@
+"""`loomlight play`: frames off screen, and machines without a display."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from loomlight.cli.main import run
+from loomlight.core.images import read_picture, write_image
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+def test_a_frame_is_written_off_screen(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_image(tmp_path / "sky.exr", np.ones((4, 8, 3), np.float32))
+    picture = tmp_path / "denim.png"
+    arguments = ["play", str(EXAMPLES / "denim.toml"), "--scene", "flat", "--model", "point"]
+    arguments += ["--env", str(tmp_path / "sky.exr"), "--size", "24x16", "--zoom", "2", "--passes", "1"]
+    assert run([*arguments, "-o", str(picture)]) == 0
+    assert capsys.readouterr().out.strip() == str(picture)
+    pixels = read_picture(picture)
+    assert pixels.shape == (16, 24, 3)
+    assert pixels[8, 12, 2] > pixels[8, 12, 0] > 0  # blue cloth
+
+
+def test_no_display_is_one_sentence(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "RENDERCANVAS_FORCE_OFFSCREEN"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr("sys.platform", "linux")
+    assert run(["play", str(EXAMPLES / "denim.toml")]) == 2
+    message = capsys.readouterr().err
+    assert "has no display" in message
+    assert "frame.png" in message
+    assert message.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--scene", "table"], 'scene = "table" is unknown'),
+        (["--model", "woven!"], 'model = "woven!" is unknown here'),
+        (["--env", "none.exr"], "none.exr does not exist"),
+        (["--passes", "0"], "--passes 0 is out of range"),
+    ],
+)
+def test_errors_are_sentences(
+    arguments: list[str], message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    picture = tmp_path / "a.png"
+    assert run(["play", str(EXAMPLES / "denim.toml"), *arguments, "-o", str(picture)]) == 2
+    assert message in capsys.readouterr().err
+    assert not picture.exists()

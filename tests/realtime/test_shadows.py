@@ -1,0 +1,66 @@
+"""Shadows and what lies behind holes, with two sheets of cloth against Mitsuba.
+
+Covers: realtime/scene_words.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import mitsuba as mi
+import numpy as np
+import pytest
+
+from experiments.realtime_frames import mitsuba_frame
+from loomlight.evaluation.pictures import flip_mean
+from loomlight.fabric import load_fabric
+from loomlight.realtime import Camera, Cloth, DirectionalLight, Mesh, PointLight, Renderer, rectangle
+from loomlight.realtime.scene import Light
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SIZE = (32, 32)
+CAMERA = Camera((0, -0.1, 0.15), field_of_view=30)
+SUN = DirectionalLight((0.5, 0.3, 0.8))
+LAMP = PointLight((0.05, 0.02, 0.06), (0.01, 0.01, 0.01))
+
+
+def two_sheets(upper: str) -> list[Cloth]:
+    """Denim with a smaller sheet 10 mm above it."""
+    low = rectangle(0.1, 0.1)
+    raised = low.positions * (0.4, 0.4, 1) + np.array([0, 0, 0.01])
+    high = Mesh(raised, low.normals, low.uv * 0.4, low.faces)
+    return [
+        Cloth(low, load_fabric(EXAMPLES / "denim.toml")),
+        Cloth(high, load_fabric(EXAMPLES / f"{upper}.toml")),
+    ]
+
+
+@pytest.fixture(scope="module")
+def open_sheets() -> Renderer:
+    return Renderer(two_sheets("organza"), SIZE, "point")
+
+
+@pytest.mark.parametrize("light", [SUN, LAMP], ids=["directional", "point"])
+def test_open_cloth_shadows_and_shows_as_in_mitsuba(open_sheets: Renderer, light: Light) -> None:
+    mi.set_variant("llvm_ad_rgb")
+    found = open_sheets.render(CAMERA, [light], passes=24, samples=32).linear[..., :3]
+    expected = mitsuba_frame(two_sheets("organza"), CAMERA, SIZE, [light], spp=768)
+    assert found.mean() == pytest.approx(expected.mean(), rel=0.01)
+    assert flip_mean(found, expected, np.ones(SIZE, bool)) <= 0.03
+
+
+def test_shadows_are_between_none_and_those_of_opaque_cloth(open_sheets: Renderer) -> None:
+    """At a pixel in the shadow of the upper sheet, below it in the picture."""
+    shadow = (21, 12)
+    options = {"passes": 4, "samples": 16}
+    lit = open_sheets.render(CAMERA, [SUN], shadows=False, **options).linear[shadow][:3].mean()
+    through = open_sheets.render(CAMERA, [SUN], **options).linear[shadow][:3].mean()
+    opaque = Renderer(two_sheets("denim"), SIZE, "point").render(CAMERA, [SUN], **options)
+    assert lit > 1.3 * through > 0
+    assert (opaque.linear[shadow][:3] == 0).all()
+
+
+def test_one_flat_sheet_casts_none(open_sheets: Renderer) -> None:
+    flat = Renderer(two_sheets("organza")[:1], SIZE, "point")
+    assert flat._scene.is_flat
+    assert not open_sheets._scene.is_flat
