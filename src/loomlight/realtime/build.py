@@ -56,6 +56,9 @@ ENTRIES = {
         "shade_lobes": "compute",
         "tone_map": "compute",
     },
+    # Libraries for engines, with a kernel that calls each; `loomlight.export` takes them apart.
+    "cloth_lobes": {"lobes_queries": "compute"},
+    "cloth_point": {"point_queries": "compute"},
 }
 
 
