@@ -10,11 +10,13 @@ from pathlib import Path
 from loomlight.assets.load import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.export.folder import replacing_folder, write_manifest
+from loomlight.export.materials import write_gltf, write_materialx
 from loomlight.export.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
 
 # Writes files of a fabric and a model into a folder; returns what the manifest says of them.
-Writer = Callable[[Path, Fabric, str], dict[str, object]]
+# The last argument is the distance in metres, None for close views, where a target has one.
+Writer = Callable[[Path, Fabric, str, float | None], dict[str, object]]
 
 
 @dataclass(frozen=True)
@@ -25,15 +27,17 @@ class ExportTarget:
         summary: one line.
         models: that can be exported, the default first.
         write: the function that writes the files.
+        has_distance: whether it is made for a distance.
     """
 
     summary: str
     models: tuple[str, ...]
     write: Writer
+    has_distance: bool = False
 
 
 def _shader(language: str) -> Writer:
-    return lambda folder, fabric, model: write_shaders(folder, fabric, model, language)
+    return lambda folder, fabric, model, _: write_shaders(folder, fabric, model, language)
 
 
 _LANGUAGES = {
@@ -47,6 +51,9 @@ _LANGUAGES = {
 }
 TARGETS: dict[str, ExportTarget] = {
     name: ExportTarget(summary, ("lobes", "point"), _shader(name)) for name, summary in _LANGUAGES.items()
+} | {
+    "gltf": ExportTarget("a glTF file with textures, for any viewer", ("lobes",), write_gltf, True),
+    "materialx": ExportTarget("MaterialX with OpenPBR, and textures", ("lobes",), write_materialx, True),
 }
 
 
@@ -55,6 +62,7 @@ def export(
     to: str,
     folder: str | os.PathLike[str],
     model: str | None = None,
+    distance: float | None = None,
 ) -> Path:
     """Writes a fabric for another program into a folder, which is new, empty, or holds an earlier export.
 
@@ -62,6 +70,8 @@ def export(
         fabric: a fabric, or an argument of `fabric_of_path`.
         to: a name of `TARGETS`.
         model: by default the first that the target takes.
+        distance: metres from which textures are seen, 0.01 to 1000; None for close views. Shader code and
+            networks serve every distance.
 
     Returns:
         The folder.
@@ -76,8 +86,12 @@ def export(
     chosen = target.models[0] if model is None else model
     if chosen not in target.models:
         raise InputError(f'--to {to} does not take the model "{chosen}": use {" or ".join(target.models)}.')
+    if distance is not None and not target.has_distance:
+        raise InputError(f"--to {to} serves every distance: leave out --distance.")
+    if distance is not None and not 0.01 <= distance <= 1000:
+        raise InputError(f"--distance {distance:g} is out of range: write metres from 0.01 to 1000.")
     with replacing_folder(folder) as temporary:
         cloth = fabric if isinstance(fabric, Fabric) else fabric_of_path(fabric)
         facts: dict[str, object] = {"fabric": cloth.name, "model": chosen, "target": to}
-        write_manifest(temporary, facts | target.write(temporary, cloth, chosen))
+        write_manifest(temporary, facts | target.write(temporary, cloth, chosen, distance))
     return Path(folder)
