@@ -92,6 +92,7 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
 
     start = np.array([0.0, 0.0, -1, -1, 0, 0, 0, 0, 0, 0, -3, -3, -3, 0, 0])
     numbers = _least_squares(residuals, start, has_sheen)
+    numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
     everywhere = _material(_flat(texels), numbers, has_sheen)
@@ -239,6 +240,19 @@ def _roughness(texels: _Picked, along: Numbers, across: Numbers) -> tuple[Number
     widest = vectors[:, :, 1]
     axis_x = widest[:, :1] * x + widest[:, 1:] * y
     return axis_x, np.cross(texels.normal, axis_x), alphas[:, 1], alphas[:, 0]
+
+
+def _with_mean_kept(
+    values: Callable[[Numbers], Numbers], numbers: Numbers, truth: Numbers, is_reflection: NDArray[np.bool_]
+) -> Numbers:
+    """Factors scaled so that reflection and transmission keep their means: residuals of roots favour the dark."""
+    scaled = numbers.copy()
+    for _ in range(4):
+        found = values(scaled)
+        for side, factors in ((is_reflection, [0, 1, 14]), (~is_reflection, [4, 5])):
+            ratio = truth[side].mean() / max(float(found[side].mean()), 1e-9)
+            scaled[factors] = np.clip(scaled[factors] + np.log(np.clip(ratio, 0.25, 4)), -7, 7)
+    return scaled
 
 
 def _least_squares(

@@ -111,7 +111,9 @@ def _element(buffer: dict[str, Any]) -> str:
     return "32-bit words" if kind == "uint" else f"`{kind}`, {buffer['stride']} bytes"
 
 
+# Counted by benchmarks/realtime.py: denim and silk satin, one light.
 _COSTS = {
-    "lobes": "COST",
-    "point": "COST",
+    "lobes": "About 5,000 floating-point operations a pixel and light far away and close by, 13,000 where a pixel is about "
+    "half a thread. Far away 60 frames a second of 1920 × 1080 take 0.7 TFLOP/s; the tables stay in the caches.",
+    "point": "About 1,800 floating-point operations for each point of a pixel and light.",
 }

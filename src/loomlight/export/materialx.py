@@ -83,7 +83,7 @@ def write_document(path: Path, name: str, material: FittedMaterial) -> None:
         entry = shader.addInput(target, kind)
         entry.setNodeGraphString("cloth_textures")
         entry.setOutputString(source)
-    shader.setInputValue("specular_weight", min(material.weight * _peak(material) / DIELECTRIC, 1.0), "float")
+    shader.setInputValue("specular_weight", material.weight * _peak(material) / DIELECTRIC, "float")
     shader.setInputValue("specular_ior", _IOR, "float")
     shader.setInputValue("geometry_thin_walled", True, "boolean")
     if material.sheen.max() > 0:

@@ -15,7 +15,9 @@
 #define __device__
 #define __constant__
 #define __global__
+#ifndef CLOTH_OWN_LOADS
 template <typename T> inline T __ldg(const T* address) { return *address; }
+#endif
 #ifndef CLOTH_REAL
 #define CLOTH_REAL float
 #endif
