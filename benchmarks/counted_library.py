@@ -1,4 +1,4 @@
-"""An exported CUDA library on a CPU, with numbers that count what is executed: `realtime_counts.cpp` through g++."""
+"""An exported CUDA library on a CPU, with numbers that count what is executed: `realtime_counts.cpp`."""
 
 from __future__ import annotations
 
@@ -65,7 +65,8 @@ class CountedLibrary:
             subprocess.run([compiler, *options, str(_SOURCE), "-o", str(library)], check=True)
             self._run = ctypes.CDLL(str(library)).run
             self._buffers = [
-                np.fromfile(folder / f"{buffer}.bin", np.uint32) for buffer in ("fabrics", "families", "words")
+                np.fromfile(folder / f"{buffer}.bin", np.uint32)
+                for buffer in ("fabrics", "families", "words")
             ]
         self.table_bytes = sum(buffer.nbytes for buffer in self._buffers)
 

@@ -20,16 +20,16 @@ def export(
         str,
         typer.Option(help="slang, wgsl, hlsl, glsl, spirv, metal, cuda, onnx, gltf or materialx."),
     ],
-    output: Annotated[Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")],
-    model: Annotated[
-        str | None, typer.Option(help="lobes (default) or point; woven for onnx.")
-    ] = None,
+    output: Annotated[
+        Path, typer.Option("--output", "-o", help="The folder to write: new, or of an export.")
+    ],
+    model: Annotated[str | None, typer.Option(help="lobes (default) or point; woven for onnx.")] = None,
     distance: Annotated[
         float | None,
         typer.Option(help="Metres from which textures of gltf and materialx are seen; by default close."),
     ] = None,
 ) -> None:
-    """Writes a fabric for another program: shader code, a network, or a material with textures; see docs/export.md."""
+    """Writes a fabric for another program: shader code, a network or a textured material; docs/export.md."""
     from loomlight.export import export as run
 
     done(run(fabric, to, output, model, distance))

@@ -1,4 +1,4 @@
-"""`export`: a fabric for programs of other makers, as shader code, a network, or textures of a standard material."""
+"""`export`: a fabric for other programs, as shader code, a network, or a standard material with textures."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from loomlight.assets.load import fabric_of_path
 from loomlight.core.errors import InputError
 from loomlight.export.folder import replacing_folder, write_manifest
 from loomlight.export.materials import write_gltf, write_materialx
+from loomlight.export.network import write_onnx
 from loomlight.export.shaders import write_shaders
 from loomlight.fabric.fabric import Fabric
 
@@ -52,6 +53,7 @@ _LANGUAGES = {
 TARGETS: dict[str, ExportTarget] = {
     name: ExportTarget(summary, ("lobes", "point"), _shader(name)) for name, summary in _LANGUAGES.items()
 } | {
+    "onnx": ExportTarget("the network's decoder, and latents", ("woven",), write_onnx),
     "gltf": ExportTarget("a glTF file with textures, for any viewer", ("lobes",), write_gltf, True),
     "materialx": ExportTarget("MaterialX with OpenPBR, and textures", ("lobes",), write_materialx, True),
 }

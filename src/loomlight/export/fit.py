@@ -1,7 +1,8 @@
 """A standard material fitted to a model: textures of one repeat and the numbers that all texels share.
 
-Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over texels, lights and views, is how
-strongly each family reflects and transmits, how rough its fibres are along and across, and the sheen.
+Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over texels,
+lights and views, is how strongly each family reflects and transmits, how rough its fibres are along and
+across, and the sheen.
 """
 
 from __future__ import annotations
@@ -11,8 +12,8 @@ from dataclasses import dataclass
 
 import drjit as dr
 import numpy as np
-from drjit.llvm import Array3f, Float
 from drjit.llvm import Array2f as Vector2
+from drjit.llvm import Array3f, Float
 from numpy.typing import NDArray
 
 from loomlight.core.footprint import Footprint
@@ -153,7 +154,9 @@ def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
     centre = Vector2(Float((queries.column + 0.5) * step_x), Float((queries.row + 0.5) * step_y))
     zero = dr.zeros(Float, len(queries.row))
     footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
-    view, light = (Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (queries.view, queries.light))
+    view, light = (
+        Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (queries.view, queries.light)
+    )
     value = model.at(view, footprint).value(light)
     return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 
@@ -188,9 +191,9 @@ def _flat(texels: Texels) -> _Picked:
 def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
     """The material of texels for the numbers that are fitted.
 
-    They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission [2], of α along
-    the fibres [2] and across them as a multiple [2]; of the sheen's colour [3]; and the logits of its roughness and of
-    specularFactor.
+    They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission
+    [2], of α along the fibres [2] and across them as a multiple [2]; of the sheen's colour [3]; and the
+    logits of its roughness and of specularFactor.
     """
     diffuse, specular, transmit, along = (np.exp(numbers[k : k + 2]) for k in (0, 2, 4, 6))
     share = texels.share

@@ -1,4 +1,4 @@
-"""The folder of an export: written beside its final name, then renamed, so that nothing is left half-written."""
+"""The folder of an export: written beside its final name, then renamed; nothing is left half-written."""
 
 from __future__ import annotations
 
@@ -17,19 +17,23 @@ _MARK = "loomlight_export"
 
 
 def check_folder(folder: str | os.PathLike[str]) -> None:
-    """Raises InputError unless `folder` is new, empty, or an earlier export, in a folder that can be written."""
+    """Raises InputError unless `folder` can be written and is new, empty, or an earlier export."""
     path = Path(folder)
     try:
         exists = os.path.lexists(path)
         if exists and not path.is_dir():
             raise InputError(f"{path} is a file; name a folder that is new or holds an earlier export.")
         if exists and any(path.iterdir()) and not _is_export(path):
-            raise InputError(f"{path} holds other files; name a folder that is new or holds an earlier export.")
+            raise InputError(
+                f"{path} holds other files; name a folder that is new or holds an earlier export."
+            )
         parent = path.resolve().parent
         if not parent.is_dir():
             raise InputError(f"{path}: the folder {parent} does not exist; make it first.")
     except (OSError, ValueError) as error:
-        raise InputError(f"{str(path)[:80]!r} is no path of a folder that can be written: {error}.") from error
+        raise InputError(
+            f"{str(path)[:80]!r} is no path of a folder that can be written: {error}."
+        ) from error
     if not os.access(parent, os.W_OK):
         raise InputError(f"{path}: the folder {parent} cannot be written to.")
 

@@ -122,7 +122,9 @@ def glb_of(name: str, material: FittedMaterial, textures: dict[str, NDArray[np.u
     scale = [1000 * _SIDE / width, 1000 * _SIDE / height]
     tree = {
         "asset": {"version": "2.0", "generator": "loomlight"},
-        "extensionsUsed": list(_EXTENSIONS if material.sheen.max() > 0 else (*_EXTENSIONS[:3], _EXTENSIONS[4])),
+        "extensionsUsed": list(
+            _EXTENSIONS if material.sheen.max() > 0 else (*_EXTENSIONS[:3], _EXTENSIONS[4])
+        ),
         "scene": 0,
         "scenes": [{"nodes": [0]}],
         "nodes": [{"mesh": 0, "name": name}],
@@ -221,4 +223,10 @@ def _container(tree: dict[str, Any], content: bytes) -> bytes:
     content += bytes(-len(content) % 4)
     size = 12 + 8 + len(text) + 8 + len(content)
     header = struct.pack("<4sII", b"glTF", 2, size)
-    return header + struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(content), b"BIN\0") + content
+    return (
+        header
+        + struct.pack("<I4s", len(text), b"JSON")
+        + text
+        + struct.pack("<I4s", len(content), b"BIN\0")
+        + content
+    )

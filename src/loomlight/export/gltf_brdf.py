@@ -1,7 +1,8 @@
-"""The material of glTF 2.0 with sheen, anisotropy, specular and diffuse transmission, as the specifications give it.
+"""The material of glTF 2.0 with sheen, anisotropy, specular and diffuse transmission, as the specifications
+give it.
 
-KHR_materials_specular, KHR_materials_anisotropy, KHR_materials_sheen and KHR_materials_diffuse_transmission, without
-metal; for fitting, in NumPy.
+KHR_materials_specular, KHR_materials_anisotropy, KHR_materials_sheen and
+KHR_materials_diffuse_transmission, without metal; for fitting, in NumPy.
 """
 
 from __future__ import annotations
@@ -21,8 +22,8 @@ class GltfMaterial:
     """Parameters [n, ...] of n places.
 
     Attributes:
-        base: base colour [n, 3]. transmission: factor of diffuse transmission [n]; transmit: its colour [n, 3].
-        specular: reflectance at normal incidence [n, 3], before `weight`. weight: specularFactor.
+        base: base colour [n, 3]. transmission: factor of diffuse transmission [n]; transmit: its colour [n,
+        3]. specular: reflectance at normal incidence [n, 3], before `weight`. weight: specularFactor.
         alpha_x, alpha_y: GGX roughness along `axis_x` and across it [n]; the axes are unit vectors [n, 3].
         normal: shading normal [n, 3].
         sheen: sheen colour [3]; sheen_roughness: its roughness, 0 to 1.
@@ -65,7 +66,9 @@ def evaluate(material: GltfMaterial, light: Numbers, view: Numbers) -> Numbers:
         sheen = material.sheen * _charlie(_dot(n, half), front, n_v, alpha)[:, None]
         scale = 1 - material.sheen.max() * sheen_albedo(n_v, alpha)[:, None]
         reflected = sheen + reflected * scale
-    passed = material.transmit * material.transmission[:, None] / np.pi * np.maximum(-n_l, 0.0)[:, None] * scale
+    passed = (
+        material.transmit * material.transmission[:, None] / np.pi * np.maximum(-n_l, 0.0)[:, None] * scale
+    )
     return np.where((light[:, 2] > 0)[:, None], reflected * front[:, None], passed)
 
 

@@ -1,4 +1,4 @@
-"""The kernel that calls a library for a batch of queries, in every shading language: the smallest use of it."""
+"""The kernel that calls a library for a batch of queries, in every language: the smallest use of it."""
 
 from __future__ import annotations
 
@@ -33,7 +33,8 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
 
 
 def _wgsl() -> str:
-    return f"""// To be put behind cloth.wgsl: an answer (red, green, blue, share that passes straight through) for each query.
+    return f"""// To be put behind cloth.wgsl: an answer (red, green, blue, share that passes straight
+    through) for each query.
 {_wgsl_struct("Query", QUERY)}
 @group(1) @binding(0) var<storage, read> queries: array<Query>;
 @group(1) @binding(1) var<storage, read_write> answers: array<vec4<f32>>;

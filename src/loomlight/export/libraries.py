@@ -1,7 +1,7 @@
 """Libraries in every shading language: `cloth_value` without an entry point, cut out of what slangc emits.
 
-The generated files hold a kernel behind the library. Everything before the kernel is the library, apart from the
-buffers of the kernel's queries; the names that an engine uses lose the numbers that slangc appends.
+The generated files hold a kernel behind the library. Everything before the kernel is the library, apart
+from the buffers of the kernel's queries; the names that an engine uses lose the numbers that slangc appends.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Language:
 _QUERY_STRUCT = r"struct Query(?:_std430)?_\d+\n\{[^}]*\};\n+"
 LANGUAGES = {
     "wgsl": Language(
-        "wgsl", "wgsl", r"@compute\n", (rf"@binding\(\d+\) @group\(1\) var<[^;]*;\n+", _QUERY_STRUCT)
+        "wgsl", "wgsl", r"@compute\n", (r"@binding\(\d+\) @group\(1\) var<[^;]*;\n+", _QUERY_STRUCT)
     ),
     "hlsl": Language(
         "hlsl",

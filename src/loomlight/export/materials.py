@@ -15,8 +15,8 @@ _PIXEL = 26 / 180 * 3.141592653589793 / 1080
 
 
 def fitted(fabric: Fabric, model: str, distance: float | None) -> FittedMaterial:
-    """The fit for a distance in metres, from where a texel is a pixel of a picture of 1080 rows; by default for
-    close views, with eight texels a thread.
+    """The fit for a distance in metres, from where a texel is a pixel of a picture of 1080 rows; by default
+    for close views, with eight texels a thread.
 
     Raises:
         InputError: too many texels, or the model does not take the fabric.

@@ -1,8 +1,8 @@
 """Means of a fabric over the texels of one repeat: what textures of a standard material are made of.
 
-Points of the surface, seen from straight above, are gathered on a grid finer than the texels. Each texel has the mean
-normal of its points and the covariance of their slopes about it, by which roughness is widened (LEAN mapping, Olano and
-Baker 2010), and the fibre direction of each family.
+Points of the surface, seen from straight above, are gathered on a grid finer than the texels. Each texel
+has the mean normal of its points and the covariance of their slopes about it, by which roughness is widened
+(LEAN mapping, Olano and Baker 2010), and the fibre direction of each family.
 """
 
 from __future__ import annotations
@@ -24,13 +24,15 @@ Numbers = NDArray[np.float64]
 _POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
 _MOST_POINTS = 1 << 24
 _LARGEST_TEXTURE = 4096
-# Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all others.
+# Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
+# others.
 _STEEPEST = 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class Texels:
-    """Texels [rows, columns, ...] of the front of whole repeats; row 0 is at the lower edge, column 0 at the left.
+    """Texels [rows, columns, ...] of the front of whole repeats; row 0 is at the lower edge, column 0 at
+    the left.
 
     Attributes:
         size: width and height, millimetres.

@@ -1,4 +1,5 @@
-"""Draws a sphere of the exported cloth: `pip install wgpu numpy`, then `python sample.py [SIZE]` writes sample.png.
+"""Draws a sphere of the exported cloth: `pip install wgpu numpy`, then `python sample.py [SIZE]` writes
+sample.png.
 
 It needs no loomlight: cloth.wgsl, the buffers and the manifest are everything.
 """
