@@ -69,7 +69,7 @@ def measure(options: Namespace) -> Figures:
 
 
 def _queries(fabric: Fabric, pixels: float) -> NDArray[np.void]:
-    """Workgroups of 8 × 8 pixels of a frame that looks 30° aslant, at `pixels` a thread, anywhere on the cloth."""
+    """Workgroups of 8 × 8 pixels, 30° aslant, `pixels` a thread, anywhere on the cloth."""
     rng = np.random.default_rng(3)
     layout = fabric.layout()
     picks, ends = layout.warp_on_top.shape

@@ -176,16 +176,25 @@ class _Picked:
     alpha: Numbers
 
 
-_FIELDS = ("cover", "share", "normal", "covariance", "direction", "diffuse", "transmit", "specular")
-
-
 def _picked(texels: Texels, row: NDArray[np.int64], column: NDArray[np.int64]) -> _Picked:
-    return _Picked(*(getattr(texels, name)[row, column] for name in _FIELDS), texels.alpha)
+    """The texels at these rows and columns."""
+    return _Picked(
+        cover=texels.cover[row, column],
+        share=texels.share[row, column],
+        normal=texels.normal[row, column],
+        covariance=texels.covariance[row, column],
+        direction=texels.direction[row, column],
+        diffuse=texels.diffuse[row, column],
+        transmit=texels.transmit[row, column],
+        specular=texels.specular[row, column],
+        alpha=texels.alpha,
+    )
 
 
 def _flat(texels: Texels) -> _Picked:
-    parts = (getattr(texels, name) for name in _FIELDS)
-    return _Picked(*(part.reshape(-1, *part.shape[2:]) for part in parts), texels.alpha)
+    """All texels, row by row."""
+    row, column = np.indices(texels.cover.shape)
+    return _picked(texels, row.ravel(), column.ravel())
 
 
 def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
@@ -248,7 +257,7 @@ def _roughness(texels: _Picked, along: Numbers, across: Numbers) -> tuple[Number
 def _with_mean_kept(
     values: Callable[[Numbers], Numbers], numbers: Numbers, truth: Numbers, is_reflection: NDArray[np.bool_]
 ) -> Numbers:
-    """Factors scaled so that reflection and transmission keep their means: residuals of roots favour the dark."""
+    """Factors scaled so that reflection and transmission keep their means; roots favour the dark."""
     scaled = numbers.copy()
     for _ in range(4):
         found = values(scaled)

@@ -48,7 +48,9 @@ def material_textures(material: FittedMaterial) -> dict[str, NDArray[np.uint8]]:
         "diffuse_transmission": np.stack([one, one, one, material.transmission], axis=-1),
         "diffuse_transmission_color": linear_to_srgb(material.transmit),
     }
-    return {name: np.uint8(np.rint(255 * np.clip(values[::-1], 0, 1))) for name, values in maps.items()}
+    return {
+        name: np.rint(255 * np.clip(values[::-1], 0, 1)).astype(np.uint8) for name, values in maps.items()
+    }
 
 
 def _peak(specular: Numbers) -> float:
@@ -205,7 +207,7 @@ def _sheet() -> tuple[NDArray[Any], ...]:
     faces = np.stack([a, b, c, a, c, d], axis=-1).ravel().astype(np.uint32)
 
     def rows(values: Numbers) -> NDArray[np.float32]:
-        return np.float32(values.reshape(-1, values.shape[-1]))
+        return values.reshape(-1, values.shape[-1]).astype(np.float32)
 
     return (
         rows(np.stack([x, y, z], axis=-1)),

@@ -34,7 +34,8 @@ _BINDING = {
     "cuda": "`cloth_buffers`",
 }
 _SIGNATURE = {
-    "slang": "float4 cloth_value(uint fabric, float2 centre, float2 dx, float2 dy, float3 light, float3 view)",
+    "slang": "float4 cloth_value(uint fabric, float2 centre, float2 dx, float2 dy, "
+    "float3 light, float3 view)",
     "wgsl": "fn cloth_value(fabric: u32, centre: vec2<f32>, dx: vec2<f32>, dy: vec2<f32>, "
     "light: vec3<f32>, view: vec3<f32>) -> vec4<f32>",
     "glsl": "vec4 cloth_value(uint fabric, vec2 centre, vec2 dx, vec2 dy, vec3 light, vec3 view)",

@@ -52,8 +52,11 @@ LANGUAGES = {
         "glsl",
         "glsl",
         r"layout\(local_size_x",
-        (rf"layout\(std430, binding = \d+, set = 1\)[^}}]*\}} (?:{_QUERY_BUFFERS})_\d+;\n", _QUERY_STRUCT)
-        + (r"#version 450\n",),
+        (
+            rf"layout\(std430, binding = \d+, set = 1\)[^}}]*\}} (?:{_QUERY_BUFFERS})_\d+;\n",
+            _QUERY_STRUCT,
+            r"#version 450\n",
+        ),
     ),
     "metal": Language(
         "metal",

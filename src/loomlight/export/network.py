@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from safetensors.numpy import save
 
 from loomlight.core.errors import InputError
@@ -36,7 +38,7 @@ def write_onnx(folder: Path, fabric: Fabric, model: str, _distance: float | None
     (folder / "decoder.onnx").write_bytes(shipped_decoder())
     hidden = made.weights.table.hidden
     correction = encoded.correction
-    tensors = {
+    tensors: dict[str, NDArray[Any]] = {
         "correction": np.zeros((2 * BUNDLES, hidden + 1), np.float32) if correction is None else correction
     }
     for number, face in enumerate(_OF_FACES):

@@ -103,9 +103,22 @@ def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
     for first in range(0, rows, band):
         count = min(band, rows - first)
         parts.append(_points(fabric, (columns, nx), (first, count, ny), rows))
-    joined = [np.concatenate(arrays) for arrays in zip(*parts, strict=True)]
+    cover, share, normal, covariance, direction, diffuse, transmit, specular = (
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
+    )
     families = (appearance.warp, appearance.weft)
-    return Texels((width, height), *joined, np.array([family.roughness for family in families]))
+    return Texels(
+        size=(width, height),
+        cover=cover,
+        share=share,
+        normal=normal,
+        covariance=covariance,
+        direction=direction,
+        diffuse=diffuse,
+        transmit=transmit,
+        specular=specular,
+        alpha=np.array([family.roughness for family in families]),
+    )
 
 
 def _points(

@@ -65,7 +65,7 @@ def write_png(path: Path, linear: NDArray[np.float32]) -> None:
     """Writes linear RGB as an sRGB picture of 8 bits a channel."""
     value = np.clip(linear, 0, 1)
     encoded = np.where(value <= 0.0031308, 12.92 * value, 1.055 * value ** (1 / 2.4) - 0.055)
-    rows = np.uint8(np.rint(255 * encoded))
+    rows = np.rint(255 * encoded).astype(np.uint8)
     height, width = rows.shape[:2]
     lines = b"".join(b"\0" + row.tobytes() for row in rows)
     chunks = (
