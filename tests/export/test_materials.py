@@ -6,10 +6,15 @@ Covers: export/fit.py, export/texels.py, export/gltf.py, export/gltf_brdf.py, ex
 from __future__ import annotations
 
 import json
+import os
 import shutil
 import struct
 import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
+from unittest.mock import patch
 
 import MaterialX
 import numpy as np
@@ -18,7 +23,7 @@ import pytest
 from loomlight.core.errors import InputError
 from loomlight.core.images import read_picture
 from loomlight.core.llvm import require_llvm
-from loomlight.export import export
+from loomlight.export import export, materials
 from loomlight.export.gltf_brdf import GltfMaterial, evaluate
 from loomlight.export.texels import texels_of, texture_grid
 from loomlight.fabric import fabric_from_text
@@ -29,12 +34,19 @@ FABRIC = fabric_from_text(
     'weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n[warp]\ncolor = "#2a4680"\nwidth_mm = 0.6\n'
     "[sheen]\nstrength = 0.3\n"
 )
-# Khronos' validator, where it is installed: npm install --prefix DIR gltf-validator.
+# Khronos' validator, which scripts/setup.sh installs beside Python's packages where there is npm.
 _VALIDATE = """
 const validator = require('gltf-validator');
 const content = new Uint8Array(require('fs').readFileSync(process.argv[1]));
 validator.validateBytes(content).then(report => console.log(JSON.stringify(report.issues)));
 """
+
+
+@pytest.fixture(scope="module", autouse=True)
+def one_fit() -> Iterator[None]:
+    """All exports here are of one fit."""
+    with patch.object(materials, "fitted", cache(materials.fitted)):
+        yield
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +94,8 @@ def test_khronos_validator_finds_no_fault(exported: Path) -> None:
     command = ["node", "-e", _VALIDATE, str(exported / "cloth.glb")]
     if shutil.which("node") is None:
         pytest.skip("node is not installed; docs/notes/export.md has the validator's report.")
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    search = os.environ | {"NODE_PATH": str(Path(sys.prefix) / "node_modules")}
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, env=search)
     if "Cannot find module" in done.stderr:
         pytest.skip("npm install gltf-validator is missing; docs/notes/export.md has its report.")
     issues = json.loads(done.stdout)

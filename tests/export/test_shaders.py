@@ -85,7 +85,7 @@ def test_exported_modules_need_no_other_file(exported: Path, model: str) -> None
 def test_cuda_compiles_by_nvcc(exported: Path, tmp_path: Path) -> None:
     if shutil.which("nvcc") is None:
         pytest.skip("nvcc is not installed; the same text is compiled and run by g++ below.")
-    run("nvcc", "-c", "-o", tmp_path / "out.o", "cloth_queries.cu", cwd=exported / "cuda-point")
+    run("nvcc", "-ptx", "-o", tmp_path / "out.ptx", "cloth_queries.cu", cwd=exported / "cuda-point")
 
 
 def test_header_compiles_as_c(exported: Path, tmp_path: Path) -> None:

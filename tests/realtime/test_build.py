@@ -18,7 +18,7 @@ from loomlight.realtime.constants import number_text
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.slangc import SHADERS
 
-STAGES = ENTRIES["frame"]
+STAGES = {entry: stage for entries in ENTRIES.values() for entry, stage in entries.items()}
 GLSLANG_STAGES = {"compute": "comp", "vertex": "vert", "fragment": "frag"}
 # In the header of SPIR-V and as the language of OpSource: older validators do not know Slang's number.
 OP_SOURCE, SLANG = 3, 11

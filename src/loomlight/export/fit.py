@@ -91,8 +91,13 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
     def residuals(numbers: Numbers) -> Numbers:
         return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
 
-    start = np.array([0.0, 0.0, -1, -1, 0, 0, 0, 0, 0, 0, -3, -3, -3, 0, 0])
-    numbers = _least_squares(residuals, start, has_sheen)
+    # There are several minima: fibres as rough as the model's, and smoother ones.
+    starts = [
+        np.array([0, 0, -1, -1, 0, 0, along, along, 0, 0, -3, -3, -3, 0, 0, -1], float)
+        for along in (0.0, -1.5)
+    ]
+    fits = [_least_squares(residuals, start, has_sheen) for start in starts]
+    numbers = min(fits, key=lambda numbers: float(np.square(residuals(numbers)).sum()))
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
     found = values(numbers)
     error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
@@ -122,8 +127,14 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
 
 
 def _in_plane(material: GltfMaterial) -> Numbers:
+    """`axis_x` in the texel's tangent plane, of the two opposite vectors the one whose larger part is positive.
+
+    Filters between texels would cancel opposite vectors.
+    """
     x, y = frames(material.normal)
-    return np.stack([(material.axis_x * axis).sum(-1) for axis in (x, y)], axis=-1)
+    direction = np.stack([(material.axis_x * axis).sum(-1) for axis in (x, y)], axis=-1)
+    larger = np.take_along_axis(direction, np.abs(direction).argmax(-1)[:, None], axis=-1)
+    return direction * np.where(larger < 0, -1.0, 1.0)
 
 
 def _queries(columns: int, rows: int) -> _Queries:
@@ -214,7 +225,9 @@ def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMateria
     passed = np.minimum(mixed(texels.transmit, transmit), 1)
     most = reflected.max(-1) + passed.max(-1)
     transmission = passed.max(-1) / np.maximum(most, 1e-6)
-    axis_x, axis_y, alpha_x, alpha_y = _roughness(texels, along, 1 + np.exp(numbers[8:10]))
+    axis_x, axis_y, alpha_x, alpha_y = _roughness(
+        texels, along, 1 + np.exp(numbers[8:10]), float(np.exp(min(numbers[15], 0.0)))
+    )
     sheen = np.exp(numbers[10:13]) if has_sheen else np.zeros(3)
     return GltfMaterial(
         base=np.minimum(reflected / np.maximum(1 - transmission, 1e-3)[:, None], 1),
@@ -232,12 +245,14 @@ def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMateria
     )
 
 
-def _roughness(texels: _Picked, along: Numbers, across: Numbers) -> tuple[Numbers, Numbers, Numbers, Numbers]:
+def _roughness(
+    texels: _Picked, along: Numbers, across: Numbers, widening: float
+) -> tuple[Numbers, Numbers, Numbers, Numbers]:
     """Axes of GGX and α along them: the families' fibres, widened by the slopes within the texel.
 
     A highlight of fibres is narrow along them and wide across. α² is twice a variance of slopes.
     """
-    total = texels.covariance.copy()
+    total = texels.covariance * widening
     for family in range(2):
         fibre = texels.direction[:, family]
         side = np.stack([-fibre[:, 1], fibre[:, 0]], axis=-1)
@@ -268,7 +283,7 @@ def _with_mean_kept(
 
 
 def _least_squares(
-    residuals: Callable[[Numbers], Numbers], start: Numbers, has_sheen: bool, rounds: int = 40
+    residuals: Callable[[Numbers], Numbers], start: Numbers, has_sheen: bool, rounds: int = 25
 ) -> Numbers:
     """Levenberg and Marquardt's method with differences for derivatives."""
     free = [k for k in range(len(start)) if has_sheen or k not in (10, 11, 12, 13)]
