@@ -1,10 +1,11 @@
-"""How near the standard material of `loomlight export --to gltf` comes to lobes: pictures of a sphere, and their FLIP.
+"""How near the standard material of `loomlight export --to gltf` comes to lobes: spheres, and their FLIP.
 
     python -m experiments.export_fit [--pictures FOLDER] [--output experiments/results/export_fit.json]
 
-A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from which a pixel
-is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The material is evaluated by
-`loomlight.export.gltf_brdf`, which follows the specification, so that the error is of the fit and the textures alone.
+A sphere under one directional light, without shadows of the sphere. Textures are made for the distance from
+which a pixel is a texel; a pixel reads the mean of 16 places of its footprint, as mipmaps give it. The
+material is evaluated by `loomlight.export.gltf_brdf`, which follows the specification, so that the error is
+of the fit and the textures alone.
 """
 
 from __future__ import annotations

@@ -92,10 +92,8 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
         return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
 
     # There are several minima: fibres as rough as the model's, and smoother ones.
-    starts = [
-        np.array([0, 0, -1, -1, 0, 0, along, along, 0, 0, -3, -3, -3, 0, 0, -1], float)
-        for along in (0.0, -1.5)
-    ]
+    shared = [0, 0, -3, -3, -3, 0, 0, -1]
+    starts = [np.array([0, 0, -1, -1, 0, 0, rough, rough, *shared], float) for rough in (0, -1.5)]
     fits = [_least_squares(residuals, start, has_sheen) for start in starts]
     numbers = min(fits, key=lambda numbers: float(np.square(residuals(numbers)).sum()))
     numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
@@ -127,7 +125,7 @@ def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> Fitte
 
 
 def _in_plane(material: GltfMaterial) -> Numbers:
-    """`axis_x` in the texel's tangent plane, of the two opposite vectors the one whose larger part is positive.
+    """`axis_x` in the texel's tangent plane; of the two opposite vectors, that with the larger part above 0.
 
     Filters between texels would cancel opposite vectors.
     """
@@ -213,7 +211,8 @@ def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMateria
 
     They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission
     [2], of α along the fibres [2] and across them as a multiple [2]; of the sheen's colour [3]; and the
-    logits of its roughness and of specularFactor.
+    logits of its roughness and of specularFactor; and the logarithm of the share of the slopes' covariance
+    that widens highlights, at most 1.
     """
     diffuse, specular, transmit, along = (np.exp(numbers[k : k + 2]) for k in (0, 2, 4, 6))
     share = texels.share

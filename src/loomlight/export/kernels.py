@@ -33,8 +33,8 @@ def _wgsl_struct(name: str, fields: Fields) -> str:
 
 
 def _wgsl() -> str:
-    return f"""// To be put behind cloth.wgsl: an answer (red, green, blue, share that passes straight
-    through) for each query.
+    return f"""// To be put behind cloth.wgsl.
+// An answer (red, green, blue, share that passes through) for each query.
 {_wgsl_struct("Query", QUERY)}
 @group(1) @binding(0) var<storage, read> queries: array<Query>;
 @group(1) @binding(1) var<storage, read_write> answers: array<vec4<f32>>;
@@ -51,7 +51,7 @@ fn cloth_queries(@builtin(global_invocation_id) id: vec3<u32>)
 
 
 def _hlsl() -> str:
-    return f"""// An answer (red, green, blue, share that passes straight through) for each query.
+    return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.hlsl"
 
 {c_struct("Query", QUERY)}
@@ -75,7 +75,7 @@ void cloth_queries(uint3 id : SV_DispatchThreadID)
 def _glsl() -> str:
     return f"""#version 450
 #extension GL_GOOGLE_include_directive : require
-// An answer (red, green, blue, share that passes straight through) for each query.
+// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.glsl"
 
 {c_struct("Query", QUERY)}
@@ -95,7 +95,7 @@ void main()
 
 
 def _metal() -> str:
-    return f"""// An answer (red, green, blue, share that passes straight through) for each query.
+    return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.metal"
 
 {c_struct("Query", QUERY)}
@@ -119,7 +119,7 @@ kernel void cloth_queries(device Fabric_0* fabrics [[buffer(0)]], device Family_
 
 
 def _cuda() -> str:
-    return f"""// An answer (red, green, blue, share that passes straight through) for each query.
+    return f"""// An answer (red, green, blue, share that passes through) for each query.
 #include "cloth.cu"
 
 {c_struct("Query", QUERY)}
