@@ -1,6 +1,6 @@
 """`loomlight export`: targets, folders and faults.
 
-Covers: export/folder.py
+Covers: cli/export.py, export/folder.py
 """
 
 from __future__ import annotations

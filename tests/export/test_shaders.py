@@ -1,7 +1,7 @@
 """Exported shader code compiles by compilers of its languages, computes what the models compute, and draws.
 
-Covers: export/libraries.py, export/kernels.py, export/buffers.py, export/instructions.py,
-export/languages/sample.py
+Covers: export/libraries.py, export/kernels.py, export/buffers.py, export/instructions.py
+Covers: export/shaders.py, export/languages/sample.py
 """
 
 from __future__ import annotations
