@@ -33,7 +33,12 @@ fi
 "$venv/bin/python" -m loomlight.core.llvm
 
 # What the tests of real-time rendering need: a software Vulkan driver, and validators of shaders.
-if may_install && ! { ls /usr/share/vulkan/icd.d/lvp_icd.*json && command -v glslangValidator && command -v spirv-val; } >/dev/null 2>&1; then
+if may_install && ! { ls /usr/share/vulkan/icd.d/lvp_icd.*json && command -v glslangValidator && command -v spirv-val && command -v g++; } >/dev/null 2>&1; then
   as_root apt-get update -qq || true
-  for package in libvulkan1 mesa-vulkan-drivers glslang-tools spirv-tools; do apt_install "$package" || true; done
+  for package in libvulkan1 mesa-vulkan-drivers glslang-tools spirv-tools g++; do apt_install "$package" || true; done
+fi
+
+# Khronos' validator of glTF files, for a test that is left out without it.
+if command -v npm >/dev/null 2>&1 && [ ! -d "$venv/node_modules/gltf-validator" ]; then
+  npm install --silent --no-fund --no-audit --prefix "$venv" gltf-validator@2.0.0-dev.3.10 >/dev/null 2>&1 || true
 fi

@@ -11,7 +11,20 @@ from typing import Annotated, Any, TextIO
 import typer
 
 from loomlight import __version__
-from loomlight.cli import bake, bake_maps, compare, data, demo, doctor, play, render, reproduce, train, weave
+from loomlight.cli import (
+    bake,
+    bake_maps,
+    compare,
+    data,
+    demo,
+    doctor,
+    export,
+    play,
+    render,
+    reproduce,
+    train,
+    weave,
+)
 from loomlight.cli.help import ListsModels, WholeSentences
 from loomlight.cli.interruption import INTERRUPTED, note_left, report_interruption, was_interrupted
 from loomlight.core.errors import LoomlightError, LoomlightWarning
@@ -53,6 +66,7 @@ app.command("reproduce", epilog=reproduce.EXAMPLE)(reproduce.reproduce)
 app.command("demo", epilog=demo.EXAMPLE)(demo.demo)
 app.command("bake", cls=ListsModels, epilog=bake.EXAMPLE)(bake.bake)
 app.command("bake-maps", epilog=bake_maps.EXAMPLE)(bake_maps.bake_maps)
+app.command("export", epilog=export.EXAMPLE)(export.export)
 app.command("doctor", epilog=doctor.EXAMPLE)(doctor.doctor)
 
 # What pydantic calls a text that is no number.

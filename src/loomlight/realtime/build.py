@@ -105,6 +105,9 @@ ENTRIES = {
     ),
     "layers": {"first_layer": "compute", "next_layer": "compute", "add_background": "compute"},
     "shadows": {"cast_shadows": "compute"},
+    # Libraries for engines, with a kernel that calls each; `loomlight.export` takes them apart.
+    "cloth_lobes": {"lobes_queries": "compute"},
+    "cloth_point": {"point_queries": "compute"},
 }
 # Engines read tables and do not bake them: these modules are for WebGPU hosts, this package's and pages. All
 # kernels of a module are in one file.

@@ -260,6 +260,23 @@ BAKE: Fields = (
     ("hole_bytes", "uint", "a word a node [2 faces, face_nodes]"),
 )
 
+# What an exported library is asked, `queries.slang`.
+QUERY: Fields = (
+    ("fabric", "uint", "index of the fabric"),
+    ("centre_x", "float", "of the footprint in draft coordinates, millimetres"),
+    ("centre_y", "float", ""),
+    ("dx_x", "float", "edges of the footprint: steps to the next pixels, millimetres"),
+    ("dx_y", "float", ""),
+    ("dy_x", "float", ""),
+    ("dy_y", "float", ""),
+    ("light_x", "float", "unit vector towards the light, in the frame of the cloth"),
+    ("light_y", "float", ""),
+    ("light_z", "float", ""),
+    ("view_x", "float", "unit vector towards the eye"),
+    ("view_y", "float", ""),
+    ("view_z", "float", ""),
+)
+
 RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     "Lobes": LOBES,
@@ -271,6 +288,7 @@ RECORDS: dict[str, Fields] = {
     "SurfaceHit": SURFACE_HIT,
     "Bake": BAKE,
     "Layer": LAYER,
+    "Query": QUERY,
 }
 
 # Buffers of group 0 by name: type of an element, whether shaders write it. Their order is their binding.

@@ -276,6 +276,12 @@ def shipped_weights() -> Weights:
         return read_weights(path)
 
 
+@cache
+def shipped_decoder() -> bytes:
+    """The decoder of `shipped_weights` as an ONNX model, see `training/export_decoder.py`."""
+    return (files("loomlight.models.woven") / "weights" / "woven_decoder.onnx").read_bytes()
+
+
 def _content(source: str, entry: str) -> dict[str, Any]:
     try:
         content = json.loads(entry)

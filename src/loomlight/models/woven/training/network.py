@@ -316,7 +316,7 @@ def mixed_bundles(lobe_weights: Tensor, total: Tensor, bundles: Tensor) -> Tenso
         total: light plus view [n, 3].
         bundles: [b, 2, `BUNDLES`, 4], each for n/b consecutive queries.
     """
-    count, groups = len(total), len(bundles)
+    count, groups = total.shape[0], len(bundles)  # the shape, which ONNX keeps open
     inverse = 1 / (total.square().sum(1) + OPPOSITE)
     cosine = torch.einsum("gnc,gfbc->gnfb", total.view(groups, -1, 3), bundles[..., :3])
     width = bundles[:, None, :, :, 3].expand_as(cosine).reshape(count, FAMILIES, BUNDLES)

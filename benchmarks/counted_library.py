@@ -1,0 +1,105 @@
+"""An exported CUDA library on a CPU, with numbers that count what is executed: `realtime_counts.cpp`."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.export import export
+from loomlight.fabric.fabric import Fabric
+from loomlight.realtime.layout import numpy_type
+
+_SOURCE = Path(__file__).with_name("realtime_counts.cpp")
+
+
+@dataclass(frozen=True)
+class Counts:
+    """Means a query.
+
+    Attributes:
+        simple: operations such as add, multiply, compare, minimum; a fused multiply-add is two.
+        divisions, roots: each one operation.
+        loaded_bytes: of words of tables.
+        sector_bytes: of the 32-byte sectors that these lie in, each fetched once for 64 queries in a row.
+    """
+
+    simple: float
+    divisions: float
+    roots: float
+    loaded_bytes: float
+    sector_bytes: float
+
+    @property
+    def operations(self) -> float:
+        """All of them, each one."""
+        return self.simple + self.divisions + self.roots
+
+
+class CountedLibrary:
+    """The library of a fabric and a model.
+
+    Attributes:
+        table_bytes: of all buffers.
+
+    Raises:
+        RuntimeError: g++ is missing.
+    """
+
+    def __init__(self, fabric: Fabric, model: str) -> None:
+        compiler = shutil.which("g++")
+        if compiler is None:
+            raise RuntimeError("Counting needs g++ (Debian, Ubuntu: apt install g++).")
+        with TemporaryDirectory() as name:
+            folder = Path(name) / "cuda"
+            export(fabric, "cuda", folder, model)
+            library = folder / "counted.so"
+            options = ["-std=c++17", "-O1", "-w", "-ffp-contract=off", "-shared", "-fPIC", "-I", str(folder)]
+            subprocess.run([compiler, *options, str(_SOURCE), "-o", str(library)], check=True)
+            self._run = ctypes.CDLL(str(library)).run
+            self._buffers = [
+                np.fromfile(folder / f"{buffer}.bin", np.uint32)
+                for buffer in ("fabrics", "families", "words")
+            ]
+        self.table_bytes = sum(buffer.nbytes for buffer in self._buffers)
+
+    def answers(self, queries: NDArray[np.void]) -> tuple[NDArray[np.float32], Counts]:
+        """Answers [n, 4] to records `Query` of `loomlight.realtime.layout`, and what they take."""
+        data = np.ascontiguousarray(queries).view(np.uint32)
+        found = np.zeros((len(queries), 4), np.float32)
+        totals = np.zeros(5, np.uint64)
+
+        def address(array: NDArray[Any]) -> ctypes.c_void_p:
+            return ctypes.c_void_p(array.ctypes.data)
+
+        fabrics, families, words = self._buffers
+        self._run(
+            address(fabrics), address(families), address(words), ctypes.c_ulong(words.size),
+            address(data), ctypes.c_uint(len(queries)), address(found), address(totals),
+        )  # fmt: skip
+        simple, divisions, roots, loads, sectors = (float(total) / len(queries) for total in totals)
+        return found, Counts(simple, divisions, roots, 4 * loads, 32 * sectors)
+
+
+def queries_of(
+    centre: NDArray[Any], dx: NDArray[Any], dy: NDArray[Any], light: NDArray[Any], view: NDArray[Any]
+) -> NDArray[np.void]:
+    """Records of queries of fabric 0 from arrays [n, 2] and unit vectors [n, 3]."""
+    records = np.zeros(len(centre), numpy_type("Query"))
+    for name, values, axes in (
+        ("centre", centre, "xy"),
+        ("dx", dx, "xy"),
+        ("dy", dy, "xy"),
+        ("light", light, "xyz"),
+        ("view", view, "xyz"),
+    ):
+        for column, axis in enumerate(axes):
+            records[f"{name}_{axis}"] = values[:, column]
+    return records

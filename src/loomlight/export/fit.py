@@ -1,0 +1,313 @@
+"""A standard material fitted to a model: textures of one repeat and the numbers that all texels share.
+
+Geometry comes from the texels themselves (`texels.py`). What is fitted by least squares, over texels,
+lights and views, is how strongly each family reflects and transmits, how rough its fibres are along and
+across, and the sheen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import drjit as dr
+import numpy as np
+from drjit.llvm import Array2f as Vector2
+from drjit.llvm import Array3f, Float
+from numpy.typing import NDArray
+
+from loomlight.core.footprint import Footprint
+from loomlight.export.gltf_brdf import GltfMaterial, evaluate
+from loomlight.export.texels import Texels, frames, texels_of
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import Model
+
+Numbers = NDArray[np.float64]
+_REFLECTED, _TRANSMITTED = 6000, 1500
+# Directions flatter than this are left out: a few degrees about the horizon.
+_LOWEST = 0.12
+_SMALLEST_ALPHA = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class FittedMaterial:
+    """Textures [rows, columns, ...], linear, row 0 at the lower edge; and numbers for all texels.
+
+    Attributes:
+        size: of one repeat, millimetres.
+        base, transmit, specular: colours [..., 3]; specular is the reflectance at normal incidence.
+        transmission: factor of diffuse transmission.
+        cover: opacity.
+        normal: [..., 3].
+        alpha: GGX roughness along the direction in which it is smallest; alpha_across: at right angles to it.
+        direction: unit vectors [..., 2] of `alpha_across` in the texel's tangent plane.
+        weight: specularFactor. sheen: colour [3]; sheen_roughness.
+        error: root mean square of the difference of values, relative to the root mean square of the model's.
+        brightness: mean of the material's values divided by the mean of the model's.
+    """
+
+    size: tuple[float, float]
+    base: Numbers
+    transmit: Numbers
+    specular: Numbers
+    transmission: Numbers
+    cover: Numbers
+    normal: Numbers
+    alpha: Numbers
+    alpha_across: Numbers
+    direction: Numbers
+    weight: float
+    sheen: Numbers
+    sheen_roughness: float
+    error: float
+    brightness: float
+
+
+@dataclass(frozen=True, eq=False)
+class _Queries:
+    row: NDArray[np.int64]
+    column: NDArray[np.int64]
+    light: Numbers
+    view: Numbers
+
+
+def fit_material(fabric: Fabric, model: Model, columns: int, rows: int) -> FittedMaterial:
+    """The material of glTF nearest to a model, in textures of `columns` × `rows` texels of one repeat."""
+    texels = texels_of(fabric, columns, rows)
+    queries = _queries(columns, rows)
+    truth = _answers(model, texels, queries)
+    at = texels.cover[queries.row, queries.column] > 0.02
+    queries = _Queries(queries.row[at], queries.column[at], queries.light[at], queries.view[at])
+    truth = truth[at]
+    picked = _picked(texels, queries.row, queries.column)
+    has_sheen = fabric.appearance().sheen.strength > 0
+    # A display shows differences of square roots, roughly; the offset keeps noise in the dark from counting.
+    offset = 0.05 * float(truth.mean())
+
+    def values(numbers: Numbers) -> Numbers:
+        found = evaluate(_material(picked, numbers, has_sheen), queries.light, queries.view)
+        return found * picked.cover[:, None]
+
+    def residuals(numbers: Numbers) -> Numbers:
+        return (np.sqrt(values(numbers) + offset) - np.sqrt(truth + offset)).ravel()
+
+    # There are several minima: fibres as rough as the model's, and smoother ones.
+    shared = [0, 0, -3, -3, -3, 0, 0, -1]
+    starts = [np.array([0, 0, -1, -1, 0, 0, rough, rough, *shared], float) for rough in (0, -1.5)]
+    fits = [_least_squares(residuals, start, has_sheen) for start in starts]
+    numbers = min(fits, key=lambda numbers: float(np.square(residuals(numbers)).sum()))
+    numbers = _with_mean_kept(values, numbers, truth, queries.light[:, 2] > 0)
+    found = values(numbers)
+    error = np.sqrt(np.mean((found - truth) ** 2) / np.mean(truth**2))
+    everywhere = _material(_flat(texels), numbers, has_sheen)
+    shape = (rows, columns)
+
+    def grid(array: Numbers) -> Numbers:
+        return array.reshape(*shape, *array.shape[1:])
+
+    return FittedMaterial(
+        size=texels.size,
+        base=grid(everywhere.base),
+        transmit=grid(everywhere.transmit),
+        specular=grid(everywhere.specular),
+        transmission=grid(everywhere.transmission),
+        cover=texels.cover,
+        normal=texels.normal,
+        alpha=grid(everywhere.alpha_y),
+        alpha_across=grid(everywhere.alpha_x),
+        direction=grid(_in_plane(everywhere)),
+        weight=everywhere.weight,
+        sheen=everywhere.sheen,
+        sheen_roughness=everywhere.sheen_roughness,
+        error=float(error),
+        brightness=float(found.mean() / truth.mean()),
+    )
+
+
+def _in_plane(material: GltfMaterial) -> Numbers:
+    """`axis_x` in the texel's tangent plane; of the two opposite vectors, that with the larger part above 0.
+
+    Filters between texels would cancel opposite vectors.
+    """
+    x, y = frames(material.normal)
+    direction = np.stack([(material.axis_x * axis).sum(-1) for axis in (x, y)], axis=-1)
+    larger = np.take_along_axis(direction, np.abs(direction).argmax(-1)[:, None], axis=-1)
+    return direction * np.where(larger < 0, -1.0, 1.0)
+
+
+def _queries(columns: int, rows: int) -> _Queries:
+    rng = np.random.default_rng(7)
+    count = _REFLECTED + _TRANSMITTED
+
+    def hemisphere() -> Numbers:
+        cosine = np.sqrt(rng.uniform(_LOWEST**2, 1, count))
+        azimuth = rng.uniform(0, 2 * np.pi, count)
+        sine = np.sqrt(1 - cosine**2)
+        return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
+
+    light, view = hemisphere(), hemisphere()
+    # A third of the pairs lie about the mirror direction, where highlights are.
+    near = rng.uniform(size=count) < 1 / 3
+    mirrored = view * [-1, -1, 1] + 0.25 * rng.normal(size=(count, 3))
+    mirrored /= np.linalg.norm(mirrored, axis=-1, keepdims=True)
+    light = np.where((near & (mirrored[:, 2] > _LOWEST))[:, None], mirrored, light)
+    light[_REFLECTED:, 2] *= -1
+    return _Queries(rng.integers(0, rows, count), rng.integers(0, columns, count), light, view)
+
+
+def _answers(model: Model, texels: Texels, queries: _Queries) -> Numbers:
+    """Values of the model over the texels of queries [n, 3]."""
+    rows, columns = texels.cover.shape
+    width, height = texels.size
+    step_x, step_y = width / columns, height / rows
+    centre = Vector2(Float((queries.column + 0.5) * step_x), Float((queries.row + 0.5) * step_y))
+    zero = dr.zeros(Float, len(queries.row))
+    footprint = Footprint(centre, Vector2(zero + step_x, zero), Vector2(zero, zero + step_y))
+    view, light = (
+        Array3f(*(np.float32(part) for part in vectors.T)) for vectors in (queries.view, queries.light)
+    )
+    value = model.at(view, footprint).value(light)
+    return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Picked:
+    """Fields of `Texels` of n texels."""
+
+    cover: Numbers
+    share: Numbers
+    normal: Numbers
+    covariance: Numbers
+    direction: Numbers
+    diffuse: Numbers
+    transmit: Numbers
+    specular: Numbers
+    alpha: Numbers
+
+
+def _picked(texels: Texels, row: NDArray[np.int64], column: NDArray[np.int64]) -> _Picked:
+    """The texels at these rows and columns."""
+    return _Picked(
+        cover=texels.cover[row, column],
+        share=texels.share[row, column],
+        normal=texels.normal[row, column],
+        covariance=texels.covariance[row, column],
+        direction=texels.direction[row, column],
+        diffuse=texels.diffuse[row, column],
+        transmit=texels.transmit[row, column],
+        specular=texels.specular[row, column],
+        alpha=texels.alpha,
+    )
+
+
+def _flat(texels: Texels) -> _Picked:
+    """All texels, row by row."""
+    row, column = np.indices(texels.cover.shape)
+    return _picked(texels, row.ravel(), column.ravel())
+
+
+def _material(texels: _Picked, numbers: Numbers, has_sheen: bool) -> GltfMaterial:
+    """The material of texels for the numbers that are fitted.
+
+    They are logarithms of factors of the families' diffuse albedos [2], specular albedos [2], transmission
+    [2], of α along the fibres [2] and across them as a multiple [2]; of the sheen's colour [3]; and the
+    logits of its roughness and of specularFactor; and the logarithm of the share of the slopes' covariance
+    that widens highlights, at most 1.
+    """
+    diffuse, specular, transmit, along = (np.exp(numbers[k : k + 2]) for k in (0, 2, 4, 6))
+    share = texels.share
+
+    def mixed(colours: Numbers, factors: Numbers) -> Numbers:
+        return (colours * (share * factors)[..., None]).sum(-2)
+
+    reflected = np.minimum(mixed(texels.diffuse, diffuse), 1)
+    passed = np.minimum(mixed(texels.transmit, transmit), 1)
+    most = reflected.max(-1) + passed.max(-1)
+    transmission = passed.max(-1) / np.maximum(most, 1e-6)
+    axis_x, axis_y, alpha_x, alpha_y = _roughness(
+        texels, along, 1 + np.exp(numbers[8:10]), float(np.exp(min(numbers[15], 0.0)))
+    )
+    sheen = np.exp(numbers[10:13]) if has_sheen else np.zeros(3)
+    return GltfMaterial(
+        base=np.minimum(reflected / np.maximum(1 - transmission, 1e-3)[:, None], 1),
+        transmission=transmission,
+        transmit=np.minimum(passed / np.maximum(transmission, 1e-6)[:, None], 1),
+        specular=np.minimum(mixed(texels.specular, specular), 1),
+        weight=float(1 / (1 + np.exp(-numbers[14]))),
+        alpha_x=alpha_x,
+        alpha_y=alpha_y,
+        normal=texels.normal,
+        axis_x=axis_x,
+        axis_y=axis_y,
+        sheen=np.minimum(sheen, 1),
+        sheen_roughness=float(1 / (1 + np.exp(-numbers[13]))),
+    )
+
+
+def _roughness(
+    texels: _Picked, along: Numbers, across: Numbers, widening: float
+) -> tuple[Numbers, Numbers, Numbers, Numbers]:
+    """Axes of GGX and α along them: the families' fibres, widened by the slopes within the texel.
+
+    A highlight of fibres is narrow along them and wide across. α² is twice a variance of slopes.
+    """
+    total = texels.covariance * widening
+    for family in range(2):
+        fibre = texels.direction[:, family]
+        side = np.stack([-fibre[:, 1], fibre[:, 0]], axis=-1)
+        alpha = np.minimum(texels.alpha[family] * along[family], 1)
+        wide = np.minimum(alpha * across[family], 1)
+        for vector, width in ((fibre, alpha), (side, wide)):
+            weight = texels.share[:, family, None, None] * (0.5 * width**2)
+            total += weight * vector[:, :, None] * vector[:, None, :]
+    variances, vectors = np.linalg.eigh(total)
+    alphas = np.clip(np.sqrt(2 * np.maximum(variances, 0)), _SMALLEST_ALPHA, 1)
+    x, y = frames(texels.normal)
+    widest = vectors[:, :, 1]
+    axis_x = widest[:, :1] * x + widest[:, 1:] * y
+    return axis_x, np.cross(texels.normal, axis_x), alphas[:, 1], alphas[:, 0]
+
+
+def _with_mean_kept(
+    values: Callable[[Numbers], Numbers], numbers: Numbers, truth: Numbers, is_reflection: NDArray[np.bool_]
+) -> Numbers:
+    """Factors scaled so that reflection and transmission keep their means; roots favour the dark."""
+    scaled = numbers.copy()
+    for _ in range(4):
+        found = values(scaled)
+        for side, factors in ((is_reflection, [0, 1, 14]), (~is_reflection, [4, 5])):
+            ratio = truth[side].mean() / max(float(found[side].mean()), 1e-9)
+            scaled[factors] = np.clip(scaled[factors] + np.log(np.clip(ratio, 0.25, 4)), -7, 7)
+    return scaled
+
+
+def _least_squares(
+    residuals: Callable[[Numbers], Numbers], start: Numbers, has_sheen: bool, rounds: int = 25
+) -> Numbers:
+    """Levenberg and Marquardt's method with differences for derivatives."""
+    free = [k for k in range(len(start)) if has_sheen or k not in (10, 11, 12, 13)]
+    numbers, damping = start.copy(), 1e-2
+    current = residuals(numbers)
+    for _ in range(rounds):
+        jacobian = np.empty((current.size, len(free)))
+        for column, k in enumerate(free):
+            moved = numbers.copy()
+            moved[k] += 1e-4
+            jacobian[:, column] = (residuals(moved) - current) / 1e-4
+        normal, gradient = jacobian.T @ jacobian, jacobian.T @ current
+        scale = np.diag(normal) + 1e-9 * np.trace(normal) + 1e-12
+        for _ in range(8):
+            step = np.linalg.solve(normal + damping * np.diag(scale), gradient)
+            tried = numbers.copy()
+            tried[free] = np.clip(numbers[free] - step, -7, 7)
+            found = residuals(tried)
+            if found @ found < current @ current:
+                break
+            damping *= 4
+        else:
+            return numbers
+        gain = 1 - (found @ found) / (current @ current)
+        numbers, current, damping = tried, found, damping / 4
+        if gain < 1e-4:
+            break
+    return numbers

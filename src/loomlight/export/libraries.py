@@ -1,0 +1,112 @@
+"""Libraries in every shading language: `cloth_value` without an entry point, cut out of what slangc emits.
+
+The generated files hold a kernel behind the library. Everything before the kernel is the library, apart
+from the buffers of the kernel's queries; the names that an engine uses lose the numbers that slangc appends.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+from loomlight.core.errors import LoomlightError
+from loomlight.realtime.slangc import SHADERS
+
+# What an engine calls and binds.
+_PUBLIC = ("cloth_value", "fabrics", "families", "words")
+_QUERY_BUFFERS = "queries|query_count|answers"
+
+
+@dataclass(frozen=True)
+class Language:
+    """How slangc writes a language.
+
+    Attributes:
+        name: of its folder of generated shaders.
+        suffix: of its files.
+        kernel: where the kernel begins, a pattern.
+        removed: declarations of the kernel alone, patterns.
+        renamed: further names.
+    """
+
+    name: str
+    suffix: str
+    kernel: str
+    removed: tuple[str, ...]
+    renamed: tuple[tuple[str, str], ...] = ()
+
+
+_QUERY_STRUCT = r"struct Query(?:_std430)?_\d+\n\{[^}]*\};\n+"
+LANGUAGES = {
+    "wgsl": Language(
+        "wgsl", "wgsl", r"@compute\n", (r"@binding\(\d+\) @group\(1\) var<[^;]*;\n+", _QUERY_STRUCT)
+    ),
+    "hlsl": Language(
+        "hlsl",
+        "hlsl",
+        r"\[numthreads",
+        (rf"(?:RW)?StructuredBuffer<[^;]*> (?:{_QUERY_BUFFERS})_\d+ : register[^;]*;\n+", _QUERY_STRUCT),
+    ),
+    "glsl": Language(
+        "glsl",
+        "glsl",
+        r"layout\(local_size_x",
+        (
+            rf"layout\(std430, binding = \d+, set = 1\)[^}}]*\}} (?:{_QUERY_BUFFERS})_\d+;\n",
+            _QUERY_STRUCT,
+            r"#version 450\n",
+        ),
+    ),
+    "metal": Language(
+        "metal",
+        "metal",
+        r"\[\[kernel\]\]",
+        (rf"    \w+ device\* (?:{_QUERY_BUFFERS})_\d+;\n", _QUERY_STRUCT),
+        (("KernelContext_0", "ClothBuffers"),),
+    ),
+    "cuda": Language(
+        "cuda",
+        "cu",
+        r'extern "C" __global__',
+        (
+            # Of all global buffers the library reads three.
+            r"    (?:RW)?StructuredBuffer<[^;]*> (?!fabrics_|families_|words_)\w+;\n",
+            r"    CUtexObject \w+;\n",
+            r"#include <slang-cuda-prelude.h>\n",
+            r"__device__ Query_\d+ slang_ldg_\d+\(Query_\d+ \* \w+\)\n\{.*?\n\}\n+",
+            _QUERY_STRUCT,
+        ),
+        (
+            ("GlobalParams_0", "ClothBuffers"),
+            ("SLANG_globalParams", "cloth_buffers"),
+            ('extern "C" __constant__', "static __constant__"),
+        ),
+    ),
+}
+
+
+@cache
+def library(language: str, model: str) -> str:
+    """The text of the library of a model in a language of `LANGUAGES`: everything that `cloth_value` needs.
+
+    Raises:
+        LoomlightError: the generated file is not of the form expected, after an edit of the build.
+    """
+    rules = LANGUAGES[language]
+    file = SHADERS / rules.name / f"{model}_queries.{rules.suffix}"
+    text = file.read_text(encoding="utf-8")
+    start = re.search(rules.kernel, text)
+    if start is None:
+        raise LoomlightError(f"{file.name} has no kernel: run python -m loomlight.realtime.build.")
+    text = text[: start.start()]
+    for pattern in rules.removed:
+        text = re.sub(pattern, "", text, flags=re.DOTALL)
+    left = re.search(rf"\b(?:{_QUERY_BUFFERS})_\d+\b|\bQuery(?:_std430)?_\d+\b", text)
+    if left is not None:
+        raise LoomlightError(f"{file.name} reads {left[0]} in its library: a query belongs to the kernel.")
+    for name in _PUBLIC:
+        text = re.sub(rf"\b{name}_0\b", name, text)
+    for before, after in rules.renamed:
+        text = text.replace(before, after)
+    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"

@@ -1,0 +1,178 @@
+"""Means of a fabric over the texels of one repeat: what textures of a standard material are made of.
+
+Points of the surface, seen from straight above, are gathered on a grid finer than the texels. Each texel
+has the mean normal of its points and the covariance of their slopes about it, by which roughness is widened
+(LEAN mapping, Olano and Baker 2010), and the fibre direction of each family.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import drjit as dr
+import numpy as np
+from drjit.llvm import Bool, Float, UInt
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.fabric.fabric import Fabric
+from loomlight.yarn.geometry import YarnGeometry
+
+Numbers = NDArray[np.float64]
+# Points across a texel, at least, and across the finest thread.
+_POINTS_PER_TEXEL, _POINTS_PER_THREAD = 4, 8
+_MOST_POINTS = 1 << 24
+_LARGEST_TEXTURE = 4096
+# Slopes about the mean normal are at most this, or a few points at the outline of a yarn would outweigh all
+# others.
+_STEEPEST = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class Texels:
+    """Texels [rows, columns, ...] of the front of whole repeats; row 0 is at the lower edge, column 0 at
+    the left.
+
+    Attributes:
+        size: width and height, millimetres.
+        cover: share that yarns cover, 0 to 1.
+        share: of the warp and of the weft in what is covered [..., 2].
+        normal: unit mean normal [..., 3].
+        covariance: of slopes about it, along its x and y axes [..., 2, 2]; see `frames`.
+        direction: unit vectors along the fibres of each family in these axes [..., 2 families, 2].
+        diffuse, transmit, specular: mean albedos of each family's visible threads [..., 2, 3].
+        alpha: α of the fibres of each family [2].
+    """
+
+    size: tuple[float, float]
+    cover: Numbers
+    share: Numbers
+    normal: Numbers
+    covariance: Numbers
+    direction: Numbers
+    diffuse: Numbers
+    transmit: Numbers
+    specular: Numbers
+    alpha: Numbers
+
+
+def frames(normal: Numbers) -> tuple[Numbers, Numbers]:
+    """Axes of the tangent plane of normals [..., 3]: x of the cloth made orthogonal, and normal × x."""
+    x = np.zeros_like(normal)
+    x[..., 0] = 1
+    x -= normal * normal[..., :1]
+    x /= np.linalg.norm(x, axis=-1, keepdims=True)
+    return x, np.cross(normal, x)
+
+
+def texture_grid(fabric: Fabric, texel_mm: float | None) -> tuple[int, int]:
+    """Columns and rows of texels of one repeat; by default eight a thread.
+
+    Raises:
+        InputError: more than 4096 a side.
+    """
+    layout = fabric.layout()
+    picks, ends = layout.warp_on_top.shape
+    width, height = layout.size
+    if texel_mm is None:
+        columns, rows = 8 * ends, 8 * picks
+        factor = max(1.0, max(columns, rows) / _LARGEST_TEXTURE)
+        columns, rows = int(columns / factor), int(rows / factor)
+    else:
+        columns, rows = (max(4, round(side / texel_mm)) for side in (width, height))
+    if max(columns, rows) > _LARGEST_TEXTURE:
+        raise InputError(
+            f"Textures of {columns} × {rows} texels are too large, at most {_LARGEST_TEXTURE} a side: "
+            "choose a larger distance."
+        )
+    return columns, rows
+
+
+def texels_of(fabric: Fabric, columns: int, rows: int) -> Texels:
+    """The texels of one repeat."""
+    layout, appearance = fabric.layout(), fabric.appearance()
+    picks, ends = layout.warp_on_top.shape
+    width, height = map(float, layout.size)
+    nx, ny = (
+        max(_POINTS_PER_TEXEL, math.ceil(_POINTS_PER_THREAD * threads / texels))
+        for threads, texels in ((ends, columns), (picks, rows))
+    )
+    band = max(1, _MOST_POINTS // (columns * nx * ny))
+    parts = []
+    for first in range(0, rows, band):
+        count = min(band, rows - first)
+        parts.append(_points(fabric, (columns, nx), (first, count, ny), rows))
+    cover, share, normal, covariance, direction, diffuse, transmit, specular = (
+        np.concatenate(arrays) for arrays in zip(*parts, strict=True)
+    )
+    families = (appearance.warp, appearance.weft)
+    return Texels(
+        size=(width, height),
+        cover=cover,
+        share=share,
+        normal=normal,
+        covariance=covariance,
+        direction=direction,
+        diffuse=diffuse,
+        transmit=transmit,
+        specular=specular,
+        alpha=np.array([family.roughness for family in families]),
+    )
+
+
+def _points(
+    fabric: Fabric, across: tuple[int, int], along: tuple[int, int, int], rows: int
+) -> tuple[Numbers, ...]:
+    """Arrays of `Texels`, from cover to specular, of some rows."""
+    layout, appearance = fabric.layout(), fabric.appearance()
+    width, height = layout.size
+    (columns, nx), (first, count, ny) = across, along
+    index = dr.arange(UInt, columns * nx * count * ny)
+    row = index // (columns * nx)
+    x = (Float(index - row * (columns * nx)) + 0.5) * (width / (columns * nx))
+    y = (Float(row) + 0.5 + first * ny) * (height / (rows * ny))
+    point = YarnGeometry(layout).surface(x, y, dr.zeros(Bool, dr.width(index)))
+    dr.eval(point)
+
+    def texels(values: NDArray[np.generic]) -> Numbers:
+        """Points of each texel: [rows, columns, points, ...]."""
+        shape = values.shape[1:]
+        grid = values.reshape(count, ny, columns, nx, *shape)
+        return np.moveaxis(grid, 1, 2).reshape(count, columns, ny * nx, *shape).astype(np.float64)
+
+    is_warp, hole = point.is_warp.numpy().astype(bool), point.hole.numpy().astype(bool)
+    seen = texels(~hole)
+    weights = np.stack([texels(is_warp & ~hole), texels(~is_warp & ~hole)], axis=-1)
+    visible = np.maximum(seen.sum(2), 1e-9)
+    share = weights.sum(2) / visible[..., None]
+    normals, tangents = texels(point.normal.numpy().T), texels(point.tangent.numpy().T)
+    mean = (normals * seen[..., None]).sum(2) / visible[..., None]
+    length = np.linalg.norm(mean, axis=-1, keepdims=True)
+    normal = np.where(length > 1e-6, mean / np.maximum(length, 1e-6), [0.0, 0, 1])
+    axis_x, axis_y = (axis[:, :, None] for axis in frames(normal))
+    up = np.maximum((normals * normal[:, :, None]).sum(-1), 0.05)
+    slopes = np.stack([(normals * axis).sum(-1) / -up for axis in (axis_x, axis_y)], axis=-1)
+    slopes = np.clip(slopes, -_STEEPEST, _STEEPEST)
+    covariance = np.einsum("rcp,rcpi,rcpj->rcij", seen, slopes, slopes) / visible[..., None, None]
+    flat = np.stack([(tangents * axis).sum(-1) for axis in (axis_x, axis_y)], axis=-1)
+    direction = np.stack([_mean_axis(flat, weights[..., f]) for f in range(2)], axis=-2)
+    threads = (point.warp_thread.numpy(), point.weft_thread.numpy())
+    albedos = []
+    for name in ("diffuse_reflect", "diffuse_transmit", "specular_reflect"):
+        means = []
+        for f, family in enumerate((appearance.warp, appearance.weft)):
+            table = np.asarray(getattr(family, name), np.float64)
+            colours = texels(table[np.minimum(threads[f], len(table) - 1)])
+            sums = (colours * weights[..., f, None]).sum(2)
+            means.append(sums / np.maximum(weights[..., f].sum(2), 1e-9)[..., None])
+        albedos.append(np.stack(means, axis=-2))
+    return (seen.mean(2), share, normal, covariance, direction, *albedos)
+
+
+def _mean_axis(vectors: Numbers, weights: Numbers) -> Numbers:
+    """Mean of directions without a sign [..., points, 2] by doubled angles; (1, 0) where there are none."""
+    x, y = vectors[..., 0], vectors[..., 1]
+    cosine, sine = ((weights * v).sum(-1) for v in (x * x - y * y, 2 * x * y))
+    angle = 0.5 * np.arctan2(sine, cosine)
+    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)

@@ -1,0 +1,70 @@
+"""`loomlight export`: targets, folders and faults.
+
+Covers: cli/export.py, export/folder.py
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from loomlight.cli.main import run
+from loomlight.export import TARGETS
+
+
+def export(*arguments: str) -> int:
+    return run(["export", "twill 2/1", *arguments])
+
+
+def test_an_earlier_export_is_replaced(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = tmp_path / "cloth"
+    assert export("--to", "hlsl", "--model", "point", "-o", str(folder)) == 0
+    assert capsys.readouterr().out == f"{folder}\n"
+    assert (folder / "cloth.hlsl").is_file()
+    assert export("--to", "glsl", "--model", "point", "-o", str(folder)) == 0
+    assert not (folder / "cloth.hlsl").exists()
+    assert (folder / "cloth.glsl").is_file()
+    assert [path.name for path in tmp_path.iterdir()] == ["cloth"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--to", "hsls", "-o", "x"], '--to "hsls" is unknown: use one of slang, wgsl'),
+        (["--to", "wgsl", "--model", "woven", "-o", "x"], "does not take the model"),
+        (["--to", "wgsl", "--distance", "1", "-o", "x"], "leave out --distance"),
+        (["--to", "gltf", "--distance", "0", "-o", "x"], "from 0.01 to 1000"),
+        (["--to", "wgsl", "-o", "no/x"], "does not exist; make it first"),
+        (["--to", "wgsl", "-o", "file"], "file is a file"),
+        (["--to", "wgsl", "-o", "full"], "full holds other files"),
+    ],
+)
+def test_faults_are_one_sentence(
+    arguments: list[str],
+    says: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("file").touch()
+    Path("full").mkdir()
+    Path("full/other.txt").touch()
+    assert export(*arguments) == 2
+    error = capsys.readouterr().err
+    assert says in error
+    assert error.count("\n") == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "full"]
+
+
+def test_a_fault_leaves_nothing(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["export", "no such weave", "--to", "wgsl", "-o", str(tmp_path / "x")]) == 2
+    assert "no such weave" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_help_names_every_target(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run(["export", "--help"]) == 0
+    text = capsys.readouterr().out
+    assert all(name in text for name in TARGETS)

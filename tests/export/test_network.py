@@ -1,0 +1,126 @@
+"""The exported decoder computes what `woven` computes.
+
+Covers: models/woven/training/export_decoder.py
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import onnxruntime
+import pytest
+from drjit.llvm import Array2f, Array3f, Float
+from safetensors.numpy import load_file
+
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.export import export
+from loomlight.fabric import fabric_from_text
+from loomlight.models.registry import make_model
+from loomlight.models.woven import model as model_module
+from loomlight.models.woven.footprint_coding import Level, taps
+from loomlight.models.woven.training.export_decoder import decoder_model
+from loomlight.models.woven.weights import shipped_decoder, shipped_weights
+from tests.realtime.queries import directions
+
+require_llvm()
+FABRIC = fabric_from_text('weave = "twill 2/1"\nends_per_cm = 14\npicks_per_cm = 11\n')
+COUNT = 500
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return export(FABRIC, "onnx", tmp_path_factory.mktemp("exports") / "onnx")
+
+
+def test_the_decoder_computes_what_woven_computes(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    nothing = Array2f(0, 0)
+    # One tap a footprint, as the page of instructions has it.
+    monkeypatch.setattr(model_module, "taps_of_footprint", lambda f, _: (f.spread_side, nothing, nothing))
+    rng = np.random.default_rng(2)
+    light, view = directions(rng, COUNT), directions(rng, COUNT)
+    back = view[:, 2] < 0
+    pitch = json.loads((folder / "manifest.json").read_text())["mean_pitch_mm"]
+    size = np.float32(10 ** rng.uniform(-1, 1, COUNT))
+    x, y = np.float32(rng.uniform(0, 5, (2, COUNT)))
+    zero = np.zeros(COUNT, np.float32)
+    footprint = Footprint(Array2f(x, y), Array2f(size, zero), Array2f(zero, size))
+    to_vector = [Array3f(*np.ascontiguousarray(rows.T)) for rows in (view, light)]
+    at = make_model("woven", FABRIC).at(to_vector[0], footprint)
+    found = at.components(to_vector[1])
+    names = ("diffuse_warp", "diffuse_weft", "specular_warp", "specular_weft")
+    expected = np.stack([getattr(found, name).numpy() for name in names], axis=-1)
+    hole = Float(at.hole).numpy()
+
+    components, holes = np.empty((COUNT, 4)), np.empty(COUNT)
+    for side, face in ((back, "back"), (~back, "front")):
+        rows = np.flatnonzero(side)
+        answer = _decoded(
+            folder, face, x[rows] * 1.4, y[rows] * 1.1, size[rows] / pitch, light[rows], view[rows]
+        )
+        components[rows], holes[rows] = answer
+    # Sums of 96 products in another order, behind an exponential.
+    np.testing.assert_allclose(components, expected, rtol=2e-3, atol=2e-4)
+    np.testing.assert_allclose(holes, hole, atol=1e-4)
+    assert components.max() > 0.1
+
+
+def _decoded(
+    folder: Path,
+    face: str,
+    x: np.ndarray,
+    y: np.ndarray,
+    size: np.ndarray,
+    light: np.ndarray,
+    view: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """What a program would do that has nothing of loomlight, but for `taps`, which README.md describes."""
+    manifest = json.loads((folder / "manifest.json").read_text())
+    tensors = load_file(folder / "latents.safetensors")
+    last = len(manifest["levels"]) - 1
+    levels = [
+        Level(
+            level["first"],
+            level["columns"],
+            level["rows"],
+            0 if k == last else 2.0 ** (k - 3),
+            level["per_thread"],
+        )
+        for k, level in enumerate(manifest["levels"])
+    ]
+    turned = np.float32([1, 1, -1 if face == "back" else 1])
+    index, weight = taps(levels, np.float32(x), np.float32(y), np.float32(size))
+    latent = (tensors[f"{face}.latents"].astype(np.float32)[index] * weight[..., None]).sum(1)
+    coordinates = [x - np.floor(x), y - np.floor(y), np.clip(np.log(64 * size) / np.log(5120), 0, 1)]
+    inputs = {
+        "latent": latent,
+        "coordinates": np.stack(coordinates, axis=-1),
+        "light": light * turned,
+        "view": view * turned,
+        "fibres": tensors[f"{face}.fibres"],
+        "bundles": tensors[f"{face}.bundles"],
+        "correction": tensors["correction"],
+    }
+    session = onnxruntime.InferenceSession(folder / "decoder.onnx", providers=["CPUExecutionProvider"])
+    components, hole = session.run(None, {name: np.float32(values) for name, values in inputs.items()})
+    return components, hole
+
+
+def test_the_shipped_decoder_is_exported_from_the_shipped_weights() -> None:
+    """Another version of torch may order nodes in another way."""
+    weights = shipped_weights()
+    rng = np.random.default_rng(3)
+    answers = []
+    for model in (shipped_decoder(), decoder_model(weights)):
+        session = onnxruntime.InferenceSession(model, providers=["CPUExecutionProvider"])
+        shapes = {
+            entry.name: [3 if side == "queries" else side for side in entry.shape]
+            for entry in session.get_inputs()
+        }
+        inputs = {name: np.float32(rng.uniform(0.1, 1, shape)) for name, shape in shapes.items()}
+        answers.append(session.run(None, inputs))
+        rng = np.random.default_rng(3)
+    for first, second in zip(*answers, strict=True):
+        np.testing.assert_allclose(first, second, rtol=1e-4, atol=1e-6)
