@@ -1,17 +1,17 @@
 """Is a model's mean the Monte Carlo footprint reference's? z-tests over random cases, with Holm's correction.
 
-    python -m experiments.unbiased --models samples,lobes [--cases 72] [--options points=4096] [--output FILE.json]
+    python -m experiments.unbiased --models NAME,NAME [--options points=4096] [--cases 72] [--output FILE.json]
 
 A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to four
-repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference draws uniform
-points in the parallelogram and follows each view and shadow ray exactly (`aggregate/reference.py`).
+repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference draws
+uniform points in the parallelogram and follows each view and shadow ray exactly (`aggregate/reference.py`).
 
 Models may draw points themselves. Moving a footprint by whole repeats leaves its integral as it is and changes
-what is drawn, so a model's mean and its variance are taken over such footprints; of a deterministic model the
+what is drawn: a model's mean and its variance are taken over such footprints; of a deterministic model the
 variance is that of rounding. Models that do not filter are asked about random points of the footprint, as a
-renderer does. z is the difference over the standard error of both. Colours (red, green, blue)
-are three tests a case. Holm's procedure keeps the chance of any false alarm below 0.01, whatever depends on
-what; a model that fails it is biased. The relative bias over all cases tells by how much.
+renderer does. z is the difference over the standard error of both. Colours (red, green, blue) are three tests
+a case. Holm's procedure keeps the chance of any false alarm below 0.01, whatever depends on what; a model that
+fails it is biased. The relative bias over all cases tells by how much.
 """
 
 from __future__ import annotations

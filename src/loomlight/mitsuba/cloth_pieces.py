@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.mitsuba.cloth_shapes import grid_surface
+from loomlight.mitsuba.cloth_shapes import grid_surface, grid_triangles
 from loomlight.mitsuba.meshes import ClothMesh, joined
 
 Values = NDArray[np.float64]
@@ -56,14 +56,7 @@ def _box_face(
     outwards = flat - core
     normals = outwards / np.linalg.norm(outwards, axis=1, keepdims=True)
     uv = np.stack([flat[:, across], flat[:, up]], axis=1)
-    return ClothMesh(core + radius * normals, normals, uv, _grid_triangles(line.size, line.size), "box")
-
-
-def _grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
-    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
-    lower = np.stack([corner, corner + 1, corner + columns + 1], axis=1)
-    upper = np.stack([corner, corner + columns + 1, corner + columns], axis=1)
-    return np.concatenate([lower, upper])
+    return ClothMesh(core + radius * normals, normals, uv, grid_triangles(line.size, line.size), "box")
 
 
 def couch() -> ClothMesh:

@@ -90,14 +90,18 @@ def drape() -> ClothMesh:
     return read_mesh(str(files("loomlight.mitsuba").joinpath("data/drape.ply")))
 
 
-def grid_surface(grid: int, place: Placement, name: str, stays_within: bool = False) -> ClothMesh:
+def grid_surface(
+    grid: int | tuple[int, int], place: Placement, name: str, stays_within: bool = False
+) -> ClothMesh:
     """A grid of vertices over the unit uv square; `place(u, v)` gives x, y, z.
 
     Args:
+        grid: vertices along u and along v; one number for both.
         stays_within: the place is asked within the unit square alone, also for the normals.
     """
-    line = np.linspace(0, 1, grid)
-    u, v = (coordinate.ravel() for coordinate in np.meshgrid(line, line))
+    columns, rows = grid if isinstance(grid, tuple) else (grid, grid)
+    lines = np.linspace(0, 1, columns), np.linspace(0, 1, rows)
+    u, v = (coordinate.ravel() for coordinate in np.meshgrid(*lines))
     step = 1e-5
 
     def at(du: float, dv: float) -> NDArray[np.float64]:
@@ -107,13 +111,18 @@ def grid_surface(grid: int, place: Placement, name: str, stays_within: bool = Fa
         return np.stack(place(across, along), axis=-1)
 
     normals = np.cross(at(step, 0) - at(-step, 0), at(0, step) - at(0, -step))
-    corner = (np.arange(grid - 1)[:, None] * grid + np.arange(grid - 1)).ravel()
-    lower = np.stack([corner, corner + 1, corner + grid + 1], axis=1)
-    upper = np.stack([corner, corner + grid + 1, corner + grid], axis=1)
     return ClothMesh(
         positions=at(0, 0),
         normals=normals / np.linalg.norm(normals, axis=1, keepdims=True),
         uv=np.stack([u, v], axis=1),
-        triangles=np.concatenate([lower, upper]),
+        triangles=grid_triangles(columns, rows),
         name=name,
     )
+
+
+def grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
+    """Vertex indices of a grid of vertices, row by row [2·(columns − 1)·(rows − 1), 3]."""
+    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    lower = np.stack([corner, corner + 1, corner + columns + 1], axis=1)
+    upper = np.stack([corner, corner + columns + 1, corner + columns], axis=1)
+    return np.concatenate([lower, upper])

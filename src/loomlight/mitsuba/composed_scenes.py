@@ -22,6 +22,8 @@ from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
 
 # Places in a pixel at which it must meet one piece: its corners, the middles of its sides and its own.
 _PLACES = (0.001, 0.5, 0.999)
+# Ids of shapes that are cloth begin with it.
+_CLOTH = "piece"
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +60,17 @@ def composed_scene(
     Raises:
         InputError: a size out of range, or a BSDF that cannot be made.
     """
+    shapes = [
+        to_shape(piece, loaded_bsdf(bsdf(uv_size(piece))))
+        for piece, bsdf in zip(shown.pieces, bsdfs, strict=True)
+    ]
+    return scene_of_shapes(shown, shapes, size, pixel_centres)
+
+
+def scene_of_shapes(
+    shown: Composition, shapes: Sequence[mi.Mesh], size: tuple[int, int], pixel_centres: bool = False
+) -> MeasuredScene:
+    """The scene of a composition in which shapes that are ready stand for its pieces; see `composed_scene`."""
     require_size(size)
     points = np.concatenate([piece.positions for piece in shown.pieces])
     view = framing(points, np.array(shown.towards_camera), size)
@@ -65,8 +78,7 @@ def composed_scene(
     sensor = perspective(view.closer(shown.zoom, focus), size)
     sensor["film"]["rfilter"] = {"type": "box"}
     parts: dict[str, Any] = {**empty_scene(), "sensor": sensor, **shown.props}
-    for number, (piece, bsdf) in enumerate(zip(shown.pieces, bsdfs, strict=True)):
-        shape = to_shape(piece, loaded_bsdf(bsdf(uv_size(piece))))
+    for number, shape in enumerate(shapes):
         shape.set_id(f"{_CLOTH}{number}")
         parts[f"{_CLOTH}{number}"] = shape
     scene = mi.load_dict(parts)
@@ -74,9 +86,6 @@ def composed_scene(
         {"type": "footprint_path", "max_depth": shown.max_depth, "pixel_centres": pixel_centres}
     )
     return MeasuredScene(scene, integrator, cloth_pixels(scene, size), float("nan"))
-
-
-_CLOTH = "piece"
 
 
 def cloth_pixels(scene: Any, size: tuple[int, int]) -> NDArray[np.bool_]:

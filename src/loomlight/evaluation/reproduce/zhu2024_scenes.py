@@ -1,10 +1,10 @@
 """The five scenes of zhu2024's Table 1, of pieces and fabrics of our own at their true scale.
 
-The paper's meshes and feature maps are not public. What its table names is here: a couch with twill, plain weave,
-diamond and argyle; a blouse of twill and satin under an environment map; an evening gown of satin under a sheer
-plain weave; a cylinder of twill; and satin draped over a ball. Cylinder and drape are lit by a point light, as
-the paper says of its validation; couch and gown by one lamp too. Paths are traced as long as the cloth asks
-for: through the layers of the gown, and between the folds of the blouse.
+The paper's meshes and feature maps are not public. What its table names is here: a couch with twill, plain
+weave, diamond and argyle; a blouse of twill and satin under an environment map; an evening gown of satin under
+a sheer plain weave; a cylinder of twill; and satin draped over a ball. Cylinder and drape are lit by a point
+light, as the paper says of its validation; couch and gown by one lamp too. Light that is scattered once by
+other cloth is part of blouse and gown, the others show direct light.
 """
 
 from __future__ import annotations
@@ -116,7 +116,7 @@ SCENES: dict[str, TableScene] = {
         (0.2, 0.15, 1.0),
         (-0.7, 0.7, 0.75),
         "point",
-        4,
+        3,
         PaperRow(0.02, (32, 1760), (15.0, 540.0)),
         grounded=True,
         zoom=1.45,

@@ -1,12 +1,13 @@
 """zhu2024, Table 1: samples and seconds to equal quality, with and without clustered control variates.
 
-Quality is the mean squared error of linear RGB against the point model with 1 024 samples a pixel and more, over
+Quality is the mean squared error of linear RGB against the point model with 1 024 samples a pixel or more, over
 pixels that lie wholly on one piece of cloth. The model takes as many samples a pixel as the paper's in that
-scene; the samples that the point model needs for the same error are read off its errors at 1, 4, 16 … samples, on
-logarithmic scales. The truth is rendered in two halves, so that its own noise is in no error (`HalvedTruth`).
-Seconds are those of pictures whose kernels are compiled; the point model's are read off between one sample and
-a picture of many. Beside both stand `lobes` with one sample: what a biased model shows. All samples are
-stratified, so that the point model's error falls faster than 1/n. Counts are those that fill a grid.
+scene; the samples that the point model needs for the same error are read off its errors at 1, 4, 16 …
+samples, on logarithmic scales. The truth is rendered in two halves, so that its own noise is in no error
+(`HalvedTruth`). Seconds are those of pictures whose kernels are compiled; the point model's are read off between
+one sample and a picture of many. Beside both stand `lobes` with one sample: what a biased model shows. All
+samples are stratified, so that the point model's error falls faster than 1/n. Counts are those that fill a
+grid.
 """
 
 from __future__ import annotations
