@@ -18,7 +18,7 @@ Point = tuple[float, float, float]
 COUCH_WIDTH, COUCH_DEPTH, COUCH_HEIGHT = 1.7, 0.95, 0.82
 _SEAT_HEIGHT, _LEGS, _ARM = 0.42, 0.08, 0.2
 _BACK_DEPTH, _CUSHION, _ROUNDING = 0.24, 0.17, 0.045
-GOWN_HEIGHT, BLOUSE_HEIGHT = 1.32, 0.6
+_BLOUSE_HEIGHT = 0.6
 
 
 def rounded_box(low: Point, high: Point, radius: float, grid: int = 33) -> ClothMesh:
@@ -147,14 +147,14 @@ def _rounded_path(corners: Values, radius: float) -> Values:
 
 def blouse_body() -> ClothMesh:
     """A loose body with folds that grow from the shoulders to the hem; u around, v up."""
-    heights = np.array([0.0, 0.2, 0.36, 0.46, 0.51, 0.55, 0.58, 0.6]) * BLOUSE_HEIGHT / 0.6
-    widths = np.array([0.235, 0.215, 0.225, 0.222, 0.207, 0.175, 0.12, 0.085])
-    depths = np.array([0.15, 0.128, 0.138, 0.132, 0.116, 0.1, 0.087, 0.08])
+    heights = np.array([0.0, 0.2, 0.36, 0.42, 0.46, 0.5, 0.54, 0.57, 0.59, 0.6])
+    widths = np.array([0.235, 0.215, 0.225, 0.224, 0.219, 0.207, 0.183, 0.142, 0.102, 0.085])
+    depths = np.array([0.15, 0.128, 0.138, 0.136, 0.131, 0.121, 0.107, 0.094, 0.084, 0.08])
 
     def place(u: Values, v: Values) -> tuple[Values, ...]:
-        y = v * BLOUSE_HEIGHT
+        y = v * _BLOUSE_HEIGHT
         around = 2 * np.pi * (u - 0.5)
-        falling = np.clip(1 - v / 0.85, 0, 1) ** 1.3
+        falling = np.clip(1 - v / 0.85, 0, 1) ** 2
         fold = 1 + falling * (
             0.055 * np.sin(9 * around + 1.5 * np.sin(5 * v)) + 0.03 * np.sin(14 * around + 2 * v)
         )

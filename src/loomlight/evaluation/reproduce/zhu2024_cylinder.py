@@ -57,7 +57,7 @@ class _View:
     part: float = 1.0
 
 
-_VIEWS = (_View("near, at the upper outline", 3.2), _View("far, enlarged", 0.16, 0.2))
+_VIEWS = (_View("near, at the upper outline", 3.2), _View("far, enlarged", 0.16, 1 / 7))
 _FOCUS = (0.0, 0.92 * RADIUS, 0.39 * RADIUS)
 _TOWARDS_LIGHT = (-0.25, 0.75, 0.65)
 
