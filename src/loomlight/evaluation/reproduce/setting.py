@@ -43,7 +43,7 @@ class Setting:
     weights: Path | None = None
     runs: Path = RUNS
     progress: Progress | None = None
-    model: str = CLUSTERED
+    model: str = WOVEN
     environment: Path | None = None
 
     def network(self) -> Weights:
