@@ -1,17 +1,20 @@
 """Is a model's mean the Monte Carlo footprint reference's? z-tests over random cases, with Holm's correction.
 
-    python -m experiments.unbiased --models NAME,NAME [--options points=4096] [--cases 72] [--output FILE.json]
+    python -m experiments.unbiased --models NAME,NAME [--options points=4096] [--output FILE.json]
 
-A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to four
-repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference draws
-uniform points in the parallelogram and follows each view and shadow ray exactly (`aggregate/reference.py`).
+A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to
+four repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference
+draws uniform points in the parallelogram and follows each view and shadow ray exactly
+(`aggregate/reference.py`).
 
-Models may draw points themselves. Moving a footprint by whole repeats leaves its integral as it is and changes
-what is drawn: a model's mean and its variance are taken over such footprints; of a deterministic model the
-variance is that of rounding. Models that do not filter are asked about random points of the footprint, as a
-renderer does. z is the difference over the standard error of both. Colours (red, green, blue) are three tests
-a case. Holm's procedure keeps the chance of any false alarm below 0.01, whatever depends on what; a model that
-fails it is biased. The relative bias over all cases tells by how much.
+Models may draw points themselves, by numbers that they make of what they are asked. Moving a footprint by
+whole repeats leaves its integral as it is, changing its edges by a hundred-thousandth as good as does, and
+both change what is drawn: a model's mean and its variance are taken over such footprints; of a
+deterministic model the variance is that of rounding. Models that do not filter are asked about random
+points of the footprint, as a renderer does. z is the difference over the standard error of both. Colours
+(red, green, blue) are three tests a case. Holm's procedure keeps the chance of any false alarm below 0.01,
+whatever depends on what; a model that fails it is biased. The relative bias over all cases tells by how
+much.
 """
 
 from __future__ import annotations
@@ -42,6 +45,8 @@ CASES, SAMPLES, REPEATS, SIGNIFICANCE = 72, 1 << 16, 256, 0.01
 _FABRICS = 24
 # Footprints are moved by up to so many repeats each way: more cost digits of single precision.
 _SHIFTS = 16
+# Edges of footprints are changed by up to so much of themselves.
+_SCALES = 1e-5
 _SMALLEST, _LARGEST, _LONGEST = 0.25, 4.0, 3.0
 _LOWEST_COSINE = 0.1
 # Of the reference: searches of rays and rounding move means by about so much (docs/aggregation.md).
@@ -116,7 +121,8 @@ def model_means(model: Model, cases: Cases, repeats: int, seed: int) -> Means:
     moves = rng.integers(-_SHIFTS, _SHIFTS + 1, (count * repeats, 2)) * np.asarray(model.source.repeat_mm)
     centres = np.repeat(cases.centres, repeats, axis=0) + moves
     view, light = (dr.gather(Array3f, Array3f(_columns(part)), lane) for part in (cases.views, cases.lights))
-    edges = [dr.gather(Array2f, Array2f(_columns(cases.edges[:, k])), lane) for k in (0, 1)]
+    scales = 1 + _SCALES * rng.uniform(-1, 1, (count * repeats, 1))
+    edges = [Array2f(_columns(np.repeat(cases.edges[:, k], repeats, axis=0) * scales)) for k in (0, 1)]
     if not model.filters:
         places = rng.uniform(-0.5, 0.5, (count * repeats, 2))
         centres = centres + np.einsum("nk,nkd->nd", places, np.repeat(cases.edges, repeats, axis=0))

@@ -64,7 +64,7 @@ def test_a_height_field_shows_what_the_point_model_shows() -> None:
     point = composed_scene(shown, [material_bsdf(fabric, "point")], SIZE)
     assert point.counted.all()
     traced, searched = (render(scene.scene, spp=64, integrator=scene.integrator) for scene in (field, point))
-    # Steps between yarns are slopes of a twenty-fourth of a thread here, and walls there: by those they differ.
+    # Steps between yarns are slopes of a twenty-fourth of a thread here, and walls there.
     ratio = traced.mean(axis=(0, 1)) / searched.mean(axis=(0, 1))
     assert np.all(np.abs(ratio - 1) < 0.06)
     difference = np.abs(traced - searched).mean() / searched.mean()

@@ -59,8 +59,8 @@ def _spent(run: Callable[[], object]) -> Spent:
 class HalvedTruth:
     """A noisy truth in two independent halves, whose own noise no mean squared error contains.
 
-    The mean of (p − a)(p − b) over pixels is the squared error of p against what a and b estimate, if p, a and
-    b are independent: the noise of a and b is on average 0 in it.
+    The mean of (p − a)(p − b) over pixels is the squared error of p against what a and b estimate, if p, a
+    and b are independent: the noise of a and b is on average 0 in it.
 
     Attributes:
         halves: two pictures of linear RGB [height, width, 3].

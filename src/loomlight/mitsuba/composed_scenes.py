@@ -1,7 +1,7 @@
 """Scenes of several pieces of cloth, each of its own material, at their true scale.
 
-Box filter: a sample is of its pixel alone, so that pictures of models that average over the footprint and of
-those that do not have the same expectation. A pixel counts if it lies wholly on one piece of cloth.
+Box filter: a sample is of its pixel alone, so that pictures of models that average over the footprint and
+of those that do not have the same expectation. A pixel counts if it lies wholly on one piece of cloth.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def composed_scene(
 def scene_of_shapes(
     shown: Composition, shapes: Sequence[mi.Mesh], size: tuple[int, int], pixel_centres: bool = False
 ) -> MeasuredScene:
-    """The scene of a composition in which shapes that are ready stand for its pieces; see `composed_scene`."""
+    """The scene of a composition, of shapes that are ready in place of its pieces; see `composed_scene`."""
     require_size(size)
     points = np.concatenate([piece.positions for piece in shown.pieces])
     view = framing(points, np.array(shown.towards_camera), size)

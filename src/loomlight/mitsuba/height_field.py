@@ -1,9 +1,10 @@
 """Cloth as a ray-traced height field: every yarn is triangles, and shadows and parallax are Mitsuba's.
 
-The independent check of what models say of parallax and shadows: heights come from `YarnGeometry`, everything
-that hides or is hidden from the ray tracer. Vertices have the normals of the plain piece, so that the frame of
-shading is the one of the cloth, and the local scattering of the yarn's point alone is evaluated in it.
-Steps between yarns become steep triangles. Direct light of opaque cloth: behind the triangles there is nothing.
+The independent check of what models say of parallax and shadows: heights come from `YarnGeometry`,
+everything that hides or is hidden from the ray tracer. Vertices have the normals of the plain piece, so
+that the frame of shading is the one of the cloth, and the local scattering of the yarn's point alone is
+evaluated in it. Steps between yarns become steep triangles. Direct light of opaque cloth: behind the
+triangles there is nothing.
 """
 
 from __future__ import annotations

@@ -88,7 +88,7 @@ class AlteredModel(Model):
 
 
 def uniformly_sampled(model: Model) -> AlteredModel:
-    """The model without importance sampling: directions are uniform over the sphere, or pass through holes."""
+    """The model without importance sampling: uniform directions over the sphere, or through holes."""
 
     def at(of: Model, view: Vec3, footprint: Footprint, tint: Any, active: Mask) -> FootprintBsdf:
         return _UniformDirections(of.at(view, footprint, tint, active))

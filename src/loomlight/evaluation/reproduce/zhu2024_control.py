@@ -1,11 +1,11 @@
 """zhu2024, figure 11: the choice of α in control variates, for satin and twill.
 
-The integral of f·v over a pixel is that of α·f, the base, and of f·(v − α), the residual (eq. 6 and 7). Whatever
-α is, both add up to the same picture; how much of it is left to the few samples of the residual is α's doing.
-Here f and v are the point model's, so that the figure shows the choice of α and nothing else: the base has
-many samples (summed-area tables give it at once), the residual the paper's two. α is 1 (no visibility), the mean
-visibility of the repeat for the light, or that of the cluster that a point belongs to (eq. 8), of 8 clusters of
-points whose visibility from all directions is alike.
+The integral of f·v over a pixel is that of α·f, the base, and of f·(v − α), the residual (eq. 6 and 7).
+Whatever α is, both add up to the same picture; how much of it is left to the few samples of the residual is
+α's doing. Here f and v are the point model's, so that the figure shows the choice of α and nothing else:
+the base has many samples (summed-area tables give it at once), the residual the paper's two. α is 1 (no
+visibility), the mean visibility of the repeat for the light, or that of the cluster that a point belongs to
+(eq. 8), of 8 clusters of points whose visibility from all directions is alike.
 """
 
 from __future__ import annotations

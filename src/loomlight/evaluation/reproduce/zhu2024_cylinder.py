@@ -1,8 +1,9 @@
 """zhu2024, figures 6 and 8: parallax and sheen on a cylinder, against a ray-traced height field.
 
 The reference is cloth of triangles: yarns stand out from the cylinder as far as they do, and Mitsuba traces
-what hides what (`mitsuba/height_field.py`). The paper compares figure 8 with a photograph; there is none here, and
-the height field under sheen takes its place. Yarns are thick, as on the paper's cylinder, so that parallax shows.
+what hides what (`mitsuba/height_field.py`). The paper compares figure 8 with a photograph; there is none
+here, and the height field under sheen takes its place. Yarns are thick, as on the paper's cylinder, so that
+parallax shows.
 """
 
 from __future__ import annotations
@@ -138,8 +139,8 @@ def _compared(
         rows.append(Row(view.label, [*tiles, Tile(_part(truth, view), f"{setting.samples} spp")]))
         setting.step(number + 1, len(views))
     note = (
-        f"{fabric.name}, {_THREADS_PER_CM:g} threads/cm on a cylinder of {200 * RADIUS:g} cm, one directional "
-        f"light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and parallax "
+        f"{fabric.name}, {_THREADS_PER_CM:g} threads/cm on a cylinder of {200 * RADIUS:g} cm, one "
+        f"directional light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and parallax "
         "ray-traced."
     )
     return Evidence(contact_sheet(title, [*columns, "height field"], rows, note), pictures, [table, bias])

@@ -1,8 +1,8 @@
 """zhu2024, figure 5: importance sampling of the cloth under an environment map, at 32 samples a pixel.
 
 The paper shows its sampling beside none. Here directions are uniform over the sphere in the left column and
-drawn by the model in the middle. Above, light sampling and multiple importance sampling are the same in both;
-below, the BSDF's directions are all that finds the light. Direct light.
+drawn by the model in the middle. Above, light sampling and multiple importance sampling are the same in
+both; below, the BSDF's directions are all that finds the light. Direct light.
 """
 
 from __future__ import annotations
@@ -64,8 +64,8 @@ def importance_sampling(setting: Setting) -> Evidence:
         setting.step(number + 1, len(_ROWS))
     light = "the studio" if setting.environment is None else setting.environment.name
     note = (
-        f"{setting.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: the "
-        f"point model with {setting.samples} samples."
+        f"{setting.model}, {SAMPLES} samples a pixel, direct light of an environment ({light}); reference: "
+        f"the point model with {setting.samples} samples."
     )
     title = "zhu2024 figure 5: importance sampling under an environment"
     return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [table])

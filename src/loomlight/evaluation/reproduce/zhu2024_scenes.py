@@ -1,10 +1,10 @@
 """The five scenes of zhu2024's Table 1, of pieces and fabrics of our own at their true scale.
 
 The paper's meshes and feature maps are not public. What its table names is here: a couch with twill, plain
-weave, diamond and argyle; a blouse of twill and satin under an environment map; an evening gown of satin under
-a sheer plain weave; a cylinder of twill; and satin draped over a ball. Cylinder and drape are lit by a point
-light, as the paper says of its validation; couch and gown by one lamp too. Light that is scattered once by
-other cloth is part of blouse and gown, the others show direct light.
+weave, diamond and argyle; a blouse of twill and satin under an environment map; an evening gown of satin
+under a sheer plain weave; a cylinder of twill; and satin draped over a ball. Cylinder and drape are lit by
+a point light, as the paper says of its validation; couch and gown by one lamp too. Light that is scattered
+once by other cloth is part of blouse and gown, the others show direct light.
 """
 
 from __future__ import annotations

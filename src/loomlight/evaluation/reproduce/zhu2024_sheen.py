@@ -1,8 +1,8 @@
 """zhu2024, figure 7: sheen on black cloth.
 
-The paper sets its renderings beside a photograph of black cloth; here they stand beside the point model with
-many samples. Without sheen black cloth is black but for the fibres' highlight; fly-away fibres brighten its
-outlines.
+The paper sets its renderings beside a photograph of black cloth; here they stand beside the point model
+with many samples. Without sheen black cloth is black but for the fibres' highlight; fly-away fibres
+brighten its outlines.
 """
 
 from __future__ import annotations

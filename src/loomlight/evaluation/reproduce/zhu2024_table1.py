@@ -1,13 +1,13 @@
 """zhu2024, Table 1: samples and seconds to equal quality, with and without clustered control variates.
 
-Quality is the mean squared error of linear RGB against the point model with 1 024 samples a pixel or more, over
-pixels that lie wholly on one piece of cloth. The model takes as many samples a pixel as the paper's in that
-scene; the samples that the point model needs for the same error are read off its errors at 1, 4, 16 …
+Quality is the mean squared error of linear RGB against the point model with 1 024 samples a pixel or more,
+over pixels that lie wholly on one piece of cloth. The model takes as many samples a pixel as the paper's in
+that scene; the samples that the point model needs for the same error are read off its errors at 1, 4, 16 …
 samples, on logarithmic scales. The truth is rendered in two halves, so that its own noise is in no error
-(`HalvedTruth`). Seconds are those of pictures whose kernels are compiled; the point model's are read off between
-one sample and a picture of many. Beside both stand `lobes` with one sample: what a biased model shows. All
-samples are stratified, so that the point model's error falls faster than 1/n. Counts are those that fill a
-grid.
+(`HalvedTruth`). Seconds are those of pictures whose kernels are compiled; the point model's are read off
+between one sample and a picture of many. Beside both stand `lobes` with one sample: what a biased model
+shows. All samples are stratified, so that the point model's error falls faster than 1/n. Counts are those
+that fill a grid.
 """
 
 from __future__ import annotations
@@ -191,8 +191,8 @@ def _evidence(results: Sequence[SceneResult], setting: Setting) -> Evidence:
     table = Table(
         "Equal quality",
         list(_COLUMNS),
-        note=f"With: {setting.model} with the paper's samples a pixel; without: the point model. MSE of linear "
-        f"RGB against {setting.samples} samples of the point model, whose own noise is taken out; "
+        note=f"With: {setting.model} with the paper's samples a pixel; without: the point model. MSE of "
+        f"linear RGB against {setting.samples} samples of the point model, whose own noise is taken out; "
         f"{setting.size[0]} × {setting.size[1]} pixels. Seconds of pictures whose kernels are compiled.",
     )
     processor = Table("Processor seconds of equal quality", ["with", "without", "ratio"])

@@ -80,9 +80,7 @@ class ViewedBase:
         self._face = dr.select(back, types.UInt32(1), types.UInt32(0))
         self._around = bin_taps(view, VIEW_BINS)
         self._first = self._face * VIEW_BINS**2
-        self.offset: Vec2 = self._around.read(
-            types.Vector2, tables.offset, self._first, 1, types.UInt32(0)
-        )
+        self.offset: Vec2 = self._around.read(types.Vector2, tables.offset, self._first, 1, types.UInt32(0))
         packets = tables.clusters // 4
         self.masking = [
             self._around.read(types.Vector4, tables.view, self._first, packets, types.UInt32(packet))
@@ -129,9 +127,7 @@ class ViewedBase:
         half_first = self._face * BINS**2
         total = [types.Float(0) for _ in range(5)]
         for packet in range(packets):
-            lit = taps.around.read(
-                types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packet)
-            )
+            lit = taps.around.read(types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packet))
             about_yarn = taps.around.read(
                 types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packets + packet)
             )

@@ -83,7 +83,9 @@ class ClusteredBsdf(SeparableBsdf):
     def _points(self) -> list[ResidualPoint]:
         first = uniform(self._seed, 1), uniform(self._seed, 2)
         return [
-            self._residual_point(*(start + number * step for start, step in zip(first, (_ACROSS, _ALONG), strict=True)))
+            self._residual_point(
+                *(start + number * step for start, step in zip(first, (_ACROSS, _ALONG), strict=True))
+            )
             for number in range(self._samples)
         ]
 
@@ -178,8 +180,5 @@ class ClusteredBsdf(SeparableBsdf):
 def _combined(first: Components, second: Components, scale: float) -> Components:
     """first + scale·second."""
     return Components(
-        *(
-            dr.fma(getattr(second, part.name), scale, getattr(first, part.name))
-            for part in fields(Components)
-        )
+        *(dr.fma(getattr(second, part.name), scale, getattr(first, part.name)) for part in fields(Components))
     )

@@ -198,7 +198,9 @@ class ClusteredModel(FilteredFabricModel):
 def _require_options(clusters: int, rank: int, samples: int) -> None:
     """Raises InputError unless options are in range."""
     if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
-        raise InputError(f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}.")
+        raise InputError(
+            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}."
+        )
     if not 0 <= rank <= MOST_RANK:
         raise InputError(f"rank = {rank} is out of range: use 0 to {MOST_RANK}.")
     if not 0 <= samples <= MOST_SAMPLES:
