@@ -178,15 +178,16 @@ def _value(text: str) -> int | float | str | bool:
 
 def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespace) -> Figures:
     """The tests of one model over all fabrics."""
-    found, truths, refused = [], [], []
+    found, truths, refused, names = [], [], [], []
     for number, (fabric, cases, truth) in enumerate(made):
         try:
             model = make_model(name, fabric, **parsed_options(options.options))
-        except InputError as error:
-            refused.append(str(error))
+        except InputError as fault:
+            refused.append(str(fault))
             continue
         found.append(model_means(model, cases, options.repeats, options.seed + number))
         truths.append(truth)
+        names += [fabric.name] * len(cases.lights)
         print(f"{name}: {number + 1} of {len(made)} fabrics", flush=True)
     means, truth = (
         Means(*(np.concatenate([getattr(part, field) for part in parts]) for field in ("mean", "variance")))
@@ -211,6 +212,7 @@ def tested(name: str, made: list[tuple[Fabric, Cases, Means]], options: Namespac
         "mse": float((difference**2).mean()),
         "mse_of_noise": float((means.variance + truth.variance).mean()),
         "refused": refused,
+        "fabrics": names,
         "z": z.round(3).tolist(),
     }
 

@@ -140,8 +140,8 @@ def _compared(
         setting.step(number + 1, len(views))
     note = (
         f"{fabric.name}, {_THREADS_PER_CM:g} threads/cm on a cylinder of {200 * RADIUS:g} cm, one "
-        f"directional light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and parallax "
-        "ray-traced."
+        f"directional light, direct light. Height field: {_VERTICES_A_THREAD} vertices a thread, shadows and "
+        "parallax ray-traced."
     )
     return Evidence(contact_sheet(title, [*columns, "height field"], rows, note), pictures, [table, bias])
 

@@ -229,15 +229,11 @@ def table_scene(
     setting: Setting,
     model: str,
     pixel_centres: bool = False,
-    **options: int | float | str | bool,
 ) -> MeasuredScene:
     """The scene with every fabric by one model.
-
-    Args:
-        options: of the model.
 
     Raises:
         InputError: an unknown model, or one that does not take a fabric.
     """
-    bsdfs = [material_bsdf(table_fabric(fabric), model, **options) for _, fabric in scene.pieces]
+    bsdfs = [material_bsdf(table_fabric(fabric), model) for _, fabric in scene.pieces]
     return composed_scene(table_composition(scene, setting.environment), bsdfs, setting.size, pixel_centres)

@@ -45,7 +45,8 @@ def sheen(setting: Setting) -> Evidence:
     """Figure 7: the model above, the point model below, with more and more sheen."""
     choose_variant()
     columns = [f"sheen {strength:g}" if strength else "without sheen" for strength in _STRENGTHS]
-    table, pictures = Table("MSE", columns), {}
+    table = Table("MSE", columns)
+    pictures: dict[str, Pixels] = {}
     above, below, errors, light = [], [], [], []
     for number, (strength, column) in enumerate(zip(_STRENGTHS, columns, strict=True)):
         fabric = black_fabric(strength)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.errors import InputError
 from loomlight.evaluation.equal_error import HalvedTruth, Spent, least_times, samples_for
-from loomlight.evaluation.reproduce.evidence import Evidence, on_display
+from loomlight.evaluation.reproduce.evidence import Evidence, Pixels, on_display
 from loomlight.evaluation.reproduce.renders import one_picture
 from loomlight.evaluation.reproduce.setting import LOBES, POINT, Setting
 from loomlight.evaluation.reproduce.sheet import Row, Tile, contact_sheet
@@ -187,7 +187,8 @@ def _times(
 
 
 def _evidence(results: Sequence[SceneResult], setting: Setting) -> Evidence:
-    rows, pictures = [], {}
+    rows: list[Row] = []
+    pictures: dict[str, Pixels] = {}
     table = Table(
         "Equal quality",
         list(_COLUMNS),
