@@ -26,6 +26,7 @@ from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, up
 from loomlight.models.clustered.footprint_sums import FootprintSums
 from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
 from loomlight.models.clustered.tables import NUMBERS, ClusterTables
+from loomlight.models.clustered.texels import TexelModel
 from loomlight.models.clustered.visibility_tables import VIEW_BINS
 from loomlight.models.separable import Components
 from loomlight.scattering.fibre import projected_area
@@ -208,6 +209,7 @@ class DeviceTables:
     Attributes:
         sums: summed-area tables.
         size: of the repeat, millimetres, Float each.
+        texels: the texel model.
         clusters, rank, face_texels: counts.
         diffuse_blend, optical_depth: of the fabric.
     """
@@ -216,6 +218,7 @@ class DeviceTables:
         self,
         tables: ClusterTables,
         size: tuple[float, float],
+        height_bounds: tuple[float, float],
         diffuse_blend: float,
         optical_depth: float,
         types: ArrayTypes,
@@ -233,6 +236,7 @@ class DeviceTables:
         self.view = upload(types.Float, tables.view)
         self.offset = upload(types.Float, tables.offset)
         self.size = tuple(dr.opaque(types.Float, extent) for extent in size)
+        self.texels = TexelModel(tables, size, height_bounds, diffuse_blend, optical_depth, types)
         self.diffuse_blend = diffuse_blend
         self.optical_depth = optical_depth
 

@@ -24,6 +24,7 @@ from loomlight.core.footprint import Footprint
 from loomlight.models.clustered.base import DeviceTables, LightTaps
 from loomlight.models.clustered.random_numbers import uniform
 from loomlight.models.clustered.sampling import LobeSampler
+from loomlight.models.clustered.texels import TexelPoint
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, shade, tinted
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
 
@@ -37,11 +38,28 @@ class ResidualPoint:
 
     Attributes:
         point: the yarn point that the view ray meets.
-        texel: index of the base's texel.
+        texel: index of the base's texel at the same place of the footprint.
+        texel_point: the texel that the view ray meets in the texel model.
     """
 
     point: YarnPoint
     texel: UInt
+    texel_point: TexelPoint
+
+
+@dataclass
+class Estimate:
+    """An estimate for one light.
+
+    Attributes:
+        components: base and residual.
+        colour: f·cos of sampled points with their own albedos, 1/sr; of either sign.
+        rest: components that mean albedos multiply, so that the value is `colour` plus their colour.
+    """
+
+    components: Components
+    colour: Color3
+    rest: Components
 
 
 @final
@@ -54,6 +72,7 @@ class ClusteredBsdf(SeparableBsdf):
         model: PointModel,
         mean_albedos: FamilyAlbedos,
         samples: int,
+        texels: int,
         seed: UInt,
         view: Vec3,
         footprint: Footprint,
@@ -64,11 +83,13 @@ class ClusteredBsdf(SeparableBsdf):
         Args:
             mean_albedos: of the footprint, without tint.
             samples: yarn points; 0 leaves the residual out.
+            texels: points of the texel model; 0 leaves it out.
             seed: a random number a lane.
         """
         super().__init__(view, footprint, model.appearance.sheen)
         types = array_types(view.x)
         self._tables, self._model, self._samples, self._seed = tables, model, samples, seed
+        self._texels = texels
         self._tint, self._active = tint, active
         self._back = types.Bool(view.z < 0)
         self._mean_albedos = mean_albedos
@@ -100,7 +121,11 @@ class ClusteredBsdf(SeparableBsdf):
                 point.albedos.specular_reflect,
                 point.albedos.specular_transmit,
             )
-        return ResidualPoint(point, self._tables.sums.texel(self._box, s, t))
+        return ResidualPoint(
+            point,
+            self._tables.sums.texel(self._box, s, t),
+            self._tables.texels.meet(place, self._base.view, self._back),
+        )
 
     @cached_property
     def hole(self) -> Float:
@@ -118,34 +143,97 @@ class ClusteredBsdf(SeparableBsdf):
 
     def components(self, light: Vec3, active: Mask = True) -> Components:
         """Base and residual of the components: unbiased estimates, of either sign."""
-        taps = self._taps(light)
-        total = self._base.over(self._means, taps)
-        for sample in self._points:
-            total = _combined(total, self._point_components(sample, light, active), 1 / self._samples)
-            total = _combined(total, self._base.at_texel(sample.texel, taps), -1 / self._samples)
-        return total
+        return self._estimate(light, active).components
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos with the points' own albedos, 1/sr: an unbiased estimate, of either sign."""
-        taps = self._taps(light)
-        known = self._base.over(self._means, taps)
+        found = self._estimate(light, active)
         through = light.z * self.view.z < 0
-        own = array_types(self.view.x).Color3(0)
-        for sample in self._points:
-            found = self._point_components(sample, light, active)
-            point = sample.point
-            warp = dr.select(point.is_warp, found.diffuse_warp, found.diffuse_weft)
-            fibres = dr.select(point.is_warp, found.specular_warp, found.specular_weft)
-            of = point.albedos
-            colour = dr.select(
-                through,
-                of.diffuse_transmit * warp + of.specular_transmit * fibres,
-                of.diffuse_reflect * warp + of.specular_reflect * fibres,
+        body = found.colour + shade(found.rest, self.albedos, through)
+        return self.under_sheen(body, found.components.light_visibility, light)
+
+    def _estimate(self, light: Vec3, active: Mask) -> Estimate:
+        """Base and both steps of the residual for one light."""
+        types = array_types(self.view.x)
+        taps = self._base.light_taps(to_face_frame(light, self._back))
+        base = self._base.over(self._means, taps)
+        if self._texels:
+            texels, known = self._texel_sums(taps)
+            base = _combined(base, known, -1 / self._texels)
+            total = Estimate(
+                _combined(base, texels.components, 1 / self._texels), texels.colour * (1 / self._texels), base
             )
-            own += colour * (1 / self._samples)
-            known = _combined(known, self._base.at_texel(sample.texel, taps), -1 / self._samples)
-            known.light_visibility += found.light_visibility * (1 / self._samples)
-        return self.under_sheen(own + shade(known, self.albedos, through), known.light_visibility, light)
+        else:
+            total = Estimate(base, types.Color3(0), base)
+        for sample in self._points:
+            exact = self._point_components(sample.point, light, active)
+            colour = self._point_colour(sample.point, exact, taps.transmits)
+            if self._texels:
+                near = self._texel_components(sample.texel_point, taps)
+                colour -= self._texel_colour(sample.texel_point, near, taps.transmits)
+            else:
+                near = self._base.at_texel(sample.texel, taps)
+                total.rest = _combined(total.rest, near, -1 / self._samples)
+            difference = _combined(exact, near, -1)
+            total.components = _combined(total.components, difference, 1 / self._samples)
+            total.colour += colour * (1 / self._samples)
+        return total
+
+    def _texel_sums(self, taps: LightTaps) -> tuple[Estimate, Components]:
+        """Sums over many points of the texel model, and of the base at their texels."""
+        types = array_types(self.view.x)
+        start = uniform(self._seed, 3), uniform(self._seed, 4)
+
+        def add(number: UInt, found: Components, colour: Color3, known: Components) -> tuple[Any, ...]:
+            s, t = (
+                first + types.Float(number) * step
+                for first, step in zip(start, (_ACROSS, _ALONG), strict=True)
+            )
+            s, t = s - dr.floor(s), t - dr.floor(t)
+            point = self._tables.texels.meet(self._box.at(s, t), self._base.view, self._back)
+            of_point = self._texel_components(point, taps)
+            colour = colour + self._texel_colour(point, of_point, taps.transmits)
+            of_base = self._base.at_texel(self._tables.sums.texel(self._box, s, t), taps)
+            return number + 1, _combined(found, of_point, 1), colour, _combined(known, of_base, 1)
+
+        width = dr.width(self.view, taps.facing, self._box.corner, self._seed)
+
+        def zeros() -> Components:
+            return Components(*(dr.zeros(types.Float, width) for _ in fields(Components)))
+
+        _, found, colour, known = dr.while_loop(
+            (dr.zeros(types.UInt32, width), zeros(), dr.zeros(types.Color3, width), zeros()),
+            lambda number, *rest: number < self._texels,
+            add,
+            label="clustered: texels",
+        )
+        return Estimate(found, colour, found), known
+
+    def _texel_components(self, point: TexelPoint, taps: LightTaps) -> Components:
+        diffuse, specular, lit = self._tables.texels.lobes(point, taps.facing, self._base.view)
+        return Components(
+            dr.select(point.is_warp, diffuse, 0),
+            dr.select(point.is_warp, 0, diffuse),
+            dr.select(point.is_warp, specular, 0),
+            dr.select(point.is_warp, 0, specular),
+            lit,
+        )
+
+    def _texel_colour(self, point: TexelPoint, found: Components, transmits: Mask) -> Color3:
+        diffuse, specular = self._tables.texels.colour(self._model, point, transmits, self._tint)
+        return diffuse * (found.diffuse_warp + found.diffuse_weft) + specular * (
+            found.specular_warp + found.specular_weft
+        )
+
+    def _point_colour(self, point: YarnPoint, found: Components, transmits: Mask) -> Color3:
+        of = point.albedos
+        diffuse = found.diffuse_warp + found.diffuse_weft
+        specular = found.specular_warp + found.specular_weft
+        return dr.select(
+            transmits,
+            of.diffuse_transmit * diffuse + of.specular_transmit * specular,
+            of.diffuse_reflect * diffuse + of.specular_reflect * specular,
+        )
 
     def pdf(self, light: Vec3) -> Float:
         """Density of `sample` per solid angle, without delta, 1/sr."""
@@ -165,11 +253,7 @@ class ClusteredBsdf(SeparableBsdf):
     def _sampler(self) -> LobeSampler:
         return LobeSampler(self._tables, self._base, self._means, self.albedos, self.sheen, self.hole)
 
-    def _taps(self, light: Vec3) -> LightTaps:
-        return self._base.light_taps(to_face_frame(light, self._back))
-
-    def _point_components(self, sample: ResidualPoint, light: Vec3, active: Mask) -> Components:
-        point = sample.point
+    def _point_components(self, point: YarnPoint, light: Vec3, active: Mask) -> Components:
         visible = self._model.visibility(point, light, active)
         return Components.of(
             components(self._model.appearance, point, light, self.view, visible),

@@ -29,6 +29,7 @@ class FeatureMaps:
 
     Attributes:
         hole, is_warp: [2 faces, rows, columns]; nothing else means anything in holes.
+        thread: index of the thread that shows [2, rows, columns].
         height: above the plane of the crown lines, millimetres [2, rows, columns].
         normal, tangent: unit normal and unit fibre direction [2, rows, columns, 3].
         horizon: sines of elevation in steps of 1/255 [2, rows, columns, 16 azimuths].
@@ -36,6 +37,7 @@ class FeatureMaps:
 
     hole: NDArray[np.bool_]
     is_warp: NDArray[np.bool_]
+    thread: NDArray[np.int32]
     height: NDArray[np.float32]
     normal: NDArray[np.float32]
     tangent: NDArray[np.float32]
@@ -82,6 +84,12 @@ def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: Fl
     return FeatureMaps(
         hole=both(*(np.array(point.hole.numpy(), bool) for point in points)),
         is_warp=both(*(np.array(point.is_warp.numpy(), bool) for point in points)),
+        thread=both(
+            *(
+                dr.select(point.is_warp, point.warp_thread, point.weft_thread).numpy().astype(np.int32)
+                for point in points
+            )
+        ),
         height=both(*(point.height.numpy() for point in points)),
         normal=both(*(point.normal.numpy().T for point in points)),
         tangent=both(*(point.tangent.numpy().T for point in points)),

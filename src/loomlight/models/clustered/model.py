@@ -28,6 +28,7 @@ from loomlight.yarn.search import upload_extent
 DEFAULT_CLUSTERS, MOST_CLUSTERS = 16, 64
 DEFAULT_RANK, MOST_RANK = 1, 16
 DEFAULT_SAMPLES, MOST_SAMPLES = 2, 8
+DEFAULT_TEXEL_SAMPLES, MOST_TEXEL_SAMPLES = 16, 1024
 # What tables mean; to be raised when older ones no longer fit the formulas.
 _TABLES_VERSION = 1
 # Scene parameters of a family that tables depend on.
@@ -44,7 +45,8 @@ class ClusteredModel(FilteredFabricModel):
 
     Attributes:
         tables: the baked tables.
-        samples: yarn points of a footprint; 0 is the base alone, which is biased and free of noise.
+        samples: yarn points of a footprint; 0 leaves out what tells them from the texel model.
+        texel_samples: points of the texel model. With 0 of both it is the base alone, biased and free of noise.
     """
 
     name = "clustered"
@@ -53,13 +55,20 @@ class ClusteredModel(FilteredFabricModel):
     options = (
         Option("clusters", int, f"a multiple of 4 from 4 to {MOST_CLUSTERS}", 4, MOST_CLUSTERS),
         Option("rank", int, f"a whole number from 0 to {MOST_RANK}", 0, MOST_RANK),
+        Option("texel_samples", int, f"a whole number from 0 to {MOST_TEXEL_SAMPLES}", 0, MOST_TEXEL_SAMPLES),
         Option("samples", int, f"a whole number from 0 to {MOST_SAMPLES}", 0, MOST_SAMPLES),
     )
 
-    def __init__(self, fabric: Fabric, tables: ClusterTables, samples: int = DEFAULT_SAMPLES) -> None:
+    def __init__(
+        self,
+        fabric: Fabric,
+        tables: ClusterTables,
+        samples: int = DEFAULT_SAMPLES,
+        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
+    ) -> None:
         """A model of baked tables; see `for_source` to bake them."""
         super().__init__(fabric)
-        self.tables, self.samples = tables, samples
+        self.tables, self.samples, self.texel_samples = tables, samples, texel_samples
         self._geometry = YarnGeometry(fabric.layout())
         self._uploaded: dict[type, DeviceTables] = {}
         self._use(fabric.appearance())
@@ -74,6 +83,7 @@ class ClusteredModel(FilteredFabricModel):
         clusters: int = DEFAULT_CLUSTERS,
         rank: int = DEFAULT_RANK,
         samples: int = DEFAULT_SAMPLES,
+        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
     ) -> Self:
         """The model of a fabric.
 
@@ -81,37 +91,45 @@ class ClusteredModel(FilteredFabricModel):
             clusters: of each face, a multiple of 4 up to 64.
             rank: principal components of the fibre densities of a cluster, 0 to 16.
             samples: yarn points of a footprint, 0 to 8.
+            texel_samples: points of the texel model, 0 to 1024.
 
         Raises:
             InputError: no fabric, one whose repeat is too large, or an option out of range.
         """
         fabric = fabric_source(source, cls.name)
-        _require_options(clusters, rank, samples)
+        _require_options(clusters, rank, samples, texel_samples)
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
         tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float())
-        return cls(fabric, tables, samples)
+        return cls(fabric, tables, samples, texel_samples)
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric with the same options."""
-        return type(self).for_source(source, self.tables.clusters, self.tables.rank, self.samples)
+        return type(self).for_source(
+            source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples
+        )
 
-    def with_samples(self, samples: int) -> Self:
-        """This model with another number of yarn points, 0 to 8; tables are shared.
+    def with_samples(self, samples: int, texel_samples: int | None = None) -> Self:
+        """This model with other numbers of points; tables are shared.
+
+        Args:
+            texel_samples: None leaves it.
 
         Raises:
-            InputError: fewer or more points.
+            InputError: fewer or more points than the options allow.
         """
-        _require_options(self.tables.clusters, self.tables.rank, samples)
         model = copy(self)
         model.samples = samples
+        if texel_samples is not None:
+            model.texel_samples = texel_samples
+        _require_options(self.tables.clusters, self.tables.rank, samples, model.texel_samples)
         return model
 
     def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
         """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""
         if any(name.endswith(_BAKED) and not name.startswith("sheen.") for name in edits):
             return self.with_source(fabric)
-        return type(self)(fabric, self.tables, self.samples)
+        return type(self)(fabric, self.tables, self.samples, self.texel_samples)
 
     def updated(self, values: Values, changed: frozenset[str]) -> Self:
         """The model after an edit; yarn points have the edited albedos too."""
@@ -126,7 +144,11 @@ class ClusteredModel(FilteredFabricModel):
             model=self.name,
             source=self.fabric,
             tensors=self.tables.arrays(),
-            settings={"samples": self.samples, "tables_version": _TABLES_VERSION},
+            settings={
+                "samples": self.samples,
+                "texel_samples": self.texel_samples,
+                "tables_version": _TABLES_VERSION,
+            },
         )
 
     @classmethod
@@ -140,8 +162,9 @@ class ClusteredModel(FilteredFabricModel):
         if loom.settings.get("tables_version") != _TABLES_VERSION:
             raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
         tables, samples = tables_of_loom(loom), loom.setting("samples", int)
-        _require_options(tables.clusters, tables.rank, samples)
-        return cls(fabric, tables, samples)
+        texel_samples = loom.setting("texel_samples", int)
+        _require_options(tables.clusters, tables.rank, samples, texel_samples)
+        return cls(fabric, tables, samples, texel_samples)
 
     def upload(self, types: ArrayTypes) -> None:
         """Uploads all tables to a backend, which otherwise happens at first use."""
@@ -171,7 +194,16 @@ class ClusteredModel(FilteredFabricModel):
             seed = hashed(view, footprint, tables.size)
         means = FamilyAlbedos(*self.means.over(footprint, view.z < 0))
         return ClusteredBsdf(
-            tables, self.point_model, means, self.samples, seed, view, footprint, tint, active
+            tables,
+            self.point_model,
+            means,
+            self.samples,
+            self.texel_samples,
+            seed,
+            view,
+            footprint,
+            tint,
+            active,
         )
 
     def on_backend(self, types: ArrayTypes) -> DeviceTables:
@@ -181,6 +213,7 @@ class ClusteredModel(FilteredFabricModel):
             self._uploaded[types.Float] = DeviceTables(
                 self.tables,
                 self._geometry.size,
+                self._geometry.height_bounds,
                 appearance.diffuse_blend,
                 appearance.optical_depth,
                 types,
@@ -195,7 +228,7 @@ class ClusteredModel(FilteredFabricModel):
         }
 
 
-def _require_options(clusters: int, rank: int, samples: int) -> None:
+def _require_options(clusters: int, rank: int, samples: int, texel_samples: int) -> None:
     """Raises InputError unless options are in range."""
     if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
         raise InputError(
@@ -205,3 +238,5 @@ def _require_options(clusters: int, rank: int, samples: int) -> None:
         raise InputError(f"rank = {rank} is out of range: use 0 to {MOST_RANK}.")
     if not 0 <= samples <= MOST_SAMPLES:
         raise InputError(f"samples = {samples} is out of range: use 0 to {MOST_SAMPLES}.")
+    if not 0 <= texel_samples <= MOST_TEXEL_SAMPLES:
+        raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MOST_TEXEL_SAMPLES}.")

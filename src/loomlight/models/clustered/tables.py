@@ -16,6 +16,7 @@ from loomlight.models.clustered.features import DEFAULT_TEXELS, FeatureMaps, fea
 from loomlight.models.clustered.square_map import BINS
 from loomlight.models.clustered.visibility_tables import VIEW_BINS, visibility_tables
 from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.horizon import AZIMUTHS
 
 # Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for
 # sampling, and that of its family.
@@ -31,6 +32,10 @@ class ClusterTables:
         coefficients: of the principal components of D [2, rows, columns, rank].
         basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
         moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
+        features: normal, 1 for warp, 0 for weft and −1 for holes, fibre direction, and index of the thread of each
+            texel [2, rows, columns, 8].
+        height: of each texel, millimetres [2, rows, columns].
+        horizon: see `FeatureMaps`.
         light, view, offset: see `VisibilityTables`.
     """
 
@@ -38,6 +43,9 @@ class ClusterTables:
     coefficients: NDArray[np.int8]
     basis: NDArray[np.float32]
     moments: NDArray[np.float32]
+    features: NDArray[np.float16]
+    height: NDArray[np.float16]
+    horizon: NDArray[np.uint8]
     light: NDArray[np.float32]
     view: NDArray[np.float32]
     offset: NDArray[np.float32]
@@ -108,10 +116,19 @@ def bake_tables(
         coefficients=densities.coefficients,
         basis=densities.basis,
         moments=_moments(maps, labels, roughness, clusters),
+        features=_features(maps),
+        height=maps.height.astype(np.float16),
+        horizon=maps.horizon,
         light=visibility.light,
         view=visibility.view,
         offset=visibility.offset,
     )
+
+
+def _features(maps: FeatureMaps) -> NDArray[np.float16]:
+    kind = np.where(maps.hole, -1.0, np.where(maps.is_warp, 1.0, 0.0))
+    parts = (maps.normal, kind[..., None], maps.tangent, maps.thread[..., None])
+    return np.nan_to_num(np.concatenate(parts, axis=3)).astype(np.float16)
 
 
 def _moments(
@@ -157,6 +174,9 @@ def tables_of_loom(loom: LoomFile) -> ClusterTables:
         coefficients=coefficients,
         basis=loom.tensor("basis", (2, BINS**2, 1 + rank, clusters), np.float32),
         moments=moments,
+        features=loom.tensor("features", (2, rows, columns, 8), np.float16),
+        height=loom.tensor("height", (2, rows, columns), np.float16),
+        horizon=loom.tensor("horizon", (2, rows, columns, AZIMUTHS), np.uint8),
         light=loom.tensor("light", (2, 2, BINS**2, 2, clusters), np.float32),
         view=loom.tensor("view", (2, VIEW_BINS**2, clusters), np.float32),
         offset=loom.tensor("offset", (2, VIEW_BINS**2, 2), np.float32),
