@@ -6,9 +6,10 @@ On the texel p of cluster c, with light i, view o and half vector h, at albedo 1
     diffuse    m_c(o) ((1 − w) |i_z| v̄_c(i) + w n̄_c(i)) / π
     lit        m_c(o) v̄_c(i)
 
-v̄_c is the share of the cluster that the light reaches, n̄_c the mean over it of that times the cosine with the yarn's
-normal, and A_c the attenuation of the fibre layer at the mean normal and fibre direction of the cluster. m_c is
-the cluster's share of view rays over its share of texels: the paper looks at all texels alike. In holes the base is 0.
+v̄_c is the share of the cluster that the light reaches, n̄_c the mean over it of that times the cosine with the
+yarn's normal, and A_c the attenuation of the fibre layer at the mean normal and fibre direction of the cluster. m_c
+is the cluster's share of view rays over its share of texels: the paper looks at all texels alike. In holes the
+base is 0.
 Light from the other side has the same form, with v̄_c and n̄_c of the other face.
 
 Whatever these functions are, base plus residual is exact: they decide about noise alone.
@@ -74,16 +75,17 @@ class ViewedBase:
         offset: mean offset of parallax, millimetres [2].
     """
 
-    def __init__(self, tables: DeviceTables, view: Vec3, back: Mask) -> None:
+    def __init__(self, tables: DeviceTables, view: Vec3, back: Mask, trusted: bool) -> None:
         types = tables.types
         self._tables = tables
         self.view, self.back = view, back
         self._face = dr.select(back, types.UInt32(1), types.UInt32(0))
         self._around = bin_taps(view, VIEW_BINS)
         self._first = self._face * VIEW_BINS**2
-        self.offset: Vec2 = self._around.read(
-            types.Vector2, tables.offset, self._first, 1, types.UInt32(0)
-        )
+        self.offset: Vec2 = self._around.read(types.Vector2, tables.offset, self._first, 1, types.UInt32(0))
+        self._trust = types.Float(1)
+        if trusted:
+            self._trust = self._around.read(types.Float, tables.trust, self._first, 1, types.UInt32(0))
         packets = tables.clusters // 4
         self.masking = [
             self._around.read(types.Vector4, tables.view, self._first, packets, types.UInt32(packet))
@@ -130,9 +132,7 @@ class ViewedBase:
         half_first = self._face * BINS**2
         total = [types.Float(0) for _ in range(5)]
         for packet in range(packets):
-            lit = taps.around.read(
-                types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packet)
-            )
+            lit = taps.around.read(types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packet))
             about_yarn = taps.around.read(
                 types.Vector4, tables.light, taps.first, 2 * packets, types.UInt32(packets + packet)
             )
@@ -142,13 +142,14 @@ class ViewedBase:
                 density += means[number * packets + packet] * taps.half.read(
                     types.Vector4, tables.basis, half_first, packets * (1 + tables.rank), entry
                 )
-            weight = means[packet] * self.masking[packet]
+            masking = self.masking[packet] * self._trust
+            weight = means[packet] * masking
             for lane in range(4):
                 cluster = 4 * packet + lane
                 family = 0 if cluster < tables.clusters // 2 else 1
                 attenuation = self._attenuation(self.lobe(types.UInt32(cluster)), taps)
                 total[family] += weight[lane] * self._diffuse(taps, lit[lane], about_yarn[lane])
-                total[2 + family] += self.masking[packet][lane] * lit[lane] * attenuation * density[lane]
+                total[2 + family] += masking[lane] * lit[lane] * attenuation * density[lane]
                 total[4] += weight[lane] * lit[lane]
         return Components(*total)
 
@@ -163,7 +164,7 @@ class ViewedBase:
         lit = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, label)
         about_yarn = taps.around.read(types.Float, tables.light, taps.first, 2 * clusters, clusters + label)
         masking = self._around.read(types.Float, tables.view, self._first, clusters, label)
-        masking = dr.select(met, masking, 0)
+        masking = dr.select(met, masking * self._trust, 0)
         density: Any = types.Float(0)
         for number in range(1 + tables.rank):
             part = taps.half.read(
@@ -222,7 +223,8 @@ class DeviceTables:
         self,
         tables: ClusterTables,
         size: tuple[float, float],
-        height_bounds: tuple[float, float],
+        top: float,
+        finest: float,
         diffuse_blend: float,
         optical_depth: float,
         types: ArrayTypes,
@@ -239,11 +241,12 @@ class DeviceTables:
         self.light = upload(types.Float, tables.light)
         self.view = upload(types.Float, tables.view)
         self.offset = upload(types.Float, tables.offset)
+        self.trust = upload(types.Float, tables.trust)
         self.size = tuple(dr.opaque(types.Float, extent) for extent in size)
-        self.texels = TexelModel(tables, size, height_bounds, diffuse_blend, optical_depth, types)
+        self.texels = TexelModel(tables, size, top, finest, diffuse_blend, optical_depth, types)
         self.diffuse_blend = diffuse_blend
         self.optical_depth = optical_depth
 
-    def seen_from(self, view: Vec3, back: Mask) -> ViewedBase:
-        """The base as a view in the frame of a face sees it."""
-        return ViewedBase(self, view, back)
+    def seen_from(self, view: Vec3, back: Mask, trusted: bool = False) -> ViewedBase:
+        """The base as a view in the frame of a face sees it; `trusted` scales it by `ClusterTables.trust`."""
+        return ViewedBase(self, view, back, trusted)

@@ -93,7 +93,9 @@ class ClusteredBsdf(SeparableBsdf):
         self._tint, self._active = tint, active
         self._back = types.Bool(view.z < 0)
         self._mean_albedos = mean_albedos
-        self._base = tables.seen_from(to_face_frame(view, self._back), self._back)
+        self._base = tables.seen_from(
+            to_face_frame(view, self._back), self._back, trusted=samples + texels > 0
+        )
         self._box = tables.sums.box(footprint, self._base.offset, uniform(seed, 0) - 0.5)
 
     @cached_property
@@ -104,7 +106,9 @@ class ClusteredBsdf(SeparableBsdf):
     def _points(self) -> list[ResidualPoint]:
         first = uniform(self._seed, 1), uniform(self._seed, 2)
         return [
-            self._residual_point(*(start + number * step for start, step in zip(first, (_ACROSS, _ALONG), strict=True)))
+            self._residual_point(
+                *(start + number * step for start, step in zip(first, (_ACROSS, _ALONG), strict=True))
+            )
             for number in range(self._samples)
         ]
 
@@ -147,7 +151,17 @@ class ClusteredBsdf(SeparableBsdf):
         """f·cos with the points' own albedos, 1/sr: an unbiased estimate, of either sign."""
         found = self._estimate(light, active)
         through = light.z * self.view.z < 0
-        body = found.colour + shade(found.rest, self.albedos, through)
+        # Of families whose threads are alike, mean albedos are the threads' own, and carry derivatives.
+        warp, weft = self._alike
+        own, rest = found.components, found.rest
+        known = Components(
+            own.diffuse_warp if warp else rest.diffuse_warp,
+            own.diffuse_weft if weft else rest.diffuse_weft,
+            own.specular_warp if warp else rest.specular_warp,
+            own.specular_weft if weft else rest.specular_weft,
+            own.light_visibility,
+        )
+        body = found.colour + shade(known, self.albedos, through)
         return self.under_sheen(body, found.components.light_visibility, light)
 
     def _estimate(self, light: Vec3, active: Mask) -> Estimate:
@@ -217,16 +231,32 @@ class ClusteredBsdf(SeparableBsdf):
             lit,
         )
 
-    def _texel_colour(self, point: TexelPoint, found: Components, transmits: Mask) -> Color3:
-        diffuse, specular = self._tables.texels.colour(self._model, point, transmits, self._tint)
-        return diffuse * (found.diffuse_warp + found.diffuse_weft) + specular * (
-            found.specular_warp + found.specular_weft
+    @cached_property
+    def _alike(self) -> tuple[bool, bool]:
+        """Whether all points of warp and of weft have the albedos of their family."""
+        warp, weft = self._model.parameters(array_types(self.view.x))
+        return warp.alike and not self._model.varies, weft.alike and not self._model.varies
+
+    def _differing(self, found: Components) -> tuple[Float, Float]:
+        """Diffuse and specular component of families whose points differ in colour."""
+        warp, weft = (0.0 if alike else 1.0 for alike in self._alike)
+        return (
+            found.diffuse_warp * warp + found.diffuse_weft * weft,
+            found.specular_warp * warp + found.specular_weft * weft,
         )
 
+    def _texel_colour(self, point: TexelPoint, found: Components, transmits: Mask) -> Color3:
+        if all(self._alike):
+            return array_types(self.view.x).Color3(0)
+        of_diffuse, of_specular = self._tables.texels.colour(self._model, point, transmits, self._tint)
+        diffuse, specular = self._differing(found)
+        return of_diffuse * diffuse + of_specular * specular
+
     def _point_colour(self, point: YarnPoint, found: Components, transmits: Mask) -> Color3:
+        if all(self._alike):
+            return array_types(self.view.x).Color3(0)
         of = point.albedos
-        diffuse = found.diffuse_warp + found.diffuse_weft
-        specular = found.specular_warp + found.specular_weft
+        diffuse, specular = self._differing(found)
         return dr.select(
             transmits,
             of.diffuse_transmit * diffuse + of.specular_transmit * specular,
@@ -262,8 +292,5 @@ class ClusteredBsdf(SeparableBsdf):
 def _combined(first: Components, second: Components, scale: float) -> Components:
     """first + scale·second."""
     return Components(
-        *(
-            dr.fma(getattr(second, part.name), scale, getattr(first, part.name))
-            for part in fields(Components)
-        )
+        *(dr.fma(getattr(second, part.name), scale, getattr(first, part.name)) for part in fields(Components))
     )

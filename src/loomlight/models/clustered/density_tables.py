@@ -71,12 +71,16 @@ def density_tables(
             training = densities(fibres[rng.permutation(len(fibres))[:_TRAINING]], halves, alpha)
             mean = training.mean(axis=0)
             components = _principal_components(training - mean, rank, rng)
-            values = np.concatenate(
-                [
-                    (densities(fibres[first : first + _BATCH], halves, alpha) - mean) @ components.T
-                    for first in range(0, len(fibres), _BATCH)
-                ]
-            ) if rank else np.zeros((len(fibres), 0), np.float32)
+            values = (
+                np.concatenate(
+                    [
+                        (densities(fibres[first : first + _BATCH], halves, alpha) - mean) @ components.T
+                        for first in range(0, len(fibres), _BATCH)
+                    ]
+                )
+                if rank
+                else np.zeros((len(fibres), 0), np.float32)
+            )
             unit = np.maximum(np.abs(values).max(axis=0, initial=0) / _LARGEST, 1e-20)
             whole = np.rint(values / unit)
             coefficients[face].reshape(-1, rank)[chosen] = whole.astype(np.int8)

@@ -88,7 +88,8 @@ class FootprintSums:
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
         self._steps = [
-            dr.opaque(types.Float, extent / count) for extent, count in zip(size, (columns, rows), strict=True)
+            dr.opaque(types.Float, extent / count)
+            for extent, count in zip(size, (columns, rows), strict=True)
         ]
         self._face = dr.opaque(types.UInt32, (columns + 1) * (rows + 1))
 

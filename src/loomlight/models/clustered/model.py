@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from dataclasses import replace
 from typing import Self, final
 
 from loomlight.assets.loom_file import LoomFile
@@ -17,6 +18,7 @@ from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
 from loomlight.models.clustered.random_numbers import hashed
 from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
+from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option, Values
 from loomlight.models.separable import FamilyAlbedos
@@ -101,7 +103,9 @@ class ClusteredModel(FilteredFabricModel):
         appearance = fabric.appearance()
         roughness = appearance.warp.roughness, appearance.weft.roughness
         tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float())
-        return cls(fabric, tables, samples, texel_samples)
+        draft = cls(fabric, tables, samples, texel_samples)
+        trust = trust_by_view(draft.on_backend(array_types(llvm_float())), llvm_float())
+        return cls(fabric, replace(tables, trust=trust), samples, texel_samples)
 
     def with_source(self, source: Source) -> Self:
         """The model of another fabric with the same options."""
@@ -213,7 +217,8 @@ class ClusteredModel(FilteredFabricModel):
             self._uploaded[types.Float] = DeviceTables(
                 self.tables,
                 self._geometry.size,
-                self._geometry.height_bounds,
+                self._geometry.height_bounds[1],
+                min(self._geometry.finest),
                 appearance.diffuse_blend,
                 appearance.optical_depth,
                 types,
@@ -231,7 +236,9 @@ class ClusteredModel(FilteredFabricModel):
 def _require_options(clusters: int, rank: int, samples: int, texel_samples: int) -> None:
     """Raises InputError unless options are in range."""
     if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
-        raise InputError(f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}.")
+        raise InputError(
+            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}."
+        )
     if not 0 <= rank <= MOST_RANK:
         raise InputError(f"rank = {rank} is out of range: use 0 to {MOST_RANK}.")
     if not 0 <= samples <= MOST_SAMPLES:

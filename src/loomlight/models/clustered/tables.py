@@ -32,11 +32,12 @@ class ClusterTables:
         coefficients: of the principal components of D [2, rows, columns, rank].
         basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
         moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
-        features: normal, 1 for warp, 0 for weft and −1 for holes, fibre direction, and index of the thread of each
-            texel [2, rows, columns, 8].
+        features: normal, 1 for warp, 0 for weft and −1 for holes, fibre direction, and index of the thread of
+            each texel [2, rows, columns, 8].
         height: of each texel, millimetres [2, rows, columns].
         horizon: see `FeatureMaps`.
         light, view, offset: see `VisibilityTables`.
+        trust: see `trust_by_view` [2, view bins].
     """
 
     labels: NDArray[np.uint8]
@@ -49,6 +50,7 @@ class ClusterTables:
     light: NDArray[np.float32]
     view: NDArray[np.float32]
     offset: NDArray[np.float32]
+    trust: NDArray[np.float32]
 
     @property
     def clusters(self) -> int:
@@ -95,7 +97,7 @@ def bake_tables(
     float_type: FloatType,
     texels: int = DEFAULT_TEXELS,
 ) -> ClusterTables:
-    """Bakes the tables of a fabric: the same bytes every time.
+    """Bakes the tables of a fabric: the same bytes every time. Trust is left at 1.
 
     Args:
         roughness: of warp and weft.
@@ -122,6 +124,7 @@ def bake_tables(
         light=visibility.light,
         view=visibility.view,
         offset=visibility.offset,
+        trust=np.ones((2, VIEW_BINS**2), np.float32),
     )
 
 
@@ -180,4 +183,5 @@ def tables_of_loom(loom: LoomFile) -> ClusterTables:
         light=loom.tensor("light", (2, 2, BINS**2, 2, clusters), np.float32),
         view=loom.tensor("view", (2, VIEW_BINS**2, clusters), np.float32),
         offset=loom.tensor("offset", (2, VIEW_BINS**2, 2), np.float32),
+        trust=loom.tensor("trust", (2, VIEW_BINS**2), np.float32),
     )

@@ -1,8 +1,8 @@
 """The texel model: what a point of the feature maps does to light, from a few reads and no ray search.
 
-Parallax marches through the map of heights, shadows read the horizons of a texel, lobes are those of the point model.
-It is close to the point model and many times cheaper, so the residual is estimated in two steps: from many points
-between texel model and base, and from few between the point model and the texel model.
+Parallax marches through the map of heights, shadows read the horizons of a texel, lobes are
+those of the point model. It is close to the point model and many times cheaper, so the residual is estimated in
+two steps: from many points between texel model and base, and from few between point model and texel model.
 """
 
 from __future__ import annotations
@@ -14,15 +14,17 @@ import drjit as dr
 import numpy as np
 
 from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, clip, maximum, minimum, upload
 from loomlight.models.clustered.tables import ClusterTables
 from loomlight.scattering.diffuse import diffuse_reflection
 from loomlight.scattering.fibre import reflection, transmission
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.horizon import AZIMUTHS
 
-# Steps of a view ray through the relief of the cloth.
-_STEPS = 12
+# Steps of a view ray through the relief of the cloth, and how often the hit is refined.
+_FEWEST_STEPS, _MOST_STEPS = 8, 64
+# Of the finest thread, one step across the cloth.
+_STRIDE = 0.15
 _REFINEMENTS = 3
 # Height of holes, in units of the relief.
 _DEEP = -10.0
@@ -55,7 +57,8 @@ class TexelModel:
         self,
         tables: ClusterTables,
         size: tuple[float, float],
-        height_bounds: tuple[float, float],
+        top: float,
+        finest: float,
         diffuse_blend: float,
         optical_depth: float,
         types: ArrayTypes,
@@ -63,10 +66,11 @@ class TexelModel:
         """
         Args:
             size: of the repeat, millimetres.
-            height_bounds: of the cloth's heights, millimetres.
+            top: bound of the cloth's heights, millimetres.
+            finest: width of the finest thread, millimetres.
         """
         self._types = types
-        low, high = float(tables.height.min()), height_bounds[1]
+        low, high = float(tables.height.min()), top
         features = tables.features.astype(np.float32)
         holes = features[..., 3] < 0
         heights = np.where(holes, _DEEP * (high - low), tables.height.astype(np.float32))
@@ -77,11 +81,14 @@ class TexelModel:
         self._counts = [dr.opaque(types.Float, float(count)) for count in (columns, rows)]
         self._wholes = [dr.opaque(types.UInt32, count) for count in (columns, rows)]
         self._per_mm = [
-            dr.opaque(types.Float, count / extent) for count, extent in zip((columns, rows), size, strict=True)
+            dr.opaque(types.Float, count / extent)
+            for count, extent in zip((columns, rows), size, strict=True)
         ]
         self._face = dr.opaque(types.UInt32, columns * rows)
         self._high = dr.opaque(types.Float, float(high))
-        self._step = dr.opaque(types.Float, float(high - low) / _STEPS)
+        self._low = dr.opaque(types.Float, low)
+        self._relief = dr.opaque(types.Float, float(high - low))
+        self._stride = dr.opaque(types.Float, _STRIDE * finest)
         self._roughness = [
             dr.opaque(types.Float, float(tables.moments[0, cluster, 7]))
             for cluster in (0, tables.clusters // 2)
@@ -101,20 +108,27 @@ class TexelModel:
 
         def gap_at(level: Float) -> Float:
             """Height of the ray over the cloth where it is `level` high."""
-            texel = face + self._texel(place.x + slope_x * level, place.y + slope_y * level)
+            texel = face + self.texel_at(place.x + slope_x * level, place.y + slope_y * level)
             return level - dr.gather(types.Float, self._heights, texel)
 
-        level, above = self._high, gap_at(self._high)
-        upper, lower, over, under = level, level, above, types.Float(-1)
-        found = types.Bool(False)
-        for number in range(1, _STEPS + 1):
-            height = self._high - number * self._step
-            gap = gap_at(height)
-            first = ~found & (gap <= 0)
-            upper, over = dr.select(first, level, upper), dr.select(first, above, over)
-            lower, under = dr.select(first, height, lower), dr.select(first, gap, under)
-            found |= first
-            level, above = height, gap
+        # Steps across the cloth are a share of the finest thread, however flat the ray.
+        travelled = self._relief * dr.sqrt(dr.square(slope_x) + dr.square(slope_y))
+        count = clip(travelled / self._stride, _FEWEST_STEPS, _MOST_STEPS)
+        step = self._relief / dr.ceil(count)
+        width = dr.width(slope_x, place)
+        start = self._high + dr.zeros(types.Float, width)
+
+        def advance(upper: Float, over: Float, lower: Float, under: Float) -> tuple[Float, ...]:
+            height = lower - step
+            return lower, under, height, gap_at(height)
+
+        upper, over, lower, under = dr.while_loop(
+            (start, dr.zeros(types.Float, width) + 1, start, gap_at(start)),
+            lambda upper, over, lower, under: (under > 0) & (lower > self._low),
+            advance,
+            label="clustered: parallax",
+        )
+        found = under <= 0
         for number in range(_REFINEMENTS):
             # Halves bound what steps of the height map do to the straight line.
             share = 0.5 if number % 2 else over * dr.rcp(maximum(over - under, 1e-9))
@@ -124,12 +138,15 @@ class TexelModel:
             upper, over = dr.select(is_over, middle, upper), dr.select(is_over, gap, over)
             lower, under = dr.select(is_over, lower, middle), dr.select(is_over, under, gap)
         end = upper + over * dr.rcp(maximum(over - under, 1e-9)) * (lower - upper)
-        texel = face + self._texel(place.x + slope_x * end, place.y + slope_y * end)
+        texel = face + self.texel_at(place.x + slope_x * end, place.y + slope_y * end)
+        # As in `yarn.visibility`: a ray through a hole of the plane that nothing above it stops.
+        there = face + self.texel_at(place.x, place.y)
+        passes = dr.gather(types.Float, self._heights, there) < self._low
         first_half = dr.gather(types.Vector4, self._features, 2 * texel)
         second_half = dr.gather(types.Vector4, self._features, 2 * texel + 1)
         return TexelPoint(
             place=texel,
-            hole=~found | (first_half.w < 0),
+            hole=~found | (first_half.w < 0) | (passes & (end <= 0)),
             is_warp=first_half.w > 0.5,
             thread=types.UInt32(maximum(second_half.w, 0)),
             normal=types.Vector3(first_half.x, first_half.y, first_half.z),
@@ -137,7 +154,7 @@ class TexelModel:
         )
 
     def lobes(self, point: TexelPoint, light: Vec3, view: Vec3) -> tuple[Float, Float, Float]:
-        """Diffuse and specular term at albedo 1, cosine included, 1/sr, and visibility: 0 in shadow and holes.
+        """Diffuse and specular term at albedo 1, cosine included, 1/sr, and visibility, 0 or 1.
 
         Args:
             light, view: in the frame of the face that is seen [3].
@@ -160,7 +177,9 @@ class TexelModel:
         for number in (0, 2):
             sides = []
             for side in (0, 1):
-                warp, weft = (family.albedo(number + side, self._clamped(point, family)) for family in families)
+                warp, weft = (
+                    family.albedo(number + side, self._clamped(point, family)) for family in families
+                )
                 sides.append(dr.select(point.is_warp, warp, weft))
             found.append(dr.select(transmits, sides[1], sides[0]))
         diffuse, specular = found
@@ -188,7 +207,8 @@ class TexelModel:
         ]
         return 255 * abs(light.z) >= dr.lerp(levels[0], levels[1], turns - whole)
 
-    def _texel(self, x: Float, y: Float) -> UInt:
+    def texel_at(self, x: Float, y: Float) -> UInt:
+        """The texel around draft coordinates (millimetres), within the repeat: UInt32."""
         indices = []
         for position, per_mm, count, whole in zip(
             (x, y), self._per_mm, self._counts, self._wholes, strict=True
