@@ -23,7 +23,7 @@ from typing import Any
 import drjit as dr
 
 from loomlight.core.arrays import Float, Mask, UInt, Vec2, Vec3
-from loomlight.core.backend import ArrayTypes, array_types, maximum, minimum, upload
+from loomlight.core.backend import ArrayTypes, maximum, minimum, upload
 from loomlight.models.clustered.footprint_sums import FootprintSums
 from loomlight.models.clustered.square_map import BINS, BinTaps, bin_taps
 from loomlight.models.clustered.tables import NUMBERS, ClusterTables
