@@ -7,9 +7,9 @@ On the texel p of cluster c, with light i, view o and half vector h, at albedo 1
     lit        m_c(o) v̄_c(i)
 
 v̄_c is the share of the cluster that the light reaches, n̄_c the mean over it of that times the cosine with the
-yarn's normal, and A_c the attenuation of the fibre layer at the mean normal and fibre direction of the cluster. m_c
-is the cluster's share of view rays over its share of texels: the paper looks at all texels alike. In holes the
-base is 0.
+yarn's normal, and A_c the attenuation of the fibre layer at the mean normal and fibre direction of the
+cluster. m_c is the cluster's share of view rays over its share of texels: the paper looks at all texels
+alike. In holes the base is 0.
 Light from the other side has the same form, with v̄_c and n̄_c of the other face.
 
 Whatever these functions are, base plus residual is exact: they decide about noise alone.
@@ -39,7 +39,7 @@ _SMALLEST_DEPTH = 1e-3
 
 @dataclass
 class ClusterLobe:
-    """Mean normal and fibre direction of a cluster [3], its roughness, and the one of its lobe in sampling."""
+    """Mean normal and fibre direction of a cluster [3], its roughness, and its lobe's in sampling."""
 
     normal: Vec3
     tangent: Vec3

@@ -10,8 +10,8 @@ from loomlight.models.clustered.features import FeatureMaps
 NO_CLUSTER = 255
 _TRAINING = 1 << 13
 _ROUNDS = 24
-# Weights of the squared differences of normals and of fibre directions; that of horizons is 1, their mean over
-# azimuths of the squared difference of sines.
+# Weights of the squared differences of normals and of fibre directions; that of horizons is 1, their mean
+# over azimuths of the squared difference of sines.
 _NORMAL, _TANGENT = 1.0, 2.0
 
 
@@ -19,8 +19,8 @@ def label_texels(maps: FeatureMaps, per_face: int) -> NDArray[np.uint8]:
     """The cluster of every texel [2 faces, rows, columns]; `NO_CLUSTER` in holes.
 
     Visibility decides as in the paper, by the horizons themselves instead of the parameters of lobes fitted
-    to them, and so do normal and fibre direction, as the attenuation of the fibre layer depends on them. The first
-    half of the clusters of a face is the warp's.
+    to them, and so do normal and fibre direction, as the attenuation of the fibre layer depends on them.
+    The first half of the clusters of a face is the warp's.
 
     Args:
         per_face: clusters, an even number.

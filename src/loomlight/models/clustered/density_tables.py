@@ -5,8 +5,8 @@ In cluster k, the density of the texel p at half vector h is
     D(p, h) ≈ μ_k(h) + Σ_r a_r(p) B_kr(h)
 
 The summed-area tables of the coefficients a_r over each cluster are the summed-area tables of the compressed
-densities: sums are linear. So the bake never makes the uncompressed tables, and takes no averages out of them.
-Coefficients are whole numbers of −127 to 127 whose unit is within B, so sums of them are exact.
+densities: sums are linear. So the bake never makes the uncompressed tables, and takes no averages out of
+them. Coefficients are whole numbers of −127 to 127 whose unit is within B, so sums of them are exact.
 """
 
 from __future__ import annotations
@@ -101,7 +101,8 @@ def densities(
     squared = np.float32(roughness * roughness)
     along = tangent @ halves.T
     p = along * along * (1 - squared) + squared
-    return (squared * np.float32(roughness / np.pi)) / (p * p)
+    found: NDArray[np.float32] = (squared * np.float32(roughness / np.pi)) / (p * p)
+    return found
 
 
 def _principal_components(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypeVar
 
 import drjit as dr
 import numpy as np
@@ -15,6 +16,7 @@ from loomlight.core.errors import InputError
 from loomlight.yarn.geometry import YarnGeometry
 from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
 
+_Number = TypeVar("_Number", bound=np.generic)
 # Texels along the longer side of small repeats (zhu2024 6), and the fewest across the finest thread.
 DEFAULT_TEXELS = 256
 _FEWEST_PER_THREAD = 6
@@ -78,7 +80,7 @@ def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: Fl
     dr.eval(points)
     horizons = HorizonMap(geometry, counts, float_type)
 
-    def both(*parts: NDArray[np.generic]) -> NDArray[np.generic]:
+    def both(*parts: NDArray[_Number]) -> NDArray[_Number]:
         return np.stack([part.reshape(rows, columns, *part.shape[1:]) for part in parts])
 
     return FeatureMaps(

@@ -1,10 +1,10 @@
 """Sums over footprints from summed-area tables of whole numbers: exact, in O(1), over cloth that repeats.
 
 The footprint of this model is the axis-aligned box of size (W, H)·sqrt(1 − |r|), swept along the segment
-(W, ±H)·sqrt|r|, where W²/12, H²/12 are the variances of the pixel's parallelogram along x and y and r is their
-correlation, whose sign is that of the segment. Box and segment are independent, so their sum has mean and
-covariance of the parallelogram, whatever its shape; for edges along the axes (r = 0) it is the parallelogram.
-A place on the segment is drawn; the box around it is summed exactly.
+(W, ±H)·sqrt|r|, where W²/12, H²/12 are the variances of the pixel's parallelogram along x and y and r is
+their correlation, whose sign is that of the segment. Box and segment are independent, so their sum has
+mean and covariance of the parallelogram, whatever its shape; for edges along the axes (r = 0) it is the
+parallelogram. A place on the segment is drawn; the box around it is summed exactly.
 
 The table T[r, c] has the sums of all texels below row r and left of column c. Of a box of whole texels from
 (r0 + m0·R, c0 + n0·C) to (r1 + m1·R, c1 + n1·C) on a grid of C columns and R rows that repeats, the sum is

@@ -41,14 +41,14 @@ _BAKED = ("height_scale", "inclination", "twist", "roughness")
 class ClusteredModel(FilteredFabricModel):
     """A base term from summed-area tables, and a residual from `samples` yarn points (zhu2024).
 
-    Values are unbiased estimates: those of many samples of a pixel average to the mean of the point model over
-    its footprint, and single ones may be negative. Edits of roughness and of the yarns' shape bake the tables
-    again; edits of colours or sheen do not.
+    Values are unbiased estimates: those of many samples of a pixel average to the mean of the point model
+    over its footprint, and single ones may be negative. Edits of roughness and of the yarns' shape bake
+    the tables again; edits of colours or sheen do not.
 
     Attributes:
         tables: the baked tables.
         samples: yarn points of a footprint; 0 leaves out what tells them from the texel model.
-        texel_samples: points of the texel model. With 0 of both it is the base alone, biased and free of noise.
+        texel_samples: points of the texel model; with 0 of both the base is alone, biased and without noise.
     """
 
     name = "clustered"
@@ -228,7 +228,8 @@ class ClusteredModel(FilteredFabricModel):
     def own_facts(self) -> dict[str, str]:
         """The size of what was baked."""
         return {
-            "tables": f"{self.tables.nbytes / 1e6:.3g} MB, on a device {self.tables.device_bytes / 1e6:.3g} MB",
+            "tables": f"{self.tables.nbytes / 1e6:.3g} MB",
+            "on a device": f"{self.tables.device_bytes / 1e6:.3g} MB",
             "samples": str(self.samples),
         }
 

@@ -1,8 +1,8 @@
 """Random numbers of a footprint without a sampler: a hash of what the question is made of.
 
 A BSDF is handed no random numbers for its values. Samples of a pixel ask with rays of their own, so the bits
-of view and footprint differ from sample to sample, and a good hash of them is as uniform as a generator's numbers.
-Positions enter as fractions of the repeat, so that cloth repeats in its noise too.
+of view and footprint differ from sample to sample, and a good hash of them is as uniform as a generator's
+numbers. Positions enter as fractions of the repeat, so that cloth repeats in its noise too.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Importance sampling by lobes (zhu2024 5.1): clusters' fibre lobes, diffuse lobes, sheen, and straight on.
 
-Densities come from the tables alone, never from the residual's random points, so they are those of the sampled
-directions exactly. A cluster's lobe has its mean fibre direction, and a roughness that its spread of fibre
-directions widens. Diffuse lobes are cosines about the macro normal.
+Densities come from the tables alone, never from the residual's random points, so they are those of the
+sampled directions exactly. A cluster's lobe has its mean fibre direction, and a roughness that its spread
+of fibre directions widens. Diffuse lobes are cosines about the macro normal.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """Directions of the hemisphere on a square, equal areas to equal areas (Shirley and Chiu 1997).
 
-A direction (x, y, z ≥ 0) lies on the unit disc at (x, y)/sqrt(1 + z), at radius sqrt(1 − z), which keeps areas;
-the disc is mapped to the square [−1, 1]² by rings. Bins of equal size on the square are of equal solid angle.
+A direction (x, y, z ≥ 0) lies on the unit disc at (x, y)/sqrt(1 + z), at radius sqrt(1 − z), which keeps
+areas; the disc is mapped to the square [−1, 1]² by rings. Bins of equal size on the square are of equal
+solid angle.
 """
 
 from __future__ import annotations

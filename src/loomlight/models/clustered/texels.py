@@ -1,8 +1,9 @@
 """The texel model: what a point of the feature maps does to light, from a few reads and no ray search.
 
 Parallax marches through the map of heights, shadows read the horizons of a texel, lobes are
-those of the point model. It is close to the point model and many times cheaper, so the residual is estimated in
-two steps: from many points between texel model and base, and from few between point model and texel model.
+those of the point model. It is close to the point model and many times cheaper, so the residual is
+estimated in two steps: from many points between texel model and base, and from few between point model and
+texel model.
 """
 
 from __future__ import annotations

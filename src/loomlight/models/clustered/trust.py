@@ -1,8 +1,8 @@
 """How much of the base to use: the control variate's best coefficient, by view.
 
-The base looks at texels that a mean offset shifts, so at grazing views it says little about what rays meet. Its best
-coefficient is β = Cov(m, b)/Var(b), of the texel model m and the base b over places and lights; with β below it,
-the residual only grows.
+The base looks at texels that a mean offset shifts, so at grazing views it says little about what rays
+meet. Its best coefficient is β = Cov(m, b)/Var(b), of the texel model m and the base b over places and
+lights; with β below it, the residual only grows.
 """
 
 from __future__ import annotations
