@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.harness import REPOSITORY, Figures, run
+from loomlight.evaluation.equal_error import samples_for
 from loomlight.evaluation.pictures import PictureError, picture_error
 from loomlight.evaluation.reproduce.renders import one_picture
 from loomlight.evaluation.timing import timed
@@ -45,14 +46,6 @@ def seconds_of(runs: list[Callable[[], Any]]) -> list[float]:
     """Least seconds of each run; they take turns."""
     taken = [[timed(each)[1] for each in runs] for _ in range(TURNS)]
     return [float(value) for value in np.min(taken, axis=0)]
-
-
-def samples_for(error: float, samples: list[int], errors: list[float]) -> float:
-    """Samples at which errors that fall with them reach `error`; the slope of the nearest two goes on."""
-    x, y = np.log(samples), np.log(errors)
-    first = int(np.clip(np.searchsorted(-y, -np.log(error)) - 1, 0, len(x) - 2))
-    fraction = (np.log(error) - y[first]) / (y[first + 1] - y[first])
-    return float(np.exp(x[first] + fraction * (x[first + 1] - x[first])))
 
 
 def numbers(error: PictureError) -> dict[str, float]:

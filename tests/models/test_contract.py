@@ -115,10 +115,12 @@ def test_a_model_says_what_it_is(name: str) -> None:
 def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
     queried = queries(fabric(cloth), 800, seed=1)
     actual = answers(built(name, cloth), queried)
+    # Unbiased estimates have noise of either sign.
+    estimates = model_class(name).estimates
     for part, values in actual.parts.items():
         assert values.shape == (len(queried),), part
         assert np.isfinite(values).all(), part
-        assert (values >= 0).all(), part
+        assert (values >= 0).all() or estimates, part
     assert (actual.parts["hole"] <= 1).all()
     for albedos in (actual.albedos.warp, actual.albedos.weft):
         for part in fields(Albedos):
@@ -132,7 +134,9 @@ def test_answers_are_of_the_right_kind_and_range(name: str, cloth: str) -> None:
     for result in (actual.value, actual.pdf, actual.through):
         assert not dr.grad_enabled(result)
         assert np.isfinite(result.numpy()).all()
-        assert (result.numpy() >= 0).all()
+    assert (actual.value.numpy() >= 0).all() or estimates
+    assert (actual.pdf.numpy() >= 0).all()
+    assert (actual.through.numpy() >= 0).all()
     assert (actual.through.numpy() <= actual.parts["hole"]).all()
 
 
@@ -255,7 +259,7 @@ def test_sheen_is_scaled_by_what_light_reaches_and_by_holes(name: str) -> None:
     front = [np.c_[v[:, :2], v[:, 2] * np.sign(queried.views[:, 2])] for v in (queried.lights, queried.views)]
     lobe = sheen(*(vectors(v) for v in front), 0.7, cloth.appearance().sheen.roughness).numpy()
     scale = actual.parts["light_visibility"] + actual.parts["hole"]
-    assert (scale < 1 + 1e-4).all()
+    assert (scale < 1 + 1e-4).all() or model_class(name).estimates
     close(actual.value.numpy()[0], lobe * scale)
     # The means of both, on the side of the view: within a tenth of rays over the same footprints.
     near = queried.lights[:, 2] * queried.views[:, 2] > 0
@@ -279,7 +283,7 @@ def test_weight_is_value_over_density(name: str, cloth: str) -> None:
     passes, pdf, weight = actual.is_null.numpy(), actual.pdf.numpy(), actual.weight.numpy()
     np.testing.assert_allclose(np.linalg.norm(actual.light.numpy(), axis=0), 1, atol=1e-4)
     assert np.isfinite(weight).all()
-    assert (weight >= 0).all()
+    assert (weight >= 0).all() or model_class(name).estimates
     again = answers(model, queried, actual.light)
     density, value, through = (part.numpy() for part in (again.pdf, again.value, again.through))
     smooth = ~passes & (density > 0)

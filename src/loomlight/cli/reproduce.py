@@ -16,7 +16,7 @@ from loomlight.core.errors import InputError
 if TYPE_CHECKING:
     from loomlight.evaluation.reproduce import Setting
 
-EXAMPLE = "Example: loomlight reproduce chen2024/fig4 -o out"
+EXAMPLE = "Example: loomlight reproduce chen2024/fig4 zhu2024/table1 -o out"
 
 
 def reproduce(
@@ -32,13 +32,23 @@ def reproduce(
         str | None,
         typer.Option(metavar="WxH", help="Pixels of each picture; 384x216, the paper's 1920x1080."),
     ] = None,
-    samples: Annotated[int, typer.Option("--spp", help="Samples a pixel of references.")] = 256,
+    samples: Annotated[
+        int | None,
+        typer.Option("--spp", help="Samples a pixel of references; 256, of zhu2024/table1 and fig5 1024."),
+    ] = None,
     weights: Annotated[
         Path | None, typer.Option(help="A weights file of woven; by default the one that comes along.")
     ] = None,
     runs: Annotated[Path, typer.Option(metavar="DIR", help="Trainings that ablations are read from.")] = Path(
         "runs"
     ),
+    model: Annotated[
+        str | None, typer.Option(metavar="NAME", help="The model of zhu2024's figures; clustered.")
+    ] = None,
+    environment: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="A latitude-longitude picture for zhu2024's blouse; the studio."),
+    ] = None,
 ) -> None:
     """Makes figures and tables of the papers again, with every number behind them."""
     if listed:
@@ -51,16 +61,25 @@ def reproduce(
         raise InputError("No figure is named: `loomlight reproduce --list` prints them all.")
     if output is None:
         raise InputError("No folder is given: write -o DIR for pictures and table.json.")
-    require_within("--spp", samples, 1, 1_000_000)
+    if samples is not None:
+        require_within("--spp", samples, 1, 1_000_000)
     pixels = None if size is None else parse_size(size)
 
     from loomlight.evaluation.reproduce import Setting, find_item, reproduce
-    from loomlight.evaluation.reproduce.setting import SIZE
+    from loomlight.evaluation.reproduce.setting import SIZE, WOVEN
 
     chosen = [find_item(name) for name in names]
     for item in chosen:
         with progress(item.name) as report:
-            setting = Setting(pixels or SIZE, samples, weights, runs, report)
+            setting = Setting(
+                pixels or SIZE,
+                samples or item.samples,
+                weights,
+                runs,
+                report,
+                WOVEN if item.model is None else model or item.model,
+                environment,
+            )
             found = reproduce(item.name, output, setting, _command(item.name, setting))
         for table in found.tables:
             print(table.to_markdown())
@@ -70,6 +89,11 @@ def reproduce(
 
 def _command(name: str, setting: Setting) -> str:
     """What makes the same figure again, without folders."""
+    from loomlight.evaluation.reproduce import find_item
+
     width, height = setting.size
     command = f"loomlight reproduce {name} --size {width}x{height} --spp {setting.samples}"
-    return command if setting.weights is None else f"{command} --weights {setting.weights.name}"
+    options = {"weights": setting.weights, "environment": setting.environment}
+    named = "".join(f" --{option} {file.name}" for option, file in options.items() if file is not None)
+    model = "" if find_item(name).model is None else f" --model {setting.model}"
+    return f"{command}{model}{named}"

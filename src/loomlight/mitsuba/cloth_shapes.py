@@ -27,7 +27,7 @@ DRAPE_BALL_RADIUS = 0.115
 
 def flat() -> ClothMesh:
     """A square of 0.1 m in the plane z = 0, facing +z; u to the right, v up."""
-    return _surface(2, lambda u, v: (FLAT_SIDE * (u - 0.5), FLAT_SIDE * (v - 0.5), 0 * u), "flat")
+    return grid_surface(2, lambda u, v: (FLAT_SIDE * (u - 0.5), FLAT_SIDE * (v - 0.5), 0 * u), "flat")
 
 
 def sphere() -> ClothMesh:
@@ -44,7 +44,7 @@ def sphere() -> ClothMesh:
         ratio = np.sinc(angle / np.pi)  # sin θ / θ
         return x * ratio, y * ratio, SPHERE_RADIUS * np.cos(angle)
 
-    square = _surface(257, on_ball, "sphere")
+    square = grid_surface(257, on_ball, "sphere")
     centre = square.uv[square.triangles].mean(axis=1)
     inside = np.hypot(*(2 * centre - 1).T) <= 1
     return ClothMesh(square.positions, square.normals, square.uv, square.triangles[inside], square.name)
@@ -59,7 +59,7 @@ def cylinder() -> ClothMesh:
         along = CYLINDER_LENGTH * (u - 0.5)
         return along, CYLINDER_RADIUS * np.sin(angle), CYLINDER_RADIUS * np.cos(angle)
 
-    return _surface(513, around, "cylinder")
+    return grid_surface(513, around, "cylinder")
 
 
 def curtain() -> ClothMesh:
@@ -82,7 +82,7 @@ def curtain() -> ClothMesh:
             depth * np.sin(2 * np.pi * CURTAIN_FOLDS * place),
         )
 
-    return _surface(513, hung, "curtain")
+    return grid_surface(513, hung, "curtain")
 
 
 def drape() -> ClothMesh:
@@ -90,23 +90,39 @@ def drape() -> ClothMesh:
     return read_mesh(str(files("loomlight.mitsuba").joinpath("data/drape.ply")))
 
 
-def _surface(grid: int, place: Placement, name: str) -> ClothMesh:
-    """A grid of vertices over the unit uv square; `place(u, v)` gives x, y, z."""
-    line = np.linspace(0, 1, grid)
-    u, v = (coordinate.ravel() for coordinate in np.meshgrid(line, line))
+def grid_surface(
+    grid: int | tuple[int, int], place: Placement, name: str, stays_within: bool = False
+) -> ClothMesh:
+    """A grid of vertices over the unit uv square; `place(u, v)` gives x, y, z.
+
+    Args:
+        grid: vertices along u and along v; one number for both.
+        stays_within: the place is asked within the unit square alone, also for the normals.
+    """
+    columns, rows = grid if isinstance(grid, tuple) else (grid, grid)
+    lines = np.linspace(0, 1, columns), np.linspace(0, 1, rows)
+    u, v = (coordinate.ravel() for coordinate in np.meshgrid(*lines))
     step = 1e-5
 
     def at(du: float, dv: float) -> NDArray[np.float64]:
-        return np.stack(place(u + du, v + dv), axis=-1)
+        across, along = u + du, v + dv
+        if stays_within:
+            across, along = np.clip(across, 0, 1), np.clip(along, 0, 1)
+        return np.stack(place(across, along), axis=-1)
 
     normals = np.cross(at(step, 0) - at(-step, 0), at(0, step) - at(0, -step))
-    corner = (np.arange(grid - 1)[:, None] * grid + np.arange(grid - 1)).ravel()
-    lower = np.stack([corner, corner + 1, corner + grid + 1], axis=1)
-    upper = np.stack([corner, corner + grid + 1, corner + grid], axis=1)
     return ClothMesh(
         positions=at(0, 0),
         normals=normals / np.linalg.norm(normals, axis=1, keepdims=True),
         uv=np.stack([u, v], axis=1),
-        triangles=np.concatenate([lower, upper]),
+        triangles=grid_triangles(columns, rows),
         name=name,
     )
+
+
+def grid_triangles(columns: int, rows: int) -> NDArray[np.int64]:
+    """Vertex indices of a grid of vertices, row by row [2·(columns − 1)·(rows − 1), 3]."""
+    corner = (np.arange(rows - 1)[:, None] * columns + np.arange(columns - 1)).ravel()
+    lower = np.stack([corner, corner + 1, corner + columns + 1], axis=1)
+    upper = np.stack([corner, corner + columns + 1, corner + columns], axis=1)
+    return np.concatenate([lower, upper])

@@ -271,7 +271,8 @@ def footprint_path_class() -> type:
 
         def _play_roulette(self, path: PathState, bounced: Any, sampler: Any) -> None:
             """Ends paths whose throughput is small, from `rr_depth` on."""
-            β_max = dr.max(path.β)
+            # Unbiased estimates of a BSDF may be negative.
+            β_max = dr.max(abs(path.β))
             path.active &= β_max != 0
             survival = minimum(β_max * dr.square(path.η), 0.95)
             plays = bounced & (path.depth > self.rr_depth)

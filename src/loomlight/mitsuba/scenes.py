@@ -20,6 +20,7 @@ from loomlight.mitsuba.faults import reason_of
 from loomlight.mitsuba.integrator import footprint_integrator
 from loomlight.mitsuba.lights import direction_of, environment_dict, light_dicts
 from loomlight.mitsuba.meshes import ClothMesh, from_shape, joined, read_mesh, to_shape, uv_size
+from loomlight.mitsuba.scene_props import ball, ground
 
 # The BSDF of a user's scene file that is replaced by the fabric.
 FABRIC_ID = "fabric"
@@ -182,9 +183,9 @@ def build_scene(
         towards = np.array(setup.towards_light) if light_from is None else direction_of(*light_from)
         parts |= light_dicts(setup.light if light is None else light, centre, radius, towards)
     if setup.ground:
-        parts["ground"] = _ground(centre, radius, float(cloth.positions[:, 1].min()))
+        parts["ground"] = ground(centre, radius, float(cloth.positions[:, 1].min()))
     if mesh is None and name == "drape":
-        parts["ball"] = _ball()
+        parts["ball"] = ball()
     if mesh is None and name == "flat":
         parts["wall"] = _wall(centre, radius)
     point = _facing_point(cloth, view)
@@ -247,26 +248,6 @@ def _loaded(parts: dict[str, Any]) -> Any:
 def _bounds(cloth: ClothMesh) -> tuple[NDArray[np.float64], float]:
     low, high = cloth.positions.min(axis=0), cloth.positions.max(axis=0)
     return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-
-
-def _ground(centre: NDArray[np.float64], radius: float, height: float) -> dict[str, Any]:
-    transform = mi.ScalarTransform4f().translate([centre[0], height - 1e-3 * radius, centre[2]])
-    return {
-        "type": "disk",
-        "to_world": transform.rotate([1, 0, 0], -90).scale(60 * radius),
-        # Grey card: darker than most cloth, which stands out from it.
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.18}},
-    }
-
-
-def _ball() -> dict[str, Any]:
-    radius = cloth_shapes.DRAPE_BALL_RADIUS
-    return {
-        "type": "sphere",
-        "center": [0, radius, 0],
-        "radius": radius,
-        "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": 0.32}},
-    }
 
 
 def _wall(centre: NDArray[np.float64], radius: float) -> dict[str, Any]:

@@ -6,6 +6,7 @@ import math
 from abc import abstractmethod
 from collections.abc import Mapping
 from copy import copy
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, Self, final
 
@@ -220,10 +221,15 @@ def _is_albedo(name: str) -> bool:
 
 def _means_of(fabric: Fabric, values: Values) -> FootprintAlbedos:
     """Mean albedos of a fabric with the albedos of its scene parameters."""
-    held = fabric.appearance()
     shared = [_shared_albedos(family, values) for family in FAMILIES]
+    return LiveAlbedos(YarnGeometry(fabric.layout()), appearance_of(fabric, values), *shared)
+
+
+def appearance_of(fabric: Fabric, values: Values) -> Appearance:
+    """What a fabric scatters with the albedos of its scene parameters."""
+    held = fabric.appearance()
     warp, weft = (_with_albedos(getattr(held, family), family, values) for family in FAMILIES)
-    return LiveAlbedos(YarnGeometry(fabric.layout()), Appearance(warp, weft), *shared)
+    return replace(held, warp=warp, weft=weft)
 
 
 def _shared_albedos(family: str, values: Values) -> Albedos | None:

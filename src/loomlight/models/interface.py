@@ -143,6 +143,7 @@ class Model(ABC):
         source_kind: of the sources that it takes, a name of `SOURCE_KINDS`.
         filters: whether it averages over the footprint; otherwise it looks at one point of it.
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
+        estimates: whether answers are unbiased Monte Carlo estimates, which may be negative.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
         has_holes: whether light passes straight through some of its sources.
         options: what may be chosen beside the source.
@@ -153,6 +154,7 @@ class Model(ABC):
     source_kind: ClassVar[str] = "fabric"
     filters: ClassVar[bool]
     conserves_energy: ClassVar[bool]
+    estimates: ClassVar[bool] = False
     symbolic: ClassVar[bool] = True
     has_holes: ClassVar[bool] = False
     options: ClassVar[tuple[Option, ...]] = ()

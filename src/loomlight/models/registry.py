@@ -37,6 +37,12 @@ class ModelEntry:
 
 
 MODELS: dict[str, ModelEntry] = {
+    "clustered": ModelEntry(
+        "loomlight.models.clustered.model",
+        "ClusteredModel",
+        "woven_clustered",
+        "the point model over the pixel, unbiased from few samples (Zhu et al. 2024)",
+    ),
     "lobes": ModelEntry(
         "loomlight.models.lobes.model",
         "LobesModel",

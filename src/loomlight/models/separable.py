@@ -92,6 +92,11 @@ class SeparableBsdf(FootprintBsdf):
     def composed(self, components: Components, light: Vec3) -> Color3:
         """`value` of components that are at hand, 1/sr."""
         body = shade(components, self.albedos, light.z * self.view.z < 0)
+        return self.under_sheen(body, components.light_visibility, light)
+
+    @final
+    def under_sheen(self, body: Color3, light_visibility: Float, light: Vec3) -> Color3:
+        """f·cos of cloth whose yarns scatter `body` (1/sr), with the sheen over it, 1/sr."""
         if self.sheen.strength <= 0:
             return body
         # A function of the macro normal alone, shadowed like everything else at a point (zhu2024 eq. 3–5):
@@ -99,7 +104,7 @@ class SeparableBsdf(FootprintBsdf):
         lobe, transmittance = sheen_with_transmittance(
             self.to_seen_face(light), self.to_seen_face(self.view), self.sheen.strength, self.sheen.roughness
         )
-        return transmittance * body + (components.light_visibility + self.hole) * lobe
+        return transmittance * body + (light_visibility + self.hole) * lobe
 
 
 def shade(components: Components, albedos: FamilyAlbedos, is_transmission: Mask) -> Color3:

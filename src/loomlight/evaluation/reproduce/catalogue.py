@@ -5,8 +5,21 @@ from __future__ import annotations
 import difflib
 
 from loomlight.core.errors import InputError
-from loomlight.evaluation.reproduce import ablation, comparison, components, cost, editing, latents
+from loomlight.evaluation.reproduce import (
+    ablation,
+    comparison,
+    components,
+    cost,
+    editing,
+    latents,
+    zhu2024_control,
+    zhu2024_cylinder,
+    zhu2024_sampling,
+    zhu2024_sheen,
+    zhu2024_table1,
+)
 from loomlight.evaluation.reproduce.evidence import Item
+from loomlight.evaluation.reproduce.setting import CLUSTERED, POINT
 
 _ITEMS = (
     Item("chen2024/fig1", "nine fabrics in one picture, one network", comparison.many),
@@ -26,6 +39,39 @@ _ITEMS = (
     Item("chen2024/fig8", "latents interpolated and extrapolated against encoded ones", latents.interpolated),
     Item("chen2024/fig9", "a strip of edits and what each costs", editing.edited),
     Item("chen2024/table3", "the time of a picture: network, others, encoder", cost.split),
+    Item(
+        "zhu2024/table1",
+        "five scenes: samples and seconds to equal quality",
+        zhu2024_table1.speed_up,
+        zhu2024_table1.TRUTH_SAMPLES,
+        CLUSTERED,
+    ),
+    Item(
+        "zhu2024/fig5",
+        "importance sampling under an environment map, 32 samples",
+        zhu2024_sampling.importance_sampling,
+        1024,
+        CLUSTERED,
+    ),
+    Item(
+        "zhu2024/fig6",
+        "parallax near and far, against a ray-traced height field",
+        zhu2024_cylinder.parallax,
+        model=CLUSTERED,
+    ),
+    Item("zhu2024/fig7", "sheen on black cloth", zhu2024_sheen.sheen, model=CLUSTERED),
+    Item(
+        "zhu2024/fig8",
+        "a cylinder of cloth: parallax and sheen, against a height field",
+        zhu2024_cylinder.cylinder,
+        model=CLUSTERED,
+    ),
+    Item(
+        "zhu2024/fig11",
+        "the choice of α: base, residual and their sum",
+        zhu2024_control.choice_of_alpha,
+        model=POINT,
+    ),
 )
 CATALOGUE = {item.name: item for item in _ITEMS}
 

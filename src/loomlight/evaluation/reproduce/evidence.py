@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from loomlight.core.colour import linear_to_srgb
 from loomlight.evaluation.pictures import PictureError
-from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.reproduce.setting import SAMPLES, Setting
 from loomlight.evaluation.table import Table
 
 Pixels = NDArray[np.uint8]
@@ -39,16 +39,21 @@ class Item:
         name: such as "chen2024/fig4".
         shows: one line for people.
         make: makes it.
+        samples: a pixel, of its references.
+        model: of figures that show any model: the paper's own; None where the network is shown.
     """
 
     name: str
     shows: str
     make: Callable[[Setting], Evidence]
+    samples: int = SAMPLES
+    model: str | None = None
 
     @property
     def stem(self) -> str:
-        """The beginning of its files' names."""
-        return self.name.rpartition("/")[2]
+        """The beginning of its files' names; figures of several papers may lie in one folder."""
+        paper, _, figure = self.name.rpartition("/")
+        return figure if paper == "chen2024" else f"{paper}-{figure}"
 
 
 def on_display(linear: NDArray[np.float32]) -> Pixels:

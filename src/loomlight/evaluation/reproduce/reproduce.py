@@ -15,8 +15,9 @@ from loomlight.core.provenance import provenance
 from loomlight.evaluation.compare import prepared_folder
 from loomlight.evaluation.reproduce.catalogue import find_item
 from loomlight.evaluation.reproduce.evidence import Evidence, Item
-from loomlight.evaluation.reproduce.setting import Setting
+from loomlight.evaluation.reproduce.setting import WOVEN, Setting
 from loomlight.evaluation.table import write_json
+from loomlight.models.registry import require_model_name
 
 _SCHEMA = 1
 _KIND = "loomlight reproduce"
@@ -38,11 +39,14 @@ def reproduce(
         command: recorded in table.json.
 
     Raises:
-        InputError: an unknown name, weights that cannot be used, or a folder that cannot be written.
+        InputError: an unknown name or model, weights that cannot be used, or a folder that cannot be written.
     """
     item = find_item(name)
-    chosen = setting or Setting()
-    chosen.network()
+    chosen = setting or Setting(samples=item.samples, model=item.model or WOVEN)
+    if item.model is None:
+        chosen.network()
+    else:
+        require_model_name(chosen.model)
     with discarding_empty(folder):
         target = prepared_folder(folder)
         earlier = _earlier(target / "table.json")
@@ -57,19 +61,24 @@ def reproduce(
 
 
 def _entry(item: Item, evidence: Evidence, setting: Setting, command: str) -> dict[str, Any]:
-    network = setting.network()
-    return {
+    entry = {
         "shows": item.shows,
         **provenance(command, Path(__file__).parent),
         "size": list(setting.size),
         "reference_samples": setting.samples,
-        "weights": {
+    }
+    if item.model is None:
+        network = setting.network()
+        entry["weights"] = {
             "file": "the package's" if setting.weights is None else setting.weights.name,
             "sha256": network.sha256,
             "trained": network.trained,
-        },
-        "tables": [table.to_dict() for table in evidence.tables],
-    }
+        }
+    else:
+        environment = setting.environment
+        entry["model"] = setting.model
+        entry["environment"] = "the studio" if environment is None else environment.name
+    return {**entry, "tables": [table.to_dict() for table in evidence.tables]}
 
 
 def _earlier(path: Path) -> dict[str, Any]:

@@ -18,7 +18,7 @@ from loomlight.models.woven.weights import Weights, read_weights, shipped_weight
 
 SIZE, SAMPLES = (384, 216), 256
 RUNS = Path("runs")
-POINT, WOVEN = "point", "woven"
+POINT, LOBES, WOVEN, CLUSTERED = "point", "lobes", "woven", "clustered"
 
 # Called with (steps done, steps in all).
 Progress = Callable[[int, int], None]
@@ -34,6 +34,8 @@ class Setting:
         weights: a weights file; None is the package's.
         runs: the folder of trainings, by the names of their configurations.
         progress: called after every step of a figure.
+        model: of figures that show one model beside the point model.
+        environment: a latitude-longitude picture for scenes that an environment lights; None is the studio.
     """
 
     size: tuple[int, int] = SIZE
@@ -41,6 +43,8 @@ class Setting:
     weights: Path | None = None
     runs: Path = RUNS
     progress: Progress | None = None
+    model: str = WOVEN
+    environment: Path | None = None
 
     def network(self) -> Weights:
         """The network of the figure.

@@ -1,0 +1,102 @@
+"""Cloth as a ray-traced height field: every yarn is triangles, and shadows and parallax are Mitsuba's.
+
+The independent check of what models say of parallax and shadows: heights come from `YarnGeometry`,
+everything that hides or is hidden from the ray tracer. Vertices have the normals of the plain piece, so
+that the frame of shading is the one of the cloth, and the local scattering of the yarn's point alone is
+evaluated in it. Steps between yarns become steep triangles. Direct light of opaque cloth: behind the
+triangles there is nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+from loomlight.aggregate.components import colours
+from loomlight.core.arrays import Mask
+from loomlight.fabric.fabric import Fabric
+from loomlight.mitsuba.bsdf_samples import plain, variant_types
+from loomlight.mitsuba.mesh_arrays import MeshArrays, make_shape
+from loomlight.mitsuba.meshes import ClothMesh, uv_size
+from loomlight.scattering.point import PointModel
+from loomlight.scattering.sheen import sheen_with_transmittance
+from loomlight.yarn.geometry import YarnGeometry
+
+
+def height_field_shape(piece: ClothMesh, fabric: Fabric) -> Any:
+    """A Mitsuba shape of a finely tessellated piece whose vertices are moved to the heights of the yarns.
+
+    Triangles with a vertex in a hole are left out. The piece's dp/du and dp/dv must not point in a mirrored
+    order (`cloth_uv.py`), as those of `cloth_shapes` do not.
+
+    Args:
+        piece: metres; its vertices must resolve the yarns, with 16 a thread or more.
+    """
+    millimetres = uv_size(piece)
+    geometry = YarnGeometry(fabric.layout())
+    types = variant_types()
+    x, y = (types.Float((piece.uv[:, k] * millimetres[k]).astype(np.float32)) for k in (0, 1))
+    height, hole = geometry.height(x, y, types.Bool(False))
+    dr.eval(height, hole)
+    heights = np.broadcast_to(np.asarray(height.numpy(), np.float64), (len(piece.uv),))
+    holes = np.broadcast_to(np.asarray(hole.numpy(), bool), (len(piece.uv),))
+    solid = piece.triangles[~holes[piece.triangles].any(axis=1)]
+    positions = piece.positions + piece.normals * (1e-3 * np.where(holes, 0, heights))[:, None]
+    bsdf = _yarn_bsdf(PointModel(geometry, fabric.appearance()), millimetres)
+    return make_shape("height field", MeshArrays(positions, piece.normals, piece.uv, solid), bsdf)
+
+
+def _yarn_bsdf(model: PointModel, millimetres: tuple[float, float]) -> Any:
+    base: Any = mi.BSDF
+
+    class YarnBsdf(base):
+        """The local scattering of the yarn at a point of the surface: no shadow, no parallax."""
+
+        def __init__(self) -> None:
+            super().__init__(mi.Properties())
+            flags: Any = mi.BSDFFlags
+            lobe = flags.GlossyReflection | flags.FrontSide | flags.SpatiallyVarying | flags.Anisotropic
+            self.m_components = [lobe]
+            self.m_flags = lobe
+            surface = model.surface
+            assert isinstance(surface, YarnGeometry)
+            surface.upload(variant_types())
+            model.parameters(variant_types())
+
+        def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            types = variant_types()
+            view, light = plain(si.wi), plain(wo)
+            x, y = (types.Float(part) * size for part, size in zip(si.uv, millimetres, strict=True))
+            point = model.at(x, y, types.Bool(False), types.Bool(False))
+            # A ray may leave a triangle backwards and find nothing in its way: the yarn itself is.
+            lit = dr.dot(point.normal, light) > 0
+            value = colours(model.appearance, point, light, view, lit)
+            if model.sheen is not None:
+                sheen, transmittance = sheen_with_transmittance(light, view, *model.sheen)
+                value = transmittance * value + dr.select(lit, sheen, 0)
+            shown = active & (light.z > 0) & (view.z > 0)
+            return mi.Spectrum(dr.select(shown, value, 0))
+
+        def pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            above = active & (mi.Frame3f.cos_theta(wo) > 0)
+            return dr.select(above, mi.warp.square_to_cosine_hemisphere_pdf(wo), 0)
+
+        def eval_pdf(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
+            return self.eval(ctx, si, wo, active), self.pdf(ctx, si, wo, active)
+
+        def sample(self, ctx: Any, si: Any, sample1: Any, sample2: Any, active: Mask = True) -> Any:
+            bs: Any = dr.zeros(mi.BSDFSample3f)
+            bs.wo = mi.warp.square_to_cosine_hemisphere(sample2)
+            bs.pdf = self.pdf(ctx, si, bs.wo, active)
+            bs.eta = 1.0
+            bs.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
+            value = self.eval(ctx, si, bs.wo, active)
+            return bs, dr.select(bs.pdf > 0, value / bs.pdf, 0)
+
+        def to_string(self) -> str:
+            return "YarnBsdf[]"
+
+    return YarnBsdf()

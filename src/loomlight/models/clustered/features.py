@@ -1,0 +1,110 @@
+"""Feature maps: what is at the middle of every texel of one repeat, on both faces (zhu2024 3.1)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TypeVar
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import FloatType
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.horizon import AZIMUTHS, HorizonMap
+
+_Number = TypeVar("_Number", bound=np.generic)
+# Texels along the longer side of small repeats (zhu2024 6), and the fewest across the finest thread.
+DEFAULT_TEXELS = 256
+_FEWEST_PER_THREAD = 6
+# The bake takes about 400 bytes and 20 µs a texel: 1.6 GB and 90 s.
+MOST_TEXELS = 1 << 22
+_BYTES_A_TEXEL, _SECONDS_A_TEXEL = 400, 2e-5
+
+
+@dataclass(frozen=True, eq=False)
+class FeatureMaps:
+    """Texels of both faces, in the frame of the face; row 0 lies at y = 0, column 0 at x = 0.
+
+    Attributes:
+        hole, is_warp: [2 faces, rows, columns]; nothing else means anything in holes.
+        thread: index of the thread that shows [2, rows, columns].
+        height: above the plane of the crown lines, millimetres [2, rows, columns].
+        normal, tangent: unit normal and unit fibre direction [2, rows, columns, 3].
+        horizon: sines of elevation in steps of 1/255 [2, rows, columns, 16 azimuths].
+    """
+
+    hole: NDArray[np.bool_]
+    is_warp: NDArray[np.bool_]
+    thread: NDArray[np.int32]
+    height: NDArray[np.float32]
+    normal: NDArray[np.float32]
+    tangent: NDArray[np.float32]
+    horizon: NDArray[np.uint8]
+
+
+def texel_counts(geometry: YarnGeometry, longest: int) -> tuple[int, int]:
+    """Columns and rows: `longest` along the longer side, or more where threads would have under 6 texels.
+
+    Raises:
+        InputError: the repeat is too large; the message says what its bake would take.
+    """
+    width, height = geometry.size
+    side = max(width, height) / longest
+    counts = [
+        max(4, math.ceil(extent / side - 1e-6), math.ceil(_FEWEST_PER_THREAD * extent / fine - 1e-6))
+        for extent, fine in zip((width, height), geometry.finest, strict=True)
+    ]
+    texels = counts[0] * counts[1]
+    if texels > MOST_TEXELS:
+        raise InputError(
+            f"The repeat of {width:.4g} × {height:.4g} mm needs {counts[0]} × {counts[1]} texels, "
+            f"{texels * _BYTES_A_TEXEL / 1e9:.2g} GB and about {texels * _SECONDS_A_TEXEL:.0f} s to bake: "
+            f"clustered takes up to {MOST_TEXELS / 1e6:.1f} million texels; use lobes for this draft."
+        )
+    return counts[0], counts[1]
+
+
+def feature_maps(geometry: YarnGeometry, counts: tuple[int, int], float_type: FloatType) -> FeatureMaps:
+    """The maps of one repeat with so many columns and rows."""
+    types = array_types(float_type)
+    columns, rows = counts
+    index = dr.arange(types.UInt32, columns * rows)
+    row = index // columns
+    x = (types.Float(index - row * columns) + 0.5) * (geometry.size[0] / columns)
+    y = (types.Float(row) + 0.5) * (geometry.size[1] / rows)
+    points = [geometry.surface(x, y, dr.full(types.Bool, back, len(x))) for back in (False, True)]
+    dr.eval(points)
+    horizons = HorizonMap(geometry, counts, float_type)
+
+    def both(*parts: NDArray[_Number]) -> NDArray[_Number]:
+        return np.stack([part.reshape(rows, columns, *part.shape[1:]) for part in parts])
+
+    return FeatureMaps(
+        hole=both(*(np.array(point.hole.numpy(), bool) for point in points)),
+        is_warp=both(*(np.array(point.is_warp.numpy(), bool) for point in points)),
+        thread=both(
+            *(
+                dr.select(point.is_warp, point.warp_thread, point.weft_thread).numpy().astype(np.int32)
+                for point in points
+            )
+        ),
+        height=both(*(point.height.numpy() for point in points)),
+        normal=both(*(point.normal.numpy().T for point in points)),
+        tangent=both(*(point.tangent.numpy().T for point in points)),
+        horizon=horizons.sine,
+    )
+
+
+def free_towards(horizon: NDArray[np.uint8], direction: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Whether texels see a direction [3] of their face, by their horizons [n, 16]: [n]."""
+    turns = math.atan2(direction[1], direction[0]) / (2 * math.pi) * AZIMUTHS
+    before = math.floor(turns)
+    share = np.float32(turns - before)
+    first, second = horizon[:, before % AZIMUTHS], horizon[:, (before + 1) % AZIMUTHS]
+    level = first * (1 - share) + second * share
+    found: NDArray[np.bool_] = level <= np.float32(255 * direction[2])
+    return found

@@ -1,0 +1,248 @@
+"""Clustered control variates as a multi-scale model: tables of one fabric, and a few exact yarn points."""
+
+from __future__ import annotations
+
+from copy import copy
+from dataclasses import replace
+from typing import Self, final
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Mask, UInt, Vec3
+from loomlight.core.backend import ArrayTypes, array_types
+from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import llvm_float
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.clustered.base import DeviceTables
+from loomlight.models.clustered.bsdf import ClusteredBsdf
+from loomlight.models.clustered.random_numbers import hashed
+from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
+from loomlight.models.clustered.trust import trust_by_view
+from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
+from loomlight.models.interface import Option, Values
+from loomlight.models.separable import FamilyAlbedos
+from loomlight.scattering.appearance import Appearance
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.search import upload_extent
+
+DEFAULT_CLUSTERS, MOST_CLUSTERS = 16, 64
+DEFAULT_RANK, MOST_RANK = 1, 16
+DEFAULT_SAMPLES, MOST_SAMPLES = 2, 8
+DEFAULT_TEXEL_SAMPLES, MOST_TEXEL_SAMPLES = 16, 1024
+# What tables mean; to be raised when older ones no longer fit the formulas.
+_TABLES_VERSION = 1
+# Scene parameters of a family that tables depend on.
+_BAKED = ("height_scale", "inclination", "twist", "roughness")
+
+
+@final
+class ClusteredModel(FilteredFabricModel):
+    """A base term from summed-area tables, and a residual from `samples` yarn points (zhu2024).
+
+    Values are unbiased estimates: those of many samples of a pixel average to the mean of the point model
+    over its footprint, and single ones may be negative. Edits of roughness and of the yarns' shape bake
+    the tables again; edits of colours or sheen do not.
+
+    Attributes:
+        tables: the baked tables.
+        samples: yarn points of a footprint; 0 leaves out what tells them from the texel model.
+        texel_samples: points of the texel model; with 0 of both the base is alone, biased and without noise.
+    """
+
+    name = "clustered"
+    conserves_energy = False
+    estimates = True
+    options = (
+        Option("clusters", int, f"a multiple of 4 from 4 to {MOST_CLUSTERS}", 4, MOST_CLUSTERS),
+        Option("rank", int, f"a whole number from 0 to {MOST_RANK}", 0, MOST_RANK),
+        Option("texel_samples", int, f"a whole number from 0 to {MOST_TEXEL_SAMPLES}", 0, MOST_TEXEL_SAMPLES),
+        Option("samples", int, f"a whole number from 0 to {MOST_SAMPLES}", 0, MOST_SAMPLES),
+    )
+
+    def __init__(
+        self,
+        fabric: Fabric,
+        tables: ClusterTables,
+        samples: int = DEFAULT_SAMPLES,
+        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
+    ) -> None:
+        """A model of baked tables; see `for_source` to bake them."""
+        super().__init__(fabric)
+        self.tables, self.samples, self.texel_samples = tables, samples, texel_samples
+        self._geometry = YarnGeometry(fabric.layout())
+        self._uploaded: dict[type, DeviceTables] = {}
+        self._use(fabric.appearance())
+
+    def _use(self, appearance: Appearance) -> None:
+        self.point_model = PointModel(self._geometry, appearance)
+
+    @classmethod
+    def for_source(
+        cls,
+        source: Source,
+        clusters: int = DEFAULT_CLUSTERS,
+        rank: int = DEFAULT_RANK,
+        samples: int = DEFAULT_SAMPLES,
+        texel_samples: int = DEFAULT_TEXEL_SAMPLES,
+    ) -> Self:
+        """The model of a fabric.
+
+        Args:
+            clusters: of each face, a multiple of 4 up to 64.
+            rank: principal components of the fibre densities of a cluster, 0 to 16.
+            samples: yarn points of a footprint, 0 to 8.
+            texel_samples: points of the texel model, 0 to 1024.
+
+        Raises:
+            InputError: no fabric, one whose repeat is too large, or an option out of range.
+        """
+        fabric = fabric_source(source, cls.name)
+        _require_options(clusters, rank, samples, texel_samples)
+        appearance = fabric.appearance()
+        roughness = appearance.warp.roughness, appearance.weft.roughness
+        tables = bake_tables(YarnGeometry(fabric.layout()), roughness, clusters, rank, llvm_float())
+        draft = cls(fabric, tables, samples, texel_samples)
+        trust = trust_by_view(draft.on_backend(array_types(llvm_float())), llvm_float())
+        return cls(fabric, replace(tables, trust=trust), samples, texel_samples)
+
+    def with_source(self, source: Source) -> Self:
+        """The model of another fabric with the same options."""
+        return type(self).for_source(
+            source, self.tables.clusters, self.tables.rank, self.samples, self.texel_samples
+        )
+
+    def with_samples(self, samples: int, texel_samples: int | None = None) -> Self:
+        """This model with other numbers of points; tables are shared.
+
+        Args:
+            texel_samples: None leaves it.
+
+        Raises:
+            InputError: fewer or more points than the options allow.
+        """
+        model = copy(self)
+        model.samples = samples
+        if texel_samples is not None:
+            model.texel_samples = texel_samples
+        _require_options(self.tables.clusters, self.tables.rank, samples, model.texel_samples)
+        return model
+
+    def with_fabric(self, fabric: Fabric, edits: frozenset[str]) -> Self:
+        """The model of an edited fabric; tables are kept if the edit changes the sheen alone."""
+        if any(name.endswith(_BAKED) and not name.startswith("sheen.") for name in edits):
+            return self.with_source(fabric)
+        return type(self)(fabric, self.tables, self.samples, self.texel_samples)
+
+    def updated(self, values: Values, changed: frozenset[str]) -> Self:
+        """The model after an edit; yarn points have the edited albedos too."""
+        model = super().updated(values, changed)
+        if model is not self:
+            model._use(appearance_of(model.fabric, values))
+        return model
+
+    def to_loom(self) -> LoomFile:
+        """The tables."""
+        return LoomFile(
+            model=self.name,
+            source=self.fabric,
+            tensors=self.tables.arrays(),
+            settings={
+                "samples": self.samples,
+                "texel_samples": self.texel_samples,
+                "tables_version": _TABLES_VERSION,
+            },
+        )
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of the tables in a file.
+
+        Raises:
+            InputError: another model's file, tables of another version, or that do not belong together.
+        """
+        fabric = fabric_in_loom(loom, cls.name)
+        if loom.settings.get("tables_version") != _TABLES_VERSION:
+            raise InputError(f"{loom.file}: its tables are of another version of loomlight: bake it again.")
+        tables, samples = tables_of_loom(loom), loom.setting("samples", int)
+        texel_samples = loom.setting("texel_samples", int)
+        _require_options(tables.clusters, tables.rank, samples, texel_samples)
+        return cls(fabric, tables, samples, texel_samples)
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Uploads all tables to a backend, which otherwise happens at first use."""
+        super().upload(types)
+        self._geometry.upload(types)
+        upload_extent(self._geometry, types)
+        self.point_model.parameters(types)
+        self.on_backend(types)
+
+    def at(
+        self,
+        view: Vec3,
+        footprint: Footprint,
+        tint: Color3 | None = None,
+        active: Mask = True,
+        seed: UInt | None = None,
+    ) -> ClusteredBsdf:
+        """The BSDF of footprints for one view each.
+
+        Args:
+            seed: random numbers of the residual, UInt32; None hashes views and footprints, which is right
+                where each sample of a pixel has a ray of its own.
+        """
+        types = array_types(view.x)
+        tables = self.on_backend(types)
+        if seed is None:
+            seed = hashed(view, footprint, tables.size)
+        means = FamilyAlbedos(*self.means.over(footprint, view.z < 0))
+        return ClusteredBsdf(
+            tables,
+            self.point_model,
+            means,
+            self.samples,
+            self.texel_samples,
+            seed,
+            view,
+            footprint,
+            tint,
+            active,
+        )
+
+    def on_backend(self, types: ArrayTypes) -> DeviceTables:
+        """The tables on one backend, uploaded once."""
+        if types.Float not in self._uploaded:
+            appearance = self.fabric.appearance()
+            self._uploaded[types.Float] = DeviceTables(
+                self.tables,
+                self._geometry.size,
+                self._geometry.height_bounds[1],
+                min(self._geometry.finest),
+                appearance.diffuse_blend,
+                appearance.optical_depth,
+                types,
+            )
+        return self._uploaded[types.Float]
+
+    def own_facts(self) -> dict[str, str]:
+        """The size of what was baked."""
+        return {
+            "tables": f"{self.tables.nbytes / 1e6:.3g} MB",
+            "on a device": f"{self.tables.device_bytes / 1e6:.3g} MB",
+            "samples": str(self.samples),
+        }
+
+
+def _require_options(clusters: int, rank: int, samples: int, texel_samples: int) -> None:
+    """Raises InputError unless options are in range."""
+    if not 4 <= clusters <= MOST_CLUSTERS or clusters % 4:
+        raise InputError(
+            f"clusters = {clusters} is out of range: use a multiple of 4 from 4 to {MOST_CLUSTERS}."
+        )
+    if not 0 <= rank <= MOST_RANK:
+        raise InputError(f"rank = {rank} is out of range: use 0 to {MOST_RANK}.")
+    if not 0 <= samples <= MOST_SAMPLES:
+        raise InputError(f"samples = {samples} is out of range: use 0 to {MOST_SAMPLES}.")
+    if not 0 <= texel_samples <= MOST_TEXEL_SAMPLES:
+        raise InputError(f"texel_samples = {texel_samples} is out of range: use 0 to {MOST_TEXEL_SAMPLES}.")

@@ -1,0 +1,187 @@
+"""All tables of one fabric, and how they are baked."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.core.arrays import FloatType
+from loomlight.core.errors import InputError
+from loomlight.models.clustered.clusters import NO_CLUSTER, label_texels
+from loomlight.models.clustered.density_tables import density_tables
+from loomlight.models.clustered.features import DEFAULT_TEXELS, FeatureMaps, feature_maps, texel_counts
+from loomlight.models.clustered.square_map import BINS
+from loomlight.models.clustered.visibility_tables import VIEW_BINS, visibility_tables
+from loomlight.yarn.geometry import YarnGeometry
+from loomlight.yarn.horizon import AZIMUTHS
+
+# Numbers of a cluster: mean normal and mean fibre direction, each of unit length, roughness of its lobe for
+# sampling, and that of its family.
+NUMBERS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class ClusterTables:
+    """The tables of one fabric, both faces.
+
+    Attributes:
+        labels: cluster of each texel [2, rows, columns], 255 in holes.
+        coefficients: of the principal components of D [2, rows, columns, rank].
+        basis: means and principal components of D, 1/sr [2, half-vector bins, 1 + rank, clusters].
+        moments: numbers of each cluster [2, clusters, 8]; see `NUMBERS`.
+        features: normal, 1 for warp, 0 for weft and −1 for holes, fibre direction, and index of the thread of
+            each texel [2, rows, columns, 8].
+        height: of each texel, millimetres [2, rows, columns].
+        horizon: see `FeatureMaps`.
+        light, view, offset: see `VisibilityTables`.
+        trust: see `trust_by_view` [2, view bins].
+    """
+
+    labels: NDArray[np.uint8]
+    coefficients: NDArray[np.int8]
+    basis: NDArray[np.float32]
+    moments: NDArray[np.float32]
+    features: NDArray[np.float16]
+    height: NDArray[np.float16]
+    horizon: NDArray[np.uint8]
+    light: NDArray[np.float32]
+    view: NDArray[np.float32]
+    offset: NDArray[np.float32]
+    trust: NDArray[np.float32]
+
+    @property
+    def clusters(self) -> int:
+        """Clusters of a face."""
+        return self.moments.shape[1]
+
+    @property
+    def rank(self) -> int:
+        """Principal components of a cluster."""
+        return self.coefficients.shape[3]
+
+    @property
+    def counts(self) -> tuple[int, int]:
+        """Columns and rows of texels."""
+        return self.labels.shape[2], self.labels.shape[1]
+
+    @property
+    def nbytes(self) -> int:
+        """Size in a file."""
+        return sum(part.nbytes for part in self.arrays().values())
+
+    @property
+    def device_bytes(self) -> int:
+        """Size on a device, where summed-area tables take the place of coefficients."""
+        columns, rows = self.counts
+        sums = 2 * (columns + 1) * (rows + 1) * self.clusters * (1 + self.rank) * 4
+        return self.nbytes + sums + 3 * self.labels.nbytes + 3 * self.coefficients.nbytes
+
+    @property
+    def uncompressed_bytes(self) -> int:
+        """Size of the summed-area tables of D, of every cluster and half-vector bin."""
+        return self.labels.size * self.clusters * BINS * BINS * 4
+
+    def arrays(self) -> dict[str, NDArray[np.generic]]:
+        """The tables by name."""
+        return {part.name: getattr(self, part.name) for part in fields(self)}
+
+
+def bake_tables(
+    geometry: YarnGeometry,
+    roughness: tuple[float, float],
+    clusters: int,
+    rank: int,
+    float_type: FloatType,
+    texels: int = DEFAULT_TEXELS,
+) -> ClusterTables:
+    """Bakes the tables of a fabric: the same bytes every time. Trust is left at 1.
+
+    Args:
+        roughness: of warp and weft.
+        clusters: of a face, a multiple of 4.
+        rank: principal components of the densities of a cluster.
+        texels: along the longer side of the repeat.
+
+    Raises:
+        InputError: a repeat that is too large.
+    """
+    counts = texel_counts(geometry, texels)
+    maps = feature_maps(geometry, counts, float_type)
+    labels = label_texels(maps, clusters)
+    densities = density_tables(labels, maps.tangent, roughness, clusters, rank)
+    visibility = visibility_tables(geometry, maps, labels, clusters, float_type)
+    return ClusterTables(
+        labels=labels,
+        coefficients=densities.coefficients,
+        basis=densities.basis,
+        moments=_moments(maps, labels, roughness, clusters),
+        features=_features(maps),
+        height=maps.height.astype(np.float16),
+        horizon=maps.horizon,
+        light=visibility.light,
+        view=visibility.view,
+        offset=visibility.offset,
+        trust=np.ones((2, VIEW_BINS**2), np.float32),
+    )
+
+
+def _features(maps: FeatureMaps) -> NDArray[np.float16]:
+    kind = np.where(maps.hole, -1.0, np.where(maps.is_warp, 1.0, 0.0))
+    parts = (maps.normal, kind[..., None], maps.tangent, maps.thread[..., None])
+    return np.nan_to_num(np.concatenate(parts, axis=3)).astype(np.float16)
+
+
+def _moments(
+    maps: FeatureMaps, labels: NDArray[np.uint8], roughness: tuple[float, float], clusters: int
+) -> NDArray[np.float32]:
+    moments = np.zeros((2, clusters, NUMBERS), np.float32)
+    for face in (0, 1):
+        for cluster in range(clusters):
+            chosen = labels[face] == cluster
+            alpha = roughness[0] if cluster < clusters // 2 else roughness[1]
+            normal, tangent = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0])
+            wide = alpha
+            if chosen.any():
+                normal = maps.normal[face][chosen].mean(axis=0, dtype=np.float64)
+                tangent = maps.tangent[face][chosen].mean(axis=0, dtype=np.float64)
+                length = float(np.linalg.norm(tangent))
+                wide = min(1.0, (alpha**2 + max(0.0, 1 - length**2)) ** 0.5)
+            parts = (normal / np.linalg.norm(normal), tangent / np.linalg.norm(tangent), [wide, alpha])
+            moments[face, cluster] = np.concatenate(parts)
+    return moments
+
+
+def tables_of_loom(loom: LoomFile) -> ClusterTables:
+    """The tables in a `.loom` file.
+
+    Raises:
+        InputError: tensors that are missing, of another kind, or do not belong together.
+    """
+    labels = loom.tensor("labels", (2, None, None), np.uint8)
+    _, rows, columns = labels.shape
+    coefficients = loom.tensor("coefficients", (2, rows, columns, None), np.int8)
+    moments = loom.tensor("moments", (2, None, NUMBERS), np.float32)
+    clusters, rank = moments.shape[1], coefficients.shape[3]
+    if clusters == 0 or clusters % 4 or labels.size == 0:
+        raise InputError(
+            f"{loom.file}: the tensor model.moments has {clusters} clusters a face: it should have a "
+            "multiple of four."
+        )
+    if ((labels >= clusters) & (labels != NO_CLUSTER)).any():
+        raise InputError(f"{loom.file}: the tensor model.labels names clusters that there are not.")
+    return ClusterTables(
+        labels=labels,
+        coefficients=coefficients,
+        basis=loom.tensor("basis", (2, BINS**2, 1 + rank, clusters), np.float32),
+        moments=moments,
+        features=loom.tensor("features", (2, rows, columns, 8), np.float16),
+        height=loom.tensor("height", (2, rows, columns), np.float16),
+        horizon=loom.tensor("horizon", (2, rows, columns, AZIMUTHS), np.uint8),
+        light=loom.tensor("light", (2, 2, BINS**2, 2, clusters), np.float32),
+        view=loom.tensor("view", (2, VIEW_BINS**2, clusters), np.float32),
+        offset=loom.tensor("offset", (2, VIEW_BINS**2, 2), np.float32),
+        trust=loom.tensor("trust", (2, VIEW_BINS**2), np.float32),
+    )

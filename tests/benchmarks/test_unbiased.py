@@ -1,0 +1,67 @@
+"""The test of unbiasedness: it passes what is unbiased, finds what is not, and counts as Holm does.
+
+`experiments/unbiased.py` and what `benchmarks/clustered.py` shares with it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from benchmarks.clustered import cost_by_footprint, stored_bytes
+from experiments.unbiased import (
+    Means,
+    holm,
+    model_means,
+    parsed_options,
+    random_cases,
+    reference_means,
+    scores,
+)
+from loomlight.evaluation.held_out import held_out_fabrics
+from loomlight.models.registry import make_model
+
+CASES = 6
+
+
+def test_holm_rejects_step_by_step() -> None:
+    # p of 1e-4, 0.004 and 0.6 against 0.01/3, 0.01/2 and 0.01.
+    z = np.array([3.8906, -2.8782, 0.5244])
+    assert holm(z, 0.01) == 2
+    assert holm(np.array([2.8782, 0.5, 0.5, 0.5]), 0.01) == 0
+    assert holm(np.array([9.0]), 0.01) == 1
+
+
+def test_options_of_models() -> None:
+    assert parsed_options("points=64,fast=true,share=0.5,kind=plain") == {
+        "points": 64,
+        "fast": True,
+        "share": 0.5,
+        "kind": "plain",
+    }
+    assert parsed_options("") == {}
+
+
+def test_rounding_is_an_error_of_its_own() -> None:
+    one = Means(np.full((1, 3), 1.0), np.zeros((1, 3)))
+    other = Means(np.full((1, 3), 1.0001), np.zeros((1, 3)))
+    assert np.abs(scores(one, other)).max() < 1.01
+
+
+def test_sampled_points_pass_and_a_few_fixed_ones_do_not() -> None:
+    held = held_out_fabrics(2)[1].fabric
+    cases = random_cases(held, CASES, 1)
+    assert np.allclose(np.linalg.norm(cases.views, axis=1), 1)
+    truth = reference_means(held, cases, 1 << 13, 2)
+    point = scores(model_means(make_model("point", held), cases, 1 << 12, 3), truth)
+    assert holm(point, 0.01) == 0
+    fixed = scores(model_means(make_model("samples", held, points=4), cases, 16, 3), truth)
+    assert holm(fixed, 0.01) > CASES
+
+
+def test_costs_of_a_model() -> None:
+    model = make_model("samples", held_out_fabrics(1)[0].fabric, points=1)
+    costs = cost_by_footprint(model, 1 << 10)
+    assert set(costs) == {"1 texel", "1 tile", "64 tiles"}
+    assert all(cost > 0 for cost in costs.values())
+    # A fabric and the number of points are some thousand bytes.
+    assert 500 < stored_bytes(model) < 1e5

@@ -1,0 +1,221 @@
+"""The parts of the clustered model against plain sums, and its estimates against the Monte Carlo reference.
+
+Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py,
+models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py,
+models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py,
+models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py,
+models/clustered/sampling.py
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from functools import cache
+
+import drjit as dr
+import numpy as np
+import pytest
+from drjit.llvm.ad import Array2f, Array3f, Bool, Float, UInt32
+
+from loomlight.aggregate.reference import reference
+from loomlight.core.backend import array_types
+from loomlight.core.errors import InputError
+from loomlight.core.footprint import Footprint
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.clustered.clusters import NO_CLUSTER
+from loomlight.models.clustered.density_tables import densities
+from loomlight.models.clustered.features import texel_counts
+from loomlight.models.clustered.model import ClusteredModel
+from loomlight.models.clustered.random_numbers import hashed, uniform
+from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
+from loomlight.models.clustered.tables import bake_tables
+from loomlight.models.clustered.trust import trust_by_view
+from loomlight.models.separable import Components
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+
+from ..fabrics import directions, queries, vectors
+
+require_llvm()
+
+TEXT = 'weave = "twill 2/1"\ngap = 0.3\n[warp]\ntranslucency = 0.4\n[weft]\ncolor = ["#c02020", "#20c040"]'
+TYPES = array_types(Float)
+PARTS = [part.name for part in fields(Components)]
+
+
+@cache
+def model() -> ClusteredModel:
+    """Few texels and clusters: every claim holds for any."""
+    fabric = fabric_from_text(TEXT)
+    geometry = YarnGeometry(fabric.layout())
+    tables = bake_tables(geometry, (0.3, 0.3), clusters=4, rank=2, float_type=Float, texels=32)
+    made = ClusteredModel(fabric, tables)
+    return ClusteredModel(fabric, replace(tables, trust=trust_by_view(made.on_backend(TYPES), Float)))
+
+
+def test_bins_of_the_square_are_of_equal_area_and_interpolate_directions() -> None:
+    centres = bin_centres()
+    np.testing.assert_allclose(np.linalg.norm(centres, axis=1), 1, atol=1e-6)
+    # The mean over bins of equal area is that over the hemisphere: z has 1/2, z² has 1/3.
+    assert abs(centres[:, 2].mean() - 1 / 2) < 1e-3
+    assert abs(np.square(centres[:, 2]).mean() - 1 / 3) < 1e-3
+    table = Float(centres.astype(np.float32).ravel())
+    wanted = directions(np.random.default_rng(0), 500)
+    wanted[:, 2] = abs(wanted[:, 2])
+    taps = bin_taps(vectors(wanted))
+    actual = np.stack([taps.read(Float, table, UInt32(0), 3, UInt32(axis)).numpy() for axis in range(3)], 1)
+    # Half a bin at the border of the square, where the tables end.
+    assert np.abs(actual - wanted).max() < 2 / BINS
+    assert np.abs(actual - wanted).mean() < 0.01
+
+
+def test_densities_are_those_of_the_fibre_layer() -> None:
+    tables = model().tables
+    tangent = tables.features[0, ..., 4:7].reshape(-1, 3).astype(np.float32)
+    labels = tables.labels[0].ravel()
+    seen = np.flatnonzero(labels != NO_CLUSTER)
+    exact = densities(tangent[seen], bin_centres().astype(np.float32), 0.3)
+    parts = tables.basis[0].transpose(2, 1, 0)[labels[seen]]
+    weights = np.c_[np.ones(len(seen)), tables.coefficients[0].reshape(-1, 2)[seen]]
+    compressed = np.einsum("nr,nrh->nh", weights, parts)
+    # Two components of four clusters explain most of the differences between fibres.
+    assert np.square(compressed - exact).mean() < 0.2 * exact.var(axis=0).mean()
+
+
+@pytest.mark.parametrize("size", [0.01, 0.4, 3.3])
+def test_sums_over_boxes_are_sums_over_texels(size: float) -> None:
+    tables, device = model().tables, model().on_backend(TYPES)
+    rng = np.random.default_rng(1)
+    count = 20
+    centre = rng.uniform(-3, 3, (2, count)).astype(np.float32)
+    edges = (rng.uniform(0.5, 1, (2, count)) * size).astype(np.float32)
+    zeros = dr.zeros(Float, count)
+    footprint = Footprint(Array2f(centre), Array2f(Float(edges[0]), zeros), Array2f(zeros, Float(edges[1])))
+    box = device.sums.box(footprint, Array2f(0, 0), Float(0))
+    found = [part.numpy() for part in device.sums.means(box, Bool(False))]
+    actual = np.concatenate([part.reshape(4, -1) for part in found])
+    columns, rows = tables.counts
+    for lane in range(count):
+        place = [
+            (int(first.numpy()[lane]) + np.arange(int(extent.numpy()[lane]))) % whole
+            for first, extent, whole in zip(box.first, box.extent, (columns, rows), strict=True)
+        ]
+        labels = tables.labels[0][np.ix_(place[1], place[0])]
+        coefficients = tables.coefficients[0][np.ix_(place[1], place[0])].astype(float)
+        for cluster in range(4):
+            inside = labels == cluster
+            for number in range(3):
+                wanted = (inside * (coefficients[..., number - 1] if number else 1)).mean()
+                # Whole numbers below 2²⁴ are exact; of many repeats the last digit is rounded.
+                assert abs(actual[4 * number + cluster, lane] - wanted) < 1e-5 * (127 if number else 1)
+
+
+def test_the_base_over_a_box_is_the_mean_of_the_base_of_its_texels() -> None:
+    device = model().on_backend(TYPES)
+    rng = np.random.default_rng(2)
+    light, view = directions(rng, 1), directions(rng, 1)
+    view[:, 2] = abs(view[:, 2])
+    base = device.seen_from(vectors(view), Bool(False))
+    footprint = Footprint(Array2f(0.3, 0.2), Array2f(0.4, 0), Array2f(0, 0.6))
+    box = device.sums.box(footprint, base.offset, Float(0))
+    taps = base.light_taps(vectors(light))
+    whole = base.over(device.sums.means(box, Bool(False)), taps)
+    columns, rows = (int(extent.numpy()[0]) for extent in box.extent)
+    s, t = (
+        part.ravel()
+        for part in np.meshgrid((np.arange(columns) + 0.5) / columns, (np.arange(rows) + 0.5) / rows)
+    )
+    texel = device.sums.texel(box, Float(s.astype(np.float32)), Float(t.astype(np.float32)))
+    assert len(np.unique(texel.numpy())) == columns * rows
+    each = base.at_texel(texel, taps)
+    for part in PARTS:
+        np.testing.assert_allclose(
+            getattr(whole, part).numpy()[0], getattr(each, part).numpy().mean(), rtol=1e-4, atol=1e-6
+        )
+
+
+@pytest.mark.parametrize(("samples", "texel_samples"), [(1, 0), (2, 4)])
+def test_estimates_are_unbiased(samples: int, texel_samples: int) -> None:
+    """Against the reference over the same footprints, whose edges are along the axes: the box is exact."""
+    made = model().with_samples(samples, texel_samples)
+    cases, each = 40, 3000
+    asked = queries(made.fabric, cases, seed=3)
+    asked.edges = np.stack([np.diag(np.abs(edges).sum(axis=0)) for edges in asked.edges])
+    point_model = PointModel(YarnGeometry(made.fabric.layout()), made.fabric.appearance())
+    exact = reference(point_model, asked.footprint, asked.lights, asked.views, 6000, seed=4)
+    many = asked[np.repeat(np.arange(cases), each)]
+    seed = UInt32(np.random.default_rng(5).integers(0, 2**32, len(many), dtype=np.uint32))
+    at = made.at(many.view, many.footprint, seed=seed)
+    value, components, hole = at.value(many.light), at.components(many.light), at.hole
+    dr.eval(value, components, hole)
+    actual = [getattr(components, part).numpy() for part in PARTS] + [*value.numpy(), hole.numpy()]
+    wanted = [0, 1, 2, 3, exact.channels.index("light_visibility")]
+    wanted += [exact.channels.index(name) for name in ("red", "green", "blue", "hole")]
+    parts = np.stack(actual, axis=1).reshape(cases, each, len(wanted))
+    error = np.sqrt(parts.var(axis=1) / each + exact.variance[:, wanted])
+    z = (parts.mean(axis=1) - exact.mean[:, wanted]) / np.maximum(error, 1e-6)
+    # 360 normal numbers of variance 1, which are no more than four deviations away.
+    assert 0.7 < np.sqrt(np.square(z).mean(axis=0)).max() < 1.4
+    assert np.abs(z).max() < 4.5
+
+
+def test_the_texel_model_takes_most_of_the_noise() -> None:
+    made = model()
+    asked = queries(made.fabric, 30, seed=6)
+    asked.edges = np.tile(np.eye(2) * 5.0, (30, 1, 1))
+    many = asked[np.repeat(np.arange(30), 400)]
+    seed = UInt32(np.random.default_rng(7).integers(0, 2**32, len(many), dtype=np.uint32))
+
+    def noise(chosen: ClusteredModel) -> float:
+        value = chosen.at(many.view, many.footprint, seed=seed).value(many.light).numpy()
+        return float(value.reshape(3, 30, 400).var(axis=2).sum())
+
+    # Half; with the 256 texels that models are baked with it is a fifth or less.
+    assert noise(made.with_samples(2, 32)) < 0.6 * noise(made.with_samples(2, 0))
+
+
+def test_random_numbers_are_uniform_and_repeat_with_the_cloth() -> None:
+    made = model()
+    asked = queries(made.fabric, 20_000, seed=8)
+    size = model().on_backend(TYPES).size
+    seed = hashed(asked.view, asked.footprint, size)
+    for dimension in range(3):
+        counts, _ = np.histogram(uniform(seed, dimension).numpy(), bins=20, range=(0, 1))
+        # 20 bins of 1000 with a deviation of 31.
+        assert np.abs(counts - 1000).max() < 140
+    moved = hashed(asked.view, asked.moved(made.fabric.repeat_mm).footprint, size)
+    assert (moved.numpy() == seed.numpy()).mean() > 0.99
+
+
+def test_too_large_a_repeat_is_refused_with_what_it_would_take() -> None:
+    fabric = fabric_from_text('weave = "satin 401/150"')
+    with pytest.raises(InputError, match=r"texels, .* GB and about .* s to bake"):
+        texel_counts(YarnGeometry(fabric.layout()), 256)
+
+
+@pytest.mark.parametrize("option", [{"clusters": 6}, {"rank": 17}, {"samples": 9}, {"texel_samples": 2000}])
+def test_options_out_of_range_are_refused(option: dict[str, int]) -> None:
+    name, value = next(iter(option.items()))
+    with pytest.raises(InputError, match=f"{name} = {value} is out of range"):
+        ClusteredModel.for_source(fabric_from_text("plain"), **option)
+
+
+def test_a_file_of_another_version_is_refused() -> None:
+    loom = model().to_loom()
+    with pytest.raises(InputError, match="bake it again"):
+        ClusteredModel.from_loom(replace(loom, settings={**loom.settings, "tables_version": 0}))
+    with pytest.raises(InputError, match="clusters that there are not"):
+        ClusteredModel.from_loom(
+            replace(loom, tensors={**loom.tensors, "labels": np.full_like(loom.tensors["labels"], 77)})
+        )
+
+
+def test_directions_do_not_depend_on_array_literals() -> None:
+    """One lane answers as many do."""
+    made = model()
+    asked = queries(made.fabric, 8, seed=9)
+    value = made.at(asked.view, asked.footprint).value(asked.light).numpy()
+    one = asked[3:4]
+    alone = made.at(one.view, one.footprint).value(Array3f(one.light)).numpy()
+    np.testing.assert_allclose(alone[:, 0], value[:, 3], rtol=1e-4, atol=1e-6)
