@@ -1,10 +1,10 @@
 """The parts of the clustered model against plain sums, and its estimates against the Monte Carlo reference.
 
-Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py,
-models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py,
-models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py,
-models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py,
-models/clustered/sampling.py
+Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py
+Covers: models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py
+Covers: models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py
+Covers: models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py
+Covers: models/clustered/sampling.py
 """
 
 from __future__ import annotations
