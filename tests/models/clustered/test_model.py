@@ -171,7 +171,7 @@ def test_the_texel_model_takes_most_of_the_noise() -> None:
         value = chosen.at(many.view, many.footprint, seed=seed).value(many.light).numpy()
         return float(value.reshape(3, 30, 400).var(axis=2).sum())
 
-    # Half; with the 256 texels that models are baked with it is a fifth or less.
+    # It was half: 32 texels along the repeat are few, and models are baked with 256.
     assert noise(made.with_samples(2, 32)) < 0.6 * noise(made.with_samples(2, 0))
 
 
