@@ -1,10 +1,10 @@
 """The parts of the clustered model against plain sums, and its estimates against the Monte Carlo reference.
 
-Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py,
-models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py,
-models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py,
-models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py,
-models/clustered/sampling.py
+Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py
+Covers: models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py
+Covers: models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py
+Covers: models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py
+Covers: models/clustered/sampling.py
 """
 
 from __future__ import annotations
@@ -171,7 +171,7 @@ def test_the_texel_model_takes_most_of_the_noise() -> None:
         value = chosen.at(many.view, many.footprint, seed=seed).value(many.light).numpy()
         return float(value.reshape(3, 30, 400).var(axis=2).sum())
 
-    # Half; with the 256 texels that models are baked with it is a fifth or less.
+    # It was half: 32 texels along the repeat are few, and models are baked with 256.
     assert noise(made.with_samples(2, 32)) < 0.6 * noise(made.with_samples(2, 0))
 
 

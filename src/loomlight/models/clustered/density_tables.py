@@ -101,8 +101,7 @@ def densities(
     squared = np.float32(roughness * roughness)
     along = tangent @ halves.T
     p = along * along * (1 - squared) + squared
-    found: NDArray[np.float32] = (squared * np.float32(roughness / np.pi)) / (p * p)
-    return found
+    return (squared * (roughness / np.pi) / (p * p)).astype(np.float32, copy=False)
 
 
 def _principal_components(
