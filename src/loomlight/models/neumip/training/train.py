@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +27,7 @@ from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of
 from loomlight.training.loop import Schedule, train
+from loomlight.training.side_by_side import SideBySide
 
 # Called with (done, in all) of the whole training, in thousandths.
 Progress = Callable[[int, int], None]
@@ -36,6 +39,9 @@ _LEAST_WIDTHS = 8
 # Share of the training after which the offset texture stays as it is (released code).
 _OFFSET_FROZEN = 1 / 3
 _WARM_UP = 0.02
+# Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
+# batches are computed on one thread, as threads would wait for each other longer than they compute.
+_PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
 # Key that separates the random numbers of batches from those of queries.
 _BATCHES = 5
 # Thousandths of the progress that taking queries is counted as.
@@ -69,16 +75,28 @@ def train_neumip(
     network = NeumipNetwork(shape, settings.offset, scale).to(device)
     batches = _Batches(network, queries, settings, device)
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
-    train(
-        network,
-        optimiser,
-        batches.losses,
-        Schedule(settings.steps, lambda done: settings.rate * rate_factor(done), keep_every=keep_every),
-        folder / "checkpoint.safetensors",
-        settings.identity(source),
-        lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
-    )
+    with _one_thread():
+        train(
+            network,
+            optimiser,
+            batches.losses,
+            Schedule(settings.steps, lambda done: settings.rate * rate_factor(done), keep_every=keep_every),
+            folder / "checkpoint.safetensors",
+            settings.identity(source),
+            lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
+        )
     return network.weights(reflectances(queries, shape.faces))
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Operations of this thread use no others: the optimiser's are too small for that."""
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
 
 
 def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
@@ -144,28 +162,28 @@ class _Batches:
     ) -> None:
         self._network, self._queries, self._settings = network, queries, settings
         self._device = device
+        threads = device == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH
+        self._side_by_side = SideBySide(_PARTS if threads else 1)
         self._per_pass = max(1, len(queries) // settings.batch)
         self._order: tuple[int, NDArray[np.intp]] | None = None
 
     def losses(self, step: int) -> Iterator[Tensor]:
         """The loss of one step."""
         progress = step / self._settings.steps
-        batch = self._queries[self._chosen(step)]
+        frozen, blur = progress >= _OFFSET_FROZEN, blur_of(self._network.shape, progress)
+        parts = np.array_split(self._chosen(step), self._side_by_side.parts)
+        losses = [partial(self._loss, part, blur, frozen) for part in parts]
+        yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
+
+    def _loss(self, chosen: NDArray[np.intp], blur: float, offset_frozen: bool) -> Tensor:
+        batch = self._queries[chosen]
         positions, levels, lights, views, values = (
             torch.from_numpy(part).to(self._device)
             for part in (batch.positions, batch.levels, batch.lights, batch.views, batch.values)
         )
         faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
-        predicted = self._network(
-            positions,
-            levels,
-            lights,
-            views,
-            faces,
-            blur_of(self._network.shape, progress),
-            offset_frozen=progress >= _OFFSET_FROZEN,
-        )
-        yield loss_of(predicted, values)
+        predicted = self._network(positions, levels, lights, views, faces, blur, offset_frozen)
+        return loss_of(predicted, values)
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)
