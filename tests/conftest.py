@@ -27,7 +27,7 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 def short_training() -> Iterator[None]:
     """Trainings of `neumip` take a second instead of minutes: enough to know what it is of."""
     short = replace(
-        QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=1e-2
+        QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=5e-3
     )
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(QUALITIES, "preview", short)

@@ -29,7 +29,7 @@ def network(with_offset: bool = True) -> NeumipNetwork:
     with torch.no_grad():
         for parameter in made.parameters():
             parameter.add_(0.1 * torch.randn_like(parameter))
-    return made
+    return made.eval()
 
 
 def inputs() -> tuple[torch.Tensor, ...]:
@@ -97,7 +97,7 @@ def test_a_blur_is_a_periodic_gaussian() -> None:
 
 
 def test_a_frozen_offset_texture_gets_no_gradient() -> None:
-    made, queries = network(), inputs()
+    made, queries = network().train(), inputs()
     for frozen in (False, True):
         made.zero_grad(set_to_none=True)
         loss_of(made(*queries, blur=1.0, offset_frozen=frozen), torch.ones(COUNT, 3) / np.pi).backward()

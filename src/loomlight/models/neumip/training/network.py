@@ -24,6 +24,8 @@ from loomlight.models.neumip.pyramid import (
 _FEATURES = 0.1
 # Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
 _FIRST_VALUE = 0.3
+# Of the final activation below 0 while it is trained, and a bound that keeps log(1 + x) finite.
+_SLOPE, _LEAST_OUTPUT = 0.05, -0.5
 # Blurs of fewer texels change nothing.
 _LEAST_BLUR = 0.05
 
@@ -85,7 +87,7 @@ class NeumipNetwork(nn.Module):
         blur: float = 0.0,
         offset_frozen: bool = False,
     ) -> Tensor:
-        """π f·cos of queries [n, 3]; see `Queries`.
+        """π f·cos of queries [n, 3]; see `Queries`. While it is trained, numbers below 0 have a slope.
 
         Args:
             blur: standard deviation of the Gaussian over the textures, in texels of level 0.
@@ -109,7 +111,11 @@ class NeumipNetwork(nn.Module):
         table = torch.cat(parts, dim=1).reshape(-1, CHANNELS)
         taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TORCH)
         latent = _fetched(table, taps.texels, taps.weights)
-        return functional.relu(self.decoder(torch.cat([latent, lights, views], dim=1)))
+        outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
+        if self.training:
+            # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
+            return functional.leaky_relu(outputs, _SLOPE).clamp(min=_LEAST_OUTPUT)
+        return functional.relu(outputs)
 
     def weights(self, reflectance: NDArray[np.float32]) -> Weights:
         """The trained numbers, for the renderer.
