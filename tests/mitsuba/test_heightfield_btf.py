@@ -90,7 +90,7 @@ def test_ridges_shadow_and_hide_each_other_at_any_distance() -> None:
 
 
 def test_no_more_light_leaves_than_arrives() -> None:
-    """A white relief, by cosine-weighted views: the mean of f·cos of the light over its cosine is an albedo."""
+    """A white relief, by cosine-weighted views: f·cos over the cosine of the light has an albedo as mean."""
     rng = np.random.default_rng(4)
     height = rng.random((16, 16)).astype(np.float32)
     white = flat(height=height, height_mm=0.3, albedo=np.ones((1, 1, 3), np.float32))

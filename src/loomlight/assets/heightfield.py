@@ -131,7 +131,7 @@ def load_heightfield(path: str | os.PathLike[str]) -> Heightfield:
     """The height field of a file.
 
     Raises:
-        InputError: no such file or picture, an unknown field, or a value that cannot be; the message names it.
+        InputError: no such file or picture, an unknown field, or a value that cannot be; it is named.
     """
     file = Path(path)
     with speaking_of(str(file)):

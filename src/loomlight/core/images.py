@@ -118,20 +118,19 @@ def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
 def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]:
     """Numbers of a picture as they are stored [height, width, channels], such as a height map.
 
-    Of 8 and 16 bits, 0 to 1; of .exr, any. A picture of other channels than `channels` = 1 or 3 is averaged or
-    repeated.
+    Of 8 and 16 bits, 0 to 1; of .exr, any. Colours are averaged for `channels` = 1, grey is repeated for 3.
 
     Raises:
         InputError: no such file, no picture, or more than 16384 pixels a side.
     """
     if Path(path).suffix.lower() == ".exr":
-        pixels = _read_exr(path)
+        pixels: NDArray[np.floating] = _read_exr(path)
     else:
         with _opened(path) as picture:
             _require_size(path, *picture.size)
             # Modes of 16 bits; conversions of Pillow would clip them to 8.
             if picture.mode.startswith("I"):
-                pixels = np.asarray(picture, np.float32)[..., None] / 65535
+                pixels = np.asarray(picture, np.float64)[..., None] / 65535
             else:
                 kept = "L" if picture.mode in ("1", "L", "LA") else "RGB"
                 pixels = np.asarray(picture.convert(kept), np.float32) / 255

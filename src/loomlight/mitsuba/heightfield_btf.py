@@ -60,9 +60,7 @@ class HeightfieldBtf:
         for number, first in enumerate(range(0, len(positions), _BATCH)):
             part = slice(first, first + _BATCH)
             x, y = (mi.Float(np.ascontiguousarray(row)) for row in positions[part].T)
-            light, view = (
-                mi.Vector3f(np.ascontiguousarray(rows[part].T)) for rows in (lights, views)
-            )
+            light, view = (mi.Vector3f(np.ascontiguousarray(rows[part].T)) for rows in (lights, views))
             key = np.random.SeedSequence([*seed, number]).generate_state(1)[0]
             sampler: Any = mi.load_dict({"type": "independent"})
             sampler.seed(int(key), dr.width(x))
@@ -76,15 +74,16 @@ class HeightfieldBtf:
         ray = self._ray(origin, -view, mi.Bool(True))
         total, weight = mi.Color3f(0), mi.Color3f(1)
         active = mi.Bool(True)
-        frame = mi.Frame3f(mi.Normal3f(light))
+        frame = mi.Frame3f(mi.Vector3f(light))
         context: Any = mi.BSDFContext()
+        warp: Any = mi.warp
         # Bounces are launches of their own: virtual calls of a single kind of BSDF are cheap, loops are not.
         for bounce in range(MOST_BOUNCES):
             si = self._scene.ray_intersect(ray, active)
             active &= si.is_valid()
             bsdf = si.bsdf(ray)
             towards = frame.to_world(
-                mi.warp.square_to_uniform_cone(sampler.next_2d(), math.cos(LIGHT_CONE))
+                warp.square_to_uniform_cone(sampler.next_2d(), mi.Float(math.cos(LIGHT_CONE)))
             )
             lit = active & (towards.z > 0) & ~self._shadowed(si, towards, active)
             value = bsdf.eval(context, si, si.to_local(towards), lit)
@@ -113,7 +112,7 @@ class HeightfieldBtf:
             vertical = dr.select(rises, self._top - start.z, start.z - self._bottom)
             # Within the copies it leaves at the top, or meets the relief before it is at the bottom.
             searching &= vertical > dr.abs(direction.z) * edge
-            searching &= ~self._scene.ray_test(mi.Ray3f(start, direction, edge, 0.0, mi.Color0f()), searching)
+            searching &= ~self._scene.ray_test(mi.Ray3f(mi.Ray3f(start, direction), edge), searching)
             moved = self._wrapped(start + direction * edge)
             return dr.select(searching, moved, start), searching, count + 1
 
@@ -128,7 +127,9 @@ class HeightfieldBtf:
     def _distance_to_edge(self, start: Any, direction: Vec3) -> Float:
         """Distance along a ray to the sides of all copies of the tile."""
         found = mi.Float(dr.inf)
-        for place, step, side in zip((start.x, start.y), (direction.x, direction.y), self._extent, strict=True):
+        for place, step, side in zip(
+            (start.x, start.y), (direction.x, direction.y), self._extent, strict=True
+        ):
             edge = dr.select(step > 0, (1 + _COPIES) * side, -_COPIES * side)
             found = dr.minimum(found, dr.select(dr.abs(step) > 1e-9, (edge - place) / step, dr.inf))
         return found
@@ -173,8 +174,12 @@ def _mesh(source: Heightfield, relief: NDArray[np.floating[Any]]) -> MeshArrays:
     slope_y = (np.roll(relief, -1, 0) - np.roll(relief, 1, 0)) / (2 * along)
     normals = np.stack([-slope_x, -slope_y, np.ones_like(relief)], axis=-1)
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-    z, normal = (np.pad(part, ((0, 1), (0, 1), (0, 0))[: part.ndim], mode="wrap") for part in (relief, normals))
-    v, u = np.meshgrid((np.arange(rows + 1) + 0.5) / rows, (np.arange(columns + 1) + 0.5) / columns, indexing="ij")
+    z, normal = (
+        np.pad(part, ((0, 1), (0, 1), (0, 0))[: part.ndim], mode="wrap") for part in (relief, normals)
+    )
+    v, u = np.meshgrid(
+        (np.arange(rows + 1) + 0.5) / rows, (np.arange(columns + 1) + 0.5) / columns, indexing="ij"
+    )
     positions = np.stack([u * width, v * height, z], axis=-1)
     corner = (np.arange(rows)[:, None] * (columns + 1) + np.arange(columns)).ravel()
     right, up, far = corner + 1, corner + columns + 1, corner + columns + 2

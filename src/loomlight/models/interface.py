@@ -146,7 +146,8 @@ class Model(ABC):
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
         has_holes: whether light passes straight through some of its sources.
-        trains: whether baking it takes minutes; `for_source` then takes `report`, called with (done, in all).
+        trains: whether baking it takes minutes; `for_source` then takes `report`, called with (done, in
+            all).
         options: what may be chosen beside the source.
         source: what it is a model of.
     """

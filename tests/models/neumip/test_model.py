@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from drjit.llvm.ad import Array2f, Array3f
 
+from loomlight.aggregate.slices import FabricSlices
 from loomlight.assets.loom_file import LoomFile
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.footprint import Box, box_footprint
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.aggregate.slices import FabricSlices
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.settings import QUALITIES, settings_of
 from loomlight.models.option_values import parse_options

@@ -62,8 +62,8 @@ class Btf(Protocol):
         """
 
 
-# By kind of source: module and class, made of the source and imported when it is asked for. Path tracing needs
-# a renderer, which models do not import.
+# By kind of source: module and class, imported when it is asked for. Path tracing needs a renderer, which
+# models do not import.
 _BTFS = {
     "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
     "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
@@ -135,7 +135,7 @@ class QueryStream:
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
         offsets = rng.standard_normal((count, self._samples, 2), np.float32)
-        points = positions[:, None] * extent + sigmas * offsets
+        points = (positions[:, None] * extent + sigmas * offsets).astype(np.float32)
         turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
         to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
         found = self._btf.values(

@@ -1,7 +1,7 @@
 """NeuMIP as a multi-scale model: colours of one trained source at any place, scale and pair of directions.
 
-The back of a fabric has textures of its own; other sources look alike from both sides. Light on the other side
-than the view gives nothing, and holes are black: the published model has neither transmission nor opacity.
+The back of a fabric has textures of its own; other sources look alike from both sides. Light on the other
+side than the view gives nothing, and holes are black: the published model transmits no light.
 """
 
 from __future__ import annotations
@@ -51,6 +51,11 @@ class NeumipBsdf(FootprintBsdf):
         self._device = model.device_weights(types.Float)
 
     @property
+    def hole(self) -> Float:
+        """0 in every lane; holes are part of the values, as black."""
+        return dr.select(self._back, array_types(self.view.x).Float(0), 0)
+
+    @property
     def diffuse_reflectance(self) -> Color3:
         """Mean albedo of the face that is seen, over all directions."""
         types = array_types(self.view.x)
@@ -74,9 +79,7 @@ class NeumipBsdf(FootprintBsdf):
     def value(self, light: Vec3, active: Mask = True) -> Color3:
         """f·cos, 1/sr; 0 for lights on the other side."""
         facing = to_face_frame(light, self._back)
-        channels = self._device.value(
-            self._latent, [facing.x, facing.y], [self._facing.x, self._facing.y]
-        )
+        channels = self._device.value(self._latent, [facing.x, facing.y], [self._facing.x, self._facing.y])
         return dr.select((facing.z > 0) & active, array_types(self.view.x).Color3(*channels), 0)
 
     def pdf(self, light: Vec3) -> Float:
@@ -85,7 +88,6 @@ class NeumipBsdf(FootprintBsdf):
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
         """A direction in proportion to the cosine."""
-        del choice
         types = array_types(self.view.x)
         sine, cosine = dr.sincos(2 * math.pi * u.y)
         radius, height = dr.sqrt(u.x), dr.sqrt(maximum(1 - u.x, 0))
@@ -93,7 +95,8 @@ class NeumipBsdf(FootprintBsdf):
         light = to_face_frame(facing, self._back)
         pdf = self.pdf(light)
         weight = dr.select(pdf > 0, self.value(light) / maximum(pdf, 1e-30), 0)
-        return DirectionSample(light, pdf, weight, types.Bool(False))
+        # Never, in every lane.
+        return DirectionSample(light, pdf, weight, types.Bool(choice < 0))
 
 
 @final

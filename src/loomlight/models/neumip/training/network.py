@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -42,8 +44,8 @@ class TorchFunctions:
     def to_index(self, value: Tensor) -> Tensor:
         return value.detach().long()
 
-    def gather(self, table: list[int], index: Tensor) -> Tensor:
-        return torch.tensor(table, device=index.device)[index]
+    def gather(self, table: Sequence[int], index: Tensor) -> Tensor:
+        return torch.tensor(list(table), device=index.device)[index]
 
     def wrap(self, index: Tensor, count: Any) -> Tensor:
         return index % count
@@ -163,7 +165,7 @@ def loss_of(predicted: Tensor, truth: Tensor) -> Tensor:
 def _perceptron(widths: tuple[int, ...]) -> nn.Sequential:
     """Dense layers with ReLU between them."""
     layers: list[nn.Module] = []
-    for inputs, outputs in zip(widths[:-1], widths[1:], strict=True):
+    for inputs, outputs in pairwise(widths):
         layers += [nn.Linear(inputs, outputs), nn.ReLU()]
     return nn.Sequential(*layers[:-1])
 

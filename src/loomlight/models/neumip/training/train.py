@@ -192,4 +192,3 @@ class _Batches:
             self._order = number, rng.permutation(len(self._queries))
         first = place * self._settings.batch
         return self._order[1][first : first + self._settings.batch]
-
