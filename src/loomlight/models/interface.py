@@ -140,8 +140,8 @@ class Model(ABC):
 
     Attributes:
         name: as the command line and assets call it.
-        source_kind: of the sources that it takes, a name of `SOURCE_KINDS`; files that say themselves what they
-            are may be of other kinds.
+        source_kind: of the sources that it takes, a name of `SOURCE_KINDS`; files that say what they are
+            may be of other kinds.
         filters: whether it averages over the footprint; otherwise it looks at one point of it.
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
