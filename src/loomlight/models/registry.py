@@ -65,7 +65,7 @@ MODELS: dict[str, ModelEntry] = {
         "loomlight.models.neumip.model",
         "NeumipModel",
         "neumip",
-        "NeuMIP of Kuznetsov et al. 2021, trained for one source, such as a height field: minutes",
+        "NeuMIP of Kuznetsov et al. 2021, trained for one source in minutes",
     ),
 }
 DEFAULT_MODEL = "lobes"
