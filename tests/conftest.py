@@ -1,11 +1,14 @@
-"""What all tests share: a cache of their own."""
+"""What all tests share: a cache of their own, and short trainings."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from loomlight.models.neumip.settings import QUALITIES
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
 settings.register_profile("busy machines", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -17,4 +20,15 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
     """Nothing is read from the user's cache, and nothing is left there."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def short_training() -> Iterator[None]:
+    """Trainings of `neumip` take a second instead of minutes: enough to know what it is of."""
+    short = replace(
+        QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=5e-3
+    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setitem(QUALITIES, "preview", short)
         yield

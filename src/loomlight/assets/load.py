@@ -5,20 +5,23 @@ from __future__ import annotations
 import os
 
 from loomlight.assets.loom_file import is_loom, read_loom
-from loomlight.assets.sources import SOURCE_KINDS, Source
+from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_file
 from loomlight.core.errors import InputError
 from loomlight.fabric.fabric import Fabric
 
 
 def load_source(path: str | os.PathLike[str], kind: str = "fabric") -> Source:
-    """The source in a `.loom`, or the source of a kind that another path or a name denotes.
+    """The source in a `.loom`, or the source that another path or a name denotes.
+
+    Args:
+        kind: of the source, where the file itself does not say another one.
 
     Raises:
         InputError: no such file, no source of that kind, or invalid values.
     """
     if is_loom(path):
         return read_loom(path).source
-    source: Source = SOURCE_KINDS[kind].load(path)
+    source: Source = SOURCE_KINDS[kind_of_file(path, kind)].load(path)
     return source
 
 

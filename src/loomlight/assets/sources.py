@@ -14,6 +14,13 @@ from typing import Any, Protocol
 from numpy.typing import NDArray
 
 from loomlight.assets.fabric_record import fabric_from_record, fabric_record
+from loomlight.assets.heightfield import (
+    Heightfield,
+    heightfield_from_record,
+    heightfield_record,
+    is_heightfield_file,
+    load_heightfield,
+)
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
 
@@ -46,17 +53,31 @@ class SourceKind:
         from_record: those and the folder of the `.loom` to a source; raises InputError or pydantic's
             ValidationError.
         load: a path (no `.loom`) or a name to a source; raises InputError.
+        recognises: whether a file says itself that it is of this kind.
     """
 
     type: type
     record: Callable[[Any], tuple[dict[str, Any], dict[str, NDArray[Any]]]]
     from_record: Callable[[Mapping[str, Any], Tensors, str], Any]
     load: Callable[[str | os.PathLike[str]], Any]
+    recognises: Callable[[str | os.PathLike[str]], bool] = lambda path: False
 
 
 SOURCE_KINDS: dict[str, SourceKind] = {
     "fabric": SourceKind(Fabric, fabric_record, fabric_from_record, load_fabric),
+    "heightfield": SourceKind(
+        Heightfield,
+        heightfield_record,
+        heightfield_from_record,
+        load_heightfield,
+        is_heightfield_file,
+    ),
 }
+
+
+def kind_of_file(path: str | os.PathLike[str], default: str) -> str:
+    """The name of the kind that a file says it is of, else `default`."""
+    return next((name for name, kind in SOURCE_KINDS.items() if kind.recognises(path)), default)
 
 
 def kind_of_source(source: Source) -> str:

@@ -147,6 +147,45 @@ def read_picture(path: str | os.PathLike[str]) -> NDArray[np.float64]:
     return np.concatenate(list(read_picture_rows(path)))
 
 
+def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]:
+    """Numbers of a picture as they are stored [height, width, channels], such as a height map.
+
+    Of 8 and 16 bits, 0 to 1; of .exr, any. Colours are averaged for `channels` = 1, grey is repeated for 3.
+
+    Raises:
+        InputError: no such file, no picture, or more than 16384 pixels a side.
+    """
+    if Path(path).suffix.lower() == ".exr":
+        pixels: NDArray[np.floating] = _read_exr(path)
+    else:
+        with _opened(path) as picture:
+            _require_size(path, *picture.size)
+            # Modes of 16 bits; conversions of Pillow would clip them to 8.
+            if picture.mode.startswith("I"):
+                pixels = np.asarray(picture, np.float64)[..., None] / 65535
+            else:
+                kept = "L" if picture.mode in ("1", "L", "LA") else "RGB"
+                pixels = np.asarray(picture.convert(kept), np.float32) / 255
+    if pixels.ndim == 2:
+        pixels = pixels[..., None]
+    if pixels.shape[2] >= 3:
+        pixels = pixels[..., :3] if channels == 3 else pixels[..., :3].mean(axis=2, keepdims=True)
+    else:
+        pixels = np.repeat(pixels[..., :1], channels, axis=2)
+    return np.ascontiguousarray(pixels, np.float32)
+
+
+def _read_exr(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+    """Channels R, G, B of an .exr [height, width, 3], or its first one [height, width]."""
+    require_file(path)
+    try:
+        found = OpenEXR.File(str(path)).channels()
+    except Exception as error:  # what its parser raises
+        raise InputError(f"{path} is no .exr that can be read.") from error
+    channel = next(iter(found[name] for name in ("RGB", "RGBA") if name in found), None)
+    return np.asarray((channel or next(iter(found.values()))).pixels, np.float32)
+
+
 def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float64]]:
     """The same in parts of some rows [rows, width, 3], from the top, for pictures of many pixels.
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from loomlight.assets.loom_file import LOOM_SUFFIX, is_loom, read_loom
-from loomlight.assets.sources import Source
+from loomlight.assets.sources import Source, kind_of_file
 from loomlight.core.errors import InputError, LoomlightWarning
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import FABRIC_SUFFIX
@@ -129,6 +129,7 @@ class _Wanted:
         self._setting = setting
         self._own_scene = str(scene) not in SCENES
         self._size = setting.get("size") or DEFAULT_SIZE
+        self._has_points = _is_fabric(fabric)
         whole_drape = scene == "drape" and setting.get("mesh") is None and setting.get("zoom", 1.0) == 1
         readable = min(self._size) >= SMALLEST_PICTURE
         self._inset = whole_drape and readable and _is_bare(fabric) if inset is None else inset
@@ -140,9 +141,12 @@ class _Wanted:
 
     @property
     def coarse_size(self) -> tuple[int, int] | None:
-        """Of the first picture; None where the scene takes time to build, or the picture is small itself."""
+        """Of the first picture, by yarn points.
+
+        None where there are none, where the scene takes time to build, or where the picture is small itself.
+        """
         slow = self._own_scene or self._setting.get("mesh") is not None
-        if slow or min(self._size) < _COARSE_SCALE * _SMALLEST_COARSE:
+        if slow or not self._has_points or min(self._size) < _COARSE_SCALE * _SMALLEST_COARSE:
             return None
         width, height = self._size
         return -(-width // _COARSE_SCALE), -(-height // _COARSE_SCALE)
@@ -251,6 +255,15 @@ class _Wanted:
 
 def _is_loom(fabric: Source | str | os.PathLike[str]) -> bool:
     return isinstance(fabric, str | os.PathLike) and is_loom(fabric)
+
+
+def _is_fabric(fabric: Source | str | os.PathLike[str]) -> bool:
+    """Whether the source is a fabric, as far as can be said without reading a draft."""
+    if not isinstance(fabric, str | os.PathLike):
+        return isinstance(fabric, Fabric)
+    if is_loom(fabric):
+        return isinstance(read_loom(fabric).source, Fabric)
+    return kind_of_file(fabric, "fabric") == "fabric"
 
 
 def _warn_of_override(loom: Source | str | os.PathLike[str], model: str) -> None:

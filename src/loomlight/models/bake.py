@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
+from typing import Any
 
 from loomlight.assets.load import load_source
 from loomlight.assets.loom_file import write_loom
@@ -11,7 +13,14 @@ from loomlight.core.llvm import require_llvm
 from loomlight.models.registry import make_model, model_class
 
 
-def bake(source: Source | str | os.PathLike[str], model: str, path: str | os.PathLike[str]) -> None:
+def bake(
+    source: Source | str | os.PathLike[str],
+    model: str,
+    path: str | os.PathLike[str],
+    *,
+    report: Callable[[int, int], None] | None = None,
+    **options: Any,
+) -> None:
     """Writes the material of a source by a model, whole or not at all; `model_from_loom` reads it.
 
     Args:
@@ -19,13 +28,17 @@ def bake(source: Source | str | os.PathLike[str], model: str, path: str | os.Pat
             name.
         model: "point", "woven", …: see `loomlight.models.registry.model_names`.
         path: the `.loom` file.
+        report: called with (done, in all) by models that are trained.
+        options: of the model; see `Model.options`.
 
     Raises:
         InputError: no such model, a source that cannot be read or that the model does not take, or a place
             that cannot be written to.
         MissingDependencyError: LLVM is missing.
     """
-    kind = model_class(model).source_kind
-    held = load_source(source, kind) if isinstance(source, str | os.PathLike) else source
+    chosen = model_class(model)
+    held = load_source(source, chosen.source_kind) if isinstance(source, str | os.PathLike) else source
     require_llvm()
-    write_loom(path, make_model(model, held).to_loom())
+    if chosen.trains:
+        options["report"] = report
+    write_loom(path, make_model(model, held, **options).to_loom())

@@ -140,12 +140,15 @@ class Model(ABC):
 
     Attributes:
         name: as the command line and assets call it.
-        source_kind: of the sources that it takes, a name of `SOURCE_KINDS`.
+        source_kind: of the sources that it takes, a name of `SOURCE_KINDS`; files that say what they are
+            may be of other kinds.
         filters: whether it averages over the footprint; otherwise it looks at one point of it.
         conserves_energy: whether no footprint sends back more light than arrives, at any direction.
         estimates: whether answers are unbiased Monte Carlo estimates, which may be negative.
         symbolic: whether Dr.Jit may trace it in symbolic calls; networks are many times slower there.
         has_holes: whether light passes straight through some of its sources.
+        trains: whether baking it takes minutes; `for_source` then takes `report`, called with (done, in
+            all).
         options: what may be chosen beside the source.
         source: what it is a model of.
     """
@@ -157,6 +160,7 @@ class Model(ABC):
     estimates: ClassVar[bool] = False
     symbolic: ClassVar[bool] = True
     has_holes: ClassVar[bool] = False
+    trains: ClassVar[bool] = False
     options: ClassVar[tuple[Option, ...]] = ()
     source: Source
 

@@ -67,6 +67,12 @@ MODELS: dict[str, ModelEntry] = {
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
     ),
+    "neumip": ModelEntry(
+        "loomlight.models.neumip.model",
+        "NeumipModel",
+        "neumip",
+        "NeuMIP of Kuznetsov et al. 2021, trained for one source in minutes",
+    ),
 }
 DEFAULT_MODEL = "lobes"
 # What pictures of other models are judged by.

@@ -1,0 +1,165 @@
+"""Queries of a multi-resolution BTF: what a training learns from, keyed by a seed and a number.
+
+M(u, σ, light, view) is the mean of f·cos over a Gaussian of standard deviation σ (kuznetsov2021 eq. 1, times
+the cosine of the light as everywhere in this package). Positions are uniform over the repeat; directions are
+half uniform in solid angle, half uniform on the projected disk; sizes favour fine levels, which have more
+texels.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from importlib import import_module
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.sources import Source, kind_of_source
+from loomlight.core.errors import InputError
+from loomlight.models.neumip.pyramid import SIZE_OF_SIGMA, PyramidShape
+
+_Floats = NDArray[np.float32]
+# Queries of a part of the stream; a part is drawn, stored and counted as a whole.
+PART = 1 << 16
+# More grazing directions see crests alone.
+_LOWEST_COSINE = 0.02
+# Share of queries whose level is uniform; the others' density halves with each level.
+_UNIFORM_LEVELS = 0.4
+# Footprints of twice the repeat are means of the whole.
+_LEVELS_BEYOND = 1.0
+# Keys that separate the random numbers of queries from those of batches.
+_STREAM = 3
+
+# Called with (queries done, queries in all).
+QueryReport = Callable[[int, int], None]
+
+
+class Btf(Protocol):
+    """The finest BTF B of a source; its means over Gaussians are the truth of a training.
+
+    Attributes:
+        faces: 2 where front and back differ, else 1.
+    """
+
+    faces: int
+
+    def values(
+        self,
+        positions: NDArray[np.float32],
+        lights: NDArray[np.float32],
+        views: NDArray[np.float32],
+        seed: tuple[int, ...],
+    ) -> NDArray[np.float32]:
+        """f·cos of single rays, linear RGB [n, 3], 1/sr; or unbiased estimates of it.
+
+        Args:
+            positions: on the reference plane [n, 2], millimetres.
+            lights, views: unit vectors [n, 3], on one side of the surface; z < 0 is its back.
+            seed: of the random numbers of the estimates.
+        """
+
+
+# By kind of source: module and class, imported when it is asked for. Path tracing needs a renderer, which
+# models do not import.
+_BTFS = {
+    "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
+    "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
+}
+
+
+def btf_of(source: Source) -> Btf:
+    """The BTF of a source.
+
+    Raises:
+        InputError: a kind of source that has none.
+    """
+    kind = kind_of_source(source)
+    if kind not in _BTFS:
+        raise InputError(f"{source.name} is a {kind}, of which neumip can take no queries.")
+    module, name = _BTFS[kind]
+    btf: Btf = getattr(import_module(module), name)(source)
+    return btf
+
+
+@dataclass(frozen=True, eq=False)
+class Queries:
+    """Queries and their values.
+
+    Attributes:
+        positions: in repeats [n, 2], 0 to 1.
+        levels: log2 of the footprint's size in texels of the finest level [n].
+        lights, views: x and y of unit vectors [n, 2] in the frame of the face that is seen.
+        faces: 0 for the front, 1 for the back [n].
+        values: f·cos, linear RGB [n, 3], 1/sr.
+    """
+
+    positions: _Floats
+    levels: _Floats
+    lights: _Floats
+    views: _Floats
+    faces: NDArray[np.uint8]
+    values: _Floats
+
+    def __len__(self) -> int:
+        return len(self.levels)
+
+    def __getitem__(self, chosen: NDArray[np.intp] | slice) -> Queries:
+        return Queries(*(getattr(self, part.name)[chosen] for part in fields(self)))
+
+    @classmethod
+    def joined(cls, parts: list[Queries]) -> Queries:
+        """All queries of some parts."""
+        return cls(*(np.concatenate([getattr(p, field.name) for p in parts]) for field in fields(cls)))
+
+
+class QueryStream:
+    """Queries of a source in parts, each of which depends on the seed and its number alone."""
+
+    def __init__(self, btf: Btf, shape: PyramidShape, samples: int, seed: int) -> None:
+        """
+        Args:
+            samples: rays of a query.
+        """
+        self._btf, self._shape, self._samples, self._seed = btf, shape, samples, seed
+
+    def part(self, number: int, count: int = PART) -> Queries:
+        """The queries of one part."""
+        rng = np.random.default_rng([self._seed, _STREAM, number])
+        positions = rng.random((count, 2), np.float32)
+        levels = _draw_levels(rng, count, self._shape.levels - 1)
+        lights, views = _directions(rng, count), _directions(rng, count)
+        faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
+        extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
+        sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
+        offsets = rng.standard_normal((count, self._samples, 2), np.float32)
+        points = (positions[:, None] * extent + sigmas * offsets).astype(np.float32)
+        turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
+        to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
+        found = self._btf.values(
+            points.reshape(-1, 2),
+            np.repeat(lights * to_face, self._samples, axis=0),
+            np.repeat(views * to_face, self._samples, axis=0),
+            (self._seed, _STREAM, number),
+        )
+        values = found.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
+        return Queries(positions, levels, lights[:, :2].copy(), views[:, :2].copy(), faces, values)
+
+
+def _draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
+    top = coarsest + _LEVELS_BEYOND
+    u = rng.random(count)
+    uniform = u * top
+    falling = -np.log2(1 - u * (1 - 2.0**-top))
+    return np.where(rng.random(count) < _UNIFORM_LEVELS, uniform, falling).astype(np.float32)
+
+
+def _directions(rng: np.random.Generator, count: int) -> _Floats:
+    """Unit vectors [count, 3] with z > 0."""
+    u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
+    cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))
+    cosine = _LOWEST_COSINE + (1 - _LOWEST_COSINE) * cosine
+    sine = np.sqrt(1 - cosine**2)
+    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=1).astype(np.float32)

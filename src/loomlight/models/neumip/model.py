@@ -1,0 +1,263 @@
+"""NeuMIP as a multi-scale model: colours of one trained source at any place, scale and pair of directions.
+
+The back of a fabric has textures of its own; other sources look alike from both sides. Light on the other
+side than the view gives nothing, and holes are black: the published model transmits no light.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable
+from functools import cached_property
+from importlib import import_module
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Self, final
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, maximum
+from loomlight.core.errors import InputError
+from loomlight.core.extras import import_extra
+from loomlight.core.files import cache_folder
+from loomlight.core.footprint import Footprint
+from loomlight.models.interface import FootprintBsdf, Model, Option
+from loomlight.models.neumip.networks import CHANNELS, NETWORKS, DeviceWeights, Weights
+from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
+from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
+from loomlight.scattering.point import DirectionSample, to_face_frame
+
+# Not log2(0): footprints of points.
+_SMALLEST_SIZE = 1e-9
+_TRAINING = "loomlight.models.neumip.training.train"
+
+
+@final
+class NeumipBsdf(FootprintBsdf):
+    """The BSDF of footprints for one view: the latent of stage 1, which no light changes (section 6)."""
+
+    def __init__(self, model: NeumipModel, view: Vec3, footprint: Footprint) -> None:
+        super().__init__(view, footprint)
+        self._model = model
+        types = array_types(view.x)
+        self._back = types.Bool(view.z < 0)
+        self._facing = to_face_frame(view, self._back)
+        self._device = model.device_weights(types.Float)
+
+    @property
+    def hole(self) -> Float:
+        """0 in every lane; holes are part of the values, as black."""
+        return dr.select(self._back, array_types(self.view.x).Float(0), 0)
+
+    @property
+    def diffuse_reflectance(self) -> Color3:
+        """Mean albedo of the face that is seen, over all directions."""
+        types = array_types(self.view.x)
+        front, back = (types.Color3(*map(float, colour)) for colour in self._model.face_reflectances)
+        return dr.select(self._back, back, front)
+
+    @cached_property
+    def _latent(self) -> list[Float]:
+        types, shape = array_types(self.view.x), self._model.weights.shape
+        faces = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
+        u = self.footprint.centre.x * (1 / shape.width_mm)
+        v = self.footprint.centre.y * (1 / shape.height_mm)
+        if self._device.has_offset:
+            x, y = self._facing.x, self._facing.y
+            depth = self._device.depth(u, v, [x, y], faces)
+            slope = dr.rcp(maximum(self._facing.z, SMALLEST_COSINE))
+            u, v = shifted(shape, u, v, depth, x, y, slope)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
+        return self._device.latent(u, v, dr.log2(side), faces)
+
+    def value(self, light: Vec3, active: Mask = True) -> Color3:
+        """f·cos, 1/sr; 0 for lights on the other side."""
+        facing = to_face_frame(light, self._back)
+        channels = self._device.value(self._latent, [facing.x, facing.y], [self._facing.x, self._facing.y])
+        return dr.select((facing.z > 0) & active, array_types(self.view.x).Color3(*channels), 0)
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample`: the cosine's, on the side of the view (section 5)."""
+        return dr.select(light.z * self.view.z > 0, dr.abs(light.z) * dr.inv_pi, 0)
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """A direction in proportion to the cosine."""
+        types = array_types(self.view.x)
+        sine, cosine = dr.sincos(2 * math.pi * u.y)
+        radius, height = dr.sqrt(u.x), dr.sqrt(maximum(1 - u.x, 0))
+        facing = types.Vector3(radius * cosine, radius * sine, height)
+        light = to_face_frame(facing, self._back)
+        pdf = self.pdf(light)
+        weight = dr.select(pdf > 0, self.value(light) / maximum(pdf, 1e-30), 0)
+        # Never, in every lane.
+        return DirectionSample(light, pdf, weight, types.Bool(choice < 0))
+
+
+@final
+class NeumipModel(Model):
+    """kuznetsov2021: textures and networks that are trained for one source.
+
+    Attributes:
+        weights: what was trained.
+        multiply_adds: of one query.
+        bytes_fetched: by one query.
+    """
+
+    name = "neumip"
+    filters = True
+    conserves_energy = False
+    symbolic = False
+    trains = True
+    options = (
+        Option("quality", str, f"one of {', '.join(QUALITIES)}"),
+        Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
+        # Without it, the paper's baseline.
+        Option("offset", bool, "true or false"),
+        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1),
+        Option("steps", int, "a whole number from 1", low=1, high=10**7),
+        # Where queries and checkpoints stay; by default they are removed at the end.
+        Option("folder", str, "the path of a folder"),
+        Option("device", str, "cpu or cuda"),
+    )
+
+    def __init__(self, source: Source, weights: Weights) -> None:
+        self.source, self.weights = source, weights
+        self._devices: dict[type, DeviceWeights] = {}
+        numbers = [w.size for layers in weights.layers.values() for w, _ in layers]
+        offset_taps = 0 if weights.offset_texels is None else 4
+        self.multiply_adds = sum(numbers) + (8 + offset_taps) * CHANNELS
+        self.bytes_fetched = 4 * (8 + offset_taps) * CHANNELS
+
+    @classmethod
+    def for_source(
+        cls,
+        source: Source,
+        quality: str = DEFAULT_QUALITY,
+        resolution: int | None = None,
+        offset: bool = True,
+        seed: int = 0,
+        steps: int | None = None,
+        folder: str | os.PathLike[str] | None = None,
+        device: str = "cpu",
+        report: Callable[[int, int], None] | None = None,
+    ) -> Self:
+        """The model trained for a source; see `options`. A training that was stopped goes on.
+
+        Args:
+            report: called with (done, in all).
+
+        Raises:
+            InputError: a source of which no queries can be taken, or an option that cannot be.
+            MissingDependencyError: PyTorch is missing.
+        """
+        settings = settings_of(quality, resolution, offset, seed, steps)
+        if device not in ("cpu", "cuda"):
+            raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
+        # On shared cores threads that spin while they wait make small batches many times slower.
+        os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+        import_extra("torch", "train", "Training neumip")
+        train: Any = import_module(_TRAINING).train_neumip
+        if folder is not None:
+            return cls(source, train(source, settings, Path(folder), report, device))
+        place = cache_folder("neumip") / settings.identity(source)[:16]
+        weights = train(source, settings, place, report, device)
+        _remove(place)
+        return cls(source, weights)
+
+    @property
+    def face_reflectances(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Mean albedos of front and back [3]."""
+        return self.weights.reflectance[0], self.weights.reflectance[-1]
+
+    def device_weights(self, float_type: type) -> DeviceWeights:
+        """Textures and networks on one backend, uploaded once."""
+        if float_type not in self._devices:
+            self._devices[float_type] = DeviceWeights(self.weights, float_type)
+        return self._devices[float_type]
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts textures and networks on a backend."""
+        self.device_weights(types.Float)
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> NeumipBsdf:
+        """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
+        del tint, active
+        return NeumipBsdf(self, view, footprint)
+
+    def to_loom(self) -> LoomFile:
+        """A file of textures and networks."""
+        weights = self.weights
+        tensors = {"features": weights.features, "reflectance": weights.reflectance}
+        if weights.offset_texels is not None:
+            tensors["offset_texels"] = weights.offset_texels
+        for name, layers in weights.layers.items():
+            for number, (matrix, bias) in enumerate(layers):
+                tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
+        shape = weights.shape
+        settings = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
+        return LoomFile(self.name, self.source, tensors, settings)
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of textures and networks in a file.
+
+        Raises:
+            InputError: another model's file, or tensors that are missing or of another shape.
+        """
+        loom.require_model(cls.name)
+        columns, rows, faces = (_count(loom, name) for name in ("columns", "rows", "faces"))
+        shape = PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
+        features = loom.tensor("features", (faces * shape.texels, CHANNELS), np.float32)
+        reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
+        offset_texels = None
+        names = ["decoder"]
+        if "offset_texels" in loom.tensors:
+            offset_texels = loom.tensor("offset_texels", (faces * rows * columns, CHANNELS), np.float32)
+            names.append("offset")
+        layers = {
+            name: [
+                (
+                    loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
+                    loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
+                )
+                for number, (inputs, outputs) in enumerate(
+                    zip(NETWORKS[name][:-1], NETWORKS[name][1:], strict=True)
+                )
+            ]
+            for name in names
+        }
+        return cls(loom.source, Weights(shape, features, offset_texels, layers, reflectance))
+
+    def facts(self) -> dict[str, str]:
+        """The source, and the size of textures and networks."""
+        shape = self.weights.shape
+        textures = f"{shape.columns} × {shape.rows} texels, {shape.levels} levels"
+        return {**super().facts(), "textures": textures, "weights": f"{self.weights.count}"}
+
+
+def _count(loom: LoomFile, name: str) -> int:
+    """A number of texels or faces: a small power of two.
+
+    Raises:
+        InputError: another number.
+    """
+    value = loom.setting(name, int)
+    most = 2 if name == "faces" else 4096
+    if not 1 <= value <= most or value & (value - 1):
+        raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
+    return value
+
+
+def _remove(folder: Path) -> None:
+    """Removes a folder of files."""
+    # What a temporary folder does at its end, which copes with files of other processes.
+    with TemporaryDirectory(dir=folder.parent) as temporary:
+        folder.rename(Path(temporary) / folder.name)

@@ -1,0 +1,175 @@
+"""Both networks and both textures as numbers, and their evaluation on any backend.
+
+    offset    9 → 25 → 25 → 25 → 1   texel of the offset texture, view → ray depth (eq. 5)
+    decoder  11 → 25 → 25 → 25 → 3   texel of the pyramid, light, view → π f·cos, by ReLU (section 3.2)
+
+Directions are x and y of unit vectors. On CPUs a fused SIMD kernel evaluates the networks; on GPUs, for
+derivatives, and in symbolic calls Dr.Jit's cooperative vectors do.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import drjit.nn as nn
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import Float, FloatType, Int, UInt
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, upload
+from loomlight.core.simd import DenseLayer, FusedMlp, can_use_kernel
+from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape, Taps, bilinear_taps, trilinear_taps
+
+_HIDDEN = 25
+OFFSET_WIDTHS = (CHANNELS + 2, _HIDDEN, _HIDDEN, _HIDDEN, 1)
+DECODER_WIDTHS = (CHANNELS + 4, _HIDDEN, _HIDDEN, _HIDDEN, 3)
+NETWORKS = {"offset": OFFSET_WIDTHS, "decoder": DECODER_WIDTHS}
+# The networks learn π f·cos, which is about an albedo.
+EXPOSURE = math.pi
+# Texels are stored in rows of eight numbers, so that a row is two loads of four.
+_ROW = 8
+
+_Layers = list[tuple[NDArray[np.float32], NDArray[np.float32]]]
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """A trained material.
+
+    Attributes:
+        shape: of the textures.
+        features: texels of the pyramid [faces · shape.texels, 7], a face after another, fine levels first.
+        offset_texels: of the offset texture [faces · rows · columns, 7]; None without the offset module.
+        layers: weights [outputs, inputs] and biases of "decoder", and of "offset" if there is one.
+        reflectance: mean albedo of each face [faces, 3].
+    """
+
+    shape: PyramidShape
+    features: NDArray[np.float32]
+    offset_texels: NDArray[np.float32] | None
+    layers: dict[str, _Layers]
+    reflectance: NDArray[np.float32]
+
+    @property
+    def count(self) -> int:
+        """Weights of the networks, as Table 4 counts them."""
+        return sum(w.size + b.size for layers in self.layers.values() for w, b in layers)
+
+
+class DrjitFunctions:
+    """`ArrayFunctions` of one backend of Dr.Jit; its tables are small and become selects."""
+
+    def __init__(self, types: ArrayTypes) -> None:
+        self._types = types
+
+    def floor(self, value: Float) -> Float:
+        return dr.floor(value)
+
+    def clip(self, value: Float, low: float, high: float) -> Float:
+        return clip(value, low, high)
+
+    def to_index(self, value: Float) -> Int:
+        return self._types.Int32(value)
+
+    def gather(self, table: Sequence[int], index: Int) -> Int:
+        found = self._types.Int32(table[0])
+        for number, entry in enumerate(table[1:], 1):
+            found = dr.select(index >= number, self._types.Int32(entry), found)
+        return found
+
+    def wrap(self, index: Int, count: Any) -> Int:
+        # Counts are powers of two, for which this holds of negative numbers too.
+        return index & (count - 1)
+
+
+class DeviceWeights:
+    """A trained material on one backend."""
+
+    def __init__(self, weights: Weights, float_type: FloatType) -> None:
+        self._shape, self._types = weights.shape, array_types(float_type)
+        self._functions = DrjitFunctions(self._types)
+        self._features = upload(float_type, _padded(weights.features))
+        self._offset_texels = None
+        if weights.offset_texels is not None:
+            self._offset_texels = upload(float_type, _padded(weights.offset_texels))
+        self._networks = {name: _Network(layers, float_type) for name, layers in weights.layers.items()}
+
+    @property
+    def has_offset(self) -> bool:
+        """Whether there is an offset module."""
+        return self._offset_texels is not None
+
+    def depth(self, u: Float, v: Float, view: Sequence[Float], face: UInt) -> Float:
+        """The ray depth r of eq. 5, in units of `PyramidShape.length_mm`.
+
+        Args:
+            u, v: in repeats.
+            view: x and y of the view in the frame of the face that is seen.
+            face: index of its textures.
+        """
+        shape = self._shape
+        start = self._types.Int32(face) * (shape.columns * shape.rows)
+        u, v = u - dr.floor(u), v - dr.floor(v)
+        taps = bilinear_taps(u, v, shape.columns, shape.rows, start, self._functions)
+        (depth,) = self._networks["offset"]([*self._fetched(self._offset_texels, taps), *view])
+        return depth
+
+    def latent(self, u: Float, v: Float, level: Float, face: UInt) -> list[Float]:
+        """The interpolated texel of the pyramid, `CHANNELS` numbers.
+
+        Args:
+            level: log2 of the footprint's size in texels of level 0.
+        """
+        start = self._types.Int32(face) * self._shape.texels
+        # Positions near the origin keep most digits, and NaN becomes 0 before it is an index.
+        u, v = (clip(value - dr.floor(value), 0, 1) for value in (u, v))
+        taps = trilinear_taps(self._shape, u, v, level, start, self._functions)
+        return self._fetched(self._features, taps)
+
+    def value(self, latent: Sequence[Float], light: Sequence[Float], view: Sequence[Float]) -> list[Float]:
+        """f·cos, three channels, 1/sr, of x and y of light and view in the frame of the face seen."""
+        outputs = self._networks["decoder"]([*latent, *light, *view])
+        return [maximum(value, 0) * (1 / EXPOSURE) for value in outputs]
+
+    def _fetched(self, table: Float, taps: Taps) -> list[Float]:
+        types = self._types
+        sums = [types.Float(0)] * CHANNELS
+        for texel, weight in zip(taps.texels, taps.weights, strict=True):
+            row = types.UInt32(texel) * 2
+            low, high = (dr.gather(types.Vector4, table, row + half) for half in (0, 1))
+            values = [*low, *high][:CHANNELS]
+            sums = [dr.fma(weight, value, total) for value, total in zip(values, sums, strict=True)]
+        return sums
+
+
+class _Network:
+    """Dense layers with ReLU between them, on one backend."""
+
+    def __init__(self, layers: _Layers, float_type: FloatType) -> None:
+        self._types = array_types(float_type)
+        last = len(layers) - 1
+        self._mlp = FusedMlp(
+            [DenseLayer(w, b, "relu" if number < last else "none") for number, (w, b) in enumerate(layers)]
+        )
+        tensor: Any = dr.tensor_t(float_type)
+        numbers = [tensor(np.ascontiguousarray(part)) for layer in layers for part in layer]
+        views: Any = nn.pack(numbers, layout="inference")
+        self._layers = list(zip(views[::2], views[1::2], strict=True))
+
+    def __call__(self, inputs: Sequence[Float]) -> list[Float]:
+        if can_use_kernel(self._types.Float, list(inputs)):
+            return self._mlp.call(self._types.Float, list(inputs))
+        values: Any = nn.CoopVec(*inputs)
+        for number, (weight, bias) in enumerate(self._layers):
+            values = nn.matvec(weight, values, bias)
+            if number + 1 < len(self._layers):
+                values = maximum(values, 0)
+        return [*values]
+
+
+def _padded(texels: NDArray[np.float32]) -> NDArray[np.float32]:
+    return np.pad(texels, ((0, 0), (0, _ROW - CHANNELS)))

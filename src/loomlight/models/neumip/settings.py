@@ -1,0 +1,89 @@
+"""Settings of a training: what `quality` names, and what may be chosen beside it."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+
+from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
+from loomlight.core.errors import InputError
+from loomlight.fabric.sentences import closest, shown
+
+DEFAULT_QUALITY = "preview"
+# Texels a side; a power of two between these.
+SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
+# Part of every identity: to be raised when the same settings give other weights.
+_VERSION = 1
+
+
+@dataclass(frozen=True)
+class NeumipSettings:
+    """How a material is trained.
+
+    Attributes:
+        resolution: texels along the longer side of the repeat, a power of two.
+        offset: with the neural offset module; without it, the baseline of the paper's section 3.2.
+        queries: of the source, for each texel of the finest level and each face.
+        samples: rays of a query.
+        steps: updates of the weights.
+        batch: queries of a step.
+        rate: largest learning rate of the networks.
+        texture_rate: largest learning rate of the textures.
+        seed: of queries, weights and batches.
+    """
+
+    resolution: int = 64
+    offset: bool = True
+    queries: int = 200
+    samples: int = 8
+    steps: int = 2000
+    batch: int = 1 << 14
+    rate: float = 3e-3
+    texture_rate: float = 1e-2
+    seed: int = 0
+
+    def identity(self, source: Source) -> str:
+        """A hash of all that the weights depend on, for checkpoints and folders."""
+        record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
+        digest = hashlib.sha256(repr((_VERSION, asdict(self), sorted(record.items()))).encode())
+        for name in sorted(tensors):
+            digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
+        return digest.hexdigest()
+
+
+# The paper's schedule is 30 000 steps of 2^20 queries on a GPU: "published".
+QUALITIES: dict[str, NeumipSettings] = {
+    "preview": NeumipSettings(),
+    "full": NeumipSettings(resolution=256, queries=300, samples=16, steps=6000, batch=1 << 16),
+    "published": NeumipSettings(
+        resolution=512, queries=400, samples=64, steps=30_000, batch=1 << 20, rate=1e-3, texture_rate=1e-3
+    ),
+}
+
+
+def settings_of(
+    quality: str, resolution: int | None = None, offset: bool = True, seed: int = 0, steps: int | None = None
+) -> NeumipSettings:
+    """The settings of a quality with some of them chosen.
+
+    Raises:
+        InputError: an unknown quality, or a resolution that is no power of two.
+    """
+    if quality not in QUALITIES:
+        raise InputError(f"quality = {shown(quality)} does not exist: {closest(quality, QUALITIES)}")
+    chosen = replace(QUALITIES[quality], offset=offset, seed=seed)
+    if resolution is not None:
+        fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
+        if not fits:
+            raise InputError(
+                f"resolution = {resolution} is wrong: give a power of two from {SMALLEST_RESOLUTION} to "
+                f"{LARGEST_RESOLUTION}."
+            )
+        chosen = replace(chosen, resolution=resolution)
+    if steps is not None:
+        if steps < 1:
+            raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
+        chosen = replace(chosen, steps=steps)
+    return chosen

@@ -1,0 +1,192 @@
+"""The model as torch modules: the reference that training updates and tests compare the others with."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+from torch.nn import functional
+
+from loomlight.models.neumip.networks import DECODER_WIDTHS, EXPOSURE, OFFSET_WIDTHS, Weights
+from loomlight.models.neumip.pyramid import (
+    CHANNELS,
+    SMALLEST_COSINE,
+    PyramidShape,
+    bilinear_taps,
+    shifted,
+    trilinear_taps,
+)
+
+# The textures begin at zero and at 0.1 N(0, 1), as in the released code.
+_FEATURES = 0.1
+# Biases of the last layer: of the final ReLU, which must not begin at 0, and of the ray depth.
+_FIRST_VALUE = 0.3
+# Of the final activation below 0 while it is trained, and a bound that keeps log(1 + x) finite.
+_SLOPE, _LEAST_OUTPUT = 0.05, -0.5
+# Blurs of fewer texels change nothing.
+_LEAST_BLUR = 0.05
+
+
+class TorchFunctions:
+    """`ArrayFunctions` of torch."""
+
+    def floor(self, value: Tensor) -> Tensor:
+        return torch.floor(value)
+
+    def clip(self, value: Tensor, low: float, high: float) -> Tensor:
+        return value.clamp(low, high)
+
+    def to_index(self, value: Tensor) -> Tensor:
+        return value.detach().long()
+
+    def gather(self, table: Sequence[int], index: Tensor) -> Tensor:
+        return torch.tensor(list(table), device=index.device)[index]
+
+    def wrap(self, index: Tensor, count: Any) -> Tensor:
+        return index % count
+
+
+_TORCH = TorchFunctions()
+
+
+class NeumipNetwork(nn.Module):
+    """Neural textures of all faces, and both networks.
+
+    Textures are parameters divided by `scale`: with Adam their learning rate is then so many times that of
+    the networks.
+    """
+
+    def __init__(self, shape: PyramidShape, with_offset: bool, scale: float = 1.0) -> None:
+        super().__init__()
+        self.shape, self.scale = shape, scale
+        rows, columns = shape.rows, shape.columns
+        self.features = nn.ParameterList(
+            nn.Parameter(_FEATURES / scale * torch.randn(shape.faces, CHANNELS, high, wide))
+            for wide, high in shape.sizes
+        )
+        self.decoder = _perceptron(DECODER_WIDTHS)
+        nn.init.constant_(self.decoder[-1].bias, _FIRST_VALUE)
+        self.offset_texture: nn.Parameter | None = None
+        self.offset: nn.Sequential | None = None
+        if with_offset:
+            self.offset_texture = nn.Parameter(torch.zeros(shape.faces, CHANNELS, rows, columns))
+            self.offset = _perceptron(OFFSET_WIDTHS)
+            # No parallax at first.
+            nn.init.zeros_(self.offset[-1].bias)
+
+    def forward(
+        self,
+        positions: Tensor,
+        levels: Tensor,
+        lights: Tensor,
+        views: Tensor,
+        faces: Tensor,
+        blur: float = 0.0,
+        offset_frozen: bool = False,
+    ) -> Tensor:
+        """π f·cos of queries [n, 3]; see `Queries`. While it is trained, numbers below 0 have a slope.
+
+        Args:
+            blur: standard deviation of the Gaussian over the textures, in texels of level 0.
+            offset_frozen: the offset texture gets no gradient.
+        """
+        shape, (u, v) = self.shape, positions.T
+        if self.offset is not None and self.offset_texture is not None:
+            texture = self.offset_texture.detach() if offset_frozen else self.offset_texture
+            table = _texels(self.scale * blurred(texture, blur))
+            start = faces * (shape.columns * shape.rows)
+            taps = bilinear_taps(u, v, shape.columns, shape.rows, start, _TORCH)
+            depth = self.offset(torch.cat([_fetched(table, taps.texels, taps.weights), views], dim=1))[:, 0]
+            cosine = torch.sqrt((1 - views.square().sum(1)).clamp(min=0))
+            slope = 1 / cosine.clamp(min=SMALLEST_COSINE)
+            u, v = shifted(shape, u, v, depth, views[:, 0], views[:, 1], slope)
+        # All levels of a face, one face after another.
+        parts = [
+            _texels(self.scale * blurred(texture, blur / 2**level)).reshape(shape.faces, -1, CHANNELS)
+            for level, texture in enumerate(self.features)
+        ]
+        table = torch.cat(parts, dim=1).reshape(-1, CHANNELS)
+        taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TORCH)
+        latent = _fetched(table, taps.texels, taps.weights)
+        outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
+        if self.training:
+            # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
+            return functional.leaky_relu(outputs, _SLOPE).clamp(min=_LEAST_OUTPUT)
+        return functional.relu(outputs)
+
+    def weights(self, reflectance: NDArray[np.float32]) -> Weights:
+        """The trained numbers, for the renderer.
+
+        Args:
+            reflectance: mean albedo of each face [faces, 3].
+        """
+        shape = self.shape
+        texels = [
+            _texels(self.scale * texture).reshape(shape.faces, -1, CHANNELS) for texture in self.features
+        ]
+        features = torch.cat(texels, dim=1).reshape(-1, CHANNELS)
+        layers = {"decoder": _layers(self.decoder)}
+        offset_texels = None
+        if self.offset is not None and self.offset_texture is not None:
+            layers["offset"] = _layers(self.offset)
+            offset_texels = _numbers(_texels(self.scale * self.offset_texture))
+        return Weights(shape, _numbers(features), offset_texels, layers, reflectance)
+
+
+def blurred(texture: Tensor, sigma: float) -> Tensor:
+    """A periodic texture [..., rows, columns] under a Gaussian of `sigma` texels, by Fourier transform."""
+    if sigma < _LEAST_BLUR:
+        return texture
+    rows, columns = texture.shape[-2:]
+    along = torch.fft.fftfreq(rows, device=texture.device)
+    across = torch.fft.rfftfreq(columns, device=texture.device)
+    squared = along[:, None] ** 2 + across[None, :] ** 2
+    response = torch.exp(-2 * (torch.pi * sigma) ** 2 * squared)
+    return torch.fft.irfft2(torch.fft.rfft2(texture) * response, s=(rows, columns))
+
+
+def loss_of(predicted: Tensor, truth: Tensor) -> Tensor:
+    """The released code's loss: squares of differences of log(1 + x), plus a tenth of absolute differences.
+
+    Args:
+        predicted: π f·cos [n, 3].
+        truth: f·cos [n, 3], 1/sr.
+    """
+    exposed = EXPOSURE * truth
+    logarithmic = functional.mse_loss(torch.log1p(predicted), torch.log1p(exposed))
+    return logarithmic + 0.1 * functional.l1_loss(predicted, exposed)
+
+
+def _perceptron(widths: tuple[int, ...]) -> nn.Sequential:
+    """Dense layers with ReLU between them."""
+    layers: list[nn.Module] = []
+    for inputs, outputs in pairwise(widths):
+        layers += [nn.Linear(inputs, outputs), nn.ReLU()]
+    return nn.Sequential(*layers[:-1])
+
+
+def _texels(texture: Tensor) -> Tensor:
+    """Rows of channels [faces · rows · columns, channels] of a texture [faces, channels, rows, columns]."""
+    return texture.permute(0, 2, 3, 1).reshape(-1, CHANNELS)
+
+
+def _fetched(table: Tensor, texels: list[Tensor], weights: list[Tensor]) -> Tensor:
+    """Weighted sums of texels [n, channels]."""
+    return functional.embedding_bag(
+        torch.stack(texels, dim=1), table, per_sample_weights=torch.stack(weights, dim=1), mode="sum"
+    )
+
+
+def _layers(perceptron: nn.Sequential) -> list[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+    return [
+        (_numbers(layer.weight), _numbers(layer.bias)) for layer in perceptron if isinstance(layer, nn.Linear)
+    ]
+
+
+def _numbers(tensor: Tensor) -> NDArray[np.float32]:
+    return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)

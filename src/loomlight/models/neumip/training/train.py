@@ -1,0 +1,194 @@
+"""Training of one material: queries of its source, then the paper's loop (kuznetsov2021 section 4).
+
+Everything depends on the settings and the source alone, so a training that was stopped goes on from its
+folder to the same weights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load_file, save_file
+from torch import Tensor
+
+from loomlight.assets.sources import Source
+from loomlight.core.files import replacing
+from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of
+from loomlight.models.neumip.networks import Weights
+from loomlight.models.neumip.pyramid import PyramidShape
+from loomlight.models.neumip.settings import NeumipSettings
+from loomlight.models.neumip.training.network import NeumipNetwork, loss_of
+from loomlight.training.loop import Schedule, train
+from loomlight.training.side_by_side import SideBySide
+
+# Called with (done, in all) of the whole training, in thousandths.
+Progress = Callable[[int, int], None]
+# Standard deviation of the first blur in texels, and how often it is halved in a training: 30 000 steps of a
+# half-life of 3333. The textures of coarse levels have fewer texels, and less blur.
+_FIRST_BLUR, _HALVINGS = 8.0, 9.0
+# The first blur is at most so many times smaller than the texture.
+_LEAST_WIDTHS = 8
+# Share of the training after which the offset texture stays as it is (released code).
+_OFFSET_FROZEN = 1 / 3
+_WARM_UP = 0.02
+# Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
+# batches are computed on one thread, as threads would wait for each other longer than they compute.
+_PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
+# Key that separates the random numbers of batches from those of queries.
+_BATCHES = 5
+# Thousandths of the progress that taking queries is counted as.
+_OF_QUERIES, _WHOLE = 300, 1000
+
+
+def train_neumip(
+    source: Source,
+    settings: NeumipSettings,
+    folder: Path,
+    progress: Progress | None = None,
+    device: str = "cpu",
+    keep_every: float = 30.0,
+) -> Weights:
+    """The weights of a material.
+
+    Args:
+        folder: holds queries and the checkpoint; made if need be, and used again to go on.
+        device: of torch, "cpu" or "cuda".
+        keep_every: seconds between checkpoints.
+
+    Raises:
+        InputError: a source of which no queries can be taken, or a damaged checkpoint.
+    """
+    report = progress or (lambda done, total: None)
+    folder.mkdir(parents=True, exist_ok=True)
+    queries = taken_queries(source, settings, folder, report)
+    torch.manual_seed(settings.seed)
+    shape = shape_of(source, settings)
+    scale = settings.texture_rate / settings.rate
+    network = NeumipNetwork(shape, settings.offset, scale).to(device)
+    batches = _Batches(network, queries, settings, device)
+    optimiser = torch.optim.Adam(network.parameters(), settings.rate)
+    with _one_thread():
+        train(
+            network,
+            optimiser,
+            batches.losses,
+            Schedule(settings.steps, lambda done: settings.rate * rate_factor(done), keep_every=keep_every),
+            folder / "checkpoint.safetensors",
+            settings.identity(source),
+            lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
+        )
+    return network.weights(reflectances(queries, shape.faces))
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Operations of this thread use no others: the optimiser's are too small for that."""
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
+
+
+def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
+    """The shape of the textures of a source."""
+    return PyramidShape.of(source.repeat_mm, settings.resolution, btf_of(source).faces)
+
+
+def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report: Progress) -> Queries:
+    """All queries of a training; parts that the folder holds are read."""
+    shape = shape_of(source, settings)
+    total = settings.queries * shape.columns * shape.rows * shape.faces
+    stream = QueryStream(btf_of(source), shape, settings.samples, settings.seed)
+    identity = settings.identity(source)[:12]
+    sizes = [min(PART, total - first) for first in range(0, total, PART)]
+    parts = []
+    for number, size in enumerate(sizes):
+        file = folder / f"queries-{identity}-{number:05d}.safetensors"
+        part = _read(file, size)
+        if part is None:
+            part = stream.part(number, size)
+            with replacing(file) as temporary:
+                save_file({name: getattr(part, name) for name in Queries.__dataclass_fields__}, temporary)
+        parts.append(part)
+        report(_OF_QUERIES * (number + 1) // len(sizes), _WHOLE)
+    return Queries.joined(parts)
+
+
+def _read(file: Path, size: int) -> Queries | None:
+    """The queries in a file; None if it does not exist or is damaged."""
+    try:
+        part = Queries(**load_file(file))
+    except (OSError, SafetensorError, TypeError):
+        return None
+    return part if len(part) == size else None
+
+
+def reflectances(queries: Queries, faces: int) -> NDArray[np.float32]:
+    """Mean albedo of each face [faces, 3], of directions on the projected disk and in solid angle alike."""
+    cosines = np.sqrt(np.maximum(1 - np.square(queries.lights).sum(axis=1), 1e-4))
+    # Half of the lights have density 1/2π, half cosine/π: `btf._directions`.
+    density = 0.5 * (1 / (2 * np.pi) + cosines / np.pi)
+    weighted = queries.values / density[:, None]
+    means = [weighted[queries.faces == face].mean(axis=0) for face in range(faces)]
+    return np.clip(np.stack(means), 0, 1).astype(np.float32)
+
+
+def rate_factor(progress: float) -> float:
+    """The learning rate over the largest, at a progress from 0 to 1: a short rise, then a half cosine."""
+    return min(1.0, (progress + 1e-9) / _WARM_UP) * 0.5 * (1 + math.cos(math.pi * progress))
+
+
+def blur_of(shape: PyramidShape, progress: float) -> float:
+    """Standard deviation of the blur in texels of level 0, at a progress from 0 to 1 (section 4)."""
+    first = min(_FIRST_BLUR, max(shape.columns, shape.rows) / _LEAST_WIDTHS)
+    return first * 2 ** (-_HALVINGS * progress)
+
+
+class _Batches:
+    """Losses of steps: each pass over the queries is in an order of its own."""
+
+    def __init__(
+        self, network: NeumipNetwork, queries: Queries, settings: NeumipSettings, device: str
+    ) -> None:
+        self._network, self._queries, self._settings = network, queries, settings
+        self._device = device
+        threads = device == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH
+        self._side_by_side = SideBySide(_PARTS if threads else 1)
+        self._per_pass = max(1, len(queries) // settings.batch)
+        self._order: tuple[int, NDArray[np.intp]] | None = None
+
+    def losses(self, step: int) -> Iterator[Tensor]:
+        """The loss of one step."""
+        progress = step / self._settings.steps
+        frozen, blur = progress >= _OFFSET_FROZEN, blur_of(self._network.shape, progress)
+        parts = np.array_split(self._chosen(step), self._side_by_side.parts)
+        losses = [partial(self._loss, part, blur, frozen) for part in parts]
+        yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
+
+    def _loss(self, chosen: NDArray[np.intp], blur: float, offset_frozen: bool) -> Tensor:
+        batch = self._queries[chosen]
+        positions, levels, lights, views, values = (
+            torch.from_numpy(part).to(self._device)
+            for part in (batch.positions, batch.levels, batch.lights, batch.views, batch.values)
+        )
+        faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
+        predicted = self._network(positions, levels, lights, views, faces, blur, offset_frozen)
+        return loss_of(predicted, values)
+
+    def _chosen(self, step: int) -> NDArray[np.intp]:
+        number, place = divmod(step, self._per_pass)
+        if self._order is None or self._order[0] != number:
+            rng = np.random.default_rng([self._settings.seed, _BATCHES, number])
+            self._order = number, rng.permutation(len(self._queries))
+        first = place * self._settings.batch
+        return self._order[1][first : first + self._settings.batch]

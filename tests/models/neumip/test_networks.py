@@ -1,0 +1,106 @@
+"""SIMD kernels and cooperative vectors against the torch modules that are trained.
+
+Covers: models/neumip/training/network.py
+"""
+
+from __future__ import annotations
+
+import drjit as dr
+import numpy as np
+import pytest
+import torch
+from drjit.llvm.ad import Float, UInt32
+
+from loomlight.core.llvm import require_llvm
+from loomlight.models.neumip.networks import DeviceWeights
+from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
+from loomlight.models.neumip.training.network import NeumipNetwork, blurred, loss_of
+
+require_llvm()
+
+SHAPE = PyramidShape(8, 4, 2.0, 1.0, 2)
+COUNT = 300
+
+
+def network(with_offset: bool = True) -> NeumipNetwork:
+    """A network of random numbers, none of which is 0."""
+    torch.manual_seed(3)
+    made = NeumipNetwork(SHAPE, with_offset, scale=4.0)
+    with torch.no_grad():
+        for parameter in made.parameters():
+            parameter.add_(0.1 * torch.randn_like(parameter))
+    return made.eval()
+
+
+def inputs() -> tuple[torch.Tensor, ...]:
+    """Positions, levels, lights, views and faces."""
+    rng = np.random.default_rng(1)
+
+    def directions() -> np.ndarray[tuple[int, ...], np.dtype[np.float32]]:
+        angle, radius = 2 * np.pi * rng.random(COUNT), 0.98 * np.sqrt(rng.random(COUNT))
+        return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1).astype(np.float32)
+
+    return (
+        torch.from_numpy(rng.random((COUNT, 2), np.float32)),
+        torch.from_numpy(rng.uniform(-1, 5, COUNT).astype(np.float32)),
+        torch.from_numpy(directions()),
+        torch.from_numpy(directions()),
+        torch.from_numpy(rng.integers(2, size=COUNT)),
+    )
+
+
+@pytest.mark.parametrize("derivatives", [False, True])
+@pytest.mark.parametrize("with_offset", [True, False])
+def test_values_are_those_of_torch(with_offset: bool, derivatives: bool) -> None:
+    """By the SIMD kernel, and by cooperative vectors, which derivatives ask for."""
+    made, (positions, levels, lights, views, faces) = network(with_offset), inputs()
+    with torch.no_grad():
+        wanted = made(positions, levels, lights, views, faces).numpy() / np.pi
+    assert (wanted > 0).mean() > 0.5
+    device = DeviceWeights(made.weights(np.zeros((2, 3), np.float32)), Float)
+    assert device.has_offset == with_offset
+    (u, v), light, view = (
+        [Float(column) for column in part.numpy().T.copy()] for part in (positions, lights, views)
+    )
+    if derivatives:
+        dr.enable_grad(u)
+    face = UInt32(faces.numpy().astype(np.uint32))
+    if with_offset:
+        depth = device.depth(u, v, view, face)
+        cosine = dr.sqrt(1 - view[0] * view[0] - view[1] * view[1])
+        slope = dr.rcp(dr.maximum(cosine, SMALLEST_COSINE))
+        u, v = shifted(SHAPE, u, v, depth, *view, slope)
+    actual = device.value(device.latent(u, v, Float(levels.numpy()), face), light, view)
+    found = np.stack([channel.numpy() for channel in actual], axis=1)
+    # Depths are rounded, and the texture between texels has slopes of a few units a repeat.
+    np.testing.assert_allclose(found, wanted, atol=3e-5)
+
+
+def test_the_networks_have_the_papers_size() -> None:
+    """9→25→25→25→1 and 11→25→25→25→3: Table 4's 3332 is 78 more, three further outputs of the first."""
+    weights = network().weights(np.zeros((2, 3), np.float32))
+    assert weights.count == 3254 == 3332 - 3 * 26
+    assert weights.features.shape == (2 * 43, 7)
+    assert weights.offset_texels is not None
+    assert weights.offset_texels.shape == (2 * 32, 7)
+
+
+def test_a_blur_is_a_periodic_gaussian() -> None:
+    texture = torch.zeros(1, 1, 16, 32)
+    texture[..., 0, 0] = 1
+    found = blurred(texture, 1.5)[0, 0].numpy()
+    along, across = (np.minimum(np.arange(n), n - np.arange(n)) for n in (16, 32))
+    wanted = np.exp(-(along[:, None] ** 2 + across**2) / (2 * 1.5**2))
+    # Its integral over texels differs from its values by less.
+    np.testing.assert_allclose(found, wanted / wanted.sum(), atol=1e-4)
+    assert blurred(texture, 0.01) is texture
+
+
+def test_a_frozen_offset_texture_gets_no_gradient() -> None:
+    made, queries = network().train(), inputs()
+    for frozen in (False, True):
+        made.zero_grad(set_to_none=True)
+        loss_of(made(*queries, blur=1.0, offset_frozen=frozen), torch.ones(COUNT, 3) / np.pi).backward()
+        assert made.offset_texture is not None
+        assert (made.offset_texture.grad is None) == frozen
+        assert made.features[0].grad is not None

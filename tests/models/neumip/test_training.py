@@ -1,0 +1,123 @@
+"""A training is the same however often it is stopped, and learns what it is shown.
+
+Covers: models/neumip/training/train.py, models/neumip/btf.py, models/neumip/fabric_btf.py
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from loomlight.aggregate.slices import FabricSlices
+from loomlight.core.errors import InputError
+from loomlight.core.llvm import llvm_float, require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.neumip.btf import QueryStream, btf_of
+from loomlight.models.neumip.fabric_btf import FabricBtf
+from loomlight.models.neumip.networks import Weights
+from loomlight.models.neumip.pyramid import PyramidShape
+from loomlight.models.neumip.settings import QUALITIES, NeumipSettings
+from loomlight.models.neumip.training.train import blur_of, rate_factor, taken_queries, train_neumip
+from loomlight.scattering.point import PointModel
+from loomlight.yarn.geometry import YarnGeometry
+
+require_llvm()
+
+TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
+
+
+def short(**changes: int) -> NeumipSettings:
+    return replace(QUALITIES["preview"], resolution=8, queries=60, steps=30, batch=512, **changes)
+
+
+def numbers(weights: Weights) -> list[NDArray[np.float32]]:
+    layers = [part for pairs in weights.layers.values() for pair in pairs for part in pair]
+    assert weights.offset_texels is not None
+    return [weights.features, weights.offset_texels, weights.reflectance, *layers]
+
+
+class Stopped(Exception):  # noqa: N818 (no error: what a user does)
+    """A training is stopped."""
+
+
+def test_a_stopped_training_goes_on_to_the_same_weights(tmp_path: Path) -> None:
+    whole = train_neumip(TWILL, short(), tmp_path / "whole")
+    calls = 0
+
+    def stop(done: int, total: int) -> None:
+        nonlocal calls
+        calls += 1
+        if calls % 11 == 0:
+            raise Stopped
+
+    stops = 0
+    while True:
+        try:
+            resumed = train_neumip(TWILL, short(), tmp_path / "stopped", stop, keep_every=0.0)
+            break
+        except Stopped:
+            stops += 1
+    assert stops >= 2
+    for actual, wanted in zip(numbers(resumed), numbers(whole), strict=True):
+        assert np.array_equal(actual, wanted)
+    # Another seed is another training, which the folder does not mix up.
+    with pytest.raises(InputError, match="belongs to another configuration"):
+        train_neumip(TWILL, short(seed=1), tmp_path / "whole")
+
+
+def test_queries_are_gaussian_means() -> None:
+    """Against Gaussian means of slices: the stream's own draws, with enough rays to compare."""
+    shape = PyramidShape.of(TWILL.repeat_mm, 16, 2)
+    stream = QueryStream(FabricBtf(TWILL), shape, 400, seed=2)
+    queries = stream.part(0, 60)
+    assert np.array_equal(stream.part(0, 60).values, queries.values)
+    assert not np.array_equal(stream.part(1, 60).positions, queries.positions)
+    slices = FabricSlices(
+        PointModel(YarnGeometry(TWILL.layout()), TWILL.appearance()), llvm_float(), with_colours=True
+    )
+    errors, truths = [], []
+    for k in range(len(queries)):
+        side = -1 if queries.faces[k] else 1
+        light, view = (
+            [*xy, side * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
+            for xy in (queries.lights[k], queries.views[k])
+        )
+        sigma = shape.texel_mm / math.sqrt(12) * 2 ** float(queries.levels[k])
+        centre = queries.positions[k : k + 1] * np.array(TWILL.repeat_mm)
+        exact = slices.slice(light, view)
+        first = exact.channels.index("red")
+        truth = exact.gaussian_means(centre, sigma)[0, first : first + 3]
+        errors.append(queries.values[k] - truth)
+        truths.append(truth)
+    # 400 rays each; the slice's grid errs by a hundredth.
+    assert np.abs(errors).sum() < 0.08 * np.abs(truths).sum()
+    assert abs(np.sum(errors)) < 0.02 * np.sum(truths)
+
+
+def test_queries_of_a_folder_are_read_and_damaged_ones_taken_again(tmp_path: Path) -> None:
+    first = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(file.read_bytes()[:-100])
+    again = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
+    assert np.array_equal(first.values, again.values)
+    assert len(first) == 60 * 64 * 2
+
+
+def test_schedules() -> None:
+    shape = PyramidShape(512, 512, 1.0, 1.0)
+    assert blur_of(shape, 0) == 8
+    # A half-life of 3333 of 30 000 steps.
+    assert blur_of(shape, 1 / 9) == pytest.approx(4)
+    assert blur_of(PyramidShape(16, 16, 1.0, 1.0), 0) == 2
+    assert rate_factor(0.02) == pytest.approx(1, abs=2e-3)
+    assert rate_factor(1) == pytest.approx(0, abs=1e-6)
+
+
+def test_a_source_without_queries_is_refused() -> None:
+    with pytest.raises(TypeError, match="is no kind of source"):
+        btf_of(Path("a"))  # type: ignore[arg-type]
