@@ -102,8 +102,8 @@ class _Sphere:
 
     def of_model(self, model: Model) -> Numbers:
         """Values of a model, with its holes black."""
-        places = (Array2f(*np.float32(rows.T)) for rows in (self.centre, self.dx, self.dy))
-        view, light = (Array3f(*np.float32(rows.T)) for rows in (self.view, self.light))
+        places = (Array2f(rows.T.astype(np.float32)) for rows in (self.centre, self.dx, self.dy))
+        view, light = (Array3f(rows.T.astype(np.float32)) for rows in (self.view, self.light))
         value = model.at(view, Footprint(*places)).value(light)
         return np.stack([np.asarray(part.numpy(), np.float64) for part in value], axis=-1)
 

@@ -104,13 +104,17 @@ def read_linear(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     return linear
 
 
-def _read_exr(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+def _read_exr(path: str | os.PathLike[str], any_channel: bool = False) -> NDArray[np.float32]:
+    """Channels R, G, B of an .exr [height, width, 3], else Y three times; else any one where that will do."""
+    require_file(path)
     try:
         with OpenEXR.File(str(path), separate_channels=True) as file:
             planes = {name: np.array(channel.pixels) for name, channel in file.channels().items()}
     except (RuntimeError, ValueError, TypeError) as error:
         raise InputError(f"{path} is no EXR file that can be read.") from error
-    names = "RGB" if set("RGB") <= set(planes) else "YYY"
+    names = tuple("RGB" if set("RGB") <= set(planes) else "YYY")
+    if any_channel and names[0] not in planes:
+        names = (sorted(planes)[0],)
     if names[0] not in planes:
         raise InputError(f"{path} has neither channels R, G, B nor Y; it has {', '.join(sorted(planes))}.")
     return np.stack([planes[name] for name in names], axis=-1).astype(np.float32)
@@ -156,7 +160,7 @@ def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]
         InputError: no such file, no picture, or more than 16384 pixels a side.
     """
     if Path(path).suffix.lower() == ".exr":
-        pixels: NDArray[np.floating] = _read_exr(path)
+        pixels: NDArray[np.floating] = _read_exr(path, any_channel=True)
     else:
         with _opened(path) as picture:
             _require_size(path, *picture.size)
@@ -173,17 +177,6 @@ def read_map(path: str | os.PathLike[str], channels: int) -> NDArray[np.float32]
     else:
         pixels = np.repeat(pixels[..., :1], channels, axis=2)
     return np.ascontiguousarray(pixels, np.float32)
-
-
-def _read_exr(path: str | os.PathLike[str]) -> NDArray[np.float32]:
-    """Channels R, G, B of an .exr [height, width, 3], or its first one [height, width]."""
-    require_file(path)
-    try:
-        found = OpenEXR.File(str(path)).channels()
-    except Exception as error:  # what its parser raises
-        raise InputError(f"{path} is no .exr that can be read.") from error
-    channel = next(iter(found[name] for name in ("RGB", "RGBA") if name in found), None)
-    return np.asarray((channel or next(iter(found.values()))).pixels, np.float32)
 
 
 def read_picture_rows(path: str | os.PathLike[str]) -> Iterator[NDArray[np.float64]]:

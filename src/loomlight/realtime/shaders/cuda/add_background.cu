@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -156,6 +183,63 @@ struct Layer_0
     float share_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -168,15 +252,25 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     StructuredBuffer<uint> scene_words_0;
     RWStructuredBuffer<Layer_0> layers_0;
     RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float dot_0(float3  x_2, float3  y_2)
+__device__ float dot_0(float3  x_3, float3  y_3)
 {
     int i_0 = int(0);
     float result_0 = 0.0f;
@@ -189,36 +283,36 @@ __device__ float dot_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        float result_1 = result_0 + _slang_vector_get_element(x_3, i_0) * _slang_vector_get_element(y_3, i_0);
         i_0 = i_0 + int(1);
         result_0 = result_1;
     }
     return result_0;
 }
 
-__device__ float length_0(float3  x_3)
+__device__ float length_0(float3  x_4)
 {
-    return (F32_sqrt((dot_0(x_3, x_3))));
+    return (F32_sqrt((dot_0(x_4, x_4))));
 }
 
-__device__ float3  lerp_0(float3  x_4, float3  y_3, float3  s_0)
+__device__ float3  lerp_0(float3  x_5, float3  y_4, float3  s_0)
 {
-    return x_4 + (y_3 - x_4) * s_0;
+    return x_5 + (y_4 - x_5) * s_0;
 }
 
-__device__ float clamp_0(float x_5, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_6, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_5), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_6), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ float3  normalize_0(float3  x_6)
+__device__ float3  normalize_0(float3  x_7)
 {
-    return x_6 / make_float3 (length_0(x_6));
+    return x_7 / make_float3 (length_0(x_7));
 }
 
-__device__ float arc_tangent_quotient_0(float x_7, float y_4)
+__device__ float arc_tangent_quotient_0(float x_8, float y_5)
 {
-    return ((((((0.0f * x_7 + 0.00809729471802711f) * x_7 + -0.0377517081797123f) * x_7 + 0.08475969731807709f) * x_7 + -0.13537675142288208f) * x_7 + 0.19895026087760925f) * x_7 + -0.33327975869178772f) * x_7 + 0.99999970197677612f;
+    return ((((((0.0f * x_8 + 0.00809729471802711f) * x_8 + -0.0377517081797123f) * x_8 + 0.08475969731807709f) * x_8 + -0.13537675142288208f) * x_8 + 0.19895026087760925f) * x_8 + -0.33327975869178772f) * x_8 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -226,10 +320,10 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_5, float x_8)
+__device__ float arc_tangent_0(float y_6, float x_9)
 {
-    float _S1 = (F32_abs((x_8)));
-    float _S2 = (F32_abs((y_5)));
+    float _S1 = (F32_abs((x_9)));
+    float _S2 = (F32_abs((y_6)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S1), (_S2))) / (F32_max(((F32_max((_S1), (_S2)))), (1.00000000317107685e-30f))));
     float angle_1;
     if(_S2 > _S1)
@@ -240,20 +334,20 @@ __device__ float arc_tangent_0(float y_5, float x_8)
     {
         angle_1 = angle_0;
     }
-    if(x_8 < 0.0f)
+    if(x_9 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
-    if(y_5 < 0.0f)
+    if(y_6 < 0.0f)
     {
         angle_1 = - angle_1;
     }
     return angle_1;
 }
 
-__device__ float arc_sine_0(float x_9)
+__device__ float arc_sine_0(float x_10)
 {
-    float _S3 = (F32_abs((x_9)));
+    float _S3 = (F32_abs((x_10)));
     bool _S4 = _S3 > 0.5f;
     float _S5;
     if(_S4)
@@ -282,7 +376,7 @@ __device__ float arc_sine_0(float x_9)
     {
         _S5 = _S7;
     }
-    if(x_9 < 0.0f)
+    if(x_10 < 0.0f)
     {
         _S5 = - _S5;
     }

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -156,6 +183,63 @@ struct Layer_0
     float share_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -168,15 +252,25 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     StructuredBuffer<uint> scene_words_0;
     RWStructuredBuffer<Layer_0> layers_0;
     RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float dot_0(float3  x_2, float3  y_2)
+__device__ float dot_0(float3  x_3, float3  y_3)
 {
     int i_0 = int(0);
     float result_0 = 0.0f;
@@ -189,21 +283,21 @@ __device__ float dot_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        float result_1 = result_0 + _slang_vector_get_element(x_3, i_0) * _slang_vector_get_element(y_3, i_0);
         i_0 = i_0 + int(1);
         result_0 = result_1;
     }
     return result_0;
 }
 
-__device__ float length_0(float3  x_3)
+__device__ float length_0(float3  x_4)
 {
-    return (F32_sqrt((dot_0(x_3, x_3))));
+    return (F32_sqrt((dot_0(x_4, x_4))));
 }
 
-__device__ float clamp_0(float x_4, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_5, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_4), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_5), (minBound_0)))), (maxBound_0)));
 }
 
 __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
@@ -230,12 +324,12 @@ __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
-__device__ float lerp_0(float x_5, float y_3, float s_0)
+__device__ float lerp_0(float x_6, float y_4, float s_0)
 {
-    return x_5 + (y_3 - x_5) * s_0;
+    return x_6 + (y_4 - x_6) * s_0;
 }
 
-__device__ float dot_1(float2  x_6, float2  y_4)
+__device__ float dot_1(float2  x_7, float2  y_5)
 {
     int i_1 = int(0);
     float result_2 = 0.0f;
@@ -248,7 +342,7 @@ __device__ float dot_1(float2  x_6, float2  y_4)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_6, i_1) * _slang_vector_get_element(y_4, i_1);
+        float result_3 = result_2 + _slang_vector_get_element(x_7, i_1) * _slang_vector_get_element(y_5, i_1);
         i_1 = i_1 + int(1);
         result_2 = result_3;
     }
@@ -266,7 +360,7 @@ __device__ float3  cross_0(float3  left_0, float3  right_0)
     return make_float3 (_S1 * _S2 - _S3 * _S4, _S3 * _S5 - _S6 * _S2, _S6 * _S4 - _S1 * _S5);
 }
 
-__device__ float3  max_0(float3  x_7, float3  y_5)
+__device__ float3  max_0(float3  x_8, float3  y_6)
 {
     float3  result_4;
     int i_2 = int(0);
@@ -279,13 +373,13 @@ __device__ float3  max_0(float3  x_7, float3  y_5)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_max((_slang_vector_get_element(x_7, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_max((_slang_vector_get_element(x_8, i_2)), (_slang_vector_get_element(y_6, i_2))));
         i_2 = i_2 + int(1);
     }
     return result_4;
 }
 
-__device__ float3  min_0(float3  x_8, float3  y_6)
+__device__ float3  min_0(float3  x_9, float3  y_7)
 {
     float3  result_5;
     int i_3 = int(0);
@@ -298,23 +392,23 @@ __device__ float3  min_0(float3  x_8, float3  y_6)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_min((_slang_vector_get_element(x_8, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_min((_slang_vector_get_element(x_9, i_3)), (_slang_vector_get_element(y_7, i_3))));
         i_3 = i_3 + int(1);
     }
     return result_5;
 }
 
-__device__ float3  normalize_0(float3  x_9)
+__device__ float3  normalize_0(float3  x_10)
 {
-    return x_9 / make_float3 (length_0(x_9));
+    return x_10 / make_float3 (length_0(x_10));
 }
 
-__device__ float saturate_0(float x_10)
+__device__ float saturate_0(float x_11)
 {
-    return clamp_0(x_10, 0.0f, 1.0f);
+    return clamp_0(x_11, 0.0f, 1.0f);
 }
 
-__device__ float2  frac_0(float2  x_11)
+__device__ float2  frac_0(float2  x_12)
 {
     float2  result_6;
     int i_4 = int(0);
@@ -327,7 +421,7 @@ __device__ float2  frac_0(float2  x_11)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_11, i_4))));
+        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_12, i_4))));
         i_4 = i_4 + int(1);
     }
     return result_6;
@@ -454,10 +548,10 @@ __device__ float mean_0(float3  colour_0)
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-__device__ float2  sine_cosine_0(float x_12)
+__device__ float2  sine_cosine_0(float x_13)
 {
-    float _S44 = (F32_floor((x_12 * 0.63661974668502808f + 0.5f)));
-    float _S45 = x_12 - _S44 * 1.5703125f - _S44 * 0.00048375129699707f - _S44 * 7.54979012640433211e-08f;
+    float _S44 = (F32_floor((x_13 * 0.63661974668502808f + 0.5f)));
+    float _S45 = x_13 - _S44 * 1.5703125f - _S44 * 0.00048375129699707f - _S44 * 7.54979012640433211e-08f;
     float _S46 = _S45 * _S45;
     float _S47 = ((-0.00019515295571182f * _S46 + 0.00833216123282909f) * _S46 - 0.16666655242443085f) * _S46 * _S45 + _S45;
     float _S48 = ((0.00002443315679557f * _S46 - 0.00138873164542019f) * _S46 + 0.04166664555668831f) * _S46 * _S46 - 0.5f * _S46 + 1.0f;
@@ -675,9 +769,9 @@ __device__ float Footprint_spread_side_0(Footprint_0 * this_0)
     return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
 }
 
-__device__ float natural_logarithm_0(float x_13)
+__device__ float natural_logarithm_0(float x_14)
 {
-    uint _S97 = (F32_asuint((x_13)));
+    uint _S97 = (F32_asuint((x_14)));
     float exponent_0 = float(int(_S97 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S97 & 8388607U) | 1056964608U)));
     float m_1;
@@ -698,9 +792,9 @@ __device__ float natural_logarithm_0(float x_13)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S98 - exponent_1 * 0.00021219444170129f - 0.5f * _S98) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_14)
+__device__ float binary_logarithm_0(float x_15)
 {
-    return natural_logarithm_0(x_14) * 1.4426950216293335f;
+    return natural_logarithm_0(x_15) * 1.4426950216293335f;
 }
 
 struct SearchQuality_0
@@ -1084,9 +1178,9 @@ __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_5, Cell_0 * cros
     return run_0;
 }
 
-__device__ float square_1(float x_15)
+__device__ float square_1(float x_16)
 {
-    return x_15 * x_15;
+    return x_16 * x_16;
 }
 
 struct Section_0
@@ -1586,9 +1680,9 @@ __device__ float between_0(float above_1, float under_0, float above_gap_0, floa
     return clamp_0(above_gap_0 / (F32_max((above_gap_0 + under_gap_0), (9.99999968265522539e-21f))), 0.01999999955296516f, 0.98000001907348633f) * (under_0 - above_1) + above_1;
 }
 
-__device__ float arc_tangent_quotient_0(float x_16, float y_7)
+__device__ float arc_tangent_quotient_0(float x_17, float y_8)
 {
-    return ((((((0.0f * x_16 + 0.00809729471802711f) * x_16 + -0.0377517081797123f) * x_16 + 0.08475969731807709f) * x_16 + -0.13537675142288208f) * x_16 + 0.19895026087760925f) * x_16 + -0.33327975869178772f) * x_16 + 0.99999970197677612f;
+    return ((((((0.0f * x_17 + 0.00809729471802711f) * x_17 + -0.0377517081797123f) * x_17 + 0.08475969731807709f) * x_17 + -0.13537675142288208f) * x_17 + 0.19895026087760925f) * x_17 + -0.33327975869178772f) * x_17 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1596,10 +1690,10 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_8, float x_17)
+__device__ float arc_tangent_0(float y_9, float x_18)
 {
-    float _S257 = (F32_abs((x_17)));
-    float _S258 = (F32_abs((y_8)));
+    float _S257 = (F32_abs((x_18)));
+    float _S258 = (F32_abs((y_9)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S257), (_S258))) / (F32_max(((F32_max((_S257), (_S258)))), (1.00000000317107685e-30f))));
     float angle_1;
     if(_S258 > _S257)
@@ -1610,11 +1704,11 @@ __device__ float arc_tangent_0(float y_8, float x_17)
     {
         angle_1 = angle_0;
     }
-    if(x_17 < 0.0f)
+    if(x_18 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
-    if(y_8 < 0.0f)
+    if(y_9 < 0.0f)
     {
         angle_1 = - angle_1;
     }
@@ -1662,10 +1756,10 @@ __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
     return make_float4 (float(even_0 & 65535U), float(odd_0 & 65535U), float(even_0 >> int(16)), float(odd_0 >> int(16)));
 }
 
-__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
+__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_2)
 {
-    uint4  _S274 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
-    uint4  _S275 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S274 = (packs_2 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S275 = ((packs_2 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
     return bytes_of_sums_0(_S274.x + _S274.y + _S274.z + _S274.w, _S275.x + _S275.y + _S275.z + _S275.w) * make_float4 (taps_1->inverse_sum_0);
 }
 
@@ -1680,30 +1774,30 @@ __device__ float4  interpolate_table_0(NodeTaps_0 * taps_2, uint table_1, uint s
     return _S281;
 }
 
-__device__ float sheen_scale_0(float x_18, float y_9)
+__device__ float sheen_scale_0(float x_19, float y_10)
 {
-    return (((((0.0f * x_18 + (((((-1.1402510404586792f * y_9 + 0.40672621130943298f) * y_9 + 1.65398800373077393f) * y_9 + -1.29730904102325439f) * y_9 + 0.30570998787879944f) * y_9 + -0.0220868494361639f)) * x_18 + (((((-0.21142719686031342f * y_9 + 1.05947399139404297f) * y_9 + -0.41116121411323547f) * y_9 + -0.93859231472015381f) * y_9 + 0.51606941223144531f) * y_9 + 0.05409301072359085f)) * x_18 + (((((1.22944498062133789f * y_9 + -0.45962560176849365f) * y_9 + -1.63861405849456787f) * y_9 + 1.33565104007720947f) * y_9 + -0.45725581049919128f) * y_9 + 0.08243165910243988f)) * x_18 + (((((0.39779931306838989f * y_9 + -1.18879103660583496f) * y_9 + 0.28251591324806213f) * y_9 + 1.168984055519104f) * y_9 + -0.76864629983901978f) * y_9 + 0.0091691892594099f)) * x_18 + (((((-0.26563560962677002f * y_9 + -0.19379159808158875f) * y_9 + 0.2677634060382843f) * y_9 + 0.00270519289188087f) * y_9 + 0.14349560439586639f) * y_9 + 0.10290180146694183f)) * x_18 + (((((-0.20701569318771362f * y_9 + 0.24526430666446686f) * y_9 + 0.19551840424537659f) * y_9 + 0.07586126774549484f) * y_9 + 0.38894739747047424f) * y_9 + 0.15043120086193085f);
+    return (((((0.0f * x_19 + (((((-1.1402510404586792f * y_10 + 0.40672621130943298f) * y_10 + 1.65398800373077393f) * y_10 + -1.29730904102325439f) * y_10 + 0.30570998787879944f) * y_10 + -0.0220868494361639f)) * x_19 + (((((-0.21142719686031342f * y_10 + 1.05947399139404297f) * y_10 + -0.41116121411323547f) * y_10 + -0.93859231472015381f) * y_10 + 0.51606941223144531f) * y_10 + 0.05409301072359085f)) * x_19 + (((((1.22944498062133789f * y_10 + -0.45962560176849365f) * y_10 + -1.63861405849456787f) * y_10 + 1.33565104007720947f) * y_10 + -0.45725581049919128f) * y_10 + 0.08243165910243988f)) * x_19 + (((((0.39779931306838989f * y_10 + -1.18879103660583496f) * y_10 + 0.28251591324806213f) * y_10 + 1.168984055519104f) * y_10 + -0.76864629983901978f) * y_10 + 0.0091691892594099f)) * x_19 + (((((-0.26563560962677002f * y_10 + -0.19379159808158875f) * y_10 + 0.2677634060382843f) * y_10 + 0.00270519289188087f) * y_10 + 0.14349560439586639f) * y_10 + 0.10290180146694183f)) * x_19 + (((((-0.20701569318771362f * y_10 + 0.24526430666446686f) * y_10 + 0.19551840424537659f) * y_10 + 0.07586126774549484f) * y_10 + 0.38894739747047424f) * y_10 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_19, float y_10)
+__device__ float sheen_shear_0(float x_20, float y_11)
 {
-    return ((((0.0f * x_19 + (((((-0.10608240216970444f * y_10 + 1.99214303493499756f) * y_10 + -1.42255294322967529f) * y_10 + -1.09495604038238525f) * y_10 + 0.59180057048797607f) * y_10 + 0.06902855634689331f)) * x_19 + (((((-0.46220690011978149f * y_10 + -0.29113379120826721f) * y_10 + 1.39025199413299561f) * y_10 + 0.35589990019798279f) * y_10 + -1.17120099067687988f) * y_10 + 0.15940259397029877f)) * x_19 + (((((2.26068711280822754f * y_10 + -3.64728999137878418f) * y_10 + -0.72173482179641724f) * y_10 + 3.07659196853637695f) * y_10 + -0.6827620267868042f) * y_10 + -0.3039557933807373f)) * x_19 + (((((0.81201767921447754f * y_10 + 0.36014080047607422f) * y_10 + -1.72646903991699219f) * y_10 + -0.22630110383033752f) * y_10 + 0.89514690637588501f) * y_10 + -0.10397960245609283f)) * x_19 + (((((-0.37648698687553406f * y_10 + 1.10974001884460449f) * y_10 + 0.17824520170688629f) * y_10 + -1.04968702793121338f) * y_10 + 0.1461234986782074f) * y_10 + -0.00475129019469023f);
+    return ((((0.0f * x_20 + (((((-0.10608240216970444f * y_11 + 1.99214303493499756f) * y_11 + -1.42255294322967529f) * y_11 + -1.09495604038238525f) * y_11 + 0.59180057048797607f) * y_11 + 0.06902855634689331f)) * x_20 + (((((-0.46220690011978149f * y_11 + -0.29113379120826721f) * y_11 + 1.39025199413299561f) * y_11 + 0.35589990019798279f) * y_11 + -1.17120099067687988f) * y_11 + 0.15940259397029877f)) * x_20 + (((((2.26068711280822754f * y_11 + -3.64728999137878418f) * y_11 + -0.72173482179641724f) * y_11 + 3.07659196853637695f) * y_11 + -0.6827620267868042f) * y_11 + -0.3039557933807373f)) * x_20 + (((((0.81201767921447754f * y_11 + 0.36014080047607422f) * y_11 + -1.72646903991699219f) * y_11 + -0.22630110383033752f) * y_11 + 0.89514690637588501f) * y_11 + -0.10397960245609283f)) * x_20 + (((((-0.37648698687553406f * y_11 + 1.10974001884460449f) * y_11 + 0.17824520170688629f) * y_11 + -1.04968702793121338f) * y_11 + 0.1461234986782074f) * y_11 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_20, float y_11)
+__device__ float sheen_reflectance_0(float x_21, float y_12)
 {
-    return ((((0.0f * x_20 + (((((12.95646953582763672f * y_11 + -21.38032913208007812f) * y_11 + -7.37853097915649414f) * y_11 + 34.55607986450195312f) * y_11 + -23.61347007751464844f) * y_11 + 5.00126314163208008f)) * x_20 + (((((10.91487026214599609f * y_11 + -6.08202791213989258f) * y_11 + -38.2036285400390625f) * y_11 + 53.3440399169921875f) * y_11 + -21.91996002197265625f) * y_11 + 2.01606011390686035f)) * x_20 + (((((-14.52206039428710938f * y_11 + 36.803619384765625f) * y_11 + -22.94047927856445312f) * y_11 + -10.07973003387451172f) * y_11 + 15.77003955841064453f) * y_11 + -4.92722177505493164f)) * x_20 + (((((-7.62505722045898438f * y_11 + 1.27310299873352051f) * y_11 + 31.19523048400878906f) * y_11 + -44.39989852905273438f) * y_11 + 26.44947052001953125f) * y_11 + -8.73507976531982422f)) * x_20 + (((((5.65633487701416016f * y_11 + -17.66820907592773438f) * y_11 + 24.65356063842773438f) * y_11 + -19.38941001892089844f) * y_11 + 11.06159019470214844f) * y_11 + -3.06573700904846191f);
+    return ((((0.0f * x_21 + (((((12.95646953582763672f * y_12 + -21.38032913208007812f) * y_12 + -7.37853097915649414f) * y_12 + 34.55607986450195312f) * y_12 + -23.61347007751464844f) * y_12 + 5.00126314163208008f)) * x_21 + (((((10.91487026214599609f * y_12 + -6.08202791213989258f) * y_12 + -38.2036285400390625f) * y_12 + 53.3440399169921875f) * y_12 + -21.91996002197265625f) * y_12 + 2.01606011390686035f)) * x_21 + (((((-14.52206039428710938f * y_12 + 36.803619384765625f) * y_12 + -22.94047927856445312f) * y_12 + -10.07973003387451172f) * y_12 + 15.77003955841064453f) * y_12 + -4.92722177505493164f)) * x_21 + (((((-7.62505722045898438f * y_12 + 1.27310299873352051f) * y_12 + 31.19523048400878906f) * y_12 + -44.39989852905273438f) * y_12 + 26.44947052001953125f) * y_12 + -8.73507976531982422f)) * x_21 + (((((5.65633487701416016f * y_12 + -17.66820907592773438f) * y_12 + 24.65356063842773438f) * y_12 + -19.38941001892089844f) * y_12 + 11.06159019470214844f) * y_12 + -3.06573700904846191f);
 }
 
-__device__ float exponential_0(float x_21)
+__device__ float exponential_0(float x_22)
 {
-    float _S282 = clamp_0(x_21, -87.0f, 88.0f);
+    float _S282 = clamp_0(x_22, -87.0f, 88.0f);
     float _S283 = (F32_floor((_S282 * 1.4426950216293335f + 0.5f)));
     float _S284 = _S282 - _S283 * 0.693359375f + _S283 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S284 + 0.00139819993637502f) * _S284 + 0.00833345204591751f) * _S284 + 0.04166579619050026f) * _S284 + 0.1666666567325592f) * _S284 + 0.5f;
     float _S285 = (U32_asfloat((uint(int(_S283) + int(127)) << int(23))));
     float _S286;
-    if(x_21 < -87.0f)
+    if(x_22 < -87.0f)
     {
         _S286 = 0.0f;
     }
@@ -2116,7 +2210,7 @@ struct Regime_0
 {
     float prefiltered_0;
     float threads_0;
-    float points_0;
+    float points_1;
 };
 
 __device__ Regime_0 regime_of_0(uint _S475, Footprint_0 * _S476, float _S477)
@@ -2140,14 +2234,14 @@ __device__ Regime_0 regime_of_0(uint _S475, Footprint_0 * _S476, float _S477)
     {
         _S485 = 0.0f;
     }
-    (&regime_0)->points_0 = _S485;
+    (&regime_0)->points_1 = _S485;
     return regime_0;
 }
 
 struct Hit_1
 {
-    float x_22;
-    float y_12;
+    float x_23;
+    float y_13;
     bool hole_2;
     float height_3;
 };
@@ -2175,7 +2269,7 @@ __device__ Crossing_0 crossing_at_0(uint _S486, float _S487, float _S488, bool _
     (&crossing_2)->weft_1 = locate_0(_S492, _S488);
     uint _S493 = __ldg(&_S490->run_words_0);
     uint _S494 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S495 = __ldg(&_S490->ends_0);
+    uint _S495 = __ldg(&_S490->ends_1);
     uint _S496 = _S493 + 2U * (_S494 * _S495 + (&(&crossing_2)->warp_1)->thread_1);
     uint _S497 = __ldg((&(globalParams_0->words_0)[_S496]));
     (&crossing_2)->warp_word_0 = _S497;
@@ -2923,39 +3017,47 @@ __device__ float refined_height_0(uint _S708, ViewRay_0 * _S709, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_1 first_hit_0(uint _S730, SearchQuality_0 * _S731, float _S732, float _S733, float3  _S734, bool _S735)
+__device__ Hit_1 first_hit_of_yarn_0(uint _S730, SearchQuality_0 * _S731, float _S732, float _S733, float3  _S734, bool _S735)
 {
-    Hit_1 hit_1;
-    (&hit_1)->x_22 = _S732;
-    (&hit_1)->y_12 = _S733;
-    (&hit_1)->height_3 = 0.0f;
-    bool _S736 = passes_through_0(_S730, _S731, _S732, _S733, _S734, _S735);
-    (&hit_1)->hole_2 = _S736;
-    if(_S736)
-    {
-        return hit_1;
-    }
-    float _S737 = (F32_max((_S734.z), (0.00009999999747379f)));
+    float _S736 = (F32_max((_S734.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_2 = make_float2 (_S732, _S733);
-    float2  _S738 = float2 {_S734.x, _S734.y} / make_float2 (_S737);
-    (&ray_0)->slope_1 = _S738;
-    float2  _S739 = - _S738;
-    float _S740 = steps_per_length_0(_S730, _S731, _S734);
-    StepControl_0 _S741 = step_control_0(_S739, 1.0f / (F32_max((_S740 / _S737), (9.99999971718068537e-10f))));
-    ViewRay_0 _S742 = ray_0;
-    StepControl_0 _S743 = _S741;
-    ViewRayEnd_0 _S744 = search_down_0(_S730, &_S742, &_S743, _S735);
-    ViewRay_0 _S745 = ray_0;
-    StepControl_0 _S746 = _S741;
-    ViewRayEnd_0 _S747 = _S744;
-    float _S748 = refined_height_0(_S730, &_S745, &_S746, _S735, &_S747, _S731->refinements_0);
-    (&hit_1)->height_3 = _S748;
-    ViewRay_0 _S749 = ray_0;
-    float2  _S750 = ViewRay_at_0(&_S749, _S748);
-    (&hit_1)->x_22 = _S750.x;
-    (&hit_1)->y_12 = _S750.y;
+    float2  _S737 = float2 {_S734.x, _S734.y} / make_float2 (_S736);
+    (&ray_0)->slope_1 = _S737;
+    float2  _S738 = - _S737;
+    float _S739 = steps_per_length_0(_S730, _S731, _S734);
+    StepControl_0 _S740 = step_control_0(_S738, 1.0f / (F32_max((_S739 / _S736), (9.99999971718068537e-10f))));
+    ViewRay_0 _S741 = ray_0;
+    StepControl_0 _S742 = _S740;
+    ViewRayEnd_0 _S743 = search_down_0(_S730, &_S741, &_S742, _S735);
+    Hit_1 hit_1;
+    (&hit_1)->hole_2 = false;
+    ViewRay_0 _S744 = ray_0;
+    StepControl_0 _S745 = _S740;
+    ViewRayEnd_0 _S746 = _S743;
+    float _S747 = refined_height_0(_S730, &_S744, &_S745, _S735, &_S746, _S731->refinements_0);
+    (&hit_1)->height_3 = _S747;
+    ViewRay_0 _S748 = ray_0;
+    float2  _S749 = ViewRay_at_0(&_S748, _S747);
+    (&hit_1)->x_23 = _S749.x;
+    (&hit_1)->y_13 = _S749.y;
     return hit_1;
+}
+
+__device__ Hit_1 first_hit_0(uint _S750, SearchQuality_0 * _S751, float _S752, float _S753, float3  _S754, bool _S755)
+{
+    bool _S756 = passes_through_0(_S750, _S751, _S752, _S753, _S754, _S755);
+    if(!_S756)
+    {
+        Hit_1 _S757 = first_hit_of_yarn_0(_S750, _S751, _S752, _S753, _S754, _S755);
+        return _S757;
+    }
+    Hit_1 hit_2;
+    (&hit_2)->x_23 = _S752;
+    (&hit_2)->y_13 = _S753;
+    (&hit_2)->height_3 = 0.0f;
+    (&hit_2)->hole_2 = true;
+    return hit_2;
 }
 
 struct CoverageTaps_0
@@ -2963,30 +3065,30 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S751, float _S752)
+__device__ float3  pyramid_level_0(uint _S758, float _S759)
 {
-    Lobes_0 _S753 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S751])->lobes_0);
-    uint _S754 = _S753.levels_0 + 4U * uint((F32_min((_S752), (_S753.last_level_0))));
-    return make_float3 (table_number_0(_S754), table_number_0(_S754 + 1U), table_number_0(_S754 + 2U));
+    Lobes_0 _S760 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S758])->lobes_0);
+    uint _S761 = _S760.levels_0 + 4U * uint((F32_min((_S759), (_S760.last_level_0))));
+    return make_float3 (table_number_0(_S761), table_number_0(_S761 + 1U), table_number_0(_S761 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S755, Footprint_0 * _S756, bool _S757)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S762, Footprint_0 * _S763, bool _S764)
 {
-    Fabric_0 * _S758 = (&(globalParams_0->fabrics_0)[_S755]);
-    float _S759 = Footprint_spread_side_0(_S756);
-    Lobes_0 _S760 = slang_ldg_0(&_S758->lobes_0);
-    float _S761 = _S759 * _S760.inverse_base_size_0;
-    float3  _S762 = pyramid_level_0(_S755, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S761), (1.0f))))))));
-    float _S763 = 1.0f / (F32_max((_S761), (9.99999997475242708e-07f)));
-    float _S764 = (F32_min(((F32_max(((F32_sqrt((clamp_0(1.29999995231628418f * (1.0f - _S763 * _S763), 0.0f, 1.0f))))), (0.3333333432674408f * _S763)))), (1.0f)));
-    uint _S765 = __ldg(&_S758->warp_0);
-    Family_0 _S766 = slang_ldg_3((&(globalParams_0->families_0)[_S765]));
-    uint _S767 = __ldg(&_S758->weft_0);
-    Family_0 _S768 = slang_ldg_3((&(globalParams_0->families_0)[_S767]));
-    float2  _S769 = make_float2 (_S766.inverse_period_0, _S768.inverse_period_0);
-    float2  _S770 = _S756->centre_0 * _S769;
-    float2  _S771 = _S756->dx_0 * _S769 * make_float2 (_S764);
-    float2  _S772 = _S756->dy_0 * _S769 * make_float2 (_S764);
+    Fabric_0 * _S765 = (&(globalParams_0->fabrics_0)[_S762]);
+    float _S766 = Footprint_spread_side_0(_S763);
+    Lobes_0 _S767 = slang_ldg_0(&_S765->lobes_0);
+    float _S768 = _S766 * _S767.inverse_base_size_0;
+    float3  _S769 = pyramid_level_0(_S762, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S768), (1.0f))))))));
+    float _S770 = 1.0f / (F32_max((_S768), (9.99999997475242708e-07f)));
+    float _S771 = (F32_min(((F32_max(((F32_sqrt((clamp_0(1.29999995231628418f * (1.0f - _S770 * _S770), 0.0f, 1.0f))))), (0.3333333432674408f * _S770)))), (1.0f)));
+    uint _S772 = __ldg(&_S765->warp_0);
+    Family_0 _S773 = slang_ldg_3((&(globalParams_0->families_0)[_S772]));
+    uint _S774 = __ldg(&_S765->weft_0);
+    Family_0 _S775 = slang_ldg_3((&(globalParams_0->families_0)[_S774]));
+    float2  _S776 = make_float2 (_S773.inverse_period_0, _S775.inverse_period_0);
+    float2  _S777 = _S763->centre_0 * _S776;
+    float2  _S778 = _S763->dx_0 * _S776 * make_float2 (_S771);
+    float2  _S779 = _S763->dy_0 * _S776 * make_float2 (_S771);
     CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -2998,28 +3100,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S755, Footprint_0 * _S756, bool 
         {
             break;
         }
-        float2  _S773 = _S770 + make_float2 (TAP_OFFSETS_0[number_3].x) * _S771 + make_float2 (TAP_OFFSETS_0[number_3].y) * _S772;
-        float _S774 = _S762.y;
-        float _S775 = wrapped_cell_0(_S773.x, _S774);
-        float _S776 = wrapped_cell_0(_S773.y, _S762.z);
-        uint _S777;
-        if(_S757)
+        float2  _S780 = _S777 + make_float2 (TAP_OFFSETS_0[number_3].x) * _S778 + make_float2 (TAP_OFFSETS_0[number_3].y) * _S779;
+        float _S781 = _S769.y;
+        float _S782 = wrapped_cell_0(_S780.x, _S781);
+        float _S783 = wrapped_cell_0(_S780.y, _S769.z);
+        uint _S784;
+        if(_S764)
         {
-            _S777 = _S760.face_nodes_0;
+            _S784 = _S767.face_nodes_0;
         }
         else
         {
-            _S777 = 0U;
+            _S784 = 0U;
         }
-        (&taps_3)->nodes_1[number_3] = _S777 + uint(_S776 * _S774 + _S775 + _S762.x);
+        (&taps_3)->nodes_1[number_3] = _S784 + uint(_S783 * _S781 + _S782 + _S769.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-__device__ float coverage_of_holes_0(uint _S778, CoverageTaps_0 * _S779)
+__device__ float coverage_of_holes_0(uint _S785, CoverageTaps_0 * _S786)
 {
-    Fabric_0 * _S780 = (&(globalParams_0->fabrics_0)[_S778]);
+    Fabric_0 * _S787 = (&(globalParams_0->fabrics_0)[_S785]);
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3031,67 +3133,67 @@ __device__ float coverage_of_holes_0(uint _S778, CoverageTaps_0 * _S779)
         {
             break;
         }
-        uint _S781 = _S779->nodes_1[number_4];
-        Lobes_0 _S782 = slang_ldg_0(&_S780->lobes_0);
-        uint _S783 = __ldg((&(globalParams_0->words_0)[_S782.coverage_holes_0 + _S781 / 4U]));
-        uint total_1 = total_0 + ((_S783 >> (8U * (_S781 % 4U))) & 255U);
+        uint _S788 = _S786->nodes_1[number_4];
+        Lobes_0 _S789 = slang_ldg_0(&_S787->lobes_0);
+        uint _S790 = __ldg((&(globalParams_0->words_0)[_S789.coverage_holes_0 + _S788 / 4U]));
+        uint total_1 = total_0 + ((_S790 >> (8U * (_S788 % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S784, CoverageTaps_0 * _S785, NodeTaps_0 * _S786, bool _S787)
+__device__ float prefiltered_hole_0(uint _S791, CoverageTaps_0 * _S792, NodeTaps_0 * _S793, bool _S794)
 {
-    Lobes_0 _S788 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S784])->lobes_0);
-    float4  _S789 = interpolate_table_0(_S786, _S788.projected_area_0 + _S788.packs_0, _S788.packs_0 + 1U);
-    float _S790 = _S789.x;
-    float _S791;
-    if(_S787)
+    Lobes_0 _S795 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S791])->lobes_0);
+    float4  _S796 = interpolate_table_0(_S793, _S795.projected_area_0 + _S795.packs_0, _S795.packs_0 + 1U);
+    float _S797 = _S796.x;
+    float _S798;
+    if(_S794)
     {
-        _S791 = _S788.back_hole_weight_0;
+        _S798 = _S795.back_hole_weight_0;
     }
     else
     {
-        _S791 = _S788.front_hole_weight_0;
+        _S798 = _S795.front_hole_weight_0;
     }
-    float _S792 = coverage_of_holes_0(_S784, _S785);
-    return (F32_min((_S792 * _S790 * _S790 * _S791), (1.0f)));
+    float _S799 = coverage_of_holes_0(_S791, _S792);
+    return (F32_min((_S799 * _S797 * _S797 * _S798), (1.0f)));
 }
 
-__device__ float passed_share_0(uint _S793, VisiblePoint_0 * _S794, float3  _S795, float _S796, float2  _S797)
+__device__ float passed_share_0(uint _S800, VisiblePoint_0 * _S801, float3  _S802, float _S803, float2  _S804)
 {
-    Fabric_0 * _S798 = (&(globalParams_0->fabrics_0)[_S793]);
-    float3  _S799 = to_local_0(_S794, _S795);
-    bool _S800 = (_S799.z) < 0.0f;
-    float3  _S801 = to_face_frame_0(_S799, _S800);
+    Fabric_0 * _S805 = (&(globalParams_0->fabrics_0)[_S800]);
+    float3  _S806 = to_local_0(_S801, _S802);
+    bool _S807 = (_S806.z) < 0.0f;
+    float3  _S808 = to_face_frame_0(_S806, _S807);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S794->draft_0;
-    (&footprint_0)->dx_0 = make_float2 (_S796, 0.0f);
-    (&footprint_0)->dy_0 = make_float2 (0.0f, _S796);
-    Lobes_0 _S802 = slang_ldg_0(&_S798->lobes_0);
-    float _S803;
-    if((_S802.is_baked_0) != 0U)
+    (&footprint_0)->centre_0 = _S801->draft_0;
+    (&footprint_0)->dx_0 = make_float2 (_S803, 0.0f);
+    (&footprint_0)->dy_0 = make_float2 (0.0f, _S803);
+    Lobes_0 _S809 = slang_ldg_0(&_S805->lobes_0);
+    float _S810;
+    if((_S809.is_baked_0) != 0U)
     {
-        Footprint_0 _S804 = footprint_0;
-        Regime_0 _S805 = regime_of_0(_S793, &_S804, 1.0f);
-        _S803 = _S805.prefiltered_0;
+        Footprint_0 _S811 = footprint_0;
+        Regime_0 _S812 = regime_of_0(_S800, &_S811, 1.0f);
+        _S810 = _S812.prefiltered_0;
     }
     else
     {
-        _S803 = 0.0f;
+        _S810 = 0.0f;
     }
     float share_2;
-    if(_S803 < 1.0f)
+    if(_S810 < 1.0f)
     {
-        float2  _S806 = (&footprint_0)->centre_0 + (_S797 - make_float2 (0.5f)) * make_float2 (_S796);
-        float _S807 = _S806.x;
-        float _S808 = _S806.y;
-        SearchQuality_0 _S809 = default_quality_0();
-        Hit_1 _S810 = first_hit_0(_S793, &_S809, _S807, _S808, _S801, _S800);
-        if(_S810.hole_2)
+        float2  _S813 = (&footprint_0)->centre_0 + (_S804 - make_float2 (0.5f)) * make_float2 (_S803);
+        float _S814 = _S813.x;
+        float _S815 = _S813.y;
+        SearchQuality_0 _S816 = default_quality_0();
+        Hit_1 _S817 = first_hit_0(_S800, &_S816, _S814, _S815, _S808, _S807);
+        if(_S817.hole_2)
         {
-            share_2 = 1.0f - _S803;
+            share_2 = 1.0f - _S810;
         }
         else
         {
@@ -3102,44 +3204,44 @@ __device__ float passed_share_0(uint _S793, VisiblePoint_0 * _S794, float3  _S79
     {
         share_2 = 0.0f;
     }
-    if(_S803 > 0.0f)
+    if(_S810 > 0.0f)
     {
-        NodeTaps_0 nodes_2 = node_taps_0(_S801);
-        uint _S811;
-        if(_S800)
+        NodeTaps_0 nodes_2 = node_taps_0(_S808);
+        uint _S818;
+        if(_S807)
         {
-            _S811 = 1U;
+            _S818 = 1U;
         }
         else
         {
-            _S811 = 0U;
+            _S818 = 0U;
         }
-        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + make_uint4 (_S811 * 256U);
-        Footprint_0 _S812 = footprint_0;
-        CoverageTaps_0 _S813 = coverage_taps_0(_S793, &_S812, _S800);
-        CoverageTaps_0 _S814 = _S813;
-        NodeTaps_0 _S815 = nodes_2;
-        float _S816 = prefiltered_hole_0(_S793, &_S814, &_S815, _S800);
-        share_2 = share_2 + _S803 * _S816;
+        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + make_uint4 (_S818 * 256U);
+        Footprint_0 _S819 = footprint_0;
+        CoverageTaps_0 _S820 = coverage_taps_0(_S800, &_S819, _S807);
+        CoverageTaps_0 _S821 = _S820;
+        NodeTaps_0 _S822 = nodes_2;
+        float _S823 = prefiltered_hole_0(_S800, &_S821, &_S822, _S807);
+        share_2 = share_2 + _S810 * _S823;
     }
-    float _S817 = __ldg(&_S798->sheen_strength_0);
-    if(_S817 > 0.0f)
+    float _S824 = __ldg(&_S805->sheen_strength_0);
+    if(_S824 > 0.0f)
     {
-        float _S818 = _S801.z;
-        float _S819 = __ldg(&_S798->sheen_roughness_0);
-        share_2 = share_2 * (1.0f - _S817 * sheen_lobe_0(_S818, _S819).z);
+        float _S825 = _S808.z;
+        float _S826 = __ldg(&_S805->sheen_roughness_0);
+        share_2 = share_2 * (1.0f - _S824 * sheen_lobe_0(_S825, _S826).z);
     }
     return share_2;
 }
 
-__device__ float visibility_of_0(int _S820, VisiblePoint_0 * _S821, uint _S822, uint2  _S823, uint _S824)
+__device__ float visibility_of_0(int _S827, VisiblePoint_0 * _S828, uint _S829, uint2  _S830, uint _S831)
 {
-    Frame_0 * _S825 = (&(globalParams_0->frames_0)[_S820]);
-    float3  _S826 = _S821->position_0;
-    LightSample_0 _S827 = light_sample_0(_S820, _S824, _S823, _S821->position_0);
-    float3  _S828 = _S821->face_normal_0;
+    Frame_0 * _S832 = (&(globalParams_0->frames_0)[_S827]);
+    float3  _S833 = _S828->position_0;
+    LightSample_0 _S834 = light_sample_0(_S827, _S831, _S830, _S828->position_0);
+    float3  _S835 = _S828->face_normal_0;
     float nearest_1;
-    if((dot_0(_S827.towards_0, _S821->face_normal_0)) < 0.0f)
+    if((dot_0(_S834.towards_0, _S828->face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -3147,58 +3249,58 @@ __device__ float visibility_of_0(int _S820, VisiblePoint_0 * _S821, uint _S822, 
     {
         nearest_1 = 1.0f;
     }
-    float _S829 = __ldg(&_S825->ray_offset_0);
-    float3  _S830 = _S826 + make_float3 (nearest_1 * _S829) * _S828;
-    float _S831 = (F32_sqrt((0.5f * (dot_1(_S821->draft_dx_0, _S821->draft_dx_0) + dot_1(_S821->draft_dy_0, _S821->draft_dy_0)))));
+    float _S836 = __ldg(&_S832->ray_offset_0);
+    float3  _S837 = _S833 + make_float3 (nearest_1 * _S836) * _S835;
+    float _S838 = (F32_sqrt((0.5f * (dot_1(_S828->draft_dx_0, _S828->draft_dx_0) + dot_1(_S828->draft_dy_0, _S828->draft_dy_0)))));
     nearest_1 = 0.0f;
-    uint without_0 = _S822;
+    uint without_0 = _S829;
     uint layer_0 = 0U;
     float visibility_0 = 1.0f;
     for(;;)
     {
-        bool _S832;
+        bool _S839;
         if(layer_0 < 8U)
         {
-            _S832 = visibility_0 > 0.00100000004749745f;
+            _S839 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S832 = false;
+            _S839 = false;
         }
-        if(_S832)
+        if(_S839)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S833 = nearest_hit_0(_S820, _S830, _S827.towards_0, nearest_1, _S827.distance_2, without_0, true);
-        if((_S833.face_1) == 4294967295U)
+        Hit_0 _S840 = nearest_hit_0(_S827, _S837, _S834.towards_0, nearest_1, _S834.distance_2, without_0, true);
+        if((_S840.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S834 = __ldg((&(globalParams_0->face_fabrics_0)[_S833.face_1]));
-        VisiblePoint_0 _S835 = face_point_0(_S834, _S833.face_1, _S833.weight_b_0, _S833.weight_c_0);
-        uint _S836 = __ldg(&_S825->pass_number_0);
-        float2  _S837 = pixel_sequence_0(_S823, _S836, 5U + 2U * (8U * _S824 + layer_0));
-        uint _S838 = __ldg(&(&(globalParams_0->fabrics_0)[_S834])->is_open_0);
-        float _S839;
-        if(_S838 != 0U)
+        uint _S841 = __ldg((&(globalParams_0->face_fabrics_0)[_S840.face_1]));
+        VisiblePoint_0 _S842 = face_point_0(_S841, _S840.face_1, _S840.weight_b_0, _S840.weight_c_0);
+        uint _S843 = __ldg(&_S832->pass_number_0);
+        float2  _S844 = pixel_sequence_0(_S830, _S843, 5U + 2U * (8U * _S831 + layer_0));
+        uint _S845 = __ldg(&(&(globalParams_0->fabrics_0)[_S841])->is_open_0);
+        float _S846;
+        if(_S845 != 0U)
         {
-            float3  _S840 = - _S827.towards_0;
-            VisiblePoint_0 _S841 = _S835;
-            float _S842 = passed_share_0(_S834, &_S841, _S840, _S831, _S837);
-            _S839 = _S842;
+            float3  _S847 = - _S834.towards_0;
+            VisiblePoint_0 _S848 = _S842;
+            float _S849 = passed_share_0(_S841, &_S848, _S847, _S838, _S844);
+            _S846 = _S849;
         }
         else
         {
-            _S839 = 0.0f;
+            _S846 = 0.0f;
         }
-        float visibility_1 = visibility_0 * _S839;
-        uint _S843 = layer_0 + 1U;
-        nearest_1 = _S833.distance_0;
-        without_0 = _S833.face_1;
-        layer_0 = _S843;
+        float visibility_1 = visibility_0 * _S846;
+        uint _S850 = layer_0 + 1U;
+        nearest_1 = _S840.distance_0;
+        without_0 = _S840.face_1;
+        layer_0 = _S850;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -3214,52 +3316,52 @@ __device__ float visibility_of_0(int _S820, VisiblePoint_0 * _S821, uint _S822, 
 
 extern "C" __global__ void cast_shadows()
 {
-    uint3  _S844 = blockIdx * blockDim + threadIdx;
-    Frame_0 * _S845 = (&(globalParams_0->frames_0)[int(0)]);
-    uint _S846 = _S844.x;
-    uint _S847 = __ldg(&_S845->width_0);
-    bool _S848;
-    if(_S846 >= _S847)
+    uint3  _S851 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S852 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S853 = _S851.x;
+    uint _S854 = __ldg(&_S852->width_0);
+    bool _S855;
+    if(_S853 >= _S854)
     {
-        _S848 = true;
+        _S855 = true;
     }
     else
     {
-        uint _S849 = _S844.y;
-        uint _S850 = __ldg(&_S845->height_0);
-        _S848 = _S849 >= _S850;
+        uint _S856 = _S851.y;
+        uint _S857 = __ldg(&_S852->height_0);
+        _S855 = _S856 >= _S857;
     }
-    if(_S848)
+    if(_S855)
     {
         return;
     }
-    uint _S851 = _S844.y * _S847 + _S846;
-    uint _S852 = (&(globalParams_0->layers_0)[_S851])->face_0;
-    if(((&(globalParams_0->layers_0)[_S851])->face_0) == 0U)
+    uint _S858 = _S851.y * _S854 + _S853;
+    uint _S859 = (&(globalParams_0->layers_0)[_S858])->face_0;
+    if(((&(globalParams_0->layers_0)[_S858])->face_0) == 0U)
     {
         return;
     }
-    uint _S853 = _S852 - 1U;
-    uint _S854 = __ldg((&(globalParams_0->face_fabrics_0)[_S853]));
-    uint2  _S855 = uint2 {_S844.x, _S844.y};
-    VisiblePoint_0 _S856 = visible_point_0(int(0), _S854, _S853, _S855);
+    uint _S860 = _S859 - 1U;
+    uint _S861 = __ldg((&(globalParams_0->face_fabrics_0)[_S860]));
+    uint2  _S862 = uint2 {_S851.x, _S851.y};
+    VisiblePoint_0 _S863 = visible_point_0(int(0), _S861, _S860, _S862);
     uint number_5 = 0U;
     for(;;)
     {
-        uint _S857 = light_sample_count_0(int(0));
-        if(number_5 < _S857)
+        uint _S864 = light_sample_count_0(int(0));
+        if(number_5 < _S864)
         {
         }
         else
         {
             break;
         }
-        uint _S858 = number_5 * _S847;
-        uint _S859 = __ldg(&_S845->height_0);
-        float * _S860 = (&(globalParams_0->visibilities_0)[_S858 * _S859 + _S851]);
-        VisiblePoint_0 _S861 = _S856;
-        float _S862 = visibility_of_0(int(0), &_S861, _S853, _S855, number_5);
-        *_S860 = _S862;
+        uint _S865 = number_5 * _S854;
+        uint _S866 = __ldg(&_S852->height_0);
+        float * _S867 = (&(globalParams_0->visibilities_0)[_S865 * _S866 + _S858]);
+        VisiblePoint_0 _S868 = _S863;
+        float _S869 = visibility_of_0(int(0), &_S868, _S860, _S862, number_5);
+        *_S867 = _S869;
         number_5 = number_5 + 1U;
     }
     return;

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -47,6 +74,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -102,6 +132,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -135,9 +177,72 @@ struct Vertex_0
     float v_0;
 };
 
-struct Query_0
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+struct Bake_0
 {
     uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
+struct Query_0
+{
+    uint fabric_1;
     float centre_x_0;
     float centre_y_0;
     float dx_x_0;
@@ -164,6 +269,19 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
     StructuredBuffer<Query_0> queries_0;
     StructuredBuffer<uint> query_count_0;
@@ -172,7 +290,7 @@ struct GlobalParams_0
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float3  max_0(float3  x_2, float3  y_2)
+__device__ float3  max_0(float3  x_3, float3  y_3)
 {
     float3  result_0;
     int i_0 = int(0);
@@ -185,13 +303,13 @@ __device__ float3  max_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_2, i_0)), (_slang_vector_get_element(y_2, i_0))));
+        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_3, i_0)), (_slang_vector_get_element(y_3, i_0))));
         i_0 = i_0 + int(1);
     }
     return result_0;
 }
 
-__device__ float3  min_0(float3  x_3, float3  y_3)
+__device__ float3  min_0(float3  x_4, float3  y_4)
 {
     float3  result_1;
     int i_1 = int(0);
@@ -204,18 +322,18 @@ __device__ float3  min_0(float3  x_3, float3  y_3)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_3, i_1)), (_slang_vector_get_element(y_3, i_1))));
+        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_4, i_1)), (_slang_vector_get_element(y_4, i_1))));
         i_1 = i_1 + int(1);
     }
     return result_1;
 }
 
-__device__ float3  clamp_0(float3  x_4, float3  minBound_0, float3  maxBound_0)
+__device__ float3  clamp_0(float3  x_5, float3  minBound_0, float3  maxBound_0)
 {
-    return min_0(max_0(x_4, minBound_0), maxBound_0);
+    return min_0(max_0(x_5, minBound_0), maxBound_0);
 }
 
-__device__ float dot_0(float3  x_5, float3  y_4)
+__device__ float dot_0(float3  x_6, float3  y_5)
 {
     int i_2 = int(0);
     float result_2 = 0.0f;
@@ -228,19 +346,19 @@ __device__ float dot_0(float3  x_5, float3  y_4)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_5, i_2) * _slang_vector_get_element(y_4, i_2);
+        float result_3 = result_2 + _slang_vector_get_element(x_6, i_2) * _slang_vector_get_element(y_5, i_2);
         i_2 = i_2 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float length_0(float3  x_6)
+__device__ float length_0(float3  x_7)
 {
-    return (F32_sqrt((dot_0(x_6, x_6))));
+    return (F32_sqrt((dot_0(x_7, x_7))));
 }
 
-__device__ float dot_1(float2  x_7, float2  y_5)
+__device__ float dot_1(float2  x_8, float2  y_6)
 {
     int i_3 = int(0);
     float result_4 = 0.0f;
@@ -253,29 +371,29 @@ __device__ float dot_1(float2  x_7, float2  y_5)
         {
             break;
         }
-        float result_5 = result_4 + _slang_vector_get_element(x_7, i_3) * _slang_vector_get_element(y_5, i_3);
+        float result_5 = result_4 + _slang_vector_get_element(x_8, i_3) * _slang_vector_get_element(y_6, i_3);
         i_3 = i_3 + int(1);
         result_4 = result_5;
     }
     return result_4;
 }
 
-__device__ float clamp_1(float x_8, float minBound_1, float maxBound_1)
+__device__ float clamp_1(float x_9, float minBound_1, float maxBound_1)
 {
-    return (F32_min(((F32_max((x_8), (minBound_1)))), (maxBound_1)));
+    return (F32_min(((F32_max((x_9), (minBound_1)))), (maxBound_1)));
 }
 
-__device__ float3  lerp_0(float3  x_9, float3  y_6, float3  s_0)
+__device__ float3  lerp_0(float3  x_10, float3  y_7, float3  s_0)
 {
-    return x_9 + (y_6 - x_9) * s_0;
+    return x_10 + (y_7 - x_10) * s_0;
 }
 
-__device__ float3  saturate_0(float3  x_10)
+__device__ float3  saturate_0(float3  x_11)
 {
-    return clamp_0(x_10, make_float3 (0.0f), make_float3 (1.0f));
+    return clamp_0(x_11, make_float3 (0.0f), make_float3 (1.0f));
 }
 
-__device__ float dot_2(float4  x_11, float4  y_7)
+__device__ float dot_2(float4  x_12, float4  y_8)
 {
     int i_4 = int(0);
     float result_6 = 0.0f;
@@ -288,14 +406,14 @@ __device__ float dot_2(float4  x_11, float4  y_7)
         {
             break;
         }
-        float result_7 = result_6 + _slang_vector_get_element(x_11, i_4) * _slang_vector_get_element(y_7, i_4);
+        float result_7 = result_6 + _slang_vector_get_element(x_12, i_4) * _slang_vector_get_element(y_8, i_4);
         i_4 = i_4 + int(1);
         result_6 = result_7;
     }
     return result_6;
 }
 
-__device__ float2  sqrt_0(float2  x_12)
+__device__ float2  sqrt_0(float2  x_13)
 {
     float2  result_8;
     int i_5 = int(0);
@@ -308,13 +426,13 @@ __device__ float2  sqrt_0(float2  x_12)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_12, i_5))));
+        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_13, i_5))));
         i_5 = i_5 + int(1);
     }
     return result_8;
 }
 
-__device__ float2  max_1(float2  x_13, float2  y_8)
+__device__ float2  max_1(float2  x_14, float2  y_9)
 {
     float2  result_9;
     int i_6 = int(0);
@@ -327,7 +445,7 @@ __device__ float2  max_1(float2  x_13, float2  y_8)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_13, i_6)), (_slang_vector_get_element(y_8, i_6))));
+        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_14, i_6)), (_slang_vector_get_element(y_9, i_6))));
         i_6 = i_6 + int(1);
     }
     return result_9;
@@ -354,24 +472,43 @@ __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
         0.3333333432674408f, 0.3333333432674408f
     }
 };
-__device__ float lerp_1(float x_14, float y_9, float s_1)
+__device__ float lerp_1(float x_15, float y_10, float s_1)
 {
-    return x_14 + (y_9 - x_14) * s_1;
+    return x_15 + (y_10 - x_15) * s_1;
 }
 
-__device__ float2  lerp_2(float2  x_15, float2  y_10, float2  s_2)
+__device__ float2  lerp_2(float2  x_16, float2  y_11, float2  s_2)
 {
-    return x_15 + (y_10 - x_15) * s_2;
+    return x_16 + (y_11 - x_16) * s_2;
 }
 
-__device__ float3  normalize_0(float3  x_16)
+__device__ float3  normalize_0(float3  x_17)
 {
-    return x_16 / make_float3 (length_0(x_16));
+    return x_17 / make_float3 (length_0(x_17));
 }
 
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
+__device__ float2  round_0(float2  x_18)
+{
+    float2  result_10;
+    int i_7 = int(0);
+    for(;;)
+    {
+        if(i_7 < int(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_round((_slang_vector_get_element(x_18, i_7))));
+        i_7 = i_7 + int(1);
+    }
+    return result_10;
+}
+
 __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
     float2 {
         0.0f, 0.0f
@@ -393,7 +530,7 @@ __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
 };
 __device__ Query_0 slang_ldg_0(Query_0 * ptr_0)
 {
-    uint _S1 = __ldg(&ptr_0->fabric_0);
+    uint _S1 = __ldg(&ptr_0->fabric_1);
     float _S2 = __ldg(&ptr_0->centre_x_0);
     float _S3 = __ldg(&ptr_0->centre_y_0);
     float _S4 = __ldg(&ptr_0->dx_x_0);
@@ -446,9 +583,9 @@ __device__ float Footprint_spread_side_0(Footprint_0 * this_0)
     return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
 }
 
-__device__ float natural_logarithm_0(float x_17)
+__device__ float natural_logarithm_0(float x_19)
 {
-    uint _S34 = (F32_asuint((x_17)));
+    uint _S34 = (F32_asuint((x_19)));
     float exponent_0 = float(int(_S34 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S34 & 8388607U) | 1056964608U)));
     float m_1;
@@ -469,9 +606,9 @@ __device__ float natural_logarithm_0(float x_17)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S35 - exponent_1 * 0.00021219444170129f - 0.5f * _S35) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_18)
+__device__ float binary_logarithm_0(float x_20)
 {
-    return natural_logarithm_0(x_18) * 1.4426950216293335f;
+    return natural_logarithm_0(x_20) * 1.4426950216293335f;
 }
 
 __device__ float3  to_face_frame_0(float3  direction_0, bool back_0)
@@ -924,9 +1061,9 @@ __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_4, Cell_0 * cros
     return run_0;
 }
 
-__device__ float square_0(float x_19)
+__device__ float square_0(float x_21)
 {
-    return x_19 * x_19;
+    return x_21 * x_21;
 }
 
 struct Section_0
@@ -1402,23 +1539,23 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
     float _S194 = end_0 - start_1;
     float _S195 = start_rate_0 + end_rate_0 - 2.0f * _S194;
     float _S196 = 3.0f * _S194 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / (F32_max((- _S194), (9.99999968265522539e-21f)));
-    int i_7 = int(0);
+    float share_1 = start_1 / (F32_max((- _S194), (9.99999968265522539e-21f)));
+    int i_8 = int(0);
     for(;;)
     {
-        if(uint(i_7) < 3U)
+        if(uint(i_8) < 3U)
         {
         }
         else
         {
             break;
         }
-        float _S197 = clamp_1(share_0 - (((_S195 * share_0 + _S196) * share_0 + start_rate_0) * share_0 + start_1) / (F32_min(((3.0f * _S195 * share_0 + 2.0f * _S196) * share_0 + start_rate_0), (0.10000000149011612f * _S194 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
-        int _S198 = i_7 + int(1);
-        share_0 = _S197;
-        i_7 = _S198;
+        float _S197 = clamp_1(share_1 - (((_S195 * share_1 + _S196) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S195 * share_1 + 2.0f * _S196) * share_1 + start_rate_0), (0.10000000149011612f * _S194 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
+        int _S198 = i_8 + int(1);
+        share_1 = _S197;
+        i_8 = _S198;
     }
-    return share_0;
+    return share_1;
 }
 
 __device__ float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1434,9 +1571,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S201 * _S199, _S201 * across_slope_0 * along_slope_0 + cosine_0 * _S200);
 }
 
-__device__ float arc_sine_0(float x_20)
+__device__ float arc_sine_0(float x_22)
 {
-    float _S202 = (F32_abs((x_20)));
+    float _S202 = (F32_abs((x_22)));
     bool _S203 = _S202 > 0.5f;
     float _S204;
     if(_S203)
@@ -1465,7 +1602,7 @@ __device__ float arc_sine_0(float x_20)
     {
         _S204 = _S206;
     }
-    if(x_20 < 0.0f)
+    if(x_22 < 0.0f)
     {
         _S204 = - _S204;
     }
@@ -1546,15 +1683,15 @@ __device__ float projected_area_1(float3  direction_2, float3  tangent_2, float 
     return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S213 * _S213 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
-__device__ float exponential_0(float x_21)
+__device__ float exponential_0(float x_23)
 {
-    float _S214 = clamp_1(x_21, -87.0f, 88.0f);
+    float _S214 = clamp_1(x_23, -87.0f, 88.0f);
     float _S215 = (F32_floor((_S214 * 1.4426950216293335f + 0.5f)));
     float _S216 = _S214 - _S215 * 0.693359375f + _S215 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S216 + 0.00139819993637502f) * _S216 + 0.00833345204591751f) * _S216 + 0.04166579619050026f) * _S216 + 0.1666666567325592f) * _S216 + 0.5f;
     float _S217 = (U32_asfloat((uint(int(_S215) + int(127)) << int(23))));
     float _S218;
-    if(x_21 < -87.0f)
+    if(x_23 < -87.0f)
     {
         _S218 = 0.0f;
     }
@@ -1641,14 +1778,14 @@ __device__ float reflection_0(float3  light_3, float3  view_2, float3  normal_4,
 
 __device__ Components_0 with_added_0(Components_0 * sums_0, Components_0 * more_0, float weight_0)
 {
-    Components_0 result_10;
-    (&result_10)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
-    (&result_10)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
-    (&result_10)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
-    (&result_10)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
-    (&result_10)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
-    (&result_10)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
-    return result_10;
+    Components_0 result_11;
+    (&result_11)->diffuse_warp_0 = sums_0->diffuse_warp_0 + weight_0 * more_0->diffuse_warp_0;
+    (&result_11)->diffuse_weft_0 = sums_0->diffuse_weft_0 + weight_0 * more_0->diffuse_weft_0;
+    (&result_11)->specular_warp_0 = sums_0->specular_warp_0 + weight_0 * more_0->specular_warp_0;
+    (&result_11)->specular_weft_0 = sums_0->specular_weft_0 + weight_0 * more_0->specular_weft_0;
+    (&result_11)->light_visibility_1 = sums_0->light_visibility_1 + weight_0 * more_0->light_visibility_1;
+    (&result_11)->hole_2 = sums_0->hole_2 + weight_0 * more_0->hole_2;
+    return result_11;
 }
 
 __device__ float wrapped_cell_0(float position_3, float count_1)
@@ -1656,9 +1793,9 @@ __device__ float wrapped_cell_0(float position_3, float count_1)
     return (F32_min(((F32_floor(((position_3 - (F32_floor((position_3)))) * count_1)))), (count_1 - 1.0f)));
 }
 
-__device__ float arc_tangent_quotient_0(float x_22, float y_11)
+__device__ float arc_tangent_quotient_0(float x_24, float y_12)
 {
-    return ((((((0.0f * x_22 + 0.00809729471802711f) * x_22 + -0.0377517081797123f) * x_22 + 0.08475969731807709f) * x_22 + -0.13537675142288208f) * x_22 + 0.19895026087760925f) * x_22 + -0.33327975869178772f) * x_22 + 0.99999970197677612f;
+    return ((((((0.0f * x_24 + 0.00809729471802711f) * x_24 + -0.0377517081797123f) * x_24 + 0.08475969731807709f) * x_24 + -0.13537675142288208f) * x_24 + 0.19895026087760925f) * x_24 + -0.33327975869178772f) * x_24 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1666,10 +1803,10 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_12, float x_23)
+__device__ float arc_tangent_0(float y_13, float x_25)
 {
-    float _S235 = (F32_abs((x_23)));
-    float _S236 = (F32_abs((y_12)));
+    float _S235 = (F32_abs((x_25)));
+    float _S236 = (F32_abs((y_13)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S235), (_S236))) / (F32_max(((F32_max((_S235), (_S236)))), (1.00000000317107685e-30f))));
     float angle_1;
     if(_S236 > _S235)
@@ -1680,11 +1817,11 @@ __device__ float arc_tangent_0(float y_12, float x_23)
     {
         angle_1 = angle_0;
     }
-    if(x_23 < 0.0f)
+    if(x_25 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
-    if(y_12 < 0.0f)
+    if(y_13 < 0.0f)
     {
         angle_1 = - angle_1;
     }
@@ -1745,10 +1882,10 @@ __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
     return make_float4 (float(even_0 & 65535U), float(odd_0 & 65535U), float(even_0 >> int(16)), float(odd_0 >> int(16)));
 }
 
-__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
+__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_2)
 {
-    uint4  _S256 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
-    uint4  _S257 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S256 = (packs_2 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S257 = ((packs_2 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
     return bytes_of_sums_0(_S256.x + _S256.y + _S256.z + _S256.w, _S257.x + _S257.y + _S257.z + _S257.w) * make_float4 (taps_1->inverse_sum_0);
 }
 
@@ -2181,19 +2318,19 @@ __device__ Albedos_0 lerp_albedos_0(Albedos_0 * first_2, Albedos_0 * second_1, f
     return albedos_3;
 }
 
-__device__ float sheen_scale_0(float x_24, float y_13)
+__device__ float sheen_scale_0(float x_26, float y_14)
 {
-    return (((((0.0f * x_24 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_24 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_24 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_24 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_24 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_24 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
+    return (((((0.0f * x_26 + (((((-1.1402510404586792f * y_14 + 0.40672621130943298f) * y_14 + 1.65398800373077393f) * y_14 + -1.29730904102325439f) * y_14 + 0.30570998787879944f) * y_14 + -0.0220868494361639f)) * x_26 + (((((-0.21142719686031342f * y_14 + 1.05947399139404297f) * y_14 + -0.41116121411323547f) * y_14 + -0.93859231472015381f) * y_14 + 0.51606941223144531f) * y_14 + 0.05409301072359085f)) * x_26 + (((((1.22944498062133789f * y_14 + -0.45962560176849365f) * y_14 + -1.63861405849456787f) * y_14 + 1.33565104007720947f) * y_14 + -0.45725581049919128f) * y_14 + 0.08243165910243988f)) * x_26 + (((((0.39779931306838989f * y_14 + -1.18879103660583496f) * y_14 + 0.28251591324806213f) * y_14 + 1.168984055519104f) * y_14 + -0.76864629983901978f) * y_14 + 0.0091691892594099f)) * x_26 + (((((-0.26563560962677002f * y_14 + -0.19379159808158875f) * y_14 + 0.2677634060382843f) * y_14 + 0.00270519289188087f) * y_14 + 0.14349560439586639f) * y_14 + 0.10290180146694183f)) * x_26 + (((((-0.20701569318771362f * y_14 + 0.24526430666446686f) * y_14 + 0.19551840424537659f) * y_14 + 0.07586126774549484f) * y_14 + 0.38894739747047424f) * y_14 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_25, float y_14)
+__device__ float sheen_shear_0(float x_27, float y_15)
 {
-    return ((((0.0f * x_25 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_25 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_25 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_25 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_25 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+    return ((((0.0f * x_27 + (((((-0.10608240216970444f * y_15 + 1.99214303493499756f) * y_15 + -1.42255294322967529f) * y_15 + -1.09495604038238525f) * y_15 + 0.59180057048797607f) * y_15 + 0.06902855634689331f)) * x_27 + (((((-0.46220690011978149f * y_15 + -0.29113379120826721f) * y_15 + 1.39025199413299561f) * y_15 + 0.35589990019798279f) * y_15 + -1.17120099067687988f) * y_15 + 0.15940259397029877f)) * x_27 + (((((2.26068711280822754f * y_15 + -3.64728999137878418f) * y_15 + -0.72173482179641724f) * y_15 + 3.07659196853637695f) * y_15 + -0.6827620267868042f) * y_15 + -0.3039557933807373f)) * x_27 + (((((0.81201767921447754f * y_15 + 0.36014080047607422f) * y_15 + -1.72646903991699219f) * y_15 + -0.22630110383033752f) * y_15 + 0.89514690637588501f) * y_15 + -0.10397960245609283f)) * x_27 + (((((-0.37648698687553406f * y_15 + 1.10974001884460449f) * y_15 + 0.17824520170688629f) * y_15 + -1.04968702793121338f) * y_15 + 0.1461234986782074f) * y_15 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_26, float y_15)
+__device__ float sheen_reflectance_0(float x_28, float y_16)
 {
-    return ((((0.0f * x_26 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_26 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_26 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_26 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_26 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
+    return ((((0.0f * x_28 + (((((12.95646953582763672f * y_16 + -21.38032913208007812f) * y_16 + -7.37853097915649414f) * y_16 + 34.55607986450195312f) * y_16 + -23.61347007751464844f) * y_16 + 5.00126314163208008f)) * x_28 + (((((10.91487026214599609f * y_16 + -6.08202791213989258f) * y_16 + -38.2036285400390625f) * y_16 + 53.3440399169921875f) * y_16 + -21.91996002197265625f) * y_16 + 2.01606011390686035f)) * x_28 + (((((-14.52206039428710938f * y_16 + 36.803619384765625f) * y_16 + -22.94047927856445312f) * y_16 + -10.07973003387451172f) * y_16 + 15.77003955841064453f) * y_16 + -4.92722177505493164f)) * x_28 + (((((-7.62505722045898438f * y_16 + 1.27310299873352051f) * y_16 + 31.19523048400878906f) * y_16 + -44.39989852905273438f) * y_16 + 26.44947052001953125f) * y_16 + -8.73507976531982422f)) * x_28 + (((((5.65633487701416016f * y_16 + -17.66820907592773438f) * y_16 + 24.65356063842773438f) * y_16 + -19.38941001892089844f) * y_16 + 11.06159019470214844f) * y_16 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_8)
@@ -2260,7 +2397,7 @@ struct Regime_0
 {
     float prefiltered_0;
     float threads_1;
-    float points_0;
+    float points_1;
 };
 
 __device__ Regime_0 regime_of_0(uint _S440, Footprint_0 * _S441, float _S442)
@@ -2284,14 +2421,14 @@ __device__ Regime_0 regime_of_0(uint _S440, Footprint_0 * _S441, float _S442)
     {
         _S450 = 0.0f;
     }
-    (&regime_0)->points_0 = _S450;
+    (&regime_0)->points_1 = _S450;
     return regime_0;
 }
 
 struct Hit_0
 {
-    float x_27;
-    float y_16;
+    float x_29;
+    float y_17;
     bool hole_5;
     float height_5;
 };
@@ -2319,7 +2456,7 @@ __device__ Crossing_0 crossing_at_0(uint _S451, float _S452, float _S453, bool _
     (&crossing_3)->weft_1 = locate_0(_S457, _S453);
     uint _S458 = __ldg(&_S455->run_words_0);
     uint _S459 = (&(&crossing_3)->weft_1)->thread_0;
-    uint _S460 = __ldg(&_S455->ends_0);
+    uint _S460 = __ldg(&_S455->ends_1);
     uint _S461 = _S458 + 2U * (_S459 * _S460 + (&(&crossing_3)->warp_1)->thread_0);
     uint _S462 = __ldg((&(globalParams_0->words_0)[_S461]));
     (&crossing_3)->warp_word_0 = _S462;
@@ -2991,10 +3128,10 @@ __device__ float refined_height_0(uint _S673, ViewRay_0 * _S674, StepControl_0 *
     float under_gap_2 = under_gap_1;
     float under_1 = _S683;
     float above_3 = above_2;
-    uint i_8 = 0U;
+    uint i_9 = 0U;
     for(;;)
     {
-        if(i_8 < _S678)
+        if(i_9 < _S678)
         {
         }
         else
@@ -3055,7 +3192,7 @@ __device__ float refined_height_0(uint _S673, ViewRay_0 * _S674, StepControl_0 *
         {
             middle_0 = between_0(above_3, under_1, above_gap_2, under_gap_2);
         }
-        i_8 = i_8 + 1U;
+        i_9 = i_9 + 1U;
     }
     if(_S686)
     {
@@ -3067,137 +3204,145 @@ __device__ float refined_height_0(uint _S673, ViewRay_0 * _S674, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S695, SearchQuality_0 * _S696, float _S697, float _S698, float3  _S699, bool _S700)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S695, SearchQuality_0 * _S696, float _S697, float _S698, float3  _S699, bool _S700)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_27 = _S697;
-    (&hit_0)->y_16 = _S698;
-    (&hit_0)->height_5 = 0.0f;
-    bool _S701 = passes_through_0(_S695, _S696, _S697, _S698, _S699, _S700);
-    (&hit_0)->hole_5 = _S701;
-    if(_S701)
-    {
-        return hit_0;
-    }
-    float _S702 = (F32_max((_S699.z), (0.00009999999747379f)));
+    float _S701 = (F32_max((_S699.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S697, _S698);
-    float2  _S703 = float2 {_S699.x, _S699.y} / make_float2 (_S702);
-    (&ray_0)->slope_1 = _S703;
-    float2  _S704 = - _S703;
-    float _S705 = steps_per_length_0(_S695, _S696, _S699);
-    StepControl_0 _S706 = step_control_0(_S704, 1.0f / (F32_max((_S705 / _S702), (9.99999971718068537e-10f))));
-    ViewRay_0 _S707 = ray_0;
-    StepControl_0 _S708 = _S706;
-    ViewRayEnd_0 _S709 = search_down_0(_S695, &_S707, &_S708, _S700);
-    ViewRay_0 _S710 = ray_0;
-    StepControl_0 _S711 = _S706;
-    ViewRayEnd_0 _S712 = _S709;
-    float _S713 = refined_height_0(_S695, &_S710, &_S711, _S700, &_S712, _S696->refinements_0);
-    (&hit_0)->height_5 = _S713;
-    ViewRay_0 _S714 = ray_0;
-    float2  _S715 = ViewRay_at_0(&_S714, _S713);
-    (&hit_0)->x_27 = _S715.x;
-    (&hit_0)->y_16 = _S715.y;
+    float2  _S702 = float2 {_S699.x, _S699.y} / make_float2 (_S701);
+    (&ray_0)->slope_1 = _S702;
+    float2  _S703 = - _S702;
+    float _S704 = steps_per_length_0(_S695, _S696, _S699);
+    StepControl_0 _S705 = step_control_0(_S703, 1.0f / (F32_max((_S704 / _S701), (9.99999971718068537e-10f))));
+    ViewRay_0 _S706 = ray_0;
+    StepControl_0 _S707 = _S705;
+    ViewRayEnd_0 _S708 = search_down_0(_S695, &_S706, &_S707, _S700);
+    Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    ViewRay_0 _S709 = ray_0;
+    StepControl_0 _S710 = _S705;
+    ViewRayEnd_0 _S711 = _S708;
+    float _S712 = refined_height_0(_S695, &_S709, &_S710, _S700, &_S711, _S696->refinements_0);
+    (&hit_0)->height_5 = _S712;
+    ViewRay_0 _S713 = ray_0;
+    float2  _S714 = ViewRay_at_0(&_S713, _S712);
+    (&hit_0)->x_29 = _S714.x;
+    (&hit_0)->y_17 = _S714.y;
     return hit_0;
 }
 
-__device__ SurfacePoint_0 surface_at_0(uint _S716, float _S717, float _S718, bool _S719)
+__device__ Hit_0 first_hit_0(uint _S715, SearchQuality_0 * _S716, float _S717, float _S718, float3  _S719, bool _S720)
 {
-    Fabric_0 * _S720 = (&(globalParams_0->fabrics_0)[_S716]);
-    Sample_0 _S721 = sample_at_0(_S716, _S717, _S718, _S719);
-    float _S722;
-    if(_S721.shown_3.is_warp_2)
+    bool _S721 = passes_through_0(_S715, _S716, _S717, _S718, _S719, _S720);
+    if(!_S721)
     {
-        _S722 = _S721.crossing_2.warp_1.half_width_1;
+        Hit_0 _S722 = first_hit_of_yarn_0(_S715, _S716, _S717, _S718, _S719, _S720);
+        return _S722;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_29 = _S717;
+    (&hit_1)->y_17 = _S718;
+    (&hit_1)->height_5 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+__device__ SurfacePoint_0 surface_at_0(uint _S723, float _S724, float _S725, bool _S726)
+{
+    Fabric_0 * _S727 = (&(globalParams_0->fabrics_0)[_S723]);
+    Sample_0 _S728 = sample_at_0(_S723, _S724, _S725, _S726);
+    float _S729;
+    if(_S728.shown_3.is_warp_2)
+    {
+        _S729 = _S728.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S722 = _S721.crossing_2.weft_1.half_width_1;
+        _S729 = _S728.crossing_2.weft_1.half_width_1;
     }
-    uint _S723;
-    if(_S721.shown_3.is_warp_2)
+    uint _S730;
+    if(_S728.shown_3.is_warp_2)
     {
-        uint _S724 = __ldg(&_S720->warp_0);
-        _S723 = _S724;
-    }
-    else
-    {
-        uint _S725 = __ldg(&_S720->weft_0);
-        _S723 = _S725;
-    }
-    Family_0 _S726 = slang_ldg_2((&(globalParams_0->families_0)[_S723]));
-    float _S727;
-    if(_S719)
-    {
-        _S727 = -1.0f;
+        uint _S731 = __ldg(&_S727->warp_0);
+        _S730 = _S731;
     }
     else
     {
-        _S727 = 1.0f;
+        uint _S732 = __ldg(&_S727->weft_0);
+        _S730 = _S732;
     }
-    float _S728 = _S726.twist_sine_0 * _S727;
-    Family_0 _S729 = slang_ldg_2((&(globalParams_0->families_0)[_S723]));
-    if(_S721.shown_3.is_warp_2)
+    Family_0 _S733 = slang_ldg_2((&(globalParams_0->families_0)[_S730]));
+    float _S734;
+    if(_S726)
     {
-        _S727 = 1.0f;
-    }
-    else
-    {
-        _S727 = -1.0f;
-    }
-    float2  _S730 = fibre_direction_0(_S721.slope_across_0, _S727 * _S721.slope_along_0, _S728, _S729.twist_cosine_0);
-    float _S731;
-    if(_S721.shown_3.is_warp_2)
-    {
-        _S731 = _S721.slope_x_1;
+        _S734 = -1.0f;
     }
     else
     {
-        _S731 = _S721.slope_y_1;
+        _S734 = 1.0f;
     }
-    float _S732;
-    if(_S721.shown_3.is_warp_2)
+    float _S735 = _S733.twist_sine_0 * _S734;
+    Family_0 _S736 = slang_ldg_2((&(globalParams_0->families_0)[_S730]));
+    if(_S728.shown_3.is_warp_2)
     {
-        _S732 = _S721.slope_y_1;
-    }
-    else
-    {
-        _S732 = _S721.slope_x_1;
-    }
-    float _S733 = _S730.x;
-    float _S734 = _S730.y;
-    float _S735 = _S731 * _S733 + _S727 * _S732 * _S734;
-    float _S736 = _S722 * 1.0154266357421875f;
-    float _S737 = _S736 * arc_sine_0(clamp_1(_S721.section_1.across_3 / _S736, -1.0f, 1.0f));
-    if(_S721.shown_3.is_warp_2)
-    {
-        _S722 = _S718;
+        _S734 = 1.0f;
     }
     else
     {
-        _S722 = - _S717;
+        _S734 = -1.0f;
+    }
+    float2  _S737 = fibre_direction_0(_S728.slope_across_0, _S734 * _S728.slope_along_0, _S735, _S736.twist_cosine_0);
+    float _S738;
+    if(_S728.shown_3.is_warp_2)
+    {
+        _S738 = _S728.slope_x_1;
+    }
+    else
+    {
+        _S738 = _S728.slope_y_1;
+    }
+    float _S739;
+    if(_S728.shown_3.is_warp_2)
+    {
+        _S739 = _S728.slope_y_1;
+    }
+    else
+    {
+        _S739 = _S728.slope_x_1;
+    }
+    float _S740 = _S737.x;
+    float _S741 = _S737.y;
+    float _S742 = _S738 * _S740 + _S734 * _S739 * _S741;
+    float _S743 = _S729 * 1.0154266357421875f;
+    float _S744 = _S743 * arc_sine_0(clamp_1(_S728.section_1.across_3 / _S743, -1.0f, 1.0f));
+    if(_S728.shown_3.is_warp_2)
+    {
+        _S729 = _S725;
+    }
+    else
+    {
+        _S729 = - _S724;
     }
     SurfacePoint_0 point_0;
-    (&point_0)->hole_0 = _S721.shown_3.hole_3;
-    (&point_0)->is_warp_0 = _S721.shown_3.is_warp_2;
-    (&point_0)->warp_thread_0 = _S721.crossing_2.warp_1.thread_0;
-    (&point_0)->weft_thread_0 = _S721.crossing_2.weft_1.thread_0;
-    (&point_0)->height_1 = _S721.height_6;
-    (&point_0)->normal_0 = normalize_0(make_float3 (- _S721.slope_x_1, - _S721.slope_y_1, 1.0f));
-    float3  _S738;
-    if(_S721.shown_3.is_warp_2)
+    (&point_0)->hole_0 = _S728.shown_3.hole_3;
+    (&point_0)->is_warp_0 = _S728.shown_3.is_warp_2;
+    (&point_0)->warp_thread_0 = _S728.crossing_2.warp_1.thread_0;
+    (&point_0)->weft_thread_0 = _S728.crossing_2.weft_1.thread_0;
+    (&point_0)->height_1 = _S728.height_6;
+    (&point_0)->normal_0 = normalize_0(make_float3 (- _S728.slope_x_1, - _S728.slope_y_1, 1.0f));
+    float3  _S745;
+    if(_S728.shown_3.is_warp_2)
     {
-        _S738 = make_float3 (_S733, _S734, _S735);
+        _S745 = make_float3 (_S740, _S741, _S742);
     }
     else
     {
-        _S738 = make_float3 (- _S734, _S733, _S735);
+        _S745 = make_float3 (- _S741, _S740, _S742);
     }
-    (&point_0)->tangent_0 = normalize_0(_S738);
-    (&point_0)->across_0 = _S721.section_1.across_3;
-    (&point_0)->fibre_across_0 = _S737 * _S729.twist_cosine_0 + _S722 * _S728;
-    (&point_0)->fibre_along_0 = _S722 * _S729.twist_cosine_0 - _S737 * _S728;
+    (&point_0)->tangent_0 = normalize_0(_S745);
+    (&point_0)->across_0 = _S728.section_1.across_3;
+    (&point_0)->fibre_across_0 = _S744 * _S736.twist_cosine_0 + _S729 * _S735;
+    (&point_0)->fibre_along_0 = _S729 * _S736.twist_cosine_0 - _S744 * _S735;
     return point_0;
 }
 
@@ -3206,8 +3351,8 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_28;
-    float y_17;
+    float x_30;
+    float y_18;
     float height_10;
     float3  normal_6;
     float3  tangent_7;
@@ -3215,287 +3360,287 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-__device__ Albedos_0 vary_albedos_0(uint _S739, Albedos_0 * _S740, uint _S741, uint _S742)
+__device__ Albedos_0 vary_albedos_0(uint _S746, Albedos_0 * _S747, uint _S748, uint _S749)
 {
-    Fabric_0 * _S743 = (&(globalParams_0->fabrics_0)[_S739]);
-    float3  _S744 = _S740->specular_reflect_0;
-    float3  _S745 = _S740->specular_transmit_0;
-    float3  _S746 = max_0(_S740->specular_reflect_0, _S740->specular_transmit_0);
-    float3  _S747 = _S740->diffuse_reflect_0;
-    float3  _S748 = _S740->diffuse_transmit_0;
-    float3  _S749 = _S740->diffuse_reflect_0 + _S740->diffuse_transmit_0;
-    float _S750 = __ldg(&_S743->colour_noise_0);
-    uint _S751 = __ldg(&_S743->seed_0);
-    float _S752 = thread_gain_0(_S741, _S750, _S751);
-    float _S753 = __ldg(&_S743->layer_bound_0);
-    float _S754 = bounded_gain_0(_S752, _S749, make_float3 (1.0f) - make_float3 (_S753) * _S746);
-    float3  _S755 = min_0((make_float3 (1.0f) - make_float3 (_S754) * _S749) / make_float3 (_S753), make_float3 (1.0f));
-    float _S756 = __ldg(&_S743->fibre_noise_0);
-    float _S757 = bounded_gain_0(fibre_gain_0(_S741, _S742, _S756, _S751), _S746, _S755);
+    Fabric_0 * _S750 = (&(globalParams_0->fabrics_0)[_S746]);
+    float3  _S751 = _S747->specular_reflect_0;
+    float3  _S752 = _S747->specular_transmit_0;
+    float3  _S753 = max_0(_S747->specular_reflect_0, _S747->specular_transmit_0);
+    float3  _S754 = _S747->diffuse_reflect_0;
+    float3  _S755 = _S747->diffuse_transmit_0;
+    float3  _S756 = _S747->diffuse_reflect_0 + _S747->diffuse_transmit_0;
+    float _S757 = __ldg(&_S750->colour_noise_0);
+    uint _S758 = __ldg(&_S750->seed_0);
+    float _S759 = thread_gain_0(_S748, _S757, _S758);
+    float _S760 = __ldg(&_S750->layer_bound_0);
+    float _S761 = bounded_gain_0(_S759, _S756, make_float3 (1.0f) - make_float3 (_S760) * _S753);
+    float3  _S762 = min_0((make_float3 (1.0f) - make_float3 (_S761) * _S756) / make_float3 (_S760), make_float3 (1.0f));
+    float _S763 = __ldg(&_S750->fibre_noise_0);
+    float _S764 = bounded_gain_0(fibre_gain_0(_S748, _S749, _S763, _S758), _S753, _S762);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S754) * _S747;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S754) * _S748;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S757) * _S744;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S757) * _S745;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S761) * _S754;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S761) * _S755;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S764) * _S751;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S764) * _S752;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S758, SurfacePoint_0 * _S759, Albedos_0 * _S760, float _S761, float _S762)
+__device__ Albedos_0 varied_at_0(uint _S765, SurfacePoint_0 * _S766, Albedos_0 * _S767, float _S768, float _S769)
 {
-    Fabric_0 * _S763 = (&(globalParams_0->fabrics_0)[_S758]);
-    bool _S764 = _S759->is_warp_0;
-    float _S765;
-    if(_S759->is_warp_0)
+    Fabric_0 * _S770 = (&(globalParams_0->fabrics_0)[_S765]);
+    bool _S771 = _S766->is_warp_0;
+    float _S772;
+    if(_S766->is_warp_0)
     {
-        _S765 = _S761;
+        _S772 = _S768;
     }
     else
     {
-        _S765 = _S762;
+        _S772 = _S769;
     }
-    float _S766 = _S765 - _S759->across_0;
-    uint _S767;
-    if(_S764)
+    float _S773 = _S772 - _S766->across_0;
+    uint _S774;
+    if(_S771)
     {
-        uint _S768 = __ldg(&_S763->warp_0);
-        _S767 = _S768;
+        uint _S775 = __ldg(&_S770->warp_0);
+        _S774 = _S775;
     }
     else
     {
-        uint _S769 = __ldg(&_S763->weft_0);
-        _S767 = _S769;
+        uint _S776 = __ldg(&_S770->weft_0);
+        _S774 = _S776;
     }
-    Family_0 _S770 = slang_ldg_2((&(globalParams_0->families_0)[_S767]));
-    Family_0 _S771 = slang_ldg_2((&(globalParams_0->families_0)[_S767]));
-    int _S772 = int(_S771.count_0);
-    if(_S764)
+    Family_0 _S777 = slang_ldg_2((&(globalParams_0->families_0)[_S774]));
+    Family_0 _S778 = slang_ldg_2((&(globalParams_0->families_0)[_S774]));
+    int _S779 = int(_S778.count_0);
+    if(_S771)
     {
-        _S767 = _S759->warp_thread_0;
+        _S774 = _S766->warp_thread_0;
     }
     else
     {
-        _S767 = _S759->weft_thread_0;
+        _S774 = _S766->weft_thread_0;
     }
-    uint _S773 = uint(int((F32_floor((_S766 / _S770.period_0)))) * _S772 + int(_S767)) * 2U;
-    if(_S764)
+    uint _S780 = uint(int((F32_floor((_S773 / _S777.period_0)))) * _S779 + int(_S774)) * 2U;
+    if(_S771)
     {
-        _S767 = 1U;
+        _S774 = 1U;
     }
     else
     {
-        _S767 = 0U;
+        _S774 = 0U;
     }
-    uint _S774 = _S773 + _S767;
-    float _S775 = _S759->fibre_across_0;
-    float _S776 = __ldg(&_S763->fibre_size_0);
-    float _S777 = (F32_floor((_S775 / _S776)));
-    Albedos_0 _S778 = vary_albedos_0(_S758, _S760, _S774, uint(int(_S777)) * 65536U + uint(int((F32_floor((_S759->fibre_along_0 / (_S776 * 40.0f) + 0.61799997091293335f * _S777))))));
-    return _S778;
+    uint _S781 = _S780 + _S774;
+    float _S782 = _S766->fibre_across_0;
+    float _S783 = __ldg(&_S770->fibre_size_0);
+    float _S784 = (F32_floor((_S782 / _S783)));
+    Albedos_0 _S785 = vary_albedos_0(_S765, _S767, _S781, uint(int(_S784)) * 65536U + uint(int((F32_floor((_S766->fibre_along_0 / (_S783 * 40.0f) + 0.61799997091293335f * _S784))))));
+    return _S785;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S779, SurfacePoint_0 * _S780, float _S781, float _S782, bool _S783, bool _S784)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S786, SurfacePoint_0 * _S787, float _S788, float _S789, bool _S790, bool _S791)
 {
-    Fabric_0 * _S785 = (&(globalParams_0->fabrics_0)[_S779]);
-    bool _S786 = _S780->is_warp_0;
-    uint _S787;
-    if(_S780->is_warp_0)
+    Fabric_0 * _S792 = (&(globalParams_0->fabrics_0)[_S786]);
+    bool _S793 = _S787->is_warp_0;
+    uint _S794;
+    if(_S787->is_warp_0)
     {
-        uint _S788 = __ldg(&_S785->warp_0);
-        _S787 = _S788;
+        uint _S795 = __ldg(&_S792->warp_0);
+        _S794 = _S795;
     }
     else
     {
-        uint _S789 = __ldg(&_S785->weft_0);
-        _S787 = _S789;
+        uint _S796 = __ldg(&_S792->weft_0);
+        _S794 = _S796;
     }
-    uint _S790;
-    if(_S786)
+    uint _S797;
+    if(_S793)
     {
-        _S790 = _S780->warp_thread_0;
-    }
-    else
-    {
-        _S790 = _S780->weft_thread_0;
-    }
-    Albedos_0 albedos_6 = albedos_of_0(_S787, _S790);
-    float _S791 = __ldg(&_S785->fibre_noise_0);
-    bool _S792;
-    if(_S791 > 0.0f)
-    {
-        _S792 = true;
+        _S797 = _S787->warp_thread_0;
     }
     else
     {
-        float _S793 = __ldg(&_S785->colour_noise_0);
-        _S792 = _S793 > 0.0f;
+        _S797 = _S787->weft_thread_0;
+    }
+    Albedos_0 albedos_6 = albedos_of_0(_S794, _S797);
+    float _S798 = __ldg(&_S792->fibre_noise_0);
+    bool _S799;
+    if(_S798 > 0.0f)
+    {
+        _S799 = true;
+    }
+    else
+    {
+        float _S800 = __ldg(&_S792->colour_noise_0);
+        _S799 = _S800 > 0.0f;
     }
     Albedos_0 albedos_7;
-    if(_S792)
+    if(_S799)
     {
-        Albedos_0 _S794 = albedos_6;
-        Albedos_0 _S795 = varied_at_0(_S779, _S780, &_S794, _S781, _S782);
-        albedos_7 = _S795;
+        Albedos_0 _S801 = albedos_6;
+        Albedos_0 _S802 = varied_at_0(_S786, _S787, &_S801, _S788, _S789);
+        albedos_7 = _S802;
     }
     else
     {
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_1;
-    (&point_1)->back_3 = _S783;
-    (&point_1)->hole_6 = _S784;
-    (&point_1)->is_warp_3 = _S786;
-    (&point_1)->x_28 = _S781;
-    (&point_1)->y_17 = _S782;
-    (&point_1)->height_10 = _S780->height_1;
-    (&point_1)->normal_6 = _S780->normal_0;
-    (&point_1)->tangent_7 = _S780->tangent_0;
-    Family_0 _S796 = slang_ldg_2((&(globalParams_0->families_0)[_S787]));
-    (&point_1)->roughness_10 = _S796.roughness_0;
+    (&point_1)->back_3 = _S790;
+    (&point_1)->hole_6 = _S791;
+    (&point_1)->is_warp_3 = _S793;
+    (&point_1)->x_30 = _S788;
+    (&point_1)->y_18 = _S789;
+    (&point_1)->height_10 = _S787->height_1;
+    (&point_1)->normal_6 = _S787->normal_0;
+    (&point_1)->tangent_7 = _S787->tangent_0;
+    Family_0 _S803 = slang_ldg_2((&(globalParams_0->families_0)[_S794]));
+    (&point_1)->roughness_10 = _S803.roughness_0;
     (&point_1)->albedos_5 = albedos_7;
     return point_1;
 }
 
-__device__ bool unoccluded_0(uint _S797, SearchQuality_0 * _S798, float _S799, float _S800, float _S801, float3  _S802, bool _S803)
+__device__ bool unoccluded_0(uint _S804, SearchQuality_0 * _S805, float _S806, float _S807, float _S808, float3  _S809, bool _S810)
 {
-    Fabric_0 * _S804 = (&(globalParams_0->fabrics_0)[_S797]);
-    if((_S802.z) <= 0.0f)
+    Fabric_0 * _S811 = (&(globalParams_0->fabrics_0)[_S804]);
+    if((_S809.z) <= 0.0f)
     {
         return false;
     }
-    float _S805 = max_height_along_0(_S797, _S799, _S800, _S801, _S802, _S803);
-    float _S806 = __ldg(&_S804->lift_0);
-    bool _S807 = is_free_0(_S797, _S798, make_float3 (_S799, _S800, _S801 + _S806), _S802, _S803, _S805);
-    return _S807;
+    float _S812 = max_height_along_0(_S804, _S806, _S807, _S808, _S809, _S810);
+    float _S813 = __ldg(&_S811->lift_0);
+    bool _S814 = is_free_0(_S804, _S805, make_float3 (_S806, _S807, _S808 + _S813), _S809, _S810, _S812);
+    return _S814;
 }
 
-__device__ bool is_lit_0(uint _S808, SearchQuality_0 * _S809, YarnPoint_0 * _S810, float3  _S811)
+__device__ bool is_lit_0(uint _S815, SearchQuality_0 * _S816, YarnPoint_0 * _S817, float3  _S818)
 {
-    if(_S810->hole_6)
+    if(_S817->hole_6)
     {
         return true;
     }
-    bool _S812 = _S810->back_3;
-    float3  _S813 = to_face_frame_0(_S811, _S810->back_3);
-    float _S814 = _S813.z;
-    bool _S815 = _S814 < 0.0f;
-    float3  _S816 = _S810->normal_6;
-    float _S817 = _S810->height_10;
+    bool _S819 = _S817->back_3;
+    float3  _S820 = to_face_frame_0(_S818, _S817->back_3);
+    float _S821 = _S820.z;
+    bool _S822 = _S821 < 0.0f;
+    float3  _S823 = _S817->normal_6;
+    float _S824 = _S817->height_10;
     float3  normal_7;
     float height_11;
-    if(_S815)
+    if(_S822)
     {
-        SurfacePoint_0 _S818 = surface_at_0(_S808, _S810->x_28, _S810->y_17, !_S812);
-        normal_7 = _S818.normal_0;
-        height_11 = _S818.height_1;
+        SurfacePoint_0 _S825 = surface_at_0(_S815, _S817->x_30, _S817->y_18, !_S819);
+        normal_7 = _S825.normal_0;
+        height_11 = _S825.height_1;
     }
     else
     {
-        normal_7 = _S816;
-        height_11 = _S817;
+        normal_7 = _S823;
+        height_11 = _S824;
     }
-    float3  _S819 = make_float3 (float2 {_S813.x, _S813.y}.x, float2 {_S813.x, _S813.y}.y, (F32_abs((_S814))));
-    if((dot_0(normal_7, _S819)) <= 0.0f)
+    float3  _S826 = make_float3 (float2 {_S820.x, _S820.y}.x, float2 {_S820.x, _S820.y}.y, (F32_abs((_S821))));
+    if((dot_0(normal_7, _S826)) <= 0.0f)
     {
         return false;
     }
-    bool _S820 = unoccluded_0(_S808, _S809, _S810->x_28, _S810->y_17, height_11, _S819, _S812 != _S815);
-    return _S820;
+    bool _S827 = unoccluded_0(_S815, _S816, _S817->x_30, _S817->y_18, height_11, _S826, _S819 != _S822);
+    return _S827;
 }
 
-__device__ Components_0 components_of_point_0(uint _S821, SearchQuality_0 * _S822, YarnPoint_0 * _S823, float3  _S824, float3  _S825)
+__device__ Components_0 components_of_point_0(uint _S828, SearchQuality_0 * _S829, YarnPoint_0 * _S830, float3  _S831, float3  _S832)
 {
-    Fabric_0 * _S826 = (&(globalParams_0->fabrics_0)[_S821]);
-    Components_0 result_11 = no_components_0();
-    bool _S827 = _S823->hole_6;
-    float _S828;
-    if(_S823->hole_6)
+    Fabric_0 * _S833 = (&(globalParams_0->fabrics_0)[_S828]);
+    Components_0 result_12 = no_components_0();
+    bool _S834 = _S830->hole_6;
+    float _S835;
+    if(_S830->hole_6)
     {
-        _S828 = 1.0f;
+        _S835 = 1.0f;
     }
     else
     {
-        _S828 = 0.0f;
+        _S835 = 0.0f;
     }
-    (&result_11)->hole_2 = _S828;
-    bool _S829;
-    if(_S827)
+    (&result_12)->hole_2 = _S835;
+    bool _S836;
+    if(_S834)
     {
-        _S829 = true;
+        _S836 = true;
     }
     else
     {
-        bool _S830 = is_lit_0(_S821, _S822, _S823, _S824);
-        _S829 = !_S830;
+        bool _S837 = is_lit_0(_S828, _S829, _S830, _S831);
+        _S836 = !_S837;
     }
-    if(_S829)
+    if(_S836)
     {
-        return result_11;
+        return result_12;
     }
-    float3  _S831 = to_face_frame_0(_S824, _S823->back_3);
-    float3  _S832 = to_face_frame_0(_S825, _S823->back_3);
-    bool _S833 = (_S831.z) < 0.0f;
-    float3  _S834;
-    if(_S833)
+    float3  _S838 = to_face_frame_0(_S831, _S830->back_3);
+    float3  _S839 = to_face_frame_0(_S832, _S830->back_3);
+    bool _S840 = (_S838.z) < 0.0f;
+    float3  _S841;
+    if(_S840)
     {
-        _S834 = - _S831;
+        _S841 = - _S838;
     }
     else
     {
-        _S834 = _S831;
+        _S841 = _S838;
     }
-    float3  _S835 = _S823->normal_6;
-    float _S836 = __ldg(&_S826->diffuse_blend_0);
-    float _S837 = diffuse_reflection_0(_S834, _S835, _S836);
-    if(_S833)
+    float3  _S842 = _S830->normal_6;
+    float _S843 = __ldg(&_S833->diffuse_blend_0);
+    float _S844 = diffuse_reflection_0(_S841, _S842, _S843);
+    if(_S840)
     {
-        float3  _S838 = _S823->tangent_7;
-        float _S839 = _S823->roughness_10;
-        float _S840 = __ldg(&_S826->optical_depth_0);
-        _S828 = transmission_0(_S831, _S832, _S835, _S838, _S839, _S840);
+        float3  _S845 = _S830->tangent_7;
+        float _S846 = _S830->roughness_10;
+        float _S847 = __ldg(&_S833->optical_depth_0);
+        _S835 = transmission_0(_S838, _S839, _S842, _S845, _S846, _S847);
     }
     else
     {
-        float3  _S841 = _S823->tangent_7;
-        float _S842 = _S823->roughness_10;
-        float _S843 = __ldg(&_S826->optical_depth_0);
-        _S828 = reflection_0(_S831, _S832, _S835, _S841, _S842, _S843);
+        float3  _S848 = _S830->tangent_7;
+        float _S849 = _S830->roughness_10;
+        float _S850 = __ldg(&_S833->optical_depth_0);
+        _S835 = reflection_0(_S838, _S839, _S842, _S848, _S849, _S850);
     }
-    bool _S844 = _S823->is_warp_3;
-    float _S845;
-    if(_S823->is_warp_3)
+    bool _S851 = _S830->is_warp_3;
+    float _S852;
+    if(_S830->is_warp_3)
     {
-        _S845 = _S837;
+        _S852 = _S844;
     }
     else
     {
-        _S845 = 0.0f;
+        _S852 = 0.0f;
     }
-    (&result_11)->diffuse_warp_0 = _S845;
-    if(_S844)
+    (&result_12)->diffuse_warp_0 = _S852;
+    if(_S851)
     {
-        _S845 = 0.0f;
+        _S852 = 0.0f;
     }
     else
     {
-        _S845 = _S837;
+        _S852 = _S844;
     }
-    (&result_11)->diffuse_weft_0 = _S845;
-    if(_S844)
+    (&result_12)->diffuse_weft_0 = _S852;
+    if(_S851)
     {
-        _S845 = _S828;
+        _S852 = _S835;
     }
     else
     {
-        _S845 = 0.0f;
+        _S852 = 0.0f;
     }
-    (&result_11)->specular_warp_0 = _S845;
-    if(_S844)
+    (&result_12)->specular_warp_0 = _S852;
+    if(_S851)
     {
-        _S828 = 0.0f;
+        _S835 = 0.0f;
     }
-    (&result_11)->specular_weft_0 = _S828;
-    (&result_11)->light_visibility_1 = 1.0f;
-    return result_11;
+    (&result_12)->specular_weft_0 = _S835;
+    (&result_12)->light_visibility_1 = 1.0f;
+    return result_12;
 }
 
 struct CoverageTaps_0
@@ -3503,30 +3648,30 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S846, float _S847)
+__device__ float3  pyramid_level_0(uint _S853, float _S854)
 {
-    Lobes_0 _S848 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S846])->lobes_0);
-    uint _S849 = _S848.levels_0 + 4U * uint((F32_min((_S847), (_S848.last_level_0))));
-    return make_float3 (table_number_0(_S849), table_number_0(_S849 + 1U), table_number_0(_S849 + 2U));
+    Lobes_0 _S855 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S853])->lobes_0);
+    uint _S856 = _S855.levels_0 + 4U * uint((F32_min((_S854), (_S855.last_level_0))));
+    return make_float3 (table_number_0(_S856), table_number_0(_S856 + 1U), table_number_0(_S856 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S850, Footprint_0 * _S851, bool _S852)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S857, Footprint_0 * _S858, bool _S859)
 {
-    Fabric_0 * _S853 = (&(globalParams_0->fabrics_0)[_S850]);
-    float _S854 = Footprint_spread_side_0(_S851);
-    Lobes_0 _S855 = slang_ldg_1(&_S853->lobes_0);
-    float _S856 = _S854 * _S855.inverse_base_size_0;
-    float3  _S857 = pyramid_level_0(_S850, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S856), (1.0f))))))));
-    float _S858 = 1.0f / (F32_max((_S856), (9.99999997475242708e-07f)));
-    float _S859 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S858 * _S858), 0.0f, 1.0f))))), (0.3333333432674408f * _S858)))), (1.0f)));
-    uint _S860 = __ldg(&_S853->warp_0);
-    Family_0 _S861 = slang_ldg_2((&(globalParams_0->families_0)[_S860]));
-    uint _S862 = __ldg(&_S853->weft_0);
-    Family_0 _S863 = slang_ldg_2((&(globalParams_0->families_0)[_S862]));
-    float2  _S864 = make_float2 (_S861.inverse_period_0, _S863.inverse_period_0);
-    float2  _S865 = _S851->centre_0 * _S864;
-    float2  _S866 = _S851->dx_0 * _S864 * make_float2 (_S859);
-    float2  _S867 = _S851->dy_0 * _S864 * make_float2 (_S859);
+    Fabric_0 * _S860 = (&(globalParams_0->fabrics_0)[_S857]);
+    float _S861 = Footprint_spread_side_0(_S858);
+    Lobes_0 _S862 = slang_ldg_1(&_S860->lobes_0);
+    float _S863 = _S861 * _S862.inverse_base_size_0;
+    float3  _S864 = pyramid_level_0(_S857, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S863), (1.0f))))))));
+    float _S865 = 1.0f / (F32_max((_S863), (9.99999997475242708e-07f)));
+    float _S866 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S865 * _S865), 0.0f, 1.0f))))), (0.3333333432674408f * _S865)))), (1.0f)));
+    uint _S867 = __ldg(&_S860->warp_0);
+    Family_0 _S868 = slang_ldg_2((&(globalParams_0->families_0)[_S867]));
+    uint _S869 = __ldg(&_S860->weft_0);
+    Family_0 _S870 = slang_ldg_2((&(globalParams_0->families_0)[_S869]));
+    float2  _S871 = make_float2 (_S868.inverse_period_0, _S870.inverse_period_0);
+    float2  _S872 = _S858->centre_0 * _S871;
+    float2  _S873 = _S858->dx_0 * _S871 * make_float2 (_S866);
+    float2  _S874 = _S858->dy_0 * _S871 * make_float2 (_S866);
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3538,28 +3683,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S850, Footprint_0 * _S851, bool 
         {
             break;
         }
-        float2  _S868 = _S865 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S866 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S867;
-        float _S869 = _S857.y;
-        float _S870 = wrapped_cell_0(_S868.x, _S869);
-        float _S871 = wrapped_cell_0(_S868.y, _S857.z);
-        uint _S872;
-        if(_S852)
+        float2  _S875 = _S872 + make_float2 (TAP_OFFSETS_0[number_1].x) * _S873 + make_float2 (TAP_OFFSETS_0[number_1].y) * _S874;
+        float _S876 = _S864.y;
+        float _S877 = wrapped_cell_0(_S875.x, _S876);
+        float _S878 = wrapped_cell_0(_S875.y, _S864.z);
+        uint _S879;
+        if(_S859)
         {
-            _S872 = _S855.face_nodes_0;
+            _S879 = _S862.face_nodes_0;
         }
         else
         {
-            _S872 = 0U;
+            _S879 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S872 + uint(_S871 * _S869 + _S870 + _S857.x);
+        (&taps_3)->nodes_1[number_1] = _S879 + uint(_S878 * _S876 + _S877 + _S864.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-__device__ float4  coverage_of_pack_0(uint _S873, CoverageTaps_0 * _S874, uint _S875)
+__device__ float4  coverage_of_pack_0(uint _S880, CoverageTaps_0 * _S881, uint _S882)
 {
-    Fabric_0 * _S876 = (&(globalParams_0->fabrics_0)[_S873]);
+    Fabric_0 * _S883 = (&(globalParams_0->fabrics_0)[_S880]);
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3572,10 +3717,10 @@ __device__ float4  coverage_of_pack_0(uint _S873, CoverageTaps_0 * _S874, uint _
         {
             break;
         }
-        Lobes_0 _S877 = slang_ldg_1(&_S876->lobes_0);
-        uint _S878 = __ldg((&(globalParams_0->words_0)[_S877.coverage_0 + _S874->nodes_1[number_2] * _S877.packs_0 + _S875]));
-        uint even_2 = even_1 + (_S878 & 16711935U);
-        uint odd_2 = odd_1 + ((_S878 >> int(8)) & 16711935U);
+        Lobes_0 _S884 = slang_ldg_1(&_S883->lobes_0);
+        uint _S885 = __ldg((&(globalParams_0->words_0)[_S884.coverage_0 + _S881->nodes_1[number_2] * _S884.packs_0 + _S882]));
+        uint even_2 = even_1 + (_S885 & 16711935U);
+        uint odd_2 = odd_1 + ((_S885 >> int(8)) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3583,9 +3728,9 @@ __device__ float4  coverage_of_pack_0(uint _S873, CoverageTaps_0 * _S874, uint _
     return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
 }
 
-__device__ float coverage_of_holes_0(uint _S879, CoverageTaps_0 * _S880)
+__device__ float coverage_of_holes_0(uint _S886, CoverageTaps_0 * _S887)
 {
-    Fabric_0 * _S881 = (&(globalParams_0->fabrics_0)[_S879]);
+    Fabric_0 * _S888 = (&(globalParams_0->fabrics_0)[_S886]);
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3597,75 +3742,75 @@ __device__ float coverage_of_holes_0(uint _S879, CoverageTaps_0 * _S880)
         {
             break;
         }
-        uint _S882 = _S880->nodes_1[number_3];
-        Lobes_0 _S883 = slang_ldg_1(&_S881->lobes_0);
-        uint _S884 = __ldg((&(globalParams_0->words_0)[_S883.coverage_holes_0 + _S882 / 4U]));
-        uint total_1 = total_0 + ((_S884 >> (8U * (_S882 % 4U))) & 255U);
+        uint _S889 = _S887->nodes_1[number_3];
+        Lobes_0 _S890 = slang_ldg_1(&_S888->lobes_0);
+        uint _S891 = __ldg((&(globalParams_0->words_0)[_S890.coverage_holes_0 + _S889 / 4U]));
+        uint total_1 = total_0 + ((_S891 >> (8U * (_S889 % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S885, CoverageTaps_0 * _S886, NodeTaps_0 * _S887, bool _S888)
+__device__ float prefiltered_hole_0(uint _S892, CoverageTaps_0 * _S893, NodeTaps_0 * _S894, bool _S895)
 {
-    Lobes_0 _S889 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S885])->lobes_0);
-    float4  _S890 = interpolate_table_0(_S887, _S889.projected_area_0 + _S889.packs_0, _S889.packs_0 + 1U);
-    float _S891 = _S890.x;
-    float _S892;
-    if(_S888)
+    Lobes_0 _S896 = slang_ldg_1(&(&(globalParams_0->fabrics_0)[_S892])->lobes_0);
+    float4  _S897 = interpolate_table_0(_S894, _S896.projected_area_0 + _S896.packs_0, _S896.packs_0 + 1U);
+    float _S898 = _S897.x;
+    float _S899;
+    if(_S895)
     {
-        _S892 = _S889.back_hole_weight_0;
+        _S899 = _S896.back_hole_weight_0;
     }
     else
     {
-        _S892 = _S889.front_hole_weight_0;
+        _S899 = _S896.front_hole_weight_0;
     }
-    float _S893 = coverage_of_holes_0(_S885, _S886);
-    return (F32_min((_S893 * _S891 * _S891 * _S892), (1.0f)));
+    float _S900 = coverage_of_holes_0(_S892, _S893);
+    return (F32_min((_S900 * _S898 * _S898 * _S899), (1.0f)));
 }
 
-__device__ Components_0 prefiltered_components_0(uint _S894, Footprint_0 * _S895, float3  _S896, float3  _S897, bool _S898)
+__device__ Components_0 prefiltered_components_0(uint _S901, Footprint_0 * _S902, float3  _S903, float3  _S904, bool _S905)
 {
-    Fabric_0 * _S899 = (&(globalParams_0->fabrics_0)[_S894]);
-    CoverageTaps_0 _S900 = coverage_taps_0(_S894, _S895, _S898);
-    NodeTaps_0 _S901 = node_taps_0(_S897);
-    NodeTaps_0 view_nodes_0 = _S901;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S896);
-    NodeTaps_0 seen_nodes_0 = _S901;
-    uint _S902;
-    if(_S898)
+    Fabric_0 * _S906 = (&(globalParams_0->fabrics_0)[_S901]);
+    CoverageTaps_0 _S907 = coverage_taps_0(_S901, _S902, _S905);
+    NodeTaps_0 _S908 = node_taps_0(_S904);
+    NodeTaps_0 view_nodes_0 = _S908;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S903);
+    NodeTaps_0 seen_nodes_0 = _S908;
+    uint _S909;
+    if(_S905)
     {
-        _S902 = 1U;
+        _S909 = 1U;
     }
     else
     {
-        _S902 = 0U;
+        _S909 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S902 * 256U);
-    uint _S903 = 2U * _S902;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S903 * 256U);
-    uint _S904;
-    if((_S896.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S909 * 256U);
+    uint _S910 = 2U * _S909;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S910 * 256U);
+    uint _S911;
+    if((_S903.z) < 0.0f)
     {
-        _S904 = 1U;
-    }
-    else
-    {
-        _S904 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S903 + _S904) * 256U);
-    float3  _S905 = half_vector_0(_S896, _S897);
-    float3  _S906 = shadow_correlation_0(_S896, _S897);
-    if(_S898)
-    {
-        Lobes_0 _S907 = slang_ldg_1(&_S899->lobes_0);
-        _S904 = _S907.back_warp_packs_0;
+        _S911 = 1U;
     }
     else
     {
-        Lobes_0 _S908 = slang_ldg_1(&_S899->lobes_0);
-        _S904 = _S908.front_warp_packs_0;
+        _S911 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S910 + _S911) * 256U);
+    float3  _S912 = half_vector_0(_S903, _S904);
+    float3  _S913 = shadow_correlation_0(_S903, _S904);
+    if(_S905)
+    {
+        Lobes_0 _S914 = slang_ldg_1(&_S906->lobes_0);
+        _S911 = _S914.back_warp_packs_0;
+    }
+    else
+    {
+        Lobes_0 _S915 = slang_ldg_1(&_S906->lobes_0);
+        _S911 = _S915.front_warp_packs_0;
     }
     Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3677,44 +3822,44 @@ __device__ Components_0 prefiltered_components_0(uint _S894, Footprint_0 * _S895
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S909 = slang_ldg_1(&_S899->lobes_0);
-        if(pack_0 < (_S909.packs_0))
+        Lobes_0 _S916 = slang_ldg_1(&_S906->lobes_0);
+        if(pack_0 < (_S916.packs_0))
         {
         }
         else
         {
             break;
         }
-        CoverageTaps_0 _S910 = _S900;
-        float4  _S911 = coverage_of_pack_0(_S894, &_S910, pack_0);
-        uint _S912 = _S909.projected_area_0 + pack_0;
-        uint _S913 = _S909.packs_0 + 1U;
-        NodeTaps_0 _S914 = view_nodes_0;
-        float4  _S915 = interpolate_table_0(&_S914, _S912, _S913);
-        uint _S916 = _S909.light_visibility_0 + pack_0;
-        NodeTaps_0 _S917 = seen_nodes_0;
-        float4  _S918 = interpolate_table_0(&_S917, _S916, _S909.packs_0);
-        float4  _S919 = _S918 / make_float4 (255.0f);
-        NodeTaps_0 _S920 = light_nodes_0;
-        float4  _S921 = interpolate_table_0(&_S920, _S916, _S909.packs_0);
-        float4  _S922 = _S921 / make_float4 (255.0f);
-        uint _S923 = _S909.irradiance_0 + pack_0;
-        NodeTaps_0 _S924 = light_nodes_0;
-        float4  _S925 = interpolate_table_0(&_S924, _S923, _S909.packs_0);
-        float4  _S926 = _S925 * make_float4 (0.00124827399849892f);
-        bool _S927 = pack_0 < _S904;
-        uint _S928;
-        if(_S927)
+        CoverageTaps_0 _S917 = _S907;
+        float4  _S918 = coverage_of_pack_0(_S901, &_S917, pack_0);
+        uint _S919 = _S916.projected_area_0 + pack_0;
+        uint _S920 = _S916.packs_0 + 1U;
+        NodeTaps_0 _S921 = view_nodes_0;
+        float4  _S922 = interpolate_table_0(&_S921, _S919, _S920);
+        uint _S923 = _S916.light_visibility_0 + pack_0;
+        NodeTaps_0 _S924 = seen_nodes_0;
+        float4  _S925 = interpolate_table_0(&_S924, _S923, _S916.packs_0);
+        float4  _S926 = _S925 / make_float4 (255.0f);
+        NodeTaps_0 _S927 = light_nodes_0;
+        float4  _S928 = interpolate_table_0(&_S927, _S923, _S916.packs_0);
+        float4  _S929 = _S928 / make_float4 (255.0f);
+        uint _S930 = _S916.irradiance_0 + pack_0;
+        NodeTaps_0 _S931 = light_nodes_0;
+        float4  _S932 = interpolate_table_0(&_S931, _S930, _S916.packs_0);
+        float4  _S933 = _S932 * make_float4 (0.00124827399849892f);
+        bool _S934 = pack_0 < _S911;
+        uint _S935;
+        if(_S934)
         {
-            uint _S929 = __ldg(&_S899->warp_0);
-            _S928 = _S929;
+            uint _S936 = __ldg(&_S906->warp_0);
+            _S935 = _S936;
         }
         else
         {
-            uint _S930 = __ldg(&_S899->weft_0);
-            _S928 = _S930;
+            uint _S937 = __ldg(&_S906->weft_0);
+            _S935 = _S937;
         }
-        Family_0 _S931 = slang_ldg_2((&(globalParams_0->families_0)[_S928]));
+        Family_0 _S938 = slang_ldg_2((&(globalParams_0->families_0)[_S935]));
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3727,355 +3872,371 @@ __device__ Components_0 prefiltered_components_0(uint _S894, Footprint_0 * _S895
             {
                 break;
             }
-            Group_0 _S932 = group_at_0(_S909.moments_0 + 12U * (4U * (_S902 * _S909.packs_0 + pack_0) + number_4), _S931.roughness_0);
-            float _S933 = _slang_vector_get_element(_S911, number_4) * _slang_vector_get_element(_S915, number_4) * _slang_vector_get_element(_S915, number_4) * _S932.weight_1;
-            uint _S934 = number_4;
-            float2  _S935 = visibility_gain_0(_S906, _slang_vector_get_element(_S922, number_4), _slang_vector_get_element(_S919, number_4));
-            float _S936 = __ldg(&_S899->optical_depth_0);
-            Group_0 _S937 = _S932;
-            float _S938 = layer_value_0(&_S937, _S905, _S896, _S897, _S936);
-            float _S939 = _S935.x;
-            float diffuse_1 = diffuse_0 + _S933 * _slang_vector_get_element(_S926, number_4) * _S939;
-            float specular_1 = specular_0 + _S933 * _S938 * _slang_vector_get_element(_S922, _S934) * _S935.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S933 * _slang_vector_get_element(_S922, _S934) * _S939;
-            float total_3 = total_2 + _S933;
+            Group_0 _S939 = group_at_0(_S916.moments_0 + 12U * (4U * (_S909 * _S916.packs_0 + pack_0) + number_4), _S938.roughness_0);
+            float _S940 = _slang_vector_get_element(_S918, number_4) * _slang_vector_get_element(_S922, number_4) * _slang_vector_get_element(_S922, number_4) * _S939.weight_1;
+            uint _S941 = number_4;
+            float2  _S942 = visibility_gain_0(_S913, _slang_vector_get_element(_S929, number_4), _slang_vector_get_element(_S926, number_4));
+            float _S943 = __ldg(&_S906->optical_depth_0);
+            Group_0 _S944 = _S939;
+            float _S945 = layer_value_0(&_S944, _S912, _S903, _S904, _S943);
+            float _S946 = _S942.x;
+            float diffuse_1 = diffuse_0 + _S940 * _slang_vector_get_element(_S933, number_4) * _S946;
+            float specular_1 = specular_0 + _S940 * _S945 * _slang_vector_get_element(_S929, _S941) * _S942.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S940 * _slang_vector_get_element(_S929, _S941) * _S946;
+            float total_3 = total_2 + _S940;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S940;
-        if(_S927)
+        float _S947;
+        if(_S934)
         {
-            _S940 = diffuse_0;
+            _S947 = diffuse_0;
         }
         else
         {
-            _S940 = 0.0f;
+            _S947 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S940;
-        float _S941;
-        if(_S927)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S947;
+        float _S948;
+        if(_S934)
         {
-            _S941 = 0.0f;
+            _S948 = 0.0f;
         }
         else
         {
-            _S941 = diffuse_0;
+            _S948 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S941;
-        float _S942;
-        if(_S927)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S948;
+        float _S949;
+        if(_S934)
         {
-            _S942 = specular_0;
+            _S949 = specular_0;
         }
         else
         {
-            _S942 = 0.0f;
+            _S949 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S942;
-        float _S943;
-        if(_S927)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S949;
+        float _S950;
+        if(_S934)
         {
-            _S943 = 0.0f;
+            _S950 = 0.0f;
         }
         else
         {
-            _S943 = specular_0;
+            _S950 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S943;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S950;
         pack_0 = pack_0 + 1U;
     }
-    CoverageTaps_0 _S944 = _S900;
-    NodeTaps_0 _S945 = view_nodes_0;
-    float _S946 = prefiltered_hole_0(_S894, &_S944, &_S945, _S898);
-    (&sums_1)->hole_2 = _S946;
-    float _S947 = (1.0f - _S946) / (F32_max((total_2), (9.999999960041972e-13f)));
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S947;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S947;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S947;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S947;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S947;
+    CoverageTaps_0 _S951 = _S907;
+    NodeTaps_0 _S952 = view_nodes_0;
+    float _S953 = prefiltered_hole_0(_S901, &_S951, &_S952, _S905);
+    (&sums_1)->hole_2 = _S953;
+    float _S954 = (1.0f - _S953) / (F32_max((total_2), (9.999999960041972e-13f)));
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S954;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S954;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S954;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S954;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S954;
     return sums_1;
 }
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S948, Footprint_0 * _S949, bool _S950)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S955, Footprint_0 * _S956, bool _S957)
 {
-    Fabric_0 * _S951 = (&(globalParams_0->fabrics_0)[_S948]);
-    float2  _S952 = sqrt_0(_S949->dx_0 * _S949->dx_0 + _S949->dy_0 * _S949->dy_0);
-    uint _S953 = __ldg(&_S951->warp_0);
-    float2  _S954 = _S949->centre_0;
-    Stretch_0 _S955 = stretch_of_0(_S953, _S949->centre_0.x, _S952.x);
-    uint _S956 = __ldg(&_S951->weft_0);
-    Stretch_0 _S957 = stretch_of_0(_S956, _S954.y, _S952.y);
+    Fabric_0 * _S958 = (&(globalParams_0->fabrics_0)[_S955]);
+    float2  _S959 = sqrt_0(_S956->dx_0 * _S956->dx_0 + _S956->dy_0 * _S956->dy_0);
+    uint _S960 = __ldg(&_S958->warp_0);
+    float2  _S961 = _S956->centre_0;
+    Stretch_0 _S962 = stretch_of_0(_S960, _S956->centre_0.x, _S959.x);
+    uint _S963 = __ldg(&_S958->weft_0);
+    Stretch_0 _S964 = stretch_of_0(_S963, _S961.y, _S959.y);
     FamilyAlbedos_0 albedos_8;
-    Stretch_0 _S958 = _S955;
-    Stretch_0 _S959 = _S957;
-    Albedos_0 _S960 = mean_albedos_0(_S953, _S956, &_S958, &_S959, _S950);
-    (&albedos_8)->warp_2 = _S960;
-    Stretch_0 _S961 = _S957;
-    Stretch_0 _S962 = _S955;
-    Albedos_0 _S963 = mean_albedos_0(_S956, _S953, &_S961, &_S962, _S950);
-    (&albedos_8)->weft_2 = _S963;
+    Stretch_0 _S965 = _S962;
+    Stretch_0 _S966 = _S964;
+    Albedos_0 _S967 = mean_albedos_0(_S960, _S963, &_S965, &_S966, _S957);
+    (&albedos_8)->warp_2 = _S967;
+    Stretch_0 _S968 = _S964;
+    Stretch_0 _S969 = _S962;
+    Albedos_0 _S970 = mean_albedos_0(_S963, _S960, &_S968, &_S969, _S957);
+    (&albedos_8)->weft_2 = _S970;
     return albedos_8;
 }
 
-__device__ Estimate_0 lobes_estimate_0(uint _S964, Footprint_0 * _S965, float _S966, float3  _S967, float3  _S968)
+__device__ Estimate_0 lobes_estimate_of_pass_0(uint _S971, Footprint_0 * _S972, float _S973, float2  _S974, float3  _S975, float3  _S976)
 {
-    float _S969;
-    Fabric_0 * _S970 = (&(globalParams_0->fabrics_0)[_S964]);
-    Regime_0 _S971 = regime_of_0(_S964, _S965, _S966);
-    bool _S972 = (_S968.z) < 0.0f;
-    float3  _S973 = to_face_frame_0(_S968, _S972);
-    float _S974 = __ldg(&_S970->fibre_noise_0);
-    bool _S975;
-    if(_S974 > 0.0f)
-    {
-        _S975 = true;
-    }
-    else
-    {
-        float _S976 = __ldg(&_S970->colour_noise_0);
-        _S975 = _S976 > 0.0f;
-    }
-    uint _S977 = __ldg(&_S970->warp_0);
-    Family_0 _S978 = slang_ldg_2((&(globalParams_0->families_0)[_S977]));
-    bool _S979;
-    if((_S978.quantities_0) > 1U)
-    {
-        _S979 = true;
-    }
-    else
-    {
-        uint _S980 = __ldg(&_S970->weft_0);
-        Family_0 _S981 = slang_ldg_2((&(globalParams_0->families_0)[_S980]));
-        _S979 = (_S981.quantities_0) > 1U;
-    }
-    float _S982 = 1.0f - _S971.prefiltered_0;
+    float _S977;
+    Fabric_0 * _S978 = (&(globalParams_0->fabrics_0)[_S971]);
+    Regime_0 _S979 = regime_of_0(_S971, _S972, _S973);
+    bool _S980 = (_S976.z) < 0.0f;
+    float3  _S981 = to_face_frame_0(_S976, _S980);
+    float _S982 = __ldg(&_S978->fibre_noise_0);
+    bool _S983;
     if(_S982 > 0.0f)
     {
-        if(_S975)
+        _S983 = true;
+    }
+    else
+    {
+        float _S984 = __ldg(&_S978->colour_noise_0);
+        _S983 = _S984 > 0.0f;
+    }
+    uint _S985 = __ldg(&_S978->warp_0);
+    Family_0 _S986 = slang_ldg_2((&(globalParams_0->families_0)[_S985]));
+    bool _S987;
+    if((_S986.quantities_0) > 1U)
+    {
+        _S987 = true;
+    }
+    else
+    {
+        uint _S988 = __ldg(&_S978->weft_0);
+        Family_0 _S989 = slang_ldg_2((&(globalParams_0->families_0)[_S988]));
+        _S987 = (_S989.quantities_0) > 1U;
+    }
+    float _S990 = 1.0f - _S979.prefiltered_0;
+    if(_S990 > 0.0f)
+    {
+        if(_S983)
         {
-            _S979 = true;
+            _S987 = true;
         }
     }
     else
     {
-        _S979 = false;
+        _S987 = false;
     }
-    Footprint_0 box_0 = *_S965;
-    float3  _S983 = make_float3 (0.0f);
-    SurfacePoint_0 _S984 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S983, _S983, 0.0f, 0.0f, 0.0f);
-    float2  _S985 = _S965->centre_0;
-    Components_0 _S986 = no_components_0();
-    int _S987;
-    if(_S979)
+    Footprint_0 box_0 = *_S972;
+    float3  _S991 = make_float3 (0.0f);
+    SurfacePoint_0 _S992 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S991, _S991, 0.0f, 0.0f, 0.0f);
+    float2  _S993 = _S972->centre_0;
+    Components_0 _S994 = no_components_0();
+    int _S995;
+    if(_S987)
     {
-        _S987 = int(0);
+        _S995 = int(0);
     }
     else
     {
-        _S987 = int(1);
+        _S995 = int(1);
     }
-    uint _S988 = uint(_S987);
-    Components_0 points_1 = _S986;
+    uint _S996 = uint(_S995);
+    Components_0 points_2 = _S994;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S984;
-    float2  central_place_0 = _S985;
-    uint number_5 = _S988;
+    SurfacePoint_0 central_0 = _S992;
+    float2  central_place_0 = _S993;
+    uint number_5 = _S996;
     for(;;)
     {
-        float _S989 = float(number_5);
-        _S969 = _S971.points_0;
-        if(_S989 < (_S971.points_0 + 1.0f))
+        float _S997 = float(number_5);
+        _S977 = _S979.points_1;
+        if(_S997 < (_S979.points_1 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S990 = number_5 == 0U;
-        float2  _S991;
-        if(_S990)
+        bool _S998 = number_5 == 0U;
+        uint _S999;
+        if(_S998)
         {
-            _S991 = make_float2 (0.0f);
+            _S999 = 0U;
         }
         else
         {
-            _S991 = POINT_OFFSETS_0[number_5 - 1U];
+            _S999 = number_5 - 1U;
         }
-        float2  _S992 = _S985 + make_float2 (_S991.x) * _S965->dx_0 + make_float2 (_S991.y) * _S965->dy_0;
-        float _S993;
-        if(_S990)
+        float2  _S1000 = POINT_OFFSETS_0[_S999] + _S974;
+        float2  _S1001;
+        if(_S998)
         {
-            _S993 = 0.0f;
+            _S1001 = make_float2 (0.0f);
         }
         else
         {
-            _S993 = _S971.threads_1;
+            _S1001 = _S1000 - round_0(_S1000);
         }
-        SearchQuality_0 _S994 = quality_of_0(_S993);
-        float _S995 = _S992.x;
-        float _S996 = _S992.y;
-        SearchQuality_0 _S997 = _S994;
-        Hit_0 _S998 = first_hit_0(_S964, &_S997, _S995, _S996, _S973, _S972);
-        SurfacePoint_0 _S999 = surface_at_0(_S964, _S998.x_27, _S998.y_16, _S972);
-        if(_S990)
+        float2  _S1002 = _S993 + make_float2 (_S1001.x) * _S972->dx_0 + make_float2 (_S1001.y) * _S972->dy_0;
+        float _S1003;
+        if(_S998)
+        {
+            _S1003 = 0.0f;
+        }
+        else
+        {
+            _S1003 = _S979.threads_1;
+        }
+        SearchQuality_0 _S1004 = quality_of_0(_S1003);
+        float _S1005 = _S1002.x;
+        float _S1006 = _S1002.y;
+        SearchQuality_0 _S1007 = _S1004;
+        Hit_0 _S1008 = first_hit_0(_S971, &_S1007, _S1005, _S1006, _S981, _S980);
+        SurfacePoint_0 _S1009 = surface_at_0(_S971, _S1008.x_29, _S1008.y_17, _S980);
+        if(_S998)
         {
             float central_weight_1;
-            if(_S998.hole_5)
+            if(_S1008.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S982;
+                central_weight_1 = _S990;
             }
-            float2  central_place_1 = make_float2 (_S998.x_27, _S998.y_16);
-            (&box_0)->centre_0 = lerp_2(_S985, central_place_1, make_float2 (central_weight_1));
+            float2  central_place_1 = make_float2 (_S1008.x_29, _S1008.y_17);
+            (&box_0)->centre_0 = lerp_2(_S993, central_place_1, make_float2 (central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S999;
+            central_0 = _S1009;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        SurfacePoint_0 _S1000 = _S999;
-        YarnPoint_0 _S1001 = yarn_point_of_0(_S964, &_S1000, _S998.x_27, _S998.y_16, _S972, _S998.hole_5);
-        SearchQuality_0 _S1002 = _S994;
-        YarnPoint_0 _S1003 = _S1001;
-        Components_0 _S1004 = components_of_point_0(_S964, &_S1002, &_S1003, _S967, _S968);
-        float _S1005 = (F32_min((_S971.points_0 - float(number_5 - 1U)), (1.0f)));
-        Components_0 _S1006 = points_1;
-        Components_0 _S1007 = _S1004;
-        Components_0 _S1008 = with_added_0(&_S1006, &_S1007, _S1005);
-        points_1 = _S1008;
+        SurfacePoint_0 _S1010 = _S1009;
+        YarnPoint_0 _S1011 = yarn_point_of_0(_S971, &_S1010, _S1008.x_29, _S1008.y_17, _S980, _S1008.hole_5);
+        SearchQuality_0 _S1012 = _S1004;
+        YarnPoint_0 _S1013 = _S1011;
+        Components_0 _S1014 = components_of_point_0(_S971, &_S1012, &_S1013, _S975, _S976);
+        float _S1015 = (F32_min((_S979.points_1 - float(number_5 - 1U)), (1.0f)));
+        Components_0 _S1016 = points_2;
+        Components_0 _S1017 = _S1014;
+        Components_0 _S1018 = with_added_0(&_S1016, &_S1017, _S1015);
+        points_2 = _S1018;
         number_5 = number_5 + 1U;
     }
     Estimate_0 estimate_0;
-    float _S1009 = _S982 / (F32_max((_S969), (1.0f)));
-    Components_0 _S1010 = _S986;
-    Components_0 _S1011 = points_1;
-    Components_0 _S1012 = with_added_0(&_S1010, &_S1011, _S1009);
-    (&estimate_0)->components_0 = _S1012;
-    if((_S971.prefiltered_0) > 0.0f)
+    float _S1019 = _S990 / (F32_max((_S977), (1.0f)));
+    Components_0 _S1020 = _S994;
+    Components_0 _S1021 = points_2;
+    Components_0 _S1022 = with_added_0(&_S1020, &_S1021, _S1019);
+    (&estimate_0)->components_0 = _S1022;
+    if((_S979.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1013 = prefiltered_components_0(_S964, _S965, to_face_frame_0(_S967, _S972), _S973, _S972);
-        Components_0 _S1014 = (&estimate_0)->components_0;
-        Components_0 _S1015 = _S1013;
-        Components_0 _S1016 = with_added_0(&_S1014, &_S1015, _S971.prefiltered_0);
-        (&estimate_0)->components_0 = _S1016;
+        Components_0 _S1023 = prefiltered_components_0(_S971, _S972, to_face_frame_0(_S975, _S980), _S981, _S980);
+        Components_0 _S1024 = (&estimate_0)->components_0;
+        Components_0 _S1025 = _S1023;
+        Components_0 _S1026 = with_added_0(&_S1024, &_S1025, _S979.prefiltered_0);
+        (&estimate_0)->components_0 = _S1026;
     }
-    Footprint_0 _S1017 = box_0;
-    FamilyAlbedos_0 _S1018 = albedos_over_0(_S964, &_S1017, _S972);
-    (&estimate_0)->albedos_4 = _S1018;
-    if(_S975)
+    Footprint_0 _S1027 = box_0;
+    FamilyAlbedos_0 _S1028 = albedos_over_0(_S971, &_S1027, _S980);
+    (&estimate_0)->albedos_4 = _S1028;
+    if(_S983)
     {
-        _S975 = central_weight_0 > 0.0f;
+        _S983 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S975 = false;
+        _S983 = false;
     }
-    if(_S975)
+    if(_S983)
     {
-        SurfacePoint_0 _S1019 = central_0;
-        Albedos_0 _S1020;
+        SurfacePoint_0 _S1029 = central_0;
+        Albedos_0 _S1030;
         if(central_0.is_warp_0)
         {
-            _S1020 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S1030 = (&(&estimate_0)->albedos_4)->warp_2;
         }
         else
         {
-            _S1020 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S1030 = (&(&estimate_0)->albedos_4)->weft_2;
         }
-        float _S1021 = central_place_0.x;
-        float _S1022 = central_place_0.y;
-        SurfacePoint_0 _S1023 = central_0;
-        Albedos_0 _S1024 = _S1020;
-        Albedos_0 _S1025 = varied_at_0(_S964, &_S1023, &_S1024, _S1021, _S1022);
-        Albedos_0 _S1026 = _S1020;
-        Albedos_0 _S1027 = _S1025;
-        Albedos_0 _S1028 = lerp_albedos_0(&_S1026, &_S1027, central_weight_0);
-        if(_S1019.is_warp_0)
+        float _S1031 = central_place_0.x;
+        float _S1032 = central_place_0.y;
+        SurfacePoint_0 _S1033 = central_0;
+        Albedos_0 _S1034 = _S1030;
+        Albedos_0 _S1035 = varied_at_0(_S971, &_S1033, &_S1034, _S1031, _S1032);
+        Albedos_0 _S1036 = _S1030;
+        Albedos_0 _S1037 = _S1035;
+        Albedos_0 _S1038 = lerp_albedos_0(&_S1036, &_S1037, central_weight_0);
+        if(_S1029.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S1028;
+            (&(&estimate_0)->albedos_4)->warp_2 = _S1038;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S1028;
+            (&(&estimate_0)->albedos_4)->weft_2 = _S1038;
         }
     }
     return estimate_0;
 }
 
-__device__ float3  composed_0(uint _S1029, Components_0 * _S1030, FamilyAlbedos_0 * _S1031, float3  _S1032, float3  _S1033)
+__device__ Estimate_0 lobes_estimate_0(uint _S1039, Footprint_0 * _S1040, float _S1041, float3  _S1042, float3  _S1043)
 {
-    Fabric_0 * _S1034 = (&(globalParams_0->fabrics_0)[_S1029]);
-    float _S1035 = _S1030->diffuse_warp_0;
-    float _S1036 = _S1030->diffuse_weft_0;
-    float _S1037 = _S1030->specular_warp_0;
-    float _S1038 = _S1030->specular_weft_0;
-    float3  _S1039 = (&_S1031->warp_2)->diffuse_reflect_0 * make_float3 (_S1030->diffuse_warp_0) + (&_S1031->weft_2)->diffuse_reflect_0 * make_float3 (_S1030->diffuse_weft_0) + (&_S1031->warp_2)->specular_reflect_0 * make_float3 (_S1030->specular_warp_0) + (&_S1031->weft_2)->specular_reflect_0 * make_float3 (_S1030->specular_weft_0);
-    float _S1040 = _S1033.z;
+    Estimate_0 _S1044 = lobes_estimate_of_pass_0(_S1039, _S1040, _S1041, make_float2 (0.0f), _S1042, _S1043);
+    return _S1044;
+}
+
+__device__ float3  composed_0(uint _S1045, Components_0 * _S1046, FamilyAlbedos_0 * _S1047, float3  _S1048, float3  _S1049)
+{
+    Fabric_0 * _S1050 = (&(globalParams_0->fabrics_0)[_S1045]);
+    float _S1051 = _S1046->diffuse_warp_0;
+    float _S1052 = _S1046->diffuse_weft_0;
+    float _S1053 = _S1046->specular_warp_0;
+    float _S1054 = _S1046->specular_weft_0;
+    float3  _S1055 = (&_S1047->warp_2)->diffuse_reflect_0 * make_float3 (_S1046->diffuse_warp_0) + (&_S1047->weft_2)->diffuse_reflect_0 * make_float3 (_S1046->diffuse_weft_0) + (&_S1047->warp_2)->specular_reflect_0 * make_float3 (_S1046->specular_warp_0) + (&_S1047->weft_2)->specular_reflect_0 * make_float3 (_S1046->specular_weft_0);
+    float _S1056 = _S1049.z;
     float3  body_0;
-    if((_S1032.z * _S1040) < 0.0f)
+    if((_S1048.z * _S1056) < 0.0f)
     {
-        body_0 = (&_S1031->warp_2)->diffuse_transmit_0 * make_float3 (_S1035) + (&_S1031->weft_2)->diffuse_transmit_0 * make_float3 (_S1036) + (&_S1031->warp_2)->specular_transmit_0 * make_float3 (_S1037) + (&_S1031->weft_2)->specular_transmit_0 * make_float3 (_S1038);
+        body_0 = (&_S1047->warp_2)->diffuse_transmit_0 * make_float3 (_S1051) + (&_S1047->weft_2)->diffuse_transmit_0 * make_float3 (_S1052) + (&_S1047->warp_2)->specular_transmit_0 * make_float3 (_S1053) + (&_S1047->weft_2)->specular_transmit_0 * make_float3 (_S1054);
     }
     else
     {
-        body_0 = _S1039;
+        body_0 = _S1055;
     }
-    float _S1041 = __ldg(&_S1034->sheen_strength_0);
-    if(_S1041 <= 0.0f)
+    float _S1057 = __ldg(&_S1050->sheen_strength_0);
+    if(_S1057 <= 0.0f)
     {
         return body_0;
     }
-    bool _S1042 = _S1040 < 0.0f;
-    float3  _S1043 = to_face_frame_0(_S1032, _S1042);
-    float3  _S1044 = to_face_frame_0(_S1033, _S1042);
-    float _S1045 = __ldg(&_S1034->sheen_roughness_0);
-    float2  _S1046 = sheen_with_transmittance_0(_S1043, _S1044, _S1041, _S1045);
-    return make_float3 (_S1046.y) * body_0 + make_float3 ((_S1030->light_visibility_1 + _S1030->hole_2) * _S1046.x);
+    bool _S1058 = _S1056 < 0.0f;
+    float3  _S1059 = to_face_frame_0(_S1048, _S1058);
+    float3  _S1060 = to_face_frame_0(_S1049, _S1058);
+    float _S1061 = __ldg(&_S1050->sheen_roughness_0);
+    float2  _S1062 = sheen_with_transmittance_0(_S1059, _S1060, _S1057, _S1061);
+    return make_float3 (_S1062.y) * body_0 + make_float3 ((_S1046->light_visibility_1 + _S1046->hole_2) * _S1062.x);
 }
 
-__device__ float4  cloth_value_0(uint fabric_1, float2  centre_2, float2  dx_1, float2  dy_1, float3  light_9, float3  view_8)
+__device__ float4  cloth_value_0(uint fabric_2, float2  centre_2, float2  dx_1, float2  dy_1, float3  light_9, float3  view_8)
 {
     Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_2;
     (&footprint_0)->dx_0 = dx_1;
     (&footprint_0)->dy_0 = dy_1;
-    Footprint_0 _S1047 = footprint_0;
-    Estimate_0 _S1048 = lobes_estimate_0(fabric_1, &_S1047, 1.0f, light_9, view_8);
-    Components_0 _S1049 = _S1048.components_0;
-    FamilyAlbedos_0 _S1050 = _S1048.albedos_4;
-    float3  _S1051 = composed_0(fabric_1, &_S1049, &_S1050, light_9, view_8);
-    float _S1052 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_1])->sheen_strength_0);
+    Footprint_0 _S1063 = footprint_0;
+    Estimate_0 _S1064 = lobes_estimate_0(fabric_2, &_S1063, 1.0f, light_9, view_8);
+    Components_0 _S1065 = _S1064.components_0;
+    FamilyAlbedos_0 _S1066 = _S1064.albedos_4;
+    float3  _S1067 = composed_0(fabric_2, &_S1065, &_S1066, light_9, view_8);
+    float _S1068 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
     float through_0;
-    if(_S1052 > 0.0f)
+    if(_S1068 > 0.0f)
     {
-        float _S1053 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_1])->sheen_strength_0);
-        float _S1054 = (F32_abs((view_8.z)));
-        float _S1055 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_1])->sheen_roughness_0);
-        through_0 = _S1048.components_0.hole_2 * (1.0f - _S1053 * sheen_lobe_0(_S1054, _S1055).z);
+        float _S1069 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_strength_0);
+        float _S1070 = (F32_abs((view_8.z)));
+        float _S1071 = __ldg(&(&(globalParams_0->fabrics_0)[fabric_2])->sheen_roughness_0);
+        through_0 = _S1064.components_0.hole_2 * (1.0f - _S1069 * sheen_lobe_0(_S1070, _S1071).z);
     }
     else
     {
-        through_0 = _S1048.components_0.hole_2;
+        through_0 = _S1064.components_0.hole_2;
     }
-    return make_float4 (_S1051.x, _S1051.y, _S1051.z, through_0);
+    return make_float4 (_S1067.x, _S1067.y, _S1067.z, through_0);
 }
 
 extern "C" __global__ void lobes_queries()
 {
-    uint _S1056 = (blockIdx * blockDim + threadIdx).x;
-    uint _S1057 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S1056 >= _S1057)
+    uint _S1072 = (blockIdx * blockDim + threadIdx).x;
+    uint _S1073 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S1072 >= _S1073)
     {
         return;
     }
-    Query_0 _S1058 = slang_ldg_0((&(globalParams_0->queries_0)[_S1056]));
-    *(&(globalParams_0->answers_0)[_S1056]) = cloth_value_0(_S1058.fabric_0, make_float2 (_S1058.centre_x_0, _S1058.centre_y_0), make_float2 (_S1058.dx_x_0, _S1058.dx_y_0), make_float2 (_S1058.dy_x_0, _S1058.dy_y_0), make_float3 (_S1058.light_x_0, _S1058.light_y_0, _S1058.light_z_0), make_float3 (_S1058.view_x_0, _S1058.view_y_0, _S1058.view_z_0));
+    Query_0 _S1074 = slang_ldg_0((&(globalParams_0->queries_0)[_S1072]));
+    *(&(globalParams_0->answers_0)[_S1072]) = cloth_value_0(_S1074.fabric_1, make_float2 (_S1074.centre_x_0, _S1074.centre_y_0), make_float2 (_S1074.dx_x_0, _S1074.dx_y_0), make_float2 (_S1074.dy_x_0, _S1074.dy_y_0), make_float3 (_S1074.light_x_0, _S1074.light_y_0, _S1074.light_z_0), make_float3 (_S1074.view_x_0, _S1074.view_y_0, _S1074.view_z_0));
     return;
 }
 

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -47,6 +74,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -102,6 +132,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -135,9 +177,72 @@ struct Vertex_0
     float v_0;
 };
 
-struct Query_0
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+struct Bake_0
 {
     uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
+struct Query_0
+{
+    uint fabric_1;
     float centre_x_0;
     float centre_y_0;
     float dx_x_0;
@@ -164,6 +269,19 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
+    StructuredBuffer<uint> scene_words_0;
+    RWStructuredBuffer<Layer_0> layers_0;
+    RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
     StructuredBuffer<Query_0> queries_0;
     StructuredBuffer<uint> query_count_0;
@@ -172,7 +290,7 @@ struct GlobalParams_0
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float dot_0(float3  x_2, float3  y_2)
+__device__ float dot_0(float3  x_3, float3  y_3)
 {
     int i_0 = int(0);
     float result_0 = 0.0f;
@@ -185,19 +303,19 @@ __device__ float dot_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        float result_1 = result_0 + _slang_vector_get_element(x_3, i_0) * _slang_vector_get_element(y_3, i_0);
         i_0 = i_0 + int(1);
         result_0 = result_1;
     }
     return result_0;
 }
 
-__device__ float length_0(float3  x_3)
+__device__ float length_0(float3  x_4)
 {
-    return (F32_sqrt((dot_0(x_3, x_3))));
+    return (F32_sqrt((dot_0(x_4, x_4))));
 }
 
-__device__ float dot_1(float2  x_4, float2  y_3)
+__device__ float dot_1(float2  x_5, float2  y_4)
 {
     int i_1 = int(0);
     float result_2 = 0.0f;
@@ -210,24 +328,24 @@ __device__ float dot_1(float2  x_4, float2  y_3)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_4, i_1) * _slang_vector_get_element(y_3, i_1);
+        float result_3 = result_2 + _slang_vector_get_element(x_5, i_1) * _slang_vector_get_element(y_4, i_1);
         i_1 = i_1 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float clamp_0(float x_5, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_6, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_5), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_6), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ float lerp_0(float x_6, float y_4, float s_0)
+__device__ float lerp_0(float x_7, float y_5, float s_0)
 {
-    return x_6 + (y_4 - x_6) * s_0;
+    return x_7 + (y_5 - x_7) * s_0;
 }
 
-__device__ float3  min_0(float3  x_7, float3  y_5)
+__device__ float3  min_0(float3  x_8, float3  y_6)
 {
     float3  result_4;
     int i_2 = int(0);
@@ -240,13 +358,13 @@ __device__ float3  min_0(float3  x_7, float3  y_5)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_7, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_8, i_2)), (_slang_vector_get_element(y_6, i_2))));
         i_2 = i_2 + int(1);
     }
     return result_4;
 }
 
-__device__ float3  max_0(float3  x_8, float3  y_6)
+__device__ float3  max_0(float3  x_9, float3  y_7)
 {
     float3  result_5;
     int i_3 = int(0);
@@ -259,15 +377,15 @@ __device__ float3  max_0(float3  x_8, float3  y_6)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_8, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_9, i_3)), (_slang_vector_get_element(y_7, i_3))));
         i_3 = i_3 + int(1);
     }
     return result_5;
 }
 
-__device__ float3  normalize_0(float3  x_9)
+__device__ float3  normalize_0(float3  x_10)
 {
-    return x_9 / make_float3 (length_0(x_9));
+    return x_10 / make_float3 (length_0(x_10));
 }
 
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
@@ -275,7 +393,7 @@ __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
 };
 __device__ Query_0 slang_ldg_0(Query_0 * ptr_0)
 {
-    uint _S1 = __ldg(&ptr_0->fabric_0);
+    uint _S1 = __ldg(&ptr_0->fabric_1);
     float _S2 = __ldg(&ptr_0->centre_x_0);
     float _S3 = __ldg(&ptr_0->centre_y_0);
     float _S4 = __ldg(&ptr_0->dx_x_0);
@@ -688,9 +806,9 @@ __device__ Run_0 unpack_0(uint own_0, uint other_0, uint thread_4, Cell_0 * cros
     return run_0;
 }
 
-__device__ float square_0(float x_10)
+__device__ float square_0(float x_11)
 {
-    return x_10 * x_10;
+    return x_11 * x_11;
 }
 
 struct Section_0
@@ -1166,7 +1284,7 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
     float _S170 = end_0 - start_1;
     float _S171 = start_rate_0 + end_rate_0 - 2.0f * _S170;
     float _S172 = 3.0f * _S170 - 2.0f * start_rate_0 - end_rate_0;
-    float share_0 = start_1 / (F32_max((- _S170), (9.99999968265522539e-21f)));
+    float share_1 = start_1 / (F32_max((- _S170), (9.99999968265522539e-21f)));
     int i_4 = int(0);
     for(;;)
     {
@@ -1177,12 +1295,12 @@ __device__ float cubic_root_0(float start_1, float end_0, float start_rate_0, fl
         {
             break;
         }
-        float _S173 = clamp_0(share_0 - (((_S171 * share_0 + _S172) * share_0 + start_rate_0) * share_0 + start_1) / (F32_min(((3.0f * _S171 * share_0 + 2.0f * _S172) * share_0 + start_rate_0), (0.10000000149011612f * _S170 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
+        float _S173 = clamp_0(share_1 - (((_S171 * share_1 + _S172) * share_1 + start_rate_0) * share_1 + start_1) / (F32_min(((3.0f * _S171 * share_1 + 2.0f * _S172) * share_1 + start_rate_0), (0.10000000149011612f * _S170 - 9.99999968265522539e-21f))), 0.0f, 1.0f);
         int _S174 = i_4 + int(1);
-        share_0 = _S173;
+        share_1 = _S173;
         i_4 = _S174;
     }
-    return share_0;
+    return share_1;
 }
 
 __device__ float between_0(float above_1, float under_0, float above_gap_0, float under_gap_0)
@@ -1198,9 +1316,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S177 * _S175, _S177 * across_slope_0 * along_slope_0 + cosine_0 * _S176);
 }
 
-__device__ float arc_sine_0(float x_11)
+__device__ float arc_sine_0(float x_12)
 {
-    float _S178 = (F32_abs((x_11)));
+    float _S178 = (F32_abs((x_12)));
     bool _S179 = _S178 > 0.5f;
     float _S180;
     if(_S179)
@@ -1229,7 +1347,7 @@ __device__ float arc_sine_0(float x_11)
     {
         _S180 = _S182;
     }
-    if(x_11 < 0.0f)
+    if(x_12 < 0.0f)
     {
         _S180 = - _S180;
     }
@@ -1289,9 +1407,9 @@ __device__ float bounded_gain_0(float gain_1, float3  albedo_0, float3  room_0)
     return (F32_min((gain_1), ((F32_max(((F32_min(((F32_min((_S187.x), (_S187.y)))), (_S187.z)))), (0.0f))))));
 }
 
-__device__ float natural_logarithm_0(float x_12)
+__device__ float natural_logarithm_0(float x_13)
 {
-    uint _S188 = (F32_asuint((x_12)));
+    uint _S188 = (F32_asuint((x_13)));
     float exponent_0 = float(int(_S188 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S188 & 8388607U) | 1056964608U)));
     float m_1;
@@ -1333,15 +1451,15 @@ __device__ float projected_area_1(float3  direction_2, float3  tangent_0, float 
     return (F32_sqrt(((F32_max(((roughness_1 + 1.0f) * (roughness_1 - 1.0f) * _S191 * _S191 + 1.0f), (roughness_1 * roughness_1))))));
 }
 
-__device__ float exponential_0(float x_13)
+__device__ float exponential_0(float x_14)
 {
-    float _S192 = clamp_0(x_13, -87.0f, 88.0f);
+    float _S192 = clamp_0(x_14, -87.0f, 88.0f);
     float _S193 = (F32_floor((_S192 * 1.4426950216293335f + 0.5f)));
     float _S194 = _S192 - _S193 * 0.693359375f + _S193 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S194 + 0.00139819993637502f) * _S194 + 0.00833345204591751f) * _S194 + 0.04166579619050026f) * _S194 + 0.1666666567325592f) * _S194 + 0.5f;
     float _S195 = (U32_asfloat((uint(int(_S193) + int(127)) << int(23))));
     float _S196;
-    if(x_13 < -87.0f)
+    if(x_14 < -87.0f)
     {
         _S196 = 0.0f;
     }
@@ -1426,19 +1544,19 @@ __device__ float transmission_0(float3  light_3, float3  view_2, float3  normal_
     return density_between_0(light_3, view_2, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S211), (_S212)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S211 - _S212)))) * _S210;
 }
 
-__device__ float sheen_scale_0(float x_14, float y_7)
+__device__ float sheen_scale_0(float x_15, float y_8)
 {
-    return (((((0.0f * x_14 + (((((-1.1402510404586792f * y_7 + 0.40672621130943298f) * y_7 + 1.65398800373077393f) * y_7 + -1.29730904102325439f) * y_7 + 0.30570998787879944f) * y_7 + -0.0220868494361639f)) * x_14 + (((((-0.21142719686031342f * y_7 + 1.05947399139404297f) * y_7 + -0.41116121411323547f) * y_7 + -0.93859231472015381f) * y_7 + 0.51606941223144531f) * y_7 + 0.05409301072359085f)) * x_14 + (((((1.22944498062133789f * y_7 + -0.45962560176849365f) * y_7 + -1.63861405849456787f) * y_7 + 1.33565104007720947f) * y_7 + -0.45725581049919128f) * y_7 + 0.08243165910243988f)) * x_14 + (((((0.39779931306838989f * y_7 + -1.18879103660583496f) * y_7 + 0.28251591324806213f) * y_7 + 1.168984055519104f) * y_7 + -0.76864629983901978f) * y_7 + 0.0091691892594099f)) * x_14 + (((((-0.26563560962677002f * y_7 + -0.19379159808158875f) * y_7 + 0.2677634060382843f) * y_7 + 0.00270519289188087f) * y_7 + 0.14349560439586639f) * y_7 + 0.10290180146694183f)) * x_14 + (((((-0.20701569318771362f * y_7 + 0.24526430666446686f) * y_7 + 0.19551840424537659f) * y_7 + 0.07586126774549484f) * y_7 + 0.38894739747047424f) * y_7 + 0.15043120086193085f);
+    return (((((0.0f * x_15 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_15 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_15 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_15 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_15 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_15 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_15, float y_8)
+__device__ float sheen_shear_0(float x_16, float y_9)
 {
-    return ((((0.0f * x_15 + (((((-0.10608240216970444f * y_8 + 1.99214303493499756f) * y_8 + -1.42255294322967529f) * y_8 + -1.09495604038238525f) * y_8 + 0.59180057048797607f) * y_8 + 0.06902855634689331f)) * x_15 + (((((-0.46220690011978149f * y_8 + -0.29113379120826721f) * y_8 + 1.39025199413299561f) * y_8 + 0.35589990019798279f) * y_8 + -1.17120099067687988f) * y_8 + 0.15940259397029877f)) * x_15 + (((((2.26068711280822754f * y_8 + -3.64728999137878418f) * y_8 + -0.72173482179641724f) * y_8 + 3.07659196853637695f) * y_8 + -0.6827620267868042f) * y_8 + -0.3039557933807373f)) * x_15 + (((((0.81201767921447754f * y_8 + 0.36014080047607422f) * y_8 + -1.72646903991699219f) * y_8 + -0.22630110383033752f) * y_8 + 0.89514690637588501f) * y_8 + -0.10397960245609283f)) * x_15 + (((((-0.37648698687553406f * y_8 + 1.10974001884460449f) * y_8 + 0.17824520170688629f) * y_8 + -1.04968702793121338f) * y_8 + 0.1461234986782074f) * y_8 + -0.00475129019469023f);
+    return ((((0.0f * x_16 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_16 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_16 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_16 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_16 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_16, float y_9)
+__device__ float sheen_reflectance_0(float x_17, float y_10)
 {
-    return ((((0.0f * x_16 + (((((12.95646953582763672f * y_9 + -21.38032913208007812f) * y_9 + -7.37853097915649414f) * y_9 + 34.55607986450195312f) * y_9 + -23.61347007751464844f) * y_9 + 5.00126314163208008f)) * x_16 + (((((10.91487026214599609f * y_9 + -6.08202791213989258f) * y_9 + -38.2036285400390625f) * y_9 + 53.3440399169921875f) * y_9 + -21.91996002197265625f) * y_9 + 2.01606011390686035f)) * x_16 + (((((-14.52206039428710938f * y_9 + 36.803619384765625f) * y_9 + -22.94047927856445312f) * y_9 + -10.07973003387451172f) * y_9 + 15.77003955841064453f) * y_9 + -4.92722177505493164f)) * x_16 + (((((-7.62505722045898438f * y_9 + 1.27310299873352051f) * y_9 + 31.19523048400878906f) * y_9 + -44.39989852905273438f) * y_9 + 26.44947052001953125f) * y_9 + -8.73507976531982422f)) * x_16 + (((((5.65633487701416016f * y_9 + -17.66820907592773438f) * y_9 + 24.65356063842773438f) * y_9 + -19.38941001892089844f) * y_9 + 11.06159019470214844f) * y_9 + -3.06573700904846191f);
+    return ((((0.0f * x_17 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_17 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_17 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_17 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_17 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_6)
@@ -1494,8 +1612,8 @@ struct YarnPoint_0
     bool back_2;
     bool hole_2;
     bool is_warp_1;
-    float x_17;
-    float y_10;
+    float x_18;
+    float y_11;
     float height_3;
     float3  normal_3;
     float3  tangent_4;
@@ -1505,8 +1623,8 @@ struct YarnPoint_0
 
 struct Hit_0
 {
-    float x_18;
-    float y_11;
+    float x_19;
+    float y_12;
     bool hole_3;
     float height_4;
 };
@@ -1534,7 +1652,7 @@ __device__ Crossing_0 crossing_at_0(uint _S226, float _S227, float _S228, bool _
     (&crossing_2)->weft_1 = locate_0(_S232, _S228);
     uint _S233 = __ldg(&_S230->run_words_0);
     uint _S234 = (&(&crossing_2)->weft_1)->thread_0;
-    uint _S235 = __ldg(&_S230->ends_0);
+    uint _S235 = __ldg(&_S230->ends_1);
     uint _S236 = _S233 + 2U * (_S234 * _S235 + (&(&crossing_2)->warp_1)->thread_0);
     uint _S237 = __ldg((&(globalParams_0->words_0)[_S236]));
     (&crossing_2)->warp_word_0 = _S237;
@@ -2282,39 +2400,47 @@ __device__ float refined_height_0(uint _S448, ViewRay_0 * _S449, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S470, SearchQuality_0 * _S471, float _S472, float _S473, float3  _S474, bool _S475)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S470, SearchQuality_0 * _S471, float _S472, float _S473, float3  _S474, bool _S475)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_18 = _S472;
-    (&hit_0)->y_11 = _S473;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S476 = passes_through_0(_S470, _S471, _S472, _S473, _S474, _S475);
-    (&hit_0)->hole_3 = _S476;
-    if(_S476)
-    {
-        return hit_0;
-    }
-    float _S477 = (F32_max((_S474.z), (0.00009999999747379f)));
+    float _S476 = (F32_max((_S474.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S472, _S473);
-    float2  _S478 = float2 {_S474.x, _S474.y} / make_float2 (_S477);
-    (&ray_0)->slope_1 = _S478;
-    float2  _S479 = - _S478;
-    float _S480 = steps_per_length_0(_S470, _S471, _S474);
-    StepControl_0 _S481 = step_control_0(_S479, 1.0f / (F32_max((_S480 / _S477), (9.99999971718068537e-10f))));
-    ViewRay_0 _S482 = ray_0;
-    StepControl_0 _S483 = _S481;
-    ViewRayEnd_0 _S484 = search_down_0(_S470, &_S482, &_S483, _S475);
-    ViewRay_0 _S485 = ray_0;
-    StepControl_0 _S486 = _S481;
-    ViewRayEnd_0 _S487 = _S484;
-    float _S488 = refined_height_0(_S470, &_S485, &_S486, _S475, &_S487, _S471->refinements_0);
-    (&hit_0)->height_4 = _S488;
-    ViewRay_0 _S489 = ray_0;
-    float2  _S490 = ViewRay_at_0(&_S489, _S488);
-    (&hit_0)->x_18 = _S490.x;
-    (&hit_0)->y_11 = _S490.y;
+    float2  _S477 = float2 {_S474.x, _S474.y} / make_float2 (_S476);
+    (&ray_0)->slope_1 = _S477;
+    float2  _S478 = - _S477;
+    float _S479 = steps_per_length_0(_S470, _S471, _S474);
+    StepControl_0 _S480 = step_control_0(_S478, 1.0f / (F32_max((_S479 / _S476), (9.99999971718068537e-10f))));
+    ViewRay_0 _S481 = ray_0;
+    StepControl_0 _S482 = _S480;
+    ViewRayEnd_0 _S483 = search_down_0(_S470, &_S481, &_S482, _S475);
+    Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    ViewRay_0 _S484 = ray_0;
+    StepControl_0 _S485 = _S480;
+    ViewRayEnd_0 _S486 = _S483;
+    float _S487 = refined_height_0(_S470, &_S484, &_S485, _S475, &_S486, _S471->refinements_0);
+    (&hit_0)->height_4 = _S487;
+    ViewRay_0 _S488 = ray_0;
+    float2  _S489 = ViewRay_at_0(&_S488, _S487);
+    (&hit_0)->x_19 = _S489.x;
+    (&hit_0)->y_12 = _S489.y;
     return hit_0;
+}
+
+__device__ Hit_0 first_hit_0(uint _S490, SearchQuality_0 * _S491, float _S492, float _S493, float3  _S494, bool _S495)
+{
+    bool _S496 = passes_through_0(_S490, _S491, _S492, _S493, _S494, _S495);
+    if(!_S496)
+    {
+        Hit_0 _S497 = first_hit_of_yarn_0(_S490, _S491, _S492, _S493, _S494, _S495);
+        return _S497;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_19 = _S492;
+    (&hit_1)->y_12 = _S493;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2331,429 +2457,429 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-__device__ SurfacePoint_0 surface_at_0(uint _S491, float _S492, float _S493, bool _S494)
+__device__ SurfacePoint_0 surface_at_0(uint _S498, float _S499, float _S500, bool _S501)
 {
-    Fabric_0 * _S495 = (&(globalParams_0->fabrics_0)[_S491]);
-    Sample_0 _S496 = sample_at_0(_S491, _S492, _S493, _S494);
-    float _S497;
-    if(_S496.shown_3.is_warp_0)
+    Fabric_0 * _S502 = (&(globalParams_0->fabrics_0)[_S498]);
+    Sample_0 _S503 = sample_at_0(_S498, _S499, _S500, _S501);
+    float _S504;
+    if(_S503.shown_3.is_warp_0)
     {
-        _S497 = _S496.crossing_1.warp_1.half_width_1;
+        _S504 = _S503.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S497 = _S496.crossing_1.weft_1.half_width_1;
+        _S504 = _S503.crossing_1.weft_1.half_width_1;
     }
-    uint _S498;
-    if(_S496.shown_3.is_warp_0)
+    uint _S505;
+    if(_S503.shown_3.is_warp_0)
     {
-        uint _S499 = __ldg(&_S495->warp_0);
-        _S498 = _S499;
-    }
-    else
-    {
-        uint _S500 = __ldg(&_S495->weft_0);
-        _S498 = _S500;
-    }
-    Family_0 _S501 = slang_ldg_1((&(globalParams_0->families_0)[_S498]));
-    float _S502;
-    if(_S494)
-    {
-        _S502 = -1.0f;
+        uint _S506 = __ldg(&_S502->warp_0);
+        _S505 = _S506;
     }
     else
     {
-        _S502 = 1.0f;
+        uint _S507 = __ldg(&_S502->weft_0);
+        _S505 = _S507;
     }
-    float _S503 = _S501.twist_sine_0 * _S502;
-    Family_0 _S504 = slang_ldg_1((&(globalParams_0->families_0)[_S498]));
-    if(_S496.shown_3.is_warp_0)
+    Family_0 _S508 = slang_ldg_1((&(globalParams_0->families_0)[_S505]));
+    float _S509;
+    if(_S501)
     {
-        _S502 = 1.0f;
-    }
-    else
-    {
-        _S502 = -1.0f;
-    }
-    float2  _S505 = fibre_direction_0(_S496.slope_across_0, _S502 * _S496.slope_along_0, _S503, _S504.twist_cosine_0);
-    float _S506;
-    if(_S496.shown_3.is_warp_0)
-    {
-        _S506 = _S496.slope_x_1;
+        _S509 = -1.0f;
     }
     else
     {
-        _S506 = _S496.slope_y_1;
+        _S509 = 1.0f;
     }
-    float _S507;
-    if(_S496.shown_3.is_warp_0)
+    float _S510 = _S508.twist_sine_0 * _S509;
+    Family_0 _S511 = slang_ldg_1((&(globalParams_0->families_0)[_S505]));
+    if(_S503.shown_3.is_warp_0)
     {
-        _S507 = _S496.slope_y_1;
-    }
-    else
-    {
-        _S507 = _S496.slope_x_1;
-    }
-    float _S508 = _S505.x;
-    float _S509 = _S505.y;
-    float _S510 = _S506 * _S508 + _S502 * _S507 * _S509;
-    float _S511 = _S497 * 1.0154266357421875f;
-    float _S512 = _S511 * arc_sine_0(clamp_0(_S496.section_1.across_1 / _S511, -1.0f, 1.0f));
-    if(_S496.shown_3.is_warp_0)
-    {
-        _S497 = _S493;
+        _S509 = 1.0f;
     }
     else
     {
-        _S497 = - _S492;
+        _S509 = -1.0f;
+    }
+    float2  _S512 = fibre_direction_0(_S503.slope_across_0, _S509 * _S503.slope_along_0, _S510, _S511.twist_cosine_0);
+    float _S513;
+    if(_S503.shown_3.is_warp_0)
+    {
+        _S513 = _S503.slope_x_1;
+    }
+    else
+    {
+        _S513 = _S503.slope_y_1;
+    }
+    float _S514;
+    if(_S503.shown_3.is_warp_0)
+    {
+        _S514 = _S503.slope_y_1;
+    }
+    else
+    {
+        _S514 = _S503.slope_x_1;
+    }
+    float _S515 = _S512.x;
+    float _S516 = _S512.y;
+    float _S517 = _S513 * _S515 + _S509 * _S514 * _S516;
+    float _S518 = _S504 * 1.0154266357421875f;
+    float _S519 = _S518 * arc_sine_0(clamp_0(_S503.section_1.across_1 / _S518, -1.0f, 1.0f));
+    if(_S503.shown_3.is_warp_0)
+    {
+        _S504 = _S500;
+    }
+    else
+    {
+        _S504 = - _S499;
     }
     SurfacePoint_0 point_0;
-    (&point_0)->hole_4 = _S496.shown_3.hole_0;
-    (&point_0)->is_warp_2 = _S496.shown_3.is_warp_0;
-    (&point_0)->warp_thread_0 = _S496.crossing_1.warp_1.thread_0;
-    (&point_0)->weft_thread_0 = _S496.crossing_1.weft_1.thread_0;
-    (&point_0)->height_9 = _S496.height_5;
-    (&point_0)->normal_4 = normalize_0(make_float3 (- _S496.slope_x_1, - _S496.slope_y_1, 1.0f));
-    float3  _S513;
-    if(_S496.shown_3.is_warp_0)
+    (&point_0)->hole_4 = _S503.shown_3.hole_0;
+    (&point_0)->is_warp_2 = _S503.shown_3.is_warp_0;
+    (&point_0)->warp_thread_0 = _S503.crossing_1.warp_1.thread_0;
+    (&point_0)->weft_thread_0 = _S503.crossing_1.weft_1.thread_0;
+    (&point_0)->height_9 = _S503.height_5;
+    (&point_0)->normal_4 = normalize_0(make_float3 (- _S503.slope_x_1, - _S503.slope_y_1, 1.0f));
+    float3  _S520;
+    if(_S503.shown_3.is_warp_0)
     {
-        _S513 = make_float3 (_S508, _S509, _S510);
+        _S520 = make_float3 (_S515, _S516, _S517);
     }
     else
     {
-        _S513 = make_float3 (- _S509, _S508, _S510);
+        _S520 = make_float3 (- _S516, _S515, _S517);
     }
-    (&point_0)->tangent_5 = normalize_0(_S513);
-    (&point_0)->across_2 = _S496.section_1.across_1;
-    (&point_0)->fibre_across_0 = _S512 * _S504.twist_cosine_0 + _S497 * _S503;
-    (&point_0)->fibre_along_0 = _S497 * _S504.twist_cosine_0 - _S512 * _S503;
+    (&point_0)->tangent_5 = normalize_0(_S520);
+    (&point_0)->across_2 = _S503.section_1.across_1;
+    (&point_0)->fibre_across_0 = _S519 * _S511.twist_cosine_0 + _S504 * _S510;
+    (&point_0)->fibre_along_0 = _S504 * _S511.twist_cosine_0 - _S519 * _S510;
     return point_0;
 }
 
-__device__ Albedos_0 vary_albedos_0(uint _S514, Albedos_0 * _S515, uint _S516, uint _S517)
+__device__ Albedos_0 vary_albedos_0(uint _S521, Albedos_0 * _S522, uint _S523, uint _S524)
 {
-    Fabric_0 * _S518 = (&(globalParams_0->fabrics_0)[_S514]);
-    float3  _S519 = _S515->specular_reflect_0;
-    float3  _S520 = _S515->specular_transmit_0;
-    float3  _S521 = max_0(_S515->specular_reflect_0, _S515->specular_transmit_0);
-    float3  _S522 = _S515->diffuse_reflect_0;
-    float3  _S523 = _S515->diffuse_transmit_0;
-    float3  _S524 = _S515->diffuse_reflect_0 + _S515->diffuse_transmit_0;
-    float _S525 = __ldg(&_S518->colour_noise_0);
-    uint _S526 = __ldg(&_S518->seed_0);
-    float _S527 = thread_gain_0(_S516, _S525, _S526);
-    float _S528 = __ldg(&_S518->layer_bound_0);
-    float _S529 = bounded_gain_0(_S527, _S524, make_float3 (1.0f) - make_float3 (_S528) * _S521);
-    float3  _S530 = min_0((make_float3 (1.0f) - make_float3 (_S529) * _S524) / make_float3 (_S528), make_float3 (1.0f));
-    float _S531 = __ldg(&_S518->fibre_noise_0);
-    float _S532 = bounded_gain_0(fibre_gain_0(_S516, _S517, _S531, _S526), _S521, _S530);
+    Fabric_0 * _S525 = (&(globalParams_0->fabrics_0)[_S521]);
+    float3  _S526 = _S522->specular_reflect_0;
+    float3  _S527 = _S522->specular_transmit_0;
+    float3  _S528 = max_0(_S522->specular_reflect_0, _S522->specular_transmit_0);
+    float3  _S529 = _S522->diffuse_reflect_0;
+    float3  _S530 = _S522->diffuse_transmit_0;
+    float3  _S531 = _S522->diffuse_reflect_0 + _S522->diffuse_transmit_0;
+    float _S532 = __ldg(&_S525->colour_noise_0);
+    uint _S533 = __ldg(&_S525->seed_0);
+    float _S534 = thread_gain_0(_S523, _S532, _S533);
+    float _S535 = __ldg(&_S525->layer_bound_0);
+    float _S536 = bounded_gain_0(_S534, _S531, make_float3 (1.0f) - make_float3 (_S535) * _S528);
+    float3  _S537 = min_0((make_float3 (1.0f) - make_float3 (_S536) * _S531) / make_float3 (_S535), make_float3 (1.0f));
+    float _S538 = __ldg(&_S525->fibre_noise_0);
+    float _S539 = bounded_gain_0(fibre_gain_0(_S523, _S524, _S538, _S533), _S528, _S537);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S529) * _S522;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S529) * _S523;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S532) * _S519;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S532) * _S520;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S536) * _S529;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S536) * _S530;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S539) * _S526;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S539) * _S527;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S533, SurfacePoint_0 * _S534, Albedos_0 * _S535, float _S536, float _S537)
+__device__ Albedos_0 varied_at_0(uint _S540, SurfacePoint_0 * _S541, Albedos_0 * _S542, float _S543, float _S544)
 {
-    Fabric_0 * _S538 = (&(globalParams_0->fabrics_0)[_S533]);
-    bool _S539 = _S534->is_warp_2;
-    float _S540;
-    if(_S534->is_warp_2)
+    Fabric_0 * _S545 = (&(globalParams_0->fabrics_0)[_S540]);
+    bool _S546 = _S541->is_warp_2;
+    float _S547;
+    if(_S541->is_warp_2)
     {
-        _S540 = _S536;
+        _S547 = _S543;
     }
     else
     {
-        _S540 = _S537;
+        _S547 = _S544;
     }
-    float _S541 = _S540 - _S534->across_2;
-    uint _S542;
-    if(_S539)
+    float _S548 = _S547 - _S541->across_2;
+    uint _S549;
+    if(_S546)
     {
-        uint _S543 = __ldg(&_S538->warp_0);
-        _S542 = _S543;
+        uint _S550 = __ldg(&_S545->warp_0);
+        _S549 = _S550;
     }
     else
     {
-        uint _S544 = __ldg(&_S538->weft_0);
-        _S542 = _S544;
+        uint _S551 = __ldg(&_S545->weft_0);
+        _S549 = _S551;
     }
-    Family_0 _S545 = slang_ldg_1((&(globalParams_0->families_0)[_S542]));
-    Family_0 _S546 = slang_ldg_1((&(globalParams_0->families_0)[_S542]));
-    int _S547 = int(_S546.count_0);
-    if(_S539)
+    Family_0 _S552 = slang_ldg_1((&(globalParams_0->families_0)[_S549]));
+    Family_0 _S553 = slang_ldg_1((&(globalParams_0->families_0)[_S549]));
+    int _S554 = int(_S553.count_0);
+    if(_S546)
     {
-        _S542 = _S534->warp_thread_0;
+        _S549 = _S541->warp_thread_0;
     }
     else
     {
-        _S542 = _S534->weft_thread_0;
+        _S549 = _S541->weft_thread_0;
     }
-    uint _S548 = uint(int((F32_floor((_S541 / _S545.period_0)))) * _S547 + int(_S542)) * 2U;
-    if(_S539)
+    uint _S555 = uint(int((F32_floor((_S548 / _S552.period_0)))) * _S554 + int(_S549)) * 2U;
+    if(_S546)
     {
-        _S542 = 1U;
+        _S549 = 1U;
     }
     else
     {
-        _S542 = 0U;
+        _S549 = 0U;
     }
-    uint _S549 = _S548 + _S542;
-    float _S550 = _S534->fibre_across_0;
-    float _S551 = __ldg(&_S538->fibre_size_0);
-    float _S552 = (F32_floor((_S550 / _S551)));
-    Albedos_0 _S553 = vary_albedos_0(_S533, _S535, _S549, uint(int(_S552)) * 65536U + uint(int((F32_floor((_S534->fibre_along_0 / (_S551 * 40.0f) + 0.61799997091293335f * _S552))))));
-    return _S553;
+    uint _S556 = _S555 + _S549;
+    float _S557 = _S541->fibre_across_0;
+    float _S558 = __ldg(&_S545->fibre_size_0);
+    float _S559 = (F32_floor((_S557 / _S558)));
+    Albedos_0 _S560 = vary_albedos_0(_S540, _S542, _S556, uint(int(_S559)) * 65536U + uint(int((F32_floor((_S541->fibre_along_0 / (_S558 * 40.0f) + 0.61799997091293335f * _S559))))));
+    return _S560;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S554, SurfacePoint_0 * _S555, float _S556, float _S557, bool _S558, bool _S559)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S561, SurfacePoint_0 * _S562, float _S563, float _S564, bool _S565, bool _S566)
 {
-    Fabric_0 * _S560 = (&(globalParams_0->fabrics_0)[_S554]);
-    bool _S561 = _S555->is_warp_2;
-    uint _S562;
-    if(_S555->is_warp_2)
+    Fabric_0 * _S567 = (&(globalParams_0->fabrics_0)[_S561]);
+    bool _S568 = _S562->is_warp_2;
+    uint _S569;
+    if(_S562->is_warp_2)
     {
-        uint _S563 = __ldg(&_S560->warp_0);
-        _S562 = _S563;
+        uint _S570 = __ldg(&_S567->warp_0);
+        _S569 = _S570;
     }
     else
     {
-        uint _S564 = __ldg(&_S560->weft_0);
-        _S562 = _S564;
+        uint _S571 = __ldg(&_S567->weft_0);
+        _S569 = _S571;
     }
-    uint _S565;
-    if(_S561)
+    uint _S572;
+    if(_S568)
     {
-        _S565 = _S555->warp_thread_0;
-    }
-    else
-    {
-        _S565 = _S555->weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S562, _S565);
-    float _S566 = __ldg(&_S560->fibre_noise_0);
-    bool _S567;
-    if(_S566 > 0.0f)
-    {
-        _S567 = true;
+        _S572 = _S562->warp_thread_0;
     }
     else
     {
-        float _S568 = __ldg(&_S560->colour_noise_0);
-        _S567 = _S568 > 0.0f;
+        _S572 = _S562->weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S569, _S572);
+    float _S573 = __ldg(&_S567->fibre_noise_0);
+    bool _S574;
+    if(_S573 > 0.0f)
+    {
+        _S574 = true;
+    }
+    else
+    {
+        float _S575 = __ldg(&_S567->colour_noise_0);
+        _S574 = _S575 > 0.0f;
     }
     Albedos_0 albedos_3;
-    if(_S567)
+    if(_S574)
     {
-        Albedos_0 _S569 = albedos_2;
-        Albedos_0 _S570 = varied_at_0(_S554, _S555, &_S569, _S556, _S557);
-        albedos_3 = _S570;
+        Albedos_0 _S576 = albedos_2;
+        Albedos_0 _S577 = varied_at_0(_S561, _S562, &_S576, _S563, _S564);
+        albedos_3 = _S577;
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_1;
-    (&point_1)->back_2 = _S558;
-    (&point_1)->hole_2 = _S559;
-    (&point_1)->is_warp_1 = _S561;
-    (&point_1)->x_17 = _S556;
-    (&point_1)->y_10 = _S557;
-    (&point_1)->height_3 = _S555->height_9;
-    (&point_1)->normal_3 = _S555->normal_4;
-    (&point_1)->tangent_4 = _S555->tangent_5;
-    Family_0 _S571 = slang_ldg_1((&(globalParams_0->families_0)[_S562]));
-    (&point_1)->roughness_8 = _S571.roughness_0;
+    (&point_1)->back_2 = _S565;
+    (&point_1)->hole_2 = _S566;
+    (&point_1)->is_warp_1 = _S568;
+    (&point_1)->x_18 = _S563;
+    (&point_1)->y_11 = _S564;
+    (&point_1)->height_3 = _S562->height_9;
+    (&point_1)->normal_3 = _S562->normal_4;
+    (&point_1)->tangent_4 = _S562->tangent_5;
+    Family_0 _S578 = slang_ldg_1((&(globalParams_0->families_0)[_S569]));
+    (&point_1)->roughness_8 = _S578.roughness_0;
     (&point_1)->albedos_1 = albedos_3;
     return point_1;
 }
 
-__device__ YarnPoint_0 locate_yarn_0(uint _S572, SearchQuality_0 * _S573, float _S574, float _S575, float3  _S576)
+__device__ YarnPoint_0 locate_yarn_0(uint _S579, SearchQuality_0 * _S580, float _S581, float _S582, float3  _S583)
 {
-    bool _S577 = (_S576.z) < 0.0f;
-    Hit_0 _S578 = first_hit_0(_S572, _S573, _S574, _S575, to_face_frame_0(_S576, _S577), _S577);
-    SurfacePoint_0 _S579 = surface_at_0(_S572, _S578.x_18, _S578.y_11, _S577);
-    SurfacePoint_0 _S580 = _S579;
-    YarnPoint_0 _S581 = yarn_point_of_0(_S572, &_S580, _S578.x_18, _S578.y_11, _S577, _S578.hole_3);
-    return _S581;
+    bool _S584 = (_S583.z) < 0.0f;
+    Hit_0 _S585 = first_hit_0(_S579, _S580, _S581, _S582, to_face_frame_0(_S583, _S584), _S584);
+    SurfacePoint_0 _S586 = surface_at_0(_S579, _S585.x_19, _S585.y_12, _S584);
+    SurfacePoint_0 _S587 = _S586;
+    YarnPoint_0 _S588 = yarn_point_of_0(_S579, &_S587, _S585.x_19, _S585.y_12, _S584, _S585.hole_3);
+    return _S588;
 }
 
-__device__ float3  scattered_0(uint _S582, YarnPoint_0 * _S583, float3  _S584, float3  _S585)
+__device__ float3  scattered_0(uint _S589, YarnPoint_0 * _S590, float3  _S591, float3  _S592)
 {
-    Fabric_0 * _S586 = (&(globalParams_0->fabrics_0)[_S582]);
-    float3  _S587 = make_float3 (0.0f);
-    bool _S588 = !_S583->hole_2;
-    bool _S589;
-    if(_S588)
+    Fabric_0 * _S593 = (&(globalParams_0->fabrics_0)[_S589]);
+    float3  _S594 = make_float3 (0.0f);
+    bool _S595 = !_S590->hole_2;
+    bool _S596;
+    if(_S595)
     {
-        _S589 = (_S584.z) > 0.0f;
+        _S596 = (_S591.z) > 0.0f;
     }
     else
     {
-        _S589 = false;
+        _S596 = false;
     }
     float3  value_1;
-    if(_S589)
+    if(_S596)
     {
-        float3  _S590 = (&_S583->albedos_1)->diffuse_reflect_0;
-        float3  _S591 = _S583->normal_3;
-        float _S592 = __ldg(&_S586->diffuse_blend_0);
-        float3  _S593 = _S590 * make_float3 (diffuse_reflection_0(_S584, _S591, _S592));
-        float3  _S594 = (&_S583->albedos_1)->specular_reflect_0;
-        float3  _S595 = _S583->tangent_4;
-        float _S596 = _S583->roughness_8;
-        float _S597 = __ldg(&_S586->optical_depth_0);
-        value_1 = _S593 + _S594 * make_float3 (reflection_0(_S584, _S585, _S591, _S595, _S596, _S597));
+        float3  _S597 = (&_S590->albedos_1)->diffuse_reflect_0;
+        float3  _S598 = _S590->normal_3;
+        float _S599 = __ldg(&_S593->diffuse_blend_0);
+        float3  _S600 = _S597 * make_float3 (diffuse_reflection_0(_S591, _S598, _S599));
+        float3  _S601 = (&_S590->albedos_1)->specular_reflect_0;
+        float3  _S602 = _S590->tangent_4;
+        float _S603 = _S590->roughness_8;
+        float _S604 = __ldg(&_S593->optical_depth_0);
+        value_1 = _S600 + _S601 * make_float3 (reflection_0(_S591, _S592, _S598, _S602, _S603, _S604));
     }
     else
     {
-        if(_S588)
+        if(_S595)
         {
-            _S589 = (_S584.z) < 0.0f;
+            _S596 = (_S591.z) < 0.0f;
         }
         else
         {
-            _S589 = false;
+            _S596 = false;
         }
-        if(_S589)
+        if(_S596)
         {
-            float3  _S598 = (&_S583->albedos_1)->diffuse_transmit_0;
-            float3  _S599 = - _S584;
-            float3  _S600 = _S583->normal_3;
-            float _S601 = __ldg(&_S586->diffuse_blend_0);
-            float3  _S602 = _S598 * make_float3 (diffuse_reflection_0(_S599, _S600, _S601));
-            float3  _S603 = (&_S583->albedos_1)->specular_transmit_0;
-            float3  _S604 = _S583->tangent_4;
-            float _S605 = _S583->roughness_8;
-            float _S606 = __ldg(&_S586->optical_depth_0);
-            value_1 = _S602 + _S603 * make_float3 (transmission_0(_S584, _S585, _S600, _S604, _S605, _S606));
+            float3  _S605 = (&_S590->albedos_1)->diffuse_transmit_0;
+            float3  _S606 = - _S591;
+            float3  _S607 = _S590->normal_3;
+            float _S608 = __ldg(&_S593->diffuse_blend_0);
+            float3  _S609 = _S605 * make_float3 (diffuse_reflection_0(_S606, _S607, _S608));
+            float3  _S610 = (&_S590->albedos_1)->specular_transmit_0;
+            float3  _S611 = _S590->tangent_4;
+            float _S612 = _S590->roughness_8;
+            float _S613 = __ldg(&_S593->optical_depth_0);
+            value_1 = _S609 + _S610 * make_float3 (transmission_0(_S591, _S592, _S607, _S611, _S612, _S613));
         }
         else
         {
-            value_1 = _S587;
+            value_1 = _S594;
         }
     }
-    float _S607 = __ldg(&_S586->sheen_strength_0);
-    if(_S607 <= 0.0f)
+    float _S614 = __ldg(&_S593->sheen_strength_0);
+    if(_S614 <= 0.0f)
     {
         return value_1;
     }
-    float _S608 = __ldg(&_S586->sheen_roughness_0);
-    float2  _S609 = sheen_with_transmittance_0(_S584, _S585, _S607, _S608);
-    return make_float3 (_S609.y) * value_1 + make_float3 (_S609.x);
+    float _S615 = __ldg(&_S593->sheen_roughness_0);
+    float2  _S616 = sheen_with_transmittance_0(_S591, _S592, _S614, _S615);
+    return make_float3 (_S616.y) * value_1 + make_float3 (_S616.x);
 }
 
-__device__ bool unoccluded_0(uint _S610, SearchQuality_0 * _S611, float _S612, float _S613, float _S614, float3  _S615, bool _S616)
+__device__ bool unoccluded_0(uint _S617, SearchQuality_0 * _S618, float _S619, float _S620, float _S621, float3  _S622, bool _S623)
 {
-    Fabric_0 * _S617 = (&(globalParams_0->fabrics_0)[_S610]);
-    if((_S615.z) <= 0.0f)
+    Fabric_0 * _S624 = (&(globalParams_0->fabrics_0)[_S617]);
+    if((_S622.z) <= 0.0f)
     {
         return false;
     }
-    float _S618 = max_height_along_0(_S610, _S612, _S613, _S614, _S615, _S616);
-    float _S619 = __ldg(&_S617->lift_0);
-    bool _S620 = is_free_0(_S610, _S611, make_float3 (_S612, _S613, _S614 + _S619), _S615, _S616, _S618);
-    return _S620;
+    float _S625 = max_height_along_0(_S617, _S619, _S620, _S621, _S622, _S623);
+    float _S626 = __ldg(&_S624->lift_0);
+    bool _S627 = is_free_0(_S617, _S618, make_float3 (_S619, _S620, _S621 + _S626), _S622, _S623, _S625);
+    return _S627;
 }
 
-__device__ bool is_lit_0(uint _S621, SearchQuality_0 * _S622, YarnPoint_0 * _S623, float3  _S624)
+__device__ bool is_lit_0(uint _S628, SearchQuality_0 * _S629, YarnPoint_0 * _S630, float3  _S631)
 {
-    if(_S623->hole_2)
+    if(_S630->hole_2)
     {
         return true;
     }
-    bool _S625 = _S623->back_2;
-    float3  _S626 = to_face_frame_0(_S624, _S623->back_2);
-    float _S627 = _S626.z;
-    bool _S628 = _S627 < 0.0f;
-    float3  _S629 = _S623->normal_3;
-    float _S630 = _S623->height_3;
+    bool _S632 = _S630->back_2;
+    float3  _S633 = to_face_frame_0(_S631, _S630->back_2);
+    float _S634 = _S633.z;
+    bool _S635 = _S634 < 0.0f;
+    float3  _S636 = _S630->normal_3;
+    float _S637 = _S630->height_3;
     float3  normal_5;
     float height_10;
-    if(_S628)
+    if(_S635)
     {
-        SurfacePoint_0 _S631 = surface_at_0(_S621, _S623->x_17, _S623->y_10, !_S625);
-        normal_5 = _S631.normal_4;
-        height_10 = _S631.height_9;
+        SurfacePoint_0 _S638 = surface_at_0(_S628, _S630->x_18, _S630->y_11, !_S632);
+        normal_5 = _S638.normal_4;
+        height_10 = _S638.height_9;
     }
     else
     {
-        normal_5 = _S629;
-        height_10 = _S630;
+        normal_5 = _S636;
+        height_10 = _S637;
     }
-    float3  _S632 = make_float3 (float2 {_S626.x, _S626.y}.x, float2 {_S626.x, _S626.y}.y, (F32_abs((_S627))));
-    if((dot_0(normal_5, _S632)) <= 0.0f)
+    float3  _S639 = make_float3 (float2 {_S633.x, _S633.y}.x, float2 {_S633.x, _S633.y}.y, (F32_abs((_S634))));
+    if((dot_0(normal_5, _S639)) <= 0.0f)
     {
         return false;
     }
-    bool _S633 = unoccluded_0(_S621, _S622, _S623->x_17, _S623->y_10, height_10, _S632, _S625 != _S628);
-    return _S633;
+    bool _S640 = unoccluded_0(_S628, _S629, _S630->x_18, _S630->y_11, height_10, _S639, _S632 != _S635);
+    return _S640;
 }
 
-__device__ float3  evaluate_0(uint _S634, SearchQuality_0 * _S635, YarnPoint_0 * _S636, float3  _S637, float3  _S638)
+__device__ float3  evaluate_0(uint _S641, SearchQuality_0 * _S642, YarnPoint_0 * _S643, float3  _S644, float3  _S645)
 {
-    float3  _S639 = scattered_0(_S634, _S636, to_face_frame_0(_S637, _S636->back_2), to_face_frame_0(_S638, _S636->back_2));
-    bool _S640;
-    if((F32_max((_S639.x), ((F32_max((_S639.y), (_S639.z)))))) <= 0.0f)
+    float3  _S646 = scattered_0(_S641, _S643, to_face_frame_0(_S644, _S643->back_2), to_face_frame_0(_S645, _S643->back_2));
+    bool _S647;
+    if((F32_max((_S646.x), ((F32_max((_S646.y), (_S646.z)))))) <= 0.0f)
     {
-        _S640 = true;
+        _S647 = true;
     }
     else
     {
-        bool _S641 = is_lit_0(_S634, _S635, _S636, _S637);
-        _S640 = !_S641;
+        bool _S648 = is_lit_0(_S641, _S642, _S643, _S644);
+        _S647 = !_S648;
     }
-    if(_S640)
+    if(_S647)
     {
         return make_float3 (0.0f);
     }
-    return _S639;
+    return _S646;
 }
 
-__device__ float straight_through_0(uint _S642, YarnPoint_0 * _S643, float3  _S644)
+__device__ float straight_through_0(uint _S649, YarnPoint_0 * _S650, float3  _S651)
 {
-    Fabric_0 * _S645 = (&(globalParams_0->fabrics_0)[_S642]);
-    if(!_S643->hole_2)
+    Fabric_0 * _S652 = (&(globalParams_0->fabrics_0)[_S649]);
+    if(!_S650->hole_2)
     {
         return 0.0f;
     }
-    float _S646 = __ldg(&_S645->sheen_strength_0);
-    if(_S646 <= 0.0f)
+    float _S653 = __ldg(&_S652->sheen_strength_0);
+    if(_S653 <= 0.0f)
     {
         return 1.0f;
     }
-    float _S647 = (F32_abs((_S644.z)));
-    float _S648 = __ldg(&_S645->sheen_roughness_0);
-    return 1.0f - _S646 * sheen_lobe_0(_S647, _S648).z;
+    float _S654 = (F32_abs((_S651.z)));
+    float _S655 = __ldg(&_S652->sheen_roughness_0);
+    return 1.0f - _S653 * sheen_lobe_0(_S654, _S655).z;
 }
 
-__device__ float4  cloth_value_0(uint fabric_1, float2  centre_0, float2  dx_0, float2  dy_0, float3  light_6, float3  view_5)
+__device__ float4  cloth_value_0(uint fabric_2, float2  centre_0, float2  dx_0, float2  dy_0, float3  light_6, float3  view_5)
 {
-    SearchQuality_0 _S649 = default_quality_0();
-    float _S650 = centre_0.x;
-    float _S651 = centre_0.y;
-    SearchQuality_0 _S652 = _S649;
-    YarnPoint_0 _S653 = locate_yarn_0(fabric_1, &_S652, _S650, _S651, view_5);
-    SearchQuality_0 _S654 = _S649;
-    YarnPoint_0 _S655 = _S653;
-    float3  _S656 = evaluate_0(fabric_1, &_S654, &_S655, light_6, view_5);
-    YarnPoint_0 _S657 = _S653;
-    float _S658 = straight_through_0(fabric_1, &_S657, view_5);
-    return make_float4 (_S656.x, _S656.y, _S656.z, _S658);
+    SearchQuality_0 _S656 = default_quality_0();
+    float _S657 = centre_0.x;
+    float _S658 = centre_0.y;
+    SearchQuality_0 _S659 = _S656;
+    YarnPoint_0 _S660 = locate_yarn_0(fabric_2, &_S659, _S657, _S658, view_5);
+    SearchQuality_0 _S661 = _S656;
+    YarnPoint_0 _S662 = _S660;
+    float3  _S663 = evaluate_0(fabric_2, &_S661, &_S662, light_6, view_5);
+    YarnPoint_0 _S664 = _S660;
+    float _S665 = straight_through_0(fabric_2, &_S664, view_5);
+    return make_float4 (_S663.x, _S663.y, _S663.z, _S665);
 }
 
 extern "C" __global__ void point_queries()
 {
-    uint _S659 = (blockIdx * blockDim + threadIdx).x;
-    uint _S660 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
-    if(_S659 >= _S660)
+    uint _S666 = (blockIdx * blockDim + threadIdx).x;
+    uint _S667 = __ldg((&(globalParams_0->query_count_0)[int(0)]));
+    if(_S666 >= _S667)
     {
         return;
     }
-    Query_0 _S661 = slang_ldg_0((&(globalParams_0->queries_0)[_S659]));
-    *(&(globalParams_0->answers_0)[_S659]) = cloth_value_0(_S661.fabric_0, make_float2 (_S661.centre_x_0, _S661.centre_y_0), make_float2 (_S661.dx_x_0, _S661.dx_y_0), make_float2 (_S661.dy_x_0, _S661.dy_y_0), make_float3 (_S661.light_x_0, _S661.light_y_0, _S661.light_z_0), make_float3 (_S661.view_x_0, _S661.view_y_0, _S661.view_z_0));
+    Query_0 _S668 = slang_ldg_0((&(globalParams_0->queries_0)[_S666]));
+    *(&(globalParams_0->answers_0)[_S666]) = cloth_value_0(_S668.fabric_1, make_float2 (_S668.centre_x_0, _S668.centre_y_0), make_float2 (_S668.dx_x_0, _S668.dx_y_0), make_float2 (_S668.dy_x_0, _S668.dy_y_0), make_float3 (_S668.light_x_0, _S668.light_y_0, _S668.light_z_0), make_float3 (_S668.view_x_0, _S668.view_y_0, _S668.view_z_0));
     return;
 }
 

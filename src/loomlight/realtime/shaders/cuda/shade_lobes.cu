@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -156,6 +183,63 @@ struct Layer_0
     float share_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -168,15 +252,25 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     StructuredBuffer<uint> scene_words_0;
     RWStructuredBuffer<Layer_0> layers_0;
     RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float3  max_0(float3  x_2, float3  y_2)
+__device__ float3  max_0(float3  x_3, float3  y_3)
 {
     float3  result_0;
     int i_0 = int(0);
@@ -189,13 +283,13 @@ __device__ float3  max_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_2, i_0)), (_slang_vector_get_element(y_2, i_0))));
+        *_slang_vector_get_element_ptr(&result_0, i_0) = (F32_max((_slang_vector_get_element(x_3, i_0)), (_slang_vector_get_element(y_3, i_0))));
         i_0 = i_0 + int(1);
     }
     return result_0;
 }
 
-__device__ float3  min_0(float3  x_3, float3  y_3)
+__device__ float3  min_0(float3  x_4, float3  y_4)
 {
     float3  result_1;
     int i_1 = int(0);
@@ -208,18 +302,18 @@ __device__ float3  min_0(float3  x_3, float3  y_3)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_3, i_1)), (_slang_vector_get_element(y_3, i_1))));
+        *_slang_vector_get_element_ptr(&result_1, i_1) = (F32_min((_slang_vector_get_element(x_4, i_1)), (_slang_vector_get_element(y_4, i_1))));
         i_1 = i_1 + int(1);
     }
     return result_1;
 }
 
-__device__ float3  clamp_0(float3  x_4, float3  minBound_0, float3  maxBound_0)
+__device__ float3  clamp_0(float3  x_5, float3  minBound_0, float3  maxBound_0)
 {
-    return min_0(max_0(x_4, minBound_0), maxBound_0);
+    return min_0(max_0(x_5, minBound_0), maxBound_0);
 }
 
-__device__ float dot_0(float3  x_5, float3  y_4)
+__device__ float dot_0(float3  x_6, float3  y_5)
 {
     int i_2 = int(0);
     float result_2 = 0.0f;
@@ -232,19 +326,19 @@ __device__ float dot_0(float3  x_5, float3  y_4)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_5, i_2) * _slang_vector_get_element(y_4, i_2);
+        float result_3 = result_2 + _slang_vector_get_element(x_6, i_2) * _slang_vector_get_element(y_5, i_2);
         i_2 = i_2 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float length_0(float3  x_6)
+__device__ float length_0(float3  x_7)
 {
-    return (F32_sqrt((dot_0(x_6, x_6))));
+    return (F32_sqrt((dot_0(x_7, x_7))));
 }
 
-__device__ float dot_1(float2  x_7, float2  y_5)
+__device__ float dot_1(float2  x_8, float2  y_6)
 {
     int i_3 = int(0);
     float result_4 = 0.0f;
@@ -257,29 +351,29 @@ __device__ float dot_1(float2  x_7, float2  y_5)
         {
             break;
         }
-        float result_5 = result_4 + _slang_vector_get_element(x_7, i_3) * _slang_vector_get_element(y_5, i_3);
+        float result_5 = result_4 + _slang_vector_get_element(x_8, i_3) * _slang_vector_get_element(y_6, i_3);
         i_3 = i_3 + int(1);
         result_4 = result_5;
     }
     return result_4;
 }
 
-__device__ float clamp_1(float x_8, float minBound_1, float maxBound_1)
+__device__ float clamp_1(float x_9, float minBound_1, float maxBound_1)
 {
-    return (F32_min(((F32_max((x_8), (minBound_1)))), (maxBound_1)));
+    return (F32_min(((F32_max((x_9), (minBound_1)))), (maxBound_1)));
 }
 
-__device__ float3  lerp_0(float3  x_9, float3  y_6, float3  s_0)
+__device__ float3  lerp_0(float3  x_10, float3  y_7, float3  s_0)
 {
-    return x_9 + (y_6 - x_9) * s_0;
+    return x_10 + (y_7 - x_10) * s_0;
 }
 
-__device__ float3  saturate_0(float3  x_10)
+__device__ float3  saturate_0(float3  x_11)
 {
-    return clamp_0(x_10, make_float3 (0.0f), make_float3 (1.0f));
+    return clamp_0(x_11, make_float3 (0.0f), make_float3 (1.0f));
 }
 
-__device__ float dot_2(float4  x_11, float4  y_7)
+__device__ float dot_2(float4  x_12, float4  y_8)
 {
     int i_4 = int(0);
     float result_6 = 0.0f;
@@ -292,14 +386,14 @@ __device__ float dot_2(float4  x_11, float4  y_7)
         {
             break;
         }
-        float result_7 = result_6 + _slang_vector_get_element(x_11, i_4) * _slang_vector_get_element(y_7, i_4);
+        float result_7 = result_6 + _slang_vector_get_element(x_12, i_4) * _slang_vector_get_element(y_8, i_4);
         i_4 = i_4 + int(1);
         result_6 = result_7;
     }
     return result_6;
 }
 
-__device__ float2  sqrt_0(float2  x_12)
+__device__ float2  sqrt_0(float2  x_13)
 {
     float2  result_8;
     int i_5 = int(0);
@@ -312,13 +406,13 @@ __device__ float2  sqrt_0(float2  x_12)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_12, i_5))));
+        *_slang_vector_get_element_ptr(&result_8, i_5) = (F32_sqrt((_slang_vector_get_element(x_13, i_5))));
         i_5 = i_5 + int(1);
     }
     return result_8;
 }
 
-__device__ float2  max_1(float2  x_13, float2  y_8)
+__device__ float2  max_1(float2  x_14, float2  y_9)
 {
     float2  result_9;
     int i_6 = int(0);
@@ -331,7 +425,7 @@ __device__ float2  max_1(float2  x_13, float2  y_8)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_13, i_6)), (_slang_vector_get_element(y_8, i_6))));
+        *_slang_vector_get_element_ptr(&result_9, i_6) = (F32_max((_slang_vector_get_element(x_14, i_6)), (_slang_vector_get_element(y_9, i_6))));
         i_6 = i_6 + int(1);
     }
     return result_9;
@@ -358,25 +452,25 @@ __device__ static const FixedArray<float2 , 9>  TAP_OFFSETS_0 = {
         0.3333333432674408f, 0.3333333432674408f
     }
 };
-__device__ float lerp_1(float x_14, float y_9, float s_1)
+__device__ float lerp_1(float x_15, float y_10, float s_1)
 {
-    return x_14 + (y_9 - x_14) * s_1;
+    return x_15 + (y_10 - x_15) * s_1;
 }
 
-__device__ float2  lerp_2(float2  x_15, float2  y_10, float2  s_2)
+__device__ float2  lerp_2(float2  x_16, float2  y_11, float2  s_2)
 {
-    return x_15 + (y_10 - x_15) * s_2;
+    return x_16 + (y_11 - x_16) * s_2;
 }
 
-__device__ float3  normalize_0(float3  x_16)
+__device__ float3  normalize_0(float3  x_17)
 {
-    return x_16 / make_float3 (length_0(x_16));
+    return x_17 / make_float3 (length_0(x_17));
 }
 
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
-__device__ float2  round_0(float2  x_17)
+__device__ float2  round_0(float2  x_18)
 {
     float2  result_10;
     int i_7 = int(0);
@@ -389,7 +483,7 @@ __device__ float2  round_0(float2  x_17)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_round((_slang_vector_get_element(x_17, i_7))));
+        *_slang_vector_get_element_ptr(&result_10, i_7) = (F32_round((_slang_vector_get_element(x_18, i_7))));
         i_7 = i_7 + int(1);
     }
     return result_10;
@@ -414,12 +508,12 @@ __device__ static const FixedArray<float2 , 8>  POINT_OFFSETS_0 = {
         0.10710000246763229f, 0.32879999279975891f
     }
 };
-__device__ float saturate_1(float x_18)
+__device__ float saturate_1(float x_19)
 {
-    return clamp_1(x_18, 0.0f, 1.0f);
+    return clamp_1(x_19, 0.0f, 1.0f);
 }
 
-__device__ float2  frac_0(float2  x_19)
+__device__ float2  frac_0(float2  x_20)
 {
     float2  result_11;
     int i_8 = int(0);
@@ -432,7 +526,7 @@ __device__ float2  frac_0(float2  x_19)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_11, i_8) = (F32_frac((_slang_vector_get_element(x_19, i_8))));
+        *_slang_vector_get_element_ptr(&result_11, i_8) = (F32_frac((_slang_vector_get_element(x_20, i_8))));
         i_8 = i_8 + int(1);
     }
     return result_11;
@@ -502,14 +596,14 @@ __device__ float3  normal_of_0(Vertex_0 * vertex_1)
     return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
 }
 
-__device__ float square_1(float x_20)
+__device__ float square_1(float x_21)
 {
-    return x_20 * x_20;
+    return x_21 * x_21;
 }
 
-__device__ float natural_logarithm_0(float x_21)
+__device__ float natural_logarithm_0(float x_22)
 {
-    uint _S35 = (F32_asuint((x_21)));
+    uint _S35 = (F32_asuint((x_22)));
     float exponent_0 = float(int(_S35 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S35 & 8388607U) | 1056964608U)));
     float m_1;
@@ -530,20 +624,20 @@ __device__ float natural_logarithm_0(float x_21)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S36 - exponent_1 * 0.00021219444170129f - 0.5f * _S36) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_22)
+__device__ float binary_logarithm_0(float x_23)
 {
-    return natural_logarithm_0(x_22) * 1.4426950216293335f;
+    return natural_logarithm_0(x_23) * 1.4426950216293335f;
 }
 
-__device__ float exponential_0(float x_23)
+__device__ float exponential_0(float x_24)
 {
-    float _S37 = clamp_1(x_23, -87.0f, 88.0f);
+    float _S37 = clamp_1(x_24, -87.0f, 88.0f);
     float _S38 = (F32_floor((_S37 * 1.4426950216293335f + 0.5f)));
     float _S39 = _S37 - _S38 * 0.693359375f + _S38 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S39 + 0.00139819993637502f) * _S39 + 0.00833345204591751f) * _S39 + 0.04166579619050026f) * _S39 + 0.1666666567325592f) * _S39 + 0.5f;
     float _S40 = (U32_asfloat((uint(int(_S38) + int(127)) << int(23))));
     float _S41;
-    if(x_23 < -87.0f)
+    if(x_24 < -87.0f)
     {
         _S41 = 0.0f;
     }
@@ -669,10 +763,10 @@ __device__ float mean_0(float3  colour_0)
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-__device__ float2  sine_cosine_0(float x_24)
+__device__ float2  sine_cosine_0(float x_25)
 {
-    float _S68 = (F32_floor((x_24 * 0.63661974668502808f + 0.5f)));
-    float _S69 = x_24 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
+    float _S68 = (F32_floor((x_25 * 0.63661974668502808f + 0.5f)));
+    float _S69 = x_25 - _S68 * 1.5703125f - _S68 * 0.00048375129699707f - _S68 * 7.54979012640433211e-08f;
     float _S70 = _S69 * _S69;
     float _S71 = ((-0.00019515295571182f * _S70 + 0.00833216123282909f) * _S70 - 0.16666655242443085f) * _S70 * _S69 + _S69;
     float _S72 = ((0.00002443315679557f * _S70 - 0.00138873164542019f) * _S70 + 0.04166664555668831f) * _S70 * _S70 - 0.5f * _S70 + 1.0f;
@@ -1687,9 +1781,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S250 * _S248, _S250 * across_slope_0 * along_slope_0 + cosine_0 * _S249);
 }
 
-__device__ float arc_sine_0(float x_25)
+__device__ float arc_sine_0(float x_26)
 {
-    float _S251 = (F32_abs((x_25)));
+    float _S251 = (F32_abs((x_26)));
     bool _S252 = _S251 > 0.5f;
     float _S253;
     if(_S252)
@@ -1718,7 +1812,7 @@ __device__ float arc_sine_0(float x_25)
     {
         _S253 = _S255;
     }
-    if(x_25 < 0.0f)
+    if(x_26 < 0.0f)
     {
         _S253 = - _S253;
     }
@@ -1873,9 +1967,9 @@ __device__ float wrapped_cell_0(float position_4, float count_2)
     return (F32_min(((F32_floor(((position_4 - (F32_floor((position_4)))) * count_2)))), (count_2 - 1.0f)));
 }
 
-__device__ float arc_tangent_quotient_0(float x_26, float y_11)
+__device__ float arc_tangent_quotient_0(float x_27, float y_12)
 {
-    return ((((((0.0f * x_26 + 0.00809729471802711f) * x_26 + -0.0377517081797123f) * x_26 + 0.08475969731807709f) * x_26 + -0.13537675142288208f) * x_26 + 0.19895026087760925f) * x_26 + -0.33327975869178772f) * x_26 + 0.99999970197677612f;
+    return ((((((0.0f * x_27 + 0.00809729471802711f) * x_27 + -0.0377517081797123f) * x_27 + 0.08475969731807709f) * x_27 + -0.13537675142288208f) * x_27 + 0.19895026087760925f) * x_27 + -0.33327975869178772f) * x_27 + 0.99999970197677612f;
 }
 
 __device__ float arc_tangent_of_ratio_0(float ratio_0)
@@ -1883,10 +1977,10 @@ __device__ float arc_tangent_of_ratio_0(float ratio_0)
     return ratio_0 * arc_tangent_quotient_0(ratio_0 * ratio_0, 0.0f);
 }
 
-__device__ float arc_tangent_0(float y_12, float x_27)
+__device__ float arc_tangent_0(float y_13, float x_28)
 {
-    float _S277 = (F32_abs((x_27)));
-    float _S278 = (F32_abs((y_12)));
+    float _S277 = (F32_abs((x_28)));
+    float _S278 = (F32_abs((y_13)));
     float angle_0 = arc_tangent_of_ratio_0((F32_min((_S277), (_S278))) / (F32_max(((F32_max((_S277), (_S278)))), (1.00000000317107685e-30f))));
     float angle_1;
     if(_S278 > _S277)
@@ -1897,11 +1991,11 @@ __device__ float arc_tangent_0(float y_12, float x_27)
     {
         angle_1 = angle_0;
     }
-    if(x_27 < 0.0f)
+    if(x_28 < 0.0f)
     {
         angle_1 = 3.14159274101257324f - angle_1;
     }
-    if(y_12 < 0.0f)
+    if(y_13 < 0.0f)
     {
         angle_1 = - angle_1;
     }
@@ -1962,10 +2056,10 @@ __device__ float4  bytes_of_sums_0(uint even_0, uint odd_0)
     return make_float4 (float(even_0 & 65535U), float(odd_0 & 65535U), float(even_0 >> int(16)), float(odd_0 >> int(16)));
 }
 
-__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_1)
+__device__ float4  interpolate_0(NodeTaps_0 * taps_1, uint4  packs_2)
 {
-    uint4  _S298 = (packs_1 & make_uint4 (16711935U)) * taps_1->weights_0;
-    uint4  _S299 = ((packs_1 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S298 = (packs_2 & make_uint4 (16711935U)) * taps_1->weights_0;
+    uint4  _S299 = ((packs_2 >> make_uint4 (int(8))) & make_uint4 (16711935U)) * taps_1->weights_0;
     return bytes_of_sums_0(_S298.x + _S298.y + _S298.z + _S298.w, _S299.x + _S299.y + _S299.z + _S299.w) * make_float4 (taps_1->inverse_sum_0);
 }
 
@@ -2406,19 +2500,19 @@ __device__ Albedos_0 tinted_0(Albedos_0 * albedos_4, float3  tint_0)
     return result_13;
 }
 
-__device__ float sheen_scale_0(float x_28, float y_13)
+__device__ float sheen_scale_0(float x_29, float y_14)
 {
-    return (((((0.0f * x_28 + (((((-1.1402510404586792f * y_13 + 0.40672621130943298f) * y_13 + 1.65398800373077393f) * y_13 + -1.29730904102325439f) * y_13 + 0.30570998787879944f) * y_13 + -0.0220868494361639f)) * x_28 + (((((-0.21142719686031342f * y_13 + 1.05947399139404297f) * y_13 + -0.41116121411323547f) * y_13 + -0.93859231472015381f) * y_13 + 0.51606941223144531f) * y_13 + 0.05409301072359085f)) * x_28 + (((((1.22944498062133789f * y_13 + -0.45962560176849365f) * y_13 + -1.63861405849456787f) * y_13 + 1.33565104007720947f) * y_13 + -0.45725581049919128f) * y_13 + 0.08243165910243988f)) * x_28 + (((((0.39779931306838989f * y_13 + -1.18879103660583496f) * y_13 + 0.28251591324806213f) * y_13 + 1.168984055519104f) * y_13 + -0.76864629983901978f) * y_13 + 0.0091691892594099f)) * x_28 + (((((-0.26563560962677002f * y_13 + -0.19379159808158875f) * y_13 + 0.2677634060382843f) * y_13 + 0.00270519289188087f) * y_13 + 0.14349560439586639f) * y_13 + 0.10290180146694183f)) * x_28 + (((((-0.20701569318771362f * y_13 + 0.24526430666446686f) * y_13 + 0.19551840424537659f) * y_13 + 0.07586126774549484f) * y_13 + 0.38894739747047424f) * y_13 + 0.15043120086193085f);
+    return (((((0.0f * x_29 + (((((-1.1402510404586792f * y_14 + 0.40672621130943298f) * y_14 + 1.65398800373077393f) * y_14 + -1.29730904102325439f) * y_14 + 0.30570998787879944f) * y_14 + -0.0220868494361639f)) * x_29 + (((((-0.21142719686031342f * y_14 + 1.05947399139404297f) * y_14 + -0.41116121411323547f) * y_14 + -0.93859231472015381f) * y_14 + 0.51606941223144531f) * y_14 + 0.05409301072359085f)) * x_29 + (((((1.22944498062133789f * y_14 + -0.45962560176849365f) * y_14 + -1.63861405849456787f) * y_14 + 1.33565104007720947f) * y_14 + -0.45725581049919128f) * y_14 + 0.08243165910243988f)) * x_29 + (((((0.39779931306838989f * y_14 + -1.18879103660583496f) * y_14 + 0.28251591324806213f) * y_14 + 1.168984055519104f) * y_14 + -0.76864629983901978f) * y_14 + 0.0091691892594099f)) * x_29 + (((((-0.26563560962677002f * y_14 + -0.19379159808158875f) * y_14 + 0.2677634060382843f) * y_14 + 0.00270519289188087f) * y_14 + 0.14349560439586639f) * y_14 + 0.10290180146694183f)) * x_29 + (((((-0.20701569318771362f * y_14 + 0.24526430666446686f) * y_14 + 0.19551840424537659f) * y_14 + 0.07586126774549484f) * y_14 + 0.38894739747047424f) * y_14 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_29, float y_14)
+__device__ float sheen_shear_0(float x_30, float y_15)
 {
-    return ((((0.0f * x_29 + (((((-0.10608240216970444f * y_14 + 1.99214303493499756f) * y_14 + -1.42255294322967529f) * y_14 + -1.09495604038238525f) * y_14 + 0.59180057048797607f) * y_14 + 0.06902855634689331f)) * x_29 + (((((-0.46220690011978149f * y_14 + -0.29113379120826721f) * y_14 + 1.39025199413299561f) * y_14 + 0.35589990019798279f) * y_14 + -1.17120099067687988f) * y_14 + 0.15940259397029877f)) * x_29 + (((((2.26068711280822754f * y_14 + -3.64728999137878418f) * y_14 + -0.72173482179641724f) * y_14 + 3.07659196853637695f) * y_14 + -0.6827620267868042f) * y_14 + -0.3039557933807373f)) * x_29 + (((((0.81201767921447754f * y_14 + 0.36014080047607422f) * y_14 + -1.72646903991699219f) * y_14 + -0.22630110383033752f) * y_14 + 0.89514690637588501f) * y_14 + -0.10397960245609283f)) * x_29 + (((((-0.37648698687553406f * y_14 + 1.10974001884460449f) * y_14 + 0.17824520170688629f) * y_14 + -1.04968702793121338f) * y_14 + 0.1461234986782074f) * y_14 + -0.00475129019469023f);
+    return ((((0.0f * x_30 + (((((-0.10608240216970444f * y_15 + 1.99214303493499756f) * y_15 + -1.42255294322967529f) * y_15 + -1.09495604038238525f) * y_15 + 0.59180057048797607f) * y_15 + 0.06902855634689331f)) * x_30 + (((((-0.46220690011978149f * y_15 + -0.29113379120826721f) * y_15 + 1.39025199413299561f) * y_15 + 0.35589990019798279f) * y_15 + -1.17120099067687988f) * y_15 + 0.15940259397029877f)) * x_30 + (((((2.26068711280822754f * y_15 + -3.64728999137878418f) * y_15 + -0.72173482179641724f) * y_15 + 3.07659196853637695f) * y_15 + -0.6827620267868042f) * y_15 + -0.3039557933807373f)) * x_30 + (((((0.81201767921447754f * y_15 + 0.36014080047607422f) * y_15 + -1.72646903991699219f) * y_15 + -0.22630110383033752f) * y_15 + 0.89514690637588501f) * y_15 + -0.10397960245609283f)) * x_30 + (((((-0.37648698687553406f * y_15 + 1.10974001884460449f) * y_15 + 0.17824520170688629f) * y_15 + -1.04968702793121338f) * y_15 + 0.1461234986782074f) * y_15 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_30, float y_15)
+__device__ float sheen_reflectance_0(float x_31, float y_16)
 {
-    return ((((0.0f * x_30 + (((((12.95646953582763672f * y_15 + -21.38032913208007812f) * y_15 + -7.37853097915649414f) * y_15 + 34.55607986450195312f) * y_15 + -23.61347007751464844f) * y_15 + 5.00126314163208008f)) * x_30 + (((((10.91487026214599609f * y_15 + -6.08202791213989258f) * y_15 + -38.2036285400390625f) * y_15 + 53.3440399169921875f) * y_15 + -21.91996002197265625f) * y_15 + 2.01606011390686035f)) * x_30 + (((((-14.52206039428710938f * y_15 + 36.803619384765625f) * y_15 + -22.94047927856445312f) * y_15 + -10.07973003387451172f) * y_15 + 15.77003955841064453f) * y_15 + -4.92722177505493164f)) * x_30 + (((((-7.62505722045898438f * y_15 + 1.27310299873352051f) * y_15 + 31.19523048400878906f) * y_15 + -44.39989852905273438f) * y_15 + 26.44947052001953125f) * y_15 + -8.73507976531982422f)) * x_30 + (((((5.65633487701416016f * y_15 + -17.66820907592773438f) * y_15 + 24.65356063842773438f) * y_15 + -19.38941001892089844f) * y_15 + 11.06159019470214844f) * y_15 + -3.06573700904846191f);
+    return ((((0.0f * x_31 + (((((12.95646953582763672f * y_16 + -21.38032913208007812f) * y_16 + -7.37853097915649414f) * y_16 + 34.55607986450195312f) * y_16 + -23.61347007751464844f) * y_16 + 5.00126314163208008f)) * x_31 + (((((10.91487026214599609f * y_16 + -6.08202791213989258f) * y_16 + -38.2036285400390625f) * y_16 + 53.3440399169921875f) * y_16 + -21.91996002197265625f) * y_16 + 2.01606011390686035f)) * x_31 + (((((-14.52206039428710938f * y_16 + 36.803619384765625f) * y_16 + -22.94047927856445312f) * y_16 + -10.07973003387451172f) * y_16 + 15.77003955841064453f) * y_16 + -4.92722177505493164f)) * x_31 + (((((-7.62505722045898438f * y_16 + 1.27310299873352051f) * y_16 + 31.19523048400878906f) * y_16 + -44.39989852905273438f) * y_16 + 26.44947052001953125f) * y_16 + -8.73507976531982422f)) * x_31 + (((((5.65633487701416016f * y_16 + -17.66820907592773438f) * y_16 + 24.65356063842773438f) * y_16 + -19.38941001892089844f) * y_16 + 11.06159019470214844f) * y_16 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_8)
@@ -2803,7 +2897,7 @@ struct Regime_0
 {
     float prefiltered_0;
     float threads_1;
-    float points_0;
+    float points_1;
 };
 
 __device__ Regime_0 regime_of_0(uint _S671, Footprint_0 * _S672, float _S673)
@@ -2827,14 +2921,14 @@ __device__ Regime_0 regime_of_0(uint _S671, Footprint_0 * _S672, float _S673)
     {
         _S681 = 0.0f;
     }
-    (&regime_0)->points_0 = _S681;
+    (&regime_0)->points_1 = _S681;
     return regime_0;
 }
 
 struct Hit_0
 {
-    float x_31;
-    float y_16;
+    float x_32;
+    float y_17;
     bool hole_5;
     float height_5;
 };
@@ -2862,7 +2956,7 @@ __device__ Crossing_0 crossing_at_0(uint _S682, float _S683, float _S684, bool _
     (&crossing_3)->weft_1 = locate_0(_S688, _S684);
     uint _S689 = __ldg(&_S686->run_words_0);
     uint _S690 = (&(&crossing_3)->weft_1)->thread_1;
-    uint _S691 = __ldg(&_S686->ends_0);
+    uint _S691 = __ldg(&_S686->ends_1);
     uint _S692 = _S689 + 2U * (_S690 * _S691 + (&(&crossing_3)->warp_1)->thread_1);
     uint _S693 = __ldg((&(globalParams_0->words_0)[_S692]));
     (&crossing_3)->warp_word_0 = _S693;
@@ -3610,137 +3704,145 @@ __device__ float refined_height_0(uint _S904, ViewRay_0 * _S905, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S926, SearchQuality_0 * _S927, float _S928, float _S929, float3  _S930, bool _S931)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S926, SearchQuality_0 * _S927, float _S928, float _S929, float3  _S930, bool _S931)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_31 = _S928;
-    (&hit_0)->y_16 = _S929;
-    (&hit_0)->height_5 = 0.0f;
-    bool _S932 = passes_through_0(_S926, _S927, _S928, _S929, _S930, _S931);
-    (&hit_0)->hole_5 = _S932;
-    if(_S932)
-    {
-        return hit_0;
-    }
-    float _S933 = (F32_max((_S930.z), (0.00009999999747379f)));
+    float _S932 = (F32_max((_S930.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S928, _S929);
-    float2  _S934 = float2 {_S930.x, _S930.y} / make_float2 (_S933);
-    (&ray_0)->slope_1 = _S934;
-    float2  _S935 = - _S934;
-    float _S936 = steps_per_length_0(_S926, _S927, _S930);
-    StepControl_0 _S937 = step_control_0(_S935, 1.0f / (F32_max((_S936 / _S933), (9.99999971718068537e-10f))));
-    ViewRay_0 _S938 = ray_0;
-    StepControl_0 _S939 = _S937;
-    ViewRayEnd_0 _S940 = search_down_0(_S926, &_S938, &_S939, _S931);
-    ViewRay_0 _S941 = ray_0;
-    StepControl_0 _S942 = _S937;
-    ViewRayEnd_0 _S943 = _S940;
-    float _S944 = refined_height_0(_S926, &_S941, &_S942, _S931, &_S943, _S927->refinements_0);
-    (&hit_0)->height_5 = _S944;
-    ViewRay_0 _S945 = ray_0;
-    float2  _S946 = ViewRay_at_0(&_S945, _S944);
-    (&hit_0)->x_31 = _S946.x;
-    (&hit_0)->y_16 = _S946.y;
+    float2  _S933 = float2 {_S930.x, _S930.y} / make_float2 (_S932);
+    (&ray_0)->slope_1 = _S933;
+    float2  _S934 = - _S933;
+    float _S935 = steps_per_length_0(_S926, _S927, _S930);
+    StepControl_0 _S936 = step_control_0(_S934, 1.0f / (F32_max((_S935 / _S932), (9.99999971718068537e-10f))));
+    ViewRay_0 _S937 = ray_0;
+    StepControl_0 _S938 = _S936;
+    ViewRayEnd_0 _S939 = search_down_0(_S926, &_S937, &_S938, _S931);
+    Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    ViewRay_0 _S940 = ray_0;
+    StepControl_0 _S941 = _S936;
+    ViewRayEnd_0 _S942 = _S939;
+    float _S943 = refined_height_0(_S926, &_S940, &_S941, _S931, &_S942, _S927->refinements_0);
+    (&hit_0)->height_5 = _S943;
+    ViewRay_0 _S944 = ray_0;
+    float2  _S945 = ViewRay_at_0(&_S944, _S943);
+    (&hit_0)->x_32 = _S945.x;
+    (&hit_0)->y_17 = _S945.y;
     return hit_0;
 }
 
-__device__ SurfacePoint_0 surface_at_0(uint _S947, float _S948, float _S949, bool _S950)
+__device__ Hit_0 first_hit_0(uint _S946, SearchQuality_0 * _S947, float _S948, float _S949, float3  _S950, bool _S951)
 {
-    Fabric_0 * _S951 = (&(globalParams_0->fabrics_0)[_S947]);
-    Sample_0 _S952 = sample_at_0(_S947, _S948, _S949, _S950);
-    float _S953;
-    if(_S952.shown_3.is_warp_2)
+    bool _S952 = passes_through_0(_S946, _S947, _S948, _S949, _S950, _S951);
+    if(!_S952)
     {
-        _S953 = _S952.crossing_2.warp_1.half_width_1;
+        Hit_0 _S953 = first_hit_of_yarn_0(_S946, _S947, _S948, _S949, _S950, _S951);
+        return _S953;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_32 = _S948;
+    (&hit_1)->y_17 = _S949;
+    (&hit_1)->height_5 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+__device__ SurfacePoint_0 surface_at_0(uint _S954, float _S955, float _S956, bool _S957)
+{
+    Fabric_0 * _S958 = (&(globalParams_0->fabrics_0)[_S954]);
+    Sample_0 _S959 = sample_at_0(_S954, _S955, _S956, _S957);
+    float _S960;
+    if(_S959.shown_3.is_warp_2)
+    {
+        _S960 = _S959.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S953 = _S952.crossing_2.weft_1.half_width_1;
+        _S960 = _S959.crossing_2.weft_1.half_width_1;
     }
-    uint _S954;
-    if(_S952.shown_3.is_warp_2)
+    uint _S961;
+    if(_S959.shown_3.is_warp_2)
     {
-        uint _S955 = __ldg(&_S951->warp_0);
-        _S954 = _S955;
-    }
-    else
-    {
-        uint _S956 = __ldg(&_S951->weft_0);
-        _S954 = _S956;
-    }
-    Family_0 _S957 = slang_ldg_3((&(globalParams_0->families_0)[_S954]));
-    float _S958;
-    if(_S950)
-    {
-        _S958 = -1.0f;
+        uint _S962 = __ldg(&_S958->warp_0);
+        _S961 = _S962;
     }
     else
     {
-        _S958 = 1.0f;
+        uint _S963 = __ldg(&_S958->weft_0);
+        _S961 = _S963;
     }
-    float _S959 = _S957.twist_sine_0 * _S958;
-    Family_0 _S960 = slang_ldg_3((&(globalParams_0->families_0)[_S954]));
-    if(_S952.shown_3.is_warp_2)
+    Family_0 _S964 = slang_ldg_3((&(globalParams_0->families_0)[_S961]));
+    float _S965;
+    if(_S957)
     {
-        _S958 = 1.0f;
-    }
-    else
-    {
-        _S958 = -1.0f;
-    }
-    float2  _S961 = fibre_direction_0(_S952.slope_across_0, _S958 * _S952.slope_along_0, _S959, _S960.twist_cosine_0);
-    float _S962;
-    if(_S952.shown_3.is_warp_2)
-    {
-        _S962 = _S952.slope_x_1;
+        _S965 = -1.0f;
     }
     else
     {
-        _S962 = _S952.slope_y_1;
+        _S965 = 1.0f;
     }
-    float _S963;
-    if(_S952.shown_3.is_warp_2)
+    float _S966 = _S964.twist_sine_0 * _S965;
+    Family_0 _S967 = slang_ldg_3((&(globalParams_0->families_0)[_S961]));
+    if(_S959.shown_3.is_warp_2)
     {
-        _S963 = _S952.slope_y_1;
-    }
-    else
-    {
-        _S963 = _S952.slope_x_1;
-    }
-    float _S964 = _S961.x;
-    float _S965 = _S961.y;
-    float _S966 = _S962 * _S964 + _S958 * _S963 * _S965;
-    float _S967 = _S953 * 1.0154266357421875f;
-    float _S968 = _S967 * arc_sine_0(clamp_1(_S952.section_1.across_3 / _S967, -1.0f, 1.0f));
-    if(_S952.shown_3.is_warp_2)
-    {
-        _S953 = _S949;
+        _S965 = 1.0f;
     }
     else
     {
-        _S953 = - _S948;
+        _S965 = -1.0f;
+    }
+    float2  _S968 = fibre_direction_0(_S959.slope_across_0, _S965 * _S959.slope_along_0, _S966, _S967.twist_cosine_0);
+    float _S969;
+    if(_S959.shown_3.is_warp_2)
+    {
+        _S969 = _S959.slope_x_1;
+    }
+    else
+    {
+        _S969 = _S959.slope_y_1;
+    }
+    float _S970;
+    if(_S959.shown_3.is_warp_2)
+    {
+        _S970 = _S959.slope_y_1;
+    }
+    else
+    {
+        _S970 = _S959.slope_x_1;
+    }
+    float _S971 = _S968.x;
+    float _S972 = _S968.y;
+    float _S973 = _S969 * _S971 + _S965 * _S970 * _S972;
+    float _S974 = _S960 * 1.0154266357421875f;
+    float _S975 = _S974 * arc_sine_0(clamp_1(_S959.section_1.across_3 / _S974, -1.0f, 1.0f));
+    if(_S959.shown_3.is_warp_2)
+    {
+        _S960 = _S956;
+    }
+    else
+    {
+        _S960 = - _S955;
     }
     SurfacePoint_0 point_3;
-    (&point_3)->hole_0 = _S952.shown_3.hole_3;
-    (&point_3)->is_warp_0 = _S952.shown_3.is_warp_2;
-    (&point_3)->warp_thread_0 = _S952.crossing_2.warp_1.thread_1;
-    (&point_3)->weft_thread_0 = _S952.crossing_2.weft_1.thread_1;
-    (&point_3)->height_1 = _S952.height_6;
-    (&point_3)->normal_1 = normalize_0(make_float3 (- _S952.slope_x_1, - _S952.slope_y_1, 1.0f));
-    float3  _S969;
-    if(_S952.shown_3.is_warp_2)
+    (&point_3)->hole_0 = _S959.shown_3.hole_3;
+    (&point_3)->is_warp_0 = _S959.shown_3.is_warp_2;
+    (&point_3)->warp_thread_0 = _S959.crossing_2.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S959.crossing_2.weft_1.thread_1;
+    (&point_3)->height_1 = _S959.height_6;
+    (&point_3)->normal_1 = normalize_0(make_float3 (- _S959.slope_x_1, - _S959.slope_y_1, 1.0f));
+    float3  _S976;
+    if(_S959.shown_3.is_warp_2)
     {
-        _S969 = make_float3 (_S964, _S965, _S966);
+        _S976 = make_float3 (_S971, _S972, _S973);
     }
     else
     {
-        _S969 = make_float3 (- _S965, _S964, _S966);
+        _S976 = make_float3 (- _S972, _S971, _S973);
     }
-    (&point_3)->tangent_0 = normalize_0(_S969);
-    (&point_3)->across_0 = _S952.section_1.across_3;
-    (&point_3)->fibre_across_0 = _S968 * _S960.twist_cosine_0 + _S953 * _S959;
-    (&point_3)->fibre_along_0 = _S953 * _S960.twist_cosine_0 - _S968 * _S959;
+    (&point_3)->tangent_0 = normalize_0(_S976);
+    (&point_3)->across_0 = _S959.section_1.across_3;
+    (&point_3)->fibre_across_0 = _S975 * _S967.twist_cosine_0 + _S960 * _S966;
+    (&point_3)->fibre_along_0 = _S960 * _S967.twist_cosine_0 - _S975 * _S966;
     return point_3;
 }
 
@@ -3749,8 +3851,8 @@ struct YarnPoint_0
     bool back_3;
     bool hole_6;
     bool is_warp_3;
-    float x_32;
-    float y_17;
+    float x_33;
+    float y_18;
     float height_10;
     float3  normal_7;
     float3  tangent_7;
@@ -3758,285 +3860,285 @@ struct YarnPoint_0
     Albedos_0 albedos_6;
 };
 
-__device__ Albedos_0 vary_albedos_0(uint _S970, Albedos_0 * _S971, uint _S972, uint _S973)
+__device__ Albedos_0 vary_albedos_0(uint _S977, Albedos_0 * _S978, uint _S979, uint _S980)
 {
-    Fabric_0 * _S974 = (&(globalParams_0->fabrics_0)[_S970]);
-    float3  _S975 = _S971->specular_reflect_0;
-    float3  _S976 = _S971->specular_transmit_0;
-    float3  _S977 = max_0(_S971->specular_reflect_0, _S971->specular_transmit_0);
-    float3  _S978 = _S971->diffuse_reflect_0;
-    float3  _S979 = _S971->diffuse_transmit_0;
-    float3  _S980 = _S971->diffuse_reflect_0 + _S971->diffuse_transmit_0;
-    float _S981 = __ldg(&_S974->colour_noise_0);
-    uint _S982 = __ldg(&_S974->seed_0);
-    float _S983 = thread_gain_0(_S972, _S981, _S982);
-    float _S984 = __ldg(&_S974->layer_bound_0);
-    float _S985 = bounded_gain_0(_S983, _S980, make_float3 (1.0f) - make_float3 (_S984) * _S977);
-    float3  _S986 = min_0((make_float3 (1.0f) - make_float3 (_S985) * _S980) / make_float3 (_S984), make_float3 (1.0f));
-    float _S987 = __ldg(&_S974->fibre_noise_0);
-    float _S988 = bounded_gain_0(fibre_gain_0(_S972, _S973, _S987, _S982), _S977, _S986);
+    Fabric_0 * _S981 = (&(globalParams_0->fabrics_0)[_S977]);
+    float3  _S982 = _S978->specular_reflect_0;
+    float3  _S983 = _S978->specular_transmit_0;
+    float3  _S984 = max_0(_S978->specular_reflect_0, _S978->specular_transmit_0);
+    float3  _S985 = _S978->diffuse_reflect_0;
+    float3  _S986 = _S978->diffuse_transmit_0;
+    float3  _S987 = _S978->diffuse_reflect_0 + _S978->diffuse_transmit_0;
+    float _S988 = __ldg(&_S981->colour_noise_0);
+    uint _S989 = __ldg(&_S981->seed_0);
+    float _S990 = thread_gain_0(_S979, _S988, _S989);
+    float _S991 = __ldg(&_S981->layer_bound_0);
+    float _S992 = bounded_gain_0(_S990, _S987, make_float3 (1.0f) - make_float3 (_S991) * _S984);
+    float3  _S993 = min_0((make_float3 (1.0f) - make_float3 (_S992) * _S987) / make_float3 (_S991), make_float3 (1.0f));
+    float _S994 = __ldg(&_S981->fibre_noise_0);
+    float _S995 = bounded_gain_0(fibre_gain_0(_S979, _S980, _S994, _S989), _S984, _S993);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S985) * _S978;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S985) * _S979;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S988) * _S975;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S988) * _S976;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S992) * _S985;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S992) * _S986;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S995) * _S982;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S995) * _S983;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S989, SurfacePoint_0 * _S990, Albedos_0 * _S991, float _S992, float _S993)
+__device__ Albedos_0 varied_at_0(uint _S996, SurfacePoint_0 * _S997, Albedos_0 * _S998, float _S999, float _S1000)
 {
-    Fabric_0 * _S994 = (&(globalParams_0->fabrics_0)[_S989]);
-    bool _S995 = _S990->is_warp_0;
-    float _S996;
-    if(_S990->is_warp_0)
+    Fabric_0 * _S1001 = (&(globalParams_0->fabrics_0)[_S996]);
+    bool _S1002 = _S997->is_warp_0;
+    float _S1003;
+    if(_S997->is_warp_0)
     {
-        _S996 = _S992;
+        _S1003 = _S999;
     }
     else
     {
-        _S996 = _S993;
+        _S1003 = _S1000;
     }
-    float _S997 = _S996 - _S990->across_0;
-    uint _S998;
-    if(_S995)
+    float _S1004 = _S1003 - _S997->across_0;
+    uint _S1005;
+    if(_S1002)
     {
-        uint _S999 = __ldg(&_S994->warp_0);
-        _S998 = _S999;
+        uint _S1006 = __ldg(&_S1001->warp_0);
+        _S1005 = _S1006;
     }
     else
     {
-        uint _S1000 = __ldg(&_S994->weft_0);
-        _S998 = _S1000;
+        uint _S1007 = __ldg(&_S1001->weft_0);
+        _S1005 = _S1007;
     }
-    Family_0 _S1001 = slang_ldg_3((&(globalParams_0->families_0)[_S998]));
-    Family_0 _S1002 = slang_ldg_3((&(globalParams_0->families_0)[_S998]));
-    int _S1003 = int(_S1002.count_0);
-    if(_S995)
+    Family_0 _S1008 = slang_ldg_3((&(globalParams_0->families_0)[_S1005]));
+    Family_0 _S1009 = slang_ldg_3((&(globalParams_0->families_0)[_S1005]));
+    int _S1010 = int(_S1009.count_0);
+    if(_S1002)
     {
-        _S998 = _S990->warp_thread_0;
+        _S1005 = _S997->warp_thread_0;
     }
     else
     {
-        _S998 = _S990->weft_thread_0;
+        _S1005 = _S997->weft_thread_0;
     }
-    uint _S1004 = uint(int((F32_floor((_S997 / _S1001.period_0)))) * _S1003 + int(_S998)) * 2U;
-    if(_S995)
+    uint _S1011 = uint(int((F32_floor((_S1004 / _S1008.period_0)))) * _S1010 + int(_S1005)) * 2U;
+    if(_S1002)
     {
-        _S998 = 1U;
+        _S1005 = 1U;
     }
     else
     {
-        _S998 = 0U;
+        _S1005 = 0U;
     }
-    uint _S1005 = _S1004 + _S998;
-    float _S1006 = _S990->fibre_across_0;
-    float _S1007 = __ldg(&_S994->fibre_size_0);
-    float _S1008 = (F32_floor((_S1006 / _S1007)));
-    Albedos_0 _S1009 = vary_albedos_0(_S989, _S991, _S1005, uint(int(_S1008)) * 65536U + uint(int((F32_floor((_S990->fibre_along_0 / (_S1007 * 40.0f) + 0.61799997091293335f * _S1008))))));
-    return _S1009;
+    uint _S1012 = _S1011 + _S1005;
+    float _S1013 = _S997->fibre_across_0;
+    float _S1014 = __ldg(&_S1001->fibre_size_0);
+    float _S1015 = (F32_floor((_S1013 / _S1014)));
+    Albedos_0 _S1016 = vary_albedos_0(_S996, _S998, _S1012, uint(int(_S1015)) * 65536U + uint(int((F32_floor((_S997->fibre_along_0 / (_S1014 * 40.0f) + 0.61799997091293335f * _S1015))))));
+    return _S1016;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S1010, SurfacePoint_0 * _S1011, float _S1012, float _S1013, bool _S1014, bool _S1015)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S1017, SurfacePoint_0 * _S1018, float _S1019, float _S1020, bool _S1021, bool _S1022)
 {
-    Fabric_0 * _S1016 = (&(globalParams_0->fabrics_0)[_S1010]);
-    bool _S1017 = _S1011->is_warp_0;
-    uint _S1018;
-    if(_S1011->is_warp_0)
+    Fabric_0 * _S1023 = (&(globalParams_0->fabrics_0)[_S1017]);
+    bool _S1024 = _S1018->is_warp_0;
+    uint _S1025;
+    if(_S1018->is_warp_0)
     {
-        uint _S1019 = __ldg(&_S1016->warp_0);
-        _S1018 = _S1019;
+        uint _S1026 = __ldg(&_S1023->warp_0);
+        _S1025 = _S1026;
     }
     else
     {
-        uint _S1020 = __ldg(&_S1016->weft_0);
-        _S1018 = _S1020;
+        uint _S1027 = __ldg(&_S1023->weft_0);
+        _S1025 = _S1027;
     }
-    uint _S1021;
-    if(_S1017)
+    uint _S1028;
+    if(_S1024)
     {
-        _S1021 = _S1011->warp_thread_0;
-    }
-    else
-    {
-        _S1021 = _S1011->weft_thread_0;
-    }
-    Albedos_0 albedos_7 = albedos_of_0(_S1018, _S1021);
-    float _S1022 = __ldg(&_S1016->fibre_noise_0);
-    bool _S1023;
-    if(_S1022 > 0.0f)
-    {
-        _S1023 = true;
+        _S1028 = _S1018->warp_thread_0;
     }
     else
     {
-        float _S1024 = __ldg(&_S1016->colour_noise_0);
-        _S1023 = _S1024 > 0.0f;
+        _S1028 = _S1018->weft_thread_0;
+    }
+    Albedos_0 albedos_7 = albedos_of_0(_S1025, _S1028);
+    float _S1029 = __ldg(&_S1023->fibre_noise_0);
+    bool _S1030;
+    if(_S1029 > 0.0f)
+    {
+        _S1030 = true;
+    }
+    else
+    {
+        float _S1031 = __ldg(&_S1023->colour_noise_0);
+        _S1030 = _S1031 > 0.0f;
     }
     Albedos_0 albedos_8;
-    if(_S1023)
+    if(_S1030)
     {
-        Albedos_0 _S1025 = albedos_7;
-        Albedos_0 _S1026 = varied_at_0(_S1010, _S1011, &_S1025, _S1012, _S1013);
-        albedos_8 = _S1026;
+        Albedos_0 _S1032 = albedos_7;
+        Albedos_0 _S1033 = varied_at_0(_S1017, _S1018, &_S1032, _S1019, _S1020);
+        albedos_8 = _S1033;
     }
     else
     {
         albedos_8 = albedos_7;
     }
     YarnPoint_0 point_4;
-    (&point_4)->back_3 = _S1014;
-    (&point_4)->hole_6 = _S1015;
-    (&point_4)->is_warp_3 = _S1017;
-    (&point_4)->x_32 = _S1012;
-    (&point_4)->y_17 = _S1013;
-    (&point_4)->height_10 = _S1011->height_1;
-    (&point_4)->normal_7 = _S1011->normal_1;
-    (&point_4)->tangent_7 = _S1011->tangent_0;
-    Family_0 _S1027 = slang_ldg_3((&(globalParams_0->families_0)[_S1018]));
-    (&point_4)->roughness_10 = _S1027.roughness_0;
+    (&point_4)->back_3 = _S1021;
+    (&point_4)->hole_6 = _S1022;
+    (&point_4)->is_warp_3 = _S1024;
+    (&point_4)->x_33 = _S1019;
+    (&point_4)->y_18 = _S1020;
+    (&point_4)->height_10 = _S1018->height_1;
+    (&point_4)->normal_7 = _S1018->normal_1;
+    (&point_4)->tangent_7 = _S1018->tangent_0;
+    Family_0 _S1034 = slang_ldg_3((&(globalParams_0->families_0)[_S1025]));
+    (&point_4)->roughness_10 = _S1034.roughness_0;
     (&point_4)->albedos_6 = albedos_8;
     return point_4;
 }
 
-__device__ bool unoccluded_0(uint _S1028, SearchQuality_0 * _S1029, float _S1030, float _S1031, float _S1032, float3  _S1033, bool _S1034)
+__device__ bool unoccluded_0(uint _S1035, SearchQuality_0 * _S1036, float _S1037, float _S1038, float _S1039, float3  _S1040, bool _S1041)
 {
-    Fabric_0 * _S1035 = (&(globalParams_0->fabrics_0)[_S1028]);
-    if((_S1033.z) <= 0.0f)
+    Fabric_0 * _S1042 = (&(globalParams_0->fabrics_0)[_S1035]);
+    if((_S1040.z) <= 0.0f)
     {
         return false;
     }
-    float _S1036 = max_height_along_0(_S1028, _S1030, _S1031, _S1032, _S1033, _S1034);
-    float _S1037 = __ldg(&_S1035->lift_0);
-    bool _S1038 = is_free_0(_S1028, _S1029, make_float3 (_S1030, _S1031, _S1032 + _S1037), _S1033, _S1034, _S1036);
-    return _S1038;
+    float _S1043 = max_height_along_0(_S1035, _S1037, _S1038, _S1039, _S1040, _S1041);
+    float _S1044 = __ldg(&_S1042->lift_0);
+    bool _S1045 = is_free_0(_S1035, _S1036, make_float3 (_S1037, _S1038, _S1039 + _S1044), _S1040, _S1041, _S1043);
+    return _S1045;
 }
 
-__device__ bool is_lit_0(uint _S1039, SearchQuality_0 * _S1040, YarnPoint_0 * _S1041, float3  _S1042)
+__device__ bool is_lit_0(uint _S1046, SearchQuality_0 * _S1047, YarnPoint_0 * _S1048, float3  _S1049)
 {
-    if(_S1041->hole_6)
+    if(_S1048->hole_6)
     {
         return true;
     }
-    bool _S1043 = _S1041->back_3;
-    float3  _S1044 = to_face_frame_0(_S1042, _S1041->back_3);
-    float _S1045 = _S1044.z;
-    bool _S1046 = _S1045 < 0.0f;
-    float3  _S1047 = _S1041->normal_7;
-    float _S1048 = _S1041->height_10;
+    bool _S1050 = _S1048->back_3;
+    float3  _S1051 = to_face_frame_0(_S1049, _S1048->back_3);
+    float _S1052 = _S1051.z;
+    bool _S1053 = _S1052 < 0.0f;
+    float3  _S1054 = _S1048->normal_7;
+    float _S1055 = _S1048->height_10;
     float3  normal_8;
     float height_11;
-    if(_S1046)
+    if(_S1053)
     {
-        SurfacePoint_0 _S1049 = surface_at_0(_S1039, _S1041->x_32, _S1041->y_17, !_S1043);
-        normal_8 = _S1049.normal_1;
-        height_11 = _S1049.height_1;
+        SurfacePoint_0 _S1056 = surface_at_0(_S1046, _S1048->x_33, _S1048->y_18, !_S1050);
+        normal_8 = _S1056.normal_1;
+        height_11 = _S1056.height_1;
     }
     else
     {
-        normal_8 = _S1047;
-        height_11 = _S1048;
+        normal_8 = _S1054;
+        height_11 = _S1055;
     }
-    float3  _S1050 = make_float3 (float2 {_S1044.x, _S1044.y}.x, float2 {_S1044.x, _S1044.y}.y, (F32_abs((_S1045))));
-    if((dot_0(normal_8, _S1050)) <= 0.0f)
+    float3  _S1057 = make_float3 (float2 {_S1051.x, _S1051.y}.x, float2 {_S1051.x, _S1051.y}.y, (F32_abs((_S1052))));
+    if((dot_0(normal_8, _S1057)) <= 0.0f)
     {
         return false;
     }
-    bool _S1051 = unoccluded_0(_S1039, _S1040, _S1041->x_32, _S1041->y_17, height_11, _S1050, _S1043 != _S1046);
-    return _S1051;
+    bool _S1058 = unoccluded_0(_S1046, _S1047, _S1048->x_33, _S1048->y_18, height_11, _S1057, _S1050 != _S1053);
+    return _S1058;
 }
 
-__device__ Components_0 components_of_point_0(uint _S1052, SearchQuality_0 * _S1053, YarnPoint_0 * _S1054, float3  _S1055, float3  _S1056)
+__device__ Components_0 components_of_point_0(uint _S1059, SearchQuality_0 * _S1060, YarnPoint_0 * _S1061, float3  _S1062, float3  _S1063)
 {
-    Fabric_0 * _S1057 = (&(globalParams_0->fabrics_0)[_S1052]);
+    Fabric_0 * _S1064 = (&(globalParams_0->fabrics_0)[_S1059]);
     Components_0 result_14 = no_components_0();
-    bool _S1058 = _S1054->hole_6;
-    float _S1059;
-    if(_S1054->hole_6)
+    bool _S1065 = _S1061->hole_6;
+    float _S1066;
+    if(_S1061->hole_6)
     {
-        _S1059 = 1.0f;
+        _S1066 = 1.0f;
     }
     else
     {
-        _S1059 = 0.0f;
+        _S1066 = 0.0f;
     }
-    (&result_14)->hole_2 = _S1059;
-    bool _S1060;
-    if(_S1058)
+    (&result_14)->hole_2 = _S1066;
+    bool _S1067;
+    if(_S1065)
     {
-        _S1060 = true;
+        _S1067 = true;
     }
     else
     {
-        bool _S1061 = is_lit_0(_S1052, _S1053, _S1054, _S1055);
-        _S1060 = !_S1061;
+        bool _S1068 = is_lit_0(_S1059, _S1060, _S1061, _S1062);
+        _S1067 = !_S1068;
     }
-    if(_S1060)
+    if(_S1067)
     {
         return result_14;
     }
-    float3  _S1062 = to_face_frame_0(_S1055, _S1054->back_3);
-    float3  _S1063 = to_face_frame_0(_S1056, _S1054->back_3);
-    bool _S1064 = (_S1062.z) < 0.0f;
-    float3  _S1065;
-    if(_S1064)
+    float3  _S1069 = to_face_frame_0(_S1062, _S1061->back_3);
+    float3  _S1070 = to_face_frame_0(_S1063, _S1061->back_3);
+    bool _S1071 = (_S1069.z) < 0.0f;
+    float3  _S1072;
+    if(_S1071)
     {
-        _S1065 = - _S1062;
+        _S1072 = - _S1069;
     }
     else
     {
-        _S1065 = _S1062;
+        _S1072 = _S1069;
     }
-    float3  _S1066 = _S1054->normal_7;
-    float _S1067 = __ldg(&_S1057->diffuse_blend_0);
-    float _S1068 = diffuse_reflection_0(_S1065, _S1066, _S1067);
-    if(_S1064)
+    float3  _S1073 = _S1061->normal_7;
+    float _S1074 = __ldg(&_S1064->diffuse_blend_0);
+    float _S1075 = diffuse_reflection_0(_S1072, _S1073, _S1074);
+    if(_S1071)
     {
-        float3  _S1069 = _S1054->tangent_7;
-        float _S1070 = _S1054->roughness_10;
-        float _S1071 = __ldg(&_S1057->optical_depth_0);
-        _S1059 = transmission_0(_S1062, _S1063, _S1066, _S1069, _S1070, _S1071);
+        float3  _S1076 = _S1061->tangent_7;
+        float _S1077 = _S1061->roughness_10;
+        float _S1078 = __ldg(&_S1064->optical_depth_0);
+        _S1066 = transmission_0(_S1069, _S1070, _S1073, _S1076, _S1077, _S1078);
     }
     else
     {
-        float3  _S1072 = _S1054->tangent_7;
-        float _S1073 = _S1054->roughness_10;
-        float _S1074 = __ldg(&_S1057->optical_depth_0);
-        _S1059 = reflection_0(_S1062, _S1063, _S1066, _S1072, _S1073, _S1074);
+        float3  _S1079 = _S1061->tangent_7;
+        float _S1080 = _S1061->roughness_10;
+        float _S1081 = __ldg(&_S1064->optical_depth_0);
+        _S1066 = reflection_0(_S1069, _S1070, _S1073, _S1079, _S1080, _S1081);
     }
-    bool _S1075 = _S1054->is_warp_3;
-    float _S1076;
-    if(_S1054->is_warp_3)
+    bool _S1082 = _S1061->is_warp_3;
+    float _S1083;
+    if(_S1061->is_warp_3)
     {
-        _S1076 = _S1068;
+        _S1083 = _S1075;
     }
     else
     {
-        _S1076 = 0.0f;
+        _S1083 = 0.0f;
     }
-    (&result_14)->diffuse_warp_0 = _S1076;
-    if(_S1075)
+    (&result_14)->diffuse_warp_0 = _S1083;
+    if(_S1082)
     {
-        _S1076 = 0.0f;
+        _S1083 = 0.0f;
     }
     else
     {
-        _S1076 = _S1068;
+        _S1083 = _S1075;
     }
-    (&result_14)->diffuse_weft_0 = _S1076;
-    if(_S1075)
+    (&result_14)->diffuse_weft_0 = _S1083;
+    if(_S1082)
     {
-        _S1076 = _S1059;
+        _S1083 = _S1066;
     }
     else
     {
-        _S1076 = 0.0f;
+        _S1083 = 0.0f;
     }
-    (&result_14)->specular_warp_0 = _S1076;
-    if(_S1075)
+    (&result_14)->specular_warp_0 = _S1083;
+    if(_S1082)
     {
-        _S1059 = 0.0f;
+        _S1066 = 0.0f;
     }
-    (&result_14)->specular_weft_0 = _S1059;
+    (&result_14)->specular_weft_0 = _S1066;
     (&result_14)->light_visibility_1 = 1.0f;
     return result_14;
 }
@@ -4046,30 +4148,30 @@ struct CoverageTaps_0
     FixedArray<uint, 9>  nodes_1;
 };
 
-__device__ float3  pyramid_level_0(uint _S1077, float _S1078)
+__device__ float3  pyramid_level_0(uint _S1084, float _S1085)
 {
-    Lobes_0 _S1079 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1077])->lobes_0);
-    uint _S1080 = _S1079.levels_0 + 4U * uint((F32_min((_S1078), (_S1079.last_level_0))));
-    return make_float3 (table_number_0(_S1080), table_number_0(_S1080 + 1U), table_number_0(_S1080 + 2U));
+    Lobes_0 _S1086 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1084])->lobes_0);
+    uint _S1087 = _S1086.levels_0 + 4U * uint((F32_min((_S1085), (_S1086.last_level_0))));
+    return make_float3 (table_number_0(_S1087), table_number_0(_S1087 + 1U), table_number_0(_S1087 + 2U));
 }
 
-__device__ CoverageTaps_0 coverage_taps_0(uint _S1081, Footprint_0 * _S1082, bool _S1083)
+__device__ CoverageTaps_0 coverage_taps_0(uint _S1088, Footprint_0 * _S1089, bool _S1090)
 {
-    Fabric_0 * _S1084 = (&(globalParams_0->fabrics_0)[_S1081]);
-    float _S1085 = Footprint_spread_side_0(_S1082);
-    Lobes_0 _S1086 = slang_ldg_0(&_S1084->lobes_0);
-    float _S1087 = _S1085 * _S1086.inverse_base_size_0;
-    float3  _S1088 = pyramid_level_0(_S1081, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S1087), (1.0f))))))));
-    float _S1089 = 1.0f / (F32_max((_S1087), (9.99999997475242708e-07f)));
-    float _S1090 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S1089 * _S1089), 0.0f, 1.0f))))), (0.3333333432674408f * _S1089)))), (1.0f)));
-    uint _S1091 = __ldg(&_S1084->warp_0);
-    Family_0 _S1092 = slang_ldg_3((&(globalParams_0->families_0)[_S1091]));
-    uint _S1093 = __ldg(&_S1084->weft_0);
-    Family_0 _S1094 = slang_ldg_3((&(globalParams_0->families_0)[_S1093]));
-    float2  _S1095 = make_float2 (_S1092.inverse_period_0, _S1094.inverse_period_0);
-    float2  _S1096 = _S1082->centre_0 * _S1095;
-    float2  _S1097 = _S1082->dx_0 * _S1095 * make_float2 (_S1090);
-    float2  _S1098 = _S1082->dy_0 * _S1095 * make_float2 (_S1090);
+    Fabric_0 * _S1091 = (&(globalParams_0->fabrics_0)[_S1088]);
+    float _S1092 = Footprint_spread_side_0(_S1089);
+    Lobes_0 _S1093 = slang_ldg_0(&_S1091->lobes_0);
+    float _S1094 = _S1092 * _S1093.inverse_base_size_0;
+    float3  _S1095 = pyramid_level_0(_S1088, (F32_floor((binary_logarithm_0((F32_max((0.68000000715255737f * _S1094), (1.0f))))))));
+    float _S1096 = 1.0f / (F32_max((_S1094), (9.99999997475242708e-07f)));
+    float _S1097 = (F32_min(((F32_max(((F32_sqrt((clamp_1(1.29999995231628418f * (1.0f - _S1096 * _S1096), 0.0f, 1.0f))))), (0.3333333432674408f * _S1096)))), (1.0f)));
+    uint _S1098 = __ldg(&_S1091->warp_0);
+    Family_0 _S1099 = slang_ldg_3((&(globalParams_0->families_0)[_S1098]));
+    uint _S1100 = __ldg(&_S1091->weft_0);
+    Family_0 _S1101 = slang_ldg_3((&(globalParams_0->families_0)[_S1100]));
+    float2  _S1102 = make_float2 (_S1099.inverse_period_0, _S1101.inverse_period_0);
+    float2  _S1103 = _S1089->centre_0 * _S1102;
+    float2  _S1104 = _S1089->dx_0 * _S1102 * make_float2 (_S1097);
+    float2  _S1105 = _S1089->dy_0 * _S1102 * make_float2 (_S1097);
     CoverageTaps_0 taps_3;
     uint number_2 = 0U;
     for(;;)
@@ -4081,28 +4183,28 @@ __device__ CoverageTaps_0 coverage_taps_0(uint _S1081, Footprint_0 * _S1082, boo
         {
             break;
         }
-        float2  _S1099 = _S1096 + make_float2 (TAP_OFFSETS_0[number_2].x) * _S1097 + make_float2 (TAP_OFFSETS_0[number_2].y) * _S1098;
-        float _S1100 = _S1088.y;
-        float _S1101 = wrapped_cell_0(_S1099.x, _S1100);
-        float _S1102 = wrapped_cell_0(_S1099.y, _S1088.z);
-        uint _S1103;
-        if(_S1083)
+        float2  _S1106 = _S1103 + make_float2 (TAP_OFFSETS_0[number_2].x) * _S1104 + make_float2 (TAP_OFFSETS_0[number_2].y) * _S1105;
+        float _S1107 = _S1095.y;
+        float _S1108 = wrapped_cell_0(_S1106.x, _S1107);
+        float _S1109 = wrapped_cell_0(_S1106.y, _S1095.z);
+        uint _S1110;
+        if(_S1090)
         {
-            _S1103 = _S1086.face_nodes_0;
+            _S1110 = _S1093.face_nodes_0;
         }
         else
         {
-            _S1103 = 0U;
+            _S1110 = 0U;
         }
-        (&taps_3)->nodes_1[number_2] = _S1103 + uint(_S1102 * _S1100 + _S1101 + _S1088.x);
+        (&taps_3)->nodes_1[number_2] = _S1110 + uint(_S1109 * _S1107 + _S1108 + _S1095.x);
         number_2 = number_2 + 1U;
     }
     return taps_3;
 }
 
-__device__ float4  coverage_of_pack_0(uint _S1104, CoverageTaps_0 * _S1105, uint _S1106)
+__device__ float4  coverage_of_pack_0(uint _S1111, CoverageTaps_0 * _S1112, uint _S1113)
 {
-    Fabric_0 * _S1107 = (&(globalParams_0->fabrics_0)[_S1104]);
+    Fabric_0 * _S1114 = (&(globalParams_0->fabrics_0)[_S1111]);
     uint number_3 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -4115,10 +4217,10 @@ __device__ float4  coverage_of_pack_0(uint _S1104, CoverageTaps_0 * _S1105, uint
         {
             break;
         }
-        Lobes_0 _S1108 = slang_ldg_0(&_S1107->lobes_0);
-        uint _S1109 = __ldg((&(globalParams_0->words_0)[_S1108.coverage_0 + _S1105->nodes_1[number_3] * _S1108.packs_0 + _S1106]));
-        uint even_2 = even_1 + (_S1109 & 16711935U);
-        uint odd_2 = odd_1 + ((_S1109 >> int(8)) & 16711935U);
+        Lobes_0 _S1115 = slang_ldg_0(&_S1114->lobes_0);
+        uint _S1116 = __ldg((&(globalParams_0->words_0)[_S1115.coverage_0 + _S1112->nodes_1[number_3] * _S1115.packs_0 + _S1113]));
+        uint even_2 = even_1 + (_S1116 & 16711935U);
+        uint odd_2 = odd_1 + ((_S1116 >> int(8)) & 16711935U);
         number_3 = number_3 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -4126,9 +4228,9 @@ __device__ float4  coverage_of_pack_0(uint _S1104, CoverageTaps_0 * _S1105, uint
     return bytes_of_sums_0(even_1, odd_1) / make_float4 (9.0f);
 }
 
-__device__ float coverage_of_holes_0(uint _S1110, CoverageTaps_0 * _S1111)
+__device__ float coverage_of_holes_0(uint _S1117, CoverageTaps_0 * _S1118)
 {
-    Fabric_0 * _S1112 = (&(globalParams_0->fabrics_0)[_S1110]);
+    Fabric_0 * _S1119 = (&(globalParams_0->fabrics_0)[_S1117]);
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -4140,75 +4242,75 @@ __device__ float coverage_of_holes_0(uint _S1110, CoverageTaps_0 * _S1111)
         {
             break;
         }
-        uint _S1113 = _S1111->nodes_1[number_4];
-        Lobes_0 _S1114 = slang_ldg_0(&_S1112->lobes_0);
-        uint _S1115 = __ldg((&(globalParams_0->words_0)[_S1114.coverage_holes_0 + _S1113 / 4U]));
-        uint total_1 = total_0 + ((_S1115 >> (8U * (_S1113 % 4U))) & 255U);
+        uint _S1120 = _S1118->nodes_1[number_4];
+        Lobes_0 _S1121 = slang_ldg_0(&_S1119->lobes_0);
+        uint _S1122 = __ldg((&(globalParams_0->words_0)[_S1121.coverage_holes_0 + _S1120 / 4U]));
+        uint total_1 = total_0 + ((_S1122 >> (8U * (_S1120 % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-__device__ float prefiltered_hole_0(uint _S1116, CoverageTaps_0 * _S1117, NodeTaps_0 * _S1118, bool _S1119)
+__device__ float prefiltered_hole_0(uint _S1123, CoverageTaps_0 * _S1124, NodeTaps_0 * _S1125, bool _S1126)
 {
-    Lobes_0 _S1120 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1116])->lobes_0);
-    float4  _S1121 = interpolate_table_0(_S1118, _S1120.projected_area_0 + _S1120.packs_0, _S1120.packs_0 + 1U);
-    float _S1122 = _S1121.x;
-    float _S1123;
-    if(_S1119)
+    Lobes_0 _S1127 = slang_ldg_0(&(&(globalParams_0->fabrics_0)[_S1123])->lobes_0);
+    float4  _S1128 = interpolate_table_0(_S1125, _S1127.projected_area_0 + _S1127.packs_0, _S1127.packs_0 + 1U);
+    float _S1129 = _S1128.x;
+    float _S1130;
+    if(_S1126)
     {
-        _S1123 = _S1120.back_hole_weight_0;
+        _S1130 = _S1127.back_hole_weight_0;
     }
     else
     {
-        _S1123 = _S1120.front_hole_weight_0;
+        _S1130 = _S1127.front_hole_weight_0;
     }
-    float _S1124 = coverage_of_holes_0(_S1116, _S1117);
-    return (F32_min((_S1124 * _S1122 * _S1122 * _S1123), (1.0f)));
+    float _S1131 = coverage_of_holes_0(_S1123, _S1124);
+    return (F32_min((_S1131 * _S1129 * _S1129 * _S1130), (1.0f)));
 }
 
-__device__ Components_0 prefiltered_components_0(uint _S1125, Footprint_0 * _S1126, float3  _S1127, float3  _S1128, bool _S1129)
+__device__ Components_0 prefiltered_components_0(uint _S1132, Footprint_0 * _S1133, float3  _S1134, float3  _S1135, bool _S1136)
 {
-    Fabric_0 * _S1130 = (&(globalParams_0->fabrics_0)[_S1125]);
-    CoverageTaps_0 _S1131 = coverage_taps_0(_S1125, _S1126, _S1129);
-    NodeTaps_0 _S1132 = node_taps_0(_S1128);
-    NodeTaps_0 view_nodes_0 = _S1132;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S1127);
-    NodeTaps_0 seen_nodes_0 = _S1132;
-    uint _S1133;
-    if(_S1129)
+    Fabric_0 * _S1137 = (&(globalParams_0->fabrics_0)[_S1132]);
+    CoverageTaps_0 _S1138 = coverage_taps_0(_S1132, _S1133, _S1136);
+    NodeTaps_0 _S1139 = node_taps_0(_S1135);
+    NodeTaps_0 view_nodes_0 = _S1139;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S1134);
+    NodeTaps_0 seen_nodes_0 = _S1139;
+    uint _S1140;
+    if(_S1136)
     {
-        _S1133 = 1U;
+        _S1140 = 1U;
     }
     else
     {
-        _S1133 = 0U;
+        _S1140 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1133 * 256U);
-    uint _S1134 = 2U * _S1133;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1134 * 256U);
-    uint _S1135;
-    if((_S1127.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + make_uint4 (_S1140 * 256U);
+    uint _S1141 = 2U * _S1140;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + make_uint4 (_S1141 * 256U);
+    uint _S1142;
+    if((_S1134.z) < 0.0f)
     {
-        _S1135 = 1U;
-    }
-    else
-    {
-        _S1135 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1134 + _S1135) * 256U);
-    float3  _S1136 = half_vector_0(_S1127, _S1128);
-    float3  _S1137 = shadow_correlation_0(_S1127, _S1128);
-    if(_S1129)
-    {
-        Lobes_0 _S1138 = slang_ldg_0(&_S1130->lobes_0);
-        _S1135 = _S1138.back_warp_packs_0;
+        _S1142 = 1U;
     }
     else
     {
-        Lobes_0 _S1139 = slang_ldg_0(&_S1130->lobes_0);
-        _S1135 = _S1139.front_warp_packs_0;
+        _S1142 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + make_uint4 ((_S1141 + _S1142) * 256U);
+    float3  _S1143 = half_vector_0(_S1134, _S1135);
+    float3  _S1144 = shadow_correlation_0(_S1134, _S1135);
+    if(_S1136)
+    {
+        Lobes_0 _S1145 = slang_ldg_0(&_S1137->lobes_0);
+        _S1142 = _S1145.back_warp_packs_0;
+    }
+    else
+    {
+        Lobes_0 _S1146 = slang_ldg_0(&_S1137->lobes_0);
+        _S1142 = _S1146.front_warp_packs_0;
     }
     Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -4220,44 +4322,44 @@ __device__ Components_0 prefiltered_components_0(uint _S1125, Footprint_0 * _S11
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S1140 = slang_ldg_0(&_S1130->lobes_0);
-        if(pack_0 < (_S1140.packs_0))
+        Lobes_0 _S1147 = slang_ldg_0(&_S1137->lobes_0);
+        if(pack_0 < (_S1147.packs_0))
         {
         }
         else
         {
             break;
         }
-        CoverageTaps_0 _S1141 = _S1131;
-        float4  _S1142 = coverage_of_pack_0(_S1125, &_S1141, pack_0);
-        uint _S1143 = _S1140.projected_area_0 + pack_0;
-        uint _S1144 = _S1140.packs_0 + 1U;
-        NodeTaps_0 _S1145 = view_nodes_0;
-        float4  _S1146 = interpolate_table_0(&_S1145, _S1143, _S1144);
-        uint _S1147 = _S1140.light_visibility_0 + pack_0;
-        NodeTaps_0 _S1148 = seen_nodes_0;
-        float4  _S1149 = interpolate_table_0(&_S1148, _S1147, _S1140.packs_0);
-        float4  _S1150 = _S1149 / make_float4 (255.0f);
-        NodeTaps_0 _S1151 = light_nodes_0;
-        float4  _S1152 = interpolate_table_0(&_S1151, _S1147, _S1140.packs_0);
-        float4  _S1153 = _S1152 / make_float4 (255.0f);
-        uint _S1154 = _S1140.irradiance_0 + pack_0;
-        NodeTaps_0 _S1155 = light_nodes_0;
-        float4  _S1156 = interpolate_table_0(&_S1155, _S1154, _S1140.packs_0);
-        float4  _S1157 = _S1156 * make_float4 (0.00124827399849892f);
-        bool _S1158 = pack_0 < _S1135;
-        uint _S1159;
-        if(_S1158)
+        CoverageTaps_0 _S1148 = _S1138;
+        float4  _S1149 = coverage_of_pack_0(_S1132, &_S1148, pack_0);
+        uint _S1150 = _S1147.projected_area_0 + pack_0;
+        uint _S1151 = _S1147.packs_0 + 1U;
+        NodeTaps_0 _S1152 = view_nodes_0;
+        float4  _S1153 = interpolate_table_0(&_S1152, _S1150, _S1151);
+        uint _S1154 = _S1147.light_visibility_0 + pack_0;
+        NodeTaps_0 _S1155 = seen_nodes_0;
+        float4  _S1156 = interpolate_table_0(&_S1155, _S1154, _S1147.packs_0);
+        float4  _S1157 = _S1156 / make_float4 (255.0f);
+        NodeTaps_0 _S1158 = light_nodes_0;
+        float4  _S1159 = interpolate_table_0(&_S1158, _S1154, _S1147.packs_0);
+        float4  _S1160 = _S1159 / make_float4 (255.0f);
+        uint _S1161 = _S1147.irradiance_0 + pack_0;
+        NodeTaps_0 _S1162 = light_nodes_0;
+        float4  _S1163 = interpolate_table_0(&_S1162, _S1161, _S1147.packs_0);
+        float4  _S1164 = _S1163 * make_float4 (0.00124827399849892f);
+        bool _S1165 = pack_0 < _S1142;
+        uint _S1166;
+        if(_S1165)
         {
-            uint _S1160 = __ldg(&_S1130->warp_0);
-            _S1159 = _S1160;
+            uint _S1167 = __ldg(&_S1137->warp_0);
+            _S1166 = _S1167;
         }
         else
         {
-            uint _S1161 = __ldg(&_S1130->weft_0);
-            _S1159 = _S1161;
+            uint _S1168 = __ldg(&_S1137->weft_0);
+            _S1166 = _S1168;
         }
-        Family_0 _S1162 = slang_ldg_3((&(globalParams_0->families_0)[_S1159]));
+        Family_0 _S1169 = slang_ldg_3((&(globalParams_0->families_0)[_S1166]));
         uint number_5 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -4270,442 +4372,442 @@ __device__ Components_0 prefiltered_components_0(uint _S1125, Footprint_0 * _S11
             {
                 break;
             }
-            Group_0 _S1163 = group_at_0(_S1140.moments_0 + 12U * (4U * (_S1133 * _S1140.packs_0 + pack_0) + number_5), _S1162.roughness_0);
-            float _S1164 = _slang_vector_get_element(_S1142, number_5) * _slang_vector_get_element(_S1146, number_5) * _slang_vector_get_element(_S1146, number_5) * _S1163.weight_1;
-            uint _S1165 = number_5;
-            float2  _S1166 = visibility_gain_0(_S1137, _slang_vector_get_element(_S1153, number_5), _slang_vector_get_element(_S1150, number_5));
-            float _S1167 = __ldg(&_S1130->optical_depth_0);
-            Group_0 _S1168 = _S1163;
-            float _S1169 = layer_value_0(&_S1168, _S1136, _S1127, _S1128, _S1167);
-            float _S1170 = _S1166.x;
-            float diffuse_1 = diffuse_0 + _S1164 * _slang_vector_get_element(_S1157, number_5) * _S1170;
-            float specular_1 = specular_0 + _S1164 * _S1169 * _slang_vector_get_element(_S1153, _S1165) * _S1166.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1164 * _slang_vector_get_element(_S1153, _S1165) * _S1170;
-            float total_3 = total_2 + _S1164;
+            Group_0 _S1170 = group_at_0(_S1147.moments_0 + 12U * (4U * (_S1140 * _S1147.packs_0 + pack_0) + number_5), _S1169.roughness_0);
+            float _S1171 = _slang_vector_get_element(_S1149, number_5) * _slang_vector_get_element(_S1153, number_5) * _slang_vector_get_element(_S1153, number_5) * _S1170.weight_1;
+            uint _S1172 = number_5;
+            float2  _S1173 = visibility_gain_0(_S1144, _slang_vector_get_element(_S1160, number_5), _slang_vector_get_element(_S1157, number_5));
+            float _S1174 = __ldg(&_S1137->optical_depth_0);
+            Group_0 _S1175 = _S1170;
+            float _S1176 = layer_value_0(&_S1175, _S1143, _S1134, _S1135, _S1174);
+            float _S1177 = _S1173.x;
+            float diffuse_1 = diffuse_0 + _S1171 * _slang_vector_get_element(_S1164, number_5) * _S1177;
+            float specular_1 = specular_0 + _S1171 * _S1176 * _slang_vector_get_element(_S1160, _S1172) * _S1173.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S1171 * _slang_vector_get_element(_S1160, _S1172) * _S1177;
+            float total_3 = total_2 + _S1171;
             number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S1171;
-        if(_S1158)
+        float _S1178;
+        if(_S1165)
         {
-            _S1171 = diffuse_0;
+            _S1178 = diffuse_0;
         }
         else
         {
-            _S1171 = 0.0f;
+            _S1178 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1171;
-        float _S1172;
-        if(_S1158)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S1178;
+        float _S1179;
+        if(_S1165)
         {
-            _S1172 = 0.0f;
+            _S1179 = 0.0f;
         }
         else
         {
-            _S1172 = diffuse_0;
+            _S1179 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1172;
-        float _S1173;
-        if(_S1158)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S1179;
+        float _S1180;
+        if(_S1165)
         {
-            _S1173 = specular_0;
+            _S1180 = specular_0;
         }
         else
         {
-            _S1173 = 0.0f;
+            _S1180 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1173;
-        float _S1174;
-        if(_S1158)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S1180;
+        float _S1181;
+        if(_S1165)
         {
-            _S1174 = 0.0f;
+            _S1181 = 0.0f;
         }
         else
         {
-            _S1174 = specular_0;
+            _S1181 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1174;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S1181;
         pack_0 = pack_0 + 1U;
     }
-    CoverageTaps_0 _S1175 = _S1131;
-    NodeTaps_0 _S1176 = view_nodes_0;
-    float _S1177 = prefiltered_hole_0(_S1125, &_S1175, &_S1176, _S1129);
-    (&sums_1)->hole_2 = _S1177;
-    float _S1178 = (1.0f - _S1177) / (F32_max((total_2), (9.999999960041972e-13f)));
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1178;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1178;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1178;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1178;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1178;
+    CoverageTaps_0 _S1182 = _S1138;
+    NodeTaps_0 _S1183 = view_nodes_0;
+    float _S1184 = prefiltered_hole_0(_S1132, &_S1182, &_S1183, _S1136);
+    (&sums_1)->hole_2 = _S1184;
+    float _S1185 = (1.0f - _S1184) / (F32_max((total_2), (9.999999960041972e-13f)));
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S1185;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S1185;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S1185;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S1185;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S1185;
     return sums_1;
 }
 
-__device__ FamilyAlbedos_0 albedos_over_0(uint _S1179, Footprint_0 * _S1180, bool _S1181)
+__device__ FamilyAlbedos_0 albedos_over_0(uint _S1186, Footprint_0 * _S1187, bool _S1188)
 {
-    Fabric_0 * _S1182 = (&(globalParams_0->fabrics_0)[_S1179]);
-    float2  _S1183 = sqrt_0(_S1180->dx_0 * _S1180->dx_0 + _S1180->dy_0 * _S1180->dy_0);
-    uint _S1184 = __ldg(&_S1182->warp_0);
-    float2  _S1185 = _S1180->centre_0;
-    Stretch_0 _S1186 = stretch_of_0(_S1184, _S1180->centre_0.x, _S1183.x);
-    uint _S1187 = __ldg(&_S1182->weft_0);
-    Stretch_0 _S1188 = stretch_of_0(_S1187, _S1185.y, _S1183.y);
+    Fabric_0 * _S1189 = (&(globalParams_0->fabrics_0)[_S1186]);
+    float2  _S1190 = sqrt_0(_S1187->dx_0 * _S1187->dx_0 + _S1187->dy_0 * _S1187->dy_0);
+    uint _S1191 = __ldg(&_S1189->warp_0);
+    float2  _S1192 = _S1187->centre_0;
+    Stretch_0 _S1193 = stretch_of_0(_S1191, _S1187->centre_0.x, _S1190.x);
+    uint _S1194 = __ldg(&_S1189->weft_0);
+    Stretch_0 _S1195 = stretch_of_0(_S1194, _S1192.y, _S1190.y);
     FamilyAlbedos_0 albedos_9;
-    Stretch_0 _S1189 = _S1186;
-    Stretch_0 _S1190 = _S1188;
-    Albedos_0 _S1191 = mean_albedos_0(_S1184, _S1187, &_S1189, &_S1190, _S1181);
-    (&albedos_9)->warp_2 = _S1191;
-    Stretch_0 _S1192 = _S1188;
-    Stretch_0 _S1193 = _S1186;
-    Albedos_0 _S1194 = mean_albedos_0(_S1187, _S1184, &_S1192, &_S1193, _S1181);
-    (&albedos_9)->weft_2 = _S1194;
+    Stretch_0 _S1196 = _S1193;
+    Stretch_0 _S1197 = _S1195;
+    Albedos_0 _S1198 = mean_albedos_0(_S1191, _S1194, &_S1196, &_S1197, _S1188);
+    (&albedos_9)->warp_2 = _S1198;
+    Stretch_0 _S1199 = _S1195;
+    Stretch_0 _S1200 = _S1193;
+    Albedos_0 _S1201 = mean_albedos_0(_S1194, _S1191, &_S1199, &_S1200, _S1188);
+    (&albedos_9)->weft_2 = _S1201;
     return albedos_9;
 }
 
-__device__ Estimate_0 lobes_estimate_of_pass_0(uint _S1195, Footprint_0 * _S1196, float _S1197, float2  _S1198, float3  _S1199, float3  _S1200)
+__device__ Estimate_0 lobes_estimate_of_pass_0(uint _S1202, Footprint_0 * _S1203, float _S1204, float2  _S1205, float3  _S1206, float3  _S1207)
 {
-    float _S1201;
-    Fabric_0 * _S1202 = (&(globalParams_0->fabrics_0)[_S1195]);
-    Regime_0 _S1203 = regime_of_0(_S1195, _S1196, _S1197);
-    bool _S1204 = (_S1200.z) < 0.0f;
-    float3  _S1205 = to_face_frame_0(_S1200, _S1204);
-    float _S1206 = __ldg(&_S1202->fibre_noise_0);
-    bool _S1207;
-    if(_S1206 > 0.0f)
+    float _S1208;
+    Fabric_0 * _S1209 = (&(globalParams_0->fabrics_0)[_S1202]);
+    Regime_0 _S1210 = regime_of_0(_S1202, _S1203, _S1204);
+    bool _S1211 = (_S1207.z) < 0.0f;
+    float3  _S1212 = to_face_frame_0(_S1207, _S1211);
+    float _S1213 = __ldg(&_S1209->fibre_noise_0);
+    bool _S1214;
+    if(_S1213 > 0.0f)
     {
-        _S1207 = true;
+        _S1214 = true;
     }
     else
     {
-        float _S1208 = __ldg(&_S1202->colour_noise_0);
-        _S1207 = _S1208 > 0.0f;
+        float _S1215 = __ldg(&_S1209->colour_noise_0);
+        _S1214 = _S1215 > 0.0f;
     }
-    uint _S1209 = __ldg(&_S1202->warp_0);
-    Family_0 _S1210 = slang_ldg_3((&(globalParams_0->families_0)[_S1209]));
-    bool _S1211;
-    if((_S1210.quantities_0) > 1U)
+    uint _S1216 = __ldg(&_S1209->warp_0);
+    Family_0 _S1217 = slang_ldg_3((&(globalParams_0->families_0)[_S1216]));
+    bool _S1218;
+    if((_S1217.quantities_0) > 1U)
     {
-        _S1211 = true;
+        _S1218 = true;
     }
     else
     {
-        uint _S1212 = __ldg(&_S1202->weft_0);
-        Family_0 _S1213 = slang_ldg_3((&(globalParams_0->families_0)[_S1212]));
-        _S1211 = (_S1213.quantities_0) > 1U;
+        uint _S1219 = __ldg(&_S1209->weft_0);
+        Family_0 _S1220 = slang_ldg_3((&(globalParams_0->families_0)[_S1219]));
+        _S1218 = (_S1220.quantities_0) > 1U;
     }
-    float _S1214 = 1.0f - _S1203.prefiltered_0;
-    if(_S1214 > 0.0f)
+    float _S1221 = 1.0f - _S1210.prefiltered_0;
+    if(_S1221 > 0.0f)
     {
-        if(_S1207)
+        if(_S1214)
         {
-            _S1211 = true;
+            _S1218 = true;
         }
     }
     else
     {
-        _S1211 = false;
+        _S1218 = false;
     }
-    Footprint_0 box_0 = *_S1196;
-    float3  _S1215 = make_float3 (0.0f);
-    SurfacePoint_0 _S1216 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1215, _S1215, 0.0f, 0.0f, 0.0f);
-    float2  _S1217 = _S1196->centre_0;
-    Components_0 _S1218 = no_components_0();
-    int _S1219;
-    if(_S1211)
+    Footprint_0 box_0 = *_S1203;
+    float3  _S1222 = make_float3 (0.0f);
+    SurfacePoint_0 _S1223 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S1222, _S1222, 0.0f, 0.0f, 0.0f);
+    float2  _S1224 = _S1203->centre_0;
+    Components_0 _S1225 = no_components_0();
+    int _S1226;
+    if(_S1218)
     {
-        _S1219 = int(0);
+        _S1226 = int(0);
     }
     else
     {
-        _S1219 = int(1);
+        _S1226 = int(1);
     }
-    uint _S1220 = uint(_S1219);
-    Components_0 points_1 = _S1218;
+    uint _S1227 = uint(_S1226);
+    Components_0 points_2 = _S1225;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S1216;
-    float2  central_place_0 = _S1217;
-    uint number_6 = _S1220;
+    SurfacePoint_0 central_0 = _S1223;
+    float2  central_place_0 = _S1224;
+    uint number_6 = _S1227;
     for(;;)
     {
-        float _S1221 = float(number_6);
-        _S1201 = _S1203.points_0;
-        if(_S1221 < (_S1203.points_0 + 1.0f))
+        float _S1228 = float(number_6);
+        _S1208 = _S1210.points_1;
+        if(_S1228 < (_S1210.points_1 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S1222 = number_6 == 0U;
-        uint _S1223;
-        if(_S1222)
+        bool _S1229 = number_6 == 0U;
+        uint _S1230;
+        if(_S1229)
         {
-            _S1223 = 0U;
+            _S1230 = 0U;
         }
         else
         {
-            _S1223 = number_6 - 1U;
+            _S1230 = number_6 - 1U;
         }
-        float2  _S1224 = POINT_OFFSETS_0[_S1223] + _S1198;
-        float2  _S1225;
-        if(_S1222)
+        float2  _S1231 = POINT_OFFSETS_0[_S1230] + _S1205;
+        float2  _S1232;
+        if(_S1229)
         {
-            _S1225 = make_float2 (0.0f);
+            _S1232 = make_float2 (0.0f);
         }
         else
         {
-            _S1225 = _S1224 - round_0(_S1224);
+            _S1232 = _S1231 - round_0(_S1231);
         }
-        float2  _S1226 = _S1217 + make_float2 (_S1225.x) * _S1196->dx_0 + make_float2 (_S1225.y) * _S1196->dy_0;
-        float _S1227;
-        if(_S1222)
+        float2  _S1233 = _S1224 + make_float2 (_S1232.x) * _S1203->dx_0 + make_float2 (_S1232.y) * _S1203->dy_0;
+        float _S1234;
+        if(_S1229)
         {
-            _S1227 = 0.0f;
+            _S1234 = 0.0f;
         }
         else
         {
-            _S1227 = _S1203.threads_1;
+            _S1234 = _S1210.threads_1;
         }
-        SearchQuality_0 _S1228 = quality_of_0(_S1227);
-        float _S1229 = _S1226.x;
-        float _S1230 = _S1226.y;
-        SearchQuality_0 _S1231 = _S1228;
-        Hit_0 _S1232 = first_hit_0(_S1195, &_S1231, _S1229, _S1230, _S1205, _S1204);
-        SurfacePoint_0 _S1233 = surface_at_0(_S1195, _S1232.x_31, _S1232.y_16, _S1204);
-        if(_S1222)
+        SearchQuality_0 _S1235 = quality_of_0(_S1234);
+        float _S1236 = _S1233.x;
+        float _S1237 = _S1233.y;
+        SearchQuality_0 _S1238 = _S1235;
+        Hit_0 _S1239 = first_hit_0(_S1202, &_S1238, _S1236, _S1237, _S1212, _S1211);
+        SurfacePoint_0 _S1240 = surface_at_0(_S1202, _S1239.x_32, _S1239.y_17, _S1211);
+        if(_S1229)
         {
             float central_weight_1;
-            if(_S1232.hole_5)
+            if(_S1239.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S1214;
+                central_weight_1 = _S1221;
             }
-            float2  central_place_1 = make_float2 (_S1232.x_31, _S1232.y_16);
-            (&box_0)->centre_0 = lerp_2(_S1217, central_place_1, make_float2 (central_weight_1));
+            float2  central_place_1 = make_float2 (_S1239.x_32, _S1239.y_17);
+            (&box_0)->centre_0 = lerp_2(_S1224, central_place_1, make_float2 (central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S1233;
+            central_0 = _S1240;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        SurfacePoint_0 _S1234 = _S1233;
-        YarnPoint_0 _S1235 = yarn_point_of_0(_S1195, &_S1234, _S1232.x_31, _S1232.y_16, _S1204, _S1232.hole_5);
-        SearchQuality_0 _S1236 = _S1228;
-        YarnPoint_0 _S1237 = _S1235;
-        Components_0 _S1238 = components_of_point_0(_S1195, &_S1236, &_S1237, _S1199, _S1200);
-        float _S1239 = (F32_min((_S1203.points_0 - float(number_6 - 1U)), (1.0f)));
-        Components_0 _S1240 = points_1;
-        Components_0 _S1241 = _S1238;
-        Components_0 _S1242 = with_added_0(&_S1240, &_S1241, _S1239);
-        points_1 = _S1242;
+        SurfacePoint_0 _S1241 = _S1240;
+        YarnPoint_0 _S1242 = yarn_point_of_0(_S1202, &_S1241, _S1239.x_32, _S1239.y_17, _S1211, _S1239.hole_5);
+        SearchQuality_0 _S1243 = _S1235;
+        YarnPoint_0 _S1244 = _S1242;
+        Components_0 _S1245 = components_of_point_0(_S1202, &_S1243, &_S1244, _S1206, _S1207);
+        float _S1246 = (F32_min((_S1210.points_1 - float(number_6 - 1U)), (1.0f)));
+        Components_0 _S1247 = points_2;
+        Components_0 _S1248 = _S1245;
+        Components_0 _S1249 = with_added_0(&_S1247, &_S1248, _S1246);
+        points_2 = _S1249;
         number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    float _S1243 = _S1214 / (F32_max((_S1201), (1.0f)));
-    Components_0 _S1244 = _S1218;
-    Components_0 _S1245 = points_1;
-    Components_0 _S1246 = with_added_0(&_S1244, &_S1245, _S1243);
-    (&estimate_0)->components_0 = _S1246;
-    if((_S1203.prefiltered_0) > 0.0f)
+    float _S1250 = _S1221 / (F32_max((_S1208), (1.0f)));
+    Components_0 _S1251 = _S1225;
+    Components_0 _S1252 = points_2;
+    Components_0 _S1253 = with_added_0(&_S1251, &_S1252, _S1250);
+    (&estimate_0)->components_0 = _S1253;
+    if((_S1210.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1247 = prefiltered_components_0(_S1195, _S1196, to_face_frame_0(_S1199, _S1204), _S1205, _S1204);
-        Components_0 _S1248 = (&estimate_0)->components_0;
-        Components_0 _S1249 = _S1247;
-        Components_0 _S1250 = with_added_0(&_S1248, &_S1249, _S1203.prefiltered_0);
-        (&estimate_0)->components_0 = _S1250;
+        Components_0 _S1254 = prefiltered_components_0(_S1202, _S1203, to_face_frame_0(_S1206, _S1211), _S1212, _S1211);
+        Components_0 _S1255 = (&estimate_0)->components_0;
+        Components_0 _S1256 = _S1254;
+        Components_0 _S1257 = with_added_0(&_S1255, &_S1256, _S1210.prefiltered_0);
+        (&estimate_0)->components_0 = _S1257;
     }
-    Footprint_0 _S1251 = box_0;
-    FamilyAlbedos_0 _S1252 = albedos_over_0(_S1195, &_S1251, _S1204);
-    (&estimate_0)->albedos_5 = _S1252;
-    if(_S1207)
+    Footprint_0 _S1258 = box_0;
+    FamilyAlbedos_0 _S1259 = albedos_over_0(_S1202, &_S1258, _S1211);
+    (&estimate_0)->albedos_5 = _S1259;
+    if(_S1214)
     {
-        _S1207 = central_weight_0 > 0.0f;
+        _S1214 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S1207 = false;
+        _S1214 = false;
     }
-    if(_S1207)
+    if(_S1214)
     {
-        SurfacePoint_0 _S1253 = central_0;
-        Albedos_0 _S1254;
+        SurfacePoint_0 _S1260 = central_0;
+        Albedos_0 _S1261;
         if(central_0.is_warp_0)
         {
-            _S1254 = (&(&estimate_0)->albedos_5)->warp_2;
+            _S1261 = (&(&estimate_0)->albedos_5)->warp_2;
         }
         else
         {
-            _S1254 = (&(&estimate_0)->albedos_5)->weft_2;
+            _S1261 = (&(&estimate_0)->albedos_5)->weft_2;
         }
-        float _S1255 = central_place_0.x;
-        float _S1256 = central_place_0.y;
-        SurfacePoint_0 _S1257 = central_0;
-        Albedos_0 _S1258 = _S1254;
-        Albedos_0 _S1259 = varied_at_0(_S1195, &_S1257, &_S1258, _S1255, _S1256);
-        Albedos_0 _S1260 = _S1254;
-        Albedos_0 _S1261 = _S1259;
-        Albedos_0 _S1262 = lerp_albedos_0(&_S1260, &_S1261, central_weight_0);
-        if(_S1253.is_warp_0)
+        float _S1262 = central_place_0.x;
+        float _S1263 = central_place_0.y;
+        SurfacePoint_0 _S1264 = central_0;
+        Albedos_0 _S1265 = _S1261;
+        Albedos_0 _S1266 = varied_at_0(_S1202, &_S1264, &_S1265, _S1262, _S1263);
+        Albedos_0 _S1267 = _S1261;
+        Albedos_0 _S1268 = _S1266;
+        Albedos_0 _S1269 = lerp_albedos_0(&_S1267, &_S1268, central_weight_0);
+        if(_S1260.is_warp_0)
         {
-            (&(&estimate_0)->albedos_5)->warp_2 = _S1262;
+            (&(&estimate_0)->albedos_5)->warp_2 = _S1269;
         }
         else
         {
-            (&(&estimate_0)->albedos_5)->weft_2 = _S1262;
+            (&(&estimate_0)->albedos_5)->weft_2 = _S1269;
         }
     }
     return estimate_0;
 }
 
-__device__ float3  composed_0(uint _S1263, Components_0 * _S1264, FamilyAlbedos_0 * _S1265, float3  _S1266, float3  _S1267)
+__device__ float3  composed_0(uint _S1270, Components_0 * _S1271, FamilyAlbedos_0 * _S1272, float3  _S1273, float3  _S1274)
 {
-    Fabric_0 * _S1268 = (&(globalParams_0->fabrics_0)[_S1263]);
-    float _S1269 = _S1264->diffuse_warp_0;
-    float _S1270 = _S1264->diffuse_weft_0;
-    float _S1271 = _S1264->specular_warp_0;
-    float _S1272 = _S1264->specular_weft_0;
-    float3  _S1273 = (&_S1265->warp_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_warp_0) + (&_S1265->weft_2)->diffuse_reflect_0 * make_float3 (_S1264->diffuse_weft_0) + (&_S1265->warp_2)->specular_reflect_0 * make_float3 (_S1264->specular_warp_0) + (&_S1265->weft_2)->specular_reflect_0 * make_float3 (_S1264->specular_weft_0);
-    float _S1274 = _S1267.z;
+    Fabric_0 * _S1275 = (&(globalParams_0->fabrics_0)[_S1270]);
+    float _S1276 = _S1271->diffuse_warp_0;
+    float _S1277 = _S1271->diffuse_weft_0;
+    float _S1278 = _S1271->specular_warp_0;
+    float _S1279 = _S1271->specular_weft_0;
+    float3  _S1280 = (&_S1272->warp_2)->diffuse_reflect_0 * make_float3 (_S1271->diffuse_warp_0) + (&_S1272->weft_2)->diffuse_reflect_0 * make_float3 (_S1271->diffuse_weft_0) + (&_S1272->warp_2)->specular_reflect_0 * make_float3 (_S1271->specular_warp_0) + (&_S1272->weft_2)->specular_reflect_0 * make_float3 (_S1271->specular_weft_0);
+    float _S1281 = _S1274.z;
     float3  body_0;
-    if((_S1266.z * _S1274) < 0.0f)
+    if((_S1273.z * _S1281) < 0.0f)
     {
-        body_0 = (&_S1265->warp_2)->diffuse_transmit_0 * make_float3 (_S1269) + (&_S1265->weft_2)->diffuse_transmit_0 * make_float3 (_S1270) + (&_S1265->warp_2)->specular_transmit_0 * make_float3 (_S1271) + (&_S1265->weft_2)->specular_transmit_0 * make_float3 (_S1272);
+        body_0 = (&_S1272->warp_2)->diffuse_transmit_0 * make_float3 (_S1276) + (&_S1272->weft_2)->diffuse_transmit_0 * make_float3 (_S1277) + (&_S1272->warp_2)->specular_transmit_0 * make_float3 (_S1278) + (&_S1272->weft_2)->specular_transmit_0 * make_float3 (_S1279);
     }
     else
     {
-        body_0 = _S1273;
+        body_0 = _S1280;
     }
-    float _S1275 = __ldg(&_S1268->sheen_strength_0);
-    if(_S1275 <= 0.0f)
+    float _S1282 = __ldg(&_S1275->sheen_strength_0);
+    if(_S1282 <= 0.0f)
     {
         return body_0;
     }
-    bool _S1276 = _S1274 < 0.0f;
-    float3  _S1277 = to_face_frame_0(_S1266, _S1276);
-    float3  _S1278 = to_face_frame_0(_S1267, _S1276);
-    float _S1279 = __ldg(&_S1268->sheen_roughness_0);
-    float2  _S1280 = sheen_with_transmittance_0(_S1277, _S1278, _S1275, _S1279);
-    return make_float3 (_S1280.y) * body_0 + make_float3 ((_S1264->light_visibility_1 + _S1264->hole_2) * _S1280.x);
+    bool _S1283 = _S1281 < 0.0f;
+    float3  _S1284 = to_face_frame_0(_S1273, _S1283);
+    float3  _S1285 = to_face_frame_0(_S1274, _S1283);
+    float _S1286 = __ldg(&_S1275->sheen_roughness_0);
+    float2  _S1287 = sheen_with_transmittance_0(_S1284, _S1285, _S1282, _S1286);
+    return make_float3 (_S1287.y) * body_0 + make_float3 ((_S1271->light_visibility_1 + _S1271->hole_2) * _S1287.x);
 }
 
-__device__ float4  light_of_footprint_0(int _S1281, uint _S1282, VisiblePoint_0 * _S1283, uint2  _S1284, float3  _S1285)
+__device__ float4  light_of_footprint_0(int _S1288, uint _S1289, VisiblePoint_0 * _S1290, uint2  _S1291, float3  _S1292)
 {
-    Frame_0 * _S1286 = (&(globalParams_0->frames_0)[_S1281]);
-    Fabric_0 * _S1287 = (&(globalParams_0->fabrics_0)[_S1282]);
+    Frame_0 * _S1293 = (&(globalParams_0->frames_0)[_S1288]);
+    Fabric_0 * _S1294 = (&(globalParams_0->fabrics_0)[_S1289]);
     Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1283->draft_0;
-    (&footprint_0)->dx_0 = _S1283->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1283->draft_dy_0;
-    uint _S1288 = __ldg(&_S1286->pass_number_0);
-    float2  _S1289 = frac_0(make_float2 (float(_S1288 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
-    float3  _S1290 = to_local_0(_S1283, _S1283->view_0);
-    uint _S1291 = light_sample_count_0(_S1281);
-    float3  _S1292 = make_float3 (0.0f);
+    (&footprint_0)->centre_0 = _S1290->draft_0;
+    (&footprint_0)->dx_0 = _S1290->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1290->draft_dy_0;
+    uint _S1295 = __ldg(&_S1293->pass_number_0);
+    float2  _S1296 = frac_0(make_float2 (float(_S1295 & 65535U)) * make_float2 (0.75487768650054932f, 0.56984031200408936f));
+    float3  _S1297 = to_local_0(_S1290, _S1290->view_0);
+    uint _S1298 = light_sample_count_0(_S1288);
+    float3  _S1299 = make_float3 (0.0f);
     uint number_7 = 0U;
-    float3  radiance_1 = _S1292;
+    float3  radiance_1 = _S1299;
     float hole_7 = 0.0f;
     for(;;)
     {
-        if(number_7 < (U32_max((_S1291), (1U))))
+        if(number_7 < (U32_max((_S1298), (1U))))
         {
         }
         else
         {
             break;
         }
-        float _S1293;
-        if(number_7 < _S1291)
+        float _S1300;
+        if(number_7 < _S1298)
         {
-            float _S1294 = visibility_at_0(_S1281, number_7, _S1284);
-            _S1293 = _S1294;
+            float _S1301 = visibility_at_0(_S1288, number_7, _S1291);
+            _S1300 = _S1301;
         }
         else
         {
-            _S1293 = 0.0f;
+            _S1300 = 0.0f;
         }
-        bool _S1295;
-        if(_S1293 <= 0.0f)
+        bool _S1302;
+        if(_S1300 <= 0.0f)
         {
-            _S1295 = number_7 > 0U;
+            _S1302 = number_7 > 0U;
         }
         else
         {
-            _S1295 = false;
+            _S1302 = false;
         }
-        if(_S1295)
+        if(_S1302)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S1296 = light_sample_0(_S1281, number_7, _S1284, _S1283->position_0);
-        float3  _S1297 = to_local_0(_S1283, _S1296.towards_0);
-        Footprint_0 _S1298 = footprint_0;
-        Estimate_0 _S1299 = lobes_estimate_of_pass_0(_S1282, &_S1298, 1.0f, _S1289, _S1297, _S1290);
+        LightSample_0 _S1303 = light_sample_0(_S1288, number_7, _S1291, _S1290->position_0);
+        float3  _S1304 = to_local_0(_S1290, _S1303.towards_0);
+        Footprint_0 _S1305 = footprint_0;
+        Estimate_0 _S1306 = lobes_estimate_of_pass_0(_S1289, &_S1305, 1.0f, _S1296, _S1304, _S1297);
         FamilyAlbedos_0 albedos_10;
-        Albedos_0 _S1300 = _S1299.albedos_5.warp_2;
-        Albedos_0 _S1301 = tinted_0(&_S1300, _S1285);
-        (&albedos_10)->warp_2 = _S1301;
-        Albedos_0 _S1302 = _S1299.albedos_5.weft_2;
-        Albedos_0 _S1303 = tinted_0(&_S1302, _S1285);
-        (&albedos_10)->weft_2 = _S1303;
-        float3  _S1304 = make_float3 (_S1293) * _S1296.irradiance_1;
-        Components_0 _S1305 = _S1299.components_0;
-        FamilyAlbedos_0 _S1306 = albedos_10;
-        float3  _S1307 = composed_0(_S1282, &_S1305, &_S1306, _S1297, _S1290);
-        radiance_1 = radiance_1 + _S1304 * _S1307;
-        hole_7 = _S1299.components_0.hole_2;
+        Albedos_0 _S1307 = _S1306.albedos_5.warp_2;
+        Albedos_0 _S1308 = tinted_0(&_S1307, _S1292);
+        (&albedos_10)->warp_2 = _S1308;
+        Albedos_0 _S1309 = _S1306.albedos_5.weft_2;
+        Albedos_0 _S1310 = tinted_0(&_S1309, _S1292);
+        (&albedos_10)->weft_2 = _S1310;
+        float3  _S1311 = make_float3 (_S1300) * _S1303.irradiance_1;
+        Components_0 _S1312 = _S1306.components_0;
+        FamilyAlbedos_0 _S1313 = albedos_10;
+        float3  _S1314 = composed_0(_S1289, &_S1312, &_S1313, _S1304, _S1297);
+        radiance_1 = radiance_1 + _S1311 * _S1314;
+        hole_7 = _S1306.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S1308 = __ldg(&_S1287->sheen_strength_0);
-    if(_S1308 > 0.0f)
+    float _S1315 = __ldg(&_S1294->sheen_strength_0);
+    if(_S1315 > 0.0f)
     {
-        float _S1309 = (F32_abs((_S1290.z)));
-        float _S1310 = __ldg(&_S1287->sheen_roughness_0);
-        hole_7 = hole_7 * (1.0f - _S1308 * sheen_lobe_0(_S1309, _S1310).z);
+        float _S1316 = (F32_abs((_S1297.z)));
+        float _S1317 = __ldg(&_S1294->sheen_roughness_0);
+        hole_7 = hole_7 * (1.0f - _S1315 * sheen_lobe_0(_S1316, _S1317).z);
     }
     return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - hole_7);
 }
 
 extern "C" __global__ void shade_lobes()
 {
-    uint3  _S1311 = blockIdx * blockDim + threadIdx;
-    Frame_0 * _S1312 = (&(globalParams_0->frames_0)[int(0)]);
-    uint _S1313 = _S1311.x;
-    uint _S1314 = __ldg(&_S1312->width_0);
-    bool _S1315;
-    if(_S1313 >= _S1314)
+    uint3  _S1318 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S1319 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S1320 = _S1318.x;
+    uint _S1321 = __ldg(&_S1319->width_0);
+    bool _S1322;
+    if(_S1320 >= _S1321)
     {
-        _S1315 = true;
+        _S1322 = true;
     }
     else
     {
-        uint _S1316 = _S1311.y;
-        uint _S1317 = __ldg(&_S1312->height_0);
-        _S1315 = _S1316 >= _S1317;
+        uint _S1323 = _S1318.y;
+        uint _S1324 = __ldg(&_S1319->height_0);
+        _S1322 = _S1323 >= _S1324;
     }
-    if(_S1315)
+    if(_S1322)
     {
         return;
     }
-    uint _S1318 = _S1311.y * _S1314 + _S1313;
-    uint _S1319 = (&(globalParams_0->layers_0)[_S1318])->face_0;
-    if(((&(globalParams_0->layers_0)[_S1318])->face_0) == 0U)
+    uint _S1325 = _S1318.y * _S1321 + _S1320;
+    uint _S1326 = (&(globalParams_0->layers_0)[_S1325])->face_0;
+    if(((&(globalParams_0->layers_0)[_S1325])->face_0) == 0U)
     {
         return;
     }
-    uint _S1320 = _S1319 - 1U;
-    uint _S1321 = __ldg((&(globalParams_0->face_fabrics_0)[_S1320]));
-    uint2  _S1322 = uint2 {_S1311.x, _S1311.y};
-    VisiblePoint_0 _S1323 = visible_point_0(int(0), _S1321, _S1320, _S1322);
-    VisiblePoint_0 _S1324 = _S1323;
-    float3  _S1325 = filtered_albedo_0(_S1321, &_S1324);
-    VisiblePoint_0 _S1326 = _S1323;
-    float4  _S1327 = light_of_footprint_0(int(0), _S1321, &_S1326, _S1322, _S1325);
-    accumulate_0(_S1318, _S1327);
+    uint _S1327 = _S1326 - 1U;
+    uint _S1328 = __ldg((&(globalParams_0->face_fabrics_0)[_S1327]));
+    uint2  _S1329 = uint2 {_S1318.x, _S1318.y};
+    VisiblePoint_0 _S1330 = visible_point_0(int(0), _S1328, _S1327, _S1329);
+    VisiblePoint_0 _S1331 = _S1330;
+    float3  _S1332 = filtered_albedo_0(_S1328, &_S1331);
+    VisiblePoint_0 _S1333 = _S1330;
+    float4  _S1334 = light_of_footprint_0(int(0), _S1328, &_S1333, _S1329, _S1332);
+    accumulate_0(_S1325, _S1334);
     return;
 }
 

@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -156,6 +183,63 @@ struct Layer_0
     float share_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -168,15 +252,25 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     StructuredBuffer<uint> scene_words_0;
     RWStructuredBuffer<Layer_0> layers_0;
     RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float dot_0(float3  x_2, float3  y_2)
+__device__ float dot_0(float3  x_3, float3  y_3)
 {
     int i_0 = int(0);
     float result_0 = 0.0f;
@@ -189,19 +283,19 @@ __device__ float dot_0(float3  x_2, float3  y_2)
         {
             break;
         }
-        float result_1 = result_0 + _slang_vector_get_element(x_2, i_0) * _slang_vector_get_element(y_2, i_0);
+        float result_1 = result_0 + _slang_vector_get_element(x_3, i_0) * _slang_vector_get_element(y_3, i_0);
         i_0 = i_0 + int(1);
         result_0 = result_1;
     }
     return result_0;
 }
 
-__device__ float length_0(float3  x_3)
+__device__ float length_0(float3  x_4)
 {
-    return (F32_sqrt((dot_0(x_3, x_3))));
+    return (F32_sqrt((dot_0(x_4, x_4))));
 }
 
-__device__ float dot_1(float2  x_4, float2  y_3)
+__device__ float dot_1(float2  x_5, float2  y_4)
 {
     int i_1 = int(0);
     float result_2 = 0.0f;
@@ -214,34 +308,34 @@ __device__ float dot_1(float2  x_4, float2  y_3)
         {
             break;
         }
-        float result_3 = result_2 + _slang_vector_get_element(x_4, i_1) * _slang_vector_get_element(y_3, i_1);
+        float result_3 = result_2 + _slang_vector_get_element(x_5, i_1) * _slang_vector_get_element(y_4, i_1);
         i_1 = i_1 + int(1);
         result_2 = result_3;
     }
     return result_2;
 }
 
-__device__ float clamp_0(float x_5, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_6, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_5), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_6), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ float lerp_0(float x_6, float y_4, float s_0)
+__device__ float lerp_0(float x_7, float y_5, float s_0)
 {
-    return x_6 + (y_4 - x_6) * s_0;
+    return x_7 + (y_5 - x_7) * s_0;
 }
 
-__device__ float3  normalize_0(float3  x_7)
+__device__ float3  normalize_0(float3  x_8)
 {
-    return x_7 / make_float3 (length_0(x_7));
+    return x_8 / make_float3 (length_0(x_8));
 }
 
-__device__ float saturate_0(float x_8)
+__device__ float saturate_0(float x_9)
 {
-    return clamp_0(x_8, 0.0f, 1.0f);
+    return clamp_0(x_9, 0.0f, 1.0f);
 }
 
-__device__ float3  min_0(float3  x_9, float3  y_5)
+__device__ float3  min_0(float3  x_10, float3  y_6)
 {
     float3  result_4;
     int i_2 = int(0);
@@ -254,13 +348,13 @@ __device__ float3  min_0(float3  x_9, float3  y_5)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_9, i_2)), (_slang_vector_get_element(y_5, i_2))));
+        *_slang_vector_get_element_ptr(&result_4, i_2) = (F32_min((_slang_vector_get_element(x_10, i_2)), (_slang_vector_get_element(y_6, i_2))));
         i_2 = i_2 + int(1);
     }
     return result_4;
 }
 
-__device__ float3  max_0(float3  x_10, float3  y_6)
+__device__ float3  max_0(float3  x_11, float3  y_7)
 {
     float3  result_5;
     int i_3 = int(0);
@@ -273,7 +367,7 @@ __device__ float3  max_0(float3  x_10, float3  y_6)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_10, i_3)), (_slang_vector_get_element(y_6, i_3))));
+        *_slang_vector_get_element_ptr(&result_5, i_3) = (F32_max((_slang_vector_get_element(x_11, i_3)), (_slang_vector_get_element(y_7, i_3))));
         i_3 = i_3 + int(1);
     }
     return result_5;
@@ -282,7 +376,7 @@ __device__ float3  max_0(float3  x_10, float3  y_6)
 __device__ static const FixedArray<float, 4>  PYRAMID_RADII_0 = {
     1.0f, 2.0f, 4.0f, 8.0f
 };
-__device__ float2  frac_0(float2  x_11)
+__device__ float2  frac_0(float2  x_12)
 {
     float2  result_6;
     int i_4 = int(0);
@@ -295,15 +389,15 @@ __device__ float2  frac_0(float2  x_11)
         {
             break;
         }
-        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_11, i_4))));
+        *_slang_vector_get_element_ptr(&result_6, i_4) = (F32_frac((_slang_vector_get_element(x_12, i_4))));
         i_4 = i_4 + int(1);
     }
     return result_6;
 }
 
-__device__ float3  lerp_1(float3  x_12, float3  y_7, float3  s_1)
+__device__ float3  lerp_1(float3  x_13, float3  y_8, float3  s_1)
 {
-    return x_12 + (y_7 - x_12) * s_1;
+    return x_13 + (y_8 - x_13) * s_1;
 }
 
 __device__ float3  cross_0(float3  left_0, float3  right_0)
@@ -346,14 +440,14 @@ __device__ float3  normal_of_0(Vertex_0 * vertex_1)
     return make_float3 (vertex_1->normal_x_0, vertex_1->normal_y_0, vertex_1->normal_z_0);
 }
 
-__device__ float square_1(float x_13)
+__device__ float square_1(float x_14)
 {
-    return x_13 * x_13;
+    return x_14 * x_14;
 }
 
-__device__ float natural_logarithm_0(float x_14)
+__device__ float natural_logarithm_0(float x_15)
 {
-    uint _S16 = (F32_asuint((x_14)));
+    uint _S16 = (F32_asuint((x_15)));
     float exponent_0 = float(int(_S16 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S16 & 8388607U) | 1056964608U)));
     float m_1;
@@ -374,20 +468,20 @@ __device__ float natural_logarithm_0(float x_14)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S17 - exponent_1 * 0.00021219444170129f - 0.5f * _S17) + exponent_1 * 0.693359375f;
 }
 
-__device__ float binary_logarithm_0(float x_15)
+__device__ float binary_logarithm_0(float x_16)
 {
-    return natural_logarithm_0(x_15) * 1.4426950216293335f;
+    return natural_logarithm_0(x_16) * 1.4426950216293335f;
 }
 
-__device__ float exponential_0(float x_16)
+__device__ float exponential_0(float x_17)
 {
-    float _S18 = clamp_0(x_16, -87.0f, 88.0f);
+    float _S18 = clamp_0(x_17, -87.0f, 88.0f);
     float _S19 = (F32_floor((_S18 * 1.4426950216293335f + 0.5f)));
     float _S20 = _S18 - _S19 * 0.693359375f + _S19 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S20 + 0.00139819993637502f) * _S20 + 0.00833345204591751f) * _S20 + 0.04166579619050026f) * _S20 + 0.1666666567325592f) * _S20 + 0.5f;
     float _S21 = (U32_asfloat((uint(int(_S19) + int(127)) << int(23))));
     float _S22;
-    if(x_16 < -87.0f)
+    if(x_17 < -87.0f)
     {
         _S22 = 0.0f;
     }
@@ -1365,9 +1459,9 @@ __device__ float2  fibre_direction_0(float across_slope_0, float along_slope_0, 
     return make_float2 (- _S206 * _S204, _S206 * across_slope_0 * along_slope_0 + cosine_0 * _S205);
 }
 
-__device__ float arc_sine_0(float x_17)
+__device__ float arc_sine_0(float x_18)
 {
-    float _S207 = (F32_abs((x_17)));
+    float _S207 = (F32_abs((x_18)));
     bool _S208 = _S207 > 0.5f;
     float _S209;
     if(_S208)
@@ -1396,7 +1490,7 @@ __device__ float arc_sine_0(float x_17)
     {
         _S209 = _S211;
     }
-    if(x_17 < 0.0f)
+    if(x_18 < 0.0f)
     {
         _S209 = - _S209;
     }
@@ -1506,10 +1600,10 @@ __device__ float mean_0(float3  colour_0)
     return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
 }
 
-__device__ float2  sine_cosine_0(float x_18)
+__device__ float2  sine_cosine_0(float x_19)
 {
-    float _S220 = (F32_floor((x_18 * 0.63661974668502808f + 0.5f)));
-    float _S221 = x_18 - _S220 * 1.5703125f - _S220 * 0.00048375129699707f - _S220 * 7.54979012640433211e-08f;
+    float _S220 = (F32_floor((x_19 * 0.63661974668502808f + 0.5f)));
+    float _S221 = x_19 - _S220 * 1.5703125f - _S220 * 0.00048375129699707f - _S220 * 7.54979012640433211e-08f;
     float _S222 = _S221 * _S221;
     float _S223 = ((-0.00019515295571182f * _S222 + 0.00833216123282909f) * _S222 - 0.16666655242443085f) * _S222 * _S221 + _S221;
     float _S224 = ((0.00002443315679557f * _S222 - 0.00138873164542019f) * _S222 + 0.04166664555668831f) * _S222 * _S222 - 0.5f * _S222 + 1.0f;
@@ -1642,19 +1736,19 @@ __device__ float transmission_0(float3  light_3, float3  view_3, float3  normal_
     return density_between_0(light_3, view_3, tangent_3, roughness_5) * 0.25f * optical_depth_2 * exponential_0(- optical_depth_2 * (F32_min((_S253), (_S254)))) * mean_attenuation_0(optical_depth_2 * (F32_abs((_S253 - _S254)))) * _S252;
 }
 
-__device__ float sheen_scale_0(float x_19, float y_8)
+__device__ float sheen_scale_0(float x_20, float y_9)
 {
-    return (((((0.0f * x_19 + (((((-1.1402510404586792f * y_8 + 0.40672621130943298f) * y_8 + 1.65398800373077393f) * y_8 + -1.29730904102325439f) * y_8 + 0.30570998787879944f) * y_8 + -0.0220868494361639f)) * x_19 + (((((-0.21142719686031342f * y_8 + 1.05947399139404297f) * y_8 + -0.41116121411323547f) * y_8 + -0.93859231472015381f) * y_8 + 0.51606941223144531f) * y_8 + 0.05409301072359085f)) * x_19 + (((((1.22944498062133789f * y_8 + -0.45962560176849365f) * y_8 + -1.63861405849456787f) * y_8 + 1.33565104007720947f) * y_8 + -0.45725581049919128f) * y_8 + 0.08243165910243988f)) * x_19 + (((((0.39779931306838989f * y_8 + -1.18879103660583496f) * y_8 + 0.28251591324806213f) * y_8 + 1.168984055519104f) * y_8 + -0.76864629983901978f) * y_8 + 0.0091691892594099f)) * x_19 + (((((-0.26563560962677002f * y_8 + -0.19379159808158875f) * y_8 + 0.2677634060382843f) * y_8 + 0.00270519289188087f) * y_8 + 0.14349560439586639f) * y_8 + 0.10290180146694183f)) * x_19 + (((((-0.20701569318771362f * y_8 + 0.24526430666446686f) * y_8 + 0.19551840424537659f) * y_8 + 0.07586126774549484f) * y_8 + 0.38894739747047424f) * y_8 + 0.15043120086193085f);
+    return (((((0.0f * x_20 + (((((-1.1402510404586792f * y_9 + 0.40672621130943298f) * y_9 + 1.65398800373077393f) * y_9 + -1.29730904102325439f) * y_9 + 0.30570998787879944f) * y_9 + -0.0220868494361639f)) * x_20 + (((((-0.21142719686031342f * y_9 + 1.05947399139404297f) * y_9 + -0.41116121411323547f) * y_9 + -0.93859231472015381f) * y_9 + 0.51606941223144531f) * y_9 + 0.05409301072359085f)) * x_20 + (((((1.22944498062133789f * y_9 + -0.45962560176849365f) * y_9 + -1.63861405849456787f) * y_9 + 1.33565104007720947f) * y_9 + -0.45725581049919128f) * y_9 + 0.08243165910243988f)) * x_20 + (((((0.39779931306838989f * y_9 + -1.18879103660583496f) * y_9 + 0.28251591324806213f) * y_9 + 1.168984055519104f) * y_9 + -0.76864629983901978f) * y_9 + 0.0091691892594099f)) * x_20 + (((((-0.26563560962677002f * y_9 + -0.19379159808158875f) * y_9 + 0.2677634060382843f) * y_9 + 0.00270519289188087f) * y_9 + 0.14349560439586639f) * y_9 + 0.10290180146694183f)) * x_20 + (((((-0.20701569318771362f * y_9 + 0.24526430666446686f) * y_9 + 0.19551840424537659f) * y_9 + 0.07586126774549484f) * y_9 + 0.38894739747047424f) * y_9 + 0.15043120086193085f);
 }
 
-__device__ float sheen_shear_0(float x_20, float y_9)
+__device__ float sheen_shear_0(float x_21, float y_10)
 {
-    return ((((0.0f * x_20 + (((((-0.10608240216970444f * y_9 + 1.99214303493499756f) * y_9 + -1.42255294322967529f) * y_9 + -1.09495604038238525f) * y_9 + 0.59180057048797607f) * y_9 + 0.06902855634689331f)) * x_20 + (((((-0.46220690011978149f * y_9 + -0.29113379120826721f) * y_9 + 1.39025199413299561f) * y_9 + 0.35589990019798279f) * y_9 + -1.17120099067687988f) * y_9 + 0.15940259397029877f)) * x_20 + (((((2.26068711280822754f * y_9 + -3.64728999137878418f) * y_9 + -0.72173482179641724f) * y_9 + 3.07659196853637695f) * y_9 + -0.6827620267868042f) * y_9 + -0.3039557933807373f)) * x_20 + (((((0.81201767921447754f * y_9 + 0.36014080047607422f) * y_9 + -1.72646903991699219f) * y_9 + -0.22630110383033752f) * y_9 + 0.89514690637588501f) * y_9 + -0.10397960245609283f)) * x_20 + (((((-0.37648698687553406f * y_9 + 1.10974001884460449f) * y_9 + 0.17824520170688629f) * y_9 + -1.04968702793121338f) * y_9 + 0.1461234986782074f) * y_9 + -0.00475129019469023f);
+    return ((((0.0f * x_21 + (((((-0.10608240216970444f * y_10 + 1.99214303493499756f) * y_10 + -1.42255294322967529f) * y_10 + -1.09495604038238525f) * y_10 + 0.59180057048797607f) * y_10 + 0.06902855634689331f)) * x_21 + (((((-0.46220690011978149f * y_10 + -0.29113379120826721f) * y_10 + 1.39025199413299561f) * y_10 + 0.35589990019798279f) * y_10 + -1.17120099067687988f) * y_10 + 0.15940259397029877f)) * x_21 + (((((2.26068711280822754f * y_10 + -3.64728999137878418f) * y_10 + -0.72173482179641724f) * y_10 + 3.07659196853637695f) * y_10 + -0.6827620267868042f) * y_10 + -0.3039557933807373f)) * x_21 + (((((0.81201767921447754f * y_10 + 0.36014080047607422f) * y_10 + -1.72646903991699219f) * y_10 + -0.22630110383033752f) * y_10 + 0.89514690637588501f) * y_10 + -0.10397960245609283f)) * x_21 + (((((-0.37648698687553406f * y_10 + 1.10974001884460449f) * y_10 + 0.17824520170688629f) * y_10 + -1.04968702793121338f) * y_10 + 0.1461234986782074f) * y_10 + -0.00475129019469023f);
 }
 
-__device__ float sheen_reflectance_0(float x_21, float y_10)
+__device__ float sheen_reflectance_0(float x_22, float y_11)
 {
-    return ((((0.0f * x_21 + (((((12.95646953582763672f * y_10 + -21.38032913208007812f) * y_10 + -7.37853097915649414f) * y_10 + 34.55607986450195312f) * y_10 + -23.61347007751464844f) * y_10 + 5.00126314163208008f)) * x_21 + (((((10.91487026214599609f * y_10 + -6.08202791213989258f) * y_10 + -38.2036285400390625f) * y_10 + 53.3440399169921875f) * y_10 + -21.91996002197265625f) * y_10 + 2.01606011390686035f)) * x_21 + (((((-14.52206039428710938f * y_10 + 36.803619384765625f) * y_10 + -22.94047927856445312f) * y_10 + -10.07973003387451172f) * y_10 + 15.77003955841064453f) * y_10 + -4.92722177505493164f)) * x_21 + (((((-7.62505722045898438f * y_10 + 1.27310299873352051f) * y_10 + 31.19523048400878906f) * y_10 + -44.39989852905273438f) * y_10 + 26.44947052001953125f) * y_10 + -8.73507976531982422f)) * x_21 + (((((5.65633487701416016f * y_10 + -17.66820907592773438f) * y_10 + 24.65356063842773438f) * y_10 + -19.38941001892089844f) * y_10 + 11.06159019470214844f) * y_10 + -3.06573700904846191f);
+    return ((((0.0f * x_22 + (((((12.95646953582763672f * y_11 + -21.38032913208007812f) * y_11 + -7.37853097915649414f) * y_11 + 34.55607986450195312f) * y_11 + -23.61347007751464844f) * y_11 + 5.00126314163208008f)) * x_22 + (((((10.91487026214599609f * y_11 + -6.08202791213989258f) * y_11 + -38.2036285400390625f) * y_11 + 53.3440399169921875f) * y_11 + -21.91996002197265625f) * y_11 + 2.01606011390686035f)) * x_22 + (((((-14.52206039428710938f * y_11 + 36.803619384765625f) * y_11 + -22.94047927856445312f) * y_11 + -10.07973003387451172f) * y_11 + 15.77003955841064453f) * y_11 + -4.92722177505493164f)) * x_22 + (((((-7.62505722045898438f * y_11 + 1.27310299873352051f) * y_11 + 31.19523048400878906f) * y_11 + -44.39989852905273438f) * y_11 + 26.44947052001953125f) * y_11 + -8.73507976531982422f)) * x_22 + (((((5.65633487701416016f * y_11 + -17.66820907592773438f) * y_11 + 24.65356063842773438f) * y_11 + -19.38941001892089844f) * y_11 + 11.06159019470214844f) * y_11 + -3.06573700904846191f);
 }
 
 __device__ float3  sheen_lobe_0(float cos_view_0, float roughness_6)
@@ -1934,8 +2028,8 @@ struct YarnPoint_0
     bool back_2;
     bool hole_2;
     bool is_warp_1;
-    float x_22;
-    float y_11;
+    float x_23;
+    float y_12;
     float height_3;
     float3  normal_4;
     float3  tangent_4;
@@ -1945,8 +2039,8 @@ struct YarnPoint_0
 
 struct Hit_0
 {
-    float x_23;
-    float y_12;
+    float x_24;
+    float y_13;
     bool hole_3;
     float height_4;
 };
@@ -1974,7 +2068,7 @@ __device__ Crossing_0 crossing_at_0(uint _S403, float _S404, float _S405, bool _
     (&crossing_2)->weft_1 = locate_0(_S409, _S405);
     uint _S410 = __ldg(&_S407->run_words_0);
     uint _S411 = (&(&crossing_2)->weft_1)->thread_1;
-    uint _S412 = __ldg(&_S407->ends_0);
+    uint _S412 = __ldg(&_S407->ends_1);
     uint _S413 = _S410 + 2U * (_S411 * _S412 + (&(&crossing_2)->warp_1)->thread_1);
     uint _S414 = __ldg((&(globalParams_0->words_0)[_S413]));
     (&crossing_2)->warp_word_0 = _S414;
@@ -2722,39 +2816,47 @@ __device__ float refined_height_0(uint _S625, ViewRay_0 * _S626, StepControl_0 *
     return middle_0;
 }
 
-__device__ Hit_0 first_hit_0(uint _S647, SearchQuality_0 * _S648, float _S649, float _S650, float3  _S651, bool _S652)
+__device__ Hit_0 first_hit_of_yarn_0(uint _S647, SearchQuality_0 * _S648, float _S649, float _S650, float3  _S651, bool _S652)
 {
-    Hit_0 hit_0;
-    (&hit_0)->x_23 = _S649;
-    (&hit_0)->y_12 = _S650;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S653 = passes_through_0(_S647, _S648, _S649, _S650, _S651, _S652);
-    (&hit_0)->hole_3 = _S653;
-    if(_S653)
-    {
-        return hit_0;
-    }
-    float _S654 = (F32_max((_S651.z), (0.00009999999747379f)));
+    float _S653 = (F32_max((_S651.z), (0.00009999999747379f)));
     ViewRay_0 ray_0;
     (&ray_0)->origin_0 = make_float2 (_S649, _S650);
-    float2  _S655 = float2 {_S651.x, _S651.y} / make_float2 (_S654);
-    (&ray_0)->slope_1 = _S655;
-    float2  _S656 = - _S655;
-    float _S657 = steps_per_length_0(_S647, _S648, _S651);
-    StepControl_0 _S658 = step_control_0(_S656, 1.0f / (F32_max((_S657 / _S654), (9.99999971718068537e-10f))));
-    ViewRay_0 _S659 = ray_0;
-    StepControl_0 _S660 = _S658;
-    ViewRayEnd_0 _S661 = search_down_0(_S647, &_S659, &_S660, _S652);
-    ViewRay_0 _S662 = ray_0;
-    StepControl_0 _S663 = _S658;
-    ViewRayEnd_0 _S664 = _S661;
-    float _S665 = refined_height_0(_S647, &_S662, &_S663, _S652, &_S664, _S648->refinements_0);
-    (&hit_0)->height_4 = _S665;
-    ViewRay_0 _S666 = ray_0;
-    float2  _S667 = ViewRay_at_0(&_S666, _S665);
-    (&hit_0)->x_23 = _S667.x;
-    (&hit_0)->y_12 = _S667.y;
+    float2  _S654 = float2 {_S651.x, _S651.y} / make_float2 (_S653);
+    (&ray_0)->slope_1 = _S654;
+    float2  _S655 = - _S654;
+    float _S656 = steps_per_length_0(_S647, _S648, _S651);
+    StepControl_0 _S657 = step_control_0(_S655, 1.0f / (F32_max((_S656 / _S653), (9.99999971718068537e-10f))));
+    ViewRay_0 _S658 = ray_0;
+    StepControl_0 _S659 = _S657;
+    ViewRayEnd_0 _S660 = search_down_0(_S647, &_S658, &_S659, _S652);
+    Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    ViewRay_0 _S661 = ray_0;
+    StepControl_0 _S662 = _S657;
+    ViewRayEnd_0 _S663 = _S660;
+    float _S664 = refined_height_0(_S647, &_S661, &_S662, _S652, &_S663, _S648->refinements_0);
+    (&hit_0)->height_4 = _S664;
+    ViewRay_0 _S665 = ray_0;
+    float2  _S666 = ViewRay_at_0(&_S665, _S664);
+    (&hit_0)->x_24 = _S666.x;
+    (&hit_0)->y_13 = _S666.y;
     return hit_0;
+}
+
+__device__ Hit_0 first_hit_0(uint _S667, SearchQuality_0 * _S668, float _S669, float _S670, float3  _S671, bool _S672)
+{
+    bool _S673 = passes_through_0(_S667, _S668, _S669, _S670, _S671, _S672);
+    if(!_S673)
+    {
+        Hit_0 _S674 = first_hit_of_yarn_0(_S667, _S668, _S669, _S670, _S671, _S672);
+        return _S674;
+    }
+    Hit_0 hit_1;
+    (&hit_1)->x_24 = _S669;
+    (&hit_1)->y_13 = _S670;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2771,275 +2873,275 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-__device__ SurfacePoint_0 surface_at_0(uint _S668, float _S669, float _S670, bool _S671)
+__device__ SurfacePoint_0 surface_at_0(uint _S675, float _S676, float _S677, bool _S678)
 {
-    Fabric_0 * _S672 = (&(globalParams_0->fabrics_0)[_S668]);
-    Sample_0 _S673 = sample_at_0(_S668, _S669, _S670, _S671);
-    float _S674;
-    if(_S673.shown_3.is_warp_0)
+    Fabric_0 * _S679 = (&(globalParams_0->fabrics_0)[_S675]);
+    Sample_0 _S680 = sample_at_0(_S675, _S676, _S677, _S678);
+    float _S681;
+    if(_S680.shown_3.is_warp_0)
     {
-        _S674 = _S673.crossing_1.warp_1.half_width_1;
+        _S681 = _S680.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S674 = _S673.crossing_1.weft_1.half_width_1;
+        _S681 = _S680.crossing_1.weft_1.half_width_1;
     }
-    uint _S675;
-    if(_S673.shown_3.is_warp_0)
+    uint _S682;
+    if(_S680.shown_3.is_warp_0)
     {
-        uint _S676 = __ldg(&_S672->warp_0);
-        _S675 = _S676;
-    }
-    else
-    {
-        uint _S677 = __ldg(&_S672->weft_0);
-        _S675 = _S677;
-    }
-    Family_0 _S678 = slang_ldg_1((&(globalParams_0->families_0)[_S675]));
-    float _S679;
-    if(_S671)
-    {
-        _S679 = -1.0f;
+        uint _S683 = __ldg(&_S679->warp_0);
+        _S682 = _S683;
     }
     else
     {
-        _S679 = 1.0f;
+        uint _S684 = __ldg(&_S679->weft_0);
+        _S682 = _S684;
     }
-    float _S680 = _S678.twist_sine_0 * _S679;
-    Family_0 _S681 = slang_ldg_1((&(globalParams_0->families_0)[_S675]));
-    if(_S673.shown_3.is_warp_0)
+    Family_0 _S685 = slang_ldg_1((&(globalParams_0->families_0)[_S682]));
+    float _S686;
+    if(_S678)
     {
-        _S679 = 1.0f;
-    }
-    else
-    {
-        _S679 = -1.0f;
-    }
-    float2  _S682 = fibre_direction_0(_S673.slope_across_0, _S679 * _S673.slope_along_0, _S680, _S681.twist_cosine_0);
-    float _S683;
-    if(_S673.shown_3.is_warp_0)
-    {
-        _S683 = _S673.slope_x_1;
+        _S686 = -1.0f;
     }
     else
     {
-        _S683 = _S673.slope_y_1;
+        _S686 = 1.0f;
     }
-    float _S684;
-    if(_S673.shown_3.is_warp_0)
+    float _S687 = _S685.twist_sine_0 * _S686;
+    Family_0 _S688 = slang_ldg_1((&(globalParams_0->families_0)[_S682]));
+    if(_S680.shown_3.is_warp_0)
     {
-        _S684 = _S673.slope_y_1;
-    }
-    else
-    {
-        _S684 = _S673.slope_x_1;
-    }
-    float _S685 = _S682.x;
-    float _S686 = _S682.y;
-    float _S687 = _S683 * _S685 + _S679 * _S684 * _S686;
-    float _S688 = _S674 * 1.0154266357421875f;
-    float _S689 = _S688 * arc_sine_0(clamp_0(_S673.section_1.across_1 / _S688, -1.0f, 1.0f));
-    if(_S673.shown_3.is_warp_0)
-    {
-        _S674 = _S670;
+        _S686 = 1.0f;
     }
     else
     {
-        _S674 = - _S669;
+        _S686 = -1.0f;
+    }
+    float2  _S689 = fibre_direction_0(_S680.slope_across_0, _S686 * _S680.slope_along_0, _S687, _S688.twist_cosine_0);
+    float _S690;
+    if(_S680.shown_3.is_warp_0)
+    {
+        _S690 = _S680.slope_x_1;
+    }
+    else
+    {
+        _S690 = _S680.slope_y_1;
+    }
+    float _S691;
+    if(_S680.shown_3.is_warp_0)
+    {
+        _S691 = _S680.slope_y_1;
+    }
+    else
+    {
+        _S691 = _S680.slope_x_1;
+    }
+    float _S692 = _S689.x;
+    float _S693 = _S689.y;
+    float _S694 = _S690 * _S692 + _S686 * _S691 * _S693;
+    float _S695 = _S681 * 1.0154266357421875f;
+    float _S696 = _S695 * arc_sine_0(clamp_0(_S680.section_1.across_1 / _S695, -1.0f, 1.0f));
+    if(_S680.shown_3.is_warp_0)
+    {
+        _S681 = _S677;
+    }
+    else
+    {
+        _S681 = - _S676;
     }
     SurfacePoint_0 point_3;
-    (&point_3)->hole_4 = _S673.shown_3.hole_0;
-    (&point_3)->is_warp_2 = _S673.shown_3.is_warp_0;
-    (&point_3)->warp_thread_0 = _S673.crossing_1.warp_1.thread_1;
-    (&point_3)->weft_thread_0 = _S673.crossing_1.weft_1.thread_1;
-    (&point_3)->height_9 = _S673.height_5;
-    (&point_3)->normal_5 = normalize_0(make_float3 (- _S673.slope_x_1, - _S673.slope_y_1, 1.0f));
-    float3  _S690;
-    if(_S673.shown_3.is_warp_0)
+    (&point_3)->hole_4 = _S680.shown_3.hole_0;
+    (&point_3)->is_warp_2 = _S680.shown_3.is_warp_0;
+    (&point_3)->warp_thread_0 = _S680.crossing_1.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S680.crossing_1.weft_1.thread_1;
+    (&point_3)->height_9 = _S680.height_5;
+    (&point_3)->normal_5 = normalize_0(make_float3 (- _S680.slope_x_1, - _S680.slope_y_1, 1.0f));
+    float3  _S697;
+    if(_S680.shown_3.is_warp_0)
     {
-        _S690 = make_float3 (_S685, _S686, _S687);
+        _S697 = make_float3 (_S692, _S693, _S694);
     }
     else
     {
-        _S690 = make_float3 (- _S686, _S685, _S687);
+        _S697 = make_float3 (- _S693, _S692, _S694);
     }
-    (&point_3)->tangent_5 = normalize_0(_S690);
-    (&point_3)->across_2 = _S673.section_1.across_1;
-    (&point_3)->fibre_across_0 = _S689 * _S681.twist_cosine_0 + _S674 * _S680;
-    (&point_3)->fibre_along_0 = _S674 * _S681.twist_cosine_0 - _S689 * _S680;
+    (&point_3)->tangent_5 = normalize_0(_S697);
+    (&point_3)->across_2 = _S680.section_1.across_1;
+    (&point_3)->fibre_across_0 = _S696 * _S688.twist_cosine_0 + _S681 * _S687;
+    (&point_3)->fibre_along_0 = _S681 * _S688.twist_cosine_0 - _S696 * _S687;
     return point_3;
 }
 
-__device__ Albedos_0 vary_albedos_0(uint _S691, Albedos_0 * _S692, uint _S693, uint _S694)
+__device__ Albedos_0 vary_albedos_0(uint _S698, Albedos_0 * _S699, uint _S700, uint _S701)
 {
-    Fabric_0 * _S695 = (&(globalParams_0->fabrics_0)[_S691]);
-    float3  _S696 = _S692->specular_reflect_0;
-    float3  _S697 = _S692->specular_transmit_0;
-    float3  _S698 = max_0(_S692->specular_reflect_0, _S692->specular_transmit_0);
-    float3  _S699 = _S692->diffuse_reflect_0;
-    float3  _S700 = _S692->diffuse_transmit_0;
-    float3  _S701 = _S692->diffuse_reflect_0 + _S692->diffuse_transmit_0;
-    float _S702 = __ldg(&_S695->colour_noise_0);
-    uint _S703 = __ldg(&_S695->seed_0);
-    float _S704 = thread_gain_0(_S693, _S702, _S703);
-    float _S705 = __ldg(&_S695->layer_bound_0);
-    float _S706 = bounded_gain_0(_S704, _S701, make_float3 (1.0f) - make_float3 (_S705) * _S698);
-    float3  _S707 = min_0((make_float3 (1.0f) - make_float3 (_S706) * _S701) / make_float3 (_S705), make_float3 (1.0f));
-    float _S708 = __ldg(&_S695->fibre_noise_0);
-    float _S709 = bounded_gain_0(fibre_gain_0(_S693, _S694, _S708, _S703), _S698, _S707);
+    Fabric_0 * _S702 = (&(globalParams_0->fabrics_0)[_S698]);
+    float3  _S703 = _S699->specular_reflect_0;
+    float3  _S704 = _S699->specular_transmit_0;
+    float3  _S705 = max_0(_S699->specular_reflect_0, _S699->specular_transmit_0);
+    float3  _S706 = _S699->diffuse_reflect_0;
+    float3  _S707 = _S699->diffuse_transmit_0;
+    float3  _S708 = _S699->diffuse_reflect_0 + _S699->diffuse_transmit_0;
+    float _S709 = __ldg(&_S702->colour_noise_0);
+    uint _S710 = __ldg(&_S702->seed_0);
+    float _S711 = thread_gain_0(_S700, _S709, _S710);
+    float _S712 = __ldg(&_S702->layer_bound_0);
+    float _S713 = bounded_gain_0(_S711, _S708, make_float3 (1.0f) - make_float3 (_S712) * _S705);
+    float3  _S714 = min_0((make_float3 (1.0f) - make_float3 (_S713) * _S708) / make_float3 (_S712), make_float3 (1.0f));
+    float _S715 = __ldg(&_S702->fibre_noise_0);
+    float _S716 = bounded_gain_0(fibre_gain_0(_S700, _S701, _S715, _S710), _S705, _S714);
     Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = make_float3 (_S706) * _S699;
-    (&varied_0)->diffuse_transmit_0 = make_float3 (_S706) * _S700;
-    (&varied_0)->specular_reflect_0 = make_float3 (_S709) * _S696;
-    (&varied_0)->specular_transmit_0 = make_float3 (_S709) * _S697;
+    (&varied_0)->diffuse_reflect_0 = make_float3 (_S713) * _S706;
+    (&varied_0)->diffuse_transmit_0 = make_float3 (_S713) * _S707;
+    (&varied_0)->specular_reflect_0 = make_float3 (_S716) * _S703;
+    (&varied_0)->specular_transmit_0 = make_float3 (_S716) * _S704;
     return varied_0;
 }
 
-__device__ Albedos_0 varied_at_0(uint _S710, SurfacePoint_0 * _S711, Albedos_0 * _S712, float _S713, float _S714)
+__device__ Albedos_0 varied_at_0(uint _S717, SurfacePoint_0 * _S718, Albedos_0 * _S719, float _S720, float _S721)
 {
-    Fabric_0 * _S715 = (&(globalParams_0->fabrics_0)[_S710]);
-    bool _S716 = _S711->is_warp_2;
-    float _S717;
-    if(_S711->is_warp_2)
+    Fabric_0 * _S722 = (&(globalParams_0->fabrics_0)[_S717]);
+    bool _S723 = _S718->is_warp_2;
+    float _S724;
+    if(_S718->is_warp_2)
     {
-        _S717 = _S713;
+        _S724 = _S720;
     }
     else
     {
-        _S717 = _S714;
+        _S724 = _S721;
     }
-    float _S718 = _S717 - _S711->across_2;
-    uint _S719;
-    if(_S716)
+    float _S725 = _S724 - _S718->across_2;
+    uint _S726;
+    if(_S723)
     {
-        uint _S720 = __ldg(&_S715->warp_0);
-        _S719 = _S720;
+        uint _S727 = __ldg(&_S722->warp_0);
+        _S726 = _S727;
     }
     else
     {
-        uint _S721 = __ldg(&_S715->weft_0);
-        _S719 = _S721;
+        uint _S728 = __ldg(&_S722->weft_0);
+        _S726 = _S728;
     }
-    Family_0 _S722 = slang_ldg_1((&(globalParams_0->families_0)[_S719]));
-    Family_0 _S723 = slang_ldg_1((&(globalParams_0->families_0)[_S719]));
-    int _S724 = int(_S723.count_0);
-    if(_S716)
+    Family_0 _S729 = slang_ldg_1((&(globalParams_0->families_0)[_S726]));
+    Family_0 _S730 = slang_ldg_1((&(globalParams_0->families_0)[_S726]));
+    int _S731 = int(_S730.count_0);
+    if(_S723)
     {
-        _S719 = _S711->warp_thread_0;
+        _S726 = _S718->warp_thread_0;
     }
     else
     {
-        _S719 = _S711->weft_thread_0;
+        _S726 = _S718->weft_thread_0;
     }
-    uint _S725 = uint(int((F32_floor((_S718 / _S722.period_0)))) * _S724 + int(_S719)) * 2U;
-    if(_S716)
+    uint _S732 = uint(int((F32_floor((_S725 / _S729.period_0)))) * _S731 + int(_S726)) * 2U;
+    if(_S723)
     {
-        _S719 = 1U;
+        _S726 = 1U;
     }
     else
     {
-        _S719 = 0U;
+        _S726 = 0U;
     }
-    uint _S726 = _S725 + _S719;
-    float _S727 = _S711->fibre_across_0;
-    float _S728 = __ldg(&_S715->fibre_size_0);
-    float _S729 = (F32_floor((_S727 / _S728)));
-    Albedos_0 _S730 = vary_albedos_0(_S710, _S712, _S726, uint(int(_S729)) * 65536U + uint(int((F32_floor((_S711->fibre_along_0 / (_S728 * 40.0f) + 0.61799997091293335f * _S729))))));
-    return _S730;
+    uint _S733 = _S732 + _S726;
+    float _S734 = _S718->fibre_across_0;
+    float _S735 = __ldg(&_S722->fibre_size_0);
+    float _S736 = (F32_floor((_S734 / _S735)));
+    Albedos_0 _S737 = vary_albedos_0(_S717, _S719, _S733, uint(int(_S736)) * 65536U + uint(int((F32_floor((_S718->fibre_along_0 / (_S735 * 40.0f) + 0.61799997091293335f * _S736))))));
+    return _S737;
 }
 
-__device__ YarnPoint_0 yarn_point_of_0(uint _S731, SurfacePoint_0 * _S732, float _S733, float _S734, bool _S735, bool _S736)
+__device__ YarnPoint_0 yarn_point_of_0(uint _S738, SurfacePoint_0 * _S739, float _S740, float _S741, bool _S742, bool _S743)
 {
-    Fabric_0 * _S737 = (&(globalParams_0->fabrics_0)[_S731]);
-    bool _S738 = _S732->is_warp_2;
-    uint _S739;
-    if(_S732->is_warp_2)
+    Fabric_0 * _S744 = (&(globalParams_0->fabrics_0)[_S738]);
+    bool _S745 = _S739->is_warp_2;
+    uint _S746;
+    if(_S739->is_warp_2)
     {
-        uint _S740 = __ldg(&_S737->warp_0);
-        _S739 = _S740;
+        uint _S747 = __ldg(&_S744->warp_0);
+        _S746 = _S747;
     }
     else
     {
-        uint _S741 = __ldg(&_S737->weft_0);
-        _S739 = _S741;
+        uint _S748 = __ldg(&_S744->weft_0);
+        _S746 = _S748;
     }
-    uint _S742;
-    if(_S738)
+    uint _S749;
+    if(_S745)
     {
-        _S742 = _S732->warp_thread_0;
-    }
-    else
-    {
-        _S742 = _S732->weft_thread_0;
-    }
-    Albedos_0 albedos_3 = albedos_of_0(_S739, _S742);
-    float _S743 = __ldg(&_S737->fibre_noise_0);
-    bool _S744;
-    if(_S743 > 0.0f)
-    {
-        _S744 = true;
+        _S749 = _S739->warp_thread_0;
     }
     else
     {
-        float _S745 = __ldg(&_S737->colour_noise_0);
-        _S744 = _S745 > 0.0f;
+        _S749 = _S739->weft_thread_0;
+    }
+    Albedos_0 albedos_3 = albedos_of_0(_S746, _S749);
+    float _S750 = __ldg(&_S744->fibre_noise_0);
+    bool _S751;
+    if(_S750 > 0.0f)
+    {
+        _S751 = true;
+    }
+    else
+    {
+        float _S752 = __ldg(&_S744->colour_noise_0);
+        _S751 = _S752 > 0.0f;
     }
     Albedos_0 albedos_4;
-    if(_S744)
+    if(_S751)
     {
-        Albedos_0 _S746 = albedos_3;
-        Albedos_0 _S747 = varied_at_0(_S731, _S732, &_S746, _S733, _S734);
-        albedos_4 = _S747;
+        Albedos_0 _S753 = albedos_3;
+        Albedos_0 _S754 = varied_at_0(_S738, _S739, &_S753, _S740, _S741);
+        albedos_4 = _S754;
     }
     else
     {
         albedos_4 = albedos_3;
     }
     YarnPoint_0 point_4;
-    (&point_4)->back_2 = _S735;
-    (&point_4)->hole_2 = _S736;
-    (&point_4)->is_warp_1 = _S738;
-    (&point_4)->x_22 = _S733;
-    (&point_4)->y_11 = _S734;
-    (&point_4)->height_3 = _S732->height_9;
-    (&point_4)->normal_4 = _S732->normal_5;
-    (&point_4)->tangent_4 = _S732->tangent_5;
-    Family_0 _S748 = slang_ldg_1((&(globalParams_0->families_0)[_S739]));
-    (&point_4)->roughness_8 = _S748.roughness_0;
+    (&point_4)->back_2 = _S742;
+    (&point_4)->hole_2 = _S743;
+    (&point_4)->is_warp_1 = _S745;
+    (&point_4)->x_23 = _S740;
+    (&point_4)->y_12 = _S741;
+    (&point_4)->height_3 = _S739->height_9;
+    (&point_4)->normal_4 = _S739->normal_5;
+    (&point_4)->tangent_4 = _S739->tangent_5;
+    Family_0 _S755 = slang_ldg_1((&(globalParams_0->families_0)[_S746]));
+    (&point_4)->roughness_8 = _S755.roughness_0;
     (&point_4)->albedos_2 = albedos_4;
     return point_4;
 }
 
-__device__ YarnPoint_0 locate_yarn_0(uint _S749, SearchQuality_0 * _S750, float _S751, float _S752, float3  _S753)
+__device__ YarnPoint_0 locate_yarn_0(uint _S756, SearchQuality_0 * _S757, float _S758, float _S759, float3  _S760)
 {
-    bool _S754 = (_S753.z) < 0.0f;
-    Hit_0 _S755 = first_hit_0(_S749, _S750, _S751, _S752, to_face_frame_0(_S753, _S754), _S754);
-    SurfacePoint_0 _S756 = surface_at_0(_S749, _S755.x_23, _S755.y_12, _S754);
-    SurfacePoint_0 _S757 = _S756;
-    YarnPoint_0 _S758 = yarn_point_of_0(_S749, &_S757, _S755.x_23, _S755.y_12, _S754, _S755.hole_3);
-    return _S758;
+    bool _S761 = (_S760.z) < 0.0f;
+    Hit_0 _S762 = first_hit_0(_S756, _S757, _S758, _S759, to_face_frame_0(_S760, _S761), _S761);
+    SurfacePoint_0 _S763 = surface_at_0(_S756, _S762.x_24, _S762.y_13, _S761);
+    SurfacePoint_0 _S764 = _S763;
+    YarnPoint_0 _S765 = yarn_point_of_0(_S756, &_S764, _S762.x_24, _S762.y_13, _S761, _S762.hole_3);
+    return _S765;
 }
 
-__device__ uint light_sample_count_0(int _S759)
+__device__ uint light_sample_count_0(int _S766)
 {
-    Frame_0 * _S760 = (&(globalParams_0->frames_0)[_S759]);
-    uint _S761 = __ldg(&_S760->lights_0);
-    uint _S762 = __ldg(&_S760->environment_samples_0);
-    return _S761 + _S762;
+    Frame_0 * _S767 = (&(globalParams_0->frames_0)[_S766]);
+    uint _S768 = __ldg(&_S767->lights_0);
+    uint _S769 = __ldg(&_S767->environment_samples_0);
+    return _S768 + _S769;
 }
 
-__device__ float visibility_at_0(int _S763, uint _S764, uint2  _S765)
+__device__ float visibility_at_0(int _S770, uint _S771, uint2  _S772)
 {
-    Frame_0 * _S766 = (&(globalParams_0->frames_0)[_S763]);
-    uint _S767 = __ldg(&_S766->casts_shadows_0);
-    if(_S767 == 0U)
+    Frame_0 * _S773 = (&(globalParams_0->frames_0)[_S770]);
+    uint _S774 = __ldg(&_S773->casts_shadows_0);
+    if(_S774 == 0U)
     {
         return 1.0f;
     }
-    uint _S768 = __ldg(&_S766->height_0);
-    uint _S769 = _S764 * _S768 + _S765.y;
-    uint _S770 = __ldg(&_S766->width_0);
-    return *(&(globalParams_0->visibilities_0)[_S769 * _S770 + _S765.x]);
+    uint _S775 = __ldg(&_S773->height_0);
+    uint _S776 = _S771 * _S775 + _S772.y;
+    uint _S777 = __ldg(&_S773->width_0);
+    return *(&(globalParams_0->visibilities_0)[_S776 * _S777 + _S772.x]);
 }
 
 struct LightSample_0
@@ -3049,323 +3151,323 @@ struct LightSample_0
     float distance_3;
 };
 
-__device__ float3  environment_texel_0(int _S771, uint _S772, uint _S773)
+__device__ float3  environment_texel_0(int _S778, uint _S779, uint _S780)
 {
-    Frame_0 * _S774 = (&(globalParams_0->frames_0)[_S771]);
-    uint _S775 = __ldg(&_S774->environment_table_0);
-    uint _S776 = __ldg(&_S774->environment_rows_0);
-    uint _S777 = _S775 + _S776 + 1U;
-    uint _S778 = __ldg(&_S774->environment_columns_0);
-    uint _S779 = _S777 + _S776 * (_S778 + 1U) + 3U * (_S772 * _S778 + _S773);
-    return make_float3 (scene_number_0(_S779), scene_number_0(_S779 + 1U), scene_number_0(_S779 + 2U));
+    Frame_0 * _S781 = (&(globalParams_0->frames_0)[_S778]);
+    uint _S782 = __ldg(&_S781->environment_table_0);
+    uint _S783 = __ldg(&_S781->environment_rows_0);
+    uint _S784 = _S782 + _S783 + 1U;
+    uint _S785 = __ldg(&_S781->environment_columns_0);
+    uint _S786 = _S784 + _S783 * (_S785 + 1U) + 3U * (_S779 * _S785 + _S780);
+    return make_float3 (scene_number_0(_S786), scene_number_0(_S786 + 1U), scene_number_0(_S786 + 2U));
 }
 
-__device__ float3  sample_environment_0(int _S780, float2  _S781, float3  * _S782)
+__device__ float3  sample_environment_0(int _S787, float2  _S788, float3  * _S789)
 {
-    Frame_0 * _S783 = (&(globalParams_0->frames_0)[_S780]);
-    uint _S784 = __ldg(&_S783->environment_table_0);
-    uint _S785 = __ldg(&_S783->environment_rows_0);
-    Choice_0 _S786 = choose_0(_S784, _S785, _S781.y);
-    uint _S787 = _S784 + _S785 + 1U;
-    uint _S788 = __ldg(&_S783->environment_columns_0);
-    Choice_0 _S789 = choose_0(_S787 + _S786.index_6 * (_S788 + 1U), _S788, _S781.x);
-    float3  _S790 = environment_texel_0(_S780, _S786.index_6, _S789.index_6);
-    float _S791 = __ldg(&_S783->environment_total_0);
-    *_S782 = _S790 * make_float3 (_S791 / (F32_max((mean_0(_S790)), (9.99999968265522539e-21f))));
-    float _S792 = 3.14159274101257324f / float(_S785);
-    float _S793 = lerp_0(sine_cosine_0(float(_S786.index_6) * _S792).y, sine_cosine_0(float(_S786.index_6 + 1U) * _S792).y, _S786.remainder_0);
-    float _S794 = (F32_sqrt(((F32_max((1.0f - _S793 * _S793), (0.0f))))));
-    float2  _S795 = sine_cosine_0((float(_S789.index_6) + _S789.remainder_0) * (6.28318548202514648f / float(_S788)));
-    float _S796 = _S794 * _S795.x;
-    float _S797 = - _S794 * _S795.y;
-    float _S798 = __ldg(&_S783->environment_cosine_0);
-    float _S799 = _S798 * _S796;
-    float _S800 = __ldg(&_S783->environment_sine_0);
-    return make_float3 (_S799 + _S800 * _S797, _S793, _S798 * _S797 - _S800 * _S796);
+    Frame_0 * _S790 = (&(globalParams_0->frames_0)[_S787]);
+    uint _S791 = __ldg(&_S790->environment_table_0);
+    uint _S792 = __ldg(&_S790->environment_rows_0);
+    Choice_0 _S793 = choose_0(_S791, _S792, _S788.y);
+    uint _S794 = _S791 + _S792 + 1U;
+    uint _S795 = __ldg(&_S790->environment_columns_0);
+    Choice_0 _S796 = choose_0(_S794 + _S793.index_6 * (_S795 + 1U), _S795, _S788.x);
+    float3  _S797 = environment_texel_0(_S787, _S793.index_6, _S796.index_6);
+    float _S798 = __ldg(&_S790->environment_total_0);
+    *_S789 = _S797 * make_float3 (_S798 / (F32_max((mean_0(_S797)), (9.99999968265522539e-21f))));
+    float _S799 = 3.14159274101257324f / float(_S792);
+    float _S800 = lerp_0(sine_cosine_0(float(_S793.index_6) * _S799).y, sine_cosine_0(float(_S793.index_6 + 1U) * _S799).y, _S793.remainder_0);
+    float _S801 = (F32_sqrt(((F32_max((1.0f - _S800 * _S800), (0.0f))))));
+    float2  _S802 = sine_cosine_0((float(_S796.index_6) + _S796.remainder_0) * (6.28318548202514648f / float(_S795)));
+    float _S803 = _S801 * _S802.x;
+    float _S804 = - _S801 * _S802.y;
+    float _S805 = __ldg(&_S790->environment_cosine_0);
+    float _S806 = _S805 * _S803;
+    float _S807 = __ldg(&_S790->environment_sine_0);
+    return make_float3 (_S806 + _S807 * _S804, _S800, _S805 * _S804 - _S807 * _S803);
 }
 
-__device__ LightSample_0 light_sample_0(int _S801, uint _S802, uint2  _S803, float3  _S804)
+__device__ LightSample_0 light_sample_0(int _S808, uint _S809, uint2  _S810, float3  _S811)
 {
-    Frame_0 * _S805 = (&(globalParams_0->frames_0)[_S801]);
+    Frame_0 * _S812 = (&(globalParams_0->frames_0)[_S808]);
     LightSample_0 sample_1;
     (&sample_1)->distance_3 = 1.00000001504746622e+30f;
-    uint _S806 = __ldg(&_S805->lights_0);
-    if(_S802 >= _S806)
+    uint _S813 = __ldg(&_S812->lights_0);
+    if(_S809 >= _S813)
     {
-        uint _S807 = __ldg(&_S805->pass_number_0);
-        uint _S808 = __ldg(&_S805->environment_samples_0);
+        uint _S814 = __ldg(&_S812->pass_number_0);
+        uint _S815 = __ldg(&_S812->environment_samples_0);
         float3  weight_0;
-        float3  _S809 = sample_environment_0(_S801, pixel_sequence_0(_S803, _S807 * _S808 + (_S802 - _S806), 3U), &weight_0);
-        (&sample_1)->towards_0 = _S809;
-        (&sample_1)->irradiance_1 = weight_0 / make_float3 (float(_S808));
+        float3  _S816 = sample_environment_0(_S808, pixel_sequence_0(_S810, _S814 * _S815 + (_S809 - _S813), 3U), &weight_0);
+        (&sample_1)->towards_0 = _S816;
+        (&sample_1)->irradiance_1 = weight_0 / make_float3 (float(_S815));
         return sample_1;
     }
-    Light_0 _S810 = slang_ldg_2((&(globalParams_0->lights_1)[_S802]));
-    (&sample_1)->irradiance_1 = make_float3 (_S810.red_0, _S810.green_0, _S810.blue_0);
-    (&sample_1)->towards_0 = make_float3 (_S810.x_0, _S810.y_0, _S810.z_0);
-    if((_S810.is_point_0) != 0U)
+    Light_0 _S817 = slang_ldg_2((&(globalParams_0->lights_1)[_S809]));
+    (&sample_1)->irradiance_1 = make_float3 (_S817.red_0, _S817.green_0, _S817.blue_0);
+    (&sample_1)->towards_0 = make_float3 (_S817.x_0, _S817.y_0, _S817.z_0);
+    if((_S817.is_point_0) != 0U)
     {
-        float3  _S811 = (&sample_1)->towards_0 - _S804;
-        float _S812 = (F32_max((square_0(_S811)), (9.999999960041972e-13f)));
-        (&sample_1)->distance_3 = (F32_sqrt((_S812)));
-        (&sample_1)->irradiance_1 = (&sample_1)->irradiance_1 / make_float3 (_S812);
-        (&sample_1)->towards_0 = normalize_0(_S811);
+        float3  _S818 = (&sample_1)->towards_0 - _S811;
+        float _S819 = (F32_max((square_0(_S818)), (9.999999960041972e-13f)));
+        (&sample_1)->distance_3 = (F32_sqrt((_S819)));
+        (&sample_1)->irradiance_1 = (&sample_1)->irradiance_1 / make_float3 (_S819);
+        (&sample_1)->towards_0 = normalize_0(_S818);
     }
     return sample_1;
 }
 
-__device__ float3  scattered_0(uint _S813, YarnPoint_0 * _S814, float3  _S815, float3  _S816)
+__device__ float3  scattered_0(uint _S820, YarnPoint_0 * _S821, float3  _S822, float3  _S823)
 {
-    Fabric_0 * _S817 = (&(globalParams_0->fabrics_0)[_S813]);
-    float3  _S818 = make_float3 (0.0f);
-    bool _S819 = !_S814->hole_2;
-    bool _S820;
-    if(_S819)
+    Fabric_0 * _S824 = (&(globalParams_0->fabrics_0)[_S820]);
+    float3  _S825 = make_float3 (0.0f);
+    bool _S826 = !_S821->hole_2;
+    bool _S827;
+    if(_S826)
     {
-        _S820 = (_S815.z) > 0.0f;
+        _S827 = (_S822.z) > 0.0f;
     }
     else
     {
-        _S820 = false;
+        _S827 = false;
     }
     float3  value_1;
-    if(_S820)
+    if(_S827)
     {
-        float3  _S821 = (&_S814->albedos_2)->diffuse_reflect_0;
-        float3  _S822 = _S814->normal_4;
-        float _S823 = __ldg(&_S817->diffuse_blend_0);
-        float3  _S824 = _S821 * make_float3 (diffuse_reflection_0(_S815, _S822, _S823));
-        float3  _S825 = (&_S814->albedos_2)->specular_reflect_0;
-        float3  _S826 = _S814->tangent_4;
-        float _S827 = _S814->roughness_8;
-        float _S828 = __ldg(&_S817->optical_depth_0);
-        value_1 = _S824 + _S825 * make_float3 (reflection_0(_S815, _S816, _S822, _S826, _S827, _S828));
+        float3  _S828 = (&_S821->albedos_2)->diffuse_reflect_0;
+        float3  _S829 = _S821->normal_4;
+        float _S830 = __ldg(&_S824->diffuse_blend_0);
+        float3  _S831 = _S828 * make_float3 (diffuse_reflection_0(_S822, _S829, _S830));
+        float3  _S832 = (&_S821->albedos_2)->specular_reflect_0;
+        float3  _S833 = _S821->tangent_4;
+        float _S834 = _S821->roughness_8;
+        float _S835 = __ldg(&_S824->optical_depth_0);
+        value_1 = _S831 + _S832 * make_float3 (reflection_0(_S822, _S823, _S829, _S833, _S834, _S835));
     }
     else
     {
-        if(_S819)
+        if(_S826)
         {
-            _S820 = (_S815.z) < 0.0f;
+            _S827 = (_S822.z) < 0.0f;
         }
         else
         {
-            _S820 = false;
+            _S827 = false;
         }
-        if(_S820)
+        if(_S827)
         {
-            float3  _S829 = (&_S814->albedos_2)->diffuse_transmit_0;
-            float3  _S830 = - _S815;
-            float3  _S831 = _S814->normal_4;
-            float _S832 = __ldg(&_S817->diffuse_blend_0);
-            float3  _S833 = _S829 * make_float3 (diffuse_reflection_0(_S830, _S831, _S832));
-            float3  _S834 = (&_S814->albedos_2)->specular_transmit_0;
-            float3  _S835 = _S814->tangent_4;
-            float _S836 = _S814->roughness_8;
-            float _S837 = __ldg(&_S817->optical_depth_0);
-            value_1 = _S833 + _S834 * make_float3 (transmission_0(_S815, _S816, _S831, _S835, _S836, _S837));
+            float3  _S836 = (&_S821->albedos_2)->diffuse_transmit_0;
+            float3  _S837 = - _S822;
+            float3  _S838 = _S821->normal_4;
+            float _S839 = __ldg(&_S824->diffuse_blend_0);
+            float3  _S840 = _S836 * make_float3 (diffuse_reflection_0(_S837, _S838, _S839));
+            float3  _S841 = (&_S821->albedos_2)->specular_transmit_0;
+            float3  _S842 = _S821->tangent_4;
+            float _S843 = _S821->roughness_8;
+            float _S844 = __ldg(&_S824->optical_depth_0);
+            value_1 = _S840 + _S841 * make_float3 (transmission_0(_S822, _S823, _S838, _S842, _S843, _S844));
         }
         else
         {
-            value_1 = _S818;
+            value_1 = _S825;
         }
     }
-    float _S838 = __ldg(&_S817->sheen_strength_0);
-    if(_S838 <= 0.0f)
+    float _S845 = __ldg(&_S824->sheen_strength_0);
+    if(_S845 <= 0.0f)
     {
         return value_1;
     }
-    float _S839 = __ldg(&_S817->sheen_roughness_0);
-    float2  _S840 = sheen_with_transmittance_0(_S815, _S816, _S838, _S839);
-    return make_float3 (_S840.y) * value_1 + make_float3 (_S840.x);
+    float _S846 = __ldg(&_S824->sheen_roughness_0);
+    float2  _S847 = sheen_with_transmittance_0(_S822, _S823, _S845, _S846);
+    return make_float3 (_S847.y) * value_1 + make_float3 (_S847.x);
 }
 
-__device__ bool unoccluded_0(uint _S841, SearchQuality_0 * _S842, float _S843, float _S844, float _S845, float3  _S846, bool _S847)
+__device__ bool unoccluded_0(uint _S848, SearchQuality_0 * _S849, float _S850, float _S851, float _S852, float3  _S853, bool _S854)
 {
-    Fabric_0 * _S848 = (&(globalParams_0->fabrics_0)[_S841]);
-    if((_S846.z) <= 0.0f)
+    Fabric_0 * _S855 = (&(globalParams_0->fabrics_0)[_S848]);
+    if((_S853.z) <= 0.0f)
     {
         return false;
     }
-    float _S849 = max_height_along_0(_S841, _S843, _S844, _S845, _S846, _S847);
-    float _S850 = __ldg(&_S848->lift_0);
-    bool _S851 = is_free_0(_S841, _S842, make_float3 (_S843, _S844, _S845 + _S850), _S846, _S847, _S849);
-    return _S851;
+    float _S856 = max_height_along_0(_S848, _S850, _S851, _S852, _S853, _S854);
+    float _S857 = __ldg(&_S855->lift_0);
+    bool _S858 = is_free_0(_S848, _S849, make_float3 (_S850, _S851, _S852 + _S857), _S853, _S854, _S856);
+    return _S858;
 }
 
-__device__ bool is_lit_0(uint _S852, SearchQuality_0 * _S853, YarnPoint_0 * _S854, float3  _S855)
+__device__ bool is_lit_0(uint _S859, SearchQuality_0 * _S860, YarnPoint_0 * _S861, float3  _S862)
 {
-    if(_S854->hole_2)
+    if(_S861->hole_2)
     {
         return true;
     }
-    bool _S856 = _S854->back_2;
-    float3  _S857 = to_face_frame_0(_S855, _S854->back_2);
-    float _S858 = _S857.z;
-    bool _S859 = _S858 < 0.0f;
-    float3  _S860 = _S854->normal_4;
-    float _S861 = _S854->height_3;
+    bool _S863 = _S861->back_2;
+    float3  _S864 = to_face_frame_0(_S862, _S861->back_2);
+    float _S865 = _S864.z;
+    bool _S866 = _S865 < 0.0f;
+    float3  _S867 = _S861->normal_4;
+    float _S868 = _S861->height_3;
     float3  normal_6;
     float height_10;
-    if(_S859)
+    if(_S866)
     {
-        SurfacePoint_0 _S862 = surface_at_0(_S852, _S854->x_22, _S854->y_11, !_S856);
-        normal_6 = _S862.normal_5;
-        height_10 = _S862.height_9;
+        SurfacePoint_0 _S869 = surface_at_0(_S859, _S861->x_23, _S861->y_12, !_S863);
+        normal_6 = _S869.normal_5;
+        height_10 = _S869.height_9;
     }
     else
     {
-        normal_6 = _S860;
-        height_10 = _S861;
+        normal_6 = _S867;
+        height_10 = _S868;
     }
-    float3  _S863 = make_float3 (float2 {_S857.x, _S857.y}.x, float2 {_S857.x, _S857.y}.y, (F32_abs((_S858))));
-    if((dot_0(normal_6, _S863)) <= 0.0f)
+    float3  _S870 = make_float3 (float2 {_S864.x, _S864.y}.x, float2 {_S864.x, _S864.y}.y, (F32_abs((_S865))));
+    if((dot_0(normal_6, _S870)) <= 0.0f)
     {
         return false;
     }
-    bool _S864 = unoccluded_0(_S852, _S853, _S854->x_22, _S854->y_11, height_10, _S863, _S856 != _S859);
-    return _S864;
+    bool _S871 = unoccluded_0(_S859, _S860, _S861->x_23, _S861->y_12, height_10, _S870, _S863 != _S866);
+    return _S871;
 }
 
-__device__ float3  evaluate_0(uint _S865, SearchQuality_0 * _S866, YarnPoint_0 * _S867, float3  _S868, float3  _S869)
+__device__ float3  evaluate_0(uint _S872, SearchQuality_0 * _S873, YarnPoint_0 * _S874, float3  _S875, float3  _S876)
 {
-    float3  _S870 = scattered_0(_S865, _S867, to_face_frame_0(_S868, _S867->back_2), to_face_frame_0(_S869, _S867->back_2));
-    bool _S871;
-    if((F32_max((_S870.x), ((F32_max((_S870.y), (_S870.z)))))) <= 0.0f)
+    float3  _S877 = scattered_0(_S872, _S874, to_face_frame_0(_S875, _S874->back_2), to_face_frame_0(_S876, _S874->back_2));
+    bool _S878;
+    if((F32_max((_S877.x), ((F32_max((_S877.y), (_S877.z)))))) <= 0.0f)
     {
-        _S871 = true;
+        _S878 = true;
     }
     else
     {
-        bool _S872 = is_lit_0(_S865, _S866, _S867, _S868);
-        _S871 = !_S872;
+        bool _S879 = is_lit_0(_S872, _S873, _S874, _S875);
+        _S878 = !_S879;
     }
-    if(_S871)
+    if(_S878)
     {
         return make_float3 (0.0f);
     }
-    return _S870;
+    return _S877;
 }
 
-__device__ float straight_through_0(uint _S873, YarnPoint_0 * _S874, float3  _S875)
+__device__ float straight_through_0(uint _S880, YarnPoint_0 * _S881, float3  _S882)
 {
-    Fabric_0 * _S876 = (&(globalParams_0->fabrics_0)[_S873]);
-    if(!_S874->hole_2)
+    Fabric_0 * _S883 = (&(globalParams_0->fabrics_0)[_S880]);
+    if(!_S881->hole_2)
     {
         return 0.0f;
     }
-    float _S877 = __ldg(&_S876->sheen_strength_0);
-    if(_S877 <= 0.0f)
+    float _S884 = __ldg(&_S883->sheen_strength_0);
+    if(_S884 <= 0.0f)
     {
         return 1.0f;
     }
-    float _S878 = (F32_abs((_S875.z)));
-    float _S879 = __ldg(&_S876->sheen_roughness_0);
-    return 1.0f - _S877 * sheen_lobe_0(_S878, _S879).z;
+    float _S885 = (F32_abs((_S882.z)));
+    float _S886 = __ldg(&_S883->sheen_roughness_0);
+    return 1.0f - _S884 * sheen_lobe_0(_S885, _S886).z;
 }
 
-__device__ float4  light_of_point_0(int _S880, uint _S881, VisiblePoint_0 * _S882, uint2  _S883, float3  _S884, float2  _S885)
+__device__ float4  light_of_point_0(int _S887, uint _S888, VisiblePoint_0 * _S889, uint2  _S890, float3  _S891, float2  _S892)
 {
-    SearchQuality_0 _S886 = default_quality_0();
-    float3  _S887 = to_local_0(_S882, _S882->view_0);
-    float _S888 = _S885.x;
-    float _S889 = _S885.y;
-    SearchQuality_0 _S890 = _S886;
-    YarnPoint_0 _S891 = locate_yarn_0(_S881, &_S890, _S888, _S889, _S887);
-    YarnPoint_0 point_5 = _S891;
-    Albedos_0 _S892 = (&point_5)->albedos_2;
-    Albedos_0 _S893 = tinted_0(&_S892, _S884);
-    (&point_5)->albedos_2 = _S893;
-    float3  _S894 = make_float3 (0.0f);
+    SearchQuality_0 _S893 = default_quality_0();
+    float3  _S894 = to_local_0(_S889, _S889->view_0);
+    float _S895 = _S892.x;
+    float _S896 = _S892.y;
+    SearchQuality_0 _S897 = _S893;
+    YarnPoint_0 _S898 = locate_yarn_0(_S888, &_S897, _S895, _S896, _S894);
+    YarnPoint_0 point_5 = _S898;
+    Albedos_0 _S899 = (&point_5)->albedos_2;
+    Albedos_0 _S900 = tinted_0(&_S899, _S891);
+    (&point_5)->albedos_2 = _S900;
+    float3  _S901 = make_float3 (0.0f);
     uint number_2 = 0U;
-    float3  radiance_1 = _S894;
+    float3  radiance_1 = _S901;
     for(;;)
     {
-        uint _S895 = light_sample_count_0(_S880);
-        if(number_2 < _S895)
+        uint _S902 = light_sample_count_0(_S887);
+        if(number_2 < _S902)
         {
         }
         else
         {
             break;
         }
-        float _S896 = visibility_at_0(_S880, number_2, _S883);
-        if(_S896 <= 0.0f)
+        float _S903 = visibility_at_0(_S887, number_2, _S890);
+        if(_S903 <= 0.0f)
         {
             number_2 = number_2 + 1U;
             continue;
         }
-        LightSample_0 _S897 = light_sample_0(_S880, number_2, _S883, _S882->position_0);
-        float3  _S898 = make_float3 (_S896) * _S897.irradiance_1;
-        float3  _S899 = to_local_0(_S882, _S897.towards_0);
-        SearchQuality_0 _S900 = _S886;
-        YarnPoint_0 _S901 = point_5;
-        float3  _S902 = evaluate_0(_S881, &_S900, &_S901, _S899, _S887);
-        radiance_1 = radiance_1 + _S898 * _S902;
+        LightSample_0 _S904 = light_sample_0(_S887, number_2, _S890, _S889->position_0);
+        float3  _S905 = make_float3 (_S903) * _S904.irradiance_1;
+        float3  _S906 = to_local_0(_S889, _S904.towards_0);
+        SearchQuality_0 _S907 = _S893;
+        YarnPoint_0 _S908 = point_5;
+        float3  _S909 = evaluate_0(_S888, &_S907, &_S908, _S906, _S894);
+        radiance_1 = radiance_1 + _S905 * _S909;
         number_2 = number_2 + 1U;
     }
-    YarnPoint_0 _S903 = point_5;
-    float _S904 = straight_through_0(_S881, &_S903, _S887);
-    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S904);
+    YarnPoint_0 _S910 = point_5;
+    float _S911 = straight_through_0(_S888, &_S910, _S894);
+    return make_float4 (radiance_1.x, radiance_1.y, radiance_1.z, 1.0f - _S911);
 }
 
 extern "C" __global__ void shade_points()
 {
-    uint _S905;
-    uint3  _S906 = blockIdx * blockDim + threadIdx;
-    Frame_0 * _S907 = (&(globalParams_0->frames_0)[int(0)]);
-    uint _S908 = _S906.x;
-    uint _S909 = __ldg(&_S907->width_0);
-    bool _S910;
-    if(_S908 >= _S909)
+    uint _S912;
+    uint3  _S913 = blockIdx * blockDim + threadIdx;
+    Frame_0 * _S914 = (&(globalParams_0->frames_0)[int(0)]);
+    uint _S915 = _S913.x;
+    uint _S916 = __ldg(&_S914->width_0);
+    bool _S917;
+    if(_S915 >= _S916)
     {
-        _S910 = true;
+        _S917 = true;
     }
     else
     {
-        uint _S911 = _S906.y;
-        uint _S912 = __ldg(&_S907->height_0);
-        _S910 = _S911 >= _S912;
+        uint _S918 = _S913.y;
+        uint _S919 = __ldg(&_S914->height_0);
+        _S917 = _S918 >= _S919;
     }
-    if(_S910)
+    if(_S917)
     {
         return;
     }
-    uint2  _S913 = uint2 {_S906.x, _S906.y};
-    uint _S914 = _S906.y * _S909 + _S908;
-    uint _S915 = (&(globalParams_0->layers_0)[_S914])->face_0;
-    if(((&(globalParams_0->layers_0)[_S914])->face_0) == 0U)
+    uint2  _S920 = uint2 {_S913.x, _S913.y};
+    uint _S921 = _S913.y * _S916 + _S915;
+    uint _S922 = (&(globalParams_0->layers_0)[_S921])->face_0;
+    if(((&(globalParams_0->layers_0)[_S921])->face_0) == 0U)
     {
         return;
     }
-    uint _S916 = _S915 - 1U;
-    uint _S917 = __ldg((&(globalParams_0->face_fabrics_0)[_S916]));
-    VisiblePoint_0 _S918 = visible_point_0(int(0), _S917, _S916, _S913);
-    VisiblePoint_0 _S919 = _S918;
-    float3  _S920 = filtered_albedo_0(_S917, &_S919);
-    float4  _S921 = make_float4 (0.0f);
+    uint _S923 = _S922 - 1U;
+    uint _S924 = __ldg((&(globalParams_0->face_fabrics_0)[_S923]));
+    VisiblePoint_0 _S925 = visible_point_0(int(0), _S924, _S923, _S920);
+    VisiblePoint_0 _S926 = _S925;
+    float3  _S927 = filtered_albedo_0(_S924, &_S926);
+    float4  _S928 = make_float4 (0.0f);
     uint k_0 = 0U;
-    float4  sum_0 = _S921;
+    float4  sum_0 = _S928;
     for(;;)
     {
-        uint _S922 = __ldg(&_S907->samples_0);
-        _S905 = _S922;
-        if(k_0 < _S922)
+        uint _S929 = __ldg(&_S914->samples_0);
+        _S912 = _S929;
+        if(k_0 < _S929)
         {
         }
         else
         {
             break;
         }
-        uint _S923 = __ldg(&_S907->pass_number_0);
-        float2  _S924 = pixel_sequence_0(_S913, _S923 * _S922 + k_0, 1U) - make_float2 (0.5f);
-        float2  _S925 = _S918.draft_0 + make_float2 (_S924.x) * _S918.draft_dx_0 + make_float2 (_S924.y) * _S918.draft_dy_0;
-        VisiblePoint_0 _S926 = _S918;
-        float4  _S927 = light_of_point_0(int(0), _S917, &_S926, _S913, _S920, _S925);
-        float4  sum_1 = sum_0 + _S927;
+        uint _S930 = __ldg(&_S914->pass_number_0);
+        float2  _S931 = pixel_sequence_0(_S920, _S930 * _S929 + k_0, 1U) - make_float2 (0.5f);
+        float2  _S932 = _S925.draft_0 + make_float2 (_S931.x) * _S925.draft_dx_0 + make_float2 (_S931.y) * _S925.draft_dy_0;
+        VisiblePoint_0 _S933 = _S925;
+        float4  _S934 = light_of_point_0(int(0), _S924, &_S933, _S920, _S927, _S932);
+        float4  sum_1 = sum_0 + _S934;
         k_0 = k_0 + 1U;
         sum_0 = sum_1;
     }
-    accumulate_0(_S914, sum_0 / make_float4 (float(_S905)));
+    accumulate_0(_S921, sum_0 / make_float4 (float(_S912)));
     return;
 }
 

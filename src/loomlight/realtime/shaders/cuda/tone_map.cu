@@ -21,13 +21,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -156,6 +183,63 @@ struct Layer_0
     float share_0;
 };
 
+struct Bake_0
+{
+    uint fabric_0;
+    uint per_family_0;
+    uint packs_1;
+    uint max_clusters_0;
+    uint rays_0;
+    float ends_2;
+    float picks_1;
+    float spacing_x_0;
+    float spacing_y_0;
+    uint columns_0;
+    uint rows_0;
+    uint face_nodes_1;
+    uint texels_across_0;
+    uint texels_along_0;
+    float texel_x_0;
+    float texel_y_0;
+    float far_weight_0;
+    uint moments_table_0;
+    uint record_warp_packs_0;
+    uint record_hole_weights_0;
+    uint facts_0;
+    uint gaps_0;
+    uint gap_nulls_0;
+    uint lit_0;
+    uint lists_0;
+    uint points_0;
+    uint clusters_0;
+    uint cluster_means_0;
+    uint cluster_errors_0;
+    uint centroids_0;
+    uint view_sums_0;
+    uint light_sums_0;
+    uint group_moments_0;
+    uint areas_0;
+    uint area_scales_0;
+    uint row_totals_0;
+    uint row_largest_0;
+    uint coverage_means_0;
+    uint coverage_scales_0;
+    uint hole_bytes_0;
+};
+
+struct SurfaceHit_0
+{
+    float x_2;
+    float y_2;
+    uint flags_0;
+    float normal_x_1;
+    float normal_y_1;
+    float normal_z_1;
+    float tangent_x_0;
+    float tangent_y_0;
+    float tangent_z_0;
+};
+
 struct GlobalParams_0
 {
     StructuredBuffer<Fabric_0> fabrics_0;
@@ -168,22 +252,32 @@ struct GlobalParams_0
     StructuredBuffer<uint> face_fabrics_0;
     RWStructuredBuffer<float4 > radiance_0;
     RWStructuredBuffer<uint> pixels_0;
+    StructuredBuffer<uint4 > packed_numbers_0;
     StructuredBuffer<uint> scene_words_0;
     RWStructuredBuffer<Layer_0> layers_0;
     RWStructuredBuffer<float> visibilities_0;
+    StructuredBuffer<Bake_0> bakes_0;
+    StructuredBuffer<uint> steps_0;
+    RWStructuredBuffer<SurfaceHit_0> hits_0;
+    RWStructuredBuffer<uint> scratch_0;
+    RWStructuredBuffer<uint> texel_counters_0;
+    StructuredBuffer<uint> texel_counts_0;
+    RWStructuredBuffer<float4 > coverage_pyramid_0;
+    RWStructuredBuffer<uint> tables_0;
+    RWStructuredBuffer<uint> record_words_0;
     CUtexObject visible_faces_0;
 };
 
 extern "C" __constant__ GlobalParams_0 SLANG_globalParams;
 #define globalParams_0 (&SLANG_globalParams)
-__device__ float clamp_0(float x_2, float minBound_0, float maxBound_0)
+__device__ float clamp_0(float x_3, float minBound_0, float maxBound_0)
 {
-    return (F32_min(((F32_max((x_2), (minBound_0)))), (maxBound_0)));
+    return (F32_min(((F32_max((x_3), (minBound_0)))), (maxBound_0)));
 }
 
-__device__ float natural_logarithm_0(float x_3)
+__device__ float natural_logarithm_0(float x_4)
 {
-    uint _S1 = (F32_asuint((x_3)));
+    uint _S1 = (F32_asuint((x_4)));
     float exponent_0 = float(int(_S1 >> int(23)) - int(126));
     float m_0 = (U32_asfloat(((_S1 & 8388607U) | 1056964608U)));
     float m_1;
@@ -204,15 +298,15 @@ __device__ float natural_logarithm_0(float x_3)
     return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S2 - exponent_1 * 0.00021219444170129f - 0.5f * _S2) + exponent_1 * 0.693359375f;
 }
 
-__device__ float exponential_0(float x_4)
+__device__ float exponential_0(float x_5)
 {
-    float _S3 = clamp_0(x_4, -87.0f, 88.0f);
+    float _S3 = clamp_0(x_5, -87.0f, 88.0f);
     float _S4 = (F32_floor((_S3 * 1.4426950216293335f + 0.5f)));
     float _S5 = _S3 - _S4 * 0.693359375f + _S4 * 0.00021219444170129f;
     float p_0 = ((((0.00019875691214111f * _S5 + 0.00139819993637502f) * _S5 + 0.00833345204591751f) * _S5 + 0.04166579619050026f) * _S5 + 0.1666666567325592f) * _S5 + 0.5f;
     float _S6 = (U32_asfloat((uint(int(_S4) + int(127)) << int(23))));
     float _S7;
-    if(x_4 < -87.0f)
+    if(x_5 < -87.0f)
     {
         _S7 = 0.0f;
     }
@@ -223,9 +317,9 @@ __device__ float exponential_0(float x_4)
     return _S7;
 }
 
-__device__ float power_0(float x_5, float exponent_3)
+__device__ float power_0(float x_6, float exponent_3)
 {
-    return exponential_0(exponent_3 * natural_logarithm_0((F32_max((x_5), (1.00000000317107685e-30f)))));
+    return exponential_0(exponent_3 * natural_logarithm_0((F32_max((x_6), (1.00000000317107685e-30f)))));
 }
 
 __device__ uint encoded_0(float linear_0)

@@ -50,10 +50,10 @@ struct Layer_0
     float share_0;
 };
 
-layout(std430, binding = 11) buffer StructuredBuffer_Layer_t_0 {
+layout(std430, binding = 12) buffer StructuredBuffer_Layer_t_0 {
     Layer_0 _data[];
 } layers_0;
-layout(std430, binding = 10) readonly buffer StructuredBuffer_uint_t_0 {
+layout(std430, binding = 11) readonly buffer StructuredBuffer_uint_t_0 {
     uint _data[];
 } scene_words_0;
 layout(std430, binding = 8) buffer StructuredBuffer_vectorx3Cfloatx2C4x3E_t_0 {

@@ -50,7 +50,7 @@ struct Layer_0
     float share_0;
 };
 
-layout(std430, binding = 11) buffer StructuredBuffer_Layer_t_0 {
+layout(std430, binding = 12) buffer StructuredBuffer_Layer_t_0 {
     Layer_0 _data[];
 } layers_0;
 layout(std430, binding = 7) readonly buffer StructuredBuffer_uint_t_0 {
@@ -78,13 +78,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -130,10 +157,10 @@ struct Vertex_0
 layout(std430, binding = 5) readonly buffer StructuredBuffer_Vertex_t_0 {
     Vertex_0 _data[];
 } vertices_0;
-layout(std430, binding = 12) buffer StructuredBuffer_float_t_0 {
+layout(std430, binding = 13) buffer StructuredBuffer_float_t_0 {
     float _data[];
 } visibilities_0;
-layout(std430, binding = 10) readonly buffer StructuredBuffer_uint_t_2 {
+layout(std430, binding = 11) readonly buffer StructuredBuffer_uint_t_2 {
     uint _data[];
 } scene_words_0;
 struct Light_0
@@ -1803,7 +1830,7 @@ Crossing_0 crossing_at_0(uint _S267, float _S268, float _S269, bool _S270)
     Crossing_0 crossing_2;
     crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S267)].warp_0, _S268);
     crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S267)].weft_0, _S269);
-    uint _S271 = fabrics_0._data[uint(_S267)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S267)].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S271 = fabrics_0._data[uint(_S267)].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0._data[uint(_S267)].ends_1 + crossing_2.warp_1.thread_1);
     uint _S272 = words_0._data[uint(_S271)];
     crossing_2.warp_word_0 = _S272;
     crossing_2.weft_word_0 = words_0._data[uint(_S271 + 1U)];
@@ -2460,25 +2487,18 @@ float refined_height_0(uint _S401, ViewRay_0 _S402, StepControl_0 _S403, bool _S
     return middle_0;
 }
 
-Hit_1 first_hit_0(uint _S415, SearchQuality_0 _S416, float _S417, float _S418, vec3 _S419, bool _S420)
+Hit_1 first_hit_of_yarn_0(uint _S415, SearchQuality_0 _S416, float _S417, float _S418, vec3 _S419, bool _S420)
 {
-    Hit_1 hit_1;
-    hit_1.x_13 = _S417;
-    hit_1.y_7 = _S418;
-    hit_1.height_3 = 0.0;
-    bool _S421 = passes_through_0(_S415, _S416, _S417, _S418, _S419, _S420);
-    hit_1.hole_2 = _S421;
-    if(_S421)
-    {
-        return hit_1;
-    }
-    float _S422 = max(_S419.z, 0.00009999999747379);
+    float _S421 = max(_S419.z, 0.00009999999747379);
     ViewRay_0 ray_0;
     ray_0.origin_2 = vec2(_S417, _S418);
-    vec2 _S423 = _S419.xy / _S422;
-    ray_0.slope_1 = _S423;
-    StepControl_0 _S424 = step_control_0(- _S423, 1.0 / max(steps_per_length_0(_S415, _S416, _S419) / _S422, 9.99999971718068537e-10));
-    float _S425 = refined_height_0(_S415, ray_0, _S424, _S420, search_down_0(_S415, ray_0, _S424, _S420), _S416.refinements_0);
+    vec2 _S422 = _S419.xy / _S421;
+    ray_0.slope_1 = _S422;
+    StepControl_0 _S423 = step_control_0(- _S422, 1.0 / max(steps_per_length_0(_S415, _S416, _S419) / _S421, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S424 = search_down_0(_S415, ray_0, _S423, _S420);
+    Hit_1 hit_1;
+    hit_1.hole_2 = false;
+    float _S425 = refined_height_0(_S415, ray_0, _S423, _S420, _S424, _S416.refinements_0);
     hit_1.height_3 = _S425;
     vec2 _S426 = ViewRay_at_0(ray_0, _S425);
     hit_1.x_13 = _S426.x;
@@ -2486,28 +2506,42 @@ Hit_1 first_hit_0(uint _S415, SearchQuality_0 _S416, float _S417, float _S418, v
     return hit_1;
 }
 
+Hit_1 first_hit_0(uint _S427, SearchQuality_0 _S428, float _S429, float _S430, vec3 _S431, bool _S432)
+{
+    if(!passes_through_0(_S427, _S428, _S429, _S430, _S431, _S432))
+    {
+        return first_hit_of_yarn_0(_S427, _S428, _S429, _S430, _S431, _S432);
+    }
+    Hit_1 hit_2;
+    hit_2.x_13 = _S429;
+    hit_2.y_7 = _S430;
+    hit_2.height_3 = 0.0;
+    hit_2.hole_2 = true;
+    return hit_2;
+}
+
 struct CoverageTaps_0
 {
     uint  nodes_1[9];
 };
 
-vec3 pyramid_level_0(uint _S427, float _S428)
+vec3 pyramid_level_0(uint _S433, float _S434)
 {
-    uint _S429 = fabrics_0._data[uint(_S427)].lobes_0.levels_0 + 4U * uint(min(_S428, fabrics_0._data[uint(_S427)].lobes_0.last_level_0));
-    return vec3(table_number_0(_S429), table_number_0(_S429 + 1U), table_number_0(_S429 + 2U));
+    uint _S435 = fabrics_0._data[uint(_S433)].lobes_0.levels_0 + 4U * uint(min(_S434, fabrics_0._data[uint(_S433)].lobes_0.last_level_0));
+    return vec3(table_number_0(_S435), table_number_0(_S435 + 1U), table_number_0(_S435 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S430, Footprint_0 _S431, bool _S432)
+CoverageTaps_0 coverage_taps_0(uint _S436, Footprint_0 _S437, bool _S438)
 {
-    Lobes_0 _S433 = fabrics_0._data[uint(_S430)].lobes_0;
-    float _S434 = Footprint_spread_side_0(_S431) * fabrics_0._data[uint(_S430)].lobes_0.inverse_base_size_0;
-    vec3 _S435 = pyramid_level_0(_S430, floor(binary_logarithm_0(max(0.68000000715255737 * _S434, 1.0))));
-    float _S436 = 1.0 / max(_S434, 9.99999997475242708e-07);
-    float _S437 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S436 * _S436), 0.0, 1.0)), 0.3333333432674408 * _S436), 1.0);
-    vec2 _S438 = vec2(families_0._data[uint(fabrics_0._data[uint(_S430)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S430)].weft_0)].inverse_period_0);
-    vec2 _S439 = _S431.centre_0 * _S438;
-    vec2 _S440 = _S431.dx_0 * _S438 * _S437;
-    vec2 _S441 = _S431.dy_0 * _S438 * _S437;
+    Lobes_0 _S439 = fabrics_0._data[uint(_S436)].lobes_0;
+    float _S440 = Footprint_spread_side_0(_S437) * fabrics_0._data[uint(_S436)].lobes_0.inverse_base_size_0;
+    vec3 _S441 = pyramid_level_0(_S436, floor(binary_logarithm_0(max(0.68000000715255737 * _S440, 1.0))));
+    float _S442 = 1.0 / max(_S440, 9.99999997475242708e-07);
+    float _S443 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S442 * _S442), 0.0, 1.0)), 0.3333333432674408 * _S442), 1.0);
+    vec2 _S444 = vec2(families_0._data[uint(fabrics_0._data[uint(_S436)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S436)].weft_0)].inverse_period_0);
+    vec2 _S445 = _S437.centre_0 * _S444;
+    vec2 _S446 = _S437.dx_0 * _S444 * _S443;
+    vec2 _S447 = _S437.dy_0 * _S444 * _S443;
     CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -2519,26 +2553,26 @@ CoverageTaps_0 coverage_taps_0(uint _S430, Footprint_0 _S431, bool _S432)
         {
             break;
         }
-        vec2 _S442 = _S439 + TAP_OFFSETS_0[number_3].x * _S440 + TAP_OFFSETS_0[number_3].y * _S441;
-        float _S443 = _S435.y;
-        float _S444 = wrapped_cell_0(_S442.x, _S443);
-        float _S445 = wrapped_cell_0(_S442.y, _S435.z);
-        uint _S446;
-        if(_S432)
+        vec2 _S448 = _S445 + TAP_OFFSETS_0[number_3].x * _S446 + TAP_OFFSETS_0[number_3].y * _S447;
+        float _S449 = _S441.y;
+        float _S450 = wrapped_cell_0(_S448.x, _S449);
+        float _S451 = wrapped_cell_0(_S448.y, _S441.z);
+        uint _S452;
+        if(_S438)
         {
-            _S446 = _S433.face_nodes_0;
+            _S452 = _S439.face_nodes_0;
         }
         else
         {
-            _S446 = 0U;
+            _S452 = 0U;
         }
-        taps_3.nodes_1[number_3] = _S446 + uint(_S445 * _S443 + _S444 + _S435.x);
+        taps_3.nodes_1[number_3] = _S452 + uint(_S451 * _S449 + _S450 + _S441.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-float coverage_of_holes_0(uint _S447, CoverageTaps_0 _S448)
+float coverage_of_holes_0(uint _S453, CoverageTaps_0 _S454)
 {
     uint number_4 = 0U;
     uint total_0 = 0U;
@@ -2551,54 +2585,54 @@ float coverage_of_holes_0(uint _S447, CoverageTaps_0 _S448)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S447)].lobes_0.coverage_holes_0 + _S448.nodes_1[number_4] / 4U)]) >> (8U * (_S448.nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S453)].lobes_0.coverage_holes_0 + _S454.nodes_1[number_4] / 4U)]) >> (8U * (_S454.nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S449, CoverageTaps_0 _S450, NodeTaps_0 _S451, bool _S452)
+float prefiltered_hole_0(uint _S455, CoverageTaps_0 _S456, NodeTaps_0 _S457, bool _S458)
 {
-    Lobes_0 _S453 = fabrics_0._data[uint(_S449)].lobes_0;
-    float _S454 = interpolate_table_0(_S451, fabrics_0._data[uint(_S449)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S449)].lobes_0.packs_0, fabrics_0._data[uint(_S449)].lobes_0.packs_0 + 1U).x;
-    float _S455;
-    if(_S452)
+    Lobes_0 _S459 = fabrics_0._data[uint(_S455)].lobes_0;
+    float _S460 = interpolate_table_0(_S457, fabrics_0._data[uint(_S455)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S455)].lobes_0.packs_0, fabrics_0._data[uint(_S455)].lobes_0.packs_0 + 1U).x;
+    float _S461;
+    if(_S458)
     {
-        _S455 = _S453.back_hole_weight_0;
+        _S461 = _S459.back_hole_weight_0;
     }
     else
     {
-        _S455 = _S453.front_hole_weight_0;
+        _S461 = _S459.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S449, _S450) * _S454 * _S454 * _S455, 1.0);
+    return min(coverage_of_holes_0(_S455, _S456) * _S460 * _S460 * _S461, 1.0);
 }
 
-float passed_share_0(uint _S456, VisiblePoint_0 _S457, vec3 _S458, float _S459, vec2 _S460)
+float passed_share_0(uint _S462, VisiblePoint_0 _S463, vec3 _S464, float _S465, vec2 _S466)
 {
-    vec3 _S461 = to_local_0(_S457, _S458);
-    bool _S462 = (_S461.z) < 0.0;
-    vec3 _S463 = to_face_frame_0(_S461, _S462);
+    vec3 _S467 = to_local_0(_S463, _S464);
+    bool _S468 = (_S467.z) < 0.0;
+    vec3 _S469 = to_face_frame_0(_S467, _S468);
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S457.draft_0;
-    footprint_0.dx_0 = vec2(_S459, 0.0);
-    footprint_0.dy_0 = vec2(0.0, _S459);
-    float _S464;
-    if((fabrics_0._data[uint(_S456)].lobes_0.is_baked_0) != 0U)
+    footprint_0.centre_0 = _S463.draft_0;
+    footprint_0.dx_0 = vec2(_S465, 0.0);
+    footprint_0.dy_0 = vec2(0.0, _S465);
+    float _S470;
+    if((fabrics_0._data[uint(_S462)].lobes_0.is_baked_0) != 0U)
     {
-        _S464 = regime_of_0(_S456, footprint_0, 1.0).prefiltered_0;
+        _S470 = regime_of_0(_S462, footprint_0, 1.0).prefiltered_0;
     }
     else
     {
-        _S464 = 0.0;
+        _S470 = 0.0;
     }
     float share_2;
-    if(_S464 < 1.0)
+    if(_S470 < 1.0)
     {
-        vec2 _S465 = footprint_0.centre_0 + (_S460 - 0.5) * _S459;
-        if(first_hit_0(_S456, default_quality_0(), _S465.x, _S465.y, _S463, _S462).hole_2)
+        vec2 _S471 = footprint_0.centre_0 + (_S466 - 0.5) * _S465;
+        if(first_hit_0(_S462, default_quality_0(), _S471.x, _S471.y, _S469, _S468).hole_2)
         {
-            share_2 = 1.0 - _S464;
+            share_2 = 1.0 - _S470;
         }
         else
         {
@@ -2609,34 +2643,34 @@ float passed_share_0(uint _S456, VisiblePoint_0 _S457, vec3 _S458, float _S459, 
     {
         share_2 = 0.0;
     }
-    if(_S464 > 0.0)
+    if(_S470 > 0.0)
     {
-        NodeTaps_0 nodes_2 = node_taps_0(_S463);
-        uint _S466;
-        if(_S462)
+        NodeTaps_0 nodes_2 = node_taps_0(_S469);
+        uint _S472;
+        if(_S468)
         {
-            _S466 = 1U;
+            _S472 = 1U;
         }
         else
         {
-            _S466 = 0U;
+            _S472 = 0U;
         }
-        nodes_2.nodes_0 = nodes_2.nodes_0 + _S466 * 256U;
-        share_2 = share_2 + _S464 * prefiltered_hole_0(_S456, coverage_taps_0(_S456, footprint_0, _S462), nodes_2, _S462);
+        nodes_2.nodes_0 = nodes_2.nodes_0 + _S472 * 256U;
+        share_2 = share_2 + _S470 * prefiltered_hole_0(_S462, coverage_taps_0(_S462, footprint_0, _S468), nodes_2, _S468);
     }
-    float _S467 = fabrics_0._data[uint(_S456)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S456)].sheen_strength_0) > 0.0)
+    float _S473 = fabrics_0._data[uint(_S462)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S462)].sheen_strength_0) > 0.0)
     {
-        share_2 = share_2 * (1.0 - _S467 * sheen_lobe_0(_S463.z, fabrics_0._data[uint(_S456)].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0 - _S473 * sheen_lobe_0(_S469.z, fabrics_0._data[uint(_S462)].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-float visibility_of_0(int _S468, VisiblePoint_0 _S469, uint _S470, uvec2 _S471, uint _S472)
+float visibility_of_0(int _S474, VisiblePoint_0 _S475, uint _S476, uvec2 _S477, uint _S478)
 {
-    LightSample_0 _S473 = light_sample_0(_S468, _S472, _S471, _S469.position_0);
+    LightSample_0 _S479 = light_sample_0(_S474, _S478, _S477, _S475.position_0);
     float nearest_1;
-    if((dot(_S473.towards_0, _S469.face_normal_0)) < 0.0)
+    if((dot(_S479.towards_0, _S475.face_normal_0)) < 0.0)
     {
         nearest_1 = -1.0;
     }
@@ -2644,54 +2678,54 @@ float visibility_of_0(int _S468, VisiblePoint_0 _S469, uint _S470, uvec2 _S471, 
     {
         nearest_1 = 1.0;
     }
-    vec3 _S474 = _S469.position_0 + nearest_1 * frames_0._data[uint(_S468)].ray_offset_0 * _S469.face_normal_0;
-    vec2 _S475 = _S469.draft_dx_0;
-    vec2 _S476 = _S469.draft_dy_0;
-    float _S477 = sqrt(0.5 * (dot(_S475, _S475) + dot(_S476, _S476)));
+    vec3 _S480 = _S475.position_0 + nearest_1 * frames_0._data[uint(_S474)].ray_offset_0 * _S475.face_normal_0;
+    vec2 _S481 = _S475.draft_dx_0;
+    vec2 _S482 = _S475.draft_dy_0;
+    float _S483 = sqrt(0.5 * (dot(_S481, _S481) + dot(_S482, _S482)));
     nearest_1 = 0.0;
-    uint without_0 = _S470;
+    uint without_0 = _S476;
     uint layer_0 = 0U;
     float visibility_0 = 1.0;
     for(;;)
     {
-        bool _S478;
+        bool _S484;
         if(layer_0 < 8U)
         {
-            _S478 = visibility_0 > 0.00100000004749745;
+            _S484 = visibility_0 > 0.00100000004749745;
         }
         else
         {
-            _S478 = false;
+            _S484 = false;
         }
-        if(_S478)
+        if(_S484)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S479 = nearest_hit_0(_S468, _S474, _S473.towards_0, nearest_1, _S473.distance_2, without_0, true);
-        if((_S479.face_1) == 4294967295U)
+        Hit_0 _S485 = nearest_hit_0(_S474, _S480, _S479.towards_0, nearest_1, _S479.distance_2, without_0, true);
+        if((_S485.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S480 = face_fabrics_0._data[uint(_S479.face_1)];
-        VisiblePoint_0 _S481 = face_point_0(_S480, _S479.face_1, _S479.weight_b_0, _S479.weight_c_0);
-        vec2 _S482 = pixel_sequence_0(_S471, frames_0._data[uint(_S468)].pass_number_0, 5U + 2U * (8U * _S472 + layer_0));
-        float _S483;
-        if((fabrics_0._data[uint(_S480)].is_open_0) != 0U)
+        uint _S486 = face_fabrics_0._data[uint(_S485.face_1)];
+        VisiblePoint_0 _S487 = face_point_0(_S486, _S485.face_1, _S485.weight_b_0, _S485.weight_c_0);
+        vec2 _S488 = pixel_sequence_0(_S477, frames_0._data[uint(_S474)].pass_number_0, 5U + 2U * (8U * _S478 + layer_0));
+        float _S489;
+        if((fabrics_0._data[uint(_S486)].is_open_0) != 0U)
         {
-            _S483 = passed_share_0(_S480, _S481, - _S473.towards_0, _S477, _S482);
+            _S489 = passed_share_0(_S486, _S487, - _S479.towards_0, _S483, _S488);
         }
         else
         {
-            _S483 = 0.0;
+            _S489 = 0.0;
         }
-        float visibility_1 = visibility_0 * _S483;
-        uint _S484 = layer_0 + 1U;
-        nearest_1 = _S479.distance_0;
-        without_0 = _S479.face_1;
-        layer_0 = _S484;
+        float visibility_1 = visibility_0 * _S489;
+        uint _S490 = layer_0 + 1U;
+        nearest_1 = _S485.distance_0;
+        without_0 = _S485.face_1;
+        layer_0 = _S490;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745)
@@ -2708,28 +2742,28 @@ float visibility_of_0(int _S468, VisiblePoint_0 _S469, uint _S470, uvec2 _S471, 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S485 = frames_0._data[uint(0)].width_0;
-    bool _S486;
+    uint _S491 = frames_0._data[uint(0)].width_0;
+    bool _S492;
     if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0))
     {
-        _S486 = true;
+        _S492 = true;
     }
     else
     {
-        _S486 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
+        _S492 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
     }
-    if(_S486)
+    if(_S492)
     {
         return;
     }
-    uint _S487 = gl_GlobalInvocationID.y * _S485 + gl_GlobalInvocationID.x;
-    uint _S488 = layers_0._data[uint(_S487)].face_0;
-    if((layers_0._data[uint(_S487)].face_0) == 0U)
+    uint _S493 = gl_GlobalInvocationID.y * _S491 + gl_GlobalInvocationID.x;
+    uint _S494 = layers_0._data[uint(_S493)].face_0;
+    if((layers_0._data[uint(_S493)].face_0) == 0U)
     {
         return;
     }
-    uint _S489 = _S488 - 1U;
-    VisiblePoint_0 _S490 = visible_point_0(0, face_fabrics_0._data[uint(_S489)], _S489, gl_GlobalInvocationID.xy);
+    uint _S495 = _S494 - 1U;
+    VisiblePoint_0 _S496 = visible_point_0(0, face_fabrics_0._data[uint(_S495)], _S495, gl_GlobalInvocationID.xy);
     uint number_5 = 0U;
     for(;;)
     {
@@ -2740,7 +2774,7 @@ void main()
         {
             break;
         }
-        visibilities_0._data[uint(number_5 * _S485 * frames_0._data[uint(0)].height_0 + _S487)] = visibility_of_0(0, _S490, _S489, gl_GlobalInvocationID.xy, number_5);
+        visibilities_0._data[uint(number_5 * _S491 * frames_0._data[uint(0)].height_0 + _S493)] = visibility_of_0(0, _S496, _S495, gl_GlobalInvocationID.xy, number_5);
         number_5 = number_5 + 1U;
     }
     return;

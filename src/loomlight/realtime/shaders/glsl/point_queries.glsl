@@ -49,13 +49,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -75,6 +102,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 layout(std430, binding = 0) readonly buffer StructuredBuffer_Fabric_t_0 {
@@ -1272,7 +1302,7 @@ Crossing_0 crossing_at_0(uint _S129, float _S130, float _S131, bool _S132)
     Crossing_0 crossing_2;
     crossing_2.warp_1 = locate_0(fabrics_0._data[uint(_S129)].warp_0, _S130);
     crossing_2.weft_1 = locate_0(fabrics_0._data[uint(_S129)].weft_0, _S131);
-    uint _S133 = fabrics_0._data[uint(_S129)].run_words_0 + 2U * (crossing_2.weft_1.thread_0 * fabrics_0._data[uint(_S129)].ends_0 + crossing_2.warp_1.thread_0);
+    uint _S133 = fabrics_0._data[uint(_S129)].run_words_0 + 2U * (crossing_2.weft_1.thread_0 * fabrics_0._data[uint(_S129)].ends_1 + crossing_2.warp_1.thread_0);
     uint _S134 = words_0._data[uint(_S133)];
     crossing_2.warp_word_0 = _S134;
     crossing_2.weft_word_0 = words_0._data[uint(_S133 + 1U)];
@@ -1929,30 +1959,37 @@ float refined_height_0(uint _S263, ViewRay_0 _S264, StepControl_0 _S265, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S277, SearchQuality_0 _S278, float _S279, float _S280, vec3 _S281, bool _S282)
+Hit_0 first_hit_of_yarn_0(uint _S277, SearchQuality_0 _S278, float _S279, float _S280, vec3 _S281, bool _S282)
 {
-    Hit_0 hit_0;
-    hit_0.x_8 = _S279;
-    hit_0.y_4 = _S280;
-    hit_0.height_3 = 0.0;
-    bool _S283 = passes_through_0(_S277, _S278, _S279, _S280, _S281, _S282);
-    hit_0.hole_3 = _S283;
-    if(_S283)
-    {
-        return hit_0;
-    }
-    float _S284 = max(_S281.z, 0.00009999999747379);
+    float _S283 = max(_S281.z, 0.00009999999747379);
     ViewRay_0 ray_0;
     ray_0.origin_0 = vec2(_S279, _S280);
-    vec2 _S285 = _S281.xy / _S284;
-    ray_0.slope_1 = _S285;
-    StepControl_0 _S286 = step_control_0(- _S285, 1.0 / max(steps_per_length_0(_S277, _S278, _S281) / _S284, 9.99999971718068537e-10));
-    float _S287 = refined_height_0(_S277, ray_0, _S286, _S282, search_down_0(_S277, ray_0, _S286, _S282), _S278.refinements_0);
+    vec2 _S284 = _S281.xy / _S283;
+    ray_0.slope_1 = _S284;
+    StepControl_0 _S285 = step_control_0(- _S284, 1.0 / max(steps_per_length_0(_S277, _S278, _S281) / _S283, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S286 = search_down_0(_S277, ray_0, _S285, _S282);
+    Hit_0 hit_0;
+    hit_0.hole_3 = false;
+    float _S287 = refined_height_0(_S277, ray_0, _S285, _S282, _S286, _S278.refinements_0);
     hit_0.height_3 = _S287;
     vec2 _S288 = ViewRay_at_0(ray_0, _S287);
     hit_0.x_8 = _S288.x;
     hit_0.y_4 = _S288.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S289, SearchQuality_0 _S290, float _S291, float _S292, vec3 _S293, bool _S294)
+{
+    if(!passes_through_0(_S289, _S290, _S291, _S292, _S293, _S294))
+    {
+        return first_hit_of_yarn_0(_S289, _S290, _S291, _S292, _S293, _S294);
+    }
+    Hit_0 hit_1;
+    hit_1.x_8 = _S291;
+    hit_1.y_4 = _S292;
+    hit_1.height_3 = 0.0;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -1969,343 +2006,343 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S289, float _S290, float _S291, bool _S292)
+SurfacePoint_0 surface_at_0(uint _S295, float _S296, float _S297, bool _S298)
 {
-    Sample_0 _S293 = sample_at_0(_S289, _S290, _S291, _S292);
-    float _S294;
-    if(_S293.shown_3.is_warp_0)
+    Sample_0 _S299 = sample_at_0(_S295, _S296, _S297, _S298);
+    float _S300;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S294 = _S293.crossing_1.warp_1.half_width_1;
+        _S300 = _S299.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S294 = _S293.crossing_1.weft_1.half_width_1;
+        _S300 = _S299.crossing_1.weft_1.half_width_1;
     }
-    uint _S295;
-    if(_S293.shown_3.is_warp_0)
+    uint _S301;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S295 = fabrics_0._data[uint(_S289)].warp_0;
-    }
-    else
-    {
-        _S295 = fabrics_0._data[uint(_S289)].weft_0;
-    }
-    Family_0 _S296 = families_0._data[uint(_S295)];
-    float _S297;
-    if(_S292)
-    {
-        _S297 = -1.0;
+        _S301 = fabrics_0._data[uint(_S295)].warp_0;
     }
     else
     {
-        _S297 = 1.0;
+        _S301 = fabrics_0._data[uint(_S295)].weft_0;
     }
-    float _S298 = _S296.twist_sine_0 * _S297;
-    Family_0 _S299 = families_0._data[uint(_S295)];
-    if(_S293.shown_3.is_warp_0)
+    Family_0 _S302 = families_0._data[uint(_S301)];
+    float _S303;
+    if(_S298)
     {
-        _S297 = 1.0;
-    }
-    else
-    {
-        _S297 = -1.0;
-    }
-    vec2 _S300 = fibre_direction_0(_S293.slope_across_0, _S297 * _S293.slope_along_0, _S298, _S299.twist_cosine_0);
-    float _S301;
-    if(_S293.shown_3.is_warp_0)
-    {
-        _S301 = _S293.slope_x_1;
+        _S303 = -1.0;
     }
     else
     {
-        _S301 = _S293.slope_y_1;
+        _S303 = 1.0;
     }
-    float _S302;
-    if(_S293.shown_3.is_warp_0)
+    float _S304 = _S302.twist_sine_0 * _S303;
+    Family_0 _S305 = families_0._data[uint(_S301)];
+    if(_S299.shown_3.is_warp_0)
     {
-        _S302 = _S293.slope_y_1;
-    }
-    else
-    {
-        _S302 = _S293.slope_x_1;
-    }
-    float _S303 = _S300.x;
-    float _S304 = _S300.y;
-    float _S305 = _S301 * _S303 + _S297 * _S302 * _S304;
-    float _S306 = _S294 * 1.0154266357421875;
-    float _S307 = _S306 * arc_sine_0(clamp(_S293.section_1.across_1 / _S306, -1.0, 1.0));
-    if(_S293.shown_3.is_warp_0)
-    {
-        _S294 = _S291;
+        _S303 = 1.0;
     }
     else
     {
-        _S294 = - _S290;
+        _S303 = -1.0;
+    }
+    vec2 _S306 = fibre_direction_0(_S299.slope_across_0, _S303 * _S299.slope_along_0, _S304, _S305.twist_cosine_0);
+    float _S307;
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S307 = _S299.slope_x_1;
+    }
+    else
+    {
+        _S307 = _S299.slope_y_1;
+    }
+    float _S308;
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S308 = _S299.slope_y_1;
+    }
+    else
+    {
+        _S308 = _S299.slope_x_1;
+    }
+    float _S309 = _S306.x;
+    float _S310 = _S306.y;
+    float _S311 = _S307 * _S309 + _S303 * _S308 * _S310;
+    float _S312 = _S300 * 1.0154266357421875;
+    float _S313 = _S312 * arc_sine_0(clamp(_S299.section_1.across_1 / _S312, -1.0, 1.0));
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S300 = _S297;
+    }
+    else
+    {
+        _S300 = - _S296;
     }
     SurfacePoint_0 point_0;
-    point_0.hole_4 = _S293.shown_3.hole_0;
-    point_0.is_warp_2 = _S293.shown_3.is_warp_0;
-    point_0.warp_thread_0 = _S293.crossing_1.warp_1.thread_0;
-    point_0.weft_thread_0 = _S293.crossing_1.weft_1.thread_0;
-    point_0.height_8 = _S293.height_4;
-    point_0.normal_4 = normalize(vec3(- _S293.slope_x_1, - _S293.slope_y_1, 1.0));
-    vec3 _S308;
-    if(_S293.shown_3.is_warp_0)
+    point_0.hole_4 = _S299.shown_3.hole_0;
+    point_0.is_warp_2 = _S299.shown_3.is_warp_0;
+    point_0.warp_thread_0 = _S299.crossing_1.warp_1.thread_0;
+    point_0.weft_thread_0 = _S299.crossing_1.weft_1.thread_0;
+    point_0.height_8 = _S299.height_4;
+    point_0.normal_4 = normalize(vec3(- _S299.slope_x_1, - _S299.slope_y_1, 1.0));
+    vec3 _S314;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S308 = vec3(_S303, _S304, _S305);
+        _S314 = vec3(_S309, _S310, _S311);
     }
     else
     {
-        _S308 = vec3(- _S304, _S303, _S305);
+        _S314 = vec3(- _S310, _S309, _S311);
     }
-    point_0.tangent_5 = normalize(_S308);
-    point_0.across_2 = _S293.section_1.across_1;
-    point_0.fibre_across_0 = _S307 * _S299.twist_cosine_0 + _S294 * _S298;
-    point_0.fibre_along_0 = _S294 * _S299.twist_cosine_0 - _S307 * _S298;
+    point_0.tangent_5 = normalize(_S314);
+    point_0.across_2 = _S299.section_1.across_1;
+    point_0.fibre_across_0 = _S313 * _S305.twist_cosine_0 + _S300 * _S304;
+    point_0.fibre_along_0 = _S300 * _S305.twist_cosine_0 - _S313 * _S304;
     return point_0;
 }
 
-Albedos_0 vary_albedos_0(uint _S309, Albedos_0 _S310, uint _S311, uint _S312)
+Albedos_0 vary_albedos_0(uint _S315, Albedos_0 _S316, uint _S317, uint _S318)
 {
-    vec3 _S313 = max(_S310.specular_reflect_0, _S310.specular_transmit_0);
-    vec3 _S314 = _S310.diffuse_reflect_0 + _S310.diffuse_transmit_0;
-    float _S315 = bounded_gain_0(thread_gain_0(_S311, fabrics_0._data[uint(_S309)].colour_noise_0, fabrics_0._data[uint(_S309)].seed_0), _S314, 1.0 - fabrics_0._data[uint(_S309)].layer_bound_0 * _S313);
-    float _S316 = bounded_gain_0(fibre_gain_0(_S311, _S312, fabrics_0._data[uint(_S309)].fibre_noise_0, fabrics_0._data[uint(_S309)].seed_0), _S313, min((1.0 - _S315 * _S314) / fabrics_0._data[uint(_S309)].layer_bound_0, vec3(1.0)));
+    vec3 _S319 = max(_S316.specular_reflect_0, _S316.specular_transmit_0);
+    vec3 _S320 = _S316.diffuse_reflect_0 + _S316.diffuse_transmit_0;
+    float _S321 = bounded_gain_0(thread_gain_0(_S317, fabrics_0._data[uint(_S315)].colour_noise_0, fabrics_0._data[uint(_S315)].seed_0), _S320, 1.0 - fabrics_0._data[uint(_S315)].layer_bound_0 * _S319);
+    float _S322 = bounded_gain_0(fibre_gain_0(_S317, _S318, fabrics_0._data[uint(_S315)].fibre_noise_0, fabrics_0._data[uint(_S315)].seed_0), _S319, min((1.0 - _S321 * _S320) / fabrics_0._data[uint(_S315)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S315 * _S310.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S315 * _S310.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S316 * _S310.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S316 * _S310.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S321 * _S316.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S321 * _S316.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S322 * _S316.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S322 * _S316.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S317, SurfacePoint_0 _S318, Albedos_0 _S319, float _S320, float _S321)
+Albedos_0 varied_at_0(uint _S323, SurfacePoint_0 _S324, Albedos_0 _S325, float _S326, float _S327)
 {
-    float _S322;
-    if(_S318.is_warp_2)
+    float _S328;
+    if(_S324.is_warp_2)
     {
-        _S322 = _S320;
+        _S328 = _S326;
     }
     else
     {
-        _S322 = _S321;
+        _S328 = _S327;
     }
-    float _S323 = _S322 - _S318.across_2;
-    uint _S324;
-    if(_S318.is_warp_2)
+    float _S329 = _S328 - _S324.across_2;
+    uint _S330;
+    if(_S324.is_warp_2)
     {
-        _S324 = fabrics_0._data[uint(_S317)].warp_0;
+        _S330 = fabrics_0._data[uint(_S323)].warp_0;
     }
     else
     {
-        _S324 = fabrics_0._data[uint(_S317)].weft_0;
+        _S330 = fabrics_0._data[uint(_S323)].weft_0;
     }
-    Family_0 _S325 = families_0._data[uint(_S324)];
-    int _S326 = int(families_0._data[uint(_S324)].count_0);
-    if(_S318.is_warp_2)
+    Family_0 _S331 = families_0._data[uint(_S330)];
+    int _S332 = int(families_0._data[uint(_S330)].count_0);
+    if(_S324.is_warp_2)
     {
-        _S324 = _S318.warp_thread_0;
+        _S330 = _S324.warp_thread_0;
     }
     else
     {
-        _S324 = _S318.weft_thread_0;
+        _S330 = _S324.weft_thread_0;
     }
-    uint _S327 = uint(int(floor(_S323 / _S325.period_0)) * _S326 + int(_S324)) * 2U;
-    if(_S318.is_warp_2)
+    uint _S333 = uint(int(floor(_S329 / _S331.period_0)) * _S332 + int(_S330)) * 2U;
+    if(_S324.is_warp_2)
     {
-        _S324 = 1U;
+        _S330 = 1U;
     }
     else
     {
-        _S324 = 0U;
+        _S330 = 0U;
     }
-    float _S328 = floor(_S318.fibre_across_0 / fabrics_0._data[uint(_S317)].fibre_size_0);
-    return vary_albedos_0(_S317, _S319, _S327 + _S324, uint(int(_S328)) * 65536U + uint(int(floor(_S318.fibre_along_0 / (fabrics_0._data[uint(_S317)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S328))));
+    float _S334 = floor(_S324.fibre_across_0 / fabrics_0._data[uint(_S323)].fibre_size_0);
+    return vary_albedos_0(_S323, _S325, _S333 + _S330, uint(int(_S334)) * 65536U + uint(int(floor(_S324.fibre_along_0 / (fabrics_0._data[uint(_S323)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S334))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S329, SurfacePoint_0 _S330, float _S331, float _S332, bool _S333, bool _S334)
+YarnPoint_0 yarn_point_of_0(uint _S335, SurfacePoint_0 _S336, float _S337, float _S338, bool _S339, bool _S340)
 {
-    uint _S335;
-    if(_S330.is_warp_2)
+    uint _S341;
+    if(_S336.is_warp_2)
     {
-        _S335 = fabrics_0._data[uint(_S329)].warp_0;
+        _S341 = fabrics_0._data[uint(_S335)].warp_0;
     }
     else
     {
-        _S335 = fabrics_0._data[uint(_S329)].weft_0;
+        _S341 = fabrics_0._data[uint(_S335)].weft_0;
     }
-    uint _S336;
-    if(_S330.is_warp_2)
+    uint _S342;
+    if(_S336.is_warp_2)
     {
-        _S336 = _S330.warp_thread_0;
-    }
-    else
-    {
-        _S336 = _S330.weft_thread_0;
-    }
-    Albedos_0 albedos_2 = albedos_of_0(_S335, _S336);
-    bool _S337;
-    if((fabrics_0._data[uint(_S329)].fibre_noise_0) > 0.0)
-    {
-        _S337 = true;
+        _S342 = _S336.warp_thread_0;
     }
     else
     {
-        _S337 = (fabrics_0._data[uint(_S329)].colour_noise_0) > 0.0;
+        _S342 = _S336.weft_thread_0;
+    }
+    Albedos_0 albedos_2 = albedos_of_0(_S341, _S342);
+    bool _S343;
+    if((fabrics_0._data[uint(_S335)].fibre_noise_0) > 0.0)
+    {
+        _S343 = true;
+    }
+    else
+    {
+        _S343 = (fabrics_0._data[uint(_S335)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_3;
-    if(_S337)
+    if(_S343)
     {
-        albedos_3 = varied_at_0(_S329, _S330, albedos_2, _S331, _S332);
+        albedos_3 = varied_at_0(_S335, _S336, albedos_2, _S337, _S338);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_1;
-    point_1.back_2 = _S333;
-    point_1.hole_2 = _S334;
-    point_1.is_warp_1 = _S330.is_warp_2;
-    point_1.x_7 = _S331;
-    point_1.y_3 = _S332;
-    point_1.height_2 = _S330.height_8;
-    point_1.normal_3 = _S330.normal_4;
-    point_1.tangent_4 = _S330.tangent_5;
-    point_1.roughness_8 = families_0._data[uint(_S335)].roughness_0;
+    point_1.back_2 = _S339;
+    point_1.hole_2 = _S340;
+    point_1.is_warp_1 = _S336.is_warp_2;
+    point_1.x_7 = _S337;
+    point_1.y_3 = _S338;
+    point_1.height_2 = _S336.height_8;
+    point_1.normal_3 = _S336.normal_4;
+    point_1.tangent_4 = _S336.tangent_5;
+    point_1.roughness_8 = families_0._data[uint(_S341)].roughness_0;
     point_1.albedos_1 = albedos_3;
     return point_1;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S338, SearchQuality_0 _S339, float _S340, float _S341, vec3 _S342)
+YarnPoint_0 locate_yarn_0(uint _S344, SearchQuality_0 _S345, float _S346, float _S347, vec3 _S348)
 {
-    bool _S343 = (_S342.z) < 0.0;
-    Hit_0 _S344 = first_hit_0(_S338, _S339, _S340, _S341, to_face_frame_0(_S342, _S343), _S343);
-    return yarn_point_of_0(_S338, surface_at_0(_S338, _S344.x_8, _S344.y_4, _S343), _S344.x_8, _S344.y_4, _S343, _S344.hole_3);
+    bool _S349 = (_S348.z) < 0.0;
+    Hit_0 _S350 = first_hit_0(_S344, _S345, _S346, _S347, to_face_frame_0(_S348, _S349), _S349);
+    return yarn_point_of_0(_S344, surface_at_0(_S344, _S350.x_8, _S350.y_4, _S349), _S350.x_8, _S350.y_4, _S349, _S350.hole_3);
 }
 
-vec3 scattered_0(uint _S345, YarnPoint_0 _S346, vec3 _S347, vec3 _S348)
+vec3 scattered_0(uint _S351, YarnPoint_0 _S352, vec3 _S353, vec3 _S354)
 {
-    const vec3 _S349 = vec3(0.0);
-    bool _S350 = !_S346.hole_2;
-    bool _S351;
-    if(_S350)
+    const vec3 _S355 = vec3(0.0);
+    bool _S356 = !_S352.hole_2;
+    bool _S357;
+    if(_S356)
     {
-        _S351 = (_S347.z) > 0.0;
+        _S357 = (_S353.z) > 0.0;
     }
     else
     {
-        _S351 = false;
+        _S357 = false;
     }
     vec3 value_1;
-    if(_S351)
+    if(_S357)
     {
-        value_1 = _S346.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S347, _S346.normal_3, fabrics_0._data[uint(_S345)].diffuse_blend_0) + _S346.albedos_1.specular_reflect_0 * reflection_0(_S347, _S348, _S346.normal_3, _S346.tangent_4, _S346.roughness_8, fabrics_0._data[uint(_S345)].optical_depth_0);
+        value_1 = _S352.albedos_1.diffuse_reflect_0 * diffuse_reflection_0(_S353, _S352.normal_3, fabrics_0._data[uint(_S351)].diffuse_blend_0) + _S352.albedos_1.specular_reflect_0 * reflection_0(_S353, _S354, _S352.normal_3, _S352.tangent_4, _S352.roughness_8, fabrics_0._data[uint(_S351)].optical_depth_0);
     }
     else
     {
-        if(_S350)
+        if(_S356)
         {
-            _S351 = (_S347.z) < 0.0;
+            _S357 = (_S353.z) < 0.0;
         }
         else
         {
-            _S351 = false;
+            _S357 = false;
         }
-        if(_S351)
+        if(_S357)
         {
-            value_1 = _S346.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S347, _S346.normal_3, fabrics_0._data[uint(_S345)].diffuse_blend_0) + _S346.albedos_1.specular_transmit_0 * transmission_0(_S347, _S348, _S346.normal_3, _S346.tangent_4, _S346.roughness_8, fabrics_0._data[uint(_S345)].optical_depth_0);
+            value_1 = _S352.albedos_1.diffuse_transmit_0 * diffuse_reflection_0(- _S353, _S352.normal_3, fabrics_0._data[uint(_S351)].diffuse_blend_0) + _S352.albedos_1.specular_transmit_0 * transmission_0(_S353, _S354, _S352.normal_3, _S352.tangent_4, _S352.roughness_8, fabrics_0._data[uint(_S351)].optical_depth_0);
         }
         else
         {
-            value_1 = _S349;
+            value_1 = _S355;
         }
     }
-    float _S352 = fabrics_0._data[uint(_S345)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S345)].sheen_strength_0) <= 0.0)
+    float _S358 = fabrics_0._data[uint(_S351)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S351)].sheen_strength_0) <= 0.0)
     {
         return value_1;
     }
-    vec2 _S353 = sheen_with_transmittance_0(_S347, _S348, _S352, fabrics_0._data[uint(_S345)].sheen_roughness_0);
-    return _S353.y * value_1 + _S353.x;
+    vec2 _S359 = sheen_with_transmittance_0(_S353, _S354, _S358, fabrics_0._data[uint(_S351)].sheen_roughness_0);
+    return _S359.y * value_1 + _S359.x;
 }
 
-bool unoccluded_0(uint _S354, SearchQuality_0 _S355, float _S356, float _S357, float _S358, vec3 _S359, bool _S360)
+bool unoccluded_0(uint _S360, SearchQuality_0 _S361, float _S362, float _S363, float _S364, vec3 _S365, bool _S366)
 {
-    if((_S359.z) <= 0.0)
+    if((_S365.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S354, _S355, vec3(_S356, _S357, _S358 + fabrics_0._data[uint(_S354)].lift_0), _S359, _S360, max_height_along_0(_S354, _S356, _S357, _S358, _S359, _S360));
+    return is_free_0(_S360, _S361, vec3(_S362, _S363, _S364 + fabrics_0._data[uint(_S360)].lift_0), _S365, _S366, max_height_along_0(_S360, _S362, _S363, _S364, _S365, _S366));
 }
 
-bool is_lit_0(uint _S361, SearchQuality_0 _S362, YarnPoint_0 _S363, vec3 _S364)
+bool is_lit_0(uint _S367, SearchQuality_0 _S368, YarnPoint_0 _S369, vec3 _S370)
 {
-    if(_S363.hole_2)
+    if(_S369.hole_2)
     {
         return true;
     }
-    vec3 _S365 = to_face_frame_0(_S364, _S363.back_2);
-    float _S366 = _S365.z;
-    bool _S367 = _S366 < 0.0;
+    vec3 _S371 = to_face_frame_0(_S370, _S369.back_2);
+    float _S372 = _S371.z;
+    bool _S373 = _S372 < 0.0;
     vec3 normal_5;
     float height_9;
-    if(_S367)
+    if(_S373)
     {
-        SurfacePoint_0 _S368 = surface_at_0(_S361, _S363.x_7, _S363.y_3, !_S363.back_2);
-        normal_5 = _S368.normal_4;
-        height_9 = _S368.height_8;
+        SurfacePoint_0 _S374 = surface_at_0(_S367, _S369.x_7, _S369.y_3, !_S369.back_2);
+        normal_5 = _S374.normal_4;
+        height_9 = _S374.height_8;
     }
     else
     {
-        normal_5 = _S363.normal_3;
-        height_9 = _S363.height_2;
+        normal_5 = _S369.normal_3;
+        height_9 = _S369.height_2;
     }
-    vec3 _S369 = vec3(_S365.xy, abs(_S366));
-    if((dot(normal_5, _S369)) <= 0.0)
+    vec3 _S375 = vec3(_S371.xy, abs(_S372));
+    if((dot(normal_5, _S375)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S361, _S362, _S363.x_7, _S363.y_3, height_9, _S369, (_S363.back_2) != _S367);
+    return unoccluded_0(_S367, _S368, _S369.x_7, _S369.y_3, height_9, _S375, (_S369.back_2) != _S373);
 }
 
-vec3 evaluate_0(uint _S370, SearchQuality_0 _S371, YarnPoint_0 _S372, vec3 _S373, vec3 _S374)
+vec3 evaluate_0(uint _S376, SearchQuality_0 _S377, YarnPoint_0 _S378, vec3 _S379, vec3 _S380)
 {
-    vec3 _S375 = scattered_0(_S370, _S372, to_face_frame_0(_S373, _S372.back_2), to_face_frame_0(_S374, _S372.back_2));
-    bool _S376;
-    if((max(_S375.x, max(_S375.y, _S375.z))) <= 0.0)
+    vec3 _S381 = scattered_0(_S376, _S378, to_face_frame_0(_S379, _S378.back_2), to_face_frame_0(_S380, _S378.back_2));
+    bool _S382;
+    if((max(_S381.x, max(_S381.y, _S381.z))) <= 0.0)
     {
-        _S376 = true;
+        _S382 = true;
     }
     else
     {
-        _S376 = !is_lit_0(_S370, _S371, _S372, _S373);
+        _S382 = !is_lit_0(_S376, _S377, _S378, _S379);
     }
-    if(_S376)
+    if(_S382)
     {
         return vec3(0.0);
     }
-    return _S375;
+    return _S381;
 }
 
-float straight_through_0(uint _S377, YarnPoint_0 _S378, vec3 _S379)
+float straight_through_0(uint _S383, YarnPoint_0 _S384, vec3 _S385)
 {
-    if(!_S378.hole_2)
+    if(!_S384.hole_2)
     {
         return 0.0;
     }
-    float _S380 = fabrics_0._data[uint(_S377)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S377)].sheen_strength_0) <= 0.0)
+    float _S386 = fabrics_0._data[uint(_S383)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S383)].sheen_strength_0) <= 0.0)
     {
         return 1.0;
     }
-    return 1.0 - _S380 * sheen_lobe_0(abs(_S379.z), fabrics_0._data[uint(_S377)].sheen_roughness_0).z;
+    return 1.0 - _S386 * sheen_lobe_0(abs(_S385.z), fabrics_0._data[uint(_S383)].sheen_roughness_0).z;
 }
 
 vec4 cloth_value_0(uint fabric_1, vec2 centre_0, vec2 dx_0, vec2 dy_0, vec3 light_6, vec3 view_5)
 {
-    SearchQuality_0 _S381 = default_quality_0();
-    YarnPoint_0 _S382 = locate_yarn_0(fabric_1, _S381, centre_0.x, centre_0.y, view_5);
-    return vec4(evaluate_0(fabric_1, _S381, _S382, light_6, view_5), straight_through_0(fabric_1, _S382, view_5));
+    SearchQuality_0 _S387 = default_quality_0();
+    YarnPoint_0 _S388 = locate_yarn_0(fabric_1, _S387, centre_0.x, centre_0.y, view_5);
+    return vec4(evaluate_0(fabric_1, _S387, _S388, light_6, view_5), straight_through_0(fabric_1, _S388, view_5));
 }
 
 layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
@@ -2315,8 +2352,8 @@ void main()
     {
         return;
     }
-    Query_0 _S383 = queries_0._data[uint(gl_GlobalInvocationID.x)];
-    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S383.fabric_0, vec2(_S383.centre_x_0, _S383.centre_y_0), vec2(_S383.dx_x_0, _S383.dx_y_0), vec2(_S383.dy_x_0, _S383.dy_y_0), vec3(_S383.light_x_0, _S383.light_y_0, _S383.light_z_0), vec3(_S383.view_x_0, _S383.view_y_0, _S383.view_z_0));
+    Query_0 _S389 = queries_0._data[uint(gl_GlobalInvocationID.x)];
+    answers_0._data[uint(gl_GlobalInvocationID.x)] = cloth_value_0(_S389.fabric_0, vec2(_S389.centre_x_0, _S389.centre_y_0), vec2(_S389.dx_x_0, _S389.dx_y_0), vec2(_S389.dy_x_0, _S389.dy_y_0), vec3(_S389.light_x_0, _S389.light_y_0, _S389.light_z_0), vec3(_S389.view_x_0, _S389.view_y_0, _S389.view_z_0));
     return;
 }
 

@@ -50,7 +50,7 @@ struct Layer_0
     float share_0;
 };
 
-layout(std430, binding = 11) buffer StructuredBuffer_Layer_t_0 {
+layout(std430, binding = 12) buffer StructuredBuffer_Layer_t_0 {
     Layer_0 _data[];
 } layers_0;
 layout(std430, binding = 7) readonly buffer StructuredBuffer_uint_t_0 {
@@ -78,13 +78,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -130,10 +157,10 @@ struct Vertex_0
 layout(std430, binding = 5) readonly buffer StructuredBuffer_Vertex_t_0 {
     Vertex_0 _data[];
 } vertices_0;
-layout(std430, binding = 10) readonly buffer StructuredBuffer_uint_t_2 {
+layout(std430, binding = 11) readonly buffer StructuredBuffer_uint_t_2 {
     uint _data[];
 } scene_words_0;
-layout(std430, binding = 12) buffer StructuredBuffer_float_t_0 {
+layout(std430, binding = 13) buffer StructuredBuffer_float_t_0 {
     float _data[];
 } visibilities_0;
 struct Light_0
@@ -2300,7 +2327,7 @@ Crossing_0 crossing_at_0(uint _S380, float _S381, float _S382, bool _S383)
     Crossing_0 crossing_3;
     crossing_3.warp_1 = locate_0(fabrics_0._data[uint(_S380)].warp_0, _S381);
     crossing_3.weft_1 = locate_0(fabrics_0._data[uint(_S380)].weft_0, _S382);
-    uint _S384 = fabrics_0._data[uint(_S380)].run_words_0 + 2U * (crossing_3.weft_1.thread_1 * fabrics_0._data[uint(_S380)].ends_0 + crossing_3.warp_1.thread_1);
+    uint _S384 = fabrics_0._data[uint(_S380)].run_words_0 + 2U * (crossing_3.weft_1.thread_1 * fabrics_0._data[uint(_S380)].ends_1 + crossing_3.warp_1.thread_1);
     uint _S385 = words_0._data[uint(_S384)];
     crossing_3.warp_word_0 = _S385;
     crossing_3.weft_word_0 = words_0._data[uint(_S384 + 1U)];
@@ -2957,25 +2984,18 @@ float refined_height_0(uint _S514, ViewRay_0 _S515, StepControl_0 _S516, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S528, SearchQuality_0 _S529, float _S530, float _S531, vec3 _S532, bool _S533)
+Hit_0 first_hit_of_yarn_0(uint _S528, SearchQuality_0 _S529, float _S530, float _S531, vec3 _S532, bool _S533)
 {
-    Hit_0 hit_0;
-    hit_0.x_15 = _S530;
-    hit_0.y_7 = _S531;
-    hit_0.height_5 = 0.0;
-    bool _S534 = passes_through_0(_S528, _S529, _S530, _S531, _S532, _S533);
-    hit_0.hole_5 = _S534;
-    if(_S534)
-    {
-        return hit_0;
-    }
-    float _S535 = max(_S532.z, 0.00009999999747379);
+    float _S534 = max(_S532.z, 0.00009999999747379);
     ViewRay_0 ray_0;
     ray_0.origin_0 = vec2(_S530, _S531);
-    vec2 _S536 = _S532.xy / _S535;
-    ray_0.slope_1 = _S536;
-    StepControl_0 _S537 = step_control_0(- _S536, 1.0 / max(steps_per_length_0(_S528, _S529, _S532) / _S535, 9.99999971718068537e-10));
-    float _S538 = refined_height_0(_S528, ray_0, _S537, _S533, search_down_0(_S528, ray_0, _S537, _S533), _S529.refinements_0);
+    vec2 _S535 = _S532.xy / _S534;
+    ray_0.slope_1 = _S535;
+    StepControl_0 _S536 = step_control_0(- _S535, 1.0 / max(steps_per_length_0(_S528, _S529, _S532) / _S534, 9.99999971718068537e-10));
+    ViewRayEnd_0 _S537 = search_down_0(_S528, ray_0, _S536, _S533);
+    Hit_0 hit_0;
+    hit_0.hole_5 = false;
+    float _S538 = refined_height_0(_S528, ray_0, _S536, _S533, _S537, _S529.refinements_0);
     hit_0.height_5 = _S538;
     vec2 _S539 = ViewRay_at_0(ray_0, _S538);
     hit_0.x_15 = _S539.x;
@@ -2983,99 +3003,113 @@ Hit_0 first_hit_0(uint _S528, SearchQuality_0 _S529, float _S530, float _S531, v
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S540, float _S541, float _S542, bool _S543)
+Hit_0 first_hit_0(uint _S540, SearchQuality_0 _S541, float _S542, float _S543, vec3 _S544, bool _S545)
 {
-    Sample_0 _S544 = sample_at_0(_S540, _S541, _S542, _S543);
-    float _S545;
-    if(_S544.shown_3.is_warp_2)
+    if(!passes_through_0(_S540, _S541, _S542, _S543, _S544, _S545))
     {
-        _S545 = _S544.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S540, _S541, _S542, _S543, _S544, _S545);
+    }
+    Hit_0 hit_1;
+    hit_1.x_15 = _S542;
+    hit_1.y_7 = _S543;
+    hit_1.height_5 = 0.0;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S546, float _S547, float _S548, bool _S549)
+{
+    Sample_0 _S550 = sample_at_0(_S546, _S547, _S548, _S549);
+    float _S551;
+    if(_S550.shown_3.is_warp_2)
+    {
+        _S551 = _S550.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S545 = _S544.crossing_2.weft_1.half_width_1;
+        _S551 = _S550.crossing_2.weft_1.half_width_1;
     }
-    uint _S546;
-    if(_S544.shown_3.is_warp_2)
+    uint _S552;
+    if(_S550.shown_3.is_warp_2)
     {
-        _S546 = fabrics_0._data[uint(_S540)].warp_0;
-    }
-    else
-    {
-        _S546 = fabrics_0._data[uint(_S540)].weft_0;
-    }
-    Family_0 _S547 = families_0._data[uint(_S546)];
-    float _S548;
-    if(_S543)
-    {
-        _S548 = -1.0;
+        _S552 = fabrics_0._data[uint(_S546)].warp_0;
     }
     else
     {
-        _S548 = 1.0;
+        _S552 = fabrics_0._data[uint(_S546)].weft_0;
     }
-    float _S549 = _S547.twist_sine_0 * _S548;
-    Family_0 _S550 = families_0._data[uint(_S546)];
-    if(_S544.shown_3.is_warp_2)
+    Family_0 _S553 = families_0._data[uint(_S552)];
+    float _S554;
+    if(_S549)
     {
-        _S548 = 1.0;
-    }
-    else
-    {
-        _S548 = -1.0;
-    }
-    vec2 _S551 = fibre_direction_0(_S544.slope_across_0, _S548 * _S544.slope_along_0, _S549, _S550.twist_cosine_0);
-    float _S552;
-    if(_S544.shown_3.is_warp_2)
-    {
-        _S552 = _S544.slope_x_1;
+        _S554 = -1.0;
     }
     else
     {
-        _S552 = _S544.slope_y_1;
+        _S554 = 1.0;
     }
-    float _S553;
-    if(_S544.shown_3.is_warp_2)
+    float _S555 = _S553.twist_sine_0 * _S554;
+    Family_0 _S556 = families_0._data[uint(_S552)];
+    if(_S550.shown_3.is_warp_2)
     {
-        _S553 = _S544.slope_y_1;
-    }
-    else
-    {
-        _S553 = _S544.slope_x_1;
-    }
-    float _S554 = _S551.x;
-    float _S555 = _S551.y;
-    float _S556 = _S552 * _S554 + _S548 * _S553 * _S555;
-    float _S557 = _S545 * 1.0154266357421875;
-    float _S558 = _S557 * arc_sine_0(clamp(_S544.section_1.across_3 / _S557, -1.0, 1.0));
-    if(_S544.shown_3.is_warp_2)
-    {
-        _S545 = _S542;
+        _S554 = 1.0;
     }
     else
     {
-        _S545 = - _S541;
+        _S554 = -1.0;
+    }
+    vec2 _S557 = fibre_direction_0(_S550.slope_across_0, _S554 * _S550.slope_along_0, _S555, _S556.twist_cosine_0);
+    float _S558;
+    if(_S550.shown_3.is_warp_2)
+    {
+        _S558 = _S550.slope_x_1;
+    }
+    else
+    {
+        _S558 = _S550.slope_y_1;
+    }
+    float _S559;
+    if(_S550.shown_3.is_warp_2)
+    {
+        _S559 = _S550.slope_y_1;
+    }
+    else
+    {
+        _S559 = _S550.slope_x_1;
+    }
+    float _S560 = _S557.x;
+    float _S561 = _S557.y;
+    float _S562 = _S558 * _S560 + _S554 * _S559 * _S561;
+    float _S563 = _S551 * 1.0154266357421875;
+    float _S564 = _S563 * arc_sine_0(clamp(_S550.section_1.across_3 / _S563, -1.0, 1.0));
+    if(_S550.shown_3.is_warp_2)
+    {
+        _S551 = _S548;
+    }
+    else
+    {
+        _S551 = - _S547;
     }
     SurfacePoint_0 point_3;
-    point_3.hole_0 = _S544.shown_3.hole_3;
-    point_3.is_warp_0 = _S544.shown_3.is_warp_2;
-    point_3.warp_thread_0 = _S544.crossing_2.warp_1.thread_1;
-    point_3.weft_thread_0 = _S544.crossing_2.weft_1.thread_1;
-    point_3.height_1 = _S544.height_6;
-    point_3.normal_1 = normalize(vec3(- _S544.slope_x_1, - _S544.slope_y_1, 1.0));
-    vec3 _S559;
-    if(_S544.shown_3.is_warp_2)
+    point_3.hole_0 = _S550.shown_3.hole_3;
+    point_3.is_warp_0 = _S550.shown_3.is_warp_2;
+    point_3.warp_thread_0 = _S550.crossing_2.warp_1.thread_1;
+    point_3.weft_thread_0 = _S550.crossing_2.weft_1.thread_1;
+    point_3.height_1 = _S550.height_6;
+    point_3.normal_1 = normalize(vec3(- _S550.slope_x_1, - _S550.slope_y_1, 1.0));
+    vec3 _S565;
+    if(_S550.shown_3.is_warp_2)
     {
-        _S559 = vec3(_S554, _S555, _S556);
+        _S565 = vec3(_S560, _S561, _S562);
     }
     else
     {
-        _S559 = vec3(- _S555, _S554, _S556);
+        _S565 = vec3(- _S561, _S560, _S562);
     }
-    point_3.tangent_0 = normalize(_S559);
-    point_3.across_0 = _S544.section_1.across_3;
-    point_3.fibre_across_0 = _S558 * _S550.twist_cosine_0 + _S545 * _S549;
-    point_3.fibre_along_0 = _S545 * _S550.twist_cosine_0 - _S558 * _S549;
+    point_3.tangent_0 = normalize(_S565);
+    point_3.across_0 = _S550.section_1.across_3;
+    point_3.fibre_across_0 = _S564 * _S556.twist_cosine_0 + _S551 * _S555;
+    point_3.fibre_along_0 = _S551 * _S556.twist_cosine_0 - _S564 * _S555;
     return point_3;
 }
 
@@ -3093,236 +3127,236 @@ struct YarnPoint_0
     Albedos_0 albedos_6;
 };
 
-Albedos_0 vary_albedos_0(uint _S560, Albedos_0 _S561, uint _S562, uint _S563)
+Albedos_0 vary_albedos_0(uint _S566, Albedos_0 _S567, uint _S568, uint _S569)
 {
-    vec3 _S564 = max(_S561.specular_reflect_0, _S561.specular_transmit_0);
-    vec3 _S565 = _S561.diffuse_reflect_0 + _S561.diffuse_transmit_0;
-    float _S566 = bounded_gain_0(thread_gain_0(_S562, fabrics_0._data[uint(_S560)].colour_noise_0, fabrics_0._data[uint(_S560)].seed_0), _S565, 1.0 - fabrics_0._data[uint(_S560)].layer_bound_0 * _S564);
-    float _S567 = bounded_gain_0(fibre_gain_0(_S562, _S563, fabrics_0._data[uint(_S560)].fibre_noise_0, fabrics_0._data[uint(_S560)].seed_0), _S564, min((1.0 - _S566 * _S565) / fabrics_0._data[uint(_S560)].layer_bound_0, vec3(1.0)));
+    vec3 _S570 = max(_S567.specular_reflect_0, _S567.specular_transmit_0);
+    vec3 _S571 = _S567.diffuse_reflect_0 + _S567.diffuse_transmit_0;
+    float _S572 = bounded_gain_0(thread_gain_0(_S568, fabrics_0._data[uint(_S566)].colour_noise_0, fabrics_0._data[uint(_S566)].seed_0), _S571, 1.0 - fabrics_0._data[uint(_S566)].layer_bound_0 * _S570);
+    float _S573 = bounded_gain_0(fibre_gain_0(_S568, _S569, fabrics_0._data[uint(_S566)].fibre_noise_0, fabrics_0._data[uint(_S566)].seed_0), _S570, min((1.0 - _S572 * _S571) / fabrics_0._data[uint(_S566)].layer_bound_0, vec3(1.0)));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S566 * _S561.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S566 * _S561.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S567 * _S561.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S567 * _S561.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S572 * _S567.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S572 * _S567.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S573 * _S567.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S573 * _S567.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S568, SurfacePoint_0 _S569, Albedos_0 _S570, float _S571, float _S572)
+Albedos_0 varied_at_0(uint _S574, SurfacePoint_0 _S575, Albedos_0 _S576, float _S577, float _S578)
 {
-    float _S573;
-    if(_S569.is_warp_0)
+    float _S579;
+    if(_S575.is_warp_0)
     {
-        _S573 = _S571;
+        _S579 = _S577;
     }
     else
     {
-        _S573 = _S572;
+        _S579 = _S578;
     }
-    float _S574 = _S573 - _S569.across_0;
-    uint _S575;
-    if(_S569.is_warp_0)
+    float _S580 = _S579 - _S575.across_0;
+    uint _S581;
+    if(_S575.is_warp_0)
     {
-        _S575 = fabrics_0._data[uint(_S568)].warp_0;
+        _S581 = fabrics_0._data[uint(_S574)].warp_0;
     }
     else
     {
-        _S575 = fabrics_0._data[uint(_S568)].weft_0;
+        _S581 = fabrics_0._data[uint(_S574)].weft_0;
     }
-    Family_0 _S576 = families_0._data[uint(_S575)];
-    int _S577 = int(families_0._data[uint(_S575)].count_0);
-    if(_S569.is_warp_0)
+    Family_0 _S582 = families_0._data[uint(_S581)];
+    int _S583 = int(families_0._data[uint(_S581)].count_0);
+    if(_S575.is_warp_0)
     {
-        _S575 = _S569.warp_thread_0;
+        _S581 = _S575.warp_thread_0;
     }
     else
     {
-        _S575 = _S569.weft_thread_0;
+        _S581 = _S575.weft_thread_0;
     }
-    uint _S578 = uint(int(floor(_S574 / _S576.period_0)) * _S577 + int(_S575)) * 2U;
-    if(_S569.is_warp_0)
+    uint _S584 = uint(int(floor(_S580 / _S582.period_0)) * _S583 + int(_S581)) * 2U;
+    if(_S575.is_warp_0)
     {
-        _S575 = 1U;
+        _S581 = 1U;
     }
     else
     {
-        _S575 = 0U;
+        _S581 = 0U;
     }
-    float _S579 = floor(_S569.fibre_across_0 / fabrics_0._data[uint(_S568)].fibre_size_0);
-    return vary_albedos_0(_S568, _S570, _S578 + _S575, uint(int(_S579)) * 65536U + uint(int(floor(_S569.fibre_along_0 / (fabrics_0._data[uint(_S568)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S579))));
+    float _S585 = floor(_S575.fibre_across_0 / fabrics_0._data[uint(_S574)].fibre_size_0);
+    return vary_albedos_0(_S574, _S576, _S584 + _S581, uint(int(_S585)) * 65536U + uint(int(floor(_S575.fibre_along_0 / (fabrics_0._data[uint(_S574)].fibre_size_0 * 40.0) + 0.61799997091293335 * _S585))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S580, SurfacePoint_0 _S581, float _S582, float _S583, bool _S584, bool _S585)
+YarnPoint_0 yarn_point_of_0(uint _S586, SurfacePoint_0 _S587, float _S588, float _S589, bool _S590, bool _S591)
 {
-    uint _S586;
-    if(_S581.is_warp_0)
+    uint _S592;
+    if(_S587.is_warp_0)
     {
-        _S586 = fabrics_0._data[uint(_S580)].warp_0;
+        _S592 = fabrics_0._data[uint(_S586)].warp_0;
     }
     else
     {
-        _S586 = fabrics_0._data[uint(_S580)].weft_0;
+        _S592 = fabrics_0._data[uint(_S586)].weft_0;
     }
-    uint _S587;
-    if(_S581.is_warp_0)
+    uint _S593;
+    if(_S587.is_warp_0)
     {
-        _S587 = _S581.warp_thread_0;
-    }
-    else
-    {
-        _S587 = _S581.weft_thread_0;
-    }
-    Albedos_0 albedos_7 = albedos_of_0(_S586, _S587);
-    bool _S588;
-    if((fabrics_0._data[uint(_S580)].fibre_noise_0) > 0.0)
-    {
-        _S588 = true;
+        _S593 = _S587.warp_thread_0;
     }
     else
     {
-        _S588 = (fabrics_0._data[uint(_S580)].colour_noise_0) > 0.0;
+        _S593 = _S587.weft_thread_0;
+    }
+    Albedos_0 albedos_7 = albedos_of_0(_S592, _S593);
+    bool _S594;
+    if((fabrics_0._data[uint(_S586)].fibre_noise_0) > 0.0)
+    {
+        _S594 = true;
+    }
+    else
+    {
+        _S594 = (fabrics_0._data[uint(_S586)].colour_noise_0) > 0.0;
     }
     Albedos_0 albedos_8;
-    if(_S588)
+    if(_S594)
     {
-        albedos_8 = varied_at_0(_S580, _S581, albedos_7, _S582, _S583);
+        albedos_8 = varied_at_0(_S586, _S587, albedos_7, _S588, _S589);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     YarnPoint_0 point_4;
-    point_4.back_3 = _S584;
-    point_4.hole_6 = _S585;
-    point_4.is_warp_3 = _S581.is_warp_0;
-    point_4.x_16 = _S582;
-    point_4.y_8 = _S583;
-    point_4.height_10 = _S581.height_1;
-    point_4.normal_7 = _S581.normal_1;
-    point_4.tangent_7 = _S581.tangent_0;
-    point_4.roughness_10 = families_0._data[uint(_S586)].roughness_0;
+    point_4.back_3 = _S590;
+    point_4.hole_6 = _S591;
+    point_4.is_warp_3 = _S587.is_warp_0;
+    point_4.x_16 = _S588;
+    point_4.y_8 = _S589;
+    point_4.height_10 = _S587.height_1;
+    point_4.normal_7 = _S587.normal_1;
+    point_4.tangent_7 = _S587.tangent_0;
+    point_4.roughness_10 = families_0._data[uint(_S592)].roughness_0;
     point_4.albedos_6 = albedos_8;
     return point_4;
 }
 
-bool unoccluded_0(uint _S589, SearchQuality_0 _S590, float _S591, float _S592, float _S593, vec3 _S594, bool _S595)
+bool unoccluded_0(uint _S595, SearchQuality_0 _S596, float _S597, float _S598, float _S599, vec3 _S600, bool _S601)
 {
-    if((_S594.z) <= 0.0)
+    if((_S600.z) <= 0.0)
     {
         return false;
     }
-    return is_free_0(_S589, _S590, vec3(_S591, _S592, _S593 + fabrics_0._data[uint(_S589)].lift_0), _S594, _S595, max_height_along_0(_S589, _S591, _S592, _S593, _S594, _S595));
+    return is_free_0(_S595, _S596, vec3(_S597, _S598, _S599 + fabrics_0._data[uint(_S595)].lift_0), _S600, _S601, max_height_along_0(_S595, _S597, _S598, _S599, _S600, _S601));
 }
 
-bool is_lit_0(uint _S596, SearchQuality_0 _S597, YarnPoint_0 _S598, vec3 _S599)
+bool is_lit_0(uint _S602, SearchQuality_0 _S603, YarnPoint_0 _S604, vec3 _S605)
 {
-    if(_S598.hole_6)
+    if(_S604.hole_6)
     {
         return true;
     }
-    vec3 _S600 = to_face_frame_0(_S599, _S598.back_3);
-    float _S601 = _S600.z;
-    bool _S602 = _S601 < 0.0;
+    vec3 _S606 = to_face_frame_0(_S605, _S604.back_3);
+    float _S607 = _S606.z;
+    bool _S608 = _S607 < 0.0;
     vec3 normal_8;
     float height_11;
-    if(_S602)
+    if(_S608)
     {
-        SurfacePoint_0 _S603 = surface_at_0(_S596, _S598.x_16, _S598.y_8, !_S598.back_3);
-        normal_8 = _S603.normal_1;
-        height_11 = _S603.height_1;
+        SurfacePoint_0 _S609 = surface_at_0(_S602, _S604.x_16, _S604.y_8, !_S604.back_3);
+        normal_8 = _S609.normal_1;
+        height_11 = _S609.height_1;
     }
     else
     {
-        normal_8 = _S598.normal_7;
-        height_11 = _S598.height_10;
+        normal_8 = _S604.normal_7;
+        height_11 = _S604.height_10;
     }
-    vec3 _S604 = vec3(_S600.xy, abs(_S601));
-    if((dot(normal_8, _S604)) <= 0.0)
+    vec3 _S610 = vec3(_S606.xy, abs(_S607));
+    if((dot(normal_8, _S610)) <= 0.0)
     {
         return false;
     }
-    return unoccluded_0(_S596, _S597, _S598.x_16, _S598.y_8, height_11, _S604, (_S598.back_3) != _S602);
+    return unoccluded_0(_S602, _S603, _S604.x_16, _S604.y_8, height_11, _S610, (_S604.back_3) != _S608);
 }
 
-Components_0 components_of_point_0(uint _S605, SearchQuality_0 _S606, YarnPoint_0 _S607, vec3 _S608, vec3 _S609)
+Components_0 components_of_point_0(uint _S611, SearchQuality_0 _S612, YarnPoint_0 _S613, vec3 _S614, vec3 _S615)
 {
     Components_0 result_2 = no_components_0();
-    float _S610;
-    if(_S607.hole_6)
+    float _S616;
+    if(_S613.hole_6)
     {
-        _S610 = 1.0;
+        _S616 = 1.0;
     }
     else
     {
-        _S610 = 0.0;
+        _S616 = 0.0;
     }
-    result_2.hole_2 = _S610;
-    bool _S611;
-    if(_S607.hole_6)
+    result_2.hole_2 = _S616;
+    bool _S617;
+    if(_S613.hole_6)
     {
-        _S611 = true;
+        _S617 = true;
     }
     else
     {
-        _S611 = !is_lit_0(_S605, _S606, _S607, _S608);
+        _S617 = !is_lit_0(_S611, _S612, _S613, _S614);
     }
-    if(_S611)
+    if(_S617)
     {
         return result_2;
     }
-    vec3 _S612 = to_face_frame_0(_S608, _S607.back_3);
-    vec3 _S613 = to_face_frame_0(_S609, _S607.back_3);
-    bool _S614 = (_S612.z) < 0.0;
-    vec3 _S615;
-    if(_S614)
+    vec3 _S618 = to_face_frame_0(_S614, _S613.back_3);
+    vec3 _S619 = to_face_frame_0(_S615, _S613.back_3);
+    bool _S620 = (_S618.z) < 0.0;
+    vec3 _S621;
+    if(_S620)
     {
-        _S615 = - _S612;
+        _S621 = - _S618;
     }
     else
     {
-        _S615 = _S612;
+        _S621 = _S618;
     }
-    float _S616 = diffuse_reflection_0(_S615, _S607.normal_7, fabrics_0._data[uint(_S605)].diffuse_blend_0);
-    if(_S614)
+    float _S622 = diffuse_reflection_0(_S621, _S613.normal_7, fabrics_0._data[uint(_S611)].diffuse_blend_0);
+    if(_S620)
     {
-        _S610 = transmission_0(_S612, _S613, _S607.normal_7, _S607.tangent_7, _S607.roughness_10, fabrics_0._data[uint(_S605)].optical_depth_0);
+        _S616 = transmission_0(_S618, _S619, _S613.normal_7, _S613.tangent_7, _S613.roughness_10, fabrics_0._data[uint(_S611)].optical_depth_0);
     }
     else
     {
-        _S610 = reflection_0(_S612, _S613, _S607.normal_7, _S607.tangent_7, _S607.roughness_10, fabrics_0._data[uint(_S605)].optical_depth_0);
+        _S616 = reflection_0(_S618, _S619, _S613.normal_7, _S613.tangent_7, _S613.roughness_10, fabrics_0._data[uint(_S611)].optical_depth_0);
     }
-    float _S617;
-    if(_S607.is_warp_3)
+    float _S623;
+    if(_S613.is_warp_3)
     {
-        _S617 = _S616;
+        _S623 = _S622;
     }
     else
     {
-        _S617 = 0.0;
+        _S623 = 0.0;
     }
-    result_2.diffuse_warp_0 = _S617;
-    if(_S607.is_warp_3)
+    result_2.diffuse_warp_0 = _S623;
+    if(_S613.is_warp_3)
     {
-        _S617 = 0.0;
+        _S623 = 0.0;
     }
     else
     {
-        _S617 = _S616;
+        _S623 = _S622;
     }
-    result_2.diffuse_weft_0 = _S617;
-    if(_S607.is_warp_3)
+    result_2.diffuse_weft_0 = _S623;
+    if(_S613.is_warp_3)
     {
-        _S617 = _S610;
+        _S623 = _S616;
     }
     else
     {
-        _S617 = 0.0;
+        _S623 = 0.0;
     }
-    result_2.specular_warp_0 = _S617;
-    if(_S607.is_warp_3)
+    result_2.specular_warp_0 = _S623;
+    if(_S613.is_warp_3)
     {
-        _S610 = 0.0;
+        _S616 = 0.0;
     }
-    result_2.specular_weft_0 = _S610;
+    result_2.specular_weft_0 = _S616;
     result_2.light_visibility_1 = 1.0;
     return result_2;
 }
@@ -3332,23 +3366,23 @@ struct CoverageTaps_0
     uint  nodes_1[9];
 };
 
-vec3 pyramid_level_0(uint _S618, float _S619)
+vec3 pyramid_level_0(uint _S624, float _S625)
 {
-    uint _S620 = fabrics_0._data[uint(_S618)].lobes_0.levels_0 + 4U * uint(min(_S619, fabrics_0._data[uint(_S618)].lobes_0.last_level_0));
-    return vec3(table_number_0(_S620), table_number_0(_S620 + 1U), table_number_0(_S620 + 2U));
+    uint _S626 = fabrics_0._data[uint(_S624)].lobes_0.levels_0 + 4U * uint(min(_S625, fabrics_0._data[uint(_S624)].lobes_0.last_level_0));
+    return vec3(table_number_0(_S626), table_number_0(_S626 + 1U), table_number_0(_S626 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S621, Footprint_0 _S622, bool _S623)
+CoverageTaps_0 coverage_taps_0(uint _S627, Footprint_0 _S628, bool _S629)
 {
-    Lobes_0 _S624 = fabrics_0._data[uint(_S621)].lobes_0;
-    float _S625 = Footprint_spread_side_0(_S622) * fabrics_0._data[uint(_S621)].lobes_0.inverse_base_size_0;
-    vec3 _S626 = pyramid_level_0(_S621, floor(binary_logarithm_0(max(0.68000000715255737 * _S625, 1.0))));
-    float _S627 = 1.0 / max(_S625, 9.99999997475242708e-07);
-    float _S628 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S627 * _S627), 0.0, 1.0)), 0.3333333432674408 * _S627), 1.0);
-    vec2 _S629 = vec2(families_0._data[uint(fabrics_0._data[uint(_S621)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S621)].weft_0)].inverse_period_0);
-    vec2 _S630 = _S622.centre_0 * _S629;
-    vec2 _S631 = _S622.dx_0 * _S629 * _S628;
-    vec2 _S632 = _S622.dy_0 * _S629 * _S628;
+    Lobes_0 _S630 = fabrics_0._data[uint(_S627)].lobes_0;
+    float _S631 = Footprint_spread_side_0(_S628) * fabrics_0._data[uint(_S627)].lobes_0.inverse_base_size_0;
+    vec3 _S632 = pyramid_level_0(_S627, floor(binary_logarithm_0(max(0.68000000715255737 * _S631, 1.0))));
+    float _S633 = 1.0 / max(_S631, 9.99999997475242708e-07);
+    float _S634 = min(max(sqrt(clamp(1.29999995231628418 * (1.0 - _S633 * _S633), 0.0, 1.0)), 0.3333333432674408 * _S633), 1.0);
+    vec2 _S635 = vec2(families_0._data[uint(fabrics_0._data[uint(_S627)].warp_0)].inverse_period_0, families_0._data[uint(fabrics_0._data[uint(_S627)].weft_0)].inverse_period_0);
+    vec2 _S636 = _S628.centre_0 * _S635;
+    vec2 _S637 = _S628.dx_0 * _S635 * _S634;
+    vec2 _S638 = _S628.dy_0 * _S635 * _S634;
     CoverageTaps_0 taps_3;
     uint number_2 = 0U;
     for(;;)
@@ -3360,26 +3394,26 @@ CoverageTaps_0 coverage_taps_0(uint _S621, Footprint_0 _S622, bool _S623)
         {
             break;
         }
-        vec2 _S633 = _S630 + TAP_OFFSETS_0[number_2].x * _S631 + TAP_OFFSETS_0[number_2].y * _S632;
-        float _S634 = _S626.y;
-        float _S635 = wrapped_cell_0(_S633.x, _S634);
-        float _S636 = wrapped_cell_0(_S633.y, _S626.z);
-        uint _S637;
-        if(_S623)
+        vec2 _S639 = _S636 + TAP_OFFSETS_0[number_2].x * _S637 + TAP_OFFSETS_0[number_2].y * _S638;
+        float _S640 = _S632.y;
+        float _S641 = wrapped_cell_0(_S639.x, _S640);
+        float _S642 = wrapped_cell_0(_S639.y, _S632.z);
+        uint _S643;
+        if(_S629)
         {
-            _S637 = _S624.face_nodes_0;
+            _S643 = _S630.face_nodes_0;
         }
         else
         {
-            _S637 = 0U;
+            _S643 = 0U;
         }
-        taps_3.nodes_1[number_2] = _S637 + uint(_S636 * _S634 + _S635 + _S626.x);
+        taps_3.nodes_1[number_2] = _S643 + uint(_S642 * _S640 + _S641 + _S632.x);
         number_2 = number_2 + 1U;
     }
     return taps_3;
 }
 
-vec4 coverage_of_pack_0(uint _S638, CoverageTaps_0 _S639, uint _S640)
+vec4 coverage_of_pack_0(uint _S644, CoverageTaps_0 _S645, uint _S646)
 {
     uint number_3 = 0U;
     uint even_1 = 0U;
@@ -3393,9 +3427,9 @@ vec4 coverage_of_pack_0(uint _S638, CoverageTaps_0 _S639, uint _S640)
         {
             break;
         }
-        uint _S641 = words_0._data[uint(fabrics_0._data[uint(_S638)].lobes_0.coverage_0 + _S639.nodes_1[number_3] * fabrics_0._data[uint(_S638)].lobes_0.packs_0 + _S640)];
-        uint even_2 = even_1 + (_S641 & 16711935U);
-        uint odd_2 = odd_1 + ((_S641 >> 8) & 16711935U);
+        uint _S647 = words_0._data[uint(fabrics_0._data[uint(_S644)].lobes_0.coverage_0 + _S645.nodes_1[number_3] * fabrics_0._data[uint(_S644)].lobes_0.packs_0 + _S646)];
+        uint even_2 = even_1 + (_S647 & 16711935U);
+        uint odd_2 = odd_1 + ((_S647 >> 8) & 16711935U);
         number_3 = number_3 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3403,7 +3437,7 @@ vec4 coverage_of_pack_0(uint _S638, CoverageTaps_0 _S639, uint _S640)
     return bytes_of_sums_0(even_1, odd_1) / 9.0;
 }
 
-float coverage_of_holes_0(uint _S642, CoverageTaps_0 _S643)
+float coverage_of_holes_0(uint _S648, CoverageTaps_0 _S649)
 {
     uint number_4 = 0U;
     uint total_0 = 0U;
@@ -3416,67 +3450,67 @@ float coverage_of_holes_0(uint _S642, CoverageTaps_0 _S643)
         {
             break;
         }
-        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S642)].lobes_0.coverage_holes_0 + _S643.nodes_1[number_4] / 4U)]) >> (8U * (_S643.nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + (((words_0._data[uint(fabrics_0._data[uint(_S648)].lobes_0.coverage_holes_0 + _S649.nodes_1[number_4] / 4U)]) >> (8U * (_S649.nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0;
 }
 
-float prefiltered_hole_0(uint _S644, CoverageTaps_0 _S645, NodeTaps_0 _S646, bool _S647)
+float prefiltered_hole_0(uint _S650, CoverageTaps_0 _S651, NodeTaps_0 _S652, bool _S653)
 {
-    Lobes_0 _S648 = fabrics_0._data[uint(_S644)].lobes_0;
-    float _S649 = interpolate_table_0(_S646, fabrics_0._data[uint(_S644)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S644)].lobes_0.packs_0, fabrics_0._data[uint(_S644)].lobes_0.packs_0 + 1U).x;
-    float _S650;
-    if(_S647)
+    Lobes_0 _S654 = fabrics_0._data[uint(_S650)].lobes_0;
+    float _S655 = interpolate_table_0(_S652, fabrics_0._data[uint(_S650)].lobes_0.projected_area_0 + fabrics_0._data[uint(_S650)].lobes_0.packs_0, fabrics_0._data[uint(_S650)].lobes_0.packs_0 + 1U).x;
+    float _S656;
+    if(_S653)
     {
-        _S650 = _S648.back_hole_weight_0;
+        _S656 = _S654.back_hole_weight_0;
     }
     else
     {
-        _S650 = _S648.front_hole_weight_0;
+        _S656 = _S654.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S644, _S645) * _S649 * _S649 * _S650, 1.0);
+    return min(coverage_of_holes_0(_S650, _S651) * _S655 * _S655 * _S656, 1.0);
 }
 
-Components_0 prefiltered_components_0(uint _S651, Footprint_0 _S652, vec3 _S653, vec3 _S654, bool _S655)
+Components_0 prefiltered_components_0(uint _S657, Footprint_0 _S658, vec3 _S659, vec3 _S660, bool _S661)
 {
-    CoverageTaps_0 _S656 = coverage_taps_0(_S651, _S652, _S655);
-    NodeTaps_0 _S657 = node_taps_0(_S654);
-    NodeTaps_0 view_nodes_0 = _S657;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S653);
-    NodeTaps_0 seen_nodes_0 = _S657;
-    uint _S658;
-    if(_S655)
+    CoverageTaps_0 _S662 = coverage_taps_0(_S657, _S658, _S661);
+    NodeTaps_0 _S663 = node_taps_0(_S660);
+    NodeTaps_0 view_nodes_0 = _S663;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S659);
+    NodeTaps_0 seen_nodes_0 = _S663;
+    uint _S664;
+    if(_S661)
     {
-        _S658 = 1U;
+        _S664 = 1U;
     }
     else
     {
-        _S658 = 0U;
+        _S664 = 0U;
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S658 * 256U;
-    uint _S659 = 2U * _S658;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S659 * 256U;
-    uint _S660;
-    if((_S653.z) < 0.0)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S664 * 256U;
+    uint _S665 = 2U * _S664;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S665 * 256U;
+    uint _S666;
+    if((_S659.z) < 0.0)
     {
-        _S660 = 1U;
-    }
-    else
-    {
-        _S660 = 0U;
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S659 + _S660) * 256U;
-    vec3 _S661 = half_vector_0(_S653, _S654);
-    vec3 _S662 = shadow_correlation_0(_S653, _S654);
-    if(_S655)
-    {
-        _S660 = fabrics_0._data[uint(_S651)].lobes_0.back_warp_packs_0;
+        _S666 = 1U;
     }
     else
     {
-        _S660 = fabrics_0._data[uint(_S651)].lobes_0.front_warp_packs_0;
+        _S666 = 0U;
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S665 + _S666) * 256U;
+    vec3 _S667 = half_vector_0(_S659, _S660);
+    vec3 _S668 = shadow_correlation_0(_S659, _S660);
+    if(_S661)
+    {
+        _S666 = fabrics_0._data[uint(_S657)].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S666 = fabrics_0._data[uint(_S657)].lobes_0.front_warp_packs_0;
     }
     Components_0 sums_1;
     sums_1.diffuse_warp_0 = 0.0;
@@ -3488,31 +3522,31 @@ Components_0 prefiltered_components_0(uint _S651, Footprint_0 _S652, vec3 _S653,
     float total_2 = 0.0;
     for(;;)
     {
-        Lobes_0 _S663 = fabrics_0._data[uint(_S651)].lobes_0;
-        if(pack_0 < (fabrics_0._data[uint(_S651)].lobes_0.packs_0))
+        Lobes_0 _S669 = fabrics_0._data[uint(_S657)].lobes_0;
+        if(pack_0 < (fabrics_0._data[uint(_S657)].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        vec4 _S664 = coverage_of_pack_0(_S651, _S656, pack_0);
-        vec4 _S665 = interpolate_table_0(view_nodes_0, _S663.projected_area_0 + pack_0, _S663.packs_0 + 1U);
-        uint _S666 = _S663.light_visibility_0 + pack_0;
-        vec4 _S667 = interpolate_table_0(seen_nodes_0, _S666, _S663.packs_0) / 255.0;
-        vec4 _S668 = interpolate_table_0(light_nodes_0, _S666, _S663.packs_0) / 255.0;
-        vec4 _S669 = interpolate_table_0(light_nodes_0, _S663.irradiance_0 + pack_0, _S663.packs_0) * 0.00124827399849892;
-        bool _S670 = pack_0 < _S660;
-        uint _S671;
-        if(_S670)
+        vec4 _S670 = coverage_of_pack_0(_S657, _S662, pack_0);
+        vec4 _S671 = interpolate_table_0(view_nodes_0, _S669.projected_area_0 + pack_0, _S669.packs_0 + 1U);
+        uint _S672 = _S669.light_visibility_0 + pack_0;
+        vec4 _S673 = interpolate_table_0(seen_nodes_0, _S672, _S669.packs_0) / 255.0;
+        vec4 _S674 = interpolate_table_0(light_nodes_0, _S672, _S669.packs_0) / 255.0;
+        vec4 _S675 = interpolate_table_0(light_nodes_0, _S669.irradiance_0 + pack_0, _S669.packs_0) * 0.00124827399849892;
+        bool _S676 = pack_0 < _S666;
+        uint _S677;
+        if(_S676)
         {
-            _S671 = fabrics_0._data[uint(_S651)].warp_0;
+            _S677 = fabrics_0._data[uint(_S657)].warp_0;
         }
         else
         {
-            _S671 = fabrics_0._data[uint(_S651)].weft_0;
+            _S677 = fabrics_0._data[uint(_S657)].weft_0;
         }
-        Family_0 _S672 = families_0._data[uint(_S671)];
+        Family_0 _S678 = families_0._data[uint(_S677)];
         uint number_5 = 0U;
         float diffuse_0 = 0.0;
         float specular_0 = 0.0;
@@ -3525,328 +3559,328 @@ Components_0 prefiltered_components_0(uint _S651, Footprint_0 _S652, vec3 _S653,
             {
                 break;
             }
-            Group_0 _S673 = group_at_0(_S663.moments_0 + 12U * (4U * (_S658 * _S663.packs_0 + pack_0) + number_5), _S672.roughness_0);
-            float _S674 = _S664[number_5] * _S665[number_5] * _S665[number_5] * _S673.weight_1;
-            vec2 _S675 = visibility_gain_0(_S662, _S668[number_5], _S667[number_5]);
-            float _S676 = _S675.x;
-            float diffuse_1 = diffuse_0 + _S674 * _S669[number_5] * _S676;
-            float specular_1 = specular_0 + _S674 * layer_value_0(_S673, _S661, _S653, _S654, fabrics_0._data[uint(_S651)].optical_depth_0) * _S668[number_5] * _S675.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S674 * _S668[number_5] * _S676;
-            float total_3 = total_2 + _S674;
+            Group_0 _S679 = group_at_0(_S669.moments_0 + 12U * (4U * (_S664 * _S669.packs_0 + pack_0) + number_5), _S678.roughness_0);
+            float _S680 = _S670[number_5] * _S671[number_5] * _S671[number_5] * _S679.weight_1;
+            vec2 _S681 = visibility_gain_0(_S668, _S674[number_5], _S673[number_5]);
+            float _S682 = _S681.x;
+            float diffuse_1 = diffuse_0 + _S680 * _S675[number_5] * _S682;
+            float specular_1 = specular_0 + _S680 * layer_value_0(_S679, _S667, _S659, _S660, fabrics_0._data[uint(_S657)].optical_depth_0) * _S674[number_5] * _S681.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S680 * _S674[number_5] * _S682;
+            float total_3 = total_2 + _S680;
             number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S677;
-        if(_S670)
+        float _S683;
+        if(_S676)
         {
-            _S677 = diffuse_0;
+            _S683 = diffuse_0;
         }
         else
         {
-            _S677 = 0.0;
+            _S683 = 0.0;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S677;
-        float _S678;
-        if(_S670)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S683;
+        float _S684;
+        if(_S676)
         {
-            _S678 = 0.0;
+            _S684 = 0.0;
         }
         else
         {
-            _S678 = diffuse_0;
+            _S684 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S678;
-        float _S679;
-        if(_S670)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S684;
+        float _S685;
+        if(_S676)
         {
-            _S679 = specular_0;
+            _S685 = specular_0;
         }
         else
         {
-            _S679 = 0.0;
+            _S685 = 0.0;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S679;
-        float _S680;
-        if(_S670)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S685;
+        float _S686;
+        if(_S676)
         {
-            _S680 = 0.0;
+            _S686 = 0.0;
         }
         else
         {
-            _S680 = specular_0;
+            _S686 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S680;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S686;
         pack_0 = pack_0 + 1U;
     }
-    float _S681 = prefiltered_hole_0(_S651, _S656, view_nodes_0, _S655);
-    sums_1.hole_2 = _S681;
-    float _S682 = (1.0 - _S681) / max(total_2, 9.999999960041972e-13);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S682;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S682;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S682;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S682;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S682;
+    float _S687 = prefiltered_hole_0(_S657, _S662, view_nodes_0, _S661);
+    sums_1.hole_2 = _S687;
+    float _S688 = (1.0 - _S687) / max(total_2, 9.999999960041972e-13);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S688;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S688;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S688;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S688;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S688;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S683, Footprint_0 _S684, bool _S685)
+FamilyAlbedos_0 albedos_over_0(uint _S689, Footprint_0 _S690, bool _S691)
 {
-    vec2 _S686 = _S684.dx_0;
-    vec2 _S687 = _S684.dy_0;
-    vec2 _S688 = sqrt(_S686 * _S686 + _S687 * _S687);
-    Stretch_0 _S689 = stretch_of_0(fabrics_0._data[uint(_S683)].warp_0, _S684.centre_0.x, _S688.x);
-    Stretch_0 _S690 = stretch_of_0(fabrics_0._data[uint(_S683)].weft_0, _S684.centre_0.y, _S688.y);
+    vec2 _S692 = _S690.dx_0;
+    vec2 _S693 = _S690.dy_0;
+    vec2 _S694 = sqrt(_S692 * _S692 + _S693 * _S693);
+    Stretch_0 _S695 = stretch_of_0(fabrics_0._data[uint(_S689)].warp_0, _S690.centre_0.x, _S694.x);
+    Stretch_0 _S696 = stretch_of_0(fabrics_0._data[uint(_S689)].weft_0, _S690.centre_0.y, _S694.y);
     FamilyAlbedos_0 albedos_9;
-    albedos_9.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S683)].warp_0, fabrics_0._data[uint(_S683)].weft_0, _S689, _S690, _S685);
-    albedos_9.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S683)].weft_0, fabrics_0._data[uint(_S683)].warp_0, _S690, _S689, _S685);
+    albedos_9.warp_2 = mean_albedos_0(fabrics_0._data[uint(_S689)].warp_0, fabrics_0._data[uint(_S689)].weft_0, _S695, _S696, _S691);
+    albedos_9.weft_2 = mean_albedos_0(fabrics_0._data[uint(_S689)].weft_0, fabrics_0._data[uint(_S689)].warp_0, _S696, _S695, _S691);
     return albedos_9;
 }
 
-Estimate_0 lobes_estimate_of_pass_0(uint _S691, Footprint_0 _S692, float _S693, vec2 _S694, vec3 _S695, vec3 _S696)
+Estimate_0 lobes_estimate_of_pass_0(uint _S697, Footprint_0 _S698, float _S699, vec2 _S700, vec3 _S701, vec3 _S702)
 {
-    float _S697;
-    Regime_0 _S698 = regime_of_0(_S691, _S692, _S693);
-    bool _S699 = (_S696.z) < 0.0;
-    vec3 _S700 = to_face_frame_0(_S696, _S699);
-    bool _S701;
-    if((fabrics_0._data[uint(_S691)].fibre_noise_0) > 0.0)
+    float _S703;
+    Regime_0 _S704 = regime_of_0(_S697, _S698, _S699);
+    bool _S705 = (_S702.z) < 0.0;
+    vec3 _S706 = to_face_frame_0(_S702, _S705);
+    bool _S707;
+    if((fabrics_0._data[uint(_S697)].fibre_noise_0) > 0.0)
     {
-        _S701 = true;
+        _S707 = true;
     }
     else
     {
-        _S701 = (fabrics_0._data[uint(_S691)].colour_noise_0) > 0.0;
+        _S707 = (fabrics_0._data[uint(_S697)].colour_noise_0) > 0.0;
     }
-    bool _S702;
-    if((families_0._data[uint(fabrics_0._data[uint(_S691)].warp_0)].quantities_0) > 1U)
+    bool _S708;
+    if((families_0._data[uint(fabrics_0._data[uint(_S697)].warp_0)].quantities_0) > 1U)
     {
-        _S702 = true;
+        _S708 = true;
     }
     else
     {
-        _S702 = (families_0._data[uint(fabrics_0._data[uint(_S691)].weft_0)].quantities_0) > 1U;
+        _S708 = (families_0._data[uint(fabrics_0._data[uint(_S697)].weft_0)].quantities_0) > 1U;
     }
-    float _S703 = 1.0 - _S698.prefiltered_0;
-    if(_S703 > 0.0)
+    float _S709 = 1.0 - _S704.prefiltered_0;
+    if(_S709 > 0.0)
     {
-        if(_S701)
+        if(_S707)
         {
-            _S702 = true;
+            _S708 = true;
         }
     }
     else
     {
-        _S702 = false;
+        _S708 = false;
     }
-    Footprint_0 box_0 = _S692;
-    const vec3 _S704 = vec3(0.0);
-    SurfacePoint_0 _S705 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S704, _S704, 0.0, 0.0, 0.0);
-    Components_0 _S706 = no_components_0();
-    int _S707;
-    if(_S702)
+    Footprint_0 box_0 = _S698;
+    const vec3 _S710 = vec3(0.0);
+    SurfacePoint_0 _S711 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0, _S710, _S710, 0.0, 0.0, 0.0);
+    Components_0 _S712 = no_components_0();
+    int _S713;
+    if(_S708)
     {
-        _S707 = 0;
+        _S713 = 0;
     }
     else
     {
-        _S707 = 1;
+        _S713 = 1;
     }
-    uint _S708 = uint(_S707);
-    Components_0 points_1 = _S706;
+    uint _S714 = uint(_S713);
+    Components_0 points_1 = _S712;
     float central_weight_0 = 0.0;
-    SurfacePoint_0 central_0 = _S705;
-    vec2 central_place_0 = _S692.centre_0;
-    uint number_6 = _S708;
+    SurfacePoint_0 central_0 = _S711;
+    vec2 central_place_0 = _S698.centre_0;
+    uint number_6 = _S714;
     for(;;)
     {
-        float _S709 = float(number_6);
-        _S697 = _S698.points_0;
-        if(_S709 < (_S698.points_0 + 1.0))
+        float _S715 = float(number_6);
+        _S703 = _S704.points_0;
+        if(_S715 < (_S704.points_0 + 1.0))
         {
         }
         else
         {
             break;
         }
-        bool _S710 = number_6 == 0U;
-        uint _S711;
-        if(_S710)
+        bool _S716 = number_6 == 0U;
+        uint _S717;
+        if(_S716)
         {
-            _S711 = 0U;
+            _S717 = 0U;
         }
         else
         {
-            _S711 = number_6 - 1U;
+            _S717 = number_6 - 1U;
         }
-        vec2 _S712 = POINT_OFFSETS_0[_S711] + _S694;
-        vec2 _S713;
-        if(_S710)
+        vec2 _S718 = POINT_OFFSETS_0[_S717] + _S700;
+        vec2 _S719;
+        if(_S716)
         {
-            _S713 = vec2(0.0);
+            _S719 = vec2(0.0);
         }
         else
         {
-            _S713 = _S712 - round(_S712);
+            _S719 = _S718 - round(_S718);
         }
-        vec2 _S714 = _S692.centre_0 + _S713.x * _S692.dx_0 + _S713.y * _S692.dy_0;
-        float _S715;
-        if(_S710)
+        vec2 _S720 = _S698.centre_0 + _S719.x * _S698.dx_0 + _S719.y * _S698.dy_0;
+        float _S721;
+        if(_S716)
         {
-            _S715 = 0.0;
+            _S721 = 0.0;
         }
         else
         {
-            _S715 = _S698.threads_1;
+            _S721 = _S704.threads_1;
         }
-        SearchQuality_0 _S716 = quality_of_0(_S715);
-        Hit_0 _S717 = first_hit_0(_S691, _S716, _S714.x, _S714.y, _S700, _S699);
-        SurfacePoint_0 _S718 = surface_at_0(_S691, _S717.x_15, _S717.y_7, _S699);
-        if(_S710)
+        SearchQuality_0 _S722 = quality_of_0(_S721);
+        Hit_0 _S723 = first_hit_0(_S697, _S722, _S720.x, _S720.y, _S706, _S705);
+        SurfacePoint_0 _S724 = surface_at_0(_S697, _S723.x_15, _S723.y_7, _S705);
+        if(_S716)
         {
             float central_weight_1;
-            if(_S717.hole_5)
+            if(_S723.hole_5)
             {
                 central_weight_1 = 0.0;
             }
             else
             {
-                central_weight_1 = _S703;
+                central_weight_1 = _S709;
             }
-            vec2 central_place_1 = vec2(_S717.x_15, _S717.y_7);
-            box_0.centre_0 = mix(_S692.centre_0, central_place_1, vec2(central_weight_1));
+            vec2 central_place_1 = vec2(_S723.x_15, _S723.y_7);
+            box_0.centre_0 = mix(_S698.centre_0, central_place_1, vec2(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S718;
+            central_0 = _S724;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S691, _S716, yarn_point_of_0(_S691, _S718, _S717.x_15, _S717.y_7, _S699, _S717.hole_5), _S695, _S696), min(_S698.points_0 - float(number_6 - 1U), 1.0));
+        points_1 = with_added_0(points_1, components_of_point_0(_S697, _S722, yarn_point_of_0(_S697, _S724, _S723.x_15, _S723.y_7, _S705, _S723.hole_5), _S701, _S702), min(_S704.points_0 - float(number_6 - 1U), 1.0));
         number_6 = number_6 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S706, points_1, _S703 / max(_S697, 1.0));
-    if((_S698.prefiltered_0) > 0.0)
+    estimate_0.components_0 = with_added_0(_S712, points_1, _S709 / max(_S703, 1.0));
+    if((_S704.prefiltered_0) > 0.0)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S691, _S692, to_face_frame_0(_S695, _S699), _S700, _S699), _S698.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S697, _S698, to_face_frame_0(_S701, _S705), _S706, _S705), _S704.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S691, box_0, _S699);
-    if(_S701)
+    estimate_0.albedos_5 = albedos_over_0(_S697, box_0, _S705);
+    if(_S707)
     {
-        _S701 = central_weight_0 > 0.0;
+        _S707 = central_weight_0 > 0.0;
     }
     else
     {
-        _S701 = false;
+        _S707 = false;
     }
-    if(_S701)
+    if(_S707)
     {
-        SurfacePoint_0 _S719 = central_0;
-        Albedos_0 _S720;
+        SurfacePoint_0 _S725 = central_0;
+        Albedos_0 _S726;
         if(central_0.is_warp_0)
         {
-            _S720 = estimate_0.albedos_5.warp_2;
+            _S726 = estimate_0.albedos_5.warp_2;
         }
         else
         {
-            _S720 = estimate_0.albedos_5.weft_2;
+            _S726 = estimate_0.albedos_5.weft_2;
         }
-        Albedos_0 _S721 = lerp_albedos_0(_S720, varied_at_0(_S691, central_0, _S720, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S719.is_warp_0)
+        Albedos_0 _S727 = lerp_albedos_0(_S726, varied_at_0(_S697, central_0, _S726, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S725.is_warp_0)
         {
-            estimate_0.albedos_5.warp_2 = _S721;
+            estimate_0.albedos_5.warp_2 = _S727;
         }
         else
         {
-            estimate_0.albedos_5.weft_2 = _S721;
+            estimate_0.albedos_5.weft_2 = _S727;
         }
     }
     return estimate_0;
 }
 
-vec3 composed_0(uint _S722, Components_0 _S723, FamilyAlbedos_0 _S724, vec3 _S725, vec3 _S726)
+vec3 composed_0(uint _S728, Components_0 _S729, FamilyAlbedos_0 _S730, vec3 _S731, vec3 _S732)
 {
-    vec3 _S727 = _S724.warp_2.diffuse_reflect_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_reflect_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_reflect_0 * _S723.specular_warp_0 + _S724.weft_2.specular_reflect_0 * _S723.specular_weft_0;
-    float _S728 = _S726.z;
+    vec3 _S733 = _S730.warp_2.diffuse_reflect_0 * _S729.diffuse_warp_0 + _S730.weft_2.diffuse_reflect_0 * _S729.diffuse_weft_0 + _S730.warp_2.specular_reflect_0 * _S729.specular_warp_0 + _S730.weft_2.specular_reflect_0 * _S729.specular_weft_0;
+    float _S734 = _S732.z;
     vec3 body_0;
-    if((_S725.z * _S728) < 0.0)
+    if((_S731.z * _S734) < 0.0)
     {
-        body_0 = _S724.warp_2.diffuse_transmit_0 * _S723.diffuse_warp_0 + _S724.weft_2.diffuse_transmit_0 * _S723.diffuse_weft_0 + _S724.warp_2.specular_transmit_0 * _S723.specular_warp_0 + _S724.weft_2.specular_transmit_0 * _S723.specular_weft_0;
+        body_0 = _S730.warp_2.diffuse_transmit_0 * _S729.diffuse_warp_0 + _S730.weft_2.diffuse_transmit_0 * _S729.diffuse_weft_0 + _S730.warp_2.specular_transmit_0 * _S729.specular_warp_0 + _S730.weft_2.specular_transmit_0 * _S729.specular_weft_0;
     }
     else
     {
-        body_0 = _S727;
+        body_0 = _S733;
     }
-    float _S729 = fabrics_0._data[uint(_S722)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S722)].sheen_strength_0) <= 0.0)
+    float _S735 = fabrics_0._data[uint(_S728)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S728)].sheen_strength_0) <= 0.0)
     {
         return body_0;
     }
-    bool _S730 = _S728 < 0.0;
-    vec2 _S731 = sheen_with_transmittance_0(to_face_frame_0(_S725, _S730), to_face_frame_0(_S726, _S730), _S729, fabrics_0._data[uint(_S722)].sheen_roughness_0);
-    return _S731.y * body_0 + (_S723.light_visibility_1 + _S723.hole_2) * _S731.x;
+    bool _S736 = _S734 < 0.0;
+    vec2 _S737 = sheen_with_transmittance_0(to_face_frame_0(_S731, _S736), to_face_frame_0(_S732, _S736), _S735, fabrics_0._data[uint(_S728)].sheen_roughness_0);
+    return _S737.y * body_0 + (_S729.light_visibility_1 + _S729.hole_2) * _S737.x;
 }
 
-vec4 light_of_footprint_0(int _S732, uint _S733, VisiblePoint_0 _S734, uvec2 _S735, vec3 _S736)
+vec4 light_of_footprint_0(int _S738, uint _S739, VisiblePoint_0 _S740, uvec2 _S741, vec3 _S742)
 {
     Footprint_0 footprint_0;
-    footprint_0.centre_0 = _S734.draft_0;
-    footprint_0.dx_0 = _S734.draft_dx_0;
-    footprint_0.dy_0 = _S734.draft_dy_0;
-    vec2 _S737 = fract(float((frames_0._data[uint(_S732)].pass_number_0) & 65535U) * vec2(0.75487768650054932, 0.56984031200408936));
-    vec3 _S738 = to_local_0(_S734, _S734.view_0);
-    uint _S739 = light_sample_count_0(_S732);
-    const vec3 _S740 = vec3(0.0);
+    footprint_0.centre_0 = _S740.draft_0;
+    footprint_0.dx_0 = _S740.draft_dx_0;
+    footprint_0.dy_0 = _S740.draft_dy_0;
+    vec2 _S743 = fract(float((frames_0._data[uint(_S738)].pass_number_0) & 65535U) * vec2(0.75487768650054932, 0.56984031200408936));
+    vec3 _S744 = to_local_0(_S740, _S740.view_0);
+    uint _S745 = light_sample_count_0(_S738);
+    const vec3 _S746 = vec3(0.0);
     uint number_7 = 0U;
-    vec3 radiance_1 = _S740;
+    vec3 radiance_1 = _S746;
     float hole_7 = 0.0;
     for(;;)
     {
-        if(number_7 < (max(_S739, 1U)))
+        if(number_7 < (max(_S745, 1U)))
         {
         }
         else
         {
             break;
         }
-        float _S741;
-        if(number_7 < _S739)
+        float _S747;
+        if(number_7 < _S745)
         {
-            _S741 = visibility_at_0(_S732, number_7, _S735);
+            _S747 = visibility_at_0(_S738, number_7, _S741);
         }
         else
         {
-            _S741 = 0.0;
+            _S747 = 0.0;
         }
-        bool _S742;
-        if(_S741 <= 0.0)
+        bool _S748;
+        if(_S747 <= 0.0)
         {
-            _S742 = number_7 > 0U;
+            _S748 = number_7 > 0U;
         }
         else
         {
-            _S742 = false;
+            _S748 = false;
         }
-        if(_S742)
+        if(_S748)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S743 = light_sample_0(_S732, number_7, _S735, _S734.position_0);
-        vec3 _S744 = to_local_0(_S734, _S743.towards_0);
-        Estimate_0 _S745 = lobes_estimate_of_pass_0(_S733, footprint_0, 1.0, _S737, _S744, _S738);
+        LightSample_0 _S749 = light_sample_0(_S738, number_7, _S741, _S740.position_0);
+        vec3 _S750 = to_local_0(_S740, _S749.towards_0);
+        Estimate_0 _S751 = lobes_estimate_of_pass_0(_S739, footprint_0, 1.0, _S743, _S750, _S744);
         FamilyAlbedos_0 albedos_10;
-        albedos_10.warp_2 = tinted_0(_S745.albedos_5.warp_2, _S736);
-        albedos_10.weft_2 = tinted_0(_S745.albedos_5.weft_2, _S736);
-        radiance_1 = radiance_1 + _S741 * _S743.irradiance_1 * composed_0(_S733, _S745.components_0, albedos_10, _S744, _S738);
-        hole_7 = _S745.components_0.hole_2;
+        albedos_10.warp_2 = tinted_0(_S751.albedos_5.warp_2, _S742);
+        albedos_10.weft_2 = tinted_0(_S751.albedos_5.weft_2, _S742);
+        radiance_1 = radiance_1 + _S747 * _S749.irradiance_1 * composed_0(_S739, _S751.components_0, albedos_10, _S750, _S744);
+        hole_7 = _S751.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S746 = fabrics_0._data[uint(_S733)].sheen_strength_0;
-    if((fabrics_0._data[uint(_S733)].sheen_strength_0) > 0.0)
+    float _S752 = fabrics_0._data[uint(_S739)].sheen_strength_0;
+    if((fabrics_0._data[uint(_S739)].sheen_strength_0) > 0.0)
     {
-        hole_7 = hole_7 * (1.0 - _S746 * sheen_lobe_0(abs(_S738.z), fabrics_0._data[uint(_S733)].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0 - _S752 * sheen_lobe_0(abs(_S744.z), fabrics_0._data[uint(_S739)].sheen_roughness_0).z);
     }
     return vec4(radiance_1, 1.0 - hole_7);
 }
@@ -3854,30 +3888,30 @@ vec4 light_of_footprint_0(int _S732, uint _S733, VisiblePoint_0 _S734, uvec2 _S7
 layout(local_size_x = 8, local_size_y = 8, local_size_z = 1) in;
 void main()
 {
-    uint _S747 = frames_0._data[uint(0)].width_0;
-    bool _S748;
+    uint _S753 = frames_0._data[uint(0)].width_0;
+    bool _S754;
     if((gl_GlobalInvocationID.x) >= (frames_0._data[uint(0)].width_0))
     {
-        _S748 = true;
+        _S754 = true;
     }
     else
     {
-        _S748 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
+        _S754 = (gl_GlobalInvocationID.y) >= (frames_0._data[uint(0)].height_0);
     }
-    if(_S748)
+    if(_S754)
     {
         return;
     }
-    uint _S749 = gl_GlobalInvocationID.y * _S747 + gl_GlobalInvocationID.x;
-    uint _S750 = layers_0._data[uint(_S749)].face_0;
-    if((layers_0._data[uint(_S749)].face_0) == 0U)
+    uint _S755 = gl_GlobalInvocationID.y * _S753 + gl_GlobalInvocationID.x;
+    uint _S756 = layers_0._data[uint(_S755)].face_0;
+    if((layers_0._data[uint(_S755)].face_0) == 0U)
     {
         return;
     }
-    uint _S751 = _S750 - 1U;
-    uint _S752 = face_fabrics_0._data[uint(_S751)];
-    VisiblePoint_0 _S753 = visible_point_0(0, _S752, _S751, gl_GlobalInvocationID.xy);
-    accumulate_0(_S749, light_of_footprint_0(0, _S752, _S753, gl_GlobalInvocationID.xy, filtered_albedo_0(_S752, _S753)));
+    uint _S757 = _S756 - 1U;
+    uint _S758 = face_fabrics_0._data[uint(_S757)];
+    VisiblePoint_0 _S759 = visible_point_0(0, _S758, _S757, gl_GlobalInvocationID.xy);
+    accumulate_0(_S755, light_of_footprint_0(0, _S758, _S759, gl_GlobalInvocationID.xy, filtered_albedo_0(_S758, _S759)));
     return;
 }
 

@@ -58,7 +58,7 @@ struct Layer_0
 
 RWStructuredBuffer<Layer_0 > layers_0 : register(u2);
 
-StructuredBuffer<uint > scene_words_0 : register(t8);
+StructuredBuffer<uint > scene_words_0 : register(t9);
 
 RWStructuredBuffer<float4 > radiance_0 : register(u0);
 

@@ -58,7 +58,7 @@ struct Layer_0
 
 RWStructuredBuffer<Layer_0 > layers_0 : register(u2);
 
-Texture2D<uint > visible_faces_0 : register(t9);
+Texture2D<uint > visible_faces_0 : register(t13);
 
 RWStructuredBuffer<float4 > radiance_0 : register(u0);
 

@@ -8,7 +8,7 @@
 #pragma warning(disable : 3557)
 #endif
 
-StructuredBuffer<uint > query_count_0 : register(t10);
+StructuredBuffer<uint > query_count_0 : register(t15);
 
 struct Query_0
 {
@@ -27,9 +27,9 @@ struct Query_0
     float view_z_0;
 };
 
-StructuredBuffer<Query_0 > queries_0 : register(t9);
+StructuredBuffer<Query_0 > queries_0 : register(t14);
 
-RWStructuredBuffer<float4 > answers_0 : register(u2);
+RWStructuredBuffer<float4 > answers_0 : register(u10);
 
 struct Lobes_0
 {
@@ -53,13 +53,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -79,6 +106,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -1824,7 +1854,7 @@ Crossing_0 crossing_at_0(uint _S241, float _S242, float _S243, bool _S244)
     Crossing_0 crossing_3;
     crossing_3.warp_1 = locate_0(fabrics_0[_S241].warp_0, _S242);
     crossing_3.weft_1 = locate_0(fabrics_0[_S241].weft_0, _S243);
-    uint _S245 = fabrics_0[_S241].run_words_0 + 2U * (crossing_3.weft_1.thread_0 * fabrics_0[_S241].ends_0 + crossing_3.warp_1.thread_0);
+    uint _S245 = fabrics_0[_S241].run_words_0 + 2U * (crossing_3.weft_1.thread_0 * fabrics_0[_S241].ends_1 + crossing_3.warp_1.thread_0);
     uint _S246 = words_0.Load(_S245);
     crossing_3.warp_word_0 = _S246;
     crossing_3.weft_word_0 = words_0.Load(_S245 + 1U);
@@ -2481,25 +2511,18 @@ float refined_height_0(uint _S375, ViewRay_0 _S376, StepControl_0 _S377, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S389, SearchQuality_0 _S390, float _S391, float _S392, float3 _S393, bool _S394)
+Hit_0 first_hit_of_yarn_0(uint _S389, SearchQuality_0 _S390, float _S391, float _S392, float3 _S393, bool _S394)
 {
-    Hit_0 hit_0;
-    hit_0.x_10 = _S391;
-    hit_0.y_5 = _S392;
-    hit_0.height_4 = 0.0f;
-    bool _S395 = passes_through_0(_S389, _S390, _S391, _S392, _S393, _S394);
-    hit_0.hole_5 = _S395;
-    if(_S395)
-    {
-        return hit_0;
-    }
-    float _S396 = max(_S393.z, 0.00009999999747379f);
+    float _S395 = max(_S393.z, 0.00009999999747379f);
     ViewRay_0 ray_0;
     ray_0.origin_0 = float2(_S391, _S392);
-    float2 _S397 = _S393.xy / _S396;
-    ray_0.slope_1 = _S397;
-    StepControl_0 _S398 = step_control_0(- _S397, 1.0f / max(steps_per_length_0(_S389, _S390, _S393) / _S396, 9.99999971718068537e-10f));
-    float _S399 = refined_height_0(_S389, ray_0, _S398, _S394, search_down_0(_S389, ray_0, _S398, _S394), _S390.refinements_0);
+    float2 _S396 = _S393.xy / _S395;
+    ray_0.slope_1 = _S396;
+    StepControl_0 _S397 = step_control_0(- _S396, 1.0f / max(steps_per_length_0(_S389, _S390, _S393) / _S395, 9.99999971718068537e-10f));
+    ViewRayEnd_0 _S398 = search_down_0(_S389, ray_0, _S397, _S394);
+    Hit_0 hit_0;
+    hit_0.hole_5 = false;
+    float _S399 = refined_height_0(_S389, ray_0, _S397, _S394, _S398, _S390.refinements_0);
     hit_0.height_4 = _S399;
     float2 _S400 = ViewRay_at_0(ray_0, _S399);
     hit_0.x_10 = _S400.x;
@@ -2507,99 +2530,113 @@ Hit_0 first_hit_0(uint _S389, SearchQuality_0 _S390, float _S391, float _S392, f
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S401, float _S402, float _S403, bool _S404)
+Hit_0 first_hit_0(uint _S401, SearchQuality_0 _S402, float _S403, float _S404, float3 _S405, bool _S406)
 {
-    Sample_0 _S405 = sample_at_0(_S401, _S402, _S403, _S404);
-    float _S406;
-    if(_S405.shown_3.is_warp_2)
+    if(!passes_through_0(_S401, _S402, _S403, _S404, _S405, _S406))
     {
-        _S406 = _S405.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S401, _S402, _S403, _S404, _S405, _S406);
+    }
+    Hit_0 hit_1;
+    hit_1.x_10 = _S403;
+    hit_1.y_5 = _S404;
+    hit_1.height_4 = 0.0f;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S407, float _S408, float _S409, bool _S410)
+{
+    Sample_0 _S411 = sample_at_0(_S407, _S408, _S409, _S410);
+    float _S412;
+    if(_S411.shown_3.is_warp_2)
+    {
+        _S412 = _S411.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S406 = _S405.crossing_2.weft_1.half_width_1;
+        _S412 = _S411.crossing_2.weft_1.half_width_1;
     }
-    uint _S407;
-    if(_S405.shown_3.is_warp_2)
+    uint _S413;
+    if(_S411.shown_3.is_warp_2)
     {
-        _S407 = fabrics_0[_S401].warp_0;
-    }
-    else
-    {
-        _S407 = fabrics_0[_S401].weft_0;
-    }
-    Family_0 _S408 = families_0.Load(_S407);
-    float _S409;
-    if(_S404)
-    {
-        _S409 = -1.0f;
+        _S413 = fabrics_0[_S407].warp_0;
     }
     else
     {
-        _S409 = 1.0f;
+        _S413 = fabrics_0[_S407].weft_0;
     }
-    float _S410 = _S408.twist_sine_0 * _S409;
-    Family_0 _S411 = families_0.Load(_S407);
-    if(_S405.shown_3.is_warp_2)
+    Family_0 _S414 = families_0.Load(_S413);
+    float _S415;
+    if(_S410)
     {
-        _S409 = 1.0f;
-    }
-    else
-    {
-        _S409 = -1.0f;
-    }
-    float2 _S412 = fibre_direction_0(_S405.slope_across_0, _S409 * _S405.slope_along_0, _S410, _S411.twist_cosine_0);
-    float _S413;
-    if(_S405.shown_3.is_warp_2)
-    {
-        _S413 = _S405.slope_x_1;
+        _S415 = -1.0f;
     }
     else
     {
-        _S413 = _S405.slope_y_1;
+        _S415 = 1.0f;
     }
-    float _S414;
-    if(_S405.shown_3.is_warp_2)
+    float _S416 = _S414.twist_sine_0 * _S415;
+    Family_0 _S417 = families_0.Load(_S413);
+    if(_S411.shown_3.is_warp_2)
     {
-        _S414 = _S405.slope_y_1;
-    }
-    else
-    {
-        _S414 = _S405.slope_x_1;
-    }
-    float _S415 = _S412.x;
-    float _S416 = _S412.y;
-    float _S417 = _S413 * _S415 + _S409 * _S414 * _S416;
-    float _S418 = _S406 * 1.0154266357421875f;
-    float _S419 = _S418 * arc_sine_0(clamp(_S405.section_1.across_3 / _S418, -1.0f, 1.0f));
-    if(_S405.shown_3.is_warp_2)
-    {
-        _S406 = _S403;
+        _S415 = 1.0f;
     }
     else
     {
-        _S406 = - _S402;
+        _S415 = -1.0f;
+    }
+    float2 _S418 = fibre_direction_0(_S411.slope_across_0, _S415 * _S411.slope_along_0, _S416, _S417.twist_cosine_0);
+    float _S419;
+    if(_S411.shown_3.is_warp_2)
+    {
+        _S419 = _S411.slope_x_1;
+    }
+    else
+    {
+        _S419 = _S411.slope_y_1;
+    }
+    float _S420;
+    if(_S411.shown_3.is_warp_2)
+    {
+        _S420 = _S411.slope_y_1;
+    }
+    else
+    {
+        _S420 = _S411.slope_x_1;
+    }
+    float _S421 = _S418.x;
+    float _S422 = _S418.y;
+    float _S423 = _S419 * _S421 + _S415 * _S420 * _S422;
+    float _S424 = _S412 * 1.0154266357421875f;
+    float _S425 = _S424 * arc_sine_0(clamp(_S411.section_1.across_3 / _S424, -1.0f, 1.0f));
+    if(_S411.shown_3.is_warp_2)
+    {
+        _S412 = _S409;
+    }
+    else
+    {
+        _S412 = - _S408;
     }
     SurfacePoint_0 point_0;
-    point_0.hole_0 = _S405.shown_3.hole_3;
-    point_0.is_warp_0 = _S405.shown_3.is_warp_2;
-    point_0.warp_thread_0 = _S405.crossing_2.warp_1.thread_0;
-    point_0.weft_thread_0 = _S405.crossing_2.weft_1.thread_0;
-    point_0.height_0 = _S405.height_5;
-    point_0.normal_0 = normalize(float3(- _S405.slope_x_1, - _S405.slope_y_1, 1.0f));
-    float3 _S420;
-    if(_S405.shown_3.is_warp_2)
+    point_0.hole_0 = _S411.shown_3.hole_3;
+    point_0.is_warp_0 = _S411.shown_3.is_warp_2;
+    point_0.warp_thread_0 = _S411.crossing_2.warp_1.thread_0;
+    point_0.weft_thread_0 = _S411.crossing_2.weft_1.thread_0;
+    point_0.height_0 = _S411.height_5;
+    point_0.normal_0 = normalize(float3(- _S411.slope_x_1, - _S411.slope_y_1, 1.0f));
+    float3 _S426;
+    if(_S411.shown_3.is_warp_2)
     {
-        _S420 = float3(_S415, _S416, _S417);
+        _S426 = float3(_S421, _S422, _S423);
     }
     else
     {
-        _S420 = float3(- _S416, _S415, _S417);
+        _S426 = float3(- _S422, _S421, _S423);
     }
-    point_0.tangent_0 = normalize(_S420);
-    point_0.across_0 = _S405.section_1.across_3;
-    point_0.fibre_across_0 = _S419 * _S411.twist_cosine_0 + _S406 * _S410;
-    point_0.fibre_along_0 = _S406 * _S411.twist_cosine_0 - _S419 * _S410;
+    point_0.tangent_0 = normalize(_S426);
+    point_0.across_0 = _S411.section_1.across_3;
+    point_0.fibre_across_0 = _S425 * _S417.twist_cosine_0 + _S412 * _S416;
+    point_0.fibre_along_0 = _S412 * _S417.twist_cosine_0 - _S425 * _S416;
     return point_0;
 }
 
@@ -2617,236 +2654,236 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-Albedos_0 vary_albedos_0(uint _S421, Albedos_0 _S422, uint _S423, uint _S424)
+Albedos_0 vary_albedos_0(uint _S427, Albedos_0 _S428, uint _S429, uint _S430)
 {
-    float3 _S425 = max(_S422.specular_reflect_0, _S422.specular_transmit_0);
-    float3 _S426 = _S422.diffuse_reflect_0 + _S422.diffuse_transmit_0;
-    float _S427 = bounded_gain_0(thread_gain_0(_S423, fabrics_0[_S421].colour_noise_0, fabrics_0[_S421].seed_0), _S426, 1.0f - fabrics_0[_S421].layer_bound_0 * _S425);
-    float _S428 = bounded_gain_0(fibre_gain_0(_S423, _S424, fabrics_0[_S421].fibre_noise_0, fabrics_0[_S421].seed_0), _S425, min((1.0f - _S427 * _S426) / fabrics_0[_S421].layer_bound_0, (float3)1.0f));
+    float3 _S431 = max(_S428.specular_reflect_0, _S428.specular_transmit_0);
+    float3 _S432 = _S428.diffuse_reflect_0 + _S428.diffuse_transmit_0;
+    float _S433 = bounded_gain_0(thread_gain_0(_S429, fabrics_0[_S427].colour_noise_0, fabrics_0[_S427].seed_0), _S432, 1.0f - fabrics_0[_S427].layer_bound_0 * _S431);
+    float _S434 = bounded_gain_0(fibre_gain_0(_S429, _S430, fabrics_0[_S427].fibre_noise_0, fabrics_0[_S427].seed_0), _S431, min((1.0f - _S433 * _S432) / fabrics_0[_S427].layer_bound_0, (float3)1.0f));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S427 * _S422.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S427 * _S422.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S428 * _S422.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S428 * _S422.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S433 * _S428.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S433 * _S428.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S434 * _S428.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S434 * _S428.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S429, SurfacePoint_0 _S430, Albedos_0 _S431, float _S432, float _S433)
+Albedos_0 varied_at_0(uint _S435, SurfacePoint_0 _S436, Albedos_0 _S437, float _S438, float _S439)
 {
-    float _S434;
-    if(_S430.is_warp_0)
+    float _S440;
+    if(_S436.is_warp_0)
     {
-        _S434 = _S432;
+        _S440 = _S438;
     }
     else
     {
-        _S434 = _S433;
+        _S440 = _S439;
     }
-    float _S435 = _S434 - _S430.across_0;
-    uint _S436;
-    if(_S430.is_warp_0)
+    float _S441 = _S440 - _S436.across_0;
+    uint _S442;
+    if(_S436.is_warp_0)
     {
-        _S436 = fabrics_0[_S429].warp_0;
+        _S442 = fabrics_0[_S435].warp_0;
     }
     else
     {
-        _S436 = fabrics_0[_S429].weft_0;
+        _S442 = fabrics_0[_S435].weft_0;
     }
-    Family_0 _S437 = families_0.Load(_S436);
-    int _S438 = int(families_0.Load(_S436).count_0);
-    if(_S430.is_warp_0)
+    Family_0 _S443 = families_0.Load(_S442);
+    int _S444 = int(families_0.Load(_S442).count_0);
+    if(_S436.is_warp_0)
     {
-        _S436 = _S430.warp_thread_0;
+        _S442 = _S436.warp_thread_0;
     }
     else
     {
-        _S436 = _S430.weft_thread_0;
+        _S442 = _S436.weft_thread_0;
     }
-    uint _S439 = uint(int(floor(_S435 / _S437.period_0)) * _S438 + int(_S436)) * 2U;
-    if(_S430.is_warp_0)
+    uint _S445 = uint(int(floor(_S441 / _S443.period_0)) * _S444 + int(_S442)) * 2U;
+    if(_S436.is_warp_0)
     {
-        _S436 = 1U;
+        _S442 = 1U;
     }
     else
     {
-        _S436 = 0U;
+        _S442 = 0U;
     }
-    float _S440 = floor(_S430.fibre_across_0 / fabrics_0[_S429].fibre_size_0);
-    return vary_albedos_0(_S429, _S431, _S439 + _S436, uint(int(_S440)) * 65536U + uint(int(floor(_S430.fibre_along_0 / (fabrics_0[_S429].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S440))));
+    float _S446 = floor(_S436.fibre_across_0 / fabrics_0[_S435].fibre_size_0);
+    return vary_albedos_0(_S435, _S437, _S445 + _S442, uint(int(_S446)) * 65536U + uint(int(floor(_S436.fibre_along_0 / (fabrics_0[_S435].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S446))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S441, SurfacePoint_0 _S442, float _S443, float _S444, bool _S445, bool _S446)
+YarnPoint_0 yarn_point_of_0(uint _S447, SurfacePoint_0 _S448, float _S449, float _S450, bool _S451, bool _S452)
 {
-    uint _S447;
-    if(_S442.is_warp_0)
+    uint _S453;
+    if(_S448.is_warp_0)
     {
-        _S447 = fabrics_0[_S441].warp_0;
+        _S453 = fabrics_0[_S447].warp_0;
     }
     else
     {
-        _S447 = fabrics_0[_S441].weft_0;
+        _S453 = fabrics_0[_S447].weft_0;
     }
-    uint _S448;
-    if(_S442.is_warp_0)
+    uint _S454;
+    if(_S448.is_warp_0)
     {
-        _S448 = _S442.warp_thread_0;
-    }
-    else
-    {
-        _S448 = _S442.weft_thread_0;
-    }
-    Albedos_0 albedos_6 = albedos_of_0(_S447, _S448);
-    bool _S449;
-    if((fabrics_0[_S441].fibre_noise_0) > 0.0f)
-    {
-        _S449 = true;
+        _S454 = _S448.warp_thread_0;
     }
     else
     {
-        _S449 = (fabrics_0[_S441].colour_noise_0) > 0.0f;
+        _S454 = _S448.weft_thread_0;
+    }
+    Albedos_0 albedos_6 = albedos_of_0(_S453, _S454);
+    bool _S455;
+    if((fabrics_0[_S447].fibre_noise_0) > 0.0f)
+    {
+        _S455 = true;
+    }
+    else
+    {
+        _S455 = (fabrics_0[_S447].colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_7;
-    if(_S449)
+    if(_S455)
     {
-        albedos_7 = varied_at_0(_S441, _S442, albedos_6, _S443, _S444);
+        albedos_7 = varied_at_0(_S447, _S448, albedos_6, _S449, _S450);
     }
     else
     {
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_1;
-    point_1.back_3 = _S445;
-    point_1.hole_6 = _S446;
-    point_1.is_warp_3 = _S442.is_warp_0;
-    point_1.x_11 = _S443;
-    point_1.y_6 = _S444;
-    point_1.height_9 = _S442.height_0;
-    point_1.normal_6 = _S442.normal_0;
-    point_1.tangent_7 = _S442.tangent_0;
-    point_1.roughness_10 = families_0.Load(_S447).roughness_0;
+    point_1.back_3 = _S451;
+    point_1.hole_6 = _S452;
+    point_1.is_warp_3 = _S448.is_warp_0;
+    point_1.x_11 = _S449;
+    point_1.y_6 = _S450;
+    point_1.height_9 = _S448.height_0;
+    point_1.normal_6 = _S448.normal_0;
+    point_1.tangent_7 = _S448.tangent_0;
+    point_1.roughness_10 = families_0.Load(_S453).roughness_0;
     point_1.albedos_5 = albedos_7;
     return point_1;
 }
 
-bool unoccluded_0(uint _S450, SearchQuality_0 _S451, float _S452, float _S453, float _S454, float3 _S455, bool _S456)
+bool unoccluded_0(uint _S456, SearchQuality_0 _S457, float _S458, float _S459, float _S460, float3 _S461, bool _S462)
 {
-    if((_S455.z) <= 0.0f)
+    if((_S461.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S450, _S451, float3(_S452, _S453, _S454 + fabrics_0[_S450].lift_0), _S455, _S456, max_height_along_0(_S450, _S452, _S453, _S454, _S455, _S456));
+    return is_free_0(_S456, _S457, float3(_S458, _S459, _S460 + fabrics_0[_S456].lift_0), _S461, _S462, max_height_along_0(_S456, _S458, _S459, _S460, _S461, _S462));
 }
 
-bool is_lit_0(uint _S457, SearchQuality_0 _S458, YarnPoint_0 _S459, float3 _S460)
+bool is_lit_0(uint _S463, SearchQuality_0 _S464, YarnPoint_0 _S465, float3 _S466)
 {
-    if(_S459.hole_6)
+    if(_S465.hole_6)
     {
         return true;
     }
-    float3 _S461 = to_face_frame_0(_S460, _S459.back_3);
-    float _S462 = _S461.z;
-    bool _S463 = _S462 < 0.0f;
+    float3 _S467 = to_face_frame_0(_S466, _S465.back_3);
+    float _S468 = _S467.z;
+    bool _S469 = _S468 < 0.0f;
     float3 normal_7;
     float height_10;
-    if(_S463)
+    if(_S469)
     {
-        SurfacePoint_0 _S464 = surface_at_0(_S457, _S459.x_11, _S459.y_6, !_S459.back_3);
-        normal_7 = _S464.normal_0;
-        height_10 = _S464.height_0;
+        SurfacePoint_0 _S470 = surface_at_0(_S463, _S465.x_11, _S465.y_6, !_S465.back_3);
+        normal_7 = _S470.normal_0;
+        height_10 = _S470.height_0;
     }
     else
     {
-        normal_7 = _S459.normal_6;
-        height_10 = _S459.height_9;
+        normal_7 = _S465.normal_6;
+        height_10 = _S465.height_9;
     }
-    float3 _S465 = float3(_S461.xy, abs(_S462));
-    if((dot(normal_7, _S465)) <= 0.0f)
+    float3 _S471 = float3(_S467.xy, abs(_S468));
+    if((dot(normal_7, _S471)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S457, _S458, _S459.x_11, _S459.y_6, height_10, _S465, (_S459.back_3) != _S463);
+    return unoccluded_0(_S463, _S464, _S465.x_11, _S465.y_6, height_10, _S471, (_S465.back_3) != _S469);
 }
 
-Components_0 components_of_point_0(uint _S466, SearchQuality_0 _S467, YarnPoint_0 _S468, float3 _S469, float3 _S470)
+Components_0 components_of_point_0(uint _S472, SearchQuality_0 _S473, YarnPoint_0 _S474, float3 _S475, float3 _S476)
 {
     Components_0 result_1 = no_components_0();
-    float _S471;
-    if(_S468.hole_6)
+    float _S477;
+    if(_S474.hole_6)
     {
-        _S471 = 1.0f;
+        _S477 = 1.0f;
     }
     else
     {
-        _S471 = 0.0f;
+        _S477 = 0.0f;
     }
-    result_1.hole_2 = _S471;
-    bool _S472;
-    if(_S468.hole_6)
+    result_1.hole_2 = _S477;
+    bool _S478;
+    if(_S474.hole_6)
     {
-        _S472 = true;
+        _S478 = true;
     }
     else
     {
-        _S472 = !is_lit_0(_S466, _S467, _S468, _S469);
+        _S478 = !is_lit_0(_S472, _S473, _S474, _S475);
     }
-    if(_S472)
+    if(_S478)
     {
         return result_1;
     }
-    float3 _S473 = to_face_frame_0(_S469, _S468.back_3);
-    float3 _S474 = to_face_frame_0(_S470, _S468.back_3);
-    bool _S475 = (_S473.z) < 0.0f;
-    float3 _S476;
-    if(_S475)
+    float3 _S479 = to_face_frame_0(_S475, _S474.back_3);
+    float3 _S480 = to_face_frame_0(_S476, _S474.back_3);
+    bool _S481 = (_S479.z) < 0.0f;
+    float3 _S482;
+    if(_S481)
     {
-        _S476 = - _S473;
+        _S482 = - _S479;
     }
     else
     {
-        _S476 = _S473;
+        _S482 = _S479;
     }
-    float _S477 = diffuse_reflection_0(_S476, _S468.normal_6, fabrics_0[_S466].diffuse_blend_0);
-    if(_S475)
+    float _S483 = diffuse_reflection_0(_S482, _S474.normal_6, fabrics_0[_S472].diffuse_blend_0);
+    if(_S481)
     {
-        _S471 = transmission_0(_S473, _S474, _S468.normal_6, _S468.tangent_7, _S468.roughness_10, fabrics_0[_S466].optical_depth_0);
+        _S477 = transmission_0(_S479, _S480, _S474.normal_6, _S474.tangent_7, _S474.roughness_10, fabrics_0[_S472].optical_depth_0);
     }
     else
     {
-        _S471 = reflection_0(_S473, _S474, _S468.normal_6, _S468.tangent_7, _S468.roughness_10, fabrics_0[_S466].optical_depth_0);
+        _S477 = reflection_0(_S479, _S480, _S474.normal_6, _S474.tangent_7, _S474.roughness_10, fabrics_0[_S472].optical_depth_0);
     }
-    float _S478;
-    if(_S468.is_warp_3)
+    float _S484;
+    if(_S474.is_warp_3)
     {
-        _S478 = _S477;
+        _S484 = _S483;
     }
     else
     {
-        _S478 = 0.0f;
+        _S484 = 0.0f;
     }
-    result_1.diffuse_warp_0 = _S478;
-    if(_S468.is_warp_3)
+    result_1.diffuse_warp_0 = _S484;
+    if(_S474.is_warp_3)
     {
-        _S478 = 0.0f;
+        _S484 = 0.0f;
     }
     else
     {
-        _S478 = _S477;
+        _S484 = _S483;
     }
-    result_1.diffuse_weft_0 = _S478;
-    if(_S468.is_warp_3)
+    result_1.diffuse_weft_0 = _S484;
+    if(_S474.is_warp_3)
     {
-        _S478 = _S471;
+        _S484 = _S477;
     }
     else
     {
-        _S478 = 0.0f;
+        _S484 = 0.0f;
     }
-    result_1.specular_warp_0 = _S478;
-    if(_S468.is_warp_3)
+    result_1.specular_warp_0 = _S484;
+    if(_S474.is_warp_3)
     {
-        _S471 = 0.0f;
+        _S477 = 0.0f;
     }
-    result_1.specular_weft_0 = _S471;
+    result_1.specular_weft_0 = _S477;
     result_1.light_visibility_1 = 1.0f;
     return result_1;
 }
@@ -2856,23 +2893,23 @@ struct CoverageTaps_0
     uint  nodes_1[int(9)];
 };
 
-float3 pyramid_level_0(uint _S479, float _S480)
+float3 pyramid_level_0(uint _S485, float _S486)
 {
-    uint _S481 = fabrics_0[_S479].lobes_0.levels_0 + 4U * uint(min(_S480, fabrics_0[_S479].lobes_0.last_level_0));
-    return float3(table_number_0(_S481), table_number_0(_S481 + 1U), table_number_0(_S481 + 2U));
+    uint _S487 = fabrics_0[_S485].lobes_0.levels_0 + 4U * uint(min(_S486, fabrics_0[_S485].lobes_0.last_level_0));
+    return float3(table_number_0(_S487), table_number_0(_S487 + 1U), table_number_0(_S487 + 2U));
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S482, Footprint_0 _S483, bool _S484)
+CoverageTaps_0 coverage_taps_0(uint _S488, Footprint_0 _S489, bool _S490)
 {
-    Lobes_0 _S485 = fabrics_0[_S482].lobes_0;
-    float _S486 = Footprint_spread_side_0(_S483) * fabrics_0[_S482].lobes_0.inverse_base_size_0;
-    float3 _S487 = pyramid_level_0(_S482, floor(binary_logarithm_0(max(0.68000000715255737f * _S486, 1.0f))));
-    float _S488 = 1.0f / max(_S486, 9.99999997475242708e-07f);
-    float _S489 = min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S488 * _S488), 0.0f, 1.0f)), 0.3333333432674408f * _S488), 1.0f);
-    float2 _S490 = float2(families_0.Load(fabrics_0[_S482].warp_0).inverse_period_0, families_0.Load(fabrics_0[_S482].weft_0).inverse_period_0);
-    float2 _S491 = _S483.centre_0 * _S490;
-    float2 _S492 = _S483.dx_0 * _S490 * _S489;
-    float2 _S493 = _S483.dy_0 * _S490 * _S489;
+    Lobes_0 _S491 = fabrics_0[_S488].lobes_0;
+    float _S492 = Footprint_spread_side_0(_S489) * fabrics_0[_S488].lobes_0.inverse_base_size_0;
+    float3 _S493 = pyramid_level_0(_S488, floor(binary_logarithm_0(max(0.68000000715255737f * _S492, 1.0f))));
+    float _S494 = 1.0f / max(_S492, 9.99999997475242708e-07f);
+    float _S495 = min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S494 * _S494), 0.0f, 1.0f)), 0.3333333432674408f * _S494), 1.0f);
+    float2 _S496 = float2(families_0.Load(fabrics_0[_S488].warp_0).inverse_period_0, families_0.Load(fabrics_0[_S488].weft_0).inverse_period_0);
+    float2 _S497 = _S489.centre_0 * _S496;
+    float2 _S498 = _S489.dx_0 * _S496 * _S495;
+    float2 _S499 = _S489.dy_0 * _S496 * _S495;
     CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -2884,26 +2921,26 @@ CoverageTaps_0 coverage_taps_0(uint _S482, Footprint_0 _S483, bool _S484)
         {
             break;
         }
-        float2 _S494 = _S491 + TAP_OFFSETS_0[number_1].x * _S492 + TAP_OFFSETS_0[number_1].y * _S493;
-        float _S495 = _S487.y;
-        float _S496 = wrapped_cell_0(_S494.x, _S495);
-        float _S497 = wrapped_cell_0(_S494.y, _S487.z);
-        uint _S498;
-        if(_S484)
+        float2 _S500 = _S497 + TAP_OFFSETS_0[number_1].x * _S498 + TAP_OFFSETS_0[number_1].y * _S499;
+        float _S501 = _S493.y;
+        float _S502 = wrapped_cell_0(_S500.x, _S501);
+        float _S503 = wrapped_cell_0(_S500.y, _S493.z);
+        uint _S504;
+        if(_S490)
         {
-            _S498 = _S485.face_nodes_0;
+            _S504 = _S491.face_nodes_0;
         }
         else
         {
-            _S498 = 0U;
+            _S504 = 0U;
         }
-        taps_3.nodes_1[number_1] = _S498 + uint(_S497 * _S495 + _S496 + _S487.x);
+        taps_3.nodes_1[number_1] = _S504 + uint(_S503 * _S501 + _S502 + _S493.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-float4 coverage_of_pack_0(uint _S499, CoverageTaps_0 _S500, uint _S501)
+float4 coverage_of_pack_0(uint _S505, CoverageTaps_0 _S506, uint _S507)
 {
     uint number_2 = 0U;
     uint even_1 = 0U;
@@ -2917,9 +2954,9 @@ float4 coverage_of_pack_0(uint _S499, CoverageTaps_0 _S500, uint _S501)
         {
             break;
         }
-        uint _S502 = words_0.Load(fabrics_0[_S499].lobes_0.coverage_0 + _S500.nodes_1[number_2] * fabrics_0[_S499].lobes_0.packs_0 + _S501);
-        uint even_2 = even_1 + (_S502 & 16711935U);
-        uint odd_2 = odd_1 + ((_S502 >> int(8)) & 16711935U);
+        uint _S508 = words_0.Load(fabrics_0[_S505].lobes_0.coverage_0 + _S506.nodes_1[number_2] * fabrics_0[_S505].lobes_0.packs_0 + _S507);
+        uint even_2 = even_1 + (_S508 & 16711935U);
+        uint odd_2 = odd_1 + ((_S508 >> int(8)) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2927,7 +2964,7 @@ float4 coverage_of_pack_0(uint _S499, CoverageTaps_0 _S500, uint _S501)
     return bytes_of_sums_0(even_1, odd_1) / 9.0f;
 }
 
-float coverage_of_holes_0(uint _S503, CoverageTaps_0 _S504)
+float coverage_of_holes_0(uint _S509, CoverageTaps_0 _S510)
 {
     uint number_3 = 0U;
     uint total_0 = 0U;
@@ -2940,67 +2977,67 @@ float coverage_of_holes_0(uint _S503, CoverageTaps_0 _S504)
         {
             break;
         }
-        uint total_1 = total_0 + ((words_0.Load(fabrics_0[_S503].lobes_0.coverage_holes_0 + _S504.nodes_1[number_3] / 4U) >> (8U * (_S504.nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + ((words_0.Load(fabrics_0[_S509].lobes_0.coverage_holes_0 + _S510.nodes_1[number_3] / 4U) >> (8U * (_S510.nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S505, CoverageTaps_0 _S506, NodeTaps_0 _S507, bool _S508)
+float prefiltered_hole_0(uint _S511, CoverageTaps_0 _S512, NodeTaps_0 _S513, bool _S514)
 {
-    Lobes_0 _S509 = fabrics_0[_S505].lobes_0;
-    float _S510 = interpolate_table_0(_S507, fabrics_0[_S505].lobes_0.projected_area_0 + fabrics_0[_S505].lobes_0.packs_0, fabrics_0[_S505].lobes_0.packs_0 + 1U).x;
-    float _S511;
-    if(_S508)
+    Lobes_0 _S515 = fabrics_0[_S511].lobes_0;
+    float _S516 = interpolate_table_0(_S513, fabrics_0[_S511].lobes_0.projected_area_0 + fabrics_0[_S511].lobes_0.packs_0, fabrics_0[_S511].lobes_0.packs_0 + 1U).x;
+    float _S517;
+    if(_S514)
     {
-        _S511 = _S509.back_hole_weight_0;
+        _S517 = _S515.back_hole_weight_0;
     }
     else
     {
-        _S511 = _S509.front_hole_weight_0;
+        _S517 = _S515.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S505, _S506) * _S510 * _S510 * _S511, 1.0f);
+    return min(coverage_of_holes_0(_S511, _S512) * _S516 * _S516 * _S517, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S512, Footprint_0 _S513, float3 _S514, float3 _S515, bool _S516)
+Components_0 prefiltered_components_0(uint _S518, Footprint_0 _S519, float3 _S520, float3 _S521, bool _S522)
 {
-    CoverageTaps_0 _S517 = coverage_taps_0(_S512, _S513, _S516);
-    NodeTaps_0 _S518 = node_taps_0(_S515);
-    NodeTaps_0 view_nodes_0 = _S518;
-    NodeTaps_0 light_nodes_0 = node_taps_0(_S514);
-    NodeTaps_0 seen_nodes_0 = _S518;
-    uint _S519;
-    if(_S516)
+    CoverageTaps_0 _S523 = coverage_taps_0(_S518, _S519, _S522);
+    NodeTaps_0 _S524 = node_taps_0(_S521);
+    NodeTaps_0 view_nodes_0 = _S524;
+    NodeTaps_0 light_nodes_0 = node_taps_0(_S520);
+    NodeTaps_0 seen_nodes_0 = _S524;
+    uint _S525;
+    if(_S522)
     {
-        _S519 = 1U;
+        _S525 = 1U;
     }
     else
     {
-        _S519 = 0U;
+        _S525 = 0U;
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S519 * 256U;
-    uint _S520 = 2U * _S519;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S520 * 256U;
-    uint _S521;
-    if((_S514.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + _S525 * 256U;
+    uint _S526 = 2U * _S525;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + _S526 * 256U;
+    uint _S527;
+    if((_S520.z) < 0.0f)
     {
-        _S521 = 1U;
-    }
-    else
-    {
-        _S521 = 0U;
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S520 + _S521) * 256U;
-    float3 _S522 = half_vector_0(_S514, _S515);
-    float3 _S523 = shadow_correlation_0(_S514, _S515);
-    if(_S516)
-    {
-        _S521 = fabrics_0[_S512].lobes_0.back_warp_packs_0;
+        _S527 = 1U;
     }
     else
     {
-        _S521 = fabrics_0[_S512].lobes_0.front_warp_packs_0;
+        _S527 = 0U;
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + (_S526 + _S527) * 256U;
+    float3 _S528 = half_vector_0(_S520, _S521);
+    float3 _S529 = shadow_correlation_0(_S520, _S521);
+    if(_S522)
+    {
+        _S527 = fabrics_0[_S518].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S527 = fabrics_0[_S518].lobes_0.front_warp_packs_0;
     }
     Components_0 sums_1;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3012,31 +3049,31 @@ Components_0 prefiltered_components_0(uint _S512, Footprint_0 _S513, float3 _S51
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S524 = fabrics_0[_S512].lobes_0;
-        if(pack_0 < (fabrics_0[_S512].lobes_0.packs_0))
+        Lobes_0 _S530 = fabrics_0[_S518].lobes_0;
+        if(pack_0 < (fabrics_0[_S518].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        float4 _S525 = coverage_of_pack_0(_S512, _S517, pack_0);
-        float4 _S526 = interpolate_table_0(view_nodes_0, _S524.projected_area_0 + pack_0, _S524.packs_0 + 1U);
-        uint _S527 = _S524.light_visibility_0 + pack_0;
-        float4 _S528 = interpolate_table_0(seen_nodes_0, _S527, _S524.packs_0) / 255.0f;
-        float4 _S529 = interpolate_table_0(light_nodes_0, _S527, _S524.packs_0) / 255.0f;
-        float4 _S530 = interpolate_table_0(light_nodes_0, _S524.irradiance_0 + pack_0, _S524.packs_0) * 0.00124827399849892f;
-        bool _S531 = pack_0 < _S521;
-        uint _S532;
-        if(_S531)
+        float4 _S531 = coverage_of_pack_0(_S518, _S523, pack_0);
+        float4 _S532 = interpolate_table_0(view_nodes_0, _S530.projected_area_0 + pack_0, _S530.packs_0 + 1U);
+        uint _S533 = _S530.light_visibility_0 + pack_0;
+        float4 _S534 = interpolate_table_0(seen_nodes_0, _S533, _S530.packs_0) / 255.0f;
+        float4 _S535 = interpolate_table_0(light_nodes_0, _S533, _S530.packs_0) / 255.0f;
+        float4 _S536 = interpolate_table_0(light_nodes_0, _S530.irradiance_0 + pack_0, _S530.packs_0) * 0.00124827399849892f;
+        bool _S537 = pack_0 < _S527;
+        uint _S538;
+        if(_S537)
         {
-            _S532 = fabrics_0[_S512].warp_0;
+            _S538 = fabrics_0[_S518].warp_0;
         }
         else
         {
-            _S532 = fabrics_0[_S512].weft_0;
+            _S538 = fabrics_0[_S518].weft_0;
         }
-        Family_0 _S533 = families_0.Load(_S532);
+        Family_0 _S539 = families_0.Load(_S538);
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3049,257 +3086,272 @@ Components_0 prefiltered_components_0(uint _S512, Footprint_0 _S513, float3 _S51
             {
                 break;
             }
-            Group_0 _S534 = group_at_0(_S524.moments_0 + 12U * (4U * (_S519 * _S524.packs_0 + pack_0) + number_4), _S533.roughness_0);
-            float _S535 = _S525[number_4] * _S526[number_4] * _S526[number_4] * _S534.weight_1;
-            float2 _S536 = visibility_gain_0(_S523, _S529[number_4], _S528[number_4]);
-            float _S537 = _S536.x;
-            float diffuse_1 = diffuse_0 + _S535 * _S530[number_4] * _S537;
-            float specular_1 = specular_0 + _S535 * layer_value_0(_S534, _S522, _S514, _S515, fabrics_0[_S512].optical_depth_0) * _S529[number_4] * _S536.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S535 * _S529[number_4] * _S537;
-            float total_3 = total_2 + _S535;
+            Group_0 _S540 = group_at_0(_S530.moments_0 + 12U * (4U * (_S525 * _S530.packs_0 + pack_0) + number_4), _S539.roughness_0);
+            float _S541 = _S531[number_4] * _S532[number_4] * _S532[number_4] * _S540.weight_1;
+            float2 _S542 = visibility_gain_0(_S529, _S535[number_4], _S534[number_4]);
+            float _S543 = _S542.x;
+            float diffuse_1 = diffuse_0 + _S541 * _S536[number_4] * _S543;
+            float specular_1 = specular_0 + _S541 * layer_value_0(_S540, _S528, _S520, _S521, fabrics_0[_S518].optical_depth_0) * _S535[number_4] * _S542.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S541 * _S535[number_4] * _S543;
+            float total_3 = total_2 + _S541;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S538;
-        if(_S531)
+        float _S544;
+        if(_S537)
         {
-            _S538 = diffuse_0;
+            _S544 = diffuse_0;
         }
         else
         {
-            _S538 = 0.0f;
+            _S544 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S538;
-        float _S539;
-        if(_S531)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S544;
+        float _S545;
+        if(_S537)
         {
-            _S539 = 0.0f;
+            _S545 = 0.0f;
         }
         else
         {
-            _S539 = diffuse_0;
+            _S545 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S539;
-        float _S540;
-        if(_S531)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S545;
+        float _S546;
+        if(_S537)
         {
-            _S540 = specular_0;
+            _S546 = specular_0;
         }
         else
         {
-            _S540 = 0.0f;
+            _S546 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S540;
-        float _S541;
-        if(_S531)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S546;
+        float _S547;
+        if(_S537)
         {
-            _S541 = 0.0f;
+            _S547 = 0.0f;
         }
         else
         {
-            _S541 = specular_0;
+            _S547 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S541;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S547;
         pack_0 = pack_0 + 1U;
     }
-    float _S542 = prefiltered_hole_0(_S512, _S517, view_nodes_0, _S516);
-    sums_1.hole_2 = _S542;
-    float _S543 = (1.0f - _S542) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S543;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S543;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S543;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S543;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S543;
+    float _S548 = prefiltered_hole_0(_S518, _S523, view_nodes_0, _S522);
+    sums_1.hole_2 = _S548;
+    float _S549 = (1.0f - _S548) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S549;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S549;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S549;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S549;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S549;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S544, Footprint_0 _S545, bool _S546)
+FamilyAlbedos_0 albedos_over_0(uint _S550, Footprint_0 _S551, bool _S552)
 {
-    float2 _S547 = _S545.dx_0;
-    float2 _S548 = _S545.dy_0;
-    float2 _S549 = sqrt(_S547 * _S547 + _S548 * _S548);
-    Stretch_0 _S550 = stretch_of_0(fabrics_0[_S544].warp_0, _S545.centre_0.x, _S549.x);
-    Stretch_0 _S551 = stretch_of_0(fabrics_0[_S544].weft_0, _S545.centre_0.y, _S549.y);
+    float2 _S553 = _S551.dx_0;
+    float2 _S554 = _S551.dy_0;
+    float2 _S555 = sqrt(_S553 * _S553 + _S554 * _S554);
+    Stretch_0 _S556 = stretch_of_0(fabrics_0[_S550].warp_0, _S551.centre_0.x, _S555.x);
+    Stretch_0 _S557 = stretch_of_0(fabrics_0[_S550].weft_0, _S551.centre_0.y, _S555.y);
     FamilyAlbedos_0 albedos_8;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S544].warp_0, fabrics_0[_S544].weft_0, _S550, _S551, _S546);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S544].weft_0, fabrics_0[_S544].warp_0, _S551, _S550, _S546);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S550].warp_0, fabrics_0[_S550].weft_0, _S556, _S557, _S552);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S550].weft_0, fabrics_0[_S550].warp_0, _S557, _S556, _S552);
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_0(uint _S552, Footprint_0 _S553, float _S554, float3 _S555, float3 _S556)
+Estimate_0 lobes_estimate_of_pass_0(uint _S558, Footprint_0 _S559, float _S560, float2 _S561, float3 _S562, float3 _S563)
 {
-    float _S557;
-    Regime_0 _S558 = regime_of_0(_S552, _S553, _S554);
-    bool _S559 = (_S556.z) < 0.0f;
-    float3 _S560 = to_face_frame_0(_S556, _S559);
-    bool _S561;
-    if((fabrics_0[_S552].fibre_noise_0) > 0.0f)
+    float _S564;
+    Regime_0 _S565 = regime_of_0(_S558, _S559, _S560);
+    bool _S566 = (_S563.z) < 0.0f;
+    float3 _S567 = to_face_frame_0(_S563, _S566);
+    bool _S568;
+    if((fabrics_0[_S558].fibre_noise_0) > 0.0f)
     {
-        _S561 = true;
+        _S568 = true;
     }
     else
     {
-        _S561 = (fabrics_0[_S552].colour_noise_0) > 0.0f;
+        _S568 = (fabrics_0[_S558].colour_noise_0) > 0.0f;
     }
-    bool _S562;
-    if((families_0.Load(fabrics_0[_S552].warp_0).quantities_0) > 1U)
+    bool _S569;
+    if((families_0.Load(fabrics_0[_S558].warp_0).quantities_0) > 1U)
     {
-        _S562 = true;
+        _S569 = true;
     }
     else
     {
-        _S562 = (families_0.Load(fabrics_0[_S552].weft_0).quantities_0) > 1U;
+        _S569 = (families_0.Load(fabrics_0[_S558].weft_0).quantities_0) > 1U;
     }
-    float _S563 = 1.0f - _S558.prefiltered_0;
-    if(_S563 > 0.0f)
+    float _S570 = 1.0f - _S565.prefiltered_0;
+    if(_S570 > 0.0f)
     {
-        if(_S561)
+        if(_S568)
         {
-            _S562 = true;
+            _S569 = true;
         }
     }
     else
     {
-        _S562 = false;
+        _S569 = false;
     }
-    Footprint_0 box_0 = _S553;
-    float3 _S564 = (float3)0.0f;
-    SurfacePoint_0 _S565 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S564, _S564, 0.0f, 0.0f, 0.0f);
-    Components_0 _S566 = no_components_0();
-    int _S567;
-    if(_S562)
+    Footprint_0 box_0 = _S559;
+    float3 _S571 = (float3)0.0f;
+    SurfacePoint_0 _S572 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S571, _S571, 0.0f, 0.0f, 0.0f);
+    Components_0 _S573 = no_components_0();
+    int _S574;
+    if(_S569)
     {
-        _S567 = int(0);
+        _S574 = int(0);
     }
     else
     {
-        _S567 = int(1);
+        _S574 = int(1);
     }
-    uint _S568 = uint(_S567);
-    Components_0 points_1 = _S566;
+    uint _S575 = uint(_S574);
+    Components_0 points_1 = _S573;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S565;
-    float2 central_place_0 = _S553.centre_0;
-    uint number_5 = _S568;
+    SurfacePoint_0 central_0 = _S572;
+    float2 central_place_0 = _S559.centre_0;
+    uint number_5 = _S575;
     for(;;)
     {
-        float _S569 = float(number_5);
-        _S557 = _S558.points_0;
-        if(_S569 < (_S558.points_0 + 1.0f))
+        float _S576 = float(number_5);
+        _S564 = _S565.points_0;
+        if(_S576 < (_S565.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S570 = number_5 == 0U;
-        float2 _S571;
-        if(_S570)
+        bool _S577 = number_5 == 0U;
+        uint _S578;
+        if(_S577)
         {
-            _S571 = (float2)0.0f;
+            _S578 = 0U;
         }
         else
         {
-            _S571 = POINT_OFFSETS_0[number_5 - 1U];
+            _S578 = number_5 - 1U;
         }
-        float2 _S572 = _S553.centre_0 + _S571.x * _S553.dx_0 + _S571.y * _S553.dy_0;
-        float _S573;
-        if(_S570)
+        float2 _S579 = POINT_OFFSETS_0[_S578] + _S561;
+        float2 _S580;
+        if(_S577)
         {
-            _S573 = 0.0f;
+            _S580 = (float2)0.0f;
         }
         else
         {
-            _S573 = _S558.threads_1;
+            _S580 = _S579 - round(_S579);
         }
-        SearchQuality_0 _S574 = quality_of_0(_S573);
-        Hit_0 _S575 = first_hit_0(_S552, _S574, _S572.x, _S572.y, _S560, _S559);
-        SurfacePoint_0 _S576 = surface_at_0(_S552, _S575.x_10, _S575.y_5, _S559);
-        if(_S570)
+        float2 _S581 = _S559.centre_0 + _S580.x * _S559.dx_0 + _S580.y * _S559.dy_0;
+        float _S582;
+        if(_S577)
+        {
+            _S582 = 0.0f;
+        }
+        else
+        {
+            _S582 = _S565.threads_1;
+        }
+        SearchQuality_0 _S583 = quality_of_0(_S582);
+        Hit_0 _S584 = first_hit_0(_S558, _S583, _S581.x, _S581.y, _S567, _S566);
+        SurfacePoint_0 _S585 = surface_at_0(_S558, _S584.x_10, _S584.y_5, _S566);
+        if(_S577)
         {
             float central_weight_1;
-            if(_S575.hole_5)
+            if(_S584.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S563;
+                central_weight_1 = _S570;
             }
-            float2 central_place_1 = float2(_S575.x_10, _S575.y_5);
-            box_0.centre_0 = lerp(_S553.centre_0, central_place_1, (float2)central_weight_1);
+            float2 central_place_1 = float2(_S584.x_10, _S584.y_5);
+            box_0.centre_0 = lerp(_S559.centre_0, central_place_1, (float2)central_weight_1);
             central_weight_0 = central_weight_1;
-            central_0 = _S576;
+            central_0 = _S585;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S552, _S574, yarn_point_of_0(_S552, _S576, _S575.x_10, _S575.y_5, _S559, _S575.hole_5), _S555, _S556), min(_S558.points_0 - float(number_5 - 1U), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S558, _S583, yarn_point_of_0(_S558, _S585, _S584.x_10, _S584.y_5, _S566, _S584.hole_5), _S562, _S563), min(_S565.points_0 - float(number_5 - 1U), 1.0f));
         number_5 = number_5 + 1U;
     }
     Estimate_0 estimate_0;
-    estimate_0.components_0 = with_added_0(_S566, points_1, _S563 / max(_S557, 1.0f));
-    if((_S558.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S573, points_1, _S570 / max(_S564, 1.0f));
+    if((_S565.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S552, _S553, to_face_frame_0(_S555, _S559), _S560, _S559), _S558.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S558, _S559, to_face_frame_0(_S562, _S566), _S567, _S566), _S565.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S552, box_0, _S559);
-    if(_S561)
+    estimate_0.albedos_4 = albedos_over_0(_S558, box_0, _S566);
+    if(_S568)
     {
-        _S561 = central_weight_0 > 0.0f;
+        _S568 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S561 = false;
+        _S568 = false;
     }
-    if(_S561)
+    if(_S568)
     {
-        SurfacePoint_0 _S577 = central_0;
-        Albedos_0 _S578;
+        SurfacePoint_0 _S586 = central_0;
+        Albedos_0 _S587;
         if(central_0.is_warp_0)
         {
-            _S578 = estimate_0.albedos_4.warp_2;
+            _S587 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S578 = estimate_0.albedos_4.weft_2;
+            _S587 = estimate_0.albedos_4.weft_2;
         }
-        Albedos_0 _S579 = lerp_albedos_0(_S578, varied_at_0(_S552, central_0, _S578, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S577.is_warp_0)
+        Albedos_0 _S588 = lerp_albedos_0(_S587, varied_at_0(_S558, central_0, _S587, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S586.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S579;
+            estimate_0.albedos_4.warp_2 = _S588;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S579;
+            estimate_0.albedos_4.weft_2 = _S588;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S580, Components_0 _S581, FamilyAlbedos_0 _S582, float3 _S583, float3 _S584)
+Estimate_0 lobes_estimate_0(uint _S589, Footprint_0 _S590, float _S591, float3 _S592, float3 _S593)
 {
-    float3 _S585 = _S582.warp_2.diffuse_reflect_0 * _S581.diffuse_warp_0 + _S582.weft_2.diffuse_reflect_0 * _S581.diffuse_weft_0 + _S582.warp_2.specular_reflect_0 * _S581.specular_warp_0 + _S582.weft_2.specular_reflect_0 * _S581.specular_weft_0;
-    float _S586 = _S584.z;
+    return lobes_estimate_of_pass_0(_S589, _S590, _S591, (float2)0.0f, _S592, _S593);
+}
+
+float3 composed_0(uint _S594, Components_0 _S595, FamilyAlbedos_0 _S596, float3 _S597, float3 _S598)
+{
+    float3 _S599 = _S596.warp_2.diffuse_reflect_0 * _S595.diffuse_warp_0 + _S596.weft_2.diffuse_reflect_0 * _S595.diffuse_weft_0 + _S596.warp_2.specular_reflect_0 * _S595.specular_warp_0 + _S596.weft_2.specular_reflect_0 * _S595.specular_weft_0;
+    float _S600 = _S598.z;
     float3 body_0;
-    if((_S583.z * _S586) < 0.0f)
+    if((_S597.z * _S600) < 0.0f)
     {
-        body_0 = _S582.warp_2.diffuse_transmit_0 * _S581.diffuse_warp_0 + _S582.weft_2.diffuse_transmit_0 * _S581.diffuse_weft_0 + _S582.warp_2.specular_transmit_0 * _S581.specular_warp_0 + _S582.weft_2.specular_transmit_0 * _S581.specular_weft_0;
+        body_0 = _S596.warp_2.diffuse_transmit_0 * _S595.diffuse_warp_0 + _S596.weft_2.diffuse_transmit_0 * _S595.diffuse_weft_0 + _S596.warp_2.specular_transmit_0 * _S595.specular_warp_0 + _S596.weft_2.specular_transmit_0 * _S595.specular_weft_0;
     }
     else
     {
-        body_0 = _S585;
+        body_0 = _S599;
     }
-    float _S587 = fabrics_0[_S580].sheen_strength_0;
-    if((fabrics_0[_S580].sheen_strength_0) <= 0.0f)
+    float _S601 = fabrics_0[_S594].sheen_strength_0;
+    if((fabrics_0[_S594].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S588 = _S586 < 0.0f;
-    float2 _S589 = sheen_with_transmittance_0(to_face_frame_0(_S583, _S588), to_face_frame_0(_S584, _S588), _S587, fabrics_0[_S580].sheen_roughness_0);
-    return _S589.y * body_0 + (_S581.light_visibility_1 + _S581.hole_2) * _S589.x;
+    bool _S602 = _S600 < 0.0f;
+    float2 _S603 = sheen_with_transmittance_0(to_face_frame_0(_S597, _S602), to_face_frame_0(_S598, _S602), _S601, fabrics_0[_S594].sheen_roughness_0);
+    return _S603.y * body_0 + (_S595.light_visibility_1 + _S595.hole_2) * _S603.x;
 }
 
 float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_9, float3 view_8)
@@ -3308,18 +3360,18 @@ float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, f
     footprint_0.centre_0 = centre_2;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    Estimate_0 _S590 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_9, view_8);
-    float3 _S591 = composed_0(fabric_1, _S590.components_0, _S590.albedos_4, light_9, view_8);
+    Estimate_0 _S604 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_9, view_8);
+    float3 _S605 = composed_0(fabric_1, _S604.components_0, _S604.albedos_4, light_9, view_8);
     float through_0;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_0 = _S590.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_8.z), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_0 = _S604.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_8.z), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {
-        through_0 = _S590.components_0.hole_2;
+        through_0 = _S604.components_0.hole_2;
     }
-    return float4(_S591, through_0);
+    return float4(_S605, through_0);
 }
 
 [numthreads(64, 1, 1)]
@@ -3329,8 +3381,8 @@ void lobes_queries(uint3 id_0 : SV_DispatchThreadID)
     {
         return;
     }
-    Query_0 _S592 = queries_0.Load(id_0.x);
-    answers_0[id_0.x] = cloth_value_0(_S592.fabric_0, float2(_S592.centre_x_0, _S592.centre_y_0), float2(_S592.dx_x_0, _S592.dx_y_0), float2(_S592.dy_x_0, _S592.dy_y_0), float3(_S592.light_x_0, _S592.light_y_0, _S592.light_z_0), float3(_S592.view_x_0, _S592.view_y_0, _S592.view_z_0));
+    Query_0 _S606 = queries_0.Load(id_0.x);
+    answers_0[id_0.x] = cloth_value_0(_S606.fabric_0, float2(_S606.centre_x_0, _S606.centre_y_0), float2(_S606.dx_x_0, _S606.dx_y_0), float2(_S606.dy_x_0, _S606.dy_y_0), float3(_S606.light_x_0, _S606.light_y_0, _S606.light_z_0), float3(_S606.view_x_0, _S606.view_y_0, _S606.view_z_0));
     return;
 }
 

@@ -82,13 +82,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -131,7 +158,7 @@ struct Vertex_0
 
 StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
 
-StructuredBuffer<uint > scene_words_0 : register(t8);
+StructuredBuffer<uint > scene_words_0 : register(t9);
 
 struct Family_0
 {
@@ -1668,7 +1695,7 @@ Crossing_0 crossing_at_0(uint _S237, float _S238, float _S239, bool _S240)
     Crossing_0 crossing_2;
     crossing_2.warp_1 = locate_0(fabrics_0[_S237].warp_0, _S238);
     crossing_2.weft_1 = locate_0(fabrics_0[_S237].weft_0, _S239);
-    uint _S241 = fabrics_0[_S237].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S237].ends_0 + crossing_2.warp_1.thread_1);
+    uint _S241 = fabrics_0[_S237].run_words_0 + 2U * (crossing_2.weft_1.thread_1 * fabrics_0[_S237].ends_1 + crossing_2.warp_1.thread_1);
     uint _S242 = words_0.Load(_S241);
     crossing_2.warp_word_0 = _S242;
     crossing_2.weft_word_0 = words_0.Load(_S241 + 1U);
@@ -2325,30 +2352,37 @@ float refined_height_0(uint _S371, ViewRay_0 _S372, StepControl_0 _S373, bool _S
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S385, SearchQuality_0 _S386, float _S387, float _S388, float3 _S389, bool _S390)
+Hit_0 first_hit_of_yarn_0(uint _S385, SearchQuality_0 _S386, float _S387, float _S388, float3 _S389, bool _S390)
 {
-    Hit_0 hit_0;
-    hit_0.x_12 = _S387;
-    hit_0.y_6 = _S388;
-    hit_0.height_4 = 0.0f;
-    bool _S391 = passes_through_0(_S385, _S386, _S387, _S388, _S389, _S390);
-    hit_0.hole_3 = _S391;
-    if(_S391)
-    {
-        return hit_0;
-    }
-    float _S392 = max(_S389.z, 0.00009999999747379f);
+    float _S391 = max(_S389.z, 0.00009999999747379f);
     ViewRay_0 ray_0;
     ray_0.origin_0 = float2(_S387, _S388);
-    float2 _S393 = _S389.xy / _S392;
-    ray_0.slope_1 = _S393;
-    StepControl_0 _S394 = step_control_0(- _S393, 1.0f / max(steps_per_length_0(_S385, _S386, _S389) / _S392, 9.99999971718068537e-10f));
-    float _S395 = refined_height_0(_S385, ray_0, _S394, _S390, search_down_0(_S385, ray_0, _S394, _S390), _S386.refinements_0);
+    float2 _S392 = _S389.xy / _S391;
+    ray_0.slope_1 = _S392;
+    StepControl_0 _S393 = step_control_0(- _S392, 1.0f / max(steps_per_length_0(_S385, _S386, _S389) / _S391, 9.99999971718068537e-10f));
+    ViewRayEnd_0 _S394 = search_down_0(_S385, ray_0, _S393, _S390);
+    Hit_0 hit_0;
+    hit_0.hole_3 = false;
+    float _S395 = refined_height_0(_S385, ray_0, _S393, _S390, _S394, _S386.refinements_0);
     hit_0.height_4 = _S395;
     float2 _S396 = ViewRay_at_0(ray_0, _S395);
     hit_0.x_12 = _S396.x;
     hit_0.y_6 = _S396.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S397, SearchQuality_0 _S398, float _S399, float _S400, float3 _S401, bool _S402)
+{
+    if(!passes_through_0(_S397, _S398, _S399, _S400, _S401, _S402))
+    {
+        return first_hit_of_yarn_0(_S397, _S398, _S399, _S400, _S401, _S402);
+    }
+    Hit_0 hit_1;
+    hit_1.x_12 = _S399;
+    hit_1.y_6 = _S400;
+    hit_1.height_4 = 0.0f;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2365,232 +2399,232 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S397, float _S398, float _S399, bool _S400)
+SurfacePoint_0 surface_at_0(uint _S403, float _S404, float _S405, bool _S406)
 {
-    Sample_0 _S401 = sample_at_0(_S397, _S398, _S399, _S400);
-    float _S402;
-    if(_S401.shown_3.is_warp_0)
+    Sample_0 _S407 = sample_at_0(_S403, _S404, _S405, _S406);
+    float _S408;
+    if(_S407.shown_3.is_warp_0)
     {
-        _S402 = _S401.crossing_1.warp_1.half_width_1;
+        _S408 = _S407.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S402 = _S401.crossing_1.weft_1.half_width_1;
+        _S408 = _S407.crossing_1.weft_1.half_width_1;
     }
-    uint _S403;
-    if(_S401.shown_3.is_warp_0)
+    uint _S409;
+    if(_S407.shown_3.is_warp_0)
     {
-        _S403 = fabrics_0[_S397].warp_0;
-    }
-    else
-    {
-        _S403 = fabrics_0[_S397].weft_0;
-    }
-    Family_0 _S404 = families_0.Load(_S403);
-    float _S405;
-    if(_S400)
-    {
-        _S405 = -1.0f;
+        _S409 = fabrics_0[_S403].warp_0;
     }
     else
     {
-        _S405 = 1.0f;
+        _S409 = fabrics_0[_S403].weft_0;
     }
-    float _S406 = _S404.twist_sine_0 * _S405;
-    Family_0 _S407 = families_0.Load(_S403);
-    if(_S401.shown_3.is_warp_0)
+    Family_0 _S410 = families_0.Load(_S409);
+    float _S411;
+    if(_S406)
     {
-        _S405 = 1.0f;
-    }
-    else
-    {
-        _S405 = -1.0f;
-    }
-    float2 _S408 = fibre_direction_0(_S401.slope_across_0, _S405 * _S401.slope_along_0, _S406, _S407.twist_cosine_0);
-    float _S409;
-    if(_S401.shown_3.is_warp_0)
-    {
-        _S409 = _S401.slope_x_1;
+        _S411 = -1.0f;
     }
     else
     {
-        _S409 = _S401.slope_y_1;
+        _S411 = 1.0f;
     }
-    float _S410;
-    if(_S401.shown_3.is_warp_0)
+    float _S412 = _S410.twist_sine_0 * _S411;
+    Family_0 _S413 = families_0.Load(_S409);
+    if(_S407.shown_3.is_warp_0)
     {
-        _S410 = _S401.slope_y_1;
-    }
-    else
-    {
-        _S410 = _S401.slope_x_1;
-    }
-    float _S411 = _S408.x;
-    float _S412 = _S408.y;
-    float _S413 = _S409 * _S411 + _S405 * _S410 * _S412;
-    float _S414 = _S402 * 1.0154266357421875f;
-    float _S415 = _S414 * arc_sine_0(clamp(_S401.section_1.across_1 / _S414, -1.0f, 1.0f));
-    if(_S401.shown_3.is_warp_0)
-    {
-        _S402 = _S399;
+        _S411 = 1.0f;
     }
     else
     {
-        _S402 = - _S398;
+        _S411 = -1.0f;
+    }
+    float2 _S414 = fibre_direction_0(_S407.slope_across_0, _S411 * _S407.slope_along_0, _S412, _S413.twist_cosine_0);
+    float _S415;
+    if(_S407.shown_3.is_warp_0)
+    {
+        _S415 = _S407.slope_x_1;
+    }
+    else
+    {
+        _S415 = _S407.slope_y_1;
+    }
+    float _S416;
+    if(_S407.shown_3.is_warp_0)
+    {
+        _S416 = _S407.slope_y_1;
+    }
+    else
+    {
+        _S416 = _S407.slope_x_1;
+    }
+    float _S417 = _S414.x;
+    float _S418 = _S414.y;
+    float _S419 = _S415 * _S417 + _S411 * _S416 * _S418;
+    float _S420 = _S408 * 1.0154266357421875f;
+    float _S421 = _S420 * arc_sine_0(clamp(_S407.section_1.across_1 / _S420, -1.0f, 1.0f));
+    if(_S407.shown_3.is_warp_0)
+    {
+        _S408 = _S405;
+    }
+    else
+    {
+        _S408 = - _S404;
     }
     SurfacePoint_0 point_3;
-    point_3.hole_4 = _S401.shown_3.hole_0;
-    point_3.is_warp_2 = _S401.shown_3.is_warp_0;
-    point_3.warp_thread_0 = _S401.crossing_1.warp_1.thread_1;
-    point_3.weft_thread_0 = _S401.crossing_1.weft_1.thread_1;
-    point_3.height_9 = _S401.height_5;
-    point_3.normal_5 = normalize(float3(- _S401.slope_x_1, - _S401.slope_y_1, 1.0f));
-    float3 _S416;
-    if(_S401.shown_3.is_warp_0)
+    point_3.hole_4 = _S407.shown_3.hole_0;
+    point_3.is_warp_2 = _S407.shown_3.is_warp_0;
+    point_3.warp_thread_0 = _S407.crossing_1.warp_1.thread_1;
+    point_3.weft_thread_0 = _S407.crossing_1.weft_1.thread_1;
+    point_3.height_9 = _S407.height_5;
+    point_3.normal_5 = normalize(float3(- _S407.slope_x_1, - _S407.slope_y_1, 1.0f));
+    float3 _S422;
+    if(_S407.shown_3.is_warp_0)
     {
-        _S416 = float3(_S411, _S412, _S413);
+        _S422 = float3(_S417, _S418, _S419);
     }
     else
     {
-        _S416 = float3(- _S412, _S411, _S413);
+        _S422 = float3(- _S418, _S417, _S419);
     }
-    point_3.tangent_5 = normalize(_S416);
-    point_3.across_2 = _S401.section_1.across_1;
-    point_3.fibre_across_0 = _S415 * _S407.twist_cosine_0 + _S402 * _S406;
-    point_3.fibre_along_0 = _S402 * _S407.twist_cosine_0 - _S415 * _S406;
+    point_3.tangent_5 = normalize(_S422);
+    point_3.across_2 = _S407.section_1.across_1;
+    point_3.fibre_across_0 = _S421 * _S413.twist_cosine_0 + _S408 * _S412;
+    point_3.fibre_along_0 = _S408 * _S413.twist_cosine_0 - _S421 * _S412;
     return point_3;
 }
 
-Albedos_0 vary_albedos_0(uint _S417, Albedos_0 _S418, uint _S419, uint _S420)
+Albedos_0 vary_albedos_0(uint _S423, Albedos_0 _S424, uint _S425, uint _S426)
 {
-    float3 _S421 = max(_S418.specular_reflect_0, _S418.specular_transmit_0);
-    float3 _S422 = _S418.diffuse_reflect_0 + _S418.diffuse_transmit_0;
-    float _S423 = bounded_gain_0(thread_gain_0(_S419, fabrics_0[_S417].colour_noise_0, fabrics_0[_S417].seed_0), _S422, 1.0f - fabrics_0[_S417].layer_bound_0 * _S421);
-    float _S424 = bounded_gain_0(fibre_gain_0(_S419, _S420, fabrics_0[_S417].fibre_noise_0, fabrics_0[_S417].seed_0), _S421, min((1.0f - _S423 * _S422) / fabrics_0[_S417].layer_bound_0, (float3)1.0f));
+    float3 _S427 = max(_S424.specular_reflect_0, _S424.specular_transmit_0);
+    float3 _S428 = _S424.diffuse_reflect_0 + _S424.diffuse_transmit_0;
+    float _S429 = bounded_gain_0(thread_gain_0(_S425, fabrics_0[_S423].colour_noise_0, fabrics_0[_S423].seed_0), _S428, 1.0f - fabrics_0[_S423].layer_bound_0 * _S427);
+    float _S430 = bounded_gain_0(fibre_gain_0(_S425, _S426, fabrics_0[_S423].fibre_noise_0, fabrics_0[_S423].seed_0), _S427, min((1.0f - _S429 * _S428) / fabrics_0[_S423].layer_bound_0, (float3)1.0f));
     Albedos_0 varied_0;
-    varied_0.diffuse_reflect_0 = _S423 * _S418.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S423 * _S418.diffuse_transmit_0;
-    varied_0.specular_reflect_0 = _S424 * _S418.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S424 * _S418.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S429 * _S424.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S429 * _S424.diffuse_transmit_0;
+    varied_0.specular_reflect_0 = _S430 * _S424.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S430 * _S424.specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S425, SurfacePoint_0 _S426, Albedos_0 _S427, float _S428, float _S429)
+Albedos_0 varied_at_0(uint _S431, SurfacePoint_0 _S432, Albedos_0 _S433, float _S434, float _S435)
 {
-    float _S430;
-    if(_S426.is_warp_2)
+    float _S436;
+    if(_S432.is_warp_2)
     {
-        _S430 = _S428;
+        _S436 = _S434;
     }
     else
     {
-        _S430 = _S429;
+        _S436 = _S435;
     }
-    float _S431 = _S430 - _S426.across_2;
-    uint _S432;
-    if(_S426.is_warp_2)
+    float _S437 = _S436 - _S432.across_2;
+    uint _S438;
+    if(_S432.is_warp_2)
     {
-        _S432 = fabrics_0[_S425].warp_0;
+        _S438 = fabrics_0[_S431].warp_0;
     }
     else
     {
-        _S432 = fabrics_0[_S425].weft_0;
+        _S438 = fabrics_0[_S431].weft_0;
     }
-    Family_0 _S433 = families_0.Load(_S432);
-    int _S434 = int(families_0.Load(_S432).count_0);
-    if(_S426.is_warp_2)
+    Family_0 _S439 = families_0.Load(_S438);
+    int _S440 = int(families_0.Load(_S438).count_0);
+    if(_S432.is_warp_2)
     {
-        _S432 = _S426.warp_thread_0;
+        _S438 = _S432.warp_thread_0;
     }
     else
     {
-        _S432 = _S426.weft_thread_0;
+        _S438 = _S432.weft_thread_0;
     }
-    uint _S435 = uint(int(floor(_S431 / _S433.period_0)) * _S434 + int(_S432)) * 2U;
-    if(_S426.is_warp_2)
+    uint _S441 = uint(int(floor(_S437 / _S439.period_0)) * _S440 + int(_S438)) * 2U;
+    if(_S432.is_warp_2)
     {
-        _S432 = 1U;
+        _S438 = 1U;
     }
     else
     {
-        _S432 = 0U;
+        _S438 = 0U;
     }
-    float _S436 = floor(_S426.fibre_across_0 / fabrics_0[_S425].fibre_size_0);
-    return vary_albedos_0(_S425, _S427, _S435 + _S432, uint(int(_S436)) * 65536U + uint(int(floor(_S426.fibre_along_0 / (fabrics_0[_S425].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S436))));
+    float _S442 = floor(_S432.fibre_across_0 / fabrics_0[_S431].fibre_size_0);
+    return vary_albedos_0(_S431, _S433, _S441 + _S438, uint(int(_S442)) * 65536U + uint(int(floor(_S432.fibre_along_0 / (fabrics_0[_S431].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S442))));
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S437, SurfacePoint_0 _S438, float _S439, float _S440, bool _S441, bool _S442)
+YarnPoint_0 yarn_point_of_0(uint _S443, SurfacePoint_0 _S444, float _S445, float _S446, bool _S447, bool _S448)
 {
-    uint _S443;
-    if(_S438.is_warp_2)
+    uint _S449;
+    if(_S444.is_warp_2)
     {
-        _S443 = fabrics_0[_S437].warp_0;
+        _S449 = fabrics_0[_S443].warp_0;
     }
     else
     {
-        _S443 = fabrics_0[_S437].weft_0;
+        _S449 = fabrics_0[_S443].weft_0;
     }
-    uint _S444;
-    if(_S438.is_warp_2)
+    uint _S450;
+    if(_S444.is_warp_2)
     {
-        _S444 = _S438.warp_thread_0;
-    }
-    else
-    {
-        _S444 = _S438.weft_thread_0;
-    }
-    Albedos_0 albedos_3 = albedos_of_0(_S443, _S444);
-    bool _S445;
-    if((fabrics_0[_S437].fibre_noise_0) > 0.0f)
-    {
-        _S445 = true;
+        _S450 = _S444.warp_thread_0;
     }
     else
     {
-        _S445 = (fabrics_0[_S437].colour_noise_0) > 0.0f;
+        _S450 = _S444.weft_thread_0;
+    }
+    Albedos_0 albedos_3 = albedos_of_0(_S449, _S450);
+    bool _S451;
+    if((fabrics_0[_S443].fibre_noise_0) > 0.0f)
+    {
+        _S451 = true;
+    }
+    else
+    {
+        _S451 = (fabrics_0[_S443].colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_4;
-    if(_S445)
+    if(_S451)
     {
-        albedos_4 = varied_at_0(_S437, _S438, albedos_3, _S439, _S440);
+        albedos_4 = varied_at_0(_S443, _S444, albedos_3, _S445, _S446);
     }
     else
     {
         albedos_4 = albedos_3;
     }
     YarnPoint_0 point_4;
-    point_4.back_2 = _S441;
-    point_4.hole_2 = _S442;
-    point_4.is_warp_1 = _S438.is_warp_2;
-    point_4.x_11 = _S439;
-    point_4.y_5 = _S440;
-    point_4.height_3 = _S438.height_9;
-    point_4.normal_4 = _S438.normal_5;
-    point_4.tangent_4 = _S438.tangent_5;
-    point_4.roughness_8 = families_0.Load(_S443).roughness_0;
+    point_4.back_2 = _S447;
+    point_4.hole_2 = _S448;
+    point_4.is_warp_1 = _S444.is_warp_2;
+    point_4.x_11 = _S445;
+    point_4.y_5 = _S446;
+    point_4.height_3 = _S444.height_9;
+    point_4.normal_4 = _S444.normal_5;
+    point_4.tangent_4 = _S444.tangent_5;
+    point_4.roughness_8 = families_0.Load(_S449).roughness_0;
     point_4.albedos_2 = albedos_4;
     return point_4;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S446, SearchQuality_0 _S447, float _S448, float _S449, float3 _S450)
+YarnPoint_0 locate_yarn_0(uint _S452, SearchQuality_0 _S453, float _S454, float _S455, float3 _S456)
 {
-    bool _S451 = (_S450.z) < 0.0f;
-    Hit_0 _S452 = first_hit_0(_S446, _S447, _S448, _S449, to_face_frame_0(_S450, _S451), _S451);
-    return yarn_point_of_0(_S446, surface_at_0(_S446, _S452.x_12, _S452.y_6, _S451), _S452.x_12, _S452.y_6, _S451, _S452.hole_3);
+    bool _S457 = (_S456.z) < 0.0f;
+    Hit_0 _S458 = first_hit_0(_S452, _S453, _S454, _S455, to_face_frame_0(_S456, _S457), _S457);
+    return yarn_point_of_0(_S452, surface_at_0(_S452, _S458.x_12, _S458.y_6, _S457), _S458.x_12, _S458.y_6, _S457, _S458.hole_3);
 }
 
-uint light_sample_count_0(int _S453)
+uint light_sample_count_0(int _S459)
 {
-    return frames_0[_S453].lights_0 + frames_0[_S453].environment_samples_0;
+    return frames_0[_S459].lights_0 + frames_0[_S459].environment_samples_0;
 }
 
-float visibility_at_0(int _S454, uint _S455, uint2 _S456)
+float visibility_at_0(int _S460, uint _S461, uint2 _S462)
 {
-    if((frames_0[_S454].casts_shadows_0) == 0U)
+    if((frames_0[_S460].casts_shadows_0) == 0U)
     {
         return 1.0f;
     }
-    return visibilities_0[(_S455 * frames_0[_S454].height_0 + _S456.y) * frames_0[_S454].width_0 + _S456.x];
+    return visibilities_0[(_S461 * frames_0[_S460].height_0 + _S462.y) * frames_0[_S460].width_0 + _S462.x];
 }
 
 struct LightSample_0
@@ -2600,241 +2634,241 @@ struct LightSample_0
     float distance_3;
 };
 
-float3 environment_texel_0(int _S457, uint _S458, uint _S459)
+float3 environment_texel_0(int _S463, uint _S464, uint _S465)
 {
-    uint _S460 = frames_0[_S457].environment_table_0 + frames_0[_S457].environment_rows_0 + 1U + frames_0[_S457].environment_rows_0 * (frames_0[_S457].environment_columns_0 + 1U) + 3U * (_S458 * frames_0[_S457].environment_columns_0 + _S459);
-    return float3(scene_number_0(_S460), scene_number_0(_S460 + 1U), scene_number_0(_S460 + 2U));
+    uint _S466 = frames_0[_S463].environment_table_0 + frames_0[_S463].environment_rows_0 + 1U + frames_0[_S463].environment_rows_0 * (frames_0[_S463].environment_columns_0 + 1U) + 3U * (_S464 * frames_0[_S463].environment_columns_0 + _S465);
+    return float3(scene_number_0(_S466), scene_number_0(_S466 + 1U), scene_number_0(_S466 + 2U));
 }
 
-float3 sample_environment_0(int _S461, float2 _S462, out float3 _S463)
+float3 sample_environment_0(int _S467, float2 _S468, out float3 _S469)
 {
-    uint _S464 = frames_0[_S461].environment_rows_0;
-    Choice_0 _S465 = choose_0(frames_0[_S461].environment_table_0, frames_0[_S461].environment_rows_0, _S462.y);
-    uint _S466 = frames_0[_S461].environment_columns_0;
-    Choice_0 _S467 = choose_0(frames_0[_S461].environment_table_0 + frames_0[_S461].environment_rows_0 + 1U + _S465.index_6 * (frames_0[_S461].environment_columns_0 + 1U), frames_0[_S461].environment_columns_0, _S462.x);
-    float3 _S468 = environment_texel_0(_S461, _S465.index_6, _S467.index_6);
-    _S463 = _S468 * (frames_0[_S461].environment_total_0 / max(mean_0(_S468), 9.99999968265522539e-21f));
-    float _S469 = 3.14159274101257324f / float(_S464);
-    float _S470 = lerp(sine_cosine_0(float(_S465.index_6) * _S469).y, sine_cosine_0(float(_S465.index_6 + 1U) * _S469).y, _S465.remainder_0);
-    float _S471 = sqrt(max(1.0f - _S470 * _S470, 0.0f));
-    float2 _S472 = sine_cosine_0((float(_S467.index_6) + _S467.remainder_0) * (6.28318548202514648f / float(_S466)));
-    float _S473 = _S471 * _S472.x;
-    float _S474 = - _S471 * _S472.y;
-    return float3(frames_0[_S461].environment_cosine_0 * _S473 + frames_0[_S461].environment_sine_0 * _S474, _S470, frames_0[_S461].environment_cosine_0 * _S474 - frames_0[_S461].environment_sine_0 * _S473);
+    uint _S470 = frames_0[_S467].environment_rows_0;
+    Choice_0 _S471 = choose_0(frames_0[_S467].environment_table_0, frames_0[_S467].environment_rows_0, _S468.y);
+    uint _S472 = frames_0[_S467].environment_columns_0;
+    Choice_0 _S473 = choose_0(frames_0[_S467].environment_table_0 + frames_0[_S467].environment_rows_0 + 1U + _S471.index_6 * (frames_0[_S467].environment_columns_0 + 1U), frames_0[_S467].environment_columns_0, _S468.x);
+    float3 _S474 = environment_texel_0(_S467, _S471.index_6, _S473.index_6);
+    _S469 = _S474 * (frames_0[_S467].environment_total_0 / max(mean_0(_S474), 9.99999968265522539e-21f));
+    float _S475 = 3.14159274101257324f / float(_S470);
+    float _S476 = lerp(sine_cosine_0(float(_S471.index_6) * _S475).y, sine_cosine_0(float(_S471.index_6 + 1U) * _S475).y, _S471.remainder_0);
+    float _S477 = sqrt(max(1.0f - _S476 * _S476, 0.0f));
+    float2 _S478 = sine_cosine_0((float(_S473.index_6) + _S473.remainder_0) * (6.28318548202514648f / float(_S472)));
+    float _S479 = _S477 * _S478.x;
+    float _S480 = - _S477 * _S478.y;
+    return float3(frames_0[_S467].environment_cosine_0 * _S479 + frames_0[_S467].environment_sine_0 * _S480, _S476, frames_0[_S467].environment_cosine_0 * _S480 - frames_0[_S467].environment_sine_0 * _S479);
 }
 
-LightSample_0 light_sample_0(int _S475, uint _S476, uint2 _S477, float3 _S478)
+LightSample_0 light_sample_0(int _S481, uint _S482, uint2 _S483, float3 _S484)
 {
     LightSample_0 sample_1;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    uint _S479 = frames_0[_S475].lights_0;
-    if(_S476 >= (frames_0[_S475].lights_0))
+    uint _S485 = frames_0[_S481].lights_0;
+    if(_S482 >= (frames_0[_S481].lights_0))
     {
         float3 weight_0;
-        float3 _S480 = sample_environment_0(_S475, pixel_sequence_0(_S477, frames_0[_S475].pass_number_0 * frames_0[_S475].environment_samples_0 + (_S476 - _S479), 3U), weight_0);
-        sample_1.towards_0 = _S480;
-        sample_1.irradiance_1 = weight_0 / float(frames_0[_S475].environment_samples_0);
+        float3 _S486 = sample_environment_0(_S481, pixel_sequence_0(_S483, frames_0[_S481].pass_number_0 * frames_0[_S481].environment_samples_0 + (_S482 - _S485), 3U), weight_0);
+        sample_1.towards_0 = _S486;
+        sample_1.irradiance_1 = weight_0 / float(frames_0[_S481].environment_samples_0);
         return sample_1;
     }
-    Light_0 _S481 = lights_1.Load(_S476);
-    sample_1.irradiance_1 = float3(_S481.red_0, _S481.green_0, _S481.blue_0);
-    sample_1.towards_0 = float3(_S481.x_1, _S481.y_1, _S481.z_1);
-    if((_S481.is_point_0) != 0U)
+    Light_0 _S487 = lights_1.Load(_S482);
+    sample_1.irradiance_1 = float3(_S487.red_0, _S487.green_0, _S487.blue_0);
+    sample_1.towards_0 = float3(_S487.x_1, _S487.y_1, _S487.z_1);
+    if((_S487.is_point_0) != 0U)
     {
-        float3 _S482 = sample_1.towards_0 - _S478;
-        float _S483 = max(square_0(_S482), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S483);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / _S483;
-        sample_1.towards_0 = normalize(_S482);
+        float3 _S488 = sample_1.towards_0 - _S484;
+        float _S489 = max(square_0(_S488), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S489);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / _S489;
+        sample_1.towards_0 = normalize(_S488);
     }
     return sample_1;
 }
 
-float3 scattered_0(uint _S484, YarnPoint_0 _S485, float3 _S486, float3 _S487)
+float3 scattered_0(uint _S490, YarnPoint_0 _S491, float3 _S492, float3 _S493)
 {
-    float3 _S488 = (float3)0.0f;
-    bool _S489 = !_S485.hole_2;
-    bool _S490;
-    if(_S489)
+    float3 _S494 = (float3)0.0f;
+    bool _S495 = !_S491.hole_2;
+    bool _S496;
+    if(_S495)
     {
-        _S490 = (_S486.z) > 0.0f;
+        _S496 = (_S492.z) > 0.0f;
     }
     else
     {
-        _S490 = false;
+        _S496 = false;
     }
     float3 value_1;
-    if(_S490)
+    if(_S496)
     {
-        value_1 = _S485.albedos_2.diffuse_reflect_0 * diffuse_reflection_0(_S486, _S485.normal_4, fabrics_0[_S484].diffuse_blend_0) + _S485.albedos_2.specular_reflect_0 * reflection_0(_S486, _S487, _S485.normal_4, _S485.tangent_4, _S485.roughness_8, fabrics_0[_S484].optical_depth_0);
+        value_1 = _S491.albedos_2.diffuse_reflect_0 * diffuse_reflection_0(_S492, _S491.normal_4, fabrics_0[_S490].diffuse_blend_0) + _S491.albedos_2.specular_reflect_0 * reflection_0(_S492, _S493, _S491.normal_4, _S491.tangent_4, _S491.roughness_8, fabrics_0[_S490].optical_depth_0);
     }
     else
     {
-        if(_S489)
+        if(_S495)
         {
-            _S490 = (_S486.z) < 0.0f;
+            _S496 = (_S492.z) < 0.0f;
         }
         else
         {
-            _S490 = false;
+            _S496 = false;
         }
-        if(_S490)
+        if(_S496)
         {
-            value_1 = _S485.albedos_2.diffuse_transmit_0 * diffuse_reflection_0(- _S486, _S485.normal_4, fabrics_0[_S484].diffuse_blend_0) + _S485.albedos_2.specular_transmit_0 * transmission_0(_S486, _S487, _S485.normal_4, _S485.tangent_4, _S485.roughness_8, fabrics_0[_S484].optical_depth_0);
+            value_1 = _S491.albedos_2.diffuse_transmit_0 * diffuse_reflection_0(- _S492, _S491.normal_4, fabrics_0[_S490].diffuse_blend_0) + _S491.albedos_2.specular_transmit_0 * transmission_0(_S492, _S493, _S491.normal_4, _S491.tangent_4, _S491.roughness_8, fabrics_0[_S490].optical_depth_0);
         }
         else
         {
-            value_1 = _S488;
+            value_1 = _S494;
         }
     }
-    float _S491 = fabrics_0[_S484].sheen_strength_0;
-    if((fabrics_0[_S484].sheen_strength_0) <= 0.0f)
+    float _S497 = fabrics_0[_S490].sheen_strength_0;
+    if((fabrics_0[_S490].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S492 = sheen_with_transmittance_0(_S486, _S487, _S491, fabrics_0[_S484].sheen_roughness_0);
-    return _S492.y * value_1 + _S492.x;
+    float2 _S498 = sheen_with_transmittance_0(_S492, _S493, _S497, fabrics_0[_S490].sheen_roughness_0);
+    return _S498.y * value_1 + _S498.x;
 }
 
-bool unoccluded_0(uint _S493, SearchQuality_0 _S494, float _S495, float _S496, float _S497, float3 _S498, bool _S499)
+bool unoccluded_0(uint _S499, SearchQuality_0 _S500, float _S501, float _S502, float _S503, float3 _S504, bool _S505)
 {
-    if((_S498.z) <= 0.0f)
+    if((_S504.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S493, _S494, float3(_S495, _S496, _S497 + fabrics_0[_S493].lift_0), _S498, _S499, max_height_along_0(_S493, _S495, _S496, _S497, _S498, _S499));
+    return is_free_0(_S499, _S500, float3(_S501, _S502, _S503 + fabrics_0[_S499].lift_0), _S504, _S505, max_height_along_0(_S499, _S501, _S502, _S503, _S504, _S505));
 }
 
-bool is_lit_0(uint _S500, SearchQuality_0 _S501, YarnPoint_0 _S502, float3 _S503)
+bool is_lit_0(uint _S506, SearchQuality_0 _S507, YarnPoint_0 _S508, float3 _S509)
 {
-    if(_S502.hole_2)
+    if(_S508.hole_2)
     {
         return true;
     }
-    float3 _S504 = to_face_frame_0(_S503, _S502.back_2);
-    float _S505 = _S504.z;
-    bool _S506 = _S505 < 0.0f;
+    float3 _S510 = to_face_frame_0(_S509, _S508.back_2);
+    float _S511 = _S510.z;
+    bool _S512 = _S511 < 0.0f;
     float3 normal_6;
     float height_10;
-    if(_S506)
+    if(_S512)
     {
-        SurfacePoint_0 _S507 = surface_at_0(_S500, _S502.x_11, _S502.y_5, !_S502.back_2);
-        normal_6 = _S507.normal_5;
-        height_10 = _S507.height_9;
+        SurfacePoint_0 _S513 = surface_at_0(_S506, _S508.x_11, _S508.y_5, !_S508.back_2);
+        normal_6 = _S513.normal_5;
+        height_10 = _S513.height_9;
     }
     else
     {
-        normal_6 = _S502.normal_4;
-        height_10 = _S502.height_3;
+        normal_6 = _S508.normal_4;
+        height_10 = _S508.height_3;
     }
-    float3 _S508 = float3(_S504.xy, abs(_S505));
-    if((dot(normal_6, _S508)) <= 0.0f)
+    float3 _S514 = float3(_S510.xy, abs(_S511));
+    if((dot(normal_6, _S514)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S500, _S501, _S502.x_11, _S502.y_5, height_10, _S508, (_S502.back_2) != _S506);
+    return unoccluded_0(_S506, _S507, _S508.x_11, _S508.y_5, height_10, _S514, (_S508.back_2) != _S512);
 }
 
-float3 evaluate_0(uint _S509, SearchQuality_0 _S510, YarnPoint_0 _S511, float3 _S512, float3 _S513)
+float3 evaluate_0(uint _S515, SearchQuality_0 _S516, YarnPoint_0 _S517, float3 _S518, float3 _S519)
 {
-    float3 _S514 = scattered_0(_S509, _S511, to_face_frame_0(_S512, _S511.back_2), to_face_frame_0(_S513, _S511.back_2));
-    bool _S515;
-    if((max(_S514.x, max(_S514.y, _S514.z))) <= 0.0f)
+    float3 _S520 = scattered_0(_S515, _S517, to_face_frame_0(_S518, _S517.back_2), to_face_frame_0(_S519, _S517.back_2));
+    bool _S521;
+    if((max(_S520.x, max(_S520.y, _S520.z))) <= 0.0f)
     {
-        _S515 = true;
+        _S521 = true;
     }
     else
     {
-        _S515 = !is_lit_0(_S509, _S510, _S511, _S512);
+        _S521 = !is_lit_0(_S515, _S516, _S517, _S518);
     }
-    if(_S515)
+    if(_S521)
     {
         return (float3)0.0f;
     }
-    return _S514;
+    return _S520;
 }
 
-float straight_through_0(uint _S516, YarnPoint_0 _S517, float3 _S518)
+float straight_through_0(uint _S522, YarnPoint_0 _S523, float3 _S524)
 {
-    if(!_S517.hole_2)
+    if(!_S523.hole_2)
     {
         return 0.0f;
     }
-    float _S519 = fabrics_0[_S516].sheen_strength_0;
-    if((fabrics_0[_S516].sheen_strength_0) <= 0.0f)
+    float _S525 = fabrics_0[_S522].sheen_strength_0;
+    if((fabrics_0[_S522].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S519 * sheen_lobe_0(abs(_S518.z), fabrics_0[_S516].sheen_roughness_0).z;
+    return 1.0f - _S525 * sheen_lobe_0(abs(_S524.z), fabrics_0[_S522].sheen_roughness_0).z;
 }
 
-float4 light_of_point_0(int _S520, uint _S521, VisiblePoint_0 _S522, uint2 _S523, float3 _S524, float2 _S525)
+float4 light_of_point_0(int _S526, uint _S527, VisiblePoint_0 _S528, uint2 _S529, float3 _S530, float2 _S531)
 {
-    SearchQuality_0 _S526 = default_quality_0();
-    float3 _S527 = to_local_0(_S522, _S522.view_0);
-    YarnPoint_0 point_5 = locate_yarn_0(_S521, _S526, _S525.x, _S525.y, _S527);
-    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S524);
-    float3 _S528 = (float3)0.0f;
+    SearchQuality_0 _S532 = default_quality_0();
+    float3 _S533 = to_local_0(_S528, _S528.view_0);
+    YarnPoint_0 point_5 = locate_yarn_0(_S527, _S532, _S531.x, _S531.y, _S533);
+    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S530);
+    float3 _S534 = (float3)0.0f;
     uint number_2 = 0U;
-    float3 radiance_1 = _S528;
+    float3 radiance_1 = _S534;
     for(;;)
     {
-        if(number_2 < (light_sample_count_0(_S520)))
+        if(number_2 < (light_sample_count_0(_S526)))
         {
         }
         else
         {
             break;
         }
-        float _S529 = visibility_at_0(_S520, number_2, _S523);
-        if(_S529 <= 0.0f)
+        float _S535 = visibility_at_0(_S526, number_2, _S529);
+        if(_S535 <= 0.0f)
         {
             number_2 = number_2 + 1U;
             continue;
         }
-        LightSample_0 _S530 = light_sample_0(_S520, number_2, _S523, _S522.position_0);
-        radiance_1 = radiance_1 + _S529 * _S530.irradiance_1 * evaluate_0(_S521, _S526, point_5, to_local_0(_S522, _S530.towards_0), _S527);
+        LightSample_0 _S536 = light_sample_0(_S526, number_2, _S529, _S528.position_0);
+        radiance_1 = radiance_1 + _S535 * _S536.irradiance_1 * evaluate_0(_S527, _S532, point_5, to_local_0(_S528, _S536.towards_0), _S533);
         number_2 = number_2 + 1U;
     }
-    return float4(radiance_1, 1.0f - straight_through_0(_S521, point_5, _S527));
+    return float4(radiance_1, 1.0f - straight_through_0(_S527, point_5, _S533));
 }
 
 [numthreads(8, 8, 1)]
 void shade_points(uint3 id_0 : SV_DispatchThreadID)
 {
-    uint _S531;
-    uint _S532 = frames_0[int(0)].width_0;
-    bool _S533;
+    uint _S537;
+    uint _S538 = frames_0[int(0)].width_0;
+    bool _S539;
     if((id_0.x) >= (frames_0[int(0)].width_0))
     {
-        _S533 = true;
+        _S539 = true;
     }
     else
     {
-        _S533 = (id_0.y) >= (frames_0[int(0)].height_0);
+        _S539 = (id_0.y) >= (frames_0[int(0)].height_0);
     }
-    if(_S533)
+    if(_S539)
     {
         return;
     }
-    uint2 _S534 = id_0.xy;
-    uint _S535 = id_0.y * _S532 + id_0.x;
-    uint _S536 = layers_0[_S535].face_0;
-    if((layers_0[_S535].face_0) == 0U)
+    uint2 _S540 = id_0.xy;
+    uint _S541 = id_0.y * _S538 + id_0.x;
+    uint _S542 = layers_0[_S541].face_0;
+    if((layers_0[_S541].face_0) == 0U)
     {
         return;
     }
-    uint _S537 = _S536 - 1U;
-    uint _S538 = face_fabrics_0.Load(_S537);
-    VisiblePoint_0 _S539 = visible_point_0(int(0), _S538, _S537, _S534);
-    float3 _S540 = filtered_albedo_0(_S538, _S539);
-    float4 _S541 = (float4)0.0f;
+    uint _S543 = _S542 - 1U;
+    uint _S544 = face_fabrics_0.Load(_S543);
+    VisiblePoint_0 _S545 = visible_point_0(int(0), _S544, _S543, _S540);
+    float3 _S546 = filtered_albedo_0(_S544, _S545);
+    float4 _S547 = (float4)0.0f;
     uint k_0 = 0U;
-    float4 sum_0 = _S541;
+    float4 sum_0 = _S547;
     for(;;)
     {
-        uint _S542 = frames_0[int(0)].samples_0;
-        _S531 = frames_0[int(0)].samples_0;
+        uint _S548 = frames_0[int(0)].samples_0;
+        _S537 = frames_0[int(0)].samples_0;
         if(k_0 < (frames_0[int(0)].samples_0))
         {
         }
@@ -2842,12 +2876,12 @@ void shade_points(uint3 id_0 : SV_DispatchThreadID)
         {
             break;
         }
-        float2 _S543 = pixel_sequence_0(_S534, frames_0[int(0)].pass_number_0 * _S542 + k_0, 1U) - 0.5f;
-        float4 sum_1 = sum_0 + light_of_point_0(int(0), _S538, _S539, _S534, _S540, _S539.draft_0 + _S543.x * _S539.draft_dx_0 + _S543.y * _S539.draft_dy_0);
+        float2 _S549 = pixel_sequence_0(_S540, frames_0[int(0)].pass_number_0 * _S548 + k_0, 1U) - 0.5f;
+        float4 sum_1 = sum_0 + light_of_point_0(int(0), _S544, _S545, _S540, _S546, _S545.draft_0 + _S549.x * _S545.draft_dx_0 + _S549.y * _S545.draft_dy_0);
         k_0 = k_0 + 1U;
         sum_0 = sum_1;
     }
-    accumulate_0(_S535, sum_0 / float(_S531));
+    accumulate_0(_S541, sum_0 / float(_S537));
     return;
 }
 

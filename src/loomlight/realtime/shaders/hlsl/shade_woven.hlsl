@@ -15,6 +15,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -38,7 +50,13 @@ struct Frame_0
 
 StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-Texture2D<uint > visible_faces_0 : register(t9);
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+RWStructuredBuffer<Layer_0 > layers_0 : register(u2);
 
 StructuredBuffer<uint > face_fabrics_0 : register(t7);
 
@@ -117,6 +135,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -136,6 +157,8 @@ struct Vertex_0
 };
 
 StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
+
+StructuredBuffer<uint > scene_words_0 : register(t9);
 
 StructuredBuffer<uint4 > packed_numbers_0 : register(t8);
 
@@ -177,6 +200,8 @@ struct Family_0
 };
 
 StructuredBuffer<Family_0 > families_0 : register(t1);
+
+RWStructuredBuffer<float > visibilities_0 : register(u3);
 
 struct Light_0
 {
@@ -1304,46 +1329,9 @@ float square_0(float3 v_1)
     return dot(v_1, v_1);
 }
 
-float3 camera_right_0(Frame_0 frame_0)
-{
-    return float3(frame_0.right_x_0, frame_0.right_y_0, frame_0.right_z_0);
-}
-
-float3 camera_up_0(Frame_0 frame_1)
-{
-    return float3(frame_1.up_x_0, frame_1.up_y_0, frame_1.up_z_0);
-}
-
-float3 camera_forward_0(Frame_0 frame_2)
-{
-    return float3(frame_2.forward_x_0, frame_2.forward_y_0, frame_2.forward_z_0);
-}
-
-float3 camera_origin_0(Frame_0 frame_3)
-{
-    return float3(frame_3.origin_x_0, frame_3.origin_y_0, frame_3.origin_z_0);
-}
-
 float3 normal_of_0(Vertex_0 vertex_1)
 {
     return float3(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
-}
-
-struct VisiblePoint_0
-{
-    float3 position_0;
-    float3 view_0;
-    float3 axis_x_0;
-    float3 axis_y_0;
-    float3 normal_0;
-    float2 draft_0;
-    float2 draft_dx_0;
-    float2 draft_dy_0;
-};
-
-float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
-{
-    return float3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
 float square_1(float x_4)
@@ -1351,71 +1339,11 @@ float square_1(float x_4)
     return x_4 * x_4;
 }
 
-struct Footprint_0
-{
-    float2 centre_0;
-    float2 dx_0;
-    float2 dy_0;
-};
-
-float3 row_of_taps_0(Footprint_0 footprint_0)
-{
-    float _S153 = footprint_0.dx_0.x;
-    float _S154 = footprint_0.dy_0.x;
-    float _S155 = _S153 * _S153 + _S154 * _S154;
-    float _S156 = footprint_0.dx_0.y;
-    float _S157 = footprint_0.dy_0.y;
-    float _S158 = _S156 * _S156 + _S157 * _S157;
-    float _S159 = _S153 * _S156 + _S154 * _S157;
-    float _S160 = 0.5f * (_S155 - _S158);
-    float _S161 = 0.5f * (_S155 + _S158);
-    float _S162 = sqrt(_S160 * _S160 + _S159 * _S159);
-    float _S163 = _S161 + _S162;
-    float _S164 = max(_S163 - 1.5f * max(_S161 - _S162, 0.0f), 0.0f);
-    float _S165 = square_1(4.0f);
-    float _S166 = max(_S161 - 0.5f * _S164, _S163 / _S165);
-    float _S167 = sqrt(max(min(_S164, _S163 - _S166), 0.0f) / (_S165 - 1.0f));
-    float _S168 = _S160 / max(_S162, 1.00000000317107685e-30f);
-    float _S169 = sqrt(max(0.5f * (1.0f - _S168), 0.0f));
-    float _S170 = sqrt(_S166);
-    float _S171 = _S167 * sqrt(max(0.5f * (1.0f + _S168), 0.0f));
-    float _S172;
-    if(_S159 < 0.0f)
-    {
-        _S172 = - _S167 * _S169;
-    }
-    else
-    {
-        _S172 = _S167 * _S169;
-    }
-    return float3(_S170, _S171, _S172);
-}
-
-struct AnisotropicTaps_0
-{
-    float2 centre_1;
-    float side_0;
-    float2 first_19;
-    float2 second_0;
-};
-
-float AnisotropicTaps_size_0(AnisotropicTaps_0 this_2)
-{
-    float _S173 = this_2.first_19.x;
-    float _S174 = this_2.second_0.x;
-    float _S175 = this_2.side_0;
-    float _S176 = _S175 * _S175;
-    float _S177 = this_2.first_19.y;
-    float _S178 = this_2.second_0.y;
-    float _S179 = 12.0f * (_S173 * _S177 + _S174 * _S178);
-    return sqrt(sqrt(max((12.0f * (_S173 * _S173 + _S174 * _S174) + _S176) * (12.0f * (_S177 * _S177 + _S178 * _S178) + _S176) - _S179 * _S179, square_1(_S176))));
-}
-
 float natural_logarithm_0(float x_5)
 {
-    uint _S180 = asuint(x_5);
-    float exponent_0 = float(int(_S180 >> int(23)) - int(126));
-    float m_0 = asfloat((_S180 & 8388607U) | 1056964608U);
+    uint _S153 = asuint(x_5);
+    float exponent_0 = float(int(_S153 >> int(23)) - int(126));
+    float m_0 = asfloat((_S153 & 8388607U) | 1056964608U);
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -1430,8 +1358,139 @@ float natural_logarithm_0(float x_5)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S181 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S181 - exponent_1 * 0.00021219444170129f - 0.5f * _S181) + exponent_1 * 0.693359375f;
+    float _S154 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S154 - exponent_1 * 0.00021219444170129f - 0.5f * _S154) + exponent_1 * 0.693359375f;
+}
+
+float binary_logarithm_0(float x_6)
+{
+    return natural_logarithm_0(x_6) * 1.4426950216293335f;
+}
+
+float exponential_0(float x_7)
+{
+    float _S155 = clamp(x_7, -87.0f, 88.0f);
+    float _S156 = floor(_S155 * 1.4426950216293335f + 0.5f);
+    float _S157 = _S155 - _S156 * 0.693359375f + _S156 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S157 + 0.00139819993637502f) * _S157 + 0.00833345204591751f) * _S157 + 0.04166579619050026f) * _S157 + 0.1666666567325592f) * _S157 + 0.5f;
+    float _S158 = asfloat(uint(int(_S156) + int(127)) << int(23));
+    float _S159;
+    if(x_7 < -87.0f)
+    {
+        _S159 = 0.0f;
+    }
+    else
+    {
+        _S159 = (p_0 * _S157 * _S157 + _S157 + 1.0f) * _S158;
+    }
+    return _S159;
+}
+
+float3 map_texel_0(uint index_0)
+{
+    uint _S160 = scene_words_0.Load(index_0);
+    float3 _S161 = float3(float(_S160 & 1023U), float((_S160 >> int(10)) & 1023U), float(_S160 >> int(20))) / 1023.0f;
+    return _S161 * _S161;
+}
+
+float3 map_level_0(uint first_19, uint side_0, float2 uv_0)
+{
+    float _S162 = uv_0.x;
+    float _S163 = float(side_0);
+    float _S164 = (_S162 - floor(_S162)) * _S163 - 0.5f;
+    float _S165 = uv_0.y;
+    float _S166 = (_S165 - floor(_S165)) * _S163 - 0.5f;
+    float _S167 = floor(_S164);
+    int _S168 = int(side_0);
+    uint _S169 = side_0 - 1U;
+    uint _S170 = uint(int(_S167) + _S168) & _S169;
+    float _S171 = floor(_S166);
+    uint _S172 = uint(int(_S171) + _S168) & _S169;
+    uint _S173 = (_S170 + 1U) & _S169;
+    uint _S174 = first_19 + _S172 * side_0;
+    float3 _S175 = (float3)(_S164 - _S167);
+    uint _S176 = first_19 + ((_S172 + 1U) & _S169) * side_0;
+    return lerp(lerp(map_texel_0(_S174 + _S170), map_texel_0(_S174 + _S173), _S175), lerp(map_texel_0(_S176 + _S170), map_texel_0(_S176 + _S173), _S175), (float3)(_S166 - _S171));
+}
+
+struct VisiblePoint_0
+{
+    float3 position_0;
+    float3 view_0;
+    float3 axis_x_0;
+    float3 axis_y_0;
+    float3 normal_0;
+    float3 face_normal_0;
+    float2 uv_1;
+    float2 draft_per_uv_0;
+    float2 draft_0;
+    float2 draft_dx_0;
+    float2 draft_dy_0;
+};
+
+float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
+{
+    return float3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+}
+
+struct Footprint_0
+{
+    float2 centre_0;
+    float2 dx_0;
+    float2 dy_0;
+};
+
+float3 row_of_taps_0(Footprint_0 footprint_0)
+{
+    float _S177 = footprint_0.dx_0.x;
+    float _S178 = footprint_0.dy_0.x;
+    float _S179 = _S177 * _S177 + _S178 * _S178;
+    float _S180 = footprint_0.dx_0.y;
+    float _S181 = footprint_0.dy_0.y;
+    float _S182 = _S180 * _S180 + _S181 * _S181;
+    float _S183 = _S177 * _S180 + _S178 * _S181;
+    float _S184 = 0.5f * (_S179 - _S182);
+    float _S185 = 0.5f * (_S179 + _S182);
+    float _S186 = sqrt(_S184 * _S184 + _S183 * _S183);
+    float _S187 = _S185 + _S186;
+    float _S188 = max(_S187 - 1.5f * max(_S185 - _S186, 0.0f), 0.0f);
+    float _S189 = square_1(4.0f);
+    float _S190 = max(_S185 - 0.5f * _S188, _S187 / _S189);
+    float _S191 = sqrt(max(min(_S188, _S187 - _S190), 0.0f) / (_S189 - 1.0f));
+    float _S192 = _S184 / max(_S186, 1.00000000317107685e-30f);
+    float _S193 = sqrt(max(0.5f * (1.0f - _S192), 0.0f));
+    float _S194 = sqrt(_S190);
+    float _S195 = _S191 * sqrt(max(0.5f * (1.0f + _S192), 0.0f));
+    float _S196;
+    if(_S183 < 0.0f)
+    {
+        _S196 = - _S191 * _S193;
+    }
+    else
+    {
+        _S196 = _S191 * _S193;
+    }
+    return float3(_S194, _S195, _S196);
+}
+
+struct AnisotropicTaps_0
+{
+    float2 centre_1;
+    float side_1;
+    float2 first_20;
+    float2 second_0;
+};
+
+float AnisotropicTaps_size_0(AnisotropicTaps_0 this_2)
+{
+    float _S197 = this_2.first_20.x;
+    float _S198 = this_2.second_0.x;
+    float _S199 = this_2.side_1;
+    float _S200 = _S199 * _S199;
+    float _S201 = this_2.first_20.y;
+    float _S202 = this_2.second_0.y;
+    float _S203 = 12.0f * (_S197 * _S201 + _S198 * _S202);
+    return sqrt(sqrt(max((12.0f * (_S197 * _S197 + _S198 * _S198) + _S200) * (12.0f * (_S201 * _S201 + _S202 * _S202) + _S200) - _S203 * _S203, square_1(_S200))));
 }
 
 float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
@@ -1441,92 +1500,87 @@ float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
 
 float3 to_face_frame_0(float3 direction_1, bool back_0)
 {
-    float2 _S182 = direction_1.xy;
-    float _S183;
+    float2 _S204 = direction_1.xy;
+    float _S205;
     if(back_0)
     {
-        _S183 = - direction_1.z;
+        _S205 = - direction_1.z;
     }
     else
     {
-        _S183 = direction_1.z;
+        _S205 = direction_1.z;
     }
-    return float3(_S182, _S183);
+    return float3(_S204, _S205);
 }
 
-float table_number_0(uint index_0)
+float table_number_0(uint index_1)
 {
-    return asfloat(words_0.Load(index_0));
+    return asfloat(words_0.Load(index_1));
 }
 
-float wrapped_0(float index_1, float count_1)
+float wrapped_0(float index_2, float count_1)
 {
-    float _S184;
-    if(index_1 < 0.0f)
+    float _S206;
+    if(index_2 < 0.0f)
     {
-        _S184 = index_1 + count_1;
+        _S206 = index_2 + count_1;
     }
     else
     {
-        if(index_1 >= count_1)
+        if(index_2 >= count_1)
         {
-            _S184 = index_1 - count_1;
+            _S206 = index_2 - count_1;
         }
         else
         {
-            _S184 = index_1;
+            _S206 = index_2;
         }
     }
-    return _S184;
-}
-
-float binary_logarithm_0(float x_6)
-{
-    return natural_logarithm_0(x_6) * 1.4426950216293335f;
+    return _S206;
 }
 
 bool AnisotropicTaps_has_steps_0(AnisotropicTaps_0 this_3)
 {
-    float2 _S185 = (float2)0.0f;
-    bool _S186;
-    if(any((this_3.first_19) != _S185))
+    float2 _S207 = (float2)0.0f;
+    bool _S208;
+    if(any((this_3.first_20) != _S207))
     {
-        _S186 = true;
+        _S208 = true;
     }
     else
     {
-        _S186 = any((this_3.second_0) != _S185);
+        _S208 = any((this_3.second_0) != _S207);
     }
-    return _S186;
+    return _S208;
 }
 
 float2 AnisotropicTaps_place_0(AnisotropicTaps_0 this_4, uint number_0)
 {
-    float _S187;
+    float _S209;
     if(number_0 >= 2U)
     {
-        _S187 = 1.0f;
+        _S209 = 1.0f;
     }
     else
     {
-        _S187 = -1.0f;
+        _S209 = -1.0f;
     }
-    float _S188;
+    float _S210;
     if((number_0 & 1U) != 0U)
     {
-        _S188 = 1.0f;
+        _S210 = 1.0f;
     }
     else
     {
-        _S188 = -1.0f;
+        _S210 = -1.0f;
     }
-    return this_4.centre_1 + _S187 * this_4.first_19 + _S188 * this_4.second_0;
+    return this_4.centre_1 + _S209 * this_4.first_20 + _S210 * this_4.second_0;
 }
 
 float bump_0(float distance_0)
 {
-    float _S189 = max(1.0f - distance_0 * distance_0, 0.0f);
-    return _S189 * _S189;
+    float _S211 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S211 * _S211;
 }
 
 float correction_weight_of_0(float coded_size_0)
@@ -1534,10 +1588,10 @@ float correction_weight_of_0(float coded_size_0)
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
-float2 turns_and_remainder_0(uint family_0, float index_2)
+float2 turns_and_remainder_0(uint family_0, float index_3)
 {
-    float _S190 = floor(mad(index_2, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
-    return float2(_S190, mad(- _S190, families_0.Load(family_0).count_0, index_2));
+    float _S212 = floor(mad(index_3, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
+    return float2(_S212, mad(- _S212, families_0.Load(family_0).count_0, index_3));
 }
 
 struct Cell_0
@@ -1551,14 +1605,14 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    float _S191 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
+    float _S213 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
     Cell_0 cell_0;
-    float _S192 = mad(- _S191, families_0.Load(family_1).size_0, position_1);
-    cell_0.below_0 = _S192;
-    cell_0.above_0 = families_0.Load(family_1).size_0 - _S192;
-    cell_0.across_0 = _S192 - 0.5f * families_0.Load(family_1).size_0;
+    float _S214 = mad(- _S213, families_0.Load(family_1).size_0, position_1);
+    cell_0.below_0 = _S214;
+    cell_0.above_0 = families_0.Load(family_1).size_0 - _S214;
+    cell_0.across_0 = _S214 - 0.5f * families_0.Load(family_1).size_0;
     cell_0.half_width_1 = families_0.Load(family_1).half_width_0;
-    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S191).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
+    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S213).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
     return cell_0;
 }
 
@@ -1566,25 +1620,25 @@ Cell_0 locate_varied_0(uint family_2, float position_2)
 {
     float turns_0 = (position_2 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S193 = turns_1 * families_0.Load(family_2).period_0;
+    float _S215 = turns_1 * families_0.Load(family_2).period_0;
     uint thread_1 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
-    uint _S194;
-    if(_S193 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
+    uint _S216;
+    if(_S215 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
     {
-        _S194 = 1U;
+        _S216 = 1U;
     }
     else
     {
-        _S194 = 0U;
+        _S216 = 0U;
     }
-    uint _S195 = min(thread_1 + _S194, uint(families_0.Load(family_2).count_0) - 1U);
-    uint _S196 = families_0.Load(family_2).place_table_0 + _S195 * 4U;
+    uint _S217 = min(thread_1 + _S216, uint(families_0.Load(family_2).count_0) - 1U);
+    uint _S218 = families_0.Load(family_2).place_table_0 + _S217 * 4U;
     Cell_0 cell_1;
-    cell_1.thread_0 = _S195;
-    cell_1.below_0 = _S193 - table_number_0(_S196);
-    cell_1.above_0 = table_number_0(_S196 + 1U) - _S193;
-    cell_1.across_0 = _S193 - table_number_0(_S196 + 2U);
-    cell_1.half_width_1 = table_number_0(_S196 + 3U);
+    cell_1.thread_0 = _S217;
+    cell_1.below_0 = _S215 - table_number_0(_S218);
+    cell_1.above_0 = table_number_0(_S218 + 1U) - _S215;
+    cell_1.across_0 = _S215 - table_number_0(_S218 + 2U);
+    cell_1.half_width_1 = table_number_0(_S218 + 3U);
     return cell_1;
 }
 
@@ -1609,16 +1663,16 @@ struct Bound_0
 
 Bound_0 bound_at_0(uint family_4, float position_4)
 {
-    Cell_0 _S197 = locate_0(family_4, position_4);
-    float _S198 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S197.thread_0 + 1U);
+    Cell_0 _S219 = locate_0(family_4, position_4);
+    float _S220 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S219.thread_0 + 1U);
     Bound_0 bound_0;
-    bound_0.thread_2 = _S197.thread_0;
-    bound_0.turns_2 = round((position_4 - families_0.Load(family_4).start_0 - _S198 - _S197.below_0) * families_0.Load(family_4).inverse_period_0);
-    bound_0.cell_2 = _S197.below_0;
-    float _S199 = 2.0f * _S197.half_width_1;
-    bound_0.width_1 = _S199;
-    bound_0.visible_0 = clamp((_S197.across_0 + _S197.half_width_1) / _S199, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S197.below_0, _S197.below_0 - _S197.across_0 - _S197.half_width_1) + max(_S197.across_0 - _S197.half_width_1, 0.0f);
+    bound_0.thread_2 = _S219.thread_0;
+    bound_0.turns_2 = round((position_4 - families_0.Load(family_4).start_0 - _S220 - _S219.below_0) * families_0.Load(family_4).inverse_period_0);
+    bound_0.cell_2 = _S219.below_0;
+    float _S221 = 2.0f * _S219.half_width_1;
+    bound_0.width_1 = _S221;
+    bound_0.visible_0 = clamp((_S219.across_0 + _S219.half_width_1) / _S221, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S219.below_0, _S219.below_0 - _S219.across_0 - _S219.half_width_1) + max(_S219.across_0 - _S219.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1630,17 +1684,17 @@ struct Stretch_0
 
 Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    float _S200 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
-    float _S201 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
+    float _S222 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
+    float _S223 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
     Stretch_0 stretch_0;
-    stretch_0.low_7 = bound_at_0(family_5, _S200 - _S201);
-    stretch_0.high_7 = bound_at_0(family_5, _S200 + _S201);
+    stretch_0.low_7 = bound_at_0(family_5, _S222 - _S223);
+    stretch_0.high_7 = bound_at_0(family_5, _S222 + _S223);
     return stretch_0;
 }
 
-float3 table_colour_0(uint index_3)
+float3 table_colour_0(uint index_4)
 {
-    return float3(table_number_0(index_3), table_number_0(index_3 + 1U), table_number_0(index_3 + 2U));
+    return float3(table_number_0(index_4), table_number_0(index_4 + 1U), table_number_0(index_4 + 2U));
 }
 
 struct Albedos_0
@@ -1668,26 +1722,26 @@ float Stretch_turns_0(Stretch_0 this_5)
 
 float3 lengths_0(uint family_6, Stretch_0 stretch_1)
 {
-    float _S202 = Stretch_turns_0(stretch_1);
-    uint _S203 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_7.thread_2;
-    uint _S204 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_7.thread_2;
-    float _S205 = table_number_0(_S204) - table_number_0(_S203);
-    float _S206 = table_number_0(_S204 + 1U) - table_number_0(_S203 + 1U);
-    return float3(_S205 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S202 * families_0.Load(family_6).visible_total_0, _S206 - _S205 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S202 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S206 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S202 * families_0.Load(family_6).period_0);
+    float _S224 = Stretch_turns_0(stretch_1);
+    uint _S225 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_7.thread_2;
+    uint _S226 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_7.thread_2;
+    float _S227 = table_number_0(_S226) - table_number_0(_S225);
+    float _S228 = table_number_0(_S226 + 1U) - table_number_0(_S225 + 1U);
+    return float3(_S227 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S224 * families_0.Load(family_6).visible_total_0, _S228 - _S227 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S224 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S228 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S224 * families_0.Load(family_6).period_0);
 }
 
 float2 integrals_along_0(uint family_7, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S207 = families_0.Load(family_7);
-    uint _S208 = 3U * _S207.quantities_0;
-    uint _S209 = families_0.Load(family_7).colour_threads_0 + _S208 * stretch_2.low_7.thread_2 + quantity_0;
-    uint _S210 = families_0.Load(family_7).colour_threads_0 + _S208 * stretch_2.high_7.thread_2 + quantity_0;
-    uint _S211 = families_0.Load(family_7).colour_threads_0 + _S208 * uint(families_0.Load(family_7).count_0) + quantity_0;
-    float _S212 = table_number_0(_S209);
-    float _S213 = table_number_0(_S210);
-    float _S214 = Stretch_turns_0(stretch_2);
-    uint _S215 = 2U * _S207.quantities_0;
-    return float2(table_number_0(_S210 + _S207.quantities_0) - table_number_0(_S209 + _S207.quantities_0) + _S213 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S212 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S214 * table_number_0(_S211 + _S207.quantities_0), table_number_0(_S210 + _S215) - table_number_0(_S209 + _S215) + _S213 * stretch_2.high_7.cell_2 - _S212 * stretch_2.low_7.cell_2 + _S214 * table_number_0(_S211 + _S215));
+    Family_0 _S229 = families_0.Load(family_7);
+    uint _S230 = 3U * _S229.quantities_0;
+    uint _S231 = families_0.Load(family_7).colour_threads_0 + _S230 * stretch_2.low_7.thread_2 + quantity_0;
+    uint _S232 = families_0.Load(family_7).colour_threads_0 + _S230 * stretch_2.high_7.thread_2 + quantity_0;
+    uint _S233 = families_0.Load(family_7).colour_threads_0 + _S230 * uint(families_0.Load(family_7).count_0) + quantity_0;
+    float _S234 = table_number_0(_S231);
+    float _S235 = table_number_0(_S232);
+    float _S236 = Stretch_turns_0(stretch_2);
+    uint _S237 = 2U * _S229.quantities_0;
+    return float2(table_number_0(_S232 + _S229.quantities_0) - table_number_0(_S231 + _S229.quantities_0) + _S235 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S234 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S236 * table_number_0(_S233 + _S229.quantities_0), table_number_0(_S232 + _S237) - table_number_0(_S231 + _S237) + _S235 * stretch_2.high_7.cell_2 - _S234 * stretch_2.low_7.cell_2 + _S236 * table_number_0(_S233 + _S237));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_6)
@@ -1697,76 +1751,76 @@ bool Stretch_wraps_0(Stretch_0 this_6)
 
 uint4 Stretch_differences_0(Stretch_0 this_7, uint4 entries_0, uint whole_0)
 {
-    uint _S216 = entries_0.z;
-    uint _S217 = entries_0.x;
-    uint _S218 = _S216 - _S217;
-    uint _S219;
+    uint _S238 = entries_0.z;
+    uint _S239 = entries_0.x;
+    uint _S240 = _S238 - _S239;
+    uint _S241;
     if(Stretch_wraps_0(this_7))
     {
-        _S219 = whole_0;
+        _S241 = whole_0;
     }
     else
     {
-        _S219 = 0U;
+        _S241 = 0U;
     }
-    return uint4(_S218 + _S219, entries_0.w - _S216, entries_0.y - _S217, whole_0);
+    return uint4(_S240 + _S241, entries_0.w - _S238, entries_0.y - _S239, whole_0);
 }
 
 uint4 row_differences_0(Stretch_0 across_1, uint row_7, uint count_2, uint quantities_1)
 {
-    uint _S220 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    uint _S221 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uint4(words_0.Load(_S220), words_0.Load(_S220 + quantities_1), words_0.Load(_S221), words_0.Load(_S221 + quantities_1)), words_0.Load(row_7 + count_2 * quantities_1));
+    uint _S242 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    uint _S243 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, uint4(words_0.Load(_S242), words_0.Load(_S242 + quantities_1), words_0.Load(_S243), words_0.Load(_S243 + quantities_1)), words_0.Load(row_7 + count_2 * quantities_1));
 }
 
 float4 Stretch_weights_0(Stretch_0 this_8)
 {
-    float _S222 = - this_8.low_7.visible_0;
-    float _S223 = Stretch_turns_0(this_8);
-    float _S224;
+    float _S244 = - this_8.low_7.visible_0;
+    float _S245 = Stretch_turns_0(this_8);
+    float _S246;
     if(Stretch_wraps_0(this_8))
     {
-        _S224 = 1.0f;
+        _S246 = 1.0f;
     }
     else
     {
-        _S224 = 0.0f;
+        _S246 = 0.0f;
     }
-    return float4(1.0f, this_8.high_7.visible_0, _S222, _S223 - _S224);
+    return float4(1.0f, this_8.high_7.visible_0, _S244, _S245 - _S246);
 }
 
 float integral_on_top_0(uint family_8, Stretch_0 across_2, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S225 = uint(families_0.Load(family_8).count_0);
-    uint _S226 = (_S225 + 1U) * families_0.Load(family_8).quantities_0;
-    uint _S227 = families_0.Load(family_8).colour_areas_0 + quantity_1;
-    uint4 _S228 = row_differences_0(across_2, _S227 + along_0.low_7.thread_2 * _S226, _S225, families_0.Load(family_8).quantities_0);
-    uint4 _S229 = row_differences_0(across_2, _S227 + (along_0.low_7.thread_2 + 1U) * _S226, _S225, families_0.Load(family_8).quantities_0);
-    uint4 _S230 = row_differences_0(across_2, _S227 + along_0.high_7.thread_2 * _S226, _S225, families_0.Load(family_8).quantities_0);
-    uint4 _S231 = row_differences_0(across_2, _S227 + (along_0.high_7.thread_2 + 1U) * _S226, _S225, families_0.Load(family_8).quantities_0);
-    uint4 _S232 = row_differences_0(across_2, _S227 + crossing_count_0 * _S226, _S225, families_0.Load(family_8).quantities_0);
-    uint4 _S233 = _S230 - _S228;
-    uint4 _S234;
+    uint _S247 = uint(families_0.Load(family_8).count_0);
+    uint _S248 = (_S247 + 1U) * families_0.Load(family_8).quantities_0;
+    uint _S249 = families_0.Load(family_8).colour_areas_0 + quantity_1;
+    uint4 _S250 = row_differences_0(across_2, _S249 + along_0.low_7.thread_2 * _S248, _S247, families_0.Load(family_8).quantities_0);
+    uint4 _S251 = row_differences_0(across_2, _S249 + (along_0.low_7.thread_2 + 1U) * _S248, _S247, families_0.Load(family_8).quantities_0);
+    uint4 _S252 = row_differences_0(across_2, _S249 + along_0.high_7.thread_2 * _S248, _S247, families_0.Load(family_8).quantities_0);
+    uint4 _S253 = row_differences_0(across_2, _S249 + (along_0.high_7.thread_2 + 1U) * _S248, _S247, families_0.Load(family_8).quantities_0);
+    uint4 _S254 = row_differences_0(across_2, _S249 + crossing_count_0 * _S248, _S247, families_0.Load(family_8).quantities_0);
+    uint4 _S255 = _S252 - _S250;
+    uint4 _S256;
     if(Stretch_wraps_0(along_0))
     {
-        _S234 = _S232;
+        _S256 = _S254;
     }
     else
     {
-        _S234 = uint4((int4)int(0));
+        _S256 = uint4((int4)int(0));
     }
-    float4 _S235 = Stretch_weights_0(across_2);
-    return dot(float4(dot(float4(int4(_S233 + _S234)), _S235), dot(float4(int4(_S231 - _S230)), _S235), dot(float4(int4(_S229 - _S228)), _S235), dot(float4(int4(_S232)), _S235)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
+    float4 _S257 = Stretch_weights_0(across_2);
+    return dot(float4(dot(float4(int4(_S255 + _S256)), _S257), dot(float4(int4(_S253 - _S252)), _S257), dot(float4(int4(_S251 - _S250)), _S257), dot(float4(int4(_S254)), _S257)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_8)
 {
-    Albedos_0 _S236 = table_albedos_0(row_8);
+    Albedos_0 _S258 = table_albedos_0(row_8);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S236.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S236.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S236.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S236.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S258.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S258.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S258.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S258.specular_transmit_0;
     return sum_0;
 }
 
@@ -1777,7 +1831,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
     {
         return albedos_2;
     }
-    float3 _S237 = lengths_0(crossing_0, other_0);
+    float3 _S259 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
@@ -1790,42 +1844,42 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         {
             break;
         }
-        float2 _S238 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S239 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
-        float _S240 = _S238.x;
-        float _S241 = _S240 * _S237.x;
-        float _S242;
+        float2 _S260 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S261 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
+        float _S262 = _S260.x;
+        float _S263 = _S262 * _S259.x;
+        float _S264;
         if(back_1)
         {
-            _S242 = _S241 - _S239;
+            _S264 = _S263 - _S261;
         }
         else
         {
-            _S242 = _S239;
+            _S264 = _S261;
         }
-        bool _S243 = quantity_2 == 0U;
-        if(_S243)
+        bool _S265 = quantity_2 == 0U;
+        if(_S265)
         {
-            is_exposed_0 = _S242 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S241 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S241);
+            is_exposed_0 = _S264 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S263 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S263);
         }
-        float _S244 = _S240 * _S237.y;
-        float _S245;
+        float _S266 = _S262 * _S259.y;
+        float _S267;
         if(is_exposed_0)
         {
-            _S245 = _S242;
+            _S267 = _S264;
         }
         else
         {
-            _S245 = 0.0f;
+            _S267 = 0.0f;
         }
-        float _S246 = _S244 + _S245 + 0.000244140625f * _S237.z * _S238.y;
-        if(_S243)
+        float _S268 = _S266 + _S267 + 0.000244140625f * _S259.z * _S260.y;
+        if(_S265)
         {
-            weight_1 = 1.0f / max(_S246, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S268, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S246 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S268 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -1836,36 +1890,117 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
     return albedos_2;
 }
 
-float3 towards_light_0(Light_0 light_0, float3 position_5, out float3 irradiance_1)
+Albedos_0 tinted_0(Albedos_0 albedos_3, float3 tint_0)
 {
-    irradiance_1 = float3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    float3 _S247 = float3(light_0.x_1, light_0.y_1, light_0.z_1);
-    if((light_0.is_point_0) == 0U)
-    {
-        return _S247;
-    }
-    float3 _S248 = _S247 - position_5;
-    irradiance_1 = irradiance_1 / max(square_0(_S248), 9.999999960041972e-13f);
-    return normalize(_S248);
+    Albedos_0 result_0 = albedos_3;
+    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
+    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    return result_0;
 }
 
-float exponential_0(float x_7)
+uint scramble_0(uint value_0)
 {
-    float _S249 = clamp(x_7, -87.0f, 88.0f);
-    float _S250 = floor(_S249 * 1.4426950216293335f + 0.5f);
-    float _S251 = _S249 - _S250 * 0.693359375f + _S250 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S251 + 0.00139819993637502f) * _S251 + 0.00833345204591751f) * _S251 + 0.04166579619050026f) * _S251 + 0.1666666567325592f) * _S251 + 0.5f;
-    float _S252 = asfloat(uint(int(_S250) + int(127)) << int(23));
-    float _S253;
-    if(x_7 < -87.0f)
+    uint _S269 = value_0 * 747796405U + 2891336453U;
+    uint _S270 = ((_S269 >> ((_S269 >> int(28)) + 4U)) ^ _S269) * 277803737U;
+    return (_S270 >> int(22)) ^ _S270;
+}
+
+float uniform_hash_0(uint thread_3, uint cell_3, uint stream_0)
+{
+    return (float((scramble_0(cell_3 + scramble_0(thread_3 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+float2 pixel_sequence_0(uint2 pixel_0, uint index_5, uint stream_1)
+{
+    uint _S271 = pixel_0.x;
+    uint _S272 = pixel_0.y;
+    return frac(float2(uniform_hash_0(_S271, _S272, stream_1), uniform_hash_0(_S271, _S272, stream_1 + 1U)) + float(index_5 & 65535U) * float2(0.75487768650054932f, 0.56984031200408936f));
+}
+
+float scene_number_0(uint index_6)
+{
+    return asfloat(scene_words_0.Load(index_6));
+}
+
+struct Choice_0
+{
+    uint index_7;
+    float remainder_0;
+};
+
+Choice_0 choose_0(uint table_0, uint count_3, float number_1)
+{
+    uint high_8 = count_3;
+    uint low_8 = 0U;
+    for(;;)
     {
-        _S253 = 0.0f;
+        if((high_8 - low_8) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S273 = (low_8 + high_8) / 2U;
+        if((scene_number_0(table_0 + _S273)) <= number_1)
+        {
+            low_8 = _S273;
+        }
+        else
+        {
+            high_8 = _S273;
+        }
+    }
+    uint _S274 = table_0 + low_8;
+    float _S275 = scene_number_0(_S274);
+    float _S276 = scene_number_0(_S274 + 1U);
+    Choice_0 choice_0;
+    choice_0.index_7 = low_8;
+    choice_0.remainder_0 = saturate((number_1 - _S275) / max(_S276 - _S275, 9.999999960041972e-13f));
+    return choice_0;
+}
+
+float mean_0(float3 colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+float2 sine_cosine_0(float x_8)
+{
+    float _S277 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    float _S278 = x_8 - _S277 * 1.5703125f - _S277 * 0.00048375129699707f - _S277 * 7.54979012640433211e-08f;
+    float _S279 = _S278 * _S278;
+    float _S280 = ((-0.00019515295571182f * _S279 + 0.00833216123282909f) * _S279 - 0.16666655242443085f) * _S279 * _S278 + _S278;
+    float _S281 = ((0.00002443315679557f * _S279 - 0.00138873164542019f) * _S279 + 0.04166664555668831f) * _S279 * _S279 - 0.5f * _S279 + 1.0f;
+    uint _S282 = uint(int(_S277)) & 3U;
+    float2 _S283;
+    if((_S282 & 1U) != 0U)
+    {
+        _S283 = float2(_S281, _S280);
     }
     else
     {
-        _S253 = (p_0 * _S251 * _S251 + _S251 + 1.0f) * _S252;
+        _S283 = float2(_S280, _S281);
     }
-    return _S253;
+    float _S284;
+    if((_S282 & 2U) != 0U)
+    {
+        _S284 = - _S283.x;
+    }
+    else
+    {
+        _S284 = _S283.x;
+    }
+    float _S285;
+    if(((_S282 + 1U) & 2U) != 0U)
+    {
+        _S285 = - _S283.y;
+    }
+    else
+    {
+        _S285 = _S283.y;
+    }
+    return float2(_S284, _S285);
 }
 
 float unmapped_0(float output_9, float scale_0)
@@ -1875,195 +2010,253 @@ float unmapped_0(float output_9, float scale_0)
 
 uint mirrored_bundle_0(uint bundle_0)
 {
-    uint _S254 = bundle_0 / 3U;
-    uint _S255 = bundle_0 % 3U;
-    uint _S256;
+    uint _S286 = bundle_0 / 3U;
+    uint _S287 = bundle_0 % 3U;
+    uint _S288;
     if(bundle_0 == 24U)
     {
-        _S256 = bundle_0;
+        _S288 = bundle_0;
     }
     else
     {
-        _S256 = _S254 * 3U + 3U - 1U - _S255;
+        _S288 = _S286 * 3U + 3U - 1U - _S287;
     }
-    return _S256;
+    return _S288;
 }
 
-float light_visibility_of_0(float diffuse_0, float3 light_1, float3 view_1, float blend_0)
+float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_1, float blend_0)
 {
-    float _S257 = max(abs(light_1.z), 0.00100000004749745f);
-    float2 _S258 = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S257, (0.59700000286102295f * _S257 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S258, view_1.xy) * rsqrt(max(dot(_S258, _S258), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    float _S289 = max(abs(light_0.z), 0.00100000004749745f);
+    float2 _S290 = light_0.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S289, (0.59700000286102295f * _S289 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S290, view_1.xy) * rsqrt(max(dot(_S290, _S290), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
-float sheen_scale_0(float x_8, float y_2)
+float sheen_scale_0(float x_9, float y_2)
 {
-    return (((((0.0f * x_8 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_8 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_8 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_8 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_8 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_8 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
 }
 
-float sheen_shear_0(float x_9, float y_3)
+float sheen_shear_0(float x_10, float y_3)
 {
-    return ((((0.0f * x_9 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_9 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_9 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_9 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_9 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
 }
 
-float sheen_reflectance_0(float x_10, float y_4)
+float sheen_reflectance_0(float x_11, float y_4)
 {
-    return ((((0.0f * x_10 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_10 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_10 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_10 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_10 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
 }
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S259 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S260 = 2.0f * sqrt(_S259) - 1.0f;
-    float _S261 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S260, _S261), 0.00999999977648258f, 1.0f), clamp((1.0f - _S259) * sheen_shear_0(_S260, _S261), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S260, _S261), -60.0f, 60.0f))));
+    float _S291 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S292 = 2.0f * sqrt(_S291) - 1.0f;
+    float _S293 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S292, _S293), 0.00999999977648258f, 1.0f), clamp((1.0f - _S291) * sheen_shear_0(_S292, _S293), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S292, _S293), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_2, float3 view_2, float scale_1, float shear_0)
+float transformed_cosine_0(float3 light_1, float3 view_2, float scale_1, float shear_0)
 {
-    float _S262 = light_2.z;
-    bool _S263;
-    if(_S262 <= 0.0f)
+    float _S294 = light_1.z;
+    bool _S295;
+    if(_S294 <= 0.0f)
     {
-        _S263 = true;
+        _S295 = true;
     }
     else
     {
-        _S263 = (view_2.z) <= 0.0f;
+        _S295 = (view_2.z) <= 0.0f;
     }
-    if(_S263)
+    if(_S295)
     {
         return 0.0f;
     }
-    float2 _S264 = view_2.xy;
-    float _S265 = dot(_S264, _S264);
-    float2 _S266;
-    if(_S265 > 9.99999968265522539e-21f)
+    float2 _S296 = view_2.xy;
+    float _S297 = dot(_S296, _S296);
+    float2 _S298;
+    if(_S297 > 9.99999968265522539e-21f)
     {
-        _S266 = _S264 * rsqrt(_S265);
+        _S298 = _S296 * rsqrt(_S297);
     }
     else
     {
-        _S266 = float2(1.0f, 0.0f);
+        _S298 = float2(1.0f, 0.0f);
     }
-    float _S267 = scale_1 * dot(light_2.xy, _S266) + shear_0 * _S262;
-    float _S268 = scale_1 * (light_2.y * _S266.x - light_2.x * _S266.y);
-    float _S269 = _S267 * _S267 + _S268 * _S268 + _S262 * _S262;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S262 / max(_S269 * _S269, 9.99999968265522539e-21f);
+    float _S299 = scale_1 * dot(light_1.xy, _S298) + shear_0 * _S294;
+    float _S300 = scale_1 * (light_1.y * _S298.x - light_1.x * _S298.y);
+    float _S301 = _S299 * _S299 + _S300 * _S300 + _S294 * _S294;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S294 / max(_S301 * _S301, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_3, float3 view_3, float strength_0, float roughness_2)
+float2 sheen_with_transmittance_0(float3 light_2, float3 view_3, float strength_0, float roughness_2)
 {
-    float3 _S270 = sheen_lobe_0(view_3.z, roughness_2);
-    float _S271 = strength_0 * _S270.z;
-    return float2(_S271 * transformed_cosine_0(light_3, view_3, _S270.x, _S270.y), 1.0f - _S271);
+    float3 _S302 = sheen_lobe_0(view_3.z, roughness_2);
+    float _S303 = strength_0 * _S302.z;
+    return float2(_S303 * transformed_cosine_0(light_2, view_3, _S302.x, _S302.y), 1.0f - _S303);
 }
 
-void accumulate_0(Frame_0 frame_4, uint2 pixel_0, float4 light_4)
+void accumulate_0(uint index_8, float4 light_3)
 {
-    uint _S272 = pixel_0.y * frame_4.width_0 + pixel_0.x;
-    float _S273 = light_4.w;
-    float4 _S274 = float4(light_4.xyz + (1.0f - _S273) * float3(frame_4.background_red_0, frame_4.background_green_0, frame_4.background_blue_0), _S273);
-    float4 _S275;
-    if((frame_4.pass_number_0) == 0U)
-    {
-        _S275 = _S274;
-    }
-    else
-    {
-        _S275 = radiance_0[_S272] + _S274;
-    }
-    radiance_0[_S272] = _S275;
+    float _S304 = layers_0[index_8].share_0;
+    radiance_0[index_8] = radiance_0[index_8] + layers_0[index_8].share_0 * light_3;
+    layers_0[index_8].share_0 = _S304 * (1.0f - light_3.w);
     return;
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S276, uint _S277, uint _S278, uint2 _S279)
+float3 camera_right_0(int _S305)
 {
-    uint _S280 = 3U * _S278;
-    Vertex_0 _S281 = vertices_0.Load(corners_0.Load(_S280));
-    Vertex_0 _S282 = vertices_0.Load(corners_0.Load(_S280 + 1U));
-    Vertex_0 _S283 = vertices_0.Load(corners_0.Load(_S280 + 2U));
-    float3 _S284 = position_of_0(_S281);
-    float3 _S285 = position_of_0(_S282) - _S284;
-    float3 _S286 = position_of_0(_S283) - _S284;
-    float3 _S287 = cross(_S285, _S286);
-    float _S288 = 1.0f / max(square_0(_S287), 1.00000000317107685e-30f);
-    float _S289 = float(_S276.width_0);
-    float3 _S290 = camera_right_0(_S276) * (2.0f / _S289);
-    float _S291 = float(_S276.height_0);
-    float3 _S292 = camera_up_0(_S276) * (-2.0f / _S291);
-    float3 _S293 = camera_forward_0(_S276) + (float(_S279.x) + 0.5f - 0.5f * _S289) * _S290 + (float(_S279.y) + 0.5f - 0.5f * _S291) * _S292;
-    float _S294 = dot(_S293, _S287);
-    float _S295;
-    if((abs(_S294)) > 1.00000000317107685e-30f)
+    return float3(frames_0[_S305].right_x_0, frames_0[_S305].right_y_0, frames_0[_S305].right_z_0);
+}
+
+float3 camera_up_0(int _S306)
+{
+    return float3(frames_0[_S306].up_x_0, frames_0[_S306].up_y_0, frames_0[_S306].up_z_0);
+}
+
+float3 camera_forward_0(int _S307)
+{
+    return float3(frames_0[_S307].forward_x_0, frames_0[_S307].forward_y_0, frames_0[_S307].forward_z_0);
+}
+
+float3 camera_origin_0(int _S308)
+{
+    return float3(frames_0[_S308].origin_x_0, frames_0[_S308].origin_y_0, frames_0[_S308].origin_z_0);
+}
+
+VisiblePoint_0 face_point_0(uint _S309, uint _S310, float _S311, float _S312)
+{
+    uint _S313 = 3U * _S310;
+    Vertex_0 _S314 = vertices_0.Load(corners_0.Load(_S313));
+    Vertex_0 _S315 = vertices_0.Load(corners_0.Load(_S313 + 1U));
+    Vertex_0 _S316 = vertices_0.Load(corners_0.Load(_S313 + 2U));
+    float3 _S317 = position_of_0(_S314);
+    float3 _S318 = position_of_0(_S315) - _S317;
+    float3 _S319 = position_of_0(_S316) - _S317;
+    float _S320 = _S315.u_0 - _S314.u_0;
+    float _S321 = _S315.v_0 - _S314.v_0;
+    float2 _S322 = float2(_S320, _S321);
+    float _S323 = _S316.u_0 - _S314.u_0;
+    float _S324 = _S316.v_0 - _S314.v_0;
+    float2 _S325 = float2(_S323, _S324);
+    float _S326;
+    if((_S320 * _S324 - _S321 * _S323) < 0.0f)
     {
-        _S295 = _S294;
+        _S326 = -1.0f;
     }
     else
     {
-        _S295 = 1.00000000317107685e-30f;
+        _S326 = 1.0f;
     }
-    float _S296 = 1.0f / _S295;
-    float3 _S297 = _S284 - camera_origin_0(_S276);
-    float _S298 = dot(_S297, _S287) * _S296;
-    float3 _S299 = _S293 * _S298 - _S297;
-    float3 _S300 = _S298 * (_S290 - _S293 * (dot(_S290, _S287) * _S296));
-    float3 _S301 = _S298 * (_S292 - _S293 * (dot(_S292, _S287) * _S296));
-    float3 _S302 = cross(_S286, _S287) * _S288;
-    float3 _S303 = cross(_S287, _S285) * _S288;
-    float _S304 = dot(_S299, _S302);
-    float _S305 = dot(_S299, _S303);
-    float _S306 = _S282.u_0 - _S281.u_0;
-    float _S307 = _S282.v_0 - _S281.v_0;
-    float2 _S308 = float2(_S306, _S307);
-    float _S309 = _S283.u_0 - _S281.u_0;
-    float _S310 = _S283.v_0 - _S281.v_0;
-    float2 _S311 = float2(_S309, _S310);
-    float2 _S312 = float2(_S281.u_0, _S281.v_0) + _S304 * _S308 + _S305 * _S311;
-    float2 _S313 = dot(_S300, _S302) * _S308 + dot(_S300, _S303) * _S311;
-    float2 _S314 = dot(_S301, _S302) * _S308 + dot(_S301, _S303) * _S311;
-    if((_S306 * _S310 - _S307 * _S309) < 0.0f)
-    {
-        _S295 = -1.0f;
-    }
-    else
-    {
-        _S295 = 1.0f;
-    }
-    float3 _S315 = _S295 * (_S310 * _S285 - _S307 * _S286);
-    float3 _S316 = _S295 * (_S306 * _S286 - _S309 * _S285);
+    float3 _S327 = _S326 * (_S324 * _S318 - _S321 * _S319);
+    float3 _S328 = _S326 * (_S320 * _S319 - _S323 * _S318);
     VisiblePoint_0 point_1;
-    float3 _S317 = normalize((1.0f - _S304 - _S305) * normal_of_0(_S281) + _S304 * normal_of_0(_S282) + _S305 * normal_of_0(_S283));
-    point_1.normal_0 = _S317;
-    float3 _S318 = normalize(_S315 - _S317 * dot(_S317, _S315));
-    point_1.axis_x_0 = _S318;
-    point_1.axis_y_0 = cross(_S317, _S318);
-    point_1.position_0 = _S284 + _S299;
-    point_1.view_0 = - normalize(_S293);
-    bool _S319 = (dot(cross(_S315, _S316), _S317)) < 0.0f;
-    float _S320 = fabrics_0[_S277].uv_width_0;
-    if(_S319)
+    float3 _S329 = normalize((1.0f - _S311 - _S312) * normal_of_0(_S314) + _S311 * normal_of_0(_S315) + _S312 * normal_of_0(_S316));
+    point_1.normal_0 = _S329;
+    float3 _S330 = normalize(_S327 - _S329 * dot(_S329, _S327));
+    point_1.axis_x_0 = _S330;
+    point_1.axis_y_0 = cross(_S329, _S330);
+    float3 _S331 = normalize(cross(_S318, _S319));
+    float3 _S332;
+    if((dot(_S331, _S329)) < 0.0f)
     {
-        _S295 = - fabrics_0[_S277].uv_height_0;
+        _S332 = - _S331;
     }
     else
     {
-        _S295 = fabrics_0[_S277].uv_height_0;
+        _S332 = _S331;
     }
-    float2 _S321 = float2(_S320, _S295);
-    float2 _S322 = _S312 * _S321;
-    if(_S319)
+    point_1.face_normal_0 = _S332;
+    point_1.position_0 = _S317 + _S311 * _S318 + _S312 * _S319;
+    point_1.view_0 = point_1.normal_0;
+    point_1.uv_1 = float2(_S314.u_0, _S314.v_0) + _S311 * _S322 + _S312 * _S325;
+    bool _S333 = (dot(cross(_S327, _S328), point_1.normal_0)) < 0.0f;
+    float _S334 = fabrics_0[_S309].uv_width_0;
+    if(_S333)
     {
-        _S295 = fabrics_0[_S277].uv_height_0;
+        _S326 = - fabrics_0[_S309].uv_height_0;
     }
     else
     {
-        _S295 = 0.0f;
+        _S326 = fabrics_0[_S309].uv_height_0;
     }
-    point_1.draft_0 = _S322 + float2(0.0f, _S295);
-    point_1.draft_dx_0 = _S313 * _S321;
-    point_1.draft_dy_0 = _S314 * _S321;
+    float2 _S335 = float2(_S334, _S326);
+    point_1.draft_per_uv_0 = _S335;
+    float2 _S336 = point_1.uv_1 * _S335;
+    if(_S333)
+    {
+        _S326 = fabrics_0[_S309].uv_height_0;
+    }
+    else
+    {
+        _S326 = 0.0f;
+    }
+    point_1.draft_0 = _S336 + float2(0.0f, _S326);
+    float2 _S337 = (float2)0.0f;
+    point_1.draft_dx_0 = _S337;
+    point_1.draft_dy_0 = _S337;
     return point_1;
+}
+
+VisiblePoint_0 visible_point_0(int _S338, uint _S339, uint _S340, uint2 _S341)
+{
+    uint _S342 = 3U * _S340;
+    Vertex_0 _S343 = vertices_0.Load(corners_0.Load(_S342));
+    Vertex_0 _S344 = vertices_0.Load(corners_0.Load(_S342 + 1U));
+    Vertex_0 _S345 = vertices_0.Load(corners_0.Load(_S342 + 2U));
+    float3 _S346 = position_of_0(_S343);
+    float3 _S347 = position_of_0(_S344) - _S346;
+    float3 _S348 = position_of_0(_S345) - _S346;
+    float3 _S349 = cross(_S347, _S348);
+    float _S350 = 1.0f / max(square_0(_S349), 1.00000000317107685e-30f);
+    float _S351 = float(frames_0[_S338].width_0);
+    float3 _S352 = camera_right_0(_S338) * (2.0f / _S351);
+    float _S353 = float(frames_0[_S338].height_0);
+    float3 _S354 = camera_up_0(_S338) * (-2.0f / _S353);
+    float3 _S355 = camera_forward_0(_S338) + (float(_S341.x) + 0.5f - 0.5f * _S351) * _S352 + (float(_S341.y) + 0.5f - 0.5f * _S353) * _S354;
+    float _S356 = dot(_S355, _S349);
+    float _S357;
+    if((abs(_S356)) > 1.00000000317107685e-30f)
+    {
+        _S357 = _S356;
+    }
+    else
+    {
+        _S357 = 1.00000000317107685e-30f;
+    }
+    float _S358 = 1.0f / _S357;
+    float3 _S359 = _S346 - camera_origin_0(_S338);
+    float _S360 = dot(_S359, _S349) * _S358;
+    float3 _S361 = _S355 * _S360 - _S359;
+    float3 _S362 = _S360 * (_S352 - _S355 * (dot(_S352, _S349) * _S358));
+    float3 _S363 = _S360 * (_S354 - _S355 * (dot(_S354, _S349) * _S358));
+    float3 _S364 = cross(_S348, _S349) * _S350;
+    float3 _S365 = cross(_S349, _S347) * _S350;
+    float2 _S366 = float2(_S344.u_0 - _S343.u_0, _S344.v_0 - _S343.v_0);
+    float2 _S367 = float2(_S345.u_0 - _S343.u_0, _S345.v_0 - _S343.v_0);
+    VisiblePoint_0 point_2 = face_point_0(_S339, _S340, dot(_S361, _S364), dot(_S361, _S365));
+    point_2.position_0 = _S346 + _S361;
+    point_2.view_0 = - normalize(_S355);
+    point_2.draft_dx_0 = (dot(_S362, _S364) * _S366 + dot(_S362, _S365) * _S367) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (dot(_S363, _S364) * _S366 + dot(_S363, _S365) * _S367) * point_2.draft_per_uv_0;
+    return point_2;
+}
+
+float3 filtered_albedo_0(uint _S368, VisiblePoint_0 _S369)
+{
+    uint _S370 = fabrics_0[_S368].albedo_map_levels_0;
+    if((fabrics_0[_S368].albedo_map_levels_0) == 0U)
+    {
+        return (float3)1.0f;
+    }
+    float2 _S371 = float2(fabrics_0[_S368].uv_width_0, fabrics_0[_S368].uv_height_0);
+    float2 _S372 = _S369.draft_dx_0 / _S371;
+    float2 _S373 = _S369.draft_dy_0 / _S371;
+    uint _S374 = _S370 - 1U;
+    uint _S375 = 1U << _S374;
+    float _S376 = clamp(0.5f * binary_logarithm_0(max(abs(_S372.x * _S373.y - _S372.y * _S373.x), 9.99999968265522539e-21f) * (square_1(float(_S375)) / 3.0f)), 0.0f, float(_S370) - 1.0f);
+    uint _S377 = min(uint(_S376), max(_S370, 2U) - 2U);
+    uint _S378 = min(_S377 + 1U, _S374);
+    uint _S379 = 1U << (2U * _S370);
+    return lerp(map_level_0(fabrics_0[_S368].albedo_map_0 + (_S379 - (_S379 >> (2U * _S377))) / 3U, _S375 >> _S377, _S369.uv_1), map_level_0(fabrics_0[_S368].albedo_map_0 + (_S379 - (_S379 >> (2U * _S378))) / 3U, _S375 >> _S378, _S369.uv_1), (float3)((exponential_0(1.38629436492919922f * (_S376 - float(_S377))) - 1.0f) / 3.0f));
 }
 
 struct WovenView_0
@@ -2075,62 +2268,62 @@ struct WovenView_0
     bool back_2;
 };
 
-AnisotropicTaps_0 anisotropic_taps_0(uint _S323, Footprint_0 _S324)
+AnisotropicTaps_0 anisotropic_taps_0(uint _S380, Footprint_0 _S381)
 {
-    float3 _S325 = row_of_taps_0(_S324);
-    float2 _S326 = _S324.dx_0;
-    float2 _S327 = _S324.dy_0;
-    float _S328 = dot(_S326, _S326) + dot(_S327, _S327);
-    float _S329 = _S324.dx_0.x * _S324.dy_0.y - _S324.dx_0.y * _S324.dy_0.x;
-    float _S330 = 0.5f * (_S328 + sqrt(max(_S328 * _S328 - 4.0f * _S329 * _S329, 0.0f)));
-    Woven_0 _S331 = fabrics_0[_S323].woven_0;
-    bool _S332;
-    if(_S330 < (5.5f * (_S328 - _S330)))
+    float3 _S382 = row_of_taps_0(_S381);
+    float2 _S383 = _S381.dx_0;
+    float2 _S384 = _S381.dy_0;
+    float _S385 = dot(_S383, _S383) + dot(_S384, _S384);
+    float _S386 = _S381.dx_0.x * _S381.dy_0.y - _S381.dx_0.y * _S381.dy_0.x;
+    float _S387 = 0.5f * (_S385 + sqrt(max(_S385 * _S385 - 4.0f * _S386 * _S386, 0.0f)));
+    Woven_0 _S388 = fabrics_0[_S380].woven_0;
+    bool _S389;
+    if(_S387 < (5.5f * (_S385 - _S387)))
     {
-        _S332 = _S328 > (8.0f * _S331.pitch_0 * _S331.pitch_0);
+        _S389 = _S385 > (8.0f * _S388.pitch_0 * _S388.pitch_0);
     }
     else
     {
-        _S332 = false;
+        _S389 = false;
     }
-    float2 _S333 = float2(_S331.ends_per_mm_0, _S331.picks_per_mm_0);
+    float2 _S390 = float2(_S388.ends_per_mm_0, _S388.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    taps_1.centre_1 = _S324.centre_0 * _S333;
-    float _S334;
-    if(_S332)
+    taps_1.centre_1 = _S381.centre_0 * _S390;
+    float _S391;
+    if(_S389)
     {
-        _S334 = sqrt(0.125f * _S328);
+        _S391 = sqrt(0.125f * _S385);
     }
     else
     {
-        _S334 = _S325.x;
+        _S391 = _S382.x;
     }
-    taps_1.side_0 = _S334 / _S331.pitch_0;
-    float2 _S335;
-    if(_S332)
+    taps_1.side_1 = _S391 / _S388.pitch_0;
+    float2 _S392;
+    if(_S389)
     {
-        _S335 = 0.25f * _S324.dx_0;
+        _S392 = 0.25f * _S381.dx_0;
     }
     else
     {
-        _S335 = _S325.yz;
+        _S392 = _S382.yz;
     }
-    taps_1.first_19 = _S335 * _S333;
-    if(_S332)
+    taps_1.first_20 = _S392 * _S390;
+    if(_S389)
     {
-        _S335 = 0.25f * _S324.dy_0;
+        _S392 = 0.25f * _S381.dy_0;
     }
     else
     {
-        _S335 = 0.5f * _S325.yz;
+        _S392 = 0.5f * _S382.yz;
     }
-    taps_1.second_0 = _S335 * _S333;
+    taps_1.second_0 = _S392 * _S390;
     return taps_1;
 }
 
-void add_texel_0(uint _S336, uint _S337, float _S338, inout float  _S339[int(88)])
+void add_texel_0(uint _S393, uint _S394, float _S395, inout float  _S396[int(88)])
 {
-    uint _S340 = fabrics_0[_S336].woven_0.latents_0 + _S337 * 8U;
+    uint _S397 = fabrics_0[_S393].woven_0.latents_0 + _S394 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -2141,53 +2334,53 @@ void add_texel_0(uint _S336, uint _S337, float _S338, inout float  _S339[int(88)
         {
             break;
         }
-        Eight_0 _S341 = eight_halves_0(packed_numbers_0.Load(_S340 + part_0));
-        int _S342 = int(8U * part_0);
-        _S339[_S342] = _S339[_S342] + _S338 * _S341.low_0[int(0)];
-        _S339[_S342 + int(4)] = _S339[_S342 + int(4)] + _S338 * _S341.high_0[int(0)];
-        int _S343 = _S342 + int(1);
-        _S339[_S343] = _S339[_S343] + _S338 * _S341.low_0[int(1)];
-        _S339[_S343 + int(4)] = _S339[_S343 + int(4)] + _S338 * _S341.high_0[int(1)];
-        int _S344 = _S342 + int(2);
-        _S339[_S344] = _S339[_S344] + _S338 * _S341.low_0[int(2)];
-        _S339[_S344 + int(4)] = _S339[_S344 + int(4)] + _S338 * _S341.high_0[int(2)];
-        int _S345 = _S342 + int(3);
-        _S339[_S345] = _S339[_S345] + _S338 * _S341.low_0[int(3)];
-        _S339[_S345 + int(4)] = _S339[_S345 + int(4)] + _S338 * _S341.high_0[int(3)];
+        Eight_0 _S398 = eight_halves_0(packed_numbers_0.Load(_S397 + part_0));
+        int _S399 = int(8U * part_0);
+        _S396[_S399] = _S396[_S399] + _S395 * _S398.low_0[int(0)];
+        _S396[_S399 + int(4)] = _S396[_S399 + int(4)] + _S395 * _S398.high_0[int(0)];
+        int _S400 = _S399 + int(1);
+        _S396[_S400] = _S396[_S400] + _S395 * _S398.low_0[int(1)];
+        _S396[_S400 + int(4)] = _S396[_S400 + int(4)] + _S395 * _S398.high_0[int(1)];
+        int _S401 = _S399 + int(2);
+        _S396[_S401] = _S396[_S401] + _S395 * _S398.low_0[int(2)];
+        _S396[_S401 + int(4)] = _S396[_S401 + int(4)] + _S395 * _S398.high_0[int(2)];
+        int _S402 = _S399 + int(3);
+        _S396[_S402] = _S396[_S402] + _S395 * _S398.low_0[int(3)];
+        _S396[_S402 + int(4)] = _S396[_S402 + int(4)] + _S395 * _S398.high_0[int(3)];
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-void add_level_0(uint _S346, uint _S347, bool _S348, float2 _S349, float _S350, inout float  _S351[int(88)])
+void add_level_0(uint _S403, uint _S404, bool _S405, float2 _S406, float _S407, inout float  _S408[int(88)])
 {
-    Woven_0 _S352 = fabrics_0[_S346].woven_0;
-    uint _S353 = fabrics_0[_S346].woven_0.levels_1 + 4U * _S347;
-    float _S354 = table_number_0(_S353);
-    float _S355 = table_number_0(_S353 + 1U);
-    float _S356 = table_number_0(_S353 + 2U);
-    bool _S357;
-    if(_S347 > 3U)
+    Woven_0 _S409 = fabrics_0[_S403].woven_0;
+    uint _S410 = fabrics_0[_S403].woven_0.levels_1 + 4U * _S404;
+    float _S411 = table_number_0(_S410);
+    float _S412 = table_number_0(_S410 + 1U);
+    float _S413 = table_number_0(_S410 + 2U);
+    bool _S414;
+    if(_S404 > 3U)
     {
-        _S357 = _S347 < (_S352.top_level_0);
+        _S414 = _S404 < (_S409.top_level_0);
     }
     else
     {
-        _S357 = false;
+        _S414 = false;
     }
-    float2 _S358 = _S349 * table_number_0(_S353 + 3U);
-    float _S359;
-    if(_S357)
+    float2 _S415 = _S406 * table_number_0(_S410 + 3U);
+    float _S416;
+    if(_S414)
     {
-        _S359 = 1.0f;
+        _S416 = 1.0f;
     }
     else
     {
-        _S359 = 0.5f;
+        _S416 = 0.5f;
     }
-    float2 _S360 = _S358 - _S359;
-    float2 _S361 = floor(_S360);
-    float2 _S362 = _S360 - _S361;
+    float2 _S417 = _S415 - _S416;
+    float2 _S418 = floor(_S417);
+    float2 _S419 = _S417 - _S418;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -2198,26 +2391,26 @@ void add_level_0(uint _S346, uint _S347, bool _S348, float2 _S349, float _S350, 
         {
             break;
         }
-        float _S363 = float(corner_0 & 1U);
-        float _S364 = float(corner_0 >> int(1));
-        float2 _S365 = lerp(1.0f - _S362, _S362, float2(_S363, _S364));
-        uint _S366 = uint(_S354 + wrapped_0(_S361.y + _S364, _S356) * _S355 + wrapped_0(_S361.x + _S363, _S355));
-        uint _S367;
-        if(_S348)
+        float _S420 = float(corner_0 & 1U);
+        float _S421 = float(corner_0 >> int(1));
+        float2 _S422 = lerp(1.0f - _S419, _S419, float2(_S420, _S421));
+        uint _S423 = uint(_S411 + wrapped_0(_S418.y + _S421, _S413) * _S412 + wrapped_0(_S418.x + _S420, _S412));
+        uint _S424;
+        if(_S405)
         {
-            _S367 = _S352.texels_0;
+            _S424 = _S409.texels_0;
         }
         else
         {
-            _S367 = 0U;
+            _S424 = 0U;
         }
-        add_texel_0(_S346, _S366 + _S367, _S350 * _S365.x * _S365.y, _S351);
+        add_texel_0(_S403, _S423 + _S424, _S407 * _S422.x * _S422.y, _S408);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-void code_footprint_0(uint _S368, AnisotropicTaps_0 _S369, float3 _S370, bool _S371, inout float  _S372[int(88)])
+void code_footprint_0(uint _S425, AnisotropicTaps_0 _S426, float3 _S427, bool _S428, inout float  _S429[int(88)])
 {
     float offset_0;
     int k_0 = int(0);
@@ -2230,61 +2423,61 @@ void code_footprint_0(uint _S368, AnisotropicTaps_0 _S369, float3 _S370, bool _S
         {
             break;
         }
-        _S372[k_0] = 0.0f;
+        _S429[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    float2 _S373 = float2(fabrics_0[_S368].woven_0.ends_0, fabrics_0[_S368].woven_0.picks_0);
-    float _S374 = float(fabrics_0[_S368].woven_0.top_level_0);
-    float _S375 = clamp(binary_logarithm_0(max(_S369.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S374);
-    float _S376 = min(floor(_S375), _S374 - 1.0f);
-    uint _S377;
-    if(AnisotropicTaps_has_steps_0(_S369))
+    float2 _S430 = float2(fabrics_0[_S425].woven_0.ends_0, fabrics_0[_S425].woven_0.picks_0);
+    float _S431 = float(fabrics_0[_S425].woven_0.top_level_0);
+    float _S432 = clamp(binary_logarithm_0(max(_S426.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S431);
+    float _S433 = min(floor(_S432), _S431 - 1.0f);
+    uint _S434;
+    if(AnisotropicTaps_has_steps_0(_S426))
     {
-        _S377 = 4U;
+        _S434 = 4U;
     }
     else
     {
-        _S377 = 1U;
+        _S434 = 1U;
     }
-    uint number_1 = 0U;
+    uint number_2 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S377))
+        if(number_2 < (2U * _S434))
         {
         }
         else
         {
             break;
         }
-        float2 _S378 = AnisotropicTaps_place_0(_S369, number_1 >> int(1));
-        float2 _S379 = clamp(_S378 - _S373 * floor(_S378 / _S373), (float2)0.0f, _S373);
-        bool _S380 = (number_1 & 1U) != 0U;
-        if(_S380)
+        float2 _S435 = AnisotropicTaps_place_0(_S426, number_2 >> int(1));
+        float2 _S436 = clamp(_S435 - _S430 * floor(_S435 / _S430), (float2)0.0f, _S430);
+        bool _S437 = (number_2 & 1U) != 0U;
+        if(_S437)
         {
-            offset_0 = _S375 - _S376;
+            offset_0 = _S432 - _S433;
         }
         else
         {
-            offset_0 = 1.0f - (_S375 - _S376);
+            offset_0 = 1.0f - (_S432 - _S433);
         }
-        float _S381 = offset_0 / float(_S377);
-        uint _S382 = uint(_S376);
-        uint _S383;
-        if(_S380)
+        float _S438 = offset_0 / float(_S434);
+        uint _S439 = uint(_S433);
+        uint _S440;
+        if(_S437)
         {
-            _S383 = 1U;
+            _S440 = 1U;
         }
         else
         {
-            _S383 = 0U;
+            _S440 = 0U;
         }
-        add_level_0(_S368, _S382 + _S383, _S371, _S379, _S381, _S372);
-        number_1 = number_1 + 1U;
+        add_level_0(_S425, _S439 + _S440, _S428, _S436, _S438, _S429);
+        number_2 = number_2 + 1U;
     }
-    int number_2 = int(0);
+    int number_3 = int(0);
     for(;;)
     {
-        if(number_2 < int(3))
+        if(number_3 < int(3))
         {
         }
         else
@@ -2301,8 +2494,8 @@ void code_footprint_0(uint _S368, AnisotropicTaps_0 _S369, float3 _S370, bool _S
             {
                 break;
             }
-            float offset_1 = _S370[number_2] - (float(bin_0) + 0.5f) / 8.0f;
-            if(number_2 < int(2))
+            float offset_1 = _S427[number_3] - (float(bin_0) + 0.5f) / 8.0f;
+            if(number_3 < int(2))
             {
                 offset_0 = offset_1 - round(offset_1);
             }
@@ -2310,69 +2503,69 @@ void code_footprint_0(uint _S368, AnisotropicTaps_0 _S369, float3 _S370, bool _S
             {
                 offset_0 = offset_1;
             }
-            _S372[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            _S429[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
-        number_2 = number_2 + int(1);
+        number_3 = number_3 + int(1);
     }
     return;
 }
 
-float3 crown_fibres_0(uint _S384, bool _S385, bool _S386)
+float3 crown_fibres_0(uint _S441, bool _S442, bool _S443)
 {
-    float _S387;
-    if(_S385)
+    float _S444;
+    if(_S442)
     {
-        if(_S386)
+        if(_S443)
         {
-            _S387 = - fabrics_0[_S384].woven_0.warp_x_0;
+            _S444 = - fabrics_0[_S441].woven_0.warp_x_0;
         }
         else
         {
-            _S387 = fabrics_0[_S384].woven_0.warp_x_0;
+            _S444 = fabrics_0[_S441].woven_0.warp_x_0;
         }
-        return float3(_S387, fabrics_0[_S384].woven_0.warp_y_0, fabrics_0[_S384].woven_0.warp_roughness_0);
+        return float3(_S444, fabrics_0[_S441].woven_0.warp_y_0, fabrics_0[_S441].woven_0.warp_roughness_0);
     }
-    Woven_0 _S388 = fabrics_0[_S384].woven_0;
-    if(_S386)
+    Woven_0 _S445 = fabrics_0[_S441].woven_0;
+    if(_S443)
     {
-        _S387 = - _S388.weft_y_0;
+        _S444 = - _S445.weft_y_0;
     }
     else
     {
-        _S387 = _S388.weft_y_0;
+        _S444 = _S445.weft_y_0;
     }
-    return float3(_S388.weft_x_0, _S387, _S388.weft_roughness_0);
+    return float3(_S445.weft_x_0, _S444, _S445.weft_roughness_0);
 }
 
-void woven_view_0(uint _S389, Footprint_0 _S390, float3 _S391, inout WovenView_0 _S392)
+void woven_view_0(uint _S446, Footprint_0 _S447, float3 _S448, inout WovenView_0 _S449)
 {
-    bool _S393 = (_S391.z) < 0.0f;
-    AnisotropicTaps_0 _S394 = anisotropic_taps_0(_S389, _S390);
-    float3 _S395 = footprint_coordinates_0(_S394);
-    float3 _S396 = to_face_frame_0(_S391, _S393);
+    bool _S450 = (_S448.z) < 0.0f;
+    AnisotropicTaps_0 _S451 = anisotropic_taps_0(_S446, _S447);
+    float3 _S452 = footprint_coordinates_0(_S451);
+    float3 _S453 = to_face_frame_0(_S448, _S450);
     HalfWeights_0 weights_23;
-    weights_23.first_2 = fabrics_0[_S389].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S446].woven_0.network_0;
     float  inputs_23[int(88)];
-    code_footprint_0(_S389, _S394, _S395, _S393, inputs_23);
+    code_footprint_0(_S446, _S451, _S452, _S450, inputs_23);
     float  hidden_0[int(96)];
     dense_7(weights_23, 0U, false, inputs_23, hidden_0);
     float  fused_0[int(100)];
     dense_part_8(weights_23, 1068U, false, hidden_0, fused_0);
-    fused_0[int(96)] = _S396.x;
-    fused_0[int(97)] = _S396.y;
-    float2 _S397 = _S396.xy;
-    fused_0[int(98)] = dot(crown_fibres_0(_S389, true, _S393).xy, _S397);
-    fused_0[int(99)] = dot(crown_fibres_0(_S389, false, _S393).xy, _S397);
+    fused_0[int(96)] = _S453.x;
+    fused_0[int(97)] = _S453.y;
+    float2 _S454 = _S453.xy;
+    fused_0[int(98)] = dot(crown_fibres_0(_S446, true, _S450).xy, _S454);
+    fused_0[int(99)] = dot(crown_fibres_0(_S446, false, _S450).xy, _S454);
     float  of_hole_0[int(16)];
     dense_6(weights_23, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_23, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_23, 2456U, false, fused_0, _S392.sums_6);
-    _S392.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
-    _S392.correction_weight_0 = correction_weight_of_0(_S395.z);
-    _S392.view_4 = _S396;
-    _S392.back_2 = _S393;
+    dense_4(weights_23, 2456U, false, fused_0, _S449.sums_6);
+    _S449.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
+    _S449.correction_weight_0 = correction_weight_of_0(_S452.z);
+    _S449.view_4 = _S453;
+    _S449.back_2 = _S450;
     return;
 }
 
@@ -2382,17 +2575,88 @@ struct FamilyAlbedos_0
     Albedos_0 weft_1;
 };
 
-FamilyAlbedos_0 albedos_over_0(uint _S398, Footprint_0 _S399, bool _S400)
+FamilyAlbedos_0 albedos_over_0(uint _S455, Footprint_0 _S456, bool _S457)
 {
-    float2 _S401 = _S399.dx_0;
-    float2 _S402 = _S399.dy_0;
-    float2 _S403 = sqrt(_S401 * _S401 + _S402 * _S402);
-    Stretch_0 _S404 = stretch_of_0(fabrics_0[_S398].warp_0, _S399.centre_0.x, _S403.x);
-    Stretch_0 _S405 = stretch_of_0(fabrics_0[_S398].weft_0, _S399.centre_0.y, _S403.y);
-    FamilyAlbedos_0 albedos_3;
-    albedos_3.warp_1 = mean_albedos_0(fabrics_0[_S398].warp_0, fabrics_0[_S398].weft_0, _S404, _S405, _S400);
-    albedos_3.weft_1 = mean_albedos_0(fabrics_0[_S398].weft_0, fabrics_0[_S398].warp_0, _S405, _S404, _S400);
-    return albedos_3;
+    float2 _S458 = _S456.dx_0;
+    float2 _S459 = _S456.dy_0;
+    float2 _S460 = sqrt(_S458 * _S458 + _S459 * _S459);
+    Stretch_0 _S461 = stretch_of_0(fabrics_0[_S455].warp_0, _S456.centre_0.x, _S460.x);
+    Stretch_0 _S462 = stretch_of_0(fabrics_0[_S455].weft_0, _S456.centre_0.y, _S460.y);
+    FamilyAlbedos_0 albedos_4;
+    albedos_4.warp_1 = mean_albedos_0(fabrics_0[_S455].warp_0, fabrics_0[_S455].weft_0, _S461, _S462, _S457);
+    albedos_4.weft_1 = mean_albedos_0(fabrics_0[_S455].weft_0, fabrics_0[_S455].warp_0, _S462, _S461, _S457);
+    return albedos_4;
+}
+
+uint light_sample_count_0(int _S463)
+{
+    return frames_0[_S463].lights_0 + frames_0[_S463].environment_samples_0;
+}
+
+float visibility_at_0(int _S464, uint _S465, uint2 _S466)
+{
+    if((frames_0[_S464].casts_shadows_0) == 0U)
+    {
+        return 1.0f;
+    }
+    return visibilities_0[(_S465 * frames_0[_S464].height_0 + _S466.y) * frames_0[_S464].width_0 + _S466.x];
+}
+
+struct LightSample_0
+{
+    float3 towards_0;
+    float3 irradiance_1;
+    float distance_1;
+};
+
+float3 environment_texel_0(int _S467, uint _S468, uint _S469)
+{
+    uint _S470 = frames_0[_S467].environment_table_0 + frames_0[_S467].environment_rows_0 + 1U + frames_0[_S467].environment_rows_0 * (frames_0[_S467].environment_columns_0 + 1U) + 3U * (_S468 * frames_0[_S467].environment_columns_0 + _S469);
+    return float3(scene_number_0(_S470), scene_number_0(_S470 + 1U), scene_number_0(_S470 + 2U));
+}
+
+float3 sample_environment_0(int _S471, float2 _S472, out float3 _S473)
+{
+    uint _S474 = frames_0[_S471].environment_rows_0;
+    Choice_0 _S475 = choose_0(frames_0[_S471].environment_table_0, frames_0[_S471].environment_rows_0, _S472.y);
+    uint _S476 = frames_0[_S471].environment_columns_0;
+    Choice_0 _S477 = choose_0(frames_0[_S471].environment_table_0 + frames_0[_S471].environment_rows_0 + 1U + _S475.index_7 * (frames_0[_S471].environment_columns_0 + 1U), frames_0[_S471].environment_columns_0, _S472.x);
+    float3 _S478 = environment_texel_0(_S471, _S475.index_7, _S477.index_7);
+    _S473 = _S478 * (frames_0[_S471].environment_total_0 / max(mean_0(_S478), 9.99999968265522539e-21f));
+    float _S479 = 3.14159274101257324f / float(_S474);
+    float _S480 = lerp(sine_cosine_0(float(_S475.index_7) * _S479).y, sine_cosine_0(float(_S475.index_7 + 1U) * _S479).y, _S475.remainder_0);
+    float _S481 = sqrt(max(1.0f - _S480 * _S480, 0.0f));
+    float2 _S482 = sine_cosine_0((float(_S477.index_7) + _S477.remainder_0) * (6.28318548202514648f / float(_S476)));
+    float _S483 = _S481 * _S482.x;
+    float _S484 = - _S481 * _S482.y;
+    return float3(frames_0[_S471].environment_cosine_0 * _S483 + frames_0[_S471].environment_sine_0 * _S484, _S480, frames_0[_S471].environment_cosine_0 * _S484 - frames_0[_S471].environment_sine_0 * _S483);
+}
+
+LightSample_0 light_sample_0(int _S485, uint _S486, uint2 _S487, float3 _S488)
+{
+    LightSample_0 sample_0;
+    sample_0.distance_1 = 1.00000001504746622e+30f;
+    uint _S489 = frames_0[_S485].lights_0;
+    if(_S486 >= (frames_0[_S485].lights_0))
+    {
+        float3 weight_2;
+        float3 _S490 = sample_environment_0(_S485, pixel_sequence_0(_S487, frames_0[_S485].pass_number_0 * frames_0[_S485].environment_samples_0 + (_S486 - _S489), 3U), weight_2);
+        sample_0.towards_0 = _S490;
+        sample_0.irradiance_1 = weight_2 / float(frames_0[_S485].environment_samples_0);
+        return sample_0;
+    }
+    Light_0 _S491 = lights_1.Load(_S486);
+    sample_0.irradiance_1 = float3(_S491.red_0, _S491.green_0, _S491.blue_0);
+    sample_0.towards_0 = float3(_S491.x_1, _S491.y_1, _S491.z_1);
+    if((_S491.is_point_0) != 0U)
+    {
+        float3 _S492 = sample_0.towards_0 - _S488;
+        float _S493 = max(square_0(_S492), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S493);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / _S493;
+        sample_0.towards_0 = normalize(_S492);
+    }
+    return sample_0;
 }
 
 struct Components_0
@@ -2405,16 +2669,16 @@ struct Components_0
     float hole_2;
 };
 
-void code_light_0(uint _S406, float3 _S407, float3 _S408, bool _S409, inout float  _S410[int(39)])
+void code_light_0(uint _S494, float3 _S495, float3 _S496, bool _S497, inout float  _S498[int(39)])
 {
-    _S410[int(0)] = _S407.x;
-    _S410[int(1)] = _S407.y;
-    _S410[int(2)] = _S407.z;
-    float3 _S411 = _S407 + _S408;
-    float _S412 = _S411.z;
-    float _S413 = _S412 * _S412 + 0.00009999999747379f;
-    float2 _S414 = _S411.xy;
-    float _S415 = 1.0f / (dot(_S414, _S414) + _S413);
+    _S498[int(0)] = _S495.x;
+    _S498[int(1)] = _S495.y;
+    _S498[int(2)] = _S495.z;
+    float3 _S499 = _S495 + _S496;
+    float _S500 = _S499.z;
+    float _S501 = _S500 * _S500 + 0.00009999999747379f;
+    float2 _S502 = _S499.xy;
+    float _S503 = 1.0f / (dot(_S502, _S502) + _S501);
     int family_10 = int(0);
     for(;;)
     {
@@ -2425,12 +2689,12 @@ void code_light_0(uint _S406, float3 _S407, float3 _S408, bool _S409, inout floa
         {
             break;
         }
-        float3 _S416 = crown_fibres_0(_S406, family_10 == int(0), _S409);
-        float2 _S417 = _S416.xy;
-        _S410[int(3) + family_10] = dot(_S417, _S407.xy);
-        float _S418 = dot(_S417, _S414);
-        float _S419 = _S418 * _S418;
-        float _S420 = (0.75f * _S418 / (0.5f * sqrt(_S419 + _S413) + abs(_S418)) + 0.5f) * 8.0f;
+        float3 _S504 = crown_fibres_0(_S494, family_10 == int(0), _S497);
+        float2 _S505 = _S504.xy;
+        _S498[int(3) + family_10] = dot(_S505, _S495.xy);
+        float _S506 = dot(_S505, _S502);
+        float _S507 = _S506 * _S506;
+        float _S508 = (0.75f * _S506 / (0.5f * sqrt(_S507 + _S501) + abs(_S506)) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -2441,56 +2705,56 @@ void code_light_0(uint _S406, float3 _S407, float3 _S408, bool _S409, inout floa
             {
                 break;
             }
-            _S410[int(5) + family_10 * int(16) + bin_1] = bump_0(_S420 - (float(bin_1) + 0.5f) / 2.0f);
+            _S498[int(5) + family_10 * int(16) + bin_1] = bump_0(_S508 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S421 = _S416.z;
-        float _S422 = _S421 * _S421;
-        float _S423 = _S419 * _S415 * (1.0f - _S422) + _S422;
-        _S410[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S422 * _S421 / (_S423 * _S423));
+        float _S509 = _S504.z;
+        float _S510 = _S509 * _S509;
+        float _S511 = _S507 * _S503 * (1.0f - _S510) + _S510;
+        _S498[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S510 * _S509 / (_S511 * _S511));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-float mixed_bundles_0(uint _S424, uint _S425, uint _S426, float3 _S427, float3 _S428, bool _S429, inout float  _S430[int(52)])
+float mixed_bundles_0(uint _S512, uint _S513, uint _S514, float3 _S515, float3 _S516, bool _S517, inout float  _S518[int(52)])
 {
-    float3 _S431 = _S427 + _S428;
-    float _S432 = 1.0f / (square_0(_S431) + 0.00009999999747379f);
-    bool _S433;
-    if(_S425 == 0U)
+    float3 _S519 = _S515 + _S516;
+    float _S520 = 1.0f / (square_0(_S519) + 0.00009999999747379f);
+    bool _S521;
+    if(_S513 == 0U)
     {
-        _S433 = _S429;
+        _S521 = _S517;
     }
     else
     {
-        _S433 = false;
+        _S521 = false;
     }
-    float _S434;
-    if(_S433)
+    float _S522;
+    if(_S521)
     {
-        _S434 = - _S431.x;
-    }
-    else
-    {
-        _S434 = _S431.x;
-    }
-    if(_S425 == 1U)
-    {
-        _S433 = _S429;
+        _S522 = - _S519.x;
     }
     else
     {
-        _S433 = false;
+        _S522 = _S519.x;
     }
-    float _S435;
-    if(_S433)
+    if(_S513 == 1U)
     {
-        _S435 = - _S431.y;
+        _S521 = _S517;
     }
     else
     {
-        _S435 = _S431.y;
+        _S521 = false;
+    }
+    float _S523;
+    if(_S521)
+    {
+        _S523 = - _S519.y;
+    }
+    else
+    {
+        _S523 = _S519.y;
     }
     uint bundle_1 = 0U;
     float sum_1 = 0.0f;
@@ -2503,38 +2767,38 @@ float mixed_bundles_0(uint _S424, uint _S425, uint _S426, float3 _S427, float3 _
         {
             break;
         }
-        uint _S436 = _S425 * 25U;
-        uint _S437 = fabrics_0[_S424].woven_0.bundles_0 + 4U * (_S436 + bundle_1);
-        float _S438 = dot(float3(table_number_0(_S437), table_number_0(_S437 + 1U), table_number_0(_S437 + 2U)), float3(_S434, _S435, _S431.z));
-        float _S439 = _S438 * _S438 * _S432 + table_number_0(_S437 + 3U);
-        uint _S440 = _S426 + _S436;
-        uint _S441;
-        if(_S429)
+        uint _S524 = _S513 * 25U;
+        uint _S525 = fabrics_0[_S512].woven_0.bundles_0 + 4U * (_S524 + bundle_1);
+        float _S526 = dot(float3(table_number_0(_S525), table_number_0(_S525 + 1U), table_number_0(_S525 + 2U)), float3(_S522, _S523, _S519.z));
+        float _S527 = _S526 * _S526 * _S520 + table_number_0(_S525 + 3U);
+        uint _S528 = _S514 + _S524;
+        uint _S529;
+        if(_S517)
         {
-            _S441 = mirrored_bundle_0(bundle_1);
+            _S529 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S441 = bundle_1;
+            _S529 = bundle_1;
         }
-        float sum_2 = sum_1 + max(_S430[_S440 + _S441], _S430[_S440 + _S441] * 0.00999999977648258f) / (_S439 * _S439);
+        float sum_2 = sum_1 + max(_S518[_S528 + _S529], _S518[_S528 + _S529] * 0.00999999977648258f) / (_S527 * _S527);
         bundle_1 = bundle_1 + 1U;
         sum_1 = sum_2;
     }
     return 0.01999999955296516f * sum_1;
 }
 
-Components_0 woven_components_0(uint _S442, inout WovenView_0 _S443, float3 _S444)
+Components_0 woven_components_0(uint _S530, inout WovenView_0 _S531, float3 _S532)
 {
-    float _S445;
-    bool _S446 = _S443.back_2;
-    float3 _S447 = to_face_frame_0(_S444, _S443.back_2);
-    float3 _S448 = _S443.view_4;
+    float _S533;
+    bool _S534 = _S531.back_2;
+    float3 _S535 = to_face_frame_0(_S532, _S531.back_2);
+    float3 _S536 = _S531.view_4;
     HalfWeights_0 weights_24;
-    Woven_0 _S449 = fabrics_0[_S442].woven_0;
-    weights_24.first_2 = fabrics_0[_S442].woven_0.network_0;
+    Woven_0 _S537 = fabrics_0[_S530].woven_0;
+    weights_24.first_2 = fabrics_0[_S530].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S442, _S447, _S443.view_4, _S443.back_2, directions_0);
+    code_light_0(_S530, _S535, _S531.view_4, _S531.back_2, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -2546,7 +2810,7 @@ Components_0 woven_components_0(uint _S442, inout WovenView_0 _S443, float3 _S44
         {
             break;
         }
-        skip_0[k_1] = _S443.sums_6[k_1];
+        skip_0[k_1] = _S531.sums_6[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_24, 3716U, true, directions_0, skip_0);
@@ -2587,13 +2851,13 @@ Components_0 woven_components_0(uint _S442, inout WovenView_0 _S443, float3 _S44
             }
             if(layer_0 == 1U)
             {
-                _S445 = skip_0[k_1];
+                _S533 = skip_0[k_1];
             }
             else
             {
-                _S445 = 0.0f;
+                _S533 = 0.0f;
             }
-            next_0[k_1] = _S445;
+            next_0[k_1] = _S533;
             k_1 = k_1 + int(1);
         }
         dense_2(weights_24, 4208U + layer_0 * 1164U, true, hidden_1, next_0);
@@ -2614,27 +2878,27 @@ Components_0 woven_components_0(uint _S442, inout WovenView_0 _S443, float3 _S44
     }
     float  outputs_17[int(52)];
     dense_1(weights_24, 7700U, false, hidden_1, outputs_17);
-    bool _S450;
-    if((_S449.is_corrected_0) != 0U)
+    bool _S538;
+    if((_S537.is_corrected_0) != 0U)
     {
-        _S450 = (_S447.z) > 0.0f;
+        _S538 = (_S535.z) > 0.0f;
     }
     else
     {
-        _S450 = false;
+        _S538 = false;
     }
-    if(_S450)
+    if(_S538)
     {
-        _S450 = (_S443.correction_weight_0) > 0.0f;
+        _S538 = (_S531.correction_weight_0) > 0.0f;
     }
     else
     {
-        _S450 = false;
+        _S538 = false;
     }
-    if(_S450)
+    if(_S538)
     {
         FloatWeights_0 fitted_0;
-        fitted_0.first_0 = _S449.correction_0;
+        fitted_0.first_0 = _S537.correction_0;
         float  change_0[int(50)];
         dense_0(fitted_0, 0U, false, hidden_1, change_0);
         k_1 = int(0);
@@ -2647,93 +2911,100 @@ Components_0 woven_components_0(uint _S442, inout WovenView_0 _S443, float3 _S44
             {
                 break;
             }
-            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S443.correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + int(2)] = outputs_17[k_1 + int(2)] + _S531.correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S447.z) > 0.0f)
+    if((_S535.z) > 0.0f)
     {
-        _S445 = 0.00999999977648258f;
+        _S533 = 0.00999999977648258f;
     }
     else
     {
-        _S445 = 0.00100000004749745f;
+        _S533 = 0.00100000004749745f;
     }
-    Components_0 result_0;
-    float _S451 = unmapped_0(outputs_17[int(0)], _S445);
-    result_0.diffuse_warp_0 = _S451;
-    float _S452 = unmapped_0(outputs_17[int(1)], _S445);
-    result_0.diffuse_weft_0 = _S452;
-    float _S453 = 2979.9580078125f * _S445;
-    float _S454 = mixed_bundles_0(_S442, 0U, 2U, _S447, _S448, _S446, outputs_17);
-    result_0.specular_warp_0 = clamp(_S454, 0.0f, _S453);
-    float _S455 = mixed_bundles_0(_S442, 1U, 2U, _S447, _S448, _S446, outputs_17);
-    result_0.specular_weft_0 = clamp(_S455, 0.0f, _S453);
-    result_0.hole_2 = _S443.hole_0;
-    result_0.light_visibility_1 = min(light_visibility_of_0(_S451 + _S452, _S447, _S448, fabrics_0[_S442].diffuse_blend_0), 1.0f - _S443.hole_0);
-    return result_0;
+    Components_0 result_1;
+    float _S539 = unmapped_0(outputs_17[int(0)], _S533);
+    result_1.diffuse_warp_0 = _S539;
+    float _S540 = unmapped_0(outputs_17[int(1)], _S533);
+    result_1.diffuse_weft_0 = _S540;
+    float _S541 = 2979.9580078125f * _S533;
+    float _S542 = mixed_bundles_0(_S530, 0U, 2U, _S535, _S536, _S534, outputs_17);
+    result_1.specular_warp_0 = clamp(_S542, 0.0f, _S541);
+    float _S543 = mixed_bundles_0(_S530, 1U, 2U, _S535, _S536, _S534, outputs_17);
+    result_1.specular_weft_0 = clamp(_S543, 0.0f, _S541);
+    result_1.hole_2 = _S531.hole_0;
+    result_1.light_visibility_1 = min(light_visibility_of_0(_S539 + _S540, _S535, _S536, fabrics_0[_S530].diffuse_blend_0), 1.0f - _S531.hole_0);
+    return result_1;
 }
 
-float3 composed_0(uint _S456, Components_0 _S457, FamilyAlbedos_0 _S458, float3 _S459, float3 _S460)
+float3 composed_0(uint _S544, Components_0 _S545, FamilyAlbedos_0 _S546, float3 _S547, float3 _S548)
 {
-    float3 _S461 = _S458.warp_1.diffuse_reflect_0 * _S457.diffuse_warp_0 + _S458.weft_1.diffuse_reflect_0 * _S457.diffuse_weft_0 + _S458.warp_1.specular_reflect_0 * _S457.specular_warp_0 + _S458.weft_1.specular_reflect_0 * _S457.specular_weft_0;
-    float _S462 = _S460.z;
+    float3 _S549 = _S546.warp_1.diffuse_reflect_0 * _S545.diffuse_warp_0 + _S546.weft_1.diffuse_reflect_0 * _S545.diffuse_weft_0 + _S546.warp_1.specular_reflect_0 * _S545.specular_warp_0 + _S546.weft_1.specular_reflect_0 * _S545.specular_weft_0;
+    float _S550 = _S548.z;
     float3 body_0;
-    if((_S459.z * _S462) < 0.0f)
+    if((_S547.z * _S550) < 0.0f)
     {
-        body_0 = _S458.warp_1.diffuse_transmit_0 * _S457.diffuse_warp_0 + _S458.weft_1.diffuse_transmit_0 * _S457.diffuse_weft_0 + _S458.warp_1.specular_transmit_0 * _S457.specular_warp_0 + _S458.weft_1.specular_transmit_0 * _S457.specular_weft_0;
+        body_0 = _S546.warp_1.diffuse_transmit_0 * _S545.diffuse_warp_0 + _S546.weft_1.diffuse_transmit_0 * _S545.diffuse_weft_0 + _S546.warp_1.specular_transmit_0 * _S545.specular_warp_0 + _S546.weft_1.specular_transmit_0 * _S545.specular_weft_0;
     }
     else
     {
-        body_0 = _S461;
+        body_0 = _S549;
     }
-    float _S463 = fabrics_0[_S456].sheen_strength_0;
-    if((fabrics_0[_S456].sheen_strength_0) <= 0.0f)
+    float _S551 = fabrics_0[_S544].sheen_strength_0;
+    if((fabrics_0[_S544].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S464 = _S462 < 0.0f;
-    float2 _S465 = sheen_with_transmittance_0(to_face_frame_0(_S459, _S464), to_face_frame_0(_S460, _S464), _S463, fabrics_0[_S456].sheen_roughness_0);
-    return _S465.y * body_0 + (_S457.light_visibility_1 + _S457.hole_2) * _S465.x;
+    bool _S552 = _S550 < 0.0f;
+    float2 _S553 = sheen_with_transmittance_0(to_face_frame_0(_S547, _S552), to_face_frame_0(_S548, _S552), _S551, fabrics_0[_S544].sheen_roughness_0);
+    return _S553.y * body_0 + (_S545.light_visibility_1 + _S545.hole_2) * _S553.x;
 }
 
-float4 light_of_woven_0(Frame_0 _S466, uint _S467, VisiblePoint_0 _S468)
+float4 light_of_woven_0(int _S554, uint _S555, VisiblePoint_0 _S556, uint2 _S557, float3 _S558)
 {
     Footprint_0 footprint_1;
-    footprint_1.centre_0 = _S468.draft_0;
-    footprint_1.dx_0 = _S468.draft_dx_0;
-    footprint_1.dy_0 = _S468.draft_dy_0;
-    float3 _S469 = to_local_0(_S468, _S468.view_0);
+    footprint_1.centre_0 = _S556.draft_0;
+    footprint_1.dx_0 = _S556.draft_dx_0;
+    footprint_1.dy_0 = _S556.draft_dy_0;
+    float3 _S559 = to_local_0(_S556, _S556.view_0);
     WovenView_0 activations_0;
-    woven_view_0(_S467, footprint_1, _S469, activations_0);
-    float _S470 = _S469.z;
-    FamilyAlbedos_0 _S471 = albedos_over_0(_S467, footprint_1, _S470 < 0.0f);
-    float3 _S472 = (float3)0.0f;
-    uint number_3 = 0U;
-    float3 radiance_1 = _S472;
+    woven_view_0(_S555, footprint_1, _S559, activations_0);
+    float _S560 = _S559.z;
+    FamilyAlbedos_0 _S561 = albedos_over_0(_S555, footprint_1, _S560 < 0.0f);
+    FamilyAlbedos_0 albedos_5;
+    albedos_5.warp_1 = tinted_0(_S561.warp_1, _S558);
+    albedos_5.weft_1 = tinted_0(_S561.weft_1, _S558);
+    float3 _S562 = (float3)0.0f;
+    uint number_4 = 0U;
+    float3 radiance_1 = _S562;
     for(;;)
     {
-        if(number_3 < (_S466.lights_0))
+        if(number_4 < (light_sample_count_0(_S554)))
         {
         }
         else
         {
             break;
         }
-        float3 irradiance_2;
-        float3 _S473 = towards_light_0(lights_1.Load(number_3), _S468.position_0, irradiance_2);
-        float3 _S474 = to_local_0(_S468, _S473);
-        Components_0 _S475 = woven_components_0(_S467, activations_0, _S474);
-        float3 radiance_2 = radiance_1 + irradiance_2 * composed_0(_S467, _S475, _S471, _S474, _S469);
-        number_3 = number_3 + 1U;
-        radiance_1 = radiance_2;
+        float _S563 = visibility_at_0(_S554, number_4, _S557);
+        if(_S563 <= 0.0f)
+        {
+            number_4 = number_4 + 1U;
+            continue;
+        }
+        LightSample_0 _S564 = light_sample_0(_S554, number_4, _S557, _S556.position_0);
+        float3 _S565 = to_local_0(_S556, _S564.towards_0);
+        Components_0 _S566 = woven_components_0(_S555, activations_0, _S565);
+        radiance_1 = radiance_1 + _S563 * _S564.irradiance_1 * composed_0(_S555, _S566, albedos_5, _S565, _S559);
+        number_4 = number_4 + 1U;
     }
     float hole_3 = activations_0.hole_0;
-    float _S476 = fabrics_0[_S467].sheen_strength_0;
+    float _S567 = fabrics_0[_S555].sheen_strength_0;
     float hole_4;
-    if((fabrics_0[_S467].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S555].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S476 * sheen_lobe_0(abs(_S470), fabrics_0[_S467].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S567 * sheen_lobe_0(abs(_S560), fabrics_0[_S555].sheen_roughness_0).z);
     }
     else
     {
@@ -2745,35 +3016,30 @@ float4 light_of_woven_0(Frame_0 _S466, uint _S467, VisiblePoint_0 _S468)
 [numthreads(8, 8, 1)]
 void shade_woven(uint3 id_0 : SV_DispatchThreadID)
 {
-    Frame_0 _S477 = frames_0.Load(int(0));
-    bool _S478;
-    if((id_0.x) >= (_S477.width_0))
+    uint _S568 = frames_0[int(0)].width_0;
+    bool _S569;
+    if((id_0.x) >= (frames_0[int(0)].width_0))
     {
-        _S478 = true;
+        _S569 = true;
     }
     else
     {
-        _S478 = (id_0.y) >= (_S477.height_0);
+        _S569 = (id_0.y) >= (frames_0[int(0)].height_0);
     }
-    if(_S478)
+    if(_S569)
     {
         return;
     }
-    uint2 _S479 = id_0.xy;
-    uint _S480 = visible_faces_0.Load(int3(int2(_S479), int(0)));
-    float4 _S481 = (float4)0.0f;
-    float4 sum_3;
-    if(_S480 > 0U)
+    uint _S570 = id_0.y * _S568 + id_0.x;
+    uint _S571 = layers_0[_S570].face_0;
+    if((layers_0[_S570].face_0) == 0U)
     {
-        uint _S482 = _S480 - 1U;
-        uint _S483 = face_fabrics_0.Load(_S482);
-        sum_3 = light_of_woven_0(_S477, _S483, visible_point_0(_S477, _S483, _S482, _S479));
+        return;
     }
-    else
-    {
-        sum_3 = _S481;
-    }
-    accumulate_0(_S477, _S479, sum_3);
+    uint _S572 = _S571 - 1U;
+    uint _S573 = face_fabrics_0.Load(_S572);
+    VisiblePoint_0 _S574 = visible_point_0(int(0), _S573, _S572, id_0.xy);
+    accumulate_0(_S570, light_of_woven_0(int(0), _S573, _S574, id_0.xy, filtered_albedo_0(_S573, _S574)));
     return;
 }
 

@@ -88,6 +88,18 @@ struct Frame_0
     uint lights_0;
     uint samples_0;
     uint pass_number_0;
+    uint environment_samples_0;
+    uint environment_columns_0;
+    uint environment_rows_0;
+    uint environment_table_0;
+    float environment_total_0;
+    float environment_sine_0;
+    float environment_cosine_0;
+    uint shows_environment_0;
+    uint casts_shadows_0;
+    uint leaves_0;
+    uint leaf_faces_0;
+    float ray_offset_0;
     float jitter_x_0;
     float jitter_y_0;
     float gain_0;
@@ -111,7 +123,13 @@ struct Frame_0
 
 StructuredBuffer<Frame_0 > frames_0 : register(t4);
 
-Texture2D<uint > visible_faces_0 : register(t9);
+struct Layer_0
+{
+    uint face_0;
+    float share_0;
+};
+
+RWStructuredBuffer<Layer_0 > layers_0 : register(u2);
 
 StructuredBuffer<uint > face_fabrics_0 : register(t7);
 
@@ -190,6 +208,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 StructuredBuffer<Fabric_0 > fabrics_0 : register(t0);
@@ -210,11 +231,13 @@ struct Vertex_0
 
 StructuredBuffer<Vertex_0 > vertices_0 : register(t5);
 
+StructuredBuffer<uint > scene_words_0 : register(t9);
+
 StructuredBuffer<uint4 > packed_numbers_0 : register(t8);
 
 StructuredBuffer<uint > words_0 : register(t2);
 
-ByteAddressBuffer packed_bytes_0 : register(t10);
+ByteAddressBuffer packed_bytes_0 : register(t14);
 
 struct Family_0
 {
@@ -252,6 +275,8 @@ struct Family_0
 };
 
 StructuredBuffer<Family_0 > families_0 : register(t1);
+
+RWStructuredBuffer<float > visibilities_0 : register(u3);
 
 struct Light_0
 {
@@ -6752,46 +6777,9 @@ float square_0(float3 v_1)
     return dot(v_1, v_1);
 }
 
-float3 camera_right_0(Frame_0 frame_0)
-{
-    return float3(frame_0.right_x_0, frame_0.right_y_0, frame_0.right_z_0);
-}
-
-float3 camera_up_0(Frame_0 frame_1)
-{
-    return float3(frame_1.up_x_0, frame_1.up_y_0, frame_1.up_z_0);
-}
-
-float3 camera_forward_0(Frame_0 frame_2)
-{
-    return float3(frame_2.forward_x_0, frame_2.forward_y_0, frame_2.forward_z_0);
-}
-
-float3 camera_origin_0(Frame_0 frame_3)
-{
-    return float3(frame_3.origin_x_0, frame_3.origin_y_0, frame_3.origin_z_0);
-}
-
 float3 normal_of_0(Vertex_0 vertex_1)
 {
     return float3(vertex_1.normal_x_0, vertex_1.normal_y_0, vertex_1.normal_z_0);
-}
-
-struct VisiblePoint_0
-{
-    float3 position_0;
-    float3 view_0;
-    float3 axis_x_0;
-    float3 axis_y_0;
-    float3 normal_0;
-    float2 draft_0;
-    float2 draft_dx_0;
-    float2 draft_dy_0;
-};
-
-float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
-{
-    return float3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
 float square_1(float x_4)
@@ -6799,71 +6787,11 @@ float square_1(float x_4)
     return x_4 * x_4;
 }
 
-struct Footprint_0
-{
-    float2 centre_0;
-    float2 dx_0;
-    float2 dy_0;
-};
-
-float3 row_of_taps_0(Footprint_0 footprint_0)
-{
-    float _S594 = footprint_0.dx_0.x;
-    float _S595 = footprint_0.dy_0.x;
-    float _S596 = _S594 * _S594 + _S595 * _S595;
-    float _S597 = footprint_0.dx_0.y;
-    float _S598 = footprint_0.dy_0.y;
-    float _S599 = _S597 * _S597 + _S598 * _S598;
-    float _S600 = _S594 * _S597 + _S595 * _S598;
-    float _S601 = 0.5f * (_S596 - _S599);
-    float _S602 = 0.5f * (_S596 + _S599);
-    float _S603 = sqrt(_S601 * _S601 + _S600 * _S600);
-    float _S604 = _S602 + _S603;
-    float _S605 = max(_S604 - 1.5f * max(_S602 - _S603, 0.0f), 0.0f);
-    float _S606 = square_1(4.0f);
-    float _S607 = max(_S602 - 0.5f * _S605, _S604 / _S606);
-    float _S608 = sqrt(max(min(_S605, _S604 - _S607), 0.0f) / (_S606 - 1.0f));
-    float _S609 = _S601 / max(_S603, 1.00000000317107685e-30f);
-    float _S610 = sqrt(max(0.5f * (1.0f - _S609), 0.0f));
-    float _S611 = sqrt(_S607);
-    float _S612 = _S608 * sqrt(max(0.5f * (1.0f + _S609), 0.0f));
-    float _S613;
-    if(_S600 < 0.0f)
-    {
-        _S613 = - _S608 * _S610;
-    }
-    else
-    {
-        _S613 = _S608 * _S610;
-    }
-    return float3(_S611, _S612, _S613);
-}
-
-struct AnisotropicTaps_0
-{
-    float2 centre_1;
-    float side_0;
-    float2 first_27;
-    float2 second_0;
-};
-
-float AnisotropicTaps_size_0(AnisotropicTaps_0 this_2)
-{
-    float _S614 = this_2.first_27.x;
-    float _S615 = this_2.second_0.x;
-    float _S616 = this_2.side_0;
-    float _S617 = _S616 * _S616;
-    float _S618 = this_2.first_27.y;
-    float _S619 = this_2.second_0.y;
-    float _S620 = 12.0f * (_S614 * _S618 + _S615 * _S619);
-    return sqrt(sqrt(max((12.0f * (_S614 * _S614 + _S615 * _S615) + _S617) * (12.0f * (_S618 * _S618 + _S619 * _S619) + _S617) - _S620 * _S620, square_1(_S617))));
-}
-
 float natural_logarithm_0(float x_5)
 {
-    uint _S621 = asuint(x_5);
-    float exponent_0 = float(int(_S621 >> int(23)) - int(126));
-    float m_0 = asfloat((_S621 & 8388607U) | 1056964608U);
+    uint _S594 = asuint(x_5);
+    float exponent_0 = float(int(_S594 >> int(23)) - int(126));
+    float m_0 = asfloat((_S594 & 8388607U) | 1056964608U);
     float m_1;
     float exponent_1;
     if(m_0 < 0.70710676908493042f)
@@ -6878,8 +6806,139 @@ float natural_logarithm_0(float x_5)
         exponent_1 = exponent_0;
     }
     float m_2 = m_1 - 1.0f;
-    float _S622 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S622 - exponent_1 * 0.00021219444170129f - 0.5f * _S622) + exponent_1 * 0.693359375f;
+    float _S595 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S595 - exponent_1 * 0.00021219444170129f - 0.5f * _S595) + exponent_1 * 0.693359375f;
+}
+
+float binary_logarithm_0(float x_6)
+{
+    return natural_logarithm_0(x_6) * 1.4426950216293335f;
+}
+
+float exponential_0(float x_7)
+{
+    float _S596 = clamp(x_7, -87.0f, 88.0f);
+    float _S597 = floor(_S596 * 1.4426950216293335f + 0.5f);
+    float _S598 = _S596 - _S597 * 0.693359375f + _S597 * 0.00021219444170129f;
+    float p_0 = ((((0.00019875691214111f * _S598 + 0.00139819993637502f) * _S598 + 0.00833345204591751f) * _S598 + 0.04166579619050026f) * _S598 + 0.1666666567325592f) * _S598 + 0.5f;
+    float _S599 = asfloat(uint(int(_S597) + int(127)) << int(23));
+    float _S600;
+    if(x_7 < -87.0f)
+    {
+        _S600 = 0.0f;
+    }
+    else
+    {
+        _S600 = (p_0 * _S598 * _S598 + _S598 + 1.0f) * _S599;
+    }
+    return _S600;
+}
+
+float3 map_texel_0(uint index_0)
+{
+    uint _S601 = scene_words_0.Load(index_0);
+    float3 _S602 = float3(float(_S601 & 1023U), float((_S601 >> int(10)) & 1023U), float(_S601 >> int(20))) / 1023.0f;
+    return _S602 * _S602;
+}
+
+float3 map_level_0(uint first_27, uint side_0, float2 uv_0)
+{
+    float _S603 = uv_0.x;
+    float _S604 = float(side_0);
+    float _S605 = (_S603 - floor(_S603)) * _S604 - 0.5f;
+    float _S606 = uv_0.y;
+    float _S607 = (_S606 - floor(_S606)) * _S604 - 0.5f;
+    float _S608 = floor(_S605);
+    int _S609 = int(side_0);
+    uint _S610 = side_0 - 1U;
+    uint _S611 = uint(int(_S608) + _S609) & _S610;
+    float _S612 = floor(_S607);
+    uint _S613 = uint(int(_S612) + _S609) & _S610;
+    uint _S614 = (_S611 + 1U) & _S610;
+    uint _S615 = first_27 + _S613 * side_0;
+    float3 _S616 = (float3)(_S605 - _S608);
+    uint _S617 = first_27 + ((_S613 + 1U) & _S610) * side_0;
+    return lerp(lerp(map_texel_0(_S615 + _S611), map_texel_0(_S615 + _S614), _S616), lerp(map_texel_0(_S617 + _S611), map_texel_0(_S617 + _S614), _S616), (float3)(_S607 - _S612));
+}
+
+struct VisiblePoint_0
+{
+    float3 position_0;
+    float3 view_0;
+    float3 axis_x_0;
+    float3 axis_y_0;
+    float3 normal_0;
+    float3 face_normal_0;
+    float2 uv_1;
+    float2 draft_per_uv_0;
+    float2 draft_0;
+    float2 draft_dx_0;
+    float2 draft_dy_0;
+};
+
+float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
+{
+    return float3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+}
+
+struct Footprint_0
+{
+    float2 centre_0;
+    float2 dx_0;
+    float2 dy_0;
+};
+
+float3 row_of_taps_0(Footprint_0 footprint_0)
+{
+    float _S618 = footprint_0.dx_0.x;
+    float _S619 = footprint_0.dy_0.x;
+    float _S620 = _S618 * _S618 + _S619 * _S619;
+    float _S621 = footprint_0.dx_0.y;
+    float _S622 = footprint_0.dy_0.y;
+    float _S623 = _S621 * _S621 + _S622 * _S622;
+    float _S624 = _S618 * _S621 + _S619 * _S622;
+    float _S625 = 0.5f * (_S620 - _S623);
+    float _S626 = 0.5f * (_S620 + _S623);
+    float _S627 = sqrt(_S625 * _S625 + _S624 * _S624);
+    float _S628 = _S626 + _S627;
+    float _S629 = max(_S628 - 1.5f * max(_S626 - _S627, 0.0f), 0.0f);
+    float _S630 = square_1(4.0f);
+    float _S631 = max(_S626 - 0.5f * _S629, _S628 / _S630);
+    float _S632 = sqrt(max(min(_S629, _S628 - _S631), 0.0f) / (_S630 - 1.0f));
+    float _S633 = _S625 / max(_S627, 1.00000000317107685e-30f);
+    float _S634 = sqrt(max(0.5f * (1.0f - _S633), 0.0f));
+    float _S635 = sqrt(_S631);
+    float _S636 = _S632 * sqrt(max(0.5f * (1.0f + _S633), 0.0f));
+    float _S637;
+    if(_S624 < 0.0f)
+    {
+        _S637 = - _S632 * _S634;
+    }
+    else
+    {
+        _S637 = _S632 * _S634;
+    }
+    return float3(_S635, _S636, _S637);
+}
+
+struct AnisotropicTaps_0
+{
+    float2 centre_1;
+    float side_1;
+    float2 first_28;
+    float2 second_0;
+};
+
+float AnisotropicTaps_size_0(AnisotropicTaps_0 this_2)
+{
+    float _S638 = this_2.first_28.x;
+    float _S639 = this_2.second_0.x;
+    float _S640 = this_2.side_1;
+    float _S641 = _S640 * _S640;
+    float _S642 = this_2.first_28.y;
+    float _S643 = this_2.second_0.y;
+    float _S644 = 12.0f * (_S638 * _S642 + _S639 * _S643);
+    return sqrt(sqrt(max((12.0f * (_S638 * _S638 + _S639 * _S639) + _S641) * (12.0f * (_S642 * _S642 + _S643 * _S643) + _S641) - _S644 * _S644, square_1(_S641))));
 }
 
 float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
@@ -6889,104 +6948,99 @@ float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
 
 float3 to_face_frame_0(float3 direction_1, bool back_0)
 {
-    float2 _S623 = direction_1.xy;
-    float _S624;
+    float2 _S645 = direction_1.xy;
+    float _S646;
     if(back_0)
     {
-        _S624 = - direction_1.z;
+        _S646 = - direction_1.z;
     }
     else
     {
-        _S624 = direction_1.z;
+        _S646 = direction_1.z;
     }
-    return float3(_S623, _S624);
+    return float3(_S645, _S646);
 }
 
 Eight_0 eight_halves_0(uint4 packed_0)
 {
     Eight_0 numbers_1;
-    uint _S625 = packed_0.x;
-    uint _S626 = packed_0.y;
-    numbers_1.low_0 = float4(f16tof32(uint2(_S625 & 65535U, _S625 >> 16U)), f16tof32(uint2(_S626 & 65535U, _S626 >> 16U)));
-    uint _S627 = packed_0.z;
-    uint _S628 = packed_0.w;
-    numbers_1.high_0 = float4(f16tof32(uint2(_S627 & 65535U, _S627 >> 16U)), f16tof32(uint2(_S628 & 65535U, _S628 >> 16U)));
+    uint _S647 = packed_0.x;
+    uint _S648 = packed_0.y;
+    numbers_1.low_0 = float4(f16tof32(uint2(_S647 & 65535U, _S647 >> 16U)), f16tof32(uint2(_S648 & 65535U, _S648 >> 16U)));
+    uint _S649 = packed_0.z;
+    uint _S650 = packed_0.w;
+    numbers_1.high_0 = float4(f16tof32(uint2(_S649 & 65535U, _S649 >> 16U)), f16tof32(uint2(_S650 & 65535U, _S650 >> 16U)));
     return numbers_1;
 }
 
-float table_number_0(uint index_0)
+float table_number_0(uint index_1)
 {
-    return asfloat(words_0.Load(index_0));
+    return asfloat(words_0.Load(index_1));
 }
 
-float wrapped_0(float index_1, float count_1)
+float wrapped_0(float index_2, float count_1)
 {
-    float _S629;
-    if(index_1 < 0.0f)
+    float _S651;
+    if(index_2 < 0.0f)
     {
-        _S629 = index_1 + count_1;
+        _S651 = index_2 + count_1;
     }
     else
     {
-        if(index_1 >= count_1)
+        if(index_2 >= count_1)
         {
-            _S629 = index_1 - count_1;
+            _S651 = index_2 - count_1;
         }
         else
         {
-            _S629 = index_1;
+            _S651 = index_2;
         }
     }
-    return _S629;
-}
-
-float binary_logarithm_0(float x_6)
-{
-    return natural_logarithm_0(x_6) * 1.4426950216293335f;
+    return _S651;
 }
 
 bool AnisotropicTaps_has_steps_0(AnisotropicTaps_0 this_3)
 {
-    float2 _S630 = (float2)0.0f;
-    bool _S631;
-    if(any((this_3.first_27) != _S630))
+    float2 _S652 = (float2)0.0f;
+    bool _S653;
+    if(any((this_3.first_28) != _S652))
     {
-        _S631 = true;
+        _S653 = true;
     }
     else
     {
-        _S631 = any((this_3.second_0) != _S630);
+        _S653 = any((this_3.second_0) != _S652);
     }
-    return _S631;
+    return _S653;
 }
 
 float2 AnisotropicTaps_place_0(AnisotropicTaps_0 this_4, uint number_0)
 {
-    float _S632;
+    float _S654;
     if(number_0 >= 2U)
     {
-        _S632 = 1.0f;
+        _S654 = 1.0f;
     }
     else
     {
-        _S632 = -1.0f;
+        _S654 = -1.0f;
     }
-    float _S633;
+    float _S655;
     if((number_0 & 1U) != 0U)
     {
-        _S633 = 1.0f;
+        _S655 = 1.0f;
     }
     else
     {
-        _S633 = -1.0f;
+        _S655 = -1.0f;
     }
-    return this_4.centre_1 + _S632 * this_4.first_27 + _S633 * this_4.second_0;
+    return this_4.centre_1 + _S654 * this_4.first_28 + _S655 * this_4.second_0;
 }
 
 float bump_0(float distance_0)
 {
-    float _S634 = max(1.0f - distance_0 * distance_0, 0.0f);
-    return _S634 * _S634;
+    float _S656 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S656 * _S656;
 }
 
 float correction_weight_of_0(float coded_size_0)
@@ -6994,10 +7048,10 @@ float correction_weight_of_0(float coded_size_0)
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
-float2 turns_and_remainder_0(uint family_0, float index_2)
+float2 turns_and_remainder_0(uint family_0, float index_3)
 {
-    float _S635 = floor(mad(index_2, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
-    return float2(_S635, mad(- _S635, families_0.Load(family_0).count_0, index_2));
+    float _S657 = floor(mad(index_3, families_0.Load(family_0).inverse_count_0, families_0.Load(family_0).half_inverse_count_0));
+    return float2(_S657, mad(- _S657, families_0.Load(family_0).count_0, index_3));
 }
 
 struct Cell_0
@@ -7011,14 +7065,14 @@ struct Cell_0
 
 Cell_0 locate_alike_0(uint family_1, float position_1)
 {
-    float _S636 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
+    float _S658 = floor(position_1 * families_0.Load(family_1).inverse_size_0);
     Cell_0 cell_0;
-    float _S637 = mad(- _S636, families_0.Load(family_1).size_0, position_1);
-    cell_0.below_0 = _S637;
-    cell_0.above_0 = families_0.Load(family_1).size_0 - _S637;
-    cell_0.across_0 = _S637 - 0.5f * families_0.Load(family_1).size_0;
+    float _S659 = mad(- _S658, families_0.Load(family_1).size_0, position_1);
+    cell_0.below_0 = _S659;
+    cell_0.above_0 = families_0.Load(family_1).size_0 - _S659;
+    cell_0.across_0 = _S659 - 0.5f * families_0.Load(family_1).size_0;
     cell_0.half_width_1 = families_0.Load(family_1).half_width_0;
-    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S636).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
+    cell_0.thread_0 = uint(clamp(turns_and_remainder_0(family_1, _S658).y, 0.0f, families_0.Load(family_1).count_0 - 1.0f));
     return cell_0;
 }
 
@@ -7026,25 +7080,25 @@ Cell_0 locate_varied_0(uint family_2, float position_2)
 {
     float turns_0 = (position_2 - families_0.Load(family_2).start_0) * families_0.Load(family_2).inverse_period_0;
     float turns_1 = turns_0 - floor(turns_0);
-    float _S638 = turns_1 * families_0.Load(family_2).period_0;
+    float _S660 = turns_1 * families_0.Load(family_2).period_0;
     uint thread_1 = words_0.Load(families_0.Load(family_2).first_thread_table_0 + uint(clamp(turns_1 * families_0.Load(family_2).bins_0, 0.0f, families_0.Load(family_2).bins_0 - 1.0f)));
-    uint _S639;
-    if(_S638 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
+    uint _S661;
+    if(_S660 >= (table_number_0(families_0.Load(family_2).place_table_0 + thread_1 * 4U + 1U)))
     {
-        _S639 = 1U;
+        _S661 = 1U;
     }
     else
     {
-        _S639 = 0U;
+        _S661 = 0U;
     }
-    uint _S640 = min(thread_1 + _S639, uint(families_0.Load(family_2).count_0) - 1U);
-    uint _S641 = families_0.Load(family_2).place_table_0 + _S640 * 4U;
+    uint _S662 = min(thread_1 + _S661, uint(families_0.Load(family_2).count_0) - 1U);
+    uint _S663 = families_0.Load(family_2).place_table_0 + _S662 * 4U;
     Cell_0 cell_1;
-    cell_1.thread_0 = _S640;
-    cell_1.below_0 = _S638 - table_number_0(_S641);
-    cell_1.above_0 = table_number_0(_S641 + 1U) - _S638;
-    cell_1.across_0 = _S638 - table_number_0(_S641 + 2U);
-    cell_1.half_width_1 = table_number_0(_S641 + 3U);
+    cell_1.thread_0 = _S662;
+    cell_1.below_0 = _S660 - table_number_0(_S663);
+    cell_1.above_0 = table_number_0(_S663 + 1U) - _S660;
+    cell_1.across_0 = _S660 - table_number_0(_S663 + 2U);
+    cell_1.half_width_1 = table_number_0(_S663 + 3U);
     return cell_1;
 }
 
@@ -7069,16 +7123,16 @@ struct Bound_0
 
 Bound_0 bound_at_0(uint family_4, float position_4)
 {
-    Cell_0 _S642 = locate_0(family_4, position_4);
-    float _S643 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S642.thread_0 + 1U);
+    Cell_0 _S664 = locate_0(family_4, position_4);
+    float _S665 = table_number_0(families_0.Load(family_4).before_0 + 2U * _S664.thread_0 + 1U);
     Bound_0 bound_0;
-    bound_0.thread_2 = _S642.thread_0;
-    bound_0.turns_2 = round((position_4 - families_0.Load(family_4).start_0 - _S643 - _S642.below_0) * families_0.Load(family_4).inverse_period_0);
-    bound_0.cell_2 = _S642.below_0;
-    float _S644 = 2.0f * _S642.half_width_1;
-    bound_0.width_1 = _S644;
-    bound_0.visible_0 = clamp((_S642.across_0 + _S642.half_width_1) / _S644, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S642.below_0, _S642.below_0 - _S642.across_0 - _S642.half_width_1) + max(_S642.across_0 - _S642.half_width_1, 0.0f);
+    bound_0.thread_2 = _S664.thread_0;
+    bound_0.turns_2 = round((position_4 - families_0.Load(family_4).start_0 - _S665 - _S664.below_0) * families_0.Load(family_4).inverse_period_0);
+    bound_0.cell_2 = _S664.below_0;
+    float _S666 = 2.0f * _S664.half_width_1;
+    bound_0.width_1 = _S666;
+    bound_0.visible_0 = clamp((_S664.across_0 + _S664.half_width_1) / _S666, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S664.below_0, _S664.below_0 - _S664.across_0 - _S664.half_width_1) + max(_S664.across_0 - _S664.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -7090,17 +7144,17 @@ struct Stretch_0
 
 Stretch_0 stretch_of_0(uint family_5, float centre_2, float size_1)
 {
-    float _S645 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
-    float _S646 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
+    float _S667 = centre_2 - floor((centre_2 - families_0.Load(family_5).start_0) * families_0.Load(family_5).inverse_period_0) * families_0.Load(family_5).period_0;
+    float _S668 = 0.5f * max(size_1, families_0.Load(family_5).smallest_box_0);
     Stretch_0 stretch_0;
-    stretch_0.low_2 = bound_at_0(family_5, _S645 - _S646);
-    stretch_0.high_2 = bound_at_0(family_5, _S645 + _S646);
+    stretch_0.low_2 = bound_at_0(family_5, _S667 - _S668);
+    stretch_0.high_2 = bound_at_0(family_5, _S667 + _S668);
     return stretch_0;
 }
 
-float3 table_colour_0(uint index_3)
+float3 table_colour_0(uint index_4)
 {
-    return float3(table_number_0(index_3), table_number_0(index_3 + 1U), table_number_0(index_3 + 2U));
+    return float3(table_number_0(index_4), table_number_0(index_4 + 1U), table_number_0(index_4 + 2U));
 }
 
 struct Albedos_0
@@ -7128,26 +7182,26 @@ float Stretch_turns_0(Stretch_0 this_5)
 
 float3 lengths_0(uint family_6, Stretch_0 stretch_1)
 {
-    float _S647 = Stretch_turns_0(stretch_1);
-    uint _S648 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_2.thread_2;
-    uint _S649 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_2.thread_2;
-    float _S650 = table_number_0(_S649) - table_number_0(_S648);
-    float _S651 = table_number_0(_S649 + 1U) - table_number_0(_S648 + 1U);
-    return float3(_S650 + stretch_1.high_2.visible_0 * stretch_1.high_2.width_1 - stretch_1.low_2.visible_0 * stretch_1.low_2.width_1 + _S647 * families_0.Load(family_6).visible_total_0, _S651 - _S650 + stretch_1.high_2.gap_0 - stretch_1.low_2.gap_0 + _S647 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S651 + stretch_1.high_2.cell_2 - stretch_1.low_2.cell_2 + _S647 * families_0.Load(family_6).period_0);
+    float _S669 = Stretch_turns_0(stretch_1);
+    uint _S670 = families_0.Load(family_6).before_0 + 2U * stretch_1.low_2.thread_2;
+    uint _S671 = families_0.Load(family_6).before_0 + 2U * stretch_1.high_2.thread_2;
+    float _S672 = table_number_0(_S671) - table_number_0(_S670);
+    float _S673 = table_number_0(_S671 + 1U) - table_number_0(_S670 + 1U);
+    return float3(_S672 + stretch_1.high_2.visible_0 * stretch_1.high_2.width_1 - stretch_1.low_2.visible_0 * stretch_1.low_2.width_1 + _S669 * families_0.Load(family_6).visible_total_0, _S673 - _S672 + stretch_1.high_2.gap_0 - stretch_1.low_2.gap_0 + _S669 * (families_0.Load(family_6).period_0 - families_0.Load(family_6).visible_total_0), _S673 + stretch_1.high_2.cell_2 - stretch_1.low_2.cell_2 + _S669 * families_0.Load(family_6).period_0);
 }
 
 float2 integrals_along_0(uint family_7, Stretch_0 stretch_2, uint quantity_0)
 {
-    Family_0 _S652 = families_0.Load(family_7);
-    uint _S653 = 3U * _S652.quantities_0;
-    uint _S654 = families_0.Load(family_7).colour_threads_0 + _S653 * stretch_2.low_2.thread_2 + quantity_0;
-    uint _S655 = families_0.Load(family_7).colour_threads_0 + _S653 * stretch_2.high_2.thread_2 + quantity_0;
-    uint _S656 = families_0.Load(family_7).colour_threads_0 + _S653 * uint(families_0.Load(family_7).count_0) + quantity_0;
-    float _S657 = table_number_0(_S654);
-    float _S658 = table_number_0(_S655);
-    float _S659 = Stretch_turns_0(stretch_2);
-    uint _S660 = 2U * _S652.quantities_0;
-    return float2(table_number_0(_S655 + _S652.quantities_0) - table_number_0(_S654 + _S652.quantities_0) + _S658 * stretch_2.high_2.visible_0 * stretch_2.high_2.width_1 - _S657 * stretch_2.low_2.visible_0 * stretch_2.low_2.width_1 + _S659 * table_number_0(_S656 + _S652.quantities_0), table_number_0(_S655 + _S660) - table_number_0(_S654 + _S660) + _S658 * stretch_2.high_2.cell_2 - _S657 * stretch_2.low_2.cell_2 + _S659 * table_number_0(_S656 + _S660));
+    Family_0 _S674 = families_0.Load(family_7);
+    uint _S675 = 3U * _S674.quantities_0;
+    uint _S676 = families_0.Load(family_7).colour_threads_0 + _S675 * stretch_2.low_2.thread_2 + quantity_0;
+    uint _S677 = families_0.Load(family_7).colour_threads_0 + _S675 * stretch_2.high_2.thread_2 + quantity_0;
+    uint _S678 = families_0.Load(family_7).colour_threads_0 + _S675 * uint(families_0.Load(family_7).count_0) + quantity_0;
+    float _S679 = table_number_0(_S676);
+    float _S680 = table_number_0(_S677);
+    float _S681 = Stretch_turns_0(stretch_2);
+    uint _S682 = 2U * _S674.quantities_0;
+    return float2(table_number_0(_S677 + _S674.quantities_0) - table_number_0(_S676 + _S674.quantities_0) + _S680 * stretch_2.high_2.visible_0 * stretch_2.high_2.width_1 - _S679 * stretch_2.low_2.visible_0 * stretch_2.low_2.width_1 + _S681 * table_number_0(_S678 + _S674.quantities_0), table_number_0(_S677 + _S682) - table_number_0(_S676 + _S682) + _S680 * stretch_2.high_2.cell_2 - _S679 * stretch_2.low_2.cell_2 + _S681 * table_number_0(_S678 + _S682));
 }
 
 bool Stretch_wraps_0(Stretch_0 this_6)
@@ -7157,76 +7211,76 @@ bool Stretch_wraps_0(Stretch_0 this_6)
 
 uint4 Stretch_differences_0(Stretch_0 this_7, uint4 entries_0, uint whole_0)
 {
-    uint _S661 = entries_0.z;
-    uint _S662 = entries_0.x;
-    uint _S663 = _S661 - _S662;
-    uint _S664;
+    uint _S683 = entries_0.z;
+    uint _S684 = entries_0.x;
+    uint _S685 = _S683 - _S684;
+    uint _S686;
     if(Stretch_wraps_0(this_7))
     {
-        _S664 = whole_0;
+        _S686 = whole_0;
     }
     else
     {
-        _S664 = 0U;
+        _S686 = 0U;
     }
-    return uint4(_S663 + _S664, entries_0.w - _S661, entries_0.y - _S662, whole_0);
+    return uint4(_S685 + _S686, entries_0.w - _S683, entries_0.y - _S684, whole_0);
 }
 
 uint4 row_differences_0(Stretch_0 across_1, uint row_2, uint count_2, uint quantities_1)
 {
-    uint _S665 = row_2 + across_1.low_2.thread_2 * quantities_1;
-    uint _S666 = row_2 + across_1.high_2.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, uint4(words_0.Load(_S665), words_0.Load(_S665 + quantities_1), words_0.Load(_S666), words_0.Load(_S666 + quantities_1)), words_0.Load(row_2 + count_2 * quantities_1));
+    uint _S687 = row_2 + across_1.low_2.thread_2 * quantities_1;
+    uint _S688 = row_2 + across_1.high_2.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, uint4(words_0.Load(_S687), words_0.Load(_S687 + quantities_1), words_0.Load(_S688), words_0.Load(_S688 + quantities_1)), words_0.Load(row_2 + count_2 * quantities_1));
 }
 
 float4 Stretch_weights_0(Stretch_0 this_8)
 {
-    float _S667 = - this_8.low_2.visible_0;
-    float _S668 = Stretch_turns_0(this_8);
-    float _S669;
+    float _S689 = - this_8.low_2.visible_0;
+    float _S690 = Stretch_turns_0(this_8);
+    float _S691;
     if(Stretch_wraps_0(this_8))
     {
-        _S669 = 1.0f;
+        _S691 = 1.0f;
     }
     else
     {
-        _S669 = 0.0f;
+        _S691 = 0.0f;
     }
-    return float4(1.0f, this_8.high_2.visible_0, _S667, _S668 - _S669);
+    return float4(1.0f, this_8.high_2.visible_0, _S689, _S690 - _S691);
 }
 
 float integral_on_top_0(uint family_8, Stretch_0 across_2, Stretch_0 along_0, uint crossing_count_0, uint quantity_1)
 {
-    uint _S670 = uint(families_0.Load(family_8).count_0);
-    uint _S671 = (_S670 + 1U) * families_0.Load(family_8).quantities_0;
-    uint _S672 = families_0.Load(family_8).colour_areas_0 + quantity_1;
-    uint4 _S673 = row_differences_0(across_2, _S672 + along_0.low_2.thread_2 * _S671, _S670, families_0.Load(family_8).quantities_0);
-    uint4 _S674 = row_differences_0(across_2, _S672 + (along_0.low_2.thread_2 + 1U) * _S671, _S670, families_0.Load(family_8).quantities_0);
-    uint4 _S675 = row_differences_0(across_2, _S672 + along_0.high_2.thread_2 * _S671, _S670, families_0.Load(family_8).quantities_0);
-    uint4 _S676 = row_differences_0(across_2, _S672 + (along_0.high_2.thread_2 + 1U) * _S671, _S670, families_0.Load(family_8).quantities_0);
-    uint4 _S677 = row_differences_0(across_2, _S672 + crossing_count_0 * _S671, _S670, families_0.Load(family_8).quantities_0);
-    uint4 _S678 = _S675 - _S673;
-    uint4 _S679;
+    uint _S692 = uint(families_0.Load(family_8).count_0);
+    uint _S693 = (_S692 + 1U) * families_0.Load(family_8).quantities_0;
+    uint _S694 = families_0.Load(family_8).colour_areas_0 + quantity_1;
+    uint4 _S695 = row_differences_0(across_2, _S694 + along_0.low_2.thread_2 * _S693, _S692, families_0.Load(family_8).quantities_0);
+    uint4 _S696 = row_differences_0(across_2, _S694 + (along_0.low_2.thread_2 + 1U) * _S693, _S692, families_0.Load(family_8).quantities_0);
+    uint4 _S697 = row_differences_0(across_2, _S694 + along_0.high_2.thread_2 * _S693, _S692, families_0.Load(family_8).quantities_0);
+    uint4 _S698 = row_differences_0(across_2, _S694 + (along_0.high_2.thread_2 + 1U) * _S693, _S692, families_0.Load(family_8).quantities_0);
+    uint4 _S699 = row_differences_0(across_2, _S694 + crossing_count_0 * _S693, _S692, families_0.Load(family_8).quantities_0);
+    uint4 _S700 = _S697 - _S695;
+    uint4 _S701;
     if(Stretch_wraps_0(along_0))
     {
-        _S679 = _S677;
+        _S701 = _S699;
     }
     else
     {
-        _S679 = uint4((int4)int(0));
+        _S701 = uint4((int4)int(0));
     }
-    float4 _S680 = Stretch_weights_0(across_2);
-    return dot(float4(dot(float4(int4(_S678 + _S679)), _S680), dot(float4(int4(_S676 - _S675)), _S680), dot(float4(int4(_S674 - _S673)), _S680), dot(float4(int4(_S677)), _S680)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
+    float4 _S702 = Stretch_weights_0(across_2);
+    return dot(float4(dot(float4(int4(_S700 + _S701)), _S702), dot(float4(int4(_S698 - _S697)), _S702), dot(float4(int4(_S696 - _S695)), _S702), dot(float4(int4(_S699)), _S702)), Stretch_weights_0(along_0)) * families_0.Load(family_8).area_unit_0;
 }
 
 Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_3)
 {
-    Albedos_0 _S681 = table_albedos_0(row_3);
+    Albedos_0 _S703 = table_albedos_0(row_3);
     Albedos_0 sum_0;
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S681.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S681.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S681.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S681.specular_transmit_0;
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + weight_0 * _S703.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + weight_0 * _S703.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + weight_0 * _S703.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + weight_0 * _S703.specular_transmit_0;
     return sum_0;
 }
 
@@ -7237,7 +7291,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
     {
         return albedos_2;
     }
-    float3 _S682 = lengths_0(crossing_0, other_0);
+    float3 _S704 = lengths_0(crossing_0, other_0);
     bool is_exposed_0 = false;
     float weight_1 = 0.0f;
     uint quantity_2 = 0U;
@@ -7250,42 +7304,42 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         {
             break;
         }
-        float2 _S683 = integrals_along_0(family_9, own_0, quantity_2);
-        float _S684 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
-        float _S685 = _S683.x;
-        float _S686 = _S685 * _S682.x;
-        float _S687;
+        float2 _S705 = integrals_along_0(family_9, own_0, quantity_2);
+        float _S706 = integral_on_top_0(family_9, own_0, other_0, uint(families_0.Load(crossing_0).count_0), quantity_2);
+        float _S707 = _S705.x;
+        float _S708 = _S707 * _S704.x;
+        float _S709;
         if(back_1)
         {
-            _S687 = _S686 - _S684;
+            _S709 = _S708 - _S706;
         }
         else
         {
-            _S687 = _S684;
+            _S709 = _S706;
         }
-        bool _S688 = quantity_2 == 0U;
-        if(_S688)
+        bool _S710 = quantity_2 == 0U;
+        if(_S710)
         {
-            is_exposed_0 = _S687 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S686 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S686);
+            is_exposed_0 = _S709 > (16.0f * families_0.Load(family_9).area_unit_0 * min(_S708 / families_0.Load(family_9).crossing_area_0, 1.0f) + 0.00000999999974738f * _S708);
         }
-        float _S689 = _S685 * _S682.y;
-        float _S690;
+        float _S711 = _S707 * _S704.y;
+        float _S712;
         if(is_exposed_0)
         {
-            _S690 = _S687;
+            _S712 = _S709;
         }
         else
         {
-            _S690 = 0.0f;
+            _S712 = 0.0f;
         }
-        float _S691 = _S689 + _S690 + 0.000244140625f * _S682.z * _S683.y;
-        if(_S688)
+        float _S713 = _S711 + _S712 + 0.000244140625f * _S704.z * _S705.y;
+        if(_S710)
         {
-            weight_1 = 1.0f / max(_S691, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S713, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S691 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
+            albedos_2 = with_added_albedos_0(albedos_2, _S713 * weight_1, families_0.Load(family_9).colour_axes_0 + 12U * (quantity_2 - 1U));
         }
         quantity_2 = quantity_2 + 1U;
     }
@@ -7296,36 +7350,117 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
     return albedos_2;
 }
 
-float3 towards_light_0(Light_0 light_0, float3 position_5, out float3 irradiance_1)
+Albedos_0 tinted_0(Albedos_0 albedos_3, float3 tint_0)
 {
-    irradiance_1 = float3(light_0.red_0, light_0.green_0, light_0.blue_0);
-    float3 _S692 = float3(light_0.x_1, light_0.y_1, light_0.z_1);
-    if((light_0.is_point_0) == 0U)
-    {
-        return _S692;
-    }
-    float3 _S693 = _S692 - position_5;
-    irradiance_1 = irradiance_1 / max(square_0(_S693), 9.999999960041972e-13f);
-    return normalize(_S693);
+    Albedos_0 result_0 = albedos_3;
+    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
+    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    return result_0;
 }
 
-float exponential_0(float x_7)
+uint scramble_0(uint value_0)
 {
-    float _S694 = clamp(x_7, -87.0f, 88.0f);
-    float _S695 = floor(_S694 * 1.4426950216293335f + 0.5f);
-    float _S696 = _S694 - _S695 * 0.693359375f + _S695 * 0.00021219444170129f;
-    float p_0 = ((((0.00019875691214111f * _S696 + 0.00139819993637502f) * _S696 + 0.00833345204591751f) * _S696 + 0.04166579619050026f) * _S696 + 0.1666666567325592f) * _S696 + 0.5f;
-    float _S697 = asfloat(uint(int(_S695) + int(127)) << int(23));
-    float _S698;
-    if(x_7 < -87.0f)
+    uint _S714 = value_0 * 747796405U + 2891336453U;
+    uint _S715 = ((_S714 >> ((_S714 >> int(28)) + 4U)) ^ _S714) * 277803737U;
+    return (_S715 >> int(22)) ^ _S715;
+}
+
+float uniform_hash_0(uint thread_3, uint cell_3, uint stream_0)
+{
+    return (float((scramble_0(cell_3 + scramble_0(thread_3 + scramble_0(stream_0)))) >> int(9)) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+float2 pixel_sequence_0(uint2 pixel_0, uint index_5, uint stream_1)
+{
+    uint _S716 = pixel_0.x;
+    uint _S717 = pixel_0.y;
+    return frac(float2(uniform_hash_0(_S716, _S717, stream_1), uniform_hash_0(_S716, _S717, stream_1 + 1U)) + float(index_5 & 65535U) * float2(0.75487768650054932f, 0.56984031200408936f));
+}
+
+float scene_number_0(uint index_6)
+{
+    return asfloat(scene_words_0.Load(index_6));
+}
+
+struct Choice_0
+{
+    uint index_7;
+    float remainder_0;
+};
+
+Choice_0 choose_0(uint table_0, uint count_3, float number_1)
+{
+    uint high_3 = count_3;
+    uint low_3 = 0U;
+    for(;;)
     {
-        _S698 = 0.0f;
+        if((high_3 - low_3) > 1U)
+        {
+        }
+        else
+        {
+            break;
+        }
+        uint _S718 = (low_3 + high_3) / 2U;
+        if((scene_number_0(table_0 + _S718)) <= number_1)
+        {
+            low_3 = _S718;
+        }
+        else
+        {
+            high_3 = _S718;
+        }
+    }
+    uint _S719 = table_0 + low_3;
+    float _S720 = scene_number_0(_S719);
+    float _S721 = scene_number_0(_S719 + 1U);
+    Choice_0 choice_0;
+    choice_0.index_7 = low_3;
+    choice_0.remainder_0 = saturate((number_1 - _S720) / max(_S721 - _S720, 9.999999960041972e-13f));
+    return choice_0;
+}
+
+float mean_0(float3 colour_0)
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+float2 sine_cosine_0(float x_8)
+{
+    float _S722 = floor(x_8 * 0.63661974668502808f + 0.5f);
+    float _S723 = x_8 - _S722 * 1.5703125f - _S722 * 0.00048375129699707f - _S722 * 7.54979012640433211e-08f;
+    float _S724 = _S723 * _S723;
+    float _S725 = ((-0.00019515295571182f * _S724 + 0.00833216123282909f) * _S724 - 0.16666655242443085f) * _S724 * _S723 + _S723;
+    float _S726 = ((0.00002443315679557f * _S724 - 0.00138873164542019f) * _S724 + 0.04166664555668831f) * _S724 * _S724 - 0.5f * _S724 + 1.0f;
+    uint _S727 = uint(int(_S722)) & 3U;
+    float2 _S728;
+    if((_S727 & 1U) != 0U)
+    {
+        _S728 = float2(_S726, _S725);
     }
     else
     {
-        _S698 = (p_0 * _S696 * _S696 + _S696 + 1.0f) * _S697;
+        _S728 = float2(_S725, _S726);
     }
-    return _S698;
+    float _S729;
+    if((_S727 & 2U) != 0U)
+    {
+        _S729 = - _S728.x;
+    }
+    else
+    {
+        _S729 = _S728.x;
+    }
+    float _S730;
+    if(((_S727 + 1U) & 2U) != 0U)
+    {
+        _S730 = - _S728.y;
+    }
+    else
+    {
+        _S730 = _S728.y;
+    }
+    return float2(_S729, _S730);
 }
 
 float unmapped_0(float output_1, float scale_0)
@@ -7335,195 +7470,253 @@ float unmapped_0(float output_1, float scale_0)
 
 uint mirrored_bundle_0(uint bundle_0)
 {
-    uint _S699 = bundle_0 / 3U;
-    uint _S700 = bundle_0 % 3U;
-    uint _S701;
+    uint _S731 = bundle_0 / 3U;
+    uint _S732 = bundle_0 % 3U;
+    uint _S733;
     if(bundle_0 == 24U)
     {
-        _S701 = bundle_0;
+        _S733 = bundle_0;
     }
     else
     {
-        _S701 = _S699 * 3U + 3U - 1U - _S700;
+        _S733 = _S731 * 3U + 3U - 1U - _S732;
     }
-    return _S701;
+    return _S733;
 }
 
-float light_visibility_of_0(float diffuse_0, float3 light_1, float3 view_1, float blend_0)
+float light_visibility_of_0(float diffuse_0, float3 light_0, float3 view_1, float blend_0)
 {
-    float _S702 = max(abs(light_1.z), 0.00100000004749745f);
-    float2 _S703 = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S702, (0.59700000286102295f * _S702 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S703, view_1.xy) * rsqrt(max(dot(_S703, _S703), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    float _S734 = max(abs(light_0.z), 0.00100000004749745f);
+    float2 _S735 = light_0.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / lerp(_S734, (0.59700000286102295f * _S734 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S735, view_1.xy) * rsqrt(max(dot(_S735, _S735), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
-float sheen_scale_0(float x_8, float y_2)
+float sheen_scale_0(float x_9, float y_2)
 {
-    return (((((0.0f * x_8 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_8 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_8 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_8 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_8 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_8 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
 }
 
-float sheen_shear_0(float x_9, float y_3)
+float sheen_shear_0(float x_10, float y_3)
 {
-    return ((((0.0f * x_9 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_9 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_9 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_9 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_9 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
 }
 
-float sheen_reflectance_0(float x_10, float y_4)
+float sheen_reflectance_0(float x_11, float y_4)
 {
-    return ((((0.0f * x_10 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_10 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_10 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_10 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_10 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
 }
 
 float3 sheen_lobe_0(float cos_view_0, float roughness_1)
 {
-    float _S704 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    float _S705 = 2.0f * sqrt(_S704) - 1.0f;
-    float _S706 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return float3(clamp(sheen_scale_0(_S705, _S706), 0.00999999977648258f, 1.0f), clamp((1.0f - _S704) * sheen_shear_0(_S705, _S706), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S705, _S706), -60.0f, 60.0f))));
+    float _S736 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    float _S737 = 2.0f * sqrt(_S736) - 1.0f;
+    float _S738 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return float3(clamp(sheen_scale_0(_S737, _S738), 0.00999999977648258f, 1.0f), clamp((1.0f - _S736) * sheen_shear_0(_S737, _S738), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S737, _S738), -60.0f, 60.0f))));
 }
 
-float transformed_cosine_0(float3 light_2, float3 view_2, float scale_1, float shear_0)
+float transformed_cosine_0(float3 light_1, float3 view_2, float scale_1, float shear_0)
 {
-    float _S707 = light_2.z;
-    bool _S708;
-    if(_S707 <= 0.0f)
+    float _S739 = light_1.z;
+    bool _S740;
+    if(_S739 <= 0.0f)
     {
-        _S708 = true;
+        _S740 = true;
     }
     else
     {
-        _S708 = (view_2.z) <= 0.0f;
+        _S740 = (view_2.z) <= 0.0f;
     }
-    if(_S708)
+    if(_S740)
     {
         return 0.0f;
     }
-    float2 _S709 = view_2.xy;
-    float _S710 = dot(_S709, _S709);
-    float2 _S711;
-    if(_S710 > 9.99999968265522539e-21f)
+    float2 _S741 = view_2.xy;
+    float _S742 = dot(_S741, _S741);
+    float2 _S743;
+    if(_S742 > 9.99999968265522539e-21f)
     {
-        _S711 = _S709 * rsqrt(_S710);
+        _S743 = _S741 * rsqrt(_S742);
     }
     else
     {
-        _S711 = float2(1.0f, 0.0f);
+        _S743 = float2(1.0f, 0.0f);
     }
-    float _S712 = scale_1 * dot(light_2.xy, _S711) + shear_0 * _S707;
-    float _S713 = scale_1 * (light_2.y * _S711.x - light_2.x * _S711.y);
-    float _S714 = _S712 * _S712 + _S713 * _S713 + _S707 * _S707;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S707 / max(_S714 * _S714, 9.99999968265522539e-21f);
+    float _S744 = scale_1 * dot(light_1.xy, _S743) + shear_0 * _S739;
+    float _S745 = scale_1 * (light_1.y * _S743.x - light_1.x * _S743.y);
+    float _S746 = _S744 * _S744 + _S745 * _S745 + _S739 * _S739;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S739 / max(_S746 * _S746, 9.99999968265522539e-21f);
 }
 
-float2 sheen_with_transmittance_0(float3 light_3, float3 view_3, float strength_0, float roughness_2)
+float2 sheen_with_transmittance_0(float3 light_2, float3 view_3, float strength_0, float roughness_2)
 {
-    float3 _S715 = sheen_lobe_0(view_3.z, roughness_2);
-    float _S716 = strength_0 * _S715.z;
-    return float2(_S716 * transformed_cosine_0(light_3, view_3, _S715.x, _S715.y), 1.0f - _S716);
+    float3 _S747 = sheen_lobe_0(view_3.z, roughness_2);
+    float _S748 = strength_0 * _S747.z;
+    return float2(_S748 * transformed_cosine_0(light_2, view_3, _S747.x, _S747.y), 1.0f - _S748);
 }
 
-void accumulate_0(Frame_0 frame_4, uint2 pixel_0, float4 light_4)
+void accumulate_0(uint index_8, float4 light_3)
 {
-    uint _S717 = pixel_0.y * frame_4.width_0 + pixel_0.x;
-    float _S718 = light_4.w;
-    float4 _S719 = float4(light_4.xyz + (1.0f - _S718) * float3(frame_4.background_red_0, frame_4.background_green_0, frame_4.background_blue_0), _S718);
-    float4 _S720;
-    if((frame_4.pass_number_0) == 0U)
-    {
-        _S720 = _S719;
-    }
-    else
-    {
-        _S720 = radiance_0[_S717] + _S719;
-    }
-    radiance_0[_S717] = _S720;
+    float _S749 = layers_0[index_8].share_0;
+    radiance_0[index_8] = radiance_0[index_8] + layers_0[index_8].share_0 * light_3;
+    layers_0[index_8].share_0 = _S749 * (1.0f - light_3.w);
     return;
 }
 
-VisiblePoint_0 visible_point_0(Frame_0 _S721, uint _S722, uint _S723, uint2 _S724)
+float3 camera_right_0(int _S750)
 {
-    uint _S725 = 3U * _S723;
-    Vertex_0 _S726 = vertices_0.Load(corners_0.Load(_S725));
-    Vertex_0 _S727 = vertices_0.Load(corners_0.Load(_S725 + 1U));
-    Vertex_0 _S728 = vertices_0.Load(corners_0.Load(_S725 + 2U));
-    float3 _S729 = position_of_0(_S726);
-    float3 _S730 = position_of_0(_S727) - _S729;
-    float3 _S731 = position_of_0(_S728) - _S729;
-    float3 _S732 = cross(_S730, _S731);
-    float _S733 = 1.0f / max(square_0(_S732), 1.00000000317107685e-30f);
-    float _S734 = float(_S721.width_0);
-    float3 _S735 = camera_right_0(_S721) * (2.0f / _S734);
-    float _S736 = float(_S721.height_0);
-    float3 _S737 = camera_up_0(_S721) * (-2.0f / _S736);
-    float3 _S738 = camera_forward_0(_S721) + (float(_S724.x) + 0.5f - 0.5f * _S734) * _S735 + (float(_S724.y) + 0.5f - 0.5f * _S736) * _S737;
-    float _S739 = dot(_S738, _S732);
-    float _S740;
-    if((abs(_S739)) > 1.00000000317107685e-30f)
+    return float3(frames_0[_S750].right_x_0, frames_0[_S750].right_y_0, frames_0[_S750].right_z_0);
+}
+
+float3 camera_up_0(int _S751)
+{
+    return float3(frames_0[_S751].up_x_0, frames_0[_S751].up_y_0, frames_0[_S751].up_z_0);
+}
+
+float3 camera_forward_0(int _S752)
+{
+    return float3(frames_0[_S752].forward_x_0, frames_0[_S752].forward_y_0, frames_0[_S752].forward_z_0);
+}
+
+float3 camera_origin_0(int _S753)
+{
+    return float3(frames_0[_S753].origin_x_0, frames_0[_S753].origin_y_0, frames_0[_S753].origin_z_0);
+}
+
+VisiblePoint_0 face_point_0(uint _S754, uint _S755, float _S756, float _S757)
+{
+    uint _S758 = 3U * _S755;
+    Vertex_0 _S759 = vertices_0.Load(corners_0.Load(_S758));
+    Vertex_0 _S760 = vertices_0.Load(corners_0.Load(_S758 + 1U));
+    Vertex_0 _S761 = vertices_0.Load(corners_0.Load(_S758 + 2U));
+    float3 _S762 = position_of_0(_S759);
+    float3 _S763 = position_of_0(_S760) - _S762;
+    float3 _S764 = position_of_0(_S761) - _S762;
+    float _S765 = _S760.u_0 - _S759.u_0;
+    float _S766 = _S760.v_0 - _S759.v_0;
+    float2 _S767 = float2(_S765, _S766);
+    float _S768 = _S761.u_0 - _S759.u_0;
+    float _S769 = _S761.v_0 - _S759.v_0;
+    float2 _S770 = float2(_S768, _S769);
+    float _S771;
+    if((_S765 * _S769 - _S766 * _S768) < 0.0f)
     {
-        _S740 = _S739;
+        _S771 = -1.0f;
     }
     else
     {
-        _S740 = 1.00000000317107685e-30f;
+        _S771 = 1.0f;
     }
-    float _S741 = 1.0f / _S740;
-    float3 _S742 = _S729 - camera_origin_0(_S721);
-    float _S743 = dot(_S742, _S732) * _S741;
-    float3 _S744 = _S738 * _S743 - _S742;
-    float3 _S745 = _S743 * (_S735 - _S738 * (dot(_S735, _S732) * _S741));
-    float3 _S746 = _S743 * (_S737 - _S738 * (dot(_S737, _S732) * _S741));
-    float3 _S747 = cross(_S731, _S732) * _S733;
-    float3 _S748 = cross(_S732, _S730) * _S733;
-    float _S749 = dot(_S744, _S747);
-    float _S750 = dot(_S744, _S748);
-    float _S751 = _S727.u_0 - _S726.u_0;
-    float _S752 = _S727.v_0 - _S726.v_0;
-    float2 _S753 = float2(_S751, _S752);
-    float _S754 = _S728.u_0 - _S726.u_0;
-    float _S755 = _S728.v_0 - _S726.v_0;
-    float2 _S756 = float2(_S754, _S755);
-    float2 _S757 = float2(_S726.u_0, _S726.v_0) + _S749 * _S753 + _S750 * _S756;
-    float2 _S758 = dot(_S745, _S747) * _S753 + dot(_S745, _S748) * _S756;
-    float2 _S759 = dot(_S746, _S747) * _S753 + dot(_S746, _S748) * _S756;
-    if((_S751 * _S755 - _S752 * _S754) < 0.0f)
-    {
-        _S740 = -1.0f;
-    }
-    else
-    {
-        _S740 = 1.0f;
-    }
-    float3 _S760 = _S740 * (_S755 * _S730 - _S752 * _S731);
-    float3 _S761 = _S740 * (_S751 * _S731 - _S754 * _S730);
+    float3 _S772 = _S771 * (_S769 * _S763 - _S766 * _S764);
+    float3 _S773 = _S771 * (_S765 * _S764 - _S768 * _S763);
     VisiblePoint_0 point_1;
-    float3 _S762 = normalize((1.0f - _S749 - _S750) * normal_of_0(_S726) + _S749 * normal_of_0(_S727) + _S750 * normal_of_0(_S728));
-    point_1.normal_0 = _S762;
-    float3 _S763 = normalize(_S760 - _S762 * dot(_S762, _S760));
-    point_1.axis_x_0 = _S763;
-    point_1.axis_y_0 = cross(_S762, _S763);
-    point_1.position_0 = _S729 + _S744;
-    point_1.view_0 = - normalize(_S738);
-    bool _S764 = (dot(cross(_S760, _S761), _S762)) < 0.0f;
-    float _S765 = fabrics_0[_S722].uv_width_0;
-    if(_S764)
+    float3 _S774 = normalize((1.0f - _S756 - _S757) * normal_of_0(_S759) + _S756 * normal_of_0(_S760) + _S757 * normal_of_0(_S761));
+    point_1.normal_0 = _S774;
+    float3 _S775 = normalize(_S772 - _S774 * dot(_S774, _S772));
+    point_1.axis_x_0 = _S775;
+    point_1.axis_y_0 = cross(_S774, _S775);
+    float3 _S776 = normalize(cross(_S763, _S764));
+    float3 _S777;
+    if((dot(_S776, _S774)) < 0.0f)
     {
-        _S740 = - fabrics_0[_S722].uv_height_0;
+        _S777 = - _S776;
     }
     else
     {
-        _S740 = fabrics_0[_S722].uv_height_0;
+        _S777 = _S776;
     }
-    float2 _S766 = float2(_S765, _S740);
-    float2 _S767 = _S757 * _S766;
-    if(_S764)
+    point_1.face_normal_0 = _S777;
+    point_1.position_0 = _S762 + _S756 * _S763 + _S757 * _S764;
+    point_1.view_0 = point_1.normal_0;
+    point_1.uv_1 = float2(_S759.u_0, _S759.v_0) + _S756 * _S767 + _S757 * _S770;
+    bool _S778 = (dot(cross(_S772, _S773), point_1.normal_0)) < 0.0f;
+    float _S779 = fabrics_0[_S754].uv_width_0;
+    if(_S778)
     {
-        _S740 = fabrics_0[_S722].uv_height_0;
+        _S771 = - fabrics_0[_S754].uv_height_0;
     }
     else
     {
-        _S740 = 0.0f;
+        _S771 = fabrics_0[_S754].uv_height_0;
     }
-    point_1.draft_0 = _S767 + float2(0.0f, _S740);
-    point_1.draft_dx_0 = _S758 * _S766;
-    point_1.draft_dy_0 = _S759 * _S766;
+    float2 _S780 = float2(_S779, _S771);
+    point_1.draft_per_uv_0 = _S780;
+    float2 _S781 = point_1.uv_1 * _S780;
+    if(_S778)
+    {
+        _S771 = fabrics_0[_S754].uv_height_0;
+    }
+    else
+    {
+        _S771 = 0.0f;
+    }
+    point_1.draft_0 = _S781 + float2(0.0f, _S771);
+    float2 _S782 = (float2)0.0f;
+    point_1.draft_dx_0 = _S782;
+    point_1.draft_dy_0 = _S782;
     return point_1;
+}
+
+VisiblePoint_0 visible_point_0(int _S783, uint _S784, uint _S785, uint2 _S786)
+{
+    uint _S787 = 3U * _S785;
+    Vertex_0 _S788 = vertices_0.Load(corners_0.Load(_S787));
+    Vertex_0 _S789 = vertices_0.Load(corners_0.Load(_S787 + 1U));
+    Vertex_0 _S790 = vertices_0.Load(corners_0.Load(_S787 + 2U));
+    float3 _S791 = position_of_0(_S788);
+    float3 _S792 = position_of_0(_S789) - _S791;
+    float3 _S793 = position_of_0(_S790) - _S791;
+    float3 _S794 = cross(_S792, _S793);
+    float _S795 = 1.0f / max(square_0(_S794), 1.00000000317107685e-30f);
+    float _S796 = float(frames_0[_S783].width_0);
+    float3 _S797 = camera_right_0(_S783) * (2.0f / _S796);
+    float _S798 = float(frames_0[_S783].height_0);
+    float3 _S799 = camera_up_0(_S783) * (-2.0f / _S798);
+    float3 _S800 = camera_forward_0(_S783) + (float(_S786.x) + 0.5f - 0.5f * _S796) * _S797 + (float(_S786.y) + 0.5f - 0.5f * _S798) * _S799;
+    float _S801 = dot(_S800, _S794);
+    float _S802;
+    if((abs(_S801)) > 1.00000000317107685e-30f)
+    {
+        _S802 = _S801;
+    }
+    else
+    {
+        _S802 = 1.00000000317107685e-30f;
+    }
+    float _S803 = 1.0f / _S802;
+    float3 _S804 = _S791 - camera_origin_0(_S783);
+    float _S805 = dot(_S804, _S794) * _S803;
+    float3 _S806 = _S800 * _S805 - _S804;
+    float3 _S807 = _S805 * (_S797 - _S800 * (dot(_S797, _S794) * _S803));
+    float3 _S808 = _S805 * (_S799 - _S800 * (dot(_S799, _S794) * _S803));
+    float3 _S809 = cross(_S793, _S794) * _S795;
+    float3 _S810 = cross(_S794, _S792) * _S795;
+    float2 _S811 = float2(_S789.u_0 - _S788.u_0, _S789.v_0 - _S788.v_0);
+    float2 _S812 = float2(_S790.u_0 - _S788.u_0, _S790.v_0 - _S788.v_0);
+    VisiblePoint_0 point_2 = face_point_0(_S784, _S785, dot(_S806, _S809), dot(_S806, _S810));
+    point_2.position_0 = _S791 + _S806;
+    point_2.view_0 = - normalize(_S800);
+    point_2.draft_dx_0 = (dot(_S807, _S809) * _S811 + dot(_S807, _S810) * _S812) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (dot(_S808, _S809) * _S811 + dot(_S808, _S810) * _S812) * point_2.draft_per_uv_0;
+    return point_2;
+}
+
+float3 filtered_albedo_0(uint _S813, VisiblePoint_0 _S814)
+{
+    uint _S815 = fabrics_0[_S813].albedo_map_levels_0;
+    if((fabrics_0[_S813].albedo_map_levels_0) == 0U)
+    {
+        return (float3)1.0f;
+    }
+    float2 _S816 = float2(fabrics_0[_S813].uv_width_0, fabrics_0[_S813].uv_height_0);
+    float2 _S817 = _S814.draft_dx_0 / _S816;
+    float2 _S818 = _S814.draft_dy_0 / _S816;
+    uint _S819 = _S815 - 1U;
+    uint _S820 = 1U << _S819;
+    float _S821 = clamp(0.5f * binary_logarithm_0(max(abs(_S817.x * _S818.y - _S817.y * _S818.x), 9.99999968265522539e-21f) * (square_1(float(_S820)) / 3.0f)), 0.0f, float(_S815) - 1.0f);
+    uint _S822 = min(uint(_S821), max(_S815, 2U) - 2U);
+    uint _S823 = min(_S822 + 1U, _S819);
+    uint _S824 = 1U << (2U * _S815);
+    return lerp(map_level_0(fabrics_0[_S813].albedo_map_0 + (_S824 - (_S824 >> (2U * _S822))) / 3U, _S820 >> _S822, _S814.uv_1), map_level_0(fabrics_0[_S813].albedo_map_0 + (_S824 - (_S824 >> (2U * _S823))) / 3U, _S820 >> _S823, _S814.uv_1), (float3)((exponential_0(1.38629436492919922f * (_S821 - float(_S822))) - 1.0f) / 3.0f));
 }
 
 struct WovenView_0
@@ -7535,62 +7728,62 @@ struct WovenView_0
     bool back_2;
 };
 
-AnisotropicTaps_0 anisotropic_taps_0(uint _S768, Footprint_0 _S769)
+AnisotropicTaps_0 anisotropic_taps_0(uint _S825, Footprint_0 _S826)
 {
-    float3 _S770 = row_of_taps_0(_S769);
-    float2 _S771 = _S769.dx_0;
-    float2 _S772 = _S769.dy_0;
-    float _S773 = dot(_S771, _S771) + dot(_S772, _S772);
-    float _S774 = _S769.dx_0.x * _S769.dy_0.y - _S769.dx_0.y * _S769.dy_0.x;
-    float _S775 = 0.5f * (_S773 + sqrt(max(_S773 * _S773 - 4.0f * _S774 * _S774, 0.0f)));
-    Woven_0 _S776 = fabrics_0[_S768].woven_0;
-    bool _S777;
-    if(_S775 < (5.5f * (_S773 - _S775)))
+    float3 _S827 = row_of_taps_0(_S826);
+    float2 _S828 = _S826.dx_0;
+    float2 _S829 = _S826.dy_0;
+    float _S830 = dot(_S828, _S828) + dot(_S829, _S829);
+    float _S831 = _S826.dx_0.x * _S826.dy_0.y - _S826.dx_0.y * _S826.dy_0.x;
+    float _S832 = 0.5f * (_S830 + sqrt(max(_S830 * _S830 - 4.0f * _S831 * _S831, 0.0f)));
+    Woven_0 _S833 = fabrics_0[_S825].woven_0;
+    bool _S834;
+    if(_S832 < (5.5f * (_S830 - _S832)))
     {
-        _S777 = _S773 > (8.0f * _S776.pitch_0 * _S776.pitch_0);
+        _S834 = _S830 > (8.0f * _S833.pitch_0 * _S833.pitch_0);
     }
     else
     {
-        _S777 = false;
+        _S834 = false;
     }
-    float2 _S778 = float2(_S776.ends_per_mm_0, _S776.picks_per_mm_0);
+    float2 _S835 = float2(_S833.ends_per_mm_0, _S833.picks_per_mm_0);
     AnisotropicTaps_0 taps_1;
-    taps_1.centre_1 = _S769.centre_0 * _S778;
-    float _S779;
-    if(_S777)
+    taps_1.centre_1 = _S826.centre_0 * _S835;
+    float _S836;
+    if(_S834)
     {
-        _S779 = sqrt(0.125f * _S773);
+        _S836 = sqrt(0.125f * _S830);
     }
     else
     {
-        _S779 = _S770.x;
+        _S836 = _S827.x;
     }
-    taps_1.side_0 = _S779 / _S776.pitch_0;
-    float2 _S780;
-    if(_S777)
+    taps_1.side_1 = _S836 / _S833.pitch_0;
+    float2 _S837;
+    if(_S834)
     {
-        _S780 = 0.25f * _S769.dx_0;
+        _S837 = 0.25f * _S826.dx_0;
     }
     else
     {
-        _S780 = _S770.yz;
+        _S837 = _S827.yz;
     }
-    taps_1.first_27 = _S780 * _S778;
-    if(_S777)
+    taps_1.first_28 = _S837 * _S835;
+    if(_S834)
     {
-        _S780 = 0.25f * _S769.dy_0;
+        _S837 = 0.25f * _S826.dy_0;
     }
     else
     {
-        _S780 = 0.5f * _S770.yz;
+        _S837 = 0.5f * _S827.yz;
     }
-    taps_1.second_0 = _S780 * _S778;
+    taps_1.second_0 = _S837 * _S835;
     return taps_1;
 }
 
-void add_texel_0(uint _S781, uint _S782, float _S783, inout float  _S784[int(88)])
+void add_texel_0(uint _S838, uint _S839, float _S840, inout float  _S841[int(88)])
 {
-    uint _S785 = fabrics_0[_S781].woven_0.latents_0 + _S782 * 8U;
+    uint _S842 = fabrics_0[_S838].woven_0.latents_0 + _S839 * 8U;
     uint part_0 = 0U;
     for(;;)
     {
@@ -7601,53 +7794,53 @@ void add_texel_0(uint _S781, uint _S782, float _S783, inout float  _S784[int(88)
         {
             break;
         }
-        Eight_0 _S786 = eight_halves_0(packed_numbers_0.Load(_S785 + part_0));
-        int _S787 = int(8U * part_0);
-        _S784[_S787] = _S784[_S787] + _S783 * _S786.low_0[int(0)];
-        _S784[_S787 + int(4)] = _S784[_S787 + int(4)] + _S783 * _S786.high_0[int(0)];
-        int _S788 = _S787 + int(1);
-        _S784[_S788] = _S784[_S788] + _S783 * _S786.low_0[int(1)];
-        _S784[_S788 + int(4)] = _S784[_S788 + int(4)] + _S783 * _S786.high_0[int(1)];
-        int _S789 = _S787 + int(2);
-        _S784[_S789] = _S784[_S789] + _S783 * _S786.low_0[int(2)];
-        _S784[_S789 + int(4)] = _S784[_S789 + int(4)] + _S783 * _S786.high_0[int(2)];
-        int _S790 = _S787 + int(3);
-        _S784[_S790] = _S784[_S790] + _S783 * _S786.low_0[int(3)];
-        _S784[_S790 + int(4)] = _S784[_S790 + int(4)] + _S783 * _S786.high_0[int(3)];
+        Eight_0 _S843 = eight_halves_0(packed_numbers_0.Load(_S842 + part_0));
+        int _S844 = int(8U * part_0);
+        _S841[_S844] = _S841[_S844] + _S840 * _S843.low_0[int(0)];
+        _S841[_S844 + int(4)] = _S841[_S844 + int(4)] + _S840 * _S843.high_0[int(0)];
+        int _S845 = _S844 + int(1);
+        _S841[_S845] = _S841[_S845] + _S840 * _S843.low_0[int(1)];
+        _S841[_S845 + int(4)] = _S841[_S845 + int(4)] + _S840 * _S843.high_0[int(1)];
+        int _S846 = _S844 + int(2);
+        _S841[_S846] = _S841[_S846] + _S840 * _S843.low_0[int(2)];
+        _S841[_S846 + int(4)] = _S841[_S846 + int(4)] + _S840 * _S843.high_0[int(2)];
+        int _S847 = _S844 + int(3);
+        _S841[_S847] = _S841[_S847] + _S840 * _S843.low_0[int(3)];
+        _S841[_S847 + int(4)] = _S841[_S847 + int(4)] + _S840 * _S843.high_0[int(3)];
         part_0 = part_0 + 1U;
     }
     return;
 }
 
-void add_level_0(uint _S791, uint _S792, bool _S793, float2 _S794, float _S795, inout float  _S796[int(88)])
+void add_level_0(uint _S848, uint _S849, bool _S850, float2 _S851, float _S852, inout float  _S853[int(88)])
 {
-    Woven_0 _S797 = fabrics_0[_S791].woven_0;
-    uint _S798 = fabrics_0[_S791].woven_0.levels_1 + 4U * _S792;
-    float _S799 = table_number_0(_S798);
-    float _S800 = table_number_0(_S798 + 1U);
-    float _S801 = table_number_0(_S798 + 2U);
-    bool _S802;
-    if(_S792 > 3U)
+    Woven_0 _S854 = fabrics_0[_S848].woven_0;
+    uint _S855 = fabrics_0[_S848].woven_0.levels_1 + 4U * _S849;
+    float _S856 = table_number_0(_S855);
+    float _S857 = table_number_0(_S855 + 1U);
+    float _S858 = table_number_0(_S855 + 2U);
+    bool _S859;
+    if(_S849 > 3U)
     {
-        _S802 = _S792 < (_S797.top_level_0);
+        _S859 = _S849 < (_S854.top_level_0);
     }
     else
     {
-        _S802 = false;
+        _S859 = false;
     }
-    float2 _S803 = _S794 * table_number_0(_S798 + 3U);
-    float _S804;
-    if(_S802)
+    float2 _S860 = _S851 * table_number_0(_S855 + 3U);
+    float _S861;
+    if(_S859)
     {
-        _S804 = 1.0f;
+        _S861 = 1.0f;
     }
     else
     {
-        _S804 = 0.5f;
+        _S861 = 0.5f;
     }
-    float2 _S805 = _S803 - _S804;
-    float2 _S806 = floor(_S805);
-    float2 _S807 = _S805 - _S806;
+    float2 _S862 = _S860 - _S861;
+    float2 _S863 = floor(_S862);
+    float2 _S864 = _S862 - _S863;
     uint corner_0 = 0U;
     for(;;)
     {
@@ -7658,26 +7851,26 @@ void add_level_0(uint _S791, uint _S792, bool _S793, float2 _S794, float _S795, 
         {
             break;
         }
-        float _S808 = float(corner_0 & 1U);
-        float _S809 = float(corner_0 >> int(1));
-        float2 _S810 = lerp(1.0f - _S807, _S807, float2(_S808, _S809));
-        uint _S811 = uint(_S799 + wrapped_0(_S806.y + _S809, _S801) * _S800 + wrapped_0(_S806.x + _S808, _S800));
-        uint _S812;
-        if(_S793)
+        float _S865 = float(corner_0 & 1U);
+        float _S866 = float(corner_0 >> int(1));
+        float2 _S867 = lerp(1.0f - _S864, _S864, float2(_S865, _S866));
+        uint _S868 = uint(_S856 + wrapped_0(_S863.y + _S866, _S858) * _S857 + wrapped_0(_S863.x + _S865, _S857));
+        uint _S869;
+        if(_S850)
         {
-            _S812 = _S797.texels_0;
+            _S869 = _S854.texels_0;
         }
         else
         {
-            _S812 = 0U;
+            _S869 = 0U;
         }
-        add_texel_0(_S791, _S811 + _S812, _S795 * _S810.x * _S810.y, _S796);
+        add_texel_0(_S848, _S868 + _S869, _S852 * _S867.x * _S867.y, _S853);
         corner_0 = corner_0 + 1U;
     }
     return;
 }
 
-void code_footprint_0(uint _S813, AnisotropicTaps_0 _S814, float3 _S815, bool _S816, inout float  _S817[int(88)])
+void code_footprint_0(uint _S870, AnisotropicTaps_0 _S871, float3 _S872, bool _S873, inout float  _S874[int(88)])
 {
     float offset_0;
     int k_0 = int(0);
@@ -7690,61 +7883,61 @@ void code_footprint_0(uint _S813, AnisotropicTaps_0 _S814, float3 _S815, bool _S
         {
             break;
         }
-        _S817[k_0] = 0.0f;
+        _S874[k_0] = 0.0f;
         k_0 = k_0 + int(1);
     }
-    float2 _S818 = float2(fabrics_0[_S813].woven_0.ends_0, fabrics_0[_S813].woven_0.picks_0);
-    float _S819 = float(fabrics_0[_S813].woven_0.top_level_0);
-    float _S820 = clamp(binary_logarithm_0(max(_S814.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S819);
-    float _S821 = min(floor(_S820), _S819 - 1.0f);
-    uint _S822;
-    if(AnisotropicTaps_has_steps_0(_S814))
+    float2 _S875 = float2(fabrics_0[_S870].woven_0.ends_0, fabrics_0[_S870].woven_0.picks_0);
+    float _S876 = float(fabrics_0[_S870].woven_0.top_level_0);
+    float _S877 = clamp(binary_logarithm_0(max(_S871.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S876);
+    float _S878 = min(floor(_S877), _S876 - 1.0f);
+    uint _S879;
+    if(AnisotropicTaps_has_steps_0(_S871))
     {
-        _S822 = 4U;
+        _S879 = 4U;
     }
     else
     {
-        _S822 = 1U;
+        _S879 = 1U;
     }
-    uint number_1 = 0U;
+    uint number_2 = 0U;
     for(;;)
     {
-        if(number_1 < (2U * _S822))
+        if(number_2 < (2U * _S879))
         {
         }
         else
         {
             break;
         }
-        float2 _S823 = AnisotropicTaps_place_0(_S814, number_1 >> int(1));
-        float2 _S824 = clamp(_S823 - _S818 * floor(_S823 / _S818), (float2)0.0f, _S818);
-        bool _S825 = (number_1 & 1U) != 0U;
-        if(_S825)
+        float2 _S880 = AnisotropicTaps_place_0(_S871, number_2 >> int(1));
+        float2 _S881 = clamp(_S880 - _S875 * floor(_S880 / _S875), (float2)0.0f, _S875);
+        bool _S882 = (number_2 & 1U) != 0U;
+        if(_S882)
         {
-            offset_0 = _S820 - _S821;
+            offset_0 = _S877 - _S878;
         }
         else
         {
-            offset_0 = 1.0f - (_S820 - _S821);
+            offset_0 = 1.0f - (_S877 - _S878);
         }
-        float _S826 = offset_0 / float(_S822);
-        uint _S827 = uint(_S821);
-        uint _S828;
-        if(_S825)
+        float _S883 = offset_0 / float(_S879);
+        uint _S884 = uint(_S878);
+        uint _S885;
+        if(_S882)
         {
-            _S828 = 1U;
+            _S885 = 1U;
         }
         else
         {
-            _S828 = 0U;
+            _S885 = 0U;
         }
-        add_level_0(_S813, _S827 + _S828, _S816, _S824, _S826, _S817);
-        number_1 = number_1 + 1U;
+        add_level_0(_S870, _S884 + _S885, _S873, _S881, _S883, _S874);
+        number_2 = number_2 + 1U;
     }
-    int number_2 = int(0);
+    int number_3 = int(0);
     for(;;)
     {
-        if(number_2 < int(3))
+        if(number_3 < int(3))
         {
         }
         else
@@ -7761,8 +7954,8 @@ void code_footprint_0(uint _S813, AnisotropicTaps_0 _S814, float3 _S815, bool _S
             {
                 break;
             }
-            float offset_1 = _S815[number_2] - (float(bin_0) + 0.5f) / 8.0f;
-            if(number_2 < int(2))
+            float offset_1 = _S872[number_3] - (float(bin_0) + 0.5f) / 8.0f;
+            if(number_3 < int(2))
             {
                 offset_0 = offset_1 - round(offset_1);
             }
@@ -7770,69 +7963,69 @@ void code_footprint_0(uint _S813, AnisotropicTaps_0 _S814, float3 _S815, bool _S
             {
                 offset_0 = offset_1;
             }
-            _S817[int(64) + number_2 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            _S874[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
-        number_2 = number_2 + int(1);
+        number_3 = number_3 + int(1);
     }
     return;
 }
 
-float3 crown_fibres_0(uint _S829, bool _S830, bool _S831)
+float3 crown_fibres_0(uint _S886, bool _S887, bool _S888)
 {
-    float _S832;
-    if(_S830)
+    float _S889;
+    if(_S887)
     {
-        if(_S831)
+        if(_S888)
         {
-            _S832 = - fabrics_0[_S829].woven_0.warp_x_0;
+            _S889 = - fabrics_0[_S886].woven_0.warp_x_0;
         }
         else
         {
-            _S832 = fabrics_0[_S829].woven_0.warp_x_0;
+            _S889 = fabrics_0[_S886].woven_0.warp_x_0;
         }
-        return float3(_S832, fabrics_0[_S829].woven_0.warp_y_0, fabrics_0[_S829].woven_0.warp_roughness_0);
+        return float3(_S889, fabrics_0[_S886].woven_0.warp_y_0, fabrics_0[_S886].woven_0.warp_roughness_0);
     }
-    Woven_0 _S833 = fabrics_0[_S829].woven_0;
-    if(_S831)
+    Woven_0 _S890 = fabrics_0[_S886].woven_0;
+    if(_S888)
     {
-        _S832 = - _S833.weft_y_0;
+        _S889 = - _S890.weft_y_0;
     }
     else
     {
-        _S832 = _S833.weft_y_0;
+        _S889 = _S890.weft_y_0;
     }
-    return float3(_S833.weft_x_0, _S832, _S833.weft_roughness_0);
+    return float3(_S890.weft_x_0, _S889, _S890.weft_roughness_0);
 }
 
-void woven_view_0(uint _S834, Footprint_0 _S835, float3 _S836, inout WovenView_0 _S837)
+void woven_view_0(uint _S891, Footprint_0 _S892, float3 _S893, inout WovenView_0 _S894)
 {
-    bool _S838 = (_S836.z) < 0.0f;
-    AnisotropicTaps_0 _S839 = anisotropic_taps_0(_S834, _S835);
-    float3 _S840 = footprint_coordinates_0(_S839);
-    float3 _S841 = to_face_frame_0(_S836, _S838);
+    bool _S895 = (_S893.z) < 0.0f;
+    AnisotropicTaps_0 _S896 = anisotropic_taps_0(_S891, _S892);
+    float3 _S897 = footprint_coordinates_0(_S896);
+    float3 _S898 = to_face_frame_0(_S893, _S895);
     HalfWeights_0 weights_26;
-    weights_26.first_2 = fabrics_0[_S834].woven_0.network_0;
+    weights_26.first_2 = fabrics_0[_S891].woven_0.network_0;
     float  inputs_26[int(88)];
-    code_footprint_0(_S834, _S839, _S840, _S838, inputs_26);
+    code_footprint_0(_S891, _S896, _S897, _S895, inputs_26);
     float  hidden_0[int(96)];
     dense_7(weights_26, 0U, false, inputs_26, hidden_0);
     float  fused_0[int(100)];
     dense_part_8(weights_26, 1068U, false, hidden_0, fused_0);
-    fused_0[int(96)] = _S841.x;
-    fused_0[int(97)] = _S841.y;
-    float2 _S842 = _S841.xy;
-    fused_0[int(98)] = dot(crown_fibres_0(_S834, true, _S838).xy, _S842);
-    fused_0[int(99)] = dot(crown_fibres_0(_S834, false, _S838).xy, _S842);
+    fused_0[int(96)] = _S898.x;
+    fused_0[int(97)] = _S898.y;
+    float2 _S899 = _S898.xy;
+    fused_0[int(98)] = dot(crown_fibres_0(_S891, true, _S895).xy, _S899);
+    fused_0[int(99)] = dot(crown_fibres_0(_S891, false, _S895).xy, _S899);
     float  of_hole_0[int(16)];
     dense_6(weights_26, 2232U, false, fused_0, of_hole_0);
     float  hole_1[int(1)];
     dense_5(weights_26, 2444U, false, of_hole_0, hole_1);
-    dense_4(weights_26, 2456U, false, fused_0, _S837.sums_1);
-    _S837.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
-    _S837.correction_weight_0 = correction_weight_of_0(_S840.z);
-    _S837.view_4 = _S841;
-    _S837.back_2 = _S838;
+    dense_4(weights_26, 2456U, false, fused_0, _S894.sums_1);
+    _S894.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
+    _S894.correction_weight_0 = correction_weight_of_0(_S897.z);
+    _S894.view_4 = _S898;
+    _S894.back_2 = _S895;
     return;
 }
 
@@ -7842,17 +8035,88 @@ struct FamilyAlbedos_0
     Albedos_0 weft_1;
 };
 
-FamilyAlbedos_0 albedos_over_0(uint _S843, Footprint_0 _S844, bool _S845)
+FamilyAlbedos_0 albedos_over_0(uint _S900, Footprint_0 _S901, bool _S902)
 {
-    float2 _S846 = _S844.dx_0;
-    float2 _S847 = _S844.dy_0;
-    float2 _S848 = sqrt(_S846 * _S846 + _S847 * _S847);
-    Stretch_0 _S849 = stretch_of_0(fabrics_0[_S843].warp_0, _S844.centre_0.x, _S848.x);
-    Stretch_0 _S850 = stretch_of_0(fabrics_0[_S843].weft_0, _S844.centre_0.y, _S848.y);
-    FamilyAlbedos_0 albedos_3;
-    albedos_3.warp_1 = mean_albedos_0(fabrics_0[_S843].warp_0, fabrics_0[_S843].weft_0, _S849, _S850, _S845);
-    albedos_3.weft_1 = mean_albedos_0(fabrics_0[_S843].weft_0, fabrics_0[_S843].warp_0, _S850, _S849, _S845);
-    return albedos_3;
+    float2 _S903 = _S901.dx_0;
+    float2 _S904 = _S901.dy_0;
+    float2 _S905 = sqrt(_S903 * _S903 + _S904 * _S904);
+    Stretch_0 _S906 = stretch_of_0(fabrics_0[_S900].warp_0, _S901.centre_0.x, _S905.x);
+    Stretch_0 _S907 = stretch_of_0(fabrics_0[_S900].weft_0, _S901.centre_0.y, _S905.y);
+    FamilyAlbedos_0 albedos_4;
+    albedos_4.warp_1 = mean_albedos_0(fabrics_0[_S900].warp_0, fabrics_0[_S900].weft_0, _S906, _S907, _S902);
+    albedos_4.weft_1 = mean_albedos_0(fabrics_0[_S900].weft_0, fabrics_0[_S900].warp_0, _S907, _S906, _S902);
+    return albedos_4;
+}
+
+uint light_sample_count_0(int _S908)
+{
+    return frames_0[_S908].lights_0 + frames_0[_S908].environment_samples_0;
+}
+
+float visibility_at_0(int _S909, uint _S910, uint2 _S911)
+{
+    if((frames_0[_S909].casts_shadows_0) == 0U)
+    {
+        return 1.0f;
+    }
+    return visibilities_0[(_S910 * frames_0[_S909].height_0 + _S911.y) * frames_0[_S909].width_0 + _S911.x];
+}
+
+struct LightSample_0
+{
+    float3 towards_0;
+    float3 irradiance_1;
+    float distance_1;
+};
+
+float3 environment_texel_0(int _S912, uint _S913, uint _S914)
+{
+    uint _S915 = frames_0[_S912].environment_table_0 + frames_0[_S912].environment_rows_0 + 1U + frames_0[_S912].environment_rows_0 * (frames_0[_S912].environment_columns_0 + 1U) + 3U * (_S913 * frames_0[_S912].environment_columns_0 + _S914);
+    return float3(scene_number_0(_S915), scene_number_0(_S915 + 1U), scene_number_0(_S915 + 2U));
+}
+
+float3 sample_environment_0(int _S916, float2 _S917, out float3 _S918)
+{
+    uint _S919 = frames_0[_S916].environment_rows_0;
+    Choice_0 _S920 = choose_0(frames_0[_S916].environment_table_0, frames_0[_S916].environment_rows_0, _S917.y);
+    uint _S921 = frames_0[_S916].environment_columns_0;
+    Choice_0 _S922 = choose_0(frames_0[_S916].environment_table_0 + frames_0[_S916].environment_rows_0 + 1U + _S920.index_7 * (frames_0[_S916].environment_columns_0 + 1U), frames_0[_S916].environment_columns_0, _S917.x);
+    float3 _S923 = environment_texel_0(_S916, _S920.index_7, _S922.index_7);
+    _S918 = _S923 * (frames_0[_S916].environment_total_0 / max(mean_0(_S923), 9.99999968265522539e-21f));
+    float _S924 = 3.14159274101257324f / float(_S919);
+    float _S925 = lerp(sine_cosine_0(float(_S920.index_7) * _S924).y, sine_cosine_0(float(_S920.index_7 + 1U) * _S924).y, _S920.remainder_0);
+    float _S926 = sqrt(max(1.0f - _S925 * _S925, 0.0f));
+    float2 _S927 = sine_cosine_0((float(_S922.index_7) + _S922.remainder_0) * (6.28318548202514648f / float(_S921)));
+    float _S928 = _S926 * _S927.x;
+    float _S929 = - _S926 * _S927.y;
+    return float3(frames_0[_S916].environment_cosine_0 * _S928 + frames_0[_S916].environment_sine_0 * _S929, _S925, frames_0[_S916].environment_cosine_0 * _S929 - frames_0[_S916].environment_sine_0 * _S928);
+}
+
+LightSample_0 light_sample_0(int _S930, uint _S931, uint2 _S932, float3 _S933)
+{
+    LightSample_0 sample_0;
+    sample_0.distance_1 = 1.00000001504746622e+30f;
+    uint _S934 = frames_0[_S930].lights_0;
+    if(_S931 >= (frames_0[_S930].lights_0))
+    {
+        float3 weight_2;
+        float3 _S935 = sample_environment_0(_S930, pixel_sequence_0(_S932, frames_0[_S930].pass_number_0 * frames_0[_S930].environment_samples_0 + (_S931 - _S934), 3U), weight_2);
+        sample_0.towards_0 = _S935;
+        sample_0.irradiance_1 = weight_2 / float(frames_0[_S930].environment_samples_0);
+        return sample_0;
+    }
+    Light_0 _S936 = lights_1.Load(_S931);
+    sample_0.irradiance_1 = float3(_S936.red_0, _S936.green_0, _S936.blue_0);
+    sample_0.towards_0 = float3(_S936.x_1, _S936.y_1, _S936.z_1);
+    if((_S936.is_point_0) != 0U)
+    {
+        float3 _S937 = sample_0.towards_0 - _S933;
+        float _S938 = max(square_0(_S937), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S938);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / _S938;
+        sample_0.towards_0 = normalize(_S937);
+    }
+    return sample_0;
 }
 
 struct Components_0
@@ -7865,16 +8129,16 @@ struct Components_0
     float hole_2;
 };
 
-void code_light_0(uint _S851, float3 _S852, float3 _S853, bool _S854, inout float  _S855[int(39)])
+void code_light_0(uint _S939, float3 _S940, float3 _S941, bool _S942, inout float  _S943[int(39)])
 {
-    _S855[int(0)] = _S852.x;
-    _S855[int(1)] = _S852.y;
-    _S855[int(2)] = _S852.z;
-    float3 _S856 = _S852 + _S853;
-    float _S857 = _S856.z;
-    float _S858 = _S857 * _S857 + 0.00009999999747379f;
-    float2 _S859 = _S856.xy;
-    float _S860 = 1.0f / (dot(_S859, _S859) + _S858);
+    _S943[int(0)] = _S940.x;
+    _S943[int(1)] = _S940.y;
+    _S943[int(2)] = _S940.z;
+    float3 _S944 = _S940 + _S941;
+    float _S945 = _S944.z;
+    float _S946 = _S945 * _S945 + 0.00009999999747379f;
+    float2 _S947 = _S944.xy;
+    float _S948 = 1.0f / (dot(_S947, _S947) + _S946);
     int family_10 = int(0);
     for(;;)
     {
@@ -7885,12 +8149,12 @@ void code_light_0(uint _S851, float3 _S852, float3 _S853, bool _S854, inout floa
         {
             break;
         }
-        float3 _S861 = crown_fibres_0(_S851, family_10 == int(0), _S854);
-        float2 _S862 = _S861.xy;
-        _S855[int(3) + family_10] = dot(_S862, _S852.xy);
-        float _S863 = dot(_S862, _S859);
-        float _S864 = _S863 * _S863;
-        float _S865 = (0.75f * _S863 / (0.5f * sqrt(_S864 + _S858) + abs(_S863)) + 0.5f) * 8.0f;
+        float3 _S949 = crown_fibres_0(_S939, family_10 == int(0), _S942);
+        float2 _S950 = _S949.xy;
+        _S943[int(3) + family_10] = dot(_S950, _S940.xy);
+        float _S951 = dot(_S950, _S947);
+        float _S952 = _S951 * _S951;
+        float _S953 = (0.75f * _S951 / (0.5f * sqrt(_S952 + _S946) + abs(_S951)) + 0.5f) * 8.0f;
         int bin_1 = int(0);
         for(;;)
         {
@@ -7901,56 +8165,56 @@ void code_light_0(uint _S851, float3 _S852, float3 _S853, bool _S854, inout floa
             {
                 break;
             }
-            _S855[int(5) + family_10 * int(16) + bin_1] = bump_0(_S865 - (float(bin_1) + 0.5f) / 2.0f);
+            _S943[int(5) + family_10 * int(16) + bin_1] = bump_0(_S953 - (float(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + int(1);
         }
-        float _S866 = _S861.z;
-        float _S867 = _S866 * _S866;
-        float _S868 = _S864 * _S860 * (1.0f - _S867) + _S867;
-        _S855[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S867 * _S866 / (_S868 * _S868));
+        float _S954 = _S949.z;
+        float _S955 = _S954 * _S954;
+        float _S956 = _S952 * _S948 * (1.0f - _S955) + _S955;
+        _S943[int(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S955 * _S954 / (_S956 * _S956));
         family_10 = family_10 + int(1);
     }
     return;
 }
 
-float mixed_bundles_0(uint _S869, uint _S870, uint _S871, float3 _S872, float3 _S873, bool _S874, inout float  _S875[int(52)])
+float mixed_bundles_0(uint _S957, uint _S958, uint _S959, float3 _S960, float3 _S961, bool _S962, inout float  _S963[int(52)])
 {
-    float3 _S876 = _S872 + _S873;
-    float _S877 = 1.0f / (square_0(_S876) + 0.00009999999747379f);
-    bool _S878;
-    if(_S870 == 0U)
+    float3 _S964 = _S960 + _S961;
+    float _S965 = 1.0f / (square_0(_S964) + 0.00009999999747379f);
+    bool _S966;
+    if(_S958 == 0U)
     {
-        _S878 = _S874;
+        _S966 = _S962;
     }
     else
     {
-        _S878 = false;
+        _S966 = false;
     }
-    float _S879;
-    if(_S878)
+    float _S967;
+    if(_S966)
     {
-        _S879 = - _S876.x;
-    }
-    else
-    {
-        _S879 = _S876.x;
-    }
-    if(_S870 == 1U)
-    {
-        _S878 = _S874;
+        _S967 = - _S964.x;
     }
     else
     {
-        _S878 = false;
+        _S967 = _S964.x;
     }
-    float _S880;
-    if(_S878)
+    if(_S958 == 1U)
     {
-        _S880 = - _S876.y;
+        _S966 = _S962;
     }
     else
     {
-        _S880 = _S876.y;
+        _S966 = false;
+    }
+    float _S968;
+    if(_S966)
+    {
+        _S968 = - _S964.y;
+    }
+    else
+    {
+        _S968 = _S964.y;
     }
     uint bundle_1 = 0U;
     float sum_1 = 0.0f;
@@ -7963,38 +8227,38 @@ float mixed_bundles_0(uint _S869, uint _S870, uint _S871, float3 _S872, float3 _
         {
             break;
         }
-        uint _S881 = _S870 * 25U;
-        uint _S882 = fabrics_0[_S869].woven_0.bundles_0 + 4U * (_S881 + bundle_1);
-        float _S883 = dot(float3(table_number_0(_S882), table_number_0(_S882 + 1U), table_number_0(_S882 + 2U)), float3(_S879, _S880, _S876.z));
-        float _S884 = _S883 * _S883 * _S877 + table_number_0(_S882 + 3U);
-        uint _S885 = _S871 + _S881;
-        uint _S886;
-        if(_S874)
+        uint _S969 = _S958 * 25U;
+        uint _S970 = fabrics_0[_S957].woven_0.bundles_0 + 4U * (_S969 + bundle_1);
+        float _S971 = dot(float3(table_number_0(_S970), table_number_0(_S970 + 1U), table_number_0(_S970 + 2U)), float3(_S967, _S968, _S964.z));
+        float _S972 = _S971 * _S971 * _S965 + table_number_0(_S970 + 3U);
+        uint _S973 = _S959 + _S969;
+        uint _S974;
+        if(_S962)
         {
-            _S886 = mirrored_bundle_0(bundle_1);
+            _S974 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S886 = bundle_1;
+            _S974 = bundle_1;
         }
-        float sum_2 = sum_1 + max(_S875[_S885 + _S886], _S875[_S885 + _S886] * 0.00999999977648258f) / (_S884 * _S884);
+        float sum_2 = sum_1 + max(_S963[_S973 + _S974], _S963[_S973 + _S974] * 0.00999999977648258f) / (_S972 * _S972);
         bundle_1 = bundle_1 + 1U;
         sum_1 = sum_2;
     }
     return 0.01999999955296516f * sum_1;
 }
 
-Components_0 woven_components_0(uint _S887, inout WovenView_0 _S888, float3 _S889)
+Components_0 woven_components_0(uint _S975, inout WovenView_0 _S976, float3 _S977)
 {
-    float _S890;
-    bool _S891 = _S888.back_2;
-    float3 _S892 = to_face_frame_0(_S889, _S888.back_2);
-    float3 _S893 = _S888.view_4;
+    float _S978;
+    bool _S979 = _S976.back_2;
+    float3 _S980 = to_face_frame_0(_S977, _S976.back_2);
+    float3 _S981 = _S976.view_4;
     HalfWeights_0 weights_27;
-    Woven_0 _S894 = fabrics_0[_S887].woven_0;
-    weights_27.first_2 = fabrics_0[_S887].woven_0.network_0;
+    Woven_0 _S982 = fabrics_0[_S975].woven_0;
+    weights_27.first_2 = fabrics_0[_S975].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S887, _S892, _S888.view_4, _S888.back_2, directions_0);
+    code_light_0(_S975, _S980, _S976.view_4, _S976.back_2, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)
@@ -8006,7 +8270,7 @@ Components_0 woven_components_0(uint _S887, inout WovenView_0 _S888, float3 _S88
         {
             break;
         }
-        skip_0[k_1] = _S888.sums_1[k_1];
+        skip_0[k_1] = _S976.sums_1[k_1];
         k_1 = k_1 + int(1);
     }
     dense_3(weights_27, 3716U, true, directions_0, skip_0);
@@ -8047,13 +8311,13 @@ Components_0 woven_components_0(uint _S887, inout WovenView_0 _S888, float3 _S88
             }
             if(layer_0 == 1U)
             {
-                _S890 = skip_0[k_1];
+                _S978 = skip_0[k_1];
             }
             else
             {
-                _S890 = 0.0f;
+                _S978 = 0.0f;
             }
-            next_0[k_1] = _S890;
+            next_0[k_1] = _S978;
             k_1 = k_1 + int(1);
         }
         dense_2(weights_27, 4208U + layer_0 * 1164U, true, hidden_1, next_0);
@@ -8074,27 +8338,27 @@ Components_0 woven_components_0(uint _S887, inout WovenView_0 _S888, float3 _S88
     }
     float  outputs_25[int(52)];
     dense_1(weights_27, 7700U, false, hidden_1, outputs_25);
-    bool _S895;
-    if((_S894.is_corrected_0) != 0U)
+    bool _S983;
+    if((_S982.is_corrected_0) != 0U)
     {
-        _S895 = (_S892.z) > 0.0f;
+        _S983 = (_S980.z) > 0.0f;
     }
     else
     {
-        _S895 = false;
+        _S983 = false;
     }
-    if(_S895)
+    if(_S983)
     {
-        _S895 = (_S888.correction_weight_0) > 0.0f;
+        _S983 = (_S976.correction_weight_0) > 0.0f;
     }
     else
     {
-        _S895 = false;
+        _S983 = false;
     }
-    if(_S895)
+    if(_S983)
     {
         FloatWeights_0 fitted_0;
-        fitted_0.first_0 = _S894.correction_0;
+        fitted_0.first_0 = _S982.correction_0;
         float  change_0[int(50)];
         dense_0(fitted_0, 0U, false, hidden_1, change_0);
         k_1 = int(0);
@@ -8107,93 +8371,100 @@ Components_0 woven_components_0(uint _S887, inout WovenView_0 _S888, float3 _S88
             {
                 break;
             }
-            outputs_25[k_1 + int(2)] = outputs_25[k_1 + int(2)] + _S888.correction_weight_0 * change_0[k_1];
+            outputs_25[k_1 + int(2)] = outputs_25[k_1 + int(2)] + _S976.correction_weight_0 * change_0[k_1];
             k_1 = k_1 + int(1);
         }
     }
-    if((_S892.z) > 0.0f)
+    if((_S980.z) > 0.0f)
     {
-        _S890 = 0.00999999977648258f;
+        _S978 = 0.00999999977648258f;
     }
     else
     {
-        _S890 = 0.00100000004749745f;
+        _S978 = 0.00100000004749745f;
     }
-    Components_0 result_0;
-    float _S896 = unmapped_0(outputs_25[int(0)], _S890);
-    result_0.diffuse_warp_0 = _S896;
-    float _S897 = unmapped_0(outputs_25[int(1)], _S890);
-    result_0.diffuse_weft_0 = _S897;
-    float _S898 = 2979.9580078125f * _S890;
-    float _S899 = mixed_bundles_0(_S887, 0U, 2U, _S892, _S893, _S891, outputs_25);
-    result_0.specular_warp_0 = clamp(_S899, 0.0f, _S898);
-    float _S900 = mixed_bundles_0(_S887, 1U, 2U, _S892, _S893, _S891, outputs_25);
-    result_0.specular_weft_0 = clamp(_S900, 0.0f, _S898);
-    result_0.hole_2 = _S888.hole_0;
-    result_0.light_visibility_1 = min(light_visibility_of_0(_S896 + _S897, _S892, _S893, fabrics_0[_S887].diffuse_blend_0), 1.0f - _S888.hole_0);
-    return result_0;
+    Components_0 result_1;
+    float _S984 = unmapped_0(outputs_25[int(0)], _S978);
+    result_1.diffuse_warp_0 = _S984;
+    float _S985 = unmapped_0(outputs_25[int(1)], _S978);
+    result_1.diffuse_weft_0 = _S985;
+    float _S986 = 2979.9580078125f * _S978;
+    float _S987 = mixed_bundles_0(_S975, 0U, 2U, _S980, _S981, _S979, outputs_25);
+    result_1.specular_warp_0 = clamp(_S987, 0.0f, _S986);
+    float _S988 = mixed_bundles_0(_S975, 1U, 2U, _S980, _S981, _S979, outputs_25);
+    result_1.specular_weft_0 = clamp(_S988, 0.0f, _S986);
+    result_1.hole_2 = _S976.hole_0;
+    result_1.light_visibility_1 = min(light_visibility_of_0(_S984 + _S985, _S980, _S981, fabrics_0[_S975].diffuse_blend_0), 1.0f - _S976.hole_0);
+    return result_1;
 }
 
-float3 composed_0(uint _S901, Components_0 _S902, FamilyAlbedos_0 _S903, float3 _S904, float3 _S905)
+float3 composed_0(uint _S989, Components_0 _S990, FamilyAlbedos_0 _S991, float3 _S992, float3 _S993)
 {
-    float3 _S906 = _S903.warp_1.diffuse_reflect_0 * _S902.diffuse_warp_0 + _S903.weft_1.diffuse_reflect_0 * _S902.diffuse_weft_0 + _S903.warp_1.specular_reflect_0 * _S902.specular_warp_0 + _S903.weft_1.specular_reflect_0 * _S902.specular_weft_0;
-    float _S907 = _S905.z;
+    float3 _S994 = _S991.warp_1.diffuse_reflect_0 * _S990.diffuse_warp_0 + _S991.weft_1.diffuse_reflect_0 * _S990.diffuse_weft_0 + _S991.warp_1.specular_reflect_0 * _S990.specular_warp_0 + _S991.weft_1.specular_reflect_0 * _S990.specular_weft_0;
+    float _S995 = _S993.z;
     float3 body_0;
-    if((_S904.z * _S907) < 0.0f)
+    if((_S992.z * _S995) < 0.0f)
     {
-        body_0 = _S903.warp_1.diffuse_transmit_0 * _S902.diffuse_warp_0 + _S903.weft_1.diffuse_transmit_0 * _S902.diffuse_weft_0 + _S903.warp_1.specular_transmit_0 * _S902.specular_warp_0 + _S903.weft_1.specular_transmit_0 * _S902.specular_weft_0;
+        body_0 = _S991.warp_1.diffuse_transmit_0 * _S990.diffuse_warp_0 + _S991.weft_1.diffuse_transmit_0 * _S990.diffuse_weft_0 + _S991.warp_1.specular_transmit_0 * _S990.specular_warp_0 + _S991.weft_1.specular_transmit_0 * _S990.specular_weft_0;
     }
     else
     {
-        body_0 = _S906;
+        body_0 = _S994;
     }
-    float _S908 = fabrics_0[_S901].sheen_strength_0;
-    if((fabrics_0[_S901].sheen_strength_0) <= 0.0f)
+    float _S996 = fabrics_0[_S989].sheen_strength_0;
+    if((fabrics_0[_S989].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S909 = _S907 < 0.0f;
-    float2 _S910 = sheen_with_transmittance_0(to_face_frame_0(_S904, _S909), to_face_frame_0(_S905, _S909), _S908, fabrics_0[_S901].sheen_roughness_0);
-    return _S910.y * body_0 + (_S902.light_visibility_1 + _S902.hole_2) * _S910.x;
+    bool _S997 = _S995 < 0.0f;
+    float2 _S998 = sheen_with_transmittance_0(to_face_frame_0(_S992, _S997), to_face_frame_0(_S993, _S997), _S996, fabrics_0[_S989].sheen_roughness_0);
+    return _S998.y * body_0 + (_S990.light_visibility_1 + _S990.hole_2) * _S998.x;
 }
 
-float4 light_of_woven_0(Frame_0 _S911, uint _S912, VisiblePoint_0 _S913)
+float4 light_of_woven_0(int _S999, uint _S1000, VisiblePoint_0 _S1001, uint2 _S1002, float3 _S1003)
 {
     Footprint_0 footprint_1;
-    footprint_1.centre_0 = _S913.draft_0;
-    footprint_1.dx_0 = _S913.draft_dx_0;
-    footprint_1.dy_0 = _S913.draft_dy_0;
-    float3 _S914 = to_local_0(_S913, _S913.view_0);
+    footprint_1.centre_0 = _S1001.draft_0;
+    footprint_1.dx_0 = _S1001.draft_dx_0;
+    footprint_1.dy_0 = _S1001.draft_dy_0;
+    float3 _S1004 = to_local_0(_S1001, _S1001.view_0);
     WovenView_0 activations_0;
-    woven_view_0(_S912, footprint_1, _S914, activations_0);
-    float _S915 = _S914.z;
-    FamilyAlbedos_0 _S916 = albedos_over_0(_S912, footprint_1, _S915 < 0.0f);
-    float3 _S917 = (float3)0.0f;
-    uint number_3 = 0U;
-    float3 radiance_1 = _S917;
+    woven_view_0(_S1000, footprint_1, _S1004, activations_0);
+    float _S1005 = _S1004.z;
+    FamilyAlbedos_0 _S1006 = albedos_over_0(_S1000, footprint_1, _S1005 < 0.0f);
+    FamilyAlbedos_0 albedos_5;
+    albedos_5.warp_1 = tinted_0(_S1006.warp_1, _S1003);
+    albedos_5.weft_1 = tinted_0(_S1006.weft_1, _S1003);
+    float3 _S1007 = (float3)0.0f;
+    uint number_4 = 0U;
+    float3 radiance_1 = _S1007;
     for(;;)
     {
-        if(number_3 < (_S911.lights_0))
+        if(number_4 < (light_sample_count_0(_S999)))
         {
         }
         else
         {
             break;
         }
-        float3 irradiance_2;
-        float3 _S918 = towards_light_0(lights_1.Load(number_3), _S913.position_0, irradiance_2);
-        float3 _S919 = to_local_0(_S913, _S918);
-        Components_0 _S920 = woven_components_0(_S912, activations_0, _S919);
-        float3 radiance_2 = radiance_1 + irradiance_2 * composed_0(_S912, _S920, _S916, _S919, _S914);
-        number_3 = number_3 + 1U;
-        radiance_1 = radiance_2;
+        float _S1008 = visibility_at_0(_S999, number_4, _S1002);
+        if(_S1008 <= 0.0f)
+        {
+            number_4 = number_4 + 1U;
+            continue;
+        }
+        LightSample_0 _S1009 = light_sample_0(_S999, number_4, _S1002, _S1001.position_0);
+        float3 _S1010 = to_local_0(_S1001, _S1009.towards_0);
+        Components_0 _S1011 = woven_components_0(_S1000, activations_0, _S1010);
+        radiance_1 = radiance_1 + _S1008 * _S1009.irradiance_1 * composed_0(_S1000, _S1011, albedos_5, _S1010, _S1004);
+        number_4 = number_4 + 1U;
     }
     float hole_3 = activations_0.hole_0;
-    float _S921 = fabrics_0[_S912].sheen_strength_0;
+    float _S1012 = fabrics_0[_S1000].sheen_strength_0;
     float hole_4;
-    if((fabrics_0[_S912].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S1000].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S921 * sheen_lobe_0(abs(_S915), fabrics_0[_S912].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S1012 * sheen_lobe_0(abs(_S1005), fabrics_0[_S1000].sheen_roughness_0).z);
     }
     else
     {
@@ -8205,36 +8476,31 @@ float4 light_of_woven_0(Frame_0 _S911, uint _S912, VisiblePoint_0 _S913)
 [shader("compute")][numthreads(8, 8, 1)]
 void shade_woven(uint3 id_0 : SV_DispatchThreadID)
 {
-    Frame_0 _S922 = frames_0.Load(int(0));
-    bool _S923;
-    if((id_0.x) >= (_S922.width_0))
+    uint _S1013 = frames_0[int(0)].width_0;
+    bool _S1014;
+    if((id_0.x) >= (frames_0[int(0)].width_0))
     {
-        _S923 = true;
+        _S1014 = true;
     }
     else
     {
-        _S923 = (id_0.y) >= (_S922.height_0);
+        _S1014 = (id_0.y) >= (frames_0[int(0)].height_0);
     }
-    if(_S923)
+    if(_S1014)
     {
         return;
     }
-    uint2 _S924 = id_0.xy;
-    uint _S925 = visible_faces_0.Load(int3(int2(_S924), int(0)));
-    float4 _S926 = (float4)0.0f;
-    float4 sum_3;
-    if(_S925 > 0U)
+    uint _S1015 = id_0.y * _S1013 + id_0.x;
+    uint _S1016 = layers_0[_S1015].face_0;
+    if((layers_0[_S1015].face_0) == 0U)
     {
-        uint _S927 = _S925 - 1U;
-        uint _S928 = face_fabrics_0.Load(_S927);
-        float4 _S929 = light_of_woven_0(_S922, _S928, visible_point_0(_S922, _S928, _S927, _S924));
-        sum_3 = _S929;
+        return;
     }
-    else
-    {
-        sum_3 = _S926;
-    }
-    accumulate_0(_S922, _S924, sum_3);
+    uint _S1017 = _S1016 - 1U;
+    uint _S1018 = face_fabrics_0.Load(_S1017);
+    VisiblePoint_0 _S1019 = visible_point_0(int(0), _S1018, _S1017, id_0.xy);
+    float4 _S1020 = light_of_woven_0(int(0), _S1018, _S1019, id_0.xy, filtered_albedo_0(_S1018, _S1019));
+    accumulate_0(_S1015, _S1020);
     return;
 }
 

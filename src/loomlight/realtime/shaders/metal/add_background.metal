@@ -199,7 +199,7 @@ float3 environment_radiance_0(int _S32, float3 _S33, KernelContext_0 thread* ker
     return mix(_S51, mix(_S52, _S53, _S50), float3((_S41 - float(_S45))) );
 }
 
-[[kernel]] void add_background(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(11)]], uint device* scene_words_1 [[buffer(10)]], packed_float4 device* radiance_1 [[buffer(8)]])
+[[kernel]] void add_background(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], uint device* scene_words_1 [[buffer(11)]], packed_float4 device* radiance_1 [[buffer(8)]])
 {
     thread KernelContext_0 kernelContext_7;
     (&kernelContext_7)->frames_0 = frames_1;

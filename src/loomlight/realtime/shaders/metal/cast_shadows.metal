@@ -133,13 +133,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -1903,7 +1930,7 @@ Crossing_0 crossing_at_0(uint _S368, float _S369, float _S370, bool _S371, Kerne
     (&crossing_2)->warp_1 = _S373;
     Cell_0 _S374 = locate_0(_S372->weft_0, _S370, kernelContext_29);
     (&crossing_2)->weft_1 = _S374;
-    uint _S375 = _S372->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S372->ends_0 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S375 = _S372->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S372->ends_1 + (&(&crossing_2)->warp_1)->thread_1);
     uint _S376 = kernelContext_29->words_0[_S375];
     (&crossing_2)->warp_word_0 = _S376;
     (&crossing_2)->weft_word_0 = kernelContext_29->words_0[_S375 + 1U];
@@ -2617,39 +2644,47 @@ float refined_height_0(uint _S556, const ViewRay_0 thread* _S557, const StepCont
     return middle_0;
 }
 
-Hit_1 first_hit_0(uint _S576, const SearchQuality_0 thread* _S577, float _S578, float _S579, float3 _S580, bool _S581, KernelContext_0 thread* kernelContext_41)
+Hit_1 first_hit_of_yarn_0(uint _S576, const SearchQuality_0 thread* _S577, float _S578, float _S579, float3 _S580, bool _S581, KernelContext_0 thread* kernelContext_41)
 {
-    thread Hit_1 hit_1;
-    (&hit_1)->x_12 = _S578;
-    (&hit_1)->y_7 = _S579;
-    (&hit_1)->height_3 = 0.0f;
-    bool _S582 = passes_through_0(_S576, _S577, _S578, _S579, _S580, _S581, kernelContext_41);
-    (&hit_1)->hole_2 = _S582;
-    if(_S582)
-    {
-        return hit_1;
-    }
-    float _S583 = max(_S580.z, 0.00009999999747379f);
+    float _S582 = max(_S580.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_2 = float2(_S578, _S579);
-    float2 _S584 = _S580.xy / float2(_S583) ;
-    (&ray_0)->slope_1 = _S584;
-    float2 _S585 = - _S584;
-    float _S586 = steps_per_length_0(_S576, _S577, _S580, kernelContext_41);
-    StepControl_0 _S587 = step_control_0(_S585, 1.0f / max(_S586 / _S583, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S588 = ray_0;
-    thread StepControl_0 _S589 = _S587;
-    ViewRayEnd_0 _S590 = search_down_0(_S576, &_S588, &_S589, _S581, kernelContext_41);
-    thread ViewRay_0 _S591 = ray_0;
-    thread StepControl_0 _S592 = _S587;
-    thread ViewRayEnd_0 _S593 = _S590;
-    float _S594 = refined_height_0(_S576, &_S591, &_S592, _S581, &_S593, _S577->refinements_0, kernelContext_41);
-    (&hit_1)->height_3 = _S594;
-    thread ViewRay_0 _S595 = ray_0;
-    float2 _S596 = ViewRay_at_0(&_S595, _S594);
-    (&hit_1)->x_12 = _S596.x;
-    (&hit_1)->y_7 = _S596.y;
+    float2 _S583 = _S580.xy / float2(_S582) ;
+    (&ray_0)->slope_1 = _S583;
+    float2 _S584 = - _S583;
+    float _S585 = steps_per_length_0(_S576, _S577, _S580, kernelContext_41);
+    StepControl_0 _S586 = step_control_0(_S584, 1.0f / max(_S585 / _S582, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S587 = ray_0;
+    thread StepControl_0 _S588 = _S586;
+    ViewRayEnd_0 _S589 = search_down_0(_S576, &_S587, &_S588, _S581, kernelContext_41);
+    thread Hit_1 hit_1;
+    (&hit_1)->hole_2 = false;
+    thread ViewRay_0 _S590 = ray_0;
+    thread StepControl_0 _S591 = _S586;
+    thread ViewRayEnd_0 _S592 = _S589;
+    float _S593 = refined_height_0(_S576, &_S590, &_S591, _S581, &_S592, _S577->refinements_0, kernelContext_41);
+    (&hit_1)->height_3 = _S593;
+    thread ViewRay_0 _S594 = ray_0;
+    float2 _S595 = ViewRay_at_0(&_S594, _S593);
+    (&hit_1)->x_12 = _S595.x;
+    (&hit_1)->y_7 = _S595.y;
     return hit_1;
+}
+
+Hit_1 first_hit_0(uint _S596, const SearchQuality_0 thread* _S597, float _S598, float _S599, float3 _S600, bool _S601, KernelContext_0 thread* kernelContext_42)
+{
+    bool _S602 = passes_through_0(_S596, _S597, _S598, _S599, _S600, _S601, kernelContext_42);
+    if(!_S602)
+    {
+        Hit_1 _S603 = first_hit_of_yarn_0(_S596, _S597, _S598, _S599, _S600, _S601, kernelContext_42);
+        return _S603;
+    }
+    thread Hit_1 hit_2;
+    (&hit_2)->x_12 = _S598;
+    (&hit_2)->y_7 = _S599;
+    (&hit_2)->height_3 = 0.0f;
+    (&hit_2)->hole_2 = true;
+    return hit_2;
 }
 
 struct CoverageTaps_0
@@ -2657,28 +2692,28 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S597, float _S598, KernelContext_0 thread* kernelContext_42)
+float3 pyramid_level_0(uint _S604, float _S605, KernelContext_0 thread* kernelContext_43)
 {
-    uint _S599 = (kernelContext_42->fabrics_0+_S597)->lobes_0.levels_0 + 4U * uint(min(_S598, (kernelContext_42->fabrics_0+_S597)->lobes_0.last_level_0));
-    float _S600 = table_number_0(_S599, kernelContext_42);
-    float _S601 = table_number_0(_S599 + 1U, kernelContext_42);
-    float _S602 = table_number_0(_S599 + 2U, kernelContext_42);
-    return float3(_S600, _S601, _S602);
+    uint _S606 = (kernelContext_43->fabrics_0+_S604)->lobes_0.levels_0 + 4U * uint(min(_S605, (kernelContext_43->fabrics_0+_S604)->lobes_0.last_level_0));
+    float _S607 = table_number_0(_S606, kernelContext_43);
+    float _S608 = table_number_0(_S606 + 1U, kernelContext_43);
+    float _S609 = table_number_0(_S606 + 2U, kernelContext_43);
+    return float3(_S607, _S608, _S609);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S603, const Footprint_0 thread* _S604, bool _S605, KernelContext_0 thread* kernelContext_43)
+CoverageTaps_0 coverage_taps_0(uint _S610, const Footprint_0 thread* _S611, bool _S612, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S606 = kernelContext_43->fabrics_0+_S603;
-    float _S607 = Footprint_spread_side_0(_S604);
-    Lobes_0 _S608 = _S606->lobes_0;
-    float _S609 = _S607 * _S606->lobes_0.inverse_base_size_0;
-    float3 _S610 = pyramid_level_0(_S603, floor(binary_logarithm_0(max(0.68000000715255737f * _S609, 1.0f))), kernelContext_43);
-    float _S611 = 1.0f / max(_S609, 9.99999997475242708e-07f);
-    float2 _S612 = float2(kernelContext_43->families_0[_S606->warp_0].inverse_period_0, kernelContext_43->families_0[_S606->weft_0].inverse_period_0);
-    float2 _S613 = _S604->centre_0 * _S612;
-    float2 _S614 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S611 * _S611), 0.0f, 1.0f)), 0.3333333432674408f * _S611), 1.0f)) ;
-    float2 _S615 = _S604->dx_0 * _S612 * _S614;
-    float2 _S616 = _S604->dy_0 * _S612 * _S614;
+    Fabric_0 device* _S613 = kernelContext_44->fabrics_0+_S610;
+    float _S614 = Footprint_spread_side_0(_S611);
+    Lobes_0 _S615 = _S613->lobes_0;
+    float _S616 = _S614 * _S613->lobes_0.inverse_base_size_0;
+    float3 _S617 = pyramid_level_0(_S610, floor(binary_logarithm_0(max(0.68000000715255737f * _S616, 1.0f))), kernelContext_44);
+    float _S618 = 1.0f / max(_S616, 9.99999997475242708e-07f);
+    float2 _S619 = float2(kernelContext_44->families_0[_S613->warp_0].inverse_period_0, kernelContext_44->families_0[_S613->weft_0].inverse_period_0);
+    float2 _S620 = _S611->centre_0 * _S619;
+    float2 _S621 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S618 * _S618), 0.0f, 1.0f)), 0.3333333432674408f * _S618), 1.0f)) ;
+    float2 _S622 = _S611->dx_0 * _S619 * _S621;
+    float2 _S623 = _S611->dy_0 * _S619 * _S621;
     thread CoverageTaps_0 taps_3;
     uint number_3 = 0U;
     for(;;)
@@ -2690,28 +2725,28 @@ CoverageTaps_0 coverage_taps_0(uint _S603, const Footprint_0 thread* _S604, bool
         {
             break;
         }
-        float2 _S617 = _S613 + float2(TAP_OFFSETS_0[number_3].x)  * _S615 + float2(TAP_OFFSETS_0[number_3].y)  * _S616;
-        float _S618 = _S610.y;
-        float _S619 = wrapped_cell_0(_S617.x, _S618);
-        float _S620 = wrapped_cell_0(_S617.y, _S610.z);
-        uint _S621;
-        if(_S605)
+        float2 _S624 = _S620 + float2(TAP_OFFSETS_0[number_3].x)  * _S622 + float2(TAP_OFFSETS_0[number_3].y)  * _S623;
+        float _S625 = _S617.y;
+        float _S626 = wrapped_cell_0(_S624.x, _S625);
+        float _S627 = wrapped_cell_0(_S624.y, _S617.z);
+        uint _S628;
+        if(_S612)
         {
-            _S621 = _S608.face_nodes_0;
+            _S628 = _S615.face_nodes_0;
         }
         else
         {
-            _S621 = 0U;
+            _S628 = 0U;
         }
-        (&taps_3)->nodes_1[number_3] = _S621 + uint(_S620 * _S618 + _S619 + _S610.x);
+        (&taps_3)->nodes_1[number_3] = _S628 + uint(_S627 * _S625 + _S626 + _S617.x);
         number_3 = number_3 + 1U;
     }
     return taps_3;
 }
 
-float coverage_of_holes_0(uint _S622, const CoverageTaps_0 thread* _S623, KernelContext_0 thread* kernelContext_44)
+float coverage_of_holes_0(uint _S629, const CoverageTaps_0 thread* _S630, KernelContext_0 thread* kernelContext_45)
 {
-    Fabric_0 device* _S624 = kernelContext_44->fabrics_0+_S622;
+    Fabric_0 device* _S631 = kernelContext_45->fabrics_0+_S629;
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -2723,63 +2758,63 @@ float coverage_of_holes_0(uint _S622, const CoverageTaps_0 thread* _S623, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_44->words_0[_S624->lobes_0.coverage_holes_0 + _S623->nodes_1[number_4] / 4U] >> (8U * (_S623->nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_45->words_0[_S631->lobes_0.coverage_holes_0 + _S630->nodes_1[number_4] / 4U] >> (8U * (_S630->nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S625, const CoverageTaps_0 thread* _S626, const NodeTaps_0 thread* _S627, bool _S628, KernelContext_0 thread* kernelContext_45)
+float prefiltered_hole_0(uint _S632, const CoverageTaps_0 thread* _S633, const NodeTaps_0 thread* _S634, bool _S635, KernelContext_0 thread* kernelContext_46)
 {
-    Lobes_0 _S629 = (kernelContext_45->fabrics_0+_S625)->lobes_0;
-    float4 _S630 = interpolate_table_0(_S627, (kernelContext_45->fabrics_0+_S625)->lobes_0.projected_area_0 + (kernelContext_45->fabrics_0+_S625)->lobes_0.packs_0, (kernelContext_45->fabrics_0+_S625)->lobes_0.packs_0 + 1U, kernelContext_45);
-    float _S631 = _S630.x;
-    float _S632;
-    if(_S628)
+    Lobes_0 _S636 = (kernelContext_46->fabrics_0+_S632)->lobes_0;
+    float4 _S637 = interpolate_table_0(_S634, (kernelContext_46->fabrics_0+_S632)->lobes_0.projected_area_0 + (kernelContext_46->fabrics_0+_S632)->lobes_0.packs_0, (kernelContext_46->fabrics_0+_S632)->lobes_0.packs_0 + 1U, kernelContext_46);
+    float _S638 = _S637.x;
+    float _S639;
+    if(_S635)
     {
-        _S632 = _S629.back_hole_weight_0;
+        _S639 = _S636.back_hole_weight_0;
     }
     else
     {
-        _S632 = _S629.front_hole_weight_0;
+        _S639 = _S636.front_hole_weight_0;
     }
-    float _S633 = coverage_of_holes_0(_S625, _S626, kernelContext_45);
-    return min(_S633 * _S631 * _S631 * _S632, 1.0f);
+    float _S640 = coverage_of_holes_0(_S632, _S633, kernelContext_46);
+    return min(_S640 * _S638 * _S638 * _S639, 1.0f);
 }
 
-float passed_share_0(uint _S634, const VisiblePoint_0 thread* _S635, float3 _S636, float _S637, float2 _S638, KernelContext_0 thread* kernelContext_46)
+float passed_share_0(uint _S641, const VisiblePoint_0 thread* _S642, float3 _S643, float _S644, float2 _S645, KernelContext_0 thread* kernelContext_47)
 {
-    Fabric_0 device* _S639 = kernelContext_46->fabrics_0+_S634;
-    float3 _S640 = to_local_0(_S635, _S636);
-    bool _S641 = (_S640.z) < 0.0f;
-    float3 _S642 = to_face_frame_0(_S640, _S641);
+    Fabric_0 device* _S646 = kernelContext_47->fabrics_0+_S641;
+    float3 _S647 = to_local_0(_S642, _S643);
+    bool _S648 = (_S647.z) < 0.0f;
+    float3 _S649 = to_face_frame_0(_S647, _S648);
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S635->draft_0;
-    (&footprint_0)->dx_0 = float2(_S637, 0.0f);
-    (&footprint_0)->dy_0 = float2(0.0f, _S637);
-    float _S643;
-    if((_S639->lobes_0.is_baked_0) != 0U)
+    (&footprint_0)->centre_0 = _S642->draft_0;
+    (&footprint_0)->dx_0 = float2(_S644, 0.0f);
+    (&footprint_0)->dy_0 = float2(0.0f, _S644);
+    float _S650;
+    if((_S646->lobes_0.is_baked_0) != 0U)
     {
-        thread Footprint_0 _S644 = footprint_0;
-        Regime_0 _S645 = regime_of_0(_S634, &_S644, 1.0f, kernelContext_46);
-        _S643 = _S645.prefiltered_0;
+        thread Footprint_0 _S651 = footprint_0;
+        Regime_0 _S652 = regime_of_0(_S641, &_S651, 1.0f, kernelContext_47);
+        _S650 = _S652.prefiltered_0;
     }
     else
     {
-        _S643 = 0.0f;
+        _S650 = 0.0f;
     }
     float share_2;
-    if(_S643 < 1.0f)
+    if(_S650 < 1.0f)
     {
-        float2 _S646 = (&footprint_0)->centre_0 + (_S638 - float2(0.5f) ) * float2(_S637) ;
-        float _S647 = _S646.x;
-        float _S648 = _S646.y;
-        thread SearchQuality_0 _S649 = default_quality_0();
-        Hit_1 _S650 = first_hit_0(_S634, &_S649, _S647, _S648, _S642, _S641, kernelContext_46);
-        if(_S650.hole_2)
+        float2 _S653 = (&footprint_0)->centre_0 + (_S645 - float2(0.5f) ) * float2(_S644) ;
+        float _S654 = _S653.x;
+        float _S655 = _S653.y;
+        thread SearchQuality_0 _S656 = default_quality_0();
+        Hit_1 _S657 = first_hit_0(_S641, &_S656, _S654, _S655, _S649, _S648, kernelContext_47);
+        if(_S657.hole_2)
         {
-            share_2 = 1.0f - _S643;
+            share_2 = 1.0f - _S650;
         }
         else
         {
@@ -2790,42 +2825,42 @@ float passed_share_0(uint _S634, const VisiblePoint_0 thread* _S635, float3 _S63
     {
         share_2 = 0.0f;
     }
-    if(_S643 > 0.0f)
+    if(_S650 > 0.0f)
     {
-        thread NodeTaps_0 nodes_2 = node_taps_0(_S642);
-        uint _S651;
-        if(_S641)
+        thread NodeTaps_0 nodes_2 = node_taps_0(_S649);
+        uint _S658;
+        if(_S648)
         {
-            _S651 = 1U;
+            _S658 = 1U;
         }
         else
         {
-            _S651 = 0U;
+            _S658 = 0U;
         }
-        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + uint4((_S651 * 256U)) ;
-        thread Footprint_0 _S652 = footprint_0;
-        CoverageTaps_0 _S653 = coverage_taps_0(_S634, &_S652, _S641, kernelContext_46);
-        thread CoverageTaps_0 _S654 = _S653;
-        thread NodeTaps_0 _S655 = nodes_2;
-        float _S656 = prefiltered_hole_0(_S634, &_S654, &_S655, _S641, kernelContext_46);
-        share_2 = share_2 + _S643 * _S656;
+        (&nodes_2)->nodes_0 = (&nodes_2)->nodes_0 + uint4((_S658 * 256U)) ;
+        thread Footprint_0 _S659 = footprint_0;
+        CoverageTaps_0 _S660 = coverage_taps_0(_S641, &_S659, _S648, kernelContext_47);
+        thread CoverageTaps_0 _S661 = _S660;
+        thread NodeTaps_0 _S662 = nodes_2;
+        float _S663 = prefiltered_hole_0(_S641, &_S661, &_S662, _S648, kernelContext_47);
+        share_2 = share_2 + _S650 * _S663;
     }
-    float _S657 = _S639->sheen_strength_0;
-    if((_S639->sheen_strength_0) > 0.0f)
+    float _S664 = _S646->sheen_strength_0;
+    if((_S646->sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S657 * sheen_lobe_0(_S642.z, _S639->sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S664 * sheen_lobe_0(_S649.z, _S646->sheen_roughness_0).z);
     }
     return share_2;
 }
 
-float visibility_of_0(int _S658, const VisiblePoint_0 thread* _S659, uint _S660, uint2 _S661, uint _S662, KernelContext_0 thread* kernelContext_47)
+float visibility_of_0(int _S665, const VisiblePoint_0 thread* _S666, uint _S667, uint2 _S668, uint _S669, KernelContext_0 thread* kernelContext_48)
 {
-    Frame_0 device* _S663 = kernelContext_47->frames_0+_S658;
-    float3 _S664 = _S659->position_0;
-    LightSample_0 _S665 = light_sample_0(_S658, _S662, _S661, _S659->position_0, kernelContext_47);
-    float3 _S666 = _S659->face_normal_0;
+    Frame_0 device* _S670 = kernelContext_48->frames_0+_S665;
+    float3 _S671 = _S666->position_0;
+    LightSample_0 _S672 = light_sample_0(_S665, _S669, _S668, _S666->position_0, kernelContext_48);
+    float3 _S673 = _S666->face_normal_0;
     float nearest_1;
-    if((dot(_S665.towards_0, _S659->face_normal_0)) < 0.0f)
+    if((dot(_S672.towards_0, _S666->face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -2833,55 +2868,55 @@ float visibility_of_0(int _S658, const VisiblePoint_0 thread* _S659, uint _S660,
     {
         nearest_1 = 1.0f;
     }
-    float3 _S667 = _S664 + float3((nearest_1 * _S663->ray_offset_0))  * _S666;
-    float _S668 = sqrt(0.5f * (dot(_S659->draft_dx_0, _S659->draft_dx_0) + dot(_S659->draft_dy_0, _S659->draft_dy_0)));
+    float3 _S674 = _S671 + float3((nearest_1 * _S670->ray_offset_0))  * _S673;
+    float _S675 = sqrt(0.5f * (dot(_S666->draft_dx_0, _S666->draft_dx_0) + dot(_S666->draft_dy_0, _S666->draft_dy_0)));
     nearest_1 = 0.0f;
-    uint without_0 = _S660;
+    uint without_0 = _S667;
     uint layer_0 = 0U;
     float visibility_0 = 1.0f;
     for(;;)
     {
-        bool _S669;
+        bool _S676;
         if(layer_0 < 8U)
         {
-            _S669 = visibility_0 > 0.00100000004749745f;
+            _S676 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S669 = false;
+            _S676 = false;
         }
-        if(_S669)
+        if(_S676)
         {
         }
         else
         {
             break;
         }
-        Hit_0 _S670 = nearest_hit_0(_S658, _S667, _S665.towards_0, nearest_1, _S665.distance_2, without_0, true, kernelContext_47);
-        if((_S670.face_1) == 4294967295U)
+        Hit_0 _S677 = nearest_hit_0(_S665, _S674, _S672.towards_0, nearest_1, _S672.distance_2, without_0, true, kernelContext_48);
+        if((_S677.face_1) == 4294967295U)
         {
             break;
         }
-        uint _S671 = kernelContext_47->face_fabrics_0[_S670.face_1];
-        VisiblePoint_0 _S672 = face_point_0(_S671, _S670.face_1, _S670.weight_b_0, _S670.weight_c_0, kernelContext_47);
-        float2 _S673 = pixel_sequence_0(_S661, _S663->pass_number_0, 5U + 2U * (8U * _S662 + layer_0));
-        float _S674;
-        if(((kernelContext_47->fabrics_0+_S671)->is_open_0) != 0U)
+        uint _S678 = kernelContext_48->face_fabrics_0[_S677.face_1];
+        VisiblePoint_0 _S679 = face_point_0(_S678, _S677.face_1, _S677.weight_b_0, _S677.weight_c_0, kernelContext_48);
+        float2 _S680 = pixel_sequence_0(_S668, _S670->pass_number_0, 5U + 2U * (8U * _S669 + layer_0));
+        float _S681;
+        if(((kernelContext_48->fabrics_0+_S678)->is_open_0) != 0U)
         {
-            float3 _S675 = - _S665.towards_0;
-            thread VisiblePoint_0 _S676 = _S672;
-            float _S677 = passed_share_0(_S671, &_S676, _S675, _S668, _S673, kernelContext_47);
-            _S674 = _S677;
+            float3 _S682 = - _S672.towards_0;
+            thread VisiblePoint_0 _S683 = _S679;
+            float _S684 = passed_share_0(_S678, &_S683, _S682, _S675, _S680, kernelContext_48);
+            _S681 = _S684;
         }
         else
         {
-            _S674 = 0.0f;
+            _S681 = 0.0f;
         }
-        float visibility_1 = visibility_0 * _S674;
-        uint _S678 = layer_0 + 1U;
-        nearest_1 = _S670.distance_0;
-        without_0 = _S670.face_1;
-        layer_0 = _S678;
+        float visibility_1 = visibility_0 * _S681;
+        uint _S685 = layer_0 + 1U;
+        nearest_1 = _S677.distance_0;
+        without_0 = _S677.face_1;
+        layer_0 = _S685;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -2895,60 +2930,60 @@ float visibility_of_0(int _S658, const VisiblePoint_0 thread* _S659, uint _S660,
     return nearest_1;
 }
 
-[[kernel]] void cast_shadows(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(11)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], float device* visibilities_1 [[buffer(12)]], uint device* scene_words_1 [[buffer(10)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
+[[kernel]] void cast_shadows(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], float device* visibilities_1 [[buffer(13)]], uint device* scene_words_1 [[buffer(11)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_48;
-    (&kernelContext_48)->frames_0 = frames_1;
-    (&kernelContext_48)->layers_0 = layers_1;
-    (&kernelContext_48)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_48)->fabrics_0 = fabrics_1;
-    (&kernelContext_48)->corners_0 = corners_1;
-    (&kernelContext_48)->vertices_0 = vertices_1;
-    (&kernelContext_48)->visibilities_0 = visibilities_1;
-    (&kernelContext_48)->scene_words_0 = scene_words_1;
-    (&kernelContext_48)->lights_1 = lights_2;
-    (&kernelContext_48)->families_0 = families_1;
-    (&kernelContext_48)->words_0 = words_1;
-    Frame_0 device* _S679 = frames_1+int(0);
-    uint _S680 = id_0.x;
-    uint _S681 = _S679->width_0;
-    bool _S682;
-    if(_S680 >= (_S679->width_0))
+    thread KernelContext_0 kernelContext_49;
+    (&kernelContext_49)->frames_0 = frames_1;
+    (&kernelContext_49)->layers_0 = layers_1;
+    (&kernelContext_49)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_49)->fabrics_0 = fabrics_1;
+    (&kernelContext_49)->corners_0 = corners_1;
+    (&kernelContext_49)->vertices_0 = vertices_1;
+    (&kernelContext_49)->visibilities_0 = visibilities_1;
+    (&kernelContext_49)->scene_words_0 = scene_words_1;
+    (&kernelContext_49)->lights_1 = lights_2;
+    (&kernelContext_49)->families_0 = families_1;
+    (&kernelContext_49)->words_0 = words_1;
+    Frame_0 device* _S686 = frames_1+int(0);
+    uint _S687 = id_0.x;
+    uint _S688 = _S686->width_0;
+    bool _S689;
+    if(_S687 >= (_S686->width_0))
     {
-        _S682 = true;
+        _S689 = true;
     }
     else
     {
-        _S682 = (id_0.y) >= (_S679->height_0);
+        _S689 = (id_0.y) >= (_S686->height_0);
     }
-    if(_S682)
+    if(_S689)
     {
         return;
     }
-    uint _S683 = id_0.y * _S681 + _S680;
-    uint _S684 = ((&kernelContext_48)->layers_0+_S683)->face_0;
-    if((((&kernelContext_48)->layers_0+_S683)->face_0) == 0U)
+    uint _S690 = id_0.y * _S688 + _S687;
+    uint _S691 = ((&kernelContext_49)->layers_0+_S690)->face_0;
+    if((((&kernelContext_49)->layers_0+_S690)->face_0) == 0U)
     {
         return;
     }
-    uint _S685 = _S684 - 1U;
-    uint2 _S686 = id_0.xy;
-    VisiblePoint_0 _S687 = visible_point_0(int(0), (&kernelContext_48)->face_fabrics_0[_S685], _S685, _S686, &kernelContext_48);
+    uint _S692 = _S691 - 1U;
+    uint2 _S693 = id_0.xy;
+    VisiblePoint_0 _S694 = visible_point_0(int(0), (&kernelContext_49)->face_fabrics_0[_S692], _S692, _S693, &kernelContext_49);
     uint number_5 = 0U;
     for(;;)
     {
-        uint _S688 = light_sample_count_0(int(0), &kernelContext_48);
-        if(number_5 < _S688)
+        uint _S695 = light_sample_count_0(int(0), &kernelContext_49);
+        if(number_5 < _S695)
         {
         }
         else
         {
             break;
         }
-        float device* _S689 = (&kernelContext_48)->visibilities_0+(number_5 * _S681 * _S679->height_0 + _S683);
-        thread VisiblePoint_0 _S690 = _S687;
-        float _S691 = visibility_of_0(int(0), &_S690, _S685, _S686, number_5, &kernelContext_48);
-        *_S689 = _S691;
+        float device* _S696 = (&kernelContext_49)->visibilities_0+(number_5 * _S688 * _S686->height_0 + _S690);
+        thread VisiblePoint_0 _S697 = _S694;
+        float _S698 = visibility_of_0(int(0), &_S697, _S692, _S693, number_5, &kernelContext_49);
+        *_S696 = _S698;
         number_5 = number_5 + 1U;
     }
     return;

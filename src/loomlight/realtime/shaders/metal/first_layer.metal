@@ -56,7 +56,7 @@ struct KernelContext_0
     packed_float4 device* radiance_0;
 };
 
-[[kernel]] void first_layer(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(11)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], packed_float4 device* radiance_1 [[buffer(8)]])
+[[kernel]] void first_layer(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], texture2d<uint, access::sample> visible_faces_1 [[texture(0)]], packed_float4 device* radiance_1 [[buffer(8)]])
 {
     thread KernelContext_0 kernelContext_0;
     (&kernelContext_0)->frames_0 = frames_1;

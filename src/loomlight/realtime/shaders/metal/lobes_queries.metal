@@ -171,13 +171,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -197,6 +224,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -1924,7 +1954,7 @@ Crossing_0 crossing_at_0(uint _S336, float _S337, float _S338, bool _S339, Kerne
     (&crossing_3)->warp_1 = _S341;
     Cell_0 _S342 = locate_0(_S340->weft_0, _S338, kernelContext_26);
     (&crossing_3)->weft_1 = _S342;
-    uint _S343 = _S340->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_0 * _S340->ends_0 + (&(&crossing_3)->warp_1)->thread_0);
+    uint _S343 = _S340->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_0 * _S340->ends_1 + (&(&crossing_3)->warp_1)->thread_0);
     uint _S344 = kernelContext_26->words_0[_S343];
     (&crossing_3)->warp_word_0 = _S344;
     (&crossing_3)->weft_word_0 = kernelContext_26->words_0[_S343 + 1U];
@@ -2638,135 +2668,143 @@ float refined_height_0(uint _S524, const ViewRay_0 thread* _S525, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S544, const SearchQuality_0 thread* _S545, float _S546, float _S547, float3 _S548, bool _S549, KernelContext_0 thread* kernelContext_38)
+Hit_0 first_hit_of_yarn_0(uint _S544, const SearchQuality_0 thread* _S545, float _S546, float _S547, float3 _S548, bool _S549, KernelContext_0 thread* kernelContext_38)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_10 = _S546;
-    (&hit_0)->y_5 = _S547;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S550 = passes_through_0(_S544, _S545, _S546, _S547, _S548, _S549, kernelContext_38);
-    (&hit_0)->hole_5 = _S550;
-    if(_S550)
-    {
-        return hit_0;
-    }
-    float _S551 = max(_S548.z, 0.00009999999747379f);
+    float _S550 = max(_S548.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S546, _S547);
-    float2 _S552 = _S548.xy / float2(_S551) ;
-    (&ray_0)->slope_1 = _S552;
-    float2 _S553 = - _S552;
-    float _S554 = steps_per_length_0(_S544, _S545, _S548, kernelContext_38);
-    StepControl_0 _S555 = step_control_0(_S553, 1.0f / max(_S554 / _S551, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S556 = ray_0;
-    thread StepControl_0 _S557 = _S555;
-    ViewRayEnd_0 _S558 = search_down_0(_S544, &_S556, &_S557, _S549, kernelContext_38);
-    thread ViewRay_0 _S559 = ray_0;
-    thread StepControl_0 _S560 = _S555;
-    thread ViewRayEnd_0 _S561 = _S558;
-    float _S562 = refined_height_0(_S544, &_S559, &_S560, _S549, &_S561, _S545->refinements_0, kernelContext_38);
-    (&hit_0)->height_4 = _S562;
-    thread ViewRay_0 _S563 = ray_0;
-    float2 _S564 = ViewRay_at_0(&_S563, _S562);
-    (&hit_0)->x_10 = _S564.x;
-    (&hit_0)->y_5 = _S564.y;
+    float2 _S551 = _S548.xy / float2(_S550) ;
+    (&ray_0)->slope_1 = _S551;
+    float2 _S552 = - _S551;
+    float _S553 = steps_per_length_0(_S544, _S545, _S548, kernelContext_38);
+    StepControl_0 _S554 = step_control_0(_S552, 1.0f / max(_S553 / _S550, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S555 = ray_0;
+    thread StepControl_0 _S556 = _S554;
+    ViewRayEnd_0 _S557 = search_down_0(_S544, &_S555, &_S556, _S549, kernelContext_38);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    thread ViewRay_0 _S558 = ray_0;
+    thread StepControl_0 _S559 = _S554;
+    thread ViewRayEnd_0 _S560 = _S557;
+    float _S561 = refined_height_0(_S544, &_S558, &_S559, _S549, &_S560, _S545->refinements_0, kernelContext_38);
+    (&hit_0)->height_4 = _S561;
+    thread ViewRay_0 _S562 = ray_0;
+    float2 _S563 = ViewRay_at_0(&_S562, _S561);
+    (&hit_0)->x_10 = _S563.x;
+    (&hit_0)->y_5 = _S563.y;
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S565, float _S566, float _S567, bool _S568, KernelContext_0 thread* kernelContext_39)
+Hit_0 first_hit_0(uint _S564, const SearchQuality_0 thread* _S565, float _S566, float _S567, float3 _S568, bool _S569, KernelContext_0 thread* kernelContext_39)
 {
-    Fabric_0 device* _S569 = kernelContext_39->fabrics_0+_S565;
-    Sample_0 _S570 = sample_at_0(_S565, _S566, _S567, _S568, kernelContext_39);
-    float _S571;
-    if(_S570.shown_3.is_warp_2)
+    bool _S570 = passes_through_0(_S564, _S565, _S566, _S567, _S568, _S569, kernelContext_39);
+    if(!_S570)
     {
-        _S571 = _S570.crossing_2.warp_1.half_width_1;
+        Hit_0 _S571 = first_hit_of_yarn_0(_S564, _S565, _S566, _S567, _S568, _S569, kernelContext_39);
+        return _S571;
     }
-    else
-    {
-        _S571 = _S570.crossing_2.weft_1.half_width_1;
-    }
-    uint _S572;
-    if(_S570.shown_3.is_warp_2)
-    {
-        _S572 = _S569->warp_0;
-    }
-    else
-    {
-        _S572 = _S569->weft_0;
-    }
-    Family_0 _S573 = kernelContext_39->families_0[_S572];
-    float _S574;
-    if(_S568)
-    {
-        _S574 = -1.0f;
-    }
-    else
-    {
-        _S574 = 1.0f;
-    }
-    float _S575 = _S573.twist_sine_0 * _S574;
-    Family_0 _S576 = kernelContext_39->families_0[_S572];
-    if(_S570.shown_3.is_warp_2)
-    {
-        _S574 = 1.0f;
-    }
-    else
-    {
-        _S574 = -1.0f;
-    }
-    float2 _S577 = fibre_direction_0(_S570.slope_across_0, _S574 * _S570.slope_along_0, _S575, _S576.twist_cosine_0);
+    thread Hit_0 hit_1;
+    (&hit_1)->x_10 = _S566;
+    (&hit_1)->y_5 = _S567;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S572, float _S573, float _S574, bool _S575, KernelContext_0 thread* kernelContext_40)
+{
+    Fabric_0 device* _S576 = kernelContext_40->fabrics_0+_S572;
+    Sample_0 _S577 = sample_at_0(_S572, _S573, _S574, _S575, kernelContext_40);
     float _S578;
-    if(_S570.shown_3.is_warp_2)
+    if(_S577.shown_3.is_warp_2)
     {
-        _S578 = _S570.slope_x_1;
+        _S578 = _S577.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S578 = _S570.slope_y_1;
+        _S578 = _S577.crossing_2.weft_1.half_width_1;
     }
-    float _S579;
-    if(_S570.shown_3.is_warp_2)
+    uint _S579;
+    if(_S577.shown_3.is_warp_2)
     {
-        _S579 = _S570.slope_y_1;
-    }
-    else
-    {
-        _S579 = _S570.slope_x_1;
-    }
-    float _S580 = _S577.x;
-    float _S581 = _S577.y;
-    float _S582 = _S578 * _S580 + _S574 * _S579 * _S581;
-    float _S583 = _S571 * 1.0154266357421875f;
-    float _S584 = _S583 * arc_sine_0(clamp(_S570.section_1.across_3 / _S583, -1.0f, 1.0f));
-    if(_S570.shown_3.is_warp_2)
-    {
-        _S571 = _S567;
+        _S579 = _S576->warp_0;
     }
     else
     {
-        _S571 = - _S566;
+        _S579 = _S576->weft_0;
+    }
+    Family_0 _S580 = kernelContext_40->families_0[_S579];
+    float _S581;
+    if(_S575)
+    {
+        _S581 = -1.0f;
+    }
+    else
+    {
+        _S581 = 1.0f;
+    }
+    float _S582 = _S580.twist_sine_0 * _S581;
+    Family_0 _S583 = kernelContext_40->families_0[_S579];
+    if(_S577.shown_3.is_warp_2)
+    {
+        _S581 = 1.0f;
+    }
+    else
+    {
+        _S581 = -1.0f;
+    }
+    float2 _S584 = fibre_direction_0(_S577.slope_across_0, _S581 * _S577.slope_along_0, _S582, _S583.twist_cosine_0);
+    float _S585;
+    if(_S577.shown_3.is_warp_2)
+    {
+        _S585 = _S577.slope_x_1;
+    }
+    else
+    {
+        _S585 = _S577.slope_y_1;
+    }
+    float _S586;
+    if(_S577.shown_3.is_warp_2)
+    {
+        _S586 = _S577.slope_y_1;
+    }
+    else
+    {
+        _S586 = _S577.slope_x_1;
+    }
+    float _S587 = _S584.x;
+    float _S588 = _S584.y;
+    float _S589 = _S585 * _S587 + _S581 * _S586 * _S588;
+    float _S590 = _S578 * 1.0154266357421875f;
+    float _S591 = _S590 * arc_sine_0(clamp(_S577.section_1.across_3 / _S590, -1.0f, 1.0f));
+    if(_S577.shown_3.is_warp_2)
+    {
+        _S578 = _S574;
+    }
+    else
+    {
+        _S578 = - _S573;
     }
     thread SurfacePoint_0 point_0;
-    (&point_0)->hole_0 = _S570.shown_3.hole_3;
-    (&point_0)->is_warp_0 = _S570.shown_3.is_warp_2;
-    (&point_0)->warp_thread_0 = _S570.crossing_2.warp_1.thread_0;
-    (&point_0)->weft_thread_0 = _S570.crossing_2.weft_1.thread_0;
-    (&point_0)->height_0 = _S570.height_5;
-    (&point_0)->normal_0 = normalize(float3(- _S570.slope_x_1, - _S570.slope_y_1, 1.0f));
-    float3 _S585;
-    if(_S570.shown_3.is_warp_2)
+    (&point_0)->hole_0 = _S577.shown_3.hole_3;
+    (&point_0)->is_warp_0 = _S577.shown_3.is_warp_2;
+    (&point_0)->warp_thread_0 = _S577.crossing_2.warp_1.thread_0;
+    (&point_0)->weft_thread_0 = _S577.crossing_2.weft_1.thread_0;
+    (&point_0)->height_0 = _S577.height_5;
+    (&point_0)->normal_0 = normalize(float3(- _S577.slope_x_1, - _S577.slope_y_1, 1.0f));
+    float3 _S592;
+    if(_S577.shown_3.is_warp_2)
     {
-        _S585 = float3(_S580, _S581, _S582);
+        _S592 = float3(_S587, _S588, _S589);
     }
     else
     {
-        _S585 = float3(- _S581, _S580, _S582);
+        _S592 = float3(- _S588, _S587, _S589);
     }
-    (&point_0)->tangent_0 = normalize(_S585);
-    (&point_0)->across_0 = _S570.section_1.across_3;
-    (&point_0)->fibre_across_0 = _S584 * _S576.twist_cosine_0 + _S571 * _S575;
-    (&point_0)->fibre_along_0 = _S571 * _S576.twist_cosine_0 - _S584 * _S575;
+    (&point_0)->tangent_0 = normalize(_S592);
+    (&point_0)->across_0 = _S577.section_1.across_3;
+    (&point_0)->fibre_across_0 = _S591 * _S583.twist_cosine_0 + _S578 * _S582;
+    (&point_0)->fibre_along_0 = _S578 * _S583.twist_cosine_0 - _S591 * _S582;
     return point_0;
 }
 
@@ -2784,259 +2822,259 @@ struct YarnPoint_0
     Albedos_0 albedos_5;
 };
 
-Albedos_0 vary_albedos_0(uint _S586, const Albedos_0 thread* _S587, uint _S588, uint _S589, KernelContext_0 thread* kernelContext_40)
+Albedos_0 vary_albedos_0(uint _S593, const Albedos_0 thread* _S594, uint _S595, uint _S596, KernelContext_0 thread* kernelContext_41)
 {
-    Fabric_0 device* _S590 = kernelContext_40->fabrics_0+_S586;
-    float3 _S591 = max(_S587->specular_reflect_0, _S587->specular_transmit_0);
-    float3 _S592 = _S587->diffuse_reflect_0 + _S587->diffuse_transmit_0;
-    float3 _S593 = float3(_S590->layer_bound_0) ;
-    float3 _S594 = float3(1.0f) ;
-    float3 _S595 = float3(bounded_gain_0(thread_gain_0(_S588, _S590->colour_noise_0, _S590->seed_0), _S592, _S594 - _S593 * _S591)) ;
-    float _S596 = bounded_gain_0(fibre_gain_0(_S588, _S589, _S590->fibre_noise_0, _S590->seed_0), _S591, min((_S594 - _S595 * _S592) / _S593, float3(1.0f) ));
+    Fabric_0 device* _S597 = kernelContext_41->fabrics_0+_S593;
+    float3 _S598 = max(_S594->specular_reflect_0, _S594->specular_transmit_0);
+    float3 _S599 = _S594->diffuse_reflect_0 + _S594->diffuse_transmit_0;
+    float3 _S600 = float3(_S597->layer_bound_0) ;
+    float3 _S601 = float3(1.0f) ;
+    float3 _S602 = float3(bounded_gain_0(thread_gain_0(_S595, _S597->colour_noise_0, _S597->seed_0), _S599, _S601 - _S600 * _S598)) ;
+    float _S603 = bounded_gain_0(fibre_gain_0(_S595, _S596, _S597->fibre_noise_0, _S597->seed_0), _S598, min((_S601 - _S602 * _S599) / _S600, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S595 * _S587->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S595 * _S587->diffuse_transmit_0;
-    float3 _S597 = float3(_S596) ;
-    (&varied_0)->specular_reflect_0 = _S597 * _S587->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S597 * _S587->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S602 * _S594->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S602 * _S594->diffuse_transmit_0;
+    float3 _S604 = float3(_S603) ;
+    (&varied_0)->specular_reflect_0 = _S604 * _S594->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S604 * _S594->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S598, const SurfacePoint_0 thread* _S599, const Albedos_0 thread* _S600, float _S601, float _S602, KernelContext_0 thread* kernelContext_41)
+Albedos_0 varied_at_0(uint _S605, const SurfacePoint_0 thread* _S606, const Albedos_0 thread* _S607, float _S608, float _S609, KernelContext_0 thread* kernelContext_42)
 {
-    Fabric_0 device* _S603 = kernelContext_41->fabrics_0+_S598;
-    bool _S604 = _S599->is_warp_0;
-    float _S605;
-    if(_S599->is_warp_0)
+    Fabric_0 device* _S610 = kernelContext_42->fabrics_0+_S605;
+    bool _S611 = _S606->is_warp_0;
+    float _S612;
+    if(_S606->is_warp_0)
     {
-        _S605 = _S601;
+        _S612 = _S608;
     }
     else
     {
-        _S605 = _S602;
+        _S612 = _S609;
     }
-    float _S606 = _S605 - _S599->across_0;
-    uint _S607;
-    if(_S604)
+    float _S613 = _S612 - _S606->across_0;
+    uint _S614;
+    if(_S611)
     {
-        _S607 = _S603->warp_0;
+        _S614 = _S610->warp_0;
     }
     else
     {
-        _S607 = _S603->weft_0;
+        _S614 = _S610->weft_0;
     }
-    Family_0 _S608 = kernelContext_41->families_0[_S607];
-    int _S609 = int(kernelContext_41->families_0[_S607].count_0);
-    if(_S604)
+    Family_0 _S615 = kernelContext_42->families_0[_S614];
+    int _S616 = int(kernelContext_42->families_0[_S614].count_0);
+    if(_S611)
     {
-        _S607 = _S599->warp_thread_0;
+        _S614 = _S606->warp_thread_0;
     }
     else
     {
-        _S607 = _S599->weft_thread_0;
+        _S614 = _S606->weft_thread_0;
     }
-    uint _S610 = uint(int(floor(_S606 / _S608.period_0)) * _S609 + int(_S607)) * 2U;
-    if(_S604)
+    uint _S617 = uint(int(floor(_S613 / _S615.period_0)) * _S616 + int(_S614)) * 2U;
+    if(_S611)
     {
-        _S607 = 1U;
+        _S614 = 1U;
     }
     else
     {
-        _S607 = 0U;
+        _S614 = 0U;
     }
-    float _S611 = floor(_S599->fibre_across_0 / _S603->fibre_size_0);
-    Albedos_0 _S612 = vary_albedos_0(_S598, _S600, _S610 + _S607, uint(int(_S611)) * 65536U + uint(int(floor(_S599->fibre_along_0 / (_S603->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S611))), kernelContext_41);
-    return _S612;
+    float _S618 = floor(_S606->fibre_across_0 / _S610->fibre_size_0);
+    Albedos_0 _S619 = vary_albedos_0(_S605, _S607, _S617 + _S614, uint(int(_S618)) * 65536U + uint(int(floor(_S606->fibre_along_0 / (_S610->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S618))), kernelContext_42);
+    return _S619;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S613, const SurfacePoint_0 thread* _S614, float _S615, float _S616, bool _S617, bool _S618, KernelContext_0 thread* kernelContext_42)
+YarnPoint_0 yarn_point_of_0(uint _S620, const SurfacePoint_0 thread* _S621, float _S622, float _S623, bool _S624, bool _S625, KernelContext_0 thread* kernelContext_43)
 {
-    Fabric_0 device* _S619 = kernelContext_42->fabrics_0+_S613;
-    bool _S620 = _S614->is_warp_0;
-    uint _S621;
-    if(_S614->is_warp_0)
+    Fabric_0 device* _S626 = kernelContext_43->fabrics_0+_S620;
+    bool _S627 = _S621->is_warp_0;
+    uint _S628;
+    if(_S621->is_warp_0)
     {
-        _S621 = _S619->warp_0;
+        _S628 = _S626->warp_0;
     }
     else
     {
-        _S621 = _S619->weft_0;
+        _S628 = _S626->weft_0;
     }
-    uint _S622;
-    if(_S620)
+    uint _S629;
+    if(_S627)
     {
-        _S622 = _S614->warp_thread_0;
-    }
-    else
-    {
-        _S622 = _S614->weft_thread_0;
-    }
-    Albedos_0 _S623 = albedos_of_0(_S621, _S622, kernelContext_42);
-    bool _S624;
-    if((_S619->fibre_noise_0) > 0.0f)
-    {
-        _S624 = true;
+        _S629 = _S621->warp_thread_0;
     }
     else
     {
-        _S624 = (_S619->colour_noise_0) > 0.0f;
+        _S629 = _S621->weft_thread_0;
+    }
+    Albedos_0 _S630 = albedos_of_0(_S628, _S629, kernelContext_43);
+    bool _S631;
+    if((_S626->fibre_noise_0) > 0.0f)
+    {
+        _S631 = true;
+    }
+    else
+    {
+        _S631 = (_S626->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_6;
-    if(_S624)
+    if(_S631)
     {
-        thread Albedos_0 _S625 = _S623;
-        Albedos_0 _S626 = varied_at_0(_S613, _S614, &_S625, _S615, _S616, kernelContext_42);
-        albedos_6 = _S626;
+        thread Albedos_0 _S632 = _S630;
+        Albedos_0 _S633 = varied_at_0(_S620, _S621, &_S632, _S622, _S623, kernelContext_43);
+        albedos_6 = _S633;
     }
     else
     {
-        albedos_6 = _S623;
+        albedos_6 = _S630;
     }
     thread YarnPoint_0 point_1;
-    (&point_1)->back_3 = _S617;
-    (&point_1)->hole_6 = _S618;
-    (&point_1)->is_warp_3 = _S620;
-    (&point_1)->x_11 = _S615;
-    (&point_1)->y_6 = _S616;
-    (&point_1)->height_9 = _S614->height_0;
-    (&point_1)->normal_6 = _S614->normal_0;
-    (&point_1)->tangent_7 = _S614->tangent_0;
-    (&point_1)->roughness_10 = kernelContext_42->families_0[_S621].roughness_0;
+    (&point_1)->back_3 = _S624;
+    (&point_1)->hole_6 = _S625;
+    (&point_1)->is_warp_3 = _S627;
+    (&point_1)->x_11 = _S622;
+    (&point_1)->y_6 = _S623;
+    (&point_1)->height_9 = _S621->height_0;
+    (&point_1)->normal_6 = _S621->normal_0;
+    (&point_1)->tangent_7 = _S621->tangent_0;
+    (&point_1)->roughness_10 = kernelContext_43->families_0[_S628].roughness_0;
     (&point_1)->albedos_5 = albedos_6;
     return point_1;
 }
 
-bool unoccluded_0(uint _S627, const SearchQuality_0 thread* _S628, float _S629, float _S630, float _S631, float3 _S632, bool _S633, KernelContext_0 thread* kernelContext_43)
+bool unoccluded_0(uint _S634, const SearchQuality_0 thread* _S635, float _S636, float _S637, float _S638, float3 _S639, bool _S640, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S634 = kernelContext_43->fabrics_0+_S627;
-    if((_S632.z) <= 0.0f)
+    Fabric_0 device* _S641 = kernelContext_44->fabrics_0+_S634;
+    if((_S639.z) <= 0.0f)
     {
         return false;
     }
-    float _S635 = max_height_along_0(_S627, _S629, _S630, _S631, _S632, _S633, kernelContext_43);
-    bool _S636 = is_free_0(_S627, _S628, float3(_S629, _S630, _S631 + _S634->lift_0), _S632, _S633, _S635, kernelContext_43);
-    return _S636;
+    float _S642 = max_height_along_0(_S634, _S636, _S637, _S638, _S639, _S640, kernelContext_44);
+    bool _S643 = is_free_0(_S634, _S635, float3(_S636, _S637, _S638 + _S641->lift_0), _S639, _S640, _S642, kernelContext_44);
+    return _S643;
 }
 
-bool is_lit_0(uint _S637, const SearchQuality_0 thread* _S638, const YarnPoint_0 thread* _S639, float3 _S640, KernelContext_0 thread* kernelContext_44)
+bool is_lit_0(uint _S644, const SearchQuality_0 thread* _S645, const YarnPoint_0 thread* _S646, float3 _S647, KernelContext_0 thread* kernelContext_45)
 {
-    if(_S639->hole_6)
+    if(_S646->hole_6)
     {
         return true;
     }
-    bool _S641 = _S639->back_3;
-    float3 _S642 = to_face_frame_0(_S640, _S639->back_3);
-    float _S643 = _S642.z;
-    bool _S644 = _S643 < 0.0f;
-    float3 _S645 = _S639->normal_6;
-    float _S646 = _S639->height_9;
+    bool _S648 = _S646->back_3;
+    float3 _S649 = to_face_frame_0(_S647, _S646->back_3);
+    float _S650 = _S649.z;
+    bool _S651 = _S650 < 0.0f;
+    float3 _S652 = _S646->normal_6;
+    float _S653 = _S646->height_9;
     float3 normal_7;
     float height_10;
-    if(_S644)
+    if(_S651)
     {
-        SurfacePoint_0 _S647 = surface_at_0(_S637, _S639->x_11, _S639->y_6, !_S641, kernelContext_44);
-        normal_7 = _S647.normal_0;
-        height_10 = _S647.height_0;
+        SurfacePoint_0 _S654 = surface_at_0(_S644, _S646->x_11, _S646->y_6, !_S648, kernelContext_45);
+        normal_7 = _S654.normal_0;
+        height_10 = _S654.height_0;
     }
     else
     {
-        normal_7 = _S645;
-        height_10 = _S646;
+        normal_7 = _S652;
+        height_10 = _S653;
     }
-    float3 _S648 = float3(_S642.xy, abs(_S643));
-    if((dot(normal_7, _S648)) <= 0.0f)
+    float3 _S655 = float3(_S649.xy, abs(_S650));
+    if((dot(normal_7, _S655)) <= 0.0f)
     {
         return false;
     }
-    bool _S649 = unoccluded_0(_S637, _S638, _S639->x_11, _S639->y_6, height_10, _S648, _S641 != _S644, kernelContext_44);
-    return _S649;
+    bool _S656 = unoccluded_0(_S644, _S645, _S646->x_11, _S646->y_6, height_10, _S655, _S648 != _S651, kernelContext_45);
+    return _S656;
 }
 
-Components_0 components_of_point_0(uint _S650, const SearchQuality_0 thread* _S651, const YarnPoint_0 thread* _S652, float3 _S653, float3 _S654, KernelContext_0 thread* kernelContext_45)
+Components_0 components_of_point_0(uint _S657, const SearchQuality_0 thread* _S658, const YarnPoint_0 thread* _S659, float3 _S660, float3 _S661, KernelContext_0 thread* kernelContext_46)
 {
-    Fabric_0 device* _S655 = kernelContext_45->fabrics_0+_S650;
+    Fabric_0 device* _S662 = kernelContext_46->fabrics_0+_S657;
     thread Components_0 result_1 = no_components_0();
-    bool _S656 = _S652->hole_6;
-    float _S657;
-    if(_S652->hole_6)
+    bool _S663 = _S659->hole_6;
+    float _S664;
+    if(_S659->hole_6)
     {
-        _S657 = 1.0f;
+        _S664 = 1.0f;
     }
     else
     {
-        _S657 = 0.0f;
+        _S664 = 0.0f;
     }
-    (&result_1)->hole_2 = _S657;
-    bool _S658;
-    if(_S656)
+    (&result_1)->hole_2 = _S664;
+    bool _S665;
+    if(_S663)
     {
-        _S658 = true;
+        _S665 = true;
     }
     else
     {
-        bool _S659 = is_lit_0(_S650, _S651, _S652, _S653, kernelContext_45);
-        _S658 = !_S659;
+        bool _S666 = is_lit_0(_S657, _S658, _S659, _S660, kernelContext_46);
+        _S665 = !_S666;
     }
-    if(_S658)
+    if(_S665)
     {
         return result_1;
     }
-    float3 _S660 = to_face_frame_0(_S653, _S652->back_3);
-    float3 _S661 = to_face_frame_0(_S654, _S652->back_3);
-    bool _S662 = (_S660.z) < 0.0f;
-    float3 _S663;
-    if(_S662)
+    float3 _S667 = to_face_frame_0(_S660, _S659->back_3);
+    float3 _S668 = to_face_frame_0(_S661, _S659->back_3);
+    bool _S669 = (_S667.z) < 0.0f;
+    float3 _S670;
+    if(_S669)
     {
-        _S663 = - _S660;
+        _S670 = - _S667;
     }
     else
     {
-        _S663 = _S660;
+        _S670 = _S667;
     }
-    float3 _S664 = _S652->normal_6;
-    float _S665 = diffuse_reflection_0(_S663, _S652->normal_6, _S655->diffuse_blend_0);
-    if(_S662)
+    float3 _S671 = _S659->normal_6;
+    float _S672 = diffuse_reflection_0(_S670, _S659->normal_6, _S662->diffuse_blend_0);
+    if(_S669)
     {
-        _S657 = transmission_0(_S660, _S661, _S664, _S652->tangent_7, _S652->roughness_10, _S655->optical_depth_0);
+        _S664 = transmission_0(_S667, _S668, _S671, _S659->tangent_7, _S659->roughness_10, _S662->optical_depth_0);
     }
     else
     {
-        _S657 = reflection_0(_S660, _S661, _S664, _S652->tangent_7, _S652->roughness_10, _S655->optical_depth_0);
+        _S664 = reflection_0(_S667, _S668, _S671, _S659->tangent_7, _S659->roughness_10, _S662->optical_depth_0);
     }
-    bool _S666 = _S652->is_warp_3;
-    float _S667;
-    if(_S652->is_warp_3)
+    bool _S673 = _S659->is_warp_3;
+    float _S674;
+    if(_S659->is_warp_3)
     {
-        _S667 = _S665;
+        _S674 = _S672;
     }
     else
     {
-        _S667 = 0.0f;
+        _S674 = 0.0f;
     }
-    (&result_1)->diffuse_warp_0 = _S667;
-    if(_S666)
+    (&result_1)->diffuse_warp_0 = _S674;
+    if(_S673)
     {
-        _S667 = 0.0f;
+        _S674 = 0.0f;
     }
     else
     {
-        _S667 = _S665;
+        _S674 = _S672;
     }
-    (&result_1)->diffuse_weft_0 = _S667;
-    if(_S666)
+    (&result_1)->diffuse_weft_0 = _S674;
+    if(_S673)
     {
-        _S667 = _S657;
+        _S674 = _S664;
     }
     else
     {
-        _S667 = 0.0f;
+        _S674 = 0.0f;
     }
-    (&result_1)->specular_warp_0 = _S667;
-    if(_S666)
+    (&result_1)->specular_warp_0 = _S674;
+    if(_S673)
     {
-        _S657 = 0.0f;
+        _S664 = 0.0f;
     }
-    (&result_1)->specular_weft_0 = _S657;
+    (&result_1)->specular_weft_0 = _S664;
     (&result_1)->light_visibility_0 = 1.0f;
     return result_1;
 }
@@ -3046,28 +3084,28 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S668, float _S669, KernelContext_0 thread* kernelContext_46)
+float3 pyramid_level_0(uint _S675, float _S676, KernelContext_0 thread* kernelContext_47)
 {
-    uint _S670 = (kernelContext_46->fabrics_0+_S668)->lobes_0.levels_0 + 4U * uint(min(_S669, (kernelContext_46->fabrics_0+_S668)->lobes_0.last_level_0));
-    float _S671 = table_number_0(_S670, kernelContext_46);
-    float _S672 = table_number_0(_S670 + 1U, kernelContext_46);
-    float _S673 = table_number_0(_S670 + 2U, kernelContext_46);
-    return float3(_S671, _S672, _S673);
+    uint _S677 = (kernelContext_47->fabrics_0+_S675)->lobes_0.levels_0 + 4U * uint(min(_S676, (kernelContext_47->fabrics_0+_S675)->lobes_0.last_level_0));
+    float _S678 = table_number_0(_S677, kernelContext_47);
+    float _S679 = table_number_0(_S677 + 1U, kernelContext_47);
+    float _S680 = table_number_0(_S677 + 2U, kernelContext_47);
+    return float3(_S678, _S679, _S680);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S674, const Footprint_0 thread* _S675, bool _S676, KernelContext_0 thread* kernelContext_47)
+CoverageTaps_0 coverage_taps_0(uint _S681, const Footprint_0 thread* _S682, bool _S683, KernelContext_0 thread* kernelContext_48)
 {
-    Fabric_0 device* _S677 = kernelContext_47->fabrics_0+_S674;
-    float _S678 = Footprint_spread_side_0(_S675);
-    Lobes_0 _S679 = _S677->lobes_0;
-    float _S680 = _S678 * _S677->lobes_0.inverse_base_size_0;
-    float3 _S681 = pyramid_level_0(_S674, floor(binary_logarithm_0(max(0.68000000715255737f * _S680, 1.0f))), kernelContext_47);
-    float _S682 = 1.0f / max(_S680, 9.99999997475242708e-07f);
-    float2 _S683 = float2(kernelContext_47->families_0[_S677->warp_0].inverse_period_0, kernelContext_47->families_0[_S677->weft_0].inverse_period_0);
-    float2 _S684 = _S675->centre_0 * _S683;
-    float2 _S685 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S682 * _S682), 0.0f, 1.0f)), 0.3333333432674408f * _S682), 1.0f)) ;
-    float2 _S686 = _S675->dx_0 * _S683 * _S685;
-    float2 _S687 = _S675->dy_0 * _S683 * _S685;
+    Fabric_0 device* _S684 = kernelContext_48->fabrics_0+_S681;
+    float _S685 = Footprint_spread_side_0(_S682);
+    Lobes_0 _S686 = _S684->lobes_0;
+    float _S687 = _S685 * _S684->lobes_0.inverse_base_size_0;
+    float3 _S688 = pyramid_level_0(_S681, floor(binary_logarithm_0(max(0.68000000715255737f * _S687, 1.0f))), kernelContext_48);
+    float _S689 = 1.0f / max(_S687, 9.99999997475242708e-07f);
+    float2 _S690 = float2(kernelContext_48->families_0[_S684->warp_0].inverse_period_0, kernelContext_48->families_0[_S684->weft_0].inverse_period_0);
+    float2 _S691 = _S682->centre_0 * _S690;
+    float2 _S692 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S689 * _S689), 0.0f, 1.0f)), 0.3333333432674408f * _S689), 1.0f)) ;
+    float2 _S693 = _S682->dx_0 * _S690 * _S692;
+    float2 _S694 = _S682->dy_0 * _S690 * _S692;
     thread CoverageTaps_0 taps_3;
     uint number_1 = 0U;
     for(;;)
@@ -3079,28 +3117,28 @@ CoverageTaps_0 coverage_taps_0(uint _S674, const Footprint_0 thread* _S675, bool
         {
             break;
         }
-        float2 _S688 = _S684 + float2(TAP_OFFSETS_0[number_1].x)  * _S686 + float2(TAP_OFFSETS_0[number_1].y)  * _S687;
-        float _S689 = _S681.y;
-        float _S690 = wrapped_cell_0(_S688.x, _S689);
-        float _S691 = wrapped_cell_0(_S688.y, _S681.z);
-        uint _S692;
-        if(_S676)
+        float2 _S695 = _S691 + float2(TAP_OFFSETS_0[number_1].x)  * _S693 + float2(TAP_OFFSETS_0[number_1].y)  * _S694;
+        float _S696 = _S688.y;
+        float _S697 = wrapped_cell_0(_S695.x, _S696);
+        float _S698 = wrapped_cell_0(_S695.y, _S688.z);
+        uint _S699;
+        if(_S683)
         {
-            _S692 = _S679.face_nodes_0;
+            _S699 = _S686.face_nodes_0;
         }
         else
         {
-            _S692 = 0U;
+            _S699 = 0U;
         }
-        (&taps_3)->nodes_1[number_1] = _S692 + uint(_S691 * _S689 + _S690 + _S681.x);
+        (&taps_3)->nodes_1[number_1] = _S699 + uint(_S698 * _S696 + _S697 + _S688.x);
         number_1 = number_1 + 1U;
     }
     return taps_3;
 }
 
-float4 coverage_of_pack_0(uint _S693, const CoverageTaps_0 thread* _S694, uint _S695, KernelContext_0 thread* kernelContext_48)
+float4 coverage_of_pack_0(uint _S700, const CoverageTaps_0 thread* _S701, uint _S702, KernelContext_0 thread* kernelContext_49)
 {
-    Fabric_0 device* _S696 = kernelContext_48->fabrics_0+_S693;
+    Fabric_0 device* _S703 = kernelContext_49->fabrics_0+_S700;
     uint number_2 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3113,9 +3151,9 @@ float4 coverage_of_pack_0(uint _S693, const CoverageTaps_0 thread* _S694, uint _
         {
             break;
         }
-        uint _S697 = kernelContext_48->words_0[_S696->lobes_0.coverage_0 + _S694->nodes_1[number_2] * _S696->lobes_0.packs_0 + _S695];
-        uint even_2 = even_1 + (_S697 & 16711935U);
-        uint odd_2 = odd_1 + ((_S697 >> 8U) & 16711935U);
+        uint _S704 = kernelContext_49->words_0[_S703->lobes_0.coverage_0 + _S701->nodes_1[number_2] * _S703->lobes_0.packs_0 + _S702];
+        uint even_2 = even_1 + (_S704 & 16711935U);
+        uint odd_2 = odd_1 + ((_S704 >> 8U) & 16711935U);
         number_2 = number_2 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3123,9 +3161,9 @@ float4 coverage_of_pack_0(uint _S693, const CoverageTaps_0 thread* _S694, uint _
     return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
 }
 
-float coverage_of_holes_0(uint _S698, const CoverageTaps_0 thread* _S699, KernelContext_0 thread* kernelContext_49)
+float coverage_of_holes_0(uint _S705, const CoverageTaps_0 thread* _S706, KernelContext_0 thread* kernelContext_50)
 {
-    Fabric_0 device* _S700 = kernelContext_49->fabrics_0+_S698;
+    Fabric_0 device* _S707 = kernelContext_50->fabrics_0+_S705;
     uint number_3 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3137,70 +3175,70 @@ float coverage_of_holes_0(uint _S698, const CoverageTaps_0 thread* _S699, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_49->words_0[_S700->lobes_0.coverage_holes_0 + _S699->nodes_1[number_3] / 4U] >> (8U * (_S699->nodes_1[number_3] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_50->words_0[_S707->lobes_0.coverage_holes_0 + _S706->nodes_1[number_3] / 4U] >> (8U * (_S706->nodes_1[number_3] % 4U))) & 255U);
         number_3 = number_3 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S701, const CoverageTaps_0 thread* _S702, const NodeTaps_0 thread* _S703, bool _S704, KernelContext_0 thread* kernelContext_50)
+float prefiltered_hole_0(uint _S708, const CoverageTaps_0 thread* _S709, const NodeTaps_0 thread* _S710, bool _S711, KernelContext_0 thread* kernelContext_51)
 {
-    Lobes_0 _S705 = (kernelContext_50->fabrics_0+_S701)->lobes_0;
-    float4 _S706 = interpolate_table_0(_S703, (kernelContext_50->fabrics_0+_S701)->lobes_0.projected_area_0 + (kernelContext_50->fabrics_0+_S701)->lobes_0.packs_0, (kernelContext_50->fabrics_0+_S701)->lobes_0.packs_0 + 1U, kernelContext_50);
-    float _S707 = _S706.x;
-    float _S708;
-    if(_S704)
+    Lobes_0 _S712 = (kernelContext_51->fabrics_0+_S708)->lobes_0;
+    float4 _S713 = interpolate_table_0(_S710, (kernelContext_51->fabrics_0+_S708)->lobes_0.projected_area_0 + (kernelContext_51->fabrics_0+_S708)->lobes_0.packs_0, (kernelContext_51->fabrics_0+_S708)->lobes_0.packs_0 + 1U, kernelContext_51);
+    float _S714 = _S713.x;
+    float _S715;
+    if(_S711)
     {
-        _S708 = _S705.back_hole_weight_0;
+        _S715 = _S712.back_hole_weight_0;
     }
     else
     {
-        _S708 = _S705.front_hole_weight_0;
+        _S715 = _S712.front_hole_weight_0;
     }
-    float _S709 = coverage_of_holes_0(_S701, _S702, kernelContext_50);
-    return min(_S709 * _S707 * _S707 * _S708, 1.0f);
+    float _S716 = coverage_of_holes_0(_S708, _S709, kernelContext_51);
+    return min(_S716 * _S714 * _S714 * _S715, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S710, const Footprint_0 thread* _S711, float3 _S712, float3 _S713, bool _S714, KernelContext_0 thread* kernelContext_51)
+Components_0 prefiltered_components_0(uint _S717, const Footprint_0 thread* _S718, float3 _S719, float3 _S720, bool _S721, KernelContext_0 thread* kernelContext_52)
 {
-    Fabric_0 device* _S715 = kernelContext_51->fabrics_0+_S710;
-    CoverageTaps_0 _S716 = coverage_taps_0(_S710, _S711, _S714, kernelContext_51);
-    NodeTaps_0 _S717 = node_taps_0(_S713);
-    thread NodeTaps_0 view_nodes_0 = _S717;
-    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S712);
-    thread NodeTaps_0 seen_nodes_0 = _S717;
-    uint _S718;
-    if(_S714)
+    Fabric_0 device* _S722 = kernelContext_52->fabrics_0+_S717;
+    CoverageTaps_0 _S723 = coverage_taps_0(_S717, _S718, _S721, kernelContext_52);
+    NodeTaps_0 _S724 = node_taps_0(_S720);
+    thread NodeTaps_0 view_nodes_0 = _S724;
+    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S719);
+    thread NodeTaps_0 seen_nodes_0 = _S724;
+    uint _S725;
+    if(_S721)
     {
-        _S718 = 1U;
+        _S725 = 1U;
     }
     else
     {
-        _S718 = 0U;
+        _S725 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S718 * 256U)) ;
-    uint _S719 = 2U * _S718;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S719 * 256U)) ;
-    uint _S720;
-    if((_S712.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S725 * 256U)) ;
+    uint _S726 = 2U * _S725;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S726 * 256U)) ;
+    uint _S727;
+    if((_S719.z) < 0.0f)
     {
-        _S720 = 1U;
-    }
-    else
-    {
-        _S720 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S719 + _S720) * 256U)) ;
-    float3 _S721 = half_vector_0(_S712, _S713);
-    float3 _S722 = shadow_correlation_0(_S712, _S713);
-    if(_S714)
-    {
-        _S720 = _S715->lobes_0.back_warp_packs_0;
+        _S727 = 1U;
     }
     else
     {
-        _S720 = _S715->lobes_0.front_warp_packs_0;
+        _S727 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S726 + _S727) * 256U)) ;
+    float3 _S728 = half_vector_0(_S719, _S720);
+    float3 _S729 = shadow_correlation_0(_S719, _S720);
+    if(_S721)
+    {
+        _S727 = _S722->lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S727 = _S722->lobes_0.front_warp_packs_0;
     }
     thread Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3212,43 +3250,43 @@ Components_0 prefiltered_components_0(uint _S710, const Footprint_0 thread* _S71
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S723 = _S715->lobes_0;
-        if(pack_0 < (_S715->lobes_0.packs_0))
+        Lobes_0 _S730 = _S722->lobes_0;
+        if(pack_0 < (_S722->lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        thread CoverageTaps_0 _S724 = _S716;
-        float4 _S725 = coverage_of_pack_0(_S710, &_S724, pack_0, kernelContext_51);
-        uint _S726 = _S723.projected_area_0 + pack_0;
-        uint _S727 = _S723.packs_0 + 1U;
-        thread NodeTaps_0 _S728 = view_nodes_0;
-        float4 _S729 = interpolate_table_0(&_S728, _S726, _S727, kernelContext_51);
-        uint _S730 = _S723.light_visibility_1 + pack_0;
-        thread NodeTaps_0 _S731 = seen_nodes_0;
-        float4 _S732 = interpolate_table_0(&_S731, _S730, _S723.packs_0, kernelContext_51);
-        float4 _S733 = float4(255.0f) ;
-        float4 _S734 = _S732 / _S733;
-        thread NodeTaps_0 _S735 = light_nodes_0;
-        float4 _S736 = interpolate_table_0(&_S735, _S730, _S723.packs_0, kernelContext_51);
-        float4 _S737 = _S736 / _S733;
-        uint _S738 = _S723.irradiance_0 + pack_0;
-        thread NodeTaps_0 _S739 = light_nodes_0;
-        float4 _S740 = interpolate_table_0(&_S739, _S738, _S723.packs_0, kernelContext_51);
-        float4 _S741 = _S740 * float4(0.00124827399849892f) ;
-        bool _S742 = pack_0 < _S720;
-        uint _S743;
-        if(_S742)
+        thread CoverageTaps_0 _S731 = _S723;
+        float4 _S732 = coverage_of_pack_0(_S717, &_S731, pack_0, kernelContext_52);
+        uint _S733 = _S730.projected_area_0 + pack_0;
+        uint _S734 = _S730.packs_0 + 1U;
+        thread NodeTaps_0 _S735 = view_nodes_0;
+        float4 _S736 = interpolate_table_0(&_S735, _S733, _S734, kernelContext_52);
+        uint _S737 = _S730.light_visibility_1 + pack_0;
+        thread NodeTaps_0 _S738 = seen_nodes_0;
+        float4 _S739 = interpolate_table_0(&_S738, _S737, _S730.packs_0, kernelContext_52);
+        float4 _S740 = float4(255.0f) ;
+        float4 _S741 = _S739 / _S740;
+        thread NodeTaps_0 _S742 = light_nodes_0;
+        float4 _S743 = interpolate_table_0(&_S742, _S737, _S730.packs_0, kernelContext_52);
+        float4 _S744 = _S743 / _S740;
+        uint _S745 = _S730.irradiance_0 + pack_0;
+        thread NodeTaps_0 _S746 = light_nodes_0;
+        float4 _S747 = interpolate_table_0(&_S746, _S745, _S730.packs_0, kernelContext_52);
+        float4 _S748 = _S747 * float4(0.00124827399849892f) ;
+        bool _S749 = pack_0 < _S727;
+        uint _S750;
+        if(_S749)
         {
-            _S743 = _S715->warp_0;
+            _S750 = _S722->warp_0;
         }
         else
         {
-            _S743 = _S715->weft_0;
+            _S750 = _S722->weft_0;
         }
-        Family_0 _S744 = kernelContext_51->families_0[_S743];
+        Family_0 _S751 = kernelContext_52->families_0[_S750];
         uint number_4 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3261,348 +3299,364 @@ Components_0 prefiltered_components_0(uint _S710, const Footprint_0 thread* _S71
             {
                 break;
             }
-            Group_0 _S745 = group_at_0(_S723.moments_0 + 12U * (4U * (_S718 * _S723.packs_0 + pack_0) + number_4), _S744.roughness_0, kernelContext_51);
-            float _S746 = _S725[number_4] * _S729[number_4] * _S729[number_4] * _S745.weight_1;
-            float2 _S747 = visibility_gain_0(_S722, _S737[number_4], _S734[number_4]);
-            thread Group_0 _S748 = _S745;
-            float _S749 = layer_value_0(&_S748, _S721, _S712, _S713, _S715->optical_depth_0);
-            float _S750 = _S747.x;
-            float diffuse_1 = diffuse_0 + _S746 * _S741[number_4] * _S750;
-            float specular_1 = specular_0 + _S746 * _S749 * _S737[number_4] * _S747.y;
-            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S746 * _S737[number_4] * _S750;
-            float total_3 = total_2 + _S746;
+            Group_0 _S752 = group_at_0(_S730.moments_0 + 12U * (4U * (_S725 * _S730.packs_0 + pack_0) + number_4), _S751.roughness_0, kernelContext_52);
+            float _S753 = _S732[number_4] * _S736[number_4] * _S736[number_4] * _S752.weight_1;
+            float2 _S754 = visibility_gain_0(_S729, _S744[number_4], _S741[number_4]);
+            thread Group_0 _S755 = _S752;
+            float _S756 = layer_value_0(&_S755, _S728, _S719, _S720, _S722->optical_depth_0);
+            float _S757 = _S754.x;
+            float diffuse_1 = diffuse_0 + _S753 * _S748[number_4] * _S757;
+            float specular_1 = specular_0 + _S753 * _S756 * _S744[number_4] * _S754.y;
+            (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 + _S753 * _S744[number_4] * _S757;
+            float total_3 = total_2 + _S753;
             number_4 = number_4 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S751;
-        if(_S742)
+        float _S758;
+        if(_S749)
         {
-            _S751 = diffuse_0;
+            _S758 = diffuse_0;
         }
         else
         {
-            _S751 = 0.0f;
+            _S758 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S751;
-        float _S752;
-        if(_S742)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S758;
+        float _S759;
+        if(_S749)
         {
-            _S752 = 0.0f;
+            _S759 = 0.0f;
         }
         else
         {
-            _S752 = diffuse_0;
+            _S759 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S752;
-        float _S753;
-        if(_S742)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S759;
+        float _S760;
+        if(_S749)
         {
-            _S753 = specular_0;
+            _S760 = specular_0;
         }
         else
         {
-            _S753 = 0.0f;
+            _S760 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S753;
-        float _S754;
-        if(_S742)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S760;
+        float _S761;
+        if(_S749)
         {
-            _S754 = 0.0f;
+            _S761 = 0.0f;
         }
         else
         {
-            _S754 = specular_0;
+            _S761 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S754;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S761;
         pack_0 = pack_0 + 1U;
     }
-    thread CoverageTaps_0 _S755 = _S716;
-    thread NodeTaps_0 _S756 = view_nodes_0;
-    float _S757 = prefiltered_hole_0(_S710, &_S755, &_S756, _S714, kernelContext_51);
-    (&sums_1)->hole_2 = _S757;
-    float _S758 = (1.0f - _S757) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S758;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S758;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S758;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S758;
-    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S758;
+    thread CoverageTaps_0 _S762 = _S723;
+    thread NodeTaps_0 _S763 = view_nodes_0;
+    float _S764 = prefiltered_hole_0(_S717, &_S762, &_S763, _S721, kernelContext_52);
+    (&sums_1)->hole_2 = _S764;
+    float _S765 = (1.0f - _S764) / max(total_2, 9.999999960041972e-13f);
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S765;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S765;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S765;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S765;
+    (&sums_1)->light_visibility_0 = (&sums_1)->light_visibility_0 * _S765;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S759, const Footprint_0 thread* _S760, bool _S761, KernelContext_0 thread* kernelContext_52)
+FamilyAlbedos_0 albedos_over_0(uint _S766, const Footprint_0 thread* _S767, bool _S768, KernelContext_0 thread* kernelContext_53)
 {
-    Fabric_0 device* _S762 = kernelContext_52->fabrics_0+_S759;
-    float2 _S763 = sqrt(_S760->dx_0 * _S760->dx_0 + _S760->dy_0 * _S760->dy_0);
-    uint _S764 = _S762->warp_0;
-    float2 _S765 = _S760->centre_0;
-    Stretch_0 _S766 = stretch_of_0(_S762->warp_0, _S760->centre_0.x, _S763.x, kernelContext_52);
-    uint _S767 = _S762->weft_0;
-    Stretch_0 _S768 = stretch_of_0(_S762->weft_0, _S765.y, _S763.y, kernelContext_52);
+    Fabric_0 device* _S769 = kernelContext_53->fabrics_0+_S766;
+    float2 _S770 = sqrt(_S767->dx_0 * _S767->dx_0 + _S767->dy_0 * _S767->dy_0);
+    uint _S771 = _S769->warp_0;
+    float2 _S772 = _S767->centre_0;
+    Stretch_0 _S773 = stretch_of_0(_S769->warp_0, _S767->centre_0.x, _S770.x, kernelContext_53);
+    uint _S774 = _S769->weft_0;
+    Stretch_0 _S775 = stretch_of_0(_S769->weft_0, _S772.y, _S770.y, kernelContext_53);
     thread FamilyAlbedos_0 albedos_7;
-    thread Stretch_0 _S769 = _S766;
-    thread Stretch_0 _S770 = _S768;
-    Albedos_0 _S771 = mean_albedos_0(_S764, _S767, &_S769, &_S770, _S761, kernelContext_52);
-    (&albedos_7)->warp_2 = _S771;
-    thread Stretch_0 _S772 = _S768;
-    thread Stretch_0 _S773 = _S766;
-    Albedos_0 _S774 = mean_albedos_0(_S767, _S764, &_S772, &_S773, _S761, kernelContext_52);
-    (&albedos_7)->weft_2 = _S774;
+    thread Stretch_0 _S776 = _S773;
+    thread Stretch_0 _S777 = _S775;
+    Albedos_0 _S778 = mean_albedos_0(_S771, _S774, &_S776, &_S777, _S768, kernelContext_53);
+    (&albedos_7)->warp_2 = _S778;
+    thread Stretch_0 _S779 = _S775;
+    thread Stretch_0 _S780 = _S773;
+    Albedos_0 _S781 = mean_albedos_0(_S774, _S771, &_S779, &_S780, _S768, kernelContext_53);
+    (&albedos_7)->weft_2 = _S781;
     return albedos_7;
 }
 
-Estimate_0 lobes_estimate_0(uint _S775, const Footprint_0 thread* _S776, float _S777, float3 _S778, float3 _S779, KernelContext_0 thread* kernelContext_53)
+Estimate_0 lobes_estimate_of_pass_0(uint _S782, const Footprint_0 thread* _S783, float _S784, float2 _S785, float3 _S786, float3 _S787, KernelContext_0 thread* kernelContext_54)
 {
-    float _S780;
-    Fabric_0 device* _S781 = kernelContext_53->fabrics_0+_S775;
-    Regime_0 _S782 = regime_of_0(_S775, _S776, _S777, kernelContext_53);
-    bool _S783 = (_S779.z) < 0.0f;
-    float3 _S784 = to_face_frame_0(_S779, _S783);
-    bool _S785;
-    if((_S781->fibre_noise_0) > 0.0f)
+    float _S788;
+    Fabric_0 device* _S789 = kernelContext_54->fabrics_0+_S782;
+    Regime_0 _S790 = regime_of_0(_S782, _S783, _S784, kernelContext_54);
+    bool _S791 = (_S787.z) < 0.0f;
+    float3 _S792 = to_face_frame_0(_S787, _S791);
+    bool _S793;
+    if((_S789->fibre_noise_0) > 0.0f)
     {
-        _S785 = true;
+        _S793 = true;
     }
     else
     {
-        _S785 = (_S781->colour_noise_0) > 0.0f;
+        _S793 = (_S789->colour_noise_0) > 0.0f;
     }
-    bool _S786;
-    if((kernelContext_53->families_0[_S781->warp_0].quantities_0) > 1U)
+    bool _S794;
+    if((kernelContext_54->families_0[_S789->warp_0].quantities_0) > 1U)
     {
-        _S786 = true;
+        _S794 = true;
     }
     else
     {
-        _S786 = (kernelContext_53->families_0[_S781->weft_0].quantities_0) > 1U;
+        _S794 = (kernelContext_54->families_0[_S789->weft_0].quantities_0) > 1U;
     }
-    float _S787 = 1.0f - _S782.prefiltered_0;
-    if(_S787 > 0.0f)
+    float _S795 = 1.0f - _S790.prefiltered_0;
+    if(_S795 > 0.0f)
     {
-        if(_S785)
+        if(_S793)
         {
-            _S786 = true;
+            _S794 = true;
         }
     }
     else
     {
-        _S786 = false;
+        _S794 = false;
     }
-    thread Footprint_0 box_0 = *_S776;
-    float3 _S788 = float3(0.0f) ;
-    SurfacePoint_0 _S789 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S788, _S788, 0.0f, 0.0f, 0.0f);
-    float2 _S790 = _S776->centre_0;
-    Components_0 _S791 = no_components_0();
-    int _S792;
-    if(_S786)
+    thread Footprint_0 box_0 = *_S783;
+    float3 _S796 = float3(0.0f) ;
+    SurfacePoint_0 _S797 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S796, _S796, 0.0f, 0.0f, 0.0f);
+    float2 _S798 = _S783->centre_0;
+    Components_0 _S799 = no_components_0();
+    int _S800;
+    if(_S794)
     {
-        _S792 = int(0);
+        _S800 = int(0);
     }
     else
     {
-        _S792 = int(1);
+        _S800 = int(1);
     }
-    uint _S793 = uint(_S792);
-    Components_0 points_1 = _S791;
+    uint _S801 = uint(_S800);
+    Components_0 points_1 = _S799;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S789;
-    float2 central_place_0 = _S790;
-    uint number_5 = _S793;
+    SurfacePoint_0 central_0 = _S797;
+    float2 central_place_0 = _S798;
+    uint number_5 = _S801;
     for(;;)
     {
-        float _S794 = float(number_5);
-        _S780 = _S782.points_0;
-        if(_S794 < (_S782.points_0 + 1.0f))
+        float _S802 = float(number_5);
+        _S788 = _S790.points_0;
+        if(_S802 < (_S790.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S795 = number_5 == 0U;
-        float2 _S796;
-        if(_S795)
+        bool _S803 = number_5 == 0U;
+        uint _S804;
+        if(_S803)
         {
-            _S796 = float2(0.0f) ;
+            _S804 = 0U;
         }
         else
         {
-            _S796 = POINT_OFFSETS_0[number_5 - 1U];
+            _S804 = number_5 - 1U;
         }
-        float2 _S797 = _S790 + float2(_S796.x)  * _S776->dx_0 + float2(_S796.y)  * _S776->dy_0;
-        float _S798;
-        if(_S795)
+        float2 _S805 = POINT_OFFSETS_0[_S804] + _S785;
+        float2 _S806;
+        if(_S803)
         {
-            _S798 = 0.0f;
+            _S806 = float2(0.0f) ;
         }
         else
         {
-            _S798 = _S782.threads_1;
+            _S806 = _S805 - round(_S805);
         }
-        SearchQuality_0 _S799 = quality_of_0(_S798);
-        float _S800 = _S797.x;
-        float _S801 = _S797.y;
-        thread SearchQuality_0 _S802 = _S799;
-        Hit_0 _S803 = first_hit_0(_S775, &_S802, _S800, _S801, _S784, _S783, kernelContext_53);
-        SurfacePoint_0 _S804 = surface_at_0(_S775, _S803.x_10, _S803.y_5, _S783, kernelContext_53);
-        if(_S795)
+        float2 _S807 = _S798 + float2(_S806.x)  * _S783->dx_0 + float2(_S806.y)  * _S783->dy_0;
+        float _S808;
+        if(_S803)
+        {
+            _S808 = 0.0f;
+        }
+        else
+        {
+            _S808 = _S790.threads_1;
+        }
+        SearchQuality_0 _S809 = quality_of_0(_S808);
+        float _S810 = _S807.x;
+        float _S811 = _S807.y;
+        thread SearchQuality_0 _S812 = _S809;
+        Hit_0 _S813 = first_hit_0(_S782, &_S812, _S810, _S811, _S792, _S791, kernelContext_54);
+        SurfacePoint_0 _S814 = surface_at_0(_S782, _S813.x_10, _S813.y_5, _S791, kernelContext_54);
+        if(_S803)
         {
             float central_weight_1;
-            if(_S803.hole_5)
+            if(_S813.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S787;
+                central_weight_1 = _S795;
             }
-            float2 central_place_1 = float2(_S803.x_10, _S803.y_5);
-            (&box_0)->centre_0 = mix(_S790, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S813.x_10, _S813.y_5);
+            (&box_0)->centre_0 = mix(_S798, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S804;
+            central_0 = _S814;
             central_place_0 = central_place_1;
             number_5 = number_5 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S805 = _S804;
-        YarnPoint_0 _S806 = yarn_point_of_0(_S775, &_S805, _S803.x_10, _S803.y_5, _S783, _S803.hole_5, kernelContext_53);
-        thread SearchQuality_0 _S807 = _S799;
-        thread YarnPoint_0 _S808 = _S806;
-        Components_0 _S809 = components_of_point_0(_S775, &_S807, &_S808, _S778, _S779, kernelContext_53);
-        float _S810 = min(_S782.points_0 - float(number_5 - 1U), 1.0f);
-        thread Components_0 _S811 = points_1;
-        thread Components_0 _S812 = _S809;
-        Components_0 _S813 = with_added_0(&_S811, &_S812, _S810);
-        points_1 = _S813;
+        thread SurfacePoint_0 _S815 = _S814;
+        YarnPoint_0 _S816 = yarn_point_of_0(_S782, &_S815, _S813.x_10, _S813.y_5, _S791, _S813.hole_5, kernelContext_54);
+        thread SearchQuality_0 _S817 = _S809;
+        thread YarnPoint_0 _S818 = _S816;
+        Components_0 _S819 = components_of_point_0(_S782, &_S817, &_S818, _S786, _S787, kernelContext_54);
+        float _S820 = min(_S790.points_0 - float(number_5 - 1U), 1.0f);
+        thread Components_0 _S821 = points_1;
+        thread Components_0 _S822 = _S819;
+        Components_0 _S823 = with_added_0(&_S821, &_S822, _S820);
+        points_1 = _S823;
         number_5 = number_5 + 1U;
     }
     thread Estimate_0 estimate_0;
-    float _S814 = _S787 / max(_S780, 1.0f);
-    thread Components_0 _S815 = _S791;
-    thread Components_0 _S816 = points_1;
-    Components_0 _S817 = with_added_0(&_S815, &_S816, _S814);
-    (&estimate_0)->components_0 = _S817;
-    if((_S782.prefiltered_0) > 0.0f)
+    float _S824 = _S795 / max(_S788, 1.0f);
+    thread Components_0 _S825 = _S799;
+    thread Components_0 _S826 = points_1;
+    Components_0 _S827 = with_added_0(&_S825, &_S826, _S824);
+    (&estimate_0)->components_0 = _S827;
+    if((_S790.prefiltered_0) > 0.0f)
     {
-        Components_0 _S818 = prefiltered_components_0(_S775, _S776, to_face_frame_0(_S778, _S783), _S784, _S783, kernelContext_53);
-        thread Components_0 _S819 = (&estimate_0)->components_0;
-        thread Components_0 _S820 = _S818;
-        Components_0 _S821 = with_added_0(&_S819, &_S820, _S782.prefiltered_0);
-        (&estimate_0)->components_0 = _S821;
+        Components_0 _S828 = prefiltered_components_0(_S782, _S783, to_face_frame_0(_S786, _S791), _S792, _S791, kernelContext_54);
+        thread Components_0 _S829 = (&estimate_0)->components_0;
+        thread Components_0 _S830 = _S828;
+        Components_0 _S831 = with_added_0(&_S829, &_S830, _S790.prefiltered_0);
+        (&estimate_0)->components_0 = _S831;
     }
-    thread Footprint_0 _S822 = box_0;
-    FamilyAlbedos_0 _S823 = albedos_over_0(_S775, &_S822, _S783, kernelContext_53);
-    (&estimate_0)->albedos_4 = _S823;
-    if(_S785)
+    thread Footprint_0 _S832 = box_0;
+    FamilyAlbedos_0 _S833 = albedos_over_0(_S782, &_S832, _S791, kernelContext_54);
+    (&estimate_0)->albedos_4 = _S833;
+    if(_S793)
     {
-        _S785 = central_weight_0 > 0.0f;
+        _S793 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S785 = false;
+        _S793 = false;
     }
-    if(_S785)
+    if(_S793)
     {
-        SurfacePoint_0 _S824 = central_0;
-        Albedos_0 _S825;
+        SurfacePoint_0 _S834 = central_0;
+        Albedos_0 _S835;
         if(central_0.is_warp_0)
         {
-            _S825 = (&(&estimate_0)->albedos_4)->warp_2;
+            _S835 = (&(&estimate_0)->albedos_4)->warp_2;
         }
         else
         {
-            _S825 = (&(&estimate_0)->albedos_4)->weft_2;
+            _S835 = (&(&estimate_0)->albedos_4)->weft_2;
         }
-        float _S826 = central_place_0.x;
-        float _S827 = central_place_0.y;
-        thread SurfacePoint_0 _S828 = central_0;
-        thread Albedos_0 _S829 = _S825;
-        Albedos_0 _S830 = varied_at_0(_S775, &_S828, &_S829, _S826, _S827, kernelContext_53);
-        thread Albedos_0 _S831 = _S825;
-        thread Albedos_0 _S832 = _S830;
-        Albedos_0 _S833 = lerp_albedos_0(&_S831, &_S832, central_weight_0);
-        if(_S824.is_warp_0)
+        float _S836 = central_place_0.x;
+        float _S837 = central_place_0.y;
+        thread SurfacePoint_0 _S838 = central_0;
+        thread Albedos_0 _S839 = _S835;
+        Albedos_0 _S840 = varied_at_0(_S782, &_S838, &_S839, _S836, _S837, kernelContext_54);
+        thread Albedos_0 _S841 = _S835;
+        thread Albedos_0 _S842 = _S840;
+        Albedos_0 _S843 = lerp_albedos_0(&_S841, &_S842, central_weight_0);
+        if(_S834.is_warp_0)
         {
-            (&(&estimate_0)->albedos_4)->warp_2 = _S833;
+            (&(&estimate_0)->albedos_4)->warp_2 = _S843;
         }
         else
         {
-            (&(&estimate_0)->albedos_4)->weft_2 = _S833;
+            (&(&estimate_0)->albedos_4)->weft_2 = _S843;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S834, const Components_0 thread* _S835, const FamilyAlbedos_0 thread* _S836, float3 _S837, float3 _S838, KernelContext_0 thread* kernelContext_54)
+Estimate_0 lobes_estimate_0(uint _S844, const Footprint_0 thread* _S845, float _S846, float3 _S847, float3 _S848, KernelContext_0 thread* kernelContext_55)
 {
-    Fabric_0 device* _S839 = kernelContext_54->fabrics_0+_S834;
-    float3 _S840 = float3(_S835->diffuse_warp_0) ;
-    float3 _S841 = float3(_S835->diffuse_weft_0) ;
-    float3 _S842 = float3(_S835->specular_warp_0) ;
-    float3 _S843 = float3(_S835->specular_weft_0) ;
-    float3 _S844 = (&_S836->warp_2)->diffuse_reflect_0 * _S840 + (&_S836->weft_2)->diffuse_reflect_0 * _S841 + (&_S836->warp_2)->specular_reflect_0 * _S842 + (&_S836->weft_2)->specular_reflect_0 * _S843;
-    float _S845 = _S838.z;
+    Estimate_0 _S849 = lobes_estimate_of_pass_0(_S844, _S845, _S846, float2(0.0f) , _S847, _S848, kernelContext_55);
+    return _S849;
+}
+
+float3 composed_0(uint _S850, const Components_0 thread* _S851, const FamilyAlbedos_0 thread* _S852, float3 _S853, float3 _S854, KernelContext_0 thread* kernelContext_56)
+{
+    Fabric_0 device* _S855 = kernelContext_56->fabrics_0+_S850;
+    float3 _S856 = float3(_S851->diffuse_warp_0) ;
+    float3 _S857 = float3(_S851->diffuse_weft_0) ;
+    float3 _S858 = float3(_S851->specular_warp_0) ;
+    float3 _S859 = float3(_S851->specular_weft_0) ;
+    float3 _S860 = (&_S852->warp_2)->diffuse_reflect_0 * _S856 + (&_S852->weft_2)->diffuse_reflect_0 * _S857 + (&_S852->warp_2)->specular_reflect_0 * _S858 + (&_S852->weft_2)->specular_reflect_0 * _S859;
+    float _S861 = _S854.z;
     float3 body_0;
-    if((_S837.z * _S845) < 0.0f)
+    if((_S853.z * _S861) < 0.0f)
     {
-        body_0 = (&_S836->warp_2)->diffuse_transmit_0 * _S840 + (&_S836->weft_2)->diffuse_transmit_0 * _S841 + (&_S836->warp_2)->specular_transmit_0 * _S842 + (&_S836->weft_2)->specular_transmit_0 * _S843;
+        body_0 = (&_S852->warp_2)->diffuse_transmit_0 * _S856 + (&_S852->weft_2)->diffuse_transmit_0 * _S857 + (&_S852->warp_2)->specular_transmit_0 * _S858 + (&_S852->weft_2)->specular_transmit_0 * _S859;
     }
     else
     {
-        body_0 = _S844;
+        body_0 = _S860;
     }
-    float _S846 = _S839->sheen_strength_0;
-    if((_S839->sheen_strength_0) <= 0.0f)
+    float _S862 = _S855->sheen_strength_0;
+    if((_S855->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S847 = _S845 < 0.0f;
-    float2 _S848 = sheen_with_transmittance_0(to_face_frame_0(_S837, _S847), to_face_frame_0(_S838, _S847), _S846, _S839->sheen_roughness_0);
-    return float3(_S848.y)  * body_0 + float3(((_S835->light_visibility_0 + _S835->hole_2) * _S848.x)) ;
+    bool _S863 = _S861 < 0.0f;
+    float2 _S864 = sheen_with_transmittance_0(to_face_frame_0(_S853, _S863), to_face_frame_0(_S854, _S863), _S862, _S855->sheen_roughness_0);
+    return float3(_S864.y)  * body_0 + float3(((_S851->light_visibility_0 + _S851->hole_2) * _S864.x)) ;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_9, float3 view_8, KernelContext_0 thread* kernelContext_55)
+float4 cloth_value_0(uint fabric_1, float2 centre_2, float2 dx_1, float2 dy_1, float3 light_9, float3 view_8, KernelContext_0 thread* kernelContext_57)
 {
     thread Footprint_0 footprint_0;
     (&footprint_0)->centre_0 = centre_2;
     (&footprint_0)->dx_0 = dx_1;
     (&footprint_0)->dy_0 = dy_1;
-    thread Footprint_0 _S849 = footprint_0;
-    Estimate_0 _S850 = lobes_estimate_0(fabric_1, &_S849, 1.0f, light_9, view_8, kernelContext_55);
-    thread Components_0 _S851 = _S850.components_0;
-    thread FamilyAlbedos_0 _S852 = _S850.albedos_4;
-    float3 _S853 = composed_0(fabric_1, &_S851, &_S852, light_9, view_8, kernelContext_55);
+    thread Footprint_0 _S865 = footprint_0;
+    Estimate_0 _S866 = lobes_estimate_0(fabric_1, &_S865, 1.0f, light_9, view_8, kernelContext_57);
+    thread Components_0 _S867 = _S866.components_0;
+    thread FamilyAlbedos_0 _S868 = _S866.albedos_4;
+    float3 _S869 = composed_0(fabric_1, &_S867, &_S868, light_9, view_8, kernelContext_57);
     float through_0;
-    if(((kernelContext_55->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)
+    if(((kernelContext_57->fabrics_0+fabric_1)->sheen_strength_0) > 0.0f)
     {
-        through_0 = _S850.components_0.hole_2 * (1.0f - (kernelContext_55->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_8.z), (kernelContext_55->fabrics_0+fabric_1)->sheen_roughness_0).z);
+        through_0 = _S866.components_0.hole_2 * (1.0f - (kernelContext_57->fabrics_0+fabric_1)->sheen_strength_0 * sheen_lobe_0(abs(view_8.z), (kernelContext_57->fabrics_0+fabric_1)->sheen_roughness_0).z);
     }
     else
     {
-        through_0 = _S850.components_0.hole_2;
+        through_0 = _S866.components_0.hole_2;
     }
-    return float4(_S853, through_0);
+    return float4(_S869, through_0);
 }
 
-[[kernel]] void lobes_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(11)]], Query_0 device* queries_1 [[buffer(10)]], packed_float4 device* answers_1 [[buffer(12)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
+[[kernel]] void lobes_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(24)]], Query_0 device* queries_1 [[buffer(23)]], packed_float4 device* answers_1 [[buffer(25)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_56;
-    (&kernelContext_56)->query_count_0 = query_count_1;
-    (&kernelContext_56)->queries_0 = queries_1;
-    (&kernelContext_56)->answers_0 = answers_1;
-    (&kernelContext_56)->fabrics_0 = fabrics_1;
-    (&kernelContext_56)->families_0 = families_1;
-    (&kernelContext_56)->words_0 = words_1;
-    uint _S854 = id_0.x;
-    if(_S854 >= query_count_1[int(0)])
+    thread KernelContext_0 kernelContext_58;
+    (&kernelContext_58)->query_count_0 = query_count_1;
+    (&kernelContext_58)->queries_0 = queries_1;
+    (&kernelContext_58)->answers_0 = answers_1;
+    (&kernelContext_58)->fabrics_0 = fabrics_1;
+    (&kernelContext_58)->families_0 = families_1;
+    (&kernelContext_58)->words_0 = words_1;
+    uint _S870 = id_0.x;
+    if(_S870 >= query_count_1[int(0)])
     {
         return;
     }
-    Query_0 _S855 = (&kernelContext_56)->queries_0[_S854];
-    packed_float4 device* _S856 = (&kernelContext_56)->answers_0+_S854;
-    float4 _S857 = cloth_value_0(_S855.fabric_0, float2(_S855.centre_x_0, _S855.centre_y_0), float2(_S855.dx_x_0, _S855.dx_y_0), float2(_S855.dy_x_0, _S855.dy_y_0), float3(_S855.light_x_0, _S855.light_y_0, _S855.light_z_0), float3(_S855.view_x_0, _S855.view_y_0, _S855.view_z_0), &kernelContext_56);
-    *_S856 = packed_float4(_S857) ;
+    Query_0 _S871 = (&kernelContext_58)->queries_0[_S870];
+    packed_float4 device* _S872 = (&kernelContext_58)->answers_0+_S870;
+    float4 _S873 = cloth_value_0(_S871.fabric_0, float2(_S871.centre_x_0, _S871.centre_y_0), float2(_S871.dx_x_0, _S871.dx_y_0), float2(_S871.dy_x_0, _S871.dy_y_0), float3(_S871.light_x_0, _S871.light_y_0, _S871.light_z_0), float3(_S871.view_x_0, _S871.view_y_0, _S871.view_z_0), &kernelContext_58);
+    *_S872 = packed_float4(_S873) ;
     return;
 }
 

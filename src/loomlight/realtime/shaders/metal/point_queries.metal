@@ -75,13 +75,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -101,6 +128,9 @@ struct Fabric_0
     float fibre_size_0;
     float uv_width_0;
     float uv_height_0;
+    uint is_open_0;
+    uint albedo_map_0;
+    uint albedo_map_levels_0;
 };
 
 struct Family_0
@@ -1320,7 +1350,7 @@ Crossing_0 crossing_at_0(uint _S176, float _S177, float _S178, bool _S179, Kerne
     (&crossing_2)->warp_1 = _S181;
     Cell_0 _S182 = locate_0(_S180->weft_0, _S178, kernelContext_15);
     (&crossing_2)->weft_1 = _S182;
-    uint _S183 = _S180->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_0 * _S180->ends_0 + (&(&crossing_2)->warp_1)->thread_0);
+    uint _S183 = _S180->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_0 * _S180->ends_1 + (&(&crossing_2)->warp_1)->thread_0);
     uint _S184 = kernelContext_15->words_0[_S183];
     (&crossing_2)->warp_word_0 = _S184;
     (&crossing_2)->weft_word_0 = kernelContext_15->words_0[_S183 + 1U];
@@ -2034,39 +2064,47 @@ float refined_height_0(uint _S364, const ViewRay_0 thread* _S365, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S384, const SearchQuality_0 thread* _S385, float _S386, float _S387, float3 _S388, bool _S389, KernelContext_0 thread* kernelContext_27)
+Hit_0 first_hit_of_yarn_0(uint _S384, const SearchQuality_0 thread* _S385, float _S386, float _S387, float3 _S388, bool _S389, KernelContext_0 thread* kernelContext_27)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_8 = _S386;
-    (&hit_0)->y_4 = _S387;
-    (&hit_0)->height_3 = 0.0f;
-    bool _S390 = passes_through_0(_S384, _S385, _S386, _S387, _S388, _S389, kernelContext_27);
-    (&hit_0)->hole_3 = _S390;
-    if(_S390)
-    {
-        return hit_0;
-    }
-    float _S391 = max(_S388.z, 0.00009999999747379f);
+    float _S390 = max(_S388.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S386, _S387);
-    float2 _S392 = _S388.xy / float2(_S391) ;
-    (&ray_0)->slope_1 = _S392;
-    float2 _S393 = - _S392;
-    float _S394 = steps_per_length_0(_S384, _S385, _S388, kernelContext_27);
-    StepControl_0 _S395 = step_control_0(_S393, 1.0f / max(_S394 / _S391, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S396 = ray_0;
-    thread StepControl_0 _S397 = _S395;
-    ViewRayEnd_0 _S398 = search_down_0(_S384, &_S396, &_S397, _S389, kernelContext_27);
-    thread ViewRay_0 _S399 = ray_0;
-    thread StepControl_0 _S400 = _S395;
-    thread ViewRayEnd_0 _S401 = _S398;
-    float _S402 = refined_height_0(_S384, &_S399, &_S400, _S389, &_S401, _S385->refinements_0, kernelContext_27);
-    (&hit_0)->height_3 = _S402;
-    thread ViewRay_0 _S403 = ray_0;
-    float2 _S404 = ViewRay_at_0(&_S403, _S402);
-    (&hit_0)->x_8 = _S404.x;
-    (&hit_0)->y_4 = _S404.y;
+    float2 _S391 = _S388.xy / float2(_S390) ;
+    (&ray_0)->slope_1 = _S391;
+    float2 _S392 = - _S391;
+    float _S393 = steps_per_length_0(_S384, _S385, _S388, kernelContext_27);
+    StepControl_0 _S394 = step_control_0(_S392, 1.0f / max(_S393 / _S390, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S395 = ray_0;
+    thread StepControl_0 _S396 = _S394;
+    ViewRayEnd_0 _S397 = search_down_0(_S384, &_S395, &_S396, _S389, kernelContext_27);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    thread ViewRay_0 _S398 = ray_0;
+    thread StepControl_0 _S399 = _S394;
+    thread ViewRayEnd_0 _S400 = _S397;
+    float _S401 = refined_height_0(_S384, &_S398, &_S399, _S389, &_S400, _S385->refinements_0, kernelContext_27);
+    (&hit_0)->height_3 = _S401;
+    thread ViewRay_0 _S402 = ray_0;
+    float2 _S403 = ViewRay_at_0(&_S402, _S401);
+    (&hit_0)->x_8 = _S403.x;
+    (&hit_0)->y_4 = _S403.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S404, const SearchQuality_0 thread* _S405, float _S406, float _S407, float3 _S408, bool _S409, KernelContext_0 thread* kernelContext_28)
+{
+    bool _S410 = passes_through_0(_S404, _S405, _S406, _S407, _S408, _S409, kernelContext_28);
+    if(!_S410)
+    {
+        Hit_0 _S411 = first_hit_of_yarn_0(_S404, _S405, _S406, _S407, _S408, _S409, kernelContext_28);
+        return _S411;
+    }
+    thread Hit_0 hit_1;
+    (&hit_1)->x_8 = _S406;
+    (&hit_1)->y_4 = _S407;
+    (&hit_1)->height_3 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2083,396 +2121,396 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S405, float _S406, float _S407, bool _S408, KernelContext_0 thread* kernelContext_28)
+SurfacePoint_0 surface_at_0(uint _S412, float _S413, float _S414, bool _S415, KernelContext_0 thread* kernelContext_29)
 {
-    Fabric_0 device* _S409 = kernelContext_28->fabrics_0+_S405;
-    Sample_0 _S410 = sample_at_0(_S405, _S406, _S407, _S408, kernelContext_28);
-    float _S411;
-    if(_S410.shown_3.is_warp_0)
-    {
-        _S411 = _S410.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S411 = _S410.crossing_1.weft_1.half_width_1;
-    }
-    uint _S412;
-    if(_S410.shown_3.is_warp_0)
-    {
-        _S412 = _S409->warp_0;
-    }
-    else
-    {
-        _S412 = _S409->weft_0;
-    }
-    Family_0 _S413 = kernelContext_28->families_0[_S412];
-    float _S414;
-    if(_S408)
-    {
-        _S414 = -1.0f;
-    }
-    else
-    {
-        _S414 = 1.0f;
-    }
-    float _S415 = _S413.twist_sine_0 * _S414;
-    Family_0 _S416 = kernelContext_28->families_0[_S412];
-    if(_S410.shown_3.is_warp_0)
-    {
-        _S414 = 1.0f;
-    }
-    else
-    {
-        _S414 = -1.0f;
-    }
-    float2 _S417 = fibre_direction_0(_S410.slope_across_0, _S414 * _S410.slope_along_0, _S415, _S416.twist_cosine_0);
+    Fabric_0 device* _S416 = kernelContext_29->fabrics_0+_S412;
+    Sample_0 _S417 = sample_at_0(_S412, _S413, _S414, _S415, kernelContext_29);
     float _S418;
-    if(_S410.shown_3.is_warp_0)
+    if(_S417.shown_3.is_warp_0)
     {
-        _S418 = _S410.slope_x_1;
+        _S418 = _S417.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S418 = _S410.slope_y_1;
+        _S418 = _S417.crossing_1.weft_1.half_width_1;
     }
-    float _S419;
-    if(_S410.shown_3.is_warp_0)
+    uint _S419;
+    if(_S417.shown_3.is_warp_0)
     {
-        _S419 = _S410.slope_y_1;
-    }
-    else
-    {
-        _S419 = _S410.slope_x_1;
-    }
-    float _S420 = _S417.x;
-    float _S421 = _S417.y;
-    float _S422 = _S418 * _S420 + _S414 * _S419 * _S421;
-    float _S423 = _S411 * 1.0154266357421875f;
-    float _S424 = _S423 * arc_sine_0(clamp(_S410.section_1.across_1 / _S423, -1.0f, 1.0f));
-    if(_S410.shown_3.is_warp_0)
-    {
-        _S411 = _S407;
+        _S419 = _S416->warp_0;
     }
     else
     {
-        _S411 = - _S406;
+        _S419 = _S416->weft_0;
+    }
+    Family_0 _S420 = kernelContext_29->families_0[_S419];
+    float _S421;
+    if(_S415)
+    {
+        _S421 = -1.0f;
+    }
+    else
+    {
+        _S421 = 1.0f;
+    }
+    float _S422 = _S420.twist_sine_0 * _S421;
+    Family_0 _S423 = kernelContext_29->families_0[_S419];
+    if(_S417.shown_3.is_warp_0)
+    {
+        _S421 = 1.0f;
+    }
+    else
+    {
+        _S421 = -1.0f;
+    }
+    float2 _S424 = fibre_direction_0(_S417.slope_across_0, _S421 * _S417.slope_along_0, _S422, _S423.twist_cosine_0);
+    float _S425;
+    if(_S417.shown_3.is_warp_0)
+    {
+        _S425 = _S417.slope_x_1;
+    }
+    else
+    {
+        _S425 = _S417.slope_y_1;
+    }
+    float _S426;
+    if(_S417.shown_3.is_warp_0)
+    {
+        _S426 = _S417.slope_y_1;
+    }
+    else
+    {
+        _S426 = _S417.slope_x_1;
+    }
+    float _S427 = _S424.x;
+    float _S428 = _S424.y;
+    float _S429 = _S425 * _S427 + _S421 * _S426 * _S428;
+    float _S430 = _S418 * 1.0154266357421875f;
+    float _S431 = _S430 * arc_sine_0(clamp(_S417.section_1.across_1 / _S430, -1.0f, 1.0f));
+    if(_S417.shown_3.is_warp_0)
+    {
+        _S418 = _S414;
+    }
+    else
+    {
+        _S418 = - _S413;
     }
     thread SurfacePoint_0 point_0;
-    (&point_0)->hole_4 = _S410.shown_3.hole_0;
-    (&point_0)->is_warp_2 = _S410.shown_3.is_warp_0;
-    (&point_0)->warp_thread_0 = _S410.crossing_1.warp_1.thread_0;
-    (&point_0)->weft_thread_0 = _S410.crossing_1.weft_1.thread_0;
-    (&point_0)->height_8 = _S410.height_4;
-    (&point_0)->normal_4 = normalize(float3(- _S410.slope_x_1, - _S410.slope_y_1, 1.0f));
-    float3 _S425;
-    if(_S410.shown_3.is_warp_0)
+    (&point_0)->hole_4 = _S417.shown_3.hole_0;
+    (&point_0)->is_warp_2 = _S417.shown_3.is_warp_0;
+    (&point_0)->warp_thread_0 = _S417.crossing_1.warp_1.thread_0;
+    (&point_0)->weft_thread_0 = _S417.crossing_1.weft_1.thread_0;
+    (&point_0)->height_8 = _S417.height_4;
+    (&point_0)->normal_4 = normalize(float3(- _S417.slope_x_1, - _S417.slope_y_1, 1.0f));
+    float3 _S432;
+    if(_S417.shown_3.is_warp_0)
     {
-        _S425 = float3(_S420, _S421, _S422);
+        _S432 = float3(_S427, _S428, _S429);
     }
     else
     {
-        _S425 = float3(- _S421, _S420, _S422);
+        _S432 = float3(- _S428, _S427, _S429);
     }
-    (&point_0)->tangent_5 = normalize(_S425);
-    (&point_0)->across_2 = _S410.section_1.across_1;
-    (&point_0)->fibre_across_0 = _S424 * _S416.twist_cosine_0 + _S411 * _S415;
-    (&point_0)->fibre_along_0 = _S411 * _S416.twist_cosine_0 - _S424 * _S415;
+    (&point_0)->tangent_5 = normalize(_S432);
+    (&point_0)->across_2 = _S417.section_1.across_1;
+    (&point_0)->fibre_across_0 = _S431 * _S423.twist_cosine_0 + _S418 * _S422;
+    (&point_0)->fibre_along_0 = _S418 * _S423.twist_cosine_0 - _S431 * _S422;
     return point_0;
 }
 
-Albedos_0 vary_albedos_0(uint _S426, const Albedos_0 thread* _S427, uint _S428, uint _S429, KernelContext_0 thread* kernelContext_29)
+Albedos_0 vary_albedos_0(uint _S433, const Albedos_0 thread* _S434, uint _S435, uint _S436, KernelContext_0 thread* kernelContext_30)
 {
-    Fabric_0 device* _S430 = kernelContext_29->fabrics_0+_S426;
-    float3 _S431 = max(_S427->specular_reflect_0, _S427->specular_transmit_0);
-    float3 _S432 = _S427->diffuse_reflect_0 + _S427->diffuse_transmit_0;
-    float3 _S433 = float3(_S430->layer_bound_0) ;
-    float3 _S434 = float3(1.0f) ;
-    float3 _S435 = float3(bounded_gain_0(thread_gain_0(_S428, _S430->colour_noise_0, _S430->seed_0), _S432, _S434 - _S433 * _S431)) ;
-    float _S436 = bounded_gain_0(fibre_gain_0(_S428, _S429, _S430->fibre_noise_0, _S430->seed_0), _S431, min((_S434 - _S435 * _S432) / _S433, float3(1.0f) ));
+    Fabric_0 device* _S437 = kernelContext_30->fabrics_0+_S433;
+    float3 _S438 = max(_S434->specular_reflect_0, _S434->specular_transmit_0);
+    float3 _S439 = _S434->diffuse_reflect_0 + _S434->diffuse_transmit_0;
+    float3 _S440 = float3(_S437->layer_bound_0) ;
+    float3 _S441 = float3(1.0f) ;
+    float3 _S442 = float3(bounded_gain_0(thread_gain_0(_S435, _S437->colour_noise_0, _S437->seed_0), _S439, _S441 - _S440 * _S438)) ;
+    float _S443 = bounded_gain_0(fibre_gain_0(_S435, _S436, _S437->fibre_noise_0, _S437->seed_0), _S438, min((_S441 - _S442 * _S439) / _S440, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S435 * _S427->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S435 * _S427->diffuse_transmit_0;
-    float3 _S437 = float3(_S436) ;
-    (&varied_0)->specular_reflect_0 = _S437 * _S427->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S437 * _S427->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S442 * _S434->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S442 * _S434->diffuse_transmit_0;
+    float3 _S444 = float3(_S443) ;
+    (&varied_0)->specular_reflect_0 = _S444 * _S434->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S444 * _S434->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S438, const SurfacePoint_0 thread* _S439, const Albedos_0 thread* _S440, float _S441, float _S442, KernelContext_0 thread* kernelContext_30)
+Albedos_0 varied_at_0(uint _S445, const SurfacePoint_0 thread* _S446, const Albedos_0 thread* _S447, float _S448, float _S449, KernelContext_0 thread* kernelContext_31)
 {
-    Fabric_0 device* _S443 = kernelContext_30->fabrics_0+_S438;
-    bool _S444 = _S439->is_warp_2;
-    float _S445;
-    if(_S439->is_warp_2)
+    Fabric_0 device* _S450 = kernelContext_31->fabrics_0+_S445;
+    bool _S451 = _S446->is_warp_2;
+    float _S452;
+    if(_S446->is_warp_2)
     {
-        _S445 = _S441;
+        _S452 = _S448;
     }
     else
     {
-        _S445 = _S442;
+        _S452 = _S449;
     }
-    float _S446 = _S445 - _S439->across_2;
-    uint _S447;
-    if(_S444)
+    float _S453 = _S452 - _S446->across_2;
+    uint _S454;
+    if(_S451)
     {
-        _S447 = _S443->warp_0;
+        _S454 = _S450->warp_0;
     }
     else
     {
-        _S447 = _S443->weft_0;
+        _S454 = _S450->weft_0;
     }
-    Family_0 _S448 = kernelContext_30->families_0[_S447];
-    int _S449 = int(kernelContext_30->families_0[_S447].count_0);
-    if(_S444)
+    Family_0 _S455 = kernelContext_31->families_0[_S454];
+    int _S456 = int(kernelContext_31->families_0[_S454].count_0);
+    if(_S451)
     {
-        _S447 = _S439->warp_thread_0;
+        _S454 = _S446->warp_thread_0;
     }
     else
     {
-        _S447 = _S439->weft_thread_0;
+        _S454 = _S446->weft_thread_0;
     }
-    uint _S450 = uint(int(floor(_S446 / _S448.period_0)) * _S449 + int(_S447)) * 2U;
-    if(_S444)
+    uint _S457 = uint(int(floor(_S453 / _S455.period_0)) * _S456 + int(_S454)) * 2U;
+    if(_S451)
     {
-        _S447 = 1U;
+        _S454 = 1U;
     }
     else
     {
-        _S447 = 0U;
+        _S454 = 0U;
     }
-    float _S451 = floor(_S439->fibre_across_0 / _S443->fibre_size_0);
-    Albedos_0 _S452 = vary_albedos_0(_S438, _S440, _S450 + _S447, uint(int(_S451)) * 65536U + uint(int(floor(_S439->fibre_along_0 / (_S443->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S451))), kernelContext_30);
-    return _S452;
+    float _S458 = floor(_S446->fibre_across_0 / _S450->fibre_size_0);
+    Albedos_0 _S459 = vary_albedos_0(_S445, _S447, _S457 + _S454, uint(int(_S458)) * 65536U + uint(int(floor(_S446->fibre_along_0 / (_S450->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S458))), kernelContext_31);
+    return _S459;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S453, const SurfacePoint_0 thread* _S454, float _S455, float _S456, bool _S457, bool _S458, KernelContext_0 thread* kernelContext_31)
+YarnPoint_0 yarn_point_of_0(uint _S460, const SurfacePoint_0 thread* _S461, float _S462, float _S463, bool _S464, bool _S465, KernelContext_0 thread* kernelContext_32)
 {
-    Fabric_0 device* _S459 = kernelContext_31->fabrics_0+_S453;
-    bool _S460 = _S454->is_warp_2;
-    uint _S461;
-    if(_S454->is_warp_2)
+    Fabric_0 device* _S466 = kernelContext_32->fabrics_0+_S460;
+    bool _S467 = _S461->is_warp_2;
+    uint _S468;
+    if(_S461->is_warp_2)
     {
-        _S461 = _S459->warp_0;
+        _S468 = _S466->warp_0;
     }
     else
     {
-        _S461 = _S459->weft_0;
+        _S468 = _S466->weft_0;
     }
-    uint _S462;
-    if(_S460)
+    uint _S469;
+    if(_S467)
     {
-        _S462 = _S454->warp_thread_0;
-    }
-    else
-    {
-        _S462 = _S454->weft_thread_0;
-    }
-    Albedos_0 _S463 = albedos_of_0(_S461, _S462, kernelContext_31);
-    bool _S464;
-    if((_S459->fibre_noise_0) > 0.0f)
-    {
-        _S464 = true;
+        _S469 = _S461->warp_thread_0;
     }
     else
     {
-        _S464 = (_S459->colour_noise_0) > 0.0f;
+        _S469 = _S461->weft_thread_0;
+    }
+    Albedos_0 _S470 = albedos_of_0(_S468, _S469, kernelContext_32);
+    bool _S471;
+    if((_S466->fibre_noise_0) > 0.0f)
+    {
+        _S471 = true;
+    }
+    else
+    {
+        _S471 = (_S466->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_2;
-    if(_S464)
+    if(_S471)
     {
-        thread Albedos_0 _S465 = _S463;
-        Albedos_0 _S466 = varied_at_0(_S453, _S454, &_S465, _S455, _S456, kernelContext_31);
-        albedos_2 = _S466;
+        thread Albedos_0 _S472 = _S470;
+        Albedos_0 _S473 = varied_at_0(_S460, _S461, &_S472, _S462, _S463, kernelContext_32);
+        albedos_2 = _S473;
     }
     else
     {
-        albedos_2 = _S463;
+        albedos_2 = _S470;
     }
     thread YarnPoint_0 point_1;
-    (&point_1)->back_2 = _S457;
-    (&point_1)->hole_2 = _S458;
-    (&point_1)->is_warp_1 = _S460;
-    (&point_1)->x_7 = _S455;
-    (&point_1)->y_3 = _S456;
-    (&point_1)->height_2 = _S454->height_8;
-    (&point_1)->normal_3 = _S454->normal_4;
-    (&point_1)->tangent_4 = _S454->tangent_5;
-    (&point_1)->roughness_8 = kernelContext_31->families_0[_S461].roughness_0;
+    (&point_1)->back_2 = _S464;
+    (&point_1)->hole_2 = _S465;
+    (&point_1)->is_warp_1 = _S467;
+    (&point_1)->x_7 = _S462;
+    (&point_1)->y_3 = _S463;
+    (&point_1)->height_2 = _S461->height_8;
+    (&point_1)->normal_3 = _S461->normal_4;
+    (&point_1)->tangent_4 = _S461->tangent_5;
+    (&point_1)->roughness_8 = kernelContext_32->families_0[_S468].roughness_0;
     (&point_1)->albedos_1 = albedos_2;
     return point_1;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S467, const SearchQuality_0 thread* _S468, float _S469, float _S470, float3 _S471, KernelContext_0 thread* kernelContext_32)
+YarnPoint_0 locate_yarn_0(uint _S474, const SearchQuality_0 thread* _S475, float _S476, float _S477, float3 _S478, KernelContext_0 thread* kernelContext_33)
 {
-    bool _S472 = (_S471.z) < 0.0f;
-    Hit_0 _S473 = first_hit_0(_S467, _S468, _S469, _S470, to_face_frame_0(_S471, _S472), _S472, kernelContext_32);
-    SurfacePoint_0 _S474 = surface_at_0(_S467, _S473.x_8, _S473.y_4, _S472, kernelContext_32);
-    thread SurfacePoint_0 _S475 = _S474;
-    YarnPoint_0 _S476 = yarn_point_of_0(_S467, &_S475, _S473.x_8, _S473.y_4, _S472, _S473.hole_3, kernelContext_32);
-    return _S476;
+    bool _S479 = (_S478.z) < 0.0f;
+    Hit_0 _S480 = first_hit_0(_S474, _S475, _S476, _S477, to_face_frame_0(_S478, _S479), _S479, kernelContext_33);
+    SurfacePoint_0 _S481 = surface_at_0(_S474, _S480.x_8, _S480.y_4, _S479, kernelContext_33);
+    thread SurfacePoint_0 _S482 = _S481;
+    YarnPoint_0 _S483 = yarn_point_of_0(_S474, &_S482, _S480.x_8, _S480.y_4, _S479, _S480.hole_3, kernelContext_33);
+    return _S483;
 }
 
-float3 scattered_0(uint _S477, const YarnPoint_0 thread* _S478, float3 _S479, float3 _S480, KernelContext_0 thread* kernelContext_33)
+float3 scattered_0(uint _S484, const YarnPoint_0 thread* _S485, float3 _S486, float3 _S487, KernelContext_0 thread* kernelContext_34)
 {
-    Fabric_0 device* _S481 = kernelContext_33->fabrics_0+_S477;
-    float3 _S482 = float3(0.0f) ;
-    bool _S483 = !_S478->hole_2;
-    bool _S484;
-    if(_S483)
+    Fabric_0 device* _S488 = kernelContext_34->fabrics_0+_S484;
+    float3 _S489 = float3(0.0f) ;
+    bool _S490 = !_S485->hole_2;
+    bool _S491;
+    if(_S490)
     {
-        _S484 = (_S479.z) > 0.0f;
+        _S491 = (_S486.z) > 0.0f;
     }
     else
     {
-        _S484 = false;
+        _S491 = false;
     }
     float3 value_1;
-    if(_S484)
+    if(_S491)
     {
-        value_1 = (&_S478->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S479, _S478->normal_3, _S481->diffuse_blend_0))  + (&_S478->albedos_1)->specular_reflect_0 * float3(reflection_0(_S479, _S480, _S478->normal_3, _S478->tangent_4, _S478->roughness_8, _S481->optical_depth_0)) ;
+        value_1 = (&_S485->albedos_1)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S486, _S485->normal_3, _S488->diffuse_blend_0))  + (&_S485->albedos_1)->specular_reflect_0 * float3(reflection_0(_S486, _S487, _S485->normal_3, _S485->tangent_4, _S485->roughness_8, _S488->optical_depth_0)) ;
     }
     else
     {
-        if(_S483)
+        if(_S490)
         {
-            _S484 = (_S479.z) < 0.0f;
+            _S491 = (_S486.z) < 0.0f;
         }
         else
         {
-            _S484 = false;
+            _S491 = false;
         }
-        if(_S484)
+        if(_S491)
         {
-            value_1 = (&_S478->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S479, _S478->normal_3, _S481->diffuse_blend_0))  + (&_S478->albedos_1)->specular_transmit_0 * float3(transmission_0(_S479, _S480, _S478->normal_3, _S478->tangent_4, _S478->roughness_8, _S481->optical_depth_0)) ;
+            value_1 = (&_S485->albedos_1)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S486, _S485->normal_3, _S488->diffuse_blend_0))  + (&_S485->albedos_1)->specular_transmit_0 * float3(transmission_0(_S486, _S487, _S485->normal_3, _S485->tangent_4, _S485->roughness_8, _S488->optical_depth_0)) ;
         }
         else
         {
-            value_1 = _S482;
+            value_1 = _S489;
         }
     }
-    float _S485 = _S481->sheen_strength_0;
-    if((_S481->sheen_strength_0) <= 0.0f)
+    float _S492 = _S488->sheen_strength_0;
+    if((_S488->sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S486 = sheen_with_transmittance_0(_S479, _S480, _S485, _S481->sheen_roughness_0);
-    return float3(_S486.y)  * value_1 + float3(_S486.x) ;
+    float2 _S493 = sheen_with_transmittance_0(_S486, _S487, _S492, _S488->sheen_roughness_0);
+    return float3(_S493.y)  * value_1 + float3(_S493.x) ;
 }
 
-bool unoccluded_0(uint _S487, const SearchQuality_0 thread* _S488, float _S489, float _S490, float _S491, float3 _S492, bool _S493, KernelContext_0 thread* kernelContext_34)
+bool unoccluded_0(uint _S494, const SearchQuality_0 thread* _S495, float _S496, float _S497, float _S498, float3 _S499, bool _S500, KernelContext_0 thread* kernelContext_35)
 {
-    Fabric_0 device* _S494 = kernelContext_34->fabrics_0+_S487;
-    if((_S492.z) <= 0.0f)
+    Fabric_0 device* _S501 = kernelContext_35->fabrics_0+_S494;
+    if((_S499.z) <= 0.0f)
     {
         return false;
     }
-    float _S495 = max_height_along_0(_S487, _S489, _S490, _S491, _S492, _S493, kernelContext_34);
-    bool _S496 = is_free_0(_S487, _S488, float3(_S489, _S490, _S491 + _S494->lift_0), _S492, _S493, _S495, kernelContext_34);
-    return _S496;
+    float _S502 = max_height_along_0(_S494, _S496, _S497, _S498, _S499, _S500, kernelContext_35);
+    bool _S503 = is_free_0(_S494, _S495, float3(_S496, _S497, _S498 + _S501->lift_0), _S499, _S500, _S502, kernelContext_35);
+    return _S503;
 }
 
-bool is_lit_0(uint _S497, const SearchQuality_0 thread* _S498, const YarnPoint_0 thread* _S499, float3 _S500, KernelContext_0 thread* kernelContext_35)
+bool is_lit_0(uint _S504, const SearchQuality_0 thread* _S505, const YarnPoint_0 thread* _S506, float3 _S507, KernelContext_0 thread* kernelContext_36)
 {
-    if(_S499->hole_2)
+    if(_S506->hole_2)
     {
         return true;
     }
-    bool _S501 = _S499->back_2;
-    float3 _S502 = to_face_frame_0(_S500, _S499->back_2);
-    float _S503 = _S502.z;
-    bool _S504 = _S503 < 0.0f;
-    float3 _S505 = _S499->normal_3;
-    float _S506 = _S499->height_2;
+    bool _S508 = _S506->back_2;
+    float3 _S509 = to_face_frame_0(_S507, _S506->back_2);
+    float _S510 = _S509.z;
+    bool _S511 = _S510 < 0.0f;
+    float3 _S512 = _S506->normal_3;
+    float _S513 = _S506->height_2;
     float3 normal_5;
     float height_9;
-    if(_S504)
+    if(_S511)
     {
-        SurfacePoint_0 _S507 = surface_at_0(_S497, _S499->x_7, _S499->y_3, !_S501, kernelContext_35);
-        normal_5 = _S507.normal_4;
-        height_9 = _S507.height_8;
+        SurfacePoint_0 _S514 = surface_at_0(_S504, _S506->x_7, _S506->y_3, !_S508, kernelContext_36);
+        normal_5 = _S514.normal_4;
+        height_9 = _S514.height_8;
     }
     else
     {
-        normal_5 = _S505;
-        height_9 = _S506;
+        normal_5 = _S512;
+        height_9 = _S513;
     }
-    float3 _S508 = float3(_S502.xy, abs(_S503));
-    if((dot(normal_5, _S508)) <= 0.0f)
+    float3 _S515 = float3(_S509.xy, abs(_S510));
+    if((dot(normal_5, _S515)) <= 0.0f)
     {
         return false;
     }
-    bool _S509 = unoccluded_0(_S497, _S498, _S499->x_7, _S499->y_3, height_9, _S508, _S501 != _S504, kernelContext_35);
-    return _S509;
+    bool _S516 = unoccluded_0(_S504, _S505, _S506->x_7, _S506->y_3, height_9, _S515, _S508 != _S511, kernelContext_36);
+    return _S516;
 }
 
-float3 evaluate_0(uint _S510, const SearchQuality_0 thread* _S511, const YarnPoint_0 thread* _S512, float3 _S513, float3 _S514, KernelContext_0 thread* kernelContext_36)
+float3 evaluate_0(uint _S517, const SearchQuality_0 thread* _S518, const YarnPoint_0 thread* _S519, float3 _S520, float3 _S521, KernelContext_0 thread* kernelContext_37)
 {
-    float3 _S515 = scattered_0(_S510, _S512, to_face_frame_0(_S513, _S512->back_2), to_face_frame_0(_S514, _S512->back_2), kernelContext_36);
-    bool _S516;
-    if((max(_S515.x, max(_S515.y, _S515.z))) <= 0.0f)
+    float3 _S522 = scattered_0(_S517, _S519, to_face_frame_0(_S520, _S519->back_2), to_face_frame_0(_S521, _S519->back_2), kernelContext_37);
+    bool _S523;
+    if((max(_S522.x, max(_S522.y, _S522.z))) <= 0.0f)
     {
-        _S516 = true;
+        _S523 = true;
     }
     else
     {
-        bool _S517 = is_lit_0(_S510, _S511, _S512, _S513, kernelContext_36);
-        _S516 = !_S517;
+        bool _S524 = is_lit_0(_S517, _S518, _S519, _S520, kernelContext_37);
+        _S523 = !_S524;
     }
-    if(_S516)
+    if(_S523)
     {
         return float3(0.0f) ;
     }
-    return _S515;
+    return _S522;
 }
 
-float straight_through_0(uint _S518, const YarnPoint_0 thread* _S519, float3 _S520, KernelContext_0 thread* kernelContext_37)
+float straight_through_0(uint _S525, const YarnPoint_0 thread* _S526, float3 _S527, KernelContext_0 thread* kernelContext_38)
 {
-    Fabric_0 device* _S521 = kernelContext_37->fabrics_0+_S518;
-    if(!_S519->hole_2)
+    Fabric_0 device* _S528 = kernelContext_38->fabrics_0+_S525;
+    if(!_S526->hole_2)
     {
         return 0.0f;
     }
-    float _S522 = _S521->sheen_strength_0;
-    if((_S521->sheen_strength_0) <= 0.0f)
+    float _S529 = _S528->sheen_strength_0;
+    if((_S528->sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S522 * sheen_lobe_0(abs(_S520.z), _S521->sheen_roughness_0).z;
+    return 1.0f - _S529 * sheen_lobe_0(abs(_S527.z), _S528->sheen_roughness_0).z;
 }
 
-float4 cloth_value_0(uint fabric_1, float2 centre_0, float2 dx_0, float2 dy_0, float3 light_6, float3 view_5, KernelContext_0 thread* kernelContext_38)
+float4 cloth_value_0(uint fabric_1, float2 centre_0, float2 dx_0, float2 dy_0, float3 light_6, float3 view_5, KernelContext_0 thread* kernelContext_39)
 {
-    SearchQuality_0 _S523 = default_quality_0();
-    float _S524 = centre_0.x;
-    float _S525 = centre_0.y;
-    thread SearchQuality_0 _S526 = _S523;
-    YarnPoint_0 _S527 = locate_yarn_0(fabric_1, &_S526, _S524, _S525, view_5, kernelContext_38);
-    thread SearchQuality_0 _S528 = _S523;
-    thread YarnPoint_0 _S529 = _S527;
-    float3 _S530 = evaluate_0(fabric_1, &_S528, &_S529, light_6, view_5, kernelContext_38);
-    thread YarnPoint_0 _S531 = _S527;
-    float _S532 = straight_through_0(fabric_1, &_S531, view_5, kernelContext_38);
-    return float4(_S530, _S532);
+    SearchQuality_0 _S530 = default_quality_0();
+    float _S531 = centre_0.x;
+    float _S532 = centre_0.y;
+    thread SearchQuality_0 _S533 = _S530;
+    YarnPoint_0 _S534 = locate_yarn_0(fabric_1, &_S533, _S531, _S532, view_5, kernelContext_39);
+    thread SearchQuality_0 _S535 = _S530;
+    thread YarnPoint_0 _S536 = _S534;
+    float3 _S537 = evaluate_0(fabric_1, &_S535, &_S536, light_6, view_5, kernelContext_39);
+    thread YarnPoint_0 _S538 = _S534;
+    float _S539 = straight_through_0(fabric_1, &_S538, view_5, kernelContext_39);
+    return float4(_S537, _S539);
 }
 
-[[kernel]] void point_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(11)]], Query_0 device* queries_1 [[buffer(10)]], packed_float4 device* answers_1 [[buffer(12)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
+[[kernel]] void point_queries(uint3 id_0 [[thread_position_in_grid]], uint device* query_count_1 [[buffer(24)]], Query_0 device* queries_1 [[buffer(23)]], packed_float4 device* answers_1 [[buffer(25)]], Fabric_0 device* fabrics_1 [[buffer(0)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]])
 {
-    thread KernelContext_0 kernelContext_39;
-    (&kernelContext_39)->query_count_0 = query_count_1;
-    (&kernelContext_39)->queries_0 = queries_1;
-    (&kernelContext_39)->answers_0 = answers_1;
-    (&kernelContext_39)->fabrics_0 = fabrics_1;
-    (&kernelContext_39)->families_0 = families_1;
-    (&kernelContext_39)->words_0 = words_1;
-    uint _S533 = id_0.x;
-    if(_S533 >= query_count_1[int(0)])
+    thread KernelContext_0 kernelContext_40;
+    (&kernelContext_40)->query_count_0 = query_count_1;
+    (&kernelContext_40)->queries_0 = queries_1;
+    (&kernelContext_40)->answers_0 = answers_1;
+    (&kernelContext_40)->fabrics_0 = fabrics_1;
+    (&kernelContext_40)->families_0 = families_1;
+    (&kernelContext_40)->words_0 = words_1;
+    uint _S540 = id_0.x;
+    if(_S540 >= query_count_1[int(0)])
     {
         return;
     }
-    Query_0 _S534 = (&kernelContext_39)->queries_0[_S533];
-    packed_float4 device* _S535 = (&kernelContext_39)->answers_0+_S533;
-    float4 _S536 = cloth_value_0(_S534.fabric_0, float2(_S534.centre_x_0, _S534.centre_y_0), float2(_S534.dx_x_0, _S534.dx_y_0), float2(_S534.dy_x_0, _S534.dy_y_0), float3(_S534.light_x_0, _S534.light_y_0, _S534.light_z_0), float3(_S534.view_x_0, _S534.view_y_0, _S534.view_z_0), &kernelContext_39);
-    *_S535 = packed_float4(_S536) ;
+    Query_0 _S541 = (&kernelContext_40)->queries_0[_S540];
+    packed_float4 device* _S542 = (&kernelContext_40)->answers_0+_S540;
+    float4 _S543 = cloth_value_0(_S541.fabric_0, float2(_S541.centre_x_0, _S541.centre_y_0), float2(_S541.dx_x_0, _S541.dx_y_0), float2(_S541.dy_x_0, _S541.dy_y_0), float3(_S541.light_x_0, _S541.light_y_0, _S541.light_z_0), float3(_S541.view_x_0, _S541.view_y_0, _S541.view_z_0), &kernelContext_40);
+    *_S542 = packed_float4(_S543) ;
     return;
 }
 

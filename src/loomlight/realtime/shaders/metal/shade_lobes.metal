@@ -152,13 +152,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -2439,7 +2466,7 @@ Crossing_0 crossing_at_0(uint _S535, float _S536, float _S537, bool _S538, Kerne
     (&crossing_3)->warp_1 = _S540;
     Cell_0 _S541 = locate_0(_S539->weft_0, _S537, kernelContext_43);
     (&crossing_3)->weft_1 = _S541;
-    uint _S542 = _S539->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_1 * _S539->ends_0 + (&(&crossing_3)->warp_1)->thread_1);
+    uint _S542 = _S539->run_words_0 + 2U * ((&(&crossing_3)->weft_1)->thread_1 * _S539->ends_1 + (&(&crossing_3)->warp_1)->thread_1);
     uint _S543 = kernelContext_43->words_0[_S542];
     (&crossing_3)->warp_word_0 = _S543;
     (&crossing_3)->weft_word_0 = kernelContext_43->words_0[_S542 + 1U];
@@ -3153,135 +3180,143 @@ float refined_height_0(uint _S723, const ViewRay_0 thread* _S724, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S743, const SearchQuality_0 thread* _S744, float _S745, float _S746, float3 _S747, bool _S748, KernelContext_0 thread* kernelContext_55)
+Hit_0 first_hit_of_yarn_0(uint _S743, const SearchQuality_0 thread* _S744, float _S745, float _S746, float3 _S747, bool _S748, KernelContext_0 thread* kernelContext_55)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_13 = _S745;
-    (&hit_0)->y_7 = _S746;
-    (&hit_0)->height_5 = 0.0f;
-    bool _S749 = passes_through_0(_S743, _S744, _S745, _S746, _S747, _S748, kernelContext_55);
-    (&hit_0)->hole_5 = _S749;
-    if(_S749)
-    {
-        return hit_0;
-    }
-    float _S750 = max(_S747.z, 0.00009999999747379f);
+    float _S749 = max(_S747.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S745, _S746);
-    float2 _S751 = _S747.xy / float2(_S750) ;
-    (&ray_0)->slope_1 = _S751;
-    float2 _S752 = - _S751;
-    float _S753 = steps_per_length_0(_S743, _S744, _S747, kernelContext_55);
-    StepControl_0 _S754 = step_control_0(_S752, 1.0f / max(_S753 / _S750, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S755 = ray_0;
-    thread StepControl_0 _S756 = _S754;
-    ViewRayEnd_0 _S757 = search_down_0(_S743, &_S755, &_S756, _S748, kernelContext_55);
-    thread ViewRay_0 _S758 = ray_0;
-    thread StepControl_0 _S759 = _S754;
-    thread ViewRayEnd_0 _S760 = _S757;
-    float _S761 = refined_height_0(_S743, &_S758, &_S759, _S748, &_S760, _S744->refinements_0, kernelContext_55);
-    (&hit_0)->height_5 = _S761;
-    thread ViewRay_0 _S762 = ray_0;
-    float2 _S763 = ViewRay_at_0(&_S762, _S761);
-    (&hit_0)->x_13 = _S763.x;
-    (&hit_0)->y_7 = _S763.y;
+    float2 _S750 = _S747.xy / float2(_S749) ;
+    (&ray_0)->slope_1 = _S750;
+    float2 _S751 = - _S750;
+    float _S752 = steps_per_length_0(_S743, _S744, _S747, kernelContext_55);
+    StepControl_0 _S753 = step_control_0(_S751, 1.0f / max(_S752 / _S749, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S754 = ray_0;
+    thread StepControl_0 _S755 = _S753;
+    ViewRayEnd_0 _S756 = search_down_0(_S743, &_S754, &_S755, _S748, kernelContext_55);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_5 = false;
+    thread ViewRay_0 _S757 = ray_0;
+    thread StepControl_0 _S758 = _S753;
+    thread ViewRayEnd_0 _S759 = _S756;
+    float _S760 = refined_height_0(_S743, &_S757, &_S758, _S748, &_S759, _S744->refinements_0, kernelContext_55);
+    (&hit_0)->height_5 = _S760;
+    thread ViewRay_0 _S761 = ray_0;
+    float2 _S762 = ViewRay_at_0(&_S761, _S760);
+    (&hit_0)->x_13 = _S762.x;
+    (&hit_0)->y_7 = _S762.y;
     return hit_0;
 }
 
-SurfacePoint_0 surface_at_0(uint _S764, float _S765, float _S766, bool _S767, KernelContext_0 thread* kernelContext_56)
+Hit_0 first_hit_0(uint _S763, const SearchQuality_0 thread* _S764, float _S765, float _S766, float3 _S767, bool _S768, KernelContext_0 thread* kernelContext_56)
 {
-    Fabric_0 device* _S768 = kernelContext_56->fabrics_0+_S764;
-    Sample_0 _S769 = sample_at_0(_S764, _S765, _S766, _S767, kernelContext_56);
-    float _S770;
-    if(_S769.shown_3.is_warp_2)
+    bool _S769 = passes_through_0(_S763, _S764, _S765, _S766, _S767, _S768, kernelContext_56);
+    if(!_S769)
     {
-        _S770 = _S769.crossing_2.warp_1.half_width_1;
+        Hit_0 _S770 = first_hit_of_yarn_0(_S763, _S764, _S765, _S766, _S767, _S768, kernelContext_56);
+        return _S770;
     }
-    else
-    {
-        _S770 = _S769.crossing_2.weft_1.half_width_1;
-    }
-    uint _S771;
-    if(_S769.shown_3.is_warp_2)
-    {
-        _S771 = _S768->warp_0;
-    }
-    else
-    {
-        _S771 = _S768->weft_0;
-    }
-    Family_0 _S772 = kernelContext_56->families_0[_S771];
-    float _S773;
-    if(_S767)
-    {
-        _S773 = -1.0f;
-    }
-    else
-    {
-        _S773 = 1.0f;
-    }
-    float _S774 = _S772.twist_sine_0 * _S773;
-    Family_0 _S775 = kernelContext_56->families_0[_S771];
-    if(_S769.shown_3.is_warp_2)
-    {
-        _S773 = 1.0f;
-    }
-    else
-    {
-        _S773 = -1.0f;
-    }
-    float2 _S776 = fibre_direction_0(_S769.slope_across_0, _S773 * _S769.slope_along_0, _S774, _S775.twist_cosine_0);
+    thread Hit_0 hit_1;
+    (&hit_1)->x_13 = _S765;
+    (&hit_1)->y_7 = _S766;
+    (&hit_1)->height_5 = 0.0f;
+    (&hit_1)->hole_5 = true;
+    return hit_1;
+}
+
+SurfacePoint_0 surface_at_0(uint _S771, float _S772, float _S773, bool _S774, KernelContext_0 thread* kernelContext_57)
+{
+    Fabric_0 device* _S775 = kernelContext_57->fabrics_0+_S771;
+    Sample_0 _S776 = sample_at_0(_S771, _S772, _S773, _S774, kernelContext_57);
     float _S777;
-    if(_S769.shown_3.is_warp_2)
+    if(_S776.shown_3.is_warp_2)
     {
-        _S777 = _S769.slope_x_1;
+        _S777 = _S776.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S777 = _S769.slope_y_1;
+        _S777 = _S776.crossing_2.weft_1.half_width_1;
     }
-    float _S778;
-    if(_S769.shown_3.is_warp_2)
+    uint _S778;
+    if(_S776.shown_3.is_warp_2)
     {
-        _S778 = _S769.slope_y_1;
-    }
-    else
-    {
-        _S778 = _S769.slope_x_1;
-    }
-    float _S779 = _S776.x;
-    float _S780 = _S776.y;
-    float _S781 = _S777 * _S779 + _S773 * _S778 * _S780;
-    float _S782 = _S770 * 1.0154266357421875f;
-    float _S783 = _S782 * arc_sine_0(clamp(_S769.section_1.across_3 / _S782, -1.0f, 1.0f));
-    if(_S769.shown_3.is_warp_2)
-    {
-        _S770 = _S766;
+        _S778 = _S775->warp_0;
     }
     else
     {
-        _S770 = - _S765;
+        _S778 = _S775->weft_0;
+    }
+    Family_0 _S779 = kernelContext_57->families_0[_S778];
+    float _S780;
+    if(_S774)
+    {
+        _S780 = -1.0f;
+    }
+    else
+    {
+        _S780 = 1.0f;
+    }
+    float _S781 = _S779.twist_sine_0 * _S780;
+    Family_0 _S782 = kernelContext_57->families_0[_S778];
+    if(_S776.shown_3.is_warp_2)
+    {
+        _S780 = 1.0f;
+    }
+    else
+    {
+        _S780 = -1.0f;
+    }
+    float2 _S783 = fibre_direction_0(_S776.slope_across_0, _S780 * _S776.slope_along_0, _S781, _S782.twist_cosine_0);
+    float _S784;
+    if(_S776.shown_3.is_warp_2)
+    {
+        _S784 = _S776.slope_x_1;
+    }
+    else
+    {
+        _S784 = _S776.slope_y_1;
+    }
+    float _S785;
+    if(_S776.shown_3.is_warp_2)
+    {
+        _S785 = _S776.slope_y_1;
+    }
+    else
+    {
+        _S785 = _S776.slope_x_1;
+    }
+    float _S786 = _S783.x;
+    float _S787 = _S783.y;
+    float _S788 = _S784 * _S786 + _S780 * _S785 * _S787;
+    float _S789 = _S777 * 1.0154266357421875f;
+    float _S790 = _S789 * arc_sine_0(clamp(_S776.section_1.across_3 / _S789, -1.0f, 1.0f));
+    if(_S776.shown_3.is_warp_2)
+    {
+        _S777 = _S773;
+    }
+    else
+    {
+        _S777 = - _S772;
     }
     thread SurfacePoint_0 point_3;
-    (&point_3)->hole_0 = _S769.shown_3.hole_3;
-    (&point_3)->is_warp_0 = _S769.shown_3.is_warp_2;
-    (&point_3)->warp_thread_0 = _S769.crossing_2.warp_1.thread_1;
-    (&point_3)->weft_thread_0 = _S769.crossing_2.weft_1.thread_1;
-    (&point_3)->height_1 = _S769.height_6;
-    (&point_3)->normal_1 = normalize(float3(- _S769.slope_x_1, - _S769.slope_y_1, 1.0f));
-    float3 _S784;
-    if(_S769.shown_3.is_warp_2)
+    (&point_3)->hole_0 = _S776.shown_3.hole_3;
+    (&point_3)->is_warp_0 = _S776.shown_3.is_warp_2;
+    (&point_3)->warp_thread_0 = _S776.crossing_2.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S776.crossing_2.weft_1.thread_1;
+    (&point_3)->height_1 = _S776.height_6;
+    (&point_3)->normal_1 = normalize(float3(- _S776.slope_x_1, - _S776.slope_y_1, 1.0f));
+    float3 _S791;
+    if(_S776.shown_3.is_warp_2)
     {
-        _S784 = float3(_S779, _S780, _S781);
+        _S791 = float3(_S786, _S787, _S788);
     }
     else
     {
-        _S784 = float3(- _S780, _S779, _S781);
+        _S791 = float3(- _S787, _S786, _S788);
     }
-    (&point_3)->tangent_0 = normalize(_S784);
-    (&point_3)->across_0 = _S769.section_1.across_3;
-    (&point_3)->fibre_across_0 = _S783 * _S775.twist_cosine_0 + _S770 * _S774;
-    (&point_3)->fibre_along_0 = _S770 * _S775.twist_cosine_0 - _S783 * _S774;
+    (&point_3)->tangent_0 = normalize(_S791);
+    (&point_3)->across_0 = _S776.section_1.across_3;
+    (&point_3)->fibre_across_0 = _S790 * _S782.twist_cosine_0 + _S777 * _S781;
+    (&point_3)->fibre_along_0 = _S777 * _S782.twist_cosine_0 - _S790 * _S781;
     return point_3;
 }
 
@@ -3299,259 +3334,259 @@ struct YarnPoint_0
     Albedos_0 albedos_6;
 };
 
-Albedos_0 vary_albedos_0(uint _S785, const Albedos_0 thread* _S786, uint _S787, uint _S788, KernelContext_0 thread* kernelContext_57)
+Albedos_0 vary_albedos_0(uint _S792, const Albedos_0 thread* _S793, uint _S794, uint _S795, KernelContext_0 thread* kernelContext_58)
 {
-    Fabric_0 device* _S789 = kernelContext_57->fabrics_0+_S785;
-    float3 _S790 = max(_S786->specular_reflect_0, _S786->specular_transmit_0);
-    float3 _S791 = _S786->diffuse_reflect_0 + _S786->diffuse_transmit_0;
-    float3 _S792 = float3(_S789->layer_bound_0) ;
-    float3 _S793 = float3(1.0f) ;
-    float3 _S794 = float3(bounded_gain_0(thread_gain_0(_S787, _S789->colour_noise_0, _S789->seed_0), _S791, _S793 - _S792 * _S790)) ;
-    float _S795 = bounded_gain_0(fibre_gain_0(_S787, _S788, _S789->fibre_noise_0, _S789->seed_0), _S790, min((_S793 - _S794 * _S791) / _S792, float3(1.0f) ));
+    Fabric_0 device* _S796 = kernelContext_58->fabrics_0+_S792;
+    float3 _S797 = max(_S793->specular_reflect_0, _S793->specular_transmit_0);
+    float3 _S798 = _S793->diffuse_reflect_0 + _S793->diffuse_transmit_0;
+    float3 _S799 = float3(_S796->layer_bound_0) ;
+    float3 _S800 = float3(1.0f) ;
+    float3 _S801 = float3(bounded_gain_0(thread_gain_0(_S794, _S796->colour_noise_0, _S796->seed_0), _S798, _S800 - _S799 * _S797)) ;
+    float _S802 = bounded_gain_0(fibre_gain_0(_S794, _S795, _S796->fibre_noise_0, _S796->seed_0), _S797, min((_S800 - _S801 * _S798) / _S799, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S794 * _S786->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S794 * _S786->diffuse_transmit_0;
-    float3 _S796 = float3(_S795) ;
-    (&varied_0)->specular_reflect_0 = _S796 * _S786->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S796 * _S786->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S801 * _S793->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S801 * _S793->diffuse_transmit_0;
+    float3 _S803 = float3(_S802) ;
+    (&varied_0)->specular_reflect_0 = _S803 * _S793->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S803 * _S793->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S797, const SurfacePoint_0 thread* _S798, const Albedos_0 thread* _S799, float _S800, float _S801, KernelContext_0 thread* kernelContext_58)
+Albedos_0 varied_at_0(uint _S804, const SurfacePoint_0 thread* _S805, const Albedos_0 thread* _S806, float _S807, float _S808, KernelContext_0 thread* kernelContext_59)
 {
-    Fabric_0 device* _S802 = kernelContext_58->fabrics_0+_S797;
-    bool _S803 = _S798->is_warp_0;
-    float _S804;
-    if(_S798->is_warp_0)
+    Fabric_0 device* _S809 = kernelContext_59->fabrics_0+_S804;
+    bool _S810 = _S805->is_warp_0;
+    float _S811;
+    if(_S805->is_warp_0)
     {
-        _S804 = _S800;
+        _S811 = _S807;
     }
     else
     {
-        _S804 = _S801;
+        _S811 = _S808;
     }
-    float _S805 = _S804 - _S798->across_0;
-    uint _S806;
-    if(_S803)
+    float _S812 = _S811 - _S805->across_0;
+    uint _S813;
+    if(_S810)
     {
-        _S806 = _S802->warp_0;
+        _S813 = _S809->warp_0;
     }
     else
     {
-        _S806 = _S802->weft_0;
+        _S813 = _S809->weft_0;
     }
-    Family_0 _S807 = kernelContext_58->families_0[_S806];
-    int _S808 = int(kernelContext_58->families_0[_S806].count_0);
-    if(_S803)
+    Family_0 _S814 = kernelContext_59->families_0[_S813];
+    int _S815 = int(kernelContext_59->families_0[_S813].count_0);
+    if(_S810)
     {
-        _S806 = _S798->warp_thread_0;
+        _S813 = _S805->warp_thread_0;
     }
     else
     {
-        _S806 = _S798->weft_thread_0;
+        _S813 = _S805->weft_thread_0;
     }
-    uint _S809 = uint(int(floor(_S805 / _S807.period_0)) * _S808 + int(_S806)) * 2U;
-    if(_S803)
+    uint _S816 = uint(int(floor(_S812 / _S814.period_0)) * _S815 + int(_S813)) * 2U;
+    if(_S810)
     {
-        _S806 = 1U;
+        _S813 = 1U;
     }
     else
     {
-        _S806 = 0U;
+        _S813 = 0U;
     }
-    float _S810 = floor(_S798->fibre_across_0 / _S802->fibre_size_0);
-    Albedos_0 _S811 = vary_albedos_0(_S797, _S799, _S809 + _S806, uint(int(_S810)) * 65536U + uint(int(floor(_S798->fibre_along_0 / (_S802->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S810))), kernelContext_58);
-    return _S811;
+    float _S817 = floor(_S805->fibre_across_0 / _S809->fibre_size_0);
+    Albedos_0 _S818 = vary_albedos_0(_S804, _S806, _S816 + _S813, uint(int(_S817)) * 65536U + uint(int(floor(_S805->fibre_along_0 / (_S809->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S817))), kernelContext_59);
+    return _S818;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S812, const SurfacePoint_0 thread* _S813, float _S814, float _S815, bool _S816, bool _S817, KernelContext_0 thread* kernelContext_59)
+YarnPoint_0 yarn_point_of_0(uint _S819, const SurfacePoint_0 thread* _S820, float _S821, float _S822, bool _S823, bool _S824, KernelContext_0 thread* kernelContext_60)
 {
-    Fabric_0 device* _S818 = kernelContext_59->fabrics_0+_S812;
-    bool _S819 = _S813->is_warp_0;
-    uint _S820;
-    if(_S813->is_warp_0)
+    Fabric_0 device* _S825 = kernelContext_60->fabrics_0+_S819;
+    bool _S826 = _S820->is_warp_0;
+    uint _S827;
+    if(_S820->is_warp_0)
     {
-        _S820 = _S818->warp_0;
+        _S827 = _S825->warp_0;
     }
     else
     {
-        _S820 = _S818->weft_0;
+        _S827 = _S825->weft_0;
     }
-    uint _S821;
-    if(_S819)
+    uint _S828;
+    if(_S826)
     {
-        _S821 = _S813->warp_thread_0;
-    }
-    else
-    {
-        _S821 = _S813->weft_thread_0;
-    }
-    Albedos_0 _S822 = albedos_of_0(_S820, _S821, kernelContext_59);
-    bool _S823;
-    if((_S818->fibre_noise_0) > 0.0f)
-    {
-        _S823 = true;
+        _S828 = _S820->warp_thread_0;
     }
     else
     {
-        _S823 = (_S818->colour_noise_0) > 0.0f;
+        _S828 = _S820->weft_thread_0;
+    }
+    Albedos_0 _S829 = albedos_of_0(_S827, _S828, kernelContext_60);
+    bool _S830;
+    if((_S825->fibre_noise_0) > 0.0f)
+    {
+        _S830 = true;
+    }
+    else
+    {
+        _S830 = (_S825->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_7;
-    if(_S823)
+    if(_S830)
     {
-        thread Albedos_0 _S824 = _S822;
-        Albedos_0 _S825 = varied_at_0(_S812, _S813, &_S824, _S814, _S815, kernelContext_59);
-        albedos_7 = _S825;
+        thread Albedos_0 _S831 = _S829;
+        Albedos_0 _S832 = varied_at_0(_S819, _S820, &_S831, _S821, _S822, kernelContext_60);
+        albedos_7 = _S832;
     }
     else
     {
-        albedos_7 = _S822;
+        albedos_7 = _S829;
     }
     thread YarnPoint_0 point_4;
-    (&point_4)->back_3 = _S816;
-    (&point_4)->hole_6 = _S817;
-    (&point_4)->is_warp_3 = _S819;
-    (&point_4)->x_14 = _S814;
-    (&point_4)->y_8 = _S815;
-    (&point_4)->height_10 = _S813->height_1;
-    (&point_4)->normal_7 = _S813->normal_1;
-    (&point_4)->tangent_7 = _S813->tangent_0;
-    (&point_4)->roughness_10 = kernelContext_59->families_0[_S820].roughness_0;
+    (&point_4)->back_3 = _S823;
+    (&point_4)->hole_6 = _S824;
+    (&point_4)->is_warp_3 = _S826;
+    (&point_4)->x_14 = _S821;
+    (&point_4)->y_8 = _S822;
+    (&point_4)->height_10 = _S820->height_1;
+    (&point_4)->normal_7 = _S820->normal_1;
+    (&point_4)->tangent_7 = _S820->tangent_0;
+    (&point_4)->roughness_10 = kernelContext_60->families_0[_S827].roughness_0;
     (&point_4)->albedos_6 = albedos_7;
     return point_4;
 }
 
-bool unoccluded_0(uint _S826, const SearchQuality_0 thread* _S827, float _S828, float _S829, float _S830, float3 _S831, bool _S832, KernelContext_0 thread* kernelContext_60)
+bool unoccluded_0(uint _S833, const SearchQuality_0 thread* _S834, float _S835, float _S836, float _S837, float3 _S838, bool _S839, KernelContext_0 thread* kernelContext_61)
 {
-    Fabric_0 device* _S833 = kernelContext_60->fabrics_0+_S826;
-    if((_S831.z) <= 0.0f)
+    Fabric_0 device* _S840 = kernelContext_61->fabrics_0+_S833;
+    if((_S838.z) <= 0.0f)
     {
         return false;
     }
-    float _S834 = max_height_along_0(_S826, _S828, _S829, _S830, _S831, _S832, kernelContext_60);
-    bool _S835 = is_free_0(_S826, _S827, float3(_S828, _S829, _S830 + _S833->lift_0), _S831, _S832, _S834, kernelContext_60);
-    return _S835;
+    float _S841 = max_height_along_0(_S833, _S835, _S836, _S837, _S838, _S839, kernelContext_61);
+    bool _S842 = is_free_0(_S833, _S834, float3(_S835, _S836, _S837 + _S840->lift_0), _S838, _S839, _S841, kernelContext_61);
+    return _S842;
 }
 
-bool is_lit_0(uint _S836, const SearchQuality_0 thread* _S837, const YarnPoint_0 thread* _S838, float3 _S839, KernelContext_0 thread* kernelContext_61)
+bool is_lit_0(uint _S843, const SearchQuality_0 thread* _S844, const YarnPoint_0 thread* _S845, float3 _S846, KernelContext_0 thread* kernelContext_62)
 {
-    if(_S838->hole_6)
+    if(_S845->hole_6)
     {
         return true;
     }
-    bool _S840 = _S838->back_3;
-    float3 _S841 = to_face_frame_0(_S839, _S838->back_3);
-    float _S842 = _S841.z;
-    bool _S843 = _S842 < 0.0f;
-    float3 _S844 = _S838->normal_7;
-    float _S845 = _S838->height_10;
+    bool _S847 = _S845->back_3;
+    float3 _S848 = to_face_frame_0(_S846, _S845->back_3);
+    float _S849 = _S848.z;
+    bool _S850 = _S849 < 0.0f;
+    float3 _S851 = _S845->normal_7;
+    float _S852 = _S845->height_10;
     float3 normal_8;
     float height_11;
-    if(_S843)
+    if(_S850)
     {
-        SurfacePoint_0 _S846 = surface_at_0(_S836, _S838->x_14, _S838->y_8, !_S840, kernelContext_61);
-        normal_8 = _S846.normal_1;
-        height_11 = _S846.height_1;
+        SurfacePoint_0 _S853 = surface_at_0(_S843, _S845->x_14, _S845->y_8, !_S847, kernelContext_62);
+        normal_8 = _S853.normal_1;
+        height_11 = _S853.height_1;
     }
     else
     {
-        normal_8 = _S844;
-        height_11 = _S845;
+        normal_8 = _S851;
+        height_11 = _S852;
     }
-    float3 _S847 = float3(_S841.xy, abs(_S842));
-    if((dot(normal_8, _S847)) <= 0.0f)
+    float3 _S854 = float3(_S848.xy, abs(_S849));
+    if((dot(normal_8, _S854)) <= 0.0f)
     {
         return false;
     }
-    bool _S848 = unoccluded_0(_S836, _S837, _S838->x_14, _S838->y_8, height_11, _S847, _S840 != _S843, kernelContext_61);
-    return _S848;
+    bool _S855 = unoccluded_0(_S843, _S844, _S845->x_14, _S845->y_8, height_11, _S854, _S847 != _S850, kernelContext_62);
+    return _S855;
 }
 
-Components_0 components_of_point_0(uint _S849, const SearchQuality_0 thread* _S850, const YarnPoint_0 thread* _S851, float3 _S852, float3 _S853, KernelContext_0 thread* kernelContext_62)
+Components_0 components_of_point_0(uint _S856, const SearchQuality_0 thread* _S857, const YarnPoint_0 thread* _S858, float3 _S859, float3 _S860, KernelContext_0 thread* kernelContext_63)
 {
-    Fabric_0 device* _S854 = kernelContext_62->fabrics_0+_S849;
+    Fabric_0 device* _S861 = kernelContext_63->fabrics_0+_S856;
     thread Components_0 result_2 = no_components_0();
-    bool _S855 = _S851->hole_6;
-    float _S856;
-    if(_S851->hole_6)
+    bool _S862 = _S858->hole_6;
+    float _S863;
+    if(_S858->hole_6)
     {
-        _S856 = 1.0f;
+        _S863 = 1.0f;
     }
     else
     {
-        _S856 = 0.0f;
+        _S863 = 0.0f;
     }
-    (&result_2)->hole_2 = _S856;
-    bool _S857;
-    if(_S855)
+    (&result_2)->hole_2 = _S863;
+    bool _S864;
+    if(_S862)
     {
-        _S857 = true;
+        _S864 = true;
     }
     else
     {
-        bool _S858 = is_lit_0(_S849, _S850, _S851, _S852, kernelContext_62);
-        _S857 = !_S858;
+        bool _S865 = is_lit_0(_S856, _S857, _S858, _S859, kernelContext_63);
+        _S864 = !_S865;
     }
-    if(_S857)
+    if(_S864)
     {
         return result_2;
     }
-    float3 _S859 = to_face_frame_0(_S852, _S851->back_3);
-    float3 _S860 = to_face_frame_0(_S853, _S851->back_3);
-    bool _S861 = (_S859.z) < 0.0f;
-    float3 _S862;
-    if(_S861)
+    float3 _S866 = to_face_frame_0(_S859, _S858->back_3);
+    float3 _S867 = to_face_frame_0(_S860, _S858->back_3);
+    bool _S868 = (_S866.z) < 0.0f;
+    float3 _S869;
+    if(_S868)
     {
-        _S862 = - _S859;
+        _S869 = - _S866;
     }
     else
     {
-        _S862 = _S859;
+        _S869 = _S866;
     }
-    float3 _S863 = _S851->normal_7;
-    float _S864 = diffuse_reflection_0(_S862, _S851->normal_7, _S854->diffuse_blend_0);
-    if(_S861)
+    float3 _S870 = _S858->normal_7;
+    float _S871 = diffuse_reflection_0(_S869, _S858->normal_7, _S861->diffuse_blend_0);
+    if(_S868)
     {
-        _S856 = transmission_0(_S859, _S860, _S863, _S851->tangent_7, _S851->roughness_10, _S854->optical_depth_0);
+        _S863 = transmission_0(_S866, _S867, _S870, _S858->tangent_7, _S858->roughness_10, _S861->optical_depth_0);
     }
     else
     {
-        _S856 = reflection_0(_S859, _S860, _S863, _S851->tangent_7, _S851->roughness_10, _S854->optical_depth_0);
+        _S863 = reflection_0(_S866, _S867, _S870, _S858->tangent_7, _S858->roughness_10, _S861->optical_depth_0);
     }
-    bool _S865 = _S851->is_warp_3;
-    float _S866;
-    if(_S851->is_warp_3)
+    bool _S872 = _S858->is_warp_3;
+    float _S873;
+    if(_S858->is_warp_3)
     {
-        _S866 = _S864;
+        _S873 = _S871;
     }
     else
     {
-        _S866 = 0.0f;
+        _S873 = 0.0f;
     }
-    (&result_2)->diffuse_warp_0 = _S866;
-    if(_S865)
+    (&result_2)->diffuse_warp_0 = _S873;
+    if(_S872)
     {
-        _S866 = 0.0f;
+        _S873 = 0.0f;
     }
     else
     {
-        _S866 = _S864;
+        _S873 = _S871;
     }
-    (&result_2)->diffuse_weft_0 = _S866;
-    if(_S865)
+    (&result_2)->diffuse_weft_0 = _S873;
+    if(_S872)
     {
-        _S866 = _S856;
+        _S873 = _S863;
     }
     else
     {
-        _S866 = 0.0f;
+        _S873 = 0.0f;
     }
-    (&result_2)->specular_warp_0 = _S866;
-    if(_S865)
+    (&result_2)->specular_warp_0 = _S873;
+    if(_S872)
     {
-        _S856 = 0.0f;
+        _S863 = 0.0f;
     }
-    (&result_2)->specular_weft_0 = _S856;
+    (&result_2)->specular_weft_0 = _S863;
     (&result_2)->light_visibility_1 = 1.0f;
     return result_2;
 }
@@ -3561,28 +3596,28 @@ struct CoverageTaps_0
     array<uint, int(9)> nodes_1;
 };
 
-float3 pyramid_level_0(uint _S867, float _S868, KernelContext_0 thread* kernelContext_63)
+float3 pyramid_level_0(uint _S874, float _S875, KernelContext_0 thread* kernelContext_64)
 {
-    uint _S869 = (kernelContext_63->fabrics_0+_S867)->lobes_0.levels_0 + 4U * uint(min(_S868, (kernelContext_63->fabrics_0+_S867)->lobes_0.last_level_0));
-    float _S870 = table_number_0(_S869, kernelContext_63);
-    float _S871 = table_number_0(_S869 + 1U, kernelContext_63);
-    float _S872 = table_number_0(_S869 + 2U, kernelContext_63);
-    return float3(_S870, _S871, _S872);
+    uint _S876 = (kernelContext_64->fabrics_0+_S874)->lobes_0.levels_0 + 4U * uint(min(_S875, (kernelContext_64->fabrics_0+_S874)->lobes_0.last_level_0));
+    float _S877 = table_number_0(_S876, kernelContext_64);
+    float _S878 = table_number_0(_S876 + 1U, kernelContext_64);
+    float _S879 = table_number_0(_S876 + 2U, kernelContext_64);
+    return float3(_S877, _S878, _S879);
 }
 
-CoverageTaps_0 coverage_taps_0(uint _S873, const Footprint_0 thread* _S874, bool _S875, KernelContext_0 thread* kernelContext_64)
+CoverageTaps_0 coverage_taps_0(uint _S880, const Footprint_0 thread* _S881, bool _S882, KernelContext_0 thread* kernelContext_65)
 {
-    Fabric_0 device* _S876 = kernelContext_64->fabrics_0+_S873;
-    float _S877 = Footprint_spread_side_0(_S874);
-    Lobes_0 _S878 = _S876->lobes_0;
-    float _S879 = _S877 * _S876->lobes_0.inverse_base_size_0;
-    float3 _S880 = pyramid_level_0(_S873, floor(binary_logarithm_0(max(0.68000000715255737f * _S879, 1.0f))), kernelContext_64);
-    float _S881 = 1.0f / max(_S879, 9.99999997475242708e-07f);
-    float2 _S882 = float2(kernelContext_64->families_0[_S876->warp_0].inverse_period_0, kernelContext_64->families_0[_S876->weft_0].inverse_period_0);
-    float2 _S883 = _S874->centre_0 * _S882;
-    float2 _S884 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S881 * _S881), 0.0f, 1.0f)), 0.3333333432674408f * _S881), 1.0f)) ;
-    float2 _S885 = _S874->dx_0 * _S882 * _S884;
-    float2 _S886 = _S874->dy_0 * _S882 * _S884;
+    Fabric_0 device* _S883 = kernelContext_65->fabrics_0+_S880;
+    float _S884 = Footprint_spread_side_0(_S881);
+    Lobes_0 _S885 = _S883->lobes_0;
+    float _S886 = _S884 * _S883->lobes_0.inverse_base_size_0;
+    float3 _S887 = pyramid_level_0(_S880, floor(binary_logarithm_0(max(0.68000000715255737f * _S886, 1.0f))), kernelContext_65);
+    float _S888 = 1.0f / max(_S886, 9.99999997475242708e-07f);
+    float2 _S889 = float2(kernelContext_65->families_0[_S883->warp_0].inverse_period_0, kernelContext_65->families_0[_S883->weft_0].inverse_period_0);
+    float2 _S890 = _S881->centre_0 * _S889;
+    float2 _S891 = float2(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S888 * _S888), 0.0f, 1.0f)), 0.3333333432674408f * _S888), 1.0f)) ;
+    float2 _S892 = _S881->dx_0 * _S889 * _S891;
+    float2 _S893 = _S881->dy_0 * _S889 * _S891;
     thread CoverageTaps_0 taps_3;
     uint number_2 = 0U;
     for(;;)
@@ -3594,28 +3629,28 @@ CoverageTaps_0 coverage_taps_0(uint _S873, const Footprint_0 thread* _S874, bool
         {
             break;
         }
-        float2 _S887 = _S883 + float2(TAP_OFFSETS_0[number_2].x)  * _S885 + float2(TAP_OFFSETS_0[number_2].y)  * _S886;
-        float _S888 = _S880.y;
-        float _S889 = wrapped_cell_0(_S887.x, _S888);
-        float _S890 = wrapped_cell_0(_S887.y, _S880.z);
-        uint _S891;
-        if(_S875)
+        float2 _S894 = _S890 + float2(TAP_OFFSETS_0[number_2].x)  * _S892 + float2(TAP_OFFSETS_0[number_2].y)  * _S893;
+        float _S895 = _S887.y;
+        float _S896 = wrapped_cell_0(_S894.x, _S895);
+        float _S897 = wrapped_cell_0(_S894.y, _S887.z);
+        uint _S898;
+        if(_S882)
         {
-            _S891 = _S878.face_nodes_0;
+            _S898 = _S885.face_nodes_0;
         }
         else
         {
-            _S891 = 0U;
+            _S898 = 0U;
         }
-        (&taps_3)->nodes_1[number_2] = _S891 + uint(_S890 * _S888 + _S889 + _S880.x);
+        (&taps_3)->nodes_1[number_2] = _S898 + uint(_S897 * _S895 + _S896 + _S887.x);
         number_2 = number_2 + 1U;
     }
     return taps_3;
 }
 
-float4 coverage_of_pack_0(uint _S892, const CoverageTaps_0 thread* _S893, uint _S894, KernelContext_0 thread* kernelContext_65)
+float4 coverage_of_pack_0(uint _S899, const CoverageTaps_0 thread* _S900, uint _S901, KernelContext_0 thread* kernelContext_66)
 {
-    Fabric_0 device* _S895 = kernelContext_65->fabrics_0+_S892;
+    Fabric_0 device* _S902 = kernelContext_66->fabrics_0+_S899;
     uint number_3 = 0U;
     uint even_1 = 0U;
     uint odd_1 = 0U;
@@ -3628,9 +3663,9 @@ float4 coverage_of_pack_0(uint _S892, const CoverageTaps_0 thread* _S893, uint _
         {
             break;
         }
-        uint _S896 = kernelContext_65->words_0[_S895->lobes_0.coverage_0 + _S893->nodes_1[number_3] * _S895->lobes_0.packs_0 + _S894];
-        uint even_2 = even_1 + (_S896 & 16711935U);
-        uint odd_2 = odd_1 + ((_S896 >> 8U) & 16711935U);
+        uint _S903 = kernelContext_66->words_0[_S902->lobes_0.coverage_0 + _S900->nodes_1[number_3] * _S902->lobes_0.packs_0 + _S901];
+        uint even_2 = even_1 + (_S903 & 16711935U);
+        uint odd_2 = odd_1 + ((_S903 >> 8U) & 16711935U);
         number_3 = number_3 + 1U;
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3638,9 +3673,9 @@ float4 coverage_of_pack_0(uint _S892, const CoverageTaps_0 thread* _S893, uint _
     return bytes_of_sums_0(even_1, odd_1) / float4(9.0f) ;
 }
 
-float coverage_of_holes_0(uint _S897, const CoverageTaps_0 thread* _S898, KernelContext_0 thread* kernelContext_66)
+float coverage_of_holes_0(uint _S904, const CoverageTaps_0 thread* _S905, KernelContext_0 thread* kernelContext_67)
 {
-    Fabric_0 device* _S899 = kernelContext_66->fabrics_0+_S897;
+    Fabric_0 device* _S906 = kernelContext_67->fabrics_0+_S904;
     uint number_4 = 0U;
     uint total_0 = 0U;
     for(;;)
@@ -3652,70 +3687,70 @@ float coverage_of_holes_0(uint _S897, const CoverageTaps_0 thread* _S898, Kernel
         {
             break;
         }
-        uint total_1 = total_0 + ((kernelContext_66->words_0[_S899->lobes_0.coverage_holes_0 + _S898->nodes_1[number_4] / 4U] >> (8U * (_S898->nodes_1[number_4] % 4U))) & 255U);
+        uint total_1 = total_0 + ((kernelContext_67->words_0[_S906->lobes_0.coverage_holes_0 + _S905->nodes_1[number_4] / 4U] >> (8U * (_S905->nodes_1[number_4] % 4U))) & 255U);
         number_4 = number_4 + 1U;
         total_0 = total_1;
     }
     return float(total_0) / 9.0f;
 }
 
-float prefiltered_hole_0(uint _S900, const CoverageTaps_0 thread* _S901, const NodeTaps_0 thread* _S902, bool _S903, KernelContext_0 thread* kernelContext_67)
+float prefiltered_hole_0(uint _S907, const CoverageTaps_0 thread* _S908, const NodeTaps_0 thread* _S909, bool _S910, KernelContext_0 thread* kernelContext_68)
 {
-    Lobes_0 _S904 = (kernelContext_67->fabrics_0+_S900)->lobes_0;
-    float4 _S905 = interpolate_table_0(_S902, (kernelContext_67->fabrics_0+_S900)->lobes_0.projected_area_0 + (kernelContext_67->fabrics_0+_S900)->lobes_0.packs_0, (kernelContext_67->fabrics_0+_S900)->lobes_0.packs_0 + 1U, kernelContext_67);
-    float _S906 = _S905.x;
-    float _S907;
-    if(_S903)
+    Lobes_0 _S911 = (kernelContext_68->fabrics_0+_S907)->lobes_0;
+    float4 _S912 = interpolate_table_0(_S909, (kernelContext_68->fabrics_0+_S907)->lobes_0.projected_area_0 + (kernelContext_68->fabrics_0+_S907)->lobes_0.packs_0, (kernelContext_68->fabrics_0+_S907)->lobes_0.packs_0 + 1U, kernelContext_68);
+    float _S913 = _S912.x;
+    float _S914;
+    if(_S910)
     {
-        _S907 = _S904.back_hole_weight_0;
+        _S914 = _S911.back_hole_weight_0;
     }
     else
     {
-        _S907 = _S904.front_hole_weight_0;
+        _S914 = _S911.front_hole_weight_0;
     }
-    float _S908 = coverage_of_holes_0(_S900, _S901, kernelContext_67);
-    return min(_S908 * _S906 * _S906 * _S907, 1.0f);
+    float _S915 = coverage_of_holes_0(_S907, _S908, kernelContext_68);
+    return min(_S915 * _S913 * _S913 * _S914, 1.0f);
 }
 
-Components_0 prefiltered_components_0(uint _S909, const Footprint_0 thread* _S910, float3 _S911, float3 _S912, bool _S913, KernelContext_0 thread* kernelContext_68)
+Components_0 prefiltered_components_0(uint _S916, const Footprint_0 thread* _S917, float3 _S918, float3 _S919, bool _S920, KernelContext_0 thread* kernelContext_69)
 {
-    Fabric_0 device* _S914 = kernelContext_68->fabrics_0+_S909;
-    CoverageTaps_0 _S915 = coverage_taps_0(_S909, _S910, _S913, kernelContext_68);
-    NodeTaps_0 _S916 = node_taps_0(_S912);
-    thread NodeTaps_0 view_nodes_0 = _S916;
-    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S911);
-    thread NodeTaps_0 seen_nodes_0 = _S916;
-    uint _S917;
-    if(_S913)
+    Fabric_0 device* _S921 = kernelContext_69->fabrics_0+_S916;
+    CoverageTaps_0 _S922 = coverage_taps_0(_S916, _S917, _S920, kernelContext_69);
+    NodeTaps_0 _S923 = node_taps_0(_S919);
+    thread NodeTaps_0 view_nodes_0 = _S923;
+    thread NodeTaps_0 light_nodes_0 = node_taps_0(_S918);
+    thread NodeTaps_0 seen_nodes_0 = _S923;
+    uint _S924;
+    if(_S920)
     {
-        _S917 = 1U;
+        _S924 = 1U;
     }
     else
     {
-        _S917 = 0U;
+        _S924 = 0U;
     }
-    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S917 * 256U)) ;
-    uint _S918 = 2U * _S917;
-    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S918 * 256U)) ;
-    uint _S919;
-    if((_S911.z) < 0.0f)
+    (&view_nodes_0)->nodes_0 = (&view_nodes_0)->nodes_0 + uint4((_S924 * 256U)) ;
+    uint _S925 = 2U * _S924;
+    (&seen_nodes_0)->nodes_0 = (&seen_nodes_0)->nodes_0 + uint4((_S925 * 256U)) ;
+    uint _S926;
+    if((_S918.z) < 0.0f)
     {
-        _S919 = 1U;
-    }
-    else
-    {
-        _S919 = 0U;
-    }
-    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S918 + _S919) * 256U)) ;
-    float3 _S920 = half_vector_0(_S911, _S912);
-    float3 _S921 = shadow_correlation_0(_S911, _S912);
-    if(_S913)
-    {
-        _S919 = _S914->lobes_0.back_warp_packs_0;
+        _S926 = 1U;
     }
     else
     {
-        _S919 = _S914->lobes_0.front_warp_packs_0;
+        _S926 = 0U;
+    }
+    (&light_nodes_0)->nodes_0 = (&light_nodes_0)->nodes_0 + uint4(((_S925 + _S926) * 256U)) ;
+    float3 _S927 = half_vector_0(_S918, _S919);
+    float3 _S928 = shadow_correlation_0(_S918, _S919);
+    if(_S920)
+    {
+        _S926 = _S921->lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S926 = _S921->lobes_0.front_warp_packs_0;
     }
     thread Components_0 sums_1;
     (&sums_1)->diffuse_warp_0 = 0.0f;
@@ -3727,43 +3762,43 @@ Components_0 prefiltered_components_0(uint _S909, const Footprint_0 thread* _S91
     float total_2 = 0.0f;
     for(;;)
     {
-        Lobes_0 _S922 = _S914->lobes_0;
-        if(pack_0 < (_S914->lobes_0.packs_0))
+        Lobes_0 _S929 = _S921->lobes_0;
+        if(pack_0 < (_S921->lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        thread CoverageTaps_0 _S923 = _S915;
-        float4 _S924 = coverage_of_pack_0(_S909, &_S923, pack_0, kernelContext_68);
-        uint _S925 = _S922.projected_area_0 + pack_0;
-        uint _S926 = _S922.packs_0 + 1U;
-        thread NodeTaps_0 _S927 = view_nodes_0;
-        float4 _S928 = interpolate_table_0(&_S927, _S925, _S926, kernelContext_68);
-        uint _S929 = _S922.light_visibility_0 + pack_0;
-        thread NodeTaps_0 _S930 = seen_nodes_0;
-        float4 _S931 = interpolate_table_0(&_S930, _S929, _S922.packs_0, kernelContext_68);
-        float4 _S932 = float4(255.0f) ;
-        float4 _S933 = _S931 / _S932;
-        thread NodeTaps_0 _S934 = light_nodes_0;
-        float4 _S935 = interpolate_table_0(&_S934, _S929, _S922.packs_0, kernelContext_68);
-        float4 _S936 = _S935 / _S932;
-        uint _S937 = _S922.irradiance_0 + pack_0;
-        thread NodeTaps_0 _S938 = light_nodes_0;
-        float4 _S939 = interpolate_table_0(&_S938, _S937, _S922.packs_0, kernelContext_68);
-        float4 _S940 = _S939 * float4(0.00124827399849892f) ;
-        bool _S941 = pack_0 < _S919;
-        uint _S942;
-        if(_S941)
+        thread CoverageTaps_0 _S930 = _S922;
+        float4 _S931 = coverage_of_pack_0(_S916, &_S930, pack_0, kernelContext_69);
+        uint _S932 = _S929.projected_area_0 + pack_0;
+        uint _S933 = _S929.packs_0 + 1U;
+        thread NodeTaps_0 _S934 = view_nodes_0;
+        float4 _S935 = interpolate_table_0(&_S934, _S932, _S933, kernelContext_69);
+        uint _S936 = _S929.light_visibility_0 + pack_0;
+        thread NodeTaps_0 _S937 = seen_nodes_0;
+        float4 _S938 = interpolate_table_0(&_S937, _S936, _S929.packs_0, kernelContext_69);
+        float4 _S939 = float4(255.0f) ;
+        float4 _S940 = _S938 / _S939;
+        thread NodeTaps_0 _S941 = light_nodes_0;
+        float4 _S942 = interpolate_table_0(&_S941, _S936, _S929.packs_0, kernelContext_69);
+        float4 _S943 = _S942 / _S939;
+        uint _S944 = _S929.irradiance_0 + pack_0;
+        thread NodeTaps_0 _S945 = light_nodes_0;
+        float4 _S946 = interpolate_table_0(&_S945, _S944, _S929.packs_0, kernelContext_69);
+        float4 _S947 = _S946 * float4(0.00124827399849892f) ;
+        bool _S948 = pack_0 < _S926;
+        uint _S949;
+        if(_S948)
         {
-            _S942 = _S914->warp_0;
+            _S949 = _S921->warp_0;
         }
         else
         {
-            _S942 = _S914->weft_0;
+            _S949 = _S921->weft_0;
         }
-        Family_0 _S943 = kernelContext_68->families_0[_S942];
+        Family_0 _S950 = kernelContext_69->families_0[_S949];
         uint number_5 = 0U;
         float diffuse_0 = 0.0f;
         float specular_0 = 0.0f;
@@ -3776,438 +3811,438 @@ Components_0 prefiltered_components_0(uint _S909, const Footprint_0 thread* _S91
             {
                 break;
             }
-            Group_0 _S944 = group_at_0(_S922.moments_0 + 12U * (4U * (_S917 * _S922.packs_0 + pack_0) + number_5), _S943.roughness_0, kernelContext_68);
-            float _S945 = _S924[number_5] * _S928[number_5] * _S928[number_5] * _S944.weight_1;
-            float2 _S946 = visibility_gain_0(_S921, _S936[number_5], _S933[number_5]);
-            thread Group_0 _S947 = _S944;
-            float _S948 = layer_value_0(&_S947, _S920, _S911, _S912, _S914->optical_depth_0);
-            float _S949 = _S946.x;
-            float diffuse_1 = diffuse_0 + _S945 * _S940[number_5] * _S949;
-            float specular_1 = specular_0 + _S945 * _S948 * _S936[number_5] * _S946.y;
-            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S945 * _S936[number_5] * _S949;
-            float total_3 = total_2 + _S945;
+            Group_0 _S951 = group_at_0(_S929.moments_0 + 12U * (4U * (_S924 * _S929.packs_0 + pack_0) + number_5), _S950.roughness_0, kernelContext_69);
+            float _S952 = _S931[number_5] * _S935[number_5] * _S935[number_5] * _S951.weight_1;
+            float2 _S953 = visibility_gain_0(_S928, _S943[number_5], _S940[number_5]);
+            thread Group_0 _S954 = _S951;
+            float _S955 = layer_value_0(&_S954, _S927, _S918, _S919, _S921->optical_depth_0);
+            float _S956 = _S953.x;
+            float diffuse_1 = diffuse_0 + _S952 * _S947[number_5] * _S956;
+            float specular_1 = specular_0 + _S952 * _S955 * _S943[number_5] * _S953.y;
+            (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 + _S952 * _S943[number_5] * _S956;
+            float total_3 = total_2 + _S952;
             number_5 = number_5 + 1U;
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        float _S950;
-        if(_S941)
+        float _S957;
+        if(_S948)
         {
-            _S950 = diffuse_0;
+            _S957 = diffuse_0;
         }
         else
         {
-            _S950 = 0.0f;
+            _S957 = 0.0f;
         }
-        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S950;
-        float _S951;
-        if(_S941)
+        (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 + _S957;
+        float _S958;
+        if(_S948)
         {
-            _S951 = 0.0f;
+            _S958 = 0.0f;
         }
         else
         {
-            _S951 = diffuse_0;
+            _S958 = diffuse_0;
         }
-        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S951;
-        float _S952;
-        if(_S941)
+        (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 + _S958;
+        float _S959;
+        if(_S948)
         {
-            _S952 = specular_0;
+            _S959 = specular_0;
         }
         else
         {
-            _S952 = 0.0f;
+            _S959 = 0.0f;
         }
-        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S952;
-        float _S953;
-        if(_S941)
+        (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 + _S959;
+        float _S960;
+        if(_S948)
         {
-            _S953 = 0.0f;
+            _S960 = 0.0f;
         }
         else
         {
-            _S953 = specular_0;
+            _S960 = specular_0;
         }
-        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S953;
+        (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 + _S960;
         pack_0 = pack_0 + 1U;
     }
-    thread CoverageTaps_0 _S954 = _S915;
-    thread NodeTaps_0 _S955 = view_nodes_0;
-    float _S956 = prefiltered_hole_0(_S909, &_S954, &_S955, _S913, kernelContext_68);
-    (&sums_1)->hole_2 = _S956;
-    float _S957 = (1.0f - _S956) / max(total_2, 9.999999960041972e-13f);
-    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S957;
-    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S957;
-    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S957;
-    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S957;
-    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S957;
+    thread CoverageTaps_0 _S961 = _S922;
+    thread NodeTaps_0 _S962 = view_nodes_0;
+    float _S963 = prefiltered_hole_0(_S916, &_S961, &_S962, _S920, kernelContext_69);
+    (&sums_1)->hole_2 = _S963;
+    float _S964 = (1.0f - _S963) / max(total_2, 9.999999960041972e-13f);
+    (&sums_1)->diffuse_warp_0 = (&sums_1)->diffuse_warp_0 * _S964;
+    (&sums_1)->diffuse_weft_0 = (&sums_1)->diffuse_weft_0 * _S964;
+    (&sums_1)->specular_warp_0 = (&sums_1)->specular_warp_0 * _S964;
+    (&sums_1)->specular_weft_0 = (&sums_1)->specular_weft_0 * _S964;
+    (&sums_1)->light_visibility_1 = (&sums_1)->light_visibility_1 * _S964;
     return sums_1;
 }
 
-FamilyAlbedos_0 albedos_over_0(uint _S958, const Footprint_0 thread* _S959, bool _S960, KernelContext_0 thread* kernelContext_69)
+FamilyAlbedos_0 albedos_over_0(uint _S965, const Footprint_0 thread* _S966, bool _S967, KernelContext_0 thread* kernelContext_70)
 {
-    Fabric_0 device* _S961 = kernelContext_69->fabrics_0+_S958;
-    float2 _S962 = sqrt(_S959->dx_0 * _S959->dx_0 + _S959->dy_0 * _S959->dy_0);
-    uint _S963 = _S961->warp_0;
-    float2 _S964 = _S959->centre_0;
-    Stretch_0 _S965 = stretch_of_0(_S961->warp_0, _S959->centre_0.x, _S962.x, kernelContext_69);
-    uint _S966 = _S961->weft_0;
-    Stretch_0 _S967 = stretch_of_0(_S961->weft_0, _S964.y, _S962.y, kernelContext_69);
+    Fabric_0 device* _S968 = kernelContext_70->fabrics_0+_S965;
+    float2 _S969 = sqrt(_S966->dx_0 * _S966->dx_0 + _S966->dy_0 * _S966->dy_0);
+    uint _S970 = _S968->warp_0;
+    float2 _S971 = _S966->centre_0;
+    Stretch_0 _S972 = stretch_of_0(_S968->warp_0, _S966->centre_0.x, _S969.x, kernelContext_70);
+    uint _S973 = _S968->weft_0;
+    Stretch_0 _S974 = stretch_of_0(_S968->weft_0, _S971.y, _S969.y, kernelContext_70);
     thread FamilyAlbedos_0 albedos_8;
-    thread Stretch_0 _S968 = _S965;
-    thread Stretch_0 _S969 = _S967;
-    Albedos_0 _S970 = mean_albedos_0(_S963, _S966, &_S968, &_S969, _S960, kernelContext_69);
-    (&albedos_8)->warp_2 = _S970;
-    thread Stretch_0 _S971 = _S967;
-    thread Stretch_0 _S972 = _S965;
-    Albedos_0 _S973 = mean_albedos_0(_S966, _S963, &_S971, &_S972, _S960, kernelContext_69);
-    (&albedos_8)->weft_2 = _S973;
+    thread Stretch_0 _S975 = _S972;
+    thread Stretch_0 _S976 = _S974;
+    Albedos_0 _S977 = mean_albedos_0(_S970, _S973, &_S975, &_S976, _S967, kernelContext_70);
+    (&albedos_8)->warp_2 = _S977;
+    thread Stretch_0 _S978 = _S974;
+    thread Stretch_0 _S979 = _S972;
+    Albedos_0 _S980 = mean_albedos_0(_S973, _S970, &_S978, &_S979, _S967, kernelContext_70);
+    (&albedos_8)->weft_2 = _S980;
     return albedos_8;
 }
 
-Estimate_0 lobes_estimate_of_pass_0(uint _S974, const Footprint_0 thread* _S975, float _S976, float2 _S977, float3 _S978, float3 _S979, KernelContext_0 thread* kernelContext_70)
+Estimate_0 lobes_estimate_of_pass_0(uint _S981, const Footprint_0 thread* _S982, float _S983, float2 _S984, float3 _S985, float3 _S986, KernelContext_0 thread* kernelContext_71)
 {
-    float _S980;
-    Fabric_0 device* _S981 = kernelContext_70->fabrics_0+_S974;
-    Regime_0 _S982 = regime_of_0(_S974, _S975, _S976, kernelContext_70);
-    bool _S983 = (_S979.z) < 0.0f;
-    float3 _S984 = to_face_frame_0(_S979, _S983);
-    bool _S985;
-    if((_S981->fibre_noise_0) > 0.0f)
+    float _S987;
+    Fabric_0 device* _S988 = kernelContext_71->fabrics_0+_S981;
+    Regime_0 _S989 = regime_of_0(_S981, _S982, _S983, kernelContext_71);
+    bool _S990 = (_S986.z) < 0.0f;
+    float3 _S991 = to_face_frame_0(_S986, _S990);
+    bool _S992;
+    if((_S988->fibre_noise_0) > 0.0f)
     {
-        _S985 = true;
+        _S992 = true;
     }
     else
     {
-        _S985 = (_S981->colour_noise_0) > 0.0f;
+        _S992 = (_S988->colour_noise_0) > 0.0f;
     }
-    bool _S986;
-    if((kernelContext_70->families_0[_S981->warp_0].quantities_0) > 1U)
+    bool _S993;
+    if((kernelContext_71->families_0[_S988->warp_0].quantities_0) > 1U)
     {
-        _S986 = true;
+        _S993 = true;
     }
     else
     {
-        _S986 = (kernelContext_70->families_0[_S981->weft_0].quantities_0) > 1U;
+        _S993 = (kernelContext_71->families_0[_S988->weft_0].quantities_0) > 1U;
     }
-    float _S987 = 1.0f - _S982.prefiltered_0;
-    if(_S987 > 0.0f)
+    float _S994 = 1.0f - _S989.prefiltered_0;
+    if(_S994 > 0.0f)
     {
-        if(_S985)
+        if(_S992)
         {
-            _S986 = true;
+            _S993 = true;
         }
     }
     else
     {
-        _S986 = false;
+        _S993 = false;
     }
-    thread Footprint_0 box_0 = *_S975;
-    float3 _S988 = float3(0.0f) ;
-    SurfacePoint_0 _S989 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S988, _S988, 0.0f, 0.0f, 0.0f);
-    float2 _S990 = _S975->centre_0;
-    Components_0 _S991 = no_components_0();
-    int _S992;
-    if(_S986)
+    thread Footprint_0 box_0 = *_S982;
+    float3 _S995 = float3(0.0f) ;
+    SurfacePoint_0 _S996 = SurfacePoint_x24init_0(false, false, 0U, 0U, 0.0f, _S995, _S995, 0.0f, 0.0f, 0.0f);
+    float2 _S997 = _S982->centre_0;
+    Components_0 _S998 = no_components_0();
+    int _S999;
+    if(_S993)
     {
-        _S992 = int(0);
+        _S999 = int(0);
     }
     else
     {
-        _S992 = int(1);
+        _S999 = int(1);
     }
-    uint _S993 = uint(_S992);
-    Components_0 points_1 = _S991;
+    uint _S1000 = uint(_S999);
+    Components_0 points_1 = _S998;
     float central_weight_0 = 0.0f;
-    SurfacePoint_0 central_0 = _S989;
-    float2 central_place_0 = _S990;
-    uint number_6 = _S993;
+    SurfacePoint_0 central_0 = _S996;
+    float2 central_place_0 = _S997;
+    uint number_6 = _S1000;
     for(;;)
     {
-        float _S994 = float(number_6);
-        _S980 = _S982.points_0;
-        if(_S994 < (_S982.points_0 + 1.0f))
+        float _S1001 = float(number_6);
+        _S987 = _S989.points_0;
+        if(_S1001 < (_S989.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        bool _S995 = number_6 == 0U;
-        uint _S996;
-        if(_S995)
+        bool _S1002 = number_6 == 0U;
+        uint _S1003;
+        if(_S1002)
         {
-            _S996 = 0U;
+            _S1003 = 0U;
         }
         else
         {
-            _S996 = number_6 - 1U;
+            _S1003 = number_6 - 1U;
         }
-        float2 _S997 = POINT_OFFSETS_0[_S996] + _S977;
-        float2 _S998;
-        if(_S995)
+        float2 _S1004 = POINT_OFFSETS_0[_S1003] + _S984;
+        float2 _S1005;
+        if(_S1002)
         {
-            _S998 = float2(0.0f) ;
+            _S1005 = float2(0.0f) ;
         }
         else
         {
-            _S998 = _S997 - round(_S997);
+            _S1005 = _S1004 - round(_S1004);
         }
-        float2 _S999 = _S990 + float2(_S998.x)  * _S975->dx_0 + float2(_S998.y)  * _S975->dy_0;
-        float _S1000;
-        if(_S995)
+        float2 _S1006 = _S997 + float2(_S1005.x)  * _S982->dx_0 + float2(_S1005.y)  * _S982->dy_0;
+        float _S1007;
+        if(_S1002)
         {
-            _S1000 = 0.0f;
+            _S1007 = 0.0f;
         }
         else
         {
-            _S1000 = _S982.threads_1;
+            _S1007 = _S989.threads_1;
         }
-        SearchQuality_0 _S1001 = quality_of_0(_S1000);
-        float _S1002 = _S999.x;
-        float _S1003 = _S999.y;
-        thread SearchQuality_0 _S1004 = _S1001;
-        Hit_0 _S1005 = first_hit_0(_S974, &_S1004, _S1002, _S1003, _S984, _S983, kernelContext_70);
-        SurfacePoint_0 _S1006 = surface_at_0(_S974, _S1005.x_13, _S1005.y_7, _S983, kernelContext_70);
-        if(_S995)
+        SearchQuality_0 _S1008 = quality_of_0(_S1007);
+        float _S1009 = _S1006.x;
+        float _S1010 = _S1006.y;
+        thread SearchQuality_0 _S1011 = _S1008;
+        Hit_0 _S1012 = first_hit_0(_S981, &_S1011, _S1009, _S1010, _S991, _S990, kernelContext_71);
+        SurfacePoint_0 _S1013 = surface_at_0(_S981, _S1012.x_13, _S1012.y_7, _S990, kernelContext_71);
+        if(_S1002)
         {
             float central_weight_1;
-            if(_S1005.hole_5)
+            if(_S1012.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S987;
+                central_weight_1 = _S994;
             }
-            float2 central_place_1 = float2(_S1005.x_13, _S1005.y_7);
-            (&box_0)->centre_0 = mix(_S990, central_place_1, float2(central_weight_1) );
+            float2 central_place_1 = float2(_S1012.x_13, _S1012.y_7);
+            (&box_0)->centre_0 = mix(_S997, central_place_1, float2(central_weight_1) );
             central_weight_0 = central_weight_1;
-            central_0 = _S1006;
+            central_0 = _S1013;
             central_place_0 = central_place_1;
             number_6 = number_6 + 1U;
             continue;
         }
-        thread SurfacePoint_0 _S1007 = _S1006;
-        YarnPoint_0 _S1008 = yarn_point_of_0(_S974, &_S1007, _S1005.x_13, _S1005.y_7, _S983, _S1005.hole_5, kernelContext_70);
-        thread SearchQuality_0 _S1009 = _S1001;
-        thread YarnPoint_0 _S1010 = _S1008;
-        Components_0 _S1011 = components_of_point_0(_S974, &_S1009, &_S1010, _S978, _S979, kernelContext_70);
-        float _S1012 = min(_S982.points_0 - float(number_6 - 1U), 1.0f);
-        thread Components_0 _S1013 = points_1;
-        thread Components_0 _S1014 = _S1011;
-        Components_0 _S1015 = with_added_0(&_S1013, &_S1014, _S1012);
-        points_1 = _S1015;
+        thread SurfacePoint_0 _S1014 = _S1013;
+        YarnPoint_0 _S1015 = yarn_point_of_0(_S981, &_S1014, _S1012.x_13, _S1012.y_7, _S990, _S1012.hole_5, kernelContext_71);
+        thread SearchQuality_0 _S1016 = _S1008;
+        thread YarnPoint_0 _S1017 = _S1015;
+        Components_0 _S1018 = components_of_point_0(_S981, &_S1016, &_S1017, _S985, _S986, kernelContext_71);
+        float _S1019 = min(_S989.points_0 - float(number_6 - 1U), 1.0f);
+        thread Components_0 _S1020 = points_1;
+        thread Components_0 _S1021 = _S1018;
+        Components_0 _S1022 = with_added_0(&_S1020, &_S1021, _S1019);
+        points_1 = _S1022;
         number_6 = number_6 + 1U;
     }
     thread Estimate_0 estimate_0;
-    float _S1016 = _S987 / max(_S980, 1.0f);
-    thread Components_0 _S1017 = _S991;
-    thread Components_0 _S1018 = points_1;
-    Components_0 _S1019 = with_added_0(&_S1017, &_S1018, _S1016);
-    (&estimate_0)->components_0 = _S1019;
-    if((_S982.prefiltered_0) > 0.0f)
+    float _S1023 = _S994 / max(_S987, 1.0f);
+    thread Components_0 _S1024 = _S998;
+    thread Components_0 _S1025 = points_1;
+    Components_0 _S1026 = with_added_0(&_S1024, &_S1025, _S1023);
+    (&estimate_0)->components_0 = _S1026;
+    if((_S989.prefiltered_0) > 0.0f)
     {
-        Components_0 _S1020 = prefiltered_components_0(_S974, _S975, to_face_frame_0(_S978, _S983), _S984, _S983, kernelContext_70);
-        thread Components_0 _S1021 = (&estimate_0)->components_0;
-        thread Components_0 _S1022 = _S1020;
-        Components_0 _S1023 = with_added_0(&_S1021, &_S1022, _S982.prefiltered_0);
-        (&estimate_0)->components_0 = _S1023;
+        Components_0 _S1027 = prefiltered_components_0(_S981, _S982, to_face_frame_0(_S985, _S990), _S991, _S990, kernelContext_71);
+        thread Components_0 _S1028 = (&estimate_0)->components_0;
+        thread Components_0 _S1029 = _S1027;
+        Components_0 _S1030 = with_added_0(&_S1028, &_S1029, _S989.prefiltered_0);
+        (&estimate_0)->components_0 = _S1030;
     }
-    thread Footprint_0 _S1024 = box_0;
-    FamilyAlbedos_0 _S1025 = albedos_over_0(_S974, &_S1024, _S983, kernelContext_70);
-    (&estimate_0)->albedos_5 = _S1025;
-    if(_S985)
+    thread Footprint_0 _S1031 = box_0;
+    FamilyAlbedos_0 _S1032 = albedos_over_0(_S981, &_S1031, _S990, kernelContext_71);
+    (&estimate_0)->albedos_5 = _S1032;
+    if(_S992)
     {
-        _S985 = central_weight_0 > 0.0f;
+        _S992 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S985 = false;
+        _S992 = false;
     }
-    if(_S985)
+    if(_S992)
     {
-        SurfacePoint_0 _S1026 = central_0;
-        Albedos_0 _S1027;
+        SurfacePoint_0 _S1033 = central_0;
+        Albedos_0 _S1034;
         if(central_0.is_warp_0)
         {
-            _S1027 = (&(&estimate_0)->albedos_5)->warp_2;
+            _S1034 = (&(&estimate_0)->albedos_5)->warp_2;
         }
         else
         {
-            _S1027 = (&(&estimate_0)->albedos_5)->weft_2;
+            _S1034 = (&(&estimate_0)->albedos_5)->weft_2;
         }
-        float _S1028 = central_place_0.x;
-        float _S1029 = central_place_0.y;
-        thread SurfacePoint_0 _S1030 = central_0;
-        thread Albedos_0 _S1031 = _S1027;
-        Albedos_0 _S1032 = varied_at_0(_S974, &_S1030, &_S1031, _S1028, _S1029, kernelContext_70);
-        thread Albedos_0 _S1033 = _S1027;
-        thread Albedos_0 _S1034 = _S1032;
-        Albedos_0 _S1035 = lerp_albedos_0(&_S1033, &_S1034, central_weight_0);
-        if(_S1026.is_warp_0)
+        float _S1035 = central_place_0.x;
+        float _S1036 = central_place_0.y;
+        thread SurfacePoint_0 _S1037 = central_0;
+        thread Albedos_0 _S1038 = _S1034;
+        Albedos_0 _S1039 = varied_at_0(_S981, &_S1037, &_S1038, _S1035, _S1036, kernelContext_71);
+        thread Albedos_0 _S1040 = _S1034;
+        thread Albedos_0 _S1041 = _S1039;
+        Albedos_0 _S1042 = lerp_albedos_0(&_S1040, &_S1041, central_weight_0);
+        if(_S1033.is_warp_0)
         {
-            (&(&estimate_0)->albedos_5)->warp_2 = _S1035;
+            (&(&estimate_0)->albedos_5)->warp_2 = _S1042;
         }
         else
         {
-            (&(&estimate_0)->albedos_5)->weft_2 = _S1035;
+            (&(&estimate_0)->albedos_5)->weft_2 = _S1042;
         }
     }
     return estimate_0;
 }
 
-float3 composed_0(uint _S1036, const Components_0 thread* _S1037, const FamilyAlbedos_0 thread* _S1038, float3 _S1039, float3 _S1040, KernelContext_0 thread* kernelContext_71)
+float3 composed_0(uint _S1043, const Components_0 thread* _S1044, const FamilyAlbedos_0 thread* _S1045, float3 _S1046, float3 _S1047, KernelContext_0 thread* kernelContext_72)
 {
-    Fabric_0 device* _S1041 = kernelContext_71->fabrics_0+_S1036;
-    float3 _S1042 = float3(_S1037->diffuse_warp_0) ;
-    float3 _S1043 = float3(_S1037->diffuse_weft_0) ;
-    float3 _S1044 = float3(_S1037->specular_warp_0) ;
-    float3 _S1045 = float3(_S1037->specular_weft_0) ;
-    float3 _S1046 = (&_S1038->warp_2)->diffuse_reflect_0 * _S1042 + (&_S1038->weft_2)->diffuse_reflect_0 * _S1043 + (&_S1038->warp_2)->specular_reflect_0 * _S1044 + (&_S1038->weft_2)->specular_reflect_0 * _S1045;
-    float _S1047 = _S1040.z;
+    Fabric_0 device* _S1048 = kernelContext_72->fabrics_0+_S1043;
+    float3 _S1049 = float3(_S1044->diffuse_warp_0) ;
+    float3 _S1050 = float3(_S1044->diffuse_weft_0) ;
+    float3 _S1051 = float3(_S1044->specular_warp_0) ;
+    float3 _S1052 = float3(_S1044->specular_weft_0) ;
+    float3 _S1053 = (&_S1045->warp_2)->diffuse_reflect_0 * _S1049 + (&_S1045->weft_2)->diffuse_reflect_0 * _S1050 + (&_S1045->warp_2)->specular_reflect_0 * _S1051 + (&_S1045->weft_2)->specular_reflect_0 * _S1052;
+    float _S1054 = _S1047.z;
     float3 body_0;
-    if((_S1039.z * _S1047) < 0.0f)
+    if((_S1046.z * _S1054) < 0.0f)
     {
-        body_0 = (&_S1038->warp_2)->diffuse_transmit_0 * _S1042 + (&_S1038->weft_2)->diffuse_transmit_0 * _S1043 + (&_S1038->warp_2)->specular_transmit_0 * _S1044 + (&_S1038->weft_2)->specular_transmit_0 * _S1045;
+        body_0 = (&_S1045->warp_2)->diffuse_transmit_0 * _S1049 + (&_S1045->weft_2)->diffuse_transmit_0 * _S1050 + (&_S1045->warp_2)->specular_transmit_0 * _S1051 + (&_S1045->weft_2)->specular_transmit_0 * _S1052;
     }
     else
     {
-        body_0 = _S1046;
+        body_0 = _S1053;
     }
-    float _S1048 = _S1041->sheen_strength_0;
-    if((_S1041->sheen_strength_0) <= 0.0f)
+    float _S1055 = _S1048->sheen_strength_0;
+    if((_S1048->sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    bool _S1049 = _S1047 < 0.0f;
-    float2 _S1050 = sheen_with_transmittance_0(to_face_frame_0(_S1039, _S1049), to_face_frame_0(_S1040, _S1049), _S1048, _S1041->sheen_roughness_0);
-    return float3(_S1050.y)  * body_0 + float3(((_S1037->light_visibility_1 + _S1037->hole_2) * _S1050.x)) ;
+    bool _S1056 = _S1054 < 0.0f;
+    float2 _S1057 = sheen_with_transmittance_0(to_face_frame_0(_S1046, _S1056), to_face_frame_0(_S1047, _S1056), _S1055, _S1048->sheen_roughness_0);
+    return float3(_S1057.y)  * body_0 + float3(((_S1044->light_visibility_1 + _S1044->hole_2) * _S1057.x)) ;
 }
 
-float4 light_of_footprint_0(int _S1051, uint _S1052, const VisiblePoint_0 thread* _S1053, uint2 _S1054, float3 _S1055, KernelContext_0 thread* kernelContext_72)
+float4 light_of_footprint_0(int _S1058, uint _S1059, const VisiblePoint_0 thread* _S1060, uint2 _S1061, float3 _S1062, KernelContext_0 thread* kernelContext_73)
 {
-    Frame_0 device* _S1056 = kernelContext_72->frames_0+_S1051;
-    Fabric_0 device* _S1057 = kernelContext_72->fabrics_0+_S1052;
+    Frame_0 device* _S1063 = kernelContext_73->frames_0+_S1058;
+    Fabric_0 device* _S1064 = kernelContext_73->fabrics_0+_S1059;
     thread Footprint_0 footprint_0;
-    (&footprint_0)->centre_0 = _S1053->draft_0;
-    (&footprint_0)->dx_0 = _S1053->draft_dx_0;
-    (&footprint_0)->dy_0 = _S1053->draft_dy_0;
-    float2 _S1058 = fract(float2(float((_S1056->pass_number_0) & 65535U))  * float2(0.75487768650054932f, 0.56984031200408936f));
-    float3 _S1059 = to_local_0(_S1053, _S1053->view_0);
-    uint _S1060 = light_sample_count_0(_S1051, kernelContext_72);
-    float3 _S1061 = float3(0.0f) ;
+    (&footprint_0)->centre_0 = _S1060->draft_0;
+    (&footprint_0)->dx_0 = _S1060->draft_dx_0;
+    (&footprint_0)->dy_0 = _S1060->draft_dy_0;
+    float2 _S1065 = fract(float2(float((_S1063->pass_number_0) & 65535U))  * float2(0.75487768650054932f, 0.56984031200408936f));
+    float3 _S1066 = to_local_0(_S1060, _S1060->view_0);
+    uint _S1067 = light_sample_count_0(_S1058, kernelContext_73);
+    float3 _S1068 = float3(0.0f) ;
     uint number_7 = 0U;
-    float3 radiance_1 = _S1061;
+    float3 radiance_1 = _S1068;
     float hole_7 = 0.0f;
     for(;;)
     {
-        if(number_7 < (max(_S1060, 1U)))
+        if(number_7 < (max(_S1067, 1U)))
         {
         }
         else
         {
             break;
         }
-        float _S1062;
-        if(number_7 < _S1060)
+        float _S1069;
+        if(number_7 < _S1067)
         {
-            float _S1063 = visibility_at_0(_S1051, number_7, _S1054, kernelContext_72);
-            _S1062 = _S1063;
+            float _S1070 = visibility_at_0(_S1058, number_7, _S1061, kernelContext_73);
+            _S1069 = _S1070;
         }
         else
         {
-            _S1062 = 0.0f;
+            _S1069 = 0.0f;
         }
-        bool _S1064;
-        if(_S1062 <= 0.0f)
+        bool _S1071;
+        if(_S1069 <= 0.0f)
         {
-            _S1064 = number_7 > 0U;
+            _S1071 = number_7 > 0U;
         }
         else
         {
-            _S1064 = false;
+            _S1071 = false;
         }
-        if(_S1064)
+        if(_S1071)
         {
             number_7 = number_7 + 1U;
             continue;
         }
-        LightSample_0 _S1065 = light_sample_0(_S1051, number_7, _S1054, _S1053->position_0, kernelContext_72);
-        float3 _S1066 = to_local_0(_S1053, _S1065.towards_0);
-        thread Footprint_0 _S1067 = footprint_0;
-        Estimate_0 _S1068 = lobes_estimate_of_pass_0(_S1052, &_S1067, 1.0f, _S1058, _S1066, _S1059, kernelContext_72);
+        LightSample_0 _S1072 = light_sample_0(_S1058, number_7, _S1061, _S1060->position_0, kernelContext_73);
+        float3 _S1073 = to_local_0(_S1060, _S1072.towards_0);
+        thread Footprint_0 _S1074 = footprint_0;
+        Estimate_0 _S1075 = lobes_estimate_of_pass_0(_S1059, &_S1074, 1.0f, _S1065, _S1073, _S1066, kernelContext_73);
         thread FamilyAlbedos_0 albedos_9;
-        thread Albedos_0 _S1069 = _S1068.albedos_5.warp_2;
-        Albedos_0 _S1070 = tinted_0(&_S1069, _S1055);
-        (&albedos_9)->warp_2 = _S1070;
-        thread Albedos_0 _S1071 = _S1068.albedos_5.weft_2;
-        Albedos_0 _S1072 = tinted_0(&_S1071, _S1055);
-        (&albedos_9)->weft_2 = _S1072;
-        float3 _S1073 = float3(_S1062)  * _S1065.irradiance_1;
-        thread Components_0 _S1074 = _S1068.components_0;
-        thread FamilyAlbedos_0 _S1075 = albedos_9;
-        float3 _S1076 = composed_0(_S1052, &_S1074, &_S1075, _S1066, _S1059, kernelContext_72);
-        radiance_1 = radiance_1 + _S1073 * _S1076;
-        hole_7 = _S1068.components_0.hole_2;
+        thread Albedos_0 _S1076 = _S1075.albedos_5.warp_2;
+        Albedos_0 _S1077 = tinted_0(&_S1076, _S1062);
+        (&albedos_9)->warp_2 = _S1077;
+        thread Albedos_0 _S1078 = _S1075.albedos_5.weft_2;
+        Albedos_0 _S1079 = tinted_0(&_S1078, _S1062);
+        (&albedos_9)->weft_2 = _S1079;
+        float3 _S1080 = float3(_S1069)  * _S1072.irradiance_1;
+        thread Components_0 _S1081 = _S1075.components_0;
+        thread FamilyAlbedos_0 _S1082 = albedos_9;
+        float3 _S1083 = composed_0(_S1059, &_S1081, &_S1082, _S1073, _S1066, kernelContext_73);
+        radiance_1 = radiance_1 + _S1080 * _S1083;
+        hole_7 = _S1075.components_0.hole_2;
         number_7 = number_7 + 1U;
     }
-    float _S1077 = _S1057->sheen_strength_0;
-    if((_S1057->sheen_strength_0) > 0.0f)
+    float _S1084 = _S1064->sheen_strength_0;
+    if((_S1064->sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S1077 * sheen_lobe_0(abs(_S1059.z), _S1057->sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S1084 * sheen_lobe_0(abs(_S1066.z), _S1064->sheen_roughness_0).z);
     }
     return float4(radiance_1, 1.0f - hole_7);
 }
 
-[[kernel]] void shade_lobes(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(11)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], uint device* scene_words_1 [[buffer(10)]], float device* visibilities_1 [[buffer(12)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], packed_float4 device* radiance_2 [[buffer(8)]])
+[[kernel]] void shade_lobes(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], uint device* scene_words_1 [[buffer(11)]], float device* visibilities_1 [[buffer(13)]], Light_0 device* lights_2 [[buffer(3)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], packed_float4 device* radiance_2 [[buffer(8)]])
 {
-    thread KernelContext_0 kernelContext_73;
-    (&kernelContext_73)->frames_0 = frames_1;
-    (&kernelContext_73)->layers_0 = layers_1;
-    (&kernelContext_73)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_73)->fabrics_0 = fabrics_1;
-    (&kernelContext_73)->corners_0 = corners_1;
-    (&kernelContext_73)->vertices_0 = vertices_1;
-    (&kernelContext_73)->scene_words_0 = scene_words_1;
-    (&kernelContext_73)->visibilities_0 = visibilities_1;
-    (&kernelContext_73)->lights_1 = lights_2;
-    (&kernelContext_73)->families_0 = families_1;
-    (&kernelContext_73)->words_0 = words_1;
-    (&kernelContext_73)->radiance_0 = radiance_2;
-    Frame_0 device* _S1078 = frames_1+int(0);
-    uint _S1079 = id_0.x;
-    uint _S1080 = _S1078->width_0;
-    bool _S1081;
-    if(_S1079 >= (_S1078->width_0))
+    thread KernelContext_0 kernelContext_74;
+    (&kernelContext_74)->frames_0 = frames_1;
+    (&kernelContext_74)->layers_0 = layers_1;
+    (&kernelContext_74)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_74)->fabrics_0 = fabrics_1;
+    (&kernelContext_74)->corners_0 = corners_1;
+    (&kernelContext_74)->vertices_0 = vertices_1;
+    (&kernelContext_74)->scene_words_0 = scene_words_1;
+    (&kernelContext_74)->visibilities_0 = visibilities_1;
+    (&kernelContext_74)->lights_1 = lights_2;
+    (&kernelContext_74)->families_0 = families_1;
+    (&kernelContext_74)->words_0 = words_1;
+    (&kernelContext_74)->radiance_0 = radiance_2;
+    Frame_0 device* _S1085 = frames_1+int(0);
+    uint _S1086 = id_0.x;
+    uint _S1087 = _S1085->width_0;
+    bool _S1088;
+    if(_S1086 >= (_S1085->width_0))
     {
-        _S1081 = true;
+        _S1088 = true;
     }
     else
     {
-        _S1081 = (id_0.y) >= (_S1078->height_0);
+        _S1088 = (id_0.y) >= (_S1085->height_0);
     }
-    if(_S1081)
+    if(_S1088)
     {
         return;
     }
-    uint _S1082 = id_0.y * _S1080 + _S1079;
-    uint _S1083 = ((&kernelContext_73)->layers_0+_S1082)->face_0;
-    if((((&kernelContext_73)->layers_0+_S1082)->face_0) == 0U)
+    uint _S1089 = id_0.y * _S1087 + _S1086;
+    uint _S1090 = ((&kernelContext_74)->layers_0+_S1089)->face_0;
+    if((((&kernelContext_74)->layers_0+_S1089)->face_0) == 0U)
     {
         return;
     }
-    uint _S1084 = _S1083 - 1U;
-    uint _S1085 = (&kernelContext_73)->face_fabrics_0[_S1084];
-    uint2 _S1086 = id_0.xy;
-    VisiblePoint_0 _S1087 = visible_point_0(int(0), _S1085, _S1084, _S1086, &kernelContext_73);
-    thread VisiblePoint_0 _S1088 = _S1087;
-    float3 _S1089 = filtered_albedo_0(_S1085, &_S1088, &kernelContext_73);
-    thread VisiblePoint_0 _S1090 = _S1087;
-    float4 _S1091 = light_of_footprint_0(int(0), _S1085, &_S1090, _S1086, _S1089, &kernelContext_73);
-    accumulate_0(_S1082, _S1091, &kernelContext_73);
+    uint _S1091 = _S1090 - 1U;
+    uint _S1092 = (&kernelContext_74)->face_fabrics_0[_S1091];
+    uint2 _S1093 = id_0.xy;
+    VisiblePoint_0 _S1094 = visible_point_0(int(0), _S1092, _S1091, _S1093, &kernelContext_74);
+    thread VisiblePoint_0 _S1095 = _S1094;
+    float3 _S1096 = filtered_albedo_0(_S1092, &_S1095, &kernelContext_74);
+    thread VisiblePoint_0 _S1097 = _S1094;
+    float4 _S1098 = light_of_footprint_0(int(0), _S1092, &_S1097, _S1093, _S1096, &kernelContext_74);
+    accumulate_0(_S1089, _S1098, &kernelContext_74);
     return;
 }
 

@@ -150,13 +150,40 @@ struct Lobes_0
     float unit_level_0;
 };
 
+struct Woven_0
+{
+    uint is_encoded_0;
+    uint network_0;
+    uint latents_0;
+    uint texels_0;
+    uint levels_1;
+    uint top_level_0;
+    float ends_0;
+    float picks_0;
+    float ends_per_mm_0;
+    float picks_per_mm_0;
+    float pitch_0;
+    float warp_x_0;
+    float warp_y_0;
+    float warp_roughness_0;
+    float weft_x_0;
+    float weft_y_0;
+    float weft_roughness_0;
+    float warp_lobe_roughness_0;
+    float weft_lobe_roughness_0;
+    uint bundles_0;
+    uint is_corrected_0;
+    uint correction_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
+    Woven_0 woven_0;
     uint run_words_0;
-    uint ends_0;
+    uint ends_1;
     uint max_heights_0;
     uint max_height_columns_0;
     float height_low_0;
@@ -1759,7 +1786,7 @@ Crossing_0 crossing_at_0(uint _S334, float _S335, float _S336, bool _S337, Kerne
     (&crossing_2)->warp_1 = _S339;
     Cell_0 _S340 = locate_0(_S338->weft_0, _S336, kernelContext_27);
     (&crossing_2)->weft_1 = _S340;
-    uint _S341 = _S338->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S338->ends_0 + (&(&crossing_2)->warp_1)->thread_1);
+    uint _S341 = _S338->run_words_0 + 2U * ((&(&crossing_2)->weft_1)->thread_1 * _S338->ends_1 + (&(&crossing_2)->warp_1)->thread_1);
     uint _S342 = kernelContext_27->words_0[_S341];
     (&crossing_2)->warp_word_0 = _S342;
     (&crossing_2)->weft_word_0 = kernelContext_27->words_0[_S341 + 1U];
@@ -2473,39 +2500,47 @@ float refined_height_0(uint _S522, const ViewRay_0 thread* _S523, const StepCont
     return middle_0;
 }
 
-Hit_0 first_hit_0(uint _S542, const SearchQuality_0 thread* _S543, float _S544, float _S545, float3 _S546, bool _S547, KernelContext_0 thread* kernelContext_39)
+Hit_0 first_hit_of_yarn_0(uint _S542, const SearchQuality_0 thread* _S543, float _S544, float _S545, float3 _S546, bool _S547, KernelContext_0 thread* kernelContext_39)
 {
-    thread Hit_0 hit_0;
-    (&hit_0)->x_12 = _S544;
-    (&hit_0)->y_6 = _S545;
-    (&hit_0)->height_4 = 0.0f;
-    bool _S548 = passes_through_0(_S542, _S543, _S544, _S545, _S546, _S547, kernelContext_39);
-    (&hit_0)->hole_3 = _S548;
-    if(_S548)
-    {
-        return hit_0;
-    }
-    float _S549 = max(_S546.z, 0.00009999999747379f);
+    float _S548 = max(_S546.z, 0.00009999999747379f);
     thread ViewRay_0 ray_0;
     (&ray_0)->origin_0 = float2(_S544, _S545);
-    float2 _S550 = _S546.xy / float2(_S549) ;
-    (&ray_0)->slope_1 = _S550;
-    float2 _S551 = - _S550;
-    float _S552 = steps_per_length_0(_S542, _S543, _S546, kernelContext_39);
-    StepControl_0 _S553 = step_control_0(_S551, 1.0f / max(_S552 / _S549, 9.99999971718068537e-10f));
-    thread ViewRay_0 _S554 = ray_0;
-    thread StepControl_0 _S555 = _S553;
-    ViewRayEnd_0 _S556 = search_down_0(_S542, &_S554, &_S555, _S547, kernelContext_39);
-    thread ViewRay_0 _S557 = ray_0;
-    thread StepControl_0 _S558 = _S553;
-    thread ViewRayEnd_0 _S559 = _S556;
-    float _S560 = refined_height_0(_S542, &_S557, &_S558, _S547, &_S559, _S543->refinements_0, kernelContext_39);
-    (&hit_0)->height_4 = _S560;
-    thread ViewRay_0 _S561 = ray_0;
-    float2 _S562 = ViewRay_at_0(&_S561, _S560);
-    (&hit_0)->x_12 = _S562.x;
-    (&hit_0)->y_6 = _S562.y;
+    float2 _S549 = _S546.xy / float2(_S548) ;
+    (&ray_0)->slope_1 = _S549;
+    float2 _S550 = - _S549;
+    float _S551 = steps_per_length_0(_S542, _S543, _S546, kernelContext_39);
+    StepControl_0 _S552 = step_control_0(_S550, 1.0f / max(_S551 / _S548, 9.99999971718068537e-10f));
+    thread ViewRay_0 _S553 = ray_0;
+    thread StepControl_0 _S554 = _S552;
+    ViewRayEnd_0 _S555 = search_down_0(_S542, &_S553, &_S554, _S547, kernelContext_39);
+    thread Hit_0 hit_0;
+    (&hit_0)->hole_3 = false;
+    thread ViewRay_0 _S556 = ray_0;
+    thread StepControl_0 _S557 = _S552;
+    thread ViewRayEnd_0 _S558 = _S555;
+    float _S559 = refined_height_0(_S542, &_S556, &_S557, _S547, &_S558, _S543->refinements_0, kernelContext_39);
+    (&hit_0)->height_4 = _S559;
+    thread ViewRay_0 _S560 = ray_0;
+    float2 _S561 = ViewRay_at_0(&_S560, _S559);
+    (&hit_0)->x_12 = _S561.x;
+    (&hit_0)->y_6 = _S561.y;
     return hit_0;
+}
+
+Hit_0 first_hit_0(uint _S562, const SearchQuality_0 thread* _S563, float _S564, float _S565, float3 _S566, bool _S567, KernelContext_0 thread* kernelContext_40)
+{
+    bool _S568 = passes_through_0(_S562, _S563, _S564, _S565, _S566, _S567, kernelContext_40);
+    if(!_S568)
+    {
+        Hit_0 _S569 = first_hit_of_yarn_0(_S562, _S563, _S564, _S565, _S566, _S567, kernelContext_40);
+        return _S569;
+    }
+    thread Hit_0 hit_1;
+    (&hit_1)->x_12 = _S564;
+    (&hit_1)->y_6 = _S565;
+    (&hit_1)->height_4 = 0.0f;
+    (&hit_1)->hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2522,249 +2557,249 @@ struct SurfacePoint_0
     float fibre_along_0;
 };
 
-SurfacePoint_0 surface_at_0(uint _S563, float _S564, float _S565, bool _S566, KernelContext_0 thread* kernelContext_40)
+SurfacePoint_0 surface_at_0(uint _S570, float _S571, float _S572, bool _S573, KernelContext_0 thread* kernelContext_41)
 {
-    Fabric_0 device* _S567 = kernelContext_40->fabrics_0+_S563;
-    Sample_0 _S568 = sample_at_0(_S563, _S564, _S565, _S566, kernelContext_40);
-    float _S569;
-    if(_S568.shown_3.is_warp_0)
-    {
-        _S569 = _S568.crossing_1.warp_1.half_width_1;
-    }
-    else
-    {
-        _S569 = _S568.crossing_1.weft_1.half_width_1;
-    }
-    uint _S570;
-    if(_S568.shown_3.is_warp_0)
-    {
-        _S570 = _S567->warp_0;
-    }
-    else
-    {
-        _S570 = _S567->weft_0;
-    }
-    Family_0 _S571 = kernelContext_40->families_0[_S570];
-    float _S572;
-    if(_S566)
-    {
-        _S572 = -1.0f;
-    }
-    else
-    {
-        _S572 = 1.0f;
-    }
-    float _S573 = _S571.twist_sine_0 * _S572;
-    Family_0 _S574 = kernelContext_40->families_0[_S570];
-    if(_S568.shown_3.is_warp_0)
-    {
-        _S572 = 1.0f;
-    }
-    else
-    {
-        _S572 = -1.0f;
-    }
-    float2 _S575 = fibre_direction_0(_S568.slope_across_0, _S572 * _S568.slope_along_0, _S573, _S574.twist_cosine_0);
+    Fabric_0 device* _S574 = kernelContext_41->fabrics_0+_S570;
+    Sample_0 _S575 = sample_at_0(_S570, _S571, _S572, _S573, kernelContext_41);
     float _S576;
-    if(_S568.shown_3.is_warp_0)
+    if(_S575.shown_3.is_warp_0)
     {
-        _S576 = _S568.slope_x_1;
+        _S576 = _S575.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S576 = _S568.slope_y_1;
+        _S576 = _S575.crossing_1.weft_1.half_width_1;
     }
-    float _S577;
-    if(_S568.shown_3.is_warp_0)
+    uint _S577;
+    if(_S575.shown_3.is_warp_0)
     {
-        _S577 = _S568.slope_y_1;
-    }
-    else
-    {
-        _S577 = _S568.slope_x_1;
-    }
-    float _S578 = _S575.x;
-    float _S579 = _S575.y;
-    float _S580 = _S576 * _S578 + _S572 * _S577 * _S579;
-    float _S581 = _S569 * 1.0154266357421875f;
-    float _S582 = _S581 * arc_sine_0(clamp(_S568.section_1.across_1 / _S581, -1.0f, 1.0f));
-    if(_S568.shown_3.is_warp_0)
-    {
-        _S569 = _S565;
+        _S577 = _S574->warp_0;
     }
     else
     {
-        _S569 = - _S564;
+        _S577 = _S574->weft_0;
+    }
+    Family_0 _S578 = kernelContext_41->families_0[_S577];
+    float _S579;
+    if(_S573)
+    {
+        _S579 = -1.0f;
+    }
+    else
+    {
+        _S579 = 1.0f;
+    }
+    float _S580 = _S578.twist_sine_0 * _S579;
+    Family_0 _S581 = kernelContext_41->families_0[_S577];
+    if(_S575.shown_3.is_warp_0)
+    {
+        _S579 = 1.0f;
+    }
+    else
+    {
+        _S579 = -1.0f;
+    }
+    float2 _S582 = fibre_direction_0(_S575.slope_across_0, _S579 * _S575.slope_along_0, _S580, _S581.twist_cosine_0);
+    float _S583;
+    if(_S575.shown_3.is_warp_0)
+    {
+        _S583 = _S575.slope_x_1;
+    }
+    else
+    {
+        _S583 = _S575.slope_y_1;
+    }
+    float _S584;
+    if(_S575.shown_3.is_warp_0)
+    {
+        _S584 = _S575.slope_y_1;
+    }
+    else
+    {
+        _S584 = _S575.slope_x_1;
+    }
+    float _S585 = _S582.x;
+    float _S586 = _S582.y;
+    float _S587 = _S583 * _S585 + _S579 * _S584 * _S586;
+    float _S588 = _S576 * 1.0154266357421875f;
+    float _S589 = _S588 * arc_sine_0(clamp(_S575.section_1.across_1 / _S588, -1.0f, 1.0f));
+    if(_S575.shown_3.is_warp_0)
+    {
+        _S576 = _S572;
+    }
+    else
+    {
+        _S576 = - _S571;
     }
     thread SurfacePoint_0 point_3;
-    (&point_3)->hole_4 = _S568.shown_3.hole_0;
-    (&point_3)->is_warp_2 = _S568.shown_3.is_warp_0;
-    (&point_3)->warp_thread_0 = _S568.crossing_1.warp_1.thread_1;
-    (&point_3)->weft_thread_0 = _S568.crossing_1.weft_1.thread_1;
-    (&point_3)->height_9 = _S568.height_5;
-    (&point_3)->normal_5 = normalize(float3(- _S568.slope_x_1, - _S568.slope_y_1, 1.0f));
-    float3 _S583;
-    if(_S568.shown_3.is_warp_0)
+    (&point_3)->hole_4 = _S575.shown_3.hole_0;
+    (&point_3)->is_warp_2 = _S575.shown_3.is_warp_0;
+    (&point_3)->warp_thread_0 = _S575.crossing_1.warp_1.thread_1;
+    (&point_3)->weft_thread_0 = _S575.crossing_1.weft_1.thread_1;
+    (&point_3)->height_9 = _S575.height_5;
+    (&point_3)->normal_5 = normalize(float3(- _S575.slope_x_1, - _S575.slope_y_1, 1.0f));
+    float3 _S590;
+    if(_S575.shown_3.is_warp_0)
     {
-        _S583 = float3(_S578, _S579, _S580);
+        _S590 = float3(_S585, _S586, _S587);
     }
     else
     {
-        _S583 = float3(- _S579, _S578, _S580);
+        _S590 = float3(- _S586, _S585, _S587);
     }
-    (&point_3)->tangent_5 = normalize(_S583);
-    (&point_3)->across_2 = _S568.section_1.across_1;
-    (&point_3)->fibre_across_0 = _S582 * _S574.twist_cosine_0 + _S569 * _S573;
-    (&point_3)->fibre_along_0 = _S569 * _S574.twist_cosine_0 - _S582 * _S573;
+    (&point_3)->tangent_5 = normalize(_S590);
+    (&point_3)->across_2 = _S575.section_1.across_1;
+    (&point_3)->fibre_across_0 = _S589 * _S581.twist_cosine_0 + _S576 * _S580;
+    (&point_3)->fibre_along_0 = _S576 * _S581.twist_cosine_0 - _S589 * _S580;
     return point_3;
 }
 
-Albedos_0 vary_albedos_0(uint _S584, const Albedos_0 thread* _S585, uint _S586, uint _S587, KernelContext_0 thread* kernelContext_41)
+Albedos_0 vary_albedos_0(uint _S591, const Albedos_0 thread* _S592, uint _S593, uint _S594, KernelContext_0 thread* kernelContext_42)
 {
-    Fabric_0 device* _S588 = kernelContext_41->fabrics_0+_S584;
-    float3 _S589 = max(_S585->specular_reflect_0, _S585->specular_transmit_0);
-    float3 _S590 = _S585->diffuse_reflect_0 + _S585->diffuse_transmit_0;
-    float3 _S591 = float3(_S588->layer_bound_0) ;
-    float3 _S592 = float3(1.0f) ;
-    float3 _S593 = float3(bounded_gain_0(thread_gain_0(_S586, _S588->colour_noise_0, _S588->seed_0), _S590, _S592 - _S591 * _S589)) ;
-    float _S594 = bounded_gain_0(fibre_gain_0(_S586, _S587, _S588->fibre_noise_0, _S588->seed_0), _S589, min((_S592 - _S593 * _S590) / _S591, float3(1.0f) ));
+    Fabric_0 device* _S595 = kernelContext_42->fabrics_0+_S591;
+    float3 _S596 = max(_S592->specular_reflect_0, _S592->specular_transmit_0);
+    float3 _S597 = _S592->diffuse_reflect_0 + _S592->diffuse_transmit_0;
+    float3 _S598 = float3(_S595->layer_bound_0) ;
+    float3 _S599 = float3(1.0f) ;
+    float3 _S600 = float3(bounded_gain_0(thread_gain_0(_S593, _S595->colour_noise_0, _S595->seed_0), _S597, _S599 - _S598 * _S596)) ;
+    float _S601 = bounded_gain_0(fibre_gain_0(_S593, _S594, _S595->fibre_noise_0, _S595->seed_0), _S596, min((_S599 - _S600 * _S597) / _S598, float3(1.0f) ));
     thread Albedos_0 varied_0;
-    (&varied_0)->diffuse_reflect_0 = _S593 * _S585->diffuse_reflect_0;
-    (&varied_0)->diffuse_transmit_0 = _S593 * _S585->diffuse_transmit_0;
-    float3 _S595 = float3(_S594) ;
-    (&varied_0)->specular_reflect_0 = _S595 * _S585->specular_reflect_0;
-    (&varied_0)->specular_transmit_0 = _S595 * _S585->specular_transmit_0;
+    (&varied_0)->diffuse_reflect_0 = _S600 * _S592->diffuse_reflect_0;
+    (&varied_0)->diffuse_transmit_0 = _S600 * _S592->diffuse_transmit_0;
+    float3 _S602 = float3(_S601) ;
+    (&varied_0)->specular_reflect_0 = _S602 * _S592->specular_reflect_0;
+    (&varied_0)->specular_transmit_0 = _S602 * _S592->specular_transmit_0;
     return varied_0;
 }
 
-Albedos_0 varied_at_0(uint _S596, const SurfacePoint_0 thread* _S597, const Albedos_0 thread* _S598, float _S599, float _S600, KernelContext_0 thread* kernelContext_42)
+Albedos_0 varied_at_0(uint _S603, const SurfacePoint_0 thread* _S604, const Albedos_0 thread* _S605, float _S606, float _S607, KernelContext_0 thread* kernelContext_43)
 {
-    Fabric_0 device* _S601 = kernelContext_42->fabrics_0+_S596;
-    bool _S602 = _S597->is_warp_2;
-    float _S603;
-    if(_S597->is_warp_2)
+    Fabric_0 device* _S608 = kernelContext_43->fabrics_0+_S603;
+    bool _S609 = _S604->is_warp_2;
+    float _S610;
+    if(_S604->is_warp_2)
     {
-        _S603 = _S599;
+        _S610 = _S606;
     }
     else
     {
-        _S603 = _S600;
+        _S610 = _S607;
     }
-    float _S604 = _S603 - _S597->across_2;
-    uint _S605;
-    if(_S602)
+    float _S611 = _S610 - _S604->across_2;
+    uint _S612;
+    if(_S609)
     {
-        _S605 = _S601->warp_0;
+        _S612 = _S608->warp_0;
     }
     else
     {
-        _S605 = _S601->weft_0;
+        _S612 = _S608->weft_0;
     }
-    Family_0 _S606 = kernelContext_42->families_0[_S605];
-    int _S607 = int(kernelContext_42->families_0[_S605].count_0);
-    if(_S602)
+    Family_0 _S613 = kernelContext_43->families_0[_S612];
+    int _S614 = int(kernelContext_43->families_0[_S612].count_0);
+    if(_S609)
     {
-        _S605 = _S597->warp_thread_0;
+        _S612 = _S604->warp_thread_0;
     }
     else
     {
-        _S605 = _S597->weft_thread_0;
+        _S612 = _S604->weft_thread_0;
     }
-    uint _S608 = uint(int(floor(_S604 / _S606.period_0)) * _S607 + int(_S605)) * 2U;
-    if(_S602)
+    uint _S615 = uint(int(floor(_S611 / _S613.period_0)) * _S614 + int(_S612)) * 2U;
+    if(_S609)
     {
-        _S605 = 1U;
+        _S612 = 1U;
     }
     else
     {
-        _S605 = 0U;
+        _S612 = 0U;
     }
-    float _S609 = floor(_S597->fibre_across_0 / _S601->fibre_size_0);
-    Albedos_0 _S610 = vary_albedos_0(_S596, _S598, _S608 + _S605, uint(int(_S609)) * 65536U + uint(int(floor(_S597->fibre_along_0 / (_S601->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S609))), kernelContext_42);
-    return _S610;
+    float _S616 = floor(_S604->fibre_across_0 / _S608->fibre_size_0);
+    Albedos_0 _S617 = vary_albedos_0(_S603, _S605, _S615 + _S612, uint(int(_S616)) * 65536U + uint(int(floor(_S604->fibre_along_0 / (_S608->fibre_size_0 * 40.0f) + 0.61799997091293335f * _S616))), kernelContext_43);
+    return _S617;
 }
 
-YarnPoint_0 yarn_point_of_0(uint _S611, const SurfacePoint_0 thread* _S612, float _S613, float _S614, bool _S615, bool _S616, KernelContext_0 thread* kernelContext_43)
+YarnPoint_0 yarn_point_of_0(uint _S618, const SurfacePoint_0 thread* _S619, float _S620, float _S621, bool _S622, bool _S623, KernelContext_0 thread* kernelContext_44)
 {
-    Fabric_0 device* _S617 = kernelContext_43->fabrics_0+_S611;
-    bool _S618 = _S612->is_warp_2;
-    uint _S619;
-    if(_S612->is_warp_2)
+    Fabric_0 device* _S624 = kernelContext_44->fabrics_0+_S618;
+    bool _S625 = _S619->is_warp_2;
+    uint _S626;
+    if(_S619->is_warp_2)
     {
-        _S619 = _S617->warp_0;
+        _S626 = _S624->warp_0;
     }
     else
     {
-        _S619 = _S617->weft_0;
+        _S626 = _S624->weft_0;
     }
-    uint _S620;
-    if(_S618)
+    uint _S627;
+    if(_S625)
     {
-        _S620 = _S612->warp_thread_0;
-    }
-    else
-    {
-        _S620 = _S612->weft_thread_0;
-    }
-    Albedos_0 _S621 = albedos_of_0(_S619, _S620, kernelContext_43);
-    bool _S622;
-    if((_S617->fibre_noise_0) > 0.0f)
-    {
-        _S622 = true;
+        _S627 = _S619->warp_thread_0;
     }
     else
     {
-        _S622 = (_S617->colour_noise_0) > 0.0f;
+        _S627 = _S619->weft_thread_0;
+    }
+    Albedos_0 _S628 = albedos_of_0(_S626, _S627, kernelContext_44);
+    bool _S629;
+    if((_S624->fibre_noise_0) > 0.0f)
+    {
+        _S629 = true;
+    }
+    else
+    {
+        _S629 = (_S624->colour_noise_0) > 0.0f;
     }
     Albedos_0 albedos_3;
-    if(_S622)
+    if(_S629)
     {
-        thread Albedos_0 _S623 = _S621;
-        Albedos_0 _S624 = varied_at_0(_S611, _S612, &_S623, _S613, _S614, kernelContext_43);
-        albedos_3 = _S624;
+        thread Albedos_0 _S630 = _S628;
+        Albedos_0 _S631 = varied_at_0(_S618, _S619, &_S630, _S620, _S621, kernelContext_44);
+        albedos_3 = _S631;
     }
     else
     {
-        albedos_3 = _S621;
+        albedos_3 = _S628;
     }
     thread YarnPoint_0 point_4;
-    (&point_4)->back_2 = _S615;
-    (&point_4)->hole_2 = _S616;
-    (&point_4)->is_warp_1 = _S618;
-    (&point_4)->x_11 = _S613;
-    (&point_4)->y_5 = _S614;
-    (&point_4)->height_3 = _S612->height_9;
-    (&point_4)->normal_4 = _S612->normal_5;
-    (&point_4)->tangent_4 = _S612->tangent_5;
-    (&point_4)->roughness_8 = kernelContext_43->families_0[_S619].roughness_0;
+    (&point_4)->back_2 = _S622;
+    (&point_4)->hole_2 = _S623;
+    (&point_4)->is_warp_1 = _S625;
+    (&point_4)->x_11 = _S620;
+    (&point_4)->y_5 = _S621;
+    (&point_4)->height_3 = _S619->height_9;
+    (&point_4)->normal_4 = _S619->normal_5;
+    (&point_4)->tangent_4 = _S619->tangent_5;
+    (&point_4)->roughness_8 = kernelContext_44->families_0[_S626].roughness_0;
     (&point_4)->albedos_2 = albedos_3;
     return point_4;
 }
 
-YarnPoint_0 locate_yarn_0(uint _S625, const SearchQuality_0 thread* _S626, float _S627, float _S628, float3 _S629, KernelContext_0 thread* kernelContext_44)
+YarnPoint_0 locate_yarn_0(uint _S632, const SearchQuality_0 thread* _S633, float _S634, float _S635, float3 _S636, KernelContext_0 thread* kernelContext_45)
 {
-    bool _S630 = (_S629.z) < 0.0f;
-    Hit_0 _S631 = first_hit_0(_S625, _S626, _S627, _S628, to_face_frame_0(_S629, _S630), _S630, kernelContext_44);
-    SurfacePoint_0 _S632 = surface_at_0(_S625, _S631.x_12, _S631.y_6, _S630, kernelContext_44);
-    thread SurfacePoint_0 _S633 = _S632;
-    YarnPoint_0 _S634 = yarn_point_of_0(_S625, &_S633, _S631.x_12, _S631.y_6, _S630, _S631.hole_3, kernelContext_44);
-    return _S634;
+    bool _S637 = (_S636.z) < 0.0f;
+    Hit_0 _S638 = first_hit_0(_S632, _S633, _S634, _S635, to_face_frame_0(_S636, _S637), _S637, kernelContext_45);
+    SurfacePoint_0 _S639 = surface_at_0(_S632, _S638.x_12, _S638.y_6, _S637, kernelContext_45);
+    thread SurfacePoint_0 _S640 = _S639;
+    YarnPoint_0 _S641 = yarn_point_of_0(_S632, &_S640, _S638.x_12, _S638.y_6, _S637, _S638.hole_3, kernelContext_45);
+    return _S641;
 }
 
-uint light_sample_count_0(int _S635, KernelContext_0 thread* kernelContext_45)
+uint light_sample_count_0(int _S642, KernelContext_0 thread* kernelContext_46)
 {
-    Frame_0 device* _S636 = kernelContext_45->frames_0+_S635;
-    return _S636->lights_0 + _S636->environment_samples_0;
+    Frame_0 device* _S643 = kernelContext_46->frames_0+_S642;
+    return _S643->lights_0 + _S643->environment_samples_0;
 }
 
-float visibility_at_0(int _S637, uint _S638, uint2 _S639, KernelContext_0 thread* kernelContext_46)
+float visibility_at_0(int _S644, uint _S645, uint2 _S646, KernelContext_0 thread* kernelContext_47)
 {
-    Frame_0 device* _S640 = kernelContext_46->frames_0+_S637;
-    if((_S640->casts_shadows_0) == 0U)
+    Frame_0 device* _S647 = kernelContext_47->frames_0+_S644;
+    if((_S647->casts_shadows_0) == 0U)
     {
         return 1.0f;
     }
-    return *(kernelContext_46->visibilities_0+((_S638 * _S640->height_0 + _S639.y) * _S640->width_0 + _S639.x));
+    return *(kernelContext_47->visibilities_0+((_S645 * _S647->height_0 + _S646.y) * _S647->width_0 + _S646.x));
 }
 
 struct LightSample_0
@@ -2774,304 +2809,304 @@ struct LightSample_0
     float distance_3;
 };
 
-float3 environment_texel_0(int _S641, uint _S642, uint _S643, KernelContext_0 thread* kernelContext_47)
+float3 environment_texel_0(int _S648, uint _S649, uint _S650, KernelContext_0 thread* kernelContext_48)
 {
-    Frame_0 device* _S644 = kernelContext_47->frames_0+_S641;
-    uint _S645 = _S644->environment_table_0 + _S644->environment_rows_0 + 1U + _S644->environment_rows_0 * (_S644->environment_columns_0 + 1U) + 3U * (_S642 * _S644->environment_columns_0 + _S643);
-    float _S646 = scene_number_0(_S645, kernelContext_47);
-    float _S647 = scene_number_0(_S645 + 1U, kernelContext_47);
-    float _S648 = scene_number_0(_S645 + 2U, kernelContext_47);
-    return float3(_S646, _S647, _S648);
+    Frame_0 device* _S651 = kernelContext_48->frames_0+_S648;
+    uint _S652 = _S651->environment_table_0 + _S651->environment_rows_0 + 1U + _S651->environment_rows_0 * (_S651->environment_columns_0 + 1U) + 3U * (_S649 * _S651->environment_columns_0 + _S650);
+    float _S653 = scene_number_0(_S652, kernelContext_48);
+    float _S654 = scene_number_0(_S652 + 1U, kernelContext_48);
+    float _S655 = scene_number_0(_S652 + 2U, kernelContext_48);
+    return float3(_S653, _S654, _S655);
 }
 
-float3 sample_environment_0(int _S649, float2 _S650, float3 thread* _S651, KernelContext_0 thread* kernelContext_48)
+float3 sample_environment_0(int _S656, float2 _S657, float3 thread* _S658, KernelContext_0 thread* kernelContext_49)
 {
-    Frame_0 device* _S652 = kernelContext_48->frames_0+_S649;
-    uint _S653 = _S652->environment_table_0;
-    uint _S654 = _S652->environment_rows_0;
-    Choice_0 _S655 = choose_0(_S652->environment_table_0, _S652->environment_rows_0, _S650.y, kernelContext_48);
-    uint _S656 = _S652->environment_columns_0;
-    Choice_0 _S657 = choose_0(_S653 + _S654 + 1U + _S655.index_7 * (_S652->environment_columns_0 + 1U), _S652->environment_columns_0, _S650.x, kernelContext_48);
-    float3 _S658 = environment_texel_0(_S649, _S655.index_7, _S657.index_7, kernelContext_48);
-    *_S651 = _S658 * float3((_S652->environment_total_0 / max(mean_0(_S658), 9.99999968265522539e-21f))) ;
-    float _S659 = 3.14159274101257324f / float(_S654);
-    float _S660 = mix(sine_cosine_0(float(_S655.index_7) * _S659).y, sine_cosine_0(float(_S655.index_7 + 1U) * _S659).y, _S655.remainder_0);
-    float _S661 = sqrt(max(1.0f - _S660 * _S660, 0.0f));
-    float2 _S662 = sine_cosine_0((float(_S657.index_7) + _S657.remainder_0) * (6.28318548202514648f / float(_S656)));
-    float _S663 = _S661 * _S662.x;
-    float _S664 = - _S661 * _S662.y;
-    return float3(_S652->environment_cosine_0 * _S663 + _S652->environment_sine_0 * _S664, _S660, _S652->environment_cosine_0 * _S664 - _S652->environment_sine_0 * _S663);
+    Frame_0 device* _S659 = kernelContext_49->frames_0+_S656;
+    uint _S660 = _S659->environment_table_0;
+    uint _S661 = _S659->environment_rows_0;
+    Choice_0 _S662 = choose_0(_S659->environment_table_0, _S659->environment_rows_0, _S657.y, kernelContext_49);
+    uint _S663 = _S659->environment_columns_0;
+    Choice_0 _S664 = choose_0(_S660 + _S661 + 1U + _S662.index_7 * (_S659->environment_columns_0 + 1U), _S659->environment_columns_0, _S657.x, kernelContext_49);
+    float3 _S665 = environment_texel_0(_S656, _S662.index_7, _S664.index_7, kernelContext_49);
+    *_S658 = _S665 * float3((_S659->environment_total_0 / max(mean_0(_S665), 9.99999968265522539e-21f))) ;
+    float _S666 = 3.14159274101257324f / float(_S661);
+    float _S667 = mix(sine_cosine_0(float(_S662.index_7) * _S666).y, sine_cosine_0(float(_S662.index_7 + 1U) * _S666).y, _S662.remainder_0);
+    float _S668 = sqrt(max(1.0f - _S667 * _S667, 0.0f));
+    float2 _S669 = sine_cosine_0((float(_S664.index_7) + _S664.remainder_0) * (6.28318548202514648f / float(_S663)));
+    float _S670 = _S668 * _S669.x;
+    float _S671 = - _S668 * _S669.y;
+    return float3(_S659->environment_cosine_0 * _S670 + _S659->environment_sine_0 * _S671, _S667, _S659->environment_cosine_0 * _S671 - _S659->environment_sine_0 * _S670);
 }
 
-LightSample_0 light_sample_0(int _S665, uint _S666, uint2 _S667, float3 _S668, KernelContext_0 thread* kernelContext_49)
+LightSample_0 light_sample_0(int _S672, uint _S673, uint2 _S674, float3 _S675, KernelContext_0 thread* kernelContext_50)
 {
-    Frame_0 device* _S669 = kernelContext_49->frames_0+_S665;
+    Frame_0 device* _S676 = kernelContext_50->frames_0+_S672;
     thread LightSample_0 sample_1;
     (&sample_1)->distance_3 = 1.00000001504746622e+30f;
-    uint _S670 = _S669->lights_0;
-    if(_S666 >= (_S669->lights_0))
+    uint _S677 = _S676->lights_0;
+    if(_S673 >= (_S676->lights_0))
     {
-        uint _S671 = _S669->environment_samples_0;
+        uint _S678 = _S676->environment_samples_0;
         thread float3 weight_0;
-        float3 _S672 = sample_environment_0(_S665, pixel_sequence_0(_S667, _S669->pass_number_0 * _S669->environment_samples_0 + (_S666 - _S670), 3U), &weight_0, kernelContext_49);
-        (&sample_1)->towards_0 = _S672;
-        (&sample_1)->irradiance_1 = weight_0 / float3(float(_S671)) ;
+        float3 _S679 = sample_environment_0(_S672, pixel_sequence_0(_S674, _S676->pass_number_0 * _S676->environment_samples_0 + (_S673 - _S677), 3U), &weight_0, kernelContext_50);
+        (&sample_1)->towards_0 = _S679;
+        (&sample_1)->irradiance_1 = weight_0 / float3(float(_S678)) ;
         return sample_1;
     }
-    Light_0 _S673 = kernelContext_49->lights_1[_S666];
-    (&sample_1)->irradiance_1 = float3(_S673.red_0, _S673.green_0, _S673.blue_0);
-    (&sample_1)->towards_0 = float3(_S673.x_5, _S673.y_1, _S673.z_1);
-    if((_S673.is_point_0) != 0U)
+    Light_0 _S680 = kernelContext_50->lights_1[_S673];
+    (&sample_1)->irradiance_1 = float3(_S680.red_0, _S680.green_0, _S680.blue_0);
+    (&sample_1)->towards_0 = float3(_S680.x_5, _S680.y_1, _S680.z_1);
+    if((_S680.is_point_0) != 0U)
     {
-        float3 _S674 = (&sample_1)->towards_0 - _S668;
-        float _S675 = max(square_0(_S674), 9.999999960041972e-13f);
-        (&sample_1)->distance_3 = sqrt(_S675);
-        (&sample_1)->irradiance_1 = (&sample_1)->irradiance_1 / float3(_S675) ;
-        (&sample_1)->towards_0 = normalize(_S674);
+        float3 _S681 = (&sample_1)->towards_0 - _S675;
+        float _S682 = max(square_0(_S681), 9.999999960041972e-13f);
+        (&sample_1)->distance_3 = sqrt(_S682);
+        (&sample_1)->irradiance_1 = (&sample_1)->irradiance_1 / float3(_S682) ;
+        (&sample_1)->towards_0 = normalize(_S681);
     }
     return sample_1;
 }
 
-float3 scattered_0(uint _S676, const YarnPoint_0 thread* _S677, float3 _S678, float3 _S679, KernelContext_0 thread* kernelContext_50)
+float3 scattered_0(uint _S683, const YarnPoint_0 thread* _S684, float3 _S685, float3 _S686, KernelContext_0 thread* kernelContext_51)
 {
-    Fabric_0 device* _S680 = kernelContext_50->fabrics_0+_S676;
-    float3 _S681 = float3(0.0f) ;
-    bool _S682 = !_S677->hole_2;
-    bool _S683;
-    if(_S682)
+    Fabric_0 device* _S687 = kernelContext_51->fabrics_0+_S683;
+    float3 _S688 = float3(0.0f) ;
+    bool _S689 = !_S684->hole_2;
+    bool _S690;
+    if(_S689)
     {
-        _S683 = (_S678.z) > 0.0f;
+        _S690 = (_S685.z) > 0.0f;
     }
     else
     {
-        _S683 = false;
+        _S690 = false;
     }
     float3 value_1;
-    if(_S683)
+    if(_S690)
     {
-        value_1 = (&_S677->albedos_2)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S678, _S677->normal_4, _S680->diffuse_blend_0))  + (&_S677->albedos_2)->specular_reflect_0 * float3(reflection_0(_S678, _S679, _S677->normal_4, _S677->tangent_4, _S677->roughness_8, _S680->optical_depth_0)) ;
+        value_1 = (&_S684->albedos_2)->diffuse_reflect_0 * float3(diffuse_reflection_0(_S685, _S684->normal_4, _S687->diffuse_blend_0))  + (&_S684->albedos_2)->specular_reflect_0 * float3(reflection_0(_S685, _S686, _S684->normal_4, _S684->tangent_4, _S684->roughness_8, _S687->optical_depth_0)) ;
     }
     else
     {
-        if(_S682)
+        if(_S689)
         {
-            _S683 = (_S678.z) < 0.0f;
+            _S690 = (_S685.z) < 0.0f;
         }
         else
         {
-            _S683 = false;
+            _S690 = false;
         }
-        if(_S683)
+        if(_S690)
         {
-            value_1 = (&_S677->albedos_2)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S678, _S677->normal_4, _S680->diffuse_blend_0))  + (&_S677->albedos_2)->specular_transmit_0 * float3(transmission_0(_S678, _S679, _S677->normal_4, _S677->tangent_4, _S677->roughness_8, _S680->optical_depth_0)) ;
+            value_1 = (&_S684->albedos_2)->diffuse_transmit_0 * float3(diffuse_reflection_0(- _S685, _S684->normal_4, _S687->diffuse_blend_0))  + (&_S684->albedos_2)->specular_transmit_0 * float3(transmission_0(_S685, _S686, _S684->normal_4, _S684->tangent_4, _S684->roughness_8, _S687->optical_depth_0)) ;
         }
         else
         {
-            value_1 = _S681;
+            value_1 = _S688;
         }
     }
-    float _S684 = _S680->sheen_strength_0;
-    if((_S680->sheen_strength_0) <= 0.0f)
+    float _S691 = _S687->sheen_strength_0;
+    if((_S687->sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    float2 _S685 = sheen_with_transmittance_0(_S678, _S679, _S684, _S680->sheen_roughness_0);
-    return float3(_S685.y)  * value_1 + float3(_S685.x) ;
+    float2 _S692 = sheen_with_transmittance_0(_S685, _S686, _S691, _S687->sheen_roughness_0);
+    return float3(_S692.y)  * value_1 + float3(_S692.x) ;
 }
 
-bool unoccluded_0(uint _S686, const SearchQuality_0 thread* _S687, float _S688, float _S689, float _S690, float3 _S691, bool _S692, KernelContext_0 thread* kernelContext_51)
+bool unoccluded_0(uint _S693, const SearchQuality_0 thread* _S694, float _S695, float _S696, float _S697, float3 _S698, bool _S699, KernelContext_0 thread* kernelContext_52)
 {
-    Fabric_0 device* _S693 = kernelContext_51->fabrics_0+_S686;
-    if((_S691.z) <= 0.0f)
+    Fabric_0 device* _S700 = kernelContext_52->fabrics_0+_S693;
+    if((_S698.z) <= 0.0f)
     {
         return false;
     }
-    float _S694 = max_height_along_0(_S686, _S688, _S689, _S690, _S691, _S692, kernelContext_51);
-    bool _S695 = is_free_0(_S686, _S687, float3(_S688, _S689, _S690 + _S693->lift_0), _S691, _S692, _S694, kernelContext_51);
-    return _S695;
+    float _S701 = max_height_along_0(_S693, _S695, _S696, _S697, _S698, _S699, kernelContext_52);
+    bool _S702 = is_free_0(_S693, _S694, float3(_S695, _S696, _S697 + _S700->lift_0), _S698, _S699, _S701, kernelContext_52);
+    return _S702;
 }
 
-bool is_lit_0(uint _S696, const SearchQuality_0 thread* _S697, const YarnPoint_0 thread* _S698, float3 _S699, KernelContext_0 thread* kernelContext_52)
+bool is_lit_0(uint _S703, const SearchQuality_0 thread* _S704, const YarnPoint_0 thread* _S705, float3 _S706, KernelContext_0 thread* kernelContext_53)
 {
-    if(_S698->hole_2)
+    if(_S705->hole_2)
     {
         return true;
     }
-    bool _S700 = _S698->back_2;
-    float3 _S701 = to_face_frame_0(_S699, _S698->back_2);
-    float _S702 = _S701.z;
-    bool _S703 = _S702 < 0.0f;
-    float3 _S704 = _S698->normal_4;
-    float _S705 = _S698->height_3;
+    bool _S707 = _S705->back_2;
+    float3 _S708 = to_face_frame_0(_S706, _S705->back_2);
+    float _S709 = _S708.z;
+    bool _S710 = _S709 < 0.0f;
+    float3 _S711 = _S705->normal_4;
+    float _S712 = _S705->height_3;
     float3 normal_6;
     float height_10;
-    if(_S703)
+    if(_S710)
     {
-        SurfacePoint_0 _S706 = surface_at_0(_S696, _S698->x_11, _S698->y_5, !_S700, kernelContext_52);
-        normal_6 = _S706.normal_5;
-        height_10 = _S706.height_9;
+        SurfacePoint_0 _S713 = surface_at_0(_S703, _S705->x_11, _S705->y_5, !_S707, kernelContext_53);
+        normal_6 = _S713.normal_5;
+        height_10 = _S713.height_9;
     }
     else
     {
-        normal_6 = _S704;
-        height_10 = _S705;
+        normal_6 = _S711;
+        height_10 = _S712;
     }
-    float3 _S707 = float3(_S701.xy, abs(_S702));
-    if((dot(normal_6, _S707)) <= 0.0f)
+    float3 _S714 = float3(_S708.xy, abs(_S709));
+    if((dot(normal_6, _S714)) <= 0.0f)
     {
         return false;
     }
-    bool _S708 = unoccluded_0(_S696, _S697, _S698->x_11, _S698->y_5, height_10, _S707, _S700 != _S703, kernelContext_52);
-    return _S708;
+    bool _S715 = unoccluded_0(_S703, _S704, _S705->x_11, _S705->y_5, height_10, _S714, _S707 != _S710, kernelContext_53);
+    return _S715;
 }
 
-float3 evaluate_0(uint _S709, const SearchQuality_0 thread* _S710, const YarnPoint_0 thread* _S711, float3 _S712, float3 _S713, KernelContext_0 thread* kernelContext_53)
+float3 evaluate_0(uint _S716, const SearchQuality_0 thread* _S717, const YarnPoint_0 thread* _S718, float3 _S719, float3 _S720, KernelContext_0 thread* kernelContext_54)
 {
-    float3 _S714 = scattered_0(_S709, _S711, to_face_frame_0(_S712, _S711->back_2), to_face_frame_0(_S713, _S711->back_2), kernelContext_53);
-    bool _S715;
-    if((max(_S714.x, max(_S714.y, _S714.z))) <= 0.0f)
+    float3 _S721 = scattered_0(_S716, _S718, to_face_frame_0(_S719, _S718->back_2), to_face_frame_0(_S720, _S718->back_2), kernelContext_54);
+    bool _S722;
+    if((max(_S721.x, max(_S721.y, _S721.z))) <= 0.0f)
     {
-        _S715 = true;
+        _S722 = true;
     }
     else
     {
-        bool _S716 = is_lit_0(_S709, _S710, _S711, _S712, kernelContext_53);
-        _S715 = !_S716;
+        bool _S723 = is_lit_0(_S716, _S717, _S718, _S719, kernelContext_54);
+        _S722 = !_S723;
     }
-    if(_S715)
+    if(_S722)
     {
         return float3(0.0f) ;
     }
-    return _S714;
+    return _S721;
 }
 
-float straight_through_0(uint _S717, const YarnPoint_0 thread* _S718, float3 _S719, KernelContext_0 thread* kernelContext_54)
+float straight_through_0(uint _S724, const YarnPoint_0 thread* _S725, float3 _S726, KernelContext_0 thread* kernelContext_55)
 {
-    Fabric_0 device* _S720 = kernelContext_54->fabrics_0+_S717;
-    if(!_S718->hole_2)
+    Fabric_0 device* _S727 = kernelContext_55->fabrics_0+_S724;
+    if(!_S725->hole_2)
     {
         return 0.0f;
     }
-    float _S721 = _S720->sheen_strength_0;
-    if((_S720->sheen_strength_0) <= 0.0f)
+    float _S728 = _S727->sheen_strength_0;
+    if((_S727->sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S721 * sheen_lobe_0(abs(_S719.z), _S720->sheen_roughness_0).z;
+    return 1.0f - _S728 * sheen_lobe_0(abs(_S726.z), _S727->sheen_roughness_0).z;
 }
 
-float4 light_of_point_0(int _S722, uint _S723, const VisiblePoint_0 thread* _S724, uint2 _S725, float3 _S726, float2 _S727, KernelContext_0 thread* kernelContext_55)
+float4 light_of_point_0(int _S729, uint _S730, const VisiblePoint_0 thread* _S731, uint2 _S732, float3 _S733, float2 _S734, KernelContext_0 thread* kernelContext_56)
 {
-    SearchQuality_0 _S728 = default_quality_0();
-    float3 _S729 = to_local_0(_S724, _S724->view_0);
-    float _S730 = _S727.x;
-    float _S731 = _S727.y;
-    thread SearchQuality_0 _S732 = _S728;
-    YarnPoint_0 _S733 = locate_yarn_0(_S723, &_S732, _S730, _S731, _S729, kernelContext_55);
-    thread YarnPoint_0 point_5 = _S733;
-    thread Albedos_0 _S734 = (&point_5)->albedos_2;
-    Albedos_0 _S735 = tinted_0(&_S734, _S726);
-    (&point_5)->albedos_2 = _S735;
-    float3 _S736 = float3(0.0f) ;
+    SearchQuality_0 _S735 = default_quality_0();
+    float3 _S736 = to_local_0(_S731, _S731->view_0);
+    float _S737 = _S734.x;
+    float _S738 = _S734.y;
+    thread SearchQuality_0 _S739 = _S735;
+    YarnPoint_0 _S740 = locate_yarn_0(_S730, &_S739, _S737, _S738, _S736, kernelContext_56);
+    thread YarnPoint_0 point_5 = _S740;
+    thread Albedos_0 _S741 = (&point_5)->albedos_2;
+    Albedos_0 _S742 = tinted_0(&_S741, _S733);
+    (&point_5)->albedos_2 = _S742;
+    float3 _S743 = float3(0.0f) ;
     uint number_2 = 0U;
-    float3 radiance_1 = _S736;
+    float3 radiance_1 = _S743;
     for(;;)
     {
-        uint _S737 = light_sample_count_0(_S722, kernelContext_55);
-        if(number_2 < _S737)
+        uint _S744 = light_sample_count_0(_S729, kernelContext_56);
+        if(number_2 < _S744)
         {
         }
         else
         {
             break;
         }
-        float _S738 = visibility_at_0(_S722, number_2, _S725, kernelContext_55);
-        if(_S738 <= 0.0f)
+        float _S745 = visibility_at_0(_S729, number_2, _S732, kernelContext_56);
+        if(_S745 <= 0.0f)
         {
             number_2 = number_2 + 1U;
             continue;
         }
-        LightSample_0 _S739 = light_sample_0(_S722, number_2, _S725, _S724->position_0, kernelContext_55);
-        float3 _S740 = float3(_S738)  * _S739.irradiance_1;
-        float3 _S741 = to_local_0(_S724, _S739.towards_0);
-        thread SearchQuality_0 _S742 = _S728;
-        thread YarnPoint_0 _S743 = point_5;
-        float3 _S744 = evaluate_0(_S723, &_S742, &_S743, _S741, _S729, kernelContext_55);
-        radiance_1 = radiance_1 + _S740 * _S744;
+        LightSample_0 _S746 = light_sample_0(_S729, number_2, _S732, _S731->position_0, kernelContext_56);
+        float3 _S747 = float3(_S745)  * _S746.irradiance_1;
+        float3 _S748 = to_local_0(_S731, _S746.towards_0);
+        thread SearchQuality_0 _S749 = _S735;
+        thread YarnPoint_0 _S750 = point_5;
+        float3 _S751 = evaluate_0(_S730, &_S749, &_S750, _S748, _S736, kernelContext_56);
+        radiance_1 = radiance_1 + _S747 * _S751;
         number_2 = number_2 + 1U;
     }
-    thread YarnPoint_0 _S745 = point_5;
-    float _S746 = straight_through_0(_S723, &_S745, _S729, kernelContext_55);
-    return float4(radiance_1, 1.0f - _S746);
+    thread YarnPoint_0 _S752 = point_5;
+    float _S753 = straight_through_0(_S730, &_S752, _S736, kernelContext_56);
+    return float4(radiance_1, 1.0f - _S753);
 }
 
-[[kernel]] void shade_points(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(11)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], uint device* scene_words_1 [[buffer(10)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], float device* visibilities_1 [[buffer(12)]], Light_0 device* lights_2 [[buffer(3)]], packed_float4 device* radiance_2 [[buffer(8)]])
+[[kernel]] void shade_points(uint3 id_0 [[thread_position_in_grid]], Frame_0 device* frames_1 [[buffer(4)]], Layer_0 device* layers_1 [[buffer(12)]], uint device* face_fabrics_1 [[buffer(7)]], Fabric_0 device* fabrics_1 [[buffer(0)]], uint device* corners_1 [[buffer(6)]], Vertex_0 device* vertices_1 [[buffer(5)]], uint device* scene_words_1 [[buffer(11)]], Family_0 device* families_1 [[buffer(1)]], uint device* words_1 [[buffer(2)]], float device* visibilities_1 [[buffer(13)]], Light_0 device* lights_2 [[buffer(3)]], packed_float4 device* radiance_2 [[buffer(8)]])
 {
-    uint _S747;
-    thread KernelContext_0 kernelContext_56;
-    (&kernelContext_56)->frames_0 = frames_1;
-    (&kernelContext_56)->layers_0 = layers_1;
-    (&kernelContext_56)->face_fabrics_0 = face_fabrics_1;
-    (&kernelContext_56)->fabrics_0 = fabrics_1;
-    (&kernelContext_56)->corners_0 = corners_1;
-    (&kernelContext_56)->vertices_0 = vertices_1;
-    (&kernelContext_56)->scene_words_0 = scene_words_1;
-    (&kernelContext_56)->families_0 = families_1;
-    (&kernelContext_56)->words_0 = words_1;
-    (&kernelContext_56)->visibilities_0 = visibilities_1;
-    (&kernelContext_56)->lights_1 = lights_2;
-    (&kernelContext_56)->radiance_0 = radiance_2;
-    Frame_0 device* _S748 = frames_1+int(0);
-    uint _S749 = id_0.x;
-    uint _S750 = _S748->width_0;
-    bool _S751;
-    if(_S749 >= (_S748->width_0))
+    uint _S754;
+    thread KernelContext_0 kernelContext_57;
+    (&kernelContext_57)->frames_0 = frames_1;
+    (&kernelContext_57)->layers_0 = layers_1;
+    (&kernelContext_57)->face_fabrics_0 = face_fabrics_1;
+    (&kernelContext_57)->fabrics_0 = fabrics_1;
+    (&kernelContext_57)->corners_0 = corners_1;
+    (&kernelContext_57)->vertices_0 = vertices_1;
+    (&kernelContext_57)->scene_words_0 = scene_words_1;
+    (&kernelContext_57)->families_0 = families_1;
+    (&kernelContext_57)->words_0 = words_1;
+    (&kernelContext_57)->visibilities_0 = visibilities_1;
+    (&kernelContext_57)->lights_1 = lights_2;
+    (&kernelContext_57)->radiance_0 = radiance_2;
+    Frame_0 device* _S755 = frames_1+int(0);
+    uint _S756 = id_0.x;
+    uint _S757 = _S755->width_0;
+    bool _S758;
+    if(_S756 >= (_S755->width_0))
     {
-        _S751 = true;
+        _S758 = true;
     }
     else
     {
-        _S751 = (id_0.y) >= (_S748->height_0);
+        _S758 = (id_0.y) >= (_S755->height_0);
     }
-    if(_S751)
+    if(_S758)
     {
         return;
     }
-    uint2 _S752 = id_0.xy;
-    uint _S753 = id_0.y * _S750 + _S749;
-    uint _S754 = ((&kernelContext_56)->layers_0+_S753)->face_0;
-    if((((&kernelContext_56)->layers_0+_S753)->face_0) == 0U)
+    uint2 _S759 = id_0.xy;
+    uint _S760 = id_0.y * _S757 + _S756;
+    uint _S761 = ((&kernelContext_57)->layers_0+_S760)->face_0;
+    if((((&kernelContext_57)->layers_0+_S760)->face_0) == 0U)
     {
         return;
     }
-    uint _S755 = _S754 - 1U;
-    uint _S756 = (&kernelContext_56)->face_fabrics_0[_S755];
-    VisiblePoint_0 _S757 = visible_point_0(int(0), _S756, _S755, _S752, &kernelContext_56);
-    thread VisiblePoint_0 _S758 = _S757;
-    float3 _S759 = filtered_albedo_0(_S756, &_S758, &kernelContext_56);
-    float4 _S760 = float4(0.0f) ;
+    uint _S762 = _S761 - 1U;
+    uint _S763 = (&kernelContext_57)->face_fabrics_0[_S762];
+    VisiblePoint_0 _S764 = visible_point_0(int(0), _S763, _S762, _S759, &kernelContext_57);
+    thread VisiblePoint_0 _S765 = _S764;
+    float3 _S766 = filtered_albedo_0(_S763, &_S765, &kernelContext_57);
+    float4 _S767 = float4(0.0f) ;
     uint k_0 = 0U;
-    float4 sum_0 = _S760;
+    float4 sum_0 = _S767;
     for(;;)
     {
-        uint _S761 = _S748->samples_0;
-        _S747 = _S748->samples_0;
-        if(k_0 < (_S748->samples_0))
+        uint _S768 = _S755->samples_0;
+        _S754 = _S755->samples_0;
+        if(k_0 < (_S755->samples_0))
         {
         }
         else
         {
             break;
         }
-        float2 _S762 = pixel_sequence_0(_S752, _S748->pass_number_0 * _S761 + k_0, 1U) - float2(0.5f) ;
-        float2 _S763 = _S757.draft_0 + float2(_S762.x)  * _S757.draft_dx_0 + float2(_S762.y)  * _S757.draft_dy_0;
-        thread VisiblePoint_0 _S764 = _S757;
-        float4 _S765 = light_of_point_0(int(0), _S756, &_S764, _S752, _S759, _S763, &kernelContext_56);
-        float4 sum_1 = sum_0 + _S765;
+        float2 _S769 = pixel_sequence_0(_S759, _S755->pass_number_0 * _S768 + k_0, 1U) - float2(0.5f) ;
+        float2 _S770 = _S764.draft_0 + float2(_S769.x)  * _S764.draft_dx_0 + float2(_S769.y)  * _S764.draft_dy_0;
+        thread VisiblePoint_0 _S771 = _S764;
+        float4 _S772 = light_of_point_0(int(0), _S763, &_S771, _S759, _S766, _S770, &kernelContext_57);
+        float4 sum_1 = sum_0 + _S772;
         k_0 = k_0 + 1U;
         sum_0 = sum_1;
     }
-    accumulate_0(_S753, sum_0 / float4(float(_S747)) , &kernelContext_56);
+    accumulate_0(_S760, sum_0 / float4(float(_S754)) , &kernelContext_57);
     return;
 }
 

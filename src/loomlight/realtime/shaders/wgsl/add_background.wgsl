@@ -46,9 +46,9 @@ struct Layer_std430_0
     @align(4) share_0 : f32,
 };
 
-@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
-@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 @binding(8) @group(0) var<storage, read_write> radiance_0 : array<vec4<f32>>;
 

@@ -42,15 +42,15 @@ struct Bake_std430_0
     @align(4) hole_bytes_0 : u32,
 };
 
-@binding(11) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
+@binding(15) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
 
-@binding(12) @group(0) var<storage, read> steps_0 : array<u32>;
+@binding(16) @group(0) var<storage, read> steps_0 : array<u32>;
 
-@binding(16) @group(0) var<storage, read> texel_counts_0 : array<u32>;
+@binding(20) @group(0) var<storage, read> texel_counts_0 : array<u32>;
 
-@binding(17) @group(0) var<storage, read_write> coverage_pyramid_0 : array<vec4<f32>>;
+@binding(21) @group(0) var<storage, read_write> coverage_pyramid_0 : array<vec4<f32>>;
 
-@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -74,13 +74,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_1 : f32,
+    @align(4) picks_1 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_1 : u32,
+    @align(4) ends_2 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -100,11 +127,14 @@ struct Fabric_std430_0
     @align(4) fibre_size_0 : f32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(18) @group(0) var<storage, read_write> tables_0 : array<u32>;
+@binding(22) @group(0) var<storage, read_write> tables_0 : array<u32>;
 
 fn thread_index_0( id_0 : vec3<u32>) -> u32
 {

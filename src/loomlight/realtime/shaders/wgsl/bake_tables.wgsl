@@ -42,7 +42,7 @@ struct Bake_std430_0
     @align(4) hole_bytes_0 : u32,
 };
 
-@binding(11) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
+@binding(15) @group(0) var<storage, read> bakes_0 : array<Bake_std430_0>;
 
 struct SurfaceHit_std430_0
 {
@@ -57,9 +57,9 @@ struct SurfaceHit_std430_0
     @align(4) tangent_z_0 : f32,
 };
 
-@binding(13) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
+@binding(17) @group(0) var<storage, read_write> hits_0 : array<SurfaceHit_std430_0>;
 
-@binding(14) @group(0) var<storage, read_write> scratch_0 : array<u32>;
+@binding(18) @group(0) var<storage, read_write> scratch_0 : array<u32>;
 
 struct Lobes_std430_0
 {
@@ -83,13 +83,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_1 : f32,
+    @align(4) picks_1 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_1 : u32,
+    @align(4) ends_2 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -109,13 +136,16 @@ struct Fabric_std430_0
     @align(4) fibre_size_0 : f32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
 
-@binding(18) @group(0) var<storage, read_write> tables_0 : array<u32>;
+@binding(22) @group(0) var<storage, read_write> tables_0 : array<u32>;
 
-@binding(19) @group(0) var<storage, read_write> record_words_0 : array<u32>;
+@binding(23) @group(0) var<storage, read_write> record_words_0 : array<u32>;
 
 var<private> RING_COSINES_0 : array<f32, i32(8)> = array<f32, i32(8)>( 1.0f, 0.92756068706512451f, 0.81746435165405273f, 0.68657326698303223f, 0.54003900289535522f, 0.38065254688262939f, 0.21021415293216705f, 0.02999999932944775f );
 fn thread_index_0( id_0 : vec3<u32>) -> u32

@@ -46,7 +46,7 @@ struct Layer_std430_0
     @align(4) share_0 : f32,
 };
 
-@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -72,13 +72,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -121,9 +148,9 @@ struct Vertex_std430_0
 
 @binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
-@binding(12) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
-@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Light_std430_0
 {
@@ -1826,7 +1853,7 @@ fn crossing_at_0( _S289 : u32,  _S290 : f32,  _S291 : f32,  _S292 : bool) -> Cro
     var crossing_2 : Crossing_0;
     crossing_2.warp_1 = locate_0(fabrics_0[_S289].warp_0, _S290);
     crossing_2.weft_1 = locate_0(fabrics_0[_S289].weft_0, _S291);
-    var _S293 : u32 = fabrics_0[_S289].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S289].ends_0 + crossing_2.warp_1.thread_1);
+    var _S293 : u32 = fabrics_0[_S289].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S289].ends_1 + crossing_2.warp_1.thread_1);
     var _S294 : u32 = words_0[_S293];
     crossing_2.warp_word_0 = _S294;
     crossing_2.weft_word_0 = words_0[_S293 + u32(1)];
@@ -2483,25 +2510,18 @@ fn refined_height_0( _S423 : u32,  _S424 : ViewRay_0,  _S425 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S437 : u32,  _S438 : SearchQuality_0,  _S439 : f32,  _S440 : f32,  _S441 : vec3<f32>,  _S442 : bool) -> Hit_1
+fn first_hit_of_yarn_0( _S437 : u32,  _S438 : SearchQuality_0,  _S439 : f32,  _S440 : f32,  _S441 : vec3<f32>,  _S442 : bool) -> Hit_1
 {
-    var hit_1 : Hit_1;
-    hit_1.x_13 = _S439;
-    hit_1.y_7 = _S440;
-    hit_1.height_3 = 0.0f;
-    var _S443 : bool = passes_through_0(_S437, _S438, _S439, _S440, _S441, _S442);
-    hit_1.hole_2 = _S443;
-    if(_S443)
-    {
-        return hit_1;
-    }
-    var _S444 : f32 = max(_S441.z, 0.00009999999747379f);
+    var _S443 : f32 = max(_S441.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_2 = vec2<f32>(_S439, _S440);
-    var _S445 : vec2<f32> = _S441.xy / vec2<f32>(_S444);
-    ray_0.slope_1 = _S445;
-    var _S446 : StepControl_0 = step_control_0((vec2<f32>(0) - _S445), 1.0f / max(steps_per_length_0(_S437, _S438, _S441) / _S444, 9.99999971718068537e-10f));
-    var _S447 : f32 = refined_height_0(_S437, ray_0, _S446, _S442, search_down_0(_S437, ray_0, _S446, _S442), _S438.refinements_0);
+    var _S444 : vec2<f32> = _S441.xy / vec2<f32>(_S443);
+    ray_0.slope_1 = _S444;
+    var _S445 : StepControl_0 = step_control_0((vec2<f32>(0) - _S444), 1.0f / max(steps_per_length_0(_S437, _S438, _S441) / _S443, 9.99999971718068537e-10f));
+    var _S446 : ViewRayEnd_0 = search_down_0(_S437, ray_0, _S445, _S442);
+    var hit_1 : Hit_1;
+    hit_1.hole_2 = false;
+    var _S447 : f32 = refined_height_0(_S437, ray_0, _S445, _S442, _S446, _S438.refinements_0);
     hit_1.height_3 = _S447;
     var _S448 : vec2<f32> = ViewRay_at_0(ray_0, _S447);
     hit_1.x_13 = _S448.x;
@@ -2509,28 +2529,42 @@ fn first_hit_0( _S437 : u32,  _S438 : SearchQuality_0,  _S439 : f32,  _S440 : f3
     return hit_1;
 }
 
+fn first_hit_0( _S449 : u32,  _S450 : SearchQuality_0,  _S451 : f32,  _S452 : f32,  _S453 : vec3<f32>,  _S454 : bool) -> Hit_1
+{
+    if(!passes_through_0(_S449, _S450, _S451, _S452, _S453, _S454))
+    {
+        return first_hit_of_yarn_0(_S449, _S450, _S451, _S452, _S453, _S454);
+    }
+    var hit_2 : Hit_1;
+    hit_2.x_13 = _S451;
+    hit_2.y_7 = _S452;
+    hit_2.height_3 = 0.0f;
+    hit_2.hole_2 = true;
+    return hit_2;
+}
+
 struct CoverageTaps_0
 {
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S449 : u32,  _S450 : f32) -> vec3<f32>
+fn pyramid_level_0( _S455 : u32,  _S456 : f32) -> vec3<f32>
 {
-    var _S451 : u32 = fabrics_0[_S449].lobes_0.levels_0 + u32(4) * u32(min(_S450, fabrics_0[_S449].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S451), table_number_0(_S451 + u32(1)), table_number_0(_S451 + u32(2)));
+    var _S457 : u32 = fabrics_0[_S455].lobes_0.levels_0 + u32(4) * u32(min(_S456, fabrics_0[_S455].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S457), table_number_0(_S457 + u32(1)), table_number_0(_S457 + u32(2)));
 }
 
-fn coverage_taps_0( _S452 : u32,  _S453 : Footprint_0,  _S454 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : bool) -> CoverageTaps_0
 {
-    var _S455 : Lobes_std430_0 = fabrics_0[_S452].lobes_0;
-    var _S456 : f32 = Footprint_spread_side_0(_S453) * fabrics_0[_S452].lobes_0.inverse_base_size_0;
-    var _S457 : vec3<f32> = pyramid_level_0(_S452, floor(binary_logarithm_0(max(0.68000000715255737f * _S456, 1.0f))));
-    var _S458 : f32 = 1.0f / max(_S456, 9.99999997475242708e-07f);
-    var _S459 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S452].warp_0].inverse_period_0, families_0[fabrics_0[_S452].weft_0].inverse_period_0);
-    var _S460 : vec2<f32> = _S453.centre_0 * _S459;
-    var _S461 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S458 * _S458), 0.0f, 1.0f)), 0.3333333432674408f * _S458), 1.0f));
-    var _S462 : vec2<f32> = _S453.dx_0 * _S459 * _S461;
-    var _S463 : vec2<f32> = _S453.dy_0 * _S459 * _S461;
+    var _S461 : Lobes_std430_0 = fabrics_0[_S458].lobes_0;
+    var _S462 : f32 = Footprint_spread_side_0(_S459) * fabrics_0[_S458].lobes_0.inverse_base_size_0;
+    var _S463 : vec3<f32> = pyramid_level_0(_S458, floor(binary_logarithm_0(max(0.68000000715255737f * _S462, 1.0f))));
+    var _S464 : f32 = 1.0f / max(_S462, 9.99999997475242708e-07f);
+    var _S465 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S458].warp_0].inverse_period_0, families_0[fabrics_0[_S458].weft_0].inverse_period_0);
+    var _S466 : vec2<f32> = _S459.centre_0 * _S465;
+    var _S467 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S464 * _S464), 0.0f, 1.0f)), 0.3333333432674408f * _S464), 1.0f));
+    var _S468 : vec2<f32> = _S459.dx_0 * _S465 * _S467;
+    var _S469 : vec2<f32> = _S459.dy_0 * _S465 * _S467;
     var taps_3 : CoverageTaps_0;
     var number_3 : u32 = u32(0);
     for(;;)
@@ -2542,26 +2576,26 @@ fn coverage_taps_0( _S452 : u32,  _S453 : Footprint_0,  _S454 : bool) -> Coverag
         {
             break;
         }
-        var _S464 : vec2<f32> = _S460 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S462 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S463;
-        var _S465 : f32 = _S457.y;
-        var _S466 : f32 = wrapped_cell_0(_S464.x, _S465);
-        var _S467 : f32 = wrapped_cell_0(_S464.y, _S457.z);
-        var _S468 : u32;
-        if(_S454)
+        var _S470 : vec2<f32> = _S466 + vec2<f32>(TAP_OFFSETS_0[number_3].x) * _S468 + vec2<f32>(TAP_OFFSETS_0[number_3].y) * _S469;
+        var _S471 : f32 = _S463.y;
+        var _S472 : f32 = wrapped_cell_0(_S470.x, _S471);
+        var _S473 : f32 = wrapped_cell_0(_S470.y, _S463.z);
+        var _S474 : u32;
+        if(_S460)
         {
-            _S468 = _S455.face_nodes_0;
+            _S474 = _S461.face_nodes_0;
         }
         else
         {
-            _S468 = u32(0);
+            _S474 = u32(0);
         }
-        taps_3.nodes_1[number_3] = _S468 + u32(_S467 * _S465 + _S466 + _S457.x);
+        taps_3.nodes_1[number_3] = _S474 + u32(_S473 * _S471 + _S472 + _S463.x);
         number_3 = number_3 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_holes_0( _S469 : u32,  _S470 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S475 : u32,  _S476 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2574,54 +2608,54 @@ fn coverage_of_holes_0( _S469 : u32,  _S470 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S469].lobes_0.coverage_holes_0 + _S470.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S470.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S475].lobes_0.coverage_holes_0 + _S476.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S476.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S471 : u32,  _S472 : CoverageTaps_0,  _S473 : NodeTaps_0,  _S474 : bool) -> f32
+fn prefiltered_hole_0( _S477 : u32,  _S478 : CoverageTaps_0,  _S479 : NodeTaps_0,  _S480 : bool) -> f32
 {
-    var _S475 : Lobes_std430_0 = fabrics_0[_S471].lobes_0;
-    var _S476 : f32 = interpolate_table_0(_S473, fabrics_0[_S471].lobes_0.projected_area_0 + fabrics_0[_S471].lobes_0.packs_0, fabrics_0[_S471].lobes_0.packs_0 + u32(1)).x;
-    var _S477 : f32;
-    if(_S474)
+    var _S481 : Lobes_std430_0 = fabrics_0[_S477].lobes_0;
+    var _S482 : f32 = interpolate_table_0(_S479, fabrics_0[_S477].lobes_0.projected_area_0 + fabrics_0[_S477].lobes_0.packs_0, fabrics_0[_S477].lobes_0.packs_0 + u32(1)).x;
+    var _S483 : f32;
+    if(_S480)
     {
-        _S477 = _S475.back_hole_weight_0;
+        _S483 = _S481.back_hole_weight_0;
     }
     else
     {
-        _S477 = _S475.front_hole_weight_0;
+        _S483 = _S481.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S471, _S472) * _S476 * _S476 * _S477, 1.0f);
+    return min(coverage_of_holes_0(_S477, _S478) * _S482 * _S482 * _S483, 1.0f);
 }
 
-fn passed_share_0( _S478 : u32,  _S479 : VisiblePoint_0,  _S480 : vec3<f32>,  _S481 : f32,  _S482 : vec2<f32>) -> f32
+fn passed_share_0( _S484 : u32,  _S485 : VisiblePoint_0,  _S486 : vec3<f32>,  _S487 : f32,  _S488 : vec2<f32>) -> f32
 {
-    var _S483 : vec3<f32> = to_local_0(_S479, _S480);
-    var _S484 : bool = (_S483.z) < 0.0f;
-    var _S485 : vec3<f32> = to_face_frame_0(_S483, _S484);
+    var _S489 : vec3<f32> = to_local_0(_S485, _S486);
+    var _S490 : bool = (_S489.z) < 0.0f;
+    var _S491 : vec3<f32> = to_face_frame_0(_S489, _S490);
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S479.draft_0;
-    footprint_0.dx_0 = vec2<f32>(_S481, 0.0f);
-    footprint_0.dy_0 = vec2<f32>(0.0f, _S481);
-    var _S486 : f32;
-    if((fabrics_0[_S478].lobes_0.is_baked_0) != u32(0))
+    footprint_0.centre_0 = _S485.draft_0;
+    footprint_0.dx_0 = vec2<f32>(_S487, 0.0f);
+    footprint_0.dy_0 = vec2<f32>(0.0f, _S487);
+    var _S492 : f32;
+    if((fabrics_0[_S484].lobes_0.is_baked_0) != u32(0))
     {
-        _S486 = regime_of_0(_S478, footprint_0, 1.0f).prefiltered_0;
+        _S492 = regime_of_0(_S484, footprint_0, 1.0f).prefiltered_0;
     }
     else
     {
-        _S486 = 0.0f;
+        _S492 = 0.0f;
     }
     var share_2 : f32;
-    if(_S486 < 1.0f)
+    if(_S492 < 1.0f)
     {
-        var _S487 : vec2<f32> = footprint_0.centre_0 + (_S482 - vec2<f32>(0.5f)) * vec2<f32>(_S481);
-        if(first_hit_0(_S478, default_quality_0(), _S487.x, _S487.y, _S485, _S484).hole_2)
+        var _S493 : vec2<f32> = footprint_0.centre_0 + (_S488 - vec2<f32>(0.5f)) * vec2<f32>(_S487);
+        if(first_hit_0(_S484, default_quality_0(), _S493.x, _S493.y, _S491, _S490).hole_2)
         {
-            share_2 = 1.0f - _S486;
+            share_2 = 1.0f - _S492;
         }
         else
         {
@@ -2632,34 +2666,34 @@ fn passed_share_0( _S478 : u32,  _S479 : VisiblePoint_0,  _S480 : vec3<f32>,  _S
     {
         share_2 = 0.0f;
     }
-    if(_S486 > 0.0f)
+    if(_S492 > 0.0f)
     {
-        var nodes_2 : NodeTaps_0 = node_taps_0(_S485);
-        var _S488 : u32;
-        if(_S484)
+        var nodes_2 : NodeTaps_0 = node_taps_0(_S491);
+        var _S494 : u32;
+        if(_S490)
         {
-            _S488 = u32(1);
+            _S494 = u32(1);
         }
         else
         {
-            _S488 = u32(0);
+            _S494 = u32(0);
         }
-        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((_S488 * u32(256)));
-        share_2 = share_2 + _S486 * prefiltered_hole_0(_S478, coverage_taps_0(_S478, footprint_0, _S484), nodes_2, _S484);
+        nodes_2.nodes_0 = nodes_2.nodes_0 + vec4<u32>((_S494 * u32(256)));
+        share_2 = share_2 + _S492 * prefiltered_hole_0(_S484, coverage_taps_0(_S484, footprint_0, _S490), nodes_2, _S490);
     }
-    var _S489 : f32 = fabrics_0[_S478].sheen_strength_0;
-    if((fabrics_0[_S478].sheen_strength_0) > 0.0f)
+    var _S495 : f32 = fabrics_0[_S484].sheen_strength_0;
+    if((fabrics_0[_S484].sheen_strength_0) > 0.0f)
     {
-        share_2 = share_2 * (1.0f - _S489 * sheen_lobe_0(_S485.z, fabrics_0[_S478].sheen_roughness_0).z);
+        share_2 = share_2 * (1.0f - _S495 * sheen_lobe_0(_S491.z, fabrics_0[_S484].sheen_roughness_0).z);
     }
     return share_2;
 }
 
-fn visibility_of_0( _S490 : i32,  _S491 : VisiblePoint_0,  _S492 : u32,  _S493 : vec2<u32>,  _S494 : u32) -> f32
+fn visibility_of_0( _S496 : i32,  _S497 : VisiblePoint_0,  _S498 : u32,  _S499 : vec2<u32>,  _S500 : u32) -> f32
 {
-    var _S495 : LightSample_0 = light_sample_0(_S490, _S494, _S493, _S491.position_0);
+    var _S501 : LightSample_0 = light_sample_0(_S496, _S500, _S499, _S497.position_0);
     var nearest_1 : f32;
-    if((dot(_S495.towards_0, _S491.face_normal_0)) < 0.0f)
+    if((dot(_S501.towards_0, _S497.face_normal_0)) < 0.0f)
     {
         nearest_1 = -1.0f;
     }
@@ -2667,54 +2701,54 @@ fn visibility_of_0( _S490 : i32,  _S491 : VisiblePoint_0,  _S492 : u32,  _S493 :
     {
         nearest_1 = 1.0f;
     }
-    var _S496 : vec3<f32> = _S491.position_0 + vec3<f32>((nearest_1 * frames_0[_S490].ray_offset_0)) * _S491.face_normal_0;
-    var _S497 : vec2<f32> = _S491.draft_dx_0;
-    var _S498 : vec2<f32> = _S491.draft_dy_0;
-    var _S499 : f32 = sqrt(0.5f * (dot(_S497, _S497) + dot(_S498, _S498)));
+    var _S502 : vec3<f32> = _S497.position_0 + vec3<f32>((nearest_1 * frames_0[_S496].ray_offset_0)) * _S497.face_normal_0;
+    var _S503 : vec2<f32> = _S497.draft_dx_0;
+    var _S504 : vec2<f32> = _S497.draft_dy_0;
+    var _S505 : f32 = sqrt(0.5f * (dot(_S503, _S503) + dot(_S504, _S504)));
     nearest_1 = 0.0f;
-    var without_0 : u32 = _S492;
+    var without_0 : u32 = _S498;
     var layer_0 : u32 = u32(0);
     var visibility_0 : f32 = 1.0f;
     for(;;)
     {
-        var _S500 : bool;
+        var _S506 : bool;
         if(layer_0 < u32(8))
         {
-            _S500 = visibility_0 > 0.00100000004749745f;
+            _S506 = visibility_0 > 0.00100000004749745f;
         }
         else
         {
-            _S500 = false;
+            _S506 = false;
         }
-        if(_S500)
+        if(_S506)
         {
         }
         else
         {
             break;
         }
-        var _S501 : Hit_0 = nearest_hit_0(_S490, _S496, _S495.towards_0, nearest_1, _S495.distance_2, without_0, true);
-        if((_S501.face_1) == u32(4294967295))
+        var _S507 : Hit_0 = nearest_hit_0(_S496, _S502, _S501.towards_0, nearest_1, _S501.distance_2, without_0, true);
+        if((_S507.face_1) == u32(4294967295))
         {
             break;
         }
-        var _S502 : u32 = face_fabrics_0[_S501.face_1];
-        var _S503 : VisiblePoint_0 = face_point_0(_S502, _S501.face_1, _S501.weight_b_0, _S501.weight_c_0);
-        var _S504 : vec2<f32> = pixel_sequence_0(_S493, frames_0[_S490].pass_number_0, u32(5) + u32(2) * (u32(8) * _S494 + layer_0));
-        var _S505 : f32;
-        if((fabrics_0[_S502].is_open_0) != u32(0))
+        var _S508 : u32 = face_fabrics_0[_S507.face_1];
+        var _S509 : VisiblePoint_0 = face_point_0(_S508, _S507.face_1, _S507.weight_b_0, _S507.weight_c_0);
+        var _S510 : vec2<f32> = pixel_sequence_0(_S499, frames_0[_S496].pass_number_0, u32(5) + u32(2) * (u32(8) * _S500 + layer_0));
+        var _S511 : f32;
+        if((fabrics_0[_S508].is_open_0) != u32(0))
         {
-            _S505 = passed_share_0(_S502, _S503, (vec3<f32>(0) - _S495.towards_0), _S499, _S504);
+            _S511 = passed_share_0(_S508, _S509, (vec3<f32>(0) - _S501.towards_0), _S505, _S510);
         }
         else
         {
-            _S505 = 0.0f;
+            _S511 = 0.0f;
         }
-        var visibility_1 : f32 = visibility_0 * _S505;
-        var _S506 : u32 = layer_0 + u32(1);
-        nearest_1 = _S501.distance_0;
-        without_0 = _S501.face_1;
-        layer_0 = _S506;
+        var visibility_1 : f32 = visibility_0 * _S511;
+        var _S512 : u32 = layer_0 + u32(1);
+        nearest_1 = _S507.distance_0;
+        without_0 = _S507.face_1;
+        layer_0 = _S512;
         visibility_0 = visibility_1;
     }
     if(visibility_0 > 0.00100000004749745f)
@@ -2732,30 +2766,30 @@ fn visibility_of_0( _S490 : i32,  _S491 : VisiblePoint_0,  _S492 : u32,  _S493 :
 @workgroup_size(8, 8, 1)
 fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S507 : u32 = id_0.x;
-    var _S508 : u32 = frames_0[i32(0)].width_0;
-    var _S509 : bool;
-    if(_S507 >= (frames_0[i32(0)].width_0))
+    var _S513 : u32 = id_0.x;
+    var _S514 : u32 = frames_0[i32(0)].width_0;
+    var _S515 : bool;
+    if(_S513 >= (frames_0[i32(0)].width_0))
     {
-        _S509 = true;
+        _S515 = true;
     }
     else
     {
-        _S509 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S515 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S509)
+    if(_S515)
     {
         return;
     }
-    var _S510 : u32 = id_0.y * _S508 + _S507;
-    var _S511 : u32 = layers_0[_S510].face_0;
-    if((layers_0[_S510].face_0) == u32(0))
+    var _S516 : u32 = id_0.y * _S514 + _S513;
+    var _S517 : u32 = layers_0[_S516].face_0;
+    if((layers_0[_S516].face_0) == u32(0))
     {
         return;
     }
-    var _S512 : u32 = _S511 - u32(1);
-    var _S513 : vec2<u32> = id_0.xy;
-    var _S514 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S512], _S512, _S513);
+    var _S518 : u32 = _S517 - u32(1);
+    var _S519 : vec2<u32> = id_0.xy;
+    var _S520 : VisiblePoint_0 = visible_point_0(i32(0), face_fabrics_0[_S518], _S518, _S519);
     var number_5 : u32 = u32(0);
     for(;;)
     {
@@ -2766,7 +2800,7 @@ fn cast_shadows(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        visibilities_0[number_5 * _S508 * frames_0[i32(0)].height_0 + _S510] = visibility_of_0(i32(0), _S514, _S512, _S513, number_5);
+        visibilities_0[number_5 * _S514 * frames_0[i32(0)].height_0 + _S516] = visibility_of_0(i32(0), _S520, _S518, _S519, number_5);
         number_5 = number_5 + u32(1);
     }
     return;

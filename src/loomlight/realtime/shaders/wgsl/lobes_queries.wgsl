@@ -43,13 +43,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -69,6 +96,9 @@ struct Fabric_std430_0
     @align(4) fibre_size_0 : f32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -1821,7 +1851,7 @@ fn crossing_at_0( _S243 : u32,  _S244 : f32,  _S245 : f32,  _S246 : bool) -> Cro
     var crossing_3 : Crossing_0;
     crossing_3.warp_1 = locate_0(fabrics_0[_S243].warp_0, _S244);
     crossing_3.weft_1 = locate_0(fabrics_0[_S243].weft_0, _S245);
-    var _S247 : u32 = fabrics_0[_S243].run_words_0 + u32(2) * (crossing_3.weft_1.thread_0 * fabrics_0[_S243].ends_0 + crossing_3.warp_1.thread_0);
+    var _S247 : u32 = fabrics_0[_S243].run_words_0 + u32(2) * (crossing_3.weft_1.thread_0 * fabrics_0[_S243].ends_1 + crossing_3.warp_1.thread_0);
     var _S248 : u32 = words_0[_S247];
     crossing_3.warp_word_0 = _S248;
     crossing_3.weft_word_0 = words_0[_S247 + u32(1)];
@@ -2478,25 +2508,18 @@ fn refined_height_0( _S377 : u32,  _S378 : ViewRay_0,  _S379 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S391 : u32,  _S392 : SearchQuality_0,  _S393 : f32,  _S394 : f32,  _S395 : vec3<f32>,  _S396 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S391 : u32,  _S392 : SearchQuality_0,  _S393 : f32,  _S394 : f32,  _S395 : vec3<f32>,  _S396 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_11 = _S393;
-    hit_0.y_5 = _S394;
-    hit_0.height_4 = 0.0f;
-    var _S397 : bool = passes_through_0(_S391, _S392, _S393, _S394, _S395, _S396);
-    hit_0.hole_5 = _S397;
-    if(_S397)
-    {
-        return hit_0;
-    }
-    var _S398 : f32 = max(_S395.z, 0.00009999999747379f);
+    var _S397 : f32 = max(_S395.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S393, _S394);
-    var _S399 : vec2<f32> = _S395.xy / vec2<f32>(_S398);
-    ray_0.slope_1 = _S399;
-    var _S400 : StepControl_0 = step_control_0((vec2<f32>(0) - _S399), 1.0f / max(steps_per_length_0(_S391, _S392, _S395) / _S398, 9.99999971718068537e-10f));
-    var _S401 : f32 = refined_height_0(_S391, ray_0, _S400, _S396, search_down_0(_S391, ray_0, _S400, _S396), _S392.refinements_0);
+    var _S398 : vec2<f32> = _S395.xy / vec2<f32>(_S397);
+    ray_0.slope_1 = _S398;
+    var _S399 : StepControl_0 = step_control_0((vec2<f32>(0) - _S398), 1.0f / max(steps_per_length_0(_S391, _S392, _S395) / _S397, 9.99999971718068537e-10f));
+    var _S400 : ViewRayEnd_0 = search_down_0(_S391, ray_0, _S399, _S396);
+    var hit_0 : Hit_0;
+    hit_0.hole_5 = false;
+    var _S401 : f32 = refined_height_0(_S391, ray_0, _S399, _S396, _S400, _S392.refinements_0);
     hit_0.height_4 = _S401;
     var _S402 : vec2<f32> = ViewRay_at_0(ray_0, _S401);
     hit_0.x_11 = _S402.x;
@@ -2504,99 +2527,113 @@ fn first_hit_0( _S391 : u32,  _S392 : SearchQuality_0,  _S393 : f32,  _S394 : f3
     return hit_0;
 }
 
-fn surface_at_0( _S403 : u32,  _S404 : f32,  _S405 : f32,  _S406 : bool) -> SurfacePoint_0
+fn first_hit_0( _S403 : u32,  _S404 : SearchQuality_0,  _S405 : f32,  _S406 : f32,  _S407 : vec3<f32>,  _S408 : bool) -> Hit_0
 {
-    var _S407 : Sample_0 = sample_at_0(_S403, _S404, _S405, _S406);
-    var _S408 : f32;
-    if(_S407.shown_3.is_warp_2)
+    if(!passes_through_0(_S403, _S404, _S405, _S406, _S407, _S408))
     {
-        _S408 = _S407.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S403, _S404, _S405, _S406, _S407, _S408);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_11 = _S405;
+    hit_1.y_5 = _S406;
+    hit_1.height_4 = 0.0f;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+fn surface_at_0( _S409 : u32,  _S410 : f32,  _S411 : f32,  _S412 : bool) -> SurfacePoint_0
+{
+    var _S413 : Sample_0 = sample_at_0(_S409, _S410, _S411, _S412);
+    var _S414 : f32;
+    if(_S413.shown_3.is_warp_2)
+    {
+        _S414 = _S413.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S408 = _S407.crossing_2.weft_1.half_width_1;
+        _S414 = _S413.crossing_2.weft_1.half_width_1;
     }
-    var _S409 : u32;
-    if(_S407.shown_3.is_warp_2)
+    var _S415 : u32;
+    if(_S413.shown_3.is_warp_2)
     {
-        _S409 = fabrics_0[_S403].warp_0;
-    }
-    else
-    {
-        _S409 = fabrics_0[_S403].weft_0;
-    }
-    var _S410 : Family_std430_0 = families_0[_S409];
-    var _S411 : f32;
-    if(_S406)
-    {
-        _S411 = -1.0f;
+        _S415 = fabrics_0[_S409].warp_0;
     }
     else
     {
-        _S411 = 1.0f;
+        _S415 = fabrics_0[_S409].weft_0;
     }
-    var _S412 : f32 = _S410.twist_sine_0 * _S411;
-    var _S413 : Family_std430_0 = families_0[_S409];
-    if(_S407.shown_3.is_warp_2)
+    var _S416 : Family_std430_0 = families_0[_S415];
+    var _S417 : f32;
+    if(_S412)
     {
-        _S411 = 1.0f;
-    }
-    else
-    {
-        _S411 = -1.0f;
-    }
-    var _S414 : vec2<f32> = fibre_direction_0(_S407.slope_across_0, _S411 * _S407.slope_along_0, _S412, _S413.twist_cosine_0);
-    var _S415 : f32;
-    if(_S407.shown_3.is_warp_2)
-    {
-        _S415 = _S407.slope_x_1;
+        _S417 = -1.0f;
     }
     else
     {
-        _S415 = _S407.slope_y_1;
+        _S417 = 1.0f;
     }
-    var _S416 : f32;
-    if(_S407.shown_3.is_warp_2)
+    var _S418 : f32 = _S416.twist_sine_0 * _S417;
+    var _S419 : Family_std430_0 = families_0[_S415];
+    if(_S413.shown_3.is_warp_2)
     {
-        _S416 = _S407.slope_y_1;
-    }
-    else
-    {
-        _S416 = _S407.slope_x_1;
-    }
-    var _S417 : f32 = _S414.x;
-    var _S418 : f32 = _S414.y;
-    var _S419 : f32 = _S415 * _S417 + _S411 * _S416 * _S418;
-    var _S420 : f32 = _S408 * 1.0154266357421875f;
-    var _S421 : f32 = _S420 * arc_sine_0(clamp(_S407.section_1.across_3 / _S420, -1.0f, 1.0f));
-    if(_S407.shown_3.is_warp_2)
-    {
-        _S408 = _S405;
+        _S417 = 1.0f;
     }
     else
     {
-        _S408 = - _S404;
+        _S417 = -1.0f;
+    }
+    var _S420 : vec2<f32> = fibre_direction_0(_S413.slope_across_0, _S417 * _S413.slope_along_0, _S418, _S419.twist_cosine_0);
+    var _S421 : f32;
+    if(_S413.shown_3.is_warp_2)
+    {
+        _S421 = _S413.slope_x_1;
+    }
+    else
+    {
+        _S421 = _S413.slope_y_1;
+    }
+    var _S422 : f32;
+    if(_S413.shown_3.is_warp_2)
+    {
+        _S422 = _S413.slope_y_1;
+    }
+    else
+    {
+        _S422 = _S413.slope_x_1;
+    }
+    var _S423 : f32 = _S420.x;
+    var _S424 : f32 = _S420.y;
+    var _S425 : f32 = _S421 * _S423 + _S417 * _S422 * _S424;
+    var _S426 : f32 = _S414 * 1.0154266357421875f;
+    var _S427 : f32 = _S426 * arc_sine_0(clamp(_S413.section_1.across_3 / _S426, -1.0f, 1.0f));
+    if(_S413.shown_3.is_warp_2)
+    {
+        _S414 = _S411;
+    }
+    else
+    {
+        _S414 = - _S410;
     }
     var point_0 : SurfacePoint_0;
-    point_0.hole_0 = _S407.shown_3.hole_3;
-    point_0.is_warp_0 = _S407.shown_3.is_warp_2;
-    point_0.warp_thread_0 = _S407.crossing_2.warp_1.thread_0;
-    point_0.weft_thread_0 = _S407.crossing_2.weft_1.thread_0;
-    point_0.height_0 = _S407.height_5;
-    point_0.normal_0 = normalize(vec3<f32>(- _S407.slope_x_1, - _S407.slope_y_1, 1.0f));
-    var _S422 : vec3<f32>;
-    if(_S407.shown_3.is_warp_2)
+    point_0.hole_0 = _S413.shown_3.hole_3;
+    point_0.is_warp_0 = _S413.shown_3.is_warp_2;
+    point_0.warp_thread_0 = _S413.crossing_2.warp_1.thread_0;
+    point_0.weft_thread_0 = _S413.crossing_2.weft_1.thread_0;
+    point_0.height_0 = _S413.height_5;
+    point_0.normal_0 = normalize(vec3<f32>(- _S413.slope_x_1, - _S413.slope_y_1, 1.0f));
+    var _S428 : vec3<f32>;
+    if(_S413.shown_3.is_warp_2)
     {
-        _S422 = vec3<f32>(_S417, _S418, _S419);
+        _S428 = vec3<f32>(_S423, _S424, _S425);
     }
     else
     {
-        _S422 = vec3<f32>(- _S418, _S417, _S419);
+        _S428 = vec3<f32>(- _S424, _S423, _S425);
     }
-    point_0.tangent_0 = normalize(_S422);
-    point_0.across_0 = _S407.section_1.across_3;
-    point_0.fibre_across_0 = _S421 * _S413.twist_cosine_0 + _S408 * _S412;
-    point_0.fibre_along_0 = _S408 * _S413.twist_cosine_0 - _S421 * _S412;
+    point_0.tangent_0 = normalize(_S428);
+    point_0.across_0 = _S413.section_1.across_3;
+    point_0.fibre_across_0 = _S427 * _S419.twist_cosine_0 + _S414 * _S418;
+    point_0.fibre_along_0 = _S414 * _S419.twist_cosine_0 - _S427 * _S418;
     return point_0;
 }
 
@@ -2614,239 +2651,239 @@ struct YarnPoint_0
      albedos_5 : Albedos_0,
 };
 
-fn vary_albedos_0( _S423 : u32,  _S424 : Albedos_0,  _S425 : u32,  _S426 : u32) -> Albedos_0
+fn vary_albedos_0( _S429 : u32,  _S430 : Albedos_0,  _S431 : u32,  _S432 : u32) -> Albedos_0
 {
-    var _S427 : vec3<f32> = max(_S424.specular_reflect_0, _S424.specular_transmit_0);
-    var _S428 : vec3<f32> = _S424.diffuse_reflect_0 + _S424.diffuse_transmit_0;
-    var _S429 : vec3<f32> = vec3<f32>(fabrics_0[_S423].layer_bound_0);
-    var _S430 : vec3<f32> = vec3<f32>(1.0f);
-    var _S431 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S425, fabrics_0[_S423].colour_noise_0, fabrics_0[_S423].seed_0), _S428, _S430 - _S429 * _S427));
-    var _S432 : f32 = bounded_gain_0(fibre_gain_0(_S425, _S426, fabrics_0[_S423].fibre_noise_0, fabrics_0[_S423].seed_0), _S427, min((_S430 - _S431 * _S428) / _S429, vec3<f32>(1.0f)));
+    var _S433 : vec3<f32> = max(_S430.specular_reflect_0, _S430.specular_transmit_0);
+    var _S434 : vec3<f32> = _S430.diffuse_reflect_0 + _S430.diffuse_transmit_0;
+    var _S435 : vec3<f32> = vec3<f32>(fabrics_0[_S429].layer_bound_0);
+    var _S436 : vec3<f32> = vec3<f32>(1.0f);
+    var _S437 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S431, fabrics_0[_S429].colour_noise_0, fabrics_0[_S429].seed_0), _S434, _S436 - _S435 * _S433));
+    var _S438 : f32 = bounded_gain_0(fibre_gain_0(_S431, _S432, fabrics_0[_S429].fibre_noise_0, fabrics_0[_S429].seed_0), _S433, min((_S436 - _S437 * _S434) / _S435, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S431 * _S424.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S431 * _S424.diffuse_transmit_0;
-    var _S433 : vec3<f32> = vec3<f32>(_S432);
-    varied_0.specular_reflect_0 = _S433 * _S424.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S433 * _S424.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S437 * _S430.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S437 * _S430.diffuse_transmit_0;
+    var _S439 : vec3<f32> = vec3<f32>(_S438);
+    varied_0.specular_reflect_0 = _S439 * _S430.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S439 * _S430.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S434 : u32,  _S435 : SurfacePoint_0,  _S436 : Albedos_0,  _S437 : f32,  _S438 : f32) -> Albedos_0
+fn varied_at_0( _S440 : u32,  _S441 : SurfacePoint_0,  _S442 : Albedos_0,  _S443 : f32,  _S444 : f32) -> Albedos_0
 {
-    var _S439 : f32;
-    if(_S435.is_warp_0)
+    var _S445 : f32;
+    if(_S441.is_warp_0)
     {
-        _S439 = _S437;
+        _S445 = _S443;
     }
     else
     {
-        _S439 = _S438;
+        _S445 = _S444;
     }
-    var _S440 : f32 = _S439 - _S435.across_0;
-    var _S441 : u32;
-    if(_S435.is_warp_0)
+    var _S446 : f32 = _S445 - _S441.across_0;
+    var _S447 : u32;
+    if(_S441.is_warp_0)
     {
-        _S441 = fabrics_0[_S434].warp_0;
+        _S447 = fabrics_0[_S440].warp_0;
     }
     else
     {
-        _S441 = fabrics_0[_S434].weft_0;
+        _S447 = fabrics_0[_S440].weft_0;
     }
-    var _S442 : Family_std430_0 = families_0[_S441];
-    var _S443 : i32 = i32(families_0[_S441].count_0);
-    if(_S435.is_warp_0)
+    var _S448 : Family_std430_0 = families_0[_S447];
+    var _S449 : i32 = i32(families_0[_S447].count_0);
+    if(_S441.is_warp_0)
     {
-        _S441 = _S435.warp_thread_0;
+        _S447 = _S441.warp_thread_0;
     }
     else
     {
-        _S441 = _S435.weft_thread_0;
+        _S447 = _S441.weft_thread_0;
     }
-    var _S444 : u32 = u32(i32(floor(_S440 / _S442.period_0)) * _S443 + i32(_S441)) * u32(2);
-    if(_S435.is_warp_0)
+    var _S450 : u32 = u32(i32(floor(_S446 / _S448.period_0)) * _S449 + i32(_S447)) * u32(2);
+    if(_S441.is_warp_0)
     {
-        _S441 = u32(1);
+        _S447 = u32(1);
     }
     else
     {
-        _S441 = u32(0);
+        _S447 = u32(0);
     }
-    var _S445 : f32 = floor(_S435.fibre_across_0 / fabrics_0[_S434].fibre_size_0);
-    return vary_albedos_0(_S434, _S436, _S444 + _S441, u32(i32(_S445)) * u32(65536) + u32(i32(floor(_S435.fibre_along_0 / (fabrics_0[_S434].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S445))));
+    var _S451 : f32 = floor(_S441.fibre_across_0 / fabrics_0[_S440].fibre_size_0);
+    return vary_albedos_0(_S440, _S442, _S450 + _S447, u32(i32(_S451)) * u32(65536) + u32(i32(floor(_S441.fibre_along_0 / (fabrics_0[_S440].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S451))));
 }
 
-fn yarn_point_of_0( _S446 : u32,  _S447 : SurfacePoint_0,  _S448 : f32,  _S449 : f32,  _S450 : bool,  _S451 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S452 : u32,  _S453 : SurfacePoint_0,  _S454 : f32,  _S455 : f32,  _S456 : bool,  _S457 : bool) -> YarnPoint_0
 {
-    var _S452 : u32;
-    if(_S447.is_warp_0)
+    var _S458 : u32;
+    if(_S453.is_warp_0)
     {
-        _S452 = fabrics_0[_S446].warp_0;
+        _S458 = fabrics_0[_S452].warp_0;
     }
     else
     {
-        _S452 = fabrics_0[_S446].weft_0;
+        _S458 = fabrics_0[_S452].weft_0;
     }
-    var _S453 : u32;
-    if(_S447.is_warp_0)
+    var _S459 : u32;
+    if(_S453.is_warp_0)
     {
-        _S453 = _S447.warp_thread_0;
-    }
-    else
-    {
-        _S453 = _S447.weft_thread_0;
-    }
-    var albedos_6 : Albedos_0 = albedos_of_0(_S452, _S453);
-    var _S454 : bool;
-    if((fabrics_0[_S446].fibre_noise_0) > 0.0f)
-    {
-        _S454 = true;
+        _S459 = _S453.warp_thread_0;
     }
     else
     {
-        _S454 = (fabrics_0[_S446].colour_noise_0) > 0.0f;
+        _S459 = _S453.weft_thread_0;
+    }
+    var albedos_6 : Albedos_0 = albedos_of_0(_S458, _S459);
+    var _S460 : bool;
+    if((fabrics_0[_S452].fibre_noise_0) > 0.0f)
+    {
+        _S460 = true;
+    }
+    else
+    {
+        _S460 = (fabrics_0[_S452].colour_noise_0) > 0.0f;
     }
     var albedos_7 : Albedos_0;
-    if(_S454)
+    if(_S460)
     {
-        albedos_7 = varied_at_0(_S446, _S447, albedos_6, _S448, _S449);
+        albedos_7 = varied_at_0(_S452, _S453, albedos_6, _S454, _S455);
     }
     else
     {
         albedos_7 = albedos_6;
     }
     var point_1 : YarnPoint_0;
-    point_1.back_3 = _S450;
-    point_1.hole_6 = _S451;
-    point_1.is_warp_3 = _S447.is_warp_0;
-    point_1.x_12 = _S448;
-    point_1.y_6 = _S449;
-    point_1.height_9 = _S447.height_0;
-    point_1.normal_6 = _S447.normal_0;
-    point_1.tangent_7 = _S447.tangent_0;
-    point_1.roughness_10 = families_0[_S452].roughness_0;
+    point_1.back_3 = _S456;
+    point_1.hole_6 = _S457;
+    point_1.is_warp_3 = _S453.is_warp_0;
+    point_1.x_12 = _S454;
+    point_1.y_6 = _S455;
+    point_1.height_9 = _S453.height_0;
+    point_1.normal_6 = _S453.normal_0;
+    point_1.tangent_7 = _S453.tangent_0;
+    point_1.roughness_10 = families_0[_S458].roughness_0;
     point_1.albedos_5 = albedos_7;
     return point_1;
 }
 
-fn unoccluded_0( _S455 : u32,  _S456 : SearchQuality_0,  _S457 : f32,  _S458 : f32,  _S459 : f32,  _S460 : vec3<f32>,  _S461 : bool) -> bool
+fn unoccluded_0( _S461 : u32,  _S462 : SearchQuality_0,  _S463 : f32,  _S464 : f32,  _S465 : f32,  _S466 : vec3<f32>,  _S467 : bool) -> bool
 {
-    if((_S460.z) <= 0.0f)
+    if((_S466.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S455, _S456, vec3<f32>(_S457, _S458, _S459 + fabrics_0[_S455].lift_0), _S460, _S461, max_height_along_0(_S455, _S457, _S458, _S459, _S460, _S461));
+    return is_free_0(_S461, _S462, vec3<f32>(_S463, _S464, _S465 + fabrics_0[_S461].lift_0), _S466, _S467, max_height_along_0(_S461, _S463, _S464, _S465, _S466, _S467));
 }
 
-fn is_lit_0( _S462 : u32,  _S463 : SearchQuality_0,  _S464 : YarnPoint_0,  _S465 : vec3<f32>) -> bool
+fn is_lit_0( _S468 : u32,  _S469 : SearchQuality_0,  _S470 : YarnPoint_0,  _S471 : vec3<f32>) -> bool
 {
-    if(_S464.hole_6)
+    if(_S470.hole_6)
     {
         return true;
     }
-    var _S466 : vec3<f32> = to_face_frame_0(_S465, _S464.back_3);
-    var _S467 : f32 = _S466.z;
-    var _S468 : bool = _S467 < 0.0f;
+    var _S472 : vec3<f32> = to_face_frame_0(_S471, _S470.back_3);
+    var _S473 : f32 = _S472.z;
+    var _S474 : bool = _S473 < 0.0f;
     var normal_7 : vec3<f32>;
     var height_10 : f32;
-    if(_S468)
+    if(_S474)
     {
-        var _S469 : SurfacePoint_0 = surface_at_0(_S462, _S464.x_12, _S464.y_6, !_S464.back_3);
-        normal_7 = _S469.normal_0;
-        height_10 = _S469.height_0;
+        var _S475 : SurfacePoint_0 = surface_at_0(_S468, _S470.x_12, _S470.y_6, !_S470.back_3);
+        normal_7 = _S475.normal_0;
+        height_10 = _S475.height_0;
     }
     else
     {
-        normal_7 = _S464.normal_6;
-        height_10 = _S464.height_9;
+        normal_7 = _S470.normal_6;
+        height_10 = _S470.height_9;
     }
-    var _S470 : vec3<f32> = vec3<f32>(_S466.xy, abs(_S467));
-    if((dot(normal_7, _S470)) <= 0.0f)
+    var _S476 : vec3<f32> = vec3<f32>(_S472.xy, abs(_S473));
+    if((dot(normal_7, _S476)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S462, _S463, _S464.x_12, _S464.y_6, height_10, _S470, (_S464.back_3) != _S468);
+    return unoccluded_0(_S468, _S469, _S470.x_12, _S470.y_6, height_10, _S476, (_S470.back_3) != _S474);
 }
 
-fn components_of_point_0( _S471 : u32,  _S472 : SearchQuality_0,  _S473 : YarnPoint_0,  _S474 : vec3<f32>,  _S475 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S477 : u32,  _S478 : SearchQuality_0,  _S479 : YarnPoint_0,  _S480 : vec3<f32>,  _S481 : vec3<f32>) -> Components_0
 {
     var result_1 : Components_0 = no_components_0();
-    var _S476 : f32;
-    if(_S473.hole_6)
+    var _S482 : f32;
+    if(_S479.hole_6)
     {
-        _S476 = 1.0f;
+        _S482 = 1.0f;
     }
     else
     {
-        _S476 = 0.0f;
+        _S482 = 0.0f;
     }
-    result_1.hole_2 = _S476;
-    var _S477 : bool;
-    if(_S473.hole_6)
+    result_1.hole_2 = _S482;
+    var _S483 : bool;
+    if(_S479.hole_6)
     {
-        _S477 = true;
+        _S483 = true;
     }
     else
     {
-        _S477 = !is_lit_0(_S471, _S472, _S473, _S474);
+        _S483 = !is_lit_0(_S477, _S478, _S479, _S480);
     }
-    if(_S477)
+    if(_S483)
     {
         return result_1;
     }
-    var _S478 : vec3<f32> = to_face_frame_0(_S474, _S473.back_3);
-    var _S479 : vec3<f32> = to_face_frame_0(_S475, _S473.back_3);
-    var _S480 : bool = (_S478.z) < 0.0f;
-    var _S481 : vec3<f32>;
-    if(_S480)
+    var _S484 : vec3<f32> = to_face_frame_0(_S480, _S479.back_3);
+    var _S485 : vec3<f32> = to_face_frame_0(_S481, _S479.back_3);
+    var _S486 : bool = (_S484.z) < 0.0f;
+    var _S487 : vec3<f32>;
+    if(_S486)
     {
-        _S481 = (vec3<f32>(0) - _S478);
+        _S487 = (vec3<f32>(0) - _S484);
     }
     else
     {
-        _S481 = _S478;
+        _S487 = _S484;
     }
-    var _S482 : f32 = diffuse_reflection_0(_S481, _S473.normal_6, fabrics_0[_S471].diffuse_blend_0);
-    if(_S480)
+    var _S488 : f32 = diffuse_reflection_0(_S487, _S479.normal_6, fabrics_0[_S477].diffuse_blend_0);
+    if(_S486)
     {
-        _S476 = transmission_0(_S478, _S479, _S473.normal_6, _S473.tangent_7, _S473.roughness_10, fabrics_0[_S471].optical_depth_0);
+        _S482 = transmission_0(_S484, _S485, _S479.normal_6, _S479.tangent_7, _S479.roughness_10, fabrics_0[_S477].optical_depth_0);
     }
     else
     {
-        _S476 = reflection_0(_S478, _S479, _S473.normal_6, _S473.tangent_7, _S473.roughness_10, fabrics_0[_S471].optical_depth_0);
+        _S482 = reflection_0(_S484, _S485, _S479.normal_6, _S479.tangent_7, _S479.roughness_10, fabrics_0[_S477].optical_depth_0);
     }
-    var _S483 : f32;
-    if(_S473.is_warp_3)
+    var _S489 : f32;
+    if(_S479.is_warp_3)
     {
-        _S483 = _S482;
+        _S489 = _S488;
     }
     else
     {
-        _S483 = 0.0f;
+        _S489 = 0.0f;
     }
-    result_1.diffuse_warp_0 = _S483;
-    if(_S473.is_warp_3)
+    result_1.diffuse_warp_0 = _S489;
+    if(_S479.is_warp_3)
     {
-        _S483 = 0.0f;
+        _S489 = 0.0f;
     }
     else
     {
-        _S483 = _S482;
+        _S489 = _S488;
     }
-    result_1.diffuse_weft_0 = _S483;
-    if(_S473.is_warp_3)
+    result_1.diffuse_weft_0 = _S489;
+    if(_S479.is_warp_3)
     {
-        _S483 = _S476;
+        _S489 = _S482;
     }
     else
     {
-        _S483 = 0.0f;
+        _S489 = 0.0f;
     }
-    result_1.specular_warp_0 = _S483;
-    if(_S473.is_warp_3)
+    result_1.specular_warp_0 = _S489;
+    if(_S479.is_warp_3)
     {
-        _S476 = 0.0f;
+        _S482 = 0.0f;
     }
-    result_1.specular_weft_0 = _S476;
+    result_1.specular_weft_0 = _S482;
     result_1.light_visibility_1 = 1.0f;
     return result_1;
 }
@@ -2856,23 +2893,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S484 : u32,  _S485 : f32) -> vec3<f32>
+fn pyramid_level_0( _S490 : u32,  _S491 : f32) -> vec3<f32>
 {
-    var _S486 : u32 = fabrics_0[_S484].lobes_0.levels_0 + u32(4) * u32(min(_S485, fabrics_0[_S484].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S486), table_number_0(_S486 + u32(1)), table_number_0(_S486 + u32(2)));
+    var _S492 : u32 = fabrics_0[_S490].lobes_0.levels_0 + u32(4) * u32(min(_S491, fabrics_0[_S490].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S492), table_number_0(_S492 + u32(1)), table_number_0(_S492 + u32(2)));
 }
 
-fn coverage_taps_0( _S487 : u32,  _S488 : Footprint_0,  _S489 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S493 : u32,  _S494 : Footprint_0,  _S495 : bool) -> CoverageTaps_0
 {
-    var _S490 : Lobes_std430_0 = fabrics_0[_S487].lobes_0;
-    var _S491 : f32 = Footprint_spread_side_0(_S488) * fabrics_0[_S487].lobes_0.inverse_base_size_0;
-    var _S492 : vec3<f32> = pyramid_level_0(_S487, floor(binary_logarithm_0(max(0.68000000715255737f * _S491, 1.0f))));
-    var _S493 : f32 = 1.0f / max(_S491, 9.99999997475242708e-07f);
-    var _S494 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S487].warp_0].inverse_period_0, families_0[fabrics_0[_S487].weft_0].inverse_period_0);
-    var _S495 : vec2<f32> = _S488.centre_0 * _S494;
-    var _S496 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S493 * _S493), 0.0f, 1.0f)), 0.3333333432674408f * _S493), 1.0f));
-    var _S497 : vec2<f32> = _S488.dx_0 * _S494 * _S496;
-    var _S498 : vec2<f32> = _S488.dy_0 * _S494 * _S496;
+    var _S496 : Lobes_std430_0 = fabrics_0[_S493].lobes_0;
+    var _S497 : f32 = Footprint_spread_side_0(_S494) * fabrics_0[_S493].lobes_0.inverse_base_size_0;
+    var _S498 : vec3<f32> = pyramid_level_0(_S493, floor(binary_logarithm_0(max(0.68000000715255737f * _S497, 1.0f))));
+    var _S499 : f32 = 1.0f / max(_S497, 9.99999997475242708e-07f);
+    var _S500 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S493].warp_0].inverse_period_0, families_0[fabrics_0[_S493].weft_0].inverse_period_0);
+    var _S501 : vec2<f32> = _S494.centre_0 * _S500;
+    var _S502 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S499 * _S499), 0.0f, 1.0f)), 0.3333333432674408f * _S499), 1.0f));
+    var _S503 : vec2<f32> = _S494.dx_0 * _S500 * _S502;
+    var _S504 : vec2<f32> = _S494.dy_0 * _S500 * _S502;
     var taps_3 : CoverageTaps_0;
     var number_1 : u32 = u32(0);
     for(;;)
@@ -2884,26 +2921,26 @@ fn coverage_taps_0( _S487 : u32,  _S488 : Footprint_0,  _S489 : bool) -> Coverag
         {
             break;
         }
-        var _S499 : vec2<f32> = _S495 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S497 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S498;
-        var _S500 : f32 = _S492.y;
-        var _S501 : f32 = wrapped_cell_0(_S499.x, _S500);
-        var _S502 : f32 = wrapped_cell_0(_S499.y, _S492.z);
-        var _S503 : u32;
-        if(_S489)
+        var _S505 : vec2<f32> = _S501 + vec2<f32>(TAP_OFFSETS_0[number_1].x) * _S503 + vec2<f32>(TAP_OFFSETS_0[number_1].y) * _S504;
+        var _S506 : f32 = _S498.y;
+        var _S507 : f32 = wrapped_cell_0(_S505.x, _S506);
+        var _S508 : f32 = wrapped_cell_0(_S505.y, _S498.z);
+        var _S509 : u32;
+        if(_S495)
         {
-            _S503 = _S490.face_nodes_0;
+            _S509 = _S496.face_nodes_0;
         }
         else
         {
-            _S503 = u32(0);
+            _S509 = u32(0);
         }
-        taps_3.nodes_1[number_1] = _S503 + u32(_S502 * _S500 + _S501 + _S492.x);
+        taps_3.nodes_1[number_1] = _S509 + u32(_S508 * _S506 + _S507 + _S498.x);
         number_1 = number_1 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_pack_0( _S504 : u32,  _S505 : CoverageTaps_0,  _S506 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S510 : u32,  _S511 : CoverageTaps_0,  _S512 : u32) -> vec4<f32>
 {
     var number_2 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -2917,9 +2954,9 @@ fn coverage_of_pack_0( _S504 : u32,  _S505 : CoverageTaps_0,  _S506 : u32) -> ve
         {
             break;
         }
-        var _S507 : u32 = words_0[fabrics_0[_S504].lobes_0.coverage_0 + _S505.nodes_1[number_2] * fabrics_0[_S504].lobes_0.packs_0 + _S506];
-        var even_2 : u32 = even_1 + ((_S507 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S507 >> (u32(8)))) & (u32(16711935))));
+        var _S513 : u32 = words_0[fabrics_0[_S510].lobes_0.coverage_0 + _S511.nodes_1[number_2] * fabrics_0[_S510].lobes_0.packs_0 + _S512];
+        var even_2 : u32 = even_1 + ((_S513 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S513 >> (u32(8)))) & (u32(16711935))));
         number_2 = number_2 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -2927,7 +2964,7 @@ fn coverage_of_pack_0( _S504 : u32,  _S505 : CoverageTaps_0,  _S506 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S508 : u32,  _S509 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S514 : u32,  _S515 : CoverageTaps_0) -> f32
 {
     var number_3 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -2940,67 +2977,67 @@ fn coverage_of_holes_0( _S508 : u32,  _S509 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S508].lobes_0.coverage_holes_0 + _S509.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S509.nodes_1[number_3] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S514].lobes_0.coverage_holes_0 + _S515.nodes_1[number_3] / u32(4)] >> ((u32(8) * (_S515.nodes_1[number_3] % u32(4)))))) & (u32(255))));
         number_3 = number_3 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S510 : u32,  _S511 : CoverageTaps_0,  _S512 : NodeTaps_0,  _S513 : bool) -> f32
+fn prefiltered_hole_0( _S516 : u32,  _S517 : CoverageTaps_0,  _S518 : NodeTaps_0,  _S519 : bool) -> f32
 {
-    var _S514 : Lobes_std430_0 = fabrics_0[_S510].lobes_0;
-    var _S515 : f32 = interpolate_table_0(_S512, fabrics_0[_S510].lobes_0.projected_area_0 + fabrics_0[_S510].lobes_0.packs_0, fabrics_0[_S510].lobes_0.packs_0 + u32(1)).x;
-    var _S516 : f32;
-    if(_S513)
+    var _S520 : Lobes_std430_0 = fabrics_0[_S516].lobes_0;
+    var _S521 : f32 = interpolate_table_0(_S518, fabrics_0[_S516].lobes_0.projected_area_0 + fabrics_0[_S516].lobes_0.packs_0, fabrics_0[_S516].lobes_0.packs_0 + u32(1)).x;
+    var _S522 : f32;
+    if(_S519)
     {
-        _S516 = _S514.back_hole_weight_0;
+        _S522 = _S520.back_hole_weight_0;
     }
     else
     {
-        _S516 = _S514.front_hole_weight_0;
+        _S522 = _S520.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S510, _S511) * _S515 * _S515 * _S516, 1.0f);
+    return min(coverage_of_holes_0(_S516, _S517) * _S521 * _S521 * _S522, 1.0f);
 }
 
-fn prefiltered_components_0( _S517 : u32,  _S518 : Footprint_0,  _S519 : vec3<f32>,  _S520 : vec3<f32>,  _S521 : bool) -> Components_0
+fn prefiltered_components_0( _S523 : u32,  _S524 : Footprint_0,  _S525 : vec3<f32>,  _S526 : vec3<f32>,  _S527 : bool) -> Components_0
 {
-    var _S522 : CoverageTaps_0 = coverage_taps_0(_S517, _S518, _S521);
-    var _S523 : NodeTaps_0 = node_taps_0(_S520);
-    var view_nodes_0 : NodeTaps_0 = _S523;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S519);
-    var seen_nodes_0 : NodeTaps_0 = _S523;
-    var _S524 : u32;
-    if(_S521)
+    var _S528 : CoverageTaps_0 = coverage_taps_0(_S523, _S524, _S527);
+    var _S529 : NodeTaps_0 = node_taps_0(_S526);
+    var view_nodes_0 : NodeTaps_0 = _S529;
+    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S525);
+    var seen_nodes_0 : NodeTaps_0 = _S529;
+    var _S530 : u32;
+    if(_S527)
     {
-        _S524 = u32(1);
+        _S530 = u32(1);
     }
     else
     {
-        _S524 = u32(0);
+        _S530 = u32(0);
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S524 * u32(256)));
-    var _S525 : u32 = u32(2) * _S524;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S525 * u32(256)));
-    var _S526 : u32;
-    if((_S519.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S530 * u32(256)));
+    var _S531 : u32 = u32(2) * _S530;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S531 * u32(256)));
+    var _S532 : u32;
+    if((_S525.z) < 0.0f)
     {
-        _S526 = u32(1);
-    }
-    else
-    {
-        _S526 = u32(0);
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S525 + _S526) * u32(256)));
-    var _S527 : vec3<f32> = half_vector_0(_S519, _S520);
-    var _S528 : vec3<f32> = shadow_correlation_0(_S519, _S520);
-    if(_S521)
-    {
-        _S526 = fabrics_0[_S517].lobes_0.back_warp_packs_0;
+        _S532 = u32(1);
     }
     else
     {
-        _S526 = fabrics_0[_S517].lobes_0.front_warp_packs_0;
+        _S532 = u32(0);
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S531 + _S532) * u32(256)));
+    var _S533 : vec3<f32> = half_vector_0(_S525, _S526);
+    var _S534 : vec3<f32> = shadow_correlation_0(_S525, _S526);
+    if(_S527)
+    {
+        _S532 = fabrics_0[_S523].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S532 = fabrics_0[_S523].lobes_0.front_warp_packs_0;
     }
     var sums_1 : Components_0;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3012,32 +3049,32 @@ fn prefiltered_components_0( _S517 : u32,  _S518 : Footprint_0,  _S519 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        var _S529 : Lobes_std430_0 = fabrics_0[_S517].lobes_0;
-        if(pack_0 < (fabrics_0[_S517].lobes_0.packs_0))
+        var _S535 : Lobes_std430_0 = fabrics_0[_S523].lobes_0;
+        if(pack_0 < (fabrics_0[_S523].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S530 : vec4<f32> = coverage_of_pack_0(_S517, _S522, pack_0);
-        var _S531 : vec4<f32> = interpolate_table_0(view_nodes_0, _S529.projected_area_0 + pack_0, _S529.packs_0 + u32(1));
-        var _S532 : u32 = _S529.light_visibility_0 + pack_0;
-        var _S533 : vec4<f32> = vec4<f32>(255.0f);
-        var _S534 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S532, _S529.packs_0) / _S533;
-        var _S535 : vec4<f32> = interpolate_table_0(light_nodes_0, _S532, _S529.packs_0) / _S533;
-        var _S536 : vec4<f32> = interpolate_table_0(light_nodes_0, _S529.irradiance_0 + pack_0, _S529.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S537 : bool = pack_0 < _S526;
-        var _S538 : u32;
-        if(_S537)
+        var _S536 : vec4<f32> = coverage_of_pack_0(_S523, _S528, pack_0);
+        var _S537 : vec4<f32> = interpolate_table_0(view_nodes_0, _S535.projected_area_0 + pack_0, _S535.packs_0 + u32(1));
+        var _S538 : u32 = _S535.light_visibility_0 + pack_0;
+        var _S539 : vec4<f32> = vec4<f32>(255.0f);
+        var _S540 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S538, _S535.packs_0) / _S539;
+        var _S541 : vec4<f32> = interpolate_table_0(light_nodes_0, _S538, _S535.packs_0) / _S539;
+        var _S542 : vec4<f32> = interpolate_table_0(light_nodes_0, _S535.irradiance_0 + pack_0, _S535.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S543 : bool = pack_0 < _S532;
+        var _S544 : u32;
+        if(_S543)
         {
-            _S538 = fabrics_0[_S517].warp_0;
+            _S544 = fabrics_0[_S523].warp_0;
         }
         else
         {
-            _S538 = fabrics_0[_S517].weft_0;
+            _S544 = fabrics_0[_S523].weft_0;
         }
-        var _S539 : Family_std430_0 = families_0[_S538];
+        var _S545 : Family_std430_0 = families_0[_S544];
         var number_4 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3050,261 +3087,276 @@ fn prefiltered_components_0( _S517 : u32,  _S518 : Footprint_0,  _S519 : vec3<f3
             {
                 break;
             }
-            var _S540 : Group_0 = group_at_0(_S529.moments_0 + u32(12) * (u32(4) * (_S524 * _S529.packs_0 + pack_0) + number_4), _S539.roughness_0);
-            var _S541 : f32 = _S530[number_4] * _S531[number_4] * _S531[number_4] * _S540.weight_1;
-            var _S542 : vec2<f32> = visibility_gain_0(_S528, _S535[number_4], _S534[number_4]);
-            var _S543 : f32 = _S542.x;
-            var diffuse_1 : f32 = diffuse_0 + _S541 * _S536[number_4] * _S543;
-            var specular_1 : f32 = specular_0 + _S541 * layer_value_0(_S540, _S527, _S519, _S520, fabrics_0[_S517].optical_depth_0) * _S535[number_4] * _S542.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S541 * _S535[number_4] * _S543;
-            var total_3 : f32 = total_2 + _S541;
+            var _S546 : Group_0 = group_at_0(_S535.moments_0 + u32(12) * (u32(4) * (_S530 * _S535.packs_0 + pack_0) + number_4), _S545.roughness_0);
+            var _S547 : f32 = _S536[number_4] * _S537[number_4] * _S537[number_4] * _S546.weight_1;
+            var _S548 : vec2<f32> = visibility_gain_0(_S534, _S541[number_4], _S540[number_4]);
+            var _S549 : f32 = _S548.x;
+            var diffuse_1 : f32 = diffuse_0 + _S547 * _S542[number_4] * _S549;
+            var specular_1 : f32 = specular_0 + _S547 * layer_value_0(_S546, _S533, _S525, _S526, fabrics_0[_S523].optical_depth_0) * _S541[number_4] * _S548.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S547 * _S541[number_4] * _S549;
+            var total_3 : f32 = total_2 + _S547;
             number_4 = number_4 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        var _S544 : f32;
-        if(_S537)
+        var _S550 : f32;
+        if(_S543)
         {
-            _S544 = diffuse_0;
+            _S550 = diffuse_0;
         }
         else
         {
-            _S544 = 0.0f;
+            _S550 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S544;
-        var _S545 : f32;
-        if(_S537)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S550;
+        var _S551 : f32;
+        if(_S543)
         {
-            _S545 = 0.0f;
+            _S551 = 0.0f;
         }
         else
         {
-            _S545 = diffuse_0;
+            _S551 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S545;
-        var _S546 : f32;
-        if(_S537)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S551;
+        var _S552 : f32;
+        if(_S543)
         {
-            _S546 = specular_0;
+            _S552 = specular_0;
         }
         else
         {
-            _S546 = 0.0f;
+            _S552 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S546;
-        var _S547 : f32;
-        if(_S537)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S552;
+        var _S553 : f32;
+        if(_S543)
         {
-            _S547 = 0.0f;
+            _S553 = 0.0f;
         }
         else
         {
-            _S547 = specular_0;
+            _S553 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S547;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S553;
         pack_0 = pack_0 + u32(1);
     }
-    var _S548 : f32 = prefiltered_hole_0(_S517, _S522, view_nodes_0, _S521);
-    sums_1.hole_2 = _S548;
-    var _S549 : f32 = (1.0f - _S548) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S549;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S549;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S549;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S549;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S549;
+    var _S554 : f32 = prefiltered_hole_0(_S523, _S528, view_nodes_0, _S527);
+    sums_1.hole_2 = _S554;
+    var _S555 : f32 = (1.0f - _S554) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S555;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S555;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S555;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S555;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S555;
     return sums_1;
 }
 
-fn albedos_over_0( _S550 : u32,  _S551 : Footprint_0,  _S552 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S556 : u32,  _S557 : Footprint_0,  _S558 : bool) -> FamilyAlbedos_0
 {
-    var _S553 : vec2<f32> = _S551.dx_0;
-    var _S554 : vec2<f32> = _S551.dy_0;
-    var _S555 : vec2<f32> = sqrt(_S553 * _S553 + _S554 * _S554);
-    var _S556 : Stretch_0 = stretch_of_0(fabrics_0[_S550].warp_0, _S551.centre_0.x, _S555.x);
-    var _S557 : Stretch_0 = stretch_of_0(fabrics_0[_S550].weft_0, _S551.centre_0.y, _S555.y);
+    var _S559 : vec2<f32> = _S557.dx_0;
+    var _S560 : vec2<f32> = _S557.dy_0;
+    var _S561 : vec2<f32> = sqrt(_S559 * _S559 + _S560 * _S560);
+    var _S562 : Stretch_0 = stretch_of_0(fabrics_0[_S556].warp_0, _S557.centre_0.x, _S561.x);
+    var _S563 : Stretch_0 = stretch_of_0(fabrics_0[_S556].weft_0, _S557.centre_0.y, _S561.y);
     var albedos_8 : FamilyAlbedos_0;
-    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S550].warp_0, fabrics_0[_S550].weft_0, _S556, _S557, _S552);
-    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S550].weft_0, fabrics_0[_S550].warp_0, _S557, _S556, _S552);
+    albedos_8.warp_2 = mean_albedos_0(fabrics_0[_S556].warp_0, fabrics_0[_S556].weft_0, _S562, _S563, _S558);
+    albedos_8.weft_2 = mean_albedos_0(fabrics_0[_S556].weft_0, fabrics_0[_S556].warp_0, _S563, _S562, _S558);
     return albedos_8;
 }
 
-fn lobes_estimate_0( _S558 : u32,  _S559 : Footprint_0,  _S560 : f32,  _S561 : vec3<f32>,  _S562 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S564 : u32,  _S565 : Footprint_0,  _S566 : f32,  _S567 : vec2<f32>,  _S568 : vec3<f32>,  _S569 : vec3<f32>) -> Estimate_0
 {
-    var _S563 : f32;
-    var _S564 : Regime_0 = regime_of_0(_S558, _S559, _S560);
-    var _S565 : bool = (_S562.z) < 0.0f;
-    var _S566 : vec3<f32> = to_face_frame_0(_S562, _S565);
-    var _S567 : bool;
-    if((fabrics_0[_S558].fibre_noise_0) > 0.0f)
+    var _S570 : f32;
+    var _S571 : Regime_0 = regime_of_0(_S564, _S565, _S566);
+    var _S572 : bool = (_S569.z) < 0.0f;
+    var _S573 : vec3<f32> = to_face_frame_0(_S569, _S572);
+    var _S574 : bool;
+    if((fabrics_0[_S564].fibre_noise_0) > 0.0f)
     {
-        _S567 = true;
+        _S574 = true;
     }
     else
     {
-        _S567 = (fabrics_0[_S558].colour_noise_0) > 0.0f;
+        _S574 = (fabrics_0[_S564].colour_noise_0) > 0.0f;
     }
-    var _S568 : bool;
-    if((families_0[fabrics_0[_S558].warp_0].quantities_0) > u32(1))
+    var _S575 : bool;
+    if((families_0[fabrics_0[_S564].warp_0].quantities_0) > u32(1))
     {
-        _S568 = true;
+        _S575 = true;
     }
     else
     {
-        _S568 = (families_0[fabrics_0[_S558].weft_0].quantities_0) > u32(1);
+        _S575 = (families_0[fabrics_0[_S564].weft_0].quantities_0) > u32(1);
     }
-    var _S569 : f32 = 1.0f - _S564.prefiltered_0;
-    if(_S569 > 0.0f)
+    var _S576 : f32 = 1.0f - _S571.prefiltered_0;
+    if(_S576 > 0.0f)
     {
-        if(_S567)
+        if(_S574)
         {
-            _S568 = true;
+            _S575 = true;
         }
     }
     else
     {
-        _S568 = false;
+        _S575 = false;
     }
-    var box_0 : Footprint_0 = _S559;
-    var _S570 : vec3<f32> = vec3<f32>(0.0f);
-    var _S571 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S570, _S570, 0.0f, 0.0f, 0.0f);
-    var _S572 : Components_0 = no_components_0();
-    var _S573 : i32;
-    if(_S568)
+    var box_0 : Footprint_0 = _S565;
+    var _S577 : vec3<f32> = vec3<f32>(0.0f);
+    var _S578 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S577, _S577, 0.0f, 0.0f, 0.0f);
+    var _S579 : Components_0 = no_components_0();
+    var _S580 : i32;
+    if(_S575)
     {
-        _S573 = i32(0);
+        _S580 = i32(0);
     }
     else
     {
-        _S573 = i32(1);
+        _S580 = i32(1);
     }
-    var _S574 : u32 = u32(_S573);
-    var points_1 : Components_0 = _S572;
+    var _S581 : u32 = u32(_S580);
+    var points_1 : Components_0 = _S579;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S571;
-    var central_place_0 : vec2<f32> = _S559.centre_0;
-    var number_5 : u32 = _S574;
+    var central_0 : SurfacePoint_0 = _S578;
+    var central_place_0 : vec2<f32> = _S565.centre_0;
+    var number_5 : u32 = _S581;
     for(;;)
     {
-        var _S575 : f32 = f32(number_5);
-        _S563 = _S564.points_0;
-        if(_S575 < (_S564.points_0 + 1.0f))
+        var _S582 : f32 = f32(number_5);
+        _S570 = _S571.points_0;
+        if(_S582 < (_S571.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S576 : bool = number_5 == u32(0);
-        var _S577 : vec2<f32>;
-        if(_S576)
+        var _S583 : bool = number_5 == u32(0);
+        var _S584 : u32;
+        if(_S583)
         {
-            _S577 = vec2<f32>(0.0f);
+            _S584 = u32(0);
         }
         else
         {
-            _S577 = POINT_OFFSETS_0[number_5 - u32(1)];
+            _S584 = number_5 - u32(1);
         }
-        var _S578 : vec2<f32> = _S559.centre_0 + vec2<f32>(_S577.x) * _S559.dx_0 + vec2<f32>(_S577.y) * _S559.dy_0;
-        var _S579 : f32;
-        if(_S576)
+        var _S585 : vec2<f32> = POINT_OFFSETS_0[_S584] + _S567;
+        var _S586 : vec2<f32>;
+        if(_S583)
         {
-            _S579 = 0.0f;
+            _S586 = vec2<f32>(0.0f);
         }
         else
         {
-            _S579 = _S564.threads_1;
+            _S586 = _S585 - round(_S585);
         }
-        var _S580 : SearchQuality_0 = quality_of_0(_S579);
-        var _S581 : Hit_0 = first_hit_0(_S558, _S580, _S578.x, _S578.y, _S566, _S565);
-        var _S582 : SurfacePoint_0 = surface_at_0(_S558, _S581.x_11, _S581.y_5, _S565);
-        if(_S576)
+        var _S587 : vec2<f32> = _S565.centre_0 + vec2<f32>(_S586.x) * _S565.dx_0 + vec2<f32>(_S586.y) * _S565.dy_0;
+        var _S588 : f32;
+        if(_S583)
+        {
+            _S588 = 0.0f;
+        }
+        else
+        {
+            _S588 = _S571.threads_1;
+        }
+        var _S589 : SearchQuality_0 = quality_of_0(_S588);
+        var _S590 : Hit_0 = first_hit_0(_S564, _S589, _S587.x, _S587.y, _S573, _S572);
+        var _S591 : SurfacePoint_0 = surface_at_0(_S564, _S590.x_11, _S590.y_5, _S572);
+        if(_S583)
         {
             var central_weight_1 : f32;
-            if(_S581.hole_5)
+            if(_S590.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S569;
+                central_weight_1 = _S576;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S581.x_11, _S581.y_5);
-            box_0.centre_0 = mix(_S559.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_place_1 : vec2<f32> = vec2<f32>(_S590.x_11, _S590.y_5);
+            box_0.centre_0 = mix(_S565.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S582;
+            central_0 = _S591;
             central_place_0 = central_place_1;
             number_5 = number_5 + u32(1);
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S558, _S580, yarn_point_of_0(_S558, _S582, _S581.x_11, _S581.y_5, _S565, _S581.hole_5), _S561, _S562), min(_S564.points_0 - f32(number_5 - u32(1)), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S564, _S589, yarn_point_of_0(_S564, _S591, _S590.x_11, _S590.y_5, _S572, _S590.hole_5), _S568, _S569), min(_S571.points_0 - f32(number_5 - u32(1)), 1.0f));
         number_5 = number_5 + u32(1);
     }
     var estimate_0 : Estimate_0;
-    estimate_0.components_0 = with_added_0(_S572, points_1, _S569 / max(_S563, 1.0f));
-    if((_S564.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S579, points_1, _S576 / max(_S570, 1.0f));
+    if((_S571.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S558, _S559, to_face_frame_0(_S561, _S565), _S566, _S565), _S564.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S564, _S565, to_face_frame_0(_S568, _S572), _S573, _S572), _S571.prefiltered_0);
     }
-    estimate_0.albedos_4 = albedos_over_0(_S558, box_0, _S565);
-    if(_S567)
+    estimate_0.albedos_4 = albedos_over_0(_S564, box_0, _S572);
+    if(_S574)
     {
-        _S567 = central_weight_0 > 0.0f;
+        _S574 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S567 = false;
+        _S574 = false;
     }
-    if(_S567)
+    if(_S574)
     {
-        var _S583 : SurfacePoint_0 = central_0;
-        var _S584 : Albedos_0;
+        var _S592 : SurfacePoint_0 = central_0;
+        var _S593 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S584 = estimate_0.albedos_4.warp_2;
+            _S593 = estimate_0.albedos_4.warp_2;
         }
         else
         {
-            _S584 = estimate_0.albedos_4.weft_2;
+            _S593 = estimate_0.albedos_4.weft_2;
         }
-        var _S585 : Albedos_0 = lerp_albedos_0(_S584, varied_at_0(_S558, central_0, _S584, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S583.is_warp_0)
+        var _S594 : Albedos_0 = lerp_albedos_0(_S593, varied_at_0(_S564, central_0, _S593, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S592.is_warp_0)
         {
-            estimate_0.albedos_4.warp_2 = _S585;
+            estimate_0.albedos_4.warp_2 = _S594;
         }
         else
         {
-            estimate_0.albedos_4.weft_2 = _S585;
+            estimate_0.albedos_4.weft_2 = _S594;
         }
     }
     return estimate_0;
 }
 
-fn composed_0( _S586 : u32,  _S587 : Components_0,  _S588 : FamilyAlbedos_0,  _S589 : vec3<f32>,  _S590 : vec3<f32>) -> vec3<f32>
+fn lobes_estimate_0( _S595 : u32,  _S596 : Footprint_0,  _S597 : f32,  _S598 : vec3<f32>,  _S599 : vec3<f32>) -> Estimate_0
 {
-    var _S591 : vec3<f32> = vec3<f32>(_S587.diffuse_warp_0);
-    var _S592 : vec3<f32> = vec3<f32>(_S587.diffuse_weft_0);
-    var _S593 : vec3<f32> = vec3<f32>(_S587.specular_warp_0);
-    var _S594 : vec3<f32> = vec3<f32>(_S587.specular_weft_0);
-    var _S595 : vec3<f32> = _S588.warp_2.diffuse_reflect_0 * _S591 + _S588.weft_2.diffuse_reflect_0 * _S592 + _S588.warp_2.specular_reflect_0 * _S593 + _S588.weft_2.specular_reflect_0 * _S594;
-    var _S596 : f32 = _S590.z;
+    return lobes_estimate_of_pass_0(_S595, _S596, _S597, vec2<f32>(0.0f), _S598, _S599);
+}
+
+fn composed_0( _S600 : u32,  _S601 : Components_0,  _S602 : FamilyAlbedos_0,  _S603 : vec3<f32>,  _S604 : vec3<f32>) -> vec3<f32>
+{
+    var _S605 : vec3<f32> = vec3<f32>(_S601.diffuse_warp_0);
+    var _S606 : vec3<f32> = vec3<f32>(_S601.diffuse_weft_0);
+    var _S607 : vec3<f32> = vec3<f32>(_S601.specular_warp_0);
+    var _S608 : vec3<f32> = vec3<f32>(_S601.specular_weft_0);
+    var _S609 : vec3<f32> = _S602.warp_2.diffuse_reflect_0 * _S605 + _S602.weft_2.diffuse_reflect_0 * _S606 + _S602.warp_2.specular_reflect_0 * _S607 + _S602.weft_2.specular_reflect_0 * _S608;
+    var _S610 : f32 = _S604.z;
     var body_0 : vec3<f32>;
-    if((_S589.z * _S596) < 0.0f)
+    if((_S603.z * _S610) < 0.0f)
     {
-        body_0 = _S588.warp_2.diffuse_transmit_0 * _S591 + _S588.weft_2.diffuse_transmit_0 * _S592 + _S588.warp_2.specular_transmit_0 * _S593 + _S588.weft_2.specular_transmit_0 * _S594;
+        body_0 = _S602.warp_2.diffuse_transmit_0 * _S605 + _S602.weft_2.diffuse_transmit_0 * _S606 + _S602.warp_2.specular_transmit_0 * _S607 + _S602.weft_2.specular_transmit_0 * _S608;
     }
     else
     {
-        body_0 = _S595;
+        body_0 = _S609;
     }
-    var _S597 : f32 = fabrics_0[_S586].sheen_strength_0;
-    if((fabrics_0[_S586].sheen_strength_0) <= 0.0f)
+    var _S611 : f32 = fabrics_0[_S600].sheen_strength_0;
+    if((fabrics_0[_S600].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S598 : bool = _S596 < 0.0f;
-    var _S599 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S589, _S598), to_face_frame_0(_S590, _S598), _S597, fabrics_0[_S586].sheen_roughness_0);
-    return vec3<f32>(_S599.y) * body_0 + vec3<f32>(((_S587.light_visibility_1 + _S587.hole_2) * _S599.x));
+    var _S612 : bool = _S610 < 0.0f;
+    var _S613 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S603, _S612), to_face_frame_0(_S604, _S612), _S611, fabrics_0[_S600].sheen_roughness_0);
+    return vec3<f32>(_S613.y) * body_0 + vec3<f32>(((_S601.light_visibility_1 + _S601.hole_2) * _S613.x));
 }
 
 fn cloth_value_0( fabric_1 : u32,  centre_2 : vec2<f32>,  dx_1 : vec2<f32>,  dy_1 : vec2<f32>,  light_9 : vec3<f32>,  view_8 : vec3<f32>) -> vec4<f32>
@@ -3313,31 +3365,31 @@ fn cloth_value_0( fabric_1 : u32,  centre_2 : vec2<f32>,  dx_1 : vec2<f32>,  dy_
     footprint_0.centre_0 = centre_2;
     footprint_0.dx_0 = dx_1;
     footprint_0.dy_0 = dy_1;
-    var _S600 : Estimate_0 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_9, view_8);
-    var _S601 : vec3<f32> = composed_0(fabric_1, _S600.components_0, _S600.albedos_4, light_9, view_8);
+    var _S614 : Estimate_0 = lobes_estimate_0(fabric_1, footprint_0, 1.0f, light_9, view_8);
+    var _S615 : vec3<f32> = composed_0(fabric_1, _S614.components_0, _S614.albedos_4, light_9, view_8);
     var through_0 : f32;
     if((fabrics_0[fabric_1].sheen_strength_0) > 0.0f)
     {
-        through_0 = _S600.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_8.z), fabrics_0[fabric_1].sheen_roughness_0).z);
+        through_0 = _S614.components_0.hole_2 * (1.0f - fabrics_0[fabric_1].sheen_strength_0 * sheen_lobe_0(abs(view_8.z), fabrics_0[fabric_1].sheen_roughness_0).z);
     }
     else
     {
-        through_0 = _S600.components_0.hole_2;
+        through_0 = _S614.components_0.hole_2;
     }
-    return vec4<f32>(_S601, through_0);
+    return vec4<f32>(_S615, through_0);
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn lobes_queries(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S602 : u32 = id_0.x;
-    if(_S602 >= query_count_0[i32(0)])
+    var _S616 : u32 = id_0.x;
+    if(_S616 >= query_count_0[i32(0)])
     {
         return;
     }
-    var _S603 : Query_std430_0 = queries_0[_S602];
-    answers_0[_S602] = cloth_value_0(_S603.fabric_0, vec2<f32>(_S603.centre_x_0, _S603.centre_y_0), vec2<f32>(_S603.dx_x_0, _S603.dx_y_0), vec2<f32>(_S603.dy_x_0, _S603.dy_y_0), vec3<f32>(_S603.light_x_0, _S603.light_y_0, _S603.light_z_0), vec3<f32>(_S603.view_x_0, _S603.view_y_0, _S603.view_z_0));
+    var _S617 : Query_std430_0 = queries_0[_S616];
+    answers_0[_S616] = cloth_value_0(_S617.fabric_0, vec2<f32>(_S617.centre_x_0, _S617.centre_y_0), vec2<f32>(_S617.dx_x_0, _S617.dx_y_0), vec2<f32>(_S617.dy_x_0, _S617.dy_y_0), vec3<f32>(_S617.light_x_0, _S617.light_y_0, _S617.light_z_0), vec3<f32>(_S617.view_x_0, _S617.view_y_0, _S617.view_z_0));
     return;
 }
 

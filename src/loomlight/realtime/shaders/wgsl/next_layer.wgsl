@@ -46,7 +46,7 @@ struct Layer_std430_0
     @align(4) share_0 : f32,
 };
 
-@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
 @binding(6) @group(0) var<storage, read> corners_0 : array<u32>;
 
@@ -64,7 +64,7 @@ struct Vertex_std430_0
 
 @binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
-@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -90,13 +90,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,

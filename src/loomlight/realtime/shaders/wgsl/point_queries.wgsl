@@ -43,13 +43,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -69,6 +96,9 @@ struct Fabric_std430_0
     @align(4) fibre_size_0 : f32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -1268,7 +1298,7 @@ fn crossing_at_0( _S129 : u32,  _S130 : f32,  _S131 : f32,  _S132 : bool) -> Cro
     var crossing_2 : Crossing_0;
     crossing_2.warp_1 = locate_0(fabrics_0[_S129].warp_0, _S130);
     crossing_2.weft_1 = locate_0(fabrics_0[_S129].weft_0, _S131);
-    var _S133 : u32 = fabrics_0[_S129].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S129].ends_0 + crossing_2.warp_1.thread_0);
+    var _S133 : u32 = fabrics_0[_S129].run_words_0 + u32(2) * (crossing_2.weft_1.thread_0 * fabrics_0[_S129].ends_1 + crossing_2.warp_1.thread_0);
     var _S134 : u32 = words_0[_S133];
     crossing_2.warp_word_0 = _S134;
     crossing_2.weft_word_0 = words_0[_S133 + u32(1)];
@@ -1925,30 +1955,37 @@ fn refined_height_0( _S263 : u32,  _S264 : ViewRay_0,  _S265 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S277 : u32,  _S278 : SearchQuality_0,  _S279 : f32,  _S280 : f32,  _S281 : vec3<f32>,  _S282 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S277 : u32,  _S278 : SearchQuality_0,  _S279 : f32,  _S280 : f32,  _S281 : vec3<f32>,  _S282 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_9 = _S279;
-    hit_0.y_4 = _S280;
-    hit_0.height_3 = 0.0f;
-    var _S283 : bool = passes_through_0(_S277, _S278, _S279, _S280, _S281, _S282);
-    hit_0.hole_3 = _S283;
-    if(_S283)
-    {
-        return hit_0;
-    }
-    var _S284 : f32 = max(_S281.z, 0.00009999999747379f);
+    var _S283 : f32 = max(_S281.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S279, _S280);
-    var _S285 : vec2<f32> = _S281.xy / vec2<f32>(_S284);
-    ray_0.slope_1 = _S285;
-    var _S286 : StepControl_0 = step_control_0((vec2<f32>(0) - _S285), 1.0f / max(steps_per_length_0(_S277, _S278, _S281) / _S284, 9.99999971718068537e-10f));
-    var _S287 : f32 = refined_height_0(_S277, ray_0, _S286, _S282, search_down_0(_S277, ray_0, _S286, _S282), _S278.refinements_0);
+    var _S284 : vec2<f32> = _S281.xy / vec2<f32>(_S283);
+    ray_0.slope_1 = _S284;
+    var _S285 : StepControl_0 = step_control_0((vec2<f32>(0) - _S284), 1.0f / max(steps_per_length_0(_S277, _S278, _S281) / _S283, 9.99999971718068537e-10f));
+    var _S286 : ViewRayEnd_0 = search_down_0(_S277, ray_0, _S285, _S282);
+    var hit_0 : Hit_0;
+    hit_0.hole_3 = false;
+    var _S287 : f32 = refined_height_0(_S277, ray_0, _S285, _S282, _S286, _S278.refinements_0);
     hit_0.height_3 = _S287;
     var _S288 : vec2<f32> = ViewRay_at_0(ray_0, _S287);
     hit_0.x_9 = _S288.x;
     hit_0.y_4 = _S288.y;
     return hit_0;
+}
+
+fn first_hit_0( _S289 : u32,  _S290 : SearchQuality_0,  _S291 : f32,  _S292 : f32,  _S293 : vec3<f32>,  _S294 : bool) -> Hit_0
+{
+    if(!passes_through_0(_S289, _S290, _S291, _S292, _S293, _S294))
+    {
+        return first_hit_of_yarn_0(_S289, _S290, _S291, _S292, _S293, _S294);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_9 = _S291;
+    hit_1.y_4 = _S292;
+    hit_1.height_3 = 0.0f;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -1965,359 +2002,359 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S289 : u32,  _S290 : f32,  _S291 : f32,  _S292 : bool) -> SurfacePoint_0
+fn surface_at_0( _S295 : u32,  _S296 : f32,  _S297 : f32,  _S298 : bool) -> SurfacePoint_0
 {
-    var _S293 : Sample_0 = sample_at_0(_S289, _S290, _S291, _S292);
-    var _S294 : f32;
-    if(_S293.shown_3.is_warp_0)
+    var _S299 : Sample_0 = sample_at_0(_S295, _S296, _S297, _S298);
+    var _S300 : f32;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S294 = _S293.crossing_1.warp_1.half_width_1;
+        _S300 = _S299.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S294 = _S293.crossing_1.weft_1.half_width_1;
+        _S300 = _S299.crossing_1.weft_1.half_width_1;
     }
-    var _S295 : u32;
-    if(_S293.shown_3.is_warp_0)
+    var _S301 : u32;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S295 = fabrics_0[_S289].warp_0;
-    }
-    else
-    {
-        _S295 = fabrics_0[_S289].weft_0;
-    }
-    var _S296 : Family_std430_0 = families_0[_S295];
-    var _S297 : f32;
-    if(_S292)
-    {
-        _S297 = -1.0f;
+        _S301 = fabrics_0[_S295].warp_0;
     }
     else
     {
-        _S297 = 1.0f;
+        _S301 = fabrics_0[_S295].weft_0;
     }
-    var _S298 : f32 = _S296.twist_sine_0 * _S297;
-    var _S299 : Family_std430_0 = families_0[_S295];
-    if(_S293.shown_3.is_warp_0)
+    var _S302 : Family_std430_0 = families_0[_S301];
+    var _S303 : f32;
+    if(_S298)
     {
-        _S297 = 1.0f;
-    }
-    else
-    {
-        _S297 = -1.0f;
-    }
-    var _S300 : vec2<f32> = fibre_direction_0(_S293.slope_across_0, _S297 * _S293.slope_along_0, _S298, _S299.twist_cosine_0);
-    var _S301 : f32;
-    if(_S293.shown_3.is_warp_0)
-    {
-        _S301 = _S293.slope_x_1;
+        _S303 = -1.0f;
     }
     else
     {
-        _S301 = _S293.slope_y_1;
+        _S303 = 1.0f;
     }
-    var _S302 : f32;
-    if(_S293.shown_3.is_warp_0)
+    var _S304 : f32 = _S302.twist_sine_0 * _S303;
+    var _S305 : Family_std430_0 = families_0[_S301];
+    if(_S299.shown_3.is_warp_0)
     {
-        _S302 = _S293.slope_y_1;
-    }
-    else
-    {
-        _S302 = _S293.slope_x_1;
-    }
-    var _S303 : f32 = _S300.x;
-    var _S304 : f32 = _S300.y;
-    var _S305 : f32 = _S301 * _S303 + _S297 * _S302 * _S304;
-    var _S306 : f32 = _S294 * 1.0154266357421875f;
-    var _S307 : f32 = _S306 * arc_sine_0(clamp(_S293.section_1.across_1 / _S306, -1.0f, 1.0f));
-    if(_S293.shown_3.is_warp_0)
-    {
-        _S294 = _S291;
+        _S303 = 1.0f;
     }
     else
     {
-        _S294 = - _S290;
+        _S303 = -1.0f;
+    }
+    var _S306 : vec2<f32> = fibre_direction_0(_S299.slope_across_0, _S303 * _S299.slope_along_0, _S304, _S305.twist_cosine_0);
+    var _S307 : f32;
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S307 = _S299.slope_x_1;
+    }
+    else
+    {
+        _S307 = _S299.slope_y_1;
+    }
+    var _S308 : f32;
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S308 = _S299.slope_y_1;
+    }
+    else
+    {
+        _S308 = _S299.slope_x_1;
+    }
+    var _S309 : f32 = _S306.x;
+    var _S310 : f32 = _S306.y;
+    var _S311 : f32 = _S307 * _S309 + _S303 * _S308 * _S310;
+    var _S312 : f32 = _S300 * 1.0154266357421875f;
+    var _S313 : f32 = _S312 * arc_sine_0(clamp(_S299.section_1.across_1 / _S312, -1.0f, 1.0f));
+    if(_S299.shown_3.is_warp_0)
+    {
+        _S300 = _S297;
+    }
+    else
+    {
+        _S300 = - _S296;
     }
     var point_0 : SurfacePoint_0;
-    point_0.hole_4 = _S293.shown_3.hole_0;
-    point_0.is_warp_2 = _S293.shown_3.is_warp_0;
-    point_0.warp_thread_0 = _S293.crossing_1.warp_1.thread_0;
-    point_0.weft_thread_0 = _S293.crossing_1.weft_1.thread_0;
-    point_0.height_8 = _S293.height_4;
-    point_0.normal_4 = normalize(vec3<f32>(- _S293.slope_x_1, - _S293.slope_y_1, 1.0f));
-    var _S308 : vec3<f32>;
-    if(_S293.shown_3.is_warp_0)
+    point_0.hole_4 = _S299.shown_3.hole_0;
+    point_0.is_warp_2 = _S299.shown_3.is_warp_0;
+    point_0.warp_thread_0 = _S299.crossing_1.warp_1.thread_0;
+    point_0.weft_thread_0 = _S299.crossing_1.weft_1.thread_0;
+    point_0.height_8 = _S299.height_4;
+    point_0.normal_4 = normalize(vec3<f32>(- _S299.slope_x_1, - _S299.slope_y_1, 1.0f));
+    var _S314 : vec3<f32>;
+    if(_S299.shown_3.is_warp_0)
     {
-        _S308 = vec3<f32>(_S303, _S304, _S305);
+        _S314 = vec3<f32>(_S309, _S310, _S311);
     }
     else
     {
-        _S308 = vec3<f32>(- _S304, _S303, _S305);
+        _S314 = vec3<f32>(- _S310, _S309, _S311);
     }
-    point_0.tangent_5 = normalize(_S308);
-    point_0.across_2 = _S293.section_1.across_1;
-    point_0.fibre_across_0 = _S307 * _S299.twist_cosine_0 + _S294 * _S298;
-    point_0.fibre_along_0 = _S294 * _S299.twist_cosine_0 - _S307 * _S298;
+    point_0.tangent_5 = normalize(_S314);
+    point_0.across_2 = _S299.section_1.across_1;
+    point_0.fibre_across_0 = _S313 * _S305.twist_cosine_0 + _S300 * _S304;
+    point_0.fibre_along_0 = _S300 * _S305.twist_cosine_0 - _S313 * _S304;
     return point_0;
 }
 
-fn vary_albedos_0( _S309 : u32,  _S310 : Albedos_0,  _S311 : u32,  _S312 : u32) -> Albedos_0
+fn vary_albedos_0( _S315 : u32,  _S316 : Albedos_0,  _S317 : u32,  _S318 : u32) -> Albedos_0
 {
-    var _S313 : vec3<f32> = max(_S310.specular_reflect_0, _S310.specular_transmit_0);
-    var _S314 : vec3<f32> = _S310.diffuse_reflect_0 + _S310.diffuse_transmit_0;
-    var _S315 : vec3<f32> = vec3<f32>(fabrics_0[_S309].layer_bound_0);
-    var _S316 : vec3<f32> = vec3<f32>(1.0f);
-    var _S317 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S311, fabrics_0[_S309].colour_noise_0, fabrics_0[_S309].seed_0), _S314, _S316 - _S315 * _S313));
-    var _S318 : f32 = bounded_gain_0(fibre_gain_0(_S311, _S312, fabrics_0[_S309].fibre_noise_0, fabrics_0[_S309].seed_0), _S313, min((_S316 - _S317 * _S314) / _S315, vec3<f32>(1.0f)));
+    var _S319 : vec3<f32> = max(_S316.specular_reflect_0, _S316.specular_transmit_0);
+    var _S320 : vec3<f32> = _S316.diffuse_reflect_0 + _S316.diffuse_transmit_0;
+    var _S321 : vec3<f32> = vec3<f32>(fabrics_0[_S315].layer_bound_0);
+    var _S322 : vec3<f32> = vec3<f32>(1.0f);
+    var _S323 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S317, fabrics_0[_S315].colour_noise_0, fabrics_0[_S315].seed_0), _S320, _S322 - _S321 * _S319));
+    var _S324 : f32 = bounded_gain_0(fibre_gain_0(_S317, _S318, fabrics_0[_S315].fibre_noise_0, fabrics_0[_S315].seed_0), _S319, min((_S322 - _S323 * _S320) / _S321, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S317 * _S310.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S317 * _S310.diffuse_transmit_0;
-    var _S319 : vec3<f32> = vec3<f32>(_S318);
-    varied_0.specular_reflect_0 = _S319 * _S310.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S319 * _S310.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S323 * _S316.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S323 * _S316.diffuse_transmit_0;
+    var _S325 : vec3<f32> = vec3<f32>(_S324);
+    varied_0.specular_reflect_0 = _S325 * _S316.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S325 * _S316.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S320 : u32,  _S321 : SurfacePoint_0,  _S322 : Albedos_0,  _S323 : f32,  _S324 : f32) -> Albedos_0
+fn varied_at_0( _S326 : u32,  _S327 : SurfacePoint_0,  _S328 : Albedos_0,  _S329 : f32,  _S330 : f32) -> Albedos_0
 {
-    var _S325 : f32;
-    if(_S321.is_warp_2)
+    var _S331 : f32;
+    if(_S327.is_warp_2)
     {
-        _S325 = _S323;
+        _S331 = _S329;
     }
     else
     {
-        _S325 = _S324;
+        _S331 = _S330;
     }
-    var _S326 : f32 = _S325 - _S321.across_2;
-    var _S327 : u32;
-    if(_S321.is_warp_2)
+    var _S332 : f32 = _S331 - _S327.across_2;
+    var _S333 : u32;
+    if(_S327.is_warp_2)
     {
-        _S327 = fabrics_0[_S320].warp_0;
+        _S333 = fabrics_0[_S326].warp_0;
     }
     else
     {
-        _S327 = fabrics_0[_S320].weft_0;
+        _S333 = fabrics_0[_S326].weft_0;
     }
-    var _S328 : Family_std430_0 = families_0[_S327];
-    var _S329 : i32 = i32(families_0[_S327].count_0);
-    if(_S321.is_warp_2)
+    var _S334 : Family_std430_0 = families_0[_S333];
+    var _S335 : i32 = i32(families_0[_S333].count_0);
+    if(_S327.is_warp_2)
     {
-        _S327 = _S321.warp_thread_0;
+        _S333 = _S327.warp_thread_0;
     }
     else
     {
-        _S327 = _S321.weft_thread_0;
+        _S333 = _S327.weft_thread_0;
     }
-    var _S330 : u32 = u32(i32(floor(_S326 / _S328.period_0)) * _S329 + i32(_S327)) * u32(2);
-    if(_S321.is_warp_2)
+    var _S336 : u32 = u32(i32(floor(_S332 / _S334.period_0)) * _S335 + i32(_S333)) * u32(2);
+    if(_S327.is_warp_2)
     {
-        _S327 = u32(1);
+        _S333 = u32(1);
     }
     else
     {
-        _S327 = u32(0);
+        _S333 = u32(0);
     }
-    var _S331 : f32 = floor(_S321.fibre_across_0 / fabrics_0[_S320].fibre_size_0);
-    return vary_albedos_0(_S320, _S322, _S330 + _S327, u32(i32(_S331)) * u32(65536) + u32(i32(floor(_S321.fibre_along_0 / (fabrics_0[_S320].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S331))));
+    var _S337 : f32 = floor(_S327.fibre_across_0 / fabrics_0[_S326].fibre_size_0);
+    return vary_albedos_0(_S326, _S328, _S336 + _S333, u32(i32(_S337)) * u32(65536) + u32(i32(floor(_S327.fibre_along_0 / (fabrics_0[_S326].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S337))));
 }
 
-fn yarn_point_of_0( _S332 : u32,  _S333 : SurfacePoint_0,  _S334 : f32,  _S335 : f32,  _S336 : bool,  _S337 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S338 : u32,  _S339 : SurfacePoint_0,  _S340 : f32,  _S341 : f32,  _S342 : bool,  _S343 : bool) -> YarnPoint_0
 {
-    var _S338 : u32;
-    if(_S333.is_warp_2)
+    var _S344 : u32;
+    if(_S339.is_warp_2)
     {
-        _S338 = fabrics_0[_S332].warp_0;
+        _S344 = fabrics_0[_S338].warp_0;
     }
     else
     {
-        _S338 = fabrics_0[_S332].weft_0;
+        _S344 = fabrics_0[_S338].weft_0;
     }
-    var _S339 : u32;
-    if(_S333.is_warp_2)
+    var _S345 : u32;
+    if(_S339.is_warp_2)
     {
-        _S339 = _S333.warp_thread_0;
-    }
-    else
-    {
-        _S339 = _S333.weft_thread_0;
-    }
-    var albedos_2 : Albedos_0 = albedos_of_0(_S338, _S339);
-    var _S340 : bool;
-    if((fabrics_0[_S332].fibre_noise_0) > 0.0f)
-    {
-        _S340 = true;
+        _S345 = _S339.warp_thread_0;
     }
     else
     {
-        _S340 = (fabrics_0[_S332].colour_noise_0) > 0.0f;
+        _S345 = _S339.weft_thread_0;
+    }
+    var albedos_2 : Albedos_0 = albedos_of_0(_S344, _S345);
+    var _S346 : bool;
+    if((fabrics_0[_S338].fibre_noise_0) > 0.0f)
+    {
+        _S346 = true;
+    }
+    else
+    {
+        _S346 = (fabrics_0[_S338].colour_noise_0) > 0.0f;
     }
     var albedos_3 : Albedos_0;
-    if(_S340)
+    if(_S346)
     {
-        albedos_3 = varied_at_0(_S332, _S333, albedos_2, _S334, _S335);
+        albedos_3 = varied_at_0(_S338, _S339, albedos_2, _S340, _S341);
     }
     else
     {
         albedos_3 = albedos_2;
     }
     var point_1 : YarnPoint_0;
-    point_1.back_2 = _S336;
-    point_1.hole_2 = _S337;
-    point_1.is_warp_1 = _S333.is_warp_2;
-    point_1.x_8 = _S334;
-    point_1.y_3 = _S335;
-    point_1.height_2 = _S333.height_8;
-    point_1.normal_3 = _S333.normal_4;
-    point_1.tangent_4 = _S333.tangent_5;
-    point_1.roughness_8 = families_0[_S338].roughness_0;
+    point_1.back_2 = _S342;
+    point_1.hole_2 = _S343;
+    point_1.is_warp_1 = _S339.is_warp_2;
+    point_1.x_8 = _S340;
+    point_1.y_3 = _S341;
+    point_1.height_2 = _S339.height_8;
+    point_1.normal_3 = _S339.normal_4;
+    point_1.tangent_4 = _S339.tangent_5;
+    point_1.roughness_8 = families_0[_S344].roughness_0;
     point_1.albedos_1 = albedos_3;
     return point_1;
 }
 
-fn locate_yarn_0( _S341 : u32,  _S342 : SearchQuality_0,  _S343 : f32,  _S344 : f32,  _S345 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S347 : u32,  _S348 : SearchQuality_0,  _S349 : f32,  _S350 : f32,  _S351 : vec3<f32>) -> YarnPoint_0
 {
-    var _S346 : bool = (_S345.z) < 0.0f;
-    var _S347 : Hit_0 = first_hit_0(_S341, _S342, _S343, _S344, to_face_frame_0(_S345, _S346), _S346);
-    return yarn_point_of_0(_S341, surface_at_0(_S341, _S347.x_9, _S347.y_4, _S346), _S347.x_9, _S347.y_4, _S346, _S347.hole_3);
+    var _S352 : bool = (_S351.z) < 0.0f;
+    var _S353 : Hit_0 = first_hit_0(_S347, _S348, _S349, _S350, to_face_frame_0(_S351, _S352), _S352);
+    return yarn_point_of_0(_S347, surface_at_0(_S347, _S353.x_9, _S353.y_4, _S352), _S353.x_9, _S353.y_4, _S352, _S353.hole_3);
 }
 
-fn scattered_0( _S348 : u32,  _S349 : YarnPoint_0,  _S350 : vec3<f32>,  _S351 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S354 : u32,  _S355 : YarnPoint_0,  _S356 : vec3<f32>,  _S357 : vec3<f32>) -> vec3<f32>
 {
-    var _S352 : vec3<f32> = vec3<f32>(0.0f);
-    var _S353 : bool = !_S349.hole_2;
-    var _S354 : bool;
-    if(_S353)
+    var _S358 : vec3<f32> = vec3<f32>(0.0f);
+    var _S359 : bool = !_S355.hole_2;
+    var _S360 : bool;
+    if(_S359)
     {
-        _S354 = (_S350.z) > 0.0f;
+        _S360 = (_S356.z) > 0.0f;
     }
     else
     {
-        _S354 = false;
+        _S360 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S354)
+    if(_S360)
     {
-        value_1 = _S349.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S350, _S349.normal_3, fabrics_0[_S348].diffuse_blend_0)) + _S349.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S350, _S351, _S349.normal_3, _S349.tangent_4, _S349.roughness_8, fabrics_0[_S348].optical_depth_0));
+        value_1 = _S355.albedos_1.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S356, _S355.normal_3, fabrics_0[_S354].diffuse_blend_0)) + _S355.albedos_1.specular_reflect_0 * vec3<f32>(reflection_0(_S356, _S357, _S355.normal_3, _S355.tangent_4, _S355.roughness_8, fabrics_0[_S354].optical_depth_0));
     }
     else
     {
-        if(_S353)
+        if(_S359)
         {
-            _S354 = (_S350.z) < 0.0f;
+            _S360 = (_S356.z) < 0.0f;
         }
         else
         {
-            _S354 = false;
+            _S360 = false;
         }
-        if(_S354)
+        if(_S360)
         {
-            value_1 = _S349.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S350), _S349.normal_3, fabrics_0[_S348].diffuse_blend_0)) + _S349.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S350, _S351, _S349.normal_3, _S349.tangent_4, _S349.roughness_8, fabrics_0[_S348].optical_depth_0));
+            value_1 = _S355.albedos_1.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S356), _S355.normal_3, fabrics_0[_S354].diffuse_blend_0)) + _S355.albedos_1.specular_transmit_0 * vec3<f32>(transmission_0(_S356, _S357, _S355.normal_3, _S355.tangent_4, _S355.roughness_8, fabrics_0[_S354].optical_depth_0));
         }
         else
         {
-            value_1 = _S352;
+            value_1 = _S358;
         }
     }
-    var _S355 : f32 = fabrics_0[_S348].sheen_strength_0;
-    if((fabrics_0[_S348].sheen_strength_0) <= 0.0f)
+    var _S361 : f32 = fabrics_0[_S354].sheen_strength_0;
+    if((fabrics_0[_S354].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S356 : vec2<f32> = sheen_with_transmittance_0(_S350, _S351, _S355, fabrics_0[_S348].sheen_roughness_0);
-    return vec3<f32>(_S356.y) * value_1 + vec3<f32>(_S356.x);
+    var _S362 : vec2<f32> = sheen_with_transmittance_0(_S356, _S357, _S361, fabrics_0[_S354].sheen_roughness_0);
+    return vec3<f32>(_S362.y) * value_1 + vec3<f32>(_S362.x);
 }
 
-fn unoccluded_0( _S357 : u32,  _S358 : SearchQuality_0,  _S359 : f32,  _S360 : f32,  _S361 : f32,  _S362 : vec3<f32>,  _S363 : bool) -> bool
+fn unoccluded_0( _S363 : u32,  _S364 : SearchQuality_0,  _S365 : f32,  _S366 : f32,  _S367 : f32,  _S368 : vec3<f32>,  _S369 : bool) -> bool
 {
-    if((_S362.z) <= 0.0f)
+    if((_S368.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S357, _S358, vec3<f32>(_S359, _S360, _S361 + fabrics_0[_S357].lift_0), _S362, _S363, max_height_along_0(_S357, _S359, _S360, _S361, _S362, _S363));
+    return is_free_0(_S363, _S364, vec3<f32>(_S365, _S366, _S367 + fabrics_0[_S363].lift_0), _S368, _S369, max_height_along_0(_S363, _S365, _S366, _S367, _S368, _S369));
 }
 
-fn is_lit_0( _S364 : u32,  _S365 : SearchQuality_0,  _S366 : YarnPoint_0,  _S367 : vec3<f32>) -> bool
+fn is_lit_0( _S370 : u32,  _S371 : SearchQuality_0,  _S372 : YarnPoint_0,  _S373 : vec3<f32>) -> bool
 {
-    if(_S366.hole_2)
+    if(_S372.hole_2)
     {
         return true;
     }
-    var _S368 : vec3<f32> = to_face_frame_0(_S367, _S366.back_2);
-    var _S369 : f32 = _S368.z;
-    var _S370 : bool = _S369 < 0.0f;
+    var _S374 : vec3<f32> = to_face_frame_0(_S373, _S372.back_2);
+    var _S375 : f32 = _S374.z;
+    var _S376 : bool = _S375 < 0.0f;
     var normal_5 : vec3<f32>;
     var height_9 : f32;
-    if(_S370)
+    if(_S376)
     {
-        var _S371 : SurfacePoint_0 = surface_at_0(_S364, _S366.x_8, _S366.y_3, !_S366.back_2);
-        normal_5 = _S371.normal_4;
-        height_9 = _S371.height_8;
+        var _S377 : SurfacePoint_0 = surface_at_0(_S370, _S372.x_8, _S372.y_3, !_S372.back_2);
+        normal_5 = _S377.normal_4;
+        height_9 = _S377.height_8;
     }
     else
     {
-        normal_5 = _S366.normal_3;
-        height_9 = _S366.height_2;
+        normal_5 = _S372.normal_3;
+        height_9 = _S372.height_2;
     }
-    var _S372 : vec3<f32> = vec3<f32>(_S368.xy, abs(_S369));
-    if((dot(normal_5, _S372)) <= 0.0f)
+    var _S378 : vec3<f32> = vec3<f32>(_S374.xy, abs(_S375));
+    if((dot(normal_5, _S378)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S364, _S365, _S366.x_8, _S366.y_3, height_9, _S372, (_S366.back_2) != _S370);
+    return unoccluded_0(_S370, _S371, _S372.x_8, _S372.y_3, height_9, _S378, (_S372.back_2) != _S376);
 }
 
-fn evaluate_0( _S373 : u32,  _S374 : SearchQuality_0,  _S375 : YarnPoint_0,  _S376 : vec3<f32>,  _S377 : vec3<f32>) -> vec3<f32>
+fn evaluate_0( _S379 : u32,  _S380 : SearchQuality_0,  _S381 : YarnPoint_0,  _S382 : vec3<f32>,  _S383 : vec3<f32>) -> vec3<f32>
 {
-    var _S378 : vec3<f32> = scattered_0(_S373, _S375, to_face_frame_0(_S376, _S375.back_2), to_face_frame_0(_S377, _S375.back_2));
-    var _S379 : bool;
-    if((max(_S378.x, max(_S378.y, _S378.z))) <= 0.0f)
+    var _S384 : vec3<f32> = scattered_0(_S379, _S381, to_face_frame_0(_S382, _S381.back_2), to_face_frame_0(_S383, _S381.back_2));
+    var _S385 : bool;
+    if((max(_S384.x, max(_S384.y, _S384.z))) <= 0.0f)
     {
-        _S379 = true;
+        _S385 = true;
     }
     else
     {
-        _S379 = !is_lit_0(_S373, _S374, _S375, _S376);
+        _S385 = !is_lit_0(_S379, _S380, _S381, _S382);
     }
-    if(_S379)
+    if(_S385)
     {
         return vec3<f32>(0.0f);
     }
-    return _S378;
+    return _S384;
 }
 
-fn straight_through_0( _S380 : u32,  _S381 : YarnPoint_0,  _S382 : vec3<f32>) -> f32
+fn straight_through_0( _S386 : u32,  _S387 : YarnPoint_0,  _S388 : vec3<f32>) -> f32
 {
-    if(!_S381.hole_2)
+    if(!_S387.hole_2)
     {
         return 0.0f;
     }
-    var _S383 : f32 = fabrics_0[_S380].sheen_strength_0;
-    if((fabrics_0[_S380].sheen_strength_0) <= 0.0f)
+    var _S389 : f32 = fabrics_0[_S386].sheen_strength_0;
+    if((fabrics_0[_S386].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S383 * sheen_lobe_0(abs(_S382.z), fabrics_0[_S380].sheen_roughness_0).z;
+    return 1.0f - _S389 * sheen_lobe_0(abs(_S388.z), fabrics_0[_S386].sheen_roughness_0).z;
 }
 
 fn cloth_value_0( fabric_1 : u32,  centre_0 : vec2<f32>,  dx_0 : vec2<f32>,  dy_0 : vec2<f32>,  light_6 : vec3<f32>,  view_5 : vec3<f32>) -> vec4<f32>
 {
-    var _S384 : SearchQuality_0 = default_quality_0();
-    var _S385 : YarnPoint_0 = locate_yarn_0(fabric_1, _S384, centre_0.x, centre_0.y, view_5);
-    return vec4<f32>(evaluate_0(fabric_1, _S384, _S385, light_6, view_5), straight_through_0(fabric_1, _S385, view_5));
+    var _S390 : SearchQuality_0 = default_quality_0();
+    var _S391 : YarnPoint_0 = locate_yarn_0(fabric_1, _S390, centre_0.x, centre_0.y, view_5);
+    return vec4<f32>(evaluate_0(fabric_1, _S390, _S391, light_6, view_5), straight_through_0(fabric_1, _S391, view_5));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn point_queries(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S386 : u32 = id_0.x;
-    if(_S386 >= query_count_0[i32(0)])
+    var _S392 : u32 = id_0.x;
+    if(_S392 >= query_count_0[i32(0)])
     {
         return;
     }
-    var _S387 : Query_std430_0 = queries_0[_S386];
-    answers_0[_S386] = cloth_value_0(_S387.fabric_0, vec2<f32>(_S387.centre_x_0, _S387.centre_y_0), vec2<f32>(_S387.dx_x_0, _S387.dx_y_0), vec2<f32>(_S387.dy_x_0, _S387.dy_y_0), vec3<f32>(_S387.light_x_0, _S387.light_y_0, _S387.light_z_0), vec3<f32>(_S387.view_x_0, _S387.view_y_0, _S387.view_z_0));
+    var _S393 : Query_std430_0 = queries_0[_S392];
+    answers_0[_S392] = cloth_value_0(_S393.fabric_0, vec2<f32>(_S393.centre_x_0, _S393.centre_y_0), vec2<f32>(_S393.dx_x_0, _S393.dx_y_0), vec2<f32>(_S393.dy_x_0, _S393.dy_y_0), vec3<f32>(_S393.light_x_0, _S393.light_y_0, _S393.light_z_0), vec3<f32>(_S393.view_x_0, _S393.view_y_0, _S393.view_z_0));
     return;
 }
 

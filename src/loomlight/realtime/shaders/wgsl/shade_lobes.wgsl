@@ -46,7 +46,7 @@ struct Layer_std430_0
     @align(4) share_0 : f32,
 };
 
-@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -72,13 +72,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -121,9 +148,9 @@ struct Vertex_std430_0
 
 @binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
-@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
-@binding(12) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 struct Light_std430_0
 {
@@ -2302,7 +2329,7 @@ fn crossing_at_0( _S397 : u32,  _S398 : f32,  _S399 : f32,  _S400 : bool) -> Cro
     var crossing_3 : Crossing_0;
     crossing_3.warp_1 = locate_0(fabrics_0[_S397].warp_0, _S398);
     crossing_3.weft_1 = locate_0(fabrics_0[_S397].weft_0, _S399);
-    var _S401 : u32 = fabrics_0[_S397].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S397].ends_0 + crossing_3.warp_1.thread_1);
+    var _S401 : u32 = fabrics_0[_S397].run_words_0 + u32(2) * (crossing_3.weft_1.thread_1 * fabrics_0[_S397].ends_1 + crossing_3.warp_1.thread_1);
     var _S402 : u32 = words_0[_S401];
     crossing_3.warp_word_0 = _S402;
     crossing_3.weft_word_0 = words_0[_S401 + u32(1)];
@@ -2959,25 +2986,18 @@ fn refined_height_0( _S531 : u32,  _S532 : ViewRay_0,  _S533 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S545 : u32,  _S546 : SearchQuality_0,  _S547 : f32,  _S548 : f32,  _S549 : vec3<f32>,  _S550 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S545 : u32,  _S546 : SearchQuality_0,  _S547 : f32,  _S548 : f32,  _S549 : vec3<f32>,  _S550 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_14 = _S547;
-    hit_0.y_7 = _S548;
-    hit_0.height_5 = 0.0f;
-    var _S551 : bool = passes_through_0(_S545, _S546, _S547, _S548, _S549, _S550);
-    hit_0.hole_5 = _S551;
-    if(_S551)
-    {
-        return hit_0;
-    }
-    var _S552 : f32 = max(_S549.z, 0.00009999999747379f);
+    var _S551 : f32 = max(_S549.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S547, _S548);
-    var _S553 : vec2<f32> = _S549.xy / vec2<f32>(_S552);
-    ray_0.slope_1 = _S553;
-    var _S554 : StepControl_0 = step_control_0((vec2<f32>(0) - _S553), 1.0f / max(steps_per_length_0(_S545, _S546, _S549) / _S552, 9.99999971718068537e-10f));
-    var _S555 : f32 = refined_height_0(_S545, ray_0, _S554, _S550, search_down_0(_S545, ray_0, _S554, _S550), _S546.refinements_0);
+    var _S552 : vec2<f32> = _S549.xy / vec2<f32>(_S551);
+    ray_0.slope_1 = _S552;
+    var _S553 : StepControl_0 = step_control_0((vec2<f32>(0) - _S552), 1.0f / max(steps_per_length_0(_S545, _S546, _S549) / _S551, 9.99999971718068537e-10f));
+    var _S554 : ViewRayEnd_0 = search_down_0(_S545, ray_0, _S553, _S550);
+    var hit_0 : Hit_0;
+    hit_0.hole_5 = false;
+    var _S555 : f32 = refined_height_0(_S545, ray_0, _S553, _S550, _S554, _S546.refinements_0);
     hit_0.height_5 = _S555;
     var _S556 : vec2<f32> = ViewRay_at_0(ray_0, _S555);
     hit_0.x_14 = _S556.x;
@@ -2985,99 +3005,113 @@ fn first_hit_0( _S545 : u32,  _S546 : SearchQuality_0,  _S547 : f32,  _S548 : f3
     return hit_0;
 }
 
-fn surface_at_0( _S557 : u32,  _S558 : f32,  _S559 : f32,  _S560 : bool) -> SurfacePoint_0
+fn first_hit_0( _S557 : u32,  _S558 : SearchQuality_0,  _S559 : f32,  _S560 : f32,  _S561 : vec3<f32>,  _S562 : bool) -> Hit_0
 {
-    var _S561 : Sample_0 = sample_at_0(_S557, _S558, _S559, _S560);
-    var _S562 : f32;
-    if(_S561.shown_3.is_warp_2)
+    if(!passes_through_0(_S557, _S558, _S559, _S560, _S561, _S562))
     {
-        _S562 = _S561.crossing_2.warp_1.half_width_1;
+        return first_hit_of_yarn_0(_S557, _S558, _S559, _S560, _S561, _S562);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_14 = _S559;
+    hit_1.y_7 = _S560;
+    hit_1.height_5 = 0.0f;
+    hit_1.hole_5 = true;
+    return hit_1;
+}
+
+fn surface_at_0( _S563 : u32,  _S564 : f32,  _S565 : f32,  _S566 : bool) -> SurfacePoint_0
+{
+    var _S567 : Sample_0 = sample_at_0(_S563, _S564, _S565, _S566);
+    var _S568 : f32;
+    if(_S567.shown_3.is_warp_2)
+    {
+        _S568 = _S567.crossing_2.warp_1.half_width_1;
     }
     else
     {
-        _S562 = _S561.crossing_2.weft_1.half_width_1;
+        _S568 = _S567.crossing_2.weft_1.half_width_1;
     }
-    var _S563 : u32;
-    if(_S561.shown_3.is_warp_2)
+    var _S569 : u32;
+    if(_S567.shown_3.is_warp_2)
     {
-        _S563 = fabrics_0[_S557].warp_0;
-    }
-    else
-    {
-        _S563 = fabrics_0[_S557].weft_0;
-    }
-    var _S564 : Family_std430_0 = families_0[_S563];
-    var _S565 : f32;
-    if(_S560)
-    {
-        _S565 = -1.0f;
+        _S569 = fabrics_0[_S563].warp_0;
     }
     else
     {
-        _S565 = 1.0f;
+        _S569 = fabrics_0[_S563].weft_0;
     }
-    var _S566 : f32 = _S564.twist_sine_0 * _S565;
-    var _S567 : Family_std430_0 = families_0[_S563];
-    if(_S561.shown_3.is_warp_2)
+    var _S570 : Family_std430_0 = families_0[_S569];
+    var _S571 : f32;
+    if(_S566)
     {
-        _S565 = 1.0f;
-    }
-    else
-    {
-        _S565 = -1.0f;
-    }
-    var _S568 : vec2<f32> = fibre_direction_0(_S561.slope_across_0, _S565 * _S561.slope_along_0, _S566, _S567.twist_cosine_0);
-    var _S569 : f32;
-    if(_S561.shown_3.is_warp_2)
-    {
-        _S569 = _S561.slope_x_1;
+        _S571 = -1.0f;
     }
     else
     {
-        _S569 = _S561.slope_y_1;
+        _S571 = 1.0f;
     }
-    var _S570 : f32;
-    if(_S561.shown_3.is_warp_2)
+    var _S572 : f32 = _S570.twist_sine_0 * _S571;
+    var _S573 : Family_std430_0 = families_0[_S569];
+    if(_S567.shown_3.is_warp_2)
     {
-        _S570 = _S561.slope_y_1;
-    }
-    else
-    {
-        _S570 = _S561.slope_x_1;
-    }
-    var _S571 : f32 = _S568.x;
-    var _S572 : f32 = _S568.y;
-    var _S573 : f32 = _S569 * _S571 + _S565 * _S570 * _S572;
-    var _S574 : f32 = _S562 * 1.0154266357421875f;
-    var _S575 : f32 = _S574 * arc_sine_0(clamp(_S561.section_1.across_3 / _S574, -1.0f, 1.0f));
-    if(_S561.shown_3.is_warp_2)
-    {
-        _S562 = _S559;
+        _S571 = 1.0f;
     }
     else
     {
-        _S562 = - _S558;
+        _S571 = -1.0f;
+    }
+    var _S574 : vec2<f32> = fibre_direction_0(_S567.slope_across_0, _S571 * _S567.slope_along_0, _S572, _S573.twist_cosine_0);
+    var _S575 : f32;
+    if(_S567.shown_3.is_warp_2)
+    {
+        _S575 = _S567.slope_x_1;
+    }
+    else
+    {
+        _S575 = _S567.slope_y_1;
+    }
+    var _S576 : f32;
+    if(_S567.shown_3.is_warp_2)
+    {
+        _S576 = _S567.slope_y_1;
+    }
+    else
+    {
+        _S576 = _S567.slope_x_1;
+    }
+    var _S577 : f32 = _S574.x;
+    var _S578 : f32 = _S574.y;
+    var _S579 : f32 = _S575 * _S577 + _S571 * _S576 * _S578;
+    var _S580 : f32 = _S568 * 1.0154266357421875f;
+    var _S581 : f32 = _S580 * arc_sine_0(clamp(_S567.section_1.across_3 / _S580, -1.0f, 1.0f));
+    if(_S567.shown_3.is_warp_2)
+    {
+        _S568 = _S565;
+    }
+    else
+    {
+        _S568 = - _S564;
     }
     var point_3 : SurfacePoint_0;
-    point_3.hole_0 = _S561.shown_3.hole_3;
-    point_3.is_warp_0 = _S561.shown_3.is_warp_2;
-    point_3.warp_thread_0 = _S561.crossing_2.warp_1.thread_1;
-    point_3.weft_thread_0 = _S561.crossing_2.weft_1.thread_1;
-    point_3.height_1 = _S561.height_6;
-    point_3.normal_1 = normalize(vec3<f32>(- _S561.slope_x_1, - _S561.slope_y_1, 1.0f));
-    var _S576 : vec3<f32>;
-    if(_S561.shown_3.is_warp_2)
+    point_3.hole_0 = _S567.shown_3.hole_3;
+    point_3.is_warp_0 = _S567.shown_3.is_warp_2;
+    point_3.warp_thread_0 = _S567.crossing_2.warp_1.thread_1;
+    point_3.weft_thread_0 = _S567.crossing_2.weft_1.thread_1;
+    point_3.height_1 = _S567.height_6;
+    point_3.normal_1 = normalize(vec3<f32>(- _S567.slope_x_1, - _S567.slope_y_1, 1.0f));
+    var _S582 : vec3<f32>;
+    if(_S567.shown_3.is_warp_2)
     {
-        _S576 = vec3<f32>(_S571, _S572, _S573);
+        _S582 = vec3<f32>(_S577, _S578, _S579);
     }
     else
     {
-        _S576 = vec3<f32>(- _S572, _S571, _S573);
+        _S582 = vec3<f32>(- _S578, _S577, _S579);
     }
-    point_3.tangent_0 = normalize(_S576);
-    point_3.across_0 = _S561.section_1.across_3;
-    point_3.fibre_across_0 = _S575 * _S567.twist_cosine_0 + _S562 * _S566;
-    point_3.fibre_along_0 = _S562 * _S567.twist_cosine_0 - _S575 * _S566;
+    point_3.tangent_0 = normalize(_S582);
+    point_3.across_0 = _S567.section_1.across_3;
+    point_3.fibre_across_0 = _S581 * _S573.twist_cosine_0 + _S568 * _S572;
+    point_3.fibre_along_0 = _S568 * _S573.twist_cosine_0 - _S581 * _S572;
     return point_3;
 }
 
@@ -3095,239 +3129,239 @@ struct YarnPoint_0
      albedos_6 : Albedos_0,
 };
 
-fn vary_albedos_0( _S577 : u32,  _S578 : Albedos_0,  _S579 : u32,  _S580 : u32) -> Albedos_0
+fn vary_albedos_0( _S583 : u32,  _S584 : Albedos_0,  _S585 : u32,  _S586 : u32) -> Albedos_0
 {
-    var _S581 : vec3<f32> = max(_S578.specular_reflect_0, _S578.specular_transmit_0);
-    var _S582 : vec3<f32> = _S578.diffuse_reflect_0 + _S578.diffuse_transmit_0;
-    var _S583 : vec3<f32> = vec3<f32>(fabrics_0[_S577].layer_bound_0);
-    var _S584 : vec3<f32> = vec3<f32>(1.0f);
-    var _S585 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S579, fabrics_0[_S577].colour_noise_0, fabrics_0[_S577].seed_0), _S582, _S584 - _S583 * _S581));
-    var _S586 : f32 = bounded_gain_0(fibre_gain_0(_S579, _S580, fabrics_0[_S577].fibre_noise_0, fabrics_0[_S577].seed_0), _S581, min((_S584 - _S585 * _S582) / _S583, vec3<f32>(1.0f)));
+    var _S587 : vec3<f32> = max(_S584.specular_reflect_0, _S584.specular_transmit_0);
+    var _S588 : vec3<f32> = _S584.diffuse_reflect_0 + _S584.diffuse_transmit_0;
+    var _S589 : vec3<f32> = vec3<f32>(fabrics_0[_S583].layer_bound_0);
+    var _S590 : vec3<f32> = vec3<f32>(1.0f);
+    var _S591 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S585, fabrics_0[_S583].colour_noise_0, fabrics_0[_S583].seed_0), _S588, _S590 - _S589 * _S587));
+    var _S592 : f32 = bounded_gain_0(fibre_gain_0(_S585, _S586, fabrics_0[_S583].fibre_noise_0, fabrics_0[_S583].seed_0), _S587, min((_S590 - _S591 * _S588) / _S589, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S585 * _S578.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S585 * _S578.diffuse_transmit_0;
-    var _S587 : vec3<f32> = vec3<f32>(_S586);
-    varied_0.specular_reflect_0 = _S587 * _S578.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S587 * _S578.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S591 * _S584.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S591 * _S584.diffuse_transmit_0;
+    var _S593 : vec3<f32> = vec3<f32>(_S592);
+    varied_0.specular_reflect_0 = _S593 * _S584.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S593 * _S584.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S588 : u32,  _S589 : SurfacePoint_0,  _S590 : Albedos_0,  _S591 : f32,  _S592 : f32) -> Albedos_0
+fn varied_at_0( _S594 : u32,  _S595 : SurfacePoint_0,  _S596 : Albedos_0,  _S597 : f32,  _S598 : f32) -> Albedos_0
 {
-    var _S593 : f32;
-    if(_S589.is_warp_0)
+    var _S599 : f32;
+    if(_S595.is_warp_0)
     {
-        _S593 = _S591;
+        _S599 = _S597;
     }
     else
     {
-        _S593 = _S592;
+        _S599 = _S598;
     }
-    var _S594 : f32 = _S593 - _S589.across_0;
-    var _S595 : u32;
-    if(_S589.is_warp_0)
+    var _S600 : f32 = _S599 - _S595.across_0;
+    var _S601 : u32;
+    if(_S595.is_warp_0)
     {
-        _S595 = fabrics_0[_S588].warp_0;
+        _S601 = fabrics_0[_S594].warp_0;
     }
     else
     {
-        _S595 = fabrics_0[_S588].weft_0;
+        _S601 = fabrics_0[_S594].weft_0;
     }
-    var _S596 : Family_std430_0 = families_0[_S595];
-    var _S597 : i32 = i32(families_0[_S595].count_0);
-    if(_S589.is_warp_0)
+    var _S602 : Family_std430_0 = families_0[_S601];
+    var _S603 : i32 = i32(families_0[_S601].count_0);
+    if(_S595.is_warp_0)
     {
-        _S595 = _S589.warp_thread_0;
+        _S601 = _S595.warp_thread_0;
     }
     else
     {
-        _S595 = _S589.weft_thread_0;
+        _S601 = _S595.weft_thread_0;
     }
-    var _S598 : u32 = u32(i32(floor(_S594 / _S596.period_0)) * _S597 + i32(_S595)) * u32(2);
-    if(_S589.is_warp_0)
+    var _S604 : u32 = u32(i32(floor(_S600 / _S602.period_0)) * _S603 + i32(_S601)) * u32(2);
+    if(_S595.is_warp_0)
     {
-        _S595 = u32(1);
+        _S601 = u32(1);
     }
     else
     {
-        _S595 = u32(0);
+        _S601 = u32(0);
     }
-    var _S599 : f32 = floor(_S589.fibre_across_0 / fabrics_0[_S588].fibre_size_0);
-    return vary_albedos_0(_S588, _S590, _S598 + _S595, u32(i32(_S599)) * u32(65536) + u32(i32(floor(_S589.fibre_along_0 / (fabrics_0[_S588].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S599))));
+    var _S605 : f32 = floor(_S595.fibre_across_0 / fabrics_0[_S594].fibre_size_0);
+    return vary_albedos_0(_S594, _S596, _S604 + _S601, u32(i32(_S605)) * u32(65536) + u32(i32(floor(_S595.fibre_along_0 / (fabrics_0[_S594].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S605))));
 }
 
-fn yarn_point_of_0( _S600 : u32,  _S601 : SurfacePoint_0,  _S602 : f32,  _S603 : f32,  _S604 : bool,  _S605 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : f32,  _S609 : f32,  _S610 : bool,  _S611 : bool) -> YarnPoint_0
 {
-    var _S606 : u32;
-    if(_S601.is_warp_0)
+    var _S612 : u32;
+    if(_S607.is_warp_0)
     {
-        _S606 = fabrics_0[_S600].warp_0;
+        _S612 = fabrics_0[_S606].warp_0;
     }
     else
     {
-        _S606 = fabrics_0[_S600].weft_0;
+        _S612 = fabrics_0[_S606].weft_0;
     }
-    var _S607 : u32;
-    if(_S601.is_warp_0)
+    var _S613 : u32;
+    if(_S607.is_warp_0)
     {
-        _S607 = _S601.warp_thread_0;
-    }
-    else
-    {
-        _S607 = _S601.weft_thread_0;
-    }
-    var albedos_7 : Albedos_0 = albedos_of_0(_S606, _S607);
-    var _S608 : bool;
-    if((fabrics_0[_S600].fibre_noise_0) > 0.0f)
-    {
-        _S608 = true;
+        _S613 = _S607.warp_thread_0;
     }
     else
     {
-        _S608 = (fabrics_0[_S600].colour_noise_0) > 0.0f;
+        _S613 = _S607.weft_thread_0;
+    }
+    var albedos_7 : Albedos_0 = albedos_of_0(_S612, _S613);
+    var _S614 : bool;
+    if((fabrics_0[_S606].fibre_noise_0) > 0.0f)
+    {
+        _S614 = true;
+    }
+    else
+    {
+        _S614 = (fabrics_0[_S606].colour_noise_0) > 0.0f;
     }
     var albedos_8 : Albedos_0;
-    if(_S608)
+    if(_S614)
     {
-        albedos_8 = varied_at_0(_S600, _S601, albedos_7, _S602, _S603);
+        albedos_8 = varied_at_0(_S606, _S607, albedos_7, _S608, _S609);
     }
     else
     {
         albedos_8 = albedos_7;
     }
     var point_4 : YarnPoint_0;
-    point_4.back_3 = _S604;
-    point_4.hole_6 = _S605;
-    point_4.is_warp_3 = _S601.is_warp_0;
-    point_4.x_15 = _S602;
-    point_4.y_8 = _S603;
-    point_4.height_10 = _S601.height_1;
-    point_4.normal_7 = _S601.normal_1;
-    point_4.tangent_7 = _S601.tangent_0;
-    point_4.roughness_10 = families_0[_S606].roughness_0;
+    point_4.back_3 = _S610;
+    point_4.hole_6 = _S611;
+    point_4.is_warp_3 = _S607.is_warp_0;
+    point_4.x_15 = _S608;
+    point_4.y_8 = _S609;
+    point_4.height_10 = _S607.height_1;
+    point_4.normal_7 = _S607.normal_1;
+    point_4.tangent_7 = _S607.tangent_0;
+    point_4.roughness_10 = families_0[_S612].roughness_0;
     point_4.albedos_6 = albedos_8;
     return point_4;
 }
 
-fn unoccluded_0( _S609 : u32,  _S610 : SearchQuality_0,  _S611 : f32,  _S612 : f32,  _S613 : f32,  _S614 : vec3<f32>,  _S615 : bool) -> bool
+fn unoccluded_0( _S615 : u32,  _S616 : SearchQuality_0,  _S617 : f32,  _S618 : f32,  _S619 : f32,  _S620 : vec3<f32>,  _S621 : bool) -> bool
 {
-    if((_S614.z) <= 0.0f)
+    if((_S620.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S609, _S610, vec3<f32>(_S611, _S612, _S613 + fabrics_0[_S609].lift_0), _S614, _S615, max_height_along_0(_S609, _S611, _S612, _S613, _S614, _S615));
+    return is_free_0(_S615, _S616, vec3<f32>(_S617, _S618, _S619 + fabrics_0[_S615].lift_0), _S620, _S621, max_height_along_0(_S615, _S617, _S618, _S619, _S620, _S621));
 }
 
-fn is_lit_0( _S616 : u32,  _S617 : SearchQuality_0,  _S618 : YarnPoint_0,  _S619 : vec3<f32>) -> bool
+fn is_lit_0( _S622 : u32,  _S623 : SearchQuality_0,  _S624 : YarnPoint_0,  _S625 : vec3<f32>) -> bool
 {
-    if(_S618.hole_6)
+    if(_S624.hole_6)
     {
         return true;
     }
-    var _S620 : vec3<f32> = to_face_frame_0(_S619, _S618.back_3);
-    var _S621 : f32 = _S620.z;
-    var _S622 : bool = _S621 < 0.0f;
+    var _S626 : vec3<f32> = to_face_frame_0(_S625, _S624.back_3);
+    var _S627 : f32 = _S626.z;
+    var _S628 : bool = _S627 < 0.0f;
     var normal_8 : vec3<f32>;
     var height_11 : f32;
-    if(_S622)
+    if(_S628)
     {
-        var _S623 : SurfacePoint_0 = surface_at_0(_S616, _S618.x_15, _S618.y_8, !_S618.back_3);
-        normal_8 = _S623.normal_1;
-        height_11 = _S623.height_1;
+        var _S629 : SurfacePoint_0 = surface_at_0(_S622, _S624.x_15, _S624.y_8, !_S624.back_3);
+        normal_8 = _S629.normal_1;
+        height_11 = _S629.height_1;
     }
     else
     {
-        normal_8 = _S618.normal_7;
-        height_11 = _S618.height_10;
+        normal_8 = _S624.normal_7;
+        height_11 = _S624.height_10;
     }
-    var _S624 : vec3<f32> = vec3<f32>(_S620.xy, abs(_S621));
-    if((dot(normal_8, _S624)) <= 0.0f)
+    var _S630 : vec3<f32> = vec3<f32>(_S626.xy, abs(_S627));
+    if((dot(normal_8, _S630)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S616, _S617, _S618.x_15, _S618.y_8, height_11, _S624, (_S618.back_3) != _S622);
+    return unoccluded_0(_S622, _S623, _S624.x_15, _S624.y_8, height_11, _S630, (_S624.back_3) != _S628);
 }
 
-fn components_of_point_0( _S625 : u32,  _S626 : SearchQuality_0,  _S627 : YarnPoint_0,  _S628 : vec3<f32>,  _S629 : vec3<f32>) -> Components_0
+fn components_of_point_0( _S631 : u32,  _S632 : SearchQuality_0,  _S633 : YarnPoint_0,  _S634 : vec3<f32>,  _S635 : vec3<f32>) -> Components_0
 {
     var result_2 : Components_0 = no_components_0();
-    var _S630 : f32;
-    if(_S627.hole_6)
+    var _S636 : f32;
+    if(_S633.hole_6)
     {
-        _S630 = 1.0f;
+        _S636 = 1.0f;
     }
     else
     {
-        _S630 = 0.0f;
+        _S636 = 0.0f;
     }
-    result_2.hole_2 = _S630;
-    var _S631 : bool;
-    if(_S627.hole_6)
+    result_2.hole_2 = _S636;
+    var _S637 : bool;
+    if(_S633.hole_6)
     {
-        _S631 = true;
+        _S637 = true;
     }
     else
     {
-        _S631 = !is_lit_0(_S625, _S626, _S627, _S628);
+        _S637 = !is_lit_0(_S631, _S632, _S633, _S634);
     }
-    if(_S631)
+    if(_S637)
     {
         return result_2;
     }
-    var _S632 : vec3<f32> = to_face_frame_0(_S628, _S627.back_3);
-    var _S633 : vec3<f32> = to_face_frame_0(_S629, _S627.back_3);
-    var _S634 : bool = (_S632.z) < 0.0f;
-    var _S635 : vec3<f32>;
-    if(_S634)
+    var _S638 : vec3<f32> = to_face_frame_0(_S634, _S633.back_3);
+    var _S639 : vec3<f32> = to_face_frame_0(_S635, _S633.back_3);
+    var _S640 : bool = (_S638.z) < 0.0f;
+    var _S641 : vec3<f32>;
+    if(_S640)
     {
-        _S635 = (vec3<f32>(0) - _S632);
+        _S641 = (vec3<f32>(0) - _S638);
     }
     else
     {
-        _S635 = _S632;
+        _S641 = _S638;
     }
-    var _S636 : f32 = diffuse_reflection_0(_S635, _S627.normal_7, fabrics_0[_S625].diffuse_blend_0);
-    if(_S634)
+    var _S642 : f32 = diffuse_reflection_0(_S641, _S633.normal_7, fabrics_0[_S631].diffuse_blend_0);
+    if(_S640)
     {
-        _S630 = transmission_0(_S632, _S633, _S627.normal_7, _S627.tangent_7, _S627.roughness_10, fabrics_0[_S625].optical_depth_0);
+        _S636 = transmission_0(_S638, _S639, _S633.normal_7, _S633.tangent_7, _S633.roughness_10, fabrics_0[_S631].optical_depth_0);
     }
     else
     {
-        _S630 = reflection_0(_S632, _S633, _S627.normal_7, _S627.tangent_7, _S627.roughness_10, fabrics_0[_S625].optical_depth_0);
+        _S636 = reflection_0(_S638, _S639, _S633.normal_7, _S633.tangent_7, _S633.roughness_10, fabrics_0[_S631].optical_depth_0);
     }
-    var _S637 : f32;
-    if(_S627.is_warp_3)
+    var _S643 : f32;
+    if(_S633.is_warp_3)
     {
-        _S637 = _S636;
+        _S643 = _S642;
     }
     else
     {
-        _S637 = 0.0f;
+        _S643 = 0.0f;
     }
-    result_2.diffuse_warp_0 = _S637;
-    if(_S627.is_warp_3)
+    result_2.diffuse_warp_0 = _S643;
+    if(_S633.is_warp_3)
     {
-        _S637 = 0.0f;
+        _S643 = 0.0f;
     }
     else
     {
-        _S637 = _S636;
+        _S643 = _S642;
     }
-    result_2.diffuse_weft_0 = _S637;
-    if(_S627.is_warp_3)
+    result_2.diffuse_weft_0 = _S643;
+    if(_S633.is_warp_3)
     {
-        _S637 = _S630;
+        _S643 = _S636;
     }
     else
     {
-        _S637 = 0.0f;
+        _S643 = 0.0f;
     }
-    result_2.specular_warp_0 = _S637;
-    if(_S627.is_warp_3)
+    result_2.specular_warp_0 = _S643;
+    if(_S633.is_warp_3)
     {
-        _S630 = 0.0f;
+        _S636 = 0.0f;
     }
-    result_2.specular_weft_0 = _S630;
+    result_2.specular_weft_0 = _S636;
     result_2.light_visibility_1 = 1.0f;
     return result_2;
 }
@@ -3337,23 +3371,23 @@ struct CoverageTaps_0
      nodes_1 : array<u32, i32(9)>,
 };
 
-fn pyramid_level_0( _S638 : u32,  _S639 : f32) -> vec3<f32>
+fn pyramid_level_0( _S644 : u32,  _S645 : f32) -> vec3<f32>
 {
-    var _S640 : u32 = fabrics_0[_S638].lobes_0.levels_0 + u32(4) * u32(min(_S639, fabrics_0[_S638].lobes_0.last_level_0));
-    return vec3<f32>(table_number_0(_S640), table_number_0(_S640 + u32(1)), table_number_0(_S640 + u32(2)));
+    var _S646 : u32 = fabrics_0[_S644].lobes_0.levels_0 + u32(4) * u32(min(_S645, fabrics_0[_S644].lobes_0.last_level_0));
+    return vec3<f32>(table_number_0(_S646), table_number_0(_S646 + u32(1)), table_number_0(_S646 + u32(2)));
 }
 
-fn coverage_taps_0( _S641 : u32,  _S642 : Footprint_0,  _S643 : bool) -> CoverageTaps_0
+fn coverage_taps_0( _S647 : u32,  _S648 : Footprint_0,  _S649 : bool) -> CoverageTaps_0
 {
-    var _S644 : Lobes_std430_0 = fabrics_0[_S641].lobes_0;
-    var _S645 : f32 = Footprint_spread_side_0(_S642) * fabrics_0[_S641].lobes_0.inverse_base_size_0;
-    var _S646 : vec3<f32> = pyramid_level_0(_S641, floor(binary_logarithm_0(max(0.68000000715255737f * _S645, 1.0f))));
-    var _S647 : f32 = 1.0f / max(_S645, 9.99999997475242708e-07f);
-    var _S648 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S641].warp_0].inverse_period_0, families_0[fabrics_0[_S641].weft_0].inverse_period_0);
-    var _S649 : vec2<f32> = _S642.centre_0 * _S648;
-    var _S650 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S647 * _S647), 0.0f, 1.0f)), 0.3333333432674408f * _S647), 1.0f));
-    var _S651 : vec2<f32> = _S642.dx_0 * _S648 * _S650;
-    var _S652 : vec2<f32> = _S642.dy_0 * _S648 * _S650;
+    var _S650 : Lobes_std430_0 = fabrics_0[_S647].lobes_0;
+    var _S651 : f32 = Footprint_spread_side_0(_S648) * fabrics_0[_S647].lobes_0.inverse_base_size_0;
+    var _S652 : vec3<f32> = pyramid_level_0(_S647, floor(binary_logarithm_0(max(0.68000000715255737f * _S651, 1.0f))));
+    var _S653 : f32 = 1.0f / max(_S651, 9.99999997475242708e-07f);
+    var _S654 : vec2<f32> = vec2<f32>(families_0[fabrics_0[_S647].warp_0].inverse_period_0, families_0[fabrics_0[_S647].weft_0].inverse_period_0);
+    var _S655 : vec2<f32> = _S648.centre_0 * _S654;
+    var _S656 : vec2<f32> = vec2<f32>(min(max(sqrt(clamp(1.29999995231628418f * (1.0f - _S653 * _S653), 0.0f, 1.0f)), 0.3333333432674408f * _S653), 1.0f));
+    var _S657 : vec2<f32> = _S648.dx_0 * _S654 * _S656;
+    var _S658 : vec2<f32> = _S648.dy_0 * _S654 * _S656;
     var taps_3 : CoverageTaps_0;
     var number_2 : u32 = u32(0);
     for(;;)
@@ -3365,26 +3399,26 @@ fn coverage_taps_0( _S641 : u32,  _S642 : Footprint_0,  _S643 : bool) -> Coverag
         {
             break;
         }
-        var _S653 : vec2<f32> = _S649 + vec2<f32>(TAP_OFFSETS_0[number_2].x) * _S651 + vec2<f32>(TAP_OFFSETS_0[number_2].y) * _S652;
-        var _S654 : f32 = _S646.y;
-        var _S655 : f32 = wrapped_cell_0(_S653.x, _S654);
-        var _S656 : f32 = wrapped_cell_0(_S653.y, _S646.z);
-        var _S657 : u32;
-        if(_S643)
+        var _S659 : vec2<f32> = _S655 + vec2<f32>(TAP_OFFSETS_0[number_2].x) * _S657 + vec2<f32>(TAP_OFFSETS_0[number_2].y) * _S658;
+        var _S660 : f32 = _S652.y;
+        var _S661 : f32 = wrapped_cell_0(_S659.x, _S660);
+        var _S662 : f32 = wrapped_cell_0(_S659.y, _S652.z);
+        var _S663 : u32;
+        if(_S649)
         {
-            _S657 = _S644.face_nodes_0;
+            _S663 = _S650.face_nodes_0;
         }
         else
         {
-            _S657 = u32(0);
+            _S663 = u32(0);
         }
-        taps_3.nodes_1[number_2] = _S657 + u32(_S656 * _S654 + _S655 + _S646.x);
+        taps_3.nodes_1[number_2] = _S663 + u32(_S662 * _S660 + _S661 + _S652.x);
         number_2 = number_2 + u32(1);
     }
     return taps_3;
 }
 
-fn coverage_of_pack_0( _S658 : u32,  _S659 : CoverageTaps_0,  _S660 : u32) -> vec4<f32>
+fn coverage_of_pack_0( _S664 : u32,  _S665 : CoverageTaps_0,  _S666 : u32) -> vec4<f32>
 {
     var number_3 : u32 = u32(0);
     var even_1 : u32 = u32(0);
@@ -3398,9 +3432,9 @@ fn coverage_of_pack_0( _S658 : u32,  _S659 : CoverageTaps_0,  _S660 : u32) -> ve
         {
             break;
         }
-        var _S661 : u32 = words_0[fabrics_0[_S658].lobes_0.coverage_0 + _S659.nodes_1[number_3] * fabrics_0[_S658].lobes_0.packs_0 + _S660];
-        var even_2 : u32 = even_1 + ((_S661 & (u32(16711935))));
-        var odd_2 : u32 = odd_1 + ((((_S661 >> (u32(8)))) & (u32(16711935))));
+        var _S667 : u32 = words_0[fabrics_0[_S664].lobes_0.coverage_0 + _S665.nodes_1[number_3] * fabrics_0[_S664].lobes_0.packs_0 + _S666];
+        var even_2 : u32 = even_1 + ((_S667 & (u32(16711935))));
+        var odd_2 : u32 = odd_1 + ((((_S667 >> (u32(8)))) & (u32(16711935))));
         number_3 = number_3 + u32(1);
         even_1 = even_2;
         odd_1 = odd_2;
@@ -3408,7 +3442,7 @@ fn coverage_of_pack_0( _S658 : u32,  _S659 : CoverageTaps_0,  _S660 : u32) -> ve
     return bytes_of_sums_0(even_1, odd_1) / vec4<f32>(9.0f);
 }
 
-fn coverage_of_holes_0( _S662 : u32,  _S663 : CoverageTaps_0) -> f32
+fn coverage_of_holes_0( _S668 : u32,  _S669 : CoverageTaps_0) -> f32
 {
     var number_4 : u32 = u32(0);
     var total_0 : u32 = u32(0);
@@ -3421,67 +3455,67 @@ fn coverage_of_holes_0( _S662 : u32,  _S663 : CoverageTaps_0) -> f32
         {
             break;
         }
-        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S662].lobes_0.coverage_holes_0 + _S663.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S663.nodes_1[number_4] % u32(4)))))) & (u32(255))));
+        var total_1 : u32 = total_0 + ((((words_0[fabrics_0[_S668].lobes_0.coverage_holes_0 + _S669.nodes_1[number_4] / u32(4)] >> ((u32(8) * (_S669.nodes_1[number_4] % u32(4)))))) & (u32(255))));
         number_4 = number_4 + u32(1);
         total_0 = total_1;
     }
     return f32(total_0) / 9.0f;
 }
 
-fn prefiltered_hole_0( _S664 : u32,  _S665 : CoverageTaps_0,  _S666 : NodeTaps_0,  _S667 : bool) -> f32
+fn prefiltered_hole_0( _S670 : u32,  _S671 : CoverageTaps_0,  _S672 : NodeTaps_0,  _S673 : bool) -> f32
 {
-    var _S668 : Lobes_std430_0 = fabrics_0[_S664].lobes_0;
-    var _S669 : f32 = interpolate_table_0(_S666, fabrics_0[_S664].lobes_0.projected_area_0 + fabrics_0[_S664].lobes_0.packs_0, fabrics_0[_S664].lobes_0.packs_0 + u32(1)).x;
-    var _S670 : f32;
-    if(_S667)
+    var _S674 : Lobes_std430_0 = fabrics_0[_S670].lobes_0;
+    var _S675 : f32 = interpolate_table_0(_S672, fabrics_0[_S670].lobes_0.projected_area_0 + fabrics_0[_S670].lobes_0.packs_0, fabrics_0[_S670].lobes_0.packs_0 + u32(1)).x;
+    var _S676 : f32;
+    if(_S673)
     {
-        _S670 = _S668.back_hole_weight_0;
+        _S676 = _S674.back_hole_weight_0;
     }
     else
     {
-        _S670 = _S668.front_hole_weight_0;
+        _S676 = _S674.front_hole_weight_0;
     }
-    return min(coverage_of_holes_0(_S664, _S665) * _S669 * _S669 * _S670, 1.0f);
+    return min(coverage_of_holes_0(_S670, _S671) * _S675 * _S675 * _S676, 1.0f);
 }
 
-fn prefiltered_components_0( _S671 : u32,  _S672 : Footprint_0,  _S673 : vec3<f32>,  _S674 : vec3<f32>,  _S675 : bool) -> Components_0
+fn prefiltered_components_0( _S677 : u32,  _S678 : Footprint_0,  _S679 : vec3<f32>,  _S680 : vec3<f32>,  _S681 : bool) -> Components_0
 {
-    var _S676 : CoverageTaps_0 = coverage_taps_0(_S671, _S672, _S675);
-    var _S677 : NodeTaps_0 = node_taps_0(_S674);
-    var view_nodes_0 : NodeTaps_0 = _S677;
-    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S673);
-    var seen_nodes_0 : NodeTaps_0 = _S677;
-    var _S678 : u32;
-    if(_S675)
+    var _S682 : CoverageTaps_0 = coverage_taps_0(_S677, _S678, _S681);
+    var _S683 : NodeTaps_0 = node_taps_0(_S680);
+    var view_nodes_0 : NodeTaps_0 = _S683;
+    var light_nodes_0 : NodeTaps_0 = node_taps_0(_S679);
+    var seen_nodes_0 : NodeTaps_0 = _S683;
+    var _S684 : u32;
+    if(_S681)
     {
-        _S678 = u32(1);
+        _S684 = u32(1);
     }
     else
     {
-        _S678 = u32(0);
+        _S684 = u32(0);
     }
-    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S678 * u32(256)));
-    var _S679 : u32 = u32(2) * _S678;
-    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S679 * u32(256)));
-    var _S680 : u32;
-    if((_S673.z) < 0.0f)
+    view_nodes_0.nodes_0 = view_nodes_0.nodes_0 + vec4<u32>((_S684 * u32(256)));
+    var _S685 : u32 = u32(2) * _S684;
+    seen_nodes_0.nodes_0 = seen_nodes_0.nodes_0 + vec4<u32>((_S685 * u32(256)));
+    var _S686 : u32;
+    if((_S679.z) < 0.0f)
     {
-        _S680 = u32(1);
-    }
-    else
-    {
-        _S680 = u32(0);
-    }
-    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S679 + _S680) * u32(256)));
-    var _S681 : vec3<f32> = half_vector_0(_S673, _S674);
-    var _S682 : vec3<f32> = shadow_correlation_0(_S673, _S674);
-    if(_S675)
-    {
-        _S680 = fabrics_0[_S671].lobes_0.back_warp_packs_0;
+        _S686 = u32(1);
     }
     else
     {
-        _S680 = fabrics_0[_S671].lobes_0.front_warp_packs_0;
+        _S686 = u32(0);
+    }
+    light_nodes_0.nodes_0 = light_nodes_0.nodes_0 + vec4<u32>(((_S685 + _S686) * u32(256)));
+    var _S687 : vec3<f32> = half_vector_0(_S679, _S680);
+    var _S688 : vec3<f32> = shadow_correlation_0(_S679, _S680);
+    if(_S681)
+    {
+        _S686 = fabrics_0[_S677].lobes_0.back_warp_packs_0;
+    }
+    else
+    {
+        _S686 = fabrics_0[_S677].lobes_0.front_warp_packs_0;
     }
     var sums_1 : Components_0;
     sums_1.diffuse_warp_0 = 0.0f;
@@ -3493,32 +3527,32 @@ fn prefiltered_components_0( _S671 : u32,  _S672 : Footprint_0,  _S673 : vec3<f3
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        var _S683 : Lobes_std430_0 = fabrics_0[_S671].lobes_0;
-        if(pack_0 < (fabrics_0[_S671].lobes_0.packs_0))
+        var _S689 : Lobes_std430_0 = fabrics_0[_S677].lobes_0;
+        if(pack_0 < (fabrics_0[_S677].lobes_0.packs_0))
         {
         }
         else
         {
             break;
         }
-        var _S684 : vec4<f32> = coverage_of_pack_0(_S671, _S676, pack_0);
-        var _S685 : vec4<f32> = interpolate_table_0(view_nodes_0, _S683.projected_area_0 + pack_0, _S683.packs_0 + u32(1));
-        var _S686 : u32 = _S683.light_visibility_0 + pack_0;
-        var _S687 : vec4<f32> = vec4<f32>(255.0f);
-        var _S688 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S686, _S683.packs_0) / _S687;
-        var _S689 : vec4<f32> = interpolate_table_0(light_nodes_0, _S686, _S683.packs_0) / _S687;
-        var _S690 : vec4<f32> = interpolate_table_0(light_nodes_0, _S683.irradiance_0 + pack_0, _S683.packs_0) * vec4<f32>(0.00124827399849892f);
-        var _S691 : bool = pack_0 < _S680;
-        var _S692 : u32;
-        if(_S691)
+        var _S690 : vec4<f32> = coverage_of_pack_0(_S677, _S682, pack_0);
+        var _S691 : vec4<f32> = interpolate_table_0(view_nodes_0, _S689.projected_area_0 + pack_0, _S689.packs_0 + u32(1));
+        var _S692 : u32 = _S689.light_visibility_0 + pack_0;
+        var _S693 : vec4<f32> = vec4<f32>(255.0f);
+        var _S694 : vec4<f32> = interpolate_table_0(seen_nodes_0, _S692, _S689.packs_0) / _S693;
+        var _S695 : vec4<f32> = interpolate_table_0(light_nodes_0, _S692, _S689.packs_0) / _S693;
+        var _S696 : vec4<f32> = interpolate_table_0(light_nodes_0, _S689.irradiance_0 + pack_0, _S689.packs_0) * vec4<f32>(0.00124827399849892f);
+        var _S697 : bool = pack_0 < _S686;
+        var _S698 : u32;
+        if(_S697)
         {
-            _S692 = fabrics_0[_S671].warp_0;
+            _S698 = fabrics_0[_S677].warp_0;
         }
         else
         {
-            _S692 = fabrics_0[_S671].weft_0;
+            _S698 = fabrics_0[_S677].weft_0;
         }
-        var _S693 : Family_std430_0 = families_0[_S692];
+        var _S699 : Family_std430_0 = families_0[_S698];
         var number_5 : u32 = u32(0);
         var diffuse_0 : f32 = 0.0f;
         var specular_0 : f32 = 0.0f;
@@ -3531,332 +3565,332 @@ fn prefiltered_components_0( _S671 : u32,  _S672 : Footprint_0,  _S673 : vec3<f3
             {
                 break;
             }
-            var _S694 : Group_0 = group_at_0(_S683.moments_0 + u32(12) * (u32(4) * (_S678 * _S683.packs_0 + pack_0) + number_5), _S693.roughness_0);
-            var _S695 : f32 = _S684[number_5] * _S685[number_5] * _S685[number_5] * _S694.weight_1;
-            var _S696 : vec2<f32> = visibility_gain_0(_S682, _S689[number_5], _S688[number_5]);
-            var _S697 : f32 = _S696.x;
-            var diffuse_1 : f32 = diffuse_0 + _S695 * _S690[number_5] * _S697;
-            var specular_1 : f32 = specular_0 + _S695 * layer_value_0(_S694, _S681, _S673, _S674, fabrics_0[_S671].optical_depth_0) * _S689[number_5] * _S696.y;
-            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S695 * _S689[number_5] * _S697;
-            var total_3 : f32 = total_2 + _S695;
+            var _S700 : Group_0 = group_at_0(_S689.moments_0 + u32(12) * (u32(4) * (_S684 * _S689.packs_0 + pack_0) + number_5), _S699.roughness_0);
+            var _S701 : f32 = _S690[number_5] * _S691[number_5] * _S691[number_5] * _S700.weight_1;
+            var _S702 : vec2<f32> = visibility_gain_0(_S688, _S695[number_5], _S694[number_5]);
+            var _S703 : f32 = _S702.x;
+            var diffuse_1 : f32 = diffuse_0 + _S701 * _S696[number_5] * _S703;
+            var specular_1 : f32 = specular_0 + _S701 * layer_value_0(_S700, _S687, _S679, _S680, fabrics_0[_S677].optical_depth_0) * _S695[number_5] * _S702.y;
+            sums_1.light_visibility_1 = sums_1.light_visibility_1 + _S701 * _S695[number_5] * _S703;
+            var total_3 : f32 = total_2 + _S701;
             number_5 = number_5 + u32(1);
             diffuse_0 = diffuse_1;
             specular_0 = specular_1;
             total_2 = total_3;
         }
-        var _S698 : f32;
-        if(_S691)
+        var _S704 : f32;
+        if(_S697)
         {
-            _S698 = diffuse_0;
+            _S704 = diffuse_0;
         }
         else
         {
-            _S698 = 0.0f;
+            _S704 = 0.0f;
         }
-        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S698;
-        var _S699 : f32;
-        if(_S691)
+        sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 + _S704;
+        var _S705 : f32;
+        if(_S697)
         {
-            _S699 = 0.0f;
+            _S705 = 0.0f;
         }
         else
         {
-            _S699 = diffuse_0;
+            _S705 = diffuse_0;
         }
-        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S699;
-        var _S700 : f32;
-        if(_S691)
+        sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 + _S705;
+        var _S706 : f32;
+        if(_S697)
         {
-            _S700 = specular_0;
+            _S706 = specular_0;
         }
         else
         {
-            _S700 = 0.0f;
+            _S706 = 0.0f;
         }
-        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S700;
-        var _S701 : f32;
-        if(_S691)
+        sums_1.specular_warp_0 = sums_1.specular_warp_0 + _S706;
+        var _S707 : f32;
+        if(_S697)
         {
-            _S701 = 0.0f;
+            _S707 = 0.0f;
         }
         else
         {
-            _S701 = specular_0;
+            _S707 = specular_0;
         }
-        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S701;
+        sums_1.specular_weft_0 = sums_1.specular_weft_0 + _S707;
         pack_0 = pack_0 + u32(1);
     }
-    var _S702 : f32 = prefiltered_hole_0(_S671, _S676, view_nodes_0, _S675);
-    sums_1.hole_2 = _S702;
-    var _S703 : f32 = (1.0f - _S702) / max(total_2, 9.999999960041972e-13f);
-    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S703;
-    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S703;
-    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S703;
-    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S703;
-    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S703;
+    var _S708 : f32 = prefiltered_hole_0(_S677, _S682, view_nodes_0, _S681);
+    sums_1.hole_2 = _S708;
+    var _S709 : f32 = (1.0f - _S708) / max(total_2, 9.999999960041972e-13f);
+    sums_1.diffuse_warp_0 = sums_1.diffuse_warp_0 * _S709;
+    sums_1.diffuse_weft_0 = sums_1.diffuse_weft_0 * _S709;
+    sums_1.specular_warp_0 = sums_1.specular_warp_0 * _S709;
+    sums_1.specular_weft_0 = sums_1.specular_weft_0 * _S709;
+    sums_1.light_visibility_1 = sums_1.light_visibility_1 * _S709;
     return sums_1;
 }
 
-fn albedos_over_0( _S704 : u32,  _S705 : Footprint_0,  _S706 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S710 : u32,  _S711 : Footprint_0,  _S712 : bool) -> FamilyAlbedos_0
 {
-    var _S707 : vec2<f32> = _S705.dx_0;
-    var _S708 : vec2<f32> = _S705.dy_0;
-    var _S709 : vec2<f32> = sqrt(_S707 * _S707 + _S708 * _S708);
-    var _S710 : Stretch_0 = stretch_of_0(fabrics_0[_S704].warp_0, _S705.centre_0.x, _S709.x);
-    var _S711 : Stretch_0 = stretch_of_0(fabrics_0[_S704].weft_0, _S705.centre_0.y, _S709.y);
+    var _S713 : vec2<f32> = _S711.dx_0;
+    var _S714 : vec2<f32> = _S711.dy_0;
+    var _S715 : vec2<f32> = sqrt(_S713 * _S713 + _S714 * _S714);
+    var _S716 : Stretch_0 = stretch_of_0(fabrics_0[_S710].warp_0, _S711.centre_0.x, _S715.x);
+    var _S717 : Stretch_0 = stretch_of_0(fabrics_0[_S710].weft_0, _S711.centre_0.y, _S715.y);
     var albedos_9 : FamilyAlbedos_0;
-    albedos_9.warp_2 = mean_albedos_0(fabrics_0[_S704].warp_0, fabrics_0[_S704].weft_0, _S710, _S711, _S706);
-    albedos_9.weft_2 = mean_albedos_0(fabrics_0[_S704].weft_0, fabrics_0[_S704].warp_0, _S711, _S710, _S706);
+    albedos_9.warp_2 = mean_albedos_0(fabrics_0[_S710].warp_0, fabrics_0[_S710].weft_0, _S716, _S717, _S712);
+    albedos_9.weft_2 = mean_albedos_0(fabrics_0[_S710].weft_0, fabrics_0[_S710].warp_0, _S717, _S716, _S712);
     return albedos_9;
 }
 
-fn lobes_estimate_of_pass_0( _S712 : u32,  _S713 : Footprint_0,  _S714 : f32,  _S715 : vec2<f32>,  _S716 : vec3<f32>,  _S717 : vec3<f32>) -> Estimate_0
+fn lobes_estimate_of_pass_0( _S718 : u32,  _S719 : Footprint_0,  _S720 : f32,  _S721 : vec2<f32>,  _S722 : vec3<f32>,  _S723 : vec3<f32>) -> Estimate_0
 {
-    var _S718 : f32;
-    var _S719 : Regime_0 = regime_of_0(_S712, _S713, _S714);
-    var _S720 : bool = (_S717.z) < 0.0f;
-    var _S721 : vec3<f32> = to_face_frame_0(_S717, _S720);
-    var _S722 : bool;
-    if((fabrics_0[_S712].fibre_noise_0) > 0.0f)
+    var _S724 : f32;
+    var _S725 : Regime_0 = regime_of_0(_S718, _S719, _S720);
+    var _S726 : bool = (_S723.z) < 0.0f;
+    var _S727 : vec3<f32> = to_face_frame_0(_S723, _S726);
+    var _S728 : bool;
+    if((fabrics_0[_S718].fibre_noise_0) > 0.0f)
     {
-        _S722 = true;
+        _S728 = true;
     }
     else
     {
-        _S722 = (fabrics_0[_S712].colour_noise_0) > 0.0f;
+        _S728 = (fabrics_0[_S718].colour_noise_0) > 0.0f;
     }
-    var _S723 : bool;
-    if((families_0[fabrics_0[_S712].warp_0].quantities_0) > u32(1))
+    var _S729 : bool;
+    if((families_0[fabrics_0[_S718].warp_0].quantities_0) > u32(1))
     {
-        _S723 = true;
+        _S729 = true;
     }
     else
     {
-        _S723 = (families_0[fabrics_0[_S712].weft_0].quantities_0) > u32(1);
+        _S729 = (families_0[fabrics_0[_S718].weft_0].quantities_0) > u32(1);
     }
-    var _S724 : f32 = 1.0f - _S719.prefiltered_0;
-    if(_S724 > 0.0f)
+    var _S730 : f32 = 1.0f - _S725.prefiltered_0;
+    if(_S730 > 0.0f)
     {
-        if(_S722)
+        if(_S728)
         {
-            _S723 = true;
+            _S729 = true;
         }
     }
     else
     {
-        _S723 = false;
+        _S729 = false;
     }
-    var box_0 : Footprint_0 = _S713;
-    var _S725 : vec3<f32> = vec3<f32>(0.0f);
-    var _S726 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S725, _S725, 0.0f, 0.0f, 0.0f);
-    var _S727 : Components_0 = no_components_0();
-    var _S728 : i32;
-    if(_S723)
+    var box_0 : Footprint_0 = _S719;
+    var _S731 : vec3<f32> = vec3<f32>(0.0f);
+    var _S732 : SurfacePoint_0 = SurfacePoint_x24init_0(false, false, u32(0), u32(0), 0.0f, _S731, _S731, 0.0f, 0.0f, 0.0f);
+    var _S733 : Components_0 = no_components_0();
+    var _S734 : i32;
+    if(_S729)
     {
-        _S728 = i32(0);
+        _S734 = i32(0);
     }
     else
     {
-        _S728 = i32(1);
+        _S734 = i32(1);
     }
-    var _S729 : u32 = u32(_S728);
-    var points_1 : Components_0 = _S727;
+    var _S735 : u32 = u32(_S734);
+    var points_1 : Components_0 = _S733;
     var central_weight_0 : f32 = 0.0f;
-    var central_0 : SurfacePoint_0 = _S726;
-    var central_place_0 : vec2<f32> = _S713.centre_0;
-    var number_6 : u32 = _S729;
+    var central_0 : SurfacePoint_0 = _S732;
+    var central_place_0 : vec2<f32> = _S719.centre_0;
+    var number_6 : u32 = _S735;
     for(;;)
     {
-        var _S730 : f32 = f32(number_6);
-        _S718 = _S719.points_0;
-        if(_S730 < (_S719.points_0 + 1.0f))
+        var _S736 : f32 = f32(number_6);
+        _S724 = _S725.points_0;
+        if(_S736 < (_S725.points_0 + 1.0f))
         {
         }
         else
         {
             break;
         }
-        var _S731 : bool = number_6 == u32(0);
-        var _S732 : u32;
-        if(_S731)
+        var _S737 : bool = number_6 == u32(0);
+        var _S738 : u32;
+        if(_S737)
         {
-            _S732 = u32(0);
+            _S738 = u32(0);
         }
         else
         {
-            _S732 = number_6 - u32(1);
+            _S738 = number_6 - u32(1);
         }
-        var _S733 : vec2<f32> = POINT_OFFSETS_0[_S732] + _S715;
-        var _S734 : vec2<f32>;
-        if(_S731)
+        var _S739 : vec2<f32> = POINT_OFFSETS_0[_S738] + _S721;
+        var _S740 : vec2<f32>;
+        if(_S737)
         {
-            _S734 = vec2<f32>(0.0f);
+            _S740 = vec2<f32>(0.0f);
         }
         else
         {
-            _S734 = _S733 - round(_S733);
+            _S740 = _S739 - round(_S739);
         }
-        var _S735 : vec2<f32> = _S713.centre_0 + vec2<f32>(_S734.x) * _S713.dx_0 + vec2<f32>(_S734.y) * _S713.dy_0;
-        var _S736 : f32;
-        if(_S731)
+        var _S741 : vec2<f32> = _S719.centre_0 + vec2<f32>(_S740.x) * _S719.dx_0 + vec2<f32>(_S740.y) * _S719.dy_0;
+        var _S742 : f32;
+        if(_S737)
         {
-            _S736 = 0.0f;
+            _S742 = 0.0f;
         }
         else
         {
-            _S736 = _S719.threads_1;
+            _S742 = _S725.threads_1;
         }
-        var _S737 : SearchQuality_0 = quality_of_0(_S736);
-        var _S738 : Hit_0 = first_hit_0(_S712, _S737, _S735.x, _S735.y, _S721, _S720);
-        var _S739 : SurfacePoint_0 = surface_at_0(_S712, _S738.x_14, _S738.y_7, _S720);
-        if(_S731)
+        var _S743 : SearchQuality_0 = quality_of_0(_S742);
+        var _S744 : Hit_0 = first_hit_0(_S718, _S743, _S741.x, _S741.y, _S727, _S726);
+        var _S745 : SurfacePoint_0 = surface_at_0(_S718, _S744.x_14, _S744.y_7, _S726);
+        if(_S737)
         {
             var central_weight_1 : f32;
-            if(_S738.hole_5)
+            if(_S744.hole_5)
             {
                 central_weight_1 = 0.0f;
             }
             else
             {
-                central_weight_1 = _S724;
+                central_weight_1 = _S730;
             }
-            var central_place_1 : vec2<f32> = vec2<f32>(_S738.x_14, _S738.y_7);
-            box_0.centre_0 = mix(_S713.centre_0, central_place_1, vec2<f32>(central_weight_1));
+            var central_place_1 : vec2<f32> = vec2<f32>(_S744.x_14, _S744.y_7);
+            box_0.centre_0 = mix(_S719.centre_0, central_place_1, vec2<f32>(central_weight_1));
             central_weight_0 = central_weight_1;
-            central_0 = _S739;
+            central_0 = _S745;
             central_place_0 = central_place_1;
             number_6 = number_6 + u32(1);
             continue;
         }
-        points_1 = with_added_0(points_1, components_of_point_0(_S712, _S737, yarn_point_of_0(_S712, _S739, _S738.x_14, _S738.y_7, _S720, _S738.hole_5), _S716, _S717), min(_S719.points_0 - f32(number_6 - u32(1)), 1.0f));
+        points_1 = with_added_0(points_1, components_of_point_0(_S718, _S743, yarn_point_of_0(_S718, _S745, _S744.x_14, _S744.y_7, _S726, _S744.hole_5), _S722, _S723), min(_S725.points_0 - f32(number_6 - u32(1)), 1.0f));
         number_6 = number_6 + u32(1);
     }
     var estimate_0 : Estimate_0;
-    estimate_0.components_0 = with_added_0(_S727, points_1, _S724 / max(_S718, 1.0f));
-    if((_S719.prefiltered_0) > 0.0f)
+    estimate_0.components_0 = with_added_0(_S733, points_1, _S730 / max(_S724, 1.0f));
+    if((_S725.prefiltered_0) > 0.0f)
     {
-        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S712, _S713, to_face_frame_0(_S716, _S720), _S721, _S720), _S719.prefiltered_0);
+        estimate_0.components_0 = with_added_0(estimate_0.components_0, prefiltered_components_0(_S718, _S719, to_face_frame_0(_S722, _S726), _S727, _S726), _S725.prefiltered_0);
     }
-    estimate_0.albedos_5 = albedos_over_0(_S712, box_0, _S720);
-    if(_S722)
+    estimate_0.albedos_5 = albedos_over_0(_S718, box_0, _S726);
+    if(_S728)
     {
-        _S722 = central_weight_0 > 0.0f;
+        _S728 = central_weight_0 > 0.0f;
     }
     else
     {
-        _S722 = false;
+        _S728 = false;
     }
-    if(_S722)
+    if(_S728)
     {
-        var _S740 : SurfacePoint_0 = central_0;
-        var _S741 : Albedos_0;
+        var _S746 : SurfacePoint_0 = central_0;
+        var _S747 : Albedos_0;
         if(central_0.is_warp_0)
         {
-            _S741 = estimate_0.albedos_5.warp_2;
+            _S747 = estimate_0.albedos_5.warp_2;
         }
         else
         {
-            _S741 = estimate_0.albedos_5.weft_2;
+            _S747 = estimate_0.albedos_5.weft_2;
         }
-        var _S742 : Albedos_0 = lerp_albedos_0(_S741, varied_at_0(_S712, central_0, _S741, central_place_0.x, central_place_0.y), central_weight_0);
-        if(_S740.is_warp_0)
+        var _S748 : Albedos_0 = lerp_albedos_0(_S747, varied_at_0(_S718, central_0, _S747, central_place_0.x, central_place_0.y), central_weight_0);
+        if(_S746.is_warp_0)
         {
-            estimate_0.albedos_5.warp_2 = _S742;
+            estimate_0.albedos_5.warp_2 = _S748;
         }
         else
         {
-            estimate_0.albedos_5.weft_2 = _S742;
+            estimate_0.albedos_5.weft_2 = _S748;
         }
     }
     return estimate_0;
 }
 
-fn composed_0( _S743 : u32,  _S744 : Components_0,  _S745 : FamilyAlbedos_0,  _S746 : vec3<f32>,  _S747 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S749 : u32,  _S750 : Components_0,  _S751 : FamilyAlbedos_0,  _S752 : vec3<f32>,  _S753 : vec3<f32>) -> vec3<f32>
 {
-    var _S748 : vec3<f32> = vec3<f32>(_S744.diffuse_warp_0);
-    var _S749 : vec3<f32> = vec3<f32>(_S744.diffuse_weft_0);
-    var _S750 : vec3<f32> = vec3<f32>(_S744.specular_warp_0);
-    var _S751 : vec3<f32> = vec3<f32>(_S744.specular_weft_0);
-    var _S752 : vec3<f32> = _S745.warp_2.diffuse_reflect_0 * _S748 + _S745.weft_2.diffuse_reflect_0 * _S749 + _S745.warp_2.specular_reflect_0 * _S750 + _S745.weft_2.specular_reflect_0 * _S751;
-    var _S753 : f32 = _S747.z;
+    var _S754 : vec3<f32> = vec3<f32>(_S750.diffuse_warp_0);
+    var _S755 : vec3<f32> = vec3<f32>(_S750.diffuse_weft_0);
+    var _S756 : vec3<f32> = vec3<f32>(_S750.specular_warp_0);
+    var _S757 : vec3<f32> = vec3<f32>(_S750.specular_weft_0);
+    var _S758 : vec3<f32> = _S751.warp_2.diffuse_reflect_0 * _S754 + _S751.weft_2.diffuse_reflect_0 * _S755 + _S751.warp_2.specular_reflect_0 * _S756 + _S751.weft_2.specular_reflect_0 * _S757;
+    var _S759 : f32 = _S753.z;
     var body_0 : vec3<f32>;
-    if((_S746.z * _S753) < 0.0f)
+    if((_S752.z * _S759) < 0.0f)
     {
-        body_0 = _S745.warp_2.diffuse_transmit_0 * _S748 + _S745.weft_2.diffuse_transmit_0 * _S749 + _S745.warp_2.specular_transmit_0 * _S750 + _S745.weft_2.specular_transmit_0 * _S751;
+        body_0 = _S751.warp_2.diffuse_transmit_0 * _S754 + _S751.weft_2.diffuse_transmit_0 * _S755 + _S751.warp_2.specular_transmit_0 * _S756 + _S751.weft_2.specular_transmit_0 * _S757;
     }
     else
     {
-        body_0 = _S752;
+        body_0 = _S758;
     }
-    var _S754 : f32 = fabrics_0[_S743].sheen_strength_0;
-    if((fabrics_0[_S743].sheen_strength_0) <= 0.0f)
+    var _S760 : f32 = fabrics_0[_S749].sheen_strength_0;
+    if((fabrics_0[_S749].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S755 : bool = _S753 < 0.0f;
-    var _S756 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S746, _S755), to_face_frame_0(_S747, _S755), _S754, fabrics_0[_S743].sheen_roughness_0);
-    return vec3<f32>(_S756.y) * body_0 + vec3<f32>(((_S744.light_visibility_1 + _S744.hole_2) * _S756.x));
+    var _S761 : bool = _S759 < 0.0f;
+    var _S762 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S752, _S761), to_face_frame_0(_S753, _S761), _S760, fabrics_0[_S749].sheen_roughness_0);
+    return vec3<f32>(_S762.y) * body_0 + vec3<f32>(((_S750.light_visibility_1 + _S750.hole_2) * _S762.x));
 }
 
-fn light_of_footprint_0( _S757 : i32,  _S758 : u32,  _S759 : VisiblePoint_0,  _S760 : vec2<u32>,  _S761 : vec3<f32>) -> vec4<f32>
+fn light_of_footprint_0( _S763 : i32,  _S764 : u32,  _S765 : VisiblePoint_0,  _S766 : vec2<u32>,  _S767 : vec3<f32>) -> vec4<f32>
 {
     var footprint_0 : Footprint_0;
-    footprint_0.centre_0 = _S759.draft_0;
-    footprint_0.dx_0 = _S759.draft_dx_0;
-    footprint_0.dy_0 = _S759.draft_dy_0;
-    var _S762 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S757].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
-    var _S763 : vec3<f32> = to_local_0(_S759, _S759.view_0);
-    var _S764 : u32 = light_sample_count_0(_S757);
-    var _S765 : vec3<f32> = vec3<f32>(0.0f);
+    footprint_0.centre_0 = _S765.draft_0;
+    footprint_0.dx_0 = _S765.draft_dx_0;
+    footprint_0.dy_0 = _S765.draft_dy_0;
+    var _S768 : vec2<f32> = fract(vec2<f32>(f32(((frames_0[_S763].pass_number_0) & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+    var _S769 : vec3<f32> = to_local_0(_S765, _S765.view_0);
+    var _S770 : u32 = light_sample_count_0(_S763);
+    var _S771 : vec3<f32> = vec3<f32>(0.0f);
     var number_7 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S765;
+    var radiance_1 : vec3<f32> = _S771;
     var hole_7 : f32 = 0.0f;
     for(;;)
     {
-        if(number_7 < (max(_S764, u32(1))))
+        if(number_7 < (max(_S770, u32(1))))
         {
         }
         else
         {
             break;
         }
-        var _S766 : f32;
-        if(number_7 < _S764)
+        var _S772 : f32;
+        if(number_7 < _S770)
         {
-            _S766 = visibility_at_0(_S757, number_7, _S760);
+            _S772 = visibility_at_0(_S763, number_7, _S766);
         }
         else
         {
-            _S766 = 0.0f;
+            _S772 = 0.0f;
         }
-        var _S767 : bool;
-        if(_S766 <= 0.0f)
+        var _S773 : bool;
+        if(_S772 <= 0.0f)
         {
-            _S767 = number_7 > u32(0);
+            _S773 = number_7 > u32(0);
         }
         else
         {
-            _S767 = false;
+            _S773 = false;
         }
-        if(_S767)
+        if(_S773)
         {
             number_7 = number_7 + u32(1);
             continue;
         }
-        var _S768 : LightSample_0 = light_sample_0(_S757, number_7, _S760, _S759.position_0);
-        var _S769 : vec3<f32> = to_local_0(_S759, _S768.towards_0);
-        var _S770 : Estimate_0 = lobes_estimate_of_pass_0(_S758, footprint_0, 1.0f, _S762, _S769, _S763);
+        var _S774 : LightSample_0 = light_sample_0(_S763, number_7, _S766, _S765.position_0);
+        var _S775 : vec3<f32> = to_local_0(_S765, _S774.towards_0);
+        var _S776 : Estimate_0 = lobes_estimate_of_pass_0(_S764, footprint_0, 1.0f, _S768, _S775, _S769);
         var albedos_10 : FamilyAlbedos_0;
-        albedos_10.warp_2 = tinted_0(_S770.albedos_5.warp_2, _S761);
-        albedos_10.weft_2 = tinted_0(_S770.albedos_5.weft_2, _S761);
-        radiance_1 = radiance_1 + vec3<f32>(_S766) * _S768.irradiance_1 * composed_0(_S758, _S770.components_0, albedos_10, _S769, _S763);
-        hole_7 = _S770.components_0.hole_2;
+        albedos_10.warp_2 = tinted_0(_S776.albedos_5.warp_2, _S767);
+        albedos_10.weft_2 = tinted_0(_S776.albedos_5.weft_2, _S767);
+        radiance_1 = radiance_1 + vec3<f32>(_S772) * _S774.irradiance_1 * composed_0(_S764, _S776.components_0, albedos_10, _S775, _S769);
+        hole_7 = _S776.components_0.hole_2;
         number_7 = number_7 + u32(1);
     }
-    var _S771 : f32 = fabrics_0[_S758].sheen_strength_0;
-    if((fabrics_0[_S758].sheen_strength_0) > 0.0f)
+    var _S777 : f32 = fabrics_0[_S764].sheen_strength_0;
+    if((fabrics_0[_S764].sheen_strength_0) > 0.0f)
     {
-        hole_7 = hole_7 * (1.0f - _S771 * sheen_lobe_0(abs(_S763.z), fabrics_0[_S758].sheen_roughness_0).z);
+        hole_7 = hole_7 * (1.0f - _S777 * sheen_lobe_0(abs(_S769.z), fabrics_0[_S764].sheen_roughness_0).z);
     }
     return vec4<f32>(radiance_1, 1.0f - hole_7);
 }
@@ -3865,32 +3899,32 @@ fn light_of_footprint_0( _S757 : i32,  _S758 : u32,  _S759 : VisiblePoint_0,  _S
 @workgroup_size(8, 8, 1)
 fn shade_lobes(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S772 : u32 = id_0.x;
-    var _S773 : u32 = frames_0[i32(0)].width_0;
-    var _S774 : bool;
-    if(_S772 >= (frames_0[i32(0)].width_0))
+    var _S778 : u32 = id_0.x;
+    var _S779 : u32 = frames_0[i32(0)].width_0;
+    var _S780 : bool;
+    if(_S778 >= (frames_0[i32(0)].width_0))
     {
-        _S774 = true;
+        _S780 = true;
     }
     else
     {
-        _S774 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S780 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S774)
+    if(_S780)
     {
         return;
     }
-    var _S775 : u32 = id_0.y * _S773 + _S772;
-    var _S776 : u32 = layers_0[_S775].face_0;
-    if((layers_0[_S775].face_0) == u32(0))
+    var _S781 : u32 = id_0.y * _S779 + _S778;
+    var _S782 : u32 = layers_0[_S781].face_0;
+    if((layers_0[_S781].face_0) == u32(0))
     {
         return;
     }
-    var _S777 : u32 = _S776 - u32(1);
-    var _S778 : u32 = face_fabrics_0[_S777];
-    var _S779 : vec2<u32> = id_0.xy;
-    var _S780 : VisiblePoint_0 = visible_point_0(i32(0), _S778, _S777, _S779);
-    accumulate_0(_S775, light_of_footprint_0(i32(0), _S778, _S780, _S779, filtered_albedo_0(_S778, _S780)));
+    var _S783 : u32 = _S782 - u32(1);
+    var _S784 : u32 = face_fabrics_0[_S783];
+    var _S785 : vec2<u32> = id_0.xy;
+    var _S786 : VisiblePoint_0 = visible_point_0(i32(0), _S784, _S783, _S785);
+    accumulate_0(_S781, light_of_footprint_0(i32(0), _S784, _S786, _S785, filtered_albedo_0(_S784, _S786)));
     return;
 }
 

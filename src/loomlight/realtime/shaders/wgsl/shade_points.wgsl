@@ -46,7 +46,7 @@ struct Layer_std430_0
     @align(4) share_0 : f32,
 };
 
-@binding(11) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -72,13 +72,40 @@ struct Lobes_std430_0
     @align(4) unit_level_0 : f32,
 };
 
+struct Woven_std430_0
+{
+    @align(4) is_encoded_0 : u32,
+    @align(4) network_0 : u32,
+    @align(4) latents_0 : u32,
+    @align(4) texels_0 : u32,
+    @align(4) levels_1 : u32,
+    @align(4) top_level_0 : u32,
+    @align(4) ends_0 : f32,
+    @align(4) picks_0 : f32,
+    @align(4) ends_per_mm_0 : f32,
+    @align(4) picks_per_mm_0 : f32,
+    @align(4) pitch_0 : f32,
+    @align(4) warp_x_0 : f32,
+    @align(4) warp_y_0 : f32,
+    @align(4) warp_roughness_0 : f32,
+    @align(4) weft_x_0 : f32,
+    @align(4) weft_y_0 : f32,
+    @align(4) weft_roughness_0 : f32,
+    @align(4) warp_lobe_roughness_0 : f32,
+    @align(4) weft_lobe_roughness_0 : f32,
+    @align(4) bundles_0 : u32,
+    @align(4) is_corrected_0 : u32,
+    @align(4) correction_0 : u32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
+    @align(4) woven_0 : Woven_std430_0,
     @align(4) run_words_0 : u32,
-    @align(4) ends_0 : u32,
+    @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
     @align(4) max_height_columns_0 : u32,
     @align(4) height_low_0 : f32,
@@ -121,7 +148,7 @@ struct Vertex_std430_0
 
 @binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
 
-@binding(10) @group(0) var<storage, read> scene_words_0 : array<u32>;
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 struct Family_std430_0
 {
@@ -162,7 +189,7 @@ struct Family_std430_0
 
 @binding(2) @group(0) var<storage, read> words_0 : array<u32>;
 
-@binding(12) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
+@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 struct Light_std430_0
 {
@@ -1683,7 +1710,7 @@ fn crossing_at_0( _S252 : u32,  _S253 : f32,  _S254 : f32,  _S255 : bool) -> Cro
     var crossing_2 : Crossing_0;
     crossing_2.warp_1 = locate_0(fabrics_0[_S252].warp_0, _S253);
     crossing_2.weft_1 = locate_0(fabrics_0[_S252].weft_0, _S254);
-    var _S256 : u32 = fabrics_0[_S252].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S252].ends_0 + crossing_2.warp_1.thread_1);
+    var _S256 : u32 = fabrics_0[_S252].run_words_0 + u32(2) * (crossing_2.weft_1.thread_1 * fabrics_0[_S252].ends_1 + crossing_2.warp_1.thread_1);
     var _S257 : u32 = words_0[_S256];
     crossing_2.warp_word_0 = _S257;
     crossing_2.weft_word_0 = words_0[_S256 + u32(1)];
@@ -2340,30 +2367,37 @@ fn refined_height_0( _S386 : u32,  _S387 : ViewRay_0,  _S388 : StepControl_0,  _
     return middle_0;
 }
 
-fn first_hit_0( _S400 : u32,  _S401 : SearchQuality_0,  _S402 : f32,  _S403 : f32,  _S404 : vec3<f32>,  _S405 : bool) -> Hit_0
+fn first_hit_of_yarn_0( _S400 : u32,  _S401 : SearchQuality_0,  _S402 : f32,  _S403 : f32,  _S404 : vec3<f32>,  _S405 : bool) -> Hit_0
 {
-    var hit_0 : Hit_0;
-    hit_0.x_13 = _S402;
-    hit_0.y_6 = _S403;
-    hit_0.height_4 = 0.0f;
-    var _S406 : bool = passes_through_0(_S400, _S401, _S402, _S403, _S404, _S405);
-    hit_0.hole_3 = _S406;
-    if(_S406)
-    {
-        return hit_0;
-    }
-    var _S407 : f32 = max(_S404.z, 0.00009999999747379f);
+    var _S406 : f32 = max(_S404.z, 0.00009999999747379f);
     var ray_0 : ViewRay_0;
     ray_0.origin_0 = vec2<f32>(_S402, _S403);
-    var _S408 : vec2<f32> = _S404.xy / vec2<f32>(_S407);
-    ray_0.slope_1 = _S408;
-    var _S409 : StepControl_0 = step_control_0((vec2<f32>(0) - _S408), 1.0f / max(steps_per_length_0(_S400, _S401, _S404) / _S407, 9.99999971718068537e-10f));
-    var _S410 : f32 = refined_height_0(_S400, ray_0, _S409, _S405, search_down_0(_S400, ray_0, _S409, _S405), _S401.refinements_0);
+    var _S407 : vec2<f32> = _S404.xy / vec2<f32>(_S406);
+    ray_0.slope_1 = _S407;
+    var _S408 : StepControl_0 = step_control_0((vec2<f32>(0) - _S407), 1.0f / max(steps_per_length_0(_S400, _S401, _S404) / _S406, 9.99999971718068537e-10f));
+    var _S409 : ViewRayEnd_0 = search_down_0(_S400, ray_0, _S408, _S405);
+    var hit_0 : Hit_0;
+    hit_0.hole_3 = false;
+    var _S410 : f32 = refined_height_0(_S400, ray_0, _S408, _S405, _S409, _S401.refinements_0);
     hit_0.height_4 = _S410;
     var _S411 : vec2<f32> = ViewRay_at_0(ray_0, _S410);
     hit_0.x_13 = _S411.x;
     hit_0.y_6 = _S411.y;
     return hit_0;
+}
+
+fn first_hit_0( _S412 : u32,  _S413 : SearchQuality_0,  _S414 : f32,  _S415 : f32,  _S416 : vec3<f32>,  _S417 : bool) -> Hit_0
+{
+    if(!passes_through_0(_S412, _S413, _S414, _S415, _S416, _S417))
+    {
+        return first_hit_of_yarn_0(_S412, _S413, _S414, _S415, _S416, _S417);
+    }
+    var hit_1 : Hit_0;
+    hit_1.x_13 = _S414;
+    hit_1.y_6 = _S415;
+    hit_1.height_4 = 0.0f;
+    hit_1.hole_3 = true;
+    return hit_1;
 }
 
 struct SurfacePoint_0
@@ -2380,235 +2414,235 @@ struct SurfacePoint_0
      fibre_along_0 : f32,
 };
 
-fn surface_at_0( _S412 : u32,  _S413 : f32,  _S414 : f32,  _S415 : bool) -> SurfacePoint_0
+fn surface_at_0( _S418 : u32,  _S419 : f32,  _S420 : f32,  _S421 : bool) -> SurfacePoint_0
 {
-    var _S416 : Sample_0 = sample_at_0(_S412, _S413, _S414, _S415);
-    var _S417 : f32;
-    if(_S416.shown_3.is_warp_0)
+    var _S422 : Sample_0 = sample_at_0(_S418, _S419, _S420, _S421);
+    var _S423 : f32;
+    if(_S422.shown_3.is_warp_0)
     {
-        _S417 = _S416.crossing_1.warp_1.half_width_1;
+        _S423 = _S422.crossing_1.warp_1.half_width_1;
     }
     else
     {
-        _S417 = _S416.crossing_1.weft_1.half_width_1;
+        _S423 = _S422.crossing_1.weft_1.half_width_1;
     }
-    var _S418 : u32;
-    if(_S416.shown_3.is_warp_0)
+    var _S424 : u32;
+    if(_S422.shown_3.is_warp_0)
     {
-        _S418 = fabrics_0[_S412].warp_0;
-    }
-    else
-    {
-        _S418 = fabrics_0[_S412].weft_0;
-    }
-    var _S419 : Family_std430_0 = families_0[_S418];
-    var _S420 : f32;
-    if(_S415)
-    {
-        _S420 = -1.0f;
+        _S424 = fabrics_0[_S418].warp_0;
     }
     else
     {
-        _S420 = 1.0f;
+        _S424 = fabrics_0[_S418].weft_0;
     }
-    var _S421 : f32 = _S419.twist_sine_0 * _S420;
-    var _S422 : Family_std430_0 = families_0[_S418];
-    if(_S416.shown_3.is_warp_0)
+    var _S425 : Family_std430_0 = families_0[_S424];
+    var _S426 : f32;
+    if(_S421)
     {
-        _S420 = 1.0f;
-    }
-    else
-    {
-        _S420 = -1.0f;
-    }
-    var _S423 : vec2<f32> = fibre_direction_0(_S416.slope_across_0, _S420 * _S416.slope_along_0, _S421, _S422.twist_cosine_0);
-    var _S424 : f32;
-    if(_S416.shown_3.is_warp_0)
-    {
-        _S424 = _S416.slope_x_1;
+        _S426 = -1.0f;
     }
     else
     {
-        _S424 = _S416.slope_y_1;
+        _S426 = 1.0f;
     }
-    var _S425 : f32;
-    if(_S416.shown_3.is_warp_0)
+    var _S427 : f32 = _S425.twist_sine_0 * _S426;
+    var _S428 : Family_std430_0 = families_0[_S424];
+    if(_S422.shown_3.is_warp_0)
     {
-        _S425 = _S416.slope_y_1;
-    }
-    else
-    {
-        _S425 = _S416.slope_x_1;
-    }
-    var _S426 : f32 = _S423.x;
-    var _S427 : f32 = _S423.y;
-    var _S428 : f32 = _S424 * _S426 + _S420 * _S425 * _S427;
-    var _S429 : f32 = _S417 * 1.0154266357421875f;
-    var _S430 : f32 = _S429 * arc_sine_0(clamp(_S416.section_1.across_1 / _S429, -1.0f, 1.0f));
-    if(_S416.shown_3.is_warp_0)
-    {
-        _S417 = _S414;
+        _S426 = 1.0f;
     }
     else
     {
-        _S417 = - _S413;
+        _S426 = -1.0f;
+    }
+    var _S429 : vec2<f32> = fibre_direction_0(_S422.slope_across_0, _S426 * _S422.slope_along_0, _S427, _S428.twist_cosine_0);
+    var _S430 : f32;
+    if(_S422.shown_3.is_warp_0)
+    {
+        _S430 = _S422.slope_x_1;
+    }
+    else
+    {
+        _S430 = _S422.slope_y_1;
+    }
+    var _S431 : f32;
+    if(_S422.shown_3.is_warp_0)
+    {
+        _S431 = _S422.slope_y_1;
+    }
+    else
+    {
+        _S431 = _S422.slope_x_1;
+    }
+    var _S432 : f32 = _S429.x;
+    var _S433 : f32 = _S429.y;
+    var _S434 : f32 = _S430 * _S432 + _S426 * _S431 * _S433;
+    var _S435 : f32 = _S423 * 1.0154266357421875f;
+    var _S436 : f32 = _S435 * arc_sine_0(clamp(_S422.section_1.across_1 / _S435, -1.0f, 1.0f));
+    if(_S422.shown_3.is_warp_0)
+    {
+        _S423 = _S420;
+    }
+    else
+    {
+        _S423 = - _S419;
     }
     var point_3 : SurfacePoint_0;
-    point_3.hole_4 = _S416.shown_3.hole_0;
-    point_3.is_warp_2 = _S416.shown_3.is_warp_0;
-    point_3.warp_thread_0 = _S416.crossing_1.warp_1.thread_1;
-    point_3.weft_thread_0 = _S416.crossing_1.weft_1.thread_1;
-    point_3.height_9 = _S416.height_5;
-    point_3.normal_5 = normalize(vec3<f32>(- _S416.slope_x_1, - _S416.slope_y_1, 1.0f));
-    var _S431 : vec3<f32>;
-    if(_S416.shown_3.is_warp_0)
+    point_3.hole_4 = _S422.shown_3.hole_0;
+    point_3.is_warp_2 = _S422.shown_3.is_warp_0;
+    point_3.warp_thread_0 = _S422.crossing_1.warp_1.thread_1;
+    point_3.weft_thread_0 = _S422.crossing_1.weft_1.thread_1;
+    point_3.height_9 = _S422.height_5;
+    point_3.normal_5 = normalize(vec3<f32>(- _S422.slope_x_1, - _S422.slope_y_1, 1.0f));
+    var _S437 : vec3<f32>;
+    if(_S422.shown_3.is_warp_0)
     {
-        _S431 = vec3<f32>(_S426, _S427, _S428);
+        _S437 = vec3<f32>(_S432, _S433, _S434);
     }
     else
     {
-        _S431 = vec3<f32>(- _S427, _S426, _S428);
+        _S437 = vec3<f32>(- _S433, _S432, _S434);
     }
-    point_3.tangent_5 = normalize(_S431);
-    point_3.across_2 = _S416.section_1.across_1;
-    point_3.fibre_across_0 = _S430 * _S422.twist_cosine_0 + _S417 * _S421;
-    point_3.fibre_along_0 = _S417 * _S422.twist_cosine_0 - _S430 * _S421;
+    point_3.tangent_5 = normalize(_S437);
+    point_3.across_2 = _S422.section_1.across_1;
+    point_3.fibre_across_0 = _S436 * _S428.twist_cosine_0 + _S423 * _S427;
+    point_3.fibre_along_0 = _S423 * _S428.twist_cosine_0 - _S436 * _S427;
     return point_3;
 }
 
-fn vary_albedos_0( _S432 : u32,  _S433 : Albedos_0,  _S434 : u32,  _S435 : u32) -> Albedos_0
+fn vary_albedos_0( _S438 : u32,  _S439 : Albedos_0,  _S440 : u32,  _S441 : u32) -> Albedos_0
 {
-    var _S436 : vec3<f32> = max(_S433.specular_reflect_0, _S433.specular_transmit_0);
-    var _S437 : vec3<f32> = _S433.diffuse_reflect_0 + _S433.diffuse_transmit_0;
-    var _S438 : vec3<f32> = vec3<f32>(fabrics_0[_S432].layer_bound_0);
-    var _S439 : vec3<f32> = vec3<f32>(1.0f);
-    var _S440 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S434, fabrics_0[_S432].colour_noise_0, fabrics_0[_S432].seed_0), _S437, _S439 - _S438 * _S436));
-    var _S441 : f32 = bounded_gain_0(fibre_gain_0(_S434, _S435, fabrics_0[_S432].fibre_noise_0, fabrics_0[_S432].seed_0), _S436, min((_S439 - _S440 * _S437) / _S438, vec3<f32>(1.0f)));
+    var _S442 : vec3<f32> = max(_S439.specular_reflect_0, _S439.specular_transmit_0);
+    var _S443 : vec3<f32> = _S439.diffuse_reflect_0 + _S439.diffuse_transmit_0;
+    var _S444 : vec3<f32> = vec3<f32>(fabrics_0[_S438].layer_bound_0);
+    var _S445 : vec3<f32> = vec3<f32>(1.0f);
+    var _S446 : vec3<f32> = vec3<f32>(bounded_gain_0(thread_gain_0(_S440, fabrics_0[_S438].colour_noise_0, fabrics_0[_S438].seed_0), _S443, _S445 - _S444 * _S442));
+    var _S447 : f32 = bounded_gain_0(fibre_gain_0(_S440, _S441, fabrics_0[_S438].fibre_noise_0, fabrics_0[_S438].seed_0), _S442, min((_S445 - _S446 * _S443) / _S444, vec3<f32>(1.0f)));
     var varied_0 : Albedos_0;
-    varied_0.diffuse_reflect_0 = _S440 * _S433.diffuse_reflect_0;
-    varied_0.diffuse_transmit_0 = _S440 * _S433.diffuse_transmit_0;
-    var _S442 : vec3<f32> = vec3<f32>(_S441);
-    varied_0.specular_reflect_0 = _S442 * _S433.specular_reflect_0;
-    varied_0.specular_transmit_0 = _S442 * _S433.specular_transmit_0;
+    varied_0.diffuse_reflect_0 = _S446 * _S439.diffuse_reflect_0;
+    varied_0.diffuse_transmit_0 = _S446 * _S439.diffuse_transmit_0;
+    var _S448 : vec3<f32> = vec3<f32>(_S447);
+    varied_0.specular_reflect_0 = _S448 * _S439.specular_reflect_0;
+    varied_0.specular_transmit_0 = _S448 * _S439.specular_transmit_0;
     return varied_0;
 }
 
-fn varied_at_0( _S443 : u32,  _S444 : SurfacePoint_0,  _S445 : Albedos_0,  _S446 : f32,  _S447 : f32) -> Albedos_0
+fn varied_at_0( _S449 : u32,  _S450 : SurfacePoint_0,  _S451 : Albedos_0,  _S452 : f32,  _S453 : f32) -> Albedos_0
 {
-    var _S448 : f32;
-    if(_S444.is_warp_2)
+    var _S454 : f32;
+    if(_S450.is_warp_2)
     {
-        _S448 = _S446;
+        _S454 = _S452;
     }
     else
     {
-        _S448 = _S447;
+        _S454 = _S453;
     }
-    var _S449 : f32 = _S448 - _S444.across_2;
-    var _S450 : u32;
-    if(_S444.is_warp_2)
+    var _S455 : f32 = _S454 - _S450.across_2;
+    var _S456 : u32;
+    if(_S450.is_warp_2)
     {
-        _S450 = fabrics_0[_S443].warp_0;
+        _S456 = fabrics_0[_S449].warp_0;
     }
     else
     {
-        _S450 = fabrics_0[_S443].weft_0;
+        _S456 = fabrics_0[_S449].weft_0;
     }
-    var _S451 : Family_std430_0 = families_0[_S450];
-    var _S452 : i32 = i32(families_0[_S450].count_0);
-    if(_S444.is_warp_2)
+    var _S457 : Family_std430_0 = families_0[_S456];
+    var _S458 : i32 = i32(families_0[_S456].count_0);
+    if(_S450.is_warp_2)
     {
-        _S450 = _S444.warp_thread_0;
+        _S456 = _S450.warp_thread_0;
     }
     else
     {
-        _S450 = _S444.weft_thread_0;
+        _S456 = _S450.weft_thread_0;
     }
-    var _S453 : u32 = u32(i32(floor(_S449 / _S451.period_0)) * _S452 + i32(_S450)) * u32(2);
-    if(_S444.is_warp_2)
+    var _S459 : u32 = u32(i32(floor(_S455 / _S457.period_0)) * _S458 + i32(_S456)) * u32(2);
+    if(_S450.is_warp_2)
     {
-        _S450 = u32(1);
+        _S456 = u32(1);
     }
     else
     {
-        _S450 = u32(0);
+        _S456 = u32(0);
     }
-    var _S454 : f32 = floor(_S444.fibre_across_0 / fabrics_0[_S443].fibre_size_0);
-    return vary_albedos_0(_S443, _S445, _S453 + _S450, u32(i32(_S454)) * u32(65536) + u32(i32(floor(_S444.fibre_along_0 / (fabrics_0[_S443].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S454))));
+    var _S460 : f32 = floor(_S450.fibre_across_0 / fabrics_0[_S449].fibre_size_0);
+    return vary_albedos_0(_S449, _S451, _S459 + _S456, u32(i32(_S460)) * u32(65536) + u32(i32(floor(_S450.fibre_along_0 / (fabrics_0[_S449].fibre_size_0 * 40.0f) + 0.61799997091293335f * _S460))));
 }
 
-fn yarn_point_of_0( _S455 : u32,  _S456 : SurfacePoint_0,  _S457 : f32,  _S458 : f32,  _S459 : bool,  _S460 : bool) -> YarnPoint_0
+fn yarn_point_of_0( _S461 : u32,  _S462 : SurfacePoint_0,  _S463 : f32,  _S464 : f32,  _S465 : bool,  _S466 : bool) -> YarnPoint_0
 {
-    var _S461 : u32;
-    if(_S456.is_warp_2)
+    var _S467 : u32;
+    if(_S462.is_warp_2)
     {
-        _S461 = fabrics_0[_S455].warp_0;
+        _S467 = fabrics_0[_S461].warp_0;
     }
     else
     {
-        _S461 = fabrics_0[_S455].weft_0;
+        _S467 = fabrics_0[_S461].weft_0;
     }
-    var _S462 : u32;
-    if(_S456.is_warp_2)
+    var _S468 : u32;
+    if(_S462.is_warp_2)
     {
-        _S462 = _S456.warp_thread_0;
-    }
-    else
-    {
-        _S462 = _S456.weft_thread_0;
-    }
-    var albedos_3 : Albedos_0 = albedos_of_0(_S461, _S462);
-    var _S463 : bool;
-    if((fabrics_0[_S455].fibre_noise_0) > 0.0f)
-    {
-        _S463 = true;
+        _S468 = _S462.warp_thread_0;
     }
     else
     {
-        _S463 = (fabrics_0[_S455].colour_noise_0) > 0.0f;
+        _S468 = _S462.weft_thread_0;
+    }
+    var albedos_3 : Albedos_0 = albedos_of_0(_S467, _S468);
+    var _S469 : bool;
+    if((fabrics_0[_S461].fibre_noise_0) > 0.0f)
+    {
+        _S469 = true;
+    }
+    else
+    {
+        _S469 = (fabrics_0[_S461].colour_noise_0) > 0.0f;
     }
     var albedos_4 : Albedos_0;
-    if(_S463)
+    if(_S469)
     {
-        albedos_4 = varied_at_0(_S455, _S456, albedos_3, _S457, _S458);
+        albedos_4 = varied_at_0(_S461, _S462, albedos_3, _S463, _S464);
     }
     else
     {
         albedos_4 = albedos_3;
     }
     var point_4 : YarnPoint_0;
-    point_4.back_2 = _S459;
-    point_4.hole_2 = _S460;
-    point_4.is_warp_1 = _S456.is_warp_2;
-    point_4.x_12 = _S457;
-    point_4.y_5 = _S458;
-    point_4.height_3 = _S456.height_9;
-    point_4.normal_4 = _S456.normal_5;
-    point_4.tangent_4 = _S456.tangent_5;
-    point_4.roughness_8 = families_0[_S461].roughness_0;
+    point_4.back_2 = _S465;
+    point_4.hole_2 = _S466;
+    point_4.is_warp_1 = _S462.is_warp_2;
+    point_4.x_12 = _S463;
+    point_4.y_5 = _S464;
+    point_4.height_3 = _S462.height_9;
+    point_4.normal_4 = _S462.normal_5;
+    point_4.tangent_4 = _S462.tangent_5;
+    point_4.roughness_8 = families_0[_S467].roughness_0;
     point_4.albedos_2 = albedos_4;
     return point_4;
 }
 
-fn locate_yarn_0( _S464 : u32,  _S465 : SearchQuality_0,  _S466 : f32,  _S467 : f32,  _S468 : vec3<f32>) -> YarnPoint_0
+fn locate_yarn_0( _S470 : u32,  _S471 : SearchQuality_0,  _S472 : f32,  _S473 : f32,  _S474 : vec3<f32>) -> YarnPoint_0
 {
-    var _S469 : bool = (_S468.z) < 0.0f;
-    var _S470 : Hit_0 = first_hit_0(_S464, _S465, _S466, _S467, to_face_frame_0(_S468, _S469), _S469);
-    return yarn_point_of_0(_S464, surface_at_0(_S464, _S470.x_13, _S470.y_6, _S469), _S470.x_13, _S470.y_6, _S469, _S470.hole_3);
+    var _S475 : bool = (_S474.z) < 0.0f;
+    var _S476 : Hit_0 = first_hit_0(_S470, _S471, _S472, _S473, to_face_frame_0(_S474, _S475), _S475);
+    return yarn_point_of_0(_S470, surface_at_0(_S470, _S476.x_13, _S476.y_6, _S475), _S476.x_13, _S476.y_6, _S475, _S476.hole_3);
 }
 
-fn light_sample_count_0( _S471 : i32) -> u32
+fn light_sample_count_0( _S477 : i32) -> u32
 {
-    return frames_0[_S471].lights_0 + frames_0[_S471].environment_samples_0;
+    return frames_0[_S477].lights_0 + frames_0[_S477].environment_samples_0;
 }
 
-fn visibility_at_0( _S472 : i32,  _S473 : u32,  _S474 : vec2<u32>) -> f32
+fn visibility_at_0( _S478 : i32,  _S479 : u32,  _S480 : vec2<u32>) -> f32
 {
-    if((frames_0[_S472].casts_shadows_0) == u32(0))
+    if((frames_0[_S478].casts_shadows_0) == u32(0))
     {
         return 1.0f;
     }
-    return visibilities_0[(_S473 * frames_0[_S472].height_0 + _S474.y) * frames_0[_S472].width_0 + _S474.x];
+    return visibilities_0[(_S479 * frames_0[_S478].height_0 + _S480.y) * frames_0[_S478].width_0 + _S480.x];
 }
 
 struct LightSample_0
@@ -2618,243 +2652,243 @@ struct LightSample_0
      distance_3 : f32,
 };
 
-fn environment_texel_0( _S475 : i32,  _S476 : u32,  _S477 : u32) -> vec3<f32>
+fn environment_texel_0( _S481 : i32,  _S482 : u32,  _S483 : u32) -> vec3<f32>
 {
-    var _S478 : u32 = frames_0[_S475].environment_table_0 + frames_0[_S475].environment_rows_0 + u32(1) + frames_0[_S475].environment_rows_0 * (frames_0[_S475].environment_columns_0 + u32(1)) + u32(3) * (_S476 * frames_0[_S475].environment_columns_0 + _S477);
-    return vec3<f32>(scene_number_0(_S478), scene_number_0(_S478 + u32(1)), scene_number_0(_S478 + u32(2)));
+    var _S484 : u32 = frames_0[_S481].environment_table_0 + frames_0[_S481].environment_rows_0 + u32(1) + frames_0[_S481].environment_rows_0 * (frames_0[_S481].environment_columns_0 + u32(1)) + u32(3) * (_S482 * frames_0[_S481].environment_columns_0 + _S483);
+    return vec3<f32>(scene_number_0(_S484), scene_number_0(_S484 + u32(1)), scene_number_0(_S484 + u32(2)));
 }
 
-fn sample_environment_0( _S479 : i32,  _S480 : vec2<f32>,  _S481 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn sample_environment_0( _S485 : i32,  _S486 : vec2<f32>,  _S487 : ptr<function, vec3<f32>>) -> vec3<f32>
 {
-    var _S482 : u32 = frames_0[_S479].environment_rows_0;
-    var _S483 : Choice_0 = choose_0(frames_0[_S479].environment_table_0, frames_0[_S479].environment_rows_0, _S480.y);
-    var _S484 : u32 = frames_0[_S479].environment_columns_0;
-    var _S485 : Choice_0 = choose_0(frames_0[_S479].environment_table_0 + frames_0[_S479].environment_rows_0 + u32(1) + _S483.index_6 * (frames_0[_S479].environment_columns_0 + u32(1)), frames_0[_S479].environment_columns_0, _S480.x);
-    var _S486 : vec3<f32> = environment_texel_0(_S479, _S483.index_6, _S485.index_6);
-    (*_S481) = _S486 * vec3<f32>((frames_0[_S479].environment_total_0 / max(mean_0(_S486), 9.99999968265522539e-21f)));
-    var _S487 : f32 = 3.14159274101257324f / f32(_S482);
-    var _S488 : f32 = mix(sine_cosine_0(f32(_S483.index_6) * _S487).y, sine_cosine_0(f32(_S483.index_6 + u32(1)) * _S487).y, _S483.remainder_0);
-    var _S489 : f32 = sqrt(max(1.0f - _S488 * _S488, 0.0f));
-    var _S490 : vec2<f32> = sine_cosine_0((f32(_S485.index_6) + _S485.remainder_0) * (6.28318548202514648f / f32(_S484)));
-    var _S491 : f32 = _S489 * _S490.x;
-    var _S492 : f32 = - _S489 * _S490.y;
-    return vec3<f32>(frames_0[_S479].environment_cosine_0 * _S491 + frames_0[_S479].environment_sine_0 * _S492, _S488, frames_0[_S479].environment_cosine_0 * _S492 - frames_0[_S479].environment_sine_0 * _S491);
+    var _S488 : u32 = frames_0[_S485].environment_rows_0;
+    var _S489 : Choice_0 = choose_0(frames_0[_S485].environment_table_0, frames_0[_S485].environment_rows_0, _S486.y);
+    var _S490 : u32 = frames_0[_S485].environment_columns_0;
+    var _S491 : Choice_0 = choose_0(frames_0[_S485].environment_table_0 + frames_0[_S485].environment_rows_0 + u32(1) + _S489.index_6 * (frames_0[_S485].environment_columns_0 + u32(1)), frames_0[_S485].environment_columns_0, _S486.x);
+    var _S492 : vec3<f32> = environment_texel_0(_S485, _S489.index_6, _S491.index_6);
+    (*_S487) = _S492 * vec3<f32>((frames_0[_S485].environment_total_0 / max(mean_0(_S492), 9.99999968265522539e-21f)));
+    var _S493 : f32 = 3.14159274101257324f / f32(_S488);
+    var _S494 : f32 = mix(sine_cosine_0(f32(_S489.index_6) * _S493).y, sine_cosine_0(f32(_S489.index_6 + u32(1)) * _S493).y, _S489.remainder_0);
+    var _S495 : f32 = sqrt(max(1.0f - _S494 * _S494, 0.0f));
+    var _S496 : vec2<f32> = sine_cosine_0((f32(_S491.index_6) + _S491.remainder_0) * (6.28318548202514648f / f32(_S490)));
+    var _S497 : f32 = _S495 * _S496.x;
+    var _S498 : f32 = - _S495 * _S496.y;
+    return vec3<f32>(frames_0[_S485].environment_cosine_0 * _S497 + frames_0[_S485].environment_sine_0 * _S498, _S494, frames_0[_S485].environment_cosine_0 * _S498 - frames_0[_S485].environment_sine_0 * _S497);
 }
 
-fn light_sample_0( _S493 : i32,  _S494 : u32,  _S495 : vec2<u32>,  _S496 : vec3<f32>) -> LightSample_0
+fn light_sample_0( _S499 : i32,  _S500 : u32,  _S501 : vec2<u32>,  _S502 : vec3<f32>) -> LightSample_0
 {
     var sample_1 : LightSample_0;
     sample_1.distance_3 = 1.00000001504746622e+30f;
-    var _S497 : u32 = frames_0[_S493].lights_0;
-    if(_S494 >= (frames_0[_S493].lights_0))
+    var _S503 : u32 = frames_0[_S499].lights_0;
+    if(_S500 >= (frames_0[_S499].lights_0))
     {
         var weight_0 : vec3<f32>;
-        var _S498 : vec3<f32> = sample_environment_0(_S493, pixel_sequence_0(_S495, frames_0[_S493].pass_number_0 * frames_0[_S493].environment_samples_0 + (_S494 - _S497), u32(3)), &(weight_0));
-        sample_1.towards_0 = _S498;
-        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S493].environment_samples_0));
+        var _S504 : vec3<f32> = sample_environment_0(_S499, pixel_sequence_0(_S501, frames_0[_S499].pass_number_0 * frames_0[_S499].environment_samples_0 + (_S500 - _S503), u32(3)), &(weight_0));
+        sample_1.towards_0 = _S504;
+        sample_1.irradiance_1 = weight_0 / vec3<f32>(f32(frames_0[_S499].environment_samples_0));
         return sample_1;
     }
-    var _S499 : Light_std430_0 = lights_1[_S494];
-    sample_1.irradiance_1 = vec3<f32>(_S499.red_0, _S499.green_0, _S499.blue_0);
-    sample_1.towards_0 = vec3<f32>(_S499.x_1, _S499.y_1, _S499.z_1);
-    if((_S499.is_point_0) != u32(0))
+    var _S505 : Light_std430_0 = lights_1[_S500];
+    sample_1.irradiance_1 = vec3<f32>(_S505.red_0, _S505.green_0, _S505.blue_0);
+    sample_1.towards_0 = vec3<f32>(_S505.x_1, _S505.y_1, _S505.z_1);
+    if((_S505.is_point_0) != u32(0))
     {
-        var _S500 : vec3<f32> = sample_1.towards_0 - _S496;
-        var _S501 : f32 = max(square_0(_S500), 9.999999960041972e-13f);
-        sample_1.distance_3 = sqrt(_S501);
-        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S501);
-        sample_1.towards_0 = normalize(_S500);
+        var _S506 : vec3<f32> = sample_1.towards_0 - _S502;
+        var _S507 : f32 = max(square_0(_S506), 9.999999960041972e-13f);
+        sample_1.distance_3 = sqrt(_S507);
+        sample_1.irradiance_1 = sample_1.irradiance_1 / vec3<f32>(_S507);
+        sample_1.towards_0 = normalize(_S506);
     }
     return sample_1;
 }
 
-fn scattered_0( _S502 : u32,  _S503 : YarnPoint_0,  _S504 : vec3<f32>,  _S505 : vec3<f32>) -> vec3<f32>
+fn scattered_0( _S508 : u32,  _S509 : YarnPoint_0,  _S510 : vec3<f32>,  _S511 : vec3<f32>) -> vec3<f32>
 {
-    var _S506 : vec3<f32> = vec3<f32>(0.0f);
-    var _S507 : bool = !_S503.hole_2;
-    var _S508 : bool;
-    if(_S507)
+    var _S512 : vec3<f32> = vec3<f32>(0.0f);
+    var _S513 : bool = !_S509.hole_2;
+    var _S514 : bool;
+    if(_S513)
     {
-        _S508 = (_S504.z) > 0.0f;
+        _S514 = (_S510.z) > 0.0f;
     }
     else
     {
-        _S508 = false;
+        _S514 = false;
     }
     var value_1 : vec3<f32>;
-    if(_S508)
+    if(_S514)
     {
-        value_1 = _S503.albedos_2.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S504, _S503.normal_4, fabrics_0[_S502].diffuse_blend_0)) + _S503.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S504, _S505, _S503.normal_4, _S503.tangent_4, _S503.roughness_8, fabrics_0[_S502].optical_depth_0));
+        value_1 = _S509.albedos_2.diffuse_reflect_0 * vec3<f32>(diffuse_reflection_0(_S510, _S509.normal_4, fabrics_0[_S508].diffuse_blend_0)) + _S509.albedos_2.specular_reflect_0 * vec3<f32>(reflection_0(_S510, _S511, _S509.normal_4, _S509.tangent_4, _S509.roughness_8, fabrics_0[_S508].optical_depth_0));
     }
     else
     {
-        if(_S507)
+        if(_S513)
         {
-            _S508 = (_S504.z) < 0.0f;
+            _S514 = (_S510.z) < 0.0f;
         }
         else
         {
-            _S508 = false;
+            _S514 = false;
         }
-        if(_S508)
+        if(_S514)
         {
-            value_1 = _S503.albedos_2.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S504), _S503.normal_4, fabrics_0[_S502].diffuse_blend_0)) + _S503.albedos_2.specular_transmit_0 * vec3<f32>(transmission_0(_S504, _S505, _S503.normal_4, _S503.tangent_4, _S503.roughness_8, fabrics_0[_S502].optical_depth_0));
+            value_1 = _S509.albedos_2.diffuse_transmit_0 * vec3<f32>(diffuse_reflection_0((vec3<f32>(0) - _S510), _S509.normal_4, fabrics_0[_S508].diffuse_blend_0)) + _S509.albedos_2.specular_transmit_0 * vec3<f32>(transmission_0(_S510, _S511, _S509.normal_4, _S509.tangent_4, _S509.roughness_8, fabrics_0[_S508].optical_depth_0));
         }
         else
         {
-            value_1 = _S506;
+            value_1 = _S512;
         }
     }
-    var _S509 : f32 = fabrics_0[_S502].sheen_strength_0;
-    if((fabrics_0[_S502].sheen_strength_0) <= 0.0f)
+    var _S515 : f32 = fabrics_0[_S508].sheen_strength_0;
+    if((fabrics_0[_S508].sheen_strength_0) <= 0.0f)
     {
         return value_1;
     }
-    var _S510 : vec2<f32> = sheen_with_transmittance_0(_S504, _S505, _S509, fabrics_0[_S502].sheen_roughness_0);
-    return vec3<f32>(_S510.y) * value_1 + vec3<f32>(_S510.x);
+    var _S516 : vec2<f32> = sheen_with_transmittance_0(_S510, _S511, _S515, fabrics_0[_S508].sheen_roughness_0);
+    return vec3<f32>(_S516.y) * value_1 + vec3<f32>(_S516.x);
 }
 
-fn unoccluded_0( _S511 : u32,  _S512 : SearchQuality_0,  _S513 : f32,  _S514 : f32,  _S515 : f32,  _S516 : vec3<f32>,  _S517 : bool) -> bool
+fn unoccluded_0( _S517 : u32,  _S518 : SearchQuality_0,  _S519 : f32,  _S520 : f32,  _S521 : f32,  _S522 : vec3<f32>,  _S523 : bool) -> bool
 {
-    if((_S516.z) <= 0.0f)
+    if((_S522.z) <= 0.0f)
     {
         return false;
     }
-    return is_free_0(_S511, _S512, vec3<f32>(_S513, _S514, _S515 + fabrics_0[_S511].lift_0), _S516, _S517, max_height_along_0(_S511, _S513, _S514, _S515, _S516, _S517));
+    return is_free_0(_S517, _S518, vec3<f32>(_S519, _S520, _S521 + fabrics_0[_S517].lift_0), _S522, _S523, max_height_along_0(_S517, _S519, _S520, _S521, _S522, _S523));
 }
 
-fn is_lit_0( _S518 : u32,  _S519 : SearchQuality_0,  _S520 : YarnPoint_0,  _S521 : vec3<f32>) -> bool
+fn is_lit_0( _S524 : u32,  _S525 : SearchQuality_0,  _S526 : YarnPoint_0,  _S527 : vec3<f32>) -> bool
 {
-    if(_S520.hole_2)
+    if(_S526.hole_2)
     {
         return true;
     }
-    var _S522 : vec3<f32> = to_face_frame_0(_S521, _S520.back_2);
-    var _S523 : f32 = _S522.z;
-    var _S524 : bool = _S523 < 0.0f;
+    var _S528 : vec3<f32> = to_face_frame_0(_S527, _S526.back_2);
+    var _S529 : f32 = _S528.z;
+    var _S530 : bool = _S529 < 0.0f;
     var normal_6 : vec3<f32>;
     var height_10 : f32;
-    if(_S524)
+    if(_S530)
     {
-        var _S525 : SurfacePoint_0 = surface_at_0(_S518, _S520.x_12, _S520.y_5, !_S520.back_2);
-        normal_6 = _S525.normal_5;
-        height_10 = _S525.height_9;
+        var _S531 : SurfacePoint_0 = surface_at_0(_S524, _S526.x_12, _S526.y_5, !_S526.back_2);
+        normal_6 = _S531.normal_5;
+        height_10 = _S531.height_9;
     }
     else
     {
-        normal_6 = _S520.normal_4;
-        height_10 = _S520.height_3;
+        normal_6 = _S526.normal_4;
+        height_10 = _S526.height_3;
     }
-    var _S526 : vec3<f32> = vec3<f32>(_S522.xy, abs(_S523));
-    if((dot(normal_6, _S526)) <= 0.0f)
+    var _S532 : vec3<f32> = vec3<f32>(_S528.xy, abs(_S529));
+    if((dot(normal_6, _S532)) <= 0.0f)
     {
         return false;
     }
-    return unoccluded_0(_S518, _S519, _S520.x_12, _S520.y_5, height_10, _S526, (_S520.back_2) != _S524);
+    return unoccluded_0(_S524, _S525, _S526.x_12, _S526.y_5, height_10, _S532, (_S526.back_2) != _S530);
 }
 
-fn evaluate_0( _S527 : u32,  _S528 : SearchQuality_0,  _S529 : YarnPoint_0,  _S530 : vec3<f32>,  _S531 : vec3<f32>) -> vec3<f32>
+fn evaluate_0( _S533 : u32,  _S534 : SearchQuality_0,  _S535 : YarnPoint_0,  _S536 : vec3<f32>,  _S537 : vec3<f32>) -> vec3<f32>
 {
-    var _S532 : vec3<f32> = scattered_0(_S527, _S529, to_face_frame_0(_S530, _S529.back_2), to_face_frame_0(_S531, _S529.back_2));
-    var _S533 : bool;
-    if((max(_S532.x, max(_S532.y, _S532.z))) <= 0.0f)
+    var _S538 : vec3<f32> = scattered_0(_S533, _S535, to_face_frame_0(_S536, _S535.back_2), to_face_frame_0(_S537, _S535.back_2));
+    var _S539 : bool;
+    if((max(_S538.x, max(_S538.y, _S538.z))) <= 0.0f)
     {
-        _S533 = true;
+        _S539 = true;
     }
     else
     {
-        _S533 = !is_lit_0(_S527, _S528, _S529, _S530);
+        _S539 = !is_lit_0(_S533, _S534, _S535, _S536);
     }
-    if(_S533)
+    if(_S539)
     {
         return vec3<f32>(0.0f);
     }
-    return _S532;
+    return _S538;
 }
 
-fn straight_through_0( _S534 : u32,  _S535 : YarnPoint_0,  _S536 : vec3<f32>) -> f32
+fn straight_through_0( _S540 : u32,  _S541 : YarnPoint_0,  _S542 : vec3<f32>) -> f32
 {
-    if(!_S535.hole_2)
+    if(!_S541.hole_2)
     {
         return 0.0f;
     }
-    var _S537 : f32 = fabrics_0[_S534].sheen_strength_0;
-    if((fabrics_0[_S534].sheen_strength_0) <= 0.0f)
+    var _S543 : f32 = fabrics_0[_S540].sheen_strength_0;
+    if((fabrics_0[_S540].sheen_strength_0) <= 0.0f)
     {
         return 1.0f;
     }
-    return 1.0f - _S537 * sheen_lobe_0(abs(_S536.z), fabrics_0[_S534].sheen_roughness_0).z;
+    return 1.0f - _S543 * sheen_lobe_0(abs(_S542.z), fabrics_0[_S540].sheen_roughness_0).z;
 }
 
-fn light_of_point_0( _S538 : i32,  _S539 : u32,  _S540 : VisiblePoint_0,  _S541 : vec2<u32>,  _S542 : vec3<f32>,  _S543 : vec2<f32>) -> vec4<f32>
+fn light_of_point_0( _S544 : i32,  _S545 : u32,  _S546 : VisiblePoint_0,  _S547 : vec2<u32>,  _S548 : vec3<f32>,  _S549 : vec2<f32>) -> vec4<f32>
 {
-    var _S544 : SearchQuality_0 = default_quality_0();
-    var _S545 : vec3<f32> = to_local_0(_S540, _S540.view_0);
-    var point_5 : YarnPoint_0 = locate_yarn_0(_S539, _S544, _S543.x, _S543.y, _S545);
-    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S542);
-    var _S546 : vec3<f32> = vec3<f32>(0.0f);
+    var _S550 : SearchQuality_0 = default_quality_0();
+    var _S551 : vec3<f32> = to_local_0(_S546, _S546.view_0);
+    var point_5 : YarnPoint_0 = locate_yarn_0(_S545, _S550, _S549.x, _S549.y, _S551);
+    point_5.albedos_2 = tinted_0(point_5.albedos_2, _S548);
+    var _S552 : vec3<f32> = vec3<f32>(0.0f);
     var number_2 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S546;
+    var radiance_1 : vec3<f32> = _S552;
     for(;;)
     {
-        if(number_2 < (light_sample_count_0(_S538)))
+        if(number_2 < (light_sample_count_0(_S544)))
         {
         }
         else
         {
             break;
         }
-        var _S547 : f32 = visibility_at_0(_S538, number_2, _S541);
-        if(_S547 <= 0.0f)
+        var _S553 : f32 = visibility_at_0(_S544, number_2, _S547);
+        if(_S553 <= 0.0f)
         {
             number_2 = number_2 + u32(1);
             continue;
         }
-        var _S548 : LightSample_0 = light_sample_0(_S538, number_2, _S541, _S540.position_0);
-        radiance_1 = radiance_1 + vec3<f32>(_S547) * _S548.irradiance_1 * evaluate_0(_S539, _S544, point_5, to_local_0(_S540, _S548.towards_0), _S545);
+        var _S554 : LightSample_0 = light_sample_0(_S544, number_2, _S547, _S546.position_0);
+        radiance_1 = radiance_1 + vec3<f32>(_S553) * _S554.irradiance_1 * evaluate_0(_S545, _S550, point_5, to_local_0(_S546, _S554.towards_0), _S551);
         number_2 = number_2 + u32(1);
     }
-    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S539, point_5, _S545));
+    return vec4<f32>(radiance_1, 1.0f - straight_through_0(_S545, point_5, _S551));
 }
 
 @compute
 @workgroup_size(8, 8, 1)
 fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S549 : u32;
-    var _S550 : u32 = id_0.x;
-    var _S551 : u32 = frames_0[i32(0)].width_0;
-    var _S552 : bool;
-    if(_S550 >= (frames_0[i32(0)].width_0))
+    var _S555 : u32;
+    var _S556 : u32 = id_0.x;
+    var _S557 : u32 = frames_0[i32(0)].width_0;
+    var _S558 : bool;
+    if(_S556 >= (frames_0[i32(0)].width_0))
     {
-        _S552 = true;
+        _S558 = true;
     }
     else
     {
-        _S552 = (id_0.y) >= (frames_0[i32(0)].height_0);
+        _S558 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S552)
+    if(_S558)
     {
         return;
     }
-    var _S553 : vec2<u32> = id_0.xy;
-    var _S554 : u32 = id_0.y * _S551 + _S550;
-    var _S555 : u32 = layers_0[_S554].face_0;
-    if((layers_0[_S554].face_0) == u32(0))
+    var _S559 : vec2<u32> = id_0.xy;
+    var _S560 : u32 = id_0.y * _S557 + _S556;
+    var _S561 : u32 = layers_0[_S560].face_0;
+    if((layers_0[_S560].face_0) == u32(0))
     {
         return;
     }
-    var _S556 : u32 = _S555 - u32(1);
-    var _S557 : u32 = face_fabrics_0[_S556];
-    var _S558 : VisiblePoint_0 = visible_point_0(i32(0), _S557, _S556, _S553);
-    var _S559 : vec3<f32> = filtered_albedo_0(_S557, _S558);
-    var _S560 : vec4<f32> = vec4<f32>(0.0f);
+    var _S562 : u32 = _S561 - u32(1);
+    var _S563 : u32 = face_fabrics_0[_S562];
+    var _S564 : VisiblePoint_0 = visible_point_0(i32(0), _S563, _S562, _S559);
+    var _S565 : vec3<f32> = filtered_albedo_0(_S563, _S564);
+    var _S566 : vec4<f32> = vec4<f32>(0.0f);
     var k_0 : u32 = u32(0);
-    var sum_0 : vec4<f32> = _S560;
+    var sum_0 : vec4<f32> = _S566;
     for(;;)
     {
-        var _S561 : u32 = frames_0[i32(0)].samples_0;
-        _S549 = frames_0[i32(0)].samples_0;
+        var _S567 : u32 = frames_0[i32(0)].samples_0;
+        _S555 = frames_0[i32(0)].samples_0;
         if(k_0 < (frames_0[i32(0)].samples_0))
         {
         }
@@ -2862,12 +2896,12 @@ fn shade_points(@builtin(global_invocation_id) id_0 : vec3<u32>)
         {
             break;
         }
-        var _S562 : vec2<f32> = pixel_sequence_0(_S553, frames_0[i32(0)].pass_number_0 * _S561 + k_0, u32(1)) - vec2<f32>(0.5f);
-        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(i32(0), _S557, _S558, _S553, _S559, _S558.draft_0 + vec2<f32>(_S562.x) * _S558.draft_dx_0 + vec2<f32>(_S562.y) * _S558.draft_dy_0);
+        var _S568 : vec2<f32> = pixel_sequence_0(_S559, frames_0[i32(0)].pass_number_0 * _S567 + k_0, u32(1)) - vec2<f32>(0.5f);
+        var sum_1 : vec4<f32> = sum_0 + light_of_point_0(i32(0), _S563, _S564, _S559, _S565, _S564.draft_0 + vec2<f32>(_S568.x) * _S564.draft_dx_0 + vec2<f32>(_S568.y) * _S564.draft_dy_0);
         k_0 = k_0 + u32(1);
         sum_0 = sum_1;
     }
-    accumulate_0(_S554, sum_0 / vec4<f32>(f32(_S549)));
+    accumulate_0(_S560, sum_0 / vec4<f32>(f32(_S555)));
     return;
 }
 

@@ -5,6 +5,18 @@ struct Frame_std430_0
     @align(4) lights_0 : u32,
     @align(4) samples_0 : u32,
     @align(4) pass_number_0 : u32,
+    @align(4) environment_samples_0 : u32,
+    @align(4) environment_columns_0 : u32,
+    @align(4) environment_rows_0 : u32,
+    @align(4) environment_table_0 : u32,
+    @align(4) environment_total_0 : f32,
+    @align(4) environment_sine_0 : f32,
+    @align(4) environment_cosine_0 : f32,
+    @align(4) shows_environment_0 : u32,
+    @align(4) casts_shadows_0 : u32,
+    @align(4) leaves_0 : u32,
+    @align(4) leaf_faces_0 : u32,
+    @align(4) ray_offset_0 : f32,
     @align(4) jitter_x_0 : f32,
     @align(4) jitter_y_0 : f32,
     @align(4) gain_0 : f32,
@@ -28,7 +40,13 @@ struct Frame_std430_0
 
 @binding(4) @group(0) var<storage, read> frames_0 : array<Frame_std430_0>;
 
-@binding(11) @group(0) var visible_faces_0 : texture_2d<u32>;
+struct Layer_std430_0
+{
+    @align(4) face_0 : u32,
+    @align(4) share_0 : f32,
+};
+
+@binding(12) @group(0) var<storage, read_write> layers_0 : array<Layer_std430_0>;
 
 @binding(7) @group(0) var<storage, read> face_fabrics_0 : array<u32>;
 
@@ -107,6 +125,9 @@ struct Fabric_std430_0
     @align(4) fibre_size_0 : f32,
     @align(4) uv_width_0 : f32,
     @align(4) uv_height_0 : f32,
+    @align(4) is_open_0 : u32,
+    @align(4) albedo_map_0 : u32,
+    @align(4) albedo_map_levels_0 : u32,
 };
 
 @binding(0) @group(0) var<storage, read> fabrics_0 : array<Fabric_std430_0>;
@@ -126,6 +147,8 @@ struct Vertex_std430_0
 };
 
 @binding(5) @group(0) var<storage, read> vertices_0 : array<Vertex_std430_0>;
+
+@binding(11) @group(0) var<storage, read> scene_words_0 : array<u32>;
 
 @binding(10) @group(0) var<storage, read> packed_numbers_0 : array<vec4<u32>>;
 
@@ -167,6 +190,8 @@ struct Family_std430_0
 };
 
 @binding(1) @group(0) var<storage, read> families_0 : array<Family_std430_0>;
+
+@binding(13) @group(0) var<storage, read_write> visibilities_0 : array<f32>;
 
 struct Light_std430_0
 {
@@ -1290,51 +1315,19 @@ fn position_of_0( vertex_0 : ptr<function, Vertex_std430_0>) -> vec3<f32>
     return vec3<f32>((*vertex_0).x_0, (*vertex_0).y_0, (*vertex_0).z_0);
 }
 
+fn position_of_1( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
+{
+    return vec3<f32>((*vertex_1).x_0, (*vertex_1).y_0, (*vertex_1).z_0);
+}
+
 fn square_0( v_1 : vec3<f32>) -> f32
 {
     return dot(v_1, v_1);
 }
 
-fn camera_right_0( frame_0 : ptr<function, Frame_std430_0>) -> vec3<f32>
+fn normal_of_0( vertex_2 : ptr<function, Vertex_std430_0>) -> vec3<f32>
 {
-    return vec3<f32>((*frame_0).right_x_0, (*frame_0).right_y_0, (*frame_0).right_z_0);
-}
-
-fn camera_up_0( frame_1 : ptr<function, Frame_std430_0>) -> vec3<f32>
-{
-    return vec3<f32>((*frame_1).up_x_0, (*frame_1).up_y_0, (*frame_1).up_z_0);
-}
-
-fn camera_forward_0( frame_2 : ptr<function, Frame_std430_0>) -> vec3<f32>
-{
-    return vec3<f32>((*frame_2).forward_x_0, (*frame_2).forward_y_0, (*frame_2).forward_z_0);
-}
-
-fn camera_origin_0( frame_3 : ptr<function, Frame_std430_0>) -> vec3<f32>
-{
-    return vec3<f32>((*frame_3).origin_x_0, (*frame_3).origin_y_0, (*frame_3).origin_z_0);
-}
-
-fn normal_of_0( vertex_1 : ptr<function, Vertex_std430_0>) -> vec3<f32>
-{
-    return vec3<f32>((*vertex_1).normal_x_0, (*vertex_1).normal_y_0, (*vertex_1).normal_z_0);
-}
-
-struct VisiblePoint_0
-{
-     position_0 : vec3<f32>,
-     view_0 : vec3<f32>,
-     axis_x_0 : vec3<f32>,
-     axis_y_0 : vec3<f32>,
-     normal_0 : vec3<f32>,
-     draft_0 : vec2<f32>,
-     draft_dx_0 : vec2<f32>,
-     draft_dy_0 : vec2<f32>,
-};
-
-fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
-{
-    return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+    return vec3<f32>((*vertex_2).normal_x_0, (*vertex_2).normal_y_0, (*vertex_2).normal_z_0);
 }
 
 fn square_1( x_5 : f32) -> f32
@@ -1342,71 +1335,11 @@ fn square_1( x_5 : f32) -> f32
     return x_5 * x_5;
 }
 
-struct Footprint_0
-{
-     centre_0 : vec2<f32>,
-     dx_0 : vec2<f32>,
-     dy_0 : vec2<f32>,
-};
-
-fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
-{
-    var _S149 : f32 = footprint_0.dx_0.x;
-    var _S150 : f32 = footprint_0.dy_0.x;
-    var _S151 : f32 = _S149 * _S149 + _S150 * _S150;
-    var _S152 : f32 = footprint_0.dx_0.y;
-    var _S153 : f32 = footprint_0.dy_0.y;
-    var _S154 : f32 = _S152 * _S152 + _S153 * _S153;
-    var _S155 : f32 = _S149 * _S152 + _S150 * _S153;
-    var _S156 : f32 = 0.5f * (_S151 - _S154);
-    var _S157 : f32 = 0.5f * (_S151 + _S154);
-    var _S158 : f32 = sqrt(_S156 * _S156 + _S155 * _S155);
-    var _S159 : f32 = _S157 + _S158;
-    var _S160 : f32 = max(_S159 - 1.5f * max(_S157 - _S158, 0.0f), 0.0f);
-    var _S161 : f32 = square_1(4.0f);
-    var _S162 : f32 = max(_S157 - 0.5f * _S160, _S159 / _S161);
-    var _S163 : f32 = sqrt(max(min(_S160, _S159 - _S162), 0.0f) / (_S161 - 1.0f));
-    var _S164 : f32 = _S156 / max(_S158, 1.00000000317107685e-30f);
-    var _S165 : f32 = sqrt(max(0.5f * (1.0f - _S164), 0.0f));
-    var _S166 : f32 = sqrt(_S162);
-    var _S167 : f32 = _S163 * sqrt(max(0.5f * (1.0f + _S164), 0.0f));
-    var _S168 : f32;
-    if(_S155 < 0.0f)
-    {
-        _S168 = - _S163 * _S165;
-    }
-    else
-    {
-        _S168 = _S163 * _S165;
-    }
-    return vec3<f32>(_S166, _S167, _S168);
-}
-
-struct AnisotropicTaps_0
-{
-     centre_1 : vec2<f32>,
-     side_0 : f32,
-     first_19 : vec2<f32>,
-     second_0 : vec2<f32>,
-};
-
-fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
-{
-    var _S169 : f32 = this_2.first_19.x;
-    var _S170 : f32 = this_2.second_0.x;
-    var _S171 : f32 = this_2.side_0;
-    var _S172 : f32 = _S171 * _S171;
-    var _S173 : f32 = this_2.first_19.y;
-    var _S174 : f32 = this_2.second_0.y;
-    var _S175 : f32 = 12.0f * (_S169 * _S173 + _S170 * _S174);
-    return sqrt(sqrt(max((12.0f * (_S169 * _S169 + _S170 * _S170) + _S172) * (12.0f * (_S173 * _S173 + _S174 * _S174) + _S172) - _S175 * _S175, square_1(_S172))));
-}
-
 fn natural_logarithm_0( x_6 : f32) -> f32
 {
-    var _S176 : u32 = (bitcast<u32>((x_6)));
-    var exponent_0 : f32 = f32(i32((_S176 >> (u32(23)))) - i32(126));
-    var m_0 : f32 = (bitcast<f32>(((((_S176 & (u32(8388607)))) | (u32(1056964608))))));
+    var _S149 : u32 = (bitcast<u32>((x_6)));
+    var exponent_0 : f32 = f32(i32((_S149 >> (u32(23)))) - i32(126));
+    var m_0 : f32 = (bitcast<f32>(((((_S149 & (u32(8388607)))) | (u32(1056964608))))));
     var m_1 : f32;
     var exponent_1 : f32;
     if(m_0 < 0.70710676908493042f)
@@ -1421,8 +1354,139 @@ fn natural_logarithm_0( x_6 : f32) -> f32
         exponent_1 = exponent_0;
     }
     var m_2 : f32 = m_1 - 1.0f;
-    var _S177 : f32 = m_2 * m_2;
-    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S177 - exponent_1 * 0.00021219444170129f - 0.5f * _S177) + exponent_1 * 0.693359375f;
+    var _S150 : f32 = m_2 * m_2;
+    return m_2 + (((((((((0.07037683576345444f * m_2 - 0.11514610052108765f) * m_2 + 0.11676998436450958f) * m_2 - 0.12420140951871872f) * m_2 + 0.14249323308467865f) * m_2 - 0.16668057441711426f) * m_2 + 0.20000714063644409f) * m_2 - 0.24999994039535522f) * m_2 + 0.33333331346511841f) * m_2 * _S150 - exponent_1 * 0.00021219444170129f - 0.5f * _S150) + exponent_1 * 0.693359375f;
+}
+
+fn binary_logarithm_0( x_7 : f32) -> f32
+{
+    return natural_logarithm_0(x_7) * 1.4426950216293335f;
+}
+
+fn exponential_0( x_8 : f32) -> f32
+{
+    var _S151 : f32 = clamp(x_8, -87.0f, 88.0f);
+    var _S152 : f32 = floor(_S151 * 1.4426950216293335f + 0.5f);
+    var _S153 : f32 = _S151 - _S152 * 0.693359375f + _S152 * 0.00021219444170129f;
+    var p_0 : f32 = ((((0.00019875691214111f * _S153 + 0.00139819993637502f) * _S153 + 0.00833345204591751f) * _S153 + 0.04166579619050026f) * _S153 + 0.1666666567325592f) * _S153 + 0.5f;
+    var _S154 : f32 = (bitcast<f32>(((u32(i32(_S152) + i32(127)) << (u32(23))))));
+    var _S155 : f32;
+    if(x_8 < -87.0f)
+    {
+        _S155 = 0.0f;
+    }
+    else
+    {
+        _S155 = (p_0 * _S153 * _S153 + _S153 + 1.0f) * _S154;
+    }
+    return _S155;
+}
+
+fn map_texel_0( index_0 : u32) -> vec3<f32>
+{
+    var _S156 : u32 = scene_words_0[index_0];
+    var _S157 : vec3<f32> = vec3<f32>(f32((_S156 & (u32(1023)))), f32((((_S156 >> (u32(10)))) & (u32(1023)))), f32((_S156 >> (u32(20))))) / vec3<f32>(1023.0f);
+    return _S157 * _S157;
+}
+
+fn map_level_0( first_19 : u32,  side_0 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+{
+    var _S158 : f32 = uv_0.x;
+    var _S159 : f32 = f32(side_0);
+    var _S160 : f32 = (_S158 - floor(_S158)) * _S159 - 0.5f;
+    var _S161 : f32 = uv_0.y;
+    var _S162 : f32 = (_S161 - floor(_S161)) * _S159 - 0.5f;
+    var _S163 : f32 = floor(_S160);
+    var _S164 : i32 = i32(side_0);
+    var _S165 : u32 = side_0 - u32(1);
+    var _S166 : u32 = (u32(i32(_S163) + _S164) & (_S165));
+    var _S167 : f32 = floor(_S162);
+    var _S168 : u32 = (u32(i32(_S167) + _S164) & (_S165));
+    var _S169 : u32 = ((_S166 + u32(1)) & (_S165));
+    var _S170 : u32 = first_19 + _S168 * side_0;
+    var _S171 : vec3<f32> = vec3<f32>((_S160 - _S163));
+    var _S172 : u32 = first_19 + (((_S168 + u32(1)) & (_S165))) * side_0;
+    return mix(mix(map_texel_0(_S170 + _S166), map_texel_0(_S170 + _S169), _S171), mix(map_texel_0(_S172 + _S166), map_texel_0(_S172 + _S169), _S171), vec3<f32>((_S162 - _S167)));
+}
+
+struct VisiblePoint_0
+{
+     position_0 : vec3<f32>,
+     view_0 : vec3<f32>,
+     axis_x_0 : vec3<f32>,
+     axis_y_0 : vec3<f32>,
+     normal_0 : vec3<f32>,
+     face_normal_0 : vec3<f32>,
+     uv_1 : vec2<f32>,
+     draft_per_uv_0 : vec2<f32>,
+     draft_0 : vec2<f32>,
+     draft_dx_0 : vec2<f32>,
+     draft_dy_0 : vec2<f32>,
+};
+
+fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
+}
+
+struct Footprint_0
+{
+     centre_0 : vec2<f32>,
+     dx_0 : vec2<f32>,
+     dy_0 : vec2<f32>,
+};
+
+fn row_of_taps_0( footprint_0 : Footprint_0) -> vec3<f32>
+{
+    var _S173 : f32 = footprint_0.dx_0.x;
+    var _S174 : f32 = footprint_0.dy_0.x;
+    var _S175 : f32 = _S173 * _S173 + _S174 * _S174;
+    var _S176 : f32 = footprint_0.dx_0.y;
+    var _S177 : f32 = footprint_0.dy_0.y;
+    var _S178 : f32 = _S176 * _S176 + _S177 * _S177;
+    var _S179 : f32 = _S173 * _S176 + _S174 * _S177;
+    var _S180 : f32 = 0.5f * (_S175 - _S178);
+    var _S181 : f32 = 0.5f * (_S175 + _S178);
+    var _S182 : f32 = sqrt(_S180 * _S180 + _S179 * _S179);
+    var _S183 : f32 = _S181 + _S182;
+    var _S184 : f32 = max(_S183 - 1.5f * max(_S181 - _S182, 0.0f), 0.0f);
+    var _S185 : f32 = square_1(4.0f);
+    var _S186 : f32 = max(_S181 - 0.5f * _S184, _S183 / _S185);
+    var _S187 : f32 = sqrt(max(min(_S184, _S183 - _S186), 0.0f) / (_S185 - 1.0f));
+    var _S188 : f32 = _S180 / max(_S182, 1.00000000317107685e-30f);
+    var _S189 : f32 = sqrt(max(0.5f * (1.0f - _S188), 0.0f));
+    var _S190 : f32 = sqrt(_S186);
+    var _S191 : f32 = _S187 * sqrt(max(0.5f * (1.0f + _S188), 0.0f));
+    var _S192 : f32;
+    if(_S179 < 0.0f)
+    {
+        _S192 = - _S187 * _S189;
+    }
+    else
+    {
+        _S192 = _S187 * _S189;
+    }
+    return vec3<f32>(_S190, _S191, _S192);
+}
+
+struct AnisotropicTaps_0
+{
+     centre_1 : vec2<f32>,
+     side_1 : f32,
+     first_20 : vec2<f32>,
+     second_0 : vec2<f32>,
+};
+
+fn AnisotropicTaps_size_0( this_2 : AnisotropicTaps_0) -> f32
+{
+    var _S193 : f32 = this_2.first_20.x;
+    var _S194 : f32 = this_2.second_0.x;
+    var _S195 : f32 = this_2.side_1;
+    var _S196 : f32 = _S195 * _S195;
+    var _S197 : f32 = this_2.first_20.y;
+    var _S198 : f32 = this_2.second_0.y;
+    var _S199 : f32 = 12.0f * (_S193 * _S197 + _S194 * _S198);
+    return sqrt(sqrt(max((12.0f * (_S193 * _S193 + _S194 * _S194) + _S196) * (12.0f * (_S197 * _S197 + _S198 * _S198) + _S196) - _S199 * _S199, square_1(_S196))));
 }
 
 fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
@@ -1432,92 +1496,87 @@ fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
 
 fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
 {
-    var _S178 : vec2<f32> = direction_1.xy;
-    var _S179 : f32;
+    var _S200 : vec2<f32> = direction_1.xy;
+    var _S201 : f32;
     if(back_0)
     {
-        _S179 = - direction_1.z;
+        _S201 = - direction_1.z;
     }
     else
     {
-        _S179 = direction_1.z;
+        _S201 = direction_1.z;
     }
-    return vec3<f32>(_S178, _S179);
+    return vec3<f32>(_S200, _S201);
 }
 
-fn table_number_0( index_0 : u32) -> f32
+fn table_number_0( index_1 : u32) -> f32
 {
-    return (bitcast<f32>((words_0[index_0])));
+    return (bitcast<f32>((words_0[index_1])));
 }
 
-fn wrapped_0( index_1 : f32,  count_1 : f32) -> f32
+fn wrapped_0( index_2 : f32,  count_1 : f32) -> f32
 {
-    var _S180 : f32;
-    if(index_1 < 0.0f)
+    var _S202 : f32;
+    if(index_2 < 0.0f)
     {
-        _S180 = index_1 + count_1;
+        _S202 = index_2 + count_1;
     }
     else
     {
-        if(index_1 >= count_1)
+        if(index_2 >= count_1)
         {
-            _S180 = index_1 - count_1;
+            _S202 = index_2 - count_1;
         }
         else
         {
-            _S180 = index_1;
+            _S202 = index_2;
         }
     }
-    return _S180;
-}
-
-fn binary_logarithm_0( x_7 : f32) -> f32
-{
-    return natural_logarithm_0(x_7) * 1.4426950216293335f;
+    return _S202;
 }
 
 fn AnisotropicTaps_has_steps_0( this_3 : AnisotropicTaps_0) -> bool
 {
-    var _S181 : vec2<f32> = vec2<f32>(0.0f);
-    var _S182 : bool;
-    if((any(((this_3.first_19) != _S181))))
+    var _S203 : vec2<f32> = vec2<f32>(0.0f);
+    var _S204 : bool;
+    if((any(((this_3.first_20) != _S203))))
     {
-        _S182 = true;
+        _S204 = true;
     }
     else
     {
-        _S182 = (any(((this_3.second_0) != _S181)));
+        _S204 = (any(((this_3.second_0) != _S203)));
     }
-    return _S182;
+    return _S204;
 }
 
 fn AnisotropicTaps_place_0( this_4 : AnisotropicTaps_0,  number_0 : u32) -> vec2<f32>
 {
-    var _S183 : f32;
+    var _S205 : f32;
     if(number_0 >= u32(2))
     {
-        _S183 = 1.0f;
+        _S205 = 1.0f;
     }
     else
     {
-        _S183 = -1.0f;
+        _S205 = -1.0f;
     }
-    var _S184 : f32;
+    var _S206 : f32;
     if(((number_0 & (u32(1)))) != u32(0))
     {
-        _S184 = 1.0f;
+        _S206 = 1.0f;
     }
     else
     {
-        _S184 = -1.0f;
+        _S206 = -1.0f;
     }
-    return this_4.centre_1 + vec2<f32>(_S183) * this_4.first_19 + vec2<f32>(_S184) * this_4.second_0;
+    return this_4.centre_1 + vec2<f32>(_S205) * this_4.first_20 + vec2<f32>(_S206) * this_4.second_0;
 }
 
 fn bump_0( distance_0 : f32) -> f32
 {
-    var _S185 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
-    return _S185 * _S185;
+    var _S207 : f32 = max(1.0f - distance_0 * distance_0, 0.0f);
+    return _S207 * _S207;
 }
 
 fn correction_weight_of_0( coded_size_0 : f32) -> f32
@@ -1525,10 +1584,10 @@ fn correction_weight_of_0( coded_size_0 : f32) -> f32
     return clamp((coded_size_0 - 0.4869367778301239f) * 6.16096401214599609f, 0.0f, 1.0f);
 }
 
-fn turns_and_remainder_0( family_0 : u32,  index_2 : f32) -> vec2<f32>
+fn turns_and_remainder_0( family_0 : u32,  index_3 : f32) -> vec2<f32>
 {
-    var _S186 : f32 = floor(fma(index_2, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
-    return vec2<f32>(_S186, fma(- _S186, families_0[family_0].count_0, index_2));
+    var _S208 : f32 = floor(fma(index_3, families_0[family_0].inverse_count_0, families_0[family_0].half_inverse_count_0));
+    return vec2<f32>(_S208, fma(- _S208, families_0[family_0].count_0, index_3));
 }
 
 struct Cell_0
@@ -1542,14 +1601,14 @@ struct Cell_0
 
 fn locate_alike_0( family_1 : u32,  position_1 : f32) -> Cell_0
 {
-    var _S187 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
+    var _S209 : f32 = floor(position_1 * families_0[family_1].inverse_size_0);
     var cell_0 : Cell_0;
-    var _S188 : f32 = fma(- _S187, families_0[family_1].size_0, position_1);
-    cell_0.below_0 = _S188;
-    cell_0.above_0 = families_0[family_1].size_0 - _S188;
-    cell_0.across_0 = _S188 - 0.5f * families_0[family_1].size_0;
+    var _S210 : f32 = fma(- _S209, families_0[family_1].size_0, position_1);
+    cell_0.below_0 = _S210;
+    cell_0.above_0 = families_0[family_1].size_0 - _S210;
+    cell_0.across_0 = _S210 - 0.5f * families_0[family_1].size_0;
     cell_0.half_width_1 = families_0[family_1].half_width_0;
-    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S187).y, 0.0f, families_0[family_1].count_0 - 1.0f));
+    cell_0.thread_0 = u32(clamp(turns_and_remainder_0(family_1, _S209).y, 0.0f, families_0[family_1].count_0 - 1.0f));
     return cell_0;
 }
 
@@ -1557,25 +1616,25 @@ fn locate_varied_0( family_2 : u32,  position_2 : f32) -> Cell_0
 {
     var turns_0 : f32 = (position_2 - families_0[family_2].start_0) * families_0[family_2].inverse_period_0;
     var turns_1 : f32 = turns_0 - floor(turns_0);
-    var _S189 : f32 = turns_1 * families_0[family_2].period_0;
+    var _S211 : f32 = turns_1 * families_0[family_2].period_0;
     var thread_1 : u32 = words_0[families_0[family_2].first_thread_table_0 + u32(clamp(turns_1 * families_0[family_2].bins_0, 0.0f, families_0[family_2].bins_0 - 1.0f))];
-    var _S190 : u32;
-    if(_S189 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1))))
+    var _S212 : u32;
+    if(_S211 >= (table_number_0(families_0[family_2].place_table_0 + thread_1 * u32(4) + u32(1))))
     {
-        _S190 = u32(1);
+        _S212 = u32(1);
     }
     else
     {
-        _S190 = u32(0);
+        _S212 = u32(0);
     }
-    var _S191 : u32 = min(thread_1 + _S190, u32(families_0[family_2].count_0) - u32(1));
-    var _S192 : u32 = families_0[family_2].place_table_0 + _S191 * u32(4);
+    var _S213 : u32 = min(thread_1 + _S212, u32(families_0[family_2].count_0) - u32(1));
+    var _S214 : u32 = families_0[family_2].place_table_0 + _S213 * u32(4);
     var cell_1 : Cell_0;
-    cell_1.thread_0 = _S191;
-    cell_1.below_0 = _S189 - table_number_0(_S192);
-    cell_1.above_0 = table_number_0(_S192 + u32(1)) - _S189;
-    cell_1.across_0 = _S189 - table_number_0(_S192 + u32(2));
-    cell_1.half_width_1 = table_number_0(_S192 + u32(3));
+    cell_1.thread_0 = _S213;
+    cell_1.below_0 = _S211 - table_number_0(_S214);
+    cell_1.above_0 = table_number_0(_S214 + u32(1)) - _S211;
+    cell_1.across_0 = _S211 - table_number_0(_S214 + u32(2));
+    cell_1.half_width_1 = table_number_0(_S214 + u32(3));
     return cell_1;
 }
 
@@ -1600,16 +1659,16 @@ struct Bound_0
 
 fn bound_at_0( family_4 : u32,  position_4 : f32) -> Bound_0
 {
-    var _S193 : Cell_0 = locate_0(family_4, position_4);
-    var _S194 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S193.thread_0 + u32(1));
+    var _S215 : Cell_0 = locate_0(family_4, position_4);
+    var _S216 : f32 = table_number_0(families_0[family_4].before_0 + u32(2) * _S215.thread_0 + u32(1));
     var bound_0 : Bound_0;
-    bound_0.thread_2 = _S193.thread_0;
-    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S194 - _S193.below_0) * families_0[family_4].inverse_period_0);
-    bound_0.cell_2 = _S193.below_0;
-    var _S195 : f32 = 2.0f * _S193.half_width_1;
-    bound_0.width_1 = _S195;
-    bound_0.visible_0 = clamp((_S193.across_0 + _S193.half_width_1) / _S195, 0.0f, 1.0f);
-    bound_0.gap_0 = min(_S193.below_0, _S193.below_0 - _S193.across_0 - _S193.half_width_1) + max(_S193.across_0 - _S193.half_width_1, 0.0f);
+    bound_0.thread_2 = _S215.thread_0;
+    bound_0.turns_2 = round((position_4 - families_0[family_4].start_0 - _S216 - _S215.below_0) * families_0[family_4].inverse_period_0);
+    bound_0.cell_2 = _S215.below_0;
+    var _S217 : f32 = 2.0f * _S215.half_width_1;
+    bound_0.width_1 = _S217;
+    bound_0.visible_0 = clamp((_S215.across_0 + _S215.half_width_1) / _S217, 0.0f, 1.0f);
+    bound_0.gap_0 = min(_S215.below_0, _S215.below_0 - _S215.across_0 - _S215.half_width_1) + max(_S215.across_0 - _S215.half_width_1, 0.0f);
     return bound_0;
 }
 
@@ -1621,17 +1680,17 @@ struct Stretch_0
 
 fn stretch_of_0( family_5 : u32,  centre_2 : f32,  size_1 : f32) -> Stretch_0
 {
-    var _S196 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
-    var _S197 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
+    var _S218 : f32 = centre_2 - floor((centre_2 - families_0[family_5].start_0) * families_0[family_5].inverse_period_0) * families_0[family_5].period_0;
+    var _S219 : f32 = 0.5f * max(size_1, families_0[family_5].smallest_box_0);
     var stretch_0 : Stretch_0;
-    stretch_0.low_7 = bound_at_0(family_5, _S196 - _S197);
-    stretch_0.high_7 = bound_at_0(family_5, _S196 + _S197);
+    stretch_0.low_7 = bound_at_0(family_5, _S218 - _S219);
+    stretch_0.high_7 = bound_at_0(family_5, _S218 + _S219);
     return stretch_0;
 }
 
-fn table_colour_0( index_3 : u32) -> vec3<f32>
+fn table_colour_0( index_4 : u32) -> vec3<f32>
 {
-    return vec3<f32>(table_number_0(index_3), table_number_0(index_3 + u32(1)), table_number_0(index_3 + u32(2)));
+    return vec3<f32>(table_number_0(index_4), table_number_0(index_4 + u32(1)), table_number_0(index_4 + u32(2)));
 }
 
 struct Albedos_0
@@ -1659,26 +1718,26 @@ fn Stretch_turns_0( this_5 : Stretch_0) -> f32
 
 fn lengths_0( family_6 : u32,  stretch_1 : Stretch_0) -> vec3<f32>
 {
-    var _S198 : f32 = Stretch_turns_0(stretch_1);
-    var _S199 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_2;
-    var _S200 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_2;
-    var _S201 : f32 = table_number_0(_S200) - table_number_0(_S199);
-    var _S202 : f32 = table_number_0(_S200 + u32(1)) - table_number_0(_S199 + u32(1));
-    return vec3<f32>(_S201 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S198 * families_0[family_6].visible_total_0, _S202 - _S201 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S198 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S202 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S198 * families_0[family_6].period_0);
+    var _S220 : f32 = Stretch_turns_0(stretch_1);
+    var _S221 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.low_7.thread_2;
+    var _S222 : u32 = families_0[family_6].before_0 + u32(2) * stretch_1.high_7.thread_2;
+    var _S223 : f32 = table_number_0(_S222) - table_number_0(_S221);
+    var _S224 : f32 = table_number_0(_S222 + u32(1)) - table_number_0(_S221 + u32(1));
+    return vec3<f32>(_S223 + stretch_1.high_7.visible_0 * stretch_1.high_7.width_1 - stretch_1.low_7.visible_0 * stretch_1.low_7.width_1 + _S220 * families_0[family_6].visible_total_0, _S224 - _S223 + stretch_1.high_7.gap_0 - stretch_1.low_7.gap_0 + _S220 * (families_0[family_6].period_0 - families_0[family_6].visible_total_0), _S224 + stretch_1.high_7.cell_2 - stretch_1.low_7.cell_2 + _S220 * families_0[family_6].period_0);
 }
 
 fn integrals_along_0( family_7 : u32,  stretch_2 : Stretch_0,  quantity_0 : u32) -> vec2<f32>
 {
-    var _S203 : Family_std430_0 = families_0[family_7];
-    var _S204 : u32 = u32(3) * _S203.quantities_0;
-    var _S205 : u32 = families_0[family_7].colour_threads_0 + _S204 * stretch_2.low_7.thread_2 + quantity_0;
-    var _S206 : u32 = families_0[family_7].colour_threads_0 + _S204 * stretch_2.high_7.thread_2 + quantity_0;
-    var _S207 : u32 = families_0[family_7].colour_threads_0 + _S204 * u32(families_0[family_7].count_0) + quantity_0;
-    var _S208 : f32 = table_number_0(_S205);
-    var _S209 : f32 = table_number_0(_S206);
-    var _S210 : f32 = Stretch_turns_0(stretch_2);
-    var _S211 : u32 = u32(2) * _S203.quantities_0;
-    return vec2<f32>(table_number_0(_S206 + _S203.quantities_0) - table_number_0(_S205 + _S203.quantities_0) + _S209 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S208 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S210 * table_number_0(_S207 + _S203.quantities_0), table_number_0(_S206 + _S211) - table_number_0(_S205 + _S211) + _S209 * stretch_2.high_7.cell_2 - _S208 * stretch_2.low_7.cell_2 + _S210 * table_number_0(_S207 + _S211));
+    var _S225 : Family_std430_0 = families_0[family_7];
+    var _S226 : u32 = u32(3) * _S225.quantities_0;
+    var _S227 : u32 = families_0[family_7].colour_threads_0 + _S226 * stretch_2.low_7.thread_2 + quantity_0;
+    var _S228 : u32 = families_0[family_7].colour_threads_0 + _S226 * stretch_2.high_7.thread_2 + quantity_0;
+    var _S229 : u32 = families_0[family_7].colour_threads_0 + _S226 * u32(families_0[family_7].count_0) + quantity_0;
+    var _S230 : f32 = table_number_0(_S227);
+    var _S231 : f32 = table_number_0(_S228);
+    var _S232 : f32 = Stretch_turns_0(stretch_2);
+    var _S233 : u32 = u32(2) * _S225.quantities_0;
+    return vec2<f32>(table_number_0(_S228 + _S225.quantities_0) - table_number_0(_S227 + _S225.quantities_0) + _S231 * stretch_2.high_7.visible_0 * stretch_2.high_7.width_1 - _S230 * stretch_2.low_7.visible_0 * stretch_2.low_7.width_1 + _S232 * table_number_0(_S229 + _S225.quantities_0), table_number_0(_S228 + _S233) - table_number_0(_S227 + _S233) + _S231 * stretch_2.high_7.cell_2 - _S230 * stretch_2.low_7.cell_2 + _S232 * table_number_0(_S229 + _S233));
 }
 
 fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
@@ -1688,77 +1747,77 @@ fn Stretch_wraps_0( this_6 : Stretch_0) -> bool
 
 fn Stretch_differences_0( this_7 : Stretch_0,  entries_0 : vec4<u32>,  whole_0 : u32) -> vec4<u32>
 {
-    var _S212 : u32 = entries_0.z;
-    var _S213 : u32 = entries_0.x;
-    var _S214 : u32 = _S212 - _S213;
-    var _S215 : u32;
+    var _S234 : u32 = entries_0.z;
+    var _S235 : u32 = entries_0.x;
+    var _S236 : u32 = _S234 - _S235;
+    var _S237 : u32;
     if(Stretch_wraps_0(this_7))
     {
-        _S215 = whole_0;
+        _S237 = whole_0;
     }
     else
     {
-        _S215 = u32(0);
+        _S237 = u32(0);
     }
-    return vec4<u32>(_S214 + _S215, entries_0.w - _S212, entries_0.y - _S213, whole_0);
+    return vec4<u32>(_S236 + _S237, entries_0.w - _S234, entries_0.y - _S235, whole_0);
 }
 
 fn row_differences_0( across_1 : Stretch_0,  row_7 : u32,  count_2 : u32,  quantities_1 : u32) -> vec4<u32>
 {
-    var _S216 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
-    var _S217 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
-    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S216], words_0[_S216 + quantities_1], words_0[_S217], words_0[_S217 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
+    var _S238 : u32 = row_7 + across_1.low_7.thread_2 * quantities_1;
+    var _S239 : u32 = row_7 + across_1.high_7.thread_2 * quantities_1;
+    return Stretch_differences_0(across_1, vec4<u32>(words_0[_S238], words_0[_S238 + quantities_1], words_0[_S239], words_0[_S239 + quantities_1]), words_0[row_7 + count_2 * quantities_1]);
 }
 
 fn Stretch_weights_0( this_8 : Stretch_0) -> vec4<f32>
 {
-    var _S218 : f32 = - this_8.low_7.visible_0;
-    var _S219 : f32 = Stretch_turns_0(this_8);
-    var _S220 : f32;
+    var _S240 : f32 = - this_8.low_7.visible_0;
+    var _S241 : f32 = Stretch_turns_0(this_8);
+    var _S242 : f32;
     if(Stretch_wraps_0(this_8))
     {
-        _S220 = 1.0f;
+        _S242 = 1.0f;
     }
     else
     {
-        _S220 = 0.0f;
+        _S242 = 0.0f;
     }
-    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S218, _S219 - _S220);
+    return vec4<f32>(1.0f, this_8.high_7.visible_0, _S240, _S241 - _S242);
 }
 
 fn integral_on_top_0( family_8 : u32,  across_2 : Stretch_0,  along_0 : Stretch_0,  crossing_count_0 : u32,  quantity_1 : u32) -> f32
 {
-    var _S221 : u32 = u32(families_0[family_8].count_0);
-    var _S222 : u32 = (_S221 + u32(1)) * families_0[family_8].quantities_0;
-    var _S223 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
-    var _S224 : vec4<u32> = row_differences_0(across_2, _S223 + along_0.low_7.thread_2 * _S222, _S221, families_0[family_8].quantities_0);
-    var _S225 : vec4<u32> = row_differences_0(across_2, _S223 + (along_0.low_7.thread_2 + u32(1)) * _S222, _S221, families_0[family_8].quantities_0);
-    var _S226 : vec4<u32> = row_differences_0(across_2, _S223 + along_0.high_7.thread_2 * _S222, _S221, families_0[family_8].quantities_0);
-    var _S227 : vec4<u32> = row_differences_0(across_2, _S223 + (along_0.high_7.thread_2 + u32(1)) * _S222, _S221, families_0[family_8].quantities_0);
-    var _S228 : vec4<u32> = row_differences_0(across_2, _S223 + crossing_count_0 * _S222, _S221, families_0[family_8].quantities_0);
-    var _S229 : vec4<u32> = _S226 - _S224;
-    var _S230 : vec4<u32>;
+    var _S243 : u32 = u32(families_0[family_8].count_0);
+    var _S244 : u32 = (_S243 + u32(1)) * families_0[family_8].quantities_0;
+    var _S245 : u32 = families_0[family_8].colour_areas_0 + quantity_1;
+    var _S246 : vec4<u32> = row_differences_0(across_2, _S245 + along_0.low_7.thread_2 * _S244, _S243, families_0[family_8].quantities_0);
+    var _S247 : vec4<u32> = row_differences_0(across_2, _S245 + (along_0.low_7.thread_2 + u32(1)) * _S244, _S243, families_0[family_8].quantities_0);
+    var _S248 : vec4<u32> = row_differences_0(across_2, _S245 + along_0.high_7.thread_2 * _S244, _S243, families_0[family_8].quantities_0);
+    var _S249 : vec4<u32> = row_differences_0(across_2, _S245 + (along_0.high_7.thread_2 + u32(1)) * _S244, _S243, families_0[family_8].quantities_0);
+    var _S250 : vec4<u32> = row_differences_0(across_2, _S245 + crossing_count_0 * _S244, _S243, families_0[family_8].quantities_0);
+    var _S251 : vec4<u32> = _S248 - _S246;
+    var _S252 : vec4<u32>;
     if(Stretch_wraps_0(along_0))
     {
-        _S230 = _S228;
+        _S252 = _S250;
     }
     else
     {
-        _S230 = vec4<u32>(vec4<i32>(i32(0)));
+        _S252 = vec4<u32>(vec4<i32>(i32(0)));
     }
-    var _S231 : vec4<f32> = Stretch_weights_0(across_2);
-    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S229 + _S230)), _S231), dot(vec4<f32>(vec4<i32>(_S227 - _S226)), _S231), dot(vec4<f32>(vec4<i32>(_S225 - _S224)), _S231), dot(vec4<f32>(vec4<i32>(_S228)), _S231)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
+    var _S253 : vec4<f32> = Stretch_weights_0(across_2);
+    return dot(vec4<f32>(dot(vec4<f32>(vec4<i32>(_S251 + _S252)), _S253), dot(vec4<f32>(vec4<i32>(_S249 - _S248)), _S253), dot(vec4<f32>(vec4<i32>(_S247 - _S246)), _S253), dot(vec4<f32>(vec4<i32>(_S250)), _S253)), Stretch_weights_0(along_0)) * families_0[family_8].area_unit_0;
 }
 
 fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -> Albedos_0
 {
-    var _S232 : Albedos_0 = table_albedos_0(row_8);
+    var _S254 : Albedos_0 = table_albedos_0(row_8);
     var sum_0 : Albedos_0;
-    var _S233 : vec3<f32> = vec3<f32>(weight_0);
-    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S233 * _S232.diffuse_reflect_0;
-    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S233 * _S232.diffuse_transmit_0;
-    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S233 * _S232.specular_reflect_0;
-    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S233 * _S232.specular_transmit_0;
+    var _S255 : vec3<f32> = vec3<f32>(weight_0);
+    sum_0.diffuse_reflect_0 = albedos_1.diffuse_reflect_0 + _S255 * _S254.diffuse_reflect_0;
+    sum_0.diffuse_transmit_0 = albedos_1.diffuse_transmit_0 + _S255 * _S254.diffuse_transmit_0;
+    sum_0.specular_reflect_0 = albedos_1.specular_reflect_0 + _S255 * _S254.specular_reflect_0;
+    sum_0.specular_transmit_0 = albedos_1.specular_transmit_0 + _S255 * _S254.specular_transmit_0;
     return sum_0;
 }
 
@@ -1769,7 +1828,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     {
         return albedos_2;
     }
-    var _S234 : vec3<f32> = lengths_0(crossing_0, other_0);
+    var _S256 : vec3<f32> = lengths_0(crossing_0, other_0);
     var is_exposed_0 : bool = false;
     var weight_1 : f32 = 0.0f;
     var quantity_2 : u32 = u32(0);
@@ -1782,42 +1841,42 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         {
             break;
         }
-        var _S235 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
-        var _S236 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
-        var _S237 : f32 = _S235.x;
-        var _S238 : f32 = _S237 * _S234.x;
-        var _S239 : f32;
+        var _S257 : vec2<f32> = integrals_along_0(family_9, own_0, quantity_2);
+        var _S258 : f32 = integral_on_top_0(family_9, own_0, other_0, u32(families_0[crossing_0].count_0), quantity_2);
+        var _S259 : f32 = _S257.x;
+        var _S260 : f32 = _S259 * _S256.x;
+        var _S261 : f32;
         if(back_1)
         {
-            _S239 = _S238 - _S236;
+            _S261 = _S260 - _S258;
         }
         else
         {
-            _S239 = _S236;
+            _S261 = _S258;
         }
-        var _S240 : bool = quantity_2 == u32(0);
-        if(_S240)
+        var _S262 : bool = quantity_2 == u32(0);
+        if(_S262)
         {
-            is_exposed_0 = _S239 > (16.0f * families_0[family_9].area_unit_0 * min(_S238 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S238);
+            is_exposed_0 = _S261 > (16.0f * families_0[family_9].area_unit_0 * min(_S260 / families_0[family_9].crossing_area_0, 1.0f) + 0.00000999999974738f * _S260);
         }
-        var _S241 : f32 = _S237 * _S234.y;
-        var _S242 : f32;
+        var _S263 : f32 = _S259 * _S256.y;
+        var _S264 : f32;
         if(is_exposed_0)
         {
-            _S242 = _S239;
+            _S264 = _S261;
         }
         else
         {
-            _S242 = 0.0f;
+            _S264 = 0.0f;
         }
-        var _S243 : f32 = _S241 + _S242 + 0.000244140625f * _S234.z * _S235.y;
-        if(_S240)
+        var _S265 : f32 = _S263 + _S264 + 0.000244140625f * _S256.z * _S257.y;
+        if(_S262)
         {
-            weight_1 = 1.0f / max(_S243, 9.99999968265522539e-21f);
+            weight_1 = 1.0f / max(_S265, 9.99999968265522539e-21f);
         }
         else
         {
-            albedos_2 = with_added_albedos_0(albedos_2, _S243 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
+            albedos_2 = with_added_albedos_0(albedos_2, _S265 * weight_1, families_0[family_9].colour_axes_0 + u32(12) * (quantity_2 - u32(1)));
         }
         quantity_2 = quantity_2 + u32(1);
     }
@@ -1828,36 +1887,117 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
     return albedos_2;
 }
 
-fn towards_light_0( light_0 : ptr<function, Light_std430_0>,  position_5 : vec3<f32>,  irradiance_1 : ptr<function, vec3<f32>>) -> vec3<f32>
+fn tinted_0( albedos_3 : Albedos_0,  tint_0 : vec3<f32>) -> Albedos_0
 {
-    (*irradiance_1) = vec3<f32>((*light_0).red_0, (*light_0).green_0, (*light_0).blue_0);
-    var _S244 : vec3<f32> = vec3<f32>((*light_0).x_1, (*light_0).y_1, (*light_0).z_1);
-    if(((*light_0).is_point_0) == u32(0))
-    {
-        return _S244;
-    }
-    var _S245 : vec3<f32> = _S244 - position_5;
-    (*irradiance_1) = (*irradiance_1) / vec3<f32>(max(square_0(_S245), 9.999999960041972e-13f));
-    return normalize(_S245);
+    var result_0 : Albedos_0 = albedos_3;
+    result_0.diffuse_reflect_0 = result_0.diffuse_reflect_0 * tint_0;
+    result_0.diffuse_transmit_0 = result_0.diffuse_transmit_0 * tint_0;
+    return result_0;
 }
 
-fn exponential_0( x_8 : f32) -> f32
+fn scramble_0( value_0 : u32) -> u32
 {
-    var _S246 : f32 = clamp(x_8, -87.0f, 88.0f);
-    var _S247 : f32 = floor(_S246 * 1.4426950216293335f + 0.5f);
-    var _S248 : f32 = _S246 - _S247 * 0.693359375f + _S247 * 0.00021219444170129f;
-    var p_0 : f32 = ((((0.00019875691214111f * _S248 + 0.00139819993637502f) * _S248 + 0.00833345204591751f) * _S248 + 0.04166579619050026f) * _S248 + 0.1666666567325592f) * _S248 + 0.5f;
-    var _S249 : f32 = (bitcast<f32>(((u32(i32(_S247) + i32(127)) << (u32(23))))));
-    var _S250 : f32;
-    if(x_8 < -87.0f)
+    var _S266 : u32 = value_0 * u32(747796405) + u32(2891336453);
+    var _S267 : u32 = ((((_S266 >> ((((_S266 >> (u32(28)))) + u32(4))))) ^ (_S266))) * u32(277803737);
+    return (((_S267 >> (u32(22)))) ^ (_S267));
+}
+
+fn uniform_hash_0( thread_3 : u32,  cell_3 : u32,  stream_0 : u32) -> f32
+{
+    return (f32(((scramble_0(cell_3 + scramble_0(thread_3 + scramble_0(stream_0)))) >> (u32(9)))) + 0.5f) * 1.1920928955078125e-07f;
+}
+
+fn pixel_sequence_0( pixel_0 : vec2<u32>,  index_5 : u32,  stream_1 : u32) -> vec2<f32>
+{
+    var _S268 : u32 = pixel_0.x;
+    var _S269 : u32 = pixel_0.y;
+    return fract(vec2<f32>(uniform_hash_0(_S268, _S269, stream_1), uniform_hash_0(_S268, _S269, stream_1 + u32(1))) + vec2<f32>(f32((index_5 & (u32(65535))))) * vec2<f32>(0.75487768650054932f, 0.56984031200408936f));
+}
+
+fn scene_number_0( index_6 : u32) -> f32
+{
+    return (bitcast<f32>((scene_words_0[index_6])));
+}
+
+struct Choice_0
+{
+     index_7 : u32,
+     remainder_0 : f32,
+};
+
+fn choose_0( table_0 : u32,  count_3 : u32,  number_1 : f32) -> Choice_0
+{
+    var high_8 : u32 = count_3;
+    var low_8 : u32 = u32(0);
+    for(;;)
     {
-        _S250 = 0.0f;
+        if((high_8 - low_8) > u32(1))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S270 : u32 = (low_8 + high_8) / u32(2);
+        if((scene_number_0(table_0 + _S270)) <= number_1)
+        {
+            low_8 = _S270;
+        }
+        else
+        {
+            high_8 = _S270;
+        }
+    }
+    var _S271 : u32 = table_0 + low_8;
+    var _S272 : f32 = scene_number_0(_S271);
+    var _S273 : f32 = scene_number_0(_S271 + u32(1));
+    var choice_0 : Choice_0;
+    choice_0.index_7 = low_8;
+    choice_0.remainder_0 = saturate((number_1 - _S272) / max(_S273 - _S272, 9.999999960041972e-13f));
+    return choice_0;
+}
+
+fn mean_0( colour_0 : vec3<f32>) -> f32
+{
+    return (colour_0.x + colour_0.y + colour_0.z) / 3.0f;
+}
+
+fn sine_cosine_0( x_9 : f32) -> vec2<f32>
+{
+    var _S274 : f32 = floor(x_9 * 0.63661974668502808f + 0.5f);
+    var _S275 : f32 = x_9 - _S274 * 1.5703125f - _S274 * 0.00048375129699707f - _S274 * 7.54979012640433211e-08f;
+    var _S276 : f32 = _S275 * _S275;
+    var _S277 : f32 = ((-0.00019515295571182f * _S276 + 0.00833216123282909f) * _S276 - 0.16666655242443085f) * _S276 * _S275 + _S275;
+    var _S278 : f32 = ((0.00002443315679557f * _S276 - 0.00138873164542019f) * _S276 + 0.04166664555668831f) * _S276 * _S276 - 0.5f * _S276 + 1.0f;
+    var _S279 : u32 = (u32(i32(_S274)) & (u32(3)));
+    var _S280 : vec2<f32>;
+    if(((_S279 & (u32(1)))) != u32(0))
+    {
+        _S280 = vec2<f32>(_S278, _S277);
     }
     else
     {
-        _S250 = (p_0 * _S248 * _S248 + _S248 + 1.0f) * _S249;
+        _S280 = vec2<f32>(_S277, _S278);
     }
-    return _S250;
+    var _S281 : f32;
+    if(((_S279 & (u32(2)))) != u32(0))
+    {
+        _S281 = - _S280.x;
+    }
+    else
+    {
+        _S281 = _S280.x;
+    }
+    var _S282 : f32;
+    if((((_S279 + u32(1)) & (u32(2)))) != u32(0))
+    {
+        _S282 = - _S280.y;
+    }
+    else
+    {
+        _S282 = _S280.y;
+    }
+    return vec2<f32>(_S281, _S282);
 }
 
 fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
@@ -1867,210 +2007,268 @@ fn unmapped_0( output_9 : f32,  scale_0 : f32) -> f32
 
 fn mirrored_bundle_0( bundle_0 : u32) -> u32
 {
-    var _S251 : u32 = bundle_0 / u32(3);
-    var _S252 : u32 = bundle_0 % u32(3);
-    var _S253 : u32;
+    var _S283 : u32 = bundle_0 / u32(3);
+    var _S284 : u32 = bundle_0 % u32(3);
+    var _S285 : u32;
     if(bundle_0 == u32(24))
     {
-        _S253 = bundle_0;
+        _S285 = bundle_0;
     }
     else
     {
-        _S253 = _S251 * u32(3) + u32(3) - u32(1) - _S252;
+        _S285 = _S283 * u32(3) + u32(3) - u32(1) - _S284;
     }
-    return _S253;
+    return _S285;
 }
 
-fn light_visibility_of_0( diffuse_0 : f32,  light_1 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
+fn light_visibility_of_0( diffuse_0 : f32,  light_0 : vec3<f32>,  view_1 : vec3<f32>,  blend_0 : f32) -> f32
 {
-    var _S254 : f32 = max(abs(light_1.z), 0.00100000004749745f);
-    var _S255 : vec2<f32> = light_1.xy;
-    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S254, (0.59700000286102295f * _S254 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S255, view_1.xy) * rsqrt_0(max(dot(_S255, _S255), 9.99999997475242708e-07f))) + 1.0f), blend_0);
+    var _S286 : f32 = max(abs(light_0.z), 0.00100000004749745f);
+    var _S287 : vec2<f32> = light_0.xy;
+    return 3.14159274101257324f * max(diffuse_0, 0.0f) / mix(_S286, (0.59700000286102295f * _S286 + 0.16599999368190765f) * (0.21600000560283661f * (dot(_S287, view_1.xy) * rsqrt_0(max(dot(_S287, _S287), 9.99999997475242708e-07f))) + 1.0f), blend_0);
 }
 
-fn sheen_scale_0( x_9 : f32,  y_2 : f32) -> f32
+fn sheen_scale_0( x_10 : f32,  y_2 : f32) -> f32
 {
-    return (((((0.0f * x_9 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_9 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_9 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_9 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_9 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_9 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
+    return (((((0.0f * x_10 + (((((-1.1402510404586792f * y_2 + 0.40672621130943298f) * y_2 + 1.65398800373077393f) * y_2 + -1.29730904102325439f) * y_2 + 0.30570998787879944f) * y_2 + -0.0220868494361639f)) * x_10 + (((((-0.21142719686031342f * y_2 + 1.05947399139404297f) * y_2 + -0.41116121411323547f) * y_2 + -0.93859231472015381f) * y_2 + 0.51606941223144531f) * y_2 + 0.05409301072359085f)) * x_10 + (((((1.22944498062133789f * y_2 + -0.45962560176849365f) * y_2 + -1.63861405849456787f) * y_2 + 1.33565104007720947f) * y_2 + -0.45725581049919128f) * y_2 + 0.08243165910243988f)) * x_10 + (((((0.39779931306838989f * y_2 + -1.18879103660583496f) * y_2 + 0.28251591324806213f) * y_2 + 1.168984055519104f) * y_2 + -0.76864629983901978f) * y_2 + 0.0091691892594099f)) * x_10 + (((((-0.26563560962677002f * y_2 + -0.19379159808158875f) * y_2 + 0.2677634060382843f) * y_2 + 0.00270519289188087f) * y_2 + 0.14349560439586639f) * y_2 + 0.10290180146694183f)) * x_10 + (((((-0.20701569318771362f * y_2 + 0.24526430666446686f) * y_2 + 0.19551840424537659f) * y_2 + 0.07586126774549484f) * y_2 + 0.38894739747047424f) * y_2 + 0.15043120086193085f);
 }
 
-fn sheen_shear_0( x_10 : f32,  y_3 : f32) -> f32
+fn sheen_shear_0( x_11 : f32,  y_3 : f32) -> f32
 {
-    return ((((0.0f * x_10 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_10 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_10 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_10 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_10 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
+    return ((((0.0f * x_11 + (((((-0.10608240216970444f * y_3 + 1.99214303493499756f) * y_3 + -1.42255294322967529f) * y_3 + -1.09495604038238525f) * y_3 + 0.59180057048797607f) * y_3 + 0.06902855634689331f)) * x_11 + (((((-0.46220690011978149f * y_3 + -0.29113379120826721f) * y_3 + 1.39025199413299561f) * y_3 + 0.35589990019798279f) * y_3 + -1.17120099067687988f) * y_3 + 0.15940259397029877f)) * x_11 + (((((2.26068711280822754f * y_3 + -3.64728999137878418f) * y_3 + -0.72173482179641724f) * y_3 + 3.07659196853637695f) * y_3 + -0.6827620267868042f) * y_3 + -0.3039557933807373f)) * x_11 + (((((0.81201767921447754f * y_3 + 0.36014080047607422f) * y_3 + -1.72646903991699219f) * y_3 + -0.22630110383033752f) * y_3 + 0.89514690637588501f) * y_3 + -0.10397960245609283f)) * x_11 + (((((-0.37648698687553406f * y_3 + 1.10974001884460449f) * y_3 + 0.17824520170688629f) * y_3 + -1.04968702793121338f) * y_3 + 0.1461234986782074f) * y_3 + -0.00475129019469023f);
 }
 
-fn sheen_reflectance_0( x_11 : f32,  y_4 : f32) -> f32
+fn sheen_reflectance_0( x_12 : f32,  y_4 : f32) -> f32
 {
-    return ((((0.0f * x_11 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_11 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_11 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_11 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_11 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
+    return ((((0.0f * x_12 + (((((12.95646953582763672f * y_4 + -21.38032913208007812f) * y_4 + -7.37853097915649414f) * y_4 + 34.55607986450195312f) * y_4 + -23.61347007751464844f) * y_4 + 5.00126314163208008f)) * x_12 + (((((10.91487026214599609f * y_4 + -6.08202791213989258f) * y_4 + -38.2036285400390625f) * y_4 + 53.3440399169921875f) * y_4 + -21.91996002197265625f) * y_4 + 2.01606011390686035f)) * x_12 + (((((-14.52206039428710938f * y_4 + 36.803619384765625f) * y_4 + -22.94047927856445312f) * y_4 + -10.07973003387451172f) * y_4 + 15.77003955841064453f) * y_4 + -4.92722177505493164f)) * x_12 + (((((-7.62505722045898438f * y_4 + 1.27310299873352051f) * y_4 + 31.19523048400878906f) * y_4 + -44.39989852905273438f) * y_4 + 26.44947052001953125f) * y_4 + -8.73507976531982422f)) * x_12 + (((((5.65633487701416016f * y_4 + -17.66820907592773438f) * y_4 + 24.65356063842773438f) * y_4 + -19.38941001892089844f) * y_4 + 11.06159019470214844f) * y_4 + -3.06573700904846191f);
 }
 
 fn sheen_lobe_0( cos_view_0 : f32,  roughness_1 : f32) -> vec3<f32>
 {
-    var _S256 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
-    var _S257 : f32 = 2.0f * sqrt(_S256) - 1.0f;
-    var _S258 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
-    return vec3<f32>(clamp(sheen_scale_0(_S257, _S258), 0.00999999977648258f, 1.0f), clamp((1.0f - _S256) * sheen_shear_0(_S257, _S258), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S257, _S258), -60.0f, 60.0f))));
+    var _S288 : f32 = clamp(cos_view_0, 0.00999999977648258f, 1.0f);
+    var _S289 : f32 = 2.0f * sqrt(_S288) - 1.0f;
+    var _S290 : f32 = 3.0f * sqrt(sqrt(clamp(roughness_1, 0.00999999977648258f, 1.0f))) - 2.0f;
+    return vec3<f32>(clamp(sheen_scale_0(_S289, _S290), 0.00999999977648258f, 1.0f), clamp((1.0f - _S288) * sheen_shear_0(_S289, _S290), -0.25f, 0.0f), 0.80000001192092896f / (1.0f + exponential_0(- clamp(sheen_reflectance_0(_S289, _S290), -60.0f, 60.0f))));
 }
 
-fn transformed_cosine_0( light_2 : vec3<f32>,  view_2 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
+fn transformed_cosine_0( light_1 : vec3<f32>,  view_2 : vec3<f32>,  scale_1 : f32,  shear_0 : f32) -> f32
 {
-    var _S259 : f32 = light_2.z;
-    var _S260 : bool;
-    if(_S259 <= 0.0f)
+    var _S291 : f32 = light_1.z;
+    var _S292 : bool;
+    if(_S291 <= 0.0f)
     {
-        _S260 = true;
+        _S292 = true;
     }
     else
     {
-        _S260 = (view_2.z) <= 0.0f;
+        _S292 = (view_2.z) <= 0.0f;
     }
-    if(_S260)
+    if(_S292)
     {
         return 0.0f;
     }
-    var _S261 : vec2<f32> = view_2.xy;
-    var _S262 : f32 = dot(_S261, _S261);
-    var _S263 : vec2<f32>;
-    if(_S262 > 9.99999968265522539e-21f)
+    var _S293 : vec2<f32> = view_2.xy;
+    var _S294 : f32 = dot(_S293, _S293);
+    var _S295 : vec2<f32>;
+    if(_S294 > 9.99999968265522539e-21f)
     {
-        _S263 = _S261 * vec2<f32>(rsqrt_0(_S262));
+        _S295 = _S293 * vec2<f32>(rsqrt_0(_S294));
     }
     else
     {
-        _S263 = vec2<f32>(1.0f, 0.0f);
+        _S295 = vec2<f32>(1.0f, 0.0f);
     }
-    var _S264 : f32 = scale_1 * dot(light_2.xy, _S263) + shear_0 * _S259;
-    var _S265 : f32 = scale_1 * (light_2.y * _S263.x - light_2.x * _S263.y);
-    var _S266 : f32 = _S264 * _S264 + _S265 * _S265 + _S259 * _S259;
-    return 0.31830987334251404f * scale_1 * scale_1 * _S259 / max(_S266 * _S266, 9.99999968265522539e-21f);
+    var _S296 : f32 = scale_1 * dot(light_1.xy, _S295) + shear_0 * _S291;
+    var _S297 : f32 = scale_1 * (light_1.y * _S295.x - light_1.x * _S295.y);
+    var _S298 : f32 = _S296 * _S296 + _S297 * _S297 + _S291 * _S291;
+    return 0.31830987334251404f * scale_1 * scale_1 * _S291 / max(_S298 * _S298, 9.99999968265522539e-21f);
 }
 
-fn sheen_with_transmittance_0( light_3 : vec3<f32>,  view_3 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
+fn sheen_with_transmittance_0( light_2 : vec3<f32>,  view_3 : vec3<f32>,  strength_0 : f32,  roughness_2 : f32) -> vec2<f32>
 {
-    var _S267 : vec3<f32> = sheen_lobe_0(view_3.z, roughness_2);
-    var _S268 : f32 = strength_0 * _S267.z;
-    return vec2<f32>(_S268 * transformed_cosine_0(light_3, view_3, _S267.x, _S267.y), 1.0f - _S268);
+    var _S299 : vec3<f32> = sheen_lobe_0(view_3.z, roughness_2);
+    var _S300 : f32 = strength_0 * _S299.z;
+    return vec2<f32>(_S300 * transformed_cosine_0(light_2, view_3, _S299.x, _S299.y), 1.0f - _S300);
 }
 
-fn accumulate_0( frame_4 : ptr<function, Frame_std430_0>,  pixel_0 : vec2<u32>,  light_4 : vec4<f32>)
+fn accumulate_0( index_8 : u32,  light_3 : vec4<f32>)
 {
-    var _S269 : u32 = pixel_0.y * (*frame_4).width_0 + pixel_0.x;
-    var _S270 : f32 = light_4.w;
-    var _S271 : vec4<f32> = vec4<f32>(light_4.xyz + vec3<f32>((1.0f - _S270)) * vec3<f32>((*frame_4).background_red_0, (*frame_4).background_green_0, (*frame_4).background_blue_0), _S270);
-    var _S272 : vec4<f32>;
-    if(((*frame_4).pass_number_0) == u32(0))
-    {
-        _S272 = _S271;
-    }
-    else
-    {
-        _S272 = radiance_0[_S269] + _S271;
-    }
-    radiance_0[_S269] = _S272;
+    var _S301 : f32 = layers_0[index_8].share_0;
+    radiance_0[index_8] = radiance_0[index_8] + vec4<f32>(layers_0[index_8].share_0) * light_3;
+    layers_0[index_8].share_0 = _S301 * (1.0f - light_3.w);
     return;
 }
 
-fn visible_point_0( _S273 : ptr<function, Frame_std430_0>,  _S274 : u32,  _S275 : u32,  _S276 : vec2<u32>) -> VisiblePoint_0
+fn camera_right_0( _S302 : i32) -> vec3<f32>
 {
-    var _S277 : u32 = u32(3) * _S275;
-    var _S278 : Vertex_std430_0 = vertices_0[corners_0[_S277]];
-    var _S279 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(1)]];
-    var _S280 : Vertex_std430_0 = vertices_0[corners_0[_S277 + u32(2)]];
-    var _S281 : vec3<f32> = position_of_0(&(_S279));
-    var _S282 : vec3<f32> = position_of_0(&(_S278));
-    var _S283 : vec3<f32> = _S281 - _S282;
-    var _S284 : vec3<f32> = position_of_0(&(_S280));
-    var _S285 : vec3<f32> = _S284 - _S282;
-    var _S286 : vec3<f32> = cross(_S283, _S285);
-    var _S287 : f32 = 1.0f / max(square_0(_S286), 1.00000000317107685e-30f);
-    var _S288 : vec3<f32> = camera_right_0(&((*_S273)));
-    var _S289 : f32 = f32((*_S273).width_0);
-    var _S290 : vec3<f32> = _S288 * vec3<f32>((2.0f / _S289));
-    var _S291 : vec3<f32> = camera_up_0(&((*_S273)));
-    var _S292 : f32 = f32((*_S273).height_0);
-    var _S293 : vec3<f32> = _S291 * vec3<f32>((-2.0f / _S292));
-    var _S294 : f32 = f32(_S276.x) + 0.5f - 0.5f * _S289;
-    var _S295 : f32 = f32(_S276.y) + 0.5f - 0.5f * _S292;
-    var _S296 : vec3<f32> = camera_forward_0(&((*_S273)));
-    var _S297 : vec3<f32> = _S296 + vec3<f32>(_S294) * _S290 + vec3<f32>(_S295) * _S293;
-    var _S298 : f32 = dot(_S297, _S286);
-    var _S299 : f32;
-    if((abs(_S298)) > 1.00000000317107685e-30f)
+    return vec3<f32>(frames_0[_S302].right_x_0, frames_0[_S302].right_y_0, frames_0[_S302].right_z_0);
+}
+
+fn camera_up_0( _S303 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S303].up_x_0, frames_0[_S303].up_y_0, frames_0[_S303].up_z_0);
+}
+
+fn camera_forward_0( _S304 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S304].forward_x_0, frames_0[_S304].forward_y_0, frames_0[_S304].forward_z_0);
+}
+
+fn camera_origin_0( _S305 : i32) -> vec3<f32>
+{
+    return vec3<f32>(frames_0[_S305].origin_x_0, frames_0[_S305].origin_y_0, frames_0[_S305].origin_z_0);
+}
+
+fn face_point_0( _S306 : u32,  _S307 : u32,  _S308 : f32,  _S309 : f32) -> VisiblePoint_0
+{
+    var _S310 : u32 = u32(3) * _S307;
+    var _S311 : Vertex_std430_0 = vertices_0[corners_0[_S310]];
+    var _S312 : Vertex_std430_0 = vertices_0[corners_0[_S310 + u32(1)]];
+    var _S313 : Vertex_std430_0 = vertices_0[corners_0[_S310 + u32(2)]];
+    var _S314 : vec3<f32> = position_of_0(&(_S312));
+    var _S315 : vec3<f32> = position_of_0(&(_S311));
+    var _S316 : vec3<f32> = _S314 - _S315;
+    var _S317 : vec3<f32> = position_of_0(&(_S313));
+    var _S318 : vec3<f32> = _S317 - _S315;
+    var _S319 : f32 = _S311.u_0;
+    var _S320 : f32 = _S312.u_0 - _S311.u_0;
+    var _S321 : f32 = _S311.v_0;
+    var _S322 : f32 = _S312.v_0 - _S311.v_0;
+    var _S323 : vec2<f32> = vec2<f32>(_S320, _S322);
+    var _S324 : f32 = _S313.u_0 - _S311.u_0;
+    var _S325 : f32 = _S313.v_0 - _S311.v_0;
+    var _S326 : vec2<f32> = vec2<f32>(_S324, _S325);
+    var _S327 : f32;
+    if((_S320 * _S325 - _S322 * _S324) < 0.0f)
     {
-        _S299 = _S298;
+        _S327 = -1.0f;
     }
     else
     {
-        _S299 = 1.00000000317107685e-30f;
+        _S327 = 1.0f;
     }
-    var _S300 : f32 = 1.0f / _S299;
-    var _S301 : vec3<f32> = camera_origin_0(&((*_S273)));
-    var _S302 : vec3<f32> = _S282 - _S301;
-    var _S303 : vec3<f32> = vec3<f32>((dot(_S302, _S286) * _S300));
-    var _S304 : vec3<f32> = _S297 * _S303 - _S302;
-    var _S305 : vec3<f32> = _S303 * (_S290 - _S297 * vec3<f32>((dot(_S290, _S286) * _S300)));
-    var _S306 : vec3<f32> = _S303 * (_S293 - _S297 * vec3<f32>((dot(_S293, _S286) * _S300)));
-    var _S307 : vec3<f32> = vec3<f32>(_S287);
-    var _S308 : vec3<f32> = cross(_S285, _S286) * _S307;
-    var _S309 : vec3<f32> = cross(_S286, _S283) * _S307;
-    var _S310 : f32 = dot(_S304, _S308);
-    var _S311 : f32 = dot(_S304, _S309);
-    var _S312 : f32 = _S279.u_0 - _S278.u_0;
-    var _S313 : f32 = _S279.v_0 - _S278.v_0;
-    var _S314 : vec2<f32> = vec2<f32>(_S312, _S313);
-    var _S315 : f32 = _S280.u_0 - _S278.u_0;
-    var _S316 : f32 = _S280.v_0 - _S278.v_0;
-    var _S317 : vec2<f32> = vec2<f32>(_S315, _S316);
-    var _S318 : vec2<f32> = vec2<f32>(_S278.u_0, _S278.v_0) + vec2<f32>(_S310) * _S314 + vec2<f32>(_S311) * _S317;
-    var _S319 : vec2<f32> = vec2<f32>(dot(_S305, _S308)) * _S314 + vec2<f32>(dot(_S305, _S309)) * _S317;
-    var _S320 : vec2<f32> = vec2<f32>(dot(_S306, _S308)) * _S314 + vec2<f32>(dot(_S306, _S309)) * _S317;
-    if((_S312 * _S316 - _S313 * _S315) < 0.0f)
-    {
-        _S299 = -1.0f;
-    }
-    else
-    {
-        _S299 = 1.0f;
-    }
-    var _S321 : vec3<f32> = vec3<f32>(_S299) * (vec3<f32>(_S316) * _S283 - vec3<f32>(_S313) * _S285);
-    var _S322 : vec3<f32> = vec3<f32>(_S299) * (vec3<f32>(_S312) * _S285 - vec3<f32>(_S315) * _S283);
+    var _S328 : vec3<f32> = vec3<f32>(_S327) * (vec3<f32>(_S325) * _S316 - vec3<f32>(_S322) * _S318);
+    var _S329 : vec3<f32> = vec3<f32>(_S327) * (vec3<f32>(_S320) * _S318 - vec3<f32>(_S324) * _S316);
     var point_1 : VisiblePoint_0;
-    var _S323 : f32 = 1.0f - _S310 - _S311;
-    var _S324 : vec3<f32> = normal_of_0(&(_S278));
-    var _S325 : vec3<f32> = vec3<f32>(_S323) * _S324;
-    var _S326 : vec3<f32> = normal_of_0(&(_S279));
-    var _S327 : vec3<f32> = _S325 + vec3<f32>(_S310) * _S326;
-    var _S328 : vec3<f32> = normal_of_0(&(_S280));
-    var _S329 : vec3<f32> = normalize(_S327 + vec3<f32>(_S311) * _S328);
-    point_1.normal_0 = _S329;
-    var _S330 : vec3<f32> = normalize(_S321 - _S329 * vec3<f32>(dot(_S329, _S321)));
-    point_1.axis_x_0 = _S330;
-    point_1.axis_y_0 = cross(_S329, _S330);
-    point_1.position_0 = _S282 + _S304;
-    point_1.view_0 = (vec3<f32>(0) - normalize(_S297));
-    var _S331 : bool = (dot(cross(_S321, _S322), _S329)) < 0.0f;
-    var _S332 : f32 = fabrics_0[_S274].uv_width_0;
-    if(_S331)
+    var _S330 : f32 = 1.0f - _S308 - _S309;
+    var _S331 : vec3<f32> = normal_of_0(&(_S311));
+    var _S332 : vec3<f32> = vec3<f32>(_S330) * _S331;
+    var _S333 : vec3<f32> = normal_of_0(&(_S312));
+    var _S334 : vec3<f32> = vec3<f32>(_S308);
+    var _S335 : vec3<f32> = _S332 + _S334 * _S333;
+    var _S336 : vec3<f32> = normal_of_0(&(_S313));
+    var _S337 : vec3<f32> = vec3<f32>(_S309);
+    var _S338 : vec3<f32> = normalize(_S335 + _S337 * _S336);
+    point_1.normal_0 = _S338;
+    var _S339 : vec3<f32> = normalize(_S328 - _S338 * vec3<f32>(dot(_S338, _S328)));
+    point_1.axis_x_0 = _S339;
+    point_1.axis_y_0 = cross(_S338, _S339);
+    var _S340 : vec3<f32> = normalize(cross(_S316, _S318));
+    var _S341 : vec3<f32>;
+    if((dot(_S340, _S338)) < 0.0f)
     {
-        _S299 = - fabrics_0[_S274].uv_height_0;
+        _S341 = (vec3<f32>(0) - _S340);
     }
     else
     {
-        _S299 = fabrics_0[_S274].uv_height_0;
+        _S341 = _S340;
     }
-    var _S333 : vec2<f32> = vec2<f32>(_S332, _S299);
-    var _S334 : vec2<f32> = _S318 * _S333;
-    if(_S331)
+    point_1.face_normal_0 = _S341;
+    point_1.position_0 = _S315 + _S334 * _S316 + _S337 * _S318;
+    point_1.view_0 = point_1.normal_0;
+    point_1.uv_1 = vec2<f32>(_S319, _S321) + vec2<f32>(_S308) * _S323 + vec2<f32>(_S309) * _S326;
+    var _S342 : bool = (dot(cross(_S328, _S329), point_1.normal_0)) < 0.0f;
+    var _S343 : f32 = fabrics_0[_S306].uv_width_0;
+    if(_S342)
     {
-        _S299 = fabrics_0[_S274].uv_height_0;
+        _S327 = - fabrics_0[_S306].uv_height_0;
     }
     else
     {
-        _S299 = 0.0f;
+        _S327 = fabrics_0[_S306].uv_height_0;
     }
-    point_1.draft_0 = _S334 + vec2<f32>(0.0f, _S299);
-    point_1.draft_dx_0 = _S319 * _S333;
-    point_1.draft_dy_0 = _S320 * _S333;
+    var _S344 : vec2<f32> = vec2<f32>(_S343, _S327);
+    point_1.draft_per_uv_0 = _S344;
+    var _S345 : vec2<f32> = point_1.uv_1 * _S344;
+    if(_S342)
+    {
+        _S327 = fabrics_0[_S306].uv_height_0;
+    }
+    else
+    {
+        _S327 = 0.0f;
+    }
+    point_1.draft_0 = _S345 + vec2<f32>(0.0f, _S327);
+    var _S346 : vec2<f32> = vec2<f32>(0.0f);
+    point_1.draft_dx_0 = _S346;
+    point_1.draft_dy_0 = _S346;
     return point_1;
+}
+
+fn visible_point_0( _S347 : i32,  _S348 : u32,  _S349 : u32,  _S350 : vec2<u32>) -> VisiblePoint_0
+{
+    var _S351 : u32 = u32(3) * _S349;
+    var _S352 : Vertex_std430_0 = vertices_0[corners_0[_S351]];
+    var _S353 : Vertex_std430_0 = vertices_0[corners_0[_S351 + u32(1)]];
+    var _S354 : Vertex_std430_0 = vertices_0[corners_0[_S351 + u32(2)]];
+    var _S355 : vec3<f32> = position_of_1(&(_S353));
+    var _S356 : vec3<f32> = position_of_1(&(_S352));
+    var _S357 : vec3<f32> = _S355 - _S356;
+    var _S358 : vec3<f32> = position_of_1(&(_S354));
+    var _S359 : vec3<f32> = _S358 - _S356;
+    var _S360 : vec3<f32> = cross(_S357, _S359);
+    var _S361 : f32 = 1.0f / max(square_0(_S360), 1.00000000317107685e-30f);
+    var _S362 : f32 = f32(frames_0[_S347].width_0);
+    var _S363 : vec3<f32> = camera_right_0(_S347) * vec3<f32>((2.0f / _S362));
+    var _S364 : f32 = f32(frames_0[_S347].height_0);
+    var _S365 : vec3<f32> = camera_up_0(_S347) * vec3<f32>((-2.0f / _S364));
+    var _S366 : vec3<f32> = camera_forward_0(_S347) + vec3<f32>((f32(_S350.x) + 0.5f - 0.5f * _S362)) * _S363 + vec3<f32>((f32(_S350.y) + 0.5f - 0.5f * _S364)) * _S365;
+    var _S367 : f32 = dot(_S366, _S360);
+    var _S368 : f32;
+    if((abs(_S367)) > 1.00000000317107685e-30f)
+    {
+        _S368 = _S367;
+    }
+    else
+    {
+        _S368 = 1.00000000317107685e-30f;
+    }
+    var _S369 : f32 = 1.0f / _S368;
+    var _S370 : vec3<f32> = _S356 - camera_origin_0(_S347);
+    var _S371 : vec3<f32> = vec3<f32>((dot(_S370, _S360) * _S369));
+    var _S372 : vec3<f32> = _S366 * _S371 - _S370;
+    var _S373 : vec3<f32> = _S371 * (_S363 - _S366 * vec3<f32>((dot(_S363, _S360) * _S369)));
+    var _S374 : vec3<f32> = _S371 * (_S365 - _S366 * vec3<f32>((dot(_S365, _S360) * _S369)));
+    var _S375 : vec3<f32> = vec3<f32>(_S361);
+    var _S376 : vec3<f32> = cross(_S359, _S360) * _S375;
+    var _S377 : vec3<f32> = cross(_S360, _S357) * _S375;
+    var _S378 : vec2<f32> = vec2<f32>(_S353.u_0 - _S352.u_0, _S353.v_0 - _S352.v_0);
+    var _S379 : vec2<f32> = vec2<f32>(_S354.u_0 - _S352.u_0, _S354.v_0 - _S352.v_0);
+    var point_2 : VisiblePoint_0 = face_point_0(_S348, _S349, dot(_S372, _S376), dot(_S372, _S377));
+    point_2.position_0 = _S356 + _S372;
+    point_2.view_0 = (vec3<f32>(0) - normalize(_S366));
+    point_2.draft_dx_0 = (vec2<f32>(dot(_S373, _S376)) * _S378 + vec2<f32>(dot(_S373, _S377)) * _S379) * point_2.draft_per_uv_0;
+    point_2.draft_dy_0 = (vec2<f32>(dot(_S374, _S376)) * _S378 + vec2<f32>(dot(_S374, _S377)) * _S379) * point_2.draft_per_uv_0;
+    return point_2;
+}
+
+fn filtered_albedo_0( _S380 : u32,  _S381 : VisiblePoint_0) -> vec3<f32>
+{
+    var _S382 : u32 = fabrics_0[_S380].albedo_map_levels_0;
+    if((fabrics_0[_S380].albedo_map_levels_0) == u32(0))
+    {
+        return vec3<f32>(1.0f);
+    }
+    var _S383 : vec2<f32> = vec2<f32>(fabrics_0[_S380].uv_width_0, fabrics_0[_S380].uv_height_0);
+    var _S384 : vec2<f32> = _S381.draft_dx_0 / _S383;
+    var _S385 : vec2<f32> = _S381.draft_dy_0 / _S383;
+    var _S386 : u32 = _S382 - u32(1);
+    var _S387 : u32 = (u32(1) << (_S386));
+    var _S388 : f32 = clamp(0.5f * binary_logarithm_0(max(abs(_S384.x * _S385.y - _S384.y * _S385.x), 9.99999968265522539e-21f) * (square_1(f32(_S387)) / 3.0f)), 0.0f, f32(_S382) - 1.0f);
+    var _S389 : u32 = min(u32(_S388), max(_S382, u32(2)) - u32(2));
+    var _S390 : u32 = min(_S389 + u32(1), _S386);
+    var _S391 : u32 = (u32(1) << ((u32(2) * _S382)));
+    return mix(map_level_0(fabrics_0[_S380].albedo_map_0 + (_S391 - ((_S391 >> ((u32(2) * _S389))))) / u32(3), (_S387 >> (_S389)), _S381.uv_1), map_level_0(fabrics_0[_S380].albedo_map_0 + (_S391 - ((_S391 >> ((u32(2) * _S390))))) / u32(3), (_S387 >> (_S390)), _S381.uv_1), vec3<f32>(((exponential_0(1.38629436492919922f * (_S388 - f32(_S389))) - 1.0f) / 3.0f)));
 }
 
 struct WovenView_0
@@ -2082,62 +2280,62 @@ struct WovenView_0
      back_2 : bool,
 };
 
-fn anisotropic_taps_0( _S335 : u32,  _S336 : Footprint_0) -> AnisotropicTaps_0
+fn anisotropic_taps_0( _S392 : u32,  _S393 : Footprint_0) -> AnisotropicTaps_0
 {
-    var _S337 : vec3<f32> = row_of_taps_0(_S336);
-    var _S338 : vec2<f32> = _S336.dx_0;
-    var _S339 : vec2<f32> = _S336.dy_0;
-    var _S340 : f32 = dot(_S338, _S338) + dot(_S339, _S339);
-    var _S341 : f32 = _S336.dx_0.x * _S336.dy_0.y - _S336.dx_0.y * _S336.dy_0.x;
-    var _S342 : f32 = 0.5f * (_S340 + sqrt(max(_S340 * _S340 - 4.0f * _S341 * _S341, 0.0f)));
-    var _S343 : Woven_std430_0 = fabrics_0[_S335].woven_0;
-    var _S344 : bool;
-    if(_S342 < (5.5f * (_S340 - _S342)))
+    var _S394 : vec3<f32> = row_of_taps_0(_S393);
+    var _S395 : vec2<f32> = _S393.dx_0;
+    var _S396 : vec2<f32> = _S393.dy_0;
+    var _S397 : f32 = dot(_S395, _S395) + dot(_S396, _S396);
+    var _S398 : f32 = _S393.dx_0.x * _S393.dy_0.y - _S393.dx_0.y * _S393.dy_0.x;
+    var _S399 : f32 = 0.5f * (_S397 + sqrt(max(_S397 * _S397 - 4.0f * _S398 * _S398, 0.0f)));
+    var _S400 : Woven_std430_0 = fabrics_0[_S392].woven_0;
+    var _S401 : bool;
+    if(_S399 < (5.5f * (_S397 - _S399)))
     {
-        _S344 = _S340 > (8.0f * _S343.pitch_0 * _S343.pitch_0);
+        _S401 = _S397 > (8.0f * _S400.pitch_0 * _S400.pitch_0);
     }
     else
     {
-        _S344 = false;
+        _S401 = false;
     }
-    var _S345 : vec2<f32> = vec2<f32>(_S343.ends_per_mm_0, _S343.picks_per_mm_0);
+    var _S402 : vec2<f32> = vec2<f32>(_S400.ends_per_mm_0, _S400.picks_per_mm_0);
     var taps_1 : AnisotropicTaps_0;
-    taps_1.centre_1 = _S336.centre_0 * _S345;
-    var _S346 : f32;
-    if(_S344)
+    taps_1.centre_1 = _S393.centre_0 * _S402;
+    var _S403 : f32;
+    if(_S401)
     {
-        _S346 = sqrt(0.125f * _S340);
+        _S403 = sqrt(0.125f * _S397);
     }
     else
     {
-        _S346 = _S337.x;
+        _S403 = _S394.x;
     }
-    taps_1.side_0 = _S346 / _S343.pitch_0;
-    var _S347 : vec2<f32>;
-    if(_S344)
+    taps_1.side_1 = _S403 / _S400.pitch_0;
+    var _S404 : vec2<f32>;
+    if(_S401)
     {
-        _S347 = vec2<f32>(0.25f) * _S336.dx_0;
+        _S404 = vec2<f32>(0.25f) * _S393.dx_0;
     }
     else
     {
-        _S347 = _S337.yz;
+        _S404 = _S394.yz;
     }
-    taps_1.first_19 = _S347 * _S345;
-    if(_S344)
+    taps_1.first_20 = _S404 * _S402;
+    if(_S401)
     {
-        _S347 = vec2<f32>(0.25f) * _S336.dy_0;
+        _S404 = vec2<f32>(0.25f) * _S393.dy_0;
     }
     else
     {
-        _S347 = vec2<f32>(0.5f) * _S337.yz;
+        _S404 = vec2<f32>(0.5f) * _S394.yz;
     }
-    taps_1.second_0 = _S347 * _S345;
+    taps_1.second_0 = _S404 * _S402;
     return taps_1;
 }
 
-fn add_texel_0( _S348 : u32,  _S349 : u32,  _S350 : f32,  _S351 : ptr<function, array<f32, i32(88)>>)
+fn add_texel_0( _S405 : u32,  _S406 : u32,  _S407 : f32,  _S408 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S352 : u32 = fabrics_0[_S348].woven_0.latents_0 + _S349 * u32(8);
+    var _S409 : u32 = fabrics_0[_S405].woven_0.latents_0 + _S406 * u32(8);
     var part_0 : u32 = u32(0);
     for(;;)
     {
@@ -2148,53 +2346,53 @@ fn add_texel_0( _S348 : u32,  _S349 : u32,  _S350 : f32,  _S351 : ptr<function, 
         {
             break;
         }
-        var _S353 : Eight_0 = eight_halves_0(packed_numbers_0[_S352 + part_0]);
-        var _S354 : i32 = i32(u32(8) * part_0);
-        (*_S351)[_S354] = (*_S351)[_S354] + _S350 * _S353.low_0[i32(0)];
-        (*_S351)[_S354 + i32(4)] = (*_S351)[_S354 + i32(4)] + _S350 * _S353.high_0[i32(0)];
-        var _S355 : i32 = _S354 + i32(1);
-        (*_S351)[_S355] = (*_S351)[_S355] + _S350 * _S353.low_0[i32(1)];
-        (*_S351)[_S355 + i32(4)] = (*_S351)[_S355 + i32(4)] + _S350 * _S353.high_0[i32(1)];
-        var _S356 : i32 = _S354 + i32(2);
-        (*_S351)[_S356] = (*_S351)[_S356] + _S350 * _S353.low_0[i32(2)];
-        (*_S351)[_S356 + i32(4)] = (*_S351)[_S356 + i32(4)] + _S350 * _S353.high_0[i32(2)];
-        var _S357 : i32 = _S354 + i32(3);
-        (*_S351)[_S357] = (*_S351)[_S357] + _S350 * _S353.low_0[i32(3)];
-        (*_S351)[_S357 + i32(4)] = (*_S351)[_S357 + i32(4)] + _S350 * _S353.high_0[i32(3)];
+        var _S410 : Eight_0 = eight_halves_0(packed_numbers_0[_S409 + part_0]);
+        var _S411 : i32 = i32(u32(8) * part_0);
+        (*_S408)[_S411] = (*_S408)[_S411] + _S407 * _S410.low_0[i32(0)];
+        (*_S408)[_S411 + i32(4)] = (*_S408)[_S411 + i32(4)] + _S407 * _S410.high_0[i32(0)];
+        var _S412 : i32 = _S411 + i32(1);
+        (*_S408)[_S412] = (*_S408)[_S412] + _S407 * _S410.low_0[i32(1)];
+        (*_S408)[_S412 + i32(4)] = (*_S408)[_S412 + i32(4)] + _S407 * _S410.high_0[i32(1)];
+        var _S413 : i32 = _S411 + i32(2);
+        (*_S408)[_S413] = (*_S408)[_S413] + _S407 * _S410.low_0[i32(2)];
+        (*_S408)[_S413 + i32(4)] = (*_S408)[_S413 + i32(4)] + _S407 * _S410.high_0[i32(2)];
+        var _S414 : i32 = _S411 + i32(3);
+        (*_S408)[_S414] = (*_S408)[_S414] + _S407 * _S410.low_0[i32(3)];
+        (*_S408)[_S414 + i32(4)] = (*_S408)[_S414 + i32(4)] + _S407 * _S410.high_0[i32(3)];
         part_0 = part_0 + u32(1);
     }
     return;
 }
 
-fn add_level_0( _S358 : u32,  _S359 : u32,  _S360 : bool,  _S361 : vec2<f32>,  _S362 : f32,  _S363 : ptr<function, array<f32, i32(88)>>)
+fn add_level_0( _S415 : u32,  _S416 : u32,  _S417 : bool,  _S418 : vec2<f32>,  _S419 : f32,  _S420 : ptr<function, array<f32, i32(88)>>)
 {
-    var _S364 : Woven_std430_0 = fabrics_0[_S358].woven_0;
-    var _S365 : u32 = fabrics_0[_S358].woven_0.levels_1 + u32(4) * _S359;
-    var _S366 : f32 = table_number_0(_S365);
-    var _S367 : f32 = table_number_0(_S365 + u32(1));
-    var _S368 : f32 = table_number_0(_S365 + u32(2));
-    var _S369 : bool;
-    if(_S359 > u32(3))
+    var _S421 : Woven_std430_0 = fabrics_0[_S415].woven_0;
+    var _S422 : u32 = fabrics_0[_S415].woven_0.levels_1 + u32(4) * _S416;
+    var _S423 : f32 = table_number_0(_S422);
+    var _S424 : f32 = table_number_0(_S422 + u32(1));
+    var _S425 : f32 = table_number_0(_S422 + u32(2));
+    var _S426 : bool;
+    if(_S416 > u32(3))
     {
-        _S369 = _S359 < (_S364.top_level_0);
+        _S426 = _S416 < (_S421.top_level_0);
     }
     else
     {
-        _S369 = false;
+        _S426 = false;
     }
-    var _S370 : vec2<f32> = _S361 * vec2<f32>(table_number_0(_S365 + u32(3)));
-    var _S371 : f32;
-    if(_S369)
+    var _S427 : vec2<f32> = _S418 * vec2<f32>(table_number_0(_S422 + u32(3)));
+    var _S428 : f32;
+    if(_S426)
     {
-        _S371 = 1.0f;
+        _S428 = 1.0f;
     }
     else
     {
-        _S371 = 0.5f;
+        _S428 = 0.5f;
     }
-    var _S372 : vec2<f32> = _S370 - vec2<f32>(_S371);
-    var _S373 : vec2<f32> = floor(_S372);
-    var _S374 : vec2<f32> = _S372 - _S373;
+    var _S429 : vec2<f32> = _S427 - vec2<f32>(_S428);
+    var _S430 : vec2<f32> = floor(_S429);
+    var _S431 : vec2<f32> = _S429 - _S430;
     var corner_0 : u32 = u32(0);
     for(;;)
     {
@@ -2205,26 +2403,26 @@ fn add_level_0( _S358 : u32,  _S359 : u32,  _S360 : bool,  _S361 : vec2<f32>,  _
         {
             break;
         }
-        var _S375 : f32 = f32((corner_0 & (u32(1))));
-        var _S376 : f32 = f32((corner_0 >> (u32(1))));
-        var _S377 : vec2<f32> = mix(vec2<f32>(1.0f) - _S374, _S374, vec2<f32>(_S375, _S376));
-        var _S378 : u32 = u32(_S366 + wrapped_0(_S373.y + _S376, _S368) * _S367 + wrapped_0(_S373.x + _S375, _S367));
-        var _S379 : u32;
-        if(_S360)
+        var _S432 : f32 = f32((corner_0 & (u32(1))));
+        var _S433 : f32 = f32((corner_0 >> (u32(1))));
+        var _S434 : vec2<f32> = mix(vec2<f32>(1.0f) - _S431, _S431, vec2<f32>(_S432, _S433));
+        var _S435 : u32 = u32(_S423 + wrapped_0(_S430.y + _S433, _S425) * _S424 + wrapped_0(_S430.x + _S432, _S424));
+        var _S436 : u32;
+        if(_S417)
         {
-            _S379 = _S364.texels_0;
+            _S436 = _S421.texels_0;
         }
         else
         {
-            _S379 = u32(0);
+            _S436 = u32(0);
         }
-        add_texel_0(_S358, _S378 + _S379, _S362 * _S377.x * _S377.y, &((*_S363)));
+        add_texel_0(_S415, _S435 + _S436, _S419 * _S434.x * _S434.y, &((*_S420)));
         corner_0 = corner_0 + u32(1);
     }
     return;
 }
 
-fn code_footprint_0( _S380 : u32,  _S381 : AnisotropicTaps_0,  _S382 : vec3<f32>,  _S383 : bool,  _S384 : ptr<function, array<f32, i32(88)>>)
+fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>,  _S440 : bool,  _S441 : ptr<function, array<f32, i32(88)>>)
 {
     var offset_0 : f32;
     var k_0 : i32 = i32(0);
@@ -2237,61 +2435,61 @@ fn code_footprint_0( _S380 : u32,  _S381 : AnisotropicTaps_0,  _S382 : vec3<f32>
         {
             break;
         }
-        (*_S384)[k_0] = 0.0f;
+        (*_S441)[k_0] = 0.0f;
         k_0 = k_0 + i32(1);
     }
-    var _S385 : vec2<f32> = vec2<f32>(fabrics_0[_S380].woven_0.ends_0, fabrics_0[_S380].woven_0.picks_0);
-    var _S386 : f32 = f32(fabrics_0[_S380].woven_0.top_level_0);
-    var _S387 : f32 = clamp(binary_logarithm_0(max(_S381.side_0, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S386);
-    var _S388 : f32 = min(floor(_S387), _S386 - 1.0f);
-    var _S389 : u32;
-    if(AnisotropicTaps_has_steps_0(_S381))
+    var _S442 : vec2<f32> = vec2<f32>(fabrics_0[_S437].woven_0.ends_0, fabrics_0[_S437].woven_0.picks_0);
+    var _S443 : f32 = f32(fabrics_0[_S437].woven_0.top_level_0);
+    var _S444 : f32 = clamp(binary_logarithm_0(max(_S438.side_1, 9.99999997475242708e-07f)) + 3.0f, 0.0f, _S443);
+    var _S445 : f32 = min(floor(_S444), _S443 - 1.0f);
+    var _S446 : u32;
+    if(AnisotropicTaps_has_steps_0(_S438))
     {
-        _S389 = u32(4);
+        _S446 = u32(4);
     }
     else
     {
-        _S389 = u32(1);
+        _S446 = u32(1);
     }
-    var number_1 : u32 = u32(0);
+    var number_2 : u32 = u32(0);
     for(;;)
     {
-        if(number_1 < (u32(2) * _S389))
+        if(number_2 < (u32(2) * _S446))
         {
         }
         else
         {
             break;
         }
-        var _S390 : vec2<f32> = AnisotropicTaps_place_0(_S381, (number_1 >> (u32(1))));
-        var _S391 : vec2<f32> = clamp(_S390 - _S385 * floor(_S390 / _S385), vec2<f32>(0.0f), _S385);
-        var _S392 : bool = ((number_1 & (u32(1)))) != u32(0);
-        if(_S392)
+        var _S447 : vec2<f32> = AnisotropicTaps_place_0(_S438, (number_2 >> (u32(1))));
+        var _S448 : vec2<f32> = clamp(_S447 - _S442 * floor(_S447 / _S442), vec2<f32>(0.0f), _S442);
+        var _S449 : bool = ((number_2 & (u32(1)))) != u32(0);
+        if(_S449)
         {
-            offset_0 = _S387 - _S388;
+            offset_0 = _S444 - _S445;
         }
         else
         {
-            offset_0 = 1.0f - (_S387 - _S388);
+            offset_0 = 1.0f - (_S444 - _S445);
         }
-        var _S393 : f32 = offset_0 / f32(_S389);
-        var _S394 : u32 = u32(_S388);
-        var _S395 : u32;
-        if(_S392)
+        var _S450 : f32 = offset_0 / f32(_S446);
+        var _S451 : u32 = u32(_S445);
+        var _S452 : u32;
+        if(_S449)
         {
-            _S395 = u32(1);
+            _S452 = u32(1);
         }
         else
         {
-            _S395 = u32(0);
+            _S452 = u32(0);
         }
-        add_level_0(_S380, _S394 + _S395, _S383, _S391, _S393, &((*_S384)));
-        number_1 = number_1 + u32(1);
+        add_level_0(_S437, _S451 + _S452, _S440, _S448, _S450, &((*_S441)));
+        number_2 = number_2 + u32(1);
     }
-    var number_2 : i32 = i32(0);
+    var number_3 : i32 = i32(0);
     for(;;)
     {
-        if(number_2 < i32(3))
+        if(number_3 < i32(3))
         {
         }
         else
@@ -2308,8 +2506,8 @@ fn code_footprint_0( _S380 : u32,  _S381 : AnisotropicTaps_0,  _S382 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S382[number_2] - (f32(bin_0) + 0.5f) / 8.0f;
-            if(number_2 < i32(2))
+            var offset_1 : f32 = _S439[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            if(number_3 < i32(2))
             {
                 offset_0 = offset_1 - round(offset_1);
             }
@@ -2317,71 +2515,71 @@ fn code_footprint_0( _S380 : u32,  _S381 : AnisotropicTaps_0,  _S382 : vec3<f32>
             {
                 offset_0 = offset_1;
             }
-            (*_S384)[i32(64) + number_2 * i32(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            (*_S441)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
-        number_2 = number_2 + i32(1);
+        number_3 = number_3 + i32(1);
     }
     return;
 }
 
-fn crown_fibres_0( _S396 : u32,  _S397 : bool,  _S398 : bool) -> vec3<f32>
+fn crown_fibres_0( _S453 : u32,  _S454 : bool,  _S455 : bool) -> vec3<f32>
 {
-    var _S399 : f32;
-    if(_S397)
+    var _S456 : f32;
+    if(_S454)
     {
-        if(_S398)
+        if(_S455)
         {
-            _S399 = - fabrics_0[_S396].woven_0.warp_x_0;
+            _S456 = - fabrics_0[_S453].woven_0.warp_x_0;
         }
         else
         {
-            _S399 = fabrics_0[_S396].woven_0.warp_x_0;
+            _S456 = fabrics_0[_S453].woven_0.warp_x_0;
         }
-        return vec3<f32>(_S399, fabrics_0[_S396].woven_0.warp_y_0, fabrics_0[_S396].woven_0.warp_roughness_0);
+        return vec3<f32>(_S456, fabrics_0[_S453].woven_0.warp_y_0, fabrics_0[_S453].woven_0.warp_roughness_0);
     }
-    var _S400 : Woven_std430_0 = fabrics_0[_S396].woven_0;
-    if(_S398)
+    var _S457 : Woven_std430_0 = fabrics_0[_S453].woven_0;
+    if(_S455)
     {
-        _S399 = - _S400.weft_y_0;
+        _S456 = - _S457.weft_y_0;
     }
     else
     {
-        _S399 = _S400.weft_y_0;
+        _S456 = _S457.weft_y_0;
     }
-    return vec3<f32>(_S400.weft_x_0, _S399, _S400.weft_roughness_0);
+    return vec3<f32>(_S457.weft_x_0, _S456, _S457.weft_roughness_0);
 }
 
-fn woven_view_0( _S401 : u32,  _S402 : Footprint_0,  _S403 : vec3<f32>,  _S404 : ptr<function, WovenView_0>)
+fn woven_view_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : vec3<f32>,  _S461 : ptr<function, WovenView_0>)
 {
-    var _S405 : bool = (_S403.z) < 0.0f;
-    var _S406 : AnisotropicTaps_0 = anisotropic_taps_0(_S401, _S402);
-    var _S407 : vec3<f32> = footprint_coordinates_0(_S406);
-    var _S408 : vec3<f32> = to_face_frame_0(_S403, _S405);
+    var _S462 : bool = (_S460.z) < 0.0f;
+    var _S463 : AnisotropicTaps_0 = anisotropic_taps_0(_S458, _S459);
+    var _S464 : vec3<f32> = footprint_coordinates_0(_S463);
+    var _S465 : vec3<f32> = to_face_frame_0(_S460, _S462);
     var weights_23 : HalfWeights_0;
-    weights_23.first_2 = fabrics_0[_S401].woven_0.network_0;
+    weights_23.first_2 = fabrics_0[_S458].woven_0.network_0;
     var inputs_23 : array<f32, i32(88)>;
-    code_footprint_0(_S401, _S406, _S407, _S405, &(inputs_23));
+    code_footprint_0(_S458, _S463, _S464, _S462, &(inputs_23));
     var hidden_0 : array<f32, i32(96)>;
     dense_7(weights_23, u32(0), false, &(inputs_23), &(hidden_0));
     var fused_0 : array<f32, i32(100)>;
     dense_part_8(weights_23, u32(1068), false, &(hidden_0), &(fused_0));
-    fused_0[i32(96)] = _S408.x;
-    fused_0[i32(97)] = _S408.y;
-    var _S409 : vec2<f32> = _S408.xy;
-    fused_0[i32(98)] = dot(crown_fibres_0(_S401, true, _S405).xy, _S409);
-    fused_0[i32(99)] = dot(crown_fibres_0(_S401, false, _S405).xy, _S409);
+    fused_0[i32(96)] = _S465.x;
+    fused_0[i32(97)] = _S465.y;
+    var _S466 : vec2<f32> = _S465.xy;
+    fused_0[i32(98)] = dot(crown_fibres_0(_S458, true, _S462).xy, _S466);
+    fused_0[i32(99)] = dot(crown_fibres_0(_S458, false, _S462).xy, _S466);
     var of_hole_0 : array<f32, i32(16)>;
     dense_6(weights_23, u32(2232), false, &(fused_0), &(of_hole_0));
     var hole_1 : array<f32, i32(1)>;
     dense_5(weights_23, u32(2444), false, &(of_hole_0), &(hole_1));
-    var _S410 : array<f32, i32(96)> = (*_S404).sums_6;
-    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S410));
-    (*_S404).sums_6 = _S410;
-    (*_S404).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
-    (*_S404).correction_weight_0 = correction_weight_of_0(_S407.z);
-    (*_S404).view_4 = _S408;
-    (*_S404).back_2 = _S405;
+    var _S467 : array<f32, i32(96)> = (*_S461).sums_6;
+    dense_4(weights_23, u32(2456), false, &(fused_0), &(_S467));
+    (*_S461).sums_6 = _S467;
+    (*_S461).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
+    (*_S461).correction_weight_0 = correction_weight_of_0(_S464.z);
+    (*_S461).view_4 = _S465;
+    (*_S461).back_2 = _S462;
     return;
 }
 
@@ -2391,17 +2589,88 @@ struct FamilyAlbedos_0
      weft_1 : Albedos_0,
 };
 
-fn albedos_over_0( _S411 : u32,  _S412 : Footprint_0,  _S413 : bool) -> FamilyAlbedos_0
+fn albedos_over_0( _S468 : u32,  _S469 : Footprint_0,  _S470 : bool) -> FamilyAlbedos_0
 {
-    var _S414 : vec2<f32> = _S412.dx_0;
-    var _S415 : vec2<f32> = _S412.dy_0;
-    var _S416 : vec2<f32> = sqrt(_S414 * _S414 + _S415 * _S415);
-    var _S417 : Stretch_0 = stretch_of_0(fabrics_0[_S411].warp_0, _S412.centre_0.x, _S416.x);
-    var _S418 : Stretch_0 = stretch_of_0(fabrics_0[_S411].weft_0, _S412.centre_0.y, _S416.y);
-    var albedos_3 : FamilyAlbedos_0;
-    albedos_3.warp_1 = mean_albedos_0(fabrics_0[_S411].warp_0, fabrics_0[_S411].weft_0, _S417, _S418, _S413);
-    albedos_3.weft_1 = mean_albedos_0(fabrics_0[_S411].weft_0, fabrics_0[_S411].warp_0, _S418, _S417, _S413);
-    return albedos_3;
+    var _S471 : vec2<f32> = _S469.dx_0;
+    var _S472 : vec2<f32> = _S469.dy_0;
+    var _S473 : vec2<f32> = sqrt(_S471 * _S471 + _S472 * _S472);
+    var _S474 : Stretch_0 = stretch_of_0(fabrics_0[_S468].warp_0, _S469.centre_0.x, _S473.x);
+    var _S475 : Stretch_0 = stretch_of_0(fabrics_0[_S468].weft_0, _S469.centre_0.y, _S473.y);
+    var albedos_4 : FamilyAlbedos_0;
+    albedos_4.warp_1 = mean_albedos_0(fabrics_0[_S468].warp_0, fabrics_0[_S468].weft_0, _S474, _S475, _S470);
+    albedos_4.weft_1 = mean_albedos_0(fabrics_0[_S468].weft_0, fabrics_0[_S468].warp_0, _S475, _S474, _S470);
+    return albedos_4;
+}
+
+fn light_sample_count_0( _S476 : i32) -> u32
+{
+    return frames_0[_S476].lights_0 + frames_0[_S476].environment_samples_0;
+}
+
+fn visibility_at_0( _S477 : i32,  _S478 : u32,  _S479 : vec2<u32>) -> f32
+{
+    if((frames_0[_S477].casts_shadows_0) == u32(0))
+    {
+        return 1.0f;
+    }
+    return visibilities_0[(_S478 * frames_0[_S477].height_0 + _S479.y) * frames_0[_S477].width_0 + _S479.x];
+}
+
+struct LightSample_0
+{
+     towards_0 : vec3<f32>,
+     irradiance_1 : vec3<f32>,
+     distance_1 : f32,
+};
+
+fn environment_texel_0( _S480 : i32,  _S481 : u32,  _S482 : u32) -> vec3<f32>
+{
+    var _S483 : u32 = frames_0[_S480].environment_table_0 + frames_0[_S480].environment_rows_0 + u32(1) + frames_0[_S480].environment_rows_0 * (frames_0[_S480].environment_columns_0 + u32(1)) + u32(3) * (_S481 * frames_0[_S480].environment_columns_0 + _S482);
+    return vec3<f32>(scene_number_0(_S483), scene_number_0(_S483 + u32(1)), scene_number_0(_S483 + u32(2)));
+}
+
+fn sample_environment_0( _S484 : i32,  _S485 : vec2<f32>,  _S486 : ptr<function, vec3<f32>>) -> vec3<f32>
+{
+    var _S487 : u32 = frames_0[_S484].environment_rows_0;
+    var _S488 : Choice_0 = choose_0(frames_0[_S484].environment_table_0, frames_0[_S484].environment_rows_0, _S485.y);
+    var _S489 : u32 = frames_0[_S484].environment_columns_0;
+    var _S490 : Choice_0 = choose_0(frames_0[_S484].environment_table_0 + frames_0[_S484].environment_rows_0 + u32(1) + _S488.index_7 * (frames_0[_S484].environment_columns_0 + u32(1)), frames_0[_S484].environment_columns_0, _S485.x);
+    var _S491 : vec3<f32> = environment_texel_0(_S484, _S488.index_7, _S490.index_7);
+    (*_S486) = _S491 * vec3<f32>((frames_0[_S484].environment_total_0 / max(mean_0(_S491), 9.99999968265522539e-21f)));
+    var _S492 : f32 = 3.14159274101257324f / f32(_S487);
+    var _S493 : f32 = mix(sine_cosine_0(f32(_S488.index_7) * _S492).y, sine_cosine_0(f32(_S488.index_7 + u32(1)) * _S492).y, _S488.remainder_0);
+    var _S494 : f32 = sqrt(max(1.0f - _S493 * _S493, 0.0f));
+    var _S495 : vec2<f32> = sine_cosine_0((f32(_S490.index_7) + _S490.remainder_0) * (6.28318548202514648f / f32(_S489)));
+    var _S496 : f32 = _S494 * _S495.x;
+    var _S497 : f32 = - _S494 * _S495.y;
+    return vec3<f32>(frames_0[_S484].environment_cosine_0 * _S496 + frames_0[_S484].environment_sine_0 * _S497, _S493, frames_0[_S484].environment_cosine_0 * _S497 - frames_0[_S484].environment_sine_0 * _S496);
+}
+
+fn light_sample_0( _S498 : i32,  _S499 : u32,  _S500 : vec2<u32>,  _S501 : vec3<f32>) -> LightSample_0
+{
+    var sample_0 : LightSample_0;
+    sample_0.distance_1 = 1.00000001504746622e+30f;
+    var _S502 : u32 = frames_0[_S498].lights_0;
+    if(_S499 >= (frames_0[_S498].lights_0))
+    {
+        var weight_2 : vec3<f32>;
+        var _S503 : vec3<f32> = sample_environment_0(_S498, pixel_sequence_0(_S500, frames_0[_S498].pass_number_0 * frames_0[_S498].environment_samples_0 + (_S499 - _S502), u32(3)), &(weight_2));
+        sample_0.towards_0 = _S503;
+        sample_0.irradiance_1 = weight_2 / vec3<f32>(f32(frames_0[_S498].environment_samples_0));
+        return sample_0;
+    }
+    var _S504 : Light_std430_0 = lights_1[_S499];
+    sample_0.irradiance_1 = vec3<f32>(_S504.red_0, _S504.green_0, _S504.blue_0);
+    sample_0.towards_0 = vec3<f32>(_S504.x_1, _S504.y_1, _S504.z_1);
+    if((_S504.is_point_0) != u32(0))
+    {
+        var _S505 : vec3<f32> = sample_0.towards_0 - _S501;
+        var _S506 : f32 = max(square_0(_S505), 9.999999960041972e-13f);
+        sample_0.distance_1 = sqrt(_S506);
+        sample_0.irradiance_1 = sample_0.irradiance_1 / vec3<f32>(_S506);
+        sample_0.towards_0 = normalize(_S505);
+    }
+    return sample_0;
 }
 
 struct Components_0
@@ -2414,16 +2683,16 @@ struct Components_0
      hole_2 : f32,
 };
 
-fn code_light_0( _S419 : u32,  _S420 : vec3<f32>,  _S421 : vec3<f32>,  _S422 : bool,  _S423 : ptr<function, array<f32, i32(39)>>)
+fn code_light_0( _S507 : u32,  _S508 : vec3<f32>,  _S509 : vec3<f32>,  _S510 : bool,  _S511 : ptr<function, array<f32, i32(39)>>)
 {
-    (*_S423)[i32(0)] = _S420.x;
-    (*_S423)[i32(1)] = _S420.y;
-    (*_S423)[i32(2)] = _S420.z;
-    var _S424 : vec3<f32> = _S420 + _S421;
-    var _S425 : f32 = _S424.z;
-    var _S426 : f32 = _S425 * _S425 + 0.00009999999747379f;
-    var _S427 : vec2<f32> = _S424.xy;
-    var _S428 : f32 = 1.0f / (dot(_S427, _S427) + _S426);
+    (*_S511)[i32(0)] = _S508.x;
+    (*_S511)[i32(1)] = _S508.y;
+    (*_S511)[i32(2)] = _S508.z;
+    var _S512 : vec3<f32> = _S508 + _S509;
+    var _S513 : f32 = _S512.z;
+    var _S514 : f32 = _S513 * _S513 + 0.00009999999747379f;
+    var _S515 : vec2<f32> = _S512.xy;
+    var _S516 : f32 = 1.0f / (dot(_S515, _S515) + _S514);
     var family_10 : i32 = i32(0);
     for(;;)
     {
@@ -2434,12 +2703,12 @@ fn code_light_0( _S419 : u32,  _S420 : vec3<f32>,  _S421 : vec3<f32>,  _S422 : b
         {
             break;
         }
-        var _S429 : vec3<f32> = crown_fibres_0(_S419, family_10 == i32(0), _S422);
-        var _S430 : vec2<f32> = _S429.xy;
-        (*_S423)[i32(3) + family_10] = dot(_S430, _S420.xy);
-        var _S431 : f32 = dot(_S430, _S427);
-        var _S432 : f32 = _S431 * _S431;
-        var _S433 : f32 = (0.75f * _S431 / (0.5f * sqrt(_S432 + _S426) + abs(_S431)) + 0.5f) * 8.0f;
+        var _S517 : vec3<f32> = crown_fibres_0(_S507, family_10 == i32(0), _S510);
+        var _S518 : vec2<f32> = _S517.xy;
+        (*_S511)[i32(3) + family_10] = dot(_S518, _S508.xy);
+        var _S519 : f32 = dot(_S518, _S515);
+        var _S520 : f32 = _S519 * _S519;
+        var _S521 : f32 = (0.75f * _S519 / (0.5f * sqrt(_S520 + _S514) + abs(_S519)) + 0.5f) * 8.0f;
         var bin_1 : i32 = i32(0);
         for(;;)
         {
@@ -2450,56 +2719,56 @@ fn code_light_0( _S419 : u32,  _S420 : vec3<f32>,  _S421 : vec3<f32>,  _S422 : b
             {
                 break;
             }
-            (*_S423)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S433 - (f32(bin_1) + 0.5f) / 2.0f);
+            (*_S511)[i32(5) + family_10 * i32(16) + bin_1] = bump_0(_S521 - (f32(bin_1) + 0.5f) / 2.0f);
             bin_1 = bin_1 + i32(1);
         }
-        var _S434 : f32 = _S429.z;
-        var _S435 : f32 = _S434 * _S434;
-        var _S436 : f32 = _S432 * _S428 * (1.0f - _S435) + _S435;
-        (*_S423)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S435 * _S434 / (_S436 * _S436));
+        var _S522 : f32 = _S517.z;
+        var _S523 : f32 = _S522 * _S522;
+        var _S524 : f32 = _S520 * _S516 * (1.0f - _S523) + _S523;
+        (*_S511)[i32(37) + family_10] = 0.25f * natural_logarithm_0(1.0f + 9.54929637908935547f * _S523 * _S522 / (_S524 * _S524));
         family_10 = family_10 + i32(1);
     }
     return;
 }
 
-fn mixed_bundles_0( _S437 : u32,  _S438 : u32,  _S439 : u32,  _S440 : vec3<f32>,  _S441 : vec3<f32>,  _S442 : bool,  _S443 : ptr<function, array<f32, i32(52)>>) -> f32
+fn mixed_bundles_0( _S525 : u32,  _S526 : u32,  _S527 : u32,  _S528 : vec3<f32>,  _S529 : vec3<f32>,  _S530 : bool,  _S531 : ptr<function, array<f32, i32(52)>>) -> f32
 {
-    var _S444 : vec3<f32> = _S440 + _S441;
-    var _S445 : f32 = 1.0f / (square_0(_S444) + 0.00009999999747379f);
-    var _S446 : bool;
-    if(_S438 == u32(0))
+    var _S532 : vec3<f32> = _S528 + _S529;
+    var _S533 : f32 = 1.0f / (square_0(_S532) + 0.00009999999747379f);
+    var _S534 : bool;
+    if(_S526 == u32(0))
     {
-        _S446 = _S442;
+        _S534 = _S530;
     }
     else
     {
-        _S446 = false;
+        _S534 = false;
     }
-    var _S447 : f32;
-    if(_S446)
+    var _S535 : f32;
+    if(_S534)
     {
-        _S447 = - _S444.x;
-    }
-    else
-    {
-        _S447 = _S444.x;
-    }
-    if(_S438 == u32(1))
-    {
-        _S446 = _S442;
+        _S535 = - _S532.x;
     }
     else
     {
-        _S446 = false;
+        _S535 = _S532.x;
     }
-    var _S448 : f32;
-    if(_S446)
+    if(_S526 == u32(1))
     {
-        _S448 = - _S444.y;
+        _S534 = _S530;
     }
     else
     {
-        _S448 = _S444.y;
+        _S534 = false;
+    }
+    var _S536 : f32;
+    if(_S534)
+    {
+        _S536 = - _S532.y;
+    }
+    else
+    {
+        _S536 = _S532.y;
     }
     var bundle_1 : u32 = u32(0);
     var sum_1 : f32 = 0.0f;
@@ -2512,38 +2781,38 @@ fn mixed_bundles_0( _S437 : u32,  _S438 : u32,  _S439 : u32,  _S440 : vec3<f32>,
         {
             break;
         }
-        var _S449 : u32 = _S438 * u32(25);
-        var _S450 : u32 = fabrics_0[_S437].woven_0.bundles_0 + u32(4) * (_S449 + bundle_1);
-        var _S451 : f32 = dot(vec3<f32>(table_number_0(_S450), table_number_0(_S450 + u32(1)), table_number_0(_S450 + u32(2))), vec3<f32>(_S447, _S448, _S444.z));
-        var _S452 : f32 = _S451 * _S451 * _S445 + table_number_0(_S450 + u32(3));
-        var _S453 : u32 = _S439 + _S449;
-        var _S454 : u32;
-        if(_S442)
+        var _S537 : u32 = _S526 * u32(25);
+        var _S538 : u32 = fabrics_0[_S525].woven_0.bundles_0 + u32(4) * (_S537 + bundle_1);
+        var _S539 : f32 = dot(vec3<f32>(table_number_0(_S538), table_number_0(_S538 + u32(1)), table_number_0(_S538 + u32(2))), vec3<f32>(_S535, _S536, _S532.z));
+        var _S540 : f32 = _S539 * _S539 * _S533 + table_number_0(_S538 + u32(3));
+        var _S541 : u32 = _S527 + _S537;
+        var _S542 : u32;
+        if(_S530)
         {
-            _S454 = mirrored_bundle_0(bundle_1);
+            _S542 = mirrored_bundle_0(bundle_1);
         }
         else
         {
-            _S454 = bundle_1;
+            _S542 = bundle_1;
         }
-        var sum_2 : f32 = sum_1 + max((*_S443)[_S453 + _S454], (*_S443)[_S453 + _S454] * 0.00999999977648258f) / (_S452 * _S452);
+        var sum_2 : f32 = sum_1 + max((*_S531)[_S541 + _S542], (*_S531)[_S541 + _S542] * 0.00999999977648258f) / (_S540 * _S540);
         bundle_1 = bundle_1 + u32(1);
         sum_1 = sum_2;
     }
     return 0.01999999955296516f * sum_1;
 }
 
-fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 : vec3<f32>) -> Components_0
+fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 : vec3<f32>) -> Components_0
 {
-    var _S458 : f32;
-    var _S459 : bool = (*_S456).back_2;
-    var _S460 : vec3<f32> = to_face_frame_0(_S457, (*_S456).back_2);
-    var _S461 : vec3<f32> = (*_S456).view_4;
+    var _S546 : f32;
+    var _S547 : bool = (*_S544).back_2;
+    var _S548 : vec3<f32> = to_face_frame_0(_S545, (*_S544).back_2);
+    var _S549 : vec3<f32> = (*_S544).view_4;
     var weights_24 : HalfWeights_0;
-    var _S462 : Woven_std430_0 = fabrics_0[_S455].woven_0;
-    weights_24.first_2 = fabrics_0[_S455].woven_0.network_0;
+    var _S550 : Woven_std430_0 = fabrics_0[_S543].woven_0;
+    weights_24.first_2 = fabrics_0[_S543].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S455, _S460, (*_S456).view_4, (*_S456).back_2, &(directions_0));
+    code_light_0(_S543, _S548, (*_S544).view_4, (*_S544).back_2, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)
@@ -2555,7 +2824,7 @@ fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 
         {
             break;
         }
-        skip_0[k_1] = (*_S456).sums_6[k_1];
+        skip_0[k_1] = (*_S544).sums_6[k_1];
         k_1 = k_1 + i32(1);
     }
     dense_3(weights_24, u32(3716), true, &(directions_0), &(skip_0));
@@ -2596,13 +2865,13 @@ fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 
             }
             if(layer_0 == u32(1))
             {
-                _S458 = skip_0[k_1];
+                _S546 = skip_0[k_1];
             }
             else
             {
-                _S458 = 0.0f;
+                _S546 = 0.0f;
             }
-            next_0[k_1] = _S458;
+            next_0[k_1] = _S546;
             k_1 = k_1 + i32(1);
         }
         dense_2(weights_24, u32(4208) + layer_0 * u32(1164), true, &(hidden_1), &(next_0));
@@ -2623,27 +2892,27 @@ fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 
     }
     var outputs_17 : array<f32, i32(52)>;
     dense_1(weights_24, u32(7700), false, &(hidden_1), &(outputs_17));
-    var _S463 : bool;
-    if((_S462.is_corrected_0) != u32(0))
+    var _S551 : bool;
+    if((_S550.is_corrected_0) != u32(0))
     {
-        _S463 = (_S460.z) > 0.0f;
+        _S551 = (_S548.z) > 0.0f;
     }
     else
     {
-        _S463 = false;
+        _S551 = false;
     }
-    if(_S463)
+    if(_S551)
     {
-        _S463 = ((*_S456).correction_weight_0) > 0.0f;
+        _S551 = ((*_S544).correction_weight_0) > 0.0f;
     }
     else
     {
-        _S463 = false;
+        _S551 = false;
     }
-    if(_S463)
+    if(_S551)
     {
         var fitted_0 : FloatWeights_0;
-        fitted_0.first_0 = _S462.correction_0;
+        fitted_0.first_0 = _S550.correction_0;
         var change_0 : array<f32, i32(50)>;
         dense_0(fitted_0, u32(0), false, &(hidden_1), &(change_0));
         k_1 = i32(0);
@@ -2656,98 +2925,104 @@ fn woven_components_0( _S455 : u32,  _S456 : ptr<function, WovenView_0>,  _S457 
             {
                 break;
             }
-            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S456).correction_weight_0 * change_0[k_1];
+            outputs_17[k_1 + i32(2)] = outputs_17[k_1 + i32(2)] + (*_S544).correction_weight_0 * change_0[k_1];
             k_1 = k_1 + i32(1);
         }
     }
-    if((_S460.z) > 0.0f)
+    if((_S548.z) > 0.0f)
     {
-        _S458 = 0.00999999977648258f;
+        _S546 = 0.00999999977648258f;
     }
     else
     {
-        _S458 = 0.00100000004749745f;
+        _S546 = 0.00100000004749745f;
     }
-    var result_0 : Components_0;
-    var _S464 : f32 = unmapped_0(outputs_17[i32(0)], _S458);
-    result_0.diffuse_warp_0 = _S464;
-    var _S465 : f32 = unmapped_0(outputs_17[i32(1)], _S458);
-    result_0.diffuse_weft_0 = _S465;
-    var _S466 : f32 = 2979.9580078125f * _S458;
-    var _S467 : f32 = mixed_bundles_0(_S455, u32(0), u32(2), _S460, _S461, _S459, &(outputs_17));
-    result_0.specular_warp_0 = clamp(_S467, 0.0f, _S466);
-    var _S468 : f32 = mixed_bundles_0(_S455, u32(1), u32(2), _S460, _S461, _S459, &(outputs_17));
-    result_0.specular_weft_0 = clamp(_S468, 0.0f, _S466);
-    result_0.hole_2 = (*_S456).hole_0;
-    result_0.light_visibility_1 = min(light_visibility_of_0(_S464 + _S465, _S460, _S461, fabrics_0[_S455].diffuse_blend_0), 1.0f - (*_S456).hole_0);
-    return result_0;
+    var result_1 : Components_0;
+    var _S552 : f32 = unmapped_0(outputs_17[i32(0)], _S546);
+    result_1.diffuse_warp_0 = _S552;
+    var _S553 : f32 = unmapped_0(outputs_17[i32(1)], _S546);
+    result_1.diffuse_weft_0 = _S553;
+    var _S554 : f32 = 2979.9580078125f * _S546;
+    var _S555 : f32 = mixed_bundles_0(_S543, u32(0), u32(2), _S548, _S549, _S547, &(outputs_17));
+    result_1.specular_warp_0 = clamp(_S555, 0.0f, _S554);
+    var _S556 : f32 = mixed_bundles_0(_S543, u32(1), u32(2), _S548, _S549, _S547, &(outputs_17));
+    result_1.specular_weft_0 = clamp(_S556, 0.0f, _S554);
+    result_1.hole_2 = (*_S544).hole_0;
+    result_1.light_visibility_1 = min(light_visibility_of_0(_S552 + _S553, _S548, _S549, fabrics_0[_S543].diffuse_blend_0), 1.0f - (*_S544).hole_0);
+    return result_1;
 }
 
-fn composed_0( _S469 : u32,  _S470 : Components_0,  _S471 : FamilyAlbedos_0,  _S472 : vec3<f32>,  _S473 : vec3<f32>) -> vec3<f32>
+fn composed_0( _S557 : u32,  _S558 : Components_0,  _S559 : FamilyAlbedos_0,  _S560 : vec3<f32>,  _S561 : vec3<f32>) -> vec3<f32>
 {
-    var _S474 : vec3<f32> = vec3<f32>(_S470.diffuse_warp_0);
-    var _S475 : vec3<f32> = vec3<f32>(_S470.diffuse_weft_0);
-    var _S476 : vec3<f32> = vec3<f32>(_S470.specular_warp_0);
-    var _S477 : vec3<f32> = vec3<f32>(_S470.specular_weft_0);
-    var _S478 : vec3<f32> = _S471.warp_1.diffuse_reflect_0 * _S474 + _S471.weft_1.diffuse_reflect_0 * _S475 + _S471.warp_1.specular_reflect_0 * _S476 + _S471.weft_1.specular_reflect_0 * _S477;
-    var _S479 : f32 = _S473.z;
+    var _S562 : vec3<f32> = vec3<f32>(_S558.diffuse_warp_0);
+    var _S563 : vec3<f32> = vec3<f32>(_S558.diffuse_weft_0);
+    var _S564 : vec3<f32> = vec3<f32>(_S558.specular_warp_0);
+    var _S565 : vec3<f32> = vec3<f32>(_S558.specular_weft_0);
+    var _S566 : vec3<f32> = _S559.warp_1.diffuse_reflect_0 * _S562 + _S559.weft_1.diffuse_reflect_0 * _S563 + _S559.warp_1.specular_reflect_0 * _S564 + _S559.weft_1.specular_reflect_0 * _S565;
+    var _S567 : f32 = _S561.z;
     var body_0 : vec3<f32>;
-    if((_S472.z * _S479) < 0.0f)
+    if((_S560.z * _S567) < 0.0f)
     {
-        body_0 = _S471.warp_1.diffuse_transmit_0 * _S474 + _S471.weft_1.diffuse_transmit_0 * _S475 + _S471.warp_1.specular_transmit_0 * _S476 + _S471.weft_1.specular_transmit_0 * _S477;
+        body_0 = _S559.warp_1.diffuse_transmit_0 * _S562 + _S559.weft_1.diffuse_transmit_0 * _S563 + _S559.warp_1.specular_transmit_0 * _S564 + _S559.weft_1.specular_transmit_0 * _S565;
     }
     else
     {
-        body_0 = _S478;
+        body_0 = _S566;
     }
-    var _S480 : f32 = fabrics_0[_S469].sheen_strength_0;
-    if((fabrics_0[_S469].sheen_strength_0) <= 0.0f)
+    var _S568 : f32 = fabrics_0[_S557].sheen_strength_0;
+    if((fabrics_0[_S557].sheen_strength_0) <= 0.0f)
     {
         return body_0;
     }
-    var _S481 : bool = _S479 < 0.0f;
-    var _S482 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S472, _S481), to_face_frame_0(_S473, _S481), _S480, fabrics_0[_S469].sheen_roughness_0);
-    return vec3<f32>(_S482.y) * body_0 + vec3<f32>(((_S470.light_visibility_1 + _S470.hole_2) * _S482.x));
+    var _S569 : bool = _S567 < 0.0f;
+    var _S570 : vec2<f32> = sheen_with_transmittance_0(to_face_frame_0(_S560, _S569), to_face_frame_0(_S561, _S569), _S568, fabrics_0[_S557].sheen_roughness_0);
+    return vec3<f32>(_S570.y) * body_0 + vec3<f32>(((_S558.light_visibility_1 + _S558.hole_2) * _S570.x));
 }
 
-fn light_of_woven_0( _S483 : ptr<function, Frame_std430_0>,  _S484 : u32,  _S485 : VisiblePoint_0) -> vec4<f32>
+fn light_of_woven_0( _S571 : i32,  _S572 : u32,  _S573 : VisiblePoint_0,  _S574 : vec2<u32>,  _S575 : vec3<f32>) -> vec4<f32>
 {
     var footprint_1 : Footprint_0;
-    footprint_1.centre_0 = _S485.draft_0;
-    footprint_1.dx_0 = _S485.draft_dx_0;
-    footprint_1.dy_0 = _S485.draft_dy_0;
-    var _S486 : vec3<f32> = to_local_0(_S485, _S485.view_0);
+    footprint_1.centre_0 = _S573.draft_0;
+    footprint_1.dx_0 = _S573.draft_dx_0;
+    footprint_1.dy_0 = _S573.draft_dy_0;
+    var _S576 : vec3<f32> = to_local_0(_S573, _S573.view_0);
     var activations_0 : WovenView_0;
-    woven_view_0(_S484, footprint_1, _S486, &(activations_0));
-    var _S487 : f32 = _S486.z;
-    var _S488 : FamilyAlbedos_0 = albedos_over_0(_S484, footprint_1, _S487 < 0.0f);
-    var _S489 : vec3<f32> = vec3<f32>(0.0f);
-    var number_3 : u32 = u32(0);
-    var radiance_1 : vec3<f32> = _S489;
+    woven_view_0(_S572, footprint_1, _S576, &(activations_0));
+    var _S577 : f32 = _S576.z;
+    var _S578 : FamilyAlbedos_0 = albedos_over_0(_S572, footprint_1, _S577 < 0.0f);
+    var albedos_5 : FamilyAlbedos_0;
+    albedos_5.warp_1 = tinted_0(_S578.warp_1, _S575);
+    albedos_5.weft_1 = tinted_0(_S578.weft_1, _S575);
+    var _S579 : vec3<f32> = vec3<f32>(0.0f);
+    var number_4 : u32 = u32(0);
+    var radiance_1 : vec3<f32> = _S579;
     for(;;)
     {
-        if(number_3 < ((*_S483).lights_0))
+        if(number_4 < (light_sample_count_0(_S571)))
         {
         }
         else
         {
             break;
         }
-        var _S490 : Light_std430_0 = lights_1[number_3];
-        var irradiance_2 : vec3<f32>;
-        var _S491 : vec3<f32> = towards_light_0(&(_S490), _S485.position_0, &(irradiance_2));
-        var _S492 : vec3<f32> = to_local_0(_S485, _S491);
-        var _S493 : Components_0 = woven_components_0(_S484, &(activations_0), _S492);
-        var radiance_2 : vec3<f32> = radiance_1 + irradiance_2 * composed_0(_S484, _S493, _S488, _S492, _S486);
-        number_3 = number_3 + u32(1);
-        radiance_1 = radiance_2;
+        var _S580 : f32 = visibility_at_0(_S571, number_4, _S574);
+        if(_S580 <= 0.0f)
+        {
+            number_4 = number_4 + u32(1);
+            continue;
+        }
+        var _S581 : LightSample_0 = light_sample_0(_S571, number_4, _S574, _S573.position_0);
+        var _S582 : vec3<f32> = to_local_0(_S573, _S581.towards_0);
+        var _S583 : Components_0 = woven_components_0(_S572, &(activations_0), _S582);
+        radiance_1 = radiance_1 + vec3<f32>(_S580) * _S581.irradiance_1 * composed_0(_S572, _S583, albedos_5, _S582, _S576);
+        number_4 = number_4 + u32(1);
     }
     var hole_3 : f32 = activations_0.hole_0;
-    var _S494 : f32 = fabrics_0[_S484].sheen_strength_0;
+    var _S584 : f32 = fabrics_0[_S572].sheen_strength_0;
     var hole_4 : f32;
-    if((fabrics_0[_S484].sheen_strength_0) > 0.0f)
+    if((fabrics_0[_S572].sheen_strength_0) > 0.0f)
     {
-        hole_4 = hole_3 * (1.0f - _S494 * sheen_lobe_0(abs(_S487), fabrics_0[_S484].sheen_roughness_0).z);
+        hole_4 = hole_3 * (1.0f - _S584 * sheen_lobe_0(abs(_S577), fabrics_0[_S572].sheen_roughness_0).z);
     }
     else
     {
@@ -2760,38 +3035,32 @@ fn light_of_woven_0( _S483 : ptr<function, Frame_std430_0>,  _S484 : u32,  _S485
 @workgroup_size(8, 8, 1)
 fn shade_woven(@builtin(global_invocation_id) id_0 : vec3<u32>)
 {
-    var _S495 : Frame_std430_0 = frames_0[i32(0)];
-    var _S496 : bool;
-    if((id_0.x) >= (_S495.width_0))
+    var _S585 : u32 = id_0.x;
+    var _S586 : u32 = frames_0[i32(0)].width_0;
+    var _S587 : bool;
+    if(_S585 >= (frames_0[i32(0)].width_0))
     {
-        _S496 = true;
+        _S587 = true;
     }
     else
     {
-        _S496 = (id_0.y) >= (_S495.height_0);
+        _S587 = (id_0.y) >= (frames_0[i32(0)].height_0);
     }
-    if(_S496)
+    if(_S587)
     {
         return;
     }
-    var _S497 : vec2<u32> = id_0.xy;
-    var _S498 : vec3<i32> = vec3<i32>(vec2<i32>(_S497), i32(0));
-    var _S499 : u32 = (textureLoad((visible_faces_0), ((_S498)).xy, ((_S498)).z).x);
-    var _S500 : vec4<f32> = vec4<f32>(0.0f);
-    var sum_3 : vec4<f32>;
-    if(_S499 > u32(0))
+    var _S588 : u32 = id_0.y * _S586 + _S585;
+    var _S589 : u32 = layers_0[_S588].face_0;
+    if((layers_0[_S588].face_0) == u32(0))
     {
-        var _S501 : u32 = _S499 - u32(1);
-        var _S502 : u32 = face_fabrics_0[_S501];
-        var _S503 : VisiblePoint_0 = visible_point_0(&(_S495), _S502, _S501, _S497);
-        var _S504 : vec4<f32> = light_of_woven_0(&(_S495), _S502, _S503);
-        sum_3 = _S504;
+        return;
     }
-    else
-    {
-        sum_3 = _S500;
-    }
-    accumulate_0(&(_S495), _S497, sum_3);
+    var _S590 : u32 = _S589 - u32(1);
+    var _S591 : u32 = face_fabrics_0[_S590];
+    var _S592 : vec2<u32> = id_0.xy;
+    var _S593 : VisiblePoint_0 = visible_point_0(i32(0), _S591, _S590, _S592);
+    accumulate_0(_S588, light_of_woven_0(i32(0), _S591, _S593, _S592, filtered_albedo_0(_S591, _S593)));
     return;
 }
 
