@@ -66,7 +66,7 @@ def read(buffers: FabricBuffers, like: Packed) -> Packed:
     adapter, kind = default_adapter(), like.fabrics.dtype
     records = adapter.read(buffers.buffers["fabrics"], np.uint8, like.fabrics.nbytes).view(kind)
     words = adapter.read(buffers.buffers["words"], np.uint32, like.words.size)
-    return Packed(records, like.families, words)
+    return Packed(records, like.families, words, like.packed_numbers)
 
 
 def table(packed: Packed, plan: BakePlan, name: str) -> NDArray[np.uint32]:

@@ -18,7 +18,13 @@ from loomlight.realtime.constants import number_text
 from loomlight.realtime.device import default_adapter
 from loomlight.realtime.slangc import SHADERS
 
-STAGES = {entry: stage for entries in ENTRIES.values() for entry, stage in entries.items()}
+# Kernels of the bake lie in one file a module, as WGSL alone.
+STAGES = {
+    entry: stage
+    for module, entries in ENTRIES.items()
+    if not module.startswith("bake_")
+    for entry, stage in entries.items()
+}
 GLSLANG_STAGES = {"compute": "comp", "vertex": "vert", "fragment": "frag"}
 # In the header of SPIR-V and as the language of OpSource: older validators do not know Slang's number.
 OP_SOURCE, SLANG = 3, 11

@@ -68,7 +68,7 @@ def test_light_and_background_are_those_of_mitsuba() -> None:
     expected = mitsuba_frame(cloths, camera, size, environment=environment, spp=384)
     np.testing.assert_allclose(found.mean(axis=(0, 1)), expected.mean(axis=(0, 1)), rtol=0.015)
     # 256 directions a pixel: two seeds of Mitsuba differ by half as much.
-    assert flip_mean(found, expected, np.ones(size, bool)) <= 0.05
+    assert flip_mean(found, expected, np.ones(size, bool)) <= 0.06
 
 
 def test_environments_are_read_and_checked(tmp_path: Path) -> None:

@@ -37,12 +37,6 @@ class ModelEntry:
 
 
 MODELS: dict[str, ModelEntry] = {
-    "clustered": ModelEntry(
-        "loomlight.models.clustered.model",
-        "ClusteredModel",
-        "woven_clustered",
-        "the point model over the pixel, unbiased from few samples (Zhu et al. 2024)",
-    ),
     "lobes": ModelEntry(
         "loomlight.models.lobes.model",
         "LobesModel",
@@ -67,11 +61,17 @@ MODELS: dict[str, ModelEntry] = {
         "woven_neural",
         "the network of Chen et al. 2024, for repeats of up to 64 threads",
     ),
+    "clustered": ModelEntry(
+        "loomlight.models.clustered.model",
+        "ClusteredModel",
+        "woven_clustered",
+        "the point model, unbiased from few samples (Zhu et al. 2024)",
+    ),
     "neumip": ModelEntry(
         "loomlight.models.neumip.model",
         "NeumipModel",
         "neumip",
-        "NeuMIP of Kuznetsov et al. 2021, trained for one source in minutes",
+        "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
     ),
 }
 DEFAULT_MODEL = "lobes"
