@@ -64,6 +64,7 @@ class Reflectance(Protocol):
 _REFLECTANCES = {
     "fabric": ("loomlight.models.latent.fabric_queries", "FabricReflectance"),
     "material": ("loomlight.mitsuba.material_queries", "MaterialReflectance"),
+    "merl": ("loomlight.models.latent.merl_queries", "MerlReflectance"),
 }
 
 
