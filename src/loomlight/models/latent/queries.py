@@ -1,12 +1,11 @@
 """What a training asks of a source: its reflectance over footprints, and the inputs of the encoder.
 
-A source has a grid of texels; level l of its mip pyramid has 2^-l as many texels a side. A footprint of level l
-is a Gaussian about a position whose square of the same variance is a texel of that level (`SIZE_OF_SIGMA`).
+A source has a grid of texels; level l of its mip pyramid has 2^-l as many texels a side. A footprint of level
+l is a Gaussian about a position, of deviation texel / `SIZE_OF_SIGMA` along either axis.
 """
 
 from __future__ import annotations
 
-import math
 from importlib import import_module
 from typing import Protocol
 
@@ -15,10 +14,9 @@ from numpy.typing import NDArray
 
 from loomlight.assets.sources import Source, kind_of_source
 from loomlight.core.errors import InputError
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA as SIZE_OF_SIGMA
 
 _Floats = NDArray[np.float32]
-# Side of the square that has the variance of a Gaussian, over its standard deviation.
-SIZE_OF_SIGMA = math.sqrt(12)
 
 
 class Reflectance(Protocol):
