@@ -1,7 +1,7 @@
 """Materials as sources: any textured BSDF of Mitsuba, as its XML and the files that it names.
 
-A material is a Mitsuba scene file that holds a `<bsdf>`, or that element alone. Files that it names (bitmaps, a
-`measured` BSDF, spectra) are found beside it. A TOML file may stand in front of it:
+A material is a Mitsuba scene file that holds a `<bsdf>`, or that element alone. Files that it names (bitmaps,
+a `measured` BSDF, spectra) are found beside it. A TOML file may stand in front of it:
 
     material = "ceramic.xml"
     size_mm = [80.0, 80.0]             # of a unit of u and of v; 100 by default

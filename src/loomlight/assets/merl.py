@@ -1,12 +1,12 @@
-"""Measured isotropic BRDFs as sources: files of the MERL database (Matusik et al. 2003), one or a folder of them.
+"""Measured isotropic BRDFs as sources: a MERL file (Matusik et al. 2003), or a folder of them.
 
 A `.binary` file is three int32, 90 90 180, then doubles: red, green and blue one after another, each over the
-half vector's angle θ_h, the difference vector's angle θ_d and its azimuth φ_d (Rusinkiewicz 1998), φ_d fastest.
-Bins of θ_h are finer towards the highlight: bin i begins at (i/90)²·90°. Red is stored times 1500, green times
-1500/1.15, blue times 1500/1.66; values below 0 mark what was not measured and are read as 0.
+half vector's angle θ_h, the difference vector's angle θ_d and its azimuth φ_d (Rusinkiewicz 1998), φ_d
+fastest. Bins of θ_h are finer towards the highlight: bin i begins at (i/90)²·90°. Red is stored times 1500,
+green times 1500/1.15, blue times 1500/1.66; values below 0 mark what was not measured and are read as 0.
 
-A folder is a library: its BRDFs stand in a grid over uv, in the order of their names, one a cell. Their values
-are kept in half precision, 8.7 MB a BRDF.
+A folder is a library: its BRDFs stand in a grid over uv, in the order of their names, one a cell. Their
+values are kept in half precision, 8.7 MB a BRDF.
 """
 
 from __future__ import annotations
@@ -102,7 +102,8 @@ class MerlLibrary:
         """
         if self.values is None:
             raise InputError(
-                f"{self.name} is a library of {len(self.names)} BRDFs, which a .loom only names: give its folder."
+                f"{self.name} is a library of {len(self.names)} BRDFs, which a .loom only names: "
+                "give its folder."
             )
         total = np.zeros((len(numbers), 3), np.float32)
         places = _places(lights, views)

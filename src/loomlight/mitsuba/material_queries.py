@@ -1,4 +1,4 @@
-"""Reflectance of a material for training: Mitsuba's BSDF in batches, and its textures as inputs of an encoder.
+"""Reflectance of a material for training: Mitsuba's BSDF in batches, its textures as inputs of an encoder.
 
 The BSDF is evaluated on made surface interactions of a plane, whose uv is the position: dp/du and dp/dv are
 unit vectors along x and y, so that heights of a bump map are in units of uv. Textures are evaluated by
@@ -31,7 +31,7 @@ from loomlight.models.latent.queries import SIZE_OF_SIGMA
 _Floats = NDArray[np.float32]
 # Evaluations in one launch.
 _BATCH = 1 << 20
-# Estimates of a query: two pairs of opposite offsets that stand across one another, which leave no linear error.
+# Points of a query: two pairs of opposite offsets, at right angles to one another, leave no linear error.
 _TURNS = ((1, 0), (-1, 0), (0, 1), (0, -1))
 # Slopes are 1 at 45°; inputs of steeper ones are clipped here.
 _STEEPEST = 2.0
@@ -60,8 +60,8 @@ def material_bsdf_of(source: Material) -> Any:
     flags: Any = mi.BSDFFlags
     if not mi.has_flag(bsdf.flags(), flags.Smooth):
         raise InputError(
-            f"{source.name} has delta lobes only (perfect mirror or glass), of which there is nothing to learn: "
-            "give it a roughness above 0."
+            f"{source.name} has delta lobes only (perfect mirror or glass), of which there is nothing to "
+            "learn: give it a roughness above 0."
         )
     return bsdf
 

@@ -1,7 +1,7 @@
 """Reflectance of measured BRDFs for training: an input of the encoder for each, which is 1 for it alone.
 
-zeltner2024 section 7.1 of the supplemental: measurements have no parameters that an encoder could take, so that
-it takes the index of the material, one-hot.
+zeltner2024 section 7.1 of the supplemental: measurements have no parameters that an encoder could take, so
+that it takes the index of the material, one-hot.
 """
 
 from __future__ import annotations
