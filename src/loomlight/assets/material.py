@@ -44,6 +44,7 @@ LARGEST_TEXTURE_SIDE = 4096
 _LARGEST_FILE = 1 << 28
 _DEEPEST = 64
 _TENSOR = "file."
+_CIRCLE = "its references form a circle: a BSDF cannot be a part of itself."
 
 
 class _Record(BaseModel):
@@ -267,6 +268,8 @@ def _chosen(root: ElementTree.Element, wanted: str | None) -> ElementTree.Elemen
     referenced = {element.get("id") for outer in candidates for element in outer.iter("ref")}
     inner = {element for outer in candidates for element in outer.iter("bsdf") if element is not outer}
     left = [element for element in candidates if element not in inner and element.get("id") not in referenced]
+    if candidates and not left:
+        raise InputError(_CIRCLE)
     if not left:
         raise InputError("it holds no <bsdf>: write one into its <scene>.")
     if len(left) > 1:
@@ -278,7 +281,7 @@ def _chosen(root: ElementTree.Element, wanted: str | None) -> ElementTree.Elemen
 def _resolve(element: ElementTree.Element, defined: Mapping[str, ElementTree.Element], depth: int) -> None:
     """Replaces references inside an element by copies of what they refer to."""
     if depth > _DEEPEST:
-        raise InputError("its references form a circle: a BSDF cannot be a part of itself.")
+        raise InputError(_CIRCLE)
     for position, child in enumerate(element):
         if child.tag == "ref":
             target = defined.get(child.get("id", ""))

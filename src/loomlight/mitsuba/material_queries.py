@@ -213,8 +213,10 @@ def _textures(root: ElementTree.Element, material: str) -> dict[str, _Texture]:
 
 
 def _texels(texture: Any) -> tuple[float, float]:
-    """Texels of a texture along a unit of u and of v."""
+    """Texels of a texture along a unit of u and of v; those of procedural ones are infinitely small."""
     size = texture.resolution()
+    if tuple(size) == (1, 1) and texture.is_spatially_varying():
+        return math.inf, math.inf
     params = mi.traverse(texture)
     across = np.eye(3)
     if "to_uv" in params:
@@ -229,7 +231,7 @@ def _resolution(textures: dict[str, _Texture], most: int) -> tuple[int, int]:
     sides = []
     for axis in (0, 1):
         finest = max((texture.texels[axis] for texture in textures.values()), default=1.0)
-        sides.append(min(most, 1 << math.ceil(math.log2(max(finest, 1.0)) - 1e-6)))
+        sides.append(1 << math.ceil(math.log2(min(finest, most)) - 1e-6))
     return sides[0], sides[1]
 
 
@@ -237,7 +239,7 @@ def _input(name: str, texture: _Texture, resolution: tuple[int, int]) -> _Input:
     """A texture's values over all texels: means of what lies in each."""
     width, height = resolution
     taps = [
-        min(_MOST_TAPS, max(1, math.ceil(n / side)))
+        max(1, math.ceil(min(_MOST_TAPS, n / side)))
         for n, side in zip(texture.texels, resolution, strict=True)
     ]
     v, u = np.meshgrid(
