@@ -77,7 +77,7 @@ MODELS: dict[str, ModelEntry] = {
         "loomlight.models.latent.model",
         "LatentModel",
         "latent",
-        "a network with a sampler, trained for one source (Zeltner et al. 2024)",
+        "network and sampler trained for one source (Zeltner et al. 2024)",
     ),
 }
 DEFAULT_MODEL = "lobes"

@@ -40,6 +40,7 @@ from loomlight.models.latent.networks import (
 from loomlight.models.latent.settings import (
     DECODERS,
     DEFAULT_DECODER,
+    DEFAULT_LOSS,
     DEFAULT_QUALITY,
     LOSSES,
     QUALITIES,
@@ -187,7 +188,7 @@ class LatentModel(Model):
         resolution: int | None = None,
         mips: str = MIPS[0],
         rung: str = "frames",
-        loss: str = "log",
+        loss: str = DEFAULT_LOSS,
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,

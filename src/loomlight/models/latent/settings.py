@@ -19,7 +19,9 @@ DECODERS = {"2x16": (16, 16), "2x32": (32, 32), "3x64": (64, 64, 64)}
 DEFAULT_DECODER = "2x32"
 # The rungs of the paper's ablation (Tables 1 to 4), each with what the ones before have.
 RUNGS = ("mlp", "encoder", "frames")
-LOSSES = ("log", "cube-root")
+LOSSES = ("log", "cube-root", "relative")
+# The mean of noisy values, where the paper's "log" learns medians.
+DEFAULT_LOSS = "relative"
 # Part of every identity: to be raised when the same settings give other weights.
 _VERSION = 1
 
@@ -48,7 +50,7 @@ class LatentSettings:
     resolution: int = 64
     decoder: str = DEFAULT_DECODER
     rung: str = "frames"
-    loss: str = "log"
+    loss: str = DEFAULT_LOSS
     queries: int = 1 << 20
     samples: int = 8
     steps: int = 3000
@@ -96,7 +98,7 @@ def settings_of(
     resolution: int | None = None,
     decoder: str = DEFAULT_DECODER,
     rung: str = "frames",
-    loss: str = "log",
+    loss: str = DEFAULT_LOSS,
     seed: int = 0,
     steps: int | None = None,
 ) -> LatentSettings:

@@ -25,6 +25,8 @@ from loomlight.models.relu_network import Layers
 from loomlight.training.direction_sampler import relu_layers
 from loomlight.training.torch_functions import TorchTextures
 
+# Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
+_ROOT, _RELATIVE = 1e-4, 1e-2
 # Of latents of the rung without an encoder, at the start.
 _LATENTS = 0.1
 _ENCODER = (64, 64, 64, 64, CHANNELS)
@@ -67,18 +69,21 @@ class LatentNetwork(nn.Module):
         """Latents of queries [n, 8]; see `Queries`.
 
         Args:
-            encoded: by the encoder, of interpolated inputs; otherwise interpolated texels.
+            encoded: by the encoder; otherwise those of the textures.
         """
         shape, (u, v) = self.shape, positions.T
         taps = level_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
-        # One matrix row a texel: sums of four rows, weighted.
-        fetched = functional.embedding_bag(
-            torch.stack(taps.texels, dim=1),
-            self.inputs if encoded else self.latents,
-            per_sample_weights=torch.stack(taps.weights, dim=1),
-            mode="sum",
-        )
-        latent: Tensor = self.encoder(fetched) if encoded else self.scale * fetched
+        texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
+
+        def fetched(table: Tensor) -> Tensor:
+            return functional.embedding_bag(texels, table, per_sample_weights=weights, mode="sum")
+
+        if not encoded:
+            return self.scale * fetched(self.latents)
+        # The encoder costs ten times as much as the decoder: it runs for queries or for texels, the fewer.
+        if len(self.inputs) <= len(positions):
+            return fetched(self.encoder(self.inputs))
+        latent: Tensor = self.encoder(fetched(self.inputs))
         return latent
 
     @torch.no_grad()
@@ -130,7 +135,9 @@ def texel_inputs(reflectance: Reflectance, shape: PyramidShape) -> NDArray[np.fl
 
 
 def loss_of(predicted: Tensor, truth: Tensor, kind: str) -> Tensor:
-    """Mean absolute difference of logarithms or of cube roots.
+    """Mean absolute difference of logarithms or of cube roots, or mean squared relative difference.
+
+    Of noisy values the first two learn medians, which are too dark; the third learns means.
 
     Args:
         predicted, truth: f·cos [n, 3], 1/sr.
@@ -138,11 +145,10 @@ def loss_of(predicted: Tensor, truth: Tensor, kind: str) -> Tensor:
     """
     if kind == "log":
         return functional.l1_loss(torch.log1p(predicted), torch.log1p(truth))
-    # Estimates are never below 0; the slope of a root at 0 is infinite.
+    if kind == "relative":
+        scale = predicted.detach().mean(dim=-1, keepdim=True) + _RELATIVE
+        return ((predicted - truth) / scale).square().mean()
     return 3 * functional.l1_loss((predicted + _ROOT).pow(1 / 3), (truth + _ROOT).pow(1 / 3))
-
-
-_ROOT = 1e-4
 
 
 def _layers(perceptron: nn.Sequential) -> Layers:
