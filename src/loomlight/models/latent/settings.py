@@ -53,10 +53,10 @@ class LatentSettings:
     loss: str = DEFAULT_LOSS
     queries: int = 1 << 20
     samples: int = 8
-    steps: int = 3000
+    steps: int = 8000
     encoder_share: float = 0.5
     mollified: float = 1 / 15
-    batch: int = 1 << 14
+    batch: int = 1 << 12
     rate: float = 5e-3
     texture_rate: float = 1e-2
     sampler_steps: int = 1000
