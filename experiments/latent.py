@@ -9,9 +9,8 @@ a level of the pyramid each; the truth is a mean of estimates of the source. A r
 - `nmae`, `bias`: mean absolute difference and mean difference over the mean, `smape`, and `log`, the mean
   difference of log(1 + f·cos), overall and by level;
 - `spread`: standard deviation of f·cos / pdf of drawn directions over its mean (luminance), where light is
-white
-  from everywhere, mean over views; `cosine` is that of cosine sampling, and `gain` the ratio of both
-  variances;
+  white from everywhere, mean over views; `cosine` is that of cosine sampling, `gain` the ratio of both
+  variances, summed over views, and `median_gain` its median;
 - `train_s`: CPU seconds of the bake; `value_ns`, `sample_ns`: of a value and of a sample, on one core.
 """
 

@@ -47,11 +47,11 @@ class LatentSettings:
         seed: of queries, weights and batches.
     """
 
-    resolution: int = 64
+    resolution: int = 128
     decoder: str = DEFAULT_DECODER
     rung: str = "frames"
     loss: str = DEFAULT_LOSS
-    queries: int = 1 << 20
+    queries: int = 1 << 21
     samples: int = 8
     steps: int = 8000
     encoder_share: float = 0.5
