@@ -1,4 +1,4 @@
-"""The model neumip in Slang against Dr.Jit: depths, texels and whole queries, and frames against Mitsuba.
+"""The model neumip in Slang against Dr.Jit: interpolated texels and whole queries.
 
 The bar is that of `queries.py` for single precision. No query searches along rays, so none may miss it.
 
@@ -9,28 +9,22 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-import mitsuba as mi
 import numpy as np
 import pytest
-from drjit.llvm import Array2f, Float, UInt32
+from drjit.llvm import Array2f
 from numpy.typing import NDArray
 
-from experiments.realtime_frames import mitsuba_frame
 from loomlight.assets.heightfield import Heightfield
-from loomlight.core.errors import InputError
 from loomlight.core.footprint import Footprint
-from loomlight.evaluation.pictures import flip_mean
 from loomlight.fabric import fabric_from_text
 from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.neumip.networks import NETWORKS, Weights
 from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape
-from loomlight.realtime import Camera, Cloth, DirectionalLight, Renderer, rectangle
 from loomlight.realtime.tables import Packed, pack_fabrics
 from tests.realtime.mapped import mapped
 from tests.realtime.queries import directions, share_beyond, vectors
 
 COUNT = 4096
-SIDE = 0.1
 
 
 def heightfield() -> Heightfield:
@@ -59,9 +53,7 @@ def random_model(faces: int = 2, offset: bool = True) -> NeumipModel:
         return np.float32(rng.normal(0, 0.5, (faces * count, CHANNELS)))
 
     of_offset = texels(shape.columns * shape.rows) if offset else None
-    weights = Weights(
-        shape, texels(shape.texels), of_offset, layers, np.full((faces, 3), 0.5, np.float32)
-    )
+    weights = Weights(shape, texels(shape.texels), of_offset, layers, np.full((faces, 3), 0.5, np.float32))
     return NeumipModel(source, weights)
 
 
@@ -71,27 +63,6 @@ def packed(model: NeumipModel, half: bool = False) -> Packed:
 
 def pairs(rows: NDArray[np.float32]) -> Array2f:
     return Array2f(*(np.ascontiguousarray(column) for column in rows.T))
-
-
-def test_depths_and_texels() -> None:
-    model = random_model()
-    rng = np.random.default_rng(4)
-    uv, view = np.float32(rng.uniform(-3, 3, (COUNT, 2))), directions(rng, COUNT)[:, :2].copy()
-    level, back = np.float32(rng.uniform(-2, 7, COUNT)), rng.random(COUNT) < 0.5
-    body = (
-        "let depth = neumip_depth(fabric.neumip, uv, view, back ? 1u : 0u);"
-        "let texel = neumip_texel(fabric.neumip, uv, level, back ? 1u : 0u);"
-    )
-    results = "depth;" + ";".join(f"channel(texel, {k})" for k in range(CHANNELS))
-    arguments = {"uv": uv, "view": view, "level": level, "back": back}
-    found = mapped("neumip", body, results, arguments, packed(model))
-    device = model.device_weights(Float)
-    u, v = pairs(uv)
-    face = UInt32(back)
-    expected = [device.depth(u, v, list(pairs(view)), face), *device.latent(u, v, Float(level), face)]
-    for column, values in enumerate(expected):
-        assert np.ptp(found[:, column]) > 0.5, column
-        assert share_beyond(found[:, column], np.array(values)) == 0, column
 
 
 @pytest.mark.parametrize(("faces", "offset"), [(2, True), (1, False)])
@@ -110,13 +81,17 @@ def test_queries_of_neumip(faces: int, offset: bool) -> None:
         "Footprint p; p.centre = centre; p.dx = dx; p.dy = dy;"
         "NeumipView seen; neumip_view(fabric, p, view, seen); let f = neumip_value(fabric, seen, light);"
     )
+    results = ";".join(("f.x; f.y; f.z", *(f"seen.latent[{k}]" for k in range(CHANNELS))))
     arguments = {"centre": centre, "light": light, "view": view, "dx": dx, "dy": dy}
     bsdf = model.at(vectors(view), Footprint(pairs(centre), pairs(dx), pairs(dy)))
-    expected = np.array(bsdf.value(vectors(light))).T
-    assert expected.max() > 0.2
-    assert (expected[light[:, 2] * view[:, 2] < 0] == 0).all()
-    # Halves keep eleven binary places of each channel.
-    for half, bar in ((False, 0.0), (True, 0.25)):
-        found = mapped("neumip footprint", body, "f.x; f.y; f.z", arguments, packed(model, half))
-        assert share_beyond(found, expected) <= bar
-        np.testing.assert_allclose(found, expected, atol=5e-3 if half else 1e-4)
+    value = np.array(bsdf.value(vectors(light))).T
+    assert value.max() > 0.2
+    assert (value[light[:, 2] * view[:, 2] < 0] == 0).all()
+    expected = np.concatenate([value, np.array(bsdf._latent).T], axis=1)
+    assert (np.ptp(expected, axis=0) > 0.2).all()
+    found = mapped("neumip footprint", body, results, arguments, packed(model))
+    assert share_beyond(found, expected) == 0
+    halves = mapped("neumip footprint", body, results, arguments, packed(model, half=True))
+    # Halves round each channel by up to 2⁻¹² of itself; such networks turn that into a few thousandths.
+    np.testing.assert_allclose(halves, expected, atol=1e-2)
+    assert np.sqrt(np.mean(np.square(halves - expected)[:, :3])) < 1e-3 * np.sqrt(np.mean(value**2))

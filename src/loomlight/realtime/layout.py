@@ -120,31 +120,12 @@ NEUMIP: Fields = (
     ("unit_y", "float", "and of y"),
 )
 
-CLUSTERED: Fields = (
-    ("is_baked", "uint", "0 where the fabric has no clusters"),
-    ("packs", "uint", "packs of four clusters of a face; the first half is the warp's"),
-    ("rank", "uint", "principal components of the densities of a cluster"),
-    ("columns", "uint", "texels of the repeat along x"),
-    ("rows", "uint", "and along y"),
-    ("texel_x", "float", "width of a texel"),
-    ("texel_y", "float", "height of a texel"),
-    ("sums", "uint", "first element of summed areas [2 faces, rows + 1, columns + 1, 1 + rank, packs], integers"),
-    ("basis", "uint", "first element of densities [2 faces, half-vector bins, 1 + rank, packs], 1/sr"),
-    ("light", "uint", "first element of light visibility [2 faces, 2 sides, bins, 2, packs]"),
-    ("view", "uint", "first element of shares of view rays [2 faces, view bins, packs]"),
-    ("parallax", "uint", "first element of offset x, y and trust in the base [2 faces, view bins]"),
-    ("moments", "uint", "first element of normal, tangent, two roughnesses [2 faces, clusters, 2]"),
-    ("labels", "uint", "bytes [2 faces, rows, columns]: cluster of a texel; 255 in holes"),
-    ("coefficients", "uint", "signed bytes [2 faces, rows, columns, rank]"),
-)
-
 FABRIC: Fields = (
     ("warp", "uint", "index of the record of the warp, threads along y"),
     ("weft", "uint", "index of the record of the weft, threads along x"),
     ("lobes", "Lobes", "tables of the model lobes"),
     ("woven", "Woven", "latents of the model woven"),
     ("neumip", "Neumip", "textures of the model neumip"),
-    ("clustered", "Clustered", "tables of the model clustered"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
     ("max_heights", "uint", "max-height pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4]"),
@@ -321,7 +302,6 @@ RECORDS: dict[str, Fields] = {
     "Lobes": LOBES,
     "Woven": WOVEN,
     "Neumip": NEUMIP,
-    "Clustered": CLUSTERED,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

@@ -1,7 +1,7 @@
 """The model neumip as shaders read it: both networks, both textures, and the levels of the pyramid.
 
-Networks are single precision, as they are trained. Texels may be halves: a quarter of a megabyte for 128² texels
-of one face instead of half, at an error of half a unit in the eleventh binary place of each channel.
+Networks are single precision, as they are trained. Texels may be halves: 16 bytes each instead of 32, at an
+error of at most 2⁻¹² of each channel.
 """
 
 from __future__ import annotations

@@ -18,8 +18,8 @@ from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.neumip_tables import add_neumip
 from loomlight.realtime.networks import Elements, NumberTable
+from loomlight.realtime.neumip_tables import add_neumip
 from loomlight.realtime.woven_tables import WovenTables
 from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -125,7 +125,7 @@ def pack_fabrics(
         baked = None if lobes is None else lobes[number]
         if fabric is not None and isinstance(baked, BakePlan):
             _reserve_lobes(records["lobes"][number], table, baked, fabric[0])
-        elif fabric is not None and baked is not None:
+        elif fabric is not None and isinstance(baked, LobeTables):
             _pack_lobes(records["lobes"][number], table, baked, fabric[0])
         model = None if woven is None else woven[number]
         if model is not None:
