@@ -8,6 +8,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import HealthCheck, settings
 
+from loomlight.models.latent.settings import QUALITIES as LATENT_QUALITIES
 from loomlight.models.neumip.settings import QUALITIES
 
 # Seconds that an example takes say how busy a machine is, not what is wrong.
@@ -25,10 +26,21 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture(scope="session", autouse=True)
 def short_training() -> Iterator[None]:
-    """Trainings of `neumip` take a second instead of minutes: enough to know what it is of."""
+    """Trainings of `neumip` and `latent` take a second instead of minutes: enough to know what it is of."""
     short = replace(
         QUALITIES["preview"], resolution=16, queries=100, samples=4, steps=120, batch=1 << 11, rate=5e-3
     )
+    latent = replace(
+        LATENT_QUALITIES["preview"],
+        resolution=8,
+        queries=1 << 13,
+        samples=2,
+        steps=60,
+        batch=1 << 10,
+        sampler_steps=30,
+        sampler_batch=128,
+    )
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(QUALITIES, "preview", short)
+        patch.setitem(LATENT_QUALITIES, "preview", latent)
         yield

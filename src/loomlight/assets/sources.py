@@ -21,6 +21,14 @@ from loomlight.assets.heightfield import (
     is_heightfield_file,
     load_heightfield,
 )
+from loomlight.assets.material import (
+    Material,
+    is_material_file,
+    load_material,
+    material_from_record,
+    material_record,
+)
+from loomlight.assets.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
 
@@ -72,6 +80,8 @@ SOURCE_KINDS: dict[str, SourceKind] = {
         load_heightfield,
         is_heightfield_file,
     ),
+    "material": SourceKind(Material, material_record, material_from_record, load_material, is_material_file),
+    "merl": SourceKind(MerlLibrary, merl_record, merl_from_record, load_merl, is_merl_file),
 }
 
 

@@ -73,6 +73,12 @@ MODELS: dict[str, ModelEntry] = {
         "neumip",
         "a network trained for one source (NeuMIP, Kuznetsov et al. 2021)",
     ),
+    "latent": ModelEntry(
+        "loomlight.models.latent.model",
+        "LatentModel",
+        "latent",
+        "network and sampler trained for one source (Zeltner et al. 2024)",
+    ),
 }
 DEFAULT_MODEL = "lobes"
 # What pictures of other models are judged by.

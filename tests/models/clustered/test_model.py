@@ -3,7 +3,7 @@
 Covers: models/clustered/bsdf.py, models/clustered/base.py, models/clustered/footprint_sums.py
 Covers: models/clustered/tables.py, models/clustered/trust.py, models/clustered/visibility_tables.py
 Covers: models/clustered/features.py, models/clustered/clusters.py, models/clustered/density_tables.py
-Covers: models/clustered/square_map.py, models/clustered/random_numbers.py, models/clustered/texels.py
+Covers: models/clustered/square_map.py, models/random_numbers.py, models/clustered/texels.py
 Covers: models/clustered/sampling.py
 """
 
@@ -27,10 +27,10 @@ from loomlight.models.clustered.clusters import NO_CLUSTER
 from loomlight.models.clustered.density_tables import densities
 from loomlight.models.clustered.features import texel_counts
 from loomlight.models.clustered.model import ClusteredModel
-from loomlight.models.clustered.random_numbers import hashed, uniform
 from loomlight.models.clustered.square_map import BINS, bin_centres, bin_taps
 from loomlight.models.clustered.tables import bake_tables
 from loomlight.models.clustered.trust import trust_by_view
+from loomlight.models.random_numbers import hashed, uniform
 from loomlight.models.separable import Components
 from loomlight.scattering.point import PointModel
 from loomlight.yarn.geometry import YarnGeometry

@@ -22,9 +22,9 @@ from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import array_types, maximum
 from loomlight.core.footprint import Footprint
 from loomlight.models.clustered.base import DeviceTables, LightTaps
-from loomlight.models.clustered.random_numbers import uniform
 from loomlight.models.clustered.sampling import LobeSampler
 from loomlight.models.clustered.texels import TexelPoint
+from loomlight.models.random_numbers import uniform
 from loomlight.models.separable import Components, FamilyAlbedos, SeparableBsdf, shade, tinted
 from loomlight.scattering.point import Albedos, DirectionSample, PointModel, YarnPoint, to_face_frame
 

@@ -16,11 +16,11 @@ from loomlight.core.llvm import llvm_float
 from loomlight.fabric.fabric import Fabric
 from loomlight.models.clustered.base import DeviceTables
 from loomlight.models.clustered.bsdf import ClusteredBsdf
-from loomlight.models.clustered.random_numbers import hashed
 from loomlight.models.clustered.tables import ClusterTables, bake_tables, tables_of_loom
 from loomlight.models.clustered.trust import trust_by_view
 from loomlight.models.fabric_model import FilteredFabricModel, appearance_of, fabric_in_loom, fabric_source
 from loomlight.models.interface import Option, Values
+from loomlight.models.random_numbers import hashed
 from loomlight.models.separable import FamilyAlbedos
 from loomlight.scattering.appearance import Appearance
 from loomlight.scattering.point import PointModel

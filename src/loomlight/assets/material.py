@@ -1,0 +1,336 @@
+"""Materials as sources: any textured BSDF of Mitsuba, as its XML and the files that it names.
+
+A material is a Mitsuba scene file that holds a `<bsdf>`, or that element alone. Files that it names (bitmaps,
+a `measured` BSDF, spectra) are found beside it. A TOML file may stand in front of it:
+
+    material = "ceramic.xml"
+    size_mm = [80.0, 80.0]             # of a unit of u and of v; 100 by default
+    bsdf = "body"                      # the id of the BSDF, where the file holds several
+    name = "glazed ceramic"
+
+What is kept is one self-contained `<bsdf>`: references (`<ref>`) are replaced by what they refer to, and
+parameters (`<default>`) by their values. A BSDF that a scene file's BSDF refers to is no candidate.
+"""
+
+from __future__ import annotations
+
+import copy
+import os
+import tempfile
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePath
+from typing import Annotated, Any
+from xml.etree import ElementTree
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from loomlight.core.errors import InputError
+from loomlight.core.images import PICTURE_SUFFIXES, read_map
+from loomlight.fabric.reading import read_text, speaking_of
+from loomlight.fabric.sentences import closest, shown
+
+Bytes = NDArray[np.uint8]
+
+_FIELD = "material"
+_SUFFIX = ".xml"
+DEFAULT_SIZE_MM = 100.0
+# Texels a side of a texture: the latents of a larger one would not fit into the memory of most machines.
+LARGEST_TEXTURE_SIDE = 4096
+# A file's size in bytes; a measured BSDF has some 10 MB.
+_LARGEST_FILE = 1 << 28
+_DEEPEST = 64
+_TENSOR = "file."
+_CIRCLE = "its references form a circle: a BSDF cannot be a part of itself."
+
+
+class _Record(BaseModel):
+    """What a `.loom` file's header says of a material; its files are tensors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+    name: str
+    size_mm: list[Annotated[float, Field(gt=0, le=1e6)]] = Field(min_length=2, max_length=2)
+    xml: str
+    files: list[str]
+
+
+class _File(BaseModel):
+    """The fields of a material's TOML file."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    name: str | None = None
+    material: str
+    bsdf: str | None = None
+    size_mm: list[Annotated[float, Field(ge=1e-3, le=1e6)]] = Field(
+        default_factory=lambda: [DEFAULT_SIZE_MM] * 2, min_length=2, max_length=2
+    )
+
+
+_WANTED = {
+    "material": 'the name of a Mitsuba file in quotes, such as "ceramic.xml"',
+    "size_mm": "two lengths above 0, such as [80.0, 80.0]",
+    "bsdf": "the id of a BSDF in quotes",
+    "name": "text in quotes",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Material:
+    """A BSDF of Mitsuba over a unit of u and of v, which repeats.
+
+    Attributes:
+        name: in messages.
+        size_mm: of a unit of u and of v, millimetres.
+        xml: the `<bsdf>` element; files are named as `files` names them.
+        files: bytes of each file, by the name in `xml`.
+    """
+
+    name: str
+    size_mm: tuple[float, float]
+    xml: str
+    files: Mapping[str, Bytes]
+
+    @property
+    def repeat_mm(self) -> tuple[float, float]:
+        """Width and height of a unit of uv, millimetres."""
+        return self.size_mm
+
+    @property
+    def default_uv_size_mm(self) -> tuple[float, float]:
+        """The same: a model of the material takes its place on any mesh."""
+        return self.size_mm
+
+    def write_files(self, folder: str | os.PathLike[str]) -> ElementTree.Element:
+        """Writes all files to a folder; the `<bsdf>` element that names them there by their full paths."""
+        root = ElementTree.fromstring(self.xml)
+        for name, content in self.files.items():
+            (Path(folder) / name).write_bytes(content.tobytes())
+        for element in _naming_files(root):
+            element.set("value", str(Path(folder, element.get("value", "")).absolute()))
+        return root
+
+
+def is_material_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a path is a Mitsuba XML file, or a TOML file that names one."""
+    file = Path(path)
+    if file.suffix.lower() == _SUFFIX:
+        return True
+    if file.suffix.lower() != ".toml":
+        return False
+    try:
+        return _FIELD in tomllib.loads(read_text(file))
+    except (InputError, ValueError, RecursionError):
+        return False
+
+
+def load_material(path: str | os.PathLike[str]) -> Material:
+    """The material of an XML file, or of a TOML file that names one.
+
+    Raises:
+        InputError: no such file, no BSDF, several of them, a file that is missing, a texture that is damaged,
+            too large or not finite; it is named.
+    """
+    file = Path(path)
+    with speaking_of(str(file)):
+        if file.suffix.lower() == _SUFFIX:
+            size = (DEFAULT_SIZE_MM, DEFAULT_SIZE_MM)
+            return material_from_xml(read_text(file), file.parent, file.stem, size)
+        try:
+            fields = _File.model_validate(tomllib.loads(read_text(file)))
+        except ValidationError as error:
+            raise InputError(_sentence(error)) from error
+        except (ValueError, RecursionError) as error:
+            raise InputError(f"it is no valid TOML: {error}.") from error
+        xml = file.parent / fields.material
+        width, height = fields.size_mm
+        with speaking_of(f"material = {shown(fields.material)}"):
+            return material_from_xml(
+                read_text(xml), xml.parent, fields.name or file.stem, (width, height), fields.bsdf
+            )
+
+
+def material_from_xml(
+    text: str,
+    folder: str | os.PathLike[str],
+    name: str,
+    size_mm: tuple[float, float],
+    bsdf: str | None = None,
+) -> Material:
+    """The material of Mitsuba's XML, whose files lie in a folder.
+
+    Args:
+        bsdf: the id of the BSDF; None for the only one.
+
+    Raises:
+        InputError: as `load_material`.
+    """
+    root = _parsed(text)
+    found = _chosen(root, bsdf)
+    defined = {
+        element.get("id", ""): element
+        for element in root.iter()
+        if element.get("id") and element.tag != "ref"
+    }
+    _resolve(found, defined, 0)
+    found.attrib.pop("id", None)
+    found.attrib.pop("name", None)
+    found.set("version", root.get("version", "3.0.0"))
+    names: dict[Path, str] = {}
+    files: dict[str, Bytes] = {}
+    for element in _naming_files(found):
+        file = Path(folder, element.get("value", ""))
+        if file not in names:
+            names[file] = f"{len(names)}-{file.name}"
+            files[names[file]] = _content(file)
+        element.set("value", names[file])
+    return Material(name, size_mm, ElementTree.tostring(found, encoding="unicode"), files)
+
+
+def material_record(source: Material) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """The record of a material, as JSON, and its files as tensors."""
+    names = list(source.files)
+    record = _Record(name=source.name, size_mm=list(source.size_mm), xml=source.xml, files=names)
+    return record.model_dump(), {
+        f"{_TENSOR}{number}": source.files[name] for number, name in enumerate(names)
+    }
+
+
+def material_from_record(
+    record: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]], folder: str
+) -> Material:
+    """The material of a record and its tensors; nothing else is read.
+
+    Raises:
+        ValidationError: another record than `material_record` makes.
+        InputError: tensors or XML that make no material; the message names the one at fault.
+    """
+    del folder
+    header = _Record.model_validate(record)
+    root = _parsed(header.xml)
+    files = {}
+    for number, name in enumerate(header.files):
+        content = tensors.get(f"{_TENSOR}{number}")
+        if content is None or content.dtype != np.uint8 or content.ndim != 1:
+            raise InputError(f"the tensor source.{_TENSOR}{number} must hold the bytes of a file, uint8.")
+        if PurePath(name).name != name or name in files:
+            raise InputError(f"its source names the file {shown(name)}, which is no name of a file alone.")
+        files[name] = content
+    for element in _naming_files(root):
+        if element.get("value") not in files:
+            raise InputError(f"its source names the file {shown(element.get('value'))}, which it lacks.")
+    width, height = header.size_mm
+    return Material(header.name, (width, height), header.xml, files)
+
+
+def _sentence(error: ValidationError) -> str:
+    fault = error.errors(include_url=False)[0]
+    field = str(fault["loc"][0])
+    if fault["type"] == "extra_forbidden":
+        return f"{shown(field)} is no field that a material has: {closest(field, _File.model_fields)}"
+    return f"{field} = {shown(fault['input'])} cannot be used: write {_WANTED.get(field, 'another value')}."
+
+
+def _parsed(text: str) -> ElementTree.Element:
+    # Entities of a DOCTYPE could grow without bound.
+    if "<!DOCTYPE" in text or "<!ENTITY" in text:
+        raise InputError("it holds a DOCTYPE, which no Mitsuba file needs: leave it out.")
+    try:
+        root = ElementTree.fromstring(text)
+    except (ElementTree.ParseError, ValueError) as error:
+        raise InputError(f"it is no valid XML: {error}.") from error
+    for element in root.iter("include"):
+        raise InputError(f"it includes {shown(element.get('filename'))}: write all of it into one file.")
+    values = {element.get("name", ""): element.get("value", "") for element in root.iter("default")}
+    for element in root.iter():
+        for key, value in element.attrib.items():
+            # Longer names first: $size_x begins with $size.
+            for parameter in sorted(values, key=len, reverse=True) if "$" in value else ():
+                value = value.replace(f"${parameter}", values[parameter])
+            element.set(key, value)
+    return root
+
+
+def _chosen(root: ElementTree.Element, wanted: str | None) -> ElementTree.Element:
+    if root.tag == "bsdf":
+        return root
+    candidates = list(root.iter("bsdf"))
+    if wanted is not None:
+        for element in candidates:
+            if element.get("id") == wanted:
+                return element
+        known = [element.get("id", "") for element in candidates if element.get("id")]
+        raise InputError(f"bsdf = {shown(wanted)} is no BSDF of it: {closest(wanted, known)}")
+    referenced = {element.get("id") for outer in candidates for element in outer.iter("ref")}
+    inner = {element for outer in candidates for element in outer.iter("bsdf") if element is not outer}
+    left = [element for element in candidates if element not in inner and element.get("id") not in referenced]
+    if candidates and not left:
+        raise InputError(_CIRCLE)
+    if not left:
+        raise InputError("it holds no <bsdf>: write one into its <scene>.")
+    if len(left) > 1:
+        names = ", ".join(element.get("id") or element.get("type", "?") for element in left)
+        raise InputError(f'it holds several BSDFs ({names}): name one in a TOML file, bsdf = "id".')
+    return left[0]
+
+
+def _resolve(element: ElementTree.Element, defined: Mapping[str, ElementTree.Element], depth: int) -> None:
+    """Replaces references inside an element by copies of what they refer to."""
+    if depth > _DEEPEST:
+        raise InputError(_CIRCLE)
+    for position, child in enumerate(element):
+        if child.tag == "ref":
+            target = defined.get(child.get("id", ""))
+            if target is None:
+                raise InputError(f"it refers to {shown(child.get('id'))}, which it does not define.")
+            child = copy.deepcopy(target)
+            child.attrib.pop("id", None)
+            name = element[position].get("name")
+            if name is not None:
+                child.set("name", name)
+            element[position] = child
+        _resolve(child, defined, depth + 1)
+
+
+def _naming_files(root: ElementTree.Element) -> list[ElementTree.Element]:
+    """The elements that name a file."""
+    return [element for element in root.iter("string") if element.get("name") == "filename"]
+
+
+def _content(file: Path) -> Bytes:
+    """The bytes of a file; a texture's are checked."""
+    with speaking_of(f"filename = {shown(file.name)}"):
+        if not file.is_file():
+            raise InputError(f"{file} does not exist.")
+        if file.stat().st_size > _LARGEST_FILE:
+            raise InputError(f"{file} is larger than {_LARGEST_FILE >> 20} MiB.")
+        suffix = file.suffix.lower()
+        if suffix in (".exr", *PICTURE_SUFFIXES):
+            pixels = read_map(file, 3)
+            height, width = pixels.shape[:2]
+            if max(width, height) > LARGEST_TEXTURE_SIDE or min(width, height) < 1:
+                raise InputError(
+                    f"the texture {file} has {width} × {height} texels: 1 to {LARGEST_TEXTURE_SIDE} a side "
+                    "can be learned."
+                )
+            if not np.isfinite(pixels).all():
+                raise InputError(f"the texture {file} holds NaN or infinity: write numbers alone.")
+        return np.frombuffer(file.read_bytes(), np.uint8)
+
+
+def material_of_parts(
+    xml: str, textures: Mapping[str, Bytes], name: str, size_mm: tuple[float, float]
+) -> Material:
+    """The material of an XML text whose files are given as bytes, by the names that it has for them.
+
+    Raises:
+        InputError: as `load_material`.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        for file, content in textures.items():
+            (Path(folder) / file).write_bytes(content.tobytes())
+        return material_from_xml(xml, folder, name, size_mm)

@@ -1,0 +1,279 @@
+"""Reflectance of a material for training: Mitsuba's BSDF in batches, its textures as inputs of an encoder.
+
+The BSDF is evaluated on made surface interactions of a plane, whose uv is the position: dp/du and dp/dv are
+unit vectors along x and y, so that heights of a bump map are in units of uv. Textures are evaluated by
+Mitsuba itself, each at the centres of texels, with its own transform.
+
+A normal map and a bump map become slopes. Filtered slopes lose the roughness that their spread makes, so that
+the inputs hold their first and second moments, which filter linearly (LEAN mapping, Olano & Baker 2010).
+"""
+
+from __future__ import annotations
+
+import math
+import tempfile
+import warnings
+from dataclasses import dataclass
+from typing import Any
+from xml.etree import ElementTree
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.material import Material
+from loomlight.core.errors import InputError, LoomlightWarning
+from loomlight.mitsuba.faults import reason_of
+from loomlight.mitsuba.variants import choose_variant
+from loomlight.models.latent.queries import SIZE_OF_SIGMA
+
+_Floats = NDArray[np.float32]
+# Evaluations in one launch.
+_BATCH = 1 << 20
+# Points of a query: two pairs of opposite offsets, at right angles to one another, leave no linear error.
+_TURNS = ((1, 0), (-1, 0), (0, 1), (0, -1))
+# Slopes are 1 at 45°; inputs of steeper ones are clipped here.
+_STEEPEST = 2.0
+# Texels of a finer texture that are averaged along a side of a texel.
+_MOST_TAPS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class _Input:
+    """A texture of the BSDF, as inputs of the encoder."""
+
+    name: str
+    values: _Floats  # [height, width, channels]
+    channels: tuple[str, ...]
+
+
+def material_bsdf_of(source: Material) -> Any:
+    """The Mitsuba BSDF of a material; a variant must be set.
+
+    Raises:
+        InputError: Mitsuba refuses it, or all of its light is in delta lobes.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        root = source.write_files(folder)
+        bsdf = _loaded(root, source.name)
+    flags: Any = mi.BSDFFlags
+    if not mi.has_flag(bsdf.flags(), flags.Smooth):
+        raise InputError(
+            f"{source.name} has delta lobes only (perfect mirror or glass), of which there is nothing to "
+            "learn: give it a roughness above 0."
+        )
+    return bsdf
+
+
+class MaterialReflectance:
+    """f·cos of a material, and its textures; `loomlight.models.latent.queries.Reflectance`.
+
+    Attributes:
+        inputs: names of the encoder's inputs.
+        resolution: texels of the finest level, powers of two: no more than the textures have.
+        faces: 2 where the BSDF reflects light on its back too.
+    """
+
+    def __init__(self, source: Material, resolution: int) -> None:
+        """
+        Args:
+            resolution: texels along a side of uv, a power of two.
+
+        Raises:
+            InputError: as `material_bsdf_of`.
+        """
+        choose_variant(None)
+        self._bsdf = material_bsdf_of(source)
+        _warn_of_losses(source, self._bsdf)
+        # Flags of the back stand for refraction too, which is left out.
+        self.faces = 2 if ElementTree.fromstring(source.xml).get("type") == "twosided" else 1
+        self._context: Any = mi.BSDFContext()
+        with tempfile.TemporaryDirectory() as folder:
+            textures = _textures(source.write_files(folder), source.name)
+        self.resolution = _resolution(textures, resolution)
+        inputs = [_input(name, texture, self.resolution) for name, texture in textures.items()]
+        width, height = self.resolution
+        # A BSDF without textures is one material: its only input says nothing.
+        inputs = inputs or [_Input("constant", np.ones((height, width, 1), np.float32), ("",))]
+        self.inputs = tuple(f"{part.name}{channel}" for part in inputs for channel in part.channels)
+        self._inputs = np.concatenate([part.values for part in inputs], axis=-1)
+
+    def values(
+        self,
+        positions: _Floats,
+        levels: _Floats,
+        lights: _Floats,
+        views: _Floats,
+        seed: tuple[int, ...],
+    ) -> _Floats:
+        """Estimates of f·cos [n, 3] from four points each; see `Reflectance.values`."""
+        rng = np.random.default_rng(seed)
+        texel = 1 / np.array(self.resolution, np.float32)
+        sigma = texel / SIZE_OF_SIGMA * np.exp2(levels)[:, None]
+        offset = rng.standard_normal((len(levels), 2), np.float32)
+        total = np.zeros((len(levels), 3), np.float32)
+        for x, y in _TURNS:
+            turned = np.stack([x * offset[:, 0] - y * offset[:, 1], y * offset[:, 0] + x * offset[:, 1]], 1)
+            total += self.point_values(positions + sigma * turned, lights, views)
+        return total / len(_TURNS)
+
+    def point_values(self, positions: _Floats, lights: _Floats, views: _Floats) -> _Floats:
+        """f·cos [n, 3] at points of uv [n, 2]."""
+        found = np.empty((len(positions), 3), np.float32)
+        for first in range(0, len(positions), _BATCH):
+            part = slice(first, first + _BATCH)
+            si = _interaction(positions[part], views[part])
+            light = mi.Vector3f(np.ascontiguousarray(lights[part].T))
+            found[part] = np.array(self._bsdf.eval(self._context, si, light, mi.Bool(True))).T
+        # Lobes at grazing angles may be 0/0.
+        return np.nan_to_num(found, nan=0.0, posinf=0.0, neginf=0.0)
+
+    def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
+        """Filtered inputs [height, width, K] of a level; see `Reflectance.encoder_inputs`."""
+        del face
+        inputs = self._inputs
+        for _ in range(level):
+            for axis in (0, 1):
+                if inputs.shape[axis] > 1:
+                    even, odd = (np.take(inputs, range(k, inputs.shape[axis], 2), axis) for k in (0, 1))
+                    inputs = (even + odd) / 2
+        return np.ascontiguousarray(inputs, np.float32)
+
+
+def _loaded(element: ElementTree.Element, name: str) -> Any:
+    """The object of an element of a scene file."""
+    element.set("version", element.get("version", "3.0.0"))
+    try:
+        return mi.load_string(ElementTree.tostring(element, encoding="unicode"))
+    except Exception as error:  # Mitsuba raises bare RuntimeErrors
+        raise InputError(f"{name} cannot be used: {reason_of(error)}") from error
+
+
+def _warn_of_losses(source: Material, bsdf: Any) -> None:
+    """Says once what of a BSDF is left out."""
+    flags: Any = mi.BSDFFlags
+    lost = {
+        "mirror reflection": flags.DeltaReflection,
+        "transmission": flags.Transmission,
+    }
+    found = [name for name, flag in lost.items() if mi.has_flag(bsdf.flags(), flag)]
+    if found:
+        warnings.warn(
+            f"{source.name}: its {' and '.join(found)} is left out, as the model learns reflection by smooth "
+            "lobes.",
+            LoomlightWarning,
+            stacklevel=3,
+        )
+
+
+def _interaction(positions: _Floats, views: _Floats | None = None) -> Any:
+    """Surface interactions at points of uv [n, 2], seen from `views` [n, 3], from above by default."""
+    si: Any = dr.zeros(mi.SurfaceInteraction3f, len(positions))
+    si.t = mi.Float(1)
+    si.uv = mi.Point2f(np.ascontiguousarray(positions.T, np.float32))
+    si.p = mi.Point3f(si.uv.x, si.uv.y, 0)
+    si.n = mi.Normal3f(0, 0, 1)
+    si.dp_du, si.dp_dv = mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0)
+    si.sh_frame = mi.Frame3f(mi.Vector3f(1, 0, 0), mi.Vector3f(0, 1, 0), mi.Vector3f(0, 0, 1))
+    si.wi = mi.Vector3f(0, 0, 1) if views is None else mi.Vector3f(np.ascontiguousarray(views.T))
+    return si
+
+
+@dataclass(frozen=True, eq=False)
+class _Texture:
+    """A texture, what it is to its BSDF, and texels a side of uv."""
+
+    texture: Any
+    role: str
+    scale: float
+    texels: tuple[float, float]
+
+
+def _textures(root: ElementTree.Element, material: str) -> dict[str, _Texture]:
+    """Textures that are parameters of a BSDF, by the path of their parameter."""
+    found: dict[str, _Texture] = {}
+
+    def visit(bsdf: ElementTree.Element, path: str) -> None:
+        nested = 0
+        for child in bsdf:
+            name = child.get("name") or f"{child.get('type')}{nested}"
+            if child.tag == "bsdf":
+                nested += 1
+                visit(child, f"{path}{name}.")
+            elif child.tag == "texture":
+                kind = bsdf.get("type", "")
+                role = {"normalmap": "normal", "bumpmap": "bump"}.get(kind, "")
+                scale = next((float(v.get("value", 1)) for v in bsdf if v.get("name") == "scale"), 1.0)
+                texture = _loaded(child, f"{material}, {path}{name}")
+                found[f"{path}{name}"] = _Texture(texture, role, scale, _texels(texture))
+
+    visit(root, "")
+    return found
+
+
+def _texels(texture: Any) -> tuple[float, float]:
+    """Texels of a texture along a unit of u and of v; those of procedural ones are infinitely small."""
+    size = texture.resolution()
+    if tuple(size) == (1, 1) and texture.is_spatially_varying():
+        return math.inf, math.inf
+    params = mi.traverse(texture)
+    across = np.eye(3)
+    if "to_uv" in params:
+        across = np.array(params["to_uv"].matrix, np.float64).reshape(3, 3)
+    columns = math.hypot(across[0, 0], across[1, 0]) * size[0]
+    rows = math.hypot(across[0, 1], across[1, 1]) * size[1]
+    return max(columns, 1.0), max(rows, 1.0)
+
+
+def _resolution(textures: dict[str, _Texture], most: int) -> tuple[int, int]:
+    """Texels of the finest texture, rounded up to powers of two, and no more than `most`."""
+    sides = []
+    for axis in (0, 1):
+        finest = max((texture.texels[axis] for texture in textures.values()), default=1.0)
+        sides.append(1 << math.ceil(math.log2(min(finest, most)) - 1e-6))
+    return sides[0], sides[1]
+
+
+def _input(name: str, texture: _Texture, resolution: tuple[int, int]) -> _Input:
+    """A texture's values over all texels: means of what lies in each."""
+    width, height = resolution
+    taps = [
+        max(1, math.ceil(min(_MOST_TAPS, n / side)))
+        for n, side in zip(texture.texels, resolution, strict=True)
+    ]
+    v, u = np.meshgrid(
+        (np.arange(height * taps[1]) + 0.5) / (height * taps[1]),
+        (np.arange(width * taps[0]) + 0.5) / (width * taps[0]),
+        indexing="ij",
+    )
+    positions = np.stack([u.ravel(), v.ravel()], 1).astype(np.float32)
+    fine, channels = _evaluated(texture, positions)
+    grid = fine.reshape(height, taps[1], width, taps[0], -1)
+    return _Input(name, grid.mean(axis=(1, 3), dtype=np.float64).astype(np.float32), channels)
+
+
+def _evaluated(texture: _Texture, positions: _Floats) -> tuple[_Floats, tuple[str, ...]]:
+    """Inputs [n, channels] at points of uv, about −1 to 1, and their names."""
+    parts = []
+    for first in range(0, len(positions), _BATCH):
+        si = _interaction(positions[first : first + _BATCH])
+        if texture.role == "bump":
+            gradient = texture.scale * np.array(texture.texture.eval_1_grad(si)).T
+            parts.append(gradient)
+        else:
+            value: Any = texture.texture.eval_3(si) if texture.role else texture.texture.eval(si)
+            parts.append(np.broadcast_to(np.array(value).T, (len(positions[first : first + _BATCH]), 3)))
+    values = np.concatenate(parts).astype(np.float32)
+    if not texture.role:
+        values = 2 * values - 1
+        if np.array_equal(values, values[:, :1].repeat(3, axis=1)):
+            return values[:, :1], ("",)
+        return values, (".r", ".g", ".b")
+    if texture.role == "normal":
+        normal = 2 * values - 1
+        values = -normal[:, :2] / np.maximum(normal[:, 2:], 0.1)
+    slope = values.clip(-_STEEPEST, _STEEPEST)
+    x, y = slope.T
+    moments = np.stack([x, y, x * x, y * y, x * y], axis=1)
+    return moments.astype(np.float32), (".x", ".y", ".xx", ".yy", ".xy")

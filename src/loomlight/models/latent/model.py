@@ -1,0 +1,337 @@
+"""Neural appearance as a multi-scale model: values, directions and albedos of one trained source.
+
+The back of a fabric has textures of its own; other sources look alike from both sides. Light on the other
+side than the view gives nothing, and holes are black: the published model transmits no light.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from functools import cached_property
+from importlib import import_module
+from itertools import pairwise
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, Self, final
+
+import drjit as dr
+import numpy as np
+
+from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.sources import Source
+from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.backend import ArrayTypes, array_types, clip, maximum
+from loomlight.core.errors import InputError
+from loomlight.core.extras import import_extra
+from loomlight.core.files import cache_folder
+from loomlight.core.footprint import Footprint
+from loomlight.models.interface import FootprintBsdf, Model, Option
+from loomlight.models.latent.networks import (
+    ALBEDO_WIDTHS,
+    CHANNELS,
+    FRAMES,
+    SAMPLER_WIDTHS,
+    DeviceWeights,
+    Frame,
+    Weights,
+    decoder_widths,
+)
+from loomlight.models.latent.settings import (
+    DECODERS,
+    DEFAULT_DECODER,
+    DEFAULT_LOSS,
+    DEFAULT_QUALITY,
+    LOSSES,
+    QUALITIES,
+    RUNGS,
+    settings_of,
+)
+from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.models.random_numbers import hashed, uniform
+from loomlight.models.relu_network import Layers
+from loomlight.scattering.lobe_mixture import LobeMixture, mixture_density, sample_mixture
+from loomlight.scattering.point import DirectionSample, to_face_frame
+
+# Not log2(0): footprints of points.
+_SMALLEST_SIZE = 1e-9
+_TRAINING = "loomlight.models.latent.training.train"
+MIPS = ("stochastic", "trilinear")
+
+
+@final
+class LatentBsdf(FootprintBsdf):
+    """The BSDF of footprints for one view: latent, frames and lobes, which no light changes."""
+
+    def __init__(self, model: LatentModel, view: Vec3, footprint: Footprint) -> None:
+        super().__init__(view, footprint)
+        self._model = model
+        types = array_types(view.x)
+        self._back = types.Bool(view.z < 0)
+        self._facing = to_face_frame(view, self._back)
+        self._device = model.device_weights(types.Float)
+
+    @property
+    def hole(self) -> Float:
+        """0 in every lane; holes are part of the values, as black."""
+        return dr.select(self._back, array_types(self.view.x).Float(0), 0)
+
+    @property
+    def diffuse_reflectance(self) -> Color3:
+        """Mean albedo of the face that is seen, over all views."""
+        types = array_types(self.view.x)
+        reflectance = self._model.weights.reflectance
+        front, back = (types.Color3(*map(float, colour)) for colour in (reflectance[0], reflectance[-1]))
+        return dr.select(self._back, back, front)
+
+    @property
+    def directional_albedo(self) -> Color3:
+        """The learned share of light that this view sees, for the termination of paths, 0 to 1."""
+        albedo = self._device.albedo(self._latent, self._facing)
+        return array_types(self.view.x).Color3(*(clip(channel, 0, 1) for channel in albedo))
+
+    @cached_property
+    def _latent(self) -> list[Float]:
+        types, shape = array_types(self.view.x), self._model.weights.shape
+        faces = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
+        u = self.footprint.centre.x * (1 / shape.width_mm)
+        v = self.footprint.centre.y * (1 / shape.height_mm)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
+        level = clip(dr.log2(side), 0, shape.levels - 1)
+        if self._model.mips == "trilinear":
+            return self._device.latent(u, v, level, faces)
+        # Listing 1: the nearer of two levels is the more probable one.
+        seed = hashed(self.view, self.footprint, (shape.width_mm, shape.height_mm))
+        lower = dr.floor(level)
+        upper = uniform(seed, 0) < level - lower
+        chosen = types.Int32(lower) + dr.select(upper, types.Int32(1), types.Int32(0))
+        return self._device.latent_of_level(u, v, chosen, faces)
+
+    @cached_property
+    def _frames(self) -> list[Frame]:
+        return self._device.frames(self._latent)
+
+    @cached_property
+    def _mixture(self) -> LobeMixture:
+        return self._device.mixture(self._latent, self._facing)
+
+    def value(self, light: Vec3, active: Mask = True) -> Color3:
+        """f·cos, 1/sr; 0 for lights on the other side."""
+        facing = to_face_frame(light, self._back)
+        value = self._device.value(self._latent, self._frames, facing, self._facing)
+        return dr.select((facing.z > 0) & active, value, 0)
+
+    def pdf(self, light: Vec3) -> Float:
+        """Density of `sample`, 1/sr; directions below the surface are drawn too, and carry no light."""
+        facing = to_face_frame(light, self._back)
+        return mixture_density(self._mixture, [*facing], [*self._facing])
+
+    def sample(self, choice: Float, u: Vec2) -> DirectionSample:
+        """A direction of the lobes (listing 4)."""
+        types = array_types(self.view.x)
+        drawn = sample_mixture(self._mixture, [*self._facing], choice, [*u])
+        light = to_face_frame(dr.normalize(types.Vector3(*drawn)), self._back)
+        pdf = self.pdf(light)
+        weight = dr.select(pdf > 0, self.value(light) / maximum(pdf, 1e-30), 0)
+        # Never, in every lane.
+        return DirectionSample(light, pdf, weight, types.Bool(choice < 0))
+
+
+@final
+class LatentModel(Model):
+    """zeltner2024: latent textures and networks that are trained for one source.
+
+    Attributes:
+        weights: what was trained.
+        mips: how levels are chosen, of `MIPS`.
+        multiply_adds: of one query of the decoder, texels and frames included.
+        bytes_fetched: by one query.
+    """
+
+    name = "latent"
+    filters = True
+    conserves_energy = False
+    symbolic = False
+    trains = True
+    options = (
+        Option("quality", str, f"one of {', '.join(QUALITIES)}"),
+        Option("decoder", str, f"one of {', '.join(DECODERS)}"),
+        Option("resolution", int, "a power of two from 8 to 1024", low=8, high=1024),
+        # How levels are read; it changes no weight.
+        Option("mips", str, f"one of {', '.join(MIPS)}"),
+        # The rungs of the paper's ablation.
+        Option("rung", str, f"one of {', '.join(RUNGS)}"),
+        Option("loss", str, f"one of {', '.join(LOSSES)}"),
+        Option("seed", int, "a whole number from 0", low=0, high=2**32 - 1),
+        Option("steps", int, "a whole number from 1", low=1, high=10**7),
+        # Where queries and checkpoints stay; by default they are removed at the end.
+        Option("folder", str, "the path of a folder"),
+        Option("device", str, "cpu or cuda"),
+    )
+
+    def __init__(self, source: Source, weights: Weights, mips: str = MIPS[0]) -> None:
+        self.source, self.weights, self.mips = source, weights, mips
+        self._devices: dict[type, DeviceWeights] = {}
+        numbers = [matrix.size for matrix, _ in weights.layers["decoder"]]
+        taps = 4 if mips == "stochastic" else 8
+        # Sums of the frames, and both directions in them.
+        frames = 0 if weights.frames is None else weights.frames.size + FRAMES * (6 + 18)
+        self.multiply_adds = sum(numbers) + frames + taps * CHANNELS
+        self.bytes_fetched = 4 * taps * CHANNELS
+
+    @classmethod
+    def for_source(
+        cls,
+        source: Source,
+        quality: str = DEFAULT_QUALITY,
+        decoder: str = DEFAULT_DECODER,
+        resolution: int | None = None,
+        mips: str = MIPS[0],
+        rung: str = "frames",
+        loss: str = DEFAULT_LOSS,
+        seed: int = 0,
+        steps: int | None = None,
+        folder: str | os.PathLike[str] | None = None,
+        device: str = "cpu",
+        report: Callable[[int, int], None] | None = None,
+    ) -> Self:
+        """The model trained for a source; see `options`. A training that was stopped goes on.
+
+        Args:
+            report: called with (done, in all).
+
+        Raises:
+            InputError: a source of which no queries can be taken, or an option that cannot be.
+            MissingDependencyError: PyTorch is missing.
+        """
+        settings = settings_of(quality, resolution, decoder, rung, loss, seed, steps)
+        if device not in ("cpu", "cuda"):
+            raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
+        if mips not in MIPS:
+            raise InputError(f'mips = "{mips}" is wrong: give {" or ".join(MIPS)}.')
+        # On shared cores threads that spin while they wait make small batches many times slower.
+        os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+        import_extra("torch", "train", "Training latent")
+        train: Any = import_module(_TRAINING).train_latent
+        if folder is not None:
+            return cls(source, train(source, settings, Path(folder), report, device), mips)
+        place = cache_folder("latent") / settings.identity(source)[:16]
+        weights = train(source, settings, place, report, device)
+        _remove(place)
+        return cls(source, weights, mips)
+
+    def device_weights(self, float_type: type) -> DeviceWeights:
+        """Textures and networks on one backend, uploaded once."""
+        if float_type not in self._devices:
+            self._devices[float_type] = DeviceWeights(self.weights, float_type)
+        return self._devices[float_type]
+
+    def upload(self, types: ArrayTypes) -> None:
+        """Puts textures and networks on a backend."""
+        self.device_weights(types.Float)
+
+    def at(
+        self, view: Vec3, footprint: Footprint, tint: Color3 | None = None, active: Mask = True
+    ) -> LatentBsdf:
+        """The BSDF of footprints for one view each; it keeps no albedos apart, so `tint` is ignored."""
+        del tint, active
+        return LatentBsdf(self, view, footprint)
+
+    def to_loom(self) -> LoomFile:
+        """A file of textures and networks."""
+        weights, shape = self.weights, self.weights.shape
+        tensors = {"latents": weights.latents, "reflectance": weights.reflectance}
+        if weights.frames is not None:
+            tensors["frames"] = weights.frames
+        for name, layers in weights.layers.items():
+            for number, (matrix, bias) in enumerate(layers):
+                tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
+        decoder = next(name for name, hidden in DECODERS.items() if hidden == weights.hidden)
+        settings: dict[str, bool | int | float | str] = {
+            "columns": shape.columns,
+            "rows": shape.rows,
+            "faces": shape.faces,
+            "decoder": decoder,
+            "mips": self.mips,
+        }
+        return LoomFile(self.name, self.source, tensors, settings)
+
+    @classmethod
+    def from_loom(cls, loom: LoomFile) -> Self:
+        """The model of textures and networks in a file.
+
+        Raises:
+            InputError: another model's file, or tensors that are missing or of another shape.
+        """
+        loom.require_model(cls.name)
+        columns, rows, faces = (_count(loom, name) for name in ("columns", "rows", "faces"))
+        decoder, mips = (
+            _choice(loom, name, known) for name, known in (("decoder", tuple(DECODERS)), ("mips", MIPS))
+        )
+        shape = PyramidShape(columns, rows, *loom.source.repeat_mm, faces)
+        latents = loom.tensor("latents", (faces * shape.texels, CHANNELS), np.float32)
+        reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
+        frames = None
+        if "frames" in loom.tensors:
+            frames = loom.tensor("frames", (6 * FRAMES, CHANNELS), np.float32)
+        widths = {
+            "decoder": decoder_widths(DECODERS[decoder], frames is not None),
+            "sampler": SAMPLER_WIDTHS,
+            "albedo": ALBEDO_WIDTHS,
+        }
+        layers = {name: _layers(loom, name, each) for name, each in widths.items()}
+        return cls(loom.source, Weights(shape, latents, frames, layers, reflectance), mips)
+
+    def facts(self) -> dict[str, str]:
+        """The source, and the size of textures and decoder."""
+        shape = self.weights.shape
+        textures = f"{shape.columns} × {shape.rows} texels, {shape.levels} levels"
+        decoder = " → ".join(str(width) for width in self.weights.hidden)
+        return {**super().facts(), "textures": textures, "decoder": decoder}
+
+
+def _layers(loom: LoomFile, name: str, widths: tuple[int, ...]) -> Layers:
+    """Weights and biases of a network in a file.
+
+    Raises:
+        InputError: tensors that are missing or of another shape.
+    """
+    return [
+        (
+            loom.tensor(f"{name}.{number}.weight", (outputs, inputs), np.float32),
+            loom.tensor(f"{name}.{number}.bias", (outputs,), np.float32),
+        )
+        for number, (inputs, outputs) in enumerate(pairwise(widths))
+    ]
+
+
+def _choice(loom: LoomFile, name: str, known: tuple[str, ...]) -> str:
+    """A setting that is one of some names.
+
+    Raises:
+        InputError: another one.
+    """
+    value = loom.setting(name, str)
+    if value not in known:
+        raise InputError(f'{loom.file}: {name} = "{value}" is wrong: it is one of {", ".join(known)}.')
+    return value
+
+
+def _count(loom: LoomFile, name: str) -> int:
+    """A number of texels or faces: a small power of two.
+
+    Raises:
+        InputError: another number.
+    """
+    value = loom.setting(name, int)
+    most = 2 if name == "faces" else 4096
+    if not 1 <= value <= most or value & (value - 1):
+        raise InputError(f"{loom.file}: {name} = {value} is wrong: it is a power of two up to {most}.")
+    return value
+
+
+def _remove(folder: Path) -> None:
+    """Removes a folder of files."""
+    # What a temporary folder does at its end, which copes with files of other processes.
+    with TemporaryDirectory(dir=folder.parent) as temporary:
+        folder.rename(Path(temporary) / folder.name)

@@ -1,0 +1,156 @@
+"""Latent textures and networks as numbers, and their evaluation on any backend.
+
+    frames   8 → 12                     latent → normals and tangents of two shading frames, without bias
+    decoder  20 → 2×16, 2×32, 3×64 → 3  both directions in both frames, latent → log f·cos + 3
+    sampler  11 → 32 → 32 → 32 → 9      view, latent → lobes (`scattering/lobe_mixture.py`)
+    albedo   11 → 16 → 3                view, latent → log of the share of light that is scattered, + 1
+
+The order of inputs and outputs is that of listings 2 and 3 of the supplemental of zeltner2024. Without
+learned frames the decoder has 14 inputs: view, light, latent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import drjit as dr
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.core.arrays import Color3, Float, FloatType, Int, UInt, Vec3
+from loomlight.core.backend import array_types, clip, minimum, upload
+from loomlight.models.mip_pyramid import DrjitFunctions, PyramidShape, Taps, level_taps, trilinear_taps
+from loomlight.models.relu_network import Layers, ReluNetwork
+from loomlight.scattering.lobe_mixture import LOBE_OUTPUTS, LobeMixture, lobe_mixture
+
+# Channels of a texel.
+CHANNELS = 8
+FRAMES = 2
+SAMPLER_WIDTHS = (3 + CHANNELS, 32, 32, 32, LOBE_OUTPUTS)
+ALBEDO_WIDTHS = (3 + CHANNELS, 16, 3)
+# Offsets of the exponential outputs: of networks that begin near 0.
+VALUE_OFFSET, ALBEDO_OFFSET = 3.0, 1.0
+# Bound of an exponent: values stay finite, and no training reaches it.
+LARGEST_EXPONENT = 12.0
+
+
+def decoder_widths(hidden: tuple[int, ...], with_frames: bool) -> tuple[int, ...]:
+    """Widths of the decoder's layers, inputs first."""
+    return (CHANNELS + 6 * (FRAMES if with_frames else 1), *hidden, 3)
+
+
+@dataclass(frozen=True, eq=False)
+class Weights:
+    """A trained material.
+
+    Attributes:
+        shape: of the textures.
+        latents: texels of the pyramid [faces · shape.texels, 8], a face after another, fine levels first.
+        frames: weights [12, 8] of normal and tangent of each frame; None without learned frames.
+        layers: weights [outputs, inputs] and biases of "decoder", "sampler" and "albedo".
+        reflectance: mean albedo of each face [faces, 3].
+    """
+
+    shape: PyramidShape
+    latents: NDArray[np.float32]
+    frames: NDArray[np.float32] | None
+    layers: dict[str, Layers]
+    reflectance: NDArray[np.float32]
+
+    @property
+    def hidden(self) -> tuple[int, ...]:
+        """Widths of the decoder's hidden layers."""
+        return tuple(len(bias) for _, bias in self.layers["decoder"][:-1])
+
+
+# Tangent, bitangent and normal, which need not be orthogonal.
+Frame = tuple[Vec3, Vec3, Vec3]
+
+
+class DeviceWeights:
+    """A trained material on one backend."""
+
+    def __init__(self, weights: Weights, float_type: FloatType) -> None:
+        self._shape, self._types = weights.shape, array_types(float_type)
+        self._functions = DrjitFunctions(self._types)
+        self._latents = upload(float_type, weights.latents)
+        self._frames = None if weights.frames is None else weights.frames.tolist()
+        self._networks = {name: ReluNetwork(layers, float_type) for name, layers in weights.layers.items()}
+
+    def latent_of_level(self, u: Float, v: Float, level: Int, face: UInt) -> list[Float]:
+        """The latent of one level, `CHANNELS` numbers, interpolated between texels.
+
+        Args:
+            u, v: in repeats.
+            level: a whole number.
+            face: index of its textures.
+        """
+        return self._fetched(level_taps(self._shape, *_wrapped(u, v), *self._place(level, face)))
+
+    def latent(self, u: Float, v: Float, level: Float, face: UInt) -> list[Float]:
+        """The latent between two levels; see `latent_of_level`."""
+        return self._fetched(trilinear_taps(self._shape, *_wrapped(u, v), *self._place(level, face)))
+
+    def frames(self, latent: Sequence[Float]) -> list[Frame]:
+        """The learned frames (listing 2); empty without them."""
+        if self._frames is None:
+            return []
+        sums = [_dot(row, latent) for row in self._frames]
+        return [_frame(self._types.Vector3, sums[first : first + 6]) for first in range(0, 6 * FRAMES, 6)]
+
+    def value(self, latent: Sequence[Float], frames: list[Frame], light: Vec3, view: Vec3) -> Color3:
+        """f·cos, 1/sr, of directions in the frame of the face that is seen."""
+        inputs: list[Float] = []
+        for tangent, bitangent, normal in frames:
+            for direction in (view, light):
+                inputs += [dr.dot(direction, axis) for axis in (tangent, bitangent, normal)]
+        if not frames:
+            inputs = [*view, *light]
+        outputs = self._networks["decoder"]([*inputs, *latent])
+        return self._types.Color3(*(_exponential(output - VALUE_OFFSET) for output in outputs))
+
+    def mixture(self, latent: Sequence[Float], view: Vec3) -> LobeMixture:
+        """The density that lights are drawn with (listing 3)."""
+        return lobe_mixture(self._networks["sampler"]([*view, *latent]))
+
+    def albedo(self, latent: Sequence[Float], view: Vec3) -> Color3:
+        """The share of light that is scattered towards the view's side."""
+        outputs = self._networks["albedo"]([*view, *latent])
+        return self._types.Color3(*(_exponential(output - ALBEDO_OFFSET) for output in outputs))
+
+    def _place(self, level: Any, face: UInt) -> tuple[Any, Int, DrjitFunctions]:
+        return level, self._types.Int32(face) * self._shape.texels, self._functions
+
+    def _fetched(self, taps: Taps) -> list[Float]:
+        types = self._types
+        sums = [types.Float(0)] * CHANNELS
+        for texel, weight in zip(taps.texels, taps.weights, strict=True):
+            # A texel is two loads of four numbers.
+            row = types.UInt32(texel) * 2
+            low, high = (dr.gather(types.Vector4, self._latents, row + half) for half in (0, 1))
+            sums = [dr.fma(weight, value, total) for value, total in zip([*low, *high], sums, strict=True)]
+        return sums
+
+
+def _wrapped(u: Float, v: Float) -> tuple[Float, Float]:
+    # Positions near the origin keep most digits, and NaN becomes 0 before it is an index.
+    return clip(u - dr.floor(u), 0, 1), clip(v - dr.floor(v), 0, 1)
+
+
+def _dot(row: list[float], latent: Sequence[Float]) -> Float:
+    total = row[0] * latent[0]
+    for weight, value in zip(row[1:], latent[1:], strict=True):
+        total = dr.fma(value, weight, total)
+    return total
+
+
+def _frame(vector: Any, sums: list[Float]) -> Frame:
+    normal = dr.normalize(vector(sums[0], sums[1], sums[2] + 1))
+    tangent = dr.normalize(vector(sums[3] + 1, sums[4], sums[5]))
+    return tangent, dr.cross(normal, tangent), normal
+
+
+def _exponential(exponent: Float) -> Float:
+    return dr.exp(minimum(exponent, LARGEST_EXPONENT))

@@ -1,0 +1,84 @@
+"""What a training asks of a source: its reflectance over footprints, and the inputs of the encoder.
+
+A source has a grid of texels; level l of its mip pyramid has 2^-l as many texels a side. A footprint of level
+l is a Gaussian about a position, of deviation texel / `SIZE_OF_SIGMA` along either axis.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.assets.sources import Source, kind_of_source
+from loomlight.core.errors import InputError
+from loomlight.models.mip_pyramid import SIZE_OF_SIGMA as SIZE_OF_SIGMA
+
+_Floats = NDArray[np.float32]
+
+
+class Reflectance(Protocol):
+    """The reflectance of a source in batches; arrays are NumPy's float32.
+
+    Attributes:
+        inputs: names of the K inputs of the encoder: texture parameters, normals, LEAN moments. Of measured
+            materials they are one per material (one-hot).
+        resolution: texels of the finest level: width and height, powers of two.
+        faces: 2 where front and back differ, else 1.
+    """
+
+    inputs: tuple[str, ...]
+    resolution: tuple[int, int]
+    faces: int
+
+    def values(
+        self,
+        positions: _Floats,
+        levels: _Floats,
+        lights: _Floats,
+        views: _Floats,
+        seed: tuple[int, ...],
+    ) -> _Floats:
+        """f·cos [n, 3], linear RGB, 1/sr, filtered over footprints; unbiased estimates of it are right too.
+
+        Args:
+            positions: centres of footprints [n, 2], in repeats of uv, 0 to 1.
+            levels: log2 of the footprint's size in texels of the finest level [n], from 0.
+            lights, views: unit vectors [n, 3], on one side of the surface; z < 0 is its back.
+            seed: of the random numbers of estimates.
+        """
+
+    def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
+        """The inputs [height, width, K] of the texels of a level, filtered, roughly in [-1, 1].
+
+        Row 0 is at v = 0. Level l is `resolution` halved l times, at least 1 texel a side.
+        """
+
+
+# By kind of source: module and class, imported when it is asked for. Materials are evaluated by a renderer,
+# which models do not import.
+_REFLECTANCES = {
+    "fabric": ("loomlight.models.latent.fabric_queries", "FabricReflectance"),
+    "material": ("loomlight.mitsuba.material_queries", "MaterialReflectance"),
+    "merl": ("loomlight.models.latent.merl_queries", "MerlReflectance"),
+}
+
+
+def reflectance_of(source: Source, resolution: int) -> Reflectance:
+    """The reflectance of a source.
+
+    Args:
+        resolution: texels along the longer side of the repeat, a power of two. Sources whose textures have a
+            resolution of their own may answer with fewer.
+
+    Raises:
+        InputError: a kind of source that has none.
+    """
+    kind = kind_of_source(source)
+    if kind not in _REFLECTANCES:
+        raise InputError(f"{source.name} is a {kind}, of which latent can take no queries.")
+    module, name = _REFLECTANCES[kind]
+    reflectance: Reflectance = getattr(import_module(module), name)(source, resolution)
+    return reflectance

@@ -1,0 +1,157 @@
+"""The queries of a training, drawn in parts, each of which depends on the seed and its number alone.
+
+Positions are uniform over the repeat. Levels are whole numbers; fine ones are more frequent, as they have
+more texels. Views are half uniform in solid angle, half uniform on the projected disk. Half of the lights are
+drawn alike; the others by half vectors close to the normal, which find highlights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.latent.queries import Reflectance
+
+_Floats = NDArray[np.float32]
+# Queries of a part of the stream; a part is drawn, stored and counted as a whole.
+PART = 1 << 16
+# More grazing directions see crests alone.
+LOWEST_COSINE = 0.02
+# Share of queries whose level is uniform; the others' density quarters with each level, as texels do.
+_UNIFORM_LEVELS = 0.5
+# Share of lights drawn by half vectors, and the roughnesses of their Trowbridge–Reitz distributions.
+_BY_HALF_VECTOR, _ALPHAS = 0.5, (0.03, 0.1, 0.3, 0.7)
+# Key that separates the random numbers of queries from those of batches.
+_STREAM = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Queries:
+    """Queries and their values.
+
+    Attributes:
+        positions: in repeats [n, 2], 0 to 1.
+        levels: whole numbers [n].
+        lights, views: unit vectors [n, 3] in the frame of the face that is seen, z > 0.
+        faces: 0 for the front, 1 for the back [n].
+        values: f·cos, linear RGB [n, 3], 1/sr.
+    """
+
+    positions: _Floats
+    levels: NDArray[np.uint8]
+    lights: _Floats
+    views: _Floats
+    faces: NDArray[np.uint8]
+    values: _Floats
+
+    def __len__(self) -> int:
+        return len(self.levels)
+
+    def __getitem__(self, chosen: NDArray[np.intp] | slice) -> Queries:
+        return Queries(*(getattr(self, part.name)[chosen] for part in fields(self)))
+
+    @classmethod
+    def joined(cls, parts: list[Queries]) -> Queries:
+        """All queries of some parts."""
+        return cls(*(np.concatenate([getattr(p, field.name) for p in parts]) for field in fields(cls)))
+
+
+class QueryStream:
+    """Queries of a source."""
+
+    def __init__(
+        self,
+        reflectance: Reflectance,
+        levels: int,
+        samples: int,
+        seed: int,
+        cone: Callable[[int], float] = lambda number: 0.0,
+    ) -> None:
+        """
+        Args:
+            levels: of the pyramid.
+            samples: estimates of which a value is the mean.
+            cone: half-angle in radians of the cone of lights that a part is mollified over, by its number.
+        """
+        self._reflectance, self._levels, self._samples = reflectance, levels, samples
+        self._seed, self._cone = seed, cone
+
+    def part(self, number: int, count: int = PART) -> Queries:
+        """The queries of one part."""
+        key = (self._seed, _STREAM, number)
+        rng = np.random.default_rng(key)
+        positions = rng.random((count, 2), np.float32)
+        levels = draw_levels(rng, count, self._levels)
+        views = draw_directions(rng, count)
+        lights = draw_lights(rng, views)
+        faces = rng.integers(self._reflectance.faces, size=count, dtype=np.uint8)
+        turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
+        to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
+
+        def repeated(rows: _Floats) -> _Floats:
+            return np.repeat(rows, self._samples, axis=0)
+
+        spread = _within_cones(rng, repeated(lights), self._cone(number))
+        estimates = self._reflectance.values(
+            repeated(positions),
+            repeated(levels.astype(np.float32)),
+            spread * repeated(to_face),
+            repeated(views * to_face),
+            key,
+        )
+        values = estimates.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
+        return Queries(positions, levels, lights, views, faces, values)
+
+
+def draw_directions(rng: np.random.Generator, count: int) -> _Floats:
+    """Unit vectors [count, 3] with z > 0, half uniform in solid angle, half on the projected disk."""
+    u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
+    cosine = np.where(rng.random(count) < 0.5, u, np.sqrt(u))
+    cosine = LOWEST_COSINE + (1 - LOWEST_COSINE) * cosine
+    return _from_cosine(cosine, azimuth)
+
+
+def draw_lights(rng: np.random.Generator, views: _Floats) -> _Floats:
+    """Lights [n, 3] with z > 0, for views."""
+    count = len(views)
+    lights = draw_directions(rng, count)
+    alpha = rng.choice(_ALPHAS, count)
+    u, azimuth = rng.random(count), 2 * math.pi * rng.random(count)
+    # Slopes of a Trowbridge–Reitz distribution: tan² = α² u / (1 − u).
+    cosine = 1 / np.sqrt(1 + alpha**2 * u / (1 - u))
+    halves = _from_cosine(cosine, azimuth)
+    mirrored = 2 * (views * halves).sum(axis=1, keepdims=True) * halves - views
+    chosen = (rng.random(count) < _BY_HALF_VECTOR) & (mirrored[:, 2] > LOWEST_COSINE)
+    return np.where(chosen[:, None], mirrored, lights).astype(np.float32)
+
+
+def _from_cosine(cosine: NDArray[np.float64], azimuth: NDArray[np.float64]) -> _Floats:
+    sine = np.sqrt(np.maximum(1 - cosine**2, 0))
+    return np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=1).astype(np.float32)
+
+
+def draw_levels(rng: np.random.Generator, count: int, levels: int) -> NDArray[np.uint8]:
+    """Whole numbers [count] below `levels`: half uniform, half in proportion to texels."""
+    texels = 0.25 ** np.arange(levels)
+    shares = _UNIFORM_LEVELS / levels + (1 - _UNIFORM_LEVELS) * texels / texels.sum()
+    return rng.choice(levels, count, p=shares).astype(np.uint8)
+
+
+def _within_cones(rng: np.random.Generator, lights: _Floats, angle: float) -> _Floats:
+    """Directions uniform in cones about lights, none of them below the surface."""
+    if angle <= 0:
+        return lights
+    count = len(lights)
+    cosine = 1 - rng.random(count) * (1 - math.cos(angle))
+    local = _from_cosine(cosine, 2 * math.pi * rng.random(count))
+    # A frame about each light: its z is above 0, so it is never −z.
+    x, y, z = lights.T
+    scale = 1 / (1 + z)
+    tangent = np.stack([1 - x * x * scale, -x * y * scale, -x], axis=1)
+    bitangent = np.stack([-x * y * scale, 1 - y * y * scale, -y], axis=1)
+    spread = local[:, :1] * tangent + local[:, 1:2] * bitangent + local[:, 2:] * lights
+    return np.where(spread[:, 2:] > LOWEST_COSINE, spread, lights).astype(np.float32)

@@ -1,0 +1,135 @@
+"""Settings of a training: what `quality` names, and what may be chosen beside it."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+
+from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
+from loomlight.core.errors import InputError
+from loomlight.fabric.sentences import closest, shown
+
+DEFAULT_QUALITY = "preview"
+# Texels a side; a power of two between these.
+SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
+# Hidden layers of the decoder, by name.
+DECODERS = {"2x16": (16, 16), "2x32": (32, 32), "3x64": (64, 64, 64)}
+DEFAULT_DECODER = "2x32"
+# The rungs of the paper's ablation (Tables 1 to 4), each with what the ones before have.
+RUNGS = ("mlp", "encoder", "frames")
+LOSSES = ("log", "cube-root", "relative")
+# The mean of noisy values, where the paper's "log" learns medians.
+DEFAULT_LOSS = "relative"
+# Part of every identity: to be raised when the same settings give other weights.
+_VERSION = 1
+
+
+@dataclass(frozen=True)
+class LatentSettings:
+    """How a material is trained.
+
+    Attributes:
+        resolution: texels along the longer side of the repeat, a power of two.
+        decoder: a name of `DECODERS`.
+        rung: how much of the model is used, of `RUNGS`.
+        loss: of `LOSSES`.
+        queries: of the source.
+        samples: estimates of which the value of a query is the mean.
+        steps: updates of encoder, textures and decoder.
+        encoder_share: share of the steps that train the encoder; the others train its textures.
+        mollified: share of the queries whose lights are cones, and of the steps that use them.
+        batch: queries of a step.
+        rate: largest learning rate of the networks; the smallest is a tenth of it.
+        texture_rate: largest learning rate of the textures.
+        sampler_steps, sampler_batch: of the importance sampler and the albedo network.
+        seed: of queries, weights and batches.
+    """
+
+    resolution: int = 64
+    decoder: str = DEFAULT_DECODER
+    rung: str = "frames"
+    loss: str = DEFAULT_LOSS
+    queries: int = 1 << 20
+    samples: int = 8
+    steps: int = 3000
+    encoder_share: float = 0.5
+    mollified: float = 1 / 15
+    batch: int = 1 << 14
+    rate: float = 5e-3
+    texture_rate: float = 1e-2
+    sampler_steps: int = 1000
+    sampler_batch: int = 1 << 10
+    seed: int = 0
+
+    def identity(self, source: Source) -> str:
+        """A hash of all that the weights depend on, for checkpoints and folders."""
+        record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
+        digest = hashlib.sha256(repr((_VERSION, asdict(self), sorted(record.items()))).encode())
+        for name in sorted(tensors):
+            digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
+        return digest.hexdigest()
+
+
+# The paper's schedule is 300 000 steps of 2 · 65 536 queries, of which it stores none: "published" reads its
+# queries several times.
+QUALITIES: dict[str, LatentSettings] = {
+    "preview": LatentSettings(),
+    "full": LatentSettings(
+        resolution=256, queries=1 << 24, samples=16, steps=20_000, batch=1 << 16, sampler_steps=4000
+    ),
+    "published": LatentSettings(
+        resolution=512,
+        queries=1 << 27,
+        samples=64,
+        steps=300_000,
+        batch=1 << 17,
+        rate=1e-3,
+        texture_rate=1e-3,
+        sampler_steps=20_000,
+        sampler_batch=1 << 13,
+    ),
+}
+
+
+def settings_of(
+    quality: str = DEFAULT_QUALITY,
+    resolution: int | None = None,
+    decoder: str = DEFAULT_DECODER,
+    rung: str = "frames",
+    loss: str = DEFAULT_LOSS,
+    seed: int = 0,
+    steps: int | None = None,
+) -> LatentSettings:
+    """The settings of a quality with some of them chosen.
+
+    Args:
+        steps: of the model; the sampler is trained a third as many.
+
+    Raises:
+        InputError: an unknown quality, decoder, rung or loss, or a resolution that is no power of two.
+    """
+    named = (
+        ("quality", quality, QUALITIES),
+        ("decoder", decoder, DECODERS),
+        ("rung", rung, RUNGS),
+        ("loss", loss, LOSSES),
+    )
+    for name, value, known in named:
+        if value not in known:
+            raise InputError(f"{name} = {shown(value)} does not exist: {closest(value, known)}")
+    chosen = replace(QUALITIES[quality], decoder=decoder, rung=rung, loss=loss, seed=seed)
+    if resolution is not None:
+        fits = SMALLEST_RESOLUTION <= resolution <= LARGEST_RESOLUTION and resolution & (resolution - 1) == 0
+        if not fits:
+            raise InputError(
+                f"resolution = {resolution} is wrong: give a power of two from {SMALLEST_RESOLUTION} to "
+                f"{LARGEST_RESOLUTION}."
+            )
+        chosen = replace(chosen, resolution=resolution)
+    if steps is not None:
+        if steps < 1:
+            raise InputError(f"steps = {steps} is wrong: give a whole number from 1.")
+        chosen = replace(chosen, steps=steps, sampler_steps=max(1, steps // 3))
+    return chosen

@@ -1,0 +1,1 @@
+"""Training of latent textures, networks and sampler; needs torch."""

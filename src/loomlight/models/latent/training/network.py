@@ -1,0 +1,161 @@
+"""The model as torch modules: the reference that training updates and tests compare the others with."""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+from torch.nn import functional
+
+from loomlight.models.latent.networks import (
+    ALBEDO_OFFSET,
+    ALBEDO_WIDTHS,
+    CHANNELS,
+    FRAMES,
+    LARGEST_EXPONENT,
+    SAMPLER_WIDTHS,
+    VALUE_OFFSET,
+    Weights,
+    decoder_widths,
+)
+from loomlight.models.latent.queries import Reflectance
+from loomlight.models.mip_pyramid import PyramidShape, level_taps
+from loomlight.models.relu_network import Layers
+from loomlight.training.direction_sampler import relu_layers
+from loomlight.training.torch_functions import TorchTextures
+
+# Added to values before cube roots, whose slope at 0 is infinite, and to what relative errors are divided by.
+_ROOT, _RELATIVE = 1e-4, 1e-2
+# Of latents of the rung without an encoder, at the start.
+_LATENTS = 0.1
+_ENCODER = (64, 64, 64, 64, CHANNELS)
+_TEXTURES = TorchTextures()
+
+
+class LatentNetwork(nn.Module):
+    """Latent textures of all faces, and all networks.
+
+    The textures are parameters divided by `scale`: with Adam their learning rate is then so many times that
+    of the networks.
+    """
+
+    inputs: Tensor
+
+    def __init__(
+        self,
+        shape: PyramidShape,
+        inputs: NDArray[np.float32],
+        hidden: tuple[int, ...],
+        with_frames: bool = True,
+        scale: float = 1.0,
+    ) -> None:
+        """
+        Args:
+            inputs: of the encoder, for each texel [faces · shape.texels, K].
+            hidden: widths of the decoder's hidden layers.
+        """
+        super().__init__()
+        self.shape, self.scale = shape, scale
+        self.register_buffer("inputs", torch.from_numpy(inputs), persistent=False)
+        self.encoder = relu_layers((inputs.shape[1], *_ENCODER))
+        self.latents = nn.Parameter(_LATENTS / scale * torch.randn(len(inputs), CHANNELS))
+        self.frames = nn.Linear(CHANNELS, 6 * FRAMES, bias=False) if with_frames else None
+        self.decoder = relu_layers(decoder_widths(hidden, with_frames))
+        self.sampler = relu_layers(SAMPLER_WIDTHS)
+        self.albedo = relu_layers(ALBEDO_WIDTHS)
+
+    def latent(self, positions: Tensor, levels: Tensor, faces: Tensor, encoded: bool) -> Tensor:
+        """Latents of queries [n, 8]; see `Queries`.
+
+        Args:
+            encoded: by the encoder; otherwise those of the textures.
+        """
+        shape, (u, v) = self.shape, positions.T
+        taps = level_taps(shape, u, v, levels, faces * shape.texels, _TEXTURES)
+        texels, weights = torch.stack(taps.texels, dim=1), torch.stack(taps.weights, dim=1)
+
+        def fetched(table: Tensor) -> Tensor:
+            return functional.embedding_bag(texels, table, per_sample_weights=weights, mode="sum")
+
+        if not encoded:
+            return self.scale * fetched(self.latents)
+        # The encoder costs ten times as much as the decoder: it runs for queries or for texels, the fewer.
+        if len(self.inputs) <= len(positions):
+            return fetched(self.encoder(self.inputs))
+        latent: Tensor = self.encoder(fetched(self.inputs))
+        return latent
+
+    @torch.no_grad()
+    def encode_texels(self) -> None:
+        """Replaces the textures by what the encoder makes of its inputs."""
+        self.latents.copy_(self.encoder(self.inputs) / self.scale)
+
+    def forward(self, latent: Tensor, lights: Tensor, views: Tensor) -> Tensor:
+        """f·cos [..., 3] of directions in the frame of the face that is seen."""
+        parts = [views, lights]
+        if self.frames is not None:
+            parts = []
+            for sums in self.frames(latent).split(6, dim=-1):
+                normal = functional.normalize(sums[..., :3] + sums.new_tensor([0.0, 0.0, 1.0]), dim=-1)
+                tangent = functional.normalize(sums[..., 3:] + sums.new_tensor([1.0, 0.0, 0.0]), dim=-1)
+                axes = (tangent, torch.linalg.cross(normal, tangent), normal)
+                parts += [
+                    torch.stack([(direction * axis).sum(-1) for axis in axes], dim=-1)
+                    for direction in (views, lights)
+                ]
+        exponent = self.decoder(torch.cat([*parts, latent], dim=-1)) - VALUE_OFFSET
+        return torch.exp(exponent.clamp(max=LARGEST_EXPONENT))
+
+    def sampler_outputs(self, latent: Tensor, views: Tensor) -> tuple[Tensor, Tensor]:
+        """Outputs of the sampler [n, 9], and logarithms of albedos [n, 3]."""
+        inputs = torch.cat([views, latent], dim=-1)
+        return self.sampler(inputs), (self.albedo(inputs) - ALBEDO_OFFSET).clamp(max=LARGEST_EXPONENT)
+
+    def weights(self, reflectance: NDArray[np.float32]) -> Weights:
+        """The trained numbers, for the renderer.
+
+        Args:
+            reflectance: mean albedo of each face [faces, 3].
+        """
+        frames = None if self.frames is None else _numbers(self.frames.weight)
+        layers = {name: _layers(getattr(self, name)) for name in ("decoder", "sampler", "albedo")}
+        return Weights(self.shape, _numbers(self.scale * self.latents), frames, layers, reflectance)
+
+
+def texel_inputs(reflectance: Reflectance, shape: PyramidShape) -> NDArray[np.float32]:
+    """Inputs of the encoder for all texels [faces · texels, K], in the order of `Weights.latents`."""
+    count = len(reflectance.inputs)
+    parts = [
+        reflectance.encoder_inputs(level, face).reshape(-1, count)
+        for face in range(shape.faces)
+        for level in range(shape.levels)
+    ]
+    return np.ascontiguousarray(np.concatenate(parts), np.float32)
+
+
+def loss_of(predicted: Tensor, truth: Tensor, kind: str) -> Tensor:
+    """Mean absolute difference of logarithms or of cube roots, or mean squared relative difference.
+
+    Of noisy values the first two learn medians, which are too dark; the third learns means.
+
+    Args:
+        predicted, truth: f·cos [n, 3], 1/sr.
+        kind: of `LOSSES`.
+    """
+    if kind == "log":
+        return functional.l1_loss(torch.log1p(predicted), torch.log1p(truth))
+    if kind == "relative":
+        scale = predicted.detach().mean(dim=-1, keepdim=True) + _RELATIVE
+        return ((predicted - truth) / scale).square().mean()
+    return 3 * functional.l1_loss((predicted + _ROOT).pow(1 / 3), (truth + _ROOT).pow(1 / 3))
+
+
+def _layers(perceptron: nn.Sequential) -> Layers:
+    return [
+        (_numbers(layer.weight), _numbers(layer.bias)) for layer in perceptron if isinstance(layer, nn.Linear)
+    ]
+
+
+def _numbers(tensor: Tensor) -> NDArray[np.float32]:
+    return np.ascontiguousarray(tensor.detach().cpu().numpy(), np.float32)

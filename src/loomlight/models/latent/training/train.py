@@ -1,0 +1,293 @@
+"""Training of one material: queries of its source, then encoder, textures and sampler, one after another.
+
+Section 1 of the supplemental of zeltner2024, in three phases that each have a checkpoint: encoder and
+decoder; textures, which begin as what the encoder gives, and decoder; sampler and albedo, which change
+nothing of the others. Everything depends on the settings and the source alone, so a training that was stopped
+goes on from its folder to the same weights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from safetensors import SafetensorError
+from safetensors.numpy import load_file, save_file
+from torch import Tensor, nn
+
+from loomlight.assets.sources import Source
+from loomlight.core.files import replacing
+from loomlight.models.latent.networks import Weights
+from loomlight.models.latent.queries import Reflectance, reflectance_of
+from loomlight.models.latent.query_stream import PART, Queries, QueryStream, draw_directions, draw_levels
+from loomlight.models.latent.settings import DECODERS, LatentSettings
+from loomlight.models.latent.training.network import LatentNetwork, loss_of, texel_inputs
+from loomlight.models.mip_pyramid import PyramidShape
+from loomlight.training.direction_sampler import sampler_loss
+from loomlight.training.loop import Schedule, train
+from loomlight.training.side_by_side import SideBySide
+
+# Called with (done, in all) of the whole training, in thousandths.
+Progress = Callable[[int, int], None]
+# Half-angle of the first cone of mollified lights (eq. 2), and the smallest rate over the largest (eq. 1).
+_FIRST_CONE, _LAST_RATE = math.radians(10), 0.1
+# Lights of a view in a step of the sampler.
+_LIGHTS = 16
+# Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
+# batches are computed on one thread, as threads would wait for each other longer than they compute.
+_PARTS, _SMALLEST_SHARED_BATCH = 2, 1 << 13
+# Keys that separate the random numbers of batches, of the sampler and of albedos from those of queries.
+_BATCHES, _SAMPLER, _ALBEDOS = 5, 6, 7
+# Thousandths of the progress after queries, and after textures.
+_QUERIES_DONE, _TEXTURES_DONE, _WHOLE = 300, 850, 1000
+# Views and places of which a face's mean albedo is taken.
+_ALBEDO_VIEWS = 4096
+
+
+def train_latent(
+    source: Source,
+    settings: LatentSettings,
+    folder: Path,
+    progress: Progress | None = None,
+    device: str = "cpu",
+    keep_every: float = 30.0,
+) -> Weights:
+    """The weights of a material.
+
+    Args:
+        folder: holds queries and checkpoints; made if need be, and used again to go on.
+        device: of torch, "cpu" or "cuda".
+        keep_every: seconds between checkpoints.
+
+    Raises:
+        InputError: a source of which no queries can be taken, or a damaged checkpoint.
+    """
+    report = progress or (lambda done, total: None)
+    folder.mkdir(parents=True, exist_ok=True)
+    reflectance = reflectance_of(source, settings.resolution)
+    shape = PyramidShape(*reflectance.resolution, *source.repeat_mm, reflectance.faces)
+    queries = taken_queries(source, settings, reflectance, shape.levels, folder, report)
+    torch.manual_seed(settings.seed)
+    network = LatentNetwork(
+        shape,
+        texel_inputs(reflectance, shape),
+        DECODERS[settings.decoder],
+        settings.rung == "frames",
+        settings.texture_rate / settings.rate,
+    ).to(device)
+    with _one_thread():
+        _train_phases(network, queries, settings, settings.identity(source), folder, report, keep_every)
+        return network.weights(_face_albedos(network, settings.seed))
+
+
+def _train_phases(
+    network: LatentNetwork,
+    queries: Queries,
+    settings: LatentSettings,
+    identity: str,
+    folder: Path,
+    report: Progress,
+    keep_every: float,
+) -> None:
+    with_encoder = settings.rung != "mlp"
+    encoder_steps = round(settings.encoder_share * settings.steps) if with_encoder else 0
+    batches = _Batches(network, queries, settings)
+    common = [network.decoder, *([network.frames] if network.frames is not None else [])]
+
+    def run(name: str, parts: list[nn.Parameter], losses: _Losses, steps: int, first: int, span: int) -> None:
+        rate = settings.rate
+        train(
+            network,
+            torch.optim.Adam(parts, rate, eps=1e-7),
+            losses,
+            Schedule(steps, lambda done: rate * rate_factor(done), keep_every=keep_every),
+            folder / f"{name}.safetensors",
+            identity,
+            lambda step, total, _: report(first + span * step // total, _WHOLE),
+        )
+
+    def parameters(*modules: nn.Module) -> list[nn.Parameter]:
+        return [parameter for module in modules for parameter in module.parameters()]
+
+    span = _TEXTURES_DONE - _QUERIES_DONE
+    middle = span * encoder_steps // settings.steps
+    if encoder_steps:
+        losses = partial(batches.losses, encoded=True, first=0)
+        run("encoder", parameters(network.encoder, *common), losses, encoder_steps, _QUERIES_DONE, middle)
+        network.encode_texels()
+    losses = partial(batches.losses, encoded=False, first=encoder_steps)
+    steps = max(1, settings.steps - encoder_steps)
+    trained = [network.latents, *parameters(*common)]
+    run("textures", trained, losses, steps, _QUERIES_DONE + middle, span - middle)
+    sampler = _SamplerLosses(network, settings)
+    trained = parameters(network.sampler, network.albedo)
+    last = _WHOLE - _TEXTURES_DONE
+    run("sampler", trained, sampler.losses, settings.sampler_steps, _TEXTURES_DONE, last)
+
+
+_Losses = Callable[[int], Iterator[Tensor]]
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Operations of this thread use no others: the optimiser's are too small for that."""
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
+
+
+def cone_of(settings: LatentSettings, number: int) -> float:
+    """Half-angle of the cone that the lights of a part of the queries are mollified over, radians (eq. 2)."""
+    parts = settings.mollified * settings.queries / PART
+    if number + 0.5 >= parts:
+        return 0.0
+    return 0.5 * _FIRST_CONE * (1 + math.cos(math.pi * (number + 0.5) / parts))
+
+
+def taken_queries(
+    source: Source,
+    settings: LatentSettings,
+    reflectance: Reflectance,
+    levels: int,
+    folder: Path,
+    report: Progress,
+) -> Queries:
+    """All queries of a training; parts that the folder holds are read."""
+    stream = QueryStream(
+        reflectance, levels, settings.samples, settings.seed, lambda number: cone_of(settings, number)
+    )
+    identity = settings.identity(source)[:12]
+    sizes = [min(PART, settings.queries - first) for first in range(0, settings.queries, PART)]
+    parts = []
+    for number, size in enumerate(sizes):
+        file = folder / f"queries-{identity}-{number:05d}.safetensors"
+        part = _read(file, size)
+        if part is None:
+            part = stream.part(number, size)
+            with replacing(file) as temporary:
+                save_file({name: getattr(part, name) for name in Queries.__dataclass_fields__}, temporary)
+        parts.append(part)
+        report(_QUERIES_DONE * (number + 1) // len(sizes), _WHOLE)
+    return Queries.joined(parts)
+
+
+def _read(file: Path, size: int) -> Queries | None:
+    """The queries in a file; None if it does not exist or is damaged."""
+    try:
+        part = Queries(**load_file(file))
+    except (OSError, SafetensorError, TypeError):
+        return None
+    return part if len(part) == size else None
+
+
+def rate_factor(progress: float) -> float:
+    """The learning rate over the largest, at a progress from 0 to 1 (eq. 1)."""
+    return _LAST_RATE + 0.5 * (1 - _LAST_RATE) * (1 + math.cos(math.pi * progress))
+
+
+class _Batches:
+    """Losses of steps: mollified queries first, then passes over the others, each in its own order."""
+
+    def __init__(self, network: LatentNetwork, queries: Queries, settings: LatentSettings) -> None:
+        self._network, self._queries, self._settings = network, queries, settings
+        self._device = network.latents.device
+        threads = self._device.type == "cpu" and settings.batch >= _SMALLEST_SHARED_BATCH
+        self._side_by_side = SideBySide(_PARTS if threads else 1)
+        parts = sum(cone_of(settings, number) > 0 for number in range(-(-settings.queries // PART)))
+        self._mollified = min(parts * PART, len(queries) // 2)
+        self._mollified_steps = round(settings.mollified * settings.steps) if parts else 0
+        self._order: tuple[int, NDArray[np.intp]] | None = None
+
+    def losses(self, step: int, encoded: bool, first: int) -> Iterator[Tensor]:
+        """The loss of one step.
+
+        Args:
+            encoded: whether latents are the encoder's.
+            first: steps before this phase.
+        """
+        parts = np.array_split(self._chosen(first + step), self._side_by_side.parts)
+        losses = [partial(self._loss, part, encoded) for part in parts]
+        yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
+
+    def _loss(self, chosen: NDArray[np.intp], encoded: bool) -> Tensor:
+        batch = self._queries[chosen]
+        positions, lights, views, values = (
+            torch.from_numpy(part).to(self._device)
+            for part in (batch.positions, batch.lights, batch.views, batch.values)
+        )
+        levels, faces = (
+            torch.from_numpy(part.astype(np.int64)).to(self._device) for part in (batch.levels, batch.faces)
+        )
+        latent = self._network.latent(positions, levels, faces, encoded)
+        return loss_of(self._network(latent, lights, views), values, self._settings.loss)
+
+    def _chosen(self, step: int) -> NDArray[np.intp]:
+        batch, seed = self._settings.batch, self._settings.seed
+        if step < self._mollified_steps:
+            # Cones shrink along these queries, so steps go along them too, an eighth of them at a time.
+            span = max(min(batch, self._mollified), self._mollified // 8)
+            start = round((self._mollified - span) * step / max(1, self._mollified_steps - 1))
+            return start + np.random.default_rng([seed, _BATCHES, 1, step]).integers(span, size=batch)
+        sharp = len(self._queries) - self._mollified
+        number, place = divmod(step - self._mollified_steps, max(1, sharp // batch))
+        if self._order is None or self._order[0] != number:
+            order = np.random.default_rng([seed, _BATCHES, 0, number]).permutation(sharp)
+            self._order = number, self._mollified + order
+        return self._order[1][place * batch : (place + 1) * batch]
+
+
+class _SamplerLosses:
+    """Losses of the sampler: it learns what the trained decoder scatters, at places drawn anew each step."""
+
+    def __init__(self, network: LatentNetwork, settings: LatentSettings) -> None:
+        self._network, self._settings = network, settings
+
+    def losses(self, step: int) -> Iterator[Tensor]:
+        """The loss of one step."""
+        network, settings = self._network, self._settings
+        rng = np.random.default_rng([settings.seed, _SAMPLER, step])
+        latent, views = _places(network, rng, settings.sampler_batch)
+        generator = torch.Generator().manual_seed(int(rng.integers(2**62)))
+
+        def reflected(lights: Tensor) -> Tensor:
+            # Each view and latent is that of a row of lights.
+            latents, seen = (part[:, None].expand(-1, lights.shape[1], -1) for part in (latent, views))
+            values: Tensor = network(latents, lights, seen)
+            return values
+
+        yield sampler_loss(*network.sampler_outputs(latent, views), views, reflected, _LIGHTS, generator)
+
+
+@torch.no_grad()
+def _places(
+    network: LatentNetwork, rng: np.random.Generator, count: int, face: int | None = None
+) -> tuple[Tensor, Tensor]:
+    """Latents and views at random places of all levels."""
+    shape, device = network.shape, network.latents.device
+    levels = draw_levels(rng, count, shape.levels).astype(np.int64)
+    faces = rng.integers(shape.faces, size=count) if face is None else np.full(count, face)
+    positions = torch.from_numpy(rng.random((count, 2), np.float32)).to(device)
+    latent = network.latent(
+        positions, torch.from_numpy(levels).to(device), torch.from_numpy(faces).to(device), encoded=False
+    )
+    return latent, torch.from_numpy(draw_directions(rng, count)).to(device)
+
+
+@torch.no_grad()
+def _face_albedos(network: LatentNetwork, seed: int) -> NDArray[np.float32]:
+    """Mean albedo of each face [faces, 3], by the trained network."""
+    means = []
+    for face in range(network.shape.faces):
+        rng = np.random.default_rng([seed, _ALBEDOS, face])
+        _, log_albedo = network.sampler_outputs(*_places(network, rng, _ALBEDO_VIEWS, face))
+        means.append(torch.exp(log_albedo).mean(dim=0).clamp(0, 1).cpu().numpy())
+    return np.stack(means).astype(np.float32)

@@ -1,0 +1,172 @@
+"""The density that a sampler network describes: an off-centre Trowbridge–Reitz lobe and a tilted cosine lobe.
+
+The formulas are those of listings 3 and 4 of the supplemental of zeltner2024. Half vectors of the first lobe
+have slopes distributed by an anisotropic Trowbridge–Reitz density about a slope that is not that of the
+normal; the second lobe is a cosine about a tilted normal. Both cover directions below the surface too: those
+carry no light.
+
+Formulas take Dr.Jit, torch or NumPy arrays; the module of array functions is an argument, as in
+`core/backend.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+from typing import Any
+
+from loomlight.core.arrays import Float
+from loomlight.core.backend import DRJIT
+
+# Outputs of a sampler network.
+LOBE_OUTPUTS = 9
+# Bounds of outputs, which no training reaches: densities stay finite in float32.
+_LARGEST_SLOPE_OUTPUT, _LARGEST_OUTPUT, _LARGEST_LOG_RATIO = 6.0, 50.0, 8.0
+_SMALLEST_ALPHA = 1e-4
+# Half vectors with a smaller cosine have density 0 (listing 4).
+_SMALLEST_COSINE = 1e-4
+
+
+@dataclass(frozen=True)
+class LobeMixture:
+    """Parameters of the density, one number a lane.
+
+    Attributes:
+        alpha: roughnesses along x and y.
+        correlation: ρ of both slopes, −1 to 1.
+        specular_slope, diffuse_slope: slopes (x, y) of the middles of the lobes.
+        specular_share: probability of the specular lobe.
+    """
+
+    alpha: tuple[Float, Float]
+    correlation: Float
+    specular_slope: tuple[Float, Float]
+    diffuse_slope: tuple[Float, Float]
+    specular_share: Float
+
+
+def lobe_mixture(outputs: Sequence[Float], math: Any = DRJIT) -> LobeMixture:
+    """The mixture of a network's outputs (listing 3).
+
+    Args:
+        outputs: `LOBE_OUTPUTS` numbers: roughness x and y, correlation, four slopes, two logarithms of
+        weights.
+    """
+
+    def bounded(x: Float) -> Float:
+        """An approximation of tanh."""
+        x = math.clip(x, -_LARGEST_OUTPUT, _LARGEST_OUTPUT)
+        return x / math.sqrt(1 + x * x)
+
+    def slope(x: Float) -> Float:
+        """An approximation of sinh."""
+        x = math.clip(x, -_LARGEST_SLOPE_OUTPUT, _LARGEST_SLOPE_OUTPUT)
+        return x * math.sqrt(1 + x * x)
+
+    alpha_x, alpha_y = (_SMALLEST_ALPHA + 0.5 * (1 + bounded(x)) for x in outputs[:2])
+    specular_x, specular_y, diffuse_x, diffuse_y = map(slope, outputs[3:7])
+    ratio = math.clip(outputs[8] - outputs[7], -_LARGEST_LOG_RATIO, _LARGEST_LOG_RATIO)
+    return LobeMixture(
+        (alpha_x, alpha_y),
+        bounded(outputs[2]),
+        (specular_x, specular_y),
+        (diffuse_x, diffuse_y),
+        1 / (1 + math.exp(ratio)),
+    )
+
+
+def mixture_density(
+    mixture: LobeMixture, light: Sequence[Float], view: Sequence[Float], math: Any = DRJIT
+) -> Float:
+    """Density of lights per solid angle over the whole sphere, 1/sr.
+
+    Args:
+        light, view: unit vectors, three arrays each; the view has z ≥ 0.
+    """
+    share = mixture.specular_share
+    return share * specular_density(mixture, light, view, math) + (1 - share) * _diffuse_density(
+        mixture, light, math
+    )
+
+
+def specular_density(
+    mixture: LobeMixture, light: Sequence[Float], view: Sequence[Float], math: Any = DRJIT
+) -> Float:
+    """Density of the specular lobe, 1/sr (`pdf_specular` of listing 4)."""
+    x, y, z = (a + b for a, b in zip(light, view, strict=True))
+    scale = 1 / math.sqrt(math.maximum(x * x + y * y + z * z, 1e-20))
+    scale = math.select(z < 0, -scale, scale)
+    x, y, z = x * scale, y * scale, z * scale
+    cosine = math.maximum(z, _SMALLEST_COSINE)
+    (alpha_x, alpha_y), correlation = mixture.alpha, mixture.correlation
+    slope_x = -x / cosine - mixture.specular_slope[0]
+    slope_y = -y / cosine - mixture.specular_slope[1]
+    normalisation = 1 / (alpha_x * alpha_y * math.sqrt(1 - correlation * correlation))
+    across = slope_x / alpha_x
+    along = (alpha_x * slope_y - correlation * alpha_y * slope_x) * normalisation
+    # 1/(π (1 + r²)²), of standard slopes.
+    falloff = 1 + across * across + along * along
+    of_slopes = normalisation / (pi * falloff * falloff)
+    half = math.abs(view[0] * x + view[1] * y + view[2] * z)
+    density = of_slopes / (4 * cosine * cosine * cosine * math.maximum(half, 1e-6))
+    return math.select(z > _SMALLEST_COSINE, density, 0 * density)
+
+
+def _diffuse_density(mixture: LobeMixture, light: Sequence[Float], math: Any) -> Float:
+    slope_x, slope_y = mixture.diffuse_slope
+    scale = 1 / math.sqrt(1 + slope_x * slope_x + slope_y * slope_y)
+    cosine = (light[2] - slope_x * light[0] - slope_y * light[1]) * scale
+    return math.maximum(cosine, 0.0) * (1 / pi)
+
+
+def sample_mixture(
+    mixture: LobeMixture, view: Sequence[Float], choice: Float, u: Sequence[Float], math: Any = DRJIT
+) -> tuple[Float, Float, Float]:
+    """A light direction, which may lie below the surface: x, y and z.
+
+    Args:
+        view: unit vector, three arrays, z ≥ 0.
+        choice: uniform number in [0, 1) that chooses the lobe.
+        u: two uniform numbers in [0, 1).
+    """
+    sine, cosine = math.sincos(2 * pi * u[1])
+    specular = _sample_specular(mixture, view, u[0], sine, cosine, math)
+    diffuse = _sample_diffuse(mixture, u[0], sine, cosine, math)
+    chosen = choice < mixture.specular_share
+    x, y, z = (math.select(chosen, a, b) for a, b in zip(specular, diffuse, strict=True))
+    return x, y, z
+
+
+def _sample_specular(
+    mixture: LobeMixture, view: Sequence[Float], u: Float, sine: Float, cosine: Float, math: Any
+) -> list[Float]:
+    """Mirrors the view about a half vector (`sample_specular` of listing 4)."""
+    radius = math.sqrt(u / math.maximum(1 - u, 1e-7))
+    x, y = radius * cosine, radius * sine
+    (alpha_x, alpha_y), correlation = mixture.alpha, mixture.correlation
+    slope_x = alpha_x * x + mixture.specular_slope[0]
+    rest = math.sqrt(1 - correlation * correlation)
+    slope_y = alpha_y * (correlation * x + rest * y) + mixture.specular_slope[1]
+    scale = 1 / math.sqrt(1 + slope_x * slope_x + slope_y * slope_y)
+    half = (-slope_x * scale, -slope_y * scale, scale)
+    double = 2 * (view[0] * half[0] + view[1] * half[1] + view[2] * half[2])
+    return [double * a - b for a, b in zip(half, view, strict=True)]
+
+
+def _sample_diffuse(mixture: LobeMixture, u: Float, sine: Float, cosine: Float, math: Any) -> list[Float]:
+    """A cosine distribution about a tilted normal (`sample_diffuse` of listing 4)."""
+    slope_x, slope_y = mixture.diffuse_slope
+    scale = 1 / math.sqrt(1 + slope_x * slope_x + slope_y * slope_y)
+    normal_x, normal_y, normal_z = -slope_x * scale, -slope_y * scale, scale
+    # The tangent is the x axis made orthogonal to the normal; the bitangent normal × tangent has no x.
+    length = math.sqrt(normal_y * normal_y + normal_z * normal_z)
+    tangent = (length, -normal_x * normal_y / length, -normal_x * normal_z / length)
+    bitangent_y, bitangent_z = normal_z / length, -normal_y / length
+    radius, height = math.sqrt(u), math.sqrt(math.maximum(1 - u, 0.0))
+    across, along = radius * cosine, radius * sine
+    return [
+        across * tangent[0] + height * normal_x,
+        across * tangent[1] + along * bitangent_y + height * normal_y,
+        across * tangent[2] + along * bitangent_z + height * normal_z,
+    ]

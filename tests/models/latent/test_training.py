@@ -1,0 +1,197 @@
+"""A training is the same however often it is stopped, and learns what it is shown.
+
+Covers: models/latent/training/train.py, models/latent/queries.py, models/latent/query_stream.py
+Covers: models/latent/fabric_queries.py, training/direction_sampler.py
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import torch
+from numpy.typing import NDArray
+
+from loomlight.core.errors import InputError
+from loomlight.core.llvm import require_llvm
+from loomlight.fabric import fabric_from_text
+from loomlight.models.latent.fabric_queries import FabricReflectance
+from loomlight.models.latent.networks import Weights
+from loomlight.models.latent.queries import reflectance_of
+from loomlight.models.latent.query_stream import PART, QueryStream, draw_lights
+from loomlight.models.latent.settings import QUALITIES, LatentSettings
+from loomlight.models.latent.training.train import cone_of, rate_factor, taken_queries, train_latent
+from loomlight.scattering.lobe_mixture import lobe_mixture, mixture_density
+from loomlight.training.direction_sampler import relu_layers, sampler_loss
+from loomlight.training.torch_functions import TORCH
+
+require_llvm()
+
+TWILL = fabric_from_text('weave = "twill 2/1"\n[warp]\ncolor = "#c04020"\n[weft]\ncolor = "#2040c0"')
+
+
+def short(**changes: int | str) -> LatentSettings:
+    base = replace(
+        QUALITIES["preview"], resolution=8, queries=4000, samples=2, steps=20, batch=256, sampler_steps=8
+    )
+    return replace(base, sampler_batch=64, **changes)  # type: ignore[arg-type]
+
+
+def numbers(weights: Weights) -> list[NDArray[np.float32]]:
+    layers = [part for pairs in weights.layers.values() for pair in pairs for part in pair]
+    assert weights.frames is not None
+    return [weights.latents, weights.frames, weights.reflectance, *layers]
+
+
+class Stopped(Exception):  # noqa: N818 (no error: what a user does)
+    """A training is stopped."""
+
+
+def stopping(every: int) -> Callable[[int, int], None]:
+    calls = 0
+
+    def stop(done: int, total: int) -> None:
+        nonlocal calls
+        calls += 1
+        if calls % every == 0:
+            raise Stopped
+
+    return stop
+
+
+def test_a_stopped_training_goes_on_to_the_same_weights(tmp_path: Path) -> None:
+    """In each of its three phases."""
+    whole = train_latent(TWILL, short(), tmp_path / "whole")
+    stop, stops = stopping(9), 0
+    while True:
+        try:
+            resumed = train_latent(TWILL, short(), tmp_path / "stopped", stop, keep_every=0.0)
+            break
+        except Stopped:
+            stops += 1
+    assert stops >= 3
+    for actual, wanted in zip(numbers(resumed), numbers(whole), strict=True):
+        assert np.array_equal(actual, wanted)
+    # Another seed is another training, which the folder does not mix up.
+    with pytest.raises(InputError, match="belongs to another configuration"):
+        train_latent(TWILL, short(seed=1), tmp_path / "whole")
+
+
+def test_the_rungs_of_the_ablation(tmp_path: Path) -> None:
+    plain = train_latent(TWILL, short(rung="mlp"), tmp_path / "mlp")
+    assert plain.frames is None
+    assert not (tmp_path / "mlp" / "encoder.safetensors").exists()
+    with_encoder = train_latent(TWILL, short(rung="encoder", loss="cube-root"), tmp_path / "encoder")
+    assert with_encoder.frames is None
+    assert (tmp_path / "encoder" / "encoder.safetensors").exists()
+
+
+def test_queries_are_means_over_footprints() -> None:
+    """Against many points of the point model around the query's position, on the face that is seen."""
+    reflectance = reflectance_of(TWILL, 16)
+    stream = QueryStream(reflectance, 5, 256, seed=2)
+    queries = stream.part(0, 40)
+    assert np.array_equal(stream.part(0, 40).values, queries.values)
+    assert not np.array_equal(stream.part(1, 40).positions, queries.positions)
+    sides = np.where(queries.faces == 1, -1, 1)[:, None] * np.array([0, 0, 1]) + np.array([1, 1, 0])
+    wanted = np.mean(
+        [
+            reflectance.values(
+                queries.positions,
+                queries.levels.astype(np.float32),
+                (queries.lights * sides).astype(np.float32),
+                (queries.views * sides).astype(np.float32),
+                (9, k),
+            )
+            for k in range(256)
+        ],
+        axis=0,
+    )
+    assert np.abs(queries.values - wanted).sum() < 0.1 * wanted.sum()
+    assert abs(queries.values.sum() - wanted.sum()) < 0.03 * wanted.sum()
+
+
+def test_inputs_of_the_encoder_are_filtered() -> None:
+    reflectance = FabricReflectance(TWILL, 8)
+    finest = reflectance.encoder_inputs(0)
+    assert finest.shape == (8, 8, len(reflectance.inputs))
+    coarsest = reflectance.encoder_inputs(3)
+    np.testing.assert_allclose(coarsest[0, 0], finest.mean(axis=(0, 1)), atol=1e-5)
+    # Two thirds of the front are warp of a twill 2/1, of the back weft; -1 is weft and 1 warp.
+    warp = reflectance.inputs.index("is_warp")
+    assert coarsest[0, 0, warp] > 0.15 > -0.15 > reflectance.encoder_inputs(3, 1)[0, 0, warp]
+    # Normals that vary have second moments beyond the squares of their means.
+    x, xx = (reflectance.inputs.index(name) for name in ("normal_x", "normal_xx"))
+    assert coarsest[0, 0, xx] > coarsest[0, 0, x] ** 2 + 0.02
+    assert np.abs(finest).max() < 2
+
+
+def test_half_vectors_find_highlights() -> None:
+    views = np.tile(np.array([[0.6, 0.0, 0.8]], np.float32), (20_000, 1))
+    lights = draw_lights(np.random.default_rng(0), views)
+    np.testing.assert_allclose(np.linalg.norm(lights, axis=1), 1, atol=1e-5)
+    assert (lights[:, 2] > 0).all()
+    # Within 5° of the mirror direction: 0.4 % of the hemisphere.
+    assert (lights @ np.array([-0.6, 0.0, 0.8]) > math.cos(math.radians(5))).mean() > 0.1
+
+
+def test_mollification_and_rate_follow_the_supplemental(tmp_path: Path) -> None:
+    published = QUALITIES["published"]
+    assert published.steps * published.mollified == pytest.approx(20_000)
+    last = math.ceil(published.mollified * published.queries / PART)
+    assert math.degrees(cone_of(published, 0)) == pytest.approx(10, abs=0.01)
+    assert math.degrees(cone_of(published, last // 2)) == pytest.approx(5, abs=0.1)
+    assert cone_of(published, last) == 0
+    assert rate_factor(0) == 1
+    assert rate_factor(1) == pytest.approx(0.1)
+    # Cones make values differ, and leave the centres of queries alone.
+    reflectance = reflectance_of(TWILL, 8)
+    sharp, blurred = (QueryStream(reflectance, 4, 4, 0, lambda _, a=a: a).part(0, 200) for a in (0.0, 0.17))
+    assert np.array_equal(sharp.lights, blurred.lights)
+    assert not np.array_equal(sharp.values, blurred.values)
+    first = taken_queries(TWILL, short(), reflectance, 4, tmp_path, lambda done, total: None)
+    (file,) = tmp_path.iterdir()
+    file.write_bytes(file.read_bytes()[:-100])
+    again = taken_queries(TWILL, short(), reflectance, 4, tmp_path, lambda done, total: None)
+    assert np.array_equal(first.values, again.values)
+
+
+def test_a_sampler_finds_an_off_centre_lobe() -> None:
+    """The reflectance is itself a mixture of the family, so the divergence can vanish."""
+    torch.manual_seed(0)
+    target = lobe_mixture(torch.tensor([-1.0, -0.3, 0.4, 0.3, -0.2, 0.0, 0.0, 1.5, 0.0]), TORCH)
+    sampler, albedo = relu_layers((3, 16, 9)), relu_layers((3, 16, 3))
+    optimiser = torch.optim.Adam([*sampler.parameters(), *albedo.parameters()], 1e-2)
+    generator = torch.Generator().manual_seed(1)
+    views = torch.nn.functional.normalize(torch.tensor([[0.3, 0.1, 1.0], [-0.4, 0.5, 1.0]]), dim=1)
+    repeated = views.repeat(16, 1)
+
+    def reflected(lights: torch.Tensor) -> torch.Tensor:
+        eye = [column[:, None] for column in repeated.T]
+        density = mixture_density(target, lights.unbind(-1), eye, TORCH)
+        return (0.5 * density)[..., None].expand(-1, -1, 3)
+
+    for _ in range(200):
+        outputs, log_albedo = sampler(repeated), albedo(repeated)
+        loss = sampler_loss(outputs, log_albedo, repeated, reflected, 64, generator)
+        optimiser.zero_grad()
+        loss.backward()
+        optimiser.step()
+    found = lobe_mixture(sampler(views).detach().unbind(1), TORCH)
+    for view in range(2):
+        for axis in range(2):
+            assert found.alpha[axis][view] == pytest.approx(float(target.alpha[axis]), rel=0.25)
+            assert found.specular_slope[axis][view] == pytest.approx(
+                float(target.specular_slope[axis]), abs=0.1
+            )
+    # Half of the light, less what the lobe sends below the surface.
+    assert ((torch.exp(albedo(views)) > 0.3) & (torch.exp(albedo(views)) < 0.52)).all()
+
+
+def test_a_source_without_queries_is_refused() -> None:
+    with pytest.raises(TypeError, match="is no kind of source"):
+        reflectance_of(Path("a"), 8)  # type: ignore[arg-type]
