@@ -21,6 +21,7 @@ from loomlight.assets.heightfield import (
     is_heightfield_file,
     load_heightfield,
 )
+from loomlight.assets.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
 
@@ -72,6 +73,7 @@ SOURCE_KINDS: dict[str, SourceKind] = {
         load_heightfield,
         is_heightfield_file,
     ),
+    "tile": SourceKind(TileScene, tile_record, tile_from_record, load_tile, is_tile_file),
 }
 
 

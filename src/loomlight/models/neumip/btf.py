@@ -42,9 +42,13 @@ class Btf(Protocol):
 
     Attributes:
         faces: 2 where front and back differ, else 1.
+        transmits: whether light from the other side is seen.
+        has_holes: whether rays pass straight through.
     """
 
     faces: int
+    transmits: bool
+    has_holes: bool
 
     def values(
         self,
@@ -57,9 +61,13 @@ class Btf(Protocol):
 
         Args:
             positions: on the reference plane [n, 2], millimetres.
-            lights, views: unit vectors [n, 3], on one side of the surface; z < 0 is its back.
+            lights, views: unit vectors [n, 3]; z < 0 is the back. On the same side, unless light is
+                transmitted.
             seed: of the random numbers of the estimates.
         """
+
+    def holes(self, positions: NDArray[np.float32], views: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Share of light that passes straight through towards views [n], 0 to 1; asked if `has_holes`."""
 
 
 # By kind of source: module and class, imported when it is asked for. Path tracing needs a renderer, which
@@ -67,6 +75,7 @@ class Btf(Protocol):
 _BTFS = {
     "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
     "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
+    "tile": ("loomlight.mitsuba.tile_btf", "TileBtf"),
 }
 
 

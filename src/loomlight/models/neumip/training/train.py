@@ -36,8 +36,6 @@ Progress = Callable[[int, int], None]
 _FIRST_BLUR, _HALVINGS = 8.0, 9.0
 # The first blur is at most so many times smaller than the texture.
 _LEAST_WIDTHS = 8
-# Share of the training after which the offset texture stays as it is (released code).
-_OFFSET_FROZEN = 1 / 3
 _WARM_UP = 0.02
 # Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
 # batches are computed on one thread, as threads would wait for each other longer than they compute.
@@ -109,7 +107,7 @@ def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report
     shape = shape_of(source, settings)
     total = settings.queries * shape.columns * shape.rows * shape.faces
     stream = QueryStream(btf_of(source), shape, settings.samples, settings.seed)
-    identity = settings.identity(source)[:12]
+    identity = settings.query_identity(source)[:12]
     sizes = [min(PART, total - first) for first in range(0, total, PART)]
     parts = []
     for number, size in enumerate(sizes):
@@ -170,7 +168,7 @@ class _Batches:
     def losses(self, step: int) -> Iterator[Tensor]:
         """The loss of one step."""
         progress = step / self._settings.steps
-        frozen, blur = progress >= _OFFSET_FROZEN, blur_of(self._network.shape, progress)
+        frozen, blur = progress >= self._settings.offset_share, blur_of(self._network.shape, progress)
         parts = np.array_split(self._chosen(step), self._side_by_side.parts)
         losses = [partial(self._loss, part, blur, frozen) for part in parts]
         yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
