@@ -21,6 +21,13 @@ from loomlight.assets.heightfield import (
     is_heightfield_file,
     load_heightfield,
 )
+from loomlight.assets.measured_btf import (
+    MeasuredBtf,
+    is_btf_description,
+    load_measured_btf,
+    measured_btf_from_record,
+    measured_btf_record,
+)
 from loomlight.assets.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
@@ -74,6 +81,9 @@ SOURCE_KINDS: dict[str, SourceKind] = {
         is_heightfield_file,
     ),
     "tile": SourceKind(TileScene, tile_record, tile_from_record, load_tile, is_tile_file),
+    "btf": SourceKind(
+        MeasuredBtf, measured_btf_record, measured_btf_from_record, load_measured_btf, is_btf_description
+    ),
 }
 
 

@@ -76,6 +76,7 @@ _BTFS = {
     "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
     "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
     "tile": ("loomlight.mitsuba.tile_btf", "TileBtf"),
+    "btf": ("loomlight.models.neumip.measured_btf", "PictureBtf"),
 }
 
 
@@ -139,7 +140,7 @@ class QueryStream:
         rng = np.random.default_rng([self._seed, _STREAM, number])
         positions = rng.random((count, 2), np.float32)
         levels = _draw_levels(rng, count, self._shape.levels - 1)
-        lights, views = _directions(rng, count), _directions(rng, count)
+        lights, views = self._drawn_directions(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
@@ -155,6 +156,14 @@ class QueryStream:
         )
         values = found.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
         return Queries(positions, levels, lights[:, :2].copy(), views[:, :2].copy(), faces, values)
+
+    def _drawn_directions(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
+        """Lights and views above the surface; of a measured BTF its own."""
+        measured = getattr(self._btf, "measured", None)
+        if measured is None:
+            return _directions(rng, count), _directions(rng, count)
+        lights, views = (known[rng.integers(len(known), size=count)] for known in measured)
+        return lights, views
 
 
 def _draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
