@@ -84,8 +84,11 @@ def test_queries_are_gaussian_means() -> None:
     for k in range(len(queries)):
         side = -1 if queries.faces[k] else 1
         light, view = (
-            [*xy, side * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
-            for xy in (queries.lights[k], queries.views[k])
+            [*xy, sign * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
+            for xy, sign in (
+                (queries.lights[k], -side if queries.beyond[k] else side),
+                (queries.views[k], side),
+            )
         )
         sigma = shape.texel_mm / math.sqrt(12) * 2 ** float(queries.levels[k])
         centre = queries.positions[k : k + 1] * np.array(TWILL.repeat_mm)

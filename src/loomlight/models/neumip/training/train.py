@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -21,11 +22,12 @@ from torch import Tensor
 
 from loomlight.assets.sources import Source
 from loomlight.core.files import replacing
-from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of
+from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
 from loomlight.models.neumip.networks import Weights
 from loomlight.models.neumip.pyramid import PyramidShape
 from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import NeumipNetwork, loss_of
+from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
+from loomlight.models.neumip.training.proposal_fit import fitted_proposal
 from loomlight.training.loop import Schedule, train
 from loomlight.training.side_by_side import SideBySide
 
@@ -67,10 +69,10 @@ def train_neumip(
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
     queries = taken_queries(source, settings, folder, report)
+    btf, shape = btf_of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
-    shape = shape_of(source, settings)
     scale = settings.texture_rate / settings.rate
-    network = NeumipNetwork(shape, settings.offset, scale).to(device)
+    network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes).to(device)
     batches = _Batches(network, queries, settings, device)
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with _one_thread():
@@ -83,7 +85,11 @@ def train_neumip(
             settings.identity(source),
             lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
         )
-    return network.weights(reflectances(queries, shape.faces))
+    density = light_density(queries, hasattr(btf, "measured"))
+    with _one_thread():
+        proposal = fitted_proposal(queries, density, shape, settings)
+    weights = network.weights(reflectances(queries, shape.faces, density))
+    return replace(weights, open_area=float(queries.holes.mean()), proposal=proposal)
 
 
 @contextmanager
@@ -131,13 +137,15 @@ def _read(file: Path, size: int) -> Queries | None:
     return part if len(part) == size else None
 
 
-def reflectances(queries: Queries, faces: int) -> NDArray[np.float32]:
-    """Mean albedo of each face [faces, 3], of directions on the projected disk and in solid angle alike."""
-    cosines = np.sqrt(np.maximum(1 - np.square(queries.lights).sum(axis=1), 1e-4))
-    # Half of the lights have density 1/2π, half cosine/π: `btf._directions`.
-    density = 0.5 * (1 / (2 * np.pi) + cosines / np.pi)
+def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Mean albedo of each face [faces, 3], of light on the side of the view.
+
+    Args:
+        density: of the lights on their side [n], 1/sr.
+    """
+    near = queries.beyond == 0
     weighted = queries.values / density[:, None]
-    means = [weighted[queries.faces == face].mean(axis=0) for face in range(faces)]
+    means = [weighted[near & (queries.faces == face)].mean(axis=0) for face in range(faces)]
     return np.clip(np.stack(means), 0, 1).astype(np.float32)
 
 
@@ -180,8 +188,14 @@ class _Batches:
             for part in (batch.positions, batch.levels, batch.lights, batch.views, batch.values)
         )
         faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
-        predicted = self._network(positions, levels, lights, views, faces, blur, offset_frozen)
-        return loss_of(predicted, values)
+        beyond = torch.from_numpy(batch.beyond.astype(bool)).to(self._device)
+        predicted, opacity = self._network(
+            positions, levels, lights, views, faces, blur, offset_frozen, beyond
+        )
+        loss = loss_of(predicted, values)
+        if opacity is None:
+            return loss
+        return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)
