@@ -59,8 +59,8 @@ def truth(
     for half in range(2):
         spread = np.random.default_rng([_SEED, level, half]).standard_normal((count, samples, 2))
         points = (positions[:, None] + sigma * spread).reshape(-1, 2).astype(np.float32)
-        repeated = (np.repeat(part, samples, axis=0) for part in (lights, views))
-        found = btf.values(points, *repeated, (_SEED, level, half))
+        light, view = (np.repeat(part, samples, axis=0) for part in (lights, views))
+        found = btf.values(points, light, view, (_SEED, level, half))
         halves.append(found.reshape(count, samples, 3).mean(axis=1))
     return (positions.astype(np.float32), lights, views), halves
 

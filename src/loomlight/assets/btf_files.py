@@ -114,7 +114,7 @@ class Ubo2003:
                 f"{file} is truncated or damaged: {len(lights)} lights and {len(views)} views make "
                 f"{len(lights) * len(views)} pictures, and it has {len(pictures)}."
             )
-        self.lights, self.views = (_directions(*part.T, file) for part in (lights, views))
+        self.lights, self.views = (_directions(part[:, 0], part[:, 1], file) for part in (lights, views))
         self._number = np.empty((len(views), len(lights)), np.intp)
         self._number[of_view.ravel(), of_light.ravel()] = np.arange(len(pictures))
         self._pictures = np.stack(pictures)
@@ -231,11 +231,14 @@ class Ubo2014:
         if not views or not lights:
             self._refuse("it has no directions")
         pairs = (np.array(views, np.float64), np.array(lights, np.float64).reshape(-1, 2))
-        views_, lights_ = (_directions(*np.degrees(_azimuths(part)).T, self._file) for part in pairs)
-        return views_, lights_
+        of_views, of_lights = (
+            _directions(degrees[:, 0], degrees[:, 1], self._file)
+            for degrees in (np.degrees(_azimuths(part)) for part in pairs)
+        )
+        return of_views, of_lights
 
     def _channel(self, stream: BinaryIO, rows: int, columns: int) -> _Channel:
-        scalar = self._unpack(stream, struct.Struct("<B"))[0]
+        scalar = int(self._unpack(stream, struct.Struct("<B"))[0])
         if scalar not in _SCALARS:
             self._refuse(f"its numbers have {scalar} bytes, and 2, 4 and 8 are known")
         components = self._number(stream)

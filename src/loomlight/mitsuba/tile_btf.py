@@ -69,7 +69,7 @@ class TileBtf(PeriodicPaths):
         self.transmits = source.two_sided
         rng = np.random.default_rng(0)
         positions = rng.random((_TRIALS, 2), np.float32) * sides.astype(np.float32)
-        upright = np.tile(np.float32([0, 0, 1]), (_TRIALS, 1))
+        upright = np.tile(np.array([0, 0, 1], np.float32), (_TRIALS, 1))
         self.has_holes = bool(self.holes(positions, upright).any())
 
 

@@ -92,6 +92,7 @@ def test_options() -> None:
         (["--set", "resolution=4"], 'resolution = "4" is wrong: give a power of two from 8 to 1024'),
         (["--set", "steps=many"], 'steps = "many" is wrong: give a whole number from 1'),
         (["--set", "offset=no"], 'offset = "no" is wrong: give true or false'),
+        (["--set", "store=rows"], 'store = "rows" is wrong: give files or zarr'),
         (["--set", "device=tpu"], 'device = "tpu" is wrong: give cpu or cuda'),
     ],
 )

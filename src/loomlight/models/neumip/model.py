@@ -27,11 +27,12 @@ from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
+from loomlight.fabric.sentences import shown
 from loomlight.models.interface import FootprintBsdf, Model, Option
 from loomlight.models.neumip.networks import CHANNELS, NETWORKS, DeviceWeights, Weights
 from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
-from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
+from loomlight.models.neumip.settings import DEFAULT_QUALITY, FILES, QUALITIES, STORES, settings_of
 from loomlight.scattering.point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
@@ -149,6 +150,8 @@ class NeumipModel(Model):
         Option("steps", int, "a whole number from 1", low=1, high=10**7),
         # Where queries and checkpoints stay; by default they are removed at the end.
         Option("folder", str, "the path of a folder"),
+        # How queries are kept there; Zarr is for other programs.
+        Option("store", str, "files or zarr"),
         Option("device", str, "cpu or cuda"),
     )
 
@@ -170,6 +173,7 @@ class NeumipModel(Model):
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
+        store: str = FILES,
         device: str = "cpu",
         report: Callable[[int, int], None] | None = None,
     ) -> Self:
@@ -185,14 +189,16 @@ class NeumipModel(Model):
         settings = settings_of(quality, resolution, offset, seed, steps)
         if device not in ("cpu", "cuda"):
             raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
+        if store not in STORES:
+            raise InputError(f"store = {shown(store)} is wrong: give {' or '.join(STORES)}.")
         # On shared cores threads that spin while they wait make small batches many times slower.
         os.environ.setdefault("OMP_WAIT_POLICY", "passive")
         import_extra("torch", "train", "Training neumip")
         train: Any = import_module(_TRAINING).train_neumip
         if folder is not None:
-            return cls(source, train(source, settings, Path(folder), report, device))
+            return cls(source, train(source, settings, Path(folder), report, device, store=store))
         place = cache_folder("neumip") / settings.identity(source)[:16]
-        weights = train(source, settings, place, report, device)
+        weights = train(source, settings, place, report, device, store=store)
         _remove(place)
         return cls(source, weights)
 

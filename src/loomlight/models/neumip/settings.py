@@ -12,6 +12,9 @@ from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
 
+# How queries are kept: a file a part, or a Zarr group.
+FILES, ZARR = "files", "zarr"
+STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
 # Texels a side; a power of two between these.
 SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024

@@ -16,18 +16,16 @@ from pathlib import Path
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from safetensors import SafetensorError
-from safetensors.numpy import load_file, save_file
 from torch import Tensor
 
 from loomlight.assets.sources import Source
-from loomlight.core.files import replacing
 from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
 from loomlight.models.neumip.networks import Weights
 from loomlight.models.neumip.pyramid import PyramidShape
-from loomlight.models.neumip.settings import NeumipSettings
+from loomlight.models.neumip.settings import FILES, NeumipSettings
 from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
 from loomlight.models.neumip.training.proposal_fit import fitted_proposal
+from loomlight.models.neumip.training.query_store import query_store
 from loomlight.training.loop import Schedule, train
 from loomlight.training.side_by_side import SideBySide
 
@@ -55,6 +53,7 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
+    store: str = FILES,
 ) -> Weights:
     """The weights of a material.
 
@@ -62,13 +61,14 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
+        store: how queries are kept, one of `settings.STORES`.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, folder, report)
+    queries = taken_queries(source, settings, folder, report, store)
     btf, shape = btf_of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
     scale = settings.texture_rate / settings.rate
@@ -108,33 +108,28 @@ def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
     return PyramidShape.of(source.repeat_mm, settings.resolution, btf_of(source).faces)
 
 
-def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report: Progress) -> Queries:
-    """All queries of a training; parts that the folder holds are read."""
+def taken_queries(
+    source: Source, settings: NeumipSettings, folder: Path, report: Progress, store: str = FILES
+) -> Queries:
+    """All queries of a training; parts that the folder holds are read.
+
+    Args:
+        store: how they are kept, one of `settings.STORES`.
+    """
     shape = shape_of(source, settings)
     total = settings.queries * shape.columns * shape.rows * shape.faces
     stream = QueryStream(btf_of(source), shape, settings.samples, settings.seed)
-    identity = settings.query_identity(source)[:12]
+    kept = query_store(store, folder, settings.query_identity(source), total)
     sizes = [min(PART, total - first) for first in range(0, total, PART)]
     parts = []
     for number, size in enumerate(sizes):
-        file = folder / f"queries-{identity}-{number:05d}.safetensors"
-        part = _read(file, size)
+        part = kept.read(number, size)
         if part is None:
             part = stream.part(number, size)
-            with replacing(file) as temporary:
-                save_file({name: getattr(part, name) for name in Queries.__dataclass_fields__}, temporary)
+            kept.write(number, part)
         parts.append(part)
         report(_OF_QUERIES * (number + 1) // len(sizes), _WHOLE)
     return Queries.joined(parts)
-
-
-def _read(file: Path, size: int) -> Queries | None:
-    """The queries in a file; None if it does not exist or is damaged."""
-    try:
-        part = Queries(**load_file(file))
-    except (OSError, SafetensorError, TypeError):
-        return None
-    return part if len(part) == size else None
 
 
 def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> NDArray[np.float32]:
