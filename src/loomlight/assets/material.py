@@ -273,7 +273,7 @@ def _chosen(root: ElementTree.Element, wanted: str | None) -> ElementTree.Elemen
     if not left:
         raise InputError("it holds no <bsdf>: write one into its <scene>.")
     if len(left) > 1:
-        names = ", ".join(element.get("id") or element.get("type", "?") for element in left)
+        names = ", ".join(element.get("id", element.get("type", "?")) for element in left)
         raise InputError(f'it holds several BSDFs ({names}): name one in a TOML file, bsdf = "id".')
     return left[0]
 

@@ -115,8 +115,9 @@ class MaterialReflectance:
         total = np.zeros((len(levels), 3), np.float32)
         for x, y in _TURNS:
             turned = np.stack([x * offset[:, 0] - y * offset[:, 1], y * offset[:, 0] + x * offset[:, 1]], 1)
-            total += self.point_values(positions + sigma * turned, lights, views)
-        return total / len(_TURNS)
+            places = (positions + sigma * turned).astype(np.float32)
+            total += self.point_values(places, lights, views)
+        return (total / len(_TURNS)).astype(np.float32)
 
     def point_values(self, positions: _Floats, lights: _Floats, views: _Floats) -> _Floats:
         """f·cos [n, 3] at points of uv [n, 2]."""
@@ -127,7 +128,7 @@ class MaterialReflectance:
             light = mi.Vector3f(np.ascontiguousarray(lights[part].T))
             found[part] = np.array(self._bsdf.eval(self._context, si, light, mi.Bool(True))).T
         # Lobes at grazing angles may be 0/0.
-        return np.nan_to_num(found, nan=0.0, posinf=0.0, neginf=0.0)
+        return np.where(np.isfinite(found), found, np.float32(0))
 
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Filtered inputs [height, width, K] of a level; see `Reflectance.encoder_inputs`."""
@@ -272,7 +273,7 @@ def _evaluated(texture: _Texture, positions: _Floats) -> tuple[_Floats, tuple[st
         return values, (".r", ".g", ".b")
     if texture.role == "normal":
         normal = 2 * values - 1
-        values = -normal[:, :2] / np.maximum(normal[:, 2:], 0.1)
+        values = (-normal[:, :2] / np.maximum(normal[:, 2:], 0.1)).astype(np.float32)
     slope = values.clip(-_STEEPEST, _STEEPEST)
     x, y = slope.T
     moments = np.stack([x, y, x * x, y * y, x * y], axis=1)

@@ -39,7 +39,7 @@ def analytic_value(channels: Sequence[Float], light: Vec3, view: Vec3) -> Color3
     """
     base = mi.Color3f(*(_sigmoid(part) for part in channels[:3]))
     roughness, metallic, strength = (_sigmoid(part) for part in channels[3:6])
-    normal = dr.normalize(mi.Vector3f(-dr.tanh(channels[6]), -dr.tanh(channels[7]), 1))
+    normal = dr.normalize(mi.Vector3f(*(dr.tanh(-part) for part in channels[6:]), 1))
     cos_light = dr.maximum(dr.dot(normal, light), 0)
     cos_view = dr.maximum(dr.dot(normal, view), 1e-3)
     half = dr.normalize(light + view)
@@ -113,7 +113,8 @@ def _bsdf(channels: NDArray[np.float32]) -> Any:
             lobe = flags.GlossyReflection | flags.FrontSide | flags.SpatiallyVarying
             self.m_components = [lobe]
             self.m_flags = lobe
-            self._texture: Any = mi.Texture2f(mi.TensorXf(channels), wrap_mode=dr.WrapMode.Repeat)
+            texture_type: Any = mi.Texture2f
+            self._texture = texture_type(mi.TensorXf(channels), wrap_mode=dr.WrapMode.Repeat)
 
         def eval(self, ctx: Any, si: Any, wo: Any, active: Mask = True) -> Any:
             del ctx

@@ -115,8 +115,8 @@ def sampler_variance(setting: Setting) -> Evidence:
             rows.append(Row(f"{name}, {way}", tiles[way]))
         setting.step(number + 1, len(LAYERED))
     note = (
-        f"{SAMPLES} samples a pixel, direct light of an environment; truths: {setting.samples} samples of the "
-        f"same BSDF, in two halves; 2×32, quality {setting.quality}."
+        f"{SAMPLES} samples a pixel, direct light of an environment; truths: {setting.samples} samples of "
+        f"the same BSDF, in two halves; 2×32, quality {setting.quality}."
     )
     title = "zeltner2024: the importance sampler"
     return Evidence(contact_sheet(title, _COLUMNS, rows, note), pictures, [*noise.values(), cost])
@@ -131,9 +131,14 @@ def _noisy(scene: MeasuredScene, way: str) -> tuple[NDArray[np.float32], float]:
     """A picture of a few samples, and the processor seconds of a second one like it."""
     integrator = scene.integrator if way == _WAYS[1] else _directions_alone()
     noisy = MeasuredScene(scene.scene, integrator, scene.counted, scene.yarns_per_pixel)
-    one_picture(noisy, SAMPLES, 3)
-    start = time.process_time()
-    picture = one_picture(noisy, SAMPLES, 4)
+    # Networks are many times slower in symbolic calls, which Mitsuba's own integrators would make.
+    with (
+        dr.scoped_set_flag(dr.JitFlag.SymbolicCalls, False),
+        dr.scoped_set_flag(dr.JitFlag.SymbolicLoops, False),
+    ):
+        one_picture(noisy, SAMPLES, 3)
+        start = time.process_time()
+        picture = one_picture(noisy, SAMPLES, 4)
     return picture, time.process_time() - start
 
 

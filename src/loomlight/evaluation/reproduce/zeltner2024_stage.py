@@ -100,7 +100,12 @@ def trained(source: Material, setting: Setting, decoder: str = "2x32", rung: str
         InputError: an unknown quality, or a folder that cannot be written to.
         MissingDependencyError: PyTorch is missing, where there is a training to do.
     """
-    options = {"quality": setting.quality, "resolution": RESOLUTION, "decoder": decoder, "rung": rung}
+    options: dict[str, Any] = {
+        "quality": setting.quality,
+        "resolution": RESOLUTION,
+        "decoder": decoder,
+        "rung": rung,
+    }
     if setting.steps is not None:
         options["steps"] = setting.steps
     identity = settings_of(**options).identity(source)[:12]
