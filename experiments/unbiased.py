@@ -5,7 +5,8 @@
 A case is a fabric (of the 24 held-out ones), a light, a view and a parallelogram of a quarter thread to
 four repeats, up to three times as long as wide. Reflection and transmission, both faces. The reference
 draws uniform points in the parallelogram and follows each view and shadow ray exactly
-(`aggregate/reference.py`).
+(`aggregate/reference.py`). With `--aligned` the parallelograms are rectangles along the threads: of others
+`clustered` keeps mean and covariance, not the shape, and its expectation is another footprint's.
 
 Models may draw points themselves, by numbers that they make of what they are asked. Moving a footprint by
 whole repeats leaves its integral as it is, changing its edges by a hundred-thousandth as good as does, and
@@ -79,8 +80,12 @@ class Means:
     variance: Array
 
 
-def random_cases(fabric: Fabric, count: int, seed: int) -> Cases:
-    """Random directions and parallelograms; light and view lie on both sides, if threads transmit light."""
+def random_cases(fabric: Fabric, count: int, seed: int, aligned: bool = False) -> Cases:
+    """Random directions and parallelograms; light and view lie on both sides, if threads transmit light.
+
+    Args:
+        aligned: edges lie along the threads.
+    """
     rng = np.random.default_rng(seed)
     scale = fabric_scale(fabric.layout())
     views = _directions(rng, count) * np.where(rng.random(count) < 0.5, -1, 1)[:, None] ** [[0, 0, 1]]
@@ -91,7 +96,11 @@ def random_cases(fabric: Fabric, count: int, seed: int) -> Cases:
     lights[:, 2] *= side
     sizes = np.exp(rng.uniform(np.log(_SMALLEST * scale.thread), np.log(_LARGEST * scale.repeat), count))
     first = rng.uniform(0, 2 * np.pi, count)
-    angles = np.stack([first, first + rng.uniform(1, 2, count)], axis=1)
+    second = first + rng.uniform(1, 2, count)
+    if aligned:
+        first = np.round(first / (np.pi / 2)) * (np.pi / 2)
+        second = first + np.pi / 2
+    angles = np.stack([first, second], axis=1)
     lengths = sizes[:, None] * np.stack([rng.uniform(1, _LONGEST, count), np.ones(count)], axis=1)
     edges = lengths[..., None] * np.stack([np.cos(angles), np.sin(angles)], axis=2)
     return Cases(lights, views, rng.random((count, 2)) * scale.extent, edges)
@@ -225,6 +234,7 @@ def add_options(parser: ArgumentParser) -> None:
     parser.add_argument("--samples", type=int, default=SAMPLES, help="of the reference, a footprint")
     parser.add_argument("--repeats", type=int, default=REPEATS, help="footprints a case, a repeat apart")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--aligned", action="store_true", help="footprints are rectangles along the threads")
 
 
 def measure(options: Namespace) -> Figures:
@@ -234,7 +244,7 @@ def measure(options: Namespace) -> Figures:
     each = -(-options.cases // len(fabrics))
     made = []
     for number, held in enumerate(fabrics):
-        cases = random_cases(held.fabric, each, options.seed * 1000 + number)
+        cases = random_cases(held.fabric, each, options.seed * 1000 + number, options.aligned)
         truth = reference_means(held.fabric, cases, options.samples, options.seed * 1000 + 500 + number)
         made.append((held.fabric, cases, truth))
         print(f"reference: {number + 1} of {len(fabrics)} fabrics", flush=True)
@@ -243,6 +253,7 @@ def measure(options: Namespace) -> Figures:
         "reference_samples": options.samples,
         "footprints_a_case": options.repeats,
         "options": options.options,
+        "aligned": options.aligned,
         "significance": SIGNIFICANCE,
         "correction": "Holm",
         "models": results,

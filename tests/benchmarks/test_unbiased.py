@@ -58,6 +58,16 @@ def test_sampled_points_pass_and_a_few_fixed_ones_do_not() -> None:
     assert holm(fixed, 0.01) > CASES
 
 
+def test_aligned_footprints_are_rectangles_along_the_threads() -> None:
+    held = held_out_fabrics(1)[0].fabric
+    free, aligned = (random_cases(held, CASES, 1, along) for along in (False, True))
+    lengths = [np.linalg.norm(cases.edges, axis=2) for cases in (free, aligned)]
+    assert np.allclose(*lengths)
+    # One coordinate of each edge is 0, up to the rounding of sines and cosines.
+    assert (np.abs(aligned.edges).min(axis=2) < 1e-12 * lengths[1]).all()
+    assert np.allclose((aligned.edges[:, 0] * aligned.edges[:, 1]).sum(axis=1), 0)
+
+
 def test_costs_of_a_model() -> None:
     model = make_model("samples", held_out_fabrics(1)[0].fabric, points=1)
     costs = cost_by_footprint(model, 1 << 10)

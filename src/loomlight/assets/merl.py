@@ -146,7 +146,7 @@ def load_merl(path: str | os.PathLike[str]) -> MerlLibrary:
 
 def library_of(name: str, names: Sequence[str], values: _Halves) -> MerlLibrary:
     """The library of BRDFs' values [BRDFs, θ_h, θ_d, φ_d, 3]."""
-    digests = (hashlib.sha256(np.ascontiguousarray(part).data).hexdigest() for part in values)
+    digests = (hashlib.sha256(part.tobytes()).hexdigest() for part in values)
     return MerlLibrary(name, tuple(names), values, tuple(digests))
 
 

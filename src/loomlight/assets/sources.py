@@ -28,7 +28,15 @@ from loomlight.assets.material import (
     material_from_record,
     material_record,
 )
+from loomlight.assets.measured_btf import (
+    MeasuredBtf,
+    is_btf_description,
+    load_measured_btf,
+    measured_btf_from_record,
+    measured_btf_record,
+)
 from loomlight.assets.merl import MerlLibrary, is_merl_file, load_merl, merl_from_record, merl_record
+from loomlight.assets.tile import TileScene, is_tile_file, load_tile, tile_from_record, tile_record
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import load_fabric
 
@@ -82,6 +90,10 @@ SOURCE_KINDS: dict[str, SourceKind] = {
     ),
     "material": SourceKind(Material, material_record, material_from_record, load_material, is_material_file),
     "merl": SourceKind(MerlLibrary, merl_record, merl_from_record, load_merl, is_merl_file),
+    "tile": SourceKind(TileScene, tile_record, tile_from_record, load_tile, is_tile_file),
+    "btf": SourceKind(
+        MeasuredBtf, measured_btf_record, measured_btf_from_record, load_measured_btf, is_btf_description
+    ),
 }
 
 

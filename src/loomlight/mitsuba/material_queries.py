@@ -115,8 +115,7 @@ class MaterialReflectance:
         total = np.zeros((len(levels), 3), np.float32)
         for x, y in _TURNS:
             turned = np.stack([x * offset[:, 0] - y * offset[:, 1], y * offset[:, 0] + x * offset[:, 1]], 1)
-            places = (positions + sigma * turned).astype(np.float32)
-            total += self.point_values(places, lights, views)
+            total += self.point_values((positions + sigma * turned).astype(np.float32), lights, views)
         return (total / len(_TURNS)).astype(np.float32)
 
     def point_values(self, positions: _Floats, lights: _Floats, views: _Floats) -> _Floats:
@@ -128,7 +127,7 @@ class MaterialReflectance:
             light = mi.Vector3f(np.ascontiguousarray(lights[part].T))
             found[part] = np.array(self._bsdf.eval(self._context, si, light, mi.Bool(True))).T
         # Lobes at grazing angles may be 0/0.
-        return np.where(np.isfinite(found), found, np.float32(0))
+        return np.nan_to_num(found, nan=0.0, posinf=0.0, neginf=0.0)
 
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Filtered inputs [height, width, K] of a level; see `Reflectance.encoder_inputs`."""

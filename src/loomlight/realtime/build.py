@@ -65,6 +65,7 @@ ENTRIES = {
         "tone_map": "compute",
     },
     "frame_woven": {"shade_woven": "compute"},
+    "frame_neumip": {"shade_neumip": "compute"},
     "bake_rays": dict.fromkeys(
         (
             "bake_top_down",

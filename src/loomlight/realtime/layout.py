@@ -101,11 +101,31 @@ WOVEN: Fields = (
     ("correction", "uint", "first element of that layer in packed_numbers, singles"),
 )
 
+NEUMIP: Fields = (
+    ("is_trained", "uint", "0 where the source has no trained textures"),
+    ("decoder", "uint", "first element of the decoder in packed_numbers, singles"),
+    ("has_offset", "uint", "1 with the offset module"),
+    ("offset", "uint", "first element of its network, singles"),
+    ("offset_texels", "uint", "first element of the offset texture [faces, rows, columns, 8]"),
+    ("features", "uint", "first element of the pyramid [faces, texels, 8]"),
+    ("texel_elements", "uint", "of a texel: 1 for halves, 2 for singles"),
+    ("levels", "uint", "first texel, columns, rows of each level, three words each"),
+    ("last_level", "float", "number of the level of one texel"),
+    ("face_texels", "uint", "texels of the pyramid of a face"),
+    ("back", "uint", "number of the textures of the back: 0 where both sides look alike"),
+    ("repeats_per_x", "float", "1 / width of the repeat"),
+    ("repeats_per_y", "float", "1 / height of the repeat"),
+    ("texels_per_mm", "float", "of level 0"),
+    ("unit_x", "float", "unit of the ray depth, in repeats of x"),
+    ("unit_y", "float", "and of y"),
+)
+
 FABRIC: Fields = (
     ("warp", "uint", "index of the record of the warp, threads along y"),
     ("weft", "uint", "index of the record of the weft, threads along x"),
     ("lobes", "Lobes", "tables of the model lobes"),
     ("woven", "Woven", "latents of the model woven"),
+    ("neumip", "Neumip", "textures of the model neumip"),
     ("run_words", "uint", "words of warp and weft at each crossing [picks, ends, 2]"),
     ("ends", "uint", "threads of the warp in the repeat"),
     ("max_heights", "uint", "max-height pyramid [⌈picks / 2⌉, ⌈ends / 2⌉, 4]"),
@@ -281,6 +301,7 @@ RECORDS: dict[str, Fields] = {
     "Family": FAMILY,
     "Lobes": LOBES,
     "Woven": WOVEN,
+    "Neumip": NEUMIP,
     "Fabric": FABRIC,
     "Light": LIGHT,
     "Frame": FRAME,

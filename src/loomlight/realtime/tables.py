@@ -14,10 +14,12 @@ from loomlight.aggregate import footprint_albedos
 from loomlight.aggregate.footprint_albedos import FootprintAlbedos
 from loomlight.models.lobes import regimes
 from loomlight.models.lobes.tables import LobeTables
+from loomlight.models.neumip.model import NeumipModel
 from loomlight.models.woven.model import WovenModel
 from loomlight.realtime.bake import BakePlan
 from loomlight.realtime.layout import numpy_type
-from loomlight.realtime.networks import Elements
+from loomlight.realtime.networks import Elements, NumberTable
+from loomlight.realtime.neumip_tables import add_neumip
 from loomlight.realtime.woven_tables import WovenTables
 from loomlight.scattering import point as point_model
 from loomlight.scattering.albedo import layer_albedo_bound
@@ -88,42 +90,58 @@ class Packed:
 
 
 def pack_fabrics(
-    fabrics: Sequence[tuple[ClothLayout, Appearance]],
+    fabrics: Sequence[tuple[ClothLayout, Appearance] | None],
     uv_size_mm: Sequence[tuple[float, float]] | None = None,
     lobes: Sequence[LobeTables | BakePlan | None] | None = None,
     woven: Sequence[WovenModel | None] | None = None,
+    neumip: Sequence[NeumipModel | None] | None = None,
+    half: bool = True,
 ) -> Packed:
     """Records of fabrics and the words of their tables.
 
     Args:
+        fabrics: yarns and appearance of each; None for a source that is no fabric.
         uv_size_mm: millimetres per unit of u and of v of each fabric; 100 by default.
         lobes: baked tables of each fabric; plans of tables that kernels will bake, whose words are left 0;
             None for none.
         woven: the encoded model of each fabric; None for none. A network that several share is stored once.
+        neumip: the trained model of each source; None for none.
+        half: texels of neumip in half precision, else in single precision.
 
     Raises:
         InputError: a network of woven of another shape than that of the shaders.
     """
     table = WordTable()
-    encoded = WovenTables()
+    numbers = NumberTable()
+    encoded = WovenTables(numbers)
     records = np.zeros(len(fabrics), numpy_type("Fabric"))
     families = np.zeros((len(fabrics), 2), numpy_type("Family"))
-    for number, (layout, appearance) in enumerate(fabrics):
+    for number, fabric in enumerate(fabrics):
         size = (100.0, 100.0) if uv_size_mm is None else uv_size_mm[number]
-        records[number]["warp"], records[number]["weft"] = 2 * number, 2 * number + 1
-        _pack_fabric(records[number], families[number], table, layout, appearance, size)
+        _fill(records[number], {"warp": 2 * number, "weft": 2 * number + 1})
+        _fill(records[number], {"uv_width": size[0], "uv_height": size[1]})
+        if fabric is not None:
+            _pack_fabric(records[number], families[number], table, *fabric)
         baked = None if lobes is None else lobes[number]
-        if isinstance(baked, BakePlan):
-            _reserve_lobes(records["lobes"][number], table, baked, layout)
-        elif baked is not None:
-            _pack_lobes(records["lobes"][number], table, baked, layout)
+        if fabric is not None and isinstance(baked, BakePlan):
+            _reserve_lobes(records["lobes"][number], table, baked, fabric[0])
+        elif fabric is not None and isinstance(baked, LobeTables):
+            _pack_lobes(records["lobes"][number], table, baked, fabric[0])
         model = None if woven is None else woven[number]
         if model is not None:
             values, levels, bundles = encoded.add(model)
             values |= {"levels": table.add(levels), "bundles": table.add(bundles)}
-            for name, value in values.items():
-                records["woven"][number][name] = value
-    return Packed(records, families.ravel(), table.words(), encoded.elements())
+            _fill(records["woven"][number], values)
+        trained = None if neumip is None else neumip[number]
+        if trained is not None:
+            values, sizes = add_neumip(trained, numbers, half)
+            _fill(records["neumip"][number], values | {"levels": table.add(sizes)})
+    return Packed(records, families.ravel(), table.words(), numbers.elements())
+
+
+def _fill(record: np.void, values: dict[str, float]) -> None:
+    for name, value in values.items():
+        record[name] = value
 
 
 def _pack_fabric(
@@ -132,7 +150,6 @@ def _pack_fabric(
     table: WordTable,
     layout: ClothLayout,
     appearance: Appearance,
-    uv_size_mm: tuple[float, float],
 ) -> None:
     geometry = YarnGeometry(layout)
     warp, weft = geometry.families
@@ -165,12 +182,9 @@ def _pack_fabric(
         "seed": variation.seed & 0xFFFFFFFF,
         "layer_bound": layer_albedo_bound(appearance.optical_depth),
         "fibre_size": min(fine_x, fine_y) / point_model._FIBRES_ACROSS,
-        "uv_width": uv_size_mm[0],
-        "uv_height": uv_size_mm[1],
         "is_open": int(_open_share(warp) * _open_share(weft) > _SMALLEST_OPEN_SHARE),
     }
-    for name, value in values.items():
-        record[name] = value
+    _fill(record, values)
 
 
 def _open_share(threads: FamilyTables) -> float:
@@ -230,8 +244,7 @@ def _pack_family(
     alike = bool(np.allclose(albedos, albedos[:1], rtol=0, atol=1e-12))
     values["albedo_table"] = table.add(albedos[:1] if alike else albedos)
     values["albedo_stride"] = 0 if alike else albedos[0].size
-    for name, value in values.items():
-        record[name] = value
+    _fill(record, values)
 
 
 def _pack_colours(
@@ -253,8 +266,7 @@ def _pack_colours(
     if quantities > 1:
         values["colour_threads"] = table.add(colours.threads)
         values["colour_areas"] = table.add(colours.areas[..., :quantities])
-    for name, value in values.items():
-        record[name] = value
+    _fill(record, values)
 
 
 def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: ClothLayout) -> None:
@@ -271,16 +283,14 @@ def _pack_lobes(record: np.void, table: WordTable, lobes: LobeTables, layout: Cl
         "front_hole_weight": lobes.hole_weight[0],
         "back_hole_weight": lobes.hole_weight[1],
     }
-    for name, value in values.items():
-        record[name] = value
+    _fill(record, values)
 
 
 def _reserve_lobes(record: np.void, table: WordTable, plan: BakePlan, layout: ClothLayout) -> None:
     """The same for tables that kernels write: what they find out themselves stays 0."""
     values = _common_fields(table, plan.levels, plan.base_size, plan.sizes["packs"], layout)
     values |= {name: table.reserve(size) for name, size in plan.table_sizes.items()}
-    for name, value in values.items():
-        record[name] = value
+    _fill(record, values)
 
 
 def _common_fields(

@@ -18,7 +18,6 @@ from loomlight.models.woven.footprint_coding import mean_pitch
 from loomlight.models.woven.model import WovenModel
 from loomlight.models.woven.weights import Weights, shipped_weights
 from loomlight.realtime.networks import (
-    Elements,
     NumberTable,
     layer_size,
     layer_starts,
@@ -115,15 +114,11 @@ def woven_floats() -> dict[str, float]:
 
 
 class WovenTables:
-    """Networks and latents of any number of fabrics as elements."""
+    """Networks and latents of any number of fabrics, appended to a table of elements."""
 
-    def __init__(self) -> None:
-        self._table = NumberTable()
+    def __init__(self, table: NumberTable) -> None:
+        self._table = table
         self._networks: dict[str, int] = {}
-
-    def elements(self) -> Elements:
-        """All of them; at least one."""
-        return self._table.elements()
 
     def add(self, model: WovenModel) -> tuple[dict[str, float], Numbers, Numbers]:
         """Appends latents and correction of a fabric, and its network unless it is here.

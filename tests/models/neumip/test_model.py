@@ -50,6 +50,29 @@ def test_means_of_the_whole_cloth_are_learned_on_both_faces() -> None:
         assert (actual[0] > actual[2]) == (truth[0] > truth[2])
 
 
+def test_holes_and_light_from_behind_are_learned() -> None:
+    """Sheer cloth: the mean over the repeat, as slices have it."""
+    sheer = fabric_from_text(
+        'weave = "plain"\ngap = 0.4\n[warp]\ncolor = "#c04020"\ntranslucency = 0.6\n'
+        '[weft]\ncolor = "#c04020"\ntranslucency = 0.6'
+    )
+    model = make_model("neumip", sheer, steps=400)
+    assert isinstance(model, NeumipModel)
+    slices = FabricSlices(
+        PointModel(YarnGeometry(sheer.layout()), sheer.appearance()), llvm_float(), with_colours=True
+    )
+    light, view = [0.2, 0.3, -0.93], [-0.2, 0.1, 0.97]
+    light, view = ((np.array(v) / np.linalg.norm(v)).tolist() for v in (light, view))
+    exact = slices.slice(light, view)
+    truth = exact.values.mean(axis=(1, 2))
+    first, hole = exact.channels.index("red"), exact.channels.index("hole")
+    at = model.at(Array3f(*view), box_footprint(Box(Array2f(0, 0), Array2f(*sheer.repeat_mm))))
+    assert at.null_transmission.numpy()[0] == pytest.approx(truth[hole], abs=0.05)
+    actual = at.value(Array3f(*light)).numpy()[:, 0]
+    np.testing.assert_allclose(actual, truth[first : first + 3], rtol=0.3, atol=0.004)
+    assert 0.5 * truth[hole] < model.open_area < 1.5 * truth[hole]
+
+
 def test_options() -> None:
     actual = parse_options("neumip", ["quality=full", "offset=false", "resolution=32", "seed=3"])
     assert actual == {"quality": "full", "offset": False, "resolution": 32, "seed": 3}
@@ -69,6 +92,7 @@ def test_options() -> None:
         (["--set", "resolution=4"], 'resolution = "4" is wrong: give a power of two from 8 to 1024'),
         (["--set", "steps=many"], 'steps = "many" is wrong: give a whole number from 1'),
         (["--set", "offset=no"], 'offset = "no" is wrong: give true or false'),
+        (["--set", "store=rows"], 'store = "rows" is wrong: give files or zarr'),
         (["--set", "device=tpu"], 'device = "tpu" is wrong: give cpu or cuda'),
     ],
 )
@@ -90,7 +114,8 @@ def test_the_baseline_without_offset_comes_back_from_a_file(tmp_path: Path) -> N
     model = model_from_loom(tmp_path / "a.loom")
     assert isinstance(model, NeumipModel)
     assert model.weights.offset_texels is None
-    assert set(model.weights.layers) == {"decoder"}
+    # Plain cloth of the default spacing lets light through its yarns.
+    assert set(model.weights.layers) - {"opacity"} == {"decoder", "transmission"}
 
 
 @pytest.mark.parametrize(

@@ -55,7 +55,7 @@ def test_values_are_those_of_torch(with_offset: bool, derivatives: bool) -> None
     """By the SIMD kernel, and by cooperative vectors, which derivatives ask for."""
     made, (positions, levels, lights, views, faces) = network(with_offset), inputs()
     with torch.no_grad():
-        wanted = made(positions, levels, lights, views, faces).numpy() / np.pi
+        wanted = made(positions, levels, lights, views, faces)[0].numpy() / np.pi
     assert (wanted > 0).mean() > 0.5
     device = DeviceWeights(made.weights(np.zeros((2, 3), np.float32)), Float)
     assert device.has_offset == with_offset
@@ -100,7 +100,7 @@ def test_a_frozen_offset_texture_gets_no_gradient() -> None:
     made, queries = network().train(), inputs()
     for frozen in (False, True):
         made.zero_grad(set_to_none=True)
-        loss_of(made(*queries, blur=1.0, offset_frozen=frozen), torch.ones(COUNT, 3) / np.pi).backward()
+        loss_of(made(*queries, blur=1.0, offset_frozen=frozen)[0], torch.ones(COUNT, 3) / np.pi).backward()
         assert made.offset_texture is not None
         assert (made.offset_texture.grad is None) == frozen
         assert made.features[0].grad is not None

@@ -1,6 +1,7 @@
 """A training is the same however often it is stopped, and learns what it is shown.
 
-Covers: models/neumip/training/train.py, models/neumip/btf.py, models/neumip/fabric_btf.py
+Covers: models/neumip/training/train.py, models/neumip/training/query_store.py, models/neumip/btf.py
+Covers: models/neumip/fabric_btf.py
 """
 
 from __future__ import annotations
@@ -11,13 +12,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import zarr
 from numpy.typing import NDArray
 
 from loomlight.aggregate.slices import FabricSlices
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import llvm_float, require_llvm
 from loomlight.fabric import fabric_from_text
-from loomlight.models.neumip.btf import QueryStream, btf_of
+from loomlight.models.neumip.btf import Queries, QueryStream, btf_of
 from loomlight.models.neumip.fabric_btf import FabricBtf
 from loomlight.models.neumip.networks import Weights
 from loomlight.models.neumip.pyramid import PyramidShape
@@ -84,8 +86,11 @@ def test_queries_are_gaussian_means() -> None:
     for k in range(len(queries)):
         side = -1 if queries.faces[k] else 1
         light, view = (
-            [*xy, side * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
-            for xy in (queries.lights[k], queries.views[k])
+            [*xy, sign * math.sqrt(max(0.0, 1 - float(np.square(xy).sum())))]
+            for xy, sign in (
+                (queries.lights[k], -side if queries.beyond[k] else side),
+                (queries.views[k], side),
+            )
         )
         sigma = shape.texel_mm / math.sqrt(12) * 2 ** float(queries.levels[k])
         centre = queries.positions[k : k + 1] * np.array(TWILL.repeat_mm)
@@ -106,6 +111,22 @@ def test_queries_of_a_folder_are_read_and_damaged_ones_taken_again(tmp_path: Pat
     again = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
     assert np.array_equal(first.values, again.values)
     assert len(first) == 60 * 64 * 2
+
+
+def test_queries_in_zarr_are_the_same_and_go_on(tmp_path: Path) -> None:
+    """A part that is not done is taken again; the arrays are for other programs to read."""
+    wanted = taken_queries(TWILL, short(), tmp_path, lambda done, total: None)
+    first = taken_queries(TWILL, short(), tmp_path, lambda done, total: None, "zarr")
+    (path,) = tmp_path.glob("*.zarr")
+    group = zarr.open_group(str(path), mode="a")
+    assert group["values"].shape == (60 * 64 * 2, 3)
+    assert group["done"][:].all()
+    group["values"][:] = 0
+    group["done"][:] = False
+    again = taken_queries(TWILL, short(), tmp_path, lambda done, total: None, "zarr")
+    for found in (first, again):
+        for name in Queries.__dataclass_fields__:
+            assert np.array_equal(getattr(found, name), getattr(wanted, name)), name
 
 
 def test_schedules() -> None:

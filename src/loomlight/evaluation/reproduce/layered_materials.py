@@ -58,10 +58,10 @@ def _ceramic(side: int) -> Textures:
     body = mixed((0.80, 0.77, 0.70), (0.015, 0.045, 0.26), painted * (0.85 + 0.1 * cloud).clip(0, 1))
     body = body * (1 - 0.45 * crackle[..., None] * np.array([0.6, 0.8, 1.0]))
     prints = np.zeros((side, side))
-    for number, (x, y, turn, size) in enumerate(
+    for number, (across, along, turn, size) in enumerate(
         [(0.42, 0.58, 0.4, 0.085), (0.56, 0.66, 0.1, 0.08), (0.69, 0.6, -0.3, 0.075), (0.3, 0.3, 1.2, 0.08)]
     ):
-        prints = np.maximum(prints, fingerprint(side, (x, y), turn, size, 10 + number))
+        prints = np.maximum(prints, fingerprint(side, (across, along), turn, size, 10 + number))
     smear = step(noise(side, 5, 10), 0.6, 2.2)
     roughness = np.clip(0.06 + 0.3 * prints + 0.1 * smear, 0, 1)
     ripple = 0.0018 * noise(side, 6, 10, falloff=0.8) - 0.0004 * crackle

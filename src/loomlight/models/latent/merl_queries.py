@@ -41,8 +41,9 @@ class MerlReflectance:
         rng = np.random.default_rng(seed)
         texel = 1 / np.array(self.resolution, np.float32)
         offset = (rng.random((len(levels), 2), np.float32) - 0.5) * texel * np.exp2(levels)[:, None]
-        places = (positions + offset).astype(np.float32)
-        return self._source.evaluate(self._source.numbers_at(places), lights, views)
+        return self._source.evaluate(
+            self._source.numbers_at((positions + offset).astype(np.float32)), lights, views
+        )
 
     def encoder_inputs(self, level: int, face: int = 0) -> _Floats:
         """Shares [height, width, BRDFs] of the BRDFs in each texel."""
@@ -55,5 +56,5 @@ class MerlReflectance:
             for axis in (0, 1):
                 if shares.shape[axis] > 1:
                     even, odd = (np.take(shares, range(k, shares.shape[axis], 2), axis) for k in (0, 1))
-                    shares = (0.5 * (even + odd)).astype(np.float32)
+                    shares = ((even + odd) / 2).astype(np.float32)
         return np.ascontiguousarray(shares)

@@ -30,6 +30,8 @@ _LOWEST_COSINE = 0.02
 _UNIFORM_LEVELS = 0.4
 # Footprints of twice the repeat are means of the whole.
 _LEVELS_BEYOND = 1.0
+# Share of queries whose light is on the other side, where light passes.
+BEYOND_SHARE = 0.4
 # Keys that separate the random numbers of queries from those of batches.
 _STREAM = 3
 
@@ -42,9 +44,13 @@ class Btf(Protocol):
 
     Attributes:
         faces: 2 where front and back differ, else 1.
+        transmits: whether light from the other side is seen.
+        has_holes: whether rays pass straight through.
     """
 
     faces: int
+    transmits: bool
+    has_holes: bool
 
     def values(
         self,
@@ -57,9 +63,13 @@ class Btf(Protocol):
 
         Args:
             positions: on the reference plane [n, 2], millimetres.
-            lights, views: unit vectors [n, 3], on one side of the surface; z < 0 is its back.
+            lights, views: unit vectors [n, 3]; z < 0 is the back. On the same side, unless light is
+                transmitted.
             seed: of the random numbers of the estimates.
         """
+
+    def holes(self, positions: NDArray[np.float32], views: NDArray[np.float32]) -> NDArray[np.float32]:
+        """Share of light that passes straight through towards views [n], 0 to 1; asked if `has_holes`."""
 
 
 # By kind of source: module and class, imported when it is asked for. Path tracing needs a renderer, which
@@ -67,6 +77,8 @@ class Btf(Protocol):
 _BTFS = {
     "fabric": ("loomlight.models.neumip.fabric_btf", "FabricBtf"),
     "heightfield": ("loomlight.mitsuba.heightfield_btf", "HeightfieldBtf"),
+    "tile": ("loomlight.mitsuba.tile_btf", "TileBtf"),
+    "btf": ("loomlight.models.neumip.measured_btf", "PictureBtf"),
 }
 
 
@@ -93,7 +105,9 @@ class Queries:
         levels: log2 of the footprint's size in texels of the finest level [n].
         lights, views: x and y of unit vectors [n, 2] in the frame of the face that is seen.
         faces: 0 for the front, 1 for the back [n].
+        beyond: 1 for lights on the other side, else 0 [n].
         values: f·cos, linear RGB [n, 3], 1/sr.
+        holes: share of light that passes straight through towards the view [n], 0 to 1.
     """
 
     positions: _Floats
@@ -101,7 +115,9 @@ class Queries:
     lights: _Floats
     views: _Floats
     faces: NDArray[np.uint8]
+    beyond: NDArray[np.uint8]
     values: _Floats
+    holes: _Floats
 
     def __len__(self) -> int:
         return len(self.levels)
@@ -130,22 +146,44 @@ class QueryStream:
         rng = np.random.default_rng([self._seed, _STREAM, number])
         positions = rng.random((count, 2), np.float32)
         levels = _draw_levels(rng, count, self._shape.levels - 1)
-        lights, views = _directions(rng, count), _directions(rng, count)
+        lights, views = self._drawn_directions(rng, count)
         faces = rng.integers(self._btf.faces, size=count, dtype=np.uint8)
         extent = np.array([self._shape.width_mm, self._shape.height_mm], np.float32)
         sigmas = (self._shape.texel_mm / SIZE_OF_SIGMA * np.exp2(levels))[:, None, None]
         offsets = rng.standard_normal((count, self._samples, 2), np.float32)
         points = (positions[:, None] * extent + sigmas * offsets).astype(np.float32)
-        turn = np.where(faces == 1, -1, 1).astype(np.float32)[:, None]
-        to_face = np.concatenate([np.ones_like(turn), np.ones_like(turn), turn], axis=1)
+        beyond = np.zeros(count, np.uint8)
+        if self._btf.transmits:
+            beyond = (rng.random(count) < BEYOND_SHARE).astype(np.uint8)
+        of_view = _with_sign(views, faces == 1)
+        of_light = _with_sign(lights, (faces == 1) ^ (beyond == 1))
+        flat = points.reshape(-1, 2)
+        repeated = np.repeat(of_view, self._samples, axis=0)
         found = self._btf.values(
-            points.reshape(-1, 2),
-            np.repeat(lights * to_face, self._samples, axis=0),
-            np.repeat(views * to_face, self._samples, axis=0),
-            (self._seed, _STREAM, number),
+            flat, np.repeat(of_light, self._samples, axis=0), repeated, (self._seed, _STREAM, number)
         )
         values = found.reshape(count, self._samples, 3).mean(axis=1, dtype=np.float32)
-        return Queries(positions, levels, lights[:, :2].copy(), views[:, :2].copy(), faces, values)
+        holes = np.zeros(count, np.float32)
+        if self._btf.has_holes:
+            passed = self._btf.holes(flat, repeated).reshape(count, self._samples)
+            holes = passed.mean(axis=1, dtype=np.float32)
+        lights, views = lights[:, :2].copy(), views[:, :2].copy()
+        return Queries(positions, levels, lights, views, faces, beyond, values, holes)
+
+    def _drawn_directions(self, rng: np.random.Generator, count: int) -> tuple[_Floats, _Floats]:
+        """Lights and views above the surface; of a measured BTF its own."""
+        measured = getattr(self._btf, "measured", None)
+        if measured is None:
+            return _directions(rng, count), _directions(rng, count)
+        lights, views = (known[rng.integers(len(known), size=count)] for known in measured)
+        return lights, views
+
+
+def _with_sign(directions: _Floats, below: NDArray[np.bool_]) -> _Floats:
+    """Directions with z < 0 where they are `below`."""
+    signed = directions.copy()
+    signed[below, 2] *= -1
+    return signed
 
 
 def _draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats:
@@ -154,6 +192,19 @@ def _draw_levels(rng: np.random.Generator, count: int, coarsest: int) -> _Floats
     uniform = u * top
     falling = -np.log2(1 - u * (1 - 2.0**-top))
     return np.where(rng.random(count) < _UNIFORM_LEVELS, uniform, falling).astype(np.float32)
+
+
+def light_density(queries: Queries, measured: bool) -> _Floats:
+    """Density of the lights of queries on their side [n], 1/sr.
+
+    Args:
+        measured: of a BTF's own lights, which are taken as spread evenly.
+    """
+    if measured:
+        return np.full(len(queries), 1 / (2 * math.pi), np.float32)
+    cosines = np.sqrt(np.maximum(1 - np.square(queries.lights).sum(axis=1), 1e-4))
+    # Half of them 1/2π, half cosine/π; the lowest cosine changes both by a fiftieth.
+    return np.asarray(0.5 * (1 / (2 * np.pi) + cosines / np.pi), np.float32)
 
 
 def _directions(rng: np.random.Generator, count: int) -> _Floats:

@@ -1,4 +1,4 @@
-"""The BTF of a fabric: the exact point model, sheen and shadows included; holes are black."""
+"""The BTF of a fabric: the exact point model, sheen, shadows and transmission included."""
 
 from __future__ import annotations
 
@@ -18,18 +18,31 @@ _BATCH = 1 << 20
 
 
 class FabricBtf:
-    """f·cos of the yarn points that rays meet."""
+    """f·cos of the yarn points that rays meet.
+
+    Attributes:
+        faces: 2.
+        transmits: whether yarns of either family let light through.
+        has_holes: whether there are holes between the yarns.
+    """
 
     faces = 2
 
     def __init__(self, fabric: Fabric) -> None:
-        appearance = fabric.appearance()
+        layout, appearance = fabric.layout(), fabric.appearance()
+        families = appearance.warp, appearance.weft
+        self.transmits = any(
+            bool(np.any(albedo))
+            for family in families
+            for albedo in (family.diffuse_transmit, family.specular_transmit)
+        )
+        self.has_holes = layout.open_area > 0
         # A repeat has no random threads: those vary over the whole cloth.
         plain = dataclasses.replace(
             appearance,
             variation=dataclasses.replace(appearance.variation, fibre_noise=0.0, colour_noise=0.0),
         )
-        self._model = PointModel(YarnGeometry(fabric.layout()), plain)
+        self._model = PointModel(YarnGeometry(layout), plain)
         self._types = array_types(llvm_float())
 
     def values(
@@ -50,4 +63,15 @@ class FabricBtf:
             )
             point = self._model.locate(x, y, view)
             found[part] = self._model.evaluate(point, light, view).numpy().T
+        return found
+
+    def holes(self, positions: NDArray[np.float32], views: NDArray[np.float32]) -> NDArray[np.float32]:
+        """1 in holes, less under sheen, else 0 [n]; see `Btf.holes`."""
+        found = np.empty(len(positions), np.float32)
+        for first in range(0, len(positions), _BATCH):
+            part = slice(first, first + _BATCH)
+            x, y = (self._types.Float(np.ascontiguousarray(row)) for row in positions[part].T)
+            view = self._types.Vector3(np.ascontiguousarray(views[part].T))
+            point = self._model.locate(x, y, view)
+            found[part] = self._model.straight_through(point, view).numpy()
         return found

@@ -1,12 +1,12 @@
 """NeuMIP as a multi-scale model: colours of one trained source at any place, scale and pair of directions.
 
-The back of a fabric has textures of its own; other sources look alike from both sides. Light on the other
-side than the view gives nothing, and holes are black: the published model transmits no light.
+The back of a source of two faces has textures of its own; other sources look alike from both sides. Sources
+that light passes through, such as fabrics, have a second decoder for lights on the other side and a network
+of holes; the published model transmits no light.
 """
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Callable
 from functools import cached_property
@@ -19,18 +19,20 @@ import drjit as dr
 import numpy as np
 from numpy.typing import NDArray
 
-from loomlight.assets.loom_file import LoomFile
+from loomlight.assets.loom_file import LoomFile, Setting
 from loomlight.assets.sources import Source
-from loomlight.core.arrays import Color3, Float, Mask, Vec2, Vec3
+from loomlight.core.arrays import Color3, Float, Mask, UInt, Vec2, Vec3
 from loomlight.core.backend import ArrayTypes, array_types, maximum
 from loomlight.core.errors import InputError
 from loomlight.core.extras import import_extra
 from loomlight.core.files import cache_folder
 from loomlight.core.footprint import Footprint
+from loomlight.fabric.sentences import shown
 from loomlight.models.interface import FootprintBsdf, Model, Option
 from loomlight.models.neumip.networks import CHANNELS, NETWORKS, DeviceWeights, Weights
+from loomlight.models.neumip.proposal import PARAMETERS, Proposal, proposal_shape
 from loomlight.models.neumip.pyramid import SMALLEST_COSINE, PyramidShape, shifted
-from loomlight.models.neumip.settings import DEFAULT_QUALITY, QUALITIES, settings_of
+from loomlight.models.neumip.settings import DEFAULT_QUALITY, FILES, QUALITIES, STORES, settings_of
 from loomlight.scattering.point import DirectionSample, to_face_frame
 
 # Not log2(0): footprints of points.
@@ -52,8 +54,15 @@ class NeumipBsdf(FootprintBsdf):
 
     @property
     def hole(self) -> Float:
-        """0 in every lane; holes are part of the values, as black."""
-        return dr.select(self._back, array_types(self.view.x).Float(0), 0)
+        """Share of the view rays that pass straight through, less what sheen over them takes, 0 to 1."""
+        return self._hole
+
+    @cached_property
+    def _hole(self) -> Float:
+        types = array_types(self.view.x)
+        if not self._model.weights.has_holes:
+            return dr.select(self._back, types.Float(0), 0)
+        return self._device.straight_through(self._latent, [self._facing.x, self._facing.y])
 
     @property
     def diffuse_reflectance(self) -> Color3:
@@ -63,40 +72,57 @@ class NeumipBsdf(FootprintBsdf):
         return dr.select(self._back, back, front)
 
     @cached_property
-    def _latent(self) -> list[Float]:
+    def _place(self) -> tuple[Float, Float, Float, UInt]:
+        """Position in repeats, level, and face."""
         types, shape = array_types(self.view.x), self._model.weights.shape
-        faces = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
+        face = dr.select(self._back, types.UInt32(shape.faces - 1), types.UInt32(0))
         u = self.footprint.centre.x * (1 / shape.width_mm)
         v = self.footprint.centre.y * (1 / shape.height_mm)
+        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
+        return u, v, dr.log2(side), face
+
+    @cached_property
+    def _latent(self) -> list[Float]:
+        u, v, level, face = self._place
         if self._device.has_offset:
             x, y = self._facing.x, self._facing.y
-            depth = self._device.depth(u, v, [x, y], faces)
+            depth = self._device.depth(u, v, [x, y], face)
             slope = dr.rcp(maximum(self._facing.z, SMALLEST_COSINE))
-            u, v = shifted(shape, u, v, depth, x, y, slope)
-        side = maximum(self.footprint.square_side * (1 / shape.texel_mm), _SMALLEST_SIZE)
-        return self._device.latent(u, v, dr.log2(side), faces)
+            u, v = shifted(self._model.weights.shape, u, v, depth, x, y, slope)
+        return self._device.latent(u, v, level, face)
+
+    @cached_property
+    def _proposal(self) -> Proposal:
+        return self._device.proposal.at(*self._place)
 
     def value(self, light: Vec3, active: Mask = True) -> Color3:
-        """f·cos, 1/sr; 0 for lights on the other side."""
-        facing = to_face_frame(light, self._back)
-        channels = self._device.value(self._latent, [facing.x, facing.y], [self._facing.x, self._facing.y])
-        return dr.select((facing.z > 0) & active, array_types(self.view.x).Color3(*channels), 0)
+        """f·cos, 1/sr; 0 for lights on the other side unless the source transmits."""
+        types, facing = array_types(self.view.x), to_face_frame(light, self._back)
+        directions = [facing.x, facing.y], [self._facing.x, self._facing.y]
+        near = types.Color3(*self._device.value(self._latent, *directions))
+        far = types.Color3(0)
+        if self._model.weights.transmits:
+            far = types.Color3(*self._device.value(self._latent, *directions, "transmission"))
+        value = dr.select(facing.z > 0, near, dr.select(facing.z < 0, far, 0))
+        return dr.select(active, value, 0)
 
     def pdf(self, light: Vec3) -> Float:
-        """Density of `sample`: the cosine's, on the side of the view (section 5)."""
-        return dr.select(light.z * self.view.z > 0, dr.abs(light.z) * dr.inv_pi, 0)
+        """Density of `sample`; see `proposal.py`."""
+        density = self._proposal.density(to_face_frame(light, self._back), self._facing)
+        return (1 - self.hole) * density
 
     def sample(self, choice: Float, u: Vec2) -> DirectionSample:
-        """A direction in proportion to the cosine."""
+        """A direction of the proposal, or straight on in proportion to the hole."""
         types = array_types(self.view.x)
-        sine, cosine = dr.sincos(2 * math.pi * u.y)
-        radius, height = dr.sqrt(u.x), dr.sqrt(maximum(1 - u.x, 0))
-        facing = types.Vector3(radius * cosine, radius * sine, height)
-        light = to_face_frame(facing, self._back)
-        pdf = self.pdf(light)
-        weight = dr.select(pdf > 0, self.value(light) / maximum(pdf, 1e-30), 0)
-        # Never, in every lane.
-        return DirectionSample(light, pdf, weight, types.Bool(choice < 0))
+        through = self.hole
+        is_null = types.Bool(choice < through)
+        rest = (choice - through) * dr.rcp(maximum(1 - through, 1e-6))
+        facing = self._proposal.sample(self._facing, rest, u)
+        light = dr.select(is_null, -self.view, to_face_frame(facing, self._back))
+        pdf = dr.select(is_null, through, self.pdf(light))
+        value = dr.select(is_null, types.Color3(through), self.value(light))
+        weight = dr.select(pdf > 0, value / maximum(pdf, 1e-30), 0)
+        return DirectionSample(light, pdf, weight, is_null)
 
 
 @final
@@ -112,6 +138,7 @@ class NeumipModel(Model):
     name = "neumip"
     filters = True
     conserves_energy = False
+    has_holes = True
     symbolic = False
     trains = True
     options = (
@@ -123,6 +150,8 @@ class NeumipModel(Model):
         Option("steps", int, "a whole number from 1", low=1, high=10**7),
         # Where queries and checkpoints stay; by default they are removed at the end.
         Option("folder", str, "the path of a folder"),
+        # How queries are kept there; Zarr is for other programs.
+        Option("store", str, "files or zarr"),
         Option("device", str, "cpu or cuda"),
     )
 
@@ -144,6 +173,7 @@ class NeumipModel(Model):
         seed: int = 0,
         steps: int | None = None,
         folder: str | os.PathLike[str] | None = None,
+        store: str = FILES,
         device: str = "cpu",
         report: Callable[[int, int], None] | None = None,
     ) -> Self:
@@ -159,14 +189,16 @@ class NeumipModel(Model):
         settings = settings_of(quality, resolution, offset, seed, steps)
         if device not in ("cpu", "cuda"):
             raise InputError(f'device = "{device}" is wrong: give cpu or cuda.')
+        if store not in STORES:
+            raise InputError(f"store = {shown(store)} is wrong: give {' or '.join(STORES)}.")
         # On shared cores threads that spin while they wait make small batches many times slower.
         os.environ.setdefault("OMP_WAIT_POLICY", "passive")
         import_extra("torch", "train", "Training neumip")
         train: Any = import_module(_TRAINING).train_neumip
         if folder is not None:
-            return cls(source, train(source, settings, Path(folder), report, device))
+            return cls(source, train(source, settings, Path(folder), report, device, store=store))
         place = cache_folder("neumip") / settings.identity(source)[:16]
-        weights = train(source, settings, place, report, device)
+        weights = train(source, settings, place, report, device, store=store)
         _remove(place)
         return cls(source, weights)
 
@@ -174,6 +206,11 @@ class NeumipModel(Model):
     def face_reflectances(self) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Mean albedos of front and back [3]."""
         return self.weights.reflectance[0], self.weights.reflectance[-1]
+
+    @property
+    def open_area(self) -> float:
+        """Mean share of light that passes straight through, 0 to 1."""
+        return self.weights.open_area
 
     def device_weights(self, float_type: type) -> DeviceWeights:
         """Textures and networks on one backend, uploaded once."""
@@ -196,13 +233,16 @@ class NeumipModel(Model):
         """A file of textures and networks."""
         weights = self.weights
         tensors = {"features": weights.features, "reflectance": weights.reflectance}
+        if weights.proposal is not None:
+            tensors["proposal"] = weights.proposal
         if weights.offset_texels is not None:
             tensors["offset_texels"] = weights.offset_texels
         for name, layers in weights.layers.items():
             for number, (matrix, bias) in enumerate(layers):
                 tensors |= {f"{name}.{number}.weight": matrix, f"{name}.{number}.bias": bias}
         shape = weights.shape
-        settings = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
+        settings: dict[str, Setting] = {"columns": shape.columns, "rows": shape.rows, "faces": shape.faces}
+        settings["open_area"] = weights.open_area
         return LoomFile(self.name, self.source, tensors, settings)
 
     @classmethod
@@ -218,7 +258,12 @@ class NeumipModel(Model):
         features = loom.tensor("features", (faces * shape.texels, CHANNELS), np.float32)
         reflectance = loom.tensor("reflectance", (faces, 3), np.float32)
         offset_texels = None
-        names = ["decoder"]
+        further = ("transmission", "opacity")
+        names = ["decoder", *(name for name in further if f"{name}.0.weight" in loom.tensors)]
+        proposal = None
+        if "proposal" in loom.tensors:
+            small = proposal_shape(shape)
+            proposal = loom.tensor("proposal", (faces * small.texels, PARAMETERS), np.float32)
         if "offset_texels" in loom.tensors:
             offset_texels = loom.tensor("offset_texels", (faces * rows * columns, CHANNELS), np.float32)
             names.append("offset")
@@ -234,7 +279,9 @@ class NeumipModel(Model):
             ]
             for name in names
         }
-        return cls(loom.source, Weights(shape, features, offset_texels, layers, reflectance))
+        open_area = loom.setting("open_area", float)
+        weights = Weights(shape, features, offset_texels, layers, reflectance, open_area, proposal)
+        return cls(loom.source, weights)
 
     def facts(self) -> dict[str, str]:
         """The source, and the size of textures and networks."""

@@ -3,6 +3,12 @@
     offset    9 → 25 → 25 → 25 → 1   texel of the offset texture, view → ray depth (eq. 5)
     decoder  11 → 25 → 25 → 25 → 3   texel of the pyramid, light, view → π f·cos, by ReLU (section 3.2)
 
+Sources that light passes through have up to two more, which the paper does not describe (its section 8
+proposes the second):
+
+    transmission  11 → 25 → 25 → 25 → 3   the same of lights on the other side
+    opacity        9 → 16 → 16 → 1        texel of the pyramid, view → share that passes straight, by sigmoid
+
 Directions are x and y of unit vectors. On CPUs a fused SIMD kernel evaluates the networks; on GPUs, for
 derivatives, and in symbolic calls Dr.Jit's cooperative vectors do.
 """
@@ -22,12 +28,19 @@ from numpy.typing import NDArray
 from loomlight.core.arrays import Float, FloatType, Int, UInt
 from loomlight.core.backend import ArrayTypes, array_types, clip, maximum, upload
 from loomlight.core.simd import DenseLayer, FusedMlp, can_use_kernel
+from loomlight.models.neumip.proposal import DeviceProposal, cosine_proposal
 from loomlight.models.neumip.pyramid import CHANNELS, PyramidShape, Taps, bilinear_taps, trilinear_taps
 
 _HIDDEN = 25
 OFFSET_WIDTHS = (CHANNELS + 2, _HIDDEN, _HIDDEN, _HIDDEN, 1)
 DECODER_WIDTHS = (CHANNELS + 4, _HIDDEN, _HIDDEN, _HIDDEN, 3)
-NETWORKS = {"offset": OFFSET_WIDTHS, "decoder": DECODER_WIDTHS}
+OPACITY_WIDTHS = (CHANNELS + 2, 16, 16, 1)
+NETWORKS = {
+    "offset": OFFSET_WIDTHS,
+    "decoder": DECODER_WIDTHS,
+    "transmission": DECODER_WIDTHS,
+    "opacity": OPACITY_WIDTHS,
+}
 # The networks learn π f·cos, which is about an albedo.
 EXPOSURE = math.pi
 # Texels are stored in rows of eight numbers, so that a row is two loads of four.
@@ -44,8 +57,10 @@ class Weights:
         shape: of the textures.
         features: texels of the pyramid [faces · shape.texels, 7], a face after another, fine levels first.
         offset_texels: of the offset texture [faces · rows · columns, 7]; None without the offset module.
-        layers: weights [outputs, inputs] and biases of "decoder", and of "offset" if there is one.
+        layers: weights [outputs, inputs] and biases of "decoder", and of the other `NETWORKS` that there are.
         reflectance: mean albedo of each face [faces, 3].
+        open_area: mean share of light that passes straight through, 0 to 1.
+        proposal: of directions that are drawn (`proposal.py`); None draws by the cosine.
     """
 
     shape: PyramidShape
@@ -53,11 +68,23 @@ class Weights:
     offset_texels: NDArray[np.float32] | None
     layers: dict[str, _Layers]
     reflectance: NDArray[np.float32]
+    open_area: float = 0.0
+    proposal: NDArray[np.float32] | None = None
 
     @property
     def count(self) -> int:
         """Weights of the networks, as Table 4 counts them."""
         return sum(w.size + b.size for layers in self.layers.values() for w, b in layers)
+
+    @property
+    def transmits(self) -> bool:
+        """Whether lights on the other side are seen."""
+        return "transmission" in self.layers
+
+    @property
+    def has_holes(self) -> bool:
+        """Whether light passes straight through."""
+        return "opacity" in self.layers
 
 
 class DrjitFunctions:
@@ -87,7 +114,11 @@ class DrjitFunctions:
 
 
 class DeviceWeights:
-    """A trained material on one backend."""
+    """A trained material on one backend.
+
+    Attributes:
+        proposal: of directions that are drawn.
+    """
 
     def __init__(self, weights: Weights, float_type: FloatType) -> None:
         self._shape, self._types = weights.shape, array_types(float_type)
@@ -96,6 +127,8 @@ class DeviceWeights:
         self._offset_texels = None
         if weights.offset_texels is not None:
             self._offset_texels = upload(float_type, _padded(weights.offset_texels))
+        proposal = cosine_proposal(weights.shape) if weights.proposal is None else weights.proposal
+        self.proposal = DeviceProposal(proposal, weights.shape, float_type)
         self._networks = {name: _Network(layers, float_type) for name, layers in weights.layers.items()}
 
     @property
@@ -130,10 +163,25 @@ class DeviceWeights:
         taps = trilinear_taps(self._shape, u, v, level, start, self._functions)
         return self._fetched(self._features, taps)
 
-    def value(self, latent: Sequence[Float], light: Sequence[Float], view: Sequence[Float]) -> list[Float]:
-        """f·cos, three channels, 1/sr, of x and y of light and view in the frame of the face seen."""
-        outputs = self._networks["decoder"]([*latent, *light, *view])
+    def value(
+        self,
+        latent: Sequence[Float],
+        light: Sequence[Float],
+        view: Sequence[Float],
+        network: str = "decoder",
+    ) -> list[Float]:
+        """f·cos, three channels, 1/sr, of x and y of light and view in the frame of the face seen.
+
+        Args:
+            network: "decoder", or "transmission" for lights on the other side.
+        """
+        outputs = self._networks[network]([*latent, *light, *view])
         return [maximum(value, 0) * (1 / EXPOSURE) for value in outputs]
+
+    def straight_through(self, latent: Sequence[Float], view: Sequence[Float]) -> Float:
+        """Share of light that passes straight through, 0 to 1."""
+        (value,) = self._networks["opacity"]([*latent, *view])
+        return dr.rcp(1 + dr.exp(-clip(value, -30, 30)))
 
     def _fetched(self, table: Float, taps: Taps) -> list[Float]:
         types = self._types

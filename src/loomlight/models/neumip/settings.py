@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import asdict, dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -11,11 +12,14 @@ from loomlight.assets.sources import SOURCE_KINDS, Source, kind_of_source
 from loomlight.core.errors import InputError
 from loomlight.fabric.sentences import closest, shown
 
+# How queries are kept: a file a part, or a Zarr group.
+FILES, ZARR = "files", "zarr"
+STORES = (FILES, ZARR)
 DEFAULT_QUALITY = "preview"
 # Texels a side; a power of two between these.
 SMALLEST_RESOLUTION, LARGEST_RESOLUTION = 8, 1024
 # Part of every identity: to be raised when the same settings give other weights.
-_VERSION = 1
+_VERSION = 2
 
 
 @dataclass(frozen=True)
@@ -31,6 +35,7 @@ class NeumipSettings:
         batch: queries of a step.
         rate: largest learning rate of the networks.
         texture_rate: largest learning rate of the textures.
+        offset_share: share of the training after which the offset texture stays as it is.
         seed: of queries, weights and batches.
     """
 
@@ -42,15 +47,28 @@ class NeumipSettings:
     batch: int = 1 << 14
     rate: float = 3e-3
     texture_rate: float = 1e-2
+    offset_share: float = 1 / 3
     seed: int = 0
 
     def identity(self, source: Source) -> str:
         """A hash of all that the weights depend on, for checkpoints and folders."""
-        record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
-        digest = hashlib.sha256(repr((_VERSION, asdict(self), sorted(record.items()))).encode())
-        for name in sorted(tensors):
-            digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
-        return digest.hexdigest()
+        return _digest(source, asdict(self))
+
+    def query_identity(self, source: Source) -> str:
+        """A hash of all that the queries depend on: trainings that differ in the rest share them."""
+        return _digest(source, {name: getattr(self, name) for name in _OF_QUERIES})
+
+
+# Settings that queries depend on.
+_OF_QUERIES = ("resolution", "queries", "samples", "seed")
+
+
+def _digest(source: Source, settings: dict[str, Any]) -> str:
+    record, tensors = SOURCE_KINDS[kind_of_source(source)].record(source)
+    digest = hashlib.sha256(repr((_VERSION, settings, sorted(record.items()))).encode())
+    for name in sorted(tensors):
+        digest.update(name.encode() + np.ascontiguousarray(tensors[name]).tobytes())
+    return digest.hexdigest()
 
 
 # The paper's schedule is 30 000 steps of 2^20 queries on a GPU: "published".

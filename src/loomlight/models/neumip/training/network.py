@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
-from loomlight.models.neumip.networks import DECODER_WIDTHS, EXPOSURE, OFFSET_WIDTHS, Weights
+from loomlight.models.neumip.networks import (
+    DECODER_WIDTHS,
+    EXPOSURE,
+    OFFSET_WIDTHS,
+    OPACITY_WIDTHS,
+    Weights,
+)
 from loomlight.models.neumip.pyramid import (
     CHANNELS,
     SMALLEST_COSINE,
@@ -28,6 +34,8 @@ _FEATURES = 0.1
 _FIRST_VALUE = 0.3
 # Of the final activation below 0 while it is trained, and a bound that keeps log(1 + x) finite.
 _SLOPE, _LEAST_OUTPUT = 0.05, -0.5
+# Of the cross-entropy of holes, beside errors of colours.
+_OPACITY_WEIGHT = 0.05
 # Blurs of fewer texels change nothing.
 _LEAST_BLUR = 0.05
 
@@ -61,7 +69,14 @@ class NeumipNetwork(nn.Module):
     the networks.
     """
 
-    def __init__(self, shape: PyramidShape, with_offset: bool, scale: float = 1.0) -> None:
+    def __init__(
+        self,
+        shape: PyramidShape,
+        with_offset: bool,
+        scale: float = 1.0,
+        transmits: bool = False,
+        has_holes: bool = False,
+    ) -> None:
         super().__init__()
         self.shape, self.scale = shape, scale
         rows, columns = shape.rows, shape.columns
@@ -78,6 +93,11 @@ class NeumipNetwork(nn.Module):
             self.offset = _perceptron(OFFSET_WIDTHS)
             # No parallax at first.
             nn.init.zeros_(self.offset[-1].bias)
+        self.transmission: nn.Sequential | None = None
+        if transmits:
+            self.transmission = _perceptron(DECODER_WIDTHS)
+            nn.init.constant_(self.transmission[-1].bias, _FIRST_VALUE)
+        self.opacity = _perceptron(OPACITY_WIDTHS) if has_holes else None
 
     def forward(
         self,
@@ -88,12 +108,16 @@ class NeumipNetwork(nn.Module):
         faces: Tensor,
         blur: float = 0.0,
         offset_frozen: bool = False,
-    ) -> Tensor:
-        """π f·cos of queries [n, 3]; see `Queries`. While it is trained, numbers below 0 have a slope.
+        beyond: Tensor | None = None,
+    ) -> tuple[Tensor, Tensor | None]:
+        """π f·cos of queries [n, 3], and log-odds of passing straight [n]; see `Queries`.
+
+        While it is trained, colours below 0 have a slope.
 
         Args:
             blur: standard deviation of the Gaussian over the textures, in texels of level 0.
             offset_frozen: the offset texture gets no gradient.
+            beyond: lights on the other side, which a source that transmits alone has.
         """
         shape, (u, v) = self.shape, positions.T
         if self.offset is not None and self.offset_texture is not None:
@@ -113,11 +137,20 @@ class NeumipNetwork(nn.Module):
         table = torch.cat(parts, dim=1).reshape(-1, CHANNELS)
         taps = trilinear_taps(shape, u, v, levels, faces * shape.texels, _TORCH)
         latent = _fetched(table, taps.texels, taps.weights)
-        outputs = self.decoder(torch.cat([latent, lights, views], dim=1))
+        opacity = None if self.opacity is None else self.opacity(torch.cat([latent, views], dim=1))[:, 0]
+        outputs = self._decoded(torch.cat([latent, lights, views], dim=1), beyond)
         if self.training:
             # With the final ReLU of section 3.2 a network whose first outputs are all below 0 learns nothing.
-            return functional.leaky_relu(outputs, _SLOPE).clamp(min=_LEAST_OUTPUT)
-        return functional.relu(outputs)
+            return functional.leaky_relu(outputs, _SLOPE).clamp(min=_LEAST_OUTPUT), opacity
+        return functional.relu(outputs), opacity
+
+    def _decoded(self, inputs: Tensor, beyond: Tensor | None) -> Tensor:
+        if self.transmission is None or beyond is None:
+            outputs: Tensor = self.decoder(inputs)
+            return outputs
+        near, far = torch.nonzero(~beyond)[:, 0], torch.nonzero(beyond)[:, 0]
+        parts = torch.cat([self.decoder(inputs[near]), self.transmission(inputs[far])])
+        return parts[torch.argsort(torch.cat([near, far]))]
 
     def weights(self, reflectance: NDArray[np.float32]) -> Weights:
         """The trained numbers, for the renderer.
@@ -130,7 +163,9 @@ class NeumipNetwork(nn.Module):
             _texels(self.scale * texture).reshape(shape.faces, -1, CHANNELS) for texture in self.features
         ]
         features = torch.cat(texels, dim=1).reshape(-1, CHANNELS)
+        further = {"transmission": self.transmission, "opacity": self.opacity}
         layers = {"decoder": _layers(self.decoder)}
+        layers |= {name: _layers(network) for name, network in further.items() if network is not None}
         offset_texels = None
         if self.offset is not None and self.offset_texture is not None:
             layers["offset"] = _layers(self.offset)
@@ -160,6 +195,11 @@ def loss_of(predicted: Tensor, truth: Tensor) -> Tensor:
     exposed = EXPOSURE * truth
     logarithmic = functional.mse_loss(torch.log1p(predicted), torch.log1p(exposed))
     return logarithmic + 0.1 * functional.l1_loss(predicted, exposed)
+
+
+def opacity_loss(log_odds: Tensor, holes: Tensor) -> Tensor:
+    """Cross-entropy of shares that pass straight through, weighted to be of the size of `loss_of`."""
+    return _OPACITY_WEIGHT * functional.binary_cross_entropy_with_logits(log_odds, holes)
 
 
 def _perceptron(widths: tuple[int, ...]) -> nn.Sequential:

@@ -9,23 +9,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from safetensors import SafetensorError
-from safetensors.numpy import load_file, save_file
 from torch import Tensor
 
 from loomlight.assets.sources import Source
-from loomlight.core.files import replacing
-from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of
+from loomlight.models.neumip.btf import PART, Queries, QueryStream, btf_of, light_density
 from loomlight.models.neumip.networks import Weights
 from loomlight.models.neumip.pyramid import PyramidShape
-from loomlight.models.neumip.settings import NeumipSettings
-from loomlight.models.neumip.training.network import NeumipNetwork, loss_of
+from loomlight.models.neumip.settings import FILES, NeumipSettings
+from loomlight.models.neumip.training.network import NeumipNetwork, loss_of, opacity_loss
+from loomlight.models.neumip.training.proposal_fit import fitted_proposal
+from loomlight.models.neumip.training.query_store import query_store
 from loomlight.training.loop import Schedule, train
 from loomlight.training.side_by_side import SideBySide
 
@@ -36,8 +36,6 @@ Progress = Callable[[int, int], None]
 _FIRST_BLUR, _HALVINGS = 8.0, 9.0
 # The first blur is at most so many times smaller than the texture.
 _LEAST_WIDTHS = 8
-# Share of the training after which the offset texture stays as it is (released code).
-_OFFSET_FROZEN = 1 / 3
 _WARM_UP = 0.02
 # Parts of a batch on CPUs, a thread each: the same on every machine, as the weights depend on it. Smaller
 # batches are computed on one thread, as threads would wait for each other longer than they compute.
@@ -55,6 +53,7 @@ def train_neumip(
     progress: Progress | None = None,
     device: str = "cpu",
     keep_every: float = 30.0,
+    store: str = FILES,
 ) -> Weights:
     """The weights of a material.
 
@@ -62,17 +61,18 @@ def train_neumip(
         folder: holds queries and the checkpoint; made if need be, and used again to go on.
         device: of torch, "cpu" or "cuda".
         keep_every: seconds between checkpoints.
+        store: how queries are kept, one of `settings.STORES`.
 
     Raises:
         InputError: a source of which no queries can be taken, or a damaged checkpoint.
     """
     report = progress or (lambda done, total: None)
     folder.mkdir(parents=True, exist_ok=True)
-    queries = taken_queries(source, settings, folder, report)
+    queries = taken_queries(source, settings, folder, report, store)
+    btf, shape = btf_of(source), shape_of(source, settings)
     torch.manual_seed(settings.seed)
-    shape = shape_of(source, settings)
     scale = settings.texture_rate / settings.rate
-    network = NeumipNetwork(shape, settings.offset, scale).to(device)
+    network = NeumipNetwork(shape, settings.offset, scale, btf.transmits, btf.has_holes).to(device)
     batches = _Batches(network, queries, settings, device)
     optimiser = torch.optim.Adam(network.parameters(), settings.rate)
     with _one_thread():
@@ -85,7 +85,11 @@ def train_neumip(
             settings.identity(source),
             lambda step, steps, _: report(_OF_QUERIES + (_WHOLE - _OF_QUERIES) * step // steps, _WHOLE),
         )
-    return network.weights(reflectances(queries, shape.faces))
+    density = light_density(queries, hasattr(btf, "measured"))
+    with _one_thread():
+        proposal = fitted_proposal(queries, density, shape, settings)
+    weights = network.weights(reflectances(queries, shape.faces, density))
+    return replace(weights, open_area=float(queries.holes.mean()), proposal=proposal)
 
 
 @contextmanager
@@ -104,42 +108,39 @@ def shape_of(source: Source, settings: NeumipSettings) -> PyramidShape:
     return PyramidShape.of(source.repeat_mm, settings.resolution, btf_of(source).faces)
 
 
-def taken_queries(source: Source, settings: NeumipSettings, folder: Path, report: Progress) -> Queries:
-    """All queries of a training; parts that the folder holds are read."""
+def taken_queries(
+    source: Source, settings: NeumipSettings, folder: Path, report: Progress, store: str = FILES
+) -> Queries:
+    """All queries of a training; parts that the folder holds are read.
+
+    Args:
+        store: how they are kept, one of `settings.STORES`.
+    """
     shape = shape_of(source, settings)
     total = settings.queries * shape.columns * shape.rows * shape.faces
     stream = QueryStream(btf_of(source), shape, settings.samples, settings.seed)
-    identity = settings.identity(source)[:12]
+    kept = query_store(store, folder, settings.query_identity(source), total)
     sizes = [min(PART, total - first) for first in range(0, total, PART)]
     parts = []
     for number, size in enumerate(sizes):
-        file = folder / f"queries-{identity}-{number:05d}.safetensors"
-        part = _read(file, size)
+        part = kept.read(number, size)
         if part is None:
             part = stream.part(number, size)
-            with replacing(file) as temporary:
-                save_file({name: getattr(part, name) for name in Queries.__dataclass_fields__}, temporary)
+            kept.write(number, part)
         parts.append(part)
         report(_OF_QUERIES * (number + 1) // len(sizes), _WHOLE)
     return Queries.joined(parts)
 
 
-def _read(file: Path, size: int) -> Queries | None:
-    """The queries in a file; None if it does not exist or is damaged."""
-    try:
-        part = Queries(**load_file(file))
-    except (OSError, SafetensorError, TypeError):
-        return None
-    return part if len(part) == size else None
+def reflectances(queries: Queries, faces: int, density: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Mean albedo of each face [faces, 3], of light on the side of the view.
 
-
-def reflectances(queries: Queries, faces: int) -> NDArray[np.float32]:
-    """Mean albedo of each face [faces, 3], of directions on the projected disk and in solid angle alike."""
-    cosines = np.sqrt(np.maximum(1 - np.square(queries.lights).sum(axis=1), 1e-4))
-    # Half of the lights have density 1/2π, half cosine/π: `btf._directions`.
-    density = 0.5 * (1 / (2 * np.pi) + cosines / np.pi)
+    Args:
+        density: of the lights on their side [n], 1/sr.
+    """
+    near = queries.beyond == 0
     weighted = queries.values / density[:, None]
-    means = [weighted[queries.faces == face].mean(axis=0) for face in range(faces)]
+    means = [weighted[near & (queries.faces == face)].mean(axis=0) for face in range(faces)]
     return np.clip(np.stack(means), 0, 1).astype(np.float32)
 
 
@@ -170,7 +171,7 @@ class _Batches:
     def losses(self, step: int) -> Iterator[Tensor]:
         """The loss of one step."""
         progress = step / self._settings.steps
-        frozen, blur = progress >= _OFFSET_FROZEN, blur_of(self._network.shape, progress)
+        frozen, blur = progress >= self._settings.offset_share, blur_of(self._network.shape, progress)
         parts = np.array_split(self._chosen(step), self._side_by_side.parts)
         losses = [partial(self._loss, part, blur, frozen) for part in parts]
         yield self._side_by_side.loss(losses, [1 / len(parts)] * len(parts), self._network)
@@ -182,8 +183,14 @@ class _Batches:
             for part in (batch.positions, batch.levels, batch.lights, batch.views, batch.values)
         )
         faces = torch.from_numpy(batch.faces.astype(np.int64)).to(self._device)
-        predicted = self._network(positions, levels, lights, views, faces, blur, offset_frozen)
-        return loss_of(predicted, values)
+        beyond = torch.from_numpy(batch.beyond.astype(bool)).to(self._device)
+        predicted, opacity = self._network(
+            positions, levels, lights, views, faces, blur, offset_frozen, beyond
+        )
+        loss = loss_of(predicted, values)
+        if opacity is None:
+            return loss
+        return loss + opacity_loss(opacity, torch.from_numpy(batch.holes).to(self._device))
 
     def _chosen(self, step: int) -> NDArray[np.intp]:
         number, place = divmod(step, self._per_pass)

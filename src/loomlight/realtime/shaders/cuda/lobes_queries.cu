@@ -47,12 +47,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -611,11 +632,11 @@ __device__ float binary_logarithm_0(float x_20)
     return natural_logarithm_0(x_20) * 1.4426950216293335f;
 }
 
-__device__ float3  to_face_frame_0(float3  direction_0, bool back_0)
+__device__ float3  to_face_frame_0(float3  direction_0, bool back_1)
 {
     float2  _S36 = float2 {direction_0.x, direction_0.y};
     float _S37;
-    if(back_0)
+    if(back_1)
     {
         _S37 = - direction_0.z;
     }
@@ -847,7 +868,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
+__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_2)
 {
     bool _S108 = (F32_abs(((&crossing_0->warp_1)->across_2))) < ((&crossing_0->warp_1)->half_width_1);
     bool _S109 = (F32_abs(((&crossing_0->weft_1)->across_2))) < ((&crossing_0->weft_1)->half_width_1);
@@ -888,7 +909,7 @@ __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
         _S111 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S111;
-    (&shown_0)->on_top_0 = ((_S111 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S111 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -2229,7 +2250,7 @@ __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_2,
     return sum_0;
 }
 
-__device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 * own_1, Stretch_0 * other_2, bool back_2)
+__device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 * own_1, Stretch_0 * other_2, bool back_3)
 {
     Family_0 _S404 = slang_ldg_2((&(globalParams_0->families_0)[family_14]));
     Albedos_0 albedos_2 = table_albedos_0(_S404.colour_mean_0);
@@ -2258,7 +2279,7 @@ __device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 *
         float _S411 = _S408.x;
         float _S412 = _S411 * _S406.x;
         float _S413;
-        if(back_2)
+        if(back_3)
         {
             _S413 = _S412 - _S410;
         }
@@ -3348,7 +3369,7 @@ __device__ SurfacePoint_0 surface_at_0(uint _S723, float _S724, float _S725, boo
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_30;
@@ -3486,7 +3507,7 @@ __device__ YarnPoint_0 yarn_point_of_0(uint _S786, SurfacePoint_0 * _S787, float
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_1;
-    (&point_1)->back_3 = _S790;
+    (&point_1)->back_4 = _S790;
     (&point_1)->hole_6 = _S791;
     (&point_1)->is_warp_3 = _S793;
     (&point_1)->x_30 = _S788;
@@ -3519,8 +3540,8 @@ __device__ bool is_lit_0(uint _S815, SearchQuality_0 * _S816, YarnPoint_0 * _S81
     {
         return true;
     }
-    bool _S819 = _S817->back_3;
-    float3  _S820 = to_face_frame_0(_S818, _S817->back_3);
+    bool _S819 = _S817->back_4;
+    float3  _S820 = to_face_frame_0(_S818, _S817->back_4);
     float _S821 = _S820.z;
     bool _S822 = _S821 < 0.0f;
     float3  _S823 = _S817->normal_6;
@@ -3576,8 +3597,8 @@ __device__ Components_0 components_of_point_0(uint _S828, SearchQuality_0 * _S82
     {
         return result_12;
     }
-    float3  _S838 = to_face_frame_0(_S831, _S830->back_3);
-    float3  _S839 = to_face_frame_0(_S832, _S830->back_3);
+    float3  _S838 = to_face_frame_0(_S831, _S830->back_4);
+    float3  _S839 = to_face_frame_0(_S832, _S830->back_4);
     bool _S840 = (_S838.z) < 0.0f;
     float3  _S841;
     if(_S840)

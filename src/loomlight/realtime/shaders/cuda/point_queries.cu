@@ -47,12 +47,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -428,11 +449,11 @@ __device__ SearchQuality_0 default_quality_0()
     return quality_0;
 }
 
-__device__ float3  to_face_frame_0(float3  direction_0, bool back_0)
+__device__ float3  to_face_frame_0(float3  direction_0, bool back_1)
 {
     float2  _S15 = float2 {direction_0.x, direction_0.y};
     float _S16;
-    if(back_0)
+    if(back_1)
     {
         _S16 = - direction_0.z;
     }
@@ -592,7 +613,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
+__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_2)
 {
     bool _S84 = (F32_abs(((&crossing_0->warp_1)->across_0))) < ((&crossing_0->warp_1)->half_width_1);
     bool _S85 = (F32_abs(((&crossing_0->weft_1)->across_0))) < ((&crossing_0->weft_1)->half_width_1);
@@ -633,7 +654,7 @@ __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
         _S87 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S87;
-    (&shown_0)->on_top_0 = ((_S87 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S87 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1609,7 +1630,7 @@ __device__ float2  sheen_with_transmittance_0(float3  light_5, float3  view_4, f
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_18;
@@ -2682,7 +2703,7 @@ __device__ YarnPoint_0 yarn_point_of_0(uint _S561, SurfacePoint_0 * _S562, float
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_1;
-    (&point_1)->back_2 = _S565;
+    (&point_1)->back_3 = _S565;
     (&point_1)->hole_2 = _S566;
     (&point_1)->is_warp_1 = _S568;
     (&point_1)->x_18 = _S563;
@@ -2790,8 +2811,8 @@ __device__ bool is_lit_0(uint _S628, SearchQuality_0 * _S629, YarnPoint_0 * _S63
     {
         return true;
     }
-    bool _S632 = _S630->back_2;
-    float3  _S633 = to_face_frame_0(_S631, _S630->back_2);
+    bool _S632 = _S630->back_3;
+    float3  _S633 = to_face_frame_0(_S631, _S630->back_3);
     float _S634 = _S633.z;
     bool _S635 = _S634 < 0.0f;
     float3  _S636 = _S630->normal_3;
@@ -2820,7 +2841,7 @@ __device__ bool is_lit_0(uint _S628, SearchQuality_0 * _S629, YarnPoint_0 * _S63
 
 __device__ float3  evaluate_0(uint _S641, SearchQuality_0 * _S642, YarnPoint_0 * _S643, float3  _S644, float3  _S645)
 {
-    float3  _S646 = scattered_0(_S641, _S643, to_face_frame_0(_S644, _S643->back_2), to_face_frame_0(_S645, _S643->back_2));
+    float3  _S646 = scattered_0(_S641, _S643, to_face_frame_0(_S644, _S643->back_3), to_face_frame_0(_S645, _S643->back_3));
     bool _S647;
     if((F32_max((_S646.x), ((F32_max((_S646.y), (_S646.z)))))) <= 0.0f)
     {

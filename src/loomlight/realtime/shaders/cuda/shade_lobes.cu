@@ -47,12 +47,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -826,11 +847,11 @@ __device__ float Footprint_spread_side_0(Footprint_0 * this_0)
     return (F32_sqrt((0.5f * (dot_1(this_0->dx_0, this_0->dx_0) + dot_1(this_0->dy_0, this_0->dy_0)))));
 }
 
-__device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
+__device__ float3  to_face_frame_0(float3  direction_1, bool back_1)
 {
     float2  _S85 = float2 {direction_1.x, direction_1.y};
     float _S86;
-    if(back_0)
+    if(back_1)
     {
         _S86 = - direction_1.z;
     }
@@ -1062,7 +1083,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
+__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_2)
 {
     bool _S157 = (F32_abs(((&crossing_0->warp_1)->across_2))) < ((&crossing_0->warp_1)->half_width_1);
     bool _S158 = (F32_abs(((&crossing_0->weft_1)->across_2))) < ((&crossing_0->weft_1)->half_width_1);
@@ -1103,7 +1124,7 @@ __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
         _S160 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S160;
-    (&shown_0)->on_top_0 = ((_S160 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S160 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -2403,7 +2424,7 @@ __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_2,
     return sum_0;
 }
 
-__device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 * own_1, Stretch_0 * other_2, bool back_2)
+__device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 * own_1, Stretch_0 * other_2, bool back_3)
 {
     Family_0 _S446 = slang_ldg_3((&(globalParams_0->families_0)[family_14]));
     Albedos_0 albedos_2 = table_albedos_0(_S446.colour_mean_0);
@@ -2432,7 +2453,7 @@ __device__ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 *
         float _S453 = _S450.x;
         float _S454 = _S453 * _S448.x;
         float _S455;
-        if(back_2)
+        if(back_3)
         {
             _S455 = _S454 - _S452;
         }
@@ -3848,7 +3869,7 @@ __device__ SurfacePoint_0 surface_at_0(uint _S954, float _S955, float _S956, boo
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_33;
@@ -3986,7 +4007,7 @@ __device__ YarnPoint_0 yarn_point_of_0(uint _S1017, SurfacePoint_0 * _S1018, flo
         albedos_8 = albedos_7;
     }
     YarnPoint_0 point_4;
-    (&point_4)->back_3 = _S1021;
+    (&point_4)->back_4 = _S1021;
     (&point_4)->hole_6 = _S1022;
     (&point_4)->is_warp_3 = _S1024;
     (&point_4)->x_33 = _S1019;
@@ -4019,8 +4040,8 @@ __device__ bool is_lit_0(uint _S1046, SearchQuality_0 * _S1047, YarnPoint_0 * _S
     {
         return true;
     }
-    bool _S1050 = _S1048->back_3;
-    float3  _S1051 = to_face_frame_0(_S1049, _S1048->back_3);
+    bool _S1050 = _S1048->back_4;
+    float3  _S1051 = to_face_frame_0(_S1049, _S1048->back_4);
     float _S1052 = _S1051.z;
     bool _S1053 = _S1052 < 0.0f;
     float3  _S1054 = _S1048->normal_7;
@@ -4076,8 +4097,8 @@ __device__ Components_0 components_of_point_0(uint _S1059, SearchQuality_0 * _S1
     {
         return result_14;
     }
-    float3  _S1069 = to_face_frame_0(_S1062, _S1061->back_3);
-    float3  _S1070 = to_face_frame_0(_S1063, _S1061->back_3);
+    float3  _S1069 = to_face_frame_0(_S1062, _S1061->back_4);
+    float3  _S1070 = to_face_frame_0(_S1063, _S1061->back_4);
     bool _S1071 = (_S1069.z) < 0.0f;
     float3  _S1072;
     if(_S1071)

@@ -47,12 +47,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -576,11 +597,11 @@ __device__ float3  to_local_0(VisiblePoint_0 * point_0, float3  direction_0)
     return make_float3 (dot_0(direction_0, point_0->axis_x_0), dot_0(direction_0, point_0->axis_y_0), dot_0(direction_0, point_0->normal_0));
 }
 
-__device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
+__device__ float3  to_face_frame_0(float3  direction_1, bool back_1)
 {
     float2  _S44 = float2 {direction_1.x, direction_1.y};
     float _S45;
-    if(back_0)
+    if(back_1)
     {
         _S45 = - direction_1.z;
     }
@@ -740,7 +761,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
+__device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_2)
 {
     bool _S113 = (F32_abs(((&crossing_0->warp_1)->across_0))) < ((&crossing_0->warp_1)->half_width_1);
     bool _S114 = (F32_abs(((&crossing_0->weft_1)->across_0))) < ((&crossing_0->weft_1)->half_width_1);
@@ -781,7 +802,7 @@ __device__ Shown_0 shown_at_0(Crossing_0 * crossing_0, bool back_1)
         _S116 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S116;
-    (&shown_0)->on_top_0 = ((_S116 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S116 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -2025,7 +2046,7 @@ __device__ float3  filtered_albedo_0(uint _S387, VisiblePoint_0 * _S388)
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_23;
@@ -3098,7 +3119,7 @@ __device__ YarnPoint_0 yarn_point_of_0(uint _S738, SurfacePoint_0 * _S739, float
         albedos_4 = albedos_3;
     }
     YarnPoint_0 point_4;
-    (&point_4)->back_2 = _S742;
+    (&point_4)->back_3 = _S742;
     (&point_4)->hole_2 = _S743;
     (&point_4)->is_warp_1 = _S745;
     (&point_4)->x_23 = _S740;
@@ -3300,8 +3321,8 @@ __device__ bool is_lit_0(uint _S859, SearchQuality_0 * _S860, YarnPoint_0 * _S86
     {
         return true;
     }
-    bool _S863 = _S861->back_2;
-    float3  _S864 = to_face_frame_0(_S862, _S861->back_2);
+    bool _S863 = _S861->back_3;
+    float3  _S864 = to_face_frame_0(_S862, _S861->back_3);
     float _S865 = _S864.z;
     bool _S866 = _S865 < 0.0f;
     float3  _S867 = _S861->normal_4;
@@ -3330,7 +3351,7 @@ __device__ bool is_lit_0(uint _S859, SearchQuality_0 * _S860, YarnPoint_0 * _S86
 
 __device__ float3  evaluate_0(uint _S872, SearchQuality_0 * _S873, YarnPoint_0 * _S874, float3  _S875, float3  _S876)
 {
-    float3  _S877 = scattered_0(_S872, _S874, to_face_frame_0(_S875, _S874->back_2), to_face_frame_0(_S876, _S874->back_2));
+    float3  _S877 = scattered_0(_S872, _S874, to_face_frame_0(_S875, _S874->back_3), to_face_frame_0(_S876, _S874->back_3));
     bool _S878;
     if((F32_max((_S877.x), ((F32_max((_S877.y), (_S877.z)))))) <= 0.0f)
     {

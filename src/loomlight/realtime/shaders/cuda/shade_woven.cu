@@ -47,12 +47,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -1913,11 +1934,11 @@ __device__ float3  footprint_coordinates_0(AnisotropicTaps_0 * taps_0)
     return make_float3 ((taps_0->centre_1 - floor_0(taps_0->centre_1)).x, (taps_0->centre_1 - floor_0(taps_0->centre_1)).y, clamp_1(natural_logarithm_0((F32_max((_S244), (9.99999997475242708e-07f))) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-__device__ float3  to_face_frame_0(float3  direction_1, bool back_0)
+__device__ float3  to_face_frame_0(float3  direction_1, bool back_1)
 {
     float2  _S245 = float2 {direction_1.x, direction_1.y};
     float _S246;
-    if(back_0)
+    if(back_1)
     {
         _S246 = - direction_1.z;
     }
@@ -2371,7 +2392,7 @@ __device__ Albedos_0 with_added_albedos_0(Albedos_0 * albedos_1, float weight_0,
     return sum_0;
 }
 
-__device__ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 * own_0, Stretch_0 * other_0, bool back_1)
+__device__ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 * own_0, Stretch_0 * other_0, bool back_2)
 {
     Family_0 _S428 = slang_ldg_2((&(globalParams_0->families_0)[family_9]));
     Albedos_0 albedos_2 = table_albedos_0(_S428.colour_mean_0);
@@ -2400,7 +2421,7 @@ __device__ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 * 
         float _S435 = _S432.x;
         float _S436 = _S435 * _S430.x;
         float _S437;
-        if(back_1)
+        if(back_2)
         {
             _S437 = _S436 - _S434;
         }
@@ -2897,7 +2918,7 @@ struct WovenView_0
     float hole_0;
     float correction_weight_0;
     float3  view_4;
-    bool back_2;
+    bool back_3;
 };
 
 __device__ AnisotropicTaps_0 anisotropic_taps_0(uint _S629, Footprint_0 * _S630)
@@ -3047,7 +3068,7 @@ __device__ void add_level_0(uint _S655, uint _S656, bool _S657, float2  _S658, f
 
 __device__ void code_footprint_0(uint _S677, AnisotropicTaps_0 * _S678, float3  _S679, bool _S680, FixedArray<float, 88>  * _S681)
 {
-    float offset_0;
+    float offset_1;
     Fabric_0 * _S682 = (&(globalParams_0->fabrics_0)[_S677]);
     int k_0 = int(0);
     for(;;)
@@ -3092,13 +3113,13 @@ __device__ void code_footprint_0(uint _S677, AnisotropicTaps_0 * _S678, float3  
         bool _S692 = (number_2 & 1U) != 0U;
         if(_S692)
         {
-            offset_0 = _S686 - _S687;
+            offset_1 = _S686 - _S687;
         }
         else
         {
-            offset_0 = 1.0f - (_S686 - _S687);
+            offset_1 = 1.0f - (_S686 - _S687);
         }
-        float _S693 = offset_0 / float(_S689);
+        float _S693 = offset_1 / float(_S689);
         uint _S694 = uint(_S687);
         uint _S695;
         if(_S692)
@@ -3132,16 +3153,16 @@ __device__ void code_footprint_0(uint _S677, AnisotropicTaps_0 * _S678, float3  
             {
                 break;
             }
-            float offset_1 = _slang_vector_get_element(_S679, number_3) - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _slang_vector_get_element(_S679, number_3) - (float(bin_0) + 0.5f) / 8.0f;
             if(number_3 < int(2))
             {
-                offset_0 = offset_1 - (F32_round((offset_1)));
+                offset_1 = offset_2 - (F32_round((offset_2)));
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            (*_S681)[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            (*_S681)[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_3 = number_3 + int(1);
@@ -3218,7 +3239,7 @@ __device__ void woven_view_0(uint _S705, Footprint_0 * _S706, float3  _S707, Wov
     _S708->hole_0 = clamp_1(hole_1[int(0)], 0.0f, 1.0f);
     _S708->correction_weight_0 = correction_weight_of_0(_S713.z);
     _S708->view_4 = _S714;
-    _S708->back_2 = _S710;
+    _S708->back_3 = _S710;
     return;
 }
 
@@ -3478,8 +3499,8 @@ __device__ Components_0 woven_components_0(uint _S833, WovenView_0 * _S834, floa
 {
     float _S836;
     Fabric_0 * _S837 = (&(globalParams_0->fabrics_0)[_S833]);
-    bool _S838 = _S834->back_2;
-    float3  _S839 = to_face_frame_0(_S835, _S834->back_2);
+    bool _S838 = _S834->back_3;
+    float3  _S839 = to_face_frame_0(_S835, _S834->back_3);
     float3  _S840 = _S834->view_4;
     HalfWeights_0 weights_24;
     Woven_0 _S841 = slang_ldg_0(&_S837->woven_0);

@@ -75,12 +75,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -201,11 +222,11 @@ float binary_logarithm_0(float x_2)
     return natural_logarithm_0(x_2) * 1.4426950216293335;
 }
 
-vec3 to_face_frame_0(vec3 direction_0, bool back_0)
+vec3 to_face_frame_0(vec3 direction_0, bool back_1)
 {
     vec2 _S5 = direction_0.xy;
     float _S6;
-    if(back_0)
+    if(back_1)
     {
         _S6 = - direction_0.z;
     }
@@ -373,7 +394,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
 {
     bool _S17 = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
     bool _S18 = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
@@ -414,7 +435,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
         _S20 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S20;
-    shown_0.on_top_0 = ((_S20 & 1U) == 1U) != back_1;
+    shown_0.on_top_0 = ((_S20 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1651,7 +1672,7 @@ Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_2, uint row_3)
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stretch_0 other_2, bool back_2)
+Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stretch_0 other_2, bool back_3)
 {
     Albedos_0 albedos_2 = table_albedos_0(families_0._data[uint(family_14)].colour_mean_0);
     if((families_0._data[uint(family_14)].quantities_0) == 1U)
@@ -1676,7 +1697,7 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stret
         float _S212 = _S210.x;
         float _S213 = _S212 * _S209.x;
         float _S214;
-        if(back_2)
+        if(back_3)
         {
             _S214 = _S213 - _S211;
         }
@@ -2646,7 +2667,7 @@ SurfacePoint_0 surface_at_0(uint _S407, float _S408, float _S409, bool _S410)
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_12;
@@ -2756,7 +2777,7 @@ YarnPoint_0 yarn_point_of_0(uint _S447, SurfacePoint_0 _S448, float _S449, float
         albedos_7 = albedos_6;
     }
     YarnPoint_0 point_1;
-    point_1.back_3 = _S451;
+    point_1.back_4 = _S451;
     point_1.hole_6 = _S452;
     point_1.is_warp_3 = _S448.is_warp_0;
     point_1.x_12 = _S449;
@@ -2784,14 +2805,14 @@ bool is_lit_0(uint _S463, SearchQuality_0 _S464, YarnPoint_0 _S465, vec3 _S466)
     {
         return true;
     }
-    vec3 _S467 = to_face_frame_0(_S466, _S465.back_3);
+    vec3 _S467 = to_face_frame_0(_S466, _S465.back_4);
     float _S468 = _S467.z;
     bool _S469 = _S468 < 0.0;
     vec3 normal_7;
     float height_10;
     if(_S469)
     {
-        SurfacePoint_0 _S470 = surface_at_0(_S463, _S465.x_12, _S465.y_6, !_S465.back_3);
+        SurfacePoint_0 _S470 = surface_at_0(_S463, _S465.x_12, _S465.y_6, !_S465.back_4);
         normal_7 = _S470.normal_0;
         height_10 = _S470.height_0;
     }
@@ -2805,7 +2826,7 @@ bool is_lit_0(uint _S463, SearchQuality_0 _S464, YarnPoint_0 _S465, vec3 _S466)
     {
         return false;
     }
-    return unoccluded_0(_S463, _S464, _S465.x_12, _S465.y_6, height_10, _S471, (_S465.back_3) != _S469);
+    return unoccluded_0(_S463, _S464, _S465.x_12, _S465.y_6, height_10, _S471, (_S465.back_4) != _S469);
 }
 
 Components_0 components_of_point_0(uint _S472, SearchQuality_0 _S473, YarnPoint_0 _S474, vec3 _S475, vec3 _S476)
@@ -2834,8 +2855,8 @@ Components_0 components_of_point_0(uint _S472, SearchQuality_0 _S473, YarnPoint_
     {
         return result_1;
     }
-    vec3 _S479 = to_face_frame_0(_S475, _S474.back_3);
-    vec3 _S480 = to_face_frame_0(_S476, _S474.back_3);
+    vec3 _S479 = to_face_frame_0(_S475, _S474.back_4);
+    vec3 _S480 = to_face_frame_0(_S476, _S474.back_4);
     bool _S481 = (_S479.z) < 0.0;
     vec3 _S482;
     if(_S481)

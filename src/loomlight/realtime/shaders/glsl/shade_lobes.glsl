@@ -104,12 +104,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -467,11 +488,11 @@ float Footprint_spread_side_0(Footprint_0 this_0)
     return sqrt(0.5 * (dot(_S42, _S42) + dot(_S43, _S43)));
 }
 
-vec3 to_face_frame_0(vec3 direction_1, bool back_0)
+vec3 to_face_frame_0(vec3 direction_1, bool back_1)
 {
     vec2 _S44 = direction_1.xy;
     float _S45;
-    if(back_0)
+    if(back_1)
     {
         _S45 = - direction_1.z;
     }
@@ -639,7 +660,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
 {
     bool _S56 = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
     bool _S57 = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
@@ -680,7 +701,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
         _S59 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S59;
-    shown_0.on_top_0 = ((_S59 & 1U) == 1U) != back_1;
+    shown_0.on_top_0 = ((_S59 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1876,7 +1897,7 @@ Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_2, uint row_3)
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stretch_0 other_2, bool back_2)
+Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stretch_0 other_2, bool back_3)
 {
     Albedos_0 albedos_2 = table_albedos_0(families_0._data[uint(family_14)].colour_mean_0);
     if((families_0._data[uint(family_14)].quantities_0) == 1U)
@@ -1901,7 +1922,7 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, Stretch_0 own_1, Stret
         float _S244 = _S242.x;
         float _S245 = _S244 * _S241.x;
         float _S246;
-        if(back_2)
+        if(back_3)
         {
             _S246 = _S245 - _S243;
         }
@@ -3115,7 +3136,7 @@ SurfacePoint_0 surface_at_0(uint _S546, float _S547, float _S548, bool _S549)
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_16;
@@ -3225,7 +3246,7 @@ YarnPoint_0 yarn_point_of_0(uint _S586, SurfacePoint_0 _S587, float _S588, float
         albedos_8 = albedos_7;
     }
     YarnPoint_0 point_4;
-    point_4.back_3 = _S590;
+    point_4.back_4 = _S590;
     point_4.hole_6 = _S591;
     point_4.is_warp_3 = _S587.is_warp_0;
     point_4.x_16 = _S588;
@@ -3253,14 +3274,14 @@ bool is_lit_0(uint _S602, SearchQuality_0 _S603, YarnPoint_0 _S604, vec3 _S605)
     {
         return true;
     }
-    vec3 _S606 = to_face_frame_0(_S605, _S604.back_3);
+    vec3 _S606 = to_face_frame_0(_S605, _S604.back_4);
     float _S607 = _S606.z;
     bool _S608 = _S607 < 0.0;
     vec3 normal_8;
     float height_11;
     if(_S608)
     {
-        SurfacePoint_0 _S609 = surface_at_0(_S602, _S604.x_16, _S604.y_8, !_S604.back_3);
+        SurfacePoint_0 _S609 = surface_at_0(_S602, _S604.x_16, _S604.y_8, !_S604.back_4);
         normal_8 = _S609.normal_1;
         height_11 = _S609.height_1;
     }
@@ -3274,7 +3295,7 @@ bool is_lit_0(uint _S602, SearchQuality_0 _S603, YarnPoint_0 _S604, vec3 _S605)
     {
         return false;
     }
-    return unoccluded_0(_S602, _S603, _S604.x_16, _S604.y_8, height_11, _S610, (_S604.back_3) != _S608);
+    return unoccluded_0(_S602, _S603, _S604.x_16, _S604.y_8, height_11, _S610, (_S604.back_4) != _S608);
 }
 
 Components_0 components_of_point_0(uint _S611, SearchQuality_0 _S612, YarnPoint_0 _S613, vec3 _S614, vec3 _S615)
@@ -3303,8 +3324,8 @@ Components_0 components_of_point_0(uint _S611, SearchQuality_0 _S612, YarnPoint_
     {
         return result_2;
     }
-    vec3 _S618 = to_face_frame_0(_S614, _S613.back_3);
-    vec3 _S619 = to_face_frame_0(_S615, _S613.back_3);
+    vec3 _S618 = to_face_frame_0(_S614, _S613.back_4);
+    vec3 _S619 = to_face_frame_0(_S615, _S613.back_4);
     bool _S620 = (_S618.z) < 0.0;
     vec3 _S621;
     if(_S620)

@@ -104,12 +104,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -1510,11 +1531,11 @@ vec3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
     return vec3(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07) / 0.015625) * 0.11708354949951172, 0.0, 1.0));
 }
 
-vec3 to_face_frame_0(vec3 direction_1, bool back_0)
+vec3 to_face_frame_0(vec3 direction_1, bool back_1)
 {
     vec2 _S200 = direction_1.xy;
     float _S201;
-    if(back_0)
+    if(back_1)
     {
         _S201 = - direction_1.z;
     }
@@ -1836,7 +1857,7 @@ Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_8)
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_1)
+Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_2)
 {
     Albedos_0 albedos_2 = table_albedos_0(families_0._data[uint(family_9)].colour_mean_0);
     if((families_0._data[uint(family_9)].quantities_0) == 1U)
@@ -1861,7 +1882,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         float _S258 = _S256.x;
         float _S259 = _S258 * _S255.x;
         float _S260;
-        if(back_1)
+        if(back_2)
         {
             _S260 = _S259 - _S257;
         }
@@ -2277,7 +2298,7 @@ struct WovenView_0
     float hole_0;
     float correction_weight_0;
     vec3 view_4;
-    bool back_2;
+    bool back_3;
 };
 
 AnisotropicTaps_0 anisotropic_taps_0(uint _S376, Footprint_0 _S377)
@@ -2424,7 +2445,7 @@ void add_level_0(uint _S399, uint _S400, bool _S401, vec2 _S402, float _S403, in
 
 void code_footprint_0(uint _S421, AnisotropicTaps_0 _S422, vec3 _S423, bool _S424, inout float  _S425[88])
 {
-    float offset_0;
+    float offset_1;
     int k_0 = 0;
     for(;;)
     {
@@ -2466,13 +2487,13 @@ void code_footprint_0(uint _S421, AnisotropicTaps_0 _S422, vec3 _S423, bool _S42
         bool _S433 = (number_2 & 1U) != 0U;
         if(_S433)
         {
-            offset_0 = _S428 - _S429;
+            offset_1 = _S428 - _S429;
         }
         else
         {
-            offset_0 = 1.0 - (_S428 - _S429);
+            offset_1 = 1.0 - (_S428 - _S429);
         }
-        float _S434 = offset_0 / float(_S430);
+        float _S434 = offset_1 / float(_S430);
         uint _S435 = uint(_S429);
         uint _S436;
         if(_S433)
@@ -2506,16 +2527,16 @@ void code_footprint_0(uint _S421, AnisotropicTaps_0 _S422, vec3 _S423, bool _S42
             {
                 break;
             }
-            float offset_1 = _S423[number_3] - (float(bin_0) + 0.5) / 8.0;
+            float offset_2 = _S423[number_3] - (float(bin_0) + 0.5) / 8.0;
             if(number_3 < 2)
             {
-                offset_0 = offset_1 - round(offset_1);
+                offset_1 = offset_2 - round(offset_2);
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            _S425[64 + number_3 * 8 + bin_0] = bump_0(offset_0 * 3.20000004768371582);
+            _S425[64 + number_3 * 8 + bin_0] = bump_0(offset_1 * 3.20000004768371582);
             bin_0 = bin_0 + 1;
         }
         number_3 = number_3 + 1;
@@ -2577,7 +2598,7 @@ void woven_view_0(uint _S442, Footprint_0 _S443, vec3 _S444, inout WovenView_0 _
     _S445.hole_0 = clamp(hole_1[0], 0.0, 1.0);
     _S445.correction_weight_0 = correction_weight_of_0(_S448.z);
     _S445.view_4 = _S449;
-    _S445.back_2 = _S446;
+    _S445.back_3 = _S446;
     return;
 }
 
@@ -2803,14 +2824,14 @@ float mixed_bundles_0(uint _S508, uint _S509, uint _S510, vec3 _S511, vec3 _S512
 Components_0 woven_components_0(uint _S526, inout WovenView_0 _S527, vec3 _S528)
 {
     float _S529;
-    bool _S530 = _S527.back_2;
-    vec3 _S531 = to_face_frame_0(_S528, _S527.back_2);
+    bool _S530 = _S527.back_3;
+    vec3 _S531 = to_face_frame_0(_S528, _S527.back_3);
     vec3 _S532 = _S527.view_4;
     HalfWeights_0 weights_24;
     Woven_0 _S533 = fabrics_0._data[uint(_S526)].woven_0;
     weights_24.first_2 = fabrics_0._data[uint(_S526)].woven_0.network_0;
     float  directions_0[39];
-    code_light_0(_S526, _S531, _S527.view_4, _S527.back_2, directions_0);
+    code_light_0(_S526, _S531, _S527.view_4, _S527.back_3, directions_0);
     float  skip_0[96];
     int k_1 = 0;
     for(;;)

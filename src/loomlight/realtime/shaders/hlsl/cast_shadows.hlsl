@@ -108,12 +108,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -468,11 +489,11 @@ float3 to_local_0(VisiblePoint_0 point_0, float3 direction_1)
     return float3(dot(direction_1, point_0.axis_x_0), dot(direction_1, point_0.axis_y_0), dot(direction_1, point_0.normal_0));
 }
 
-float3 to_face_frame_0(float3 direction_2, bool back_0)
+float3 to_face_frame_0(float3 direction_2, bool back_1)
 {
     float2 _S41 = direction_2.xy;
     float _S42;
-    if(back_0)
+    if(back_1)
     {
         _S42 = - direction_2.z;
     }
@@ -628,7 +649,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
 {
     bool _S54 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     bool _S55 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -669,7 +690,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
         _S57 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S57;
-    shown_0.on_top_0 = ((_S57 & 1U) == 1U) != back_1;
+    shown_0.on_top_0 = ((_S57 & 1U) == 1U) != back_2;
     return shown_0;
 }
 

@@ -79,12 +79,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -171,11 +192,11 @@ SearchQuality_0 default_quality_0()
     return quality_0;
 }
 
-float3 to_face_frame_0(float3 direction_0, bool back_0)
+float3 to_face_frame_0(float3 direction_0, bool back_1)
 {
     float2 _S1 = direction_0.xy;
     float _S2;
-    if(back_0)
+    if(back_1)
     {
         _S2 = - direction_0.z;
     }
@@ -271,7 +292,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
 {
     bool _S10 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     bool _S11 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -312,7 +333,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
         _S13 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S13;
-    shown_0.on_top_0 = ((_S13 & 1U) == 1U) != back_1;
+    shown_0.on_top_0 = ((_S13 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1265,7 +1286,7 @@ float2 sheen_with_transmittance_0(float3 light_5, float3 view_4, float strength_
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_7;
@@ -2201,7 +2222,7 @@ YarnPoint_0 yarn_point_of_0(uint _S335, SurfacePoint_0 _S336, float _S337, float
         albedos_3 = albedos_2;
     }
     YarnPoint_0 point_1;
-    point_1.back_2 = _S339;
+    point_1.back_3 = _S339;
     point_1.hole_2 = _S340;
     point_1.is_warp_1 = _S336.is_warp_2;
     point_1.x_7 = _S337;
@@ -2282,14 +2303,14 @@ bool is_lit_0(uint _S367, SearchQuality_0 _S368, YarnPoint_0 _S369, float3 _S370
     {
         return true;
     }
-    float3 _S371 = to_face_frame_0(_S370, _S369.back_2);
+    float3 _S371 = to_face_frame_0(_S370, _S369.back_3);
     float _S372 = _S371.z;
     bool _S373 = _S372 < 0.0f;
     float3 normal_5;
     float height_9;
     if(_S373)
     {
-        SurfacePoint_0 _S374 = surface_at_0(_S367, _S369.x_7, _S369.y_3, !_S369.back_2);
+        SurfacePoint_0 _S374 = surface_at_0(_S367, _S369.x_7, _S369.y_3, !_S369.back_3);
         normal_5 = _S374.normal_4;
         height_9 = _S374.height_8;
     }
@@ -2303,12 +2324,12 @@ bool is_lit_0(uint _S367, SearchQuality_0 _S368, YarnPoint_0 _S369, float3 _S370
     {
         return false;
     }
-    return unoccluded_0(_S367, _S368, _S369.x_7, _S369.y_3, height_9, _S375, (_S369.back_2) != _S373);
+    return unoccluded_0(_S367, _S368, _S369.x_7, _S369.y_3, height_9, _S375, (_S369.back_3) != _S373);
 }
 
 float3 evaluate_0(uint _S376, SearchQuality_0 _S377, YarnPoint_0 _S378, float3 _S379, float3 _S380)
 {
-    float3 _S381 = scattered_0(_S376, _S378, to_face_frame_0(_S379, _S378.back_2), to_face_frame_0(_S380, _S378.back_2));
+    float3 _S381 = scattered_0(_S376, _S378, to_face_frame_0(_S379, _S378.back_3), to_face_frame_0(_S380, _S378.back_3));
     bool _S382;
     if((max(_S381.x, max(_S381.y, _S381.z))) <= 0.0f)
     {

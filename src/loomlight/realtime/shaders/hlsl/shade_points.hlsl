@@ -108,12 +108,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -368,11 +389,11 @@ float3 to_local_0(VisiblePoint_0 point_0, float3 direction_0)
     return float3(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S29 = direction_1.xy;
     float _S30;
-    if(back_0)
+    if(back_1)
     {
         _S30 = - direction_1.z;
     }
@@ -468,7 +489,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
+Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_2)
 {
     bool _S38 = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     bool _S39 = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -509,7 +530,7 @@ Shown_0 shown_at_0(Crossing_0 crossing_0, bool back_1)
         _S41 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S41;
-    shown_0.on_top_0 = ((_S41 & 1U) == 1U) != back_1;
+    shown_0.on_top_0 = ((_S41 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1657,7 +1678,7 @@ float3 filtered_albedo_0(uint _S225, VisiblePoint_0 _S226)
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_11;
@@ -2593,7 +2614,7 @@ YarnPoint_0 yarn_point_of_0(uint _S443, SurfacePoint_0 _S444, float _S445, float
         albedos_4 = albedos_3;
     }
     YarnPoint_0 point_4;
-    point_4.back_2 = _S447;
+    point_4.back_3 = _S447;
     point_4.hole_2 = _S448;
     point_4.is_warp_1 = _S444.is_warp_2;
     point_4.x_11 = _S445;
@@ -2745,14 +2766,14 @@ bool is_lit_0(uint _S506, SearchQuality_0 _S507, YarnPoint_0 _S508, float3 _S509
     {
         return true;
     }
-    float3 _S510 = to_face_frame_0(_S509, _S508.back_2);
+    float3 _S510 = to_face_frame_0(_S509, _S508.back_3);
     float _S511 = _S510.z;
     bool _S512 = _S511 < 0.0f;
     float3 normal_6;
     float height_10;
     if(_S512)
     {
-        SurfacePoint_0 _S513 = surface_at_0(_S506, _S508.x_11, _S508.y_5, !_S508.back_2);
+        SurfacePoint_0 _S513 = surface_at_0(_S506, _S508.x_11, _S508.y_5, !_S508.back_3);
         normal_6 = _S513.normal_5;
         height_10 = _S513.height_9;
     }
@@ -2766,12 +2787,12 @@ bool is_lit_0(uint _S506, SearchQuality_0 _S507, YarnPoint_0 _S508, float3 _S509
     {
         return false;
     }
-    return unoccluded_0(_S506, _S507, _S508.x_11, _S508.y_5, height_10, _S514, (_S508.back_2) != _S512);
+    return unoccluded_0(_S506, _S507, _S508.x_11, _S508.y_5, height_10, _S514, (_S508.back_3) != _S512);
 }
 
 float3 evaluate_0(uint _S515, SearchQuality_0 _S516, YarnPoint_0 _S517, float3 _S518, float3 _S519)
 {
-    float3 _S520 = scattered_0(_S515, _S517, to_face_frame_0(_S518, _S517.back_2), to_face_frame_0(_S519, _S517.back_2));
+    float3 _S520 = scattered_0(_S515, _S517, to_face_frame_0(_S518, _S517.back_3), to_face_frame_0(_S519, _S517.back_3));
     bool _S521;
     if((max(_S520.x, max(_S520.y, _S520.z))) <= 0.0f)
     {

@@ -108,12 +108,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -1498,11 +1519,11 @@ float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
     return float3(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S204 = direction_1.xy;
     float _S205;
-    if(back_0)
+    if(back_1)
     {
         _S205 = - direction_1.z;
     }
@@ -1824,7 +1845,7 @@ Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_8)
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_1)
+Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_2)
 {
     Albedos_0 albedos_2 = table_albedos_0(families_0.Load(family_9).colour_mean_0);
     if((families_0.Load(family_9).quantities_0) == 1U)
@@ -1849,7 +1870,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         float _S262 = _S260.x;
         float _S263 = _S262 * _S259.x;
         float _S264;
-        if(back_1)
+        if(back_2)
         {
             _S264 = _S263 - _S261;
         }
@@ -2265,7 +2286,7 @@ struct WovenView_0
     float hole_0;
     float correction_weight_0;
     float3 view_4;
-    bool back_2;
+    bool back_3;
 };
 
 AnisotropicTaps_0 anisotropic_taps_0(uint _S380, Footprint_0 _S381)
@@ -2412,7 +2433,7 @@ void add_level_0(uint _S403, uint _S404, bool _S405, float2 _S406, float _S407, 
 
 void code_footprint_0(uint _S425, AnisotropicTaps_0 _S426, float3 _S427, bool _S428, inout float  _S429[int(88)])
 {
-    float offset_0;
+    float offset_1;
     int k_0 = int(0);
     for(;;)
     {
@@ -2454,13 +2475,13 @@ void code_footprint_0(uint _S425, AnisotropicTaps_0 _S426, float3 _S427, bool _S
         bool _S437 = (number_2 & 1U) != 0U;
         if(_S437)
         {
-            offset_0 = _S432 - _S433;
+            offset_1 = _S432 - _S433;
         }
         else
         {
-            offset_0 = 1.0f - (_S432 - _S433);
+            offset_1 = 1.0f - (_S432 - _S433);
         }
-        float _S438 = offset_0 / float(_S434);
+        float _S438 = offset_1 / float(_S434);
         uint _S439 = uint(_S433);
         uint _S440;
         if(_S437)
@@ -2494,16 +2515,16 @@ void code_footprint_0(uint _S425, AnisotropicTaps_0 _S426, float3 _S427, bool _S
             {
                 break;
             }
-            float offset_1 = _S427[number_3] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _S427[number_3] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_3 < int(2))
             {
-                offset_0 = offset_1 - round(offset_1);
+                offset_1 = offset_2 - round(offset_2);
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            _S429[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            _S429[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_3 = number_3 + int(1);
@@ -2565,7 +2586,7 @@ void woven_view_0(uint _S446, Footprint_0 _S447, float3 _S448, inout WovenView_0
     _S449.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S449.correction_weight_0 = correction_weight_of_0(_S452.z);
     _S449.view_4 = _S453;
-    _S449.back_2 = _S450;
+    _S449.back_3 = _S450;
     return;
 }
 
@@ -2791,14 +2812,14 @@ float mixed_bundles_0(uint _S512, uint _S513, uint _S514, float3 _S515, float3 _
 Components_0 woven_components_0(uint _S530, inout WovenView_0 _S531, float3 _S532)
 {
     float _S533;
-    bool _S534 = _S531.back_2;
-    float3 _S535 = to_face_frame_0(_S532, _S531.back_2);
+    bool _S534 = _S531.back_3;
+    float3 _S535 = to_face_frame_0(_S532, _S531.back_3);
     float3 _S536 = _S531.view_4;
     HalfWeights_0 weights_24;
     Woven_0 _S537 = fabrics_0[_S530].woven_0;
     weights_24.first_2 = fabrics_0[_S530].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S530, _S535, _S531.view_4, _S531.back_2, directions_0);
+    code_light_0(_S530, _S535, _S531.view_4, _S531.back_3, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)

@@ -181,12 +181,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -6946,11 +6967,11 @@ float3 footprint_coordinates_0(AnisotropicTaps_0 taps_0)
     return float3(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S645 = direction_1.xy;
     float _S646;
-    if(back_0)
+    if(back_1)
     {
         _S646 = - direction_1.z;
     }
@@ -7284,7 +7305,7 @@ Albedos_0 with_added_albedos_0(Albedos_0 albedos_1, float weight_0, uint row_3)
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_1)
+Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretch_0 other_0, bool back_2)
 {
     Albedos_0 albedos_2 = table_albedos_0(families_0.Load(family_9).colour_mean_0);
     if((families_0.Load(family_9).quantities_0) == 1U)
@@ -7309,7 +7330,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, Stretch_0 own_0, Stretc
         float _S707 = _S705.x;
         float _S708 = _S707 * _S704.x;
         float _S709;
-        if(back_1)
+        if(back_2)
         {
             _S709 = _S708 - _S706;
         }
@@ -7725,7 +7746,7 @@ struct WovenView_0
     float hole_0;
     float correction_weight_0;
     float3 view_4;
-    bool back_2;
+    bool back_3;
 };
 
 AnisotropicTaps_0 anisotropic_taps_0(uint _S825, Footprint_0 _S826)
@@ -7872,7 +7893,7 @@ void add_level_0(uint _S848, uint _S849, bool _S850, float2 _S851, float _S852, 
 
 void code_footprint_0(uint _S870, AnisotropicTaps_0 _S871, float3 _S872, bool _S873, inout float  _S874[int(88)])
 {
-    float offset_0;
+    float offset_1;
     int k_0 = int(0);
     for(;;)
     {
@@ -7914,13 +7935,13 @@ void code_footprint_0(uint _S870, AnisotropicTaps_0 _S871, float3 _S872, bool _S
         bool _S882 = (number_2 & 1U) != 0U;
         if(_S882)
         {
-            offset_0 = _S877 - _S878;
+            offset_1 = _S877 - _S878;
         }
         else
         {
-            offset_0 = 1.0f - (_S877 - _S878);
+            offset_1 = 1.0f - (_S877 - _S878);
         }
-        float _S883 = offset_0 / float(_S879);
+        float _S883 = offset_1 / float(_S879);
         uint _S884 = uint(_S878);
         uint _S885;
         if(_S882)
@@ -7954,16 +7975,16 @@ void code_footprint_0(uint _S870, AnisotropicTaps_0 _S871, float3 _S872, bool _S
             {
                 break;
             }
-            float offset_1 = _S872[number_3] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _S872[number_3] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_3 < int(2))
             {
-                offset_0 = offset_1 - round(offset_1);
+                offset_1 = offset_2 - round(offset_2);
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            _S874[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            _S874[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_3 = number_3 + int(1);
@@ -8025,7 +8046,7 @@ void woven_view_0(uint _S891, Footprint_0 _S892, float3 _S893, inout WovenView_0
     _S894.hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S894.correction_weight_0 = correction_weight_of_0(_S897.z);
     _S894.view_4 = _S898;
-    _S894.back_2 = _S895;
+    _S894.back_3 = _S895;
     return;
 }
 
@@ -8251,14 +8272,14 @@ float mixed_bundles_0(uint _S957, uint _S958, uint _S959, float3 _S960, float3 _
 Components_0 woven_components_0(uint _S975, inout WovenView_0 _S976, float3 _S977)
 {
     float _S978;
-    bool _S979 = _S976.back_2;
-    float3 _S980 = to_face_frame_0(_S977, _S976.back_2);
+    bool _S979 = _S976.back_3;
+    float3 _S980 = to_face_frame_0(_S977, _S976.back_3);
     float3 _S981 = _S976.view_4;
     HalfWeights_0 weights_27;
     Woven_0 _S982 = fabrics_0[_S975].woven_0;
     weights_27.first_2 = fabrics_0[_S975].woven_0.network_0;
     float  directions_0[int(39)];
-    code_light_0(_S975, _S980, _S976.view_4, _S976.back_2, directions_0);
+    code_light_0(_S975, _S980, _S976.view_4, _S976.back_3, directions_0);
     float  skip_0[int(96)];
     int k_1 = int(0);
     for(;;)

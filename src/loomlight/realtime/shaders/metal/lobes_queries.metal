@@ -197,12 +197,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_1;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -372,7 +393,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
+Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
 {
     bool _S23 = (abs((&crossing_0->warp_1)->across_2)) < ((&crossing_0->warp_1)->half_width_1);
     bool _S24 = (abs((&crossing_0->weft_1)->across_2)) < ((&crossing_0->weft_1)->half_width_1);
@@ -413,7 +434,7 @@ Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
         _S26 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S26;
-    (&shown_0)->on_top_0 = ((_S26 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S26 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1738,7 +1759,7 @@ Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_2
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_2, KernelContext_0 thread* kernelContext_24)
+Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_3, KernelContext_0 thread* kernelContext_24)
 {
     Albedos_0 _S298 = table_albedos_0(kernelContext_24->families_0[family_14].colour_mean_0, kernelContext_24);
     thread Albedos_0 albedos_2 = _S298;
@@ -1764,7 +1785,7 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread
         float _S302 = _S300.x;
         float _S303 = _S302 * _S299.x;
         float _S304;
-        if(back_2)
+        if(back_3)
         {
             _S304 = _S303 - _S301;
         }
@@ -2810,7 +2831,7 @@ SurfacePoint_0 surface_at_0(uint _S572, float _S573, float _S574, bool _S575, Ke
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_11;
@@ -2931,7 +2952,7 @@ YarnPoint_0 yarn_point_of_0(uint _S620, const SurfacePoint_0 thread* _S621, floa
         albedos_6 = _S630;
     }
     thread YarnPoint_0 point_1;
-    (&point_1)->back_3 = _S624;
+    (&point_1)->back_4 = _S624;
     (&point_1)->hole_6 = _S625;
     (&point_1)->is_warp_3 = _S627;
     (&point_1)->x_11 = _S622;
@@ -2962,8 +2983,8 @@ bool is_lit_0(uint _S644, const SearchQuality_0 thread* _S645, const YarnPoint_0
     {
         return true;
     }
-    bool _S648 = _S646->back_3;
-    float3 _S649 = to_face_frame_0(_S647, _S646->back_3);
+    bool _S648 = _S646->back_4;
+    float3 _S649 = to_face_frame_0(_S647, _S646->back_4);
     float _S650 = _S649.z;
     bool _S651 = _S650 < 0.0f;
     float3 _S652 = _S646->normal_6;
@@ -3019,8 +3040,8 @@ Components_0 components_of_point_0(uint _S657, const SearchQuality_0 thread* _S6
     {
         return result_1;
     }
-    float3 _S667 = to_face_frame_0(_S660, _S659->back_3);
-    float3 _S668 = to_face_frame_0(_S661, _S659->back_3);
+    float3 _S667 = to_face_frame_0(_S660, _S659->back_4);
+    float3 _S668 = to_face_frame_0(_S661, _S659->back_4);
     bool _S669 = (_S667.z) < 0.0f;
     float3 _S670;
     if(_S669)

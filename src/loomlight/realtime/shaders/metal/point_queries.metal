@@ -101,12 +101,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_1;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -276,7 +297,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
+Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
 {
     bool _S18 = (abs((&crossing_0->warp_1)->across_0)) < ((&crossing_0->warp_1)->half_width_1);
     bool _S19 = (abs((&crossing_0->weft_1)->across_0)) < ((&crossing_0->weft_1)->half_width_1);
@@ -317,7 +338,7 @@ Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
         _S21 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S21;
-    (&shown_0)->on_top_0 = ((_S21 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S21 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1309,7 +1330,7 @@ float2 sheen_with_transmittance_0(float3 light_5, float3 view_4, float strength_
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_7;
@@ -2327,7 +2348,7 @@ YarnPoint_0 yarn_point_of_0(uint _S460, const SurfacePoint_0 thread* _S461, floa
         albedos_2 = _S470;
     }
     thread YarnPoint_0 point_1;
-    (&point_1)->back_2 = _S464;
+    (&point_1)->back_3 = _S464;
     (&point_1)->hole_2 = _S465;
     (&point_1)->is_warp_1 = _S467;
     (&point_1)->x_7 = _S462;
@@ -2415,8 +2436,8 @@ bool is_lit_0(uint _S504, const SearchQuality_0 thread* _S505, const YarnPoint_0
     {
         return true;
     }
-    bool _S508 = _S506->back_2;
-    float3 _S509 = to_face_frame_0(_S507, _S506->back_2);
+    bool _S508 = _S506->back_3;
+    float3 _S509 = to_face_frame_0(_S507, _S506->back_3);
     float _S510 = _S509.z;
     bool _S511 = _S510 < 0.0f;
     float3 _S512 = _S506->normal_3;
@@ -2445,7 +2466,7 @@ bool is_lit_0(uint _S504, const SearchQuality_0 thread* _S505, const YarnPoint_0
 
 float3 evaluate_0(uint _S517, const SearchQuality_0 thread* _S518, const YarnPoint_0 thread* _S519, float3 _S520, float3 _S521, KernelContext_0 thread* kernelContext_37)
 {
-    float3 _S522 = scattered_0(_S517, _S519, to_face_frame_0(_S520, _S519->back_2), to_face_frame_0(_S521, _S519->back_2), kernelContext_37);
+    float3 _S522 = scattered_0(_S517, _S519, to_face_frame_0(_S520, _S519->back_3), to_face_frame_0(_S521, _S519->back_3), kernelContext_37);
     bool _S523;
     if((max(_S522.x, max(_S522.y, _S522.z))) <= 0.0f)
     {

@@ -178,12 +178,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -444,11 +465,11 @@ float Footprint_spread_side_0(const Footprint_0 thread* this_0)
     return sqrt(0.5f * (dot(this_0->dx_0, this_0->dx_0) + dot(this_0->dy_0, this_0->dy_0)));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S50 = direction_1.xy;
     float _S51;
-    if(back_0)
+    if(back_1)
     {
         _S51 = - direction_1.z;
     }
@@ -629,7 +650,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
+Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
 {
     bool _S70 = (abs((&crossing_0->warp_1)->across_2)) < ((&crossing_0->warp_1)->half_width_1);
     bool _S71 = (abs((&crossing_0->weft_1)->across_2)) < ((&crossing_0->weft_1)->half_width_1);
@@ -670,7 +691,7 @@ Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
         _S73 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S73;
-    (&shown_0)->on_top_0 = ((_S73 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S73 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1954,7 +1975,7 @@ Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_2
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_2, KernelContext_0 thread* kernelContext_28)
+Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread* own_1, const Stretch_0 thread* other_2, bool back_3, KernelContext_0 thread* kernelContext_28)
 {
     Albedos_0 _S338 = table_albedos_0(kernelContext_28->families_0[family_14].colour_mean_0, kernelContext_28);
     thread Albedos_0 albedos_2 = _S338;
@@ -1980,7 +2001,7 @@ Albedos_0 mean_albedos_0(uint family_14, uint crossing_1, const Stretch_0 thread
         float _S342 = _S340.x;
         float _S343 = _S342 * _S339.x;
         float _S344;
-        if(back_2)
+        if(back_3)
         {
             _S344 = _S343 - _S341;
         }
@@ -3322,7 +3343,7 @@ SurfacePoint_0 surface_at_0(uint _S771, float _S772, float _S773, bool _S774, Ke
 
 struct YarnPoint_0
 {
-    bool back_3;
+    bool back_4;
     bool hole_6;
     bool is_warp_3;
     float x_14;
@@ -3443,7 +3464,7 @@ YarnPoint_0 yarn_point_of_0(uint _S819, const SurfacePoint_0 thread* _S820, floa
         albedos_7 = _S829;
     }
     thread YarnPoint_0 point_4;
-    (&point_4)->back_3 = _S823;
+    (&point_4)->back_4 = _S823;
     (&point_4)->hole_6 = _S824;
     (&point_4)->is_warp_3 = _S826;
     (&point_4)->x_14 = _S821;
@@ -3474,8 +3495,8 @@ bool is_lit_0(uint _S843, const SearchQuality_0 thread* _S844, const YarnPoint_0
     {
         return true;
     }
-    bool _S847 = _S845->back_3;
-    float3 _S848 = to_face_frame_0(_S846, _S845->back_3);
+    bool _S847 = _S845->back_4;
+    float3 _S848 = to_face_frame_0(_S846, _S845->back_4);
     float _S849 = _S848.z;
     bool _S850 = _S849 < 0.0f;
     float3 _S851 = _S845->normal_7;
@@ -3531,8 +3552,8 @@ Components_0 components_of_point_0(uint _S856, const SearchQuality_0 thread* _S8
     {
         return result_2;
     }
-    float3 _S866 = to_face_frame_0(_S859, _S858->back_3);
-    float3 _S867 = to_face_frame_0(_S860, _S858->back_3);
+    float3 _S866 = to_face_frame_0(_S859, _S858->back_4);
+    float3 _S867 = to_face_frame_0(_S860, _S858->back_4);
     bool _S868 = (_S866.z) < 0.0f;
     float3 _S869;
     if(_S868)

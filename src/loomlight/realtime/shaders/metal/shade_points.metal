@@ -176,12 +176,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -361,11 +382,11 @@ float3 to_local_0(const VisiblePoint_0 thread* point_0, float3 direction_0)
     return float3(dot(direction_0, point_0->axis_x_0), dot(direction_0, point_0->axis_y_0), dot(direction_0, point_0->normal_0));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S36 = direction_1.xy;
     float _S37;
-    if(back_0)
+    if(back_1)
     {
         _S37 = - direction_1.z;
     }
@@ -474,7 +495,7 @@ struct Crossing_0
     bool warp_above_0;
 };
 
-Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
+Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_2)
 {
     bool _S53 = (abs((&crossing_0->warp_1)->across_0)) < ((&crossing_0->warp_1)->half_width_1);
     bool _S54 = (abs((&crossing_0->weft_1)->across_0)) < ((&crossing_0->weft_1)->half_width_1);
@@ -515,7 +536,7 @@ Shown_0 shown_at_0(const Crossing_0 thread* crossing_0, bool back_1)
         _S56 = crossing_0->weft_word_0;
     }
     (&shown_0)->word_0 = _S56;
-    (&shown_0)->on_top_0 = ((_S56 & 1U) == 1U) != back_1;
+    (&shown_0)->on_top_0 = ((_S56 & 1U) == 1U) != back_2;
     return shown_0;
 }
 
@@ -1745,7 +1766,7 @@ float3 filtered_albedo_0(uint _S316, const VisiblePoint_0 thread* _S317, KernelC
 
 struct YarnPoint_0
 {
-    bool back_2;
+    bool back_3;
     bool hole_2;
     bool is_warp_1;
     float x_11;
@@ -2763,7 +2784,7 @@ YarnPoint_0 yarn_point_of_0(uint _S618, const SurfacePoint_0 thread* _S619, floa
         albedos_3 = _S628;
     }
     thread YarnPoint_0 point_4;
-    (&point_4)->back_2 = _S622;
+    (&point_4)->back_3 = _S622;
     (&point_4)->hole_2 = _S623;
     (&point_4)->is_warp_1 = _S625;
     (&point_4)->x_11 = _S620;
@@ -2932,8 +2953,8 @@ bool is_lit_0(uint _S703, const SearchQuality_0 thread* _S704, const YarnPoint_0
     {
         return true;
     }
-    bool _S707 = _S705->back_2;
-    float3 _S708 = to_face_frame_0(_S706, _S705->back_2);
+    bool _S707 = _S705->back_3;
+    float3 _S708 = to_face_frame_0(_S706, _S705->back_3);
     float _S709 = _S708.z;
     bool _S710 = _S709 < 0.0f;
     float3 _S711 = _S705->normal_4;
@@ -2962,7 +2983,7 @@ bool is_lit_0(uint _S703, const SearchQuality_0 thread* _S704, const YarnPoint_0
 
 float3 evaluate_0(uint _S716, const SearchQuality_0 thread* _S717, const YarnPoint_0 thread* _S718, float3 _S719, float3 _S720, KernelContext_0 thread* kernelContext_54)
 {
-    float3 _S721 = scattered_0(_S716, _S718, to_face_frame_0(_S719, _S718->back_2), to_face_frame_0(_S720, _S718->back_2), kernelContext_54);
+    float3 _S721 = scattered_0(_S716, _S718, to_face_frame_0(_S719, _S718->back_3), to_face_frame_0(_S720, _S718->back_3), kernelContext_54);
     bool _S722;
     if((max(_S721.x, max(_S721.y, _S721.z))) <= 0.0f)
     {

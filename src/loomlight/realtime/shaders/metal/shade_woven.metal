@@ -101,12 +101,33 @@ struct Woven_0
     uint correction_0;
 };
 
+struct Neumip_0
+{
+    uint is_trained_0;
+    uint decoder_0;
+    uint has_offset_0;
+    uint offset_0;
+    uint offset_texels_0;
+    uint features_0;
+    uint texel_elements_0;
+    uint levels_2;
+    float last_level_1;
+    uint face_texels_0;
+    uint back_0;
+    float repeats_per_x_0;
+    float repeats_per_y_0;
+    float texels_per_mm_0;
+    float unit_x_0;
+    float unit_y_0;
+};
+
 struct Fabric_0
 {
     uint warp_0;
     uint weft_0;
     Lobes_0 lobes_0;
     Woven_0 woven_0;
+    Neumip_0 neumip_0;
     uint run_words_0;
     uint ends_1;
     uint max_heights_0;
@@ -1509,11 +1530,11 @@ float3 footprint_coordinates_0(const AnisotropicTaps_0 thread* taps_0)
     return float3(taps_0->centre_1 - floor(taps_0->centre_1), clamp(natural_logarithm_0(max(_S210, 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-float3 to_face_frame_0(float3 direction_1, bool back_0)
+float3 to_face_frame_0(float3 direction_1, bool back_1)
 {
     float2 _S211 = direction_1.xy;
     float _S212;
-    if(back_0)
+    if(back_1)
     {
         _S212 = - direction_1.z;
     }
@@ -1885,7 +1906,7 @@ Albedos_0 with_added_albedos_0(const Albedos_0 thread* albedos_1, float weight_0
     return sum_0;
 }
 
-Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread* own_0, const Stretch_0 thread* other_0, bool back_1, KernelContext_0 thread* kernelContext_42)
+Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread* own_0, const Stretch_0 thread* other_0, bool back_2, KernelContext_0 thread* kernelContext_42)
 {
     Albedos_0 _S306 = table_albedos_0(kernelContext_42->families_0[family_9].colour_mean_0, kernelContext_42);
     thread Albedos_0 albedos_2 = _S306;
@@ -1911,7 +1932,7 @@ Albedos_0 mean_albedos_0(uint family_9, uint crossing_0, const Stretch_0 thread*
         float _S310 = _S308.x;
         float _S311 = _S310 * _S307.x;
         float _S312;
-        if(back_1)
+        if(back_2)
         {
             _S312 = _S311 - _S309;
         }
@@ -2374,7 +2395,7 @@ struct WovenView_0
     float hole_0;
     float correction_weight_0;
     float3 view_4;
-    bool back_2;
+    bool back_3;
 };
 
 AnisotropicTaps_0 anisotropic_taps_0(uint _S475, const Footprint_0 thread* _S476, KernelContext_0 thread* kernelContext_53)
@@ -2523,7 +2544,7 @@ void add_level_0(uint _S499, uint _S500, bool _S501, float2 _S502, float _S503, 
 
 void code_footprint_0(uint _S522, const AnisotropicTaps_0 thread* _S523, float3 _S524, bool _S525, array<float, int(88)> thread* _S526, KernelContext_0 thread* kernelContext_56)
 {
-    float offset_0;
+    float offset_1;
     Fabric_0 device* _S527 = kernelContext_56->fabrics_0+_S522;
     int k_0 = int(0);
     for(;;)
@@ -2567,13 +2588,13 @@ void code_footprint_0(uint _S522, const AnisotropicTaps_0 thread* _S523, float3 
         bool _S536 = (number_2 & 1U) != 0U;
         if(_S536)
         {
-            offset_0 = _S530 - _S531;
+            offset_1 = _S530 - _S531;
         }
         else
         {
-            offset_0 = 1.0f - (_S530 - _S531);
+            offset_1 = 1.0f - (_S530 - _S531);
         }
-        float _S537 = offset_0 / float(_S533);
+        float _S537 = offset_1 / float(_S533);
         uint _S538 = uint(_S531);
         uint _S539;
         if(_S536)
@@ -2607,16 +2628,16 @@ void code_footprint_0(uint _S522, const AnisotropicTaps_0 thread* _S523, float3 
             {
                 break;
             }
-            float offset_1 = _S524[number_3] - (float(bin_0) + 0.5f) / 8.0f;
+            float offset_2 = _S524[number_3] - (float(bin_0) + 0.5f) / 8.0f;
             if(number_3 < int(2))
             {
-                offset_0 = offset_1 - round(offset_1);
+                offset_1 = offset_2 - round(offset_2);
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            (*_S526)[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            (*_S526)[int(64) + number_3 * int(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + int(1);
         }
         number_3 = number_3 + int(1);
@@ -2689,7 +2710,7 @@ void woven_view_0(uint _S546, const Footprint_0 thread* _S547, float3 _S548, Wov
     _S549->hole_0 = clamp(hole_1[int(0)], 0.0f, 1.0f);
     _S549->correction_weight_0 = correction_weight_of_0(_S554.z);
     _S549->view_4 = _S555;
-    _S549->back_2 = _S551;
+    _S549->back_3 = _S551;
     return;
 }
 
@@ -2940,14 +2961,14 @@ Components_0 woven_components_0(uint _S664, WovenView_0 thread* _S665, float3 _S
 {
     float _S667;
     Fabric_0 device* _S668 = kernelContext_67->fabrics_0+_S664;
-    bool _S669 = _S665->back_2;
-    float3 _S670 = to_face_frame_0(_S666, _S665->back_2);
+    bool _S669 = _S665->back_3;
+    float3 _S670 = to_face_frame_0(_S666, _S665->back_3);
     float3 _S671 = _S665->view_4;
     thread HalfWeights_0 weights_24;
     Woven_0 _S672 = _S668->woven_0;
     (&weights_24)->first_2 = _S668->woven_0.network_0;
     thread array<float, int(39)> directions_0;
-    code_light_0(_S664, _S670, _S665->view_4, _S665->back_2, &directions_0, kernelContext_67);
+    code_light_0(_S664, _S670, _S665->view_4, _S665->back_3, &directions_0, kernelContext_67);
     thread array<float, int(96)> skip_0;
     int k_1 = int(0);
     for(;;)

@@ -98,12 +98,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -484,11 +505,11 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_1 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_1, point_0.axis_x_0), dot(direction_1, point_0.axis_y_0), dot(direction_1, point_0.normal_0));
 }
 
-fn to_face_frame_0( direction_2 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_2 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S47 : vec2<f32> = direction_2.xy;
     var _S48 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S48 = - direction_2.z;
     }
@@ -644,7 +665,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S60 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S61 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -685,7 +706,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S63 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S63;
-    shown_0.on_top_0 = (((_S63 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S63 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 

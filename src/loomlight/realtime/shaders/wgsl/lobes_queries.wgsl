@@ -69,12 +69,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -192,11 +213,11 @@ fn binary_logarithm_0( x_2 : f32) -> f32
     return natural_logarithm_0(x_2) * 1.4426950216293335f;
 }
 
-fn to_face_frame_0( direction_0 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_0 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S5 : vec2<f32> = direction_0.xy;
     var _S6 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S6 = - direction_0.z;
     }
@@ -364,7 +385,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S17 : bool = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
     var _S18 : bool = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
@@ -405,7 +426,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S20 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S20;
-    shown_0.on_top_0 = (((_S20 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S20 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 
@@ -1644,7 +1665,7 @@ fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_2 : f32,  row_3 : u32) -
     return sum_0;
 }
 
-fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_2 : bool) -> Albedos_0
+fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_3 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_14].colour_mean_0);
     if((families_0[family_14].quantities_0) == u32(1))
@@ -1669,7 +1690,7 @@ fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         var _S214 : f32 = _S212.x;
         var _S215 : f32 = _S214 * _S211.x;
         var _S216 : f32;
-        if(back_2)
+        if(back_3)
         {
             _S216 = _S215 - _S213;
         }
@@ -2639,7 +2660,7 @@ fn surface_at_0( _S409 : u32,  _S410 : f32,  _S411 : f32,  _S412 : bool) -> Surf
 
 struct YarnPoint_0
 {
-     back_3 : bool,
+     back_4 : bool,
      hole_6 : bool,
      is_warp_3 : bool,
      x_12 : f32,
@@ -2752,7 +2773,7 @@ fn yarn_point_of_0( _S452 : u32,  _S453 : SurfacePoint_0,  _S454 : f32,  _S455 :
         albedos_7 = albedos_6;
     }
     var point_1 : YarnPoint_0;
-    point_1.back_3 = _S456;
+    point_1.back_4 = _S456;
     point_1.hole_6 = _S457;
     point_1.is_warp_3 = _S453.is_warp_0;
     point_1.x_12 = _S454;
@@ -2780,14 +2801,14 @@ fn is_lit_0( _S468 : u32,  _S469 : SearchQuality_0,  _S470 : YarnPoint_0,  _S471
     {
         return true;
     }
-    var _S472 : vec3<f32> = to_face_frame_0(_S471, _S470.back_3);
+    var _S472 : vec3<f32> = to_face_frame_0(_S471, _S470.back_4);
     var _S473 : f32 = _S472.z;
     var _S474 : bool = _S473 < 0.0f;
     var normal_7 : vec3<f32>;
     var height_10 : f32;
     if(_S474)
     {
-        var _S475 : SurfacePoint_0 = surface_at_0(_S468, _S470.x_12, _S470.y_6, !_S470.back_3);
+        var _S475 : SurfacePoint_0 = surface_at_0(_S468, _S470.x_12, _S470.y_6, !_S470.back_4);
         normal_7 = _S475.normal_0;
         height_10 = _S475.height_0;
     }
@@ -2801,7 +2822,7 @@ fn is_lit_0( _S468 : u32,  _S469 : SearchQuality_0,  _S470 : YarnPoint_0,  _S471
     {
         return false;
     }
-    return unoccluded_0(_S468, _S469, _S470.x_12, _S470.y_6, height_10, _S476, (_S470.back_3) != _S474);
+    return unoccluded_0(_S468, _S469, _S470.x_12, _S470.y_6, height_10, _S476, (_S470.back_4) != _S474);
 }
 
 fn components_of_point_0( _S477 : u32,  _S478 : SearchQuality_0,  _S479 : YarnPoint_0,  _S480 : vec3<f32>,  _S481 : vec3<f32>) -> Components_0
@@ -2830,8 +2851,8 @@ fn components_of_point_0( _S477 : u32,  _S478 : SearchQuality_0,  _S479 : YarnPo
     {
         return result_1;
     }
-    var _S484 : vec3<f32> = to_face_frame_0(_S480, _S479.back_3);
-    var _S485 : vec3<f32> = to_face_frame_0(_S481, _S479.back_3);
+    var _S484 : vec3<f32> = to_face_frame_0(_S480, _S479.back_4);
+    var _S485 : vec3<f32> = to_face_frame_0(_S481, _S479.back_4);
     var _S486 : bool = (_S484.z) < 0.0f;
     var _S487 : vec3<f32>;
     if(_S486)

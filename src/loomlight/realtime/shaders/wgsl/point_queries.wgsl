@@ -69,12 +69,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -166,11 +187,11 @@ fn default_quality_0() -> SearchQuality_0
     return quality_0;
 }
 
-fn to_face_frame_0( direction_0 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_0 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S1 : vec2<f32> = direction_0.xy;
     var _S2 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S2 = - direction_0.z;
     }
@@ -266,7 +287,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S10 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S11 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -307,7 +328,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S13 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S13;
-    shown_0.on_top_0 = (((_S13 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S13 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 
@@ -1260,7 +1281,7 @@ fn sheen_with_transmittance_0( light_5 : vec3<f32>,  view_4 : vec3<f32>,  streng
 
 struct YarnPoint_0
 {
-     back_2 : bool,
+     back_3 : bool,
      hole_2 : bool,
      is_warp_1 : bool,
      x_8 : f32,
@@ -2199,7 +2220,7 @@ fn yarn_point_of_0( _S338 : u32,  _S339 : SurfacePoint_0,  _S340 : f32,  _S341 :
         albedos_3 = albedos_2;
     }
     var point_1 : YarnPoint_0;
-    point_1.back_2 = _S342;
+    point_1.back_3 = _S342;
     point_1.hole_2 = _S343;
     point_1.is_warp_1 = _S339.is_warp_2;
     point_1.x_8 = _S340;
@@ -2280,14 +2301,14 @@ fn is_lit_0( _S370 : u32,  _S371 : SearchQuality_0,  _S372 : YarnPoint_0,  _S373
     {
         return true;
     }
-    var _S374 : vec3<f32> = to_face_frame_0(_S373, _S372.back_2);
+    var _S374 : vec3<f32> = to_face_frame_0(_S373, _S372.back_3);
     var _S375 : f32 = _S374.z;
     var _S376 : bool = _S375 < 0.0f;
     var normal_5 : vec3<f32>;
     var height_9 : f32;
     if(_S376)
     {
-        var _S377 : SurfacePoint_0 = surface_at_0(_S370, _S372.x_8, _S372.y_3, !_S372.back_2);
+        var _S377 : SurfacePoint_0 = surface_at_0(_S370, _S372.x_8, _S372.y_3, !_S372.back_3);
         normal_5 = _S377.normal_4;
         height_9 = _S377.height_8;
     }
@@ -2301,12 +2322,12 @@ fn is_lit_0( _S370 : u32,  _S371 : SearchQuality_0,  _S372 : YarnPoint_0,  _S373
     {
         return false;
     }
-    return unoccluded_0(_S370, _S371, _S372.x_8, _S372.y_3, height_9, _S378, (_S372.back_2) != _S376);
+    return unoccluded_0(_S370, _S371, _S372.x_8, _S372.y_3, height_9, _S378, (_S372.back_3) != _S376);
 }
 
 fn evaluate_0( _S379 : u32,  _S380 : SearchQuality_0,  _S381 : YarnPoint_0,  _S382 : vec3<f32>,  _S383 : vec3<f32>) -> vec3<f32>
 {
-    var _S384 : vec3<f32> = scattered_0(_S379, _S381, to_face_frame_0(_S382, _S381.back_2), to_face_frame_0(_S383, _S381.back_2));
+    var _S384 : vec3<f32> = scattered_0(_S379, _S381, to_face_frame_0(_S382, _S381.back_3), to_face_frame_0(_S383, _S381.back_3));
     var _S385 : bool;
     if((max(_S384.x, max(_S384.y, _S384.z))) <= 0.0f)
     {

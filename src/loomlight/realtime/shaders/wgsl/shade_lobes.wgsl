@@ -98,12 +98,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -452,11 +473,11 @@ fn Footprint_spread_side_0( this_0 : Footprint_0) -> f32
     return sqrt(0.5f * (dot(_S42, _S42) + dot(_S43, _S43)));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S44 : vec2<f32> = direction_1.xy;
     var _S45 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S45 = - direction_1.z;
     }
@@ -624,7 +645,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S56 : bool = (abs(crossing_0.warp_1.across_2)) < (crossing_0.warp_1.half_width_1);
     var _S57 : bool = (abs(crossing_0.weft_1.across_2)) < (crossing_0.weft_1.half_width_1);
@@ -665,7 +686,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S59 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S59;
-    shown_0.on_top_0 = (((_S59 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S59 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 
@@ -1863,7 +1884,7 @@ fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_2 : f32,  row_3 : u32) -
     return sum_0;
 }
 
-fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_2 : bool) -> Albedos_0
+fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  other_2 : Stretch_0,  back_3 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_14].colour_mean_0);
     if((families_0[family_14].quantities_0) == u32(1))
@@ -1888,7 +1909,7 @@ fn mean_albedos_0( family_14 : u32,  crossing_1 : u32,  own_1 : Stretch_0,  othe
         var _S246 : f32 = _S244.x;
         var _S247 : f32 = _S246 * _S243.x;
         var _S248 : f32;
-        if(back_2)
+        if(back_3)
         {
             _S248 = _S247 - _S245;
         }
@@ -3117,7 +3138,7 @@ fn surface_at_0( _S563 : u32,  _S564 : f32,  _S565 : f32,  _S566 : bool) -> Surf
 
 struct YarnPoint_0
 {
-     back_3 : bool,
+     back_4 : bool,
      hole_6 : bool,
      is_warp_3 : bool,
      x_15 : f32,
@@ -3230,7 +3251,7 @@ fn yarn_point_of_0( _S606 : u32,  _S607 : SurfacePoint_0,  _S608 : f32,  _S609 :
         albedos_8 = albedos_7;
     }
     var point_4 : YarnPoint_0;
-    point_4.back_3 = _S610;
+    point_4.back_4 = _S610;
     point_4.hole_6 = _S611;
     point_4.is_warp_3 = _S607.is_warp_0;
     point_4.x_15 = _S608;
@@ -3258,14 +3279,14 @@ fn is_lit_0( _S622 : u32,  _S623 : SearchQuality_0,  _S624 : YarnPoint_0,  _S625
     {
         return true;
     }
-    var _S626 : vec3<f32> = to_face_frame_0(_S625, _S624.back_3);
+    var _S626 : vec3<f32> = to_face_frame_0(_S625, _S624.back_4);
     var _S627 : f32 = _S626.z;
     var _S628 : bool = _S627 < 0.0f;
     var normal_8 : vec3<f32>;
     var height_11 : f32;
     if(_S628)
     {
-        var _S629 : SurfacePoint_0 = surface_at_0(_S622, _S624.x_15, _S624.y_8, !_S624.back_3);
+        var _S629 : SurfacePoint_0 = surface_at_0(_S622, _S624.x_15, _S624.y_8, !_S624.back_4);
         normal_8 = _S629.normal_1;
         height_11 = _S629.height_1;
     }
@@ -3279,7 +3300,7 @@ fn is_lit_0( _S622 : u32,  _S623 : SearchQuality_0,  _S624 : YarnPoint_0,  _S625
     {
         return false;
     }
-    return unoccluded_0(_S622, _S623, _S624.x_15, _S624.y_8, height_11, _S630, (_S624.back_3) != _S628);
+    return unoccluded_0(_S622, _S623, _S624.x_15, _S624.y_8, height_11, _S630, (_S624.back_4) != _S628);
 }
 
 fn components_of_point_0( _S631 : u32,  _S632 : SearchQuality_0,  _S633 : YarnPoint_0,  _S634 : vec3<f32>,  _S635 : vec3<f32>) -> Components_0
@@ -3308,8 +3329,8 @@ fn components_of_point_0( _S631 : u32,  _S632 : SearchQuality_0,  _S633 : YarnPo
     {
         return result_2;
     }
-    var _S638 : vec3<f32> = to_face_frame_0(_S634, _S633.back_3);
-    var _S639 : vec3<f32> = to_face_frame_0(_S635, _S633.back_3);
+    var _S638 : vec3<f32> = to_face_frame_0(_S634, _S633.back_4);
+    var _S639 : vec3<f32> = to_face_frame_0(_S635, _S633.back_4);
     var _S640 : bool = (_S638.z) < 0.0f;
     var _S641 : vec3<f32>;
     if(_S640)

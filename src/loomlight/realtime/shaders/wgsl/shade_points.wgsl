@@ -98,12 +98,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -368,11 +389,11 @@ fn to_local_0( point_0 : VisiblePoint_0,  direction_0 : vec3<f32>) -> vec3<f32>
     return vec3<f32>(dot(direction_0, point_0.axis_x_0), dot(direction_0, point_0.axis_y_0), dot(direction_0, point_0.normal_0));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S29 : vec2<f32> = direction_1.xy;
     var _S30 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S30 = - direction_1.z;
     }
@@ -468,7 +489,7 @@ struct Crossing_0
      warp_above_0 : bool,
 };
 
-fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
+fn shown_at_0( crossing_0 : Crossing_0,  back_2 : bool) -> Shown_0
 {
     var _S38 : bool = (abs(crossing_0.warp_1.across_0)) < (crossing_0.warp_1.half_width_1);
     var _S39 : bool = (abs(crossing_0.weft_1.across_0)) < (crossing_0.weft_1.half_width_1);
@@ -509,7 +530,7 @@ fn shown_at_0( crossing_0 : Crossing_0,  back_1 : bool) -> Shown_0
         _S41 = crossing_0.weft_word_0;
     }
     shown_0.word_0 = _S41;
-    shown_0.on_top_0 = (((_S41 & (u32(1)))) == u32(1)) != back_1;
+    shown_0.on_top_0 = (((_S41 & (u32(1)))) == u32(1)) != back_2;
     return shown_0;
 }
 
@@ -1672,7 +1693,7 @@ fn filtered_albedo_0( _S240 : u32,  _S241 : VisiblePoint_0) -> vec3<f32>
 
 struct YarnPoint_0
 {
-     back_2 : bool,
+     back_3 : bool,
      hole_2 : bool,
      is_warp_1 : bool,
      x_12 : f32,
@@ -2611,7 +2632,7 @@ fn yarn_point_of_0( _S461 : u32,  _S462 : SurfacePoint_0,  _S463 : f32,  _S464 :
         albedos_4 = albedos_3;
     }
     var point_4 : YarnPoint_0;
-    point_4.back_2 = _S465;
+    point_4.back_3 = _S465;
     point_4.hole_2 = _S466;
     point_4.is_warp_1 = _S462.is_warp_2;
     point_4.x_12 = _S463;
@@ -2763,14 +2784,14 @@ fn is_lit_0( _S524 : u32,  _S525 : SearchQuality_0,  _S526 : YarnPoint_0,  _S527
     {
         return true;
     }
-    var _S528 : vec3<f32> = to_face_frame_0(_S527, _S526.back_2);
+    var _S528 : vec3<f32> = to_face_frame_0(_S527, _S526.back_3);
     var _S529 : f32 = _S528.z;
     var _S530 : bool = _S529 < 0.0f;
     var normal_6 : vec3<f32>;
     var height_10 : f32;
     if(_S530)
     {
-        var _S531 : SurfacePoint_0 = surface_at_0(_S524, _S526.x_12, _S526.y_5, !_S526.back_2);
+        var _S531 : SurfacePoint_0 = surface_at_0(_S524, _S526.x_12, _S526.y_5, !_S526.back_3);
         normal_6 = _S531.normal_5;
         height_10 = _S531.height_9;
     }
@@ -2784,12 +2805,12 @@ fn is_lit_0( _S524 : u32,  _S525 : SearchQuality_0,  _S526 : YarnPoint_0,  _S527
     {
         return false;
     }
-    return unoccluded_0(_S524, _S525, _S526.x_12, _S526.y_5, height_10, _S532, (_S526.back_2) != _S530);
+    return unoccluded_0(_S524, _S525, _S526.x_12, _S526.y_5, height_10, _S532, (_S526.back_3) != _S530);
 }
 
 fn evaluate_0( _S533 : u32,  _S534 : SearchQuality_0,  _S535 : YarnPoint_0,  _S536 : vec3<f32>,  _S537 : vec3<f32>) -> vec3<f32>
 {
-    var _S538 : vec3<f32> = scattered_0(_S533, _S535, to_face_frame_0(_S536, _S535.back_2), to_face_frame_0(_S537, _S535.back_2));
+    var _S538 : vec3<f32> = scattered_0(_S533, _S535, to_face_frame_0(_S536, _S535.back_3), to_face_frame_0(_S537, _S535.back_3));
     var _S539 : bool;
     if((max(_S538.x, max(_S538.y, _S538.z))) <= 0.0f)
     {

@@ -98,12 +98,33 @@ struct Woven_std430_0
     @align(4) correction_0 : u32,
 };
 
+struct Neumip_std430_0
+{
+    @align(4) is_trained_0 : u32,
+    @align(4) decoder_0 : u32,
+    @align(4) has_offset_0 : u32,
+    @align(4) offset_0 : u32,
+    @align(4) offset_texels_0 : u32,
+    @align(4) features_0 : u32,
+    @align(4) texel_elements_0 : u32,
+    @align(4) levels_2 : u32,
+    @align(4) last_level_1 : f32,
+    @align(4) face_texels_0 : u32,
+    @align(4) back_0 : u32,
+    @align(4) repeats_per_x_0 : f32,
+    @align(4) repeats_per_y_0 : f32,
+    @align(4) texels_per_mm_0 : f32,
+    @align(4) unit_x_0 : f32,
+    @align(4) unit_y_0 : f32,
+};
+
 struct Fabric_std430_0
 {
     @align(4) warp_0 : u32,
     @align(4) weft_0 : u32,
     @align(4) lobes_0 : Lobes_std430_0,
     @align(4) woven_0 : Woven_std430_0,
+    @align(4) neumip_0 : Neumip_std430_0,
     @align(4) run_words_0 : u32,
     @align(4) ends_1 : u32,
     @align(4) max_heights_0 : u32,
@@ -1494,11 +1515,11 @@ fn footprint_coordinates_0( taps_0 : AnisotropicTaps_0) -> vec3<f32>
     return vec3<f32>(taps_0.centre_1 - floor(taps_0.centre_1), clamp(natural_logarithm_0(max(AnisotropicTaps_size_0(taps_0), 9.99999997475242708e-07f) / 0.015625f) * 0.11708354949951172f, 0.0f, 1.0f));
 }
 
-fn to_face_frame_0( direction_1 : vec3<f32>,  back_0 : bool) -> vec3<f32>
+fn to_face_frame_0( direction_1 : vec3<f32>,  back_1 : bool) -> vec3<f32>
 {
     var _S200 : vec2<f32> = direction_1.xy;
     var _S201 : f32;
-    if(back_0)
+    if(back_1)
     {
         _S201 = - direction_1.z;
     }
@@ -1821,7 +1842,7 @@ fn with_added_albedos_0( albedos_1 : Albedos_0,  weight_0 : f32,  row_8 : u32) -
     return sum_0;
 }
 
-fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_1 : bool) -> Albedos_0
+fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other_0 : Stretch_0,  back_2 : bool) -> Albedos_0
 {
     var albedos_2 : Albedos_0 = table_albedos_0(families_0[family_9].colour_mean_0);
     if((families_0[family_9].quantities_0) == u32(1))
@@ -1846,7 +1867,7 @@ fn mean_albedos_0( family_9 : u32,  crossing_0 : u32,  own_0 : Stretch_0,  other
         var _S259 : f32 = _S257.x;
         var _S260 : f32 = _S259 * _S256.x;
         var _S261 : f32;
-        if(back_1)
+        if(back_2)
         {
             _S261 = _S260 - _S258;
         }
@@ -2277,7 +2298,7 @@ struct WovenView_0
      hole_0 : f32,
      correction_weight_0 : f32,
      view_4 : vec3<f32>,
-     back_2 : bool,
+     back_3 : bool,
 };
 
 fn anisotropic_taps_0( _S392 : u32,  _S393 : Footprint_0) -> AnisotropicTaps_0
@@ -2424,7 +2445,7 @@ fn add_level_0( _S415 : u32,  _S416 : u32,  _S417 : bool,  _S418 : vec2<f32>,  _
 
 fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>,  _S440 : bool,  _S441 : ptr<function, array<f32, i32(88)>>)
 {
-    var offset_0 : f32;
+    var offset_1 : f32;
     var k_0 : i32 = i32(0);
     for(;;)
     {
@@ -2466,13 +2487,13 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
         var _S449 : bool = ((number_2 & (u32(1)))) != u32(0);
         if(_S449)
         {
-            offset_0 = _S444 - _S445;
+            offset_1 = _S444 - _S445;
         }
         else
         {
-            offset_0 = 1.0f - (_S444 - _S445);
+            offset_1 = 1.0f - (_S444 - _S445);
         }
-        var _S450 : f32 = offset_0 / f32(_S446);
+        var _S450 : f32 = offset_1 / f32(_S446);
         var _S451 : u32 = u32(_S445);
         var _S452 : u32;
         if(_S449)
@@ -2506,16 +2527,16 @@ fn code_footprint_0( _S437 : u32,  _S438 : AnisotropicTaps_0,  _S439 : vec3<f32>
             {
                 break;
             }
-            var offset_1 : f32 = _S439[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
+            var offset_2 : f32 = _S439[number_3] - (f32(bin_0) + 0.5f) / 8.0f;
             if(number_3 < i32(2))
             {
-                offset_0 = offset_1 - round(offset_1);
+                offset_1 = offset_2 - round(offset_2);
             }
             else
             {
-                offset_0 = offset_1;
+                offset_1 = offset_2;
             }
-            (*_S441)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_0 * 3.20000004768371582f);
+            (*_S441)[i32(64) + number_3 * i32(8) + bin_0] = bump_0(offset_1 * 3.20000004768371582f);
             bin_0 = bin_0 + i32(1);
         }
         number_3 = number_3 + i32(1);
@@ -2579,7 +2600,7 @@ fn woven_view_0( _S458 : u32,  _S459 : Footprint_0,  _S460 : vec3<f32>,  _S461 :
     (*_S461).hole_0 = clamp(hole_1[i32(0)], 0.0f, 1.0f);
     (*_S461).correction_weight_0 = correction_weight_of_0(_S464.z);
     (*_S461).view_4 = _S465;
-    (*_S461).back_2 = _S462;
+    (*_S461).back_3 = _S462;
     return;
 }
 
@@ -2805,14 +2826,14 @@ fn mixed_bundles_0( _S525 : u32,  _S526 : u32,  _S527 : u32,  _S528 : vec3<f32>,
 fn woven_components_0( _S543 : u32,  _S544 : ptr<function, WovenView_0>,  _S545 : vec3<f32>) -> Components_0
 {
     var _S546 : f32;
-    var _S547 : bool = (*_S544).back_2;
-    var _S548 : vec3<f32> = to_face_frame_0(_S545, (*_S544).back_2);
+    var _S547 : bool = (*_S544).back_3;
+    var _S548 : vec3<f32> = to_face_frame_0(_S545, (*_S544).back_3);
     var _S549 : vec3<f32> = (*_S544).view_4;
     var weights_24 : HalfWeights_0;
     var _S550 : Woven_std430_0 = fabrics_0[_S543].woven_0;
     weights_24.first_2 = fabrics_0[_S543].woven_0.network_0;
     var directions_0 : array<f32, i32(39)>;
-    code_light_0(_S543, _S548, (*_S544).view_4, (*_S544).back_2, &(directions_0));
+    code_light_0(_S543, _S548, (*_S544).view_4, (*_S544).back_3, &(directions_0));
     var skip_0 : array<f32, i32(96)>;
     var k_1 : i32 = i32(0);
     for(;;)

@@ -1,0 +1,295 @@
+"""Files of measured BTFs: UBO 2003, a ZIP of pictures, and UBO 2014, a factored matrix.
+
+- UBO 2003 (Sattler et al. 2003): JPEG pictures named "tl015 pl090 tv030 pv180.jpg", which give polar angle
+  and azimuth of light and view in degrees; one for each pair of a light and a view.
+- UBO 2014 (Weinmann et al. 2014): a "full matrix factorization". A header, directions of views and lights,
+  and for each of three channels U [views · lights, k] and S·V [pixels, k], whose product is the channel.
+  Channels are RGB, or the logarithm of luminance and two shares of it (colour model 11).
+  The first row of pixels is the lowest, as btf-extractor shows them.
+
+All lengths are read before anything is allocated, so that a truncated file is refused, and costs nothing.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import struct
+import zipfile
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+from typing import BinaryIO, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, UnidentifiedImageError
+
+from loomlight.core.colour import srgb_to_linear
+from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
+
+_NAME = re.compile(r"tl(\d{3}) pl(\d{3}) tv(\d{3}) pv(\d{3})\.jpe?g$", re.IGNORECASE)
+_MAGIC = b"!DFMF08FC"
+# Size, version, three texts, pixels per millimetre, and a colour.
+_COMMON = struct.Struct("<II80s80s80sf3f")
+_MOST_DIRECTIONS, _MOST_SIDE, _MOST_TEXT = 4096, 8192, 1 << 24
+_RGB, _LOG_YUV = 0, 11
+_LOG_EPSILON = 1e-5
+_TO_RGB = np.array([[1, 0, 1.13983], [1, -0.39465, -0.5806], [1, 2.03211, 0]], np.float32)
+_SCALARS = {2: np.float16, 4: np.float32, 8: np.float64}
+
+
+class BtfPictures(Protocol):
+    """Pictures of a surface under all pairs of some lights and views.
+
+    Attributes:
+        lights, views: unit vectors [n, 3].
+        width, height: of a picture, pixels.
+    """
+
+    lights: NDArray[np.float32]
+    views: NDArray[np.float32]
+    width: int
+    height: int
+
+    def pixels(
+        self,
+        lights: NDArray[np.intp],
+        views: NDArray[np.intp],
+        columns: NDArray[np.intp],
+        rows: NDArray[np.intp],
+    ) -> NDArray[np.float32]:
+        """Linear RGB [n, 3] of single pixels by numbers of light and view; row 0 is at the top."""
+
+
+def read_btf(path: str | os.PathLike[str]) -> BtfPictures:
+    """The pictures of a file of either format.
+
+    Raises:
+        InputError: no such file, neither of the formats, or a file that is truncated or damaged.
+    """
+    require_file(path)
+    file = Path(path)
+    with file.open("rb") as stream:
+        start = stream.read(len(_MAGIC))
+    if start == _MAGIC:
+        return Ubo2014(file)
+    if start.startswith(b"PK"):
+        return Ubo2003(file)
+    raise InputError(f"{file} is no BTF: it is neither a ZIP of UBO 2003 nor a .btf of UBO 2014.")
+
+
+class Ubo2003:
+    """A ZIP of pictures; all are held in memory, 8 bits a channel. See `BtfPictures`."""
+
+    def __init__(self, file: Path) -> None:
+        """
+        Raises:
+            InputError: a ZIP that is damaged or has no such pictures, or pictures of different sizes.
+        """
+        try:
+            with zipfile.ZipFile(file) as archive:
+                found = {name: _NAME.search(name) for name in archive.namelist()}
+                angles = {name: tuple(map(int, match.groups())) for name, match in found.items() if match}
+                if not angles:
+                    raise InputError(
+                        f'{file} is no BTF: it has no picture named as "tl015 pl090 tv030 pv180.jpg".'
+                    )
+                if len(set(angles.values())) < len(angles):
+                    raise InputError(f"{file} is damaged: it has two pictures of the same directions.")
+                pictures = [_decoded(file, name, archive.read(name)) for name in angles]
+        except (zipfile.BadZipFile, EOFError, OSError, NotImplementedError, RuntimeError) as error:
+            raise InputError(f"{file} is damaged: {error}.") from error
+        if len({picture.shape for picture in pictures}) > 1:
+            raise InputError(f"{file} is damaged: its pictures are of different sizes.")
+        self.height, self.width = pictures[0].shape[:2]
+        degrees = np.array(list(angles.values()), np.float64)
+        (lights, of_light), (views, of_view) = (
+            np.unique(degrees[:, k : k + 2], axis=0, return_inverse=True) for k in (0, 2)
+        )
+        if len(lights) * len(views) != len(pictures):
+            raise InputError(
+                f"{file} is truncated or damaged: {len(lights)} lights and {len(views)} views make "
+                f"{len(lights) * len(views)} pictures, and it has {len(pictures)}."
+            )
+        self.lights, self.views = (_directions(part[:, 0], part[:, 1], file) for part in (lights, views))
+        self._number = np.empty((len(views), len(lights)), np.intp)
+        self._number[of_view.ravel(), of_light.ravel()] = np.arange(len(pictures))
+        self._pictures = np.stack(pictures)
+        self._linear = np.asarray(srgb_to_linear(np.arange(256) / 255), np.float32)
+
+    def pixels(
+        self,
+        lights: NDArray[np.intp],
+        views: NDArray[np.intp],
+        columns: NDArray[np.intp],
+        rows: NDArray[np.intp],
+    ) -> NDArray[np.float32]:
+        """See `BtfPictures.pixels`."""
+        return self._linear[self._pictures[self._number[views, lights], rows, columns]]
+
+
+def _decoded(file: Path, name: str, held: bytes) -> NDArray[np.uint8]:
+    try:
+        with Image.open(BytesIO(held)) as picture:
+            return np.asarray(picture.convert("RGB"))
+    except (UnidentifiedImageError, OSError, SyntaxError) as error:
+        raise InputError(f'{file} is damaged: its picture "{name}" cannot be read.') from error
+
+
+def _directions(polar: NDArray[np.float64], azimuth: NDArray[np.float64], file: Path) -> NDArray[np.float32]:
+    """Unit vectors [n, 3] of angles in degrees."""
+    if not ((polar >= 0) & (polar <= 90)).all() or not ((azimuth >= 0) & (azimuth <= 360)).all():
+        raise InputError(f"{file} is damaged: it has a direction below the surface.")
+    polar, azimuth = np.radians(polar), np.radians(azimuth)
+    sine = np.sin(polar)
+    vectors = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), np.cos(polar)], axis=1)
+    return vectors.astype(np.float32)
+
+
+@dataclass(frozen=True)
+class _Channel:
+    """Where the factors of a channel lie."""
+
+    components: int
+    scalar: int
+    left: int
+    right: int
+
+
+class Ubo2014:
+    """A factored matrix, mapped and not read. See `BtfPictures`.
+
+    Attributes:
+        pixels_per_mm: as the header says; 0 if it says nothing.
+    """
+
+    def __init__(self, file: Path) -> None:
+        """
+        Raises:
+            InputError: a file that is truncated, of another kind, or whose parts do not fit together.
+        """
+        self._file = file
+        self._end = file.stat().st_size
+        with file.open("rb") as stream:
+            try:
+                self._read(stream)
+            except struct.error as error:
+                raise InputError(f"{file} is truncated: it ends after {self._end} bytes.") from error
+
+    def _read(self, stream: BinaryIO) -> None:
+        stream.seek(len(_MAGIC))
+        has_rotations = stream.read(1) == b"R"
+        start = len(_MAGIC) + has_rotations
+        stream.seek(start)
+        common = self._unpack(stream, _COMMON)
+        size, version, self.pixels_per_mm = int(common[0]), int(common[1]), float(common[5])
+        if version > 1:
+            self._number(stream)  # a flag for cosines, which no reader uses
+        if version > 2:
+            self._skip(stream, self._number(stream, _MOST_TEXT))
+        if version > 3:
+            if self._number(stream) != 3:
+                self._refuse("it has other channels than red, green and blue")
+            for _ in range(3):
+                self._skip(stream, self._number(stream, _MOST_TEXT))
+        if stream.tell() - start != size:
+            self._refuse("the length of its header is wrong")
+        views, lights = self._angles(stream)
+        self.width, self.height = (self._number(stream, _MOST_SIDE) for _ in range(2))
+        if has_rotations:
+            self._skip(stream, 36 * self._number(stream, _MOST_DIRECTIONS))
+        self._number(stream)  # components, again in each channel
+        model = self._number(stream)
+        if model not in (_RGB, _LOG_YUV):
+            self._refuse(f"its colour model is {model}, and 0 and 11 are known")
+        self._is_yuv = model == _LOG_YUV
+        self._skip(stream, 12 * 4)  # mean and transform of colours
+        rows, columns = len(views) * len(lights), self.width * self.height
+        self._channels = [self._channel(stream, rows, columns) for _ in range(3)]
+        self.lights, self.views = lights, views
+        self._factors = [
+            tuple(
+                np.memmap(self._file, _SCALARS[c.scalar], "r", place, (count, c.components))
+                for place, count in ((c.left, rows), (c.right, columns))
+            )
+            for c in self._channels
+        ]
+
+    def _angles(self, stream: BinaryIO) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Unit vectors of all views, and of the lights of each [n, 3]."""
+        count, views, lights = self._number(stream, _MOST_DIRECTIONS), [], None
+        for _ in range(count):
+            views.append(self._unpack(stream, struct.Struct("<2f")))
+            held = self._number(stream, _MOST_DIRECTIONS)
+            found = self._unpack(stream, struct.Struct(f"<{2 * held}f"))
+            if lights is not None and found != lights:
+                self._refuse("its views have different lights")
+            lights = found
+        if not views or not lights:
+            self._refuse("it has no directions")
+        pairs = (np.array(views, np.float64), np.array(lights, np.float64).reshape(-1, 2))
+        of_views, of_lights = (
+            _directions(degrees[:, 0], degrees[:, 1], self._file)
+            for degrees in (np.degrees(_azimuths(part)) for part in pairs)
+        )
+        return of_views, of_lights
+
+    def _channel(self, stream: BinaryIO, rows: int, columns: int) -> _Channel:
+        scalar = int(self._unpack(stream, struct.Struct("<B"))[0])
+        if scalar not in _SCALARS:
+            self._refuse(f"its numbers have {scalar} bytes, and 2, 4 and 8 are known")
+        components = self._number(stream)
+        if not components or (self._number(stream), self._number(stream)) != (rows, columns):
+            self._refuse("its factors have other sizes than its pictures")
+        self._skip(stream, components * scalar)  # singular values, which are in the right factor
+        left = stream.tell()
+        self._skip(stream, rows * components * scalar)
+        right = stream.tell()
+        self._skip(stream, columns * components * scalar)
+        return _Channel(components, scalar, left, right)
+
+    def _unpack(self, stream: BinaryIO, form: struct.Struct) -> tuple[float, ...]:
+        return form.unpack(stream.read(form.size))
+
+    def _number(self, stream: BinaryIO, most: int = 2**31) -> int:
+        value = int(self._unpack(stream, struct.Struct("<I"))[0])
+        if value > most:
+            self._refuse(f"it holds the number {value}, where at most {most} can be")
+        return value
+
+    def _skip(self, stream: BinaryIO, count: int) -> None:
+        if stream.tell() + count > self._end:
+            raise InputError(f"{self._file} is truncated: it ends after {self._end} bytes.")
+        stream.seek(count, os.SEEK_CUR)
+
+    def _refuse(self, why: str) -> None:
+        raise InputError(f"{self._file} is no .btf of UBO 2014, or is damaged: {why}.")
+
+    def pixels(
+        self,
+        lights: NDArray[np.intp],
+        views: NDArray[np.intp],
+        columns: NDArray[np.intp],
+        rows: NDArray[np.intp],
+    ) -> NDArray[np.float32]:
+        """See `BtfPictures.pixels`."""
+        picture, place = views * len(self.lights) + lights, (self.height - 1 - rows) * self.width + columns
+        channels = [
+            np.einsum("nk,nk->n", left[picture].astype(np.float32), right[place].astype(np.float32))
+            for left, right in self._factors
+        ]
+        values = np.stack(channels, axis=1)
+        if self._is_yuv:
+            luminance = np.exp(values[:, :1]) - _LOG_EPSILON
+            chroma = values[:, 1:] * luminance + _LOG_EPSILON
+            values = np.concatenate([luminance, chroma], axis=1) @ _TO_RGB.T
+        return np.maximum(values, 0).astype(np.float32)
+
+
+def _azimuths(angles: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Polar angles and azimuths [n, 2], radians; azimuths from 0 to 2π, rounding at the horizon undone."""
+    polar = np.where(np.abs(angles[:, 0] - math.pi / 2) < 1e-5, math.pi / 2, angles[:, 0])
+    return np.stack([polar, angles[:, 1] % (2 * math.pi)], axis=1)

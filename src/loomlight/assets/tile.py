@@ -1,0 +1,240 @@
+"""Tiles as sources: a Mitsuba scene of one repeat of any geometry, fibres included.
+
+A tile file is TOML:
+
+    tile = "basket.xml"          # a Mitsuba scene; shapes alone count, in millimetres, z upwards
+    size_mm = [2.0, 2.0]         # of one repeat, which begins at x = y = 0
+    reference_height_mm = 0.1    # z of the reference plane; by default 0
+    two_sided = true             # the back and light from the other side too; by default false
+    bounces = 16                 # vertices of a path; by default 8
+
+Files that the scene names lie in its folder or below it. They are parts of the source, as the scene is.
+"""
+
+from __future__ import annotations
+
+import os
+import tomllib
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from loomlight.core.errors import InputError
+from loomlight.core.files import require_file
+from loomlight.fabric.reading import read_text, speaking_of
+from loomlight.fabric.sentences import closest, shown
+
+_FIELD = "tile"
+_MOST_BOUNCES = 64
+# Bytes of all files of a scene together.
+_LARGEST_FILES = 1 << 28
+_FILE = "file."
+
+_Length = Annotated[float, Field(ge=1e-3, le=1e6)]
+_Height = Annotated[float, Field(ge=-1e6, le=1e6)]
+_Bounces = Annotated[int, Field(ge=1, le=_MOST_BOUNCES)]
+
+
+class _Record(BaseModel):
+    """What a `.loom` file's header says of a tile; the files of its scene are tensors."""
+
+    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+
+    name: str
+    scene: str
+    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    reference_height_mm: _Height
+    two_sided: bool
+    bounces: _Bounces
+
+
+class _File(BaseModel):
+    """The fields of a tile file."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+
+    name: str | None = None
+    tile: str
+    size_mm: list[_Length] = Field(min_length=2, max_length=2)
+    reference_height_mm: _Height = 0.0
+    two_sided: bool = False
+    bounces: _Bounces = 8
+
+
+_WANTED = {
+    "tile": "the name of a Mitsuba scene in quotes",
+    "size_mm": "two lengths above 0, such as [2.0, 2.0]",
+    "reference_height_mm": "a height, such as 0.0",
+    "two_sided": "true or false",
+    "bounces": f"a whole number from 1 to {_MOST_BOUNCES}",
+    "name": "text in quotes",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class TileScene:
+    """A Mitsuba scene of one repeat.
+
+    Attributes:
+        name: in messages.
+        scene: the text of the scene file.
+        files: bytes of the files that it names, by the names it gives them.
+        size_mm: width and height of a repeat, millimetres.
+        reference_height_mm: z of the reference plane, millimetres.
+        two_sided: whether front and back differ, and light passes.
+        bounces: vertices of a path, at most.
+    """
+
+    name: str
+    scene: str
+    files: Mapping[str, bytes]
+    size_mm: tuple[float, float]
+    reference_height_mm: float
+    two_sided: bool
+    bounces: int
+
+    @property
+    def repeat_mm(self) -> tuple[float, float]:
+        """Width and height of one repeat, millimetres."""
+        return self.size_mm
+
+    @property
+    def default_uv_size_mm(self) -> tuple[float, float]:
+        """A unit of u and v is 100 mm, as of fabrics."""
+        return 100.0, 100.0
+
+
+def is_tile_file(path: str | os.PathLike[str]) -> bool:
+    """Whether a path is a TOML file that names a tile."""
+    file = Path(path)
+    if file.suffix.lower() != ".toml":
+        return False
+    try:
+        return _FIELD in tomllib.loads(read_text(file))
+    except (InputError, ValueError, RecursionError):
+        return False
+
+
+def load_tile(path: str | os.PathLike[str]) -> TileScene:
+    """The tile of a file.
+
+    Raises:
+        InputError: no such file or scene, an unknown field, or a value that cannot be; it is named.
+    """
+    file = Path(path)
+    with speaking_of(str(file)):
+        try:
+            fields = _File.model_validate(tomllib.loads(read_text(file)))
+        except ValidationError as error:
+            raise InputError(_sentence(error)) from error
+        except (ValueError, RecursionError) as error:
+            raise InputError(f"it is no valid TOML: {error}.") from error
+        with speaking_of(f"tile = {shown(fields.tile)}"):
+            scene_file = file.parent / fields.tile
+            scene = read_text(scene_file)
+            files = _files_of(scene, scene_file.parent)
+        width, length = fields.size_mm
+        return TileScene(
+            fields.name or file.stem,
+            scene,
+            files,
+            (width, length),
+            fields.reference_height_mm,
+            fields.two_sided,
+            fields.bounces,
+        )
+
+
+def parsed_scene(text: str) -> ElementTree.Element:
+    """The root of a scene's XML.
+
+    Raises:
+        InputError: it is none.
+    """
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        raise InputError(f"it is no valid XML: {error}.") from error
+    if root.tag != "scene":
+        raise InputError(f"it is no Mitsuba scene: it begins with <{root.tag}>, not with <scene>.")
+    return root
+
+
+def _files_of(scene: str, folder: Path) -> dict[str, bytes]:
+    files: dict[str, bytes] = {}
+    for node in parsed_scene(scene).iter("string"):
+        name = node.get("value", "")
+        if node.get("name") != "filename" or name in files:
+            continue
+        _require_inside(name)
+        require_file(folder / name)
+        files[name] = (folder / name).read_bytes()
+        if sum(map(len, files.values())) > _LARGEST_FILES:
+            raise InputError(f"its files are larger than {_LARGEST_FILES >> 20} MiB.")
+    return files
+
+
+def _require_inside(name: str) -> None:
+    parts = PurePosixPath(name.replace("\\", "/"))
+    if not name or parts.is_absolute() or ".." in parts.parts or ":" in name or "\0" in name:
+        raise InputError(f"filename = {shown(name)} is wrong: files lie in the scene's folder or below it.")
+
+
+def _sentence(error: ValidationError) -> str:
+    fault = error.errors(include_url=False)[0]
+    field = str(fault["loc"][0])
+    if fault["type"] == "extra_forbidden":
+        return f"{shown(field)} is no field that a tile has: {closest(field, _File.model_fields)}"
+    if fault["type"] == "missing":
+        return f"{field} is missing: write {_WANTED[field]}."
+    return f"{field} = {shown(fault['input'])} cannot be used: write {_WANTED[field]}."
+
+
+def tile_record(source: TileScene) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """The record of a tile, as JSON, and the tensors beside it: the files of its scene."""
+    record = _Record(
+        name=source.name,
+        scene=source.scene,
+        size_mm=list(source.size_mm),
+        reference_height_mm=source.reference_height_mm,
+        two_sided=source.two_sided,
+        bounces=source.bounces,
+    )
+    files = {_FILE + name: np.frombuffer(held, np.uint8).copy() for name, held in source.files.items()}
+    return record.model_dump(), files
+
+
+def tile_from_record(
+    record: Mapping[str, Any], tensors: Mapping[str, NDArray[Any]], folder: str
+) -> TileScene:
+    """The tile of a record and its tensors; nothing else is read.
+
+    Raises:
+        ValidationError: another record than `tile_record` makes.
+        InputError: files that do not lie in a scene's folder, or that are no bytes.
+    """
+    del folder
+    header = _Record.model_validate(record)
+    files = {}
+    for key, values in tensors.items():
+        name = key.removeprefix(_FILE)
+        _require_inside(name)
+        if values.dtype != np.uint8 or values.ndim != 1:
+            raise InputError(f"the tensor source.{key} must hold bytes of a file.")
+        files[name] = values.tobytes()
+    width, height = header.size_mm
+    return TileScene(
+        header.name,
+        header.scene,
+        files,
+        (width, height),
+        header.reference_height_mm,
+        header.two_sided,
+        header.bounces,
+    )

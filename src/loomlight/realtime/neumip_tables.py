@@ -1,0 +1,74 @@
+"""The model neumip as shaders read it: both networks, both textures, and the levels of the pyramid.
+
+Networks are single precision, as they are trained. Texels may be halves: 16 bytes each instead of 32, at an
+error of at most 2⁻¹² of each channel.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from loomlight.models.neumip import model as neumip_model
+from loomlight.models.neumip import networks, pyramid
+from loomlight.models.neumip.model import NeumipModel
+from loomlight.realtime.networks import EIGHT, NumberTable, packed_mlp, packed_numbers
+
+
+def neumip_uints() -> dict[str, int]:
+    """Constants of `neumip.slang` that are whole numbers."""
+    return {"NEUMIP_CHANNELS": pyramid.CHANNELS, "NEUMIP_HIDDEN": networks._HIDDEN}
+
+
+def neumip_floats() -> dict[str, float]:
+    """Constants of `neumip.slang` that are numbers."""
+    return {
+        "NEUMIP_SMALLEST_COSINE": pyramid.SMALLEST_COSINE,
+        "NEUMIP_SMALLEST_SIZE": neumip_model._SMALLEST_SIZE,
+        "NEUMIP_SCALE": 1 / networks.EXPOSURE,
+    }
+
+
+def add_neumip(
+    model: NeumipModel, table: NumberTable, half: bool = True
+) -> tuple[dict[str, float], NDArray[np.uint32]]:
+    """Appends networks and textures of a trained source.
+
+    Args:
+        half: texels in half precision, else as they are trained.
+
+    Returns:
+        values of the record `Neumip` by name, and the table of levels [n, 3]: first texel, columns, rows.
+    """
+    weights, shape = model.weights, model.weights.shape
+
+    def network(name: str) -> int:
+        matrices, biases = zip(*weights.layers[name], strict=True)
+        return table.add(packed_mlp(matrices, biases, half=False))
+
+    def texels(values: NDArray[np.float32]) -> int:
+        return table.add(packed_numbers(np.pad(values, ((0, 0), (0, EIGHT - values.shape[1]))), half))
+
+    unit_x, unit_y = shape.unit
+    record: dict[str, float] = {
+        "is_trained": 1,
+        "decoder": network("decoder"),
+        "features": texels(weights.features),
+        "texel_elements": 1 if half else 2,
+        "last_level": shape.levels - 1,
+        "face_texels": shape.texels,
+        "back": shape.faces - 1,
+        "repeats_per_x": 1 / shape.width_mm,
+        "repeats_per_y": 1 / shape.height_mm,
+        "texels_per_mm": 1 / shape.texel_mm,
+        "unit_x": unit_x,
+        "unit_y": unit_y,
+    }
+    if weights.offset_texels is not None:
+        record |= {
+            "has_offset": 1,
+            "offset": network("offset"),
+            "offset_texels": texels(weights.offset_texels),
+        }
+    levels = [(start, *size) for start, size in zip(shape.starts, shape.sizes, strict=False)]
+    return record, np.array(levels, np.uint32)
