@@ -1,6 +1,6 @@
 """`loomlight compare`: a page, a table and pictures; bad input ends in one sentence.
 
-Covers: evaluation/compare.py, evaluation/report.py
+Covers: evaluation/compare.py, evaluation/model_table.py, evaluation/report.py
 """
 
 from __future__ import annotations
@@ -15,6 +15,11 @@ import pytest
 from PIL import Image
 
 from loomlight.cli.main import run
+from loomlight.evaluation import model_table
+from loomlight.fabric import fabric_from_text
+from loomlight.fabric.fabric import Fabric
+from loomlight.models.interface import Model
+from loomlight.models.registry import make_model
 
 
 @pytest.fixture(scope="module")
@@ -40,6 +45,11 @@ def test_the_table(report: Path) -> None:
     flip = by_title["Mean FLIP"]["point, 1 spp"]
     assert list(flip) == ["flat near (0.25)", "sphere (3)"]
     assert all(0 < value < 1 for value in flip.values())
+    models = by_title["All models"]
+    assert list(models) == ["point"]
+    assert models["point"]["bytes of the .loom"] > 100
+    # A sample a pixel of the point model is what the point model is.
+    assert models["point"]["point samples of equal error"] == pytest.approx(1, rel=0.5)
     (queries,) = (rows for title, rows in by_title.items() if title.startswith("nMAE of grey reflection"))
     assert 0 < queries["point"]["overall"] < 1
 
@@ -57,6 +67,23 @@ def test_the_page_shows_every_picture(report: Path) -> None:
             assert opened.size == (32, 18)
     with Image.open(report / "pictures" / "flat-near.png") as reference:
         assert np.asarray(reference).std() > 0
+
+
+def test_trained_models_are_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[str] = []
+
+    def make(name: str, source: Fabric) -> Model:
+        made.append(name)
+        return make_model("point", source)
+
+    monkeypatch.setattr(model_table, "make_model", make)
+    cloth = fabric_from_text('weave = "plain"')
+    baked = model_table.BakedModels()
+    for _ in range(2):
+        for name in ("point", "neumip"):
+            baked.make(name, cloth)
+    assert made == ["point", "neumip", "point"]
+    assert set(baked.bakings) == {("point", cloth.name), ("neumip", cloth.name)}
 
 
 @pytest.mark.parametrize(

@@ -49,18 +49,26 @@ def reproduce(
         Path | None,
         typer.Option(metavar="FILE", help="A latitude-longitude picture for zhu2024's blouse; the studio."),
     ] = None,
+    quality: Annotated[
+        str, typer.Option(metavar="NAME", help="Of zeltner2024's trainings: preview, full or published.")
+    ] = "preview",
+    steps: Annotated[
+        int | None, typer.Option(metavar="N", help="Of each of these trainings; as the quality says.")
+    ] = None,
 ) -> None:
     """Makes figures and tables of the papers again, with every number behind them."""
     if listed:
         from loomlight.evaluation.reproduce import CATALOGUE
 
         for item in CATALOGUE.values():
-            print(f"{item.name:18}{item.shows}")
+            print(f"{item.name:24}{item.shows}")
         return
     if not names:
         raise InputError("No figure is named: `loomlight reproduce --list` prints them all.")
     if output is None:
         raise InputError("No folder is given: write -o DIR for pictures and table.json.")
+    if steps is not None:
+        require_within("--steps", steps, 1, 10_000_000)
     if samples is not None:
         require_within("--spp", samples, 1, 1_000_000)
     pixels = None if size is None else parse_size(size)
@@ -79,6 +87,8 @@ def reproduce(
                 report,
                 WOVEN if item.model is None else model or item.model,
                 environment,
+                quality,
+                steps,
             )
             found = reproduce(item.name, output, setting, _command(item.name, setting))
         for table in found.tables:
@@ -96,4 +106,7 @@ def _command(name: str, setting: Setting) -> str:
     options = {"weights": setting.weights, "environment": setting.environment}
     named = "".join(f" --{option} {file.name}" for option, file in options.items() if file is not None)
     model = "" if find_item(name).model is None else f" --model {setting.model}"
+    if name.startswith("zeltner2024"):
+        named += f" --quality {setting.quality}"
+        named += "" if setting.steps is None else f" --steps {setting.steps}"
     return f"{command}{model}{named}"

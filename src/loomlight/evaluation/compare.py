@@ -25,6 +25,7 @@ from loomlight.evaluation.image_benchmark import (
     run_dolly_benchmark,
     run_image_benchmark,
 )
+from loomlight.evaluation.model_table import BakedModels, model_table
 from loomlight.evaluation.predictions import model_predictor
 from loomlight.evaluation.query_benchmark import WEAVES, run_query_benchmark
 from loomlight.evaluation.report import Figure, Report, Section, report_html
@@ -33,7 +34,7 @@ from loomlight.evaluation.truth import FOOTPRINTS, PAIRS
 from loomlight.fabric.fabric import Fabric
 from loomlight.fabric.load import fabric_from_text, load_fabric
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, require_scenes
-from loomlight.models.registry import make_model, model_names, require_model_name
+from loomlight.models.registry import model_names, require_model_name
 
 QUICK_SIZE, QUICK_SAMPLES = (400, 225), 64
 _QUICK_PAIRS, _QUICK_FOOTPRINTS = 40, 40
@@ -101,9 +102,11 @@ def compare(
         def step(what: str) -> Callable[[int, int], None]:
             return lambda done, total: progress(what, done, total) if progress is not None else None
 
+        baked = BakedModels()
         shown = run_image_benchmark(
             chosen,
             [cloth, fabric_from_text(_PARTNER)],
+            make=baked.make,
             scenes=scenes,
             size=pixels,
             reference_samples=samples,
@@ -113,7 +116,7 @@ def compare(
         for scene in shown:
             comparison.refused.update(scene.refused)
         able = [name for name in chosen if name not in comparison.refused]
-        comparison.tables += _query_tables(cloth, able, full, step("queries"))
+        comparison.tables += _query_tables(cloth, able, full, baked, step("queries"))
         if full:
             dolly = run_dolly_benchmark(
                 able, cloth, side=DOLLY_SIDE, frames=DOLLY_FRAMES, progress=step("dolly")
@@ -153,10 +156,14 @@ def prepared_folder(folder: str | os.PathLike[str]) -> Path:
 
 
 def _query_tables(
-    cloth: Fabric, models: Sequence[str], full: bool, progress: Callable[[int, int], None]
+    cloth: Fabric,
+    models: Sequence[str],
+    full: bool,
+    baked: BakedModels,
+    progress: Callable[[int, int], None],
 ) -> list[Table]:
     """The query benchmark of this fabric, and of the held-out ones with the full protocol."""
-    predictors = {name: model_predictor(partial(make_model, name)) for name in models}
+    predictors = {name: model_predictor(partial(baked.make, name)) for name in models}
     appearance = cloth.appearance()
     threads = [*appearance.warp.diffuse_reflect, *appearance.weft.diffuse_reflect]
     own = HeldOut(cloth.name, cloth, unseen_weave=True, coloured=len({tuple(row) for row in threads}) > 2)
@@ -168,6 +175,7 @@ def _query_tables(
         tables = [Table("Query benchmark", [], note=f"There is none of this fabric. {error}")]
     else:
         tables = [_titled(table, f"{table.title}, {cloth.name}") for table in mine.tables()[:3]]
+        tables.insert(0, model_table(cloth, mine, baked))
     if full:
         tables += run_query_benchmark(predictors, held_out_fabrics(), progress=progress).tables()
     return tables

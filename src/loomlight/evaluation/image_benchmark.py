@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from loomlight.evaluation.table import Cell, Table
 from loomlight.fabric.fabric import Fabric
 from loomlight.mitsuba import choose_variant, render
 from loomlight.mitsuba.measured_scenes import MEASURED_SCENES, Dolly, MeasuredScene, measured_scene
+from loomlight.models.interface import Model
 from loomlight.models.registry import REFERENCE_MODEL, model_class, require_model_name
 
 SIZE, REFERENCE_SAMPLES = (960, 540), 1024
@@ -30,6 +32,8 @@ COUNTED_FROM_YARNS = 2.0
 DOLLY_SIDE, DOLLY_FRAMES, DOLLY_SAMPLES = 256, 60, 256
 
 Progress = Callable[[int, int], None]
+# From a model's name and a fabric to the model.
+MakeModel = Callable[[str, Fabric], Model]
 
 
 @dataclass(frozen=True)
@@ -106,6 +110,7 @@ def run_image_benchmark(
     reference_samples: int = REFERENCE_SAMPLES,
     seed: int = 0,
     progress: Progress | None = None,
+    make: MakeModel | None = None,
 ) -> list[SceneResult]:
     """Renders every scene with every model and measures the errors of the pictures.
 
@@ -115,6 +120,7 @@ def run_image_benchmark(
         size: width and height in pixels.
         reference_samples: samples a pixel of the reference.
         progress: called with (steps done, steps in all); a step is a picture or a pass of a reference.
+        make: from a model's name and a fabric to the model; by default each scene makes its own.
 
     Raises:
         InputError: an unknown model or scene.
@@ -128,7 +134,7 @@ def run_image_benchmark(
             if progress is not None:
                 progress(number * 100 + round(100 * done / total), 100 * len(scenes))
 
-        results.append(_scene(name, shots, fabrics, size, reference_samples, seed, report))
+        results.append(_scene(name, shots, fabrics, size, reference_samples, seed, report, make))
     return results
 
 
@@ -140,6 +146,7 @@ def _scene(
     reference_samples: int,
     seed: int,
     progress: Progress,
+    make: MakeModel | None,
 ) -> SceneResult:
     scene = measured_scene(name, fabrics, REFERENCE_MODEL, size)
     start = time.perf_counter()
@@ -151,7 +158,8 @@ def _scene(
         try:
             model_scene = scene
             if shot.model != REFERENCE_MODEL:
-                model_scene = measured_scene(name, fabrics, shot.model, size, shot.pixel_centres)
+                made = shot.model if make is None else partial(make, shot.model)
+                model_scene = measured_scene(name, fabrics, made, size, shot.pixel_centres)
             # The first picture, of another seed, compiles the kernels; the next one is measured.
             _render(model_scene, shot.samples, seed + 2)
         except (InputError, MissingDependencyError) as error:

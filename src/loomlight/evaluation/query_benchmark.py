@@ -154,7 +154,7 @@ def run_query_benchmark(
     """
     chosen = list(fabrics)
     all_predictors = {
-        **{_samples_name(count): monte_carlo_predictor(count) for count in monte_carlo},
+        **{samples_name(count): monte_carlo_predictor(count) for count in monte_carlo},
         **predictors,
     }
     rows = {name: RowResult() for name in all_predictors}
@@ -252,5 +252,6 @@ def _sheen_lobe(lights: NDArray[np.float64], views: NDArray[np.float64]) -> NDAr
     return np.asarray(sheen(light, view, 1.0, Sheen().roughness).numpy(), np.float64)
 
 
-def _samples_name(count: int) -> str:
+def samples_name(count: int) -> str:
+    """The name of the row of so many Monte Carlo samples."""
     return f"{count} sample" + ("s" if count > 1 else "")

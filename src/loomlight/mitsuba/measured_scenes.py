@@ -26,6 +26,7 @@ from loomlight.mitsuba.lights import light_dicts
 from loomlight.mitsuba.material import material_bsdf
 from loomlight.mitsuba.meshes import ClothMesh, to_shape, uv_size
 from loomlight.mitsuba.scenes import BsdfFactory, empty_scene, loaded_bsdf
+from loomlight.models.interface import Model
 
 # Direct light alone: camera to cloth to light.
 _DEPTH = 2
@@ -110,13 +111,17 @@ class _Measure:
 
 
 def measured_scene(
-    name: str, fabrics: Sequence[Fabric], model: str, size: tuple[int, int], pixel_centres: bool = False
+    name: str,
+    fabrics: Sequence[Fabric],
+    model: str | Callable[[Fabric], Model],
+    size: tuple[int, int],
+    pixel_centres: bool = False,
 ) -> MeasuredScene:
     """One of `MEASURED_SCENES`; a Mitsuba variant must be set.
 
     Args:
         fabrics: of its pieces; "two fabrics" takes two, the others the first.
-        model: as `material_bsdf` takes it.
+        model: as `material_bsdf` takes it; or a function from a fabric to its model.
         size: width and height in pixels.
         pixel_centres: rays go through the middle of pixels, for one sample of models that filter.
 
@@ -126,9 +131,13 @@ def measured_scene(
     shot = _shot(name)
     if len(fabrics) < len(shot.pieces):
         raise InputError(f'The scene "{name}" shows {len(shot.pieces)} fabrics, and {len(fabrics)} is given.')
-    return shot_scene(
-        shot, [(fabric, material_bsdf(fabric, model)) for fabric in fabrics], size, pixel_centres
-    )
+    # Models may take minutes to make: none is made of a fabric that the shot does not show.
+    shown = fabrics[: len(shot.pieces)]
+    if isinstance(model, str):
+        bsdfs = [material_bsdf(fabric, model) for fabric in shown]
+    else:
+        bsdfs = [material_bsdf(model(fabric)) for fabric in shown]
+    return shot_scene(shot, list(zip(shown, bsdfs, strict=True)), size, pixel_centres)
 
 
 def shot_scene(

@@ -91,12 +91,12 @@ def uniformly_sampled(model: Model) -> AlteredModel:
     """The model without importance sampling: uniform directions over the sphere, or through holes."""
 
     def at(of: Model, view: Vec3, footprint: Footprint, tint: Any, active: Mask) -> FootprintBsdf:
-        return _UniformDirections(of.at(view, footprint, tint, active))
+        return UniformDirections(of.at(view, footprint, tint, active))
 
     return AlteredModel(model, at)
 
 
-class _UniformDirections(FootprintBsdf):
+class UniformDirections(FootprintBsdf):
     """Another BSDF's values, at directions that know nothing of them."""
 
     def __init__(self, inner: FootprintBsdf) -> None:

@@ -12,6 +12,9 @@ from loomlight.evaluation.reproduce import (
     cost,
     editing,
     latents,
+    zeltner2024_polar,
+    zeltner2024_sampling,
+    zeltner2024_tables,
     zhu2024_control,
     zhu2024_cylinder,
     zhu2024_sampling,
@@ -19,7 +22,7 @@ from loomlight.evaluation.reproduce import (
     zhu2024_table1,
 )
 from loomlight.evaluation.reproduce.evidence import Item
-from loomlight.evaluation.reproduce.setting import CLUSTERED, POINT
+from loomlight.evaluation.reproduce.setting import CLUSTERED, LATENT, POINT
 
 _ITEMS = (
     Item("chen2024/fig1", "nine fabrics in one picture, one network", comparison.many),
@@ -71,6 +74,36 @@ _ITEMS = (
         "the choice of α: base, residual and their sum",
         zhu2024_control.choice_of_alpha,
         model=POINT,
+    ),
+    Item(
+        "zeltner2024/tables1-4",
+        "four layered materials: a plain network, with encoder, with frames",
+        zeltner2024_tables.ablation,
+        model=LATENT,
+    ),
+    Item(
+        "zeltner2024/tables5-11",
+        "2×16, 2×32 and 3×64, close and from far",
+        zeltner2024_tables.quality,
+        model=LATENT,
+    ),
+    Item(
+        "zeltner2024/fig5",
+        "beside a simple analytic BRDF with 8 channels",
+        zeltner2024_tables.eight_channels,
+        model=LATENT,
+    ),
+    Item(
+        "zeltner2024/sampler",
+        "noise of the importance sampler, at equal samples and time",
+        zeltner2024_sampling.sampler_variance,
+        model=LATENT,
+    ),
+    Item(
+        "zeltner2024/polar",
+        "polar plots of values and of the sampler's density",
+        zeltner2024_polar.polar_plots,
+        model=LATENT,
     ),
 )
 CATALOGUE = {item.name: item for item in _ITEMS}

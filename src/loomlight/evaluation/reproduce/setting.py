@@ -18,7 +18,7 @@ from loomlight.models.woven.weights import Weights, read_weights, shipped_weight
 
 SIZE, SAMPLES = (384, 216), 256
 RUNS = Path("runs")
-POINT, LOBES, WOVEN, CLUSTERED = "point", "lobes", "woven", "clustered"
+POINT, LOBES, WOVEN, CLUSTERED, LATENT = "point", "lobes", "woven", "clustered", "latent"
 
 # Called with (steps done, steps in all).
 Progress = Callable[[int, int], None]
@@ -35,6 +35,8 @@ class Setting:
         runs: the folder of trainings, by the names of their configurations.
         progress: called after every step of a figure.
         model: of figures that show one model beside the point model.
+        quality: of trainings that a figure makes, such as "preview".
+        steps: of these trainings; by default as the quality says.
         environment: a latitude-longitude picture for scenes that an environment lights; None is the studio.
     """
 
@@ -45,6 +47,8 @@ class Setting:
     progress: Progress | None = None
     model: str = WOVEN
     environment: Path | None = None
+    quality: str = "preview"
+    steps: int | None = None
 
     def network(self) -> Weights:
         """The network of the figure.
