@@ -99,8 +99,11 @@ def main() -> None:
         rows[name] = {"squared_errors": errors, "cpu_seconds": seconds}
         print(f"{name:24s}", " ".join(f"{1000 * error:8.3f}" for error in errors), f"{seconds:.0f} s")
     if options.output is not None:
-        command = f"python -m experiments.neumip_offset --resolution {options.resolution}"
-        record = {**provenance(f"{command} --steps {options.steps}", ROOT), "levels": LEVELS, "rows": rows}
+        run = {name: getattr(options, name) for name in ("resolution", "steps", "queries")}
+        # Runs add up: each takes up to ten minutes of a core.
+        earlier = json.loads(options.output.read_text())["runs"] if options.output.exists() else []
+        command = "python -m experiments.neumip_offset --resolution R --steps S --queries Q --variants NAMES"
+        record = {**provenance(command, ROOT), "levels": LEVELS, "runs": [*earlier, {**run, "rows": rows}]}
         options.output.write_text(json.dumps(record, indent=1) + "\n")
 
 

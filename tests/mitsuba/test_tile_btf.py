@@ -17,7 +17,7 @@ from loomlight.assets.tile import TileScene
 from loomlight.cli.main import run
 from loomlight.core.errors import InputError
 from loomlight.core.llvm import require_llvm
-from loomlight.mitsuba.tile_btf import TileBtf
+from loomlight.mitsuba.tile_btf import TileBtf, _with_last_curve
 from loomlight.mitsuba.variants import choose_variant
 
 require_llvm()
@@ -88,6 +88,14 @@ def test_fibres_across_a_side_are_whole_and_holes_are_found(tmp_path: Path) -> N
     through = btf.values(positions, lights, views, (0,))
     assert (through[holes == 1] == 0).all()
     assert through[holes == 0].mean() > 0.01
+
+
+def test_a_last_curve_is_added_that_no_ray_meets() -> None:
+    """Without it Mitsuba reads beyond the control points at the end of the last curve, and may crash."""
+    rods = b"0 0 0 0.1\n1 0 0 0.1\n2 0 0 0.1\n3 0 0 0.1\n4 0 0 0.1"
+    held = _with_last_curve(rods)
+    assert held.startswith(rods + b"\n\n")
+    assert held.decode().split("\n\n")[1].splitlines()[3] == "3 0 0 1e-09"
 
 
 def test_a_loom_holds_the_scene_and_its_files(tmp_path: Path) -> None:

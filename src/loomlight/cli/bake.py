@@ -19,7 +19,7 @@ def bake(
         str,
         typer.Argument(
             metavar="SOURCE",
-            help="A fabric file, a draft, a .loom, or a weave's name; for neumip a height field's file too.",
+            help="A fabric file, a draft, a .loom, or a weave's name; for neumip height fields, tiles, BTFs.",
         ),
     ],
     model: Annotated[str, typer.Option(help="What to bake: one of the models below.")],

@@ -27,6 +27,9 @@ _EPSILON = 1e-5
 # Rays that say whether there are holes at all.
 _TRIALS = 1 << 14
 _SCENE = "loomlight-tile.xml"
+_CURVES = ("bsplinecurve", "linearcurve")
+# Of a curve that is not met: a millionth of a fibre.
+_NO_RADIUS = 1e-9
 
 
 class TileBtf(PeriodicPaths):
@@ -74,18 +77,37 @@ class TileBtf(PeriodicPaths):
 
 
 def _loaded(source: TileScene) -> Any:
+    root = parsed_scene(source.scene)
+    curves = {
+        node.get("value")
+        for shape in root.findall("shape")
+        if shape.get("type") in _CURVES
+        for node in shape.findall("string")
+    }
     with TemporaryDirectory(prefix="loomlight-") as name:
         folder = Path(name)
         for file, held in source.files.items():
             (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            (folder / file).write_bytes(held)
-        text = _repeated(parsed_scene(source.scene), source)
+            (folder / file).write_bytes(_with_last_curve(held) if file in curves else held)
+        text = _repeated(root, source)
         (folder / _SCENE).write_text(text, encoding="utf-8")
         try:
             return mi.load_file(str(folder / _SCENE), parallel=False, optimize=False)
         except RuntimeError as error:
             said = one_line(str(error).replace(str(folder), "")).rpartition("] ")[2]
             raise InputError(f"{source.name}: Mitsuba cannot load its scene: {said}") from error
+
+
+def _with_last_curve(held: bytes) -> bytes:
+    """A file of curves and one that no ray meets.
+
+    Mitsuba 3.9 finds the segment of a hit anew from its place among all, rounded. At the end of the last one
+    that is a segment too many, and reads beyond all of them: a crash, which a further curve prevents.
+    """
+    points = [line.split() for line in held.decode("utf-8", "replace").splitlines()]
+    first = [words for words in points if len(words) == 4][:4]
+    last = "".join(f"{x} {y} {z} {_NO_RADIUS}\n" for x, y, z, _ in first)
+    return held + b"\n\n" + last.encode()
 
 
 def _repeated(root: ElementTree.Element, source: TileScene) -> str:

@@ -35,7 +35,8 @@ class NeumipSettings:
         batch: queries of a step.
         rate: largest learning rate of the networks.
         texture_rate: largest learning rate of the textures.
-        offset_share: share of the training after which the offset texture stays as it is.
+        offset_share: share of the training after which the offset texture stays as it is; a third in the
+            released code, whose trainings are longer.
         seed: of queries, weights and batches.
     """
 
@@ -47,7 +48,7 @@ class NeumipSettings:
     batch: int = 1 << 14
     rate: float = 3e-3
     texture_rate: float = 1e-2
-    offset_share: float = 1 / 3
+    offset_share: float = 2 / 3
     seed: int = 0
 
     def identity(self, source: Source) -> str:
@@ -76,7 +77,14 @@ QUALITIES: dict[str, NeumipSettings] = {
     "preview": NeumipSettings(),
     "full": NeumipSettings(resolution=256, queries=300, samples=16, steps=6000, batch=1 << 16),
     "published": NeumipSettings(
-        resolution=512, queries=400, samples=64, steps=30_000, batch=1 << 20, rate=1e-3, texture_rate=1e-3
+        resolution=512,
+        queries=400,
+        samples=64,
+        steps=30_000,
+        batch=1 << 20,
+        rate=1e-3,
+        texture_rate=1e-3,
+        offset_share=1 / 3,
     ),
 }
 
