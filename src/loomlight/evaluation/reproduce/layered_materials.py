@@ -46,8 +46,8 @@ def _ceramic(side: int) -> Textures:
     brush = 0.05 * noise(side, 2, 48)
     # Flowers of five petals between the stems, in two rows that are offset.
     row = np.floor(3 * v + 0.5)
-    across, along = (6 * u + 0.5 * row) % 1 - 0.5, 2 * ((3 * v + 0.5) % 1 - 0.5)
-    radius, angle = np.hypot(across, along), np.arctan2(along, across) + row
+    sideways, upwards = (6 * u + 0.5 * row) % 1 - 0.5, 2 * ((3 * v + 0.5) % 1 - 0.5)
+    radius, angle = np.hypot(sideways, upwards), np.arctan2(upwards, sideways) + row
     petals = 0.30 + 0.10 * np.cos(5 * angle) - radius + brush * 0.6
     heart = step(-radius, -0.10, -0.07)
     leaves = np.cos(2 * np.pi * 24 * u) * step(-stem, -0.17, -0.05)
